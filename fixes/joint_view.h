@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the contact style needs to know of the joints: which block pairs are still held by a facet.
+// Scope: an interface only; fix muckpile/joint implements it, pair muckpile/block reads it.
+#pragma once
+
+#include <cstdint>
+
+namespace muckpile {
+
+/// State of a joint facet; it only ever moves down this list.
+enum class FacetState : std::uint8_t {
+  intact,   ///< every integration point holds
+  cracked,  ///< at least one point broke; the facet itself carries what contact there is
+  fading,   ///< slid or turned so far that sphere contact acts beside the fading facet
+  retired   ///< the facet carries nothing any more
+};
+
+class JointView {
+ public:
+  virtual ~JointView() = default;
+  /// Index of the facet shared by two blocks given by body tag, -1 if none.
+  /// Valid until the next reneighbouring.
+  [[nodiscard]] virtual int facet_between(int block_tag_a, int block_tag_b) const = 0;
+  /// States of all facets known to this rank, indexed as above; re-read the pointer every step.
+  [[nodiscard]] virtual const FacetState* facet_states() const = 0;
+  /// True for a block whose facets are all intact and none of which lies on a free face or a
+  /// crushed zone: nothing outside can touch it.
+  [[nodiscard]] virtual bool enclosed(int block_tag) const = 0;
+};
+
+}  // namespace muckpile

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The one exception that core code throws for a fault in the user's input.
+// Scope: text only; fixes/engine turns it into a collective engine error.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace muckpile {
+
+class InputError : public std::runtime_error {
+ public:
+  explicit InputError(const std::string& message) : std::runtime_error(message) {}
+};
+
+}  // namespace muckpile
