@@ -4,9 +4,10 @@ find_package(MPI QUIET COMPONENTS CXX)
 find_path(LIGGGHTS_INCLUDE_DIR NAMES fix_multisphere.h PATH_SUFFIXES liggghts)
 find_library(LIGGGHTS_LIBRARY NAMES liggghts)
 
-if(LIGGGHTS_INCLUDE_DIR AND EXISTS "${LIGGGHTS_INCLUDE_DIR}/version_liggghts.h")
-  file(STRINGS "${LIGGGHTS_INCLUDE_DIR}/version_liggghts.h" _line REGEX "LIGGGHTS_VERSION")
-  string(REGEX MATCH "[0-9]+\\.[0-9]+(\\.[0-9]+)?" LIGGGHTS_VERSION "${_line}")
+# The headers carry LAMMPS' date only; the library's file name carries LIGGGHTS' own version.
+if(LIGGGHTS_LIBRARY)
+  file(REAL_PATH "${LIGGGHTS_LIBRARY}" _library)
+  string(REGEX MATCH "[0-9]+\\.[0-9]+(\\.[0-9]+)?" LIGGGHTS_VERSION "${_library}")
 endif()
 
 include(FindPackageHandleStandardArgs)

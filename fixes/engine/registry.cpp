@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The one file that reaches LIGGGHTS' private style maps, and the one table of our styles.
+// Scope: written for LIGGGHTS 3.8; the static_asserts stop the build if a map's type changes.
+#include "engine/registry.h"
+
+#include <fix.h>
+#include <force.h>
+#include <input.h>
+#include <lammps.h>
+#include <modify.h>
+#include <pair.h>
+
+#include <error.h>
+
+#include <map>
+#include <type_traits>
+
+namespace muckpile::engine {
+namespace {
+
+using LAMMPS_NS::Fix;
+using LAMMPS_NS::Force;
+using LAMMPS_NS::Input;
+using LAMMPS_NS::LAMMPS;
+using LAMMPS_NS::Modify;
+using LAMMPS_NS::Pair;
+
+using CommandCreator = void (*)(LAMMPS*, int, char**);
+using FixCreator = Fix* (*)(LAMMPS*, int, char**);
+using PairCreator = Pair* (*)(LAMMPS*);
+
+// Explicit instantiation may name a private member ([temp.spec]/6); the friend hands it out.
+template <typename Tag, typename Tag::Type member>
+struct Expose {
+  friend typename Tag::Type private_member(Tag) { return member; }
+};
+struct FixMap {
+  using Type = std::map<std::string, FixCreator>* Modify::*;
+  friend Type private_member(FixMap);
+};
+struct CommandMap {
+  using Type = std::map<std::string, CommandCreator>* Input::*;
+  friend Type private_member(CommandMap);
+};
+template struct Expose<FixMap, &Modify::fix_map>;
+template struct Expose<CommandMap, &Input::command_map>;
+static_assert(std::is_same_v<decltype(Force::pair_map), std::map<std::string, PairCreator>*>);
+
+template <typename Style>
+Fix* create_fix(LAMMPS* lmp, int narg, char** arg) {
+  return new Style(lmp, narg, arg);  // the engine owns and deletes it
+}
+template <typename Style>
+Pair* create_pair(LAMMPS* lmp) {
+  return new Style(lmp);  // the engine owns and deletes it
+}
+template <typename Style>
+void run_command(LAMMPS* lmp, int narg, char** arg) {
+  Style(lmp).command(narg, arg);
+}
+
+void register_again(LAMMPS* lmp, int, char**) { register_styles(*lmp); }
+
+const std::map<std::string, CommandCreator>& commands() {
+  static const std::map<std::string, CommandCreator> table = {
+      {"muckpile_styles", &register_again},
+  };
+  return table;
+}
+const std::map<std::string, FixCreator>& fixes() {
+  static const std::map<std::string, FixCreator> table = {};
+  return table;
+}
+const std::map<std::string, PairCreator>& pairs() {
+  static const std::map<std::string, PairCreator> table = {};
+  return table;
+}
+
+template <typename Map>
+void add_all(LAMMPS& lmp, Map* engine_map, const Map& ours, const char* kind) {
+  if (engine_map == nullptr) {
+    lmp.error->all(FLERR, (std::string("this LIGGGHTS has no table of ") + kind + " styles").c_str());
+  }
+  for (const auto& [name, creator] : ours) {
+    const auto [place, added] = engine_map->emplace(name, creator);
+    if (!added && place->second != creator) {
+      lmp.error->all(FLERR, ("LIGGGHTS already has a " + std::string(kind) + " style '" + name + "'").c_str());
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<StyleName> style_names() {
+  std::vector<StyleName> names;
+  for (const auto& entry : commands()) names.push_back({"command", entry.first});
+  for (const auto& entry : fixes()) names.push_back({"fix", entry.first});
+  for (const auto& entry : pairs()) names.push_back({"pair", entry.first});
+  return names;
+}
+
+void register_styles(LAMMPS& lmp) {
+  add_all(lmp, lmp.input->*private_member(CommandMap{}), commands(), "command");
+  add_all(lmp, lmp.modify->*private_member(FixMap{}), fixes(), "fix");
+  add_all(lmp, lmp.force->pair_map, pairs(), "pair");
+}
+
+}  // namespace muckpile::engine
