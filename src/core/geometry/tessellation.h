@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Cuts a region of rock into graded Voronoi blocks around crushed zones (cells by voro++).
+// Limits: one connected box, clipped by an optional region; blocks stay convex.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "geometry/block_model.h"
+#include "geometry/size_law.h"
+
+namespace muckpile {
+
+// A region inside the box, for rock that is not a box. Both functions or none.
+// Air features narrower than a few blocks are not resolved.
+struct RegionQuery {
+  std::function<bool(const Vec3& point)> inside;
+  // The closest point of each smooth piece of the region's surface that lies within `cutoff` [m]
+  // of `point`; several near a convex edge of the rock. The box walls need not be reported.
+  std::function<std::vector<Vec3>(const Vec3& point, double cutoff)> surface_points;
+};
+
+struct TessellationOptions {
+  Vec3 lo = Vec3::Zero();  // box corners [m]
+  Vec3 hi = Vec3::Zero();
+  std::vector<Hole> holes;
+  SizeLaw size = SizeLaw::uniform(1.0);
+  unsigned long seed = 1;
+  int sweeps = 20;  // size-weighted Lloyd sweeps
+  std::size_t max_blocks = 1000000;
+  RegionQuery region;
+};
+
+struct TessellationStatistics {
+  double expected_blocks = 0.0;         // integral of dV / size^3 over the rock
+  double box_volume = 0.0;              // [m3]
+  double block_volume = 0.0;            // sum over blocks [m3]
+  double void_volume = 0.0;             // box - blocks: crushed zones and what the region cuts off
+  std::vector<double> hole_volume;      // per hole, enclosed by its faces [m3]
+  std::vector<double> hole_area;        // per hole, sum of its face areas [m2]
+  std::vector<double> cylinder_volume;  // per hole, of the ideal cylinder inside the box [m3]
+  double smallest_face_area_ratio = 0.0;  // min over faces of area / V^(2/3) of its block [-]
+  double median_size_ratio = 0.0;         // median over blocks of V^(1/3) / target size [-]
+  std::size_t faces_collapsed = 0;        // faces at rounding level that only one block had
+};
+
+struct Tessellation {
+  std::vector<Block> blocks;  // in the order of their seeds
+  TessellationStatistics statistics;
+};
+
+// Expected number of blocks [-]; cheap, nothing is allocated. Stops counting above `give_up`.
+[[nodiscard]] double expected_block_count(const TessellationOptions& options, double give_up);
+
+// The same options give the same blocks. Faces between two blocks agree to rounding.
+// Throws InputError: empty box, hole axis outside the box, blocks at a hole larger than its
+// diameter, half a region query, or more blocks expected than max_blocks.
+[[nodiscard]] Tessellation tessellate(const TessellationOptions& options);
+
+}  // namespace muckpile
