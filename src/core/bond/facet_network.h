@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The dilatation-coupled network of joint facets between rigid polyhedral blocks: elasticity,
+// breaking, and plane contact of broken facets.
+// Scope: forces from the poses of the blocks; no integration, no engine, no communication. The
+// caller fills state(), calls dilatation(), sets the dilatation of blocks it does not own, calls
+// tractions(), and reads force() and torque().
+//
+// Elasticity (Muckpile's own; kin: Chen, Lin, Jiao & Liu 2014, Asahina et al. 2015): a facet with
+// normal n (from i to j), centre distance h along n and jump u = displacement of j minus that of i
+// carries t = (2G/h) u + lambda (theta_i + theta_j)/2 n, with the dilatation of a block
+// theta = [sum over bonded facets A n.u/2 + sum over loaded faces A t_n d/(2G)] /
+//         [V (1 + phi lambda/(2G))],  phi = sum over unbonded faces of A d / V,
+// d the distance of a face from the centre. Free and loaded faces are condensed out that way.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "bond/joint_material.h"
+#include "math/types.h"
+
+namespace muckpile {
+
+inline constexpr int kFacetPoints = 3;  ///< per facet: area, centroid and second moments exact
+inline constexpr int kGroundTag = 0;    ///< "block" on the far side of a supported boundary face
+
+/// What a facet joins its block `i` to. `fixed` and `mirror` join it to the ground: rock that does
+/// not move, and the mirror image behind a symmetry plane (no shear).
+enum class FacetKind : std::uint8_t { joint, fixed, mirror };
+
+/// Facet in the start configuration. Blocks are named by tag; `i`, `j` are indices into the
+/// network's blocks and are set by the caller whenever those change. (tag_i, face) is unique.
+struct Facet {
+  int tag_i = 0, tag_j = 0;       ///< tag_i < tag_j, or tag_j = kGroundTag
+  int face = 0;                   ///< number of the face in block i's polyhedron
+  int i = -1, j = -1;             ///< local indices; j = ground() for a support
+  FacetKind kind = FacetKind::joint;
+  Vec3 normal;                    ///< unit, from i to j
+  Vec3 arm_i, arm_j;              ///< facet centroid minus block centre (ground: the origin) [m]
+  std::array<Vec3, 2> half_axes;  ///< sqrt(2) x radii of gyration along the in-plane axes [m]
+  double area = 0.0;              ///< [m2]
+  double weight = 1.0;            ///< share of the facet's energy that this rank books [-]
+};
+
+/// Face of one block that is free or faces a crushed zone.
+struct BoundaryFace {
+  int tag = 0;
+  int block = -1;         ///< local index
+  int hole = -1;          ///< index of the crushed zone that it faces, -1 if none
+  Vec3 normal;            ///< unit, outward
+  Vec3 arm;               ///< centroid minus block centre [m]
+  Vec3 start;             ///< centroid in the start configuration [m]
+  double area = 0.0;      ///< [m2]
+  double pressure = 0.0;  ///< [Pa]
+  double last_pressure = 0.0, last_swept = 0.0;  ///< at the step before [Pa], [m3]
+};
+
+/// What a facet remembers; all of it travels with the facet.
+struct FacetMemory {
+  std::array<Vec3, kFacetPoints> offset{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  ///< broken point: jump at zero force, in start orientation [m]
+  std::array<bool, kFacetPoints> broken{false, false, false};
+  bool cracked = false;   ///< any point broken
+  bool retired = false;   ///< carries nothing any more
+  double fade = 1.0;      ///< 1 while the faces match, falls to 0 as they slide or turn away
+};
+
+struct BlockConstants {
+  int tag = 0;
+  double volume = 0.0;  ///< [m3]
+  double mass = 0.0;    ///< [kg]
+  bool owned = true;    ///< false for a copy of another rank's block
+};
+
+struct BlockState {
+  Vec3 centre, velocity, spin;  ///< [m], [m/s], [rad/s]
+  Mat3 rotation;                ///< from the start orientation
+};
+
+/// Cumulative losses of this rank [J].
+struct JointLosses {
+  double fracture = 0.0;
+  double friction = 0.0;
+  double damping = 0.0;
+};
+
+class FacetNetwork {
+ public:
+  explicit FacetNetwork(const JointMaterial& material) : material_(material) {}
+
+  /// Blocks first (owned ones first; the ground is appended), then facets and faces with their
+  /// indices set.
+  void set_blocks(std::vector<BlockConstants> blocks);
+  [[nodiscard]] int ground() const { return static_cast<int>(blocks_.size()) - 1; }
+  void set_facets(std::vector<Facet> facets, std::vector<FacetMemory> memory);
+  void set_faces(std::vector<BoundaryFace> faces);
+
+  [[nodiscard]] const JointMaterial& material() const { return material_; }
+  [[nodiscard]] const std::vector<BlockConstants>& blocks() const { return blocks_; }
+  [[nodiscard]] const std::vector<Facet>& facets() const { return facets_; }
+  [[nodiscard]] const std::vector<FacetMemory>& memory() const { return memory_; }
+  [[nodiscard]] std::vector<BoundaryFace>& faces() { return faces_; }
+  [[nodiscard]] const std::vector<BoundaryFace>& faces() const { return faces_; }
+  [[nodiscard]] std::span<BlockState> state() { return state_; }
+  [[nodiscard]] std::span<double> theta() { return theta_; }
+  [[nodiscard]] std::span<const Vec3> force() const { return force_; }
+  [[nodiscard]] std::span<const Vec3> torque() const { return torque_; }
+
+  void dilatation();            ///< theta of every block from the poses; right for owned blocks
+  void tractions(double dt);    ///< forces, torques, breaking, losses over a step dt [s]
+
+  [[nodiscard]] double elastic_energy() const;   ///< of joints, rock and closed broken facets [J]
+  [[nodiscard]] double volume_swept(const BoundaryFace& face) const;  ///< by a loaded face [m3]
+  [[nodiscard]] double pressure_work() const { return pressure_work_; }  ///< on owned blocks so far [J]
+  [[nodiscard]] const JointLosses& losses() const { return losses_; }
+  [[nodiscard]] bool newly_cracked() const { return newly_cracked_; }  ///< a facet cracked in the last call
+  [[nodiscard]] double broken_area(bool all) const;  ///< booked by this rank, `all`: of all joints [m2]
+  [[nodiscard]] double broken_count() const;         ///< facets with a broken point, booked share
+
+  /// Largest stable step [s]: 2/omega, omega^2 bounded row by row (Gershgorin).
+  [[nodiscard]] double stable_step() const;
+
+  /// Continues with softer rock: every stiffness times `factor` in the present pose, so every
+  /// traction falls to that share. The elastic energy given up is booked as fracture loss.
+  void soften(double factor);
+
+ private:
+  struct Derived {  // per facet, recomputed with the material
+    FacetStiffness k;
+    double share_i, share_j;  // of the jump that strains block i and j
+    double depth_i, depth_j;  // distance of the facet from the two centres [m]
+    double radius;            // of the circle of equal area [m]
+    double tan_friction, tan_residual, cohesion;
+  };
+  struct Kinematics {  // of the present step
+    Vec3 normal, jump;
+  };
+  struct BlockSums {
+    double bonded = 0.0;     // sum of A n.u/2 [m3]
+    double loaded = 0.0;     // sum of A t_n d/(2G) [m3]
+    double squeezed = 0.0;   // sum of A d t_n^2/(4G) [J]
+    double unbonded = 0.0;   // phi, faces and broken facets [-]
+    double dropped = 0.0;    // bonded sum lost by breaking in this step
+    double unbonded_added = 0.0;
+  };
+
+  struct Point {  // one integration point of a facet in the present step
+    Vec3 jump, at;  // [m]; `at` is midway between the two sides
+  };
+
+  void derive();
+  void count_unbonded();
+  void intact_facet(std::size_t f, double dt);
+  void cracked_facet(std::size_t f, double dt);
+  void bonded_point(std::size_t f, int p, const Point& point, double dt);
+  void contact_point(std::size_t f, int p, const Point& point, double dt);
+  void break_point(std::size_t f, int p, const Point& point, const Vec3& traction);
+  void drop_from_dilatation(std::size_t f, const Vec3& jump);
+  void update_fade(std::size_t f);
+  void load_faces();
+  void book_fracture();
+  void push(const Facet& facet, const Vec3& at, const Vec3& force);
+  [[nodiscard]] Point point_of(std::size_t f, int p) const;
+  [[nodiscard]] Vec3 relative_velocity(const Facet& facet, const Vec3& at) const;
+  [[nodiscard]] double block_potential(std::size_t b, const BlockSums& sums) const;
+  [[nodiscard]] double block_energy(std::size_t b) const;
+
+  JointMaterial material_;
+  std::vector<BlockConstants> blocks_;
+  std::vector<BlockState> state_;
+  std::vector<BlockSums> sums_;
+  std::vector<double> theta_;
+  std::vector<Vec3> force_, torque_;
+  std::vector<Facet> facets_;
+  std::vector<FacetMemory> memory_;
+  std::vector<Derived> derived_;
+  std::vector<Kinematics> kinematics_;
+  std::vector<BoundaryFace> faces_;
+  JointLosses losses_;
+  double pressure_work_ = 0.0;
+  bool newly_cracked_ = false;
+};
+
+}  // namespace muckpile
