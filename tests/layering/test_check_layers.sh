@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# check_layers.sh passes a clean tree and names every kind of forbidden include.
+set -euo pipefail
+check=$(dirname "${BASH_SOURCE[0]}")/check_layers.sh
+tree=$(mktemp -d)
+trap 'rm -rf "$tree"' EXIT
+export LIGGGHTS_INCLUDE_DIR=$tree/engine
+mkdir -p "$tree"/{engine,src/core/args,src/app,fixes,postproc/lib}
+touch "$tree"/engine/{lammps.h,region.h} "$tree"/postproc/lib/region.h
+
+echo '#include "args/range.h"
+#include <vector>' >"$tree/src/core/args/a.cpp"
+echo '#include <vtkPoints.h>
+#include "region.h"' >"$tree/postproc/lib/b.cpp"
+echo '#include <lammps.h>
+#include <mpi.h>' >"$tree/fixes/c.cpp"
+"$check" "$tree" || { echo "a clean tree was refused"; exit 1; }
+
+expect_fault() {  # expect_fault FILE HEADER
+  echo "#include $2" >"$tree/$1"
+  if output=$("$check" "$tree"); then
+    echo "$1 with $2 passed"
+    exit 1
+  fi
+  grep -qF "$1:1 includes" <<<"$output" || { echo "wrong message: $output"; exit 1; }
+  rm "$tree/$1"
+}
+expect_fault src/core/args/x.h '<lammps.h>'
+expect_fault src/core/args/x.h '"liggghts/fix.h"'
+expect_fault src/core/args/x.h '<mpi.h>'
+expect_fault src/core/args/x.cpp '<vtkPoints.h>'
+expect_fault src/core/args/x.cpp '<iostream>'
+expect_fault src/core/args/x.cpp '"engine/style_args.h"'
+expect_fault postproc/lib/x.cpp '<lammps.h>'
+expect_fault postproc/lib/x.cpp '"fix_muckpile_joint.h"'
+expect_fault fixes/x.cpp '<vtkPoints.h>'
+expect_fault src/app/x.cpp '"postproc/lib/b.h"'
