@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Attenuation through the crushed zone; equations in the header.
+#include "explosive/attenuation.h"
+
+#include <cmath>
+
+#include "explosive/require.h"
+
+namespace muckpile {
+
+double crushed_zone_exponent(double poisson_ratio) {
+  if (!(poisson_ratio >= 0.0 && poisson_ratio < 0.5)) {
+    explosive_detail::refuse("poisson_ratio", "0 or more and below 0.5", "", poisson_ratio);
+  }
+  return 2.0 + poisson_ratio / (1.0 - poisson_ratio);
+}
+
+double attenuated_pressure(double pressure, double borehole_radius, double radius,
+                           double exponent) {
+  explosive_detail::require_not_negative("borehole_pressure", "Pa", pressure);
+  explosive_detail::require_positive("hole radius", "m", borehole_radius);
+  explosive_detail::require_not_negative("attenuation_exponent", "", exponent);
+  if (!(std::isfinite(radius) && radius >= borehole_radius)) {
+    explosive_detail::refuse("crushed-zone radius", "at least the hole radius", "m", radius);
+  }
+  return pressure * std::pow(borehole_radius / radius, exponent);
+}
+
+}  // namespace muckpile

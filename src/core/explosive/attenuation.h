@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Loss of peak wave pressure between the borehole wall and the outer radius of the crushed zone.
+// Scope: a power law of distance; beyond the crushed zone the block model carries the wave itself.
+#pragma once
+
+namespace muckpile {
+
+/// Exponent 2 + nu/(1 - nu) for a shock in crushed rock (textbook value, used by the group whose
+/// work we follow; that it is what their paper used is our inference). InputError unless 0 <= nu <
+/// 0.5.
+[[nodiscard]] double crushed_zone_exponent(double poisson_ratio);
+
+/// pressure (borehole_radius / radius)^exponent [Pa]. InputError if a radius is not positive, if
+/// radius < borehole_radius, or if the pressure or exponent is negative.
+[[nodiscard]] double attenuated_pressure(double pressure, double borehole_radius, double radius,
+                                         double exponent);
+
+}  // namespace muckpile

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Load on the wall of the crushed zone; equations in the header.
+#include "explosive/blast_load.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "explosive/require.h"
+
+namespace muckpile {
+
+double vent_factor(double time, double vent_time, double vent_decay) {
+  return time <= vent_time ? 1.0 : std::exp(-(time - vent_time) / vent_decay);
+}
+
+BlastLoad::BlastLoad(const Parameters& parameters)
+    : wave_peak_(parameters.wave_peak),
+      pulse_(parameters.rise_time),
+      gas_(parameters.gas),
+      isentrope_(parameters.isentrope),
+      charge_volume_(parameters.charge_volume),
+      vent_time_(parameters.vent_time),
+      vent_decay_(parameters.vent_decay) {
+  explosive_detail::require_not_negative("peak_pressure", "Pa", wave_peak_);
+  if (!gas_) return;
+  explosive_detail::require_positive("charge volume", "m3", charge_volume_);
+  explosive_detail::require_not_negative("vent_time", "s", vent_time_);
+  explosive_detail::require_positive("vent_decay", "s", vent_decay_);
+  switch_volume_ = isentrope_.switch_ratio() * charge_volume_;
+}
+
+double BlastLoad::gas_pressure(double swept_volume, double time) const {
+  if (!gas_) return 0.0;
+  return isentrope_.pressure((switch_volume_ + swept_volume) / charge_volume_) *
+         vent_factor(time, vent_time_, vent_decay_);
+}
+
+double BlastLoad::pressure(double tau, double gas_pressure) const {
+  if (tau <= 0.0) return 0.0;
+  return std::max(wave_peak_ * pulse_.shape(tau), gas_pressure * pulse_.ramp(tau));
+}
+
+double BlastLoad::bound(double tau, double gas_pressure) const {
+  const double wave = tau < pulse_.rise_time() ? 1.0 : pulse_.shape(tau);
+  return std::max(wave_peak_ * wave, gas_pressure);
+}
+
+double BlastLoad::greatest_pressure() const {
+  return std::max(wave_peak_, gas_ ? isentrope_.switch_pressure() : 0.0);
+}
+
+}  // namespace muckpile

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Pressure on the wall of the crushed zone: the stress-wave pulse, then the detonation gas.
+// Scope: one hole; the gas has one pressure in the whole hole and follows the volume that the wall
+// sweeps; leakage is a time law, the flow of gas into cracks is not resolved.
+#pragma once
+
+#include "explosive/starfield_pulse.h"
+#include "explosive/two_stage_isentrope.h"
+
+namespace muckpile {
+
+/// Share of the gas that has not vented: 1 until vent_time, then exp(-(t - vent_time)/vent_decay).
+/// Times [s] since the primer fired. The exponential form is our choice.
+[[nodiscard]] double vent_factor(double time, double vent_time, double vent_decay);
+
+/// Load at a wall point, tau = time since the detonation arrived there:
+///     p = max( P1 f(tau), p_gas(V, t) g(tau) )
+/// P1 peak wave pressure at the wall, f the Starfield-Pugliese shape, g = f until the peak and 1
+/// after. So before the peak p is the pulse alone wherever P1 >= p_gas, and afterwards the greater
+/// of both: the maximum, not the sum, because the pulse is the first part of the same expansion. If
+/// P1 < p_gas the gas comes up along the pulse's own rise. Either way the load never jumps.
+///     p_gas = p(V/V0) s(t),  V = Vk + swept volume,  V0 charge volume, p(V/V0) and Vk the
+///     isentrope's,
+/// that is pk (Vk/V)^gamma2 s(t) as long as the wall has not moved inward, s the vent factor.
+class BlastLoad {
+ public:
+  struct Parameters {
+    double wave_peak;                         ///< P1 [Pa], 0 for no pulse
+    double rise_time;                         ///< [s]
+    bool gas;                                 ///< false: pulse only, the four below are not used
+    TwoStageIsentrope::Parameters isentrope;  ///< of the products
+    double charge_volume;                     ///< V0 [m3]
+    double vent_time;                         ///< since the primer fired [s]
+    double vent_decay;                        ///< [s]
+  };
+
+  /// InputError on a value out of range.
+  explicit BlastLoad(const Parameters& parameters);
+
+  /// Gas pressure [Pa] at a swept volume [m3] and a time [s] since the primer fired; 0 without gas.
+  [[nodiscard]] double gas_pressure(double swept_volume, double time) const;
+  /// Load [Pa] at a point that the detonation reached tau seconds ago, under that gas pressure.
+  [[nodiscard]] double pressure(double tau, double gas_pressure) const;
+  /// Bound on pressure() at tau and later if the gas pressure does not rise above the given one;
+  /// P1 or the gas pressure before the peak.
+  [[nodiscard]] double bound(double tau, double gas_pressure) const;
+
+  [[nodiscard]] double wave_peak() const { return wave_peak_; }          ///< P1 [Pa]
+  [[nodiscard]] double switch_volume() const { return switch_volume_; }  ///< Vk [m3], 0 without gas
+  /// The greatest load that can occur on a wall that only moves outward [Pa].
+  [[nodiscard]] double greatest_pressure() const;
+
+ private:
+  double wave_peak_;
+  StarfieldPulse pulse_;
+  bool gas_;
+  TwoStageIsentrope isentrope_;
+  double charge_volume_;
+  double switch_volume_ = 0.0;
+  double vent_time_;
+  double vent_decay_;
+};
+
+}  // namespace muckpile

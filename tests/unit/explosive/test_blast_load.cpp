@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Pulse, detonation front, gas and their combination, against hand-worked numbers and limits.
+// Scope: one hole; the engine side is tested with the fix.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "args/input_error.h"
+#include "explosive/blast_load.h"
+#include "explosive/detonation_front.h"
+
+namespace muckpile {
+namespace {
+
+constexpr double kRise = 1e-4;    // [s]
+constexpr double kP1 = 227e6;     // [Pa]
+constexpr double kV0 = 0.01;      // [m3]
+constexpr double kVent = 0.0099;  // 3.3 ms per m x 3 m [s]
+constexpr double kDecay = 0.0045;
+
+BlastLoad::Parameters emulsion() {
+  return {.wave_peak = kP1,
+          .rise_time = kRise,
+          .gas = true,
+          .isentrope = {.initial_pressure = 2.784375e9},
+          .charge_volume = kV0,
+          .vent_time = kVent,
+          .vent_decay = kDecay};
+}
+
+TEST(StarfieldPulse, PeaksAtExactlyOneAtTheRiseTime) {
+  const StarfieldPulse pulse(kRise);
+  EXPECT_DOUBLE_EQ(pulse.shape(kRise), 1.0);  // x = 1/2: 4 (1/2 - 1/4)
+  EXPECT_LT(pulse.shape(0.99 * kRise), 1.0);
+  EXPECT_LT(pulse.shape(1.01 * kRise), 1.0);
+}
+
+TEST(StarfieldPulse, EqualsTheTwoExponentialsOfThePaper) {
+  const StarfieldPulse pulse(kRise);
+  const double b = std::numbers::sqrt2 * std::numbers::ln2 / kRise;
+  for (const double t : {0.1 * kRise, 0.7 * kRise, 3.0 * kRise, 10.0 * kRise}) {
+    const double paper =
+        4.0 * (std::exp(-b * t / std::numbers::sqrt2) - std::exp(-std::numbers::sqrt2 * b * t));
+    EXPECT_NEAR(pulse.shape(t), paper, 1e-14);  // rounding of two exponentials
+  }
+}
+
+TEST(StarfieldPulse, RisesMonotonicallyFromZero) {
+  const StarfieldPulse pulse(kRise);
+  EXPECT_EQ(pulse.shape(-1.0), 0.0);
+  EXPECT_EQ(pulse.shape(0.0), 0.0);
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_LT(pulse.shape(i * kRise / 100.0), pulse.shape((i + 1) * kRise / 100.0));
+  }
+}
+
+TEST(StarfieldPulse, FallsToOneHalfAt2Point77RiseTimes) {
+  // x - x^2 = 1/8: x = (1 - sqrt(1/2))/2 = 0.1464466, t/tr = -log2 x = 2.771553
+  EXPECT_NEAR(StarfieldPulse(kRise).shape(2.771553 * kRise), 0.5, 1e-6);
+}
+
+TEST(StarfieldPulse, ImpulseIsTwoRiseTimesOverLn2) {
+  const StarfieldPulse pulse(kRise);
+  double sum = 0.0;  // midpoint rule, error f'(0) h^2/24 = 1.2e-5 tr
+  constexpr double kStep = kRise / 100.0;
+  for (int i = 0; i < 5000; ++i) sum += pulse.shape((i + 0.5) * kStep) * kStep;
+  EXPECT_NEAR(sum, 2.0 * kRise / std::numbers::ln2, 1.5e-5 * kRise);
+}
+
+TEST(StarfieldPulse, RefusesAZeroRiseTime) {
+  EXPECT_THROW(StarfieldPulse(0.0), InputError);
+  EXPECT_THROW(StarfieldPulse(-1e-4), InputError);
+}
+
+TEST(DetonationFront, RunsFromThePrimerAtTheDetonationVelocity) {
+  const Vec3 toe(1.0, 2.0, -1.0), collar(1.0, 2.0, 8.0);
+  const DetonationFront up({toe, collar, 4500.0, 0.025, 0.0});
+  EXPECT_DOUBLE_EQ(up.arrival_time({1.3, 2.0, -1.0}), 0.025);
+  EXPECT_DOUBLE_EQ(up.arrival_time({1.3, 2.4, 8.0}), 0.027);  // 9 m / 4500 m/s = 2 ms
+  EXPECT_DOUBLE_EQ(up.last_arrival_time(), 0.027);
+  const DetonationFront down({toe, collar, 4500.0, 0.025, 1.0});
+  EXPECT_DOUBLE_EQ(down.arrival_time({1.0, 2.0, 3.5}), 0.026);
+  const DetonationFront middle({toe, collar, 4500.0, 0.0, 0.5});
+  EXPECT_DOUBLE_EQ(middle.arrival_time({0.0, 0.0, -1.0}), 0.001);
+  EXPECT_DOUBLE_EQ(middle.last_arrival_time(), 0.001);
+}
+
+TEST(DetonationFront, PointsBeyondTheColumnCountAsAtItsEnd) {
+  const DetonationFront front({Vec3(0, 0, 0), Vec3(0, 0, 9), 4500.0, 0.0, 0.0});
+  EXPECT_DOUBLE_EQ(front.arrival_time({0, 0, 11}), 0.002);
+  EXPECT_DOUBLE_EQ(front.arrival_time({0, 0, -3}), 0.0);
+}
+
+TEST(DetonationFront, RefusesNegativeDelayAndEmptyColumn) {
+  const Vec3 toe(0, 0, 0), collar(0, 0, 9);
+  EXPECT_THROW(DetonationFront({toe, collar, 4500.0, -1e-3, 0.0}), InputError);
+  EXPECT_THROW(DetonationFront({toe, toe, 4500.0, 0.0, 0.0}), InputError);
+  EXPECT_THROW(DetonationFront({toe, collar, 0.0, 0.0, 0.0}), InputError);
+  EXPECT_THROW(DetonationFront({toe, collar, 4500.0, 0.0, 1.5}), InputError);
+}
+
+TEST(Gas, StartsFromTheSwitchVolume) {
+  const BlastLoad load(emulsion());
+  EXPECT_NEAR(load.switch_volume() / kV0, 2.4056, 1e-4);
+  EXPECT_NEAR(load.gas_pressure(0.0, 0.0), 200e6, 1.0);  // rounding of a cube root
+}
+
+TEST(Gas, ExpandsWithTheSweptVolume) {
+  const BlastLoad load(emulsion());
+  // V = 2 Vk: 200 / 2^1.4 = 75.786 MPa
+  EXPECT_NEAR(load.gas_pressure(load.switch_volume(), 0.0), 200e6 / 2.6390158, 10.0);
+}
+
+TEST(Gas, VentsExponentially) {
+  const BlastLoad load(emulsion());
+  EXPECT_NEAR(load.gas_pressure(0.0, kVent), 200e6, 1.0);
+  EXPECT_NEAR(load.gas_pressure(0.0, kVent + kDecay), 200e6 * std::exp(-1.0), 1.0);
+}
+
+TEST(BlastLoad, IsThePulseAloneBeforeItsPeak) {
+  const BlastLoad load(emulsion());
+  const StarfieldPulse pulse(kRise);
+  for (const double part : {0.1, 0.5, 0.9, 1.0}) {
+    EXPECT_DOUBLE_EQ(load.pressure(part * kRise, 200e6), kP1 * pulse.shape(part * kRise));
+  }
+  EXPECT_EQ(load.pressure(0.0, 200e6), 0.0);
+  EXPECT_EQ(load.pressure(-1e-3, 200e6), 0.0);
+}
+
+TEST(BlastLoad, IsTheGreaterOfPulseAndGasAfterThePeak) {
+  const BlastLoad load(emulsion());
+  const StarfieldPulse pulse(kRise);
+  EXPECT_DOUBLE_EQ(load.pressure(1.2 * kRise, 200e6), kP1 * pulse.shape(1.2 * kRise));  // 222 MPa
+  EXPECT_DOUBLE_EQ(load.pressure(3.0 * kRise, 200e6), 200e6);
+  EXPECT_DOUBLE_EQ(load.pressure(3.0 * kRise, 50e6), kP1 * pulse.shape(3.0 * kRise));  // 99 MPa
+}
+
+TEST(BlastLoad, NeverJumpsEvenIfTheWaveIsWeakerThanTheGas) {
+  for (const double peak : {0.0, 50e6, 150e6, kP1}) {
+    BlastLoad::Parameters parameters = emulsion();
+    parameters.wave_peak = peak;
+    const BlastLoad load(parameters);
+    constexpr int kSteps = 10000;
+    constexpr double kStep = 10.0 * kRise / kSteps;
+    // steepest slope of the shape: 4 ln 2 / tr at the foot
+    const double allowed = 4.0 * std::numbers::ln2 / kRise * kStep * std::max(peak, 200e6);
+    for (int i = 0; i < kSteps; ++i) {
+      const double now = load.pressure(i * kStep, 200e6);
+      const double next = load.pressure((i + 1) * kStep, 200e6);
+      ASSERT_LE(std::abs(next - now), allowed) << "peak " << peak << ", step " << i;
+    }
+    EXPECT_DOUBLE_EQ(load.pressure(kRise, 200e6), std::max(peak, 200e6));
+  }
+}
+
+TEST(BlastLoad, WithoutGasOnlyThePulseIsLeft) {
+  BlastLoad::Parameters parameters = emulsion();
+  parameters.gas = false;
+  const BlastLoad load(parameters);
+  EXPECT_EQ(load.gas_pressure(0.0, 0.0), 0.0);
+  EXPECT_EQ(load.greatest_pressure(), kP1);
+  EXPECT_DOUBLE_EQ(load.pressure(5.0 * kRise, 0.0), kP1 * StarfieldPulse(kRise).shape(5.0 * kRise));
+}
+
+TEST(BlastLoad, BoundHoldsForAllLaterTimes) {
+  const BlastLoad load(emulsion());
+  for (const double tau : {0.0, 0.4 * kRise, kRise, 2.0 * kRise, 8.0 * kRise}) {
+    for (double later = tau; later < 20.0 * kRise; later += 0.05 * kRise) {
+      EXPECT_LE(load.pressure(later, 20e6), load.bound(tau, 20e6) * (1.0 + 1e-15));
+    }
+  }
+}
+
+TEST(BlastLoad, RefusesValuesOutOfRange) {
+  const auto refused = [](auto change) {
+    BlastLoad::Parameters parameters = emulsion();
+    change(parameters);
+    EXPECT_THROW(BlastLoad{parameters}, InputError);
+  };
+  refused([](auto& p) { p.wave_peak = -1.0; });
+  refused([](auto& p) { p.rise_time = 0.0; });
+  refused([](auto& p) { p.charge_volume = 0.0; });
+  refused([](auto& p) { p.vent_time = -1.0; });
+  refused([](auto& p) { p.vent_decay = 0.0; });
+  refused([](auto& p) { p.isentrope.switch_pressure = 0.0; });
+}
+
+}  // namespace
+}  // namespace muckpile
