@@ -1,0 +1,112 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# The entry script: every wrong word is refused by name, only missing packages are installed, a run
+# passes its values on, and a failure of any part is the failure of the whole.
+# Scope: fake apt-get, cmake, mpirun and muckpile-post record how they are called.
+# shellcheck disable=SC2016  # the bodies of the fakes expand when they run
+set -euo pipefail
+script=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../../muckpile")
+tree=$(mktemp -d)
+trap 'rm -rf "$tree"' EXIT
+cp "$script" "$tree/muckpile"
+mkdir -p "$tree"/{bin,inputs/demo,inputs/common,build/release/postproc}
+touch "$tree/build/release/build.ninja"
+cd "$tree"
+
+printf 'include inputs/common/rock.in\nvariable bench_height index 12 # m\nvariable out index x\n' \
+  >inputs/demo/in.demo
+printf 'variable rock_density index 2700 # kg/m3\nvariable step equal 1\n' >inputs/common/rock.in
+
+fake() {  # fake NAME BODY
+  printf '#!/bin/bash\necho "%s $*" >>%s/calls\n%s\n' "$(basename "$1")" "$tree" "$2" >"$1"
+  chmod +x "$1"
+}
+all_installed='shift 2; for p in "$@"; do echo "$p installed"; done'
+engine_ok="mkdir -p results/demo/dump; echo '{\"case\": \"bench\"}' >results/demo/dump/scene.json"
+healthy() {
+  fake bin/dpkg-query "$all_installed"
+  fake bin/apt-get ''
+  fake bin/cmake ''
+  fake bin/mpirun "$engine_ok"
+  fake build/release/postproc/muckpile-post \
+    "printf '{\n  \"throw_cg_m\": 8.5\n}\n' >results/demo/summary.json; touch results/demo/profile.png"
+}
+
+call() {  # call ARGUMENT...: runs the script on the fakes, keeps output and status
+  rm -f calls
+  status=0
+  output=$(PATH="$tree/bin:$PATH" ./muckpile "$@" 2>&1) || status=$?
+}
+problem() {
+  printf '%s\n' "$1" "--- status $status, output:" "$output" "--- calls:" "$(cat calls 2>/dev/null)"
+  exit 1
+}
+must_refuse() {  # must_refuse TEXT ARGUMENT...
+  local text=$1
+  shift
+  call "$@"
+  [[ $status -ne 0 ]] || problem "accepted: $*"
+  grep -qF -- "$text" <<<"$output" || problem "wrong message for: $*"
+  ! grep -q '^mpirun' calls 2>/dev/null || problem "the engine ran for: $*"
+}
+must_work() {
+  call "$@"
+  [[ $status -eq 0 ]] || problem "failed: $*"
+}
+called() { grep -qE -- "$1" calls || problem "no call like: $1"; }
+
+healthy
+must_refuse "unknown command 'rnu'" rnu
+must_refuse "run needs an input" run
+must_refuse "cannot read the input 'inputs/none'" run inputs/none
+must_refuse "-np must be a whole number >= 1, got '0'" run inputs/demo/in.demo -np 0
+must_refuse "-np must be a whole number >= 1, got 'two'" run inputs/demo/in.demo -np two
+must_refuse "-np must be a whole number >= 1, got ''" run inputs/demo/in.demo -np
+must_refuse "unknown option '-n'" run inputs/demo/in.demo -n 2
+must_refuse "run takes one input" run inputs/demo/in.demo 12
+must_refuse "-var needs a name and a value" run inputs/demo/in.demo -var bench_height
+must_refuse "has no variable 'bench_heigth'; did you mean 'bench_height'? (it has: bench_height rock_density)" \
+  run inputs/demo/in.demo -var bench_heigth 10
+must_refuse "-var bench_height needs one value" run inputs/demo/in.demo -var bench_height ''
+must_refuse "computes 'step' itself" run inputs/demo/in.demo -var step 2
+must_refuse "use -out DIR" run inputs/demo/in.demo -var out here
+must_refuse "splits names at blanks" run inputs/demo/in.demo -out 'a b'
+
+must_work help
+must_work run inputs/demo/in.demo -np 1 -var bench_height 10 -var rock_density 2.6e3
+called '^mpirun -np 1 .*-in inputs/demo/in.demo .*-var out results/demo -var bench_height 10 -var rock_density 2.6e3$'
+called '^muckpile-post profile results/demo$'
+! grep -q '^apt-get' calls || problem "apt-get ran though nothing is missing"
+grep -qE 'throw_cg_m +8.5' <<<"$output" || problem "the key figures are not shown"
+grep -qF 'results/demo/profile.png' <<<"$output" || problem "the picture is not named"
+
+fake bin/mpirun 'exit 3'
+call run inputs/demo/in.demo
+[[ $status -ne 0 ]] || problem "a failed run passed"
+! grep -q '^muckpile-post' calls || problem "a failed run was post-processed"
+
+healthy
+fake build/release/postproc/muckpile-post 'exit 1'
+call run inputs/demo/in.demo
+[[ $status -ne 0 ]] || problem "failed post-processing passed"
+
+healthy
+fake bin/cmake 'exit 1'
+must_refuse "the build failed" run inputs/demo/in.demo
+
+healthy
+fake bin/dpkg-query 'shift 2; for p in "$@"; do case $p in ninja-build) ;; cmake) echo "cmake config-files" ;;
+  *) echo "$p installed" ;; esac; done; exit 1'
+fake bin/id 'echo 1000'
+fake bin/sudo '"$@"'
+must_work install-deps
+called '^sudo env DEBIAN_FRONTEND=noninteractive apt-get .*install -y --no-install-recommends cmake ninja-build$'
+fake bin/apt-get 'exit 100'
+must_refuse "apt-get update failed" install-deps
+
+rm bin/*
+for tool in bash readlink dirname; do ln -s "$(command -v "$tool")" bin/; done
+status=0
+output=$(PATH="$tree/bin" ./muckpile install-deps 2>&1) || status=$?
+[[ $status -ne 0 ]] || problem "a system without apt-get passed"
+grep -qF 'no apt-get here' <<<"$output" || problem "absence of apt-get is not told"
