@@ -9,7 +9,7 @@ script=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../../muckpile")
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
 cp "$script" "$tree/muckpile"
-mkdir -p "$tree"/{bin,inputs/demo,inputs/common,build/release/postproc}
+mkdir -p "$tree"/{bin,inputs/demo,inputs/common,build/release/postproc/tools}
 touch "$tree/build/release/build.ninja"
 cd "$tree"
 
@@ -28,7 +28,7 @@ healthy() {
   fake bin/apt-get ''
   fake bin/cmake ''
   fake bin/mpirun "$engine_ok"
-  fake build/release/postproc/muckpile-post \
+  fake build/release/postproc/tools/muckpile-post \
     "printf '{\n  \"throw_cg_m\": 8.5\n}\n' >results/demo/summary.json; touch results/demo/profile.png"
 }
 
@@ -80,13 +80,17 @@ called '^muckpile-post profile results/demo$'
 grep -qE 'throw_cg_m +8.5' <<<"$output" || problem "the key figures are not shown"
 grep -qF 'results/demo/profile.png' <<<"$output" || problem "the picture is not named"
 
+touch results/demo/dump/blocks_000000009.csv
+must_work run inputs/demo/in.demo
+[[ ! -e results/demo/dump/blocks_000000009.csv ]] || problem "a block file of an older run stayed"
+
 fake bin/mpirun 'exit 3'
 call run inputs/demo/in.demo
 [[ $status -ne 0 ]] || problem "a failed run passed"
 ! grep -q '^muckpile-post' calls || problem "a failed run was post-processed"
 
 healthy
-fake build/release/postproc/muckpile-post 'exit 1'
+fake build/release/postproc/tools/muckpile-post 'echo "{}" >results/demo/summary.json; exit 1'
 call run inputs/demo/in.demo
 [[ $status -ne 0 ]] || problem "failed post-processing passed"
 
