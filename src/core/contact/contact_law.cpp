@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Constants of the contact law: checks, elastic moduli, damping ratio from restitution.
+// Scope: the per-contact functions are inline in the header.
+#include "contact/contact_law.h"
+
+#include <string>
+
+#include "args/input_error.h"
+
+namespace muckpile {
+
+namespace {
+
+constexpr double kLeastRestitution = 0.05;  // below, the dashpot alone would limit the time step
+
+void require(bool holds, const char* rule, double got) {
+  if (!holds)
+    throw InputError(std::string("contact law: ") + rule + ", got " + std::to_string(got));
+}
+
+}  // namespace
+
+double restitution_of(double damping_ratio) {
+  const double z = damping_ratio;
+  const double s = 1.0 - z * z;
+  if (std::abs(s) < 1e-12) return std::exp(-2.0);  // limit z -> 1
+  const double phase = s > 0.0 ? std::acos(z) / std::sqrt(s) : std::acosh(z) / std::sqrt(-s);
+  return std::exp(-2.0 * z * phase);
+}
+
+double damping_ratio_for(double restitution) {
+  require(restitution >= kLeastRestitution && restitution <= 1.0,
+          "restitution must lie between 0.05 and 1", restitution);
+  double low = 0.0, high = 4.0;  // restitution_of(4) = 0.014
+  for (int k = 0; k < 60; ++k) {
+    const double middle = 0.5 * (low + high);
+    (restitution_of(middle) > restitution ? low : high) = middle;
+  }
+  return restitution == 1.0 ? 0.0 : 0.5 * (low + high);
+}
+
+ContactLaw::ContactLaw(const ContactParameters& p)
+    : model_(p.model),
+      youngs_modulus_(p.youngs_modulus),
+      damping_ratio_(damping_ratio_for(p.restitution)),
+      friction_(p.friction),
+      rolling_friction_(p.rolling_friction) {
+  require(p.youngs_modulus > 0.0 && std::isfinite(p.youngs_modulus),
+          "youngs_modulus must be > 0 Pa", p.youngs_modulus);
+  require(p.poisson_ratio > -1.0 && p.poisson_ratio < 0.5, "poisson_ratio must lie in (-1, 0.5)",
+          p.poisson_ratio);
+  require(p.friction >= 0.0 && std::isfinite(p.friction), "friction must be >= 0", p.friction);
+  require(p.rolling_friction >= 0.0 && std::isfinite(p.rolling_friction),
+          "rolling_friction must be >= 0", p.rolling_friction);
+  const double nu = p.poisson_ratio;
+  const double shear_modulus = p.youngs_modulus / (2.0 * (1.0 + nu));
+  young_star_ = p.youngs_modulus / (2.0 * (1.0 - nu * nu));
+  shear_star_ = shear_modulus / (2.0 * (2.0 - nu));
+  tangential_ratio_ = 2.0 * (1.0 - nu) / (2.0 - nu);
+}
+
+double ContactLaw::normal_stiffness(double radius_first, double radius_second,
+                                    double overlap) const {
+  if (model_ == NormalModel::linear) return linear_stiffness(radius_first, radius_second);
+  const double reduced_radius = radius_first * radius_second / (radius_first + radius_second);
+  return 2.0 * young_star_ * std::sqrt(reduced_radius * overlap);
+}
+
+double ContactLaw::stable_time_step(double mass, double radius) const {
+  constexpr double kOverlapRatio = 0.05, kShareOfPeriod = 0.2;
+  // Against a plane: Hertz with R* = radius; the linear model with two equal spheres at most.
+  const double stiffness = model_ == NormalModel::linear
+                               ? linear_stiffness(radius, radius)
+                               : 2.0 * young_star_ * std::sqrt(kOverlapRatio) * radius;
+  return kShareOfPeriod * std::sqrt(mass / stiffness);
+}
+
+}  // namespace muckpile
