@@ -138,9 +138,9 @@ TEST(ContactLaw, SlidingBlockDeceleratesByFrictionTimesNormalForce) {
     p.friction = 0.3;
     const ContactLaw law(p);
     ContactState state;
-    const double overlap = 1e-4, start = 4.0;  // [m], [m/s]
+    const double overlap = 1e-3, start = 40.0;  // [m], [m/s]
     double v = start, lost = 0.0, normal_force = 0.0, time = 0.0;
-    const double dt = 1e-6, m = 0.5 * kMass;
+    const double dt = 1e-7, m = 0.5 * kMass;
     for (; time < 8e-4; time += dt) {
       const ContactResponse r = law.evaluate(motion_of(overlap, Vec3(0, v, 0)), dt, state);
       normal_force = -r.force_on_first.x();
@@ -148,8 +148,8 @@ TEST(ContactLaw, SlidingBlockDeceleratesByFrictionTimesNormalForce) {
       lost += r.friction_loss + r.damping_loss;
     }
     const double expected = start - p.friction * normal_force / m * time;
-    ASSERT_GT(start - expected, 0.01 * start);
-    // The spring loads up over the first 6e-6 of 8e-4 s at half the force: 0.4 % of the drop.
+    ASSERT_GT(start - expected, 0.3);
+    // The spring loads up over the first 9e-6 of 8e-4 s at half the force: 0.6 % of the drop.
     EXPECT_NEAR(v, expected, 0.01 * (start - expected));
     EXPECT_NEAR(lost, 0.5 * m * (start * start - v * v), 0.01 * 0.5 * m * (start * start - v * v));
   }
