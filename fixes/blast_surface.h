@@ -26,7 +26,8 @@ class BlastSurface {
  public:
   virtual ~BlastSurface() = default;
 
-  /// Holes of the whole model, the same on every rank and in the order of the input script.
+  /// Holes of the whole model, the same on every rank and in the order of the input script; known
+  /// from the implementing fix's constructor on.
   [[nodiscard]] virtual int hole_count() const = 0;
   /// Crushed-zone cylinder of a hole: the axis runs along the charge from toe to collar.
   [[nodiscard]] virtual const Hole& hole(int index) const = 0;

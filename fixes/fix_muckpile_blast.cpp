@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/blast: words, clock, and the sums over ranks; the laws are in core/explosive.
+#include "fix_muckpile_blast.h"
+
+#include <comm.h>
+#include <error.h>
+#include <modify.h>
+#include <mpi.h>
+#include <update.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+
+#include "engine/style_args.h"
+
+namespace muckpile {
+namespace {
+
+// What compute_vector() returns, by position.
+enum Output {
+  kMaximumPressure,
+  kGasPressure,
+  kSweptVolume,
+  kWork,
+  kActiveHoles,
+  kOver,
+  kOutputCount
+};
+
+std::string where_of(int narg, char** arg) {
+  return std::string("fix muckpile/blast '") + (narg > 0 ? arg[0] : "") + "'";
+}
+
+double sum_over_ranks(MPI_Comm world, double value) {
+  double sum = 0.0;
+  MPI_Allreduce(&value, &sum, 1, MPI_DOUBLE, MPI_SUM, world);
+  return sum;
+}
+
+std::vector<Hole> holes_of(const BlastSurface& surface) {
+  std::vector<Hole> holes;
+  for (int i = 0; i < surface.hole_count(); ++i) holes.push_back(surface.hole(i));
+  return holes;
+}
+
+}  // namespace
+
+FixMuckpileBlast::FixMuckpileBlast(LAMMPS_NS::LAMMPS* lmp_in, int narg, char** arg)
+    : Fix(lmp_in, narg, arg), where_(where_of(narg, arg)) {
+  const ArgValues values = engine::read_args(*lmp, blast_table(), where_, narg, arg, 3);
+  options_ = engine::or_engine_error(*lmp, [&] { return blast_options(values, where_); });
+  vector_flag = 1;
+  size_vector = kOutputCount;
+  global_freq = 1;
+  extvector = 0;
+  restart_global = 1;
+}
+
+int FixMuckpileBlast::setmask() { return LAMMPS_NS::FixConst::PRE_FORCE; }
+
+void FixMuckpileBlast::init() {
+  if (std::strcmp(update->unit_style, "si") != 0) {
+    engine::stop(*lmp, where_ + ": needs units si, got '" + update->unit_style + "'");
+  }
+  surface_ = find_surface();
+  if (surface_ == nullptr) {
+    engine::stop(*lmp, where_ + ": needs a fix muckpile/joint, which holds the faces to load");
+  }
+  arrivals_known_ = false;
+  const std::vector<Hole> holes = holes_of(*surface_);
+  engine::or_engine_error(*lmp, [&] {
+    blasts_ = hole_blasts(options_, holes);
+    if (!described_) engine::print_once(*lmp, describe(options_, holes, blasts_));
+  });
+  described_ = true;
+  swept_.resize(blasts_.size(), 0.0);
+  gas_.resize(blasts_.size(), 0.0);
+  hole_over_.resize(blasts_.size(), 0);
+  check_timestep();
+}
+
+BlastSurface* FixMuckpileBlast::find_surface() const {
+  for (int i = 0; i < modify->nfix; ++i) {
+    if (auto* surface = dynamic_cast<BlastSurface*>(modify->fix[i])) return surface;
+  }
+  return nullptr;
+}
+
+/// An unfix in the middle of the blast takes the pressure off; the engine's own end does not
+/// matter.
+void FixMuckpileBlast::pre_delete(bool unfixflag) {
+  BlastSurface* surface = unfixflag ? find_surface() : nullptr;
+  if (surface == nullptr) return;
+  surface->set_pressure(std::vector<double>(surface->loaded_facets().size(), 0.0));
+}
+
+void FixMuckpileBlast::check_timestep() const {
+  constexpr double kStepsPerRise = 10.0;  // the sampled peak is then within 0.1 % of P1
+  if (comm->me != 0 || over_ || update->dt * kStepsPerRise <= options_.rise_time) return;
+  error->warning(FLERR, (where_ + ": the time step is longer than a tenth of rise_time; the pulse "
+                                  "is cut into few steps")
+                            .c_str());
+}
+
+double FixMuckpileBlast::clock() const { return update->get_cur_time() - clock_zero_; }
+
+void FixMuckpileBlast::setup_pre_force(int vflag) {
+  // The engine's time is only settled once a run begins: it starts again at 0 after read_restart.
+  if (!clock_started_) clock_zero_ = update->get_cur_time() - clock_restarted_;
+  clock_started_ = true;
+  pre_force(vflag);
+}
+
+void FixMuckpileBlast::pre_force(int /*vflag*/) {
+  if (over_) return;
+  const double time = clock();
+  const auto fires_first = [](const HoleBlast& a, const HoleBlast& b) {
+    return a.firing_time() < b.firing_time();
+  };
+  if (time < std::min_element(blasts_.begin(), blasts_.end(), fires_first)->firing_time()) return;
+  refresh_arrivals();
+  sum_swept_volumes();
+  load_faces(time);
+  if (std::all_of(hole_over_.begin(), hole_over_.end(), [](char over) { return over != 0; })) {
+    finish();
+  }
+}
+
+void FixMuckpileBlast::refresh_arrivals() {
+  const std::uint64_t version = surface_->loaded_facets_version();
+  if (arrivals_known_ && version == arrivals_version_) return;
+  arrivals_.clear();
+  for (const LoadedFacet& face : surface_->loaded_facets()) {
+    arrivals_.push_back(
+        blasts_[static_cast<std::size_t>(face.hole)].arrival_time(face.start_point));
+  }
+  pressures_.assign(arrivals_.size(), 0.0);
+  arrivals_version_ = version;
+  arrivals_known_ = true;
+}
+
+void FixMuckpileBlast::sum_swept_volumes() {
+  surface_->swept_volume(swept_);
+  if (!options_.gas) return;  // then only compute_vector() asks, and it sums by itself
+  MPI_Allreduce(MPI_IN_PLACE, swept_.data(), static_cast<int>(swept_.size()), MPI_DOUBLE, MPI_SUM,
+                world);
+}
+
+void FixMuckpileBlast::load_faces(double time) {
+  active_holes_ = 0;
+  for (std::size_t hole = 0; hole < blasts_.size(); ++hole) {
+    const HoleBlast& blast = blasts_[hole];
+    gas_[hole] = blast.gas_pressure(swept_[hole], time);
+    if (blast.over(time, gas_[hole])) hole_over_[hole] = 1;
+    if (hole_over_[hole]) gas_[hole] = 0.0;
+    if (!hole_over_[hole] && time >= blast.firing_time()) ++active_holes_;
+  }
+  const std::span<const LoadedFacet> faces = surface_->loaded_facets();
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const auto hole = static_cast<std::size_t>(faces[i].hole);
+    pressures_[i] = hole_over_[hole] ? 0.0 : blasts_[hole].pressure(arrivals_[i], time, gas_[hole]);
+  }
+  surface_->set_pressure(pressures_);
+}
+
+/// The last load has just been set to zero on every face; nothing is left to do.
+void FixMuckpileBlast::finish() {
+  over_ = true;
+  engine::print_once(*lmp, where_ + ": all holes are over at " + std::to_string(clock()) + " s\n");
+}
+
+double FixMuckpileBlast::compute_vector(int index) {
+  const BlastSurface* surface = find_surface();  // between runs it may have been unfixed
+  if (surface == nullptr || blasts_.empty()) return 0.0;
+  switch (index) {
+    case kMaximumPressure: {
+      double greatest = 0.0;
+      for (const double pressure : pressures_) greatest = std::max(greatest, pressure);
+      double result = 0.0;
+      MPI_Allreduce(&greatest, &result, 1, MPI_DOUBLE, MPI_MAX, world);
+      return result;
+    }
+    case kGasPressure:
+      return gas_.front();
+    case kSweptVolume: {
+      std::vector<double> swept(static_cast<std::size_t>(surface->hole_count()), 0.0);
+      surface->swept_volume(swept);
+      double own = 0.0;
+      for (const double volume : swept) own += volume;
+      return sum_over_ranks(world, own);
+    }
+    case kWork:
+      return sum_over_ranks(world, surface->pressure_work());
+    case kActiveHoles:
+      return active_holes_;
+    case kOver:
+      return over_ ? 1.0 : 0.0;
+    default:
+      return 0.0;
+  }
+}
+
+void FixMuckpileBlast::write_restart(FILE* file) {
+  if (comm->me != 0) return;
+  const double elapsed = clock_started_ ? clock() : 0.0;
+  const int size = sizeof(elapsed);  // the engine reads the size first
+  std::fwrite(&size, sizeof(size), 1, file);
+  std::fwrite(&elapsed, sizeof(elapsed), 1, file);
+}
+
+void FixMuckpileBlast::restart(char* buffer) {
+  std::memcpy(&clock_restarted_, buffer, sizeof(clock_restarted_));
+}
+
+}  // namespace muckpile

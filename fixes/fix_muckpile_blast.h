@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/blast: the charge's pressure on the block faces that line the crushed zones.
+// Scope: decides the pressures from time and swept volume (core/explosive); fix muckpile/joint
+// turns them into forces. Idle before the first hole fires and after the last has vented.
+#pragma once
+
+#include <fix.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "blast_surface.h"
+#include "explosive/blast_options.h"
+
+namespace muckpile {
+
+class FixMuckpileBlast : public LAMMPS_NS::Fix {
+ public:
+  FixMuckpileBlast(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+
+  int setmask() override;
+  void pre_delete(bool unfixflag) override;
+  void init() override;
+  void setup_pre_force(int vflag) override;
+  void pre_force(int vflag) override;
+  double compute_vector(int index) override;
+  void write_restart(FILE* file) override;
+  void restart(char* buffer) override;
+
+ private:
+  [[nodiscard]] BlastSurface* find_surface() const;  // nullptr if there is none
+  void check_timestep() const;
+  [[nodiscard]] double clock() const;  // since the first run with this fix [s]
+  void refresh_arrivals();
+  void sum_swept_volumes();
+  void load_faces(double time);
+  void finish();
+
+  std::string where_;
+  BlastOptions options_;
+  BlastSurface* surface_ = nullptr;  // looked up in every init()
+  std::vector<HoleBlast> blasts_;    // per hole
+  bool described_ = false;
+
+  bool clock_started_ = false;
+  double clock_zero_ = 0.0;       // engine time at clock 0 [s]
+  double clock_restarted_ = 0.0;  // clock taken over from a restart file [s]
+
+  std::uint64_t arrivals_version_ = 0;
+  bool arrivals_known_ = false;
+  std::vector<double> arrivals_;   // per loaded face of this rank [s]
+  std::vector<double> pressures_;  // per loaded face of this rank [Pa]
+  std::vector<double> swept_;      // per hole, all ranks [m3]
+  std::vector<double> gas_;        // per hole [Pa]
+  std::vector<char> hole_over_;    // per hole; never turns back
+  bool over_ = false;
+  int active_holes_ = 0;
+};
+
+}  // namespace muckpile

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Time course of one charged hole; see the header.
+#include "explosive/hole_blast.h"
+
+namespace muckpile {
+
+double HoleBlast::gas_pressure(double swept_volume, double time) const {
+  const double since_firing = time - front_.firing_time();
+  return since_firing < 0.0 ? 0.0 : load_.gas_pressure(swept_volume, since_firing);
+}
+
+bool HoleBlast::over(double time, double gas_pressure) const {
+  const double since_last = time - front_.last_arrival_time();
+  return since_last > 0.0 &&
+         load_.bound(since_last, gas_pressure) <= kNegligible * load_.greatest_pressure();
+}
+
+}  // namespace muckpile

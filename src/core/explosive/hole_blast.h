@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// One charged hole through time: what its crushed-zone wall feels, and when it is over.
+// Scope: BlastLoad on the clock of a DetonationFront; times [s] on the blast's own clock.
+#pragma once
+
+#include "explosive/blast_load.h"
+#include "explosive/detonation_front.h"
+
+namespace muckpile {
+
+class HoleBlast {
+ public:
+  HoleBlast(const BlastLoad& load, const DetonationFront& front) : load_(load), front_(front) {}
+
+  [[nodiscard]] double firing_time() const { return front_.firing_time(); }  ///< [s]
+  /// When the detonation passes the height of a wall point [s].
+  [[nodiscard]] double arrival_time(const Vec3& point) const { return front_.arrival_time(point); }
+  /// Pressure of the gas in the whole hole [Pa] at a swept volume [m3]; 0 before the hole fires.
+  [[nodiscard]] double gas_pressure(double swept_volume, double time) const;
+  /// Load [Pa] on a wall point of that arrival time.
+  [[nodiscard]] double pressure(double arrival_time, double time, double gas_pressure) const {
+    return load_.pressure(time - arrival_time, gas_pressure);
+  }
+  /// True once the detonation has run the whole column and no load above kNegligible times the
+  /// greatest is left.
+  [[nodiscard]] bool over(double time, double gas_pressure) const;
+
+  [[nodiscard]] const BlastLoad& load() const { return load_; }
+  [[nodiscard]] const DetonationFront& front() const { return front_; }
+
+  /// Share of the greatest load at which a hole counts as over: some 20 kPa of 200 MPa, less than
+  /// the atmosphere that the model leaves out.
+  static constexpr double kNegligible = 1e-4;
+
+ private:
+  BlastLoad load_;
+  DetonationFront front_;
+};
+
+}  // namespace muckpile

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The words of fix muckpile/blast: what they build, and what each wrong one says.
+// Scope: core only; the engine repeats the messages in tests/errors.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "args/input_error.h"
+#include "explosive/blast_options.h"
+
+namespace muckpile {
+namespace {
+
+const std::string kWhere = "fix muckpile/blast 'b'";
+const std::string kCharge = "explosive_density 1100 vod 4500 hole_diameter 0.09 poisson_ratio 0.22";
+const std::string kGas = " vent_time 9.9e-3 vent_decay 4.5e-3";
+const Hole kZone{.toe = {0, 0, 0}, .collar = {0, 0, 9}, .radius = 0.135};
+
+BlastOptions read(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return blast_options(parse_args(blast_table(), kWhere, words), kWhere);
+}
+
+std::string message(const std::string& text, const std::vector<Hole>& zones = {kZone, kZone}) {
+  try {
+    (void)hole_blasts(read(text), zones);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(BlastOptions, DefaultsBuildTheEmulsionOfTheDossier) {
+  const std::vector<HoleBlast> blasts = hole_blasts(read(kCharge + kGas), {kZone});
+  const BlastLoad& load = blasts.front().load();
+  // P1 = 2784.375 x 3^-2.282051 = 226.94 MPa
+  EXPECT_NEAR(load.wave_peak(), 226.94e6, 0.01e6);
+  // Vk = 13.921875^(1/3) pi 0.045^2 9 = 2.40565 x 0.0572555 = 0.137737 m3
+  EXPECT_NEAR(load.switch_volume(), 0.137737, 1e-6);
+  EXPECT_NEAR(load.gas_pressure(0.0, 0.0), 200e6, 1.0);
+  EXPECT_NEAR(load.gas_pressure(0.0, 9.9e-3 + 4.5e-3), 200e6 * std::exp(-1.0), 1.0);
+  EXPECT_EQ(blasts.front().arrival_time({0, 0, 0}), 0.0);
+  EXPECT_DOUBLE_EQ(blasts.front().arrival_time({0, 0, 9}), 0.002);
+}
+
+TEST(BlastOptions, IntervalAndOwnDelaySetTheFiringTimes) {
+  const std::vector<HoleBlast> blasts = hole_blasts(
+      read(kCharge + kGas + " interval 0.025 hole 2 delay 0.04 primer top"), {kZone, kZone, kZone});
+  EXPECT_EQ(blasts[0].firing_time(), 0.0);
+  EXPECT_EQ(blasts[1].firing_time(), 0.04);
+  EXPECT_EQ(blasts[2].firing_time(), 0.05);
+  EXPECT_EQ(blasts[1].arrival_time({0, 0, 9}), 0.04);
+}
+
+TEST(BlastOptions, PressuresCanBeTyped) {
+  EXPECT_EQ(read(kCharge + kGas + " borehole_pressure 1e9").borehole_pressure, 1e9);
+  const auto typed = hole_blasts(read(kCharge + kGas + " peak_pressure 1e6"), {kZone});
+  EXPECT_EQ(typed.front().load().wave_peak(), 1e6);
+  const auto flat = hole_blasts(read(kCharge + kGas + " attenuation_exponent 0"), {kZone});
+  EXPECT_DOUBLE_EQ(flat.front().load().wave_peak(), 2.784375e9);
+  const auto no_pulse = hole_blasts(read(kCharge + kGas + " pulse no"), {kZone});
+  EXPECT_EQ(no_pulse.front().load().wave_peak(), 0.0);
+}
+
+TEST(BlastOptions, BoreholeModelsAreTheFormulasOfTheirNames) {
+  const auto p0 = [](const std::string& model) {
+    return read(kCharge + kGas + " borehole_model " + model).borehole_pressure;
+  };
+  EXPECT_DOUBLE_EQ(p0("chapman_jouguet"), 5.56875e9);
+  EXPECT_DOUBLE_EQ(p0("impedance_matched rock_impedance 13.5e6"),
+                   impedance_matched_pressure({1100.0, 4500.0}, 13.5e6));
+  EXPECT_DOUBLE_EQ(p0("explosion_state_fit"), explosion_state_pressure_fit({1100.0, 4500.0}));
+}
+
+TEST(BlastOptions, DescriptionNamesTheChoiceAndTheAlternatives) {
+  const BlastOptions options = read(kCharge + kGas);
+  const std::string text = describe(options, {kZone}, hole_blasts(options, {kZone}));
+  for (const char* part :
+       {"P0 = 2784 MPa", "Chapman-Jouguet 5569", "P1 = 226.9 MPa", "0.1377 m3"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+  }
+}
+
+struct WrongInput {
+  const char* words;
+  const char* message;
+};
+
+TEST(BlastOptions, EachWrongWordIsNamedWithItsRule) {
+  const std::vector<WrongInput> cases = {
+      {"rise_time 0", "rise_time must be > 0 s, got '0'"},
+      {"peak_pressure -1e6", "peak_pressure must be >= 0 Pa, got '-1e6'"},
+      {"gas_switch_pressure -2e8", "gas_switch_pressure must be > 0 Pa, got '-2e8'"},
+      {"interval -0.01", "interval must be >= 0 s, got '-0.01'"},
+      {"hole 1 delay -0.01", "hole 1 delay must be >= 0 s, got '-0.01'"},
+      {"hole 3 delay 0.01", "hole must be from 1 to 2, the holes of create_blocks, got '3'"},
+      {"hole 0 delay 0.01", "hole must be from 1 to 2, the holes of create_blocks, got '0'"},
+      {"hole 1 delay 0 hole 1 delay 0.1", "hole 1 is given twice"},
+      {"hole 1 wait 0", "hole 1 must be followed by delay, got 'wait'"},
+      {"primer middle", "primer must be bottom, top or a number from 0 to 1, got 'middle'"},
+      {"primer 1.5", "primer must be bottom, top or a number from 0 to 1, got '1.5'"},
+      {"pulse no gas no", "pulse no and gas no leave no load"},
+      {"borehole_model impedance_matched",
+       "borehole_model impedance_matched needs rock_impedance [Pa s/m]"},
+      {"borehole_model chapman_jouguet borehole_pressure 1e9",
+       "borehole_pressure and borehole_model exclude each other"},
+  };
+  for (const WrongInput& wrong : cases) {
+    EXPECT_EQ(message(kCharge + kGas + " " + wrong.words), kWhere + ": " + wrong.message);
+  }
+}
+
+TEST(BlastOptions, SaysWhatIsMissing) {
+  EXPECT_EQ(message(kCharge),
+            kWhere + ": vent_time [s] is needed with gas yes (about 3.3e-3 s per metre of burden)");
+  EXPECT_EQ(message("explosive_density 1100 vod 4500 hole_diameter 0.09" + kGas),
+            kWhere + ": needs poisson_ratio, attenuation_exponent or peak_pressure");
+  EXPECT_EQ(message(kCharge + kGas, {}),
+            kWhere + ": there is no hole to load; give create_blocks a hole");
+  EXPECT_EQ(message(kCharge + " gas no"), "no error");
+}
+
+TEST(BlastOptions, RefusesAHoleWiderThanItsCrushedZone) {
+  EXPECT_EQ(message("explosive_density 1100 vod 4500 hole_diameter 0.3 poisson_ratio 0.22" + kGas),
+            kWhere +
+                ": hole_diameter must not exceed that of the crushed zone of hole 1, 0.27 [m], "
+                "got '0.3'");
+}
+
+TEST(HoleBlast, IsOverOnlyAfterTheLastLoadHasGone) {
+  const HoleBlast blast = hole_blasts(read(kCharge + kGas + " interval 0.1"), {kZone, kZone})[1];
+  EXPECT_EQ(blast.gas_pressure(0.0, 0.0999), 0.0);
+  EXPECT_FALSE(blast.over(0.0, 0.0));     // not fired
+  EXPECT_FALSE(blast.over(0.1015, 0.0));  // column still detonating
+  EXPECT_FALSE(blast.over(0.1030, 0.0));  // pulse 1 ms after the last arrival: 4 x 2^-10 P1
+  EXPECT_FALSE(blast.over(0.2, 1e6));     // gas left
+  EXPECT_TRUE(blast.over(0.2, 1e3));
+}
+
+}  // namespace
+}  // namespace muckpile
