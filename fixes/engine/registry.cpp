@@ -15,6 +15,11 @@
 #include <map>
 #include <type_traits>
 
+#include "create_blocks.h"
+#include "fix_muckpile_blast.h"
+#include "fix_muckpile_blocks.h"
+#include "fix_muckpile_joint.h"
+
 namespace muckpile::engine {
 namespace {
 
@@ -63,12 +68,17 @@ void register_again(LAMMPS* lmp, int, char**) { register_styles(*lmp); }
 
 const std::map<std::string, CommandCreator>& commands() {
   static const std::map<std::string, CommandCreator> table = {
+      {"create_blocks", &run_command<CreateBlocks>},
       {"muckpile_styles", &register_again},
   };
   return table;
 }
 const std::map<std::string, FixCreator>& fixes() {
-  static const std::map<std::string, FixCreator> table = {};
+  static const std::map<std::string, FixCreator> table = {
+      {"muckpile/blast", &create_fix<FixMuckpileBlast>},
+      {"muckpile/blocks", &create_fix<FixMuckpileBlocks>},
+      {"muckpile/joint", &create_fix<FixMuckpileJoint>},
+  };
   return table;
 }
 const std::map<std::string, PairCreator>& pairs() {

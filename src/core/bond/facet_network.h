@@ -47,6 +47,7 @@ struct Facet {
 /// Face of one block that is free or faces a crushed zone.
 struct BoundaryFace {
   int tag = 0;
+  int face = 0;           ///< number of the face in the block's polyhedron
   int block = -1;         ///< local index
   int hole = -1;          ///< index of the crushed zone that it faces, -1 if none
   Vec3 normal;            ///< unit, outward

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// create_blocks: cuts a region into graded blocks, makes them multisphere bodies, and hands their
+// facets to fix muckpile/blocks.
+// Scope: the tessellation runs on rank 0; bodies are created on the rank that owns their centre, so
+// the same seed gives the same blocks, tags included, on any number of ranks.
+#pragma once
+
+#include <pointers.h>
+
+#include <vector>
+
+#include "bond/facet_builder.h"
+#include "bond/rigid_body.h"
+#include "engine/style_args.h"
+#include "geometry/tessellation.h"
+
+namespace LAMMPS_NS {
+class FixMultisphere;
+class Region;
+}  // namespace LAMMPS_NS
+
+namespace muckpile {
+
+class FixMuckpileBlocks;
+
+class CreateBlocks : protected LAMMPS_NS::Pointers {
+ public:
+  explicit CreateBlocks(LAMMPS_NS::LAMMPS* engine) : Pointers(engine) {}
+  void command(int narg, char** arg);
+
+ private:
+  struct Model {  // rank 0 only
+    Tessellation rock;
+    std::vector<RigidBody> bodies;
+    FacetSet facets;
+    double largest_overlap = 0.0;
+  };
+
+  void check_engine() const;
+  void number_from_what_exists();
+  void check_overlap(LAMMPS_NS::Region& region) const;
+  [[nodiscard]] LAMMPS_NS::Region& region(const std::string& id) const;
+  [[nodiscard]] TessellationOptions options(LAMMPS_NS::Region& rock, const ArgValues& args) const;
+  [[nodiscard]] SizeLaw size_law(const ArgValues& args) const;
+  [[nodiscard]] Hole hole(const std::vector<std::string>& words) const;
+  [[nodiscard]] SupportRule support(const ArgValues& args) const;
+  [[nodiscard]] std::size_t most_blocks(const ArgValues& args) const;
+  [[nodiscard]] Model cut(const TessellationOptions& what, const ArgValues& args) const;
+  [[nodiscard]] std::vector<char> hand_out(const Model& model) const;
+  void create(const std::vector<char>& mine, const std::vector<Hole>& holes, const ArgValues& args, int blocks);
+  void create_body(const RigidBody& body, int tag, int first_atom_tag, const ArgValues& args);
+  void report(const Model& model, double seconds) const;
+  FixMuckpileBlocks& store();
+
+  LAMMPS_NS::FixMultisphere* multisphere_ = nullptr;
+  int first_tag_ = 1;
+  int first_atom_tag_ = 1;
+};
+
+}  // namespace muckpile

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/blocks: facets and records follow the bodies from rank to rank.
+// Scope: see the header.
+#include "fix_muckpile_blocks.h"
+
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include "engine/bodies.h"
+#include "engine/exchange.h"
+#include "engine/style_args.h"
+
+namespace muckpile {
+namespace {
+
+using FacetKey = std::pair<int, int>;
+
+FacetKey key_of(const Facet& facet) { return {facet.tag_i, facet.face}; }
+
+/// Everything that goes with one block to its new owner.
+void pack_block(engine::ByteWriter& out, const BlockRecord& record, const std::vector<BoundaryFace>& faces,
+                const std::vector<std::pair<Facet, FacetMemory>>& facets) {
+  out.put(record);
+  out.put_all(faces);
+  out.put_all(facets);
+}
+
+}  // namespace
+
+FixMuckpileBlocks::FixMuckpileBlocks(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
+    : Fix(engine, narg, arg), multisphere_(engine::find_multisphere(*engine)) {
+  if (multisphere_ == nullptr) {
+    engine::stop(*lmp, "fix muckpile/blocks needs a fix multisphere defined before it");
+  }
+}
+
+int FixMuckpileBlocks::setmask() { return LAMMPS_NS::FixConst::PRE_NEIGHBOR; }
+
+FixMuckpileBlocks* FixMuckpileBlocks::find(LAMMPS_NS::LAMMPS& lmp) {
+  return dynamic_cast<FixMuckpileBlocks*>(lmp.modify->find_fix_style_strict("muckpile/blocks", 0));
+}
+
+double FixMuckpileBlocks::memory_usage() {
+  return static_cast<double>(records_.size() * sizeof(BlockRecord) + facets_.size() * sizeof(Facet) +
+                             memory_.size() * sizeof(FacetMemory) + faces_.size() * sizeof(BoundaryFace));
+}
+
+void FixMuckpileBlocks::add(const std::vector<BlockRecord>& records, const std::vector<Facet>& facets,
+                            const std::vector<BoundaryFace>& faces, const std::vector<Hole>& holes,
+                            int blocks_all) {
+  if (keeper_ != nullptr) keeper_->hand_back(memory_, faces_);
+  records_.insert(records_.end(), records.begin(), records.end());
+  facets_.insert(facets_.end(), facets.begin(), facets.end());
+  memory_.resize(facets_.size());
+  const int first_hole = static_cast<int>(holes_.size());
+  for (BoundaryFace face : faces) {
+    if (face.hole >= 0) face.hole += first_hole;
+    faces_.push_back(face);
+  }
+  holes_.insert(holes_.end(), holes.begin(), holes.end());
+  blocks_created_ += blocks_all;
+  tags_.clear();
+  synchronise();
+  double share = 0.0, all = 0.0;
+  for (const Facet& facet : facets_) {
+    if (facet.kind == FacetKind::joint) share += facet.weight;
+  }
+  MPI_Allreduce(&share, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  facets_created_ = static_cast<int>(all + 0.5);
+}
+
+std::vector<int> FixMuckpileBlocks::body_tags() {
+  const engine::Bodies bodies(*multisphere_);
+  std::vector<int> tags(static_cast<std::size_t>(bodies.count()));
+  for (int b = 0; b < bodies.count(); ++b) tags[static_cast<std::size_t>(b)] = bodies.tag(b);
+  return tags;
+}
+
+void FixMuckpileBlocks::synchronise() {
+  const std::vector<int> tags = body_tags();
+  int changed = tags == tags_ ? 0 : 1, any = 0;
+  MPI_Allreduce(&changed, &any, 1, MPI_INT, MPI_MAX, world);
+  if (any == 0) return;
+  if (keeper_ != nullptr) keeper_->hand_back(memory_, faces_);
+  const engine::BlockDirectory directory(tags, world);
+  migrate(tags, directory);
+  index(tags, directory);
+  tags_ = tags;
+  ++version_;
+}
+
+void FixMuckpileBlocks::migrate(const std::vector<int>& tags, const engine::BlockDirectory& directory) {
+  const std::unordered_set<int> here(tags.begin(), tags.end());
+  std::vector<int> leaving;
+  for (const BlockRecord& record : records_) {
+    if (here.count(record.tag) == 0) leaving.push_back(record.tag);
+  }
+  const std::vector<int> owners = directory.owners(leaving);
+  std::unordered_map<int, int> destination;
+  for (std::size_t k = 0; k < leaving.size(); ++k) destination[leaving[k]] = owners[k];
+
+  std::unordered_map<int, std::vector<BoundaryFace>> faces_of;
+  for (const BoundaryFace& face : faces_) {
+    if (destination.count(face.tag) != 0) faces_of[face.tag].push_back(face);
+  }
+  std::unordered_map<int, std::vector<std::pair<Facet, FacetMemory>>> facets_of;
+  for (std::size_t f = 0; f < facets_.size(); ++f) {
+    for (int tag : {facets_[f].tag_i, facets_[f].tag_j}) {
+      if (destination.count(tag) != 0) facets_of[tag].emplace_back(facets_[f], memory_[f]);
+    }
+  }
+  int ranks = 1;
+  MPI_Comm_size(world, &ranks);
+  std::vector<engine::ByteWriter> outgoing(static_cast<std::size_t>(ranks));
+  for (const BlockRecord& record : records_) {
+    const auto to = destination.find(record.tag);
+    if (to == destination.end() || to->second < 0) continue;
+    pack_block(outgoing[static_cast<std::size_t>(to->second)], record, faces_of[record.tag],
+               facets_of[record.tag]);
+  }
+  std::vector<std::vector<char>> buffers;
+  for (auto& writer : outgoing) buffers.push_back(std::move(writer.bytes()));
+
+  std::unordered_map<int, BlockRecord> known;
+  for (const BlockRecord& record : records_) known[record.tag] = record;
+  std::vector<BoundaryFace> faces;
+  for (const BoundaryFace& face : faces_) {
+    if (here.count(face.tag) != 0) faces.push_back(face);
+  }
+  std::vector<std::pair<Facet, FacetMemory>> facets;
+  for (std::size_t f = 0; f < facets_.size(); ++f) facets.emplace_back(facets_[f], memory_[f]);
+
+  for (const auto& part : engine::exchange_bytes(buffers, world)) {
+    for (engine::ByteReader reader(part); !reader.empty();) {
+      const auto record = reader.get<BlockRecord>();
+      known[record.tag] = record;
+      for (const auto& face : reader.get_all<BoundaryFace>()) faces.push_back(face);
+      for (const auto& facet : reader.get_all<std::pair<Facet, FacetMemory>>()) facets.push_back(facet);
+    }
+  }
+  const auto unowned = [&](const auto& entry) {
+    return here.count(entry.first.tag_i) == 0 && here.count(entry.first.tag_j) == 0;
+  };
+  facets.erase(std::remove_if(facets.begin(), facets.end(), unowned), facets.end());
+  const auto before = [](const auto& a, const auto& b) { return key_of(a.first) < key_of(b.first); };
+  const auto same = [](const auto& a, const auto& b) { return key_of(a.first) == key_of(b.first); };
+  std::sort(facets.begin(), facets.end(), before);
+  facets.erase(std::unique(facets.begin(), facets.end(), same), facets.end());
+  const auto face_before = [](const BoundaryFace& a, const BoundaryFace& b) {
+    return std::pair(a.tag, a.face) < std::pair(b.tag, b.face);
+  };
+  std::sort(faces.begin(), faces.end(), face_before);
+
+  records_.clear();
+  for (int tag : tags) {
+    const auto found = known.find(tag);  // absent for a body that create_blocks did not make
+    BlockRecord foreign;
+    foreign.tag = tag;
+    records_.push_back(found == known.end() ? foreign : found->second);
+  }
+  faces_ = std::move(faces);
+  facets_.clear();
+  memory_.clear();
+  for (const auto& [facet, memory] : facets) {
+    facets_.push_back(facet);
+    memory_.push_back(memory);
+  }
+}
+
+void FixMuckpileBlocks::index(const std::vector<int>& tags, const engine::BlockDirectory& directory) {
+  std::unordered_map<int, int> position;
+  for (std::size_t b = 0; b < tags.size(); ++b) position[tags[b]] = static_cast<int>(b);
+  copy_tags_.clear();
+  for (const Facet& facet : facets_) {
+    for (int tag : {facet.tag_i, facet.tag_j}) {
+      if (tag == kGroundTag || position.count(tag) != 0) continue;
+      position[tag] = static_cast<int>(tags.size() + copy_tags_.size());
+      copy_tags_.push_back(tag);
+    }
+  }
+  const int ground = static_cast<int>(tags.size() + copy_tags_.size());
+  const int owned = static_cast<int>(tags.size());
+  for (Facet& facet : facets_) {
+    facet.i = position.at(facet.tag_i);
+    facet.j = facet.tag_j == kGroundTag ? ground : position.at(facet.tag_j);
+    if (facet.kind == FacetKind::joint) {
+      facet.weight = 0.5 * (facet.i < owned ? 1.0 : 0.0) + 0.5 * (facet.j < owned ? 1.0 : 0.0);
+    }
+  }
+  for (BoundaryFace& face : faces_) face.block = position.at(face.tag);
+  halo_ = engine::BlockHalo(tags, copy_tags_, directory, world);
+}
+
+}  // namespace muckpile

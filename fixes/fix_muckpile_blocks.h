@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/blocks (internal, made by create_blocks): what Muckpile knows of each block beyond
+// the multisphere body, and the facets between blocks, kept on the ranks that own the blocks.
+// Scope: bookkeeping only. A facet lives on every rank that owns one of its blocks; the copies stay
+// equal because both ranks do the same arithmetic on the same numbers.
+#pragma once
+
+#include <fix.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "bond/facet_network.h"
+#include "engine/block_halo.h"
+#include "geometry/block_model.h"
+
+namespace LAMMPS_NS {
+class FixMultisphere;
+}
+
+namespace muckpile {
+
+struct BlockRecord {
+  int tag = 0;
+  double volume = 0.0;  ///< of the polyhedron [m3]
+  double mass = 0.0;    ///< [kg]
+  Vec3 start;           ///< centroid in the start configuration [m]
+  Mat3 start_axes;      ///< principal axes of inertia in the start configuration, columns
+};
+
+/// Whoever computes with the facets; gets asked for their state before blocks migrate.
+class FacetKeeper {
+ public:
+  virtual ~FacetKeeper() = default;
+  virtual void hand_back(std::vector<FacetMemory>& memory, std::vector<BoundaryFace>& faces) = 0;
+};
+
+class FixMuckpileBlocks : public LAMMPS_NS::Fix {
+ public:
+  FixMuckpileBlocks(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+
+  int setmask() override;
+  void setup_pre_neighbor() override { synchronise(); }
+  void pre_neighbor() override { synchronise(); }
+  double memory_usage() override;
+
+  /// The store of this run, nullptr before create_blocks.
+  [[nodiscard]] static FixMuckpileBlocks* find(LAMMPS_NS::LAMMPS& lmp);
+
+  /// Takes the blocks that this rank creates, with every facet that one of them has.
+  void add(const std::vector<BlockRecord>& records, const std::vector<Facet>& facets,
+           const std::vector<BoundaryFace>& faces, const std::vector<Hole>& holes, int blocks_all);
+
+  void set_keeper(FacetKeeper* keeper) { keeper_ = keeper; }
+
+  /// Grows whenever positions, facets or faces changed.
+  [[nodiscard]] std::uint64_t version() const { return version_; }
+  /// In the order of the multisphere bodies.
+  [[nodiscard]] const std::vector<BlockRecord>& records() const { return records_; }
+  [[nodiscard]] const std::vector<Facet>& facets() const { return facets_; }
+  [[nodiscard]] const std::vector<FacetMemory>& memory() const { return memory_; }
+  [[nodiscard]] const std::vector<BoundaryFace>& faces() const { return faces_; }
+  [[nodiscard]] const std::vector<Hole>& holes() const { return holes_; }
+  /// Tags of the copies of other ranks' blocks, in halo order after the owned ones.
+  [[nodiscard]] const std::vector<int>& copy_tags() const { return copy_tags_; }
+  [[nodiscard]] engine::BlockHalo& halo() { return halo_; }
+  [[nodiscard]] int blocks_created() const { return blocks_created_; }
+  [[nodiscard]] int facets_created() const { return facets_created_; }
+  [[nodiscard]] LAMMPS_NS::FixMultisphere& multisphere() { return *multisphere_; }
+
+ private:
+  void synchronise();
+  [[nodiscard]] std::vector<int> body_tags();
+  void migrate(const std::vector<int>& tags, const engine::BlockDirectory& directory);
+  void index(const std::vector<int>& tags, const engine::BlockDirectory& directory);
+
+  LAMMPS_NS::FixMultisphere* multisphere_;
+  FacetKeeper* keeper_ = nullptr;
+  std::vector<BlockRecord> records_;
+  std::vector<Facet> facets_;
+  std::vector<FacetMemory> memory_;
+  std::vector<BoundaryFace> faces_;
+  std::vector<Hole> holes_;
+  std::vector<int> tags_, copy_tags_;
+  engine::BlockHalo halo_;
+  std::uint64_t version_ = 0;
+  int blocks_created_ = 0, facets_created_ = 0;
+};
+
+}  // namespace muckpile

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/joint: the engine side of the facet network.
+// Scope: see the header.
+#include "fix_muckpile_joint.h"
+
+#include <comm.h>
+#include <fix_multisphere.h>
+#include <modify.h>
+#include <update.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "args/numbers.h"
+#include "engine/bodies.h"
+#include "engine/style_args.h"
+
+namespace muckpile {
+namespace {
+
+constexpr std::size_t kPoseWidth = 18;         // centre, velocity, spin, rotation
+constexpr LAMMPS_NS::bigint kCheckEvery = 50;  // steps between looks for newly cracked facets
+constexpr double kDegree = M_PI / 180.0;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+enum Output { joints, broken, broken_share, elastic, fracture, friction, damping, stable_step, pressure_work_done, output_count };
+
+const ArgTable& table() {
+  static const ArgTable args =
+      ArgTable("fix muckpile/joint")
+          .real("youngs_modulus", "Pa", Range::positive(), std::nullopt, "of the rock")
+          .real("poisson_ratio", "", Range::right_open(0.0, 0.5), std::nullopt, "of the rock")
+          .real("density", "kg/m3", Range::positive(), std::nullopt, "of the rock; sets the damping only")
+          .real("cohesion", "Pa", Range::non_negative(), std::nullopt, "shear strength without normal stress")
+          .real("friction_angle", "deg", Range::right_open(0.0, 90.0), std::nullopt, "of the unbroken joint")
+          .real("tension", "Pa", Range::non_negative(), std::nullopt, "tensile strength (cut-off)")
+          .real("residual_friction_angle", "deg", Range::right_open(0.0, 90.0), 35.0, "of the broken joint")
+          .real("normal_stiffness", "Pa/m", Range::non_negative(), 0.0, "of the joint alone, in series with the rock; 0: rigid")
+          .real("shear_stiffness", "Pa/m", Range::non_negative(), 0.0, "of the joint alone, in series with the rock; 0: rigid")
+          .real("damping", "", Range::non_negative(), 0.0, "of intact joints, share of density x P-wave speed per area")
+          .real("contact_damping", "", Range::non_negative(), 0.05, "of closed broken facets, share of density x P-wave speed per area");
+  return args;
+}
+
+JointMaterial material(LAMMPS_NS::LAMMPS& lmp, const std::string& where, int narg, char** arg) {
+  const ArgValues args = engine::read_args(lmp, table(), where, narg, arg, 3);
+  JointParameters p;
+  p.youngs_modulus = args.real("youngs_modulus");
+  p.poisson_ratio = args.real("poisson_ratio");
+  p.density = args.real("density");
+  p.cohesion = args.real("cohesion");
+  p.tension = args.real("tension");
+  p.friction_angle = args.real("friction_angle") * kDegree;
+  p.residual_friction_angle = args.real("residual_friction_angle") * kDegree;
+  p.normal_stiffness = args.real("normal_stiffness") > 0.0 ? args.real("normal_stiffness") : kInfinity;
+  p.shear_stiffness = args.real("shear_stiffness") > 0.0 ? args.real("shear_stiffness") : kInfinity;
+  p.damping = args.real("damping");
+  p.contact_damping = args.real("contact_damping");
+  return JointMaterial(p);
+}
+
+std::string name_of(int narg, char** arg) {
+  return std::string("fix muckpile/joint '") + (narg > 0 ? arg[0] : "") + "'";
+}
+
+std::pair<int, int> ordered(int a, int b) { return a < b ? std::pair{a, b} : std::pair{b, a}; }
+
+}  // namespace
+
+FixMuckpileJoint::FixMuckpileJoint(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
+    : Fix(engine, narg, arg), network_(material(*engine, name_of(narg, arg), narg, arg)) {
+  if (engine::find_multisphere(*lmp) == nullptr) {
+    engine::stop(*lmp, name_of(narg, arg) + ": needs 'fix ID all multisphere' before it");
+  }
+  if (modify->find_fix_style_strict("muckpile/joint", 0) != nullptr) {
+    engine::stop(*lmp, name_of(narg, arg) + ": only one fix muckpile/joint is possible");
+  }
+  if (std::strcmp(update->unit_style, "si") != 0) {
+    engine::stop(*lmp, name_of(narg, arg) + ": needs 'units si', got 'units " + update->unit_style + "'");
+  }
+  vector_flag = 1;
+  size_vector = output_count;
+  global_freq = 1;
+  extvector = 0;
+  force_reneighbor = 1;
+  next_reneighbor = -1;
+}
+
+FixMuckpileJoint::~FixMuckpileJoint() {
+  if (store_ != nullptr) store_->set_keeper(nullptr);
+}
+
+int FixMuckpileJoint::setmask() {
+  return LAMMPS_NS::FixConst::PRE_NEIGHBOR | LAMMPS_NS::FixConst::POST_FORCE;
+}
+
+void FixMuckpileJoint::init() {
+  FixMuckpileBlocks* found = FixMuckpileBlocks::find(*lmp);
+  if (found == nullptr) {
+    engine::stop(*lmp, std::string("fix muckpile/joint '") + id + "': needs create_blocks before the first run");
+  }
+  if (modify->find_fix(found->id) > modify->find_fix(id)) {
+    engine::stop(*lmp, std::string("fix muckpile/joint '") + id + "': must be defined after create_blocks");
+  }
+  if (store_ == nullptr) {
+    store_ = found;
+    store_->set_keeper(this);
+  }
+  follow_blocks();
+}
+
+void FixMuckpileJoint::hand_back(std::vector<FacetMemory>& facet_memory, std::vector<BoundaryFace>& faces) {
+  if (version_ == 0) return;
+  facet_memory = network_.memory();
+  faces = network_.faces();
+}
+
+void FixMuckpileJoint::follow_blocks() {
+  refresh_enclosed();
+  if (version_ == store_->version()) return;
+  version_ = store_->version();
+  std::vector<BlockConstants> blocks;
+  for (const BlockRecord& r : store_->records()) blocks.push_back({r.tag, std::max(r.volume, 1e-300), r.mass, true});
+  for (int tag : store_->copy_tags()) blocks.push_back({tag, 1.0, 1.0, false});
+  network_.set_blocks(std::move(blocks));
+  network_.set_facets(store_->facets(), store_->memory());
+  network_.set_faces(store_->faces());
+
+  facet_index_.clear();
+  for (std::size_t f = 0; f < network_.facets().size(); ++f) {
+    const Facet& facet = network_.facets()[f];
+    if (facet.kind == FacetKind::joint) {
+      facet_index_.push_back({ordered(facet.tag_i, facet.tag_j), static_cast<int>(f)});
+    }
+  }
+  std::sort(facet_index_.begin(), facet_index_.end());
+  loaded_.clear();
+  loaded_faces_.clear();
+  for (std::size_t k = 0; k < network_.faces().size(); ++k) {
+    const BoundaryFace& face = network_.faces()[k];
+    if (face.hole < 0) continue;
+    loaded_faces_.push_back(k);
+    loaded_.push_back({face.hole, face.area, face.start});
+  }
+  refresh_states();
+  refresh_enclosed();
+}
+
+void FixMuckpileJoint::refresh_enclosed() {
+  cracked_since_build_ = false;
+  if (version_ == 0) return;
+  std::vector<bool> open(network_.blocks().size(), false);
+  for (const BoundaryFace& face : network_.faces()) open[static_cast<std::size_t>(face.block)] = true;
+  for (std::size_t f = 0; f < network_.facets().size(); ++f) {
+    if (!network_.memory()[f].cracked) continue;
+    open[static_cast<std::size_t>(network_.facets()[f].i)] = true;
+    open[static_cast<std::size_t>(network_.facets()[f].j)] = true;
+  }
+  enclosed_tags_.clear();
+  for (std::size_t b = 0; b < open.size(); ++b) {
+    const BlockConstants& block = network_.blocks()[b];
+    if (block.owned && !open[b] && block.volume > 1e-300) enclosed_tags_.push_back(block.tag);
+  }
+  std::sort(enclosed_tags_.begin(), enclosed_tags_.end());
+}
+
+void FixMuckpileJoint::setup(int vflag) { post_force(vflag); }
+
+void FixMuckpileJoint::post_force(int) {
+  gather_state();
+  network_.dilatation();
+  store_->halo().forward(network_.theta().first(store_->halo().size()), 1);
+  network_.tractions(update->dt);
+  apply_forces();
+  refresh_states();
+  ask_for_neighbours();
+}
+
+void FixMuckpileJoint::gather_state() {
+  const engine::Bodies bodies(store_->multisphere());
+  engine::BlockHalo& halo = store_->halo();
+  const std::span<BlockState> state = network_.state();
+  for (int b = 0; b < bodies.count(); ++b) {
+    BlockState& s = state[static_cast<std::size_t>(b)];
+    s.centre = bodies.centre(b);
+    s.velocity = bodies.velocity(b);
+    s.spin = bodies.spin(b);
+    s.rotation.noalias() = bodies.axes(b) * store_->records()[static_cast<std::size_t>(b)].start_axes.transpose();
+  }
+  if (comm->nprocs == 1) return;
+  poses_.resize(halo.size() * kPoseWidth);
+  for (std::size_t b = 0; b < halo.owned(); ++b) {
+    double* to = poses_.data() + b * kPoseWidth;
+    std::copy_n(state[b].centre.data(), 3, to);
+    std::copy_n(state[b].velocity.data(), 3, to + 3);
+    std::copy_n(state[b].spin.data(), 3, to + 6);
+    std::copy_n(state[b].rotation.data(), 9, to + 9);
+  }
+  halo.forward(poses_, kPoseWidth);
+  for (std::size_t b = halo.owned(); b < halo.size(); ++b) {
+    const double* from = poses_.data() + b * kPoseWidth;
+    state[b] = {Eigen::Map<const Vec3>(from), Eigen::Map<const Vec3>(from + 3), Eigen::Map<const Vec3>(from + 6),
+                Eigen::Map<const Mat3>(from + 9)};
+  }
+}
+
+void FixMuckpileJoint::apply_forces() {
+  engine::Bodies bodies(store_->multisphere());
+  for (int b = 0; b < bodies.count(); ++b) {
+    bodies.force(b) += network_.force()[static_cast<std::size_t>(b)];
+    bodies.torque(b) += network_.torque()[static_cast<std::size_t>(b)];
+  }
+}
+
+void FixMuckpileJoint::refresh_states() {
+  const std::vector<FacetMemory>& remembered = network_.memory();
+  states_.resize(remembered.size());
+  for (std::size_t f = 0; f < remembered.size(); ++f) {
+    const FacetMemory& m = remembered[f];
+    states_[f] = m.retired     ? FacetState::retired
+                 : m.fade < 1.0 ? FacetState::fading
+                 : m.cracked    ? FacetState::cracked
+                                : FacetState::intact;
+  }
+}
+
+/// Blocks whose joint cracked need a contact search; looked up now and then, because a cracked
+/// facet itself carries contact until it has slid by a tenth of its radius.
+void FixMuckpileJoint::ask_for_neighbours() {
+  cracked_since_build_ = cracked_since_build_ || network_.newly_cracked();
+  if (update->ntimestep % kCheckEvery != 0) return;
+  int mine = cracked_since_build_ ? 1 : 0, any = 0;
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+  next_reneighbor = any != 0 ? update->ntimestep + 1 : -1;
+}
+
+int FixMuckpileJoint::facet_between(int block_tag_a, int block_tag_b) const {
+  const auto key = ordered(block_tag_a, block_tag_b);
+  const auto found = std::lower_bound(facet_index_.begin(), facet_index_.end(), std::pair{key, -1});
+  return found != facet_index_.end() && found->first == key ? found->second : -1;
+}
+
+bool FixMuckpileJoint::enclosed(int block_tag) const {
+  return std::binary_search(enclosed_tags_.begin(), enclosed_tags_.end(), block_tag);
+}
+
+int FixMuckpileJoint::hole_count() const {
+  const FixMuckpileBlocks* store = FixMuckpileBlocks::find(*lmp);
+  return store == nullptr ? 0 : static_cast<int>(store->holes().size());
+}
+
+const Hole& FixMuckpileJoint::hole(int index) const {
+  return FixMuckpileBlocks::find(*lmp)->holes()[static_cast<std::size_t>(index)];
+}
+
+void FixMuckpileJoint::set_pressure(std::span<const double> pressure) {
+  for (std::size_t k = 0; k < loaded_faces_.size(); ++k) network_.faces()[loaded_faces_[k]].pressure = pressure[k];
+}
+
+void FixMuckpileJoint::swept_volume(std::span<double> per_hole) const {
+  std::fill(per_hole.begin(), per_hole.end(), 0.0);
+  for (std::size_t k : loaded_faces_) {
+    const BoundaryFace& face = network_.faces()[k];
+    per_hole[static_cast<std::size_t>(face.hole)] += network_.volume_swept(face);
+  }
+}
+
+double FixMuckpileJoint::sum(double mine) const {
+  double all = 0.0;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+double FixMuckpileJoint::compute_vector(int n) {
+  switch (n) {
+    case joints: return store_ == nullptr ? 0.0 : store_->facets_created();
+    case broken: return sum(network_.broken_count());
+    case broken_share: return sum(network_.broken_area(false)) / std::max(sum(network_.broken_area(true)), 1e-300);
+    case elastic: return sum(network_.elastic_energy());
+    case fracture: return sum(network_.losses().fracture);
+    case friction: return sum(network_.losses().friction);
+    case damping: return sum(network_.losses().damping);
+    case pressure_work_done: return sum(network_.pressure_work());
+    case stable_step: {
+      double mine = network_.stable_step(), all = 0.0;
+      MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MIN, world);
+      return all;
+    }
+    default: return 0.0;
+  }
+}
+
+int FixMuckpileJoint::modify_param(int narg, char** arg) {
+  if (std::strcmp(arg[0], "soften") != 0) return 0;
+  const std::string where = std::string("fix_modify ") + id;
+  if (narg < 2) engine::stop(*lmp, where + ": soften needs a factor in (0, 1]");
+  engine::or_engine_error(*lmp, [&] {
+    const double factor = parse_real(where, "soften", arg[1], "", Range::left_open(0.0, 1.0));
+    gather_state();
+    network_.dilatation();
+    network_.soften(factor);
+    return 0;
+  });
+  return 2;
+}
+
+double FixMuckpileJoint::memory_usage() {
+  const double facets = static_cast<double>(network_.facets().size());
+  return facets * static_cast<double>(sizeof(Facet) + sizeof(FacetMemory) + 20 * sizeof(double)) +
+         static_cast<double>(network_.blocks().size() * (sizeof(BlockState) + 12 * sizeof(double)));
+}
+
+}  // namespace muckpile

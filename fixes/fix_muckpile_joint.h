@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/joint: forces of the joint facets between blocks, their breaking and plane contact.
+// Scope: drives core's FacetNetwork; two halo messages a step (poses, dilatation) and no other
+// communication except where a result is asked for.
+#pragma once
+
+#include <fix.h>
+
+#include <memory>
+#include <vector>
+
+#include "blast_surface.h"
+#include "bond/facet_network.h"
+#include "fix_muckpile_blocks.h"
+#include "joint_view.h"
+
+namespace muckpile {
+
+class FixMuckpileJoint : public LAMMPS_NS::Fix, public FacetKeeper, public JointView, public BlastSurface {
+ public:
+  FixMuckpileJoint(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+  ~FixMuckpileJoint() override;
+
+  int setmask() override;
+  void init() override;
+  void setup_pre_neighbor() override { follow_blocks(); }
+  void pre_neighbor() override { follow_blocks(); }
+  void setup(int vflag) override;
+  void post_force(int vflag) override;
+  double compute_vector(int n) override;
+  int modify_param(int narg, char** arg) override;
+  double memory_usage() override;
+
+  void hand_back(std::vector<FacetMemory>& facet_memory, std::vector<BoundaryFace>& faces) override;
+
+  [[nodiscard]] int facet_between(int block_tag_a, int block_tag_b) const override;
+  [[nodiscard]] const FacetState* facet_states() const override { return states_.data(); }
+  [[nodiscard]] bool enclosed(int block_tag) const override;
+
+  [[nodiscard]] int hole_count() const override;
+  [[nodiscard]] const Hole& hole(int index) const override;
+  [[nodiscard]] std::span<const LoadedFacet> loaded_facets() const override { return loaded_; }
+  [[nodiscard]] std::uint64_t loaded_facets_version() const override { return version_; }
+  void set_pressure(std::span<const double> pressure) override;
+  void swept_volume(std::span<double> per_hole) const override;
+  [[nodiscard]] double pressure_work() const override { return network_.pressure_work(); }
+
+  /// For fragments: the network as it stands, and the store behind it.
+  [[nodiscard]] const FacetNetwork& network() const { return network_; }
+  [[nodiscard]] FixMuckpileBlocks& blocks() const { return *store_; }
+
+ private:
+  void follow_blocks();
+  void gather_state();
+  void apply_forces();
+  void refresh_states();
+  void refresh_enclosed();
+  void ask_for_neighbours();
+  [[nodiscard]] double sum(double mine) const;
+
+  FacetNetwork network_;
+  FixMuckpileBlocks* store_ = nullptr;
+  std::uint64_t version_ = 0;
+  std::vector<FacetState> states_;
+  std::vector<std::pair<std::pair<int, int>, int>> facet_index_;  // sorted by the two tags
+  std::vector<int> enclosed_tags_;                                // sorted
+  std::vector<std::size_t> loaded_faces_;                         // positions in network_.faces()
+  std::vector<LoadedFacet> loaded_;
+  std::vector<double> poses_;
+  bool cracked_since_build_ = false;
+};
+
+}  // namespace muckpile

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Writes the blocks in their start configuration for ParaView and for muckpile-post.
+// Scope: legacy ASCII VTK, one polyhedron cell per block.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/block_model.h"
+
+namespace muckpile {
+
+/// Cell data: id = first_id + block number, volume_m3, size_m = V^(1/3), mass_kg, on_free_face.
+/// Makes the folder if needed; throws InputError if the file cannot be written.
+void write_blocks(const std::string& path, const std::vector<Block>& blocks, int first_id, double density);
+
+}  // namespace muckpile
