@@ -12,6 +12,20 @@
 namespace muckpile {
 namespace {
 
+constexpr const char* kNotGiven = "auto";
+
+/// A number that may be left to the style: a word in the table, read by optional_real().
+void add_optional(ArgTable& table, const std::string& name, const std::string& text) {
+  table.word(name, {}, kNotGiven, text);
+}
+
+std::optional<double> optional_real(const ArgValues& values, const std::string& where,
+                                    const std::string& name, const std::string& unit, Range range) {
+  const std::string& word = values.word(name);
+  if (word == kNotGiven) return std::nullopt;
+  return parse_real(where, name, word, unit, range);
+}
+
 void add_charge_keywords(ArgTable& table) {
   table.real("explosive_density", "kg/m3", Range::positive(), std::nullopt, "density of the charge")
       .real("vod", "m/s", Range::positive(), std::nullopt, "detonation velocity along the column")
@@ -19,25 +33,23 @@ void add_charge_keywords(ArgTable& table) {
             "diameter of hole and charge (fully coupled)")
       .word("borehole_model",
             {"explosion_state", "explosion_state_fit", "chapman_jouguet", "impedance_matched"},
-            "explosion_state", "formula for the borehole pressure P0")
-      .real("borehole_pressure", "Pa", Range::positive(), 1.0,
-            "P0 itself instead of a model; not used unless typed")
-      .real("rock_impedance", "Pa s/m", Range::positive(), 1.0,
-            "density times P-wave speed of the rock; needed by impedance_matched only")
-      .word("primer", {}, "bottom", "bottom, top, or its place along the column from 0 to 1");
+            "explosion_state", "formula for the borehole pressure P0");
+  add_optional(table, "borehole_pressure", "P0 itself [Pa], > 0; auto: from borehole_model");
+  add_optional(table, "rock_impedance",
+               "density times P-wave speed of the rock [Pa s/m], > 0; needed by impedance_matched "
+               "only");
+  table.word("primer", {}, "bottom", "bottom, top, or its place along the column from 0 to 1");
 }
 
 void add_pulse_keywords(ArgTable& table) {
   table.flag("pulse", true, "stress-wave pulse on or off")
-      .real("rise_time", "s", Range::positive(), 1e-4, "time from arrival to peak")
-      .real("poisson_ratio", "", Range::right_open(0.0, 0.5), 0.25,
-            "of the rock, sets the attenuation exponent 2 + nu/(1 - nu)")
-      .real("attenuation_exponent", "", Range::non_negative(), 0.0,
-            "from hole wall to crushed-zone wall, instead of the one from poisson_ratio; not used "
-            "unless typed")
-      .real("peak_pressure", "Pa", Range::non_negative(), 0.0,
-            "P1 on the crushed-zone wall itself, instead of the attenuated P0; not used unless "
-            "typed");
+      .real("rise_time", "s", Range::positive(), 1e-4, "time from arrival to peak");
+  add_optional(table, "poisson_ratio",
+               "of the rock, >= 0 and < 0.5; sets the attenuation exponent 2 + nu/(1 - nu)");
+  add_optional(table, "attenuation_exponent",
+               "from hole wall to crushed-zone wall, >= 0; auto: from poisson_ratio");
+  add_optional(table, "peak_pressure",
+               "P1 on the crushed-zone wall itself [Pa], >= 0; auto: P0 attenuated");
 }
 
 void add_gas_keywords(ArgTable& table) {
@@ -45,13 +57,14 @@ void add_gas_keywords(ArgTable& table) {
       .real("gas_switch_pressure", "Pa", Range::positive(), 200e6,
             "pressure p_k at which the isentrope changes its exponent and the gas stage starts")
       .real("gas_gamma_dense", "", Range::positive(), 3.0, "isentrope exponent above p_k")
-      .real("gas_gamma", "", Range::positive(), 1.4, "isentrope exponent below p_k")
-      .real("vent_time", "s", Range::non_negative(), 0.0,
-            "from firing to the start of venting; needed with gas yes, about 3.3e-3 per m of "
-            "burden")
-      .real("vent_decay", "s", Range::positive(), 1.0,
-            "decay time of the gas once it vents; needed with gas yes, about 1.5e-3 per m of "
-            "burden");
+      .real("gas_gamma", "", Range::positive(), 1.4, "isentrope exponent below p_k");
+  add_optional(table, "vent_time",
+               "from firing to the start of venting [s], >= 0; needed with gas yes, about 3.3e-3 "
+               "per m of burden");
+  add_optional(
+      table, "vent_decay",
+      "decay time of the gas once it vents [s], > 0; needed with gas yes, about 1.5e-3 per "
+      "m of burden");
 }
 
 void add_timing_keywords(ArgTable& table) {
@@ -77,11 +90,10 @@ double primer_place(const std::string& where, const std::string& word) {
 
 double chosen_borehole_pressure(const BlastOptions& options, const ArgValues& values) {
   const std::string& model = values.word("borehole_model");
-  if (values.given("borehole_pressure")) {
-    if (values.given("borehole_model")) {
-      refuse(options.where, "borehole_pressure and borehole_model exclude each other");
-    }
-    return values.real("borehole_pressure");
+  if (const auto typed =
+          optional_real(values, options.where, "borehole_pressure", "Pa", Range::positive())) {
+    if (!values.given("borehole_model")) return *typed;
+    refuse(options.where, "borehole_pressure and borehole_model exclude each other");
   }
   if (model == "explosion_state_fit") return explosion_state_pressure_fit(options.explosive);
   if (model == "chapman_jouguet") return chapman_jouguet_pressure(options.explosive);
@@ -94,25 +106,28 @@ double chosen_borehole_pressure(const BlastOptions& options, const ArgValues& va
   return explosion_state_pressure(options.explosive);
 }
 
-double chosen_exponent(const std::string& where, const ArgValues& values) {
-  if (values.given("attenuation_exponent")) return values.real("attenuation_exponent");
-  if (values.given("poisson_ratio")) return crushed_zone_exponent(values.real("poisson_ratio"));
-  if (values.given("peak_pressure") || !values.flag("pulse")) return 0.0;
-  refuse(where, "needs poisson_ratio, attenuation_exponent or peak_pressure");
+double chosen_exponent(const BlastOptions& options, const ArgValues& values) {
+  const auto poisson_ratio =
+      optional_real(values, options.where, "poisson_ratio", "", Range::right_open(0.0, 0.5));
+  if (const auto typed =
+          optional_real(values, options.where, "attenuation_exponent", "", Range::non_negative())) {
+    return *typed;
+  }
+  if (poisson_ratio) return crushed_zone_exponent(*poisson_ratio);
+  if (options.peak_pressure || !options.pulse) return 0.0;  // not used
+  refuse(options.where, "needs poisson_ratio, attenuation_exponent or peak_pressure");
 }
 
-void check_stages(const std::string& where, const ArgValues& values) {
-  if (!values.flag("pulse") && !values.flag("gas")) {
-    refuse(where, "pulse no and gas no leave no load");
+/// A time that the gas needs; `advice` for who left it out.
+double vent_word(const BlastOptions& options, const ArgValues& values, const std::string& name,
+                 Range range, const std::string& advice) {
+  const auto typed = optional_real(values, options.where, name, "s", range);
+  if (typed) return *typed;
+  if (options.gas) {
+    refuse(options.where,
+           name + " [s] is needed with gas yes (about " + advice + " s per metre of burden)");
   }
-  if (!values.flag("gas")) return;
-  for (const char* name : {"vent_time", "vent_decay"}) {
-    if (!values.given(name)) {
-      refuse(where, std::string(name) + " [s] is needed with gas yes (about " +
-                        (name == std::string("vent_time") ? "3.3e-3" : "1.5e-3") +
-                        " s per metre of burden)");
-    }
-  }
+  return 1.0;  // not used
 }
 
 std::map<long, double> own_delays(const std::string& where, const ArgValues& values) {
@@ -182,24 +197,26 @@ ArgTable blast_table() {
 }
 
 BlastOptions blast_options(const ArgValues& values, const std::string& where) {
-  check_stages(where, values);
   BlastOptions options;
   options.where = where;
+  options.pulse = values.flag("pulse");
+  options.gas = values.flag("gas");
+  if (!options.pulse && !options.gas) refuse(where, "pulse no and gas no leave no load");
   options.explosive = {values.real("explosive_density"), values.real("vod")};
   options.hole_radius = 0.5 * values.real("hole_diameter");
-  if (values.given("rock_impedance")) options.rock_impedance = values.real("rock_impedance");
+  options.rock_impedance =
+      optional_real(values, where, "rock_impedance", "Pa s/m", Range::positive());
   options.borehole_pressure = chosen_borehole_pressure(options, values);
-  options.attenuation_exponent = chosen_exponent(where, values);
-  if (values.given("peak_pressure")) options.peak_pressure = values.real("peak_pressure");
-  options.pulse = values.flag("pulse");
+  options.peak_pressure =
+      optional_real(values, where, "peak_pressure", "Pa", Range::non_negative());
+  options.attenuation_exponent = chosen_exponent(options, values);
   options.rise_time = values.real("rise_time");
-  options.gas = values.flag("gas");
   options.isentrope = {.initial_pressure = options.borehole_pressure,
                        .switch_pressure = values.real("gas_switch_pressure"),
                        .dense_exponent = values.real("gas_gamma_dense"),
                        .dilute_exponent = values.real("gas_gamma")};
-  options.vent_time = values.real("vent_time");
-  options.vent_decay = values.real("vent_decay");
+  options.vent_time = vent_word(options, values, "vent_time", Range::non_negative(), "3.3e-3");
+  options.vent_decay = vent_word(options, values, "vent_decay", Range::positive(), "1.5e-3");
   options.primer = primer_place(where, values.word("primer"));
   options.interval = values.real("interval");
   options.delays = own_delays(where, values);

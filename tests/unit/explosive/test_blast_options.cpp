@@ -114,6 +114,16 @@ TEST(BlastOptions, EachWrongWordIsNamedWithItsRule) {
   }
 }
 
+TEST(BlastOptions, ChecksTheNumbersThatMayBeLeftOut) {
+  const std::string bare = "explosive_density 1100 vod 4500 hole_diameter 0.09";
+  EXPECT_EQ(message(bare + " poisson_ratio 0.5" + kGas),
+            kWhere + ": poisson_ratio must be >= 0 and < 0.5, got '0.5'");
+  EXPECT_EQ(message(kCharge + " vent_time 0.01 vent_decay 0"),
+            kWhere + ": vent_decay must be > 0 s, got '0'");
+  EXPECT_EQ(message(kCharge + kGas + " borehole_pressure -1"),
+            kWhere + ": borehole_pressure must be > 0 Pa, got '-1'");
+}
+
 TEST(BlastOptions, SaysWhatIsMissing) {
   EXPECT_EQ(message(kCharge),
             kWhere + ": vent_time [s] is needed with gas yes (about 3.3e-3 s per metre of burden)");
