@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A framed plot area with ticks, grid and labels, and the map from data to pixels.
+// Scope: straight or logarithmic x, straight y.
+#include "draw/axes.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace muckpile {
+namespace {
+
+constexpr double kTextSize = 19.0;   // [px]
+constexpr double kTick = 6.0;        // [px]
+constexpr double kTickSpace = 90.0;  // between ticks, about [px]
+constexpr Colour kGridLine{0.90F, 0.91F, 0.92F};
+
+}  // namespace
+
+std::vector<double> straight_ticks(Range range, int wanted) {
+  const double rough = (range.high - range.low) / std::max(1, wanted);
+  const double power = std::pow(10.0, std::floor(std::log10(rough)));
+  double step = 10.0 * power;
+  for (const double factor : {5.0, 2.0, 1.0}) {
+    if (factor * power >= rough * (1.0 - 1e-9)) step = factor * power;
+  }
+  std::vector<double> ticks;
+  const double slack = 1e-9 * step;
+  for (double k = std::ceil((range.low - slack) / step); k * step <= range.high + slack; k += 1.0) {
+    ticks.push_back(k * step);
+  }
+  return ticks;
+}
+
+std::vector<double> logarithmic_ticks(Range range) {
+  std::vector<double> ticks;
+  for (double power = std::pow(10.0, std::floor(std::log10(range.low))); power <= range.high;
+       power *= 10.0) {
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      const double tick = factor * power;
+      if (tick >= range.low * (1.0 - 1e-9) && tick <= range.high * (1.0 + 1e-9))
+        ticks.push_back(tick);
+    }
+  }
+  return ticks;
+}
+
+std::string spelled(double value, int digits) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*g", digits, value == 0.0 ? 0.0 : value);
+  return text;
+}
+
+Axes::Axes(Vec2 upper_left, Vec2 lower_right, Range x, Range y, Scale x_scale)
+    : upper_left_(std::move(upper_left)),
+      lower_right_(std::move(lower_right)),
+      x_(x),
+      y_(y),
+      x_scale_(x_scale) {}
+
+Vec2 Axes::place(double x, double y) const {
+  const double across = x_scale_ == Scale::kStraight
+                            ? (x - x_.low) / (x_.high - x_.low)
+                            : std::log(x / x_.low) / std::log(x_.high / x_.low);
+  const double up = (y - y_.low) / (y_.high - y_.low);
+  return {upper_left_.x() + across * (lower_right_.x() - upper_left_.x()),
+          lower_right_.y() + up * (upper_left_.y() - lower_right_.y())};
+}
+
+std::vector<Vec2> Axes::places(const std::vector<Vec2>& points) const {
+  std::vector<Vec2> out;
+  out.reserve(points.size());
+  for (const Vec2& p : points) out.push_back(place(p.x(), p.y()));
+  return out;
+}
+
+std::vector<double> Axes::x_ticks() const {
+  const int wanted = static_cast<int>((lower_right_.x() - upper_left_.x()) / kTickSpace);
+  return x_scale_ == Scale::kStraight ? straight_ticks(x_, wanted) : logarithmic_ticks(x_);
+}
+
+void Axes::draw_grid(Canvas& canvas) const {
+  for (const double x : x_ticks()) canvas.line(place(x, y_.low), place(x, y_.high), 1.0, kGridLine);
+  const int wanted = static_cast<int>((lower_right_.y() - upper_left_.y()) / kTickSpace) + 1;
+  for (const double y : straight_ticks(y_, wanted)) {
+    canvas.line(place(x_.low, y), place(x_.high, y), 1.0, kGridLine);
+  }
+}
+
+void Axes::draw_frame(Canvas& canvas, const std::string& x_label,
+                      const std::string& y_label) const {
+  const Vec2 low = place(x_.low, y_.low), high = place(x_.high, y_.high);
+  const Vec2 frame[] = {low, {high.x(), low.y()}, high, {low.x(), high.y()}, low};
+  canvas.polyline(frame, 1.2, kInk);
+  for (const double x : x_ticks()) {
+    const Vec2 at = place(x, y_.low);
+    canvas.line(at, at + Vec2(0.0, kTick), 1.2, kInk);
+    canvas.text(at + Vec2(0.0, kTick + kTextSize), spelled(x), kTextSize, kInk, Anchor::kCentre);
+  }
+  const int wanted = static_cast<int>((low.y() - high.y()) / kTickSpace) + 1;
+  for (const double y : straight_ticks(y_, wanted)) {
+    const Vec2 at = place(x_.low, y);
+    canvas.line(at, at - Vec2(kTick, 0.0), 1.2, kInk);
+    canvas.text(at + Vec2(-kTick - 5.0, 0.36 * kTextSize), spelled(y), kTextSize, kInk,
+                Anchor::kRight);
+  }
+  canvas.text({0.5 * (low.x() + high.x()), low.y() + kTick + 2.6 * kTextSize}, x_label, kTextSize,
+              kInk, Anchor::kCentre);
+  canvas.text({low.x() - 3.4 * kTextSize, 0.5 * (low.y() + high.y())}, y_label, kTextSize, kInk,
+              Anchor::kCentre, 90.0);
+}
+
+}  // namespace muckpile

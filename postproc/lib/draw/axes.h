@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A framed plot area with ticks, grid and labels, and the map from data to pixels.
+// Scope: straight or logarithmic x, straight y.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "draw/canvas.h"
+
+namespace muckpile {
+
+struct Range {
+  double low, high;
+};
+
+enum class Scale { kStraight, kLogarithmic };
+
+class Axes {
+ public:
+  // The plot area lies between two corners [px]; `x` and `y` are the data ranges.
+  Axes(Vec2 upper_left, Vec2 lower_right, Range x, Range y, Scale x_scale = Scale::kStraight);
+
+  [[nodiscard]] Vec2 place(double x, double y) const;  // [px]
+  [[nodiscard]] std::vector<Vec2> places(const std::vector<Vec2>& points) const;
+
+  void draw_grid(Canvas& canvas) const;
+  void draw_frame(Canvas& canvas, const std::string& x_label, const std::string& y_label) const;
+
+ private:
+  [[nodiscard]] std::vector<double> x_ticks() const;
+
+  Vec2 upper_left_, lower_right_;
+  Range x_, y_;
+  Scale x_scale_;
+};
+
+// Multiples of 1, 2 or 5 times a power of ten inside the range, about `wanted` of them.
+std::vector<double> straight_ticks(Range range, int wanted);
+// 1, 2 and 5 times the powers of ten inside the range.
+std::vector<double> logarithmic_ticks(Range range);
+
+// The shortest usual spelling of a number: at most `digits` significant ones.
+std::string spelled(double value, int digits = 3);
+
+}  // namespace muckpile

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The blocks in their start configuration, from a run's dump/blocks.vtk.
+// Scope: legacy VTK unstructured grid of polyhedra with the cell data that the engine writes;
+// nothing is repaired.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "geometry/polyhedron.h"
+#include "math/types.h"
+
+namespace muckpile {
+
+struct StartBlock {
+  int id;
+  Polyhedron shape;  // vertices [m], faces counter-clockwise seen from outside
+  Vec3 centroid;     // of the volume [m]
+  double volume;     // [m3]
+  double size;       // volume^(1/3) [m]
+  double mass;       // [kg]
+  bool on_free_face;
+};
+
+// All blocks, in ascending order of id. Throws InputError, naming the file, if a cell is no
+// polyhedron, an array is missing, an id occurs twice, or a polyhedron's volume is not the
+// volume_m3 that the file states.
+std::vector<StartBlock> read_blocks(const std::filesystem::path& path);
+
+}  // namespace muckpile

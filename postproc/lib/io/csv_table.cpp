@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Strict reader for the comma-separated number tables that a run writes.
+// Scope: the file is held as one text, fields are views into it.
+#include "io/csv_table.h"
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "args/input_error.h"
+
+namespace muckpile {
+namespace {
+
+std::string whole_file(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw InputError(path.string() + ": cannot be opened");
+  std::ostringstream text;
+  text << in.rdbuf();
+  return std::move(text).str();
+}
+
+std::string_view next_line(std::string_view& rest) {
+  const size_t end = rest.find('\n');
+  std::string_view line = rest.substr(0, end);
+  rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  return line;
+}
+
+size_t split(std::string_view line, std::vector<std::string_view>& out) {
+  size_t count = 0;
+  for (size_t begin = 0; begin <= line.size(); ++count) {
+    const size_t end = std::min(line.find(',', begin), line.size());
+    out.push_back(line.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return count;
+}
+
+template <class Number>
+bool parse_all(std::string_view text, Number& value) {
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc() && stop == end;
+}
+
+}  // namespace
+
+CsvTable CsvTable::read(const std::filesystem::path& path) {
+  CsvTable table;
+  table.name_ = path.string();
+  table.text_ = whole_file(path);
+  std::string_view rest = table.text_;
+  for (size_t number = 1; !rest.empty(); ++number) {
+    const std::string_view line = next_line(rest);
+    if (line.empty()) continue;
+    if (line.front() == '#') {
+      table.remarks_.push_back(line.substr(1));
+    } else if (table.header_.empty()) {
+      split(line, table.header_);
+    } else {
+      const size_t count = split(line, table.fields_);
+      table.lines_.push_back(number);
+      if (count != table.header_.size()) {
+        throw InputError(table.where(table.rows() - 1) + "expected " +
+                         std::to_string(table.header_.size()) + " fields, got " +
+                         std::to_string(count));
+      }
+    }
+  }
+  if (table.header_.empty()) throw InputError(table.name_ + ": has no header line");
+  return table;
+}
+
+size_t CsvTable::column(std::string_view name) const {
+  for (size_t i = 0; i < header_.size(); ++i) {
+    if (header_[i] == name) return i;
+  }
+  throw InputError(name_ + ": has no column '" + std::string(name) + "'");
+}
+
+std::string_view CsvTable::word(size_t row, size_t column) const {
+  return fields_.at(row * header_.size() + column);
+}
+
+std::string CsvTable::where(size_t row) const {
+  return name_ + ":" + std::to_string(lines_.at(row)) + ": ";
+}
+
+template <class Number>
+Number CsvTable::parsed(size_t row, size_t column, const char* kind) const {
+  Number value{};
+  const std::string_view text = word(row, column);
+  if (!parse_all(text, value) || !std::isfinite(static_cast<double>(value))) {
+    throw InputError(where(row) + std::string(header_[column]) + " must be a " + kind + ", got '" +
+                     std::string(text) + "'");
+  }
+  return value;
+}
+
+double CsvTable::number(size_t row, size_t column) const {
+  return parsed<double>(row, column, "finite number");
+}
+
+int CsvTable::whole(size_t row, size_t column) const {
+  return parsed<int>(row, column, "whole number");
+}
+
+double parse_number(std::string_view text, const std::string& context) {
+  double value = 0.0;
+  if (!parse_all(text, value) || !std::isfinite(value)) {
+    throw InputError(context + " must be a finite number, got '" + std::string(text) + "'");
+  }
+  return value;
+}
+
+}  // namespace muckpile

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Strict reader for the comma-separated number tables that a run writes.
+// Scope: one header line, then rows of numbers or words without quotes; leading `#` lines are kept
+// as remarks.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace muckpile {
+
+// A whole file, split into fields. Every row has as many fields as the header has names.
+class CsvTable {
+ public:
+  // Throws InputError, naming the file and the line, if it is absent, has no header or a ragged
+  // row.
+  static CsvTable read(const std::filesystem::path& path);
+
+  [[nodiscard]] size_t rows() const { return lines_.size(); }
+  [[nodiscard]] const std::vector<std::string_view>& remarks() const { return remarks_; }
+
+  // Position of a named column. Throws InputError if the header lacks it.
+  [[nodiscard]] size_t column(std::string_view name) const;
+
+  // One field as a finite number. Throws InputError, naming file, line and column, otherwise.
+  [[nodiscard]] double number(size_t row, size_t column) const;
+  // One field as a whole number. Same errors.
+  [[nodiscard]] int whole(size_t row, size_t column) const;
+  [[nodiscard]] std::string_view word(size_t row, size_t column) const;
+
+  // "<file>:<line>: ", for a caller's own message about a row.
+  [[nodiscard]] std::string where(size_t row) const;
+
+ private:
+  template <class Number>
+  Number parsed(size_t row, size_t column, const char* kind) const;
+
+  std::string name_;
+  std::string text_;
+  std::vector<std::string_view> remarks_, header_, fields_;
+  std::vector<size_t> lines_;  // line number of each row, from 1
+};
+
+// The finite number that the whole of `text` spells. Throws InputError with `context` before it.
+double parse_number(std::string_view text, const std::string& context);
+
+}  // namespace muckpile

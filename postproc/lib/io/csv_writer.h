@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Writes a table of numbers with a header line.
+// Scope: six significant digits, which is finer than any measure of a pile; NaN becomes an empty
+// field.
+#pragma once
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <initializer_list>
+#include <string>
+
+#include "args/input_error.h"
+
+namespace muckpile {
+
+class CsvWriter {
+ public:
+  // Throws InputError, naming the file, if it cannot be written.
+  CsvWriter(const std::filesystem::path& path, const std::string& header) : out_(path) {
+    out_ << header << '\n';
+    if (!out_) throw InputError(path.string() + ": cannot be written");
+  }
+
+  void row(std::initializer_list<double> values) {
+    const char* separator = "";
+    for (const double value : values) {
+      out_ << separator;
+      if (!std::isnan(value)) out_ << value;
+      separator = ",";
+    }
+    out_ << '\n';
+  }
+
+ private:
+  std::ofstream out_;
+};
+
+}  // namespace muckpile

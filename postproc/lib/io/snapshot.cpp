@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Where every block is at one instant, from a run's dump/blocks_<step>.csv.
+// Scope: reading and rigid motion only.
+#include "io/snapshot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "args/input_error.h"
+#include "io/csv_table.h"
+
+namespace muckpile {
+namespace {
+
+// Nine digits of text leave a unit quaternion within 1e-8; a wrong column is off by far more.
+constexpr double kUnitTolerance = 1e-4;
+
+// The text after "<key>=" in a remark such as "step=1000 time_s=0.005".
+double remark_number(const CsvTable& table, const std::string& file, std::string_view key) {
+  const std::string wanted = std::string(key) + "=";
+  for (const std::string_view remark : table.remarks()) {
+    const size_t at = remark.find(wanted);
+    if (at == std::string_view::npos) continue;
+    const std::string_view value = remark.substr(at + wanted.size());
+    return parse_number(value.substr(0, value.find(' ')), file + ": " + std::string(key));
+  }
+  throw InputError(file + ": the first line must hold '# step=<n> time_s=<t>'");
+}
+
+struct Columns {
+  explicit Columns(const CsvTable& t)
+      : id(t.column("id")),
+        place{t.column("x_m"), t.column("y_m"), t.column("z_m")},
+        rotation{t.column("qw"), t.column("qx"), t.column("qy"), t.column("qz")},
+        velocity{t.column("vx_m_s"), t.column("vy_m_s"), t.column("vz_m_s")},
+        spin{t.column("wx_rad_s"), t.column("wy_rad_s"), t.column("wz_rad_s")},
+        fragment(t.column("fragment_id")),
+        broken(t.column("broken_fraction")) {}
+  size_t id, place[3], rotation[4], velocity[3], spin[3], fragment, broken;
+};
+
+Vec3 vector_of(const CsvTable& table, size_t row, const size_t (&column)[3]) {
+  return {table.number(row, column[0]), table.number(row, column[1]), table.number(row, column[2])};
+}
+
+BlockState state_of(const CsvTable& table, size_t row, const Columns& column) {
+  const auto& q = column.rotation;
+  const Quat rotation(table.number(row, q[0]), table.number(row, q[1]), table.number(row, q[2]),
+                      table.number(row, q[3]));
+  if (std::abs(rotation.norm() - 1.0) > kUnitTolerance) {
+    throw InputError(table.where(row) + "qw, qx, qy, qz must be a unit quaternion, got length '" +
+                     std::to_string(rotation.norm()) + "'");
+  }
+  return {vector_of(table, row, column.place),    rotation.normalized(),
+          vector_of(table, row, column.velocity), vector_of(table, row, column.spin),
+          table.whole(row, column.fragment),      table.number(row, column.broken)};
+}
+
+}  // namespace
+
+Snapshot read_snapshot(const std::filesystem::path& path, const std::vector<StartBlock>& blocks) {
+  const CsvTable table = CsvTable::read(path);
+  const Columns column(table);
+  Snapshot snapshot;
+  snapshot.step = std::lround(remark_number(table, path.string(), "step"));
+  snapshot.time = remark_number(table, path.string(), "time_s");
+  snapshot.states.resize(blocks.size());
+  std::vector<char> seen(blocks.size(), 0);
+  for (size_t row = 0; row < table.rows(); ++row) {
+    const int id = table.whole(row, column.id);
+    const auto found = std::ranges::lower_bound(blocks, id, {}, &StartBlock::id);
+    if (found == blocks.end() || found->id != id) {
+      throw InputError(table.where(row) + "id " + std::to_string(id) +
+                       " is not a block of blocks.vtk");
+    }
+    const auto index = static_cast<size_t>(found - blocks.begin());
+    if (seen[index])
+      throw InputError(table.where(row) + "id " + std::to_string(id) + " occurs twice");
+    seen[index] = 1;
+    snapshot.states[index] = state_of(table, row, column);
+  }
+  const auto missing = std::ranges::find(seen, 0);
+  if (missing != seen.end()) {
+    throw InputError(path.string() + ": block " +
+                     std::to_string(blocks[static_cast<size_t>(missing - seen.begin())].id) +
+                     " has no row");
+  }
+  return snapshot;
+}
+
+std::vector<Vec3> moved_vertices(const StartBlock& block, const BlockState& state) {
+  const Mat3 turn = state.rotation.toRotationMatrix();
+  std::vector<Vec3> moved;
+  moved.reserve(block.shape.vertices.size());
+  for (const Vec3& p : block.shape.vertices)
+    moved.push_back(state.centre + turn * (p - block.centroid));
+  return moved;
+}
+
+Snapshot start_snapshot(const std::vector<StartBlock>& blocks) {
+  Snapshot start;
+  for (const StartBlock& block : blocks) {
+    start.states.push_back(
+        {block.centroid, Quat::Identity(), Vec3::Zero(), Vec3::Zero(), block.id, 0.0});
+  }
+  return start;
+}
+
+}  // namespace muckpile

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// How fast the free face of a bench moves out, as a camera in front of the face would measure it.
+// Scope: mass mean over the face layer at the height of the charge.
+#include "measure/face_velocity.h"
+
+#include <algorithm>
+
+#include "measure/broken_out.h"
+
+namespace muckpile {
+
+std::vector<size_t> face_layer(const std::vector<StartBlock>& blocks, double burden, double low,
+                               double high) {
+  std::vector<char> at_face;
+  for (const StartBlock& block : blocks) at_face.push_back(block.on_free_face);
+  const double depth = std::max(0.25 * burden, mean_block_size(blocks, at_face));
+  std::vector<size_t> layer;
+  for (size_t b = 0; b < blocks.size(); ++b) {
+    const Vec3& start = blocks[b].centroid;
+    if (start.x() > -depth && start.x() < 0.0 && start.z() >= low && start.z() <= high)
+      layer.push_back(b);
+  }
+  return layer;
+}
+
+double mean_outward_velocity(const std::vector<StartBlock>& blocks, const Snapshot& snapshot,
+                             const std::vector<size_t>& layer) {
+  double momentum = 0.0, mass = 0.0;
+  for (const size_t b : layer) {
+    momentum += blocks[b].mass * snapshot.states[b].velocity.x();
+    mass += blocks[b].mass;
+  }
+  return mass > 0.0 ? momentum / mass : 0.0;
+}
+
+}  // namespace muckpile

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// How fast the free face of a bench moves out, as a camera in front of the face would measure it.
+// Scope: mass mean over the face layer at the height of the charge; the peak over the snapshots at
+// hand.
+#pragma once
+
+#include <vector>
+
+#include "io/blocks_file.h"
+#include "io/snapshot.h"
+
+namespace muckpile {
+
+// Indices of the blocks that started within max(0.25 burden, one block of the free face) of x = 0,
+// in the middle half of the charge's height, z from `low` to `high` [m]. "One block" is the mean
+// size of the blocks on the free face.
+std::vector<size_t> face_layer(const std::vector<StartBlock>& blocks, double burden, double low,
+                               double high);
+
+// Mass mean of the velocity along +x [m/s]; 0 for no blocks.
+double mean_outward_velocity(const std::vector<StartBlock>& blocks, const Snapshot& snapshot,
+                             const std::vector<size_t>& layer);
+
+}  // namespace muckpile

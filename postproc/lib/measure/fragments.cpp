@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Fragments: sets of blocks that joints still hold together, and the size curve of the broken-out
+// ones. Scope: the engine has found the connected sets; this adds them up.
+#include "measure/fragments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace muckpile {
+
+std::vector<Fragment> fragments_of(const std::vector<StartBlock>& blocks, const Snapshot& last,
+                                   const std::vector<char>& moved) {
+  std::map<int, Fragment> found;
+  std::map<int, double> moved_mass;
+  for (size_t b = 0; b < blocks.size(); ++b) {
+    const int id = last.states[b].fragment;
+    Fragment& f =
+        found.try_emplace(id, Fragment{id, 0, 0.0, 0.0, 0.0, Vec3::Zero(), Vec3::Zero(), false})
+            .first->second;
+    const double mass = blocks[b].mass;
+    ++f.blocks;
+    f.volume += blocks[b].volume;
+    f.mass += mass;
+    f.start += mass * blocks[b].centroid;
+    f.last += mass * last.states[b].centre;
+    if (moved[b] != 0) moved_mass[id] += mass;
+  }
+  std::vector<Fragment> fragments;
+  for (auto& [id, f] : found) {
+    f.size = std::cbrt(f.volume);
+    f.start /= f.mass;
+    f.last /= f.mass;
+    f.in_pile = moved_mass[id] > 0.5 * f.mass;
+    fragments.push_back(f);
+  }
+  return fragments;
+}
+
+std::vector<SizePoint> passing_curve(std::vector<Piece> pieces) {
+  std::ranges::sort(pieces, {}, &Piece::size);
+  std::vector<SizePoint> curve;
+  double sum = 0.0;
+  for (const Piece& piece : pieces) {
+    sum += piece.mass;
+    if (!curve.empty() && curve.back().size == piece.size) {
+      curve.back().passing = sum;
+    } else {
+      curve.push_back({piece.size, sum});
+    }
+  }
+  for (SizePoint& point : curve) point.passing /= sum;
+  return curve;
+}
+
+double size_at(const std::vector<SizePoint>& curve, double passing) {
+  if (curve.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto above = std::ranges::lower_bound(curve, passing, {}, &SizePoint::passing);
+  if (above == curve.begin()) return curve.front().size;
+  if (above == curve.end()) return curve.back().size;
+  const SizePoint& below = *std::prev(above);
+  return below.size +
+         (passing - below.passing) / (above->passing - below.passing) * (above->size - below.size);
+}
+
+}  // namespace muckpile

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The muck pile of a bench blast: its profile, throw, swell and slope.
+// Scope: works on column tops, as a survey of the pile would.
+#include "measure/pile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace muckpile {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kFloor = 0.0;  // [m]
+
+template <class Value>
+std::vector<double> mean_over_y(const ColumnGrid& grid, Value&& value) {
+  std::vector<double> mean(static_cast<size_t>(grid.nx), 0.0);
+  for (int i = 0; i < grid.nx; ++i) {
+    for (int j = 0; j < grid.ny; ++j)
+      mean[static_cast<size_t>(i)] += value(grid.at(i, j)) / grid.ny;
+  }
+  return mean;
+}
+
+std::vector<double> mean_top(const Columns& columns) {
+  return mean_over_y(columns.grid,
+                     [&](size_t cell) { return std::max(columns.top[cell], kFloor); });
+}
+
+std::vector<double> highest_top(const Columns& columns) {
+  std::vector<double> highest(static_cast<size_t>(columns.grid.nx), kFloor);
+  for (int i = 0; i < columns.grid.nx; ++i) {
+    double& out = highest[static_cast<size_t>(i)];
+    for (int j = 0; j < columns.grid.ny; ++j)
+      out = std::max(out, columns.top[columns.grid.at(i, j)]);
+  }
+  return highest;
+}
+
+// The middle row of columns, or the mean of the two middle ones.
+std::vector<double> centre_top(const Columns& columns) {
+  const ColumnGrid& grid = columns.grid;
+  const int low = (grid.ny - 1) / 2, high = grid.ny / 2;
+  std::vector<double> centre;
+  for (int i = 0; i < grid.nx; ++i) {
+    centre.push_back(0.5 * (std::max(columns.top[grid.at(i, low)], kFloor) +
+                            std::max(columns.top[grid.at(i, high)], kFloor)));
+  }
+  return centre;
+}
+
+// Slope of the least-squares line through the samples [begin, end) that `take` accepts, NaN for
+// fewer than three.
+template <class Take>
+double fitted_slope(const PileProfile& p, size_t begin, size_t end, Take&& take) {
+  double n = 0, sx = 0, sz = 0, sxx = 0, sxz = 0;
+  for (size_t i = begin; i < end; ++i) {
+    if (!take(p.pile[i])) continue;
+    const double x = p.x[i] - p.x[begin];
+    n += 1, sx += x, sz += p.pile[i], sxx += x * x, sxz += x * p.pile[i];
+  }
+  return n < 3 ? kNan : (n * sxz - sx * sz) / (n * sxx - sx * sx);
+}
+
+size_t index_of_peak(const PileProfile& p, double burden) {
+  size_t peak = p.x.size();
+  for (size_t i = 0; i < p.x.size(); ++i) {
+    if (p.x[i] > -burden && p.pile[i] > 0.0 && (peak == p.x.size() || p.pile[i] > p.pile[peak]))
+      peak = i;
+  }
+  return peak;
+}
+
+// Last sample at or after the peak where the pile is at least one block thick.
+size_t index_of_toe(const PileProfile& p, size_t peak, double block_size) {
+  size_t toe = p.x.size() - 1;
+  while (toe > peak && p.pile[toe] < block_size) --toe;
+  return toe;
+}
+
+// Between the last sample above `level` and the next, by a straight line.
+double crossing_after(const PileProfile& p, size_t i, double level) {
+  if (i + 1 >= p.x.size() || p.pile[i] <= level) return p.x[i];
+  return p.x[i] + (p.pile[i] - level) / (p.pile[i] - p.pile[i + 1]) * p.dx;
+}
+
+double place_of_share(const PileProfile& p, double share) {
+  const auto beyond = static_cast<size_t>(std::ranges::upper_bound(p.x, 0.0) - p.x.begin());
+  const double all =
+      std::accumulate(p.pile_length.begin() + static_cast<long>(beyond), p.pile_length.end(), 0.0);
+  double sum = 0.0;
+  for (size_t i = beyond; i < p.x.size() && all > 0.0; ++i) {
+    if (sum + p.pile_length[i] >= share * all) {
+      return p.x[i] + ((share * all - sum) / p.pile_length[i] - 0.5) * p.dx;
+    }
+    sum += p.pile_length[i];
+  }
+  return kNan;
+}
+
+double steepest_slope(const PileProfile& p, size_t peak, size_t toe, double stretch) {
+  const auto samples = static_cast<size_t>(std::max(3.0, std::round(stretch / p.dx)));
+  double steepest = kNan;
+  for (size_t i = peak; i + samples <= toe + 1; ++i) {
+    const double slope = -fitted_slope(p, i, i + samples, [](double) { return true; });
+    if (!(steepest >= slope)) steepest = slope;
+  }
+  return steepest;
+}
+
+}  // namespace
+
+PileProfile pile_profile(const std::vector<StartBlock>& blocks, const Snapshot& last,
+                         const std::vector<char>& moved, double cell) {
+  const Snapshot start = start_snapshot(blocks);
+  const Extent before = extent_of(blocks, start.states), after = extent_of(blocks, last.states);
+  const ColumnGrid grid =
+      column_grid(std::min(before.low.x(), after.low.x()), std::max(after.high.x(), 0.0) + cell,
+                  before.low.y(), before.high.y(), cell);
+  const std::vector<char> all(blocks.size(), 1);
+  std::vector<char> stayed(moved);
+  for (char& m : stayed) m = m == 0;
+  const Columns rock = columns_through(grid, blocks, last.states, all);
+  const Columns pile = columns_through(grid, blocks, last.states, moved);
+  PileProfile profile;
+  for (int i = 0; i < grid.nx; ++i) profile.x.push_back(grid.x(i));
+  profile.before = mean_top(columns_through(grid, blocks, start.states, all));
+  profile.mean = mean_top(rock);
+  profile.centre = centre_top(rock);
+  profile.highest = highest_top(rock);
+  profile.rock_in_place = mean_top(columns_through(grid, blocks, last.states, stayed));
+  profile.pile = mean_top(pile);
+  profile.pile_length = mean_over_y(grid, [&](size_t c) { return pile.length[c]; });
+  profile.dx = grid.dx;
+  profile.width = grid.dy * grid.ny;
+  return profile;
+}
+
+PileShape pile_shape(const PileProfile& p, double burden, double block_size) {
+  PileShape shape{kNan, kNan, kNan, place_of_share(p, 0.98), kNan, 0.0, 0.0, kNan, kNan};
+  const size_t peak = index_of_peak(p, burden);
+  if (peak == p.x.size()) return shape;
+  const size_t toe = index_of_toe(p, peak, block_size);
+  shape.height = p.pile[peak];
+  shape.height_x = p.x[peak];
+  shape.toe = crossing_after(p, toe, block_size);
+  for (size_t i = 0; i <= toe; ++i) {
+    if (p.x[i] < 0.0) continue;
+    shape.bulk_volume += p.pile[i] * p.dx * p.width;
+    shape.solid_volume += p.pile_length[i] * p.dx * p.width;
+  }
+  if (shape.solid_volume > 0.0) shape.swell = shape.bulk_volume / shape.solid_volume;
+  const double low = 0.2 * shape.height, high = 0.8 * shape.height;
+  const auto on_front = [=](double z) { return z >= low && z <= high; };
+  shape.repose_angle = std::atan(-fitted_slope(p, peak, toe + 1, on_front));
+  shape.steepest_angle = std::atan(steepest_slope(p, peak, toe, 0.5 * shape.height));
+  return shape;
+}
+
+Throw throw_of(const std::vector<StartBlock>& blocks, const Snapshot& last, double burden) {
+  Throw result{0.0, 0.0, 0.0, 0.0};
+  for (size_t b = 0; b < blocks.size(); ++b) {
+    const double moved = last.states[b].centre.x() - blocks[b].centroid.x();
+    result.largest = std::max(result.largest, moved);
+    const Vec3& start = blocks[b].centroid;
+    if (!(start.x() > -burden && start.x() < 0.0 && start.z() > 0.0)) continue;
+    result.prism_mass += blocks[b].mass;
+    result.centre_of_mass += blocks[b].mass * moved;
+    if (last.states[b].centre.x() > 0.0) result.cast_fraction += blocks[b].mass;
+  }
+  const double mass = result.prism_mass > 0.0 ? result.prism_mass : kNan;
+  result.centre_of_mass /= mass;
+  result.cast_fraction /= mass;
+  return result;
+}
+
+}  // namespace muckpile

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The muck pile of a bench blast: its profile, throw, swell and slope.
+// Scope: free face at x = 0, throw along +x, pit floor at z = 0; docs/muckpile-post.md defines each
+// measure.
+#pragma once
+
+#include <vector>
+
+#include "io/blocks_file.h"
+#include "io/snapshot.h"
+#include "measure/columns.h"
+
+namespace muckpile {
+
+// Heights [m] above the pit floor at each x of the grid; where there is no rock the height is the
+// floor's, 0.
+struct PileProfile {
+  std::vector<double> x;              // [m]
+  std::vector<double> before;         // top of the bench, mean over y
+  std::vector<double> mean;           // top of all rock after, mean over y
+  std::vector<double> centre;         // top of all rock after, at the middle of the width
+  std::vector<double> highest;        // top of all rock after, highest over y
+  std::vector<double> rock_in_place;  // top of the rock that stayed, mean over y
+  std::vector<double> pile;           // top of the broken-out rock, mean over y
+  std::vector<double> pile_length;    // rock of the pile in a column [m], mean over y
+  double dx;                          // [m]
+  double width;                       // along y [m]
+};
+
+PileProfile pile_profile(const std::vector<StartBlock>& blocks, const Snapshot& last,
+                         const std::vector<char>& moved, double cell);
+
+struct PileShape {
+  double height, height_x;  // highest point of `pile` and where [m]
+  double toe;               // where the pile becomes thinner than one mean block for good [m]
+  double toe_98;            // 98 % of the pile's rock beyond the face lies behind [m]
+  double swell;             // bulk over solid volume, between the face and the toe
+  double bulk_volume, solid_volume;  // beyond the face, to the toe [m3]
+  double repose_angle;    // of the line through the front slope, 20 to 80 % of the height [rad]
+  double steepest_angle;  // steepest line over a stretch of half the height [rad]
+};
+
+// NaN where a measure has no meaning, e.g. a slope without a pile. `burden` and `block_size` in m.
+PileShape pile_shape(const PileProfile& profile, double burden, double block_size);
+
+struct Throw {
+  double prism_mass;      // of the burden prism: blocks that start at -burden < x < 0, z > 0 [kg]
+  double centre_of_mass;  // mean displacement of the prism along x [m]
+  double largest;         // largest displacement along x of one block [m]
+  double cast_fraction;   // of the prism's mass that ends beyond the face
+};
+
+Throw throw_of(const std::vector<StartBlock>& blocks, const Snapshot& last, double burden);
+
+}  // namespace muckpile

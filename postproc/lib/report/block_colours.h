@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A colour for every block, by a property that the user names, and the legend for it.
+// Scope: chosen from the start blocks and one snapshot.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "draw/canvas.h"
+#include "io/snapshot.h"
+#include "report/options.h"
+
+namespace muckpile {
+
+struct BlockColours {
+  std::vector<Colour> of_block;  // by index
+  std::string label;             // what the colours show, with unit
+  std::optional<ColourMap> map;  // none where colours only name things
+};
+
+// `fixed_high` ends the range of speeds, so that frames share one legend [m/s]; default: the
+// snapshot's fastest.
+BlockColours block_colours(ColourBy by, const std::vector<StartBlock>& blocks,
+                           const Snapshot& snapshot,
+                           std::optional<double> fixed_high = std::nullopt);
+
+// A bar of the colours with end values, its upper left corner at `place` [px].
+void draw_legend(const BlockColours& colours, const Vec2& place, Canvas& canvas);
+
+}  // namespace muckpile

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Keys of summary.json that every sub-command writes: size of the run, joints, energy, speed,
+// times. Scope: copied from dump/run.json, or totals of dump/history.csv.
+#include "args/input_error.h"
+#include "io/history.h"
+#include "report/reports.h"
+
+namespace muckpile {
+
+nlohmann::ordered_json common_keys(const ResultFolder& folder) {
+  const nlohmann::ordered_json run = read_json_object(folder.dump("run.json"));
+  const History history = read_history(folder.dump("history.csv"));
+  nlohmann::ordered_json keys;
+  keys["case"] = folder.scene_word("case");
+  for (const char* key : {"blocks", "spheres", "joints"}) {
+    if (!run.contains(key))
+      throw InputError(folder.dump("run.json").string() + ": has no key '" + key + "'");
+    keys[key] = run[key];
+  }
+  keys["joints_broken_fraction"] = history.joints_broken_fraction;
+  keys["fastest_block_m_s"] = history.fastest_block;
+  keys["energy_balance_error"] = run.contains("energy_balance_error")
+                                     ? run["energy_balance_error"]
+                                     : nlohmann::ordered_json(history.worst_balance_error);
+  for (const char* key : {"physical_time_s", "wall_time_s", "steps", "ranks", "still"}) {
+    if (run.contains(key)) keys[key] = run[key];
+  }
+  return keys;
+}
+
+}  // namespace muckpile

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Sub-command crater: section, ring profile and measures of a crater and its ejecta.
+// Scope: free surface z = 0, charge on the z axis.
+#include <algorithm>
+#include <cmath>
+
+#include "args/input_error.h"
+#include "draw/png_file.h"
+#include "io/csv_writer.h"
+#include "measure/columns.h"
+#include "measure/crater.h"
+#include "report/reports.h"
+#include "report/run_data.h"
+#include "report/section_plot.h"
+
+namespace muckpile {
+namespace {
+
+void write_rings(const std::vector<CraterRing>& rings, const std::filesystem::path& path) {
+  CsvWriter csv(path, "radius_m,surface_after_m,rock_in_place_m,broken_fraction_of_surface");
+  for (const CraterRing& ring : rings)
+    csv.row({ring.radius, ring.surface, ring.true_surface, ring.moved_fraction});
+}
+
+nlohmann::ordered_json crater_keys(const CraterShape& apparent, const CraterShape& whole,
+                                   const Ejecta& ejecta) {
+  nlohmann::ordered_json keys;
+  keys["crater_radius_m"] = apparent.radius;
+  keys["crater_depth_m"] = apparent.depth;
+  keys["crater_volume_m3"] = apparent.volume;
+  keys["true_crater_radius_m"] = whole.radius;
+  keys["true_crater_depth_m"] = whole.depth;
+  keys["true_crater_volume_m3"] = whole.volume;
+  keys["ejecta_mass_kg"] = ejecta.mass;
+  keys["ejecta_p50_m"] = ejecta.p50;
+  keys["ejecta_p90_m"] = ejecta.p90;
+  keys["ejecta_max_m"] = ejecta.max;
+  return keys;
+}
+
+// Ring means on both sides of the axis.
+std::vector<Vec2> both_sides(const std::vector<CraterRing>& rings, double CraterRing::*height) {
+  std::vector<Vec2> points;
+  for (auto ring = rings.rbegin(); ring != rings.rend(); ++ring)
+    points.emplace_back(-ring->radius, (*ring).*height);
+  for (const CraterRing& ring : rings) points.emplace_back(ring.radius, ring.*height);
+  return points;
+}
+
+SectionPlot section_of(const ResultFolder& folder, const RunData& run,
+                       const std::vector<CraterRing>& rings, const CraterShape& apparent,
+                       const CraterShape& whole, const SectionOptions& options) {
+  const double y = options.y.value_or(0.0), burial = folder.scene_number("burial_depth_m");
+  const Extent before = extent_of(run.blocks, start_snapshot(run.blocks).states);
+  const double reach = std::max(std::abs(before.low.x()), before.high.x());
+  double top = 0.5 * burial;
+  for (const CraterRing& ring : rings) top = std::max(top, ring.surface + 0.5 * burial);
+  SectionPlot plot{"Crater",
+                   "",
+                   {-reach, reach},
+                   {before.low.z(), top},
+                   section_at(y, run.blocks, run.last.states),
+                   run.moved,
+                   block_colours(options.colour_by, run.blocks, run.last),
+                   {},
+                   {},
+                   ""};
+  if (folder.scene_has("charge_mass_kg"))
+    plot.title += ": charge " + spelled(folder.scene_number("charge_mass_kg")) + " kg";
+  plot.title += ", burial depth " + spelled(burial) + " m";
+  plot.subtitle = "apparent: radius " + spelled(apparent.radius) + " m, depth " +
+                  spelled(apparent.depth) + " m, volume " + spelled(apparent.volume) +
+                  " m³ · true: radius " + spelled(whole.radius) + " m, depth " +
+                  spelled(whole.depth) + " m, volume " + spelled(whole.volume) + " m³";
+  plot.lines = {
+      {{{-reach, 0.0}, {reach, 0.0}}, kBench, 2.5, true, "surface before"},
+      {both_sides(rings, &CraterRing::surface), kSignal, 3.0, false,
+       "surface after, mean over rings"},
+      {both_sides(rings, &CraterRing::true_surface), kInk, 2.5, true, "rock that stayed"}};
+  const double half =
+      folder.scene_has("hole_diameter_m") ? 0.5 * folder.scene_number("hole_diameter_m") : 0.1;
+  plot.bars = {{{-half, -burial - half}, {half, -burial + half}, kSignal, "charge"}};
+  plot.note = "section at y = " + spelled(y) + " m, t = " + spelled(run.last.time) +
+              " s; rock that stayed is grey";
+  return plot;
+}
+
+}  // namespace
+
+void report_crater(const ResultFolder& folder, const MeasureOptions& measure,
+                   const SectionOptions& section) {
+  if (folder.scene_word("case") == "bench") {
+    throw InputError("crater: the run must be a crater, got 'bench'; use the sub-command profile");
+  }
+  const RunData run(folder, measure);
+  const std::vector<CraterRing> rings =
+      crater_rings(run.blocks, run.last, run.moved, run.cell, run.block_size);
+  const CraterShape apparent = apparent_crater(rings), whole = true_crater(rings);
+  const Ejecta ejecta =
+      ejecta_beyond(std::max(apparent.radius, whole.radius), run.blocks, run.last, run.moved);
+  write_rings(rings, folder.file("crater.csv"));
+  write_png(draw_section(section_of(folder, run, rings, apparent, whole, section)),
+            folder.file("crater.png"));
+  nlohmann::ordered_json keys = common_keys(folder);
+  keys.update(crater_keys(apparent, whole, ejecta));
+  folder.merge_into_summary(keys);
+}
+
+}  // namespace muckpile

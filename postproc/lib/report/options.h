@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the user can choose for the measures and pictures, with the defaults.
+// Scope: values only; tools/ fills them from the command line.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace muckpile {
+
+enum class ColourBy { kStartHeight, kStartDepth, kFragment, kSize, kSpeed, kDisplacement };
+
+struct MeasureOptions {
+  std::optional<double>
+      least_move;  // a block that moved less stayed [m]; default: the run's mean block size
+  std::optional<double> cell;  // columns [m]; default: a quarter of the run's mean block size
+};
+
+struct SectionOptions {
+  std::optional<double> y;  // of the section [m]; default: through a hole
+  ColourBy colour_by = ColourBy::kStartHeight;
+};
+
+struct PictureOptions {
+  ColourBy colour_by = ColourBy::kStartHeight;
+  int frames = 0;           // pictures over the whole run beside the last one
+  int mirror = 0;           // reflected copies of a bench on each side of it
+  int width = 1600;         // [px]
+  int height = 900;         // [px]
+  double azimuth = 55.0;    // of the eye, from the throw direction towards -y [deg]
+  double elevation = 28.0;  // of the eye above the floor [deg]
+};
+
+}  // namespace muckpile

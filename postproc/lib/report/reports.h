@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The reports behind the sub-commands of muckpile-post: each reads dump/ and writes tables,
+// pictures and summary keys. Scope: docs/muckpile-post.md lists the files and keys; all throw
+// InputError on faulty dumps.
+#pragma once
+
+#include "io/result_folder.h"
+#include "report/options.h"
+
+namespace muckpile {
+
+// Bench only: profile.csv, profile.png and the pile's keys.
+void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
+                    const SectionOptions& section);
+// fragments.csv, fragments_list.csv, fragments.png and the size keys.
+void report_fragments(const ResultFolder& folder, const MeasureOptions& measure);
+// Crater only: crater.csv, crater.png and the crater's keys.
+void report_crater(const ResultFolder& folder, const MeasureOptions& measure,
+                   const SectionOptions& section);
+// pile3d.png, and pile3d_<number>.png for frames.
+void report_picture(const ResultFolder& folder, const PictureOptions& options);
+
+// Keys that every sub-command writes: size of the run, joints, energy, speed, times.
+nlohmann::ordered_json common_keys(const ResultFolder& folder);
+
+}  // namespace muckpile

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What every report starts from: the blocks, where they ended, and which of them were broken out.
+// Scope: loaded once per sub-command.
+#pragma once
+
+#include <vector>
+
+#include "io/result_folder.h"
+#include "measure/broken_out.h"
+#include "report/options.h"
+
+namespace muckpile {
+
+struct RunData {
+  RunData(const ResultFolder& folder, const MeasureOptions& options)
+      : blocks(folder.blocks()),
+        last(read_snapshot(folder.snapshots().back(), blocks)),
+        block_size(mean_block_size(blocks, std::vector<char>(blocks.size(), 1))),
+        cell(options.cell.value_or(0.25 * block_size)),
+        moved(broken_out(blocks, last.states, options.least_move.value_or(block_size))) {}
+
+  std::vector<StartBlock> blocks;
+  Snapshot last;
+  double block_size;  // mean over all blocks [m]
+  double cell;        // of columns [m]
+  std::vector<char> moved;
+};
+
+}  // namespace muckpile

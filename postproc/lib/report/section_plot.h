@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Picture of a vertical section: blocks in true shape, lines over them, metres with equal scales.
+// Scope: the caller says what the lines are; this places and draws.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "draw/axes.h"
+#include "draw/canvas.h"
+#include "measure/section.h"
+#include "report/block_colours.h"
+
+namespace muckpile {
+
+struct SectionLine {
+  std::vector<Vec2> points;  // (x, z) [m]
+  Colour colour;
+  double thickness;  // [px]
+  bool dashed;
+  std::string name;  // in the legend
+};
+
+struct SectionBar {  // e.g. charge or stemming
+  Vec2 low, high;    // corners (x, z) [m]
+  Colour colour;
+  std::string name;
+};
+
+struct SectionPlot {
+  std::string title, subtitle;
+  Range x, z;  // [m]
+  std::vector<SectionPolygon> polygons;
+  std::vector<char> moved;  // per block; blocks that stayed are grey
+  BlockColours colours;
+  std::vector<SectionLine> lines;
+  std::vector<SectionBar> bars;
+  std::string note;  // at the lower right, may be empty
+};
+
+Canvas draw_section(SectionPlot plot);
+
+}  // namespace muckpile

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// muckpile-post: measures and draws what a run of Muckpile dumped.
+// Scope: command line only; report/ does the work. Exit code 1 on faulty input, with one line of
+// explanation.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <map>
+
+#include "io/vtk_series.h"
+#include "report/reports.h"
+
+namespace {
+
+using namespace muckpile;
+
+const std::map<std::string, ColourBy> kColours{{"start_height", ColourBy::kStartHeight},
+                                               {"start_depth", ColourBy::kStartDepth},
+                                               {"fragment", ColourBy::kFragment},
+                                               {"size", ColourBy::kSize},
+                                               {"speed", ColourBy::kSpeed},
+                                               {"displacement", ColourBy::kDisplacement}};
+
+CLI::App* add_command(CLI::App& app, const char* name, const char* help, std::string& folder) {
+  CLI::App* command = app.add_subcommand(name, help);
+  command->add_option("folder", folder, "result folder of the run; it holds dump/")->required();
+  return command;
+}
+
+void add_colour(CLI::App* command, ColourBy& colour_by) {
+  command->add_option("--colour", colour_by, "what the colours of blocks show")
+      ->transform(CLI::CheckedTransformer(kColours, CLI::ignore_case))
+      ->default_str("start_height");
+}
+
+void add_measure(CLI::App* command, MeasureOptions& options) {
+  command
+      ->add_option("--moved", options.least_move,
+                   "a block that moved less than this stayed [m] (default: mean block size)")
+      ->check(CLI::NonNegativeNumber);
+  command
+      ->add_option("--cell", options.cell,
+                   "width of the measuring columns [m] (default: 1/4 of mean block size)")
+      ->check(CLI::PositiveNumber);
+}
+
+struct Options {
+  std::string folder;
+  MeasureOptions measure;
+  SectionOptions section;
+  PictureOptions picture;
+  int every = 1;
+};
+
+void add_pile_commands(CLI::App& app, Options& o) {
+  CLI::App* profile =
+      add_command(app, "profile",
+                  "bench: profile.csv, profile.png; throw, height, toe, swell, slope", o.folder);
+  CLI::App* crater = add_command(
+      app, "crater", "crater: crater.csv, crater.png; radius, depth, volume, ejecta", o.folder);
+  for (CLI::App* command : {profile, crater}) {
+    add_measure(command, o.measure);
+    add_colour(command, o.section.colour_by);
+    command->add_option("--y", o.section.y, "place of the section [m] (default: through a hole)");
+  }
+  CLI::App* fragments =
+      add_command(app, "fragments",
+                  "fragments.csv, fragments_list.csv, fragments.png; P20, P50, P80", o.folder);
+  add_measure(fragments, o.measure);
+  profile->callback([&o] { report_profile(ResultFolder(o.folder), o.measure, o.section); });
+  crater->callback([&o] { report_crater(ResultFolder(o.folder), o.measure, o.section); });
+  fragments->callback([&o] { report_fragments(ResultFolder(o.folder), o.measure); });
+}
+
+void add_picture_commands(CLI::App& app, Options& o) {
+  CLI::App* render =
+      add_command(app, "render", "pile3d.png: the pile in three dimensions", o.folder);
+  add_colour(render, o.picture.colour_by);
+  render
+      ->add_option("--frames", o.picture.frames,
+                   "also this many pictures over the run, pile3d_0000.png ...")
+      ->check(CLI::NonNegativeNumber);
+  render
+      ->add_option("--mirror", o.picture.mirror,
+                   "mirror images of a bench to show on each side of it")
+      ->check(CLI::Range(0, 5));
+  render->add_option("--width", o.picture.width, "[px]")->check(CLI::Range(200, 8000));
+  render->add_option("--height", o.picture.height, "[px]")->check(CLI::Range(200, 8000));
+  render->add_option("--azimuth", o.picture.azimuth,
+                     "of the eye, from the throw direction towards -y [deg]");
+  render->add_option("--elevation", o.picture.elevation, "of the eye [deg]", true)
+      ->check(CLI::Range(1.0, 89.0));
+  render->callback([&o] { report_picture(ResultFolder(o.folder), o.picture); });
+  CLI::App* series = add_command(
+      app, "series", "vtk/blocks.pvd: all snapshots as polyhedra for ParaView", o.folder);
+  series->add_option("--every", o.every, "write only every n-th snapshot and the last", true)
+      ->check(CLI::PositiveNumber);
+  series->callback([&o] {
+    const ResultFolder folder(o.folder);
+    const int written = write_vtk_series(folder, o.every);
+    nlohmann::ordered_json keys = common_keys(folder);
+    keys["vtk_snapshots"] = written;
+    folder.merge_into_summary(keys);
+  });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "Measures and draws the muck pile or crater of a run. Each command adds its keys to "
+      "summary.json.");
+  app.require_subcommand(1);
+  app.option_defaults()->always_capture_default();
+  Options options;
+  add_pile_commands(app, options);
+  add_picture_commands(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "muckpile-post: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
