@@ -45,6 +45,8 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix, public FacetKeeper, public Joint
   void swept_volume(std::span<double> per_hole) const override;
   [[nodiscard]] double pressure_work() const override { return network_.pressure_work(); }
 
+  /// Joints with at least one broken point, of all ranks. Collective.
+  [[nodiscard]] double joints_broken() const { return sum(network_.broken_count()); }
   /// For fragments: the network as it stands, and the store behind it.
   [[nodiscard]] const FacetNetwork& network() const { return network_; }
   [[nodiscard]] FixMuckpileBlocks& blocks() const { return *store_; }

@@ -18,7 +18,10 @@
 #include "create_blocks.h"
 #include "fix_muckpile_blast.h"
 #include "fix_muckpile_blocks.h"
+#include "fix_muckpile_dump.h"
 #include "fix_muckpile_joint.h"
+#include "fix_muckpile_ledger.h"
+#include "fix_muckpile_progress.h"
 
 namespace muckpile::engine {
 namespace {
@@ -77,7 +80,10 @@ const std::map<std::string, FixCreator>& fixes() {
   static const std::map<std::string, FixCreator> table = {
       {"muckpile/blast", &create_fix<FixMuckpileBlast>},
       {"muckpile/blocks", &create_fix<FixMuckpileBlocks>},
+      {"muckpile/dump", &create_fix<FixMuckpileDump>},
       {"muckpile/joint", &create_fix<FixMuckpileJoint>},
+      {"muckpile/ledger", &create_fix<FixMuckpileLedger>},
+      {"muckpile/progress", &create_fix<FixMuckpileProgress>},
   };
   return table;
 }

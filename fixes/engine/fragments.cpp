@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Fragments: the smallest tag spreads along joints that hold, within the rank by union-find and
+// between ranks by halo, until nothing changes.
+// Scope: see the header; rounds are bounded by the ranks that one fragment spans.
+#include "engine/fragments.h"
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "fix_muckpile_joint.h"
+
+namespace muckpile::engine {
+namespace {
+
+class UnionFind {
+ public:
+  explicit UnionFind(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+  std::size_t root(std::size_t k) {
+    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
+    return k;
+  }
+  void join(std::size_t a, std::size_t b) { parent_[root(a)] = root(b); }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+bool holds(const FacetMemory& m) { return !(m.broken[0] && m.broken[1] && m.broken[2]); }
+
+}  // namespace
+
+std::vector<int> fragment_ids(const FixMuckpileJoint& joint, MPI_Comm world) {
+  const FacetNetwork& network = joint.network();
+  BlockHalo& halo = joint.blocks().halo();
+  UnionFind sets(network.blocks().size());
+  for (std::size_t f = 0; f < network.facets().size(); ++f) {
+    const Facet& facet = network.facets()[f];
+    if (facet.kind == FacetKind::joint && holds(network.memory()[f])) {
+      sets.join(static_cast<std::size_t>(facet.i), static_cast<std::size_t>(facet.j));
+    }
+  }
+  std::vector<int> label(halo.size());
+  for (std::size_t b = 0; b < label.size(); ++b) label[b] = network.blocks()[b].tag;
+  for (int changed = 1; changed != 0;) {
+    std::vector<int> smallest(network.blocks().size(), std::numeric_limits<int>::max());
+    for (std::size_t b = 0; b < label.size(); ++b) {
+      int& s = smallest[sets.root(b)];
+      s = std::min(s, label[b]);
+    }
+    int mine = 0;
+    for (std::size_t b = 0; b < label.size(); ++b) {
+      const int s = smallest[sets.root(b)];
+      mine |= s != label[b] ? 1 : 0;
+      label[b] = s;
+    }
+    halo.forward(std::span<int>(label));
+    MPI_Allreduce(&mine, &changed, 1, MPI_INT, MPI_MAX, world);
+  }
+  label.resize(halo.owned());
+  return label;
+}
+
+std::vector<double> broken_share(const FixMuckpileJoint& joint) {
+  const FacetNetwork& network = joint.network();
+  std::vector<double> broken(network.blocks().size(), 0.0), all(network.blocks().size(), 0.0);
+  for (std::size_t f = 0; f < network.facets().size(); ++f) {
+    const Facet& facet = network.facets()[f];
+    if (facet.kind != FacetKind::joint) continue;
+    const auto& points = network.memory()[f].broken;
+    const double gone = facet.area * static_cast<double>(std::count(points.begin(), points.end(), true)) / kFacetPoints;
+    for (int b : {facet.i, facet.j}) {
+      broken[static_cast<std::size_t>(b)] += gone;
+      all[static_cast<std::size_t>(b)] += facet.area;
+    }
+  }
+  std::vector<double> share(joint.blocks().halo().owned(), 0.0);
+  for (std::size_t b = 0; b < share.size(); ++b) share[b] = all[b] > 0.0 ? broken[b] / all[b] : 0.0;
+  return share;
+}
+
+}  // namespace muckpile::engine

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Fragments: connected components of blocks over joints of which a part still holds.
+// Scope: supports (fixed, mirror) join nothing; works across ranks without gathering.
+#pragma once
+
+#include <mpi.h>
+
+#include <vector>
+
+namespace muckpile {
+class FixMuckpileJoint;
+
+namespace engine {
+
+/// Per owned block, in body order: the smallest tag of its fragment. Collective.
+[[nodiscard]] std::vector<int> fragment_ids(const FixMuckpileJoint& joint, MPI_Comm world);
+
+/// Per owned block, in body order: broken share of its joint area [-].
+[[nodiscard]] std::vector<double> broken_share(const FixMuckpileJoint& joint);
+
+}  // namespace engine
+}  // namespace muckpile

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/dump: one CSV file per snapshot, rows gathered on rank 0.
+// Scope: see the header.
+#include "fix_muckpile_dump.h"
+
+#include <comm.h>
+#include <fix_multisphere.h>
+#include <modify.h>
+#include <multisphere.h>
+#include <update.h>
+
+#include <array>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+#include <vector>
+
+#include "args/numbers.h"
+#include "engine/bodies.h"
+#include "engine/fragments.h"
+#include "engine/style_args.h"
+#include "fix_muckpile_joint.h"
+
+namespace muckpile {
+namespace {
+
+constexpr const char* kHeader =
+    "id,x_m,y_m,z_m,qw,qx,qy,qz,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s,fragment_id,broken_fraction\n";
+
+const ArgTable& table() {
+  static const ArgTable args = ArgTable("fix muckpile/dump")
+                                   .integer("every", "steps", Range::at_least(1), std::nullopt, "between snapshots")
+                                   .word("directory", {}, std::nullopt, "where blocks_<step>.csv go");
+  return args;
+}
+
+}  // namespace
+
+FixMuckpileDump::FixMuckpileDump(LAMMPS_NS::LAMMPS* engine, int narg, char** arg) : Fix(engine, narg, arg) {
+  const std::string where = std::string("fix muckpile/dump '") + id + "'";
+  const ArgValues args = engine::read_args(*lmp, table(), where, narg, arg, 3);
+  nevery = static_cast<int>(args.integer("every"));
+  folder_ = args.word("directory");
+  std::error_code fault;
+  if (comm->me == 0) std::filesystem::create_directories(folder_, fault);
+  int bad = fault ? 1 : 0;
+  MPI_Bcast(&bad, 1, MPI_INT, 0, world);
+  if (bad != 0) engine::stop(*lmp, where + ": directory must be writable, got '" + folder_ + "'");
+}
+
+int FixMuckpileDump::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
+
+void FixMuckpileDump::init() {
+  store_ = FixMuckpileBlocks::find(*lmp);
+  joint_ = dynamic_cast<FixMuckpileJoint*>(modify->find_fix_style_strict("muckpile/joint", 0));
+  if (store_ == nullptr) {
+    engine::stop(*lmp, std::string("fix muckpile/dump '") + id + "': needs create_blocks before the first run");
+  }
+}
+
+void FixMuckpileDump::setup(int) { write(); }
+
+void FixMuckpileDump::end_of_step() {
+  if (update->ntimestep % nevery == 0) write();
+}
+
+int FixMuckpileDump::modify_param(int narg, char** arg) {
+  if (std::strcmp(arg[0], "every") != 0) return 0;
+  const std::string where = std::string("fix_modify ") + id;
+  if (narg < 2) engine::stop(*lmp, where + ": every needs a number of steps");
+  nevery = static_cast<int>(engine::or_engine_error(
+      *lmp, [&] { return parse_integer(where, "every", arg[1], "steps", Range::at_least(1)); }));
+  return 2;
+}
+
+std::string FixMuckpileDump::rows() const {
+  const engine::Bodies bodies(store_->multisphere());
+  std::vector<int> fragment;
+  std::vector<double> broken(static_cast<std::size_t>(bodies.count()), 0.0);
+  if (joint_ != nullptr) {
+    fragment = engine::fragment_ids(*joint_, world);
+    broken = engine::broken_share(*joint_);
+  }
+  std::string text;
+  std::array<char, 512> line{};
+  for (int b = 0; b < bodies.count(); ++b) {
+    const auto k = static_cast<std::size_t>(b);
+    const BlockRecord& record = store_->records()[k];
+    if (record.mass == 0.0) continue;  // not made by create_blocks
+    const Quat q(Mat3(bodies.axes(b) * record.start_axes.transpose()));
+    const Vec3 x = bodies.centre(b), v = bodies.velocity(b), w = bodies.spin(b);
+    const int length = std::snprintf(
+        line.data(), line.size(), "%d,%.10g,%.10g,%.10g,%.9g,%.9g,%.9g,%.9g,%.7g,%.7g,%.7g,%.7g,%.7g,%.7g,%d,%.5g\n",
+        record.tag, x.x(), x.y(), x.z(), q.w(), q.x(), q.y(), q.z(), v.x(), v.y(), v.z(), w.x(), w.y(), w.z(),
+        fragment.empty() ? record.tag : fragment[k], broken[k]);
+    text.append(line.data(), static_cast<std::size_t>(length));
+  }
+  return text;
+}
+
+void FixMuckpileDump::write() {
+  if (last_ == update->ntimestep) return;
+  last_ = update->ntimestep;
+  const std::string mine = rows();
+  const int length = static_cast<int>(mine.size());
+  std::vector<int> lengths(static_cast<std::size_t>(comm->nprocs)), first(lengths.size(), 0);
+  MPI_Gather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, 0, world);
+  std::partial_sum(lengths.begin(), lengths.end() - 1, first.begin() + 1);
+  std::string all(comm->me == 0 ? static_cast<std::size_t>(first.back() + lengths.back()) : 0, '\0');
+  MPI_Gatherv(mine.data(), length, MPI_CHAR, all.data(), lengths.data(), first.data(), MPI_CHAR, 0, world);
+  if (comm->me != 0) return;
+  std::array<char, 64> name{};
+  std::snprintf(name.data(), name.size(), "/blocks_%09lld.csv", static_cast<long long>(update->ntimestep));
+  std::ofstream out(folder_ + name.data());
+  out.precision(12);
+  out << "# step=" << update->ntimestep << " time_s=" << update->get_cur_time() << '\n' << kHeader << all;
+  if (!out.flush()) error->warning(FLERR, ("fix muckpile/dump: cannot write to '" + folder_ + "'").c_str());
+}
+
+}  // namespace muckpile

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/dump: snapshots of the blocks' poses, velocities and fragments as CSV files.
+// Scope: blocks made by create_blocks; their shapes are in the file that create_blocks writes.
+#pragma once
+
+#include <fix.h>
+
+#include <string>
+
+namespace muckpile {
+
+class FixMuckpileJoint;
+class FixMuckpileBlocks;
+
+class FixMuckpileDump : public LAMMPS_NS::Fix {
+ public:
+  FixMuckpileDump(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+
+  int setmask() override;
+  void init() override;
+  void setup(int vflag) override;
+  void end_of_step() override;
+  int modify_param(int narg, char** arg) override;
+
+ private:
+  void write();
+  [[nodiscard]] std::string rows() const;
+
+  FixMuckpileBlocks* store_ = nullptr;
+  FixMuckpileJoint* joint_ = nullptr;
+  std::string folder_;
+  LAMMPS_NS::bigint last_ = -1;
+};
+
+}  // namespace muckpile

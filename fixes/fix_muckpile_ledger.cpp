@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/ledger: sums the energies that the other styles keep, and the work of walls.
+// Scope: walls are found by difference: the work of all forces on spheres less what the pair style
+// says it stored and lost. A fault in the pair's own books therefore shows up as wall work.
+#include "fix_muckpile_ledger.h"
+
+#include <atom.h>
+#include <fix_gravity.h>
+#include <fix_multisphere.h>
+#include <force.h>
+#include <modify.h>
+#include <multisphere.h>
+#include <pair.h>
+#include <update.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "engine/bodies.h"
+#include "engine/style_args.h"
+#include "fix_muckpile_joint.h"
+
+namespace muckpile {
+namespace {
+
+constexpr std::array kColumns = {
+    &EnergyLedger::kinetic,        &EnergyLedger::joint_elastic,    &EnergyLedger::contact_elastic,
+    &EnergyLedger::gravity,        &EnergyLedger::blast_work,       &EnergyLedger::fracture,
+    &EnergyLedger::joint_friction, &EnergyLedger::joint_damping,    &EnergyLedger::contact_friction,
+    &EnergyLedger::contact_damping, &EnergyLedger::walls};
+
+}  // namespace
+
+FixMuckpileLedger::FixMuckpileLedger(LAMMPS_NS::LAMMPS* engine, int narg, char** arg) : Fix(engine, narg, arg) {
+  const std::string where = std::string("fix muckpile/ledger '") + id + "'";
+  if (narg != 3) engine::stop(*lmp, where + ": takes no keywords, got '" + arg[3] + "'");
+  multisphere_ = engine::find_multisphere(*lmp);
+  if (multisphere_ == nullptr) engine::stop(*lmp, where + ": needs 'fix ID all multisphere' before it");
+  scalar_flag = vector_flag = 1;
+  size_vector = static_cast<int>(kColumns.size());
+  global_freq = 1;
+  extscalar = extvector = 0;
+  nevery = 1;
+}
+
+int FixMuckpileLedger::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
+
+void FixMuckpileLedger::init() {
+  gravity_ = static_cast<LAMMPS_NS::FixGravity*>(modify->find_fix_style("gravity", 0));
+  joint_ = dynamic_cast<FixMuckpileJoint*>(modify->find_fix_style_strict("muckpile/joint", 0));
+}
+
+void FixMuckpileLedger::setup(int) {
+  computed_at_ = -1;
+  if (started_) return;
+  started_ = true;
+  const EnergyLedger& now = ledger();
+  start_kinetic_ = now.kinetic;
+  start_residual_ = now.residual() - now.gravity;
+  start_gravity_ = now.gravity;
+  computed_at_ = -1;
+}
+
+void FixMuckpileLedger::end_of_step() { sphere_work_ += work_rate_of_spheres() * update->dt; }
+
+/// Full-step velocities: with them force x velocity x dt is the change of kinetic energy between
+/// half steps, exactly as the integrator makes it.
+double FixMuckpileLedger::work_rate_of_spheres() const {
+  double rate = 0.0;
+  double** const v = atom->v;
+  double** const w = atom->omega;
+  double** const f = atom->f;
+  double** const t = atom->torque;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    rate += f[i][0] * v[i][0] + f[i][1] * v[i][1] + f[i][2] * v[i][2];
+    rate += t[i][0] * w[i][0] + t[i][1] * w[i][1] + t[i][2] * w[i][2];
+  }
+  return rate;
+}
+
+double FixMuckpileLedger::of_pair(const char* name) const {
+  int dimension = 0;
+  const void* value = force->pair == nullptr ? nullptr : force->pair->extract(name, dimension);
+  return value == nullptr ? 0.0 : *static_cast<const double*>(value);
+}
+
+const EnergyLedger& FixMuckpileLedger::ledger() {
+  if (computed_at_ == update->ntimestep) return ledger_;
+  computed_at_ = update->ntimestep;
+  EnergyLedger mine;
+  const engine::Bodies bodies(*multisphere_);
+  Vec3 g = Vec3::Zero();
+  if (gravity_ != nullptr) gravity_->get_gravity(g.data());
+  for (int b = 0; b < bodies.count(); ++b) {
+    mine.kinetic += bodies.kinetic_energy(b);
+    mine.gravity -= bodies.mass(b) * g.dot(bodies.centre(b));
+  }
+  if (joint_ != nullptr) {
+    const FacetNetwork& network = joint_->network();
+    mine.joint_elastic = network.elastic_energy();
+    mine.fracture = network.losses().fracture;
+    mine.joint_friction = network.losses().friction;
+    mine.joint_damping = network.losses().damping;
+    mine.blast_work = network.pressure_work();
+  }
+  mine.contact_elastic = of_pair("elastic_J");
+  mine.contact_friction = of_pair("friction_J");
+  mine.contact_damping = of_pair("damping_J");
+  mine.walls = -sphere_work_ - mine.contact_elastic - mine.contact_friction - mine.contact_damping;
+  std::array<double, kColumns.size()> part{}, all{};
+  for (std::size_t k = 0; k < kColumns.size(); ++k) part[k] = mine.*kColumns[k];
+  MPI_Allreduce(part.data(), all.data(), static_cast<int>(all.size()), MPI_DOUBLE, MPI_SUM, world);
+  for (std::size_t k = 0; k < kColumns.size(); ++k) ledger_.*kColumns[k] = all[k];
+  ledger_.gravity -= start_gravity_;
+  return ledger_;
+}
+
+double FixMuckpileLedger::balance_error() {
+  const EnergyLedger& now = ledger();
+  const double moved = std::max({std::abs(now.blast_work), start_kinetic_, std::abs(now.gravity)});
+  return moved > 0.0 ? std::abs(now.residual() - start_residual_) / moved : 0.0;
+}
+
+double FixMuckpileLedger::fastest_block() {
+  const engine::Bodies bodies(*multisphere_);
+  double mine = 0.0, all = 0.0;
+  for (int b = 0; b < bodies.count(); ++b) {
+    const double speed = bodies.velocity(b).norm();
+    mine = std::isfinite(speed) ? std::max(mine, speed) : HUGE_VAL;
+  }
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  return all;
+}
+
+double FixMuckpileLedger::compute_scalar() { return balance_error(); }
+
+double FixMuckpileLedger::compute_vector(int n) { return ledger().*kColumns[static_cast<std::size_t>(n)]; }
+
+}  // namespace muckpile

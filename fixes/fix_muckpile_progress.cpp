@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/progress: console line, history.csv, run.json, and the checks that stop a run.
+// Scope: see the header.
+#include "fix_muckpile_progress.h"
+
+#include <atom.h>
+#include <comm.h>
+#include <fix_multisphere.h>
+#include <modify.h>
+#include <multisphere.h>
+#include <update.h>
+#include <write_restart.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "args/numbers.h"
+#include "engine/bodies.h"
+#include "engine/style_args.h"
+#include "fix_muckpile_joint.h"
+#include "fix_muckpile_ledger.h"
+
+namespace muckpile {
+namespace {
+
+constexpr const char* kHistoryHeader =
+    "step,time_s,timestep_s,phase,joints,joints_broken,fastest_block_m_s,kinetic_J,elastic_J,contact_elastic_J,"
+    "gravity_J,blast_work_J,fracture_J,joint_friction_J,joint_damping_J,contact_friction_J,contact_damping_J,wall_J,"
+    "balance_error\n";
+
+const ArgTable& table() {
+  static const ArgTable args =
+      ArgTable("fix muckpile/progress")
+          .integer("every", "steps", Range::at_least(1), std::nullopt, "between looks")
+          .word("directory", {}, std::nullopt, "where history.csv and run.json go")
+          .word("phase", {}, "run", "name of the phase that begins")
+          .real("time_end", "s", Range::positive(), 1e30, "physical time at which the phase ends at the latest; for the time left")
+          .real("still_speed", "m/s", Range::positive(), 0.1, "a block slower than this is at rest")
+          .real("still_share", "", Range::open(0.0, 1.0), 0.001, "mass share that may still move in a pile called still")
+          .real("fastest_allowed", "m/s", Range::positive(), 2000.0, "a faster block stops the run as unstable");
+  return args;
+}
+
+}  // namespace
+
+FixMuckpileProgress::FixMuckpileProgress(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
+    : Fix(engine, narg, arg), wall_start_(MPI_Wtime()) {
+  const std::string where = std::string("fix muckpile/progress '") + id + "'";
+  const ArgValues args = engine::read_args(*lmp, table(), where, narg, arg, 3);
+  nevery = static_cast<int>(args.integer("every"));
+  folder_ = args.word("directory");
+  phase_ = args.word("phase");
+  time_end_ = args.real("time_end");
+  still_speed_ = args.real("still_speed");
+  still_share_ = args.real("still_share");
+  fastest_allowed_ = args.real("fastest_allowed");
+  std::error_code fault;
+  if (comm->me == 0) std::filesystem::create_directories(folder_, fault);
+  int bad = fault ? 1 : 0;
+  MPI_Bcast(&bad, 1, MPI_INT, 0, world);
+  if (bad != 0) engine::stop(*lmp, where + ": directory must be writable, got '" + folder_ + "'");
+  scalar_flag = vector_flag = 1;
+  size_vector = 2;
+  global_freq = 1;
+  extscalar = extvector = 0;
+}
+
+int FixMuckpileProgress::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
+
+void FixMuckpileProgress::init() {
+  ledger_ = dynamic_cast<FixMuckpileLedger*>(modify->find_fix_style_strict("muckpile/ledger", 0));
+  joint_ = dynamic_cast<FixMuckpileJoint*>(modify->find_fix_style_strict("muckpile/joint", 0));
+  store_ = FixMuckpileBlocks::find(*lmp);
+  const std::string where = std::string("fix muckpile/progress '") + id + "'";
+  if (ledger_ == nullptr) engine::stop(*lmp, where + ": needs a fix muckpile/ledger");
+  if (store_ == nullptr) engine::stop(*lmp, where + ": needs create_blocks before the first run");
+}
+
+void FixMuckpileProgress::setup(int) {
+  phase_wall_start_ = MPI_Wtime();
+  phase_time_start_ = update->get_cur_time();
+  end_of_step();
+}
+
+void FixMuckpileProgress::end_of_step() {
+  if (update->ntimestep % nevery != 0 || last_ == update->ntimestep) return;
+  last_ = update->ntimestep;
+  const Look now = look();
+  stop_if_wrong(now);
+  write_history(now);
+  if (comm->me == 0) say(now);
+}
+
+void FixMuckpileProgress::post_run() { write_run(look()); }
+
+FixMuckpileProgress::Look FixMuckpileProgress::look() {
+  Look now;
+  now.time = update->get_cur_time();
+  now.fastest = ledger_->fastest_block();
+  now.moving_share = moving_share();
+  now.bodies = store_->multisphere().n_body_all();
+  now.balance = ledger_->balance_error();
+  if (joint_ != nullptr) {
+    now.joints = store_->facets_created();
+    now.broken = joint_->joints_broken();
+  }
+  return now;
+}
+
+double FixMuckpileProgress::moving_share() const {
+  const engine::Bodies bodies(store_->multisphere());
+  std::array<double, 2> mine{}, all{};
+  for (int b = 0; b < bodies.count(); ++b) {
+    mine[1] += bodies.mass(b);
+    if (bodies.velocity(b).norm() > still_speed_) mine[0] += bodies.mass(b);
+  }
+  MPI_Allreduce(mine.data(), all.data(), 2, MPI_DOUBLE, MPI_SUM, world);
+  return all[1] > 0.0 ? all[0] / all[1] : 0.0;
+}
+
+bool FixMuckpileProgress::still(const Look& now) const { return now.moving_share < still_share_; }
+
+void FixMuckpileProgress::stop_if_wrong(const Look& now) {
+  const std::string at = " at step " + std::to_string(update->ntimestep) + ", t = " + number_text(now.time) + " s";
+  if (!std::isfinite(now.fastest)) stop_with_restart("a block's velocity is not a number" + at + "; the time step is too long");
+  if (now.bodies < store_->blocks_created()) {
+    stop_with_restart(std::to_string(store_->blocks_created() - now.bodies) + " blocks left the simulation box" + at +
+                      "; make the box larger");
+  }
+  if (now.fastest > fastest_allowed_) {
+    stop_with_restart("the fastest block moves at " + number_text(now.fastest) + " m/s" + at +
+                      ", more than fastest_allowed " + number_text(fastest_allowed_) + "; shorten the time step");
+  }
+}
+
+void FixMuckpileProgress::stop_with_restart(const std::string& why) {
+  std::string file = folder_ + "/stopped.restart";
+  LAMMPS_NS::WriteRestart(lmp).write(file.data());
+  engine::stop(*lmp, std::string("fix muckpile/progress '") + id + "': " + why + ". State written to " + file);
+}
+
+void FixMuckpileProgress::say(const Look& now) const {
+  const double done = now.time - phase_time_start_;
+  const double left = done > 0.0 && time_end_ < 1e29
+                          ? (MPI_Wtime() - phase_wall_start_) / done * std::max(time_end_ - now.time, 0.0)
+                          : -1.0;
+  char remaining[64] = "";
+  if (left >= 0.0) std::snprintf(remaining, sizeof remaining, " | at most %.0f s left", left);
+  char text[256];
+  std::snprintf(text, sizeof text, "[%s] t = %.4g s | step %lld of %.2g s | joints broken %.1f %% | fastest %.3g m/s | moving %.1f %%%s\n",
+                phase_.c_str(), now.time, static_cast<long long>(update->ntimestep), update->dt,
+                now.joints > 0.0 ? 100.0 * now.broken / now.joints : 0.0, now.fastest, 100.0 * now.moving_share, remaining);
+  engine::print_once(*lmp, text);
+  if (screen != nullptr) std::fflush(screen);
+}
+
+void FixMuckpileProgress::write_history(const Look& now) {
+  const EnergyLedger& e = ledger_->ledger();
+  if (comm->me != 0) return;
+  std::ofstream out(folder_ + "/history.csv", history_begun_ ? std::ios::app : std::ios::trunc);
+  if (!history_begun_) out << kHistoryHeader;
+  history_begun_ = true;
+  out.precision(10);
+  out << update->ntimestep << ',' << now.time << ',' << update->dt << ',' << phase_ << ',' << now.joints << ','
+      << now.broken << ',' << now.fastest;
+  for (double energy : {e.kinetic, e.joint_elastic, e.contact_elastic, e.gravity, e.blast_work, e.fracture,
+                        e.joint_friction, e.joint_damping, e.contact_friction, e.contact_damping, e.walls, now.balance}) {
+    out << ',' << energy;
+  }
+  out << '\n';
+}
+
+void FixMuckpileProgress::write_run(const Look& now) const {
+  if (comm->me != 0) return;
+  std::ofstream out(folder_ + "/run.json");
+  out.precision(10);
+  out << "{\n  \"blocks\": " << store_->blocks_created() << ",\n  \"spheres\": " << atom->natoms
+      << ",\n  \"joints\": " << store_->facets_created() << ",\n  \"joints_broken_fraction\": "
+      << (now.joints > 0.0 ? now.broken / now.joints : 0.0) << ",\n  \"steps\": " << update->ntimestep
+      << ",\n  \"physical_time_s\": " << now.time << ",\n  \"wall_time_s\": " << MPI_Wtime() - wall_start_
+      << ",\n  \"ranks\": " << comm->nprocs << ",\n  \"energy_balance_error\": " << now.balance
+      << ",\n  \"still\": " << (still(now) ? "true" : "false") << "\n}\n";
+}
+
+double FixMuckpileProgress::compute_scalar() { return still(look()) ? 1.0 : 0.0; }
+
+double FixMuckpileProgress::compute_vector(int n) {
+  return n == 0 ? ledger_->fastest_block() : moving_share();
+}
+
+int FixMuckpileProgress::modify_param(int narg, char** arg) {
+  const std::string where = std::string("fix_modify ") + id;
+  const std::string key = arg[0];
+  if (key != "phase" && key != "time_end" && key != "every") return 0;
+  if (narg < 2) engine::stop(*lmp, where + ": " + key + " needs a value");
+  engine::or_engine_error(*lmp, [&] {
+    if (key == "phase") phase_ = arg[1];
+    if (key == "time_end") time_end_ = parse_real(where, key, arg[1], "s", Range::positive());
+    if (key == "every") nevery = static_cast<int>(parse_integer(where, key, arg[1], "steps", Range::at_least(1)));
+    return 0;
+  });
+  return 2;
+}
+
+}  // namespace muckpile

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/progress: says how the blast goes, writes its history, and stops a run gone wrong.
+// Scope: needs fix muckpile/ledger; every look costs one collective sum.
+#pragma once
+
+#include <fix.h>
+
+#include <array>
+#include <string>
+
+namespace muckpile {
+
+class FixMuckpileBlocks;
+class FixMuckpileJoint;
+class FixMuckpileLedger;
+
+class FixMuckpileProgress : public LAMMPS_NS::Fix {
+ public:
+  FixMuckpileProgress(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+
+  int setmask() override;
+  void init() override;
+  void setup(int vflag) override;
+  void end_of_step() override;
+  void post_run() override;
+  double compute_scalar() override;
+  double compute_vector(int n) override;
+  int modify_param(int narg, char** arg) override;
+
+ private:
+  struct Look {
+    double time = 0.0;            // [s]
+    double fastest = 0.0;         // [m/s]
+    double moving_share = 0.0;    // mass share of blocks faster than still_speed [-]
+    double joints = 0.0, broken = 0.0;
+    int bodies = 0;
+    double balance = 0.0;
+  };
+
+  [[nodiscard]] Look look();
+  [[nodiscard]] double moving_share() const;
+  void say(const Look& now) const;
+  void write_history(const Look& now);
+  void write_run(const Look& now) const;
+  void stop_if_wrong(const Look& now);
+  [[nodiscard]] bool still(const Look& now) const;
+  [[noreturn]] void stop_with_restart(const std::string& why);
+
+  FixMuckpileLedger* ledger_ = nullptr;
+  FixMuckpileJoint* joint_ = nullptr;
+  FixMuckpileBlocks* store_ = nullptr;
+  std::string folder_, phase_;
+  double time_end_, still_speed_, still_share_, fastest_allowed_;
+  double wall_start_, phase_wall_start_ = 0.0, phase_time_start_ = 0.0;
+  bool history_begun_ = false;
+  LAMMPS_NS::bigint last_ = -1;
+};
+
+}  // namespace muckpile
