@@ -45,7 +45,8 @@ class BlastSurface {
 
   /// Volume [m3] swept since the start by the faces of each hole, this rank's faces only, positive
   /// outward; a function of the present state, with the condensed displacement of the face.
-  /// Writes hole_count() values; they belong to the last force computation, 0 before the first.
+  /// Writes hole_count() values; they belong to the last force computation, so call it after that
+  /// and before the next reneighbouring.
   virtual void swept_volume(std::span<double> per_hole) const = 0;
 
   /// Work done by the pressure so far on this rank's faces [J].

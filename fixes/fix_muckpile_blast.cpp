@@ -9,8 +9,10 @@
 #include <update.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstring>
+#include <numeric>
 
 #include "engine/style_args.h"
 
@@ -55,9 +57,12 @@ FixMuckpileBlast::FixMuckpileBlast(LAMMPS_NS::LAMMPS* lmp_in, int narg, char** a
   global_freq = 1;
   extvector = 0;
   restart_global = 1;
+  nevery = 1;  // end_of_step()
 }
 
-int FixMuckpileBlast::setmask() { return LAMMPS_NS::FixConst::PRE_FORCE; }
+int FixMuckpileBlast::setmask() {
+  return LAMMPS_NS::FixConst::PRE_FORCE | LAMMPS_NS::FixConst::END_OF_STEP;
+}
 
 void FixMuckpileBlast::init() {
   if (std::strcmp(update->unit_style, "si") != 0) {
@@ -115,16 +120,21 @@ void FixMuckpileBlast::setup_pre_force(int vflag) {
 void FixMuckpileBlast::pre_force(int /*vflag*/) {
   if (over_) return;
   const double time = clock();
-  const auto fires_first = [](const HoleBlast& a, const HoleBlast& b) {
-    return a.firing_time() < b.firing_time();
-  };
-  if (time < std::min_element(blasts_.begin(), blasts_.end(), fires_first)->firing_time()) return;
+  if (!fired(time)) return;
   refresh_arrivals();
-  sum_swept_volumes();
   load_faces(time);
   if (std::all_of(hole_over_.begin(), hole_over_.end(), [](char over) { return over != 0; })) {
     finish();
   }
+}
+
+bool FixMuckpileBlast::fired(double time) const {
+  return std::any_of(blasts_.begin(), blasts_.end(),
+                     [time](const HoleBlast& blast) { return time >= blast.firing_time(); });
+}
+
+void FixMuckpileBlast::end_of_step() {
+  if (!over_ && fired(clock())) sum_swept_volumes();
 }
 
 void FixMuckpileBlast::refresh_arrivals() {
@@ -142,7 +152,6 @@ void FixMuckpileBlast::refresh_arrivals() {
 
 void FixMuckpileBlast::sum_swept_volumes() {
   surface_->swept_volume(swept_);
-  if (!options_.gas) return;  // then only compute_vector() asks, and it sums by itself
   MPI_Allreduce(MPI_IN_PLACE, swept_.data(), static_cast<int>(swept_.size()), MPI_DOUBLE, MPI_SUM,
                 world);
 }
@@ -183,13 +192,8 @@ double FixMuckpileBlast::compute_vector(int index) {
     }
     case kGasPressure:
       return gas_.front();
-    case kSweptVolume: {
-      std::vector<double> swept(static_cast<std::size_t>(surface->hole_count()), 0.0);
-      surface->swept_volume(swept);
-      double own = 0.0;
-      for (const double volume : swept) own += volume;
-      return sum_over_ranks(world, own);
-    }
+    case kSweptVolume:
+      return std::accumulate(swept_.begin(), swept_.end(), 0.0);
     case kWork:
       return sum_over_ranks(world, surface->pressure_work());
     case kActiveHoles:
@@ -201,16 +205,23 @@ double FixMuckpileBlast::compute_vector(int index) {
   }
 }
 
+// Clock, number of holes, swept volume of each. The engine wants the size in bytes first.
 void FixMuckpileBlast::write_restart(FILE* file) {
   if (comm->me != 0) return;
-  const double elapsed = clock_started_ ? clock() : 0.0;
-  const int size = sizeof(elapsed);  // the engine reads the size first
+  std::vector<double> state{clock_started_ ? clock() : clock_restarted_,
+                            static_cast<double>(swept_.size())};
+  state.insert(state.end(), swept_.begin(), swept_.end());
+  const auto size = static_cast<int>(state.size() * sizeof(double));
   std::fwrite(&size, sizeof(size), 1, file);
-  std::fwrite(&elapsed, sizeof(elapsed), 1, file);
+  std::fwrite(state.data(), sizeof(double), state.size(), file);
 }
 
 void FixMuckpileBlast::restart(char* buffer) {
-  std::memcpy(&clock_restarted_, buffer, sizeof(clock_restarted_));
+  std::array<double, 2> head{};
+  std::memcpy(head.data(), buffer, sizeof(head));
+  clock_restarted_ = head[0];
+  swept_.resize(static_cast<std::size_t>(head[1]));
+  std::memcpy(swept_.data(), buffer + sizeof(head), swept_.size() * sizeof(double));
 }
 
 }  // namespace muckpile

@@ -24,6 +24,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix {
   void init() override;
   void setup_pre_force(int vflag) override;
   void pre_force(int vflag) override;
+  void end_of_step() override;
   double compute_vector(int index) override;
   void write_restart(FILE* file) override;
   void restart(char* buffer) override;
@@ -33,6 +34,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix {
   void check_timestep() const;
   [[nodiscard]] double clock() const;  // since the first run with this fix [s]
   void refresh_arrivals();
+  [[nodiscard]] bool fired(double time) const;
   void sum_swept_volumes();
   void load_faces(double time);
   void finish();
@@ -51,9 +53,10 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix {
   bool arrivals_known_ = false;
   std::vector<double> arrivals_;   // per loaded face of this rank [s]
   std::vector<double> pressures_;  // per loaded face of this rank [Pa]
-  std::vector<double> swept_;      // per hole, all ranks [m3]
-  std::vector<double> gas_;        // per hole [Pa]
-  std::vector<char> hole_over_;    // per hole; never turns back
+  // At the last force computation: the faces of a block cannot tell once it has changed rank.
+  std::vector<double> swept_;    // per hole, all ranks [m3]
+  std::vector<double> gas_;      // per hole [Pa]
+  std::vector<char> hole_over_;  // per hole; never turns back
   bool over_ = false;
   int active_holes_ = 0;
 };
