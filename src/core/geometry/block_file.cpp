@@ -40,14 +40,16 @@ void write_cells(std::ofstream& out, const std::vector<Block>& blocks) {
 }
 
 template <typename Value>
-void write_scalars(std::ofstream& out, const char* name, const char* type, std::size_t count, Value value) {
+void write_scalars(std::ofstream& out, const char* name, const char* type, std::size_t count,
+                   Value value) {
   out << "SCALARS " << name << ' ' << type << " 1\nLOOKUP_TABLE default\n";
   for (std::size_t b = 0; b < count; ++b) out << value(b) << '\n';
 }
 
 }  // namespace
 
-void write_blocks(const std::string& path, const std::vector<Block>& blocks, int first_id, double density) {
+void write_blocks(const std::string& path, const std::vector<Block>& blocks, int first_id,
+                  double density) {
   std::error_code ignored;
   const auto folder = std::filesystem::path(path).parent_path();
   if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
@@ -55,7 +57,8 @@ void write_blocks(const std::string& path, const std::vector<Block>& blocks, int
   out.precision(17);
   std::size_t points = 0;
   for (const Block& block : blocks) points += block.shape.vertices.size();
-  out << "# vtk DataFile Version 3.0\nMuckpile blocks, start configuration\nASCII\nDATASET UNSTRUCTURED_GRID\n";
+  out << "# vtk DataFile Version 3.0\nMuckpile blocks, start configuration\nASCII\nDATASET "
+         "UNSTRUCTURED_GRID\n";
   out << "POINTS " << points << " double\n";
   for (const Block& block : blocks) {
     for (const Vec3& p : block.shape.vertices) out << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
@@ -63,10 +66,13 @@ void write_blocks(const std::string& path, const std::vector<Block>& blocks, int
   write_cells(out, blocks);
   out << "CELL_DATA " << blocks.size() << '\n';
   const auto volume = [&](std::size_t b) { return blocks[b].mass.volume; };
-  write_scalars(out, "id", "int", blocks.size(), [&](std::size_t b) { return first_id + static_cast<int>(b); });
+  write_scalars(out, "id", "int", blocks.size(),
+                [&](std::size_t b) { return first_id + static_cast<int>(b); });
   write_scalars(out, "volume_m3", "double", blocks.size(), volume);
-  write_scalars(out, "size_m", "double", blocks.size(), [&](std::size_t b) { return std::cbrt(volume(b)); });
-  write_scalars(out, "mass_kg", "double", blocks.size(), [&](std::size_t b) { return density * volume(b); });
+  write_scalars(out, "size_m", "double", blocks.size(),
+                [&](std::size_t b) { return std::cbrt(volume(b)); });
+  write_scalars(out, "mass_kg", "double", blocks.size(),
+                [&](std::size_t b) { return density * volume(b); });
   write_scalars(out, "on_free_face", "int", blocks.size(), [&](std::size_t b) {
     const auto& n = blocks[b].neighbour;
     return std::count(n.begin(), n.end(), kFreeFace) > 0 ? 1 : 0;

@@ -12,6 +12,7 @@ namespace muckpile {
 
 /// Cell data: id = first_id + block number, volume_m3, size_m = V^(1/3), mass_kg, on_free_face.
 /// Makes the folder if needed; throws InputError if the file cannot be written.
-void write_blocks(const std::string& path, const std::vector<Block>& blocks, int first_id, double density);
+void write_blocks(const std::string& path, const std::vector<Block>& blocks, int first_id,
+                  double density);
 
 }  // namespace muckpile

@@ -15,7 +15,8 @@ struct Sphere {
 };
 
 // `count` spheres (>= 1), each inside the polyhedron; the first one is the largest inscribed
-// sphere, the others go to the corners. `centroid` is the polyhedron's. Same input, same spheres.
+// sphere (to about 1 %), the others go to the corners with half its radius, or a quarter when there
+// are more spheres than corners. `centroid` is the polyhedron's. Same input, same spheres.
 // Throws InputError if count < 1.
 [[nodiscard]] std::vector<Sphere> fill_with_spheres(const Polyhedron& shape, const Vec3& centroid,
                                                     int count);

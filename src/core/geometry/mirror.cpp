@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Image seeds behind the surfaces of holes and region: what keeps blocks out of the air.
+// Scope: seeds within kReach local sizes of a surface are mirrored; cells are smaller than that.
+#include "geometry/mirror.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "geometry/hole_surface.h"
+
+namespace muckpile {
+namespace {
+
+constexpr double kReach = 2.0;  // [block sizes]; a relaxed cell's radius is below 1
+
+// An image deeper than the axis would come out on the other side and push blocks off there, so
+// the depth ends at the axis: the plane then stays farther out and the hole is still kept free.
+void mirror_at_hole(const Vec3& seed, const Hole& hole, int number, double reach, Images& images) {
+  const Vec3 surface = closest_on_hole(hole, seed);
+  const double distance = (seed - surface).norm();
+  if (distance > reach || !(distance > 0.0)) return;
+  const double depth = std::min({distance, hole.radius, 0.5 * hole_length(hole)});
+  images.points.push_back(surface + depth / distance * (surface - seed));
+  images.face_codes.push_back(hole_face(number));
+}
+
+}  // namespace
+
+Images mirror_seeds(const std::vector<Vec3>& seeds, const std::vector<Hole>& holes,
+                    const RegionQuery& region, const Ground& ground) {
+  Images images;
+  for (const Vec3& seed : seeds) {
+    const double reach = kReach * ground.size(seed);
+    for (std::size_t h = 0; h < holes.size(); ++h) {
+      mirror_at_hole(seed, holes[h], static_cast<int>(h), reach, images);
+    }
+    if (!region.surface_points) continue;
+    for (const Vec3& surface : region.surface_points(seed, reach)) {
+      const Vec3 image = 2.0 * surface - seed;
+      if (region.inside(image)) continue;  // behind a thin slit of air: no image, no harm
+      images.points.push_back(image);
+      images.face_codes.push_back(kFreeFace);
+    }
+  }
+  return images;
+}
+
+}  // namespace muckpile

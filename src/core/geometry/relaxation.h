@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Size-weighted Lloyd sweeps over seeds that are mirrored at holes and region, and their cells.
+// Scope: serial and deterministic; valid options only, as tessellate() checks them.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "geometry/ground.h"
+#include "geometry/mirror.h"
+#include "geometry/tessellation.h"
+
+namespace muckpile {
+
+class Relaxation {
+ public:
+  // Scatters the seeds. The options must be valid and outlive this object.
+  explicit Relaxation(const TessellationOptions& options);
+
+  void sweep();                                          // moves each seed to its cell's centroid
+  [[nodiscard]] std::vector<Block> make_blocks() const;  // the cells of the present seeds
+  [[nodiscard]] std::size_t seeds() const { return seeds_.size(); }
+  // Per hole: volume of the cylinder within the region [m3].
+  [[nodiscard]] const std::vector<double>& cylinder_volumes() const { return cylinder_volumes_; }
+
+ private:
+  [[nodiscard]] std::vector<Vec3> points_with(const Images& images) const;
+  [[nodiscard]] Vec3 relaxed(const Vec3& seed, const Vec3& centroid, double volume) const;
+  void add_hole_volumes(const Polyhedron& shape, const std::vector<int>& codes,
+                        std::vector<double>& volumes) const;
+  [[nodiscard]] std::vector<int> face_codes(const std::vector<int>& points,
+                                            const Images& images) const;
+  void adjust_radii(const std::vector<double>& hole_volumes);
+
+  const TessellationOptions& options_;
+  Ground ground_;
+  std::vector<Vec3> seeds_;           // [m]
+  std::vector<Hole> mirrored_holes_;  // radii shrunk so that the carved volume is the cylinder's
+  std::vector<double> cylinder_volumes_;  // [m3]
+};
+
+}  // namespace muckpile

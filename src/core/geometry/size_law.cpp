@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The size laws and the reader of the two-column size table.
+// Scope: validation here, so that a SizeLaw that exists is usable at every distance.
+#include "geometry/size_law.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+#include <string_view>
+
+#include "args/input_error.h"
+
+namespace muckpile {
+namespace {
+
+std::string number_text(double value) {
+  std::ostringstream text;
+  text.precision(10);
+  text << value;
+  return text.str();
+}
+
+void require(bool good, const std::string& rule, double value) {
+  if (!good) throw InputError("size law: " + rule + ", got '" + number_text(value) + "'");
+}
+
+void require_positive(double value, const std::string& name, const std::string& unit) {
+  require(std::isfinite(value) && value > 0.0, name + " must be > 0" + unit, value);
+}
+
+void require_valid(const SizeLimits& limits) {
+  require_positive(limits.smallest, "smallest block", " m");
+  require_positive(limits.largest, "largest block", " m");
+  require(limits.largest >= limits.smallest,
+          "largest block must be >= smallest block (" + number_text(limits.smallest) + " m)",
+          limits.largest);
+}
+
+double raw_size(const HarriesParameters& p, double distance) {
+  if (distance <= 0.0) return 0.0;
+  const double ratio = distance / p.hole_radius;
+  const double cracks = p.wall_strain / p.breaking_strain / ratio * std::exp(-p.absorption * ratio);
+  return 2.0 * std::numbers::pi * distance / cracks;  // no crack at all: infinity, clipped
+}
+
+double raw_size(const PowerParameters& p, double distance) {
+  return p.coefficient * std::pow(distance, p.exponent);
+}
+
+double raw_size(const SizeTable& points, double distance) {
+  const auto above = std::upper_bound(points.begin(), points.end(), distance,
+                                      [](double d, const auto& point) { return d < point.first; });
+  if (above == points.begin()) return points.front().second;
+  if (above == points.end()) return points.back().second;
+  const auto [d0, s0] = *(above - 1);
+  const auto [d1, s1] = *above;
+  return s0 + (s1 - s0) * (distance - d0) / (d1 - d0);
+}
+
+[[noreturn]] void fail_at(const std::string& name, int line, const std::string& rule,
+                          std::string_view text) {
+  throw InputError("size table '" + name + "' line " + std::to_string(line) + ": " + rule +
+                   ", got '" + std::string(text) + "'");
+}
+
+double parse_number(const std::string& word, const std::string& name, int line) {
+  double value = 0.0;
+  const char* const end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, value);
+  if (error != std::errc() || stop != end || !std::isfinite(value)) {
+    fail_at(name, line, "a finite number is expected", word);
+  }
+  return value;
+}
+
+void append_pair(SizeTable& points, double distance, double size, const std::string& name,
+                 int line) {
+  if (distance < 0.0) fail_at(name, line, "distance must be >= 0 m", number_text(distance));
+  if (size <= 0.0) fail_at(name, line, "size must be > 0 m", number_text(size));
+  if (!points.empty() && distance <= points.back().first) {
+    fail_at(name, line, "distance must grow from line to line", number_text(distance));
+  }
+  if (!points.empty() && size < points.back().second) {
+    fail_at(name, line, "size must not fall with distance", number_text(size));
+  }
+  points.emplace_back(distance, size);
+}
+
+}  // namespace
+
+SizeLaw::SizeLaw(Kind kind, const SizeLimits& limits) : kind_(std::move(kind)), limits_(limits) {
+  require_valid(limits_);
+}
+
+SizeLaw SizeLaw::uniform(double size) { return {PowerParameters{size, 0.0}, {size, size}}; }
+
+SizeLaw SizeLaw::harries(const HarriesParameters& p, const SizeLimits& limits) {
+  require_positive(p.hole_radius, "hole radius", " m");
+  require_positive(p.wall_strain, "wall strain", "");
+  require_positive(p.breaking_strain, "breaking strain", "");
+  require(p.wall_strain > p.breaking_strain,
+          "wall strain must be > breaking strain (" + number_text(p.breaking_strain) + ")",
+          p.wall_strain);
+  require(std::isfinite(p.absorption) && p.absorption >= 0.0, "absorption must be >= 0",
+          p.absorption);
+  return {p, limits};
+}
+
+SizeLaw SizeLaw::power(const PowerParameters& p, const SizeLimits& limits) {
+  require_positive(p.coefficient, "coefficient", " m^(1-exponent)");
+  require(std::isfinite(p.exponent) && p.exponent >= 0.0, "exponent must be >= 0", p.exponent);
+  return {p, limits};
+}
+
+SizeLaw SizeLaw::table(const SizeTable& points, const SizeLimits& limits) {
+  if (points.empty()) throw InputError("size law: the table must have at least one pair");
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto [distance, size] = points[k];
+    require(std::isfinite(distance) && distance >= 0.0, "table distance must be >= 0 m", distance);
+    require_positive(size, "table size", " m");
+    if (k == 0) continue;
+    require(distance > points[k - 1].first, "table distances must grow", distance);
+    require(size >= points[k - 1].second, "table sizes must not fall with distance", size);
+  }
+  return {points, limits};
+}
+
+double SizeLaw::at(double distance) const {
+  const double raw = std::visit([&](const auto& p) { return raw_size(p, distance); }, kind_);
+  return std::clamp(raw, limits_.smallest, limits_.largest);
+}
+
+SizeTable read_size_table(std::istream& in, const std::string& name) {
+  SizeTable points;
+  std::string text;
+  for (int line = 1; std::getline(in, text); ++line) {
+    std::istringstream words(text.substr(0, text.find('#')));
+    std::string first, second, extra;
+    if (!(words >> first)) continue;
+    if (!(words >> second) || (words >> extra)) {
+      fail_at(name, line, "two numbers are expected: distance [m] and size [m]", text);
+    }
+    append_pair(points, parse_number(first, name, line), parse_number(second, name, line), name,
+                line);
+  }
+  if (in.bad()) throw InputError("size table '" + name + "': reading failed");
+  if (points.empty()) throw InputError("size table '" + name + "': no pairs found");
+  return points;
+}
+
+SizeTable read_size_table_file(const std::string& path) {
+  std::ifstream in(path);
+  if (!in) throw InputError("size table '" + path + "': cannot be opened");
+  return read_size_table(in, path);
+}
+
+}  // namespace muckpile

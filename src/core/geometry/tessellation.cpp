@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Graded centroidal Voronoi blocks: seeds, Lloyd sweeps with mirrored seeds, final cells.
+// Scope: deterministic and serial; every rank that calls it gets the same blocks.
+#include "geometry/tessellation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+#include "args/input_error.h"
+#include "geometry/conformity.h"
+#include "geometry/ground.h"
+#include "geometry/hole_surface.h"
+#include "geometry/relaxation.h"
+#include "geometry/seeding.h"
+
+namespace muckpile {
+namespace {
+
+template <class... Words>
+[[noreturn]] void fail(const Words&... words) {
+  std::ostringstream text;
+  text << "block tessellation: ";
+  (text << ... << words);
+  throw InputError(text.str());
+}
+
+void check_hole(const TessellationOptions& options, std::size_t h) {
+  const Hole& hole = options.holes[h];
+  if (!(std::isfinite(hole.radius) && hole.radius > 0.0)) {
+    fail("radius of hole ", h, " must be > 0 m, got '", hole.radius, "'");
+  }
+  if (!(hole_length(hole) > 0.0)) fail("hole ", h, " must have a length > 0 m, got '0'");
+  for (const Vec3& end : {hole.toe, hole.collar}) {
+    const bool in_box =
+        (end.array() >= options.lo.array()).all() && (end.array() <= options.hi.array()).all();
+    if (!in_box) {
+      fail("the axis of hole ", h, " must lie in the box, got an end at '", end.transpose(), "'");
+    }
+  }
+  const double size = options.size.at(hole.radius);
+  if (size > 2.0 * hole.radius) {
+    fail("blocks at the wall of hole ", h, " must be <= its crushed-zone diameter ",
+         2.0 * hole.radius, " m, got '", size, "'");
+  }
+}
+
+void check(const TessellationOptions& options) {
+  const Vec3 edge = options.hi - options.lo;
+  if (!(edge.allFinite() && edge.minCoeff() > 0.0)) {
+    fail("the box edges must be > 0 m, got '", edge.transpose(), "'");
+  }
+  if (options.sweeps < 0) fail("sweeps must be >= 0, got '", options.sweeps, "'");
+  if (static_cast<bool>(options.region.inside) !=
+      static_cast<bool>(options.region.surface_points)) {
+    fail("a region needs both inside and surface_points");
+  }
+  for (std::size_t h = 0; h < options.holes.size(); ++h) check_hole(options, h);
+}
+
+// Counts a little beyond the limit, so that the message can say by how much it is exceeded.
+double checked_block_count(const TessellationOptions& options) {
+  const double allowed = static_cast<double>(options.max_blocks);
+  const double give_up = 10.0 * allowed;
+  const double count = integrate_density(options, Ground(options), give_up);
+  if (count > allowed) {
+    fail(count > give_up ? "more than " : "about ", std::ceil(std::min(count, give_up)),
+         " blocks are expected, allowed are ", options.max_blocks,
+         "; enlarge the blocks, shrink the rock or raise the limit");
+  }
+  if (!(count >= 1.0)) fail("the rock holds less than one block (expected ", count, ")");
+  return count;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+void add_face_statistics(const TessellationOptions& options, const std::vector<Block>& blocks,
+                         TessellationStatistics& statistics) {
+  statistics.hole_volume.assign(options.holes.size(), 0.0);
+  statistics.hole_area.assign(options.holes.size(), 0.0);
+  statistics.smallest_face_area_ratio = std::numeric_limits<double>::infinity();
+  for (const Block& block : blocks) {
+    const double block_area = std::pow(block.mass.volume, 2.0 / 3.0);
+    for (std::size_t f = 0; f < block.neighbour.size(); ++f) {
+      const FaceGeometry face = face_geometry(block.shape, static_cast<int>(f));
+      statistics.smallest_face_area_ratio =
+          std::min(statistics.smallest_face_area_ratio, face.area / block_area);
+      if (!is_hole_face(block.neighbour[f])) continue;
+      const auto h = static_cast<std::size_t>(hole_of_face(block.neighbour[f]));
+      statistics.hole_area[h] += face.area;
+      statistics.hole_volume[h] += enclosed_by_face(options.holes[h], face);
+    }
+  }
+}
+
+void add_volume_statistics(const TessellationOptions& options, const std::vector<Block>& blocks,
+                           TessellationStatistics& statistics) {
+  std::vector<double> ratios;
+  ratios.reserve(blocks.size());
+  for (const Block& block : blocks) {
+    statistics.block_volume += block.mass.volume;
+    ratios.push_back(std::cbrt(block.mass.volume) / block.target_size);
+  }
+  statistics.box_volume = (options.hi - options.lo).prod();
+  statistics.void_volume = statistics.box_volume - statistics.block_volume;
+  statistics.median_size_ratio = median(std::move(ratios));
+}
+
+}  // namespace
+
+double expected_block_count(const TessellationOptions& options, double give_up) {
+  check(options);
+  return integrate_density(options, Ground(options), give_up);
+}
+
+Tessellation tessellate(const TessellationOptions& options) {
+  check(options);
+  Tessellation result;
+  result.statistics.expected_blocks = checked_block_count(options);
+  Relaxation relaxation(options);
+  if (relaxation.seeds() == 0) fail("no seed fell into the rock");
+  for (int k = 0; k < options.sweeps; ++k) relaxation.sweep();
+  result.blocks = relaxation.make_blocks();
+  result.statistics.faces_collapsed = collapse_one_sided_faces(result.blocks);
+  result.statistics.cylinder_volume = relaxation.cylinder_volumes();
+  add_volume_statistics(options, result.blocks, result.statistics);
+  add_face_statistics(options, result.blocks, result.statistics);
+  return result;
+}
+
+}  // namespace muckpile
