@@ -45,7 +45,8 @@ class ArgTable {
   /// yes or no.
   ArgTable& flag(const std::string& name, bool fallback, const std::string& text);
   /// `words_min` to `words_max` raw words, e.g. `hole x y z x y z r`; always optional. The group
-  /// ends at words_max or at the next keyword of the table, whichever comes first.
+  /// ends at words_max or before the next keyword of the table; after words_min also before a word
+  /// that resembles one, so that a typing error is told as such.
   ArgTable& group(const std::string& name, std::size_t words_min, std::size_t words_max,
                   bool repeatable, const std::string& text);
 

@@ -32,14 +32,21 @@ bool looks_like_a_number(const std::string& word) {
                    did_you_mean(words[at], known) + list);
 }
 
-/// The words of a group that starts at `begin`: up to words_max, ending before any known keyword.
+/// True for a keyword, and, where a group may end, for what looks like a mistyped one.
+bool ends_group(const ArgTable& table, const std::string& word, bool may_end) {
+  if (table.find(word) != nullptr) return true;
+  return may_end && !looks_like_a_number(word) && !closest_word(word, table.names()).empty();
+}
+
+/// The words of a group that starts at `begin`: up to words_max, ending before any keyword.
 std::vector<std::string> take_group(const ArgTable& table, const Keyword& keyword,
                                     const std::string& where, const std::vector<std::string>& words,
                                     std::size_t begin) {
   std::vector<std::string> group;
-  while (begin + group.size() < words.size() && group.size() < keyword.words_max &&
-         table.find(words[begin + group.size()]) == nullptr)
-    group.push_back(words[begin + group.size()]);
+  for (std::size_t at = begin; at < words.size() && group.size() < keyword.words_max; ++at) {
+    if (ends_group(table, words[at], group.size() >= keyword.words_min)) break;
+    group.push_back(words[at]);
+  }
   if (group.size() >= keyword.words_min) return group;
   const std::string at_least = keyword.words_min == keyword.words_max ? "" : "at least ";
   throw InputError(where + ": " + keyword.name + " needs " + at_least +

@@ -64,6 +64,13 @@ TEST(ParseArgs, EndsAGroupOfVariableLengthAtTheNextKeyword) {
   EXPECT_EQ(values.real("decay_time"), 1.0);
 }
 
+TEST(ParseArgs, TakesAMistypedKeywordBehindAGroupForWhatItIs) {
+  EXPECT_EQ(error_of({"pick", "a", "decy_time", "1"}),
+            kWhere + ": unknown keyword 'decy_time'; did you mean 'decay_time'?" + kKnown);
+  const std::vector<std::vector<std::string>> picks = {{"decy_time", "colour", "5"}};
+  EXPECT_EQ(parse({"pick", "decy_time", "colour", "5", "decay_time", "1"}).groups("pick"), picks);
+}
+
 TEST(ParseArgs, RefusesAnUnknownKeywordAndSuggestsOne) {
   EXPECT_EQ(error_of({"decy_time", "1"}),
             kWhere + ": unknown keyword 'decy_time'; did you mean 'decay_time'?" + kKnown);
