@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <exception>
 #include <map>
+#include <string>
+#include <vector>
 
 #include "io/vtk_series.h"
 #include "report/reports.h"
@@ -27,10 +29,11 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* help, std::st
   return command;
 }
 
-void add_colour(CLI::App* command, ColourBy& colour_by) {
-  command->add_option("--colour", colour_by, "what the colours of blocks show")
-      ->transform(CLI::CheckedTransformer(kColours, CLI::ignore_case))
-      ->default_str("start_height");
+void add_colour(CLI::App* command, std::string& colour) {
+  std::vector<std::string> names;
+  for (const auto& [name, by] : kColours) names.push_back(name);
+  command->add_option("--colour", colour, "what the colours of blocks show")
+      ->check(CLI::IsMember(names));
 }
 
 void add_measure(CLI::App* command, MeasureOptions& options) {
@@ -49,6 +52,7 @@ struct Options {
   MeasureOptions measure;
   SectionOptions section;
   PictureOptions picture;
+  std::string colour = "start_height";
   int every = 1;
 };
 
@@ -60,22 +64,28 @@ void add_pile_commands(CLI::App& app, Options& o) {
       app, "crater", "crater: crater.csv, crater.png; radius, depth, volume, ejecta", o.folder);
   for (CLI::App* command : {profile, crater}) {
     add_measure(command, o.measure);
-    add_colour(command, o.section.colour_by);
+    add_colour(command, o.colour);
     command->add_option("--y", o.section.y, "place of the section [m] (default: through a hole)");
   }
   CLI::App* fragments =
       add_command(app, "fragments",
                   "fragments.csv, fragments_list.csv, fragments.png; P20, P50, P80", o.folder);
   add_measure(fragments, o.measure);
-  profile->callback([&o] { report_profile(ResultFolder(o.folder), o.measure, o.section); });
-  crater->callback([&o] { report_crater(ResultFolder(o.folder), o.measure, o.section); });
+  profile->callback([&o] {
+    o.section.colour_by = kColours.at(o.colour);
+    report_profile(ResultFolder(o.folder), o.measure, o.section);
+  });
+  crater->callback([&o] {
+    o.section.colour_by = kColours.at(o.colour);
+    report_crater(ResultFolder(o.folder), o.measure, o.section);
+  });
   fragments->callback([&o] { report_fragments(ResultFolder(o.folder), o.measure); });
 }
 
 void add_picture_commands(CLI::App& app, Options& o) {
   CLI::App* render =
       add_command(app, "render", "pile3d.png: the pile in three dimensions", o.folder);
-  add_colour(render, o.picture.colour_by);
+  add_colour(render, o.colour);
   render
       ->add_option("--frames", o.picture.frames,
                    "also this many pictures over the run, pile3d_0000.png ...")
@@ -88,12 +98,15 @@ void add_picture_commands(CLI::App& app, Options& o) {
   render->add_option("--height", o.picture.height, "[px]")->check(CLI::Range(200, 8000));
   render->add_option("--azimuth", o.picture.azimuth,
                      "of the eye, from the throw direction towards -y [deg]");
-  render->add_option("--elevation", o.picture.elevation, "of the eye [deg]", true)
+  render->add_option("--elevation", o.picture.elevation, "of the eye [deg]")
       ->check(CLI::Range(1.0, 89.0));
-  render->callback([&o] { report_picture(ResultFolder(o.folder), o.picture); });
+  render->callback([&o] {
+    o.picture.colour_by = kColours.at(o.colour);
+    report_picture(ResultFolder(o.folder), o.picture);
+  });
   CLI::App* series = add_command(
       app, "series", "vtk/blocks.pvd: all snapshots as polyhedra for ParaView", o.folder);
-  series->add_option("--every", o.every, "write only every n-th snapshot and the last", true)
+  series->add_option("--every", o.every, "write only every n-th snapshot and the last")
       ->check(CLI::PositiveNumber);
   series->callback([&o] {
     const ResultFolder folder(o.folder);

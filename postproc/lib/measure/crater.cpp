@@ -14,6 +14,10 @@
 namespace muckpile {
 namespace {
 
+// The crater ends where it is shallower than this share of its depth: rebound leaves the surface
+// around a crater a little low, and without a raised lip it would have no edge.
+constexpr double kEdgeDepth = 0.02;
+
 // A column is measured where the model had rock at the start: outside, a ring would mix crater and
 // empty box corner.
 class RingSums {
@@ -101,11 +105,15 @@ std::vector<CraterRing> crater_rings(const std::vector<StartBlock>& blocks, cons
 }
 
 CraterShape apparent_crater(const std::vector<CraterRing>& rings) {
+  double depth = 0.0;
+  for (const CraterRing& ring : rings) depth = std::max(depth, -ring.surface);
+  const double edge = kEdgeDepth * depth;
   for (size_t k = 0; k < rings.size(); ++k) {
-    if (rings[k].surface < 0.0) continue;
+    if (-rings[k].surface > edge) continue;
     if (k == 0) return {0.0, 0.0, 0.0};
-    return shape_within(zero_between(rings, k, -rings[k - 1].surface, -rings[k].surface), rings,
-                        &CraterRing::surface);
+    const double radius =
+        zero_between(rings, k, -rings[k - 1].surface - edge, -rings[k].surface - edge);
+    return shape_within(radius, rings, &CraterRing::surface);
   }
   return {0.0, 0.0, 0.0};
 }

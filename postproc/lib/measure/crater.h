@@ -27,8 +27,8 @@ struct CraterShape {
   double radius, depth, volume;  // [m], [m], [m3]; all 0 where there is no crater
 };
 
-// Apparent crater, as a survey after the blast finds it: to the first ring whose surface is not
-// below the start surface.
+// Apparent crater, as a survey after the blast finds it: to the first ring less than 2 % of the
+// depth below the start surface.
 CraterShape apparent_crater(const std::vector<CraterRing>& rings);
 // True crater, as if all loose rock were dug out: to the first ring of whose surface less than half
 // was broken out.

@@ -4,15 +4,27 @@
 #include "measure/face_velocity.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "measure/broken_out.h"
 
 namespace muckpile {
+namespace {
+
+// The file's on_free_face also marks the back and the sides of the model, so the block's own
+// vertices decide.
+bool touches_face(const StartBlock& block) {
+  constexpr double kTouch = 1e-3;  // of the block's size: far above the digits of the file
+  return std::ranges::any_of(block.shape.vertices,
+                             [&](const Vec3& p) { return std::abs(p.x()) <= kTouch * block.size; });
+}
+
+}  // namespace
 
 std::vector<size_t> face_layer(const std::vector<StartBlock>& blocks, double burden, double low,
                                double high) {
   std::vector<char> at_face;
-  for (const StartBlock& block : blocks) at_face.push_back(block.on_free_face);
+  for (const StartBlock& block : blocks) at_face.push_back(touches_face(block));
   const double depth = std::max(0.25 * burden, mean_block_size(blocks, at_face));
   std::vector<size_t> layer;
   for (size_t b = 0; b < blocks.size(); ++b) {

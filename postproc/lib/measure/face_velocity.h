@@ -13,7 +13,7 @@ namespace muckpile {
 
 // Indices of the blocks that started within max(0.25 burden, one block of the free face) of x = 0,
 // in the middle half of the charge's height, z from `low` to `high` [m]. "One block" is the mean
-// size of the blocks on the free face.
+// size of the blocks that touch x = 0.
 std::vector<size_t> face_layer(const std::vector<StartBlock>& blocks, double burden, double low,
                                double high);
 

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The software pictures: covered pixels, hidden surfaces, shadows, ticks and text.
+// Scope: draw/.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "draw/axes.h"
+#include "draw/camera.h"
+#include "draw/canvas.h"
+#include "draw/scene.h"
+#include "draw/text.h"
+
+namespace muckpile {
+namespace {
+
+struct Pixel {
+  int red, green, blue;
+};
+
+Pixel pixel(const Canvas& canvas, int x, int y) {
+  const auto bytes = canvas.bytes();
+  const size_t at =
+      3 * (static_cast<size_t>(y) * static_cast<size_t>(canvas.width()) + static_cast<size_t>(x));
+  return {bytes[at], bytes[at + 1], bytes[at + 2]};
+}
+
+TEST(Canvas, FillsTheWholePixelsInsideAndHalfTheRim) {
+  Canvas canvas(20, 20, kWhite);
+  canvas.rectangle({5.0, 5.0}, {10.0, 10.0 + 1.0 / 3.0}, {0.0F, 0.0F, 0.0F});
+  EXPECT_EQ(pixel(canvas, 5, 5).red, 0);
+  EXPECT_EQ(pixel(canvas, 9, 9).red, 0);
+  EXPECT_EQ(pixel(canvas, 10, 9).red, 255);
+  EXPECT_EQ(pixel(canvas, 9, 10).red, 170);  // a third is covered
+}
+
+TEST(Canvas, BlendsByOpacity) {
+  Canvas canvas(4, 4, kWhite);
+  canvas.rectangle({0, 0}, {4, 4}, {1.0F, 0.0F, 0.0F}, 0.5);
+  EXPECT_EQ(pixel(canvas, 1, 1).red, 255);
+  EXPECT_NEAR(pixel(canvas, 1, 1).blue, 128, 1);
+}
+
+TEST(Canvas, TextStandsOnItsBaseLineAtItsAnchor) {
+  const auto ink_in = [](const Canvas& canvas, int x0, int x1, int y0, int y1) {
+    int ink = 0;
+    for (int y = y0; y < y1; ++y) {
+      for (int x = x0; x < x1; ++x) ink += 255 - pixel(canvas, x, y).red;
+    }
+    return ink;
+  };
+  Canvas left(60, 40, kWhite), right(60, 40, kWhite);
+  left.text({30.0, 30.0}, "H", 20.0, kInk, Anchor::kLeft);
+  right.text({30.0, 30.0}, "H", 20.0, kInk, Anchor::kRight);
+  EXPECT_GT(ink_in(left, 30, 60, 10, 31), 2000);
+  EXPECT_EQ(ink_in(left, 0, 29, 0, 40), 0);
+  EXPECT_EQ(ink_in(left, 0, 60, 32, 40), 0);  // nothing below the base line
+  EXPECT_GT(ink_in(right, 0, 31, 10, 31), 2000);
+  EXPECT_EQ(ink_in(right, 32, 60, 0, 40), 0);
+}
+
+TEST(Text, IsLongerForMoreWordsAndTurns) {
+  const TextMask one = text_mask("pile", 30.0, 0.0), two = text_mask("pile pile", 30.0, 0.0);
+  EXPECT_GT(two.advance.x(), 1.9 * one.advance.x());
+  const TextMask up = text_mask("pile", 30.0, 90.0);
+  EXPECT_NEAR(up.advance.y(), -one.advance.x(), 2.0);  // whole pixels
+}
+
+TEST(Axes, TicksAreRoundNumbersInsideTheRange) {
+  EXPECT_EQ(straight_ticks({-8.0, 31.0}, 4), (std::vector<double>{0.0, 10.0, 20.0, 30.0}));
+  const auto fine = straight_ticks({0.0, 1.0}, 5);
+  ASSERT_EQ(fine.size(), 6U);
+  EXPECT_NEAR(fine[3], 0.6, 1e-12);
+  const auto logarithmic = logarithmic_ticks({0.1, 1.0});
+  ASSERT_EQ(logarithmic.size(), 4U);
+  EXPECT_NEAR(logarithmic[2], 0.5, 1e-12);
+}
+
+TEST(Axes, PlacesDataLinearlyAndByLogarithm) {
+  const Axes straight({100, 50}, {300, 150}, {0.0, 10.0}, {0.0, 5.0});
+  EXPECT_NEAR((straight.place(5.0, 5.0) - Vec2(200, 50)).norm(), 0.0, 1e-12);
+  const Axes logarithmic({100, 50}, {300, 150}, {0.01, 1.0}, {0.0, 5.0}, Scale::kLogarithmic);
+  EXPECT_NEAR(logarithmic.place(0.1, 0.0).x(), 200.0, 1e-9);
+}
+
+TEST(Camera, PlaceAndPointAreInverse) {
+  const Vec3 p(3.0, -2.0, 1.0);
+  for (const Camera& camera : {Camera::perspective({20, -30, 15}, {0, 0, 0}, 0.5, 1600, 900),
+                               Camera::parallel({-1, 0.5, -2}, {0, 0, 0}, 40.0, 1000)}) {
+    EXPECT_NEAR((camera.point(camera.place(p), camera.nearness(p)) - p).norm(), 0.0, 1e-9);
+  }
+}
+
+TEST(Camera, NearnessOfAPlaneIsLinearOverThePicture) {
+  const Vec3 p(3.0, -2.0, 1.0), normal = Vec3(0.3, -0.2, 1.0).normalized();
+  const Vec3 other = p + 4.0 * normal.unitOrthogonal();
+  for (const Camera& camera : {Camera::perspective({20, -30, 15}, {0, 0, 0}, 0.5, 1600, 900),
+                               Camera::parallel({-1, 0.5, -2}, {0, 0, 0}, 40.0, 1000)}) {
+    const Vec3 plane = camera.nearness_of_plane(p, normal);
+    const Vec2 place = camera.place(other);
+    EXPECT_NEAR(plane.x() + plane.y() * place.x() + plane.z() * place.y(), camera.nearness(other),
+                1e-9);
+  }
+}
+
+ScenePolygon level_square(double half, double z, Colour colour, int object) {
+  return {{{-half, -half, z}, {half, -half, z}, {half, half, z}, {-half, half, z}}, colour, object};
+}
+
+struct Drawing {
+  explicit Drawing(const Scene& scene) {
+    const Camera camera = Camera::perspective({0.0, -30.0, 40.0}, {0, 0, 0}, 0.5,
+                                              canvas.sample_width(), canvas.sample_height());
+    draw_scene(scene, camera, canvas);
+  }
+  Canvas canvas{90, 60, kWhite};
+};
+
+constexpr Colour kRed{1.0F, 0.0F, 0.0F}, kGreen{0.0F, 1.0F, 0.0F};
+
+TEST(Scene, NearerPolygonHidesTheFartherInAnyOrder) {
+  for (const bool near_first : {true, false}) {
+    Scene scene{
+        {level_square(10, 0, kRed, 0), level_square(3, 5, kGreen, 1)}, {}, {0.0, 0.0, 1.0}, 1.0};
+    if (near_first) std::swap(scene.polygons[0], scene.polygons[1]);
+    const Drawing d(scene);
+    const Pixel middle = pixel(d.canvas, 45, 22);
+    EXPECT_GT(middle.green, 150);
+    EXPECT_EQ(middle.red, 0);
+  }
+}
+
+TEST(Scene, PolygonSeenFromBehindIsNotDrawn) {
+  Scene scene{
+      {level_square(10, 0, kRed, 0), level_square(3, 5, kGreen, 1)}, {}, {0.0, 0.0, 1.0}, 1.0};
+  std::reverse(scene.polygons[1].corners.begin(), scene.polygons[1].corners.end());
+  EXPECT_EQ(pixel(Drawing(scene).canvas, 45, 22).green, 0);
+}
+
+TEST(Scene, RoofThrowsAShadowBesideItself) {
+  // Sun at 45 degrees from +x: the roof at 5 m shades the ground 5 m towards -x.
+  Scene bare{{level_square(12, 0, kRed, 0)}, {}, Vec3(1.0, 0.0, 1.0).normalized(), 1.0};
+  Scene roofed = bare;
+  roofed.polygons.push_back(level_square(2, 5, kGreen, 1));
+  const Camera camera = Camera::perspective({0.0, -30.0, 40.0}, {0, 0, 0}, 0.5, 270, 180);
+  const Vec2 shaded = camera.place({-5.0, 0.0, 0.0}) / Canvas::kSamples,
+             lit = camera.place({6.0, 0.0, 0.0}) / Canvas::kSamples;
+  const auto red = [](const Scene& scene, const Vec2& p) {
+    return pixel(Drawing(scene).canvas, static_cast<int>(p.x()), static_cast<int>(p.y())).red;
+  };
+  EXPECT_LT(red(roofed, shaded), 0.7 * red(bare, shaded));
+  EXPECT_EQ(red(roofed, lit), red(bare, lit));
+}
+
+}  // namespace
+}  // namespace muckpile

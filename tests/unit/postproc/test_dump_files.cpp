@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Reading what a run dumps, and the messages when a dump is faulty.
+// Scope: io/ but for the VTK series, which test_reports covers.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "args/input_error.h"
+#include "geometry/block_file.h"
+#include "io/csv_table.h"
+#include "io/history.h"
+#include "io/result_folder.h"
+#include "synthetic_run.h"
+
+namespace muckpile {
+namespace {
+
+using namespace testing;
+
+template <class Action>
+std::string message_of(Action&& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+void expect_contains(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << "message: " << text;
+}
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+class DumpFiles : public ::testing::Test {
+ protected:
+  // Replaces the first occurrence in one file of dump/.
+  void edit(const std::string& name, const std::string& from, const std::string& to) {
+    std::string text = text_of(dump(name));
+    const size_t place = text.find(from);
+    ASSERT_NE(place, std::string::npos) << from;
+    write_text(dump(name), text.replace(place, from.size(), to));
+  }
+  std::filesystem::path dump(const std::string& name) { return folder_.path() / "dump" / name; }
+  std::string message_of_snapshot() {
+    return message_of(
+        [&] { read_snapshot(dump("blocks_000002000.csv"), read_blocks(dump("blocks.vtk"))); });
+  }
+  void SetUp() override { write_bench(folder_.path()); }
+  TemporaryFolder folder_;
+};
+
+TEST_F(DumpFiles, BlocksComeBackAsTheyWereWritten) {
+  const BenchRun run = bench_run();
+  const auto blocks = read_blocks(dump("blocks.vtk"));
+  ASSERT_EQ(blocks.size(), run.blocks.size());
+  for (size_t b = 0; b < blocks.size(); ++b) {
+    EXPECT_EQ(blocks[b].id, run.blocks[b].id);
+    EXPECT_EQ(blocks[b].shape.faces.size(), 6U);
+    EXPECT_NEAR((blocks[b].centroid - run.blocks[b].centroid).norm(), 0.0, 1e-12);
+    EXPECT_NEAR(mass_properties(blocks[b].shape).volume, 0.125, 1e-12);
+    EXPECT_NEAR(blocks[b].mass, 0.125 * kDensity, 1e-9);
+  }
+}
+
+TEST_F(DumpFiles, SnapshotsComeBackInTheOrderOfTheBlocks) {
+  const BenchRun run = bench_run();
+  const Snapshot last = read_snapshot(dump("blocks_000002000.csv"), run.blocks);
+  EXPECT_EQ(last.step, 2000);
+  EXPECT_DOUBLE_EQ(last.time, 4.5);
+  for (size_t b = 0; b < run.blocks.size(); ++b) {
+    EXPECT_NEAR((last.states[b].centre - run.last.states[b].centre).norm(), 0.0,
+                1e-7);  // 9 digits of text
+    EXPECT_NEAR(last.states[b].rotation.angularDistance(run.last.states[b].rotation), 0.0, 1e-7);
+  }
+}
+
+TEST_F(DumpFiles, MovedPointTurnsAboutTheCentroid) {
+  const auto blocks = as_start_blocks({cube_at({1.0, 0.0, 0.0})});
+  Snapshot s = start_snapshot(blocks);
+  s.states[0].centre = {10.0, 0.0, 0.0};
+  s.states[0].rotation = Quat(Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitZ()));
+  const Vec3 moved = moved_point(blocks[0], s.states[0], blocks[0].centroid + Vec3(0.1, 0.2, 0.3));
+  EXPECT_NEAR((moved - Vec3(9.8, 0.1, 0.3)).norm(), 0.0, 1e-12);
+}
+
+TEST_F(DumpFiles, SnapshotsAreListedByStep) {
+  write_text(dump("blocks_10.csv"), "");  // fewer digits, smaller step
+  write_text(dump("blocks_x.csv"), "");   // no step
+  const auto paths = ResultFolder(folder_.path()).snapshots();
+  ASSERT_EQ(paths.size(), 4U);
+  EXPECT_EQ(paths[1].filename(), "blocks_10.csv");
+  EXPECT_EQ(paths.back().filename(), "blocks_000002000.csv");
+}
+
+TEST_F(DumpFiles, FaultyNumberNamesFileLineAndColumn) {
+  edit("blocks_000002000.csv", "\n1472,", "\n1472,1.5x");
+  const std::string message = message_of_snapshot();
+  expect_contains(message, "blocks_000002000.csv:3: ");
+  expect_contains(message, "x_m must be a finite number, got '1.5x");
+}
+
+TEST_F(DumpFiles, NanIsRefused) {
+  edit("blocks_000002000.csv", "\n1472,", "\n1472,nan,0,0,1,0,0,0,0,0,0,0,0,0,1,0\n1472,");
+  expect_contains(message_of_snapshot(), ":3: x_m must be a finite number, got 'nan'");
+}
+
+TEST_F(DumpFiles, MissingFieldNamesTheLine) {
+  edit("blocks_000002000.csv", "\n1472,", "\n");
+  expect_contains(message_of_snapshot(), ":3: expected 16 fields, got 15");
+}
+
+TEST_F(DumpFiles, UnknownBlockIsRefused) {
+  edit("blocks_000002000.csv", "\n1472,", "\n9999,");
+  expect_contains(message_of_snapshot(), ":3: id 9999 is not a block of blocks.vtk");
+}
+
+TEST_F(DumpFiles, RepeatedBlockIsRefused) {
+  edit("blocks_000002000.csv", "\n1472,", "\n1471,");
+  expect_contains(message_of_snapshot(), ":4: id 1471 occurs twice");
+}
+
+TEST_F(DumpFiles, MissingBlockIsRefused) {
+  const std::string text = text_of(dump("blocks_000002000.csv"));
+  const size_t last = text.rfind('\n', text.size() - 2);
+  write_text(dump("blocks_000002000.csv"), text.substr(0, last + 1));
+  expect_contains(message_of_snapshot(), "block 1 has no row");
+}
+
+TEST_F(DumpFiles, RotationMustBeAUnitQuaternion) {
+  const BenchRun run = bench_run();
+  Snapshot bad = run.last;
+  bad.states[0].rotation.coeffs() *= 1.1;
+  write_snapshot(dump("blocks_000002000.csv"), run.blocks, bad);
+  expect_contains(message_of_snapshot(), "must be a unit quaternion, got length '1.1");
+}
+
+TEST_F(DumpFiles, SnapshotNeedsItsTime) {
+  edit("blocks_000002000.csv", "time_s=", "time=");
+  expect_contains(message_of_snapshot(), "the first line must hold '# step=<n> time_s=<t>'");
+}
+
+TEST_F(DumpFiles, MissingColumnIsNamed) {
+  edit("blocks_000002000.csv", "broken_fraction", "broken");
+  expect_contains(message_of_snapshot(), "has no column 'broken_fraction'");
+}
+
+TEST_F(DumpFiles, BlocksFileWithoutAnArrayIsRefused) {
+  edit("blocks.vtk", "mass_kg", "mass");
+  expect_contains(message_of([&] { read_blocks(dump("blocks.vtk")); }),
+                  "blocks.vtk: has no cell data 'mass_kg'");
+}
+
+TEST_F(DumpFiles, BlocksFileWithAWrongVolumeIsRefused) {
+  edit("blocks.vtk", "default\n0.1", "default\n0.9");
+  expect_contains(message_of([&] { read_blocks(dump("blocks.vtk")); }),
+                  "volume_m3 must be its polyhedron's 0.125");
+}
+
+TEST_F(DumpFiles, BlocksFileWithFacesInsideOutIsRefused) {
+  auto shapes = bench_run().shapes;
+  for (auto& face : shapes[0].shape.faces) std::reverse(face.begin(), face.end());
+  write_blocks(dump("blocks.vtk").string(), shapes, 1, kDensity);
+  expect_contains(message_of([&] { read_blocks(dump("blocks.vtk")); }),
+                  "block 1: volume_m3 must be");
+}
+
+TEST_F(DumpFiles, BrokenVtkFileIsRefused) {
+  write_text(dump("blocks.vtk"), "not a VTK file\n");
+  expect_contains(message_of([&] { read_blocks(dump("blocks.vtk")); }),
+                  "blocks.vtk: VTK cannot read it");
+}
+
+TEST_F(DumpFiles, FolderWithoutDumpIsRefused) {
+  expect_contains(message_of([&] { ResultFolder(folder_.path() / "dump"); }),
+                  "has no folder dump/");
+}
+
+TEST_F(DumpFiles, SceneWithoutAKeyNamesIt) {
+  expect_contains(
+      message_of([&] { static_cast<void>(ResultFolder(folder_.path()).scene_number("vod")); }),
+      "scene.json: vod must be a number");
+}
+
+TEST_F(DumpFiles, HistoryGivesTheWorstBalanceAndTheFastestBlock) {
+  const History history = read_history(dump("history.csv"));
+  EXPECT_DOUBLE_EQ(history.joints_broken_fraction, 0.25);  // 1000 of 4000
+  EXPECT_DOUBLE_EQ(history.fastest_block, 31.5);
+  EXPECT_DOUBLE_EQ(history.worst_balance_error, 0.002);
+}
+
+TEST_F(DumpFiles, SummaryKeepsTheKeysOfOtherCommands) {
+  const ResultFolder folder(folder_.path());
+  folder.merge_into_summary({{"a_m", 1.0}, {"b_m", 2.0}});
+  folder.merge_into_summary({{"b_m", 3.0}, {"c_m", std::nan("")}});
+  const auto summary = read_json_object(folder.file("summary.json"));
+  EXPECT_DOUBLE_EQ(summary["a_m"], 1.0);
+  EXPECT_DOUBLE_EQ(summary["b_m"], 3.0);
+  EXPECT_TRUE(summary["c_m"].is_null());
+}
+
+}  // namespace
+}  // namespace muckpile

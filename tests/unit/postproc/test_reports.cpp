@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The sub-commands from dump/ to files: every promised file and key is there and has the known
+// value. Scope: report/ and io/vtk_series on made-up runs.
+#include <gtest/gtest.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include <cmath>
+
+#include "args/input_error.h"
+#include "io/csv_table.h"
+#include "io/vtk_series.h"
+#include "report/reports.h"
+#include "synthetic_run.h"
+
+namespace muckpile {
+namespace {
+
+using namespace testing;
+
+// Width and height, and whether the picture holds more than a few colours.
+struct PictureFacts {
+  int width, height;
+  bool has_drawing;
+};
+
+PictureFacts facts_of(const std::filesystem::path& path) {
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  const int* size = reader->GetOutput()->GetDimensions();
+  int dark = 0;
+  for (int y = 0; y < size[1]; ++y) {
+    for (int x = 0; x < size[0]; ++x)
+      dark += reader->GetOutput()->GetScalarComponentAsDouble(x, y, 0, 0) < 200.0;
+  }
+  return {size[0], size[1], dark > size[0] * size[1] / 100};
+}
+
+class BenchReports : public ::testing::Test {
+ protected:
+  void SetUp() override { write_bench(temporary_.path()); }
+  nlohmann::ordered_json summary() { return read_json_object(temporary_.path() / "summary.json"); }
+  TemporaryFolder temporary_;
+};
+
+TEST_F(BenchReports, ProfileWritesItsKeysTableAndPicture) {
+  const ResultFolder folder(temporary_.path());
+  report_profile(folder, {kCube, 0.125}, {});
+  const auto keys = summary();
+  for (const char* key :
+       {"blocks", "spheres", "joints", "joints_broken_fraction", "face_velocity_m_s",
+        "fastest_block_m_s", "throw_cg_m", "throw_max_m", "pile_height_m", "pile_toe_m",
+        "cast_fraction", "swell_factor", "repose_angle_deg", "energy_balance_error",
+        "physical_time_s", "wall_time_s", "steps"}) {
+    ASSERT_TRUE(keys.contains(key)) << key;
+    EXPECT_TRUE(keys[key].is_number()) << key;
+  }
+  EXPECT_NEAR(keys["throw_cg_m"], 507.5 / 105.0 + 2.5, 1e-7);
+  EXPECT_NEAR(keys["swell_factor"], 1.3, 1e-7);
+  // Charge from -1 to 8 m, above the floor 0 to 8, its middle half 2 to 6 m; the face layer moves
+  // at 14 m/s.
+  EXPECT_NEAR(keys["face_velocity_m_s"], 14.0, 1e-9);
+  EXPECT_DOUBLE_EQ(keys["fastest_block_m_s"], 31.5);
+  const CsvTable table = CsvTable::read(folder.file("profile.csv"));
+  EXPECT_EQ(table.number(0, table.column("x_m")), -7.9375);
+  const PictureFacts picture = facts_of(folder.file("profile.png"));
+  EXPECT_EQ(picture.width, 1600);
+  EXPECT_TRUE(picture.has_drawing);
+}
+
+TEST_F(BenchReports, FragmentsCountOnlyTheBrokenOutRock) {
+  const ResultFolder folder(temporary_.path());
+  report_fragments(folder, {kCube, {}});
+  const auto keys = summary();
+  for (const char* key : {"fragment_p20_m", "fragment_p50_m", "fragment_p80_m"})
+    EXPECT_NEAR(keys[key], kCube, 1e-6);
+  EXPECT_EQ(keys["fragments_in_pile"], 840);
+  EXPECT_NEAR(keys["pile_mass_kg"], 840 * 0.125 * kDensity, 1e-3);
+  const CsvTable curve = CsvTable::read(folder.file("fragments.csv"));
+  EXPECT_DOUBLE_EQ(curve.number(curve.rows() - 1, curve.column("mass_fraction_passing")), 1.0);
+  EXPECT_EQ(CsvTable::read(folder.file("fragments_list.csv")).rows(), 1472U);
+  EXPECT_TRUE(facts_of(folder.file("fragments.png")).has_drawing);
+}
+
+TEST_F(BenchReports, CommandsKeepEachOthersKeys) {
+  const ResultFolder folder(temporary_.path());
+  report_fragments(folder, {});
+  report_profile(folder, {}, {});
+  EXPECT_TRUE(summary().contains("fragment_p50_m"));
+  EXPECT_TRUE(summary().contains("throw_cg_m"));
+}
+
+TEST_F(BenchReports, RenderWritesThePileAndTheFrames) {
+  const ResultFolder folder(temporary_.path());
+  PictureOptions options;
+  options.width = 320;
+  options.height = 180;
+  options.frames = 2;
+  options.mirror = 1;
+  options.colour_by = ColourBy::kSpeed;
+  report_picture(folder, options);
+  for (const char* name : {"pile3d.png", "pile3d_0000.png", "pile3d_0001.png"}) {
+    const PictureFacts picture = facts_of(folder.file(name));
+    EXPECT_EQ(picture.width, 320);
+    EXPECT_EQ(picture.height, 180);
+    EXPECT_TRUE(picture.has_drawing);
+  }
+}
+
+TEST_F(BenchReports, SeriesHoldsThePosedBlocksAndTheirTimes) {
+  const ResultFolder folder(temporary_.path());
+  EXPECT_EQ(write_vtk_series(folder, 1), 3);
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName((temporary_.path() / "vtk" / "blocks_000002000.vtu").c_str());
+  reader->Update();
+  vtkUnstructuredGrid* grid = reader->GetOutput();
+  ASSERT_EQ(grid->GetNumberOfCells(), 1472);
+  for (const char* name : {"id", "fragment_id", "velocity_m_s", "size_m", "start_m",
+                           "displacement_m", "broken_fraction"}) {
+    EXPECT_NE(grid->GetCellData()->GetArray(name), nullptr) << name;
+  }
+  double bounds[6];
+  grid->GetBounds(bounds);
+  EXPECT_NEAR(bounds[1], 14.0, 1e-5);  // single precision
+  EXPECT_EQ(write_vtk_series(folder, 2), 2);
+  EXPECT_TRUE(std::filesystem::exists(temporary_.path() / "vtk" / "blocks.pvd"));
+}
+
+TEST_F(BenchReports, CraterRefusesABench) {
+  EXPECT_THROW(report_crater(ResultFolder(temporary_.path()), {}, {}), InputError);
+}
+
+TEST(CraterReport, WritesItsKeysTableAndPicture) {
+  TemporaryFolder temporary;
+  write_crater(temporary.path());
+  const ResultFolder folder(temporary.path());
+  EXPECT_THROW(report_profile(folder, {}, {}), InputError);
+  report_crater(folder, {}, {});
+  const auto keys = read_json_object(temporary.path() / "summary.json");
+  EXPECT_NEAR(keys["true_crater_radius_m"], 4.0, 0.5 * kCube);  // the rim is ragged by half a cube
+  EXPECT_NEAR(keys["crater_depth_m"], 2.0, 1e-6);
+  EXPECT_TRUE(keys["crater_volume_m3"].is_number());
+  EXPECT_TRUE(keys["ejecta_p50_m"].is_number());
+  EXPECT_GT(CsvTable::read(folder.file("crater.csv")).rows(), 10U);
+  EXPECT_TRUE(facts_of(folder.file("crater.png")).has_drawing);
+}
+
+}  // namespace
+}  // namespace muckpile
