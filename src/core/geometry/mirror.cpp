@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Image seeds behind the surfaces of holes and region: what keeps blocks out of the air.
-// Scope: seeds within kReach local sizes of a surface are mirrored; cells are smaller than that.
+// Scope: serial, in the order of the seeds.
 #include "geometry/mirror.h"
 
 #include <algorithm>
@@ -11,7 +11,11 @@
 namespace muckpile {
 namespace {
 
-constexpr double kReach = 2.0;  // [block sizes]; a relaxed cell's radius is below 1
+// Seeds that far from a surface are mirrored [block sizes]. Images inside a convex hole never hurt.
+// Those behind an inner edge of the region do, where they come close to its other side: there only
+// the first layer of blocks is mirrored.
+constexpr double kHoleReach = 2.0;
+constexpr double kRegionReach = 1.0;
 
 // An image deeper than the axis would come out on the other side and push blocks off there, so
 // the depth ends at the axis: the plane then stays farther out and the hole is still kept free.
@@ -30,12 +34,12 @@ Images mirror_seeds(const std::vector<Vec3>& seeds, const std::vector<Hole>& hol
                     const RegionQuery& region, const Ground& ground) {
   Images images;
   for (const Vec3& seed : seeds) {
-    const double reach = kReach * ground.size(seed);
+    const double size = ground.size(seed);
     for (std::size_t h = 0; h < holes.size(); ++h) {
-      mirror_at_hole(seed, holes[h], static_cast<int>(h), reach, images);
+      mirror_at_hole(seed, holes[h], static_cast<int>(h), kHoleReach * size, images);
     }
     if (!region.surface_points) continue;
-    for (const Vec3& surface : region.surface_points(seed, reach)) {
+    for (const Vec3& surface : region.surface_points(seed, kRegionReach * size)) {
       const Vec3 image = 2.0 * surface - seed;
       if (region.inside(image)) continue;  // behind a thin slit of air: no image, no harm
       images.points.push_back(image);

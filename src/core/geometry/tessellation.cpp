@@ -38,7 +38,8 @@ void check_hole(const TessellationOptions& options, std::size_t h) {
     const bool in_box =
         (end.array() >= options.lo.array()).all() && (end.array() <= options.hi.array()).all();
     if (!in_box) {
-      fail("the axis of hole ", h, " must lie in the box, got an end at '", end.transpose(), "'");
+      fail("the axis of hole ", h, " must lie in the box, got an end at '", end.x(), ' ', end.y(),
+           ' ', end.z(), "'");
     }
   }
   const double size = options.size.at(hole.radius);
@@ -51,7 +52,7 @@ void check_hole(const TessellationOptions& options, std::size_t h) {
 void check(const TessellationOptions& options) {
   const Vec3 edge = options.hi - options.lo;
   if (!(edge.allFinite() && edge.minCoeff() > 0.0)) {
-    fail("the box edges must be > 0 m, got '", edge.transpose(), "'");
+    fail("the box edges must be > 0 m, got '", edge.x(), ' ', edge.y(), ' ', edge.z(), "'");
   }
   if (options.sweeps < 0) fail("sweeps must be >= 0, got '", options.sweeps, "'");
   if (static_cast<bool>(options.region.inside) !=

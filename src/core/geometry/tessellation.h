@@ -12,12 +12,13 @@
 
 namespace muckpile {
 
-// A region inside the box, for rock that is not a box. Both functions or none.
-// Air features narrower than a few blocks are not resolved.
+// A region inside the box, for rock that is not a box. Both functions or none. Plane faces come out
+// plane. Inner edges (toe of a bench) lose a chamfer of about one block; air features narrower than
+// a few blocks are not resolved.
 struct RegionQuery {
   std::function<bool(const Vec3& point)> inside;
   // The closest point of each smooth piece of the region's surface that lies within `cutoff` [m]
-  // of `point`; several near a convex edge of the rock. The box walls need not be reported.
+  // of `point`; several near a convex edge of the rock, all different. No box walls.
   std::function<std::vector<Vec3>(const Vec3& point, double cutoff)> surface_points;
 };
 

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Size laws against hand-worked numbers, their limits, and every message of the table reader.
+// Scope: lengths in metres.
+#include "geometry/size_law.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <sstream>
+
+#include "args/input_error.h"
+
+namespace muckpile {
+namespace {
+
+const SizeLimits kWide{1e-3, 1e3};
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+std::string message_of(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string table_message(const std::string& text) {
+  return message_of([&] {
+    std::istringstream in(text);
+    (void)read_size_table(in, "sizes.txt");
+  });
+}
+
+TEST(SizeLaw, HarriesGivesTheSpacingOfRadialCracks) {
+  // K/T = 4.8e-3/3e-4 = 16 cracks at the wall b = 0.135 m; at r = 0.5 m: 16*0.135/0.5 = 4.32;
+  // spacing 2 pi 0.5 / 4.32 = 0.72722 m.
+  const SizeLaw law = SizeLaw::harries({0.135, 4.8e-3, 3e-4, 0.0}, kWide);
+  EXPECT_NEAR(law.at(0.5), 2.0 * std::numbers::pi * 0.5 / 4.32, 1e-12);
+  EXPECT_NEAR(law.at(0.5), 0.72722, 1e-5);
+  EXPECT_NEAR(law.at(1.0) / law.at(0.5), 4.0, 1e-12);  // r^2 without absorption
+}
+
+TEST(SizeLaw, HarriesAbsorptionThinsTheCracksOut) {
+  const SizeLaw plain = SizeLaw::harries({0.1, 4e-3, 4e-4, 0.0}, kWide);
+  const SizeLaw damped = SizeLaw::harries({0.1, 4e-3, 4e-4, 0.05}, kWide);
+  EXPECT_NEAR(damped.at(1.0) / plain.at(1.0), std::exp(0.5), 1e-12);  // alpha r / b = 0.05 * 10
+}
+
+TEST(SizeLaw, PowerFollowsCoefficientAndExponent) {
+  const SizeLaw law = SizeLaw::power({0.145, 2.0}, {0.05, 1.2});
+  EXPECT_NEAR(law.at(1.5), 0.32625, 1e-12);  // 0.145 * 2.25
+}
+
+TEST(SizeLaw, IsClippedAtBothEndsAndAtInfinity) {
+  for (const SizeLaw& law : {SizeLaw::power({0.145, 2.0}, {0.05, 1.2}),
+                             SizeLaw::harries({0.135, 4.8e-3, 3e-4, 0.02}, {0.05, 1.2}),
+                             SizeLaw::table({{0.0, 0.01}, {9.0, 5.0}}, {0.05, 1.2})}) {
+    EXPECT_EQ(law.at(0.0), 0.05);
+    EXPECT_EQ(law.at(100.0), 1.2);
+    EXPECT_EQ(law.at(kInfinity), 1.2);
+  }
+}
+
+TEST(SizeLaw, UniformIsTheSameEverywhere) {
+  const SizeLaw law = SizeLaw::uniform(0.3);
+  EXPECT_EQ(law.at(0.0), 0.3);
+  EXPECT_EQ(law.at(kInfinity), 0.3);
+}
+
+TEST(SizeLaw, TableInterpolatesLinearlyAndIsConstantBeyondItsEnds) {
+  const SizeLaw law = SizeLaw::table({{0.2, 0.1}, {1.2, 0.3}, {2.2, 0.9}}, kWide);
+  EXPECT_NEAR(law.at(0.7), 0.2, 1e-15);
+  EXPECT_NEAR(law.at(1.7), 0.6, 1e-15);
+  EXPECT_EQ(law.at(1.2), 0.3);
+  EXPECT_EQ(law.at(0.0), 0.1);
+  EXPECT_EQ(law.at(5.0), 0.9);
+}
+
+TEST(SizeLaw, RejectsWhatHasNoMeaning) {
+  EXPECT_THROW((void)SizeLaw::uniform(0.0), InputError);
+  EXPECT_THROW((void)SizeLaw::uniform(std::nan("")), InputError);
+  EXPECT_THROW((void)SizeLaw::power({0.1, -1.0}, kWide), InputError);
+  EXPECT_THROW((void)SizeLaw::power({0.0, 1.0}, kWide), InputError);
+  EXPECT_THROW((void)SizeLaw::power({0.1, 1.0}, {0.5, 0.4}), InputError);
+  EXPECT_THROW((void)SizeLaw::power({0.1, 1.0}, {0.5, kInfinity}), InputError);
+  EXPECT_THROW((void)SizeLaw::harries({0.0, 4e-3, 3e-4, 0.0}, kWide), InputError);
+  EXPECT_THROW((void)SizeLaw::harries({0.1, 1e-4, 3e-4, 0.0}, kWide), InputError);
+  EXPECT_THROW((void)SizeLaw::harries({0.1, 4e-3, 3e-4, -0.1}, kWide), InputError);
+  EXPECT_THROW((void)SizeLaw::table({}, kWide), InputError);
+  EXPECT_THROW((void)SizeLaw::table({{1.0, 0.1}, {0.5, 0.2}}, kWide), InputError);
+  EXPECT_THROW((void)SizeLaw::table({{0.5, 0.2}, {1.0, 0.1}}, kWide), InputError);
+  EXPECT_EQ(message_of([] {
+              (void)SizeLaw::power({0.1, 1.0}, {0.5, 0.4});
+            }),
+            "size law: largest block must be >= smallest block (0.5 m), got '0.4'");
+}
+
+TEST(SizeTableReader, ReadsPairsAndSkipsCommentsAndBlankLines) {
+  std::istringstream in("# distance_m size_m\n\n0.2 0.1  # ring\n 1.5\t4e-1\n");
+  const SizeTable points = read_size_table(in, "sizes.txt");
+  ASSERT_EQ(points.size(), 2u);
+  EXPECT_EQ(points[0], std::pair(0.2, 0.1));
+  EXPECT_EQ(points[1], std::pair(1.5, 0.4));
+}
+
+TEST(SizeTableReader, NamesFileAndLineOfAFault) {
+  EXPECT_EQ(table_message("0.2 0.1\n0.5 x1\n"),
+            "size table 'sizes.txt' line 2: a finite number is expected, got 'x1'");
+  EXPECT_EQ(table_message("0.2 0.1m\n"),
+            "size table 'sizes.txt' line 1: a finite number is expected, got '0.1m'");
+  EXPECT_EQ(table_message("0.2 nan\n"),
+            "size table 'sizes.txt' line 1: a finite number is expected, got 'nan'");
+  EXPECT_EQ(table_message("0.2\n"),
+            "size table 'sizes.txt' line 1: two numbers are expected: distance [m] and size [m], "
+            "got '0.2'");
+  EXPECT_EQ(table_message("\n0.2 0.1 0.3\n"),
+            "size table 'sizes.txt' line 2: two numbers are expected: distance [m] and size [m], "
+            "got '0.2 0.1 0.3'");
+  EXPECT_EQ(table_message("-1 0.1\n"),
+            "size table 'sizes.txt' line 1: distance must be >= 0 m, got '-1'");
+  EXPECT_EQ(table_message("1 0\n"), "size table 'sizes.txt' line 1: size must be > 0 m, got '0'");
+  EXPECT_EQ(table_message("1 0.1\n1 0.2\n"),
+            "size table 'sizes.txt' line 2: distance must grow from line to line, got '1'");
+  EXPECT_EQ(table_message("1 0.2\n2 0.1\n"),
+            "size table 'sizes.txt' line 2: size must not fall with distance, got '0.1'");
+  EXPECT_EQ(table_message("# nothing\n"), "size table 'sizes.txt': no pairs found");
+  EXPECT_EQ(message_of([] { (void)read_size_table_file("no_such_file.txt"); }),
+            "size table 'no_such_file.txt': cannot be opened");
+}
+
+}  // namespace
+}  // namespace muckpile
