@@ -91,6 +91,7 @@ void CreateBlocks::command(int narg, char** arg) {
   check_overlap(rock);
   const double start = MPI_Wtime();
   number_from_what_exists();
+  settle_new_fixes();
   TessellationOptions what;
   SupportRule held;
   engine::or_engine_error(*lmp, [&] {
@@ -117,6 +118,18 @@ void CreateBlocks::number_from_what_exists() {
   for (int i = 0; i < atom->nlocal; ++i) mine = std::max(mine, static_cast<int>(atom->tag[i]));
   MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MAX, world);
   first_atom_tag_ = all + 1;
+}
+
+/// The engine sets the per-atom arrays of a new fix at the start of the first run, and would wipe
+/// what create_body writes: do it now instead.
+void CreateBlocks::settle_new_fixes() {
+  for (int f = 0; f < modify->nfix; ++f) {
+    LAMMPS_NS::Fix& fix = *modify->fix[f];
+    if (fix.just_created == 0 || fix.create_attribute == 0) continue;
+    fix.just_created = 0;
+    fix.pre_set_arrays();
+    for (int i = 0; i < atom->nlocal; ++i) fix.set_arrays(i);
+  }
 }
 
 void CreateBlocks::check_engine() const {

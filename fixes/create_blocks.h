@@ -38,6 +38,7 @@ class CreateBlocks : protected LAMMPS_NS::Pointers {
 
   void check_engine() const;
   void number_from_what_exists();
+  void settle_new_fixes();
   void check_overlap(LAMMPS_NS::Region& region) const;
   [[nodiscard]] LAMMPS_NS::Region& region(const std::string& id) const;
   [[nodiscard]] TessellationOptions options(LAMMPS_NS::Region& rock, const ArgValues& args) const;
