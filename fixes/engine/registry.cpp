@@ -18,10 +18,12 @@
 #include "create_blocks.h"
 #include "fix_muckpile_blast.h"
 #include "fix_muckpile_blocks.h"
+#include "fix_muckpile_contact_history.h"
 #include "fix_muckpile_dump.h"
 #include "fix_muckpile_joint.h"
 #include "fix_muckpile_ledger.h"
 #include "fix_muckpile_progress.h"
+#include "pair_muckpile_block.h"
 
 namespace muckpile::engine {
 namespace {
@@ -80,6 +82,7 @@ const std::map<std::string, FixCreator>& fixes() {
   static const std::map<std::string, FixCreator> table = {
       {"muckpile/blast", &create_fix<FixMuckpileBlast>},
       {"muckpile/blocks", &create_fix<FixMuckpileBlocks>},
+      {"muckpile/contact/history", &create_fix<FixMuckpileContactHistory>},
       {"muckpile/dump", &create_fix<FixMuckpileDump>},
       {"muckpile/joint", &create_fix<FixMuckpileJoint>},
       {"muckpile/ledger", &create_fix<FixMuckpileLedger>},
@@ -88,7 +91,9 @@ const std::map<std::string, FixCreator>& fixes() {
   return table;
 }
 const std::map<std::string, PairCreator>& pairs() {
-  static const std::map<std::string, PairCreator> table = {};
+  static const std::map<std::string, PairCreator> table = {
+      {"muckpile/block", &create_pair<PairMuckpileBlock>},
+  };
   return table;
 }
 

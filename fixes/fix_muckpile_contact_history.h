@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/contact/history: carries the memory of sphere contacts with the spheres.
+// Scope: internal; pair muckpile/block creates it, fills it before atoms move between ranks and
+// reads it back when it has built its new list. Holds nothing between those two moments.
+#pragma once
+
+#include <fix.h>
+
+#include <vector>
+
+#include "contact/contact_law.h"
+
+namespace muckpile {
+
+class FixMuckpileContactHistory;
+
+/// Whoever owns the live contacts.
+class ContactSource {
+ public:
+  virtual ~ContactSource() = default;
+  /// Called before atoms are exchanged: put every live contact into `history`.
+  virtual void store_contacts(FixMuckpileContactHistory& history) = 0;
+};
+
+class FixMuckpileContactHistory : public LAMMPS_NS::Fix {
+ public:
+  struct Record {
+    int partner;  ///< tag of the other sphere
+    ContactState state;
+  };
+
+  FixMuckpileContactHistory(LAMMPS_NS::LAMMPS* engine_object, int narg, char** arg);
+  FixMuckpileContactHistory(const FixMuckpileContactHistory&) = delete;
+  FixMuckpileContactHistory& operator=(const FixMuckpileContactHistory&) = delete;
+  ~FixMuckpileContactHistory() override;
+
+  void set_source(ContactSource* source) { source_ = source; }
+
+  /// Replaces everything by `records`; owners[k] is the owned atom that carries records[k].
+  void store(const std::vector<int>& owners, const std::vector<Record>& records);
+
+  /// What atom `index` remembers of its contact with sphere `partner`, nullptr if nothing.
+  [[nodiscard]] const ContactState* find(int index, int partner) const;
+
+  int setmask() override;
+  void setup_pre_exchange() override;
+  void pre_exchange() override;
+  void grow_arrays(int nmax) override;
+  void copy_arrays(int from, int to, int delflag) override;
+  void set_arrays(int index) override;
+  int pack_exchange(int index, double* buf) override;
+  int unpack_exchange(int index, double* buf) override;
+  int pack_restart(int index, double* buf) override;
+  void unpack_restart(int index, int nth) override;
+  int size_restart(int index) override;
+  int maxsize_restart() override;
+  double memory_usage() override;
+
+ private:
+  struct Range {
+    int first, count;
+  };
+  int pack(int index, double* buf) const;
+  int unpack(int index, const double* buf);
+
+  ContactSource* source_ = nullptr;
+  std::vector<Range> range_;     ///< per atom: its records in the pool
+  std::vector<Record> records_;  ///< the pool; leavers leave holes until the next store()
+  int most_records_ = 0;         ///< of one atom
+};
+
+}  // namespace muckpile

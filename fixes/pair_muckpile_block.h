@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// pair_style muckpile/block: contact between the spheres of different blocks.
+// Scope: bodies of one fix multisphere; newton off; makes no neighbour request, searches by block.
+#pragma once
+
+#include <pair.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/block_contact_list.h"
+#include "contact/contact_law.h"
+#include "fix_muckpile_contact_history.h"
+
+namespace LAMMPS_NS {
+class FixMultisphere;
+}
+
+namespace muckpile {
+
+class ArgTable;
+class JointView;
+
+/// The keyword table, for the parser and the docs.
+[[nodiscard]] ArgTable block_contact_keywords();
+
+class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource {
+ public:
+  explicit PairMuckpileBlock(LAMMPS_NS::LAMMPS* engine_object);
+  PairMuckpileBlock(const PairMuckpileBlock&) = delete;
+  PairMuckpileBlock& operator=(const PairMuckpileBlock&) = delete;
+  ~PairMuckpileBlock() override;
+
+  void settings(int narg, char** arg) override;
+  void coeff(int narg, char** arg) override;
+  void init_style() override;
+  double init_one(int i, int j) override;
+  void compute(int eflag, int vflag) override;
+  double memory_usage() override;
+
+  /// Values of this rank, to be summed over ranks (largest for max_overlap_ratio, same on all for
+  /// stable_step_s); a contact between two ranks counts half on each. Pointers to double:
+  /// "elastic_J", "power_W", "contacts", "max_overlap_ratio" of the last step;
+  /// "friction_J", "damping_J" since the start; "stable_step_s"; "rebuild_s", "rebuilds".
+  void* extract(const char* name, int& dim) override;
+
+  void store_contacts(FixMuckpileContactHistory& history) override;
+
+ private:
+  struct Ledger {
+    double elastic_J = 0.0, power_W = 0.0, contacts = 0.0, max_overlap_ratio = 0.0;
+    double friction_J = 0.0, damping_J = 0.0;
+    double stable_step_s = 0.0;
+    double rebuild_s = 0.0, rebuilds = 0.0;
+  };
+  /// The engine's arrays, as the loop over contacts needs them.
+  struct AtomArrays {
+    double *x, *v, *omega, *f, *torque;  ///< three per atom
+    const double *radius, *mass;
+    int owned;
+  };
+
+  void require_engine_settings();
+  void find_partners();
+  [[nodiscard]] double smallest_stable_step() const;
+
+  void rebuild();
+  void number_blocks();
+  int block_of(int body_tag, const double* x);
+  int add_block(int body_tag, const double* x);
+  void drop_intact_pairs(std::vector<BlockPair>& pairs) const;
+  void recall_contacts();
+
+  [[nodiscard]] AtomArrays arrays() const;
+  void step_contacts();
+  void step_block_pair(const BlockPair& pair, const AtomArrays& atoms, double history_step);
+  void touch(SpherePair& pair, const Vec3& to_second, double distance, const AtomArrays& atoms,
+             double history_step);
+  void apply(const AtomArrays& atoms, int atom, const Vec3& force, const Vec3& torque);
+  [[nodiscard]] int new_contact(const ContactState& state);
+
+  std::optional<ContactLaw> law_;
+  double largest_radius_ = 0.0;  ///< of all spheres on all ranks [m]
+  LAMMPS_NS::FixMultisphere* bodies_ = nullptr;
+  const JointView* joints_ = nullptr;
+  FixMuckpileContactHistory* history_ = nullptr;  ///< owned by the engine
+
+  BlockContactList list_;
+  std::vector<ContactState> contacts_;
+  std::vector<int> free_contacts_;
+  bool list_is_stale_ = true;    ///< atoms were exchanged since the list was built
+  bool contacts_moved_ = false;  ///< forces were computed since the contacts were stored
+
+  std::vector<int> atom_block_;              ///< per atom, -1: takes no part
+  std::vector<int> block_tag_;               ///< per block: its body tag
+  std::vector<std::array<double, 3>> seed_;  ///< per block: position of its first atom [m]
+  std::vector<int> next_image_;              ///< per block: another periodic image, -1: none
+  std::vector<int> first_image_;             ///< per body tag: a block, -1: none
+  std::vector<int> listed_tags_;             ///< per atom: its tag when the list was built
+  int listed_owned_ = 0;
+
+  std::vector<int> record_owners_;  ///< work space of store_contacts
+  std::vector<FixMuckpileContactHistory::Record> records_;
+  Ledger ledger_;
+};
+
+}  // namespace muckpile

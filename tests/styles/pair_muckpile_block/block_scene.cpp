@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A LIGGGHTS run inside a test: set-up, block creation, read-out.
+// Scope: see the header.
+#include "block_scene.h"
+
+#include <atom.h>
+#include <atom_vec.h>
+#include <domain.h>
+#include <fix.h>
+#include <fix_multisphere.h>
+#include <force.h>
+#include <input.h>
+#include <lammps.h>
+#include <modify.h>
+#include <multisphere.h>
+#include <pair.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <stdexcept>
+
+#include "engine/bodies.h"
+#include "engine/registry.h"
+
+namespace muckpile::testing {
+
+namespace {
+
+std::string text(double value) {
+  std::array<char, 40> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%.17g", value);
+  return buffer.data();
+}
+
+}  // namespace
+
+BlockScene::BlockScene(MPI_Comm comm, double half_box, double skin, const std::string& contact)
+    : comm_(comm) {
+  std::array<std::string, 5> words{"test", "-screen", "none", "-log", "none"};
+  std::array<char*, 5> arg{words[0].data(), words[1].data(), words[2].data(), words[3].data(),
+                           words[4].data()};
+  lmp_ = std::make_unique<LAMMPS_NS::LAMMPS>(5, arg.data(), comm_);
+  engine::register_styles(*lmp_);
+  const std::string h = text(half_box);
+  for (const std::string& line :
+       {std::string("units si"), std::string("atom_style granular"),
+        std::string("atom_modify map array"), std::string("boundary f f f"),
+        std::string("newton off"), std::string("communicate single vel yes"),
+        std::string("processors * 1 1"),  // a split in x, where the scenes have their action
+        "region box block -" + h + " " + h + " -" + h + " " + h + " -" + h + " " + h,
+        std::string("create_box 1 box"), "neighbor " + text(skin) + " bin",
+        std::string("neigh_modify delay 0"), "pair_style muckpile/block " + contact,
+        std::string("pair_coeff * *"), std::string("fix bodies all multisphere")})
+    command(line);
+}
+
+BlockScene::~BlockScene() = default;
+
+void BlockScene::command(const std::string& line) { lmp_->input->one(line.c_str()); }
+
+void BlockScene::place(const BlockSpec& block, int first_atom_tag) {
+  LAMMPS_NS::Atom& atom = *lmp_->atom;
+  LAMMPS_NS::FixMultisphere& fix = *engine::find_multisphere(*lmp_);
+  const auto count = static_cast<int>(block.balls.size());
+  std::vector<Vec3> offsets;
+  for (const Ball& ball : block.balls) offsets.push_back(ball.offset);
+  std::vector<double*> rows;
+  double reach = 0.0;
+  for (int k = 0; k < count; ++k) {
+    const Ball& ball = block.balls[static_cast<std::size_t>(k)];
+    rows.push_back(offsets[static_cast<std::size_t>(k)].data());
+    reach = std::max(reach, ball.offset.norm() + ball.radius);
+    Vec3 at = block.centre + ball.offset;
+    atom.avec->create_atom(1, at.data());
+    const int m = atom.nlocal - 1;
+    atom.tag[m] = first_atom_tag + k;
+    atom.mask[m] = 1;
+    atom.radius[m] = ball.radius;
+    atom.density[m] = 1000.0;
+    atom.rmass[m] = block.mass;
+    for (int f = 0; f < lmp_->modify->nfix; ++f)
+      if (lmp_->modify->fix[f]->create_attribute != 0) lmp_->modify->fix[f]->set_arrays(m);
+    fix.set_body_displace(m, rows.back(), block.tag, 1.0 / count);
+  }
+  Vec3 centre = block.centre, zero = Vec3::Zero(), velocity = block.velocity, spin = block.spin;
+  Vec3 inertia = block.inertia;
+  Mat3 axes = Mat3::Identity();
+  std::array<bool, 3> free{!block.fixed, !block.fixed, !block.fixed};
+  fix.data().add_body(count, centre.data(), zero.data(), reach, velocity.data(), spin.data(),
+                      block.mass, 1000.0, 1, 1, inertia.data(), axes.col(0).data(),
+                      axes.col(1).data(), axes.col(2).data(), rows.data(), free.data(),
+                      free.data());
+  fix.data()
+      .prop()
+      .getElementProperty<LAMMPS_NS::ScalarContainer<int>>("id_multisphere")
+      ->set(fix.n_body() - 1, block.tag);
+}
+
+void BlockScene::add(const std::vector<BlockSpec>& blocks) {
+  LAMMPS_NS::Atom& atom = *lmp_->atom;
+  // The first set-up of a run would wipe what a just created fix knows of its atoms.
+  for (int f = 0; f < lmp_->modify->nfix; ++f) lmp_->modify->fix[f]->just_created = 0;
+  const double *low = lmp_->domain->sublo, *high = lmp_->domain->subhi;
+  int tag = 1;
+  for (const BlockSpec& block : blocks) {
+    bool mine = true;
+    for (int d = 0; d < 3; ++d)
+      mine = mine && block.centre[d] >= low[d] && block.centre[d] < high[d];
+    if (mine) place(block, tag);
+    tag += static_cast<int>(block.balls.size());
+  }
+  LAMMPS_NS::bigint local = atom.nlocal;
+  MPI_Allreduce(&local, &atom.natoms, 1, MPI_LMP_BIGINT, MPI_SUM, comm_);
+  atom.nghost = 0;
+  atom.map_init();
+  atom.map_set();
+  engine::find_multisphere(*lmp_)->add_body_finalize();
+}
+
+void BlockScene::run(int steps, double time_step) {
+  command("timestep " + text(time_step));
+  command("run " + std::to_string(steps));
+}
+
+std::map<int, BlockNow> BlockScene::blocks() const {
+  const engine::Bodies bodies(*engine::find_multisphere(*lmp_));
+  std::vector<double> mine;
+  for (int b = 0; b < bodies.count(); ++b) {
+    mine.push_back(bodies.tag(b));
+    for (const Vec3& v : {Vec3(bodies.centre(b)), Vec3(bodies.velocity(b)), Vec3(bodies.spin(b))})
+      mine.insert(mine.end(), v.data(), v.data() + 3);
+    mine.push_back(bodies.kinetic_energy(b));
+  }
+  int ranks = 0, size = static_cast<int>(mine.size());
+  MPI_Comm_size(comm_, &ranks);
+  std::vector<int> sizes(static_cast<std::size_t>(ranks)), starts(sizes.size());
+  MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, comm_);
+  int total = 0;
+  for (std::size_t r = 0; r < sizes.size(); ++r) {
+    starts[r] = total;
+    total += sizes[r];
+  }
+  std::vector<double> all(static_cast<std::size_t>(total));
+  MPI_Allgatherv(mine.data(), size, MPI_DOUBLE, all.data(), sizes.data(), starts.data(), MPI_DOUBLE,
+                 comm_);
+  std::map<int, BlockNow> result;
+  for (std::size_t k = 0; k + 11 <= all.size(); k += 11) {
+    const double* row = all.data() + k;
+    result[static_cast<int>(row[0])] = {Vec3(row + 1), Vec3(row + 4), Vec3(row + 7), row[10]};
+  }
+  return result;
+}
+
+double BlockScene::sum(const char* name) const {
+  int dim = 0;
+  const auto* value = static_cast<const double*>(lmp_->force->pair->extract(name, dim));
+  if (value == nullptr) throw std::logic_error(name);
+  double all = 0.0;
+  MPI_Allreduce(value, &all, 1, MPI_DOUBLE, MPI_SUM, comm_);
+  return all;
+}
+
+double BlockScene::energy_account() const {
+  double energy = sum("elastic_J") + sum("friction_J") + sum("damping_J");
+  for (const auto& [tag, block] : blocks()) energy += block.kinetic_J;
+  return energy;
+}
+
+}  // namespace muckpile::testing
