@@ -186,11 +186,14 @@ TEST(FixMuckpileBlast, StartsWithItsDelayAndEndsWhenTheLoadHasGone) {
     const char* run;
     double active, over;
   };
-  // hole 1 fires at 0.1 ms and is over at 0.8 ms (4 x 2^-55 is below 1e-4), hole 2 fires at 1 ms
-  for (const Moment& moment : {Moment{"run 90", 0.0, 0.0}, Moment{"run 120", 1.0, 0.0},
-                               Moment{"run 800", 0.0, 0.0}, Moment{"run 1600", 0.0, 1.0}}) {
+  // Hole 1 fires at 20 us; column 0.6 m / 45 km/s = 13 us; 4 x 2^(-t/3 us) falls below 1e-4 after
+  // 46 us: over at 79 us. Hole 2 fires at 100 us and is over at 100 + 14 + 46 = 160 us.
+  for (const Moment& moment : {Moment{"run 15", 0.0, 0.0}, Moment{"run 30", 1.0, 0.0},
+                               Moment{"run 95", 0.0, 0.0}, Moment{"run 180", 0.0, 1.0}}) {
     Engine engine("youngs_modulus 55e9 poisson_ratio 0.25" + kStrong,
-                  kCharge + "rise_time 1e-5 gas no interval 1e-3 hole 1 delay 1e-4", "1e-6");
+                  "explosive_density 1100 vod 45000 hole_diameter 0.1 peak_pressure 5e7 "
+                  "rise_time 3e-6 gas no interval 1e-4 hole 1 delay 2e-5",
+                  "1e-6");
     engine.command(moment.run);
     EXPECT_EQ(engine.load(5), moment.active) << moment.run;
     EXPECT_EQ(engine.load(6), moment.over) << moment.run;
