@@ -32,10 +32,12 @@ std::vector<double> straight_ticks(Range range, int wanted) {
 }
 
 std::vector<double> logarithmic_ticks(Range range) {
+  const bool is_wide = range.high > 20.0 * range.low;
   std::vector<double> ticks;
   for (double power = std::pow(10.0, std::floor(std::log10(range.low))); power <= range.high;
        power *= 10.0) {
-    for (const double factor : {1.0, 2.0, 5.0}) {
+    for (int factor = 1; factor < 10; ++factor) {
+      if (is_wide && factor != 1 && factor != 2 && factor != 5) continue;
       const double tick = factor * power;
       if (tick >= range.low * (1.0 - 1e-9) && tick <= range.high * (1.0 + 1e-9))
         ticks.push_back(tick);

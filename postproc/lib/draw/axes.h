@@ -37,7 +37,8 @@ class Axes {
 
 // Multiples of 1, 2 or 5 times a power of ten inside the range, about `wanted` of them.
 std::vector<double> straight_ticks(Range range, int wanted);
-// 1, 2 and 5 times the powers of ten inside the range.
+// Whole multiples of powers of ten inside the range; 1, 2 and 5 times only where it is wider
+// than 20.
 std::vector<double> logarithmic_ticks(Range range);
 
 // The shortest usual spelling of a number: at most `digits` significant ones.

@@ -3,6 +3,7 @@
 // Scope: pinhole without distortion.
 #include "draw/camera.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace muckpile {
@@ -43,6 +44,18 @@ Vec2 Camera::place(const Vec3& p) const {
   const Vec3 d = p - eye_;
   const double scale = perspective_ ? scale_ / forward_.dot(d) : scale_;
   return middle_ + scale * Vec2(right_.dot(d), -up_.dot(d));
+}
+
+std::vector<Vec3> Camera::clipped(const std::vector<Vec3>& polygon) const {
+  if (std::ranges::all_of(polygon, [this](const Vec3& p) { return sees(p); })) return polygon;
+  std::vector<Vec3> part;
+  for (size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    if (sees(a)) part.push_back(a);
+    if (sees(a) != sees(b))
+      part.push_back(a + (b - a) * ((kNear - depth(a)) / (depth(b) - depth(a))));
+  }
+  return part;
 }
 
 Vec3 Camera::point(const Vec2& place, double nearness) const {

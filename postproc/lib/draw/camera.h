@@ -22,6 +22,8 @@ class Camera {
   static Camera parallel(const Vec3& direction, const Vec3& target, double radius, int size);
 
   [[nodiscard]] bool sees(const Vec3& p) const { return !perspective_ || depth(p) > kNear; }
+  // The part of a convex polygon in front of the eye; all of it in a parallel view.
+  [[nodiscard]] std::vector<Vec3> clipped(const std::vector<Vec3>& polygon) const;
   [[nodiscard]] double depth(const Vec3& p) const { return forward_.dot(p - eye_); }
   [[nodiscard]] Vec2 place(const Vec3& p) const;  // [samples]
   [[nodiscard]] double nearness(const Vec3& p) const {

@@ -37,12 +37,22 @@ void Canvas::polyline(std::span<const Vec2> points, double thickness, Colour col
   for (size_t i = 0; i + 1 < points.size(); ++i) line(points[i], points[i + 1], thickness, colour);
 }
 
-void Canvas::dashes(const Vec2& from, const Vec2& to, double thickness, double dash,
-                    Colour colour) {
-  const double length = (to - from).norm();
-  for (double at = 0.0; at < length; at += 2.0 * dash) {
-    const Vec2 begin = from + (to - from) * (at / length);
-    line(begin, from + (to - from) * (std::min(at + dash, length) / length), thickness, colour);
+void Canvas::dashes(std::span<const Vec2> points, double thickness, double dash, Colour colour) {
+  double walked = 0.0;  // along the whole line [px]
+  for (size_t i = 0; i + 1 < points.size(); ++i) {
+    const Vec2 step = points[i + 1] - points[i];
+    const double length = step.norm();
+    for (double at = 0.0; at < length;) {
+      const double phase = std::fmod(walked + at, 2.0 * dash);
+      const double next = std::min(length, at + (phase < dash ? dash : 2.0 * dash) - phase);
+      if (next <= at) break;  // rounding at the end of a dash
+      if (phase < dash) {
+        line(points[i] + step * (at / length), points[i] + step * (next / length), thickness,
+             colour);
+      }
+      at = next;
+    }
+    walked += length;
   }
 }
 

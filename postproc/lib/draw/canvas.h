@@ -28,7 +28,8 @@ class Canvas {
   void line(const Vec2& from, const Vec2& to, double thickness, Colour colour,
             double opacity = 1.0);
   void polyline(std::span<const Vec2> points, double thickness, Colour colour);
-  void dashes(const Vec2& from, const Vec2& to, double thickness, double dash, Colour colour);
+  // Dashes of this length and as long gaps, running on around the corners.
+  void dashes(std::span<const Vec2> points, double thickness, double dash, Colour colour);
   void rectangle(const Vec2& corner, const Vec2& opposite, Colour colour, double opacity = 1.0);
   // `place` is the anchor on the text's base line. `degrees` counter-clockwise.
   void text(const Vec2& place, const std::string& words, double size, Colour colour,

@@ -28,9 +28,11 @@ class DepthBuffer {
   DepthBuffer(int width, int height)
       : width_(width), height_(height), near_(count(), kNothing), polygon_(count(), -1) {}
 
-  void draw(const std::vector<ScenePolygon>& polygons, const Camera& camera) {
-    for (size_t p = 0; p < polygons.size(); ++p)
+  void draw(const std::vector<ScenePolygon>& polygons, const Camera& camera, bool with_ground) {
+    for (size_t p = 0; p < polygons.size(); ++p) {
+      if (!with_ground && polygons[p].object == kGroundObject) continue;
       draw(polygons[p].corners, static_cast<int>(p), camera);
+    }
   }
   [[nodiscard]] bool holds(int x, int y) const {
     return x >= 0 && y >= 0 && x < width_ && y < height_;
@@ -50,10 +52,7 @@ class DepthBuffer {
     const Vec3 normal = normal_of(corners);
     if (!camera.faces_eye(corners[0], normal)) return;
     outline_.clear();
-    for (const Vec3& c : corners) {
-      if (!camera.sees(c)) return;
-      outline_.push_back(camera.place(c));
-    }
+    for (const Vec3& c : camera.clipped(corners)) outline_.push_back(camera.place(c));
     const Vec3 plane = camera.nearness_of_plane(corners[0], normal);
     scan_polygon(outline_, width_, height_, crossings_, [&](int y, int begin, int end) {
       const double row = plane.x() + plane.z() * (y + 0.5);
@@ -77,9 +76,11 @@ struct Ball {
   double radius;
 };
 
+// Of all that throws shadows.
 Ball ball_around(const std::vector<ScenePolygon>& polygons) {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const ScenePolygon& p : polygons) {
+    if (p.object == kGroundObject) continue;
     for (const Vec3& c : p.corners) low = low.cwiseMin(c), high = high.cwiseMax(c);
   }
   return {0.5 * (low + high), 0.5 * (high - low).norm()};
@@ -94,8 +95,8 @@ class Shader {
         sun_(Camera::parallel(-scene.to_sun, ball_.middle, ball_.radius, kSunSize)),
         seen_(canvas.sample_width(), canvas.sample_height()),
         lit_(kSunSize, kSunSize) {
-    seen_.draw(scene.polygons, camera);
-    lit_.draw(scene.polygons, sun_);
+    seen_.draw(scene.polygons, camera, true);
+    lit_.draw(scene.polygons, sun_, false);
     for (const ScenePolygon& p : scene.polygons)
       normals_.push_back(normal_of(p.corners).normalized());
   }
@@ -125,7 +126,10 @@ class Shader {
     const double sun = std::max(0.0, normals_[n].dot(scene_.to_sun)) * share_in_sun(p, normals_[n]);
     const double sky = (0.62 + 0.38 * normals_[n].z()) * openness(x, y, p, normals_[n]);
     const double outline = is_outline(x, y, number) ? 0.62 : 1.0;
-    return scaled(scene_.polygons[n].colour, outline * (0.60 * sky + 0.72 * sun));
+    const ScenePolygon& polygon = scene_.polygons[n];
+    const Colour colour = scaled(polygon.colour, outline * (0.55 * sky + 0.60 * sun));
+    if (polygon.object != kGroundObject) return colour;
+    return mix(kSkyLow, colour, std::exp(-camera_.depth(p) / scene_.haze));
   }
 
   // Of nine samples of the sun's buffer about the point. It is lifted off its own face by a sample

@@ -12,10 +12,12 @@
 
 namespace muckpile {
 
+inline constexpr int kGroundObject = -1;  // receives shadows, throws none, fades into haze
+
 struct ScenePolygon {
   std::vector<Vec3> corners;  // convex, plane, counter-clockwise seen from its visible side [m]
   Colour colour;
-  int object;  // outlines are drawn where the object changes
+  int object;  // outlines are drawn where the object changes; kGroundObject for the ground
 };
 
 struct SceneLine {
@@ -27,6 +29,7 @@ struct Scene {
   std::vector<SceneLine> ghost_lines;  // drawn over the rest, faint where something is in front
   Vec3 to_sun;                         // unit
   double hollow_size;                  // reach of the darkening of hollows [m]
+  double haze = 1e9;                   // distance over which the ground fades by 1/e [m]
 };
 
 // Draws over the whole canvas; the camera counts in the canvas's samples.

@@ -57,6 +57,7 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run,
   for (const CraterRing& ring : rings) top = std::max(top, ring.surface + 0.5 * burial);
   SectionPlot plot{"Crater",
                    "",
+                   "distance from the charge axis [m]",
                    {-reach, reach},
                    {before.low.z(), top},
                    section_at(y, run.blocks, run.last.states),
@@ -79,7 +80,7 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run,
       {both_sides(rings, &CraterRing::true_surface), kInk, 2.5, true, "rock that stayed"}};
   const double half =
       folder.scene_has("hole_diameter_m") ? 0.5 * folder.scene_number("hole_diameter_m") : 0.1;
-  plot.bars = {{{-half, -burial - half}, {half, -burial + half}, kSignal, "charge"}};
+  plot.bars = {{{-half, -burial - half}, {half, -burial + half}, kSignal, "charge before"}};
   plot.note = "section at y = " + spelled(y) + " m, t = " + spelled(run.last.time) +
               " s; rock that stayed is grey";
   return plot;

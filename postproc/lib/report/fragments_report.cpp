@@ -72,8 +72,9 @@ Canvas draw_curves(const std::vector<SizePoint>& fragments, const std::vector<Si
   std::string numbers;
   for (const int percent : {20, 50, 80}) {
     const double size = size_at(fragments, 0.01 * percent);
-    canvas.dashes(axes.place(x.low, percent), axes.place(size, percent), 1.6, 7.0, kSignal);
-    canvas.dashes(axes.place(size, percent), axes.place(size, 0.0), 1.6, 7.0, kSignal);
+    const Vec2 guide[] = {axes.place(x.low, percent), axes.place(size, percent),
+                          axes.place(size, 0.0)};
+    canvas.dashes(guide, 1.6, 7.0, kSignal);
     numbers +=
         (numbers.empty() ? "P" : " · P") + std::to_string(percent) + " " + spelled(size) + " m";
   }

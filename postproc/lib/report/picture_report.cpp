@@ -18,7 +18,7 @@
 namespace muckpile {
 namespace {
 
-constexpr Colour kGround{0.80F, 0.77F, 0.71F};
+constexpr Colour kGround{0.74F, 0.72F, 0.68F};
 constexpr double kOpening = 30.0 * std::numbers::pi / 180.0;  // vertical angle of view [rad]
 
 // Reflects y in the symmetry planes of a bench: copy 0 is the model, odd copies are mirror images.
@@ -60,7 +60,8 @@ void add_ground(const Extent& rock, double x_high, double margin, Scene& scene) 
   const double y0 = rock.low.y() - margin, y1 = rock.low.y(), y2 = rock.high.y(),
                y3 = rock.high.y() + margin;
   const auto add = [&](double xl, double yl, double xh, double yh) {
-    scene.polygons.push_back({{{xl, yl, 0}, {xh, yl, 0}, {xh, yh, 0}, {xl, yh, 0}}, kGround, -1});
+    scene.polygons.push_back(
+        {{{xl, yl, 0}, {xh, yl, 0}, {xh, yh, 0}, {xl, yh, 0}}, kGround, kGroundObject});
   };
   add(x0, y0, x3, y1);
   add(x0, y2, x3, y3);
@@ -68,18 +69,20 @@ void add_ground(const Extent& rock, double x_high, double margin, Scene& scene) 
   add(x2, y1, x3, y2);
 }
 
-void add_ghost(const Extent& rock, Scene& scene) {
-  const double floor = std::min(0.0, rock.high.z() - 1e-9);
-  const double low = rock.high.z() > 0.5 ? floor : rock.low.z();
+// Edges of the rock before the blast, above the floor for a bench.
+std::vector<SceneLine> ghost_of(const Extent& rock) {
+  const double low = rock.high.z() > 0.0 ? std::max(0.0, rock.low.z()) : rock.low.z();
   const auto corner = [&](int k) {
     return Vec3(k & 1 ? rock.high.x() : rock.low.x(), k & 2 ? rock.high.y() : rock.low.y(),
                 k & 4 ? rock.high.z() : low);
   };
+  std::vector<SceneLine> edges;
   for (int from = 0; from < 8; ++from) {
     for (const int bit : {1, 2, 4}) {
-      if ((from & bit) == 0) scene.ghost_lines.push_back({corner(from), corner(from | bit)});
+      if ((from & bit) == 0) edges.push_back({corner(from), corner(from | bit)});
     }
   }
+  return edges;
 }
 
 // Distance along x within which 99 % of the rock lies, at least the model's own.
@@ -90,31 +93,34 @@ double framed_x(const std::vector<StartBlock>& blocks, const Snapshot& last, dou
   return std::max(at_least, size_at(passing_curve(std::move(pieces)), 0.99) + 1.0);
 }
 
-// Nearest eye on the given ray from which the whole box is inside 92 % of the picture.
-Camera framing_camera(const Vec3& low, const Vec3& high, const PictureOptions& options,
+// An eye in the given direction from which the points fill the picture but for a margin.
+Camera framing_camera(const std::vector<Vec3>& points, const PictureOptions& options,
                       const Canvas& canvas) {
-  const double azimuth = options.azimuth * std::numbers::pi / 180.0,
-               rise = options.elevation * std::numbers::pi / 180.0;
+  const double azimuth = options.azimuth * std::numbers::pi / 180.0;
+  const double rise = options.elevation * std::numbers::pi / 180.0;
   const Vec3 to_eye(std::cos(rise) * std::cos(azimuth), -std::cos(rise) * std::sin(azimuth),
                     std::sin(rise));
-  const Vec3 middle = 0.5 * (low + high);
-  const double w = canvas.sample_width(), h = canvas.sample_height();
-  const auto camera_at = [&](double distance) {
-    return Camera::perspective(middle + distance * to_eye, middle, kOpening, canvas.sample_width(),
+  const Vec2 size(canvas.sample_width(), canvas.sample_height());
+  Vec3 target = points.front();
+  double distance = 0.0;
+  for (const Vec3& p : points) distance = std::max(distance, 6.0 * (p - target).norm());
+  const auto camera = [&] {
+    return Camera::perspective(target + distance * to_eye, target, kOpening, canvas.sample_width(),
                                canvas.sample_height());
   };
-  double distance = 0.6 * (high - low).norm();
-  for (bool all = false; !all; distance *= 1.03) {
-    const Camera camera = camera_at(distance);
-    all = true;
-    for (int k = 0; k < 8 && all; ++k) {
-      const Vec3 corner(k & 1 ? high.x() : low.x(), k & 2 ? high.y() : low.y(),
-                        k & 4 ? high.z() : low.z());
-      const Vec2 p = camera.place(corner) - Vec2(0.5 * w, 0.5 * h);
-      all = camera.sees(corner) && std::abs(p.x()) < 0.46 * w && std::abs(p.y()) < 0.43 * h;
+  constexpr int kRounds = 12;  // each halves what is left of the error or better
+  for (int round = 0; round < kRounds; ++round) {
+    const Camera view = camera();
+    Vec2 low = size, high = Vec2::Zero();
+    for (const Vec3& p : points) {
+      low = low.cwiseMin(view.place(p));
+      high = high.cwiseMax(view.place(p));
     }
+    const Vec2 filled = (high - low).cwiseQuotient(Vec2(0.90 * size.x(), 0.80 * size.y()));
+    target = view.point(0.5 * (low + high), view.nearness(target));
+    distance *= std::clamp(filled.maxCoeff(), 0.5, 2.0);
   }
-  return camera_at(distance);
+  return camera();
 }
 
 class Picture {
@@ -129,6 +135,13 @@ class Picture {
     whole_.low.y() -= options.mirror * width;
     whole_.high.y() += options.mirror * width;
     x_high_ = framed_x(blocks, last, rock_.high.x());
+    for (const SceneLine& edge : ghost_of(whole_))
+      framed_.push_back(edge.from), framed_.push_back(edge.to);
+    for (const BlockState& state : last.states) {
+      if (state.centre.x() > x_high_) continue;
+      for (const int copy : {-options.mirror, options.mirror})
+        framed_.push_back(Reflection(copy, rock_).of(state.centre));
+    }
   }
 
   void write(const Snapshot& snapshot, std::optional<double> fastest,
@@ -141,12 +154,11 @@ class Picture {
     for (int copy = -options_.mirror; copy <= options_.mirror; ++copy) {
       add_blocks(blocks_, snapshot, colours, Reflection(copy, rock_), scene);
     }
-    add_ground(whole_, x_high_, 2.0 * (x_high_ - whole_.low.x()), scene);
-    add_ghost(whole_, scene);
-    Vec3 low = whole_.low, high = whole_.high;
-    low.z() = std::max(low.z(), high.z() > 0.5 ? 0.0 : low.z());
-    high.x() = x_high_;
-    draw_scene(scene, framing_camera(low, high, options_, canvas), canvas);
+    const double length = x_high_ - whole_.low.x();
+    add_ground(whole_, x_high_, 60.0 * length, scene);
+    scene.haze = 12.0 * length;
+    scene.ghost_lines = ghost_of(whole_);
+    draw_scene(scene, framing_camera(framed_, options_, canvas), canvas);
     draw_words(snapshot, colours, canvas);
     write_png(canvas, path);
   }
@@ -171,6 +183,7 @@ class Picture {
   const std::vector<StartBlock>& blocks_;
   const PictureOptions& options_;
   Extent rock_, whole_;
+  std::vector<Vec3> framed_;  // what the picture is to show [m]
   double x_high_;
 };
 

@@ -122,6 +122,7 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run, const Pil
   const double top = std::max(hole.top, *std::ranges::max_element(p.mean));
   SectionPlot plot{title_of(folder),
                    "",
+                   "distance from the free face, along the throw [m]",
                    {before.low.x() - 1.0, reach + 1.0},
                    {before.low.z() - 0.5, top + 0.12 * hole.top},
                    section_at(y, run.blocks, run.last.states),
@@ -136,11 +137,11 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run, const Pil
   plot.bars = {{{hole.x - hole.radius, hole.charge_bottom},
                 {hole.x + hole.radius, hole.charge_top},
                 kSignal,
-                "charge"},
+                "charge before"},
                {{hole.x - hole.radius, hole.charge_top},
                 {hole.x + hole.radius, hole.top},
                 kGrey,
-                "stemming"}};
+                "stemming before"}};
   const auto beyond = std::ranges::count_if(
       run.last.states, [&](const BlockState& s) { return s.centre.x() > plot.x.high; });
   plot.note = "section at y = " + spelled(y) + " m, t = " + spelled(run.last.time) +

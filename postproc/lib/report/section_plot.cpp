@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "draw/text.h"
+
 namespace muckpile {
 namespace {
 
@@ -55,12 +57,11 @@ void draw_lines(const SectionPlot& plot, const Axes& axes, Canvas& canvas) {
       if (p.x() >= plot.x.low && p.x() <= plot.x.high)
         inside.push_back(axes.place(p.x(), std::clamp(p.y(), plot.z.low, plot.z.high)));
     }
-    if (!line.dashed) {
+    if (line.dashed) {
+      canvas.dashes(inside, line.thickness, 9.0, line.colour);
+    } else {
       canvas.polyline(inside, line.thickness, line.colour);
-      continue;
     }
-    for (size_t i = 0; i + 1 < inside.size(); ++i)
-      canvas.dashes(inside[i], inside[i + 1], line.thickness, 9.0, line.colour);
   }
 }
 
@@ -84,12 +85,13 @@ void draw_key(const SectionPlot& plot, Canvas& canvas) {
   double x = kLeft;
   const auto label = [&](const std::string& name) {
     canvas.text({x + kStroke + 8.0, kY + 7.0}, name, kTextSize, kInk);
-    x += kStroke + 30.0 + 0.52 * kTextSize * static_cast<double>(name.size());
+    x += kStroke + 36.0 + text_mask(name, kTextSize, 0.0).advance.x();
   };
   for (const SectionLine& line : plot.lines) {
     const Vec2 from(x, kY), to(x + kStroke, kY);
     if (line.dashed) {
-      canvas.dashes(from, to, line.thickness, 9.0, line.colour);
+      const Vec2 stroke[] = {from, to};
+      canvas.dashes(stroke, line.thickness, 9.0, line.colour);
     } else {
       canvas.line(from, to, line.thickness, line.colour);
     }
@@ -111,7 +113,7 @@ Canvas draw_section(SectionPlot plot) {
   draw_blocks(plot, axes, canvas);
   draw_lines(plot, axes, canvas);
   draw_bars(plot, axes, canvas);
-  axes.draw_frame(canvas, "distance from the free face, along the throw [m]", "height [m]");
+  axes.draw_frame(canvas, plot.x_label, "height [m]");
   canvas.text({kLeft, 48.0}, plot.title, kTitleSize, kInk);
   canvas.text({kLeft, 88.0}, plot.subtitle, kTextSize + 2.0, kInk);
   draw_key(plot, canvas);
