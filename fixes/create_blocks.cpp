@@ -44,6 +44,9 @@ const ArgTable& table() {
           .real("block_max", "m", Range::positive(), std::nullopt, "largest block size")
           .group("hole", 7, 7, true,
                  "crushed zone of one charge: toe x y z, collar x y z, radius [m]; its rock is removed")
+          .group("hole_row", 11, 11, true,
+                 "N dx dy dz, then the words of `hole`: N equal holes, each shifted by (dx, dy, dz) [m] from the "
+                 "one before; numbered after all single holes")
           .group("support", 2, 2, true,
                  "`fixed REGION` or `mirror REGION`: how boundary faces with their centroid in that region "
                  "are held; all others are free faces")
@@ -165,12 +168,29 @@ void CreateBlocks::check_overlap(LAMMPS_NS::Region& rock) const {
   }
 }
 
-Hole CreateBlocks::hole(const std::vector<std::string>& words) const {
-  std::array<double, 7> v{};
-  for (std::size_t k = 0; k < v.size(); ++k) {
-    v[k] = parse_real(kStyle, "hole", words[k], "m", k < 6 ? Range::any() : Range::positive());
+std::vector<Hole> CreateBlocks::holes(const ArgValues& args) const {
+  const auto read = [](const char* keyword, const std::vector<std::string>& words, std::size_t first) {
+    std::array<double, 7> v{};
+    for (std::size_t k = 0; k < v.size(); ++k) {
+      v[k] = parse_real(kStyle, keyword, words[first + k], "m", k < 6 ? Range::any() : Range::positive());
+    }
+    return Hole{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, v[6]};
+  };
+  std::vector<Hole> found;
+  for (const auto& words : args.groups("hole")) found.push_back(read("hole", words, 0));
+  for (const auto& words : args.groups("hole_row")) {
+    const long count = parse_integer(kStyle, "hole_row", words[0], "", Range::closed(1, 100000));
+    Vec3 shift;
+    for (int c = 0; c < 3; ++c) {
+      shift[c] = parse_real(kStyle, "hole_row", words[static_cast<std::size_t>(c) + 1], "m", Range::any());
+    }
+    const Hole first = read("hole_row", words, 4);
+    for (long k = 0; k < count; ++k) {
+      const Vec3 by = static_cast<double>(k) * shift;
+      found.push_back({first.toe + by, first.collar + by, first.radius});
+    }
   }
-  return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, v[6]};
+  return found;
 }
 
 SizeLaw CreateBlocks::size_law(const ArgValues& args) const {
@@ -224,7 +244,7 @@ TessellationOptions CreateBlocks::options(LAMMPS_NS::Region& rock, const ArgValu
   if ((what.lo.array() < box_lo.array()).any() || (what.hi.array() > box_hi.array()).any()) {
     throw InputError(std::string(kStyle) + ": region '" + rock.id + "' must lie inside the simulation box");
   }
-  for (const auto& words : args.groups("hole")) what.holes.push_back(hole(words));
+  what.holes = holes(args);
   what.size = size_law(args);
   what.seed = static_cast<unsigned long>(args.integer("seed"));
   what.sweeps = static_cast<int>(args.integer("sweeps"));

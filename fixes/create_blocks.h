@@ -43,7 +43,7 @@ class CreateBlocks : protected LAMMPS_NS::Pointers {
   [[nodiscard]] LAMMPS_NS::Region& region(const std::string& id) const;
   [[nodiscard]] TessellationOptions options(LAMMPS_NS::Region& rock, const ArgValues& args) const;
   [[nodiscard]] SizeLaw size_law(const ArgValues& args) const;
-  [[nodiscard]] Hole hole(const std::vector<std::string>& words) const;
+  [[nodiscard]] std::vector<Hole> holes(const ArgValues& args) const;
   [[nodiscard]] SupportRule support(const ArgValues& args) const;
   [[nodiscard]] std::size_t most_blocks(const ArgValues& args) const;
   [[nodiscard]] Model cut(const TessellationOptions& what, const ArgValues& args) const;
