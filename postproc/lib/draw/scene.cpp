@@ -124,10 +124,10 @@ class Shader {
     const auto n = static_cast<size_t>(number);
     const Vec3 p = camera_.point({x + 0.5, y + 0.5}, seen_.near(x, y));
     const double sun = std::max(0.0, normals_[n].dot(scene_.to_sun)) * share_in_sun(p, normals_[n]);
-    const double sky = (0.62 + 0.38 * normals_[n].z()) * openness(x, y, p, normals_[n]);
+    const double sky = (0.72 + 0.28 * normals_[n].z()) * openness(x, y, p, normals_[n]);
     const double outline = is_outline(x, y, number) ? 0.62 : 1.0;
     const ScenePolygon& polygon = scene_.polygons[n];
-    const Colour colour = scaled(polygon.colour, outline * (0.55 * sky + 0.60 * sun));
+    const Colour colour = scaled(polygon.colour, outline * (0.60 * sky + 0.58 * sun));
     if (polygon.object != kGroundObject) return colour;
     return mix(kSkyLow, colour, std::exp(-camera_.depth(p) / scene_.haze));
   }

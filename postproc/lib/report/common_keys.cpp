@@ -12,17 +12,17 @@ nlohmann::ordered_json common_keys(const ResultFolder& folder) {
   const History history = read_history(folder.dump("history.csv"));
   nlohmann::ordered_json keys;
   keys["case"] = folder.scene_word("case");
-  for (const char* key : {"blocks", "spheres", "joints"}) {
-    if (!run.contains(key))
+  for (const char* key : {"blocks", "spheres", "joints", "energy_balance_error", "physical_time_s",
+                          "wall_time_s", "steps"}) {
+    if (!run.contains(key)) {
       throw InputError(folder.dump("run.json").string() + ": has no key '" + key + "'");
+    }
     keys[key] = run[key];
   }
   keys["joints_broken_fraction"] = history.joints_broken_fraction;
   keys["fastest_block_m_s"] = history.fastest_block;
-  keys["energy_balance_error"] = run.contains("energy_balance_error")
-                                     ? run["energy_balance_error"]
-                                     : nlohmann::ordered_json(history.worst_balance_error);
-  for (const char* key : {"physical_time_s", "wall_time_s", "steps", "ranks", "still"}) {
+  keys["energy_balance_error_worst"] = history.worst_balance_error;
+  for (const char* key : {"ranks", "still"}) {
     if (run.contains(key)) keys[key] = run[key];
   }
   return keys;

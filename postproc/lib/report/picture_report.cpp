@@ -149,7 +149,7 @@ class Picture {
     Canvas canvas(options_.width, options_.height, kWhite);
     const BlockColours colours = block_colours(options_.colour_by, blocks_, snapshot, fastest);
     Scene scene;
-    scene.to_sun = Vec3(0.45, -0.35, 0.80).normalized();
+    scene.to_sun = Vec3(0.50, -0.45, 0.74).normalized();
     scene.hollow_size = 2.0 * mean_size();
     for (int copy = -options_.mirror; copy <= options_.mirror; ++copy) {
       add_blocks(blocks_, snapshot, colours, Reflection(copy, rock_), scene);

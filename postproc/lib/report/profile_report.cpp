@@ -105,10 +105,21 @@ std::string title_of(const ResultFolder& folder) {
 }
 
 std::string subtitle_of(const PileShape& s, const Throw& t, double face_speed) {
-  return "throw of the mass centre " + spelled(t.centre_of_mass) + " m · height " +
-         spelled(s.height) + " m · toe " + spelled(s.toe) + " m · swell " + spelled(s.swell) +
-         " · front slope " + spelled(degrees(s.repose_angle)) + "° · face " + spelled(face_speed) +
-         " m/s";
+  const struct {
+    const char *name, *unit;
+    double value;
+  } facts[] = {{"throw of the mass centre ", " m", t.centre_of_mass},
+               {"height ", " m", s.height},
+               {"toe ", " m", s.toe},
+               {"swell ", "", s.swell},
+               {"front slope ", "°", degrees(s.repose_angle)},
+               {"face ", " m/s", face_speed}};
+  std::string text;
+  for (const auto& [name, unit, value] : facts) {
+    if (std::isnan(value)) continue;
+    text += (text.empty() ? "" : " · ") + (name + spelled(value)) + unit;
+  }
+  return text;
 }
 
 // Shows the pile to a fifth beyond its toe; a few blocks that flew farther would shrink all the

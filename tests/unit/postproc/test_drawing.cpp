@@ -71,9 +71,12 @@ TEST(Axes, TicksAreRoundNumbersInsideTheRange) {
   const auto fine = straight_ticks({0.0, 1.0}, 5);
   ASSERT_EQ(fine.size(), 6U);
   EXPECT_NEAR(fine[3], 0.6, 1e-12);
-  const auto logarithmic = logarithmic_ticks({0.1, 1.0});
-  ASSERT_EQ(logarithmic.size(), 4U);
-  EXPECT_NEAR(logarithmic[2], 0.5, 1e-12);
+  const auto wide = logarithmic_ticks({0.01, 1.0});  // 0.01, 0.02, 0.05, 0.1 ...
+  ASSERT_EQ(wide.size(), 7U);
+  EXPECT_NEAR(wide[2], 0.05, 1e-12);
+  const auto narrow = logarithmic_ticks({0.15, 0.45});  // 0.2, 0.3, 0.4
+  ASSERT_EQ(narrow.size(), 3U);
+  EXPECT_NEAR(narrow[1], 0.3, 1e-12);
 }
 
 TEST(Axes, PlacesDataLinearlyAndByLogarithm) {

@@ -132,6 +132,16 @@ TEST_F(BenchReports, SeriesHoldsThePosedBlocksAndTheirTimes) {
   EXPECT_TRUE(std::filesystem::exists(temporary_.path() / "vtk" / "blocks.pvd"));
 }
 
+TEST_F(BenchReports, RunFileWithoutAKeyIsNamed) {
+  write_text(temporary_.path() / "dump" / "run.json", "{\"blocks\": 1, \"spheres\": 9}");
+  try {
+    static_cast<void>(common_keys(ResultFolder(temporary_.path())));
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("run.json: has no key 'joints'"), std::string::npos);
+  }
+}
+
 TEST_F(BenchReports, CraterRefusesABench) {
   EXPECT_THROW(report_crater(ResultFolder(temporary_.path()), {}, {}), InputError);
 }
