@@ -144,7 +144,6 @@ void FixMuckpileJoint::follow_blocks() {
     loaded_faces_.push_back(k);
     loaded_.push_back({face.hole, face.area, face.start});
   }
-  refresh_states();
   refresh_enclosed();
 }
 
@@ -154,7 +153,7 @@ void FixMuckpileJoint::refresh_enclosed() {
   std::vector<bool> open(network_.blocks().size(), false);
   for (const BoundaryFace& face : network_.faces()) open[static_cast<std::size_t>(face.block)] = true;
   for (std::size_t f = 0; f < network_.facets().size(); ++f) {
-    if (!network_.memory()[f].cracked) continue;
+    if (network_.states()[f] == FacetState::intact) continue;
     open[static_cast<std::size_t>(network_.facets()[f].i)] = true;
     open[static_cast<std::size_t>(network_.facets()[f].j)] = true;
   }
@@ -174,7 +173,6 @@ void FixMuckpileJoint::post_force(int) {
   store_->halo().forward(network_.theta().first(store_->halo().size()), 1);
   network_.tractions(update->dt);
   apply_forces();
-  refresh_states();
   ask_for_neighbours();
 }
 
@@ -211,18 +209,6 @@ void FixMuckpileJoint::apply_forces() {
   for (int b = 0; b < bodies.count(); ++b) {
     bodies.force(b) += network_.force()[static_cast<std::size_t>(b)];
     bodies.torque(b) += network_.torque()[static_cast<std::size_t>(b)];
-  }
-}
-
-void FixMuckpileJoint::refresh_states() {
-  const std::vector<FacetMemory>& remembered = network_.memory();
-  states_.resize(remembered.size());
-  for (std::size_t f = 0; f < remembered.size(); ++f) {
-    const FacetMemory& m = remembered[f];
-    states_[f] = m.retired     ? FacetState::retired
-                 : m.fade < 1.0 ? FacetState::fading
-                 : m.cracked    ? FacetState::cracked
-                                : FacetState::intact;
   }
 }
 

@@ -34,7 +34,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix, public FacetKeeper, public Joint
   void hand_back(std::vector<FacetMemory>& facet_memory, std::vector<BoundaryFace>& faces) override;
 
   [[nodiscard]] int facet_between(int block_tag_a, int block_tag_b) const override;
-  [[nodiscard]] const FacetState* facet_states() const override { return states_.data(); }
+  [[nodiscard]] const FacetState* facet_states() const override { return network_.states().data(); }
   [[nodiscard]] bool enclosed(int block_tag) const override;
 
   [[nodiscard]] int hole_count() const override;
@@ -55,7 +55,6 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix, public FacetKeeper, public Joint
   void follow_blocks();
   void gather_state();
   void apply_forces();
-  void refresh_states();
   void refresh_enclosed();
   void ask_for_neighbours();
   [[nodiscard]] double sum(double mine) const;
@@ -63,7 +62,6 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix, public FacetKeeper, public Joint
   FacetNetwork network_;
   FixMuckpileBlocks* store_ = nullptr;
   std::uint64_t version_ = 0;
-  std::vector<FacetState> states_;
   std::vector<std::pair<std::pair<int, int>, int>> facet_index_;  // sorted by the two tags
   std::vector<int> enclosed_tags_;                                // sorted
   std::vector<std::size_t> loaded_faces_;                         // positions in network_.faces()

@@ -3,17 +3,9 @@
 // Scope: an interface only; fix muckpile/joint implements it, pair muckpile/block reads it.
 #pragma once
 
-#include <cstdint>
+#include "bond/facet_network.h"
 
 namespace muckpile {
-
-/// State of a joint facet; it only ever moves down this list.
-enum class FacetState : std::uint8_t {
-  intact,   ///< every integration point holds
-  cracked,  ///< at least one point broke; the facet itself carries what contact there is
-  fading,   ///< slid or turned so far that sphere contact acts beside the fading facet
-  retired   ///< the facet carries nothing any more
-};
 
 class JointView {
  public:

@@ -31,7 +31,7 @@ FacetSet build_facets(const std::vector<Block>& blocks, int first_tag, const Sup
       const int other = block.neighbour[k];
       if (other >= 0 && other < static_cast<int>(b)) continue;  // made by the other block
       const FaceGeometry face = face_geometry(block.shape, static_cast<int>(k));
-      if (face.area < smallest) continue;
+      if (face.area < smallest && !is_hole_face(other)) continue;
       const Support held = other == kFreeFace ? support(face.centroid) : Support::free;
       if (other >= 0 || held != Support::free) {
         const Vec3 centre_j = other >= 0 ? blocks[static_cast<std::size_t>(other)].mass.centroid : Vec3::Zero();

@@ -22,13 +22,10 @@ double ramp_down(double x, double start, double end) {
   return std::clamp((end - x) / (end - start), 0.0, 1.0);
 }
 
-/// In-plane position of integration point p, in the start orientation. Three points at 120 degrees
-/// on the ellipse of half axes sqrt(2) x gyration radii have the facet's second moments.
-Vec3 point_offset(const Facet& facet, int p) {
-  if (p == 0) return facet.half_axes[0];
-  const double side = p == 1 ? kHalfSqrt3 : -kHalfSqrt3;
-  return -0.5 * facet.half_axes[0] + side * facet.half_axes[1];
-}
+/// Weights of the two half axes at integration point p: three points at 120 degrees on the ellipse
+/// of half axes sqrt(2) x gyration radii have the facet's second moments.
+constexpr std::array<std::array<double, 2>, kFacetPoints> kPoints = {
+    {{1.0, 0.0}, {-0.5, kHalfSqrt3}, {-0.5, -kHalfSqrt3}}};
 
 }  // namespace
 
@@ -46,8 +43,11 @@ void FacetNetwork::set_facets(std::vector<Facet> facets, std::vector<FacetMemory
   facets_ = std::move(facets);
   memory_ = std::move(memory);
   memory_.resize(facets_.size());
-  kinematics_.resize(facets_.size());
+  kinematics_.assign(facets_.size(), {Vec3::UnitX(), Vec3::Zero(), Vec3::Zero()});
+  states_.resize(facets_.size());
+  for (std::size_t f = 0; f < facets_.size(); ++f) states_[f] = memory_[f].state;
   derive();
+  list_active();
   count_unbonded();
 }
 
@@ -57,22 +57,38 @@ void FacetNetwork::set_faces(std::vector<BoundaryFace> faces) {
 }
 
 void FacetNetwork::derive() {
-  derived_.resize(facets_.size());
+  elastic_.resize(facets_.size());
+  law_.resize(facets_.size());
   for (std::size_t f = 0; f < facets_.size(); ++f) {
     const Facet& facet = facets_[f];
-    Derived& d = derived_[f];
     const bool grounded = facet.kind != FacetKind::joint;
-    d.depth_i = facet.normal.dot(facet.arm_i);
-    d.depth_j = grounded ? 0.0 : -facet.normal.dot(facet.arm_j);
-    d.share_i = grounded ? 1.0 : 0.5;
-    d.share_j = grounded ? 0.0 : 0.5;
-    d.k = material_.facet_stiffness(d.depth_i + d.depth_j);
-    d.radius = std::sqrt(facet.area / M_PI);
-    d.tan_friction = material_.tan_friction();
-    d.tan_residual = material_.tan_residual_friction();
-    d.cohesion = material_.parameters().cohesion;
-    if (facet.kind == FacetKind::mirror) d.k.shear = d.tan_residual = 0.0;
+    const double share_i = grounded ? 1.0 : 0.5, share_j = grounded ? 0.0 : 0.5;
+    Law& law = law_[f];
+    law.depth_i = facet.normal.dot(facet.arm_i);
+    law.depth_j = grounded ? 0.0 : -facet.normal.dot(facet.arm_j);
+    const FacetStiffness k = material_.facet_stiffness(law.depth_i + law.depth_j);
+    const bool smooth = facet.kind == FacetKind::mirror;
+    law.half_1 = facet.half_axes[0];
+    law.half_2 = facet.half_axes[1];
+    law.area = facet.area / kFacetPoints;
+    law.shear = smooth ? 0.0 : k.shear;
+    law.normal_extra = k.normal - law.shear;
+    law.theta_i = share_i * k.rock_share * material_.lame_lambda();
+    law.theta_j = share_j * k.rock_share * material_.lame_lambda();
+    law.contact = k.contact;
+    law.tan_residual = smooth ? 0.0 : material_.tan_residual_friction();
+    law.radius = std::sqrt(facet.area / M_PI);
+    elastic_[f] = {facet.i, facet.j, facet.normal, facet.arm_i, facet.arm_j,
+                   share_i * k.rock_share * facet.area, share_j * k.rock_share * facet.area};
   }
+}
+
+void FacetNetwork::list_active() {
+  active_.clear();
+  for (std::size_t f = 0; f < states_.size(); ++f) {
+    if (states_[f] != FacetState::retired) active_.push_back(f);
+  }
+  retired_since_ = 0;
 }
 
 void FacetNetwork::count_unbonded() {
@@ -86,35 +102,17 @@ void FacetNetwork::count_unbonded() {
     const auto i = static_cast<std::size_t>(facet.i), j = static_cast<std::size_t>(facet.j);
     for (bool broken : memory_[f].broken) {
       if (!broken) continue;
-      const double area = facet.area / kFacetPoints;
-      sums_[i].unbonded += area * derived_[f].depth_i / blocks_[i].volume;
-      sums_[j].unbonded += area * derived_[f].depth_j / blocks_[j].volume;
+      sums_[i].unbonded += law_[f].area * law_[f].depth_i / blocks_[i].volume;
+      sums_[j].unbonded += law_[f].area * law_[f].depth_j / blocks_[j].volume;
     }
   }
 }
 
 void FacetNetwork::dilatation() {
+  if (4 * retired_since_ > active_.size()) list_active();
   for (BlockSums& sums : sums_) sums.bonded = sums.loaded = sums.squeezed = 0.0;
-  for (std::size_t f = 0; f < facets_.size(); ++f) {
-    if (memory_[f].retired) continue;
-    const Facet& facet = facets_[f];
-    const Derived& d = derived_[f];
-    const auto i = static_cast<std::size_t>(facet.i), j = static_cast<std::size_t>(facet.j);
-    const BlockState &si = state_[i], &sj = state_[j];
-    Kinematics& kin = kinematics_[f];
-    kin.normal.noalias() = (si.rotation * facet.normal + sj.rotation * facet.normal).normalized();
-    kin.jump.noalias() = sj.centre + sj.rotation * facet.arm_j - si.centre - si.rotation * facet.arm_i;
-    double opened = 0.0;  // integral of the bonded normal jump over the facet [m3]
-    if (!memory_[f].cracked) {
-      opened = facet.area * kin.normal.dot(kin.jump);
-    } else {
-      for (int p = 0; p < kFacetPoints; ++p) {
-        if (memory_[f].broken[static_cast<std::size_t>(p)]) continue;
-        opened += facet.area / kFacetPoints * kin.normal.dot(point_of(f, p).jump);
-      }
-    }
-    sums_[i].bonded += d.share_i * d.k.rock_share * opened;
-    sums_[j].bonded += d.share_j * d.k.rock_share * opened;
+  for (std::size_t f : active_) {
+    if (states_[f] != FacetState::retired) open_facet(f);
   }
   const double two_g = 2.0 * material_.shear_modulus();
   for (const BoundaryFace& face : faces_) {
@@ -132,185 +130,235 @@ void FacetNetwork::dilatation() {
   theta_.back() = 0.0;  // the ground
 }
 
+/// Kinematics of a facet, and its part in the dilatation of its blocks.
+void FacetNetwork::open_facet(std::size_t f) {
+  const Elastic& e = elastic_[f];
+  const auto i = static_cast<std::size_t>(e.i), j = static_cast<std::size_t>(e.j);
+  const BlockState &si = state_[i], &sj = state_[j];
+  Kinematics& kin = kinematics_[f];
+  const Mat3 both = si.rotation + sj.rotation;
+  kin.normal.noalias() = both * e.normal;
+  kin.normal *= 1.0 / std::sqrt(kin.normal.squaredNorm());
+  kin.side.noalias() = si.rotation * e.arm_i;
+  kin.jump.noalias() = sj.rotation * e.arm_j;
+  kin.jump += sj.centre - si.centre - kin.side;
+  double opened = kin.normal.dot(kin.jump);  // mean over the facet of the bonded normal jump [m]
+  if (states_[f] != FacetState::intact) {
+    const Frame frame = frame_of(f);
+    opened = 0.0;
+    for (int p = 0; p < kFacetPoints; ++p) {
+      if (memory_[f].broken[static_cast<std::size_t>(p)]) continue;
+      opened += kin.normal.dot(point_of(f, frame, p).jump) / kFacetPoints;
+    }
+  }
+  sums_[i].bonded += e.area_i * opened;
+  sums_[j].bonded += e.area_j * opened;
+}
+
 void FacetNetwork::tractions(double dt) {
   std::fill(force_.begin(), force_.end(), Vec3::Zero());
   std::fill(torque_.begin(), torque_.end(), Vec3::Zero());
   newly_cracked_ = false;
-  for (std::size_t f = 0; f < facets_.size(); ++f) {
-    if (memory_[f].retired) continue;
-    if (memory_[f].cracked) {
-      cracked_facet(f, dt);
-    } else {
-      intact_facet(f, dt);
-    }
+  const bool damped = material_.damping_coefficient() > 0.0;
+  for (std::size_t f : active_) {
+    if (states_[f] == FacetState::retired) continue;
+    if (states_[f] != FacetState::intact || damped || !hold_facet(f)) work_facet(f, dt);
   }
   load_faces();
   if (newly_cracked_) book_fracture();
 }
 
-FacetNetwork::Point FacetNetwork::point_of(std::size_t f, int p) const {
-  const Facet& facet = facets_[f];
-  const BlockState& si = state_[static_cast<std::size_t>(facet.i)];
-  const BlockState& sj = state_[static_cast<std::size_t>(facet.j)];
-  const Vec3 offset = point_offset(facet, p);
-  const Vec3 side_i = si.rotation * (facet.arm_i + offset);
+FacetNetwork::Frame FacetNetwork::frame_of(std::size_t f) const {
+  const Law& law = law_[f];
+  const Mat3& ri = state_[static_cast<std::size_t>(elastic_[f].i)].rotation;
+  const Mat3& rj = state_[static_cast<std::size_t>(elastic_[f].j)].rotation;
+  Frame frame;
+  frame.half_1.noalias() = ri * law.half_1;
+  frame.half_2.noalias() = ri * law.half_2;
+  frame.turn_1.noalias() = rj * law.half_1;
+  frame.turn_2.noalias() = rj * law.half_2;
+  frame.turn_1 -= frame.half_1;
+  frame.turn_2 -= frame.half_2;
+  return frame;
+}
+
+FacetNetwork::Point FacetNetwork::point_of(std::size_t f, const Frame& frame, int p) const {
+  const auto [c, s] = kPoints[static_cast<std::size_t>(p)];
   Point point;
-  point.jump = kinematics_[f].jump + sj.rotation * offset - si.rotation * offset;
-  point.at = si.centre + side_i + 0.5 * point.jump;
+  point.jump = kinematics_[f].jump + c * frame.turn_1 + s * frame.turn_2;
+  point.arm = kinematics_[f].side + c * frame.half_1 + s * frame.half_2 + 0.5 * point.jump;
   return point;
 }
 
-void FacetNetwork::intact_facet(std::size_t f, double dt) {
-  for (int p = 0; p < kFacetPoints; ++p) bonded_point(f, p, point_of(f, p), dt);
-}
-
-void FacetNetwork::cracked_facet(std::size_t f, double dt) {
-  update_fade(f);
-  if (memory_[f].retired) return;
-  for (int p = 0; p < kFacetPoints; ++p) {
-    const Point point = point_of(f, p);
-    if (memory_[f].broken[static_cast<std::size_t>(p)]) {
-      contact_point(f, p, point, dt);
-    } else {
-      bonded_point(f, p, point, dt);
-    }
-  }
-}
-
-void FacetNetwork::bonded_point(std::size_t f, int p, const Point& point, double dt) {
-  const Facet& facet = facets_[f];
-  const Derived& d = derived_[f];
+Vec3 FacetNetwork::bonded_traction(std::size_t f, const Point& point) const {
+  const Law& law = law_[f];
   const Vec3& n = kinematics_[f].normal;
-  const double theta = d.share_i * theta_[static_cast<std::size_t>(facet.i)] +
-                       d.share_j * theta_[static_cast<std::size_t>(facet.j)];
-  const double normal_jump = n.dot(point.jump);
-  const double normal_extra =
-      (d.k.normal - d.k.shear) * normal_jump + d.k.rock_share * material_.lame_lambda() * theta;
-  Vec3 traction = d.k.shear * point.jump + normal_extra * n;
-  const double normal = n.dot(traction);
-  const double shear = (traction - normal * n).norm();
-  if (joint_fails(normal, shear, material_.parameters().tension, d.cohesion, d.tan_friction)) {
-    break_point(f, p, point, traction);
-    contact_point(f, p, point, dt);
-    return;
+  const double along_normal = law.normal_extra * n.dot(point.jump) +
+                              law.theta_i * theta_[static_cast<std::size_t>(elastic_[f].i)] +
+                              law.theta_j * theta_[static_cast<std::size_t>(elastic_[f].j)];
+  return law.shear * point.jump + along_normal * n;
+}
+
+bool FacetNetwork::fails(const Vec3& normal, const Vec3& traction) const {
+  const double along = normal.dot(traction);
+  const double shear = std::sqrt(std::max(0.0, traction.squaredNorm() - along * along));
+  const JointParameters& p = material_.parameters();
+  return joint_fails(along, shear, p.tension, p.cohesion, material_.tan_friction());
+}
+
+/// Forces of an intact, undamped facet; false, and nothing done, if a point of it fails.
+bool FacetNetwork::hold_facet(std::size_t f) {
+  const Frame frame = frame_of(f);
+  Push push;
+  for (int p = 0; p < kFacetPoints; ++p) {
+    const Point point = point_of(f, frame, p);
+    const Vec3 traction = bonded_traction(f, point);
+    if (fails(kinematics_[f].normal, traction)) return false;
+    push.force += traction;
+    push.moment += point.arm.cross(traction);
   }
-  const double area = facet.area / kFacetPoints;
+  push.force *= law_[f].area;
+  push.moment *= law_[f].area;
+  apply(f, push);
+  return true;
+}
+
+/// Forces of any facet: breaks points, and handles broken and damped ones.
+void FacetNetwork::work_facet(std::size_t f, double dt) {
+  const Frame frame = frame_of(f);
+  if (states_[f] != FacetState::intact) update_fade(f, frame);
+  if (states_[f] == FacetState::retired) return;
   const double damping = material_.damping_coefficient();
-  if (damping > 0.0) {
-    const Vec3 rate = relative_velocity(facet, point.at);
-    traction += damping * rate;
-    losses_.damping += facet.weight * area * damping * rate.squaredNorm() * dt;
+  Push push;
+  for (int p = 0; p < kFacetPoints; ++p) {
+    const Point point = point_of(f, frame, p);
+    Vec3 traction;
+    if (!memory_[f].broken[static_cast<std::size_t>(p)]) {
+      traction = bonded_traction(f, point);
+      if (fails(kinematics_[f].normal, traction)) {
+        break_point(f, p, point, traction);
+      } else if (damping > 0.0) {
+        const Vec3 rate = relative_velocity(f, point.arm);
+        traction += damping * rate;
+        losses_.damping += facets_[f].weight * law_[f].area * damping * rate.squaredNorm() * dt;
+      }
+    }
+    if (memory_[f].broken[static_cast<std::size_t>(p)]) traction = contact_traction(f, p, point, dt);
+    push.force += law_[f].area * traction;
+    push.moment += law_[f].area * point.arm.cross(traction);
   }
-  push(facet, point.at, area * traction);
+  apply(f, push);
 }
 
 void FacetNetwork::break_point(std::size_t f, int p, const Point& point, const Vec3& traction) {
-  const Facet& facet = facets_[f];
-  const Derived& d = derived_[f];
+  const Law& law = law_[f];
   const Vec3& n = kinematics_[f].normal;
   const double normal = n.dot(traction);
   const double held = std::min(normal, 0.0);
   const Vec3 shear = traction - normal * n;
-  const double limit = d.tan_residual * -held;
+  const double limit = law.tan_residual * -held;
   const double shear_size = shear.norm();
   const double kept = shear_size > limit ? limit / shear_size : 1.0;
   // The contact starts with the compression that the joint carried and the shear that friction can.
-  Vec3 spring = held / d.k.contact * n;
-  if (d.k.shear > 0.0) spring += kept / d.k.shear * shear;
+  Vec3 spring = held / law.contact * n;
+  if (law.shear > 0.0) spring += kept / law.shear * shear;
 
   FacetMemory& memory = memory_[f];
-  const BlockState& si = state_[static_cast<std::size_t>(facet.i)];
-  memory.offset[static_cast<std::size_t>(p)] = si.rotation.transpose() * (point.jump - spring);
+  const Mat3& turn = state_[static_cast<std::size_t>(elastic_[f].i)].rotation;
+  memory.offset[static_cast<std::size_t>(p)] = turn.transpose() * (point.jump - spring);
   memory.broken[static_cast<std::size_t>(p)] = true;
-  memory.cracked = true;
+  if (memory.state == FacetState::intact) memory.state = states_[f] = FacetState::cracked;
   newly_cracked_ = true;
 
-  const double area = facet.area / kFacetPoints;
   const double normal_jump = n.dot(point.jump);
-  const double before = d.k.shear * (point.jump.squaredNorm() - normal_jump * normal_jump) +
-                        d.k.normal * normal_jump * normal_jump;
-  const double after = held * held / d.k.contact + (d.k.shear > 0.0 ? kept * kept * shear_size * shear_size / d.k.shear : 0.0);
-  losses_.fracture += 0.5 * facet.weight * area * (before - after);
+  const double before = law.shear * point.jump.squaredNorm() + law.normal_extra * normal_jump * normal_jump;
+  double after = held * held / law.contact;
+  if (law.shear > 0.0) after += kept * kept * shear_size * shear_size / law.shear;
+  losses_.fracture += 0.5 * facets_[f].weight * law.area * (before - after);
   drop_from_dilatation(f, point.jump);
 }
 
 void FacetNetwork::drop_from_dilatation(std::size_t f, const Vec3& jump) {
-  const Facet& facet = facets_[f];
-  const Derived& d = derived_[f];
-  const double area = facet.area / kFacetPoints;
-  const double opened = area * d.k.rock_share * kinematics_[f].normal.dot(jump);
-  const auto drop = [&](int block, double share, double depth) {
+  const Elastic& e = elastic_[f];
+  const Law& law = law_[f];
+  const double opened = kinematics_[f].normal.dot(jump) / kFacetPoints;
+  const auto drop = [&](int block, double area_share, double depth) {
     const auto b = static_cast<std::size_t>(block);
-    sums_[b].dropped += share * opened;
-    sums_[b].unbonded_added += area * depth / blocks_[b].volume;
+    sums_[b].dropped += area_share * opened;
+    sums_[b].unbonded_added += law.area * depth / blocks_[b].volume;
   };
-  drop(facet.i, d.share_i, d.depth_i);
-  drop(facet.j, d.share_j, d.depth_j);
+  drop(e.i, e.area_i, law.depth_i);
+  drop(e.j, e.area_j, law.depth_j);
 }
 
-void FacetNetwork::contact_point(std::size_t f, int p, const Point& point, double dt) {
-  const Facet& facet = facets_[f];
-  const Derived& d = derived_[f];
+Vec3 FacetNetwork::contact_traction(std::size_t f, int p, const Point& point, double dt) {
+  const Law& law = law_[f];
   FacetMemory& memory = memory_[f];
   Vec3& offset = memory.offset[static_cast<std::size_t>(p)];
-  const Mat3& turn = state_[static_cast<std::size_t>(facet.i)].rotation;
+  const Mat3& turn = state_[static_cast<std::size_t>(elastic_[f].i)].rotation;
   const Vec3& n = kinematics_[f].normal;
   const Vec3 spring = point.jump - turn * offset;
   const double closed = n.dot(spring);
   if (closed >= 0.0) {  // open: friction forgets where it stuck
     offset = turn.transpose() * (point.jump - closed * n);
-    return;
+    return Vec3::Zero();
   }
-  const double area = facet.area / kFacetPoints;
+  const double booked = facets_[f].weight * law.area;
+  const double normal_rate = n.dot(relative_velocity(f, point.arm));
+  const double elastic = memory.fade * law.contact * closed;
   const double damping = memory.fade * material_.contact_damping_coefficient();
-  const Vec3 rate = relative_velocity(facet, point.at);
-  const double normal_rate = n.dot(rate);
-  const double elastic = memory.fade * d.k.contact * closed;
   const double normal = std::min(0.0, elastic + damping * normal_rate);
-  losses_.damping += facet.weight * area * (normal - elastic) * normal_rate * dt;
+  losses_.damping += booked * (normal - elastic) * normal_rate * dt;
 
-  Vec3 stuck = spring - closed * n;
-  Vec3 shear = memory.fade * d.k.shear * stuck;
-  const double size = shear.norm(), limit = d.tan_residual * -normal;
+  const Vec3 stuck = spring - closed * n;
+  Vec3 shear = memory.fade * law.shear * stuck;
+  const double size = shear.norm(), limit = law.tan_residual * -normal;
   if (size > limit) {
-    const Vec3 slip = (1.0 - limit / size) * stuck;
-    shear *= limit / size;
-    offset += turn.transpose() * slip;
-    losses_.friction += facet.weight * area * shear.dot(slip);
-    const double rest = size * size - limit * limit;  // spring energy given up, less the work of slip
-    losses_.friction += facet.weight * area *
-                        (0.5 * rest / (memory.fade * d.k.shear) - shear.norm() * slip.norm());
+    const double kept = limit / size;
+    offset += turn.transpose() * ((1.0 - kept) * stuck);
+    shear *= kept;
+    losses_.friction += booked * limit * (1.0 - kept) * stuck.norm();
   }
-  push(facet, point.at, area * (normal * n + shear));
+  return normal * n + shear;
 }
 
-void FacetNetwork::update_fade(std::size_t f) {
-  const Facet& facet = facets_[f];
-  const Derived& d = derived_[f];
+void FacetNetwork::update_fade(std::size_t f, const Frame& frame) {
   FacetMemory& memory = memory_[f];
-  const Vec3& n = kinematics_[f].normal;
-  const Vec3& jump = kinematics_[f].jump;
-  const double opened = n.dot(jump);
-  const double slid = (jump - opened * n).norm() / d.radius;
-  const Mat3& turn_i = state_[static_cast<std::size_t>(facet.i)].rotation;
-  const Mat3& turn_j = state_[static_cast<std::size_t>(facet.j)].rotation;
-  const double turned = (turn_j * facet.half_axes[0] - turn_i * facet.half_axes[0]).norm() / facet.half_axes[0].norm() +
-                        (turn_j * facet.normal - turn_i * facet.normal).norm();
-  const double matching = ramp_down(slid, kSlideStart, kSlideEnd) * ramp_down(turned, kTurnStart, kTurnEnd);
-  const bool all_broken = memory.broken[0] && memory.broken[1] && memory.broken[2];
-  if (!all_broken) return;
-  if (matching < memory.fade) {
-    double stored = 0.0;  // spring energy at full strength
-    for (int p = 0; p < kFacetPoints; ++p) {
-      const Vec3 spring = point_of(f, p).jump - turn_i * memory.offset[static_cast<std::size_t>(p)];
-      const double closed = std::min(0.0, n.dot(spring));
-      stored += d.k.contact * closed * closed;
-      if (closed < 0.0) stored += d.k.shear * (spring - closed * n).squaredNorm();
+  if (!(memory.broken[0] && memory.broken[1] && memory.broken[2])) return;
+  const Law& law = law_[f];
+  const Kinematics& kin = kinematics_[f];
+  const double opened = kin.normal.dot(kin.jump);
+  const double slid_squared = (kin.jump.squaredNorm() - opened * opened) / (law.radius * law.radius);
+  const double turned_squared = frame.turn_1.squaredNorm() / law.half_1.squaredNorm() +
+                                frame.turn_2.squaredNorm() / law.half_2.squaredNorm();
+  if (slid_squared > kSlideStart * kSlideStart || turned_squared > kTurnStart * kTurnStart) {
+    const double matching = ramp_down(std::sqrt(std::max(slid_squared, 0.0)), kSlideStart, kSlideEnd) *
+                            ramp_down(std::sqrt(turned_squared), kTurnStart, kTurnEnd);
+    if (matching < memory.fade) {
+      book_fading(f, frame, memory.fade - matching);
+      memory.fade = matching;
+      memory.state = states_[f] = FacetState::fading;
     }
-    losses_.friction += 0.5 * facet.weight * facet.area / kFacetPoints * stored * (memory.fade - matching);
-    memory.fade = matching;
   }
-  if (memory.fade == 0.0 || opened > kOpened * d.radius) memory.retired = true;
+  if (memory.fade == 0.0 || opened > kOpened * law.radius) {
+    memory.state = states_[f] = FacetState::retired;
+    ++retired_since_;
+  }
+}
+
+/// The spring energy that a facet gives up when its fade falls by `lost` is booked as friction.
+void FacetNetwork::book_fading(std::size_t f, const Frame& frame, double lost) {
+  const Law& law = law_[f];
+  const Mat3& turn = state_[static_cast<std::size_t>(elastic_[f].i)].rotation;
+  const Vec3& n = kinematics_[f].normal;
+  double stored = 0.0;
+  for (int p = 0; p < kFacetPoints; ++p) {
+    const Vec3 spring = point_of(f, frame, p).jump - turn * memory_[f].offset[static_cast<std::size_t>(p)];
+    const double closed = n.dot(spring);
+    if (closed >= 0.0) continue;
+    stored += law.contact * closed * closed + law.shear * (spring - closed * n).squaredNorm();
+  }
+  losses_.friction += 0.5 * facets_[f].weight * law.area * stored * lost;
 }
 
 void FacetNetwork::load_faces() {
@@ -357,18 +405,19 @@ void FacetNetwork::book_fracture() {
   }
 }
 
-void FacetNetwork::push(const Facet& facet, const Vec3& at, const Vec3& force) {
-  const auto i = static_cast<std::size_t>(facet.i), j = static_cast<std::size_t>(facet.j);
-  force_[i] += force;
-  torque_[i] += (at - state_[i].centre).cross(force);
-  force_[j] -= force;
-  torque_[j] -= (at - state_[j].centre).cross(force);
+void FacetNetwork::apply(std::size_t f, const Push& push) {
+  const auto i = static_cast<std::size_t>(elastic_[f].i), j = static_cast<std::size_t>(elastic_[f].j);
+  force_[i] += push.force;
+  torque_[i] += push.moment;
+  force_[j] -= push.force;
+  torque_[j] -= push.moment + (state_[i].centre - state_[j].centre).cross(push.force);
 }
 
-Vec3 FacetNetwork::relative_velocity(const Facet& facet, const Vec3& at) const {
-  const BlockState& si = state_[static_cast<std::size_t>(facet.i)];
-  const BlockState& sj = state_[static_cast<std::size_t>(facet.j)];
-  return sj.velocity + sj.spin.cross(at - sj.centre) - si.velocity - si.spin.cross(at - si.centre);
+Vec3 FacetNetwork::relative_velocity(std::size_t f, const Vec3& arm) const {
+  const BlockState& si = state_[static_cast<std::size_t>(elastic_[f].i)];
+  const BlockState& sj = state_[static_cast<std::size_t>(elastic_[f].j)];
+  const Vec3 arm_j = arm + si.centre - sj.centre;
+  return sj.velocity + sj.spin.cross(arm_j) - si.velocity - si.spin.cross(arm);
 }
 
 double FacetNetwork::volume_swept(const BoundaryFace& face) const {
@@ -383,25 +432,28 @@ double FacetNetwork::volume_swept(const BoundaryFace& face) const {
 
 double FacetNetwork::elastic_energy() const {
   double energy = 0.0;
-  for (std::size_t f = 0; f < facets_.size(); ++f) {
+  for (std::size_t f : active_) {
     const FacetMemory& memory = memory_[f];
-    if (memory.retired) continue;
-    const Facet& facet = facets_[f];
-    const Derived& d = derived_[f];
+    if (memory.state == FacetState::retired) continue;
+    const Law& law = law_[f];
+    const Frame frame = frame_of(f);
     const Vec3& n = kinematics_[f].normal;
-    const Mat3& turn = state_[static_cast<std::size_t>(facet.i)].rotation;
+    const Mat3& turn = state_[static_cast<std::size_t>(elastic_[f].i)].rotation;
     double sum = 0.0;
     for (int p = 0; p < kFacetPoints; ++p) {
       const auto q = static_cast<std::size_t>(p);
-      Vec3 spring = point_of(f, p).jump;
-      if (memory.broken[q]) spring -= turn * memory.offset[q];
-      const double normal = n.dot(spring);
-      if (memory.broken[q] && normal >= 0.0) continue;
-      const double stiffness = memory.broken[q] ? d.k.contact : d.k.normal;
-      const double shear = spring.squaredNorm() - normal * normal;
-      sum += (memory.broken[q] ? memory.fade : 1.0) * (stiffness * normal * normal + d.k.shear * shear);
+      const Vec3 jump = point_of(f, frame, p).jump;
+      if (!memory.broken[q]) {
+        const double normal = n.dot(jump);
+        sum += law.shear * jump.squaredNorm() + law.normal_extra * normal * normal;
+        continue;
+      }
+      const Vec3 spring = jump - turn * memory.offset[q];
+      const double closed = n.dot(spring);
+      if (closed >= 0.0) continue;
+      sum += memory.fade * (law.contact * closed * closed + law.shear * (spring - closed * n).squaredNorm());
     }
-    energy += 0.5 * facet.weight * facet.area / kFacetPoints * sum;
+    energy += 0.5 * facets_[f].weight * law.area * sum;
   }
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (blocks_[b].owned) energy += block_energy(b);
@@ -412,7 +464,7 @@ double FacetNetwork::elastic_energy() const {
 double FacetNetwork::broken_count() const {
   double count = 0.0;
   for (std::size_t f = 0; f < facets_.size(); ++f) {
-    if (memory_[f].cracked) count += facets_[f].weight;
+    if (facets_[f].kind == FacetKind::joint && states_[f] != FacetState::intact) count += facets_[f].weight;
   }
   return count;
 }
@@ -420,8 +472,9 @@ double FacetNetwork::broken_count() const {
 double FacetNetwork::broken_area(bool all) const {
   double area = 0.0;
   for (std::size_t f = 0; f < facets_.size(); ++f) {
+    if (facets_[f].kind != FacetKind::joint) continue;
     for (bool broken : memory_[f].broken) {
-      if (broken || all) area += facets_[f].weight * facets_[f].area / kFacetPoints;
+      if (broken || all) area += facets_[f].weight * law_[f].area;
     }
   }
   return area;
@@ -430,8 +483,8 @@ double FacetNetwork::broken_area(bool all) const {
 double FacetNetwork::stable_step() const {
   std::vector<double> stiffness(blocks_.size(), 0.0);
   for (std::size_t f = 0; f < facets_.size(); ++f) {
-    if (memory_[f].retired) continue;
-    const double k = facets_[f].area * derived_[f].k.contact;
+    if (states_[f] == FacetState::retired) continue;
+    const double k = facets_[f].area * law_[f].contact;
     stiffness[static_cast<std::size_t>(facets_[f].i)] += k;
     stiffness[static_cast<std::size_t>(facets_[f].j)] += k;
   }

@@ -58,14 +58,21 @@ struct BoundaryFace {
   double last_pressure = 0.0, last_swept = 0.0;  ///< at the step before [Pa], [m3]
 };
 
+/// State of a facet; it only ever moves down this list.
+enum class FacetState : std::uint8_t {
+  intact,   ///< every integration point holds
+  cracked,  ///< at least one point broke; the facet itself carries what contact there is
+  fading,   ///< slid or turned so far that sphere contact acts beside the fading facet
+  retired   ///< the facet carries nothing any more
+};
+
 /// What a facet remembers; all of it travels with the facet.
 struct FacetMemory {
   std::array<Vec3, kFacetPoints> offset{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   ///< broken point: jump at zero force, in start orientation [m]
   std::array<bool, kFacetPoints> broken{false, false, false};
-  bool cracked = false;   ///< any point broken
-  bool retired = false;   ///< carries nothing any more
-  double fade = 1.0;      ///< 1 while the faces match, falls to 0 as they slide or turn away
+  FacetState state = FacetState::intact;
+  double fade = 1.0;  ///< 1 while the faces match, falls to 0 as they slide or turn away
 };
 
 struct BlockConstants {
@@ -102,6 +109,7 @@ class FacetNetwork {
   [[nodiscard]] const std::vector<BlockConstants>& blocks() const { return blocks_; }
   [[nodiscard]] const std::vector<Facet>& facets() const { return facets_; }
   [[nodiscard]] const std::vector<FacetMemory>& memory() const { return memory_; }
+  [[nodiscard]] const std::vector<FacetState>& states() const { return states_; }
   [[nodiscard]] std::vector<BoundaryFace>& faces() { return faces_; }
   [[nodiscard]] const std::vector<BoundaryFace>& faces() const { return faces_; }
   [[nodiscard]] std::span<BlockState> state() { return state_; }
@@ -128,15 +136,30 @@ class FacetNetwork {
   void soften(double factor);
 
  private:
-  struct Derived {  // per facet, recomputed with the material
-    FacetStiffness k;
-    double share_i, share_j;  // of the jump that strains block i and j
-    double depth_i, depth_j;  // distance of the facet from the two centres [m]
-    double radius;            // of the circle of equal area [m]
-    double tan_friction, tan_residual, cohesion;
+  // What the two passes read of a facet, contiguous; derived from facets_ and material_.
+  struct Elastic {  // first pass
+    int i, j;
+    Vec3 normal, arm_i, arm_j;
+    double area_i, area_j;  // area x share of the jump that strains the rock of block i and j [m2]
+  };
+  struct Law {  // second pass
+    Vec3 half_1, half_2;
+    double area;                 // per integration point [m2]
+    double shear, normal_extra;  // stiffness; normal less shear [Pa/m]
+    double theta_i, theta_j;     // normal traction per dilatation of block i and j [Pa]
+    double contact;              // normal stiffness when broken and closed [Pa/m]
+    double tan_residual;
+    double radius;               // of the circle of equal area [m]
+    double depth_i, depth_j;     // distance of the facet from the two centres [m]
   };
   struct Kinematics {  // of the present step
-    Vec3 normal, jump;
+    Vec3 normal, jump, side;  // side: facet centroid on block i less its centre [m]
+  };
+  struct Frame {  // the facet's in-plane axes on block i, and how block j's differ
+    Vec3 half_1, half_2, turn_1, turn_2;
+  };
+  struct Push {  // on block i; block j gets the opposite at the same points
+    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
   };
   struct BlockSums {
     double bonded = 0.0;     // sum of A n.u/2 [m3]
@@ -147,24 +170,29 @@ class FacetNetwork {
     double unbonded_added = 0.0;
   };
 
-  struct Point {  // one integration point of a facet in the present step
-    Vec3 jump, at;  // [m]; `at` is midway between the two sides
+  struct Point {     // one integration point in the present step
+    Vec3 jump, arm;  // arm: midway between the two sides, less the centre of block i [m]
   };
 
   void derive();
   void count_unbonded();
-  void intact_facet(std::size_t f, double dt);
-  void cracked_facet(std::size_t f, double dt);
-  void bonded_point(std::size_t f, int p, const Point& point, double dt);
-  void contact_point(std::size_t f, int p, const Point& point, double dt);
+  void list_active();
+  void open_facet(std::size_t f);
+  bool hold_facet(std::size_t f);
+  void work_facet(std::size_t f, double dt);
+  [[nodiscard]] Vec3 bonded_traction(std::size_t f, const Point& point) const;
+  [[nodiscard]] bool fails(const Vec3& normal, const Vec3& traction) const;
+  [[nodiscard]] Vec3 contact_traction(std::size_t f, int p, const Point& point, double dt);
   void break_point(std::size_t f, int p, const Point& point, const Vec3& traction);
   void drop_from_dilatation(std::size_t f, const Vec3& jump);
-  void update_fade(std::size_t f);
+  void update_fade(std::size_t f, const Frame& frame);
+  void book_fading(std::size_t f, const Frame& frame, double lost);
   void load_faces();
   void book_fracture();
-  void push(const Facet& facet, const Vec3& at, const Vec3& force);
-  [[nodiscard]] Point point_of(std::size_t f, int p) const;
-  [[nodiscard]] Vec3 relative_velocity(const Facet& facet, const Vec3& at) const;
+  void apply(std::size_t f, const Push& push);
+  [[nodiscard]] Frame frame_of(std::size_t f) const;
+  [[nodiscard]] Point point_of(std::size_t f, const Frame& frame, int p) const;
+  [[nodiscard]] Vec3 relative_velocity(std::size_t f, const Vec3& arm) const;
   [[nodiscard]] double block_potential(std::size_t b, const BlockSums& sums) const;
   [[nodiscard]] double block_energy(std::size_t b) const;
 
@@ -176,7 +204,11 @@ class FacetNetwork {
   std::vector<Vec3> force_, torque_;
   std::vector<Facet> facets_;
   std::vector<FacetMemory> memory_;
-  std::vector<Derived> derived_;
+  std::vector<Elastic> elastic_;
+  std::vector<Law> law_;
+  std::vector<FacetState> states_;    // as in memory_, packed
+  std::vector<std::size_t> active_;   // facets that are not retired
+  std::size_t retired_since_ = 0;     // how many entries of active_ have retired
   std::vector<Kinematics> kinematics_;
   std::vector<BoundaryFace> faces_;
   JointLosses losses_;
