@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A few blocks, their facet network and a leapfrog integrator.
+// Scope: see the header.
+#include "bond_scene.h"
+
+#include "../geometry/shapes.h"
+
+namespace muckpile::test {
+
+JointParameters rock(double poisson_ratio) {
+  JointParameters p;
+  p.youngs_modulus = 50e9;
+  p.poisson_ratio = poisson_ratio;
+  p.density = 2600.0;
+  p.tension = p.cohesion = 1e30;
+  return p;
+}
+
+std::vector<Block> cuboids(int nx, int ny, int nz, const Vec3& edge) {
+  std::vector<Block> blocks;
+  const auto number = [&](int i, int j, int k) {
+    const bool inside = i >= 0 && i < nx && j >= 0 && j < ny && k >= 0 && k < nz;
+    return inside ? i + nx * (j + ny * k) : kFreeFace;
+  };
+  for (int k = 0; k < nz; ++k)
+    for (int j = 0; j < ny; ++j)
+      for (int i = 0; i < nx; ++i) {
+        Block block;
+        const Vec3 low = edge.cwiseProduct(Vec3(i, j, k));
+        block.shape = box(low, low + edge);
+        block.mass = mass_properties(block.shape);
+        block.neighbour = {number(i - 1, j, k), number(i + 1, j, k), number(i, j - 1, k),
+                           number(i, j + 1, k), number(i, j, k - 1), number(i, j, k + 1)};
+        blocks.push_back(block);
+      }
+  return blocks;
+}
+
+std::vector<Block> voronoi_blocks(double edge, unsigned long seed, int sweeps) {
+  return cube_of_blocks(edge, sweeps, seed).blocks;
+}
+
+Mat3 turn(const Vec3& angle) {
+  const double size = angle.norm();
+  return size > 0.0 ? Mat3(Eigen::AngleAxisd(size, angle / size)) : Mat3(Mat3::Identity());
+}
+
+BondScene::BondScene(const std::vector<Block>& blocks, const JointParameters& parameters,
+                     const SupportRule& support)
+    : network_(JointMaterial(parameters)), angular_momentum_(blocks.size(), Vec3::Zero()) {
+  std::vector<BlockConstants> constants;
+  for (const Block& block : blocks) {
+    mass_.push_back(parameters.density * block.mass.volume);
+    inertia_.push_back(parameters.density * block.mass.inertia);
+    start_.push_back(block.mass.centroid);
+    constants.push_back(
+        {static_cast<int>(constants.size()) + 1, block.mass.volume, mass_.back(), true});
+  }
+  network_.set_blocks(constants);
+  FacetSet set = build_facets(blocks, 1, support);
+  for (Facet& facet : set.facets) {
+    facet.i = facet.tag_i - 1;
+    facet.j = facet.tag_j == kGroundTag ? network_.ground() : facet.tag_j - 1;
+  }
+  for (BoundaryFace& face : set.faces) face.block = face.tag - 1;
+  network_.set_facets(std::move(set.facets), {});
+  network_.set_faces(std::move(set.faces));
+  for (std::size_t b = 0; b < size(); ++b) block(b).centre = start_[b];
+}
+
+void BondScene::deform(const Mat3& gradient) {
+  for (std::size_t b = 0; b < size(); ++b) block(b).centre = start_[b] + gradient * start_[b];
+}
+
+void BondScene::move_rigidly(const Vec3& axis, const Vec3& shift) {
+  const Mat3 rotation = turn(axis);
+  for (std::size_t b = 0; b < size(); ++b) {
+    block(b).centre = rotation * block(b).centre + shift;
+    block(b).rotation = rotation * block(b).rotation;
+  }
+}
+
+void BondScene::shake(double shift, double angle, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  const auto vector = [&] { return Vec3(unit(random), unit(random), unit(random)); };
+  for (std::size_t b = 0; b < size(); ++b) {
+    block(b).centre += shift * vector();
+    block(b).rotation = turn(angle * vector()) * block(b).rotation;
+  }
+}
+
+void BondScene::compute(double dt) {
+  network_.dilatation();
+  network_.tractions(dt);
+}
+
+void BondScene::kick(double dt) {
+  for (std::size_t b = 0; b < size(); ++b) {
+    BlockState& s = block(b);
+    s.velocity += dt / mass_[b] * network_.force()[b];
+    angular_momentum_[b] += dt * network_.torque()[b];
+    s.spin = s.rotation * inertia_[b].inverse() * s.rotation.transpose() * angular_momentum_[b];
+  }
+}
+
+void BondScene::step(double dt) {
+  // Spins that a test has set count as they are.
+  for (std::size_t b = 0; b < size(); ++b) {
+    const Mat3& r = block(b).rotation;
+    angular_momentum_[b] = r * inertia_[b] * r.transpose() * block(b).spin;
+  }
+  kick(0.5 * dt);
+  for (std::size_t b = 0; b < size(); ++b) {
+    BlockState& s = block(b);
+    s.centre += dt * s.velocity;
+    const Mat3 middle = turn(0.5 * dt * s.spin) * s.rotation;
+    s.spin = middle * inertia_[b].inverse() * middle.transpose() * angular_momentum_[b];
+    s.rotation = turn(dt * s.spin) * s.rotation;
+  }
+  compute(dt);
+  kick(0.5 * dt);
+}
+
+double BondScene::kinetic_energy() const {
+  auto& network = const_cast<FacetNetwork&>(network_);
+  double energy = 0.0;
+  for (std::size_t b = 0; b < size(); ++b) {
+    const BlockState& s = network.state()[b];
+    const Vec3 spin = s.rotation.transpose() * s.spin;
+    energy += 0.5 * (mass_[b] * s.velocity.squaredNorm() + spin.dot(inertia_[b] * spin));
+  }
+  return energy;
+}
+
+double BondScene::energy_account() {
+  const JointLosses& lost = network_.losses();
+  return kinetic_energy() + network_.elastic_energy() + lost.fracture + lost.friction +
+         lost.damping - network_.pressure_work();
+}
+
+Vec3 BondScene::facet_force(std::size_t f) {
+  network_.dilatation();
+  FacetNetwork alone(network_.material());
+  std::vector<BlockConstants> blocks = network_.blocks();
+  blocks.pop_back();  // the ground, which set_blocks appends
+  alone.set_blocks(blocks);
+  alone.set_facets({network_.facets()[f]}, {network_.memory()[f]});
+  for (std::size_t b = 0; b < size(); ++b) alone.state()[b] = block(b);
+  alone.dilatation();  // the facet's jump; its own dilatations are overwritten next
+  std::copy(network_.theta().begin(), network_.theta().end(), alone.theta().begin());
+  alone.tractions(0.0);
+  return alone.force()[static_cast<std::size_t>(network_.facets()[f].i)];
+}
+
+}  // namespace muckpile::test
