@@ -41,6 +41,7 @@ void install_signal_handlers() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // Error::one aborts without flushing
   install_signal_handlers();
   MPI_Init(&argc, &argv);
   int rank = 0;

@@ -17,6 +17,7 @@ constexpr double kHalfSqrt3 = 0.86602540378443865;
 constexpr double kSlideStart = 0.1, kSlideEnd = 0.5;
 constexpr double kTurnStart = 0.1, kTurnEnd = 0.5;
 constexpr double kOpened = 0.1;
+constexpr double kSurelyOpen = 0.01;  // opened further than its rotation explains: no point closed
 
 double ramp_down(double x, double start, double end) {
   return std::clamp((end - x) / (end - start), 0.0, 1.0);
@@ -57,6 +58,8 @@ void FacetNetwork::set_faces(std::vector<BoundaryFace> faces) {
 }
 
 void FacetNetwork::derive() {
+  damping_ = material_.damping_coefficient();
+  contact_damping_ = material_.contact_damping_coefficient();
   elastic_.resize(facets_.size());
   law_.resize(facets_.size());
   for (std::size_t f = 0; f < facets_.size(); ++f) {
@@ -159,10 +162,9 @@ void FacetNetwork::tractions(double dt) {
   std::fill(force_.begin(), force_.end(), Vec3::Zero());
   std::fill(torque_.begin(), torque_.end(), Vec3::Zero());
   newly_cracked_ = false;
-  const bool damped = material_.damping_coefficient() > 0.0;
   for (std::size_t f : active_) {
     if (states_[f] == FacetState::retired) continue;
-    if (states_[f] != FacetState::intact || damped || !hold_facet(f)) work_facet(f, dt);
+    if (states_[f] != FacetState::intact || damping_ > 0.0 || !hold_facet(f)) work_facet(f, dt);
   }
   load_faces();
   if (newly_cracked_) book_fracture();
@@ -226,9 +228,9 @@ bool FacetNetwork::hold_facet(std::size_t f) {
 /// Forces of any facet: breaks points, and handles broken and damped ones.
 void FacetNetwork::work_facet(std::size_t f, double dt) {
   const Frame frame = frame_of(f);
-  if (states_[f] != FacetState::intact) update_fade(f, frame);
-  if (states_[f] == FacetState::retired) return;
-  const double damping = material_.damping_coefficient();
+  if (states_[f] != FacetState::intact && !closes(f, frame)) return;
+  const bool fresh = memory_[f].open;
+  memory_[f].open = false;
   Push push;
   for (int p = 0; p < kFacetPoints; ++p) {
     const Point point = point_of(f, frame, p);
@@ -237,13 +239,13 @@ void FacetNetwork::work_facet(std::size_t f, double dt) {
       traction = bonded_traction(f, point);
       if (fails(kinematics_[f].normal, traction)) {
         break_point(f, p, point, traction);
-      } else if (damping > 0.0) {
+      } else if (damping_ > 0.0) {
         const Vec3 rate = relative_velocity(f, point.arm);
-        traction += damping * rate;
-        losses_.damping += facets_[f].weight * law_[f].area * damping * rate.squaredNorm() * dt;
+        traction += damping_ * rate;
+        losses_.damping += facets_[f].weight * law_[f].area * damping_ * rate.squaredNorm() * dt;
       }
     }
-    if (memory_[f].broken[static_cast<std::size_t>(p)]) traction = contact_traction(f, p, point, dt);
+    if (memory_[f].broken[static_cast<std::size_t>(p)]) traction = contact_traction(f, p, point, fresh, dt);
     push.force += law_[f].area * traction;
     push.moment += law_[f].area * point.arm.cross(traction);
   }
@@ -291,22 +293,23 @@ void FacetNetwork::drop_from_dilatation(std::size_t f, const Vec3& jump) {
   drop(e.j, e.area_j, law.depth_j);
 }
 
-Vec3 FacetNetwork::contact_traction(std::size_t f, int p, const Point& point, double dt) {
+Vec3 FacetNetwork::contact_traction(std::size_t f, int p, const Point& point, bool fresh, double dt) {
   const Law& law = law_[f];
   FacetMemory& memory = memory_[f];
   Vec3& offset = memory.offset[static_cast<std::size_t>(p)];
   const Mat3& turn = state_[static_cast<std::size_t>(elastic_[f].i)].rotation;
   const Vec3& n = kinematics_[f].normal;
-  const Vec3 spring = point.jump - turn * offset;
+  Vec3 spring = point.jump - turn * offset;
   const double closed = n.dot(spring);
-  if (closed >= 0.0) {  // open: friction forgets where it stuck
+  if (closed >= 0.0 || fresh) {  // open until now: friction forgets where it stuck
     offset = turn.transpose() * (point.jump - closed * n);
-    return Vec3::Zero();
+    if (closed >= 0.0) return Vec3::Zero();
+    spring = closed * n;
   }
   const double booked = facets_[f].weight * law.area;
   const double normal_rate = n.dot(relative_velocity(f, point.arm));
   const double elastic = memory.fade * law.contact * closed;
-  const double damping = memory.fade * material_.contact_damping_coefficient();
+  const double damping = memory.fade * contact_damping_;
   const double normal = std::min(0.0, elastic + damping * normal_rate);
   losses_.damping += booked * (normal - elastic) * normal_rate * dt;
 
@@ -322,9 +325,10 @@ Vec3 FacetNetwork::contact_traction(std::size_t f, int p, const Point& point, do
   return normal * n + shear;
 }
 
-void FacetNetwork::update_fade(std::size_t f, const Frame& frame) {
+/// Lets a broken facet fade and retire; false if it carries nothing in this step.
+bool FacetNetwork::closes(std::size_t f, const Frame& frame) {
   FacetMemory& memory = memory_[f];
-  if (!(memory.broken[0] && memory.broken[1] && memory.broken[2])) return;
+  if (!(memory.broken[0] && memory.broken[1] && memory.broken[2])) return true;
   const Law& law = law_[f];
   const Kinematics& kin = kinematics_[f];
   const double opened = kin.normal.dot(kin.jump);
@@ -343,7 +347,13 @@ void FacetNetwork::update_fade(std::size_t f, const Frame& frame) {
   if (memory.fade == 0.0 || opened > kOpened * law.radius) {
     memory.state = states_[f] = FacetState::retired;
     ++retired_since_;
+    return false;
   }
+  const double turned = std::sqrt(frame.turn_1.squaredNorm()) + std::sqrt(frame.turn_2.squaredNorm());
+  const double tilted = std::sqrt(std::max(slid_squared, 0.0) * turned_squared);
+  if (opened <= turned + (tilted + kSurelyOpen) * law.radius) return true;
+  memory.open = true;
+  return false;
 }
 
 /// The spring energy that a facet gives up when its fade falls by `lost` is booked as friction.

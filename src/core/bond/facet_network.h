@@ -72,6 +72,7 @@ struct FacetMemory {
   ///< broken point: jump at zero force, in start orientation [m]
   std::array<bool, kFacetPoints> broken{false, false, false};
   FacetState state = FacetState::intact;
+  bool open = false;  ///< broken and so far open that its points were left alone last time
   double fade = 1.0;  ///< 1 while the faces match, falls to 0 as they slide or turn away
 };
 
@@ -96,7 +97,7 @@ struct JointLosses {
 
 class FacetNetwork {
  public:
-  explicit FacetNetwork(const JointMaterial& material) : material_(material) {}
+  explicit FacetNetwork(const JointMaterial& material) : material_(material) { derive(); }
 
   /// Blocks first (owned ones first; the ground is appended), then facets and faces with their
   /// indices set.
@@ -182,10 +183,10 @@ class FacetNetwork {
   void work_facet(std::size_t f, double dt);
   [[nodiscard]] Vec3 bonded_traction(std::size_t f, const Point& point) const;
   [[nodiscard]] bool fails(const Vec3& normal, const Vec3& traction) const;
-  [[nodiscard]] Vec3 contact_traction(std::size_t f, int p, const Point& point, double dt);
+  [[nodiscard]] Vec3 contact_traction(std::size_t f, int p, const Point& point, bool fresh, double dt);
   void break_point(std::size_t f, int p, const Point& point, const Vec3& traction);
   void drop_from_dilatation(std::size_t f, const Vec3& jump);
-  void update_fade(std::size_t f, const Frame& frame);
+  [[nodiscard]] bool closes(std::size_t f, const Frame& frame);
   void book_fading(std::size_t f, const Frame& frame, double lost);
   void load_faces();
   void book_fracture();
@@ -212,6 +213,7 @@ class FacetNetwork {
   std::vector<Kinematics> kinematics_;
   std::vector<BoundaryFace> faces_;
   JointLosses losses_;
+  double damping_ = 0.0, contact_damping_ = 0.0;  // [Pa s/m]
   double pressure_work_ = 0.0;
   bool newly_cracked_ = false;
 };
