@@ -55,7 +55,7 @@ const ArgTable& table() {
           .integer("seed", "", Range::closed(1, 2147483647), 1, "seed of the cut")
           .integer("sweeps", "", Range::closed(0, 200), 20, "size-weighted Lloyd sweeps")
           .integer("max_blocks", "", Range::closed(0, 100000000), 0,
-                   "refuse to make more blocks; 0: as many as half of this machine's memory holds")
+                   "refuse to make more blocks; 0: as many as half of this machine's memory holds, at most 5 million")
           .word("file", {}, "none", "VTK file for the blocks in the start configuration, or none");
   return args;
 }
@@ -230,7 +230,7 @@ std::size_t CreateBlocks::most_blocks(const ArgValues& args) const {
   // Measured peaks: 12 kB a block while cutting, 0.7 kB a sphere in LIGGGHTS and contact lists.
   const double bytes_per_block = 12e3 + 0.7e3 * static_cast<double>(args.integer("spheres_per_block"));
   const double installed = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
-  return static_cast<std::size_t>(std::min(0.5 * installed / bytes_per_block, 1e8));
+  return static_cast<std::size_t>(std::min(0.5 * installed / bytes_per_block, 5e6));
 }
 
 TessellationOptions CreateBlocks::options(LAMMPS_NS::Region& rock, const ArgValues& args) const {

@@ -49,7 +49,8 @@ FacetSet build_facets(const std::vector<Block>& blocks, int first_tag, const Sup
         boundary.hole = is_hole_face(other) ? hole_of_face(other) : -1;
         boundary.normal = face.normal;
         boundary.arm = face.centroid - block.mass.centroid;
-        boundary.start = face.centroid;
+        boundary.start = boundary.last_centroid = face.centroid;
+        boundary.last_normal = face.normal;
         boundary.area = face.area;
         set.faces.push_back(boundary);
       }

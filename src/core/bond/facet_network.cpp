@@ -238,7 +238,7 @@ void FacetNetwork::work_facet(std::size_t f, double dt) {
     if (!memory_[f].broken[static_cast<std::size_t>(p)]) {
       traction = bonded_traction(f, point);
       if (fails(kinematics_[f].normal, traction)) {
-        break_point(f, p, point, traction);
+        break_point(f, p, point, traction, dt);
       } else if (damping_ > 0.0) {
         const Vec3 rate = relative_velocity(f, point.arm);
         traction += damping_ * rate;
@@ -252,7 +252,8 @@ void FacetNetwork::work_facet(std::size_t f, double dt) {
   apply(f, push);
 }
 
-void FacetNetwork::break_point(std::size_t f, int p, const Point& point, const Vec3& traction) {
+void FacetNetwork::break_point(std::size_t f, int p, const Point& point, const Vec3& traction,
+                               double dt) {
   const Law& law = law_[f];
   const Vec3& n = kinematics_[f].normal;
   const double normal = n.dot(traction);
@@ -276,7 +277,11 @@ void FacetNetwork::break_point(std::size_t f, int p, const Point& point, const V
   const double before = law.shear * point.jump.squaredNorm() + law.normal_extra * normal_jump * normal_jump;
   double after = held * held / law.contact;
   if (law.shear > 0.0) after += kept * kept * shear_size * shear_size / law.shear;
-  losses_.fracture += 0.5 * facets_[f].weight * law.area * (before - after);
+  // The half kick to the present step used the traction before, the one from it uses that after: the
+  // blocks did the work of their mean over the step's path, the springs' account assumes the first.
+  const Vec3 dropped = traction - held * n - kept * shear;
+  const double undone = dropped.dot(relative_velocity(f, point.arm)) * dt;
+  losses_.fracture += 0.5 * facets_[f].weight * law.area * (before - after - undone);
   drop_from_dilatation(f, point.jump);
 }
 
@@ -373,13 +378,12 @@ void FacetNetwork::book_fading(std::size_t f, const Frame& frame, double lost) {
 
 void FacetNetwork::load_faces() {
   for (BoundaryFace& face : faces_) {
-    if (face.pressure == 0.0 && face.last_pressure == 0.0) continue;
+    if (face.hole < 0) continue;
+    sweep(face);
     const auto b = static_cast<std::size_t>(face.block);
-    const BlockState& s = state_[b];
-    const Vec3 arm = s.rotation * face.arm;
-    const Vec3 force = -face.pressure * face.area * (s.rotation * face.normal);
+    const Vec3 force = -face.pressure * face.area * face.last_normal;
     force_[b] += force;
-    torque_[b] += arm.cross(force);
+    torque_[b] += (face.last_centroid - state_[b].centre).cross(force);
     const double swept = volume_swept(face);
     if (blocks_[b].owned) {
       pressure_work_ += 0.5 * (face.pressure + face.last_pressure) * (swept - face.last_swept);
@@ -387,6 +391,17 @@ void FacetNetwork::load_faces() {
     face.last_pressure = face.pressure;
     face.last_swept = swept;
   }
+}
+
+/// Adds the volume that the block's motion has swept since the last step: mean normal times the
+/// path of the centroid (a turn about the centroid sweeps nothing).
+void FacetNetwork::sweep(BoundaryFace& face) const {
+  const BlockState& s = state_[static_cast<std::size_t>(face.block)];
+  const Vec3 centroid = s.centre + s.rotation * face.arm;
+  const Vec3 normal = s.rotation * face.normal;
+  face.rigid_swept -= 0.5 * face.area * (normal + face.last_normal).dot(centroid - face.last_centroid);
+  face.last_centroid = centroid;
+  face.last_normal = normal;
 }
 
 /// Energy of a block's dilatation less the potential of the pressures on its faces [J].
@@ -410,6 +425,7 @@ void FacetNetwork::book_fracture() {
     after.bonded -= sums.dropped;
     after.unbonded += sums.unbonded_added;
     if (blocks_[b].owned) losses_.fracture += block_potential(b, sums) - block_potential(b, after);
+    sums.bonded = after.bonded;
     sums.unbonded = after.unbonded;
     sums.dropped = sums.unbonded_added = 0.0;
   }
@@ -431,13 +447,11 @@ Vec3 FacetNetwork::relative_velocity(std::size_t f, const Vec3& arm) const {
 }
 
 double FacetNetwork::volume_swept(const BoundaryFace& face) const {
-  const auto b = static_cast<std::size_t>(face.block);
-  const BlockState& s = state_[b];
-  const Vec3 moved = s.centre + s.rotation * face.arm - face.start;
   const double two_g = 2.0 * material_.shear_modulus();
-  const double squeezed = (-face.pressure - material_.lame_lambda() * theta_[b]) *
+  const double theta = theta_[static_cast<std::size_t>(face.block)];
+  const double squeezed = (-face.pressure - material_.lame_lambda() * theta) *
                           face.normal.dot(face.arm) / two_g;  // the face's own displacement
-  return -face.area * ((s.rotation * face.normal).dot(moved) + squeezed);
+  return face.rigid_swept - face.area * squeezed;
 }
 
 double FacetNetwork::elastic_energy() const {

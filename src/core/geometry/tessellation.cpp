@@ -62,15 +62,12 @@ void check(const TessellationOptions& options) {
   for (std::size_t h = 0; h < options.holes.size(); ++h) check_hole(options, h);
 }
 
-// Counts a little beyond the limit, so that the message can say by how much it is exceeded.
 double checked_block_count(const TessellationOptions& options) {
   const double allowed = static_cast<double>(options.max_blocks);
-  const double give_up = 10.0 * allowed;
-  const double count = integrate_density(options, Ground(options), give_up);
+  const double count = integrate_density(options, Ground(options), allowed);
   if (count > allowed) {
-    fail(count > give_up ? "more than " : "about ", std::ceil(std::min(count, give_up)),
-         " blocks are expected, allowed are ", options.max_blocks,
-         "; enlarge the blocks, shrink the rock or raise the limit");
+    fail("more than ", options.max_blocks,
+         " blocks are expected, which is the limit; enlarge the blocks, shrink the rock or raise the limit");
   }
   if (!(count >= 1.0)) fail("the rock holds less than one block (expected ", count, ")");
   return count;

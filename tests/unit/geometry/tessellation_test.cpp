@@ -297,11 +297,10 @@ TEST(Tessellation, ExpectedCountIsTheIntegralOfTheDensity) {
 TEST(Tessellation, RefusesTooManyBlocksBeforeMakingThem) {
   TessellationOptions options = blast_options();
   options.max_blocks = 400;
-  EXPECT_EQ(message_of(options).rfind("block tessellation: about ", 0), 0u);
-  EXPECT_NE(message_of(options).find("blocks are expected, allowed are 400"), std::string::npos);
+  EXPECT_NE(message_of(options).find("more than 400 blocks are expected"), std::string::npos);
   options.size = SizeLaw::uniform(1e-3);  // 1.8e10 blocks: counting must stop early
   options.max_blocks = 1000;
-  EXPECT_NE(message_of(options).find("more than 10000 blocks are expected"), std::string::npos);
+  EXPECT_NE(message_of(options).find("more than 1000 blocks are expected"), std::string::npos);
 }
 
 TEST(Tessellation, NamesWhatIsWrong) {
