@@ -5,7 +5,8 @@ function(muckpile_target target)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow
     "-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/="
-    $<$<BOOL:${MUCKPILE_WARNINGS_AS_ERRORS}>:-Werror>)
+    $<$<BOOL:${MUCKPILE_WARNINGS_AS_ERRORS}>:-Werror>
+    $<$<BOOL:${MUCKPILE_NATIVE}>:-march=native>)
   if(MUCKPILE_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=address,undefined)

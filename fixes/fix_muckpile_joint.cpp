@@ -40,7 +40,9 @@ const ArgTable& table() {
           .real("normal_stiffness", "Pa/m", Range::non_negative(), 0.0, "of the joint alone, in series with the rock; 0: rigid")
           .real("shear_stiffness", "Pa/m", Range::non_negative(), 0.0, "of the joint alone, in series with the rock; 0: rigid")
           .real("damping", "", Range::non_negative(), 0.0, "of intact joints, share of density x P-wave speed per area")
-          .real("contact_damping", "", Range::non_negative(), 0.05, "of closed broken facets, share of density x P-wave speed per area");
+          .real("contact_damping", "", Range::non_negative(), 0.05, "of closed broken facets, share of density x P-wave speed per area")
+          .integer("open_sleep", "steps", Range::closed(0, 1000), 20,
+                   "longest time that a broken, open facet is left alone while its gap lasts; 0: never");
   return args;
 }
 
@@ -58,6 +60,7 @@ JointMaterial material(LAMMPS_NS::LAMMPS& lmp, const std::string& where, int nar
   p.shear_stiffness = args.real("shear_stiffness") > 0.0 ? args.real("shear_stiffness") : kInfinity;
   p.damping = args.real("damping");
   p.contact_damping = args.real("contact_damping");
+  p.longest_sleep = static_cast<double>(args.integer("open_sleep"));
   return JointMaterial(p);
 }
 

@@ -46,6 +46,7 @@ void FacetNetwork::set_facets(std::vector<Facet> facets, std::vector<FacetMemory
   memory_.resize(facets_.size());
   kinematics_.assign(facets_.size(), {Vec3::UnitX(), Vec3::Zero(), Vec3::Zero()});
   states_.resize(facets_.size());
+  asleep_.assign(facets_.size(), 0);
   for (std::size_t f = 0; f < facets_.size(); ++f) states_[f] = memory_[f].state;
   derive();
   list_active();
@@ -115,7 +116,7 @@ void FacetNetwork::dilatation() {
   if (4 * retired_since_ > active_.size()) list_active();
   for (BlockSums& sums : sums_) sums.bonded = sums.loaded = sums.squeezed = 0.0;
   for (std::size_t f : active_) {
-    if (states_[f] != FacetState::retired) open_facet(f);
+    if (states_[f] != FacetState::retired && asleep_[f] <= calls_) open_facet(f);
   }
   const double two_g = 2.0 * material_.shear_modulus();
   for (const BoundaryFace& face : faces_) {
@@ -145,6 +146,7 @@ void FacetNetwork::open_facet(std::size_t f) {
   kin.side.noalias() = si.rotation * e.arm_i;
   kin.jump.noalias() = sj.rotation * e.arm_j;
   kin.jump += sj.centre - si.centre - kin.side;
+  if (all_broken(f)) return;
   double opened = kin.normal.dot(kin.jump);  // mean over the facet of the bonded normal jump [m]
   if (states_[f] != FacetState::intact) {
     const Frame frame = frame_of(f);
@@ -158,14 +160,21 @@ void FacetNetwork::open_facet(std::size_t f) {
   sums_[j].bonded += e.area_j * opened;
 }
 
+bool FacetNetwork::all_broken(std::size_t f) const {
+  if (states_[f] == FacetState::intact) return false;
+  const auto& broken = memory_[f].broken;
+  return broken[0] && broken[1] && broken[2];
+}
+
 void FacetNetwork::tractions(double dt) {
   std::fill(force_.begin(), force_.end(), Vec3::Zero());
   std::fill(torque_.begin(), torque_.end(), Vec3::Zero());
   newly_cracked_ = false;
   for (std::size_t f : active_) {
-    if (states_[f] == FacetState::retired) continue;
+    if (states_[f] == FacetState::retired || asleep_[f] > calls_) continue;
     if (states_[f] != FacetState::intact || damping_ > 0.0 || !hold_facet(f)) work_facet(f, dt);
   }
+  ++calls_;
   load_faces();
   if (newly_cracked_) book_fracture();
 }
@@ -228,7 +237,7 @@ bool FacetNetwork::hold_facet(std::size_t f) {
 /// Forces of any facet: breaks points, and handles broken and damped ones.
 void FacetNetwork::work_facet(std::size_t f, double dt) {
   const Frame frame = frame_of(f);
-  if (states_[f] != FacetState::intact && !closes(f, frame)) return;
+  if (states_[f] != FacetState::intact && !closes(f, frame, dt)) return;
   const bool fresh = memory_[f].open;
   memory_[f].open = false;
   Push push;
@@ -331,9 +340,9 @@ Vec3 FacetNetwork::contact_traction(std::size_t f, int p, const Point& point, bo
 }
 
 /// Lets a broken facet fade and retire; false if it carries nothing in this step.
-bool FacetNetwork::closes(std::size_t f, const Frame& frame) {
+bool FacetNetwork::closes(std::size_t f, const Frame& frame, double dt) {
   FacetMemory& memory = memory_[f];
-  if (!(memory.broken[0] && memory.broken[1] && memory.broken[2])) return true;
+  if (!all_broken(f)) return true;
   const Law& law = law_[f];
   const Kinematics& kin = kinematics_[f];
   const double opened = kin.normal.dot(kin.jump);
@@ -356,9 +365,22 @@ bool FacetNetwork::closes(std::size_t f, const Frame& frame) {
   }
   const double turned = std::sqrt(frame.turn_1.squaredNorm()) + std::sqrt(frame.turn_2.squaredNorm());
   const double tilted = std::sqrt(std::max(slid_squared, 0.0) * turned_squared);
-  if (opened <= turned + (tilted + kSurelyOpen) * law.radius) return true;
+  const double gap = opened - turned - (tilted + kSurelyOpen) * law.radius;
+  if (gap <= 0.0) return true;
   memory.open = true;
+  let_sleep(f, gap, dt);
   return false;
+}
+
+/// Leaves an open facet alone for as long as its gap lasts at twice the present speed of approach,
+/// for a bounded time, because other forces may change that speed.
+void FacetNetwork::let_sleep(std::size_t f, double gap, double dt) {
+  const BlockState& si = state_[static_cast<std::size_t>(elastic_[f].i)];
+  const BlockState& sj = state_[static_cast<std::size_t>(elastic_[f].j)];
+  const double reach = kinematics_[f].side.norm() + law_[f].depth_j + 3.0 * law_[f].radius;
+  const double speed = (sj.velocity - si.velocity).norm() + (si.spin.norm() + sj.spin.norm()) * reach;
+  const double steps = 0.5 * gap / (std::max(speed, 1e-30) * dt);
+  asleep_[f] = calls_ + 1 + static_cast<std::int64_t>(std::min(steps, material_.parameters().longest_sleep));
 }
 
 /// The spring energy that a facet gives up when its fade falls by `lost` is booked as friction.
@@ -458,7 +480,7 @@ double FacetNetwork::elastic_energy() const {
   double energy = 0.0;
   for (std::size_t f : active_) {
     const FacetMemory& memory = memory_[f];
-    if (memory.state == FacetState::retired) continue;
+    if (memory.state == FacetState::retired || memory.open) continue;
     const Law& law = law_[f];
     const Frame frame = frame_of(f);
     const Vec3& n = kinematics_[f].normal;

@@ -185,6 +185,8 @@ class FacetNetwork {
   void count_unbonded();
   void list_active();
   void open_facet(std::size_t f);
+  [[nodiscard]] bool all_broken(std::size_t f) const;
+  void let_sleep(std::size_t f, double gap, double dt);
   bool hold_facet(std::size_t f);
   void work_facet(std::size_t f, double dt);
   [[nodiscard]] Vec3 bonded_traction(std::size_t f, const Point& point) const;
@@ -192,7 +194,7 @@ class FacetNetwork {
   [[nodiscard]] Vec3 contact_traction(std::size_t f, int p, const Point& point, bool fresh, double dt);
   void break_point(std::size_t f, int p, const Point& point, const Vec3& traction, double dt);
   void drop_from_dilatation(std::size_t f, const Vec3& jump);
-  [[nodiscard]] bool closes(std::size_t f, const Frame& frame);
+  [[nodiscard]] bool closes(std::size_t f, const Frame& frame, double dt);
   void book_fading(std::size_t f, const Frame& frame, double lost);
   void load_faces();
   void sweep(BoundaryFace& face) const;
@@ -217,6 +219,8 @@ class FacetNetwork {
   std::vector<FacetState> states_;    // as in memory_, packed
   std::vector<std::size_t> active_;   // facets that are not retired
   std::size_t retired_since_ = 0;     // how many entries of active_ have retired
+  std::vector<std::int64_t> asleep_;  // call of tractions() up to which an open facet is left alone
+  std::int64_t calls_ = 0;            // of tractions()
   std::vector<Kinematics> kinematics_;
   std::vector<BoundaryFace> faces_;
   JointLosses losses_;

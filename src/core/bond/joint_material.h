@@ -20,6 +20,7 @@ struct JointParameters {
   double shear_stiffness = std::numeric_limits<double>::infinity();       ///< joint alone [Pa/m]
   double damping = 0.0;          ///< of intact joints, share of rho c_P per area [-]
   double contact_damping = 0.0;  ///< of closed broken facets, share of rho c_P per area [-]
+  double longest_sleep = 0.0;    ///< steps for which a broken open facet may be left alone [-]
 };
 
 /// Stiffness of one facet whose block centres are h apart along its normal.

@@ -251,6 +251,27 @@ TEST(FacetNetwork, EqualPressureAllAroundIsCarriedByTheBulkModulus) {
   EXPECT_NEAR(scene.network().elastic_energy() / (0.5e14 / bulk), 1.0, 1e-13);  // p^2 V / 2K
 }
 
+TEST(FacetNetwork, WorkOfAPressureIsTheEnergyOfABlockThatItThrowsAndSpins) {
+  // One free block, pushed off-centre: it flies some metres and turns several times.
+  std::vector<Block> blocks = voronoi_blocks(3.0, 5, 0);
+  blocks.resize(1);
+  for (int& other : blocks[0].neighbour) other = kFreeFace;
+  BondScene scene(blocks, rock(0.25));
+  BoundaryFace& face = scene.network().faces()[0];
+  scene.compute();
+  face.pressure = 1e6;
+  scene.compute();
+  const double start = scene.energy_account();
+  double turned = 0.0;
+  for (int k = 0; k < 4000; ++k) {
+    scene.step(5e-5);
+    turned += 5e-5 * scene.block(0).spin.norm();
+  }
+  const double kinetic = scene.kinetic_energy();
+  ASSERT_GT(turned, 3.0);
+  EXPECT_NEAR(scene.energy_account(), start, 1e-3 * kinetic);
+}
+
 /// Largest energy over the start energy in `steps` steps of `share` of the stable step.
 double growth(const std::vector<Block>& blocks, double nu, double share, int steps) {
   BondScene scene(blocks, rock(nu));
