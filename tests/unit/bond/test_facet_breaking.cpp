@@ -198,6 +198,26 @@ TEST(FacetNetwork, BrokenFacetRetiresOnceItHasOpenedATenthOfItsRadius) {
   }
 }
 
+/// Speed of block 1 after two blocks with a broken, open facet have met at 5 m/s and parted.
+double rebound(double longest_sleep) {
+  JointParameters p = weak_rock(0.25);
+  p.longest_sleep = longest_sleep;
+  Pair pair(p);
+  pair.at({-1e-5, 0.004, 0});
+  EXPECT_TRUE(pair.cracked());
+  pair.at({0.08 * kRadius, 0.004, 0});  // a gap of 45 mm: 9 ms
+  pair.scene.block(1).velocity.x() = -5.0;
+  pair.scene.compute(1e-5);
+  for (int k = 0; k < 1500; ++k) pair.scene.step(1e-5);
+  EXPECT_GT(pair.scene.block(1).centre.x() - pair.scene.block(0).centre.x(), 1.01);
+  return pair.scene.block(1).velocity.x();
+}
+
+TEST(FacetNetwork, OpenFacetThatIsLeftAloneClosesInTime) {
+  EXPECT_EQ(rebound(20.0), rebound(0.0));
+  EXPECT_NEAR(rebound(20.0), 0.0, 0.01);  // equal masses swap their speeds, slid by 4 mm off-centre
+}
+
 TEST(FacetNetwork, BrokenFacetRetiresOnceItHasTurnedAway) {
   Pair pair;
   pair.at({-1e-3, 0.02, 0});
@@ -231,9 +251,8 @@ TEST(FacetNetwork, ElasticEnergyInTheStepOfBreakingIsThatAfterIt) {
   ASSERT_GT(scene.network().broken_count(), 5.0);
   const double told = scene.network().elastic_energy();
   scene.network().dilatation();
-  // Dilatations are those from before the break until the next pass; a quarter of the facets
-  // breaks.
-  EXPECT_NEAR(told / scene.network().elastic_energy(), 1.0, 1e-3);
+  EXPECT_NEAR(told / scene.network().elastic_energy(), 1.0,
+              1e-12);  // rounding of some hundred terms
 }
 
 /// A Voronoi cube whose halves fly apart: worst change of the energy account over the start energy.
@@ -253,17 +272,15 @@ double torn_apart(double share_of_step, double contact_damping) {
     worst = std::max(worst, std::abs(scene.energy_account() - start));
   }
   const JointLosses& lost = scene.network().losses();
-  EXPECT_GT(lost.fracture, 0.1 * start);
+  EXPECT_GT(lost.fracture, 0.05 * start);
   return worst / start;
 }
 
 TEST(FacetNetwork, EnergyOfATornBodyIsAccountedFor) {
-  // A break is found out up to a step too late, and that step's stretch is booked as if the joint
-  // had held through it: first order in the step. Joints are loaded within 100 us, the step is 15
-  // us.
-  const double coarse = torn_apart(0.1, 0.05), fine = torn_apart(0.025, 0.05);
-  EXPECT_LT(coarse, 0.02);  // measured 0.0115
-  EXPECT_LT(fine, 0.005);   // measured 0.0029
+  // Contact and its dashpot are first order in the step; measured 0.0018, 0.0005. With breaks
+  // booked as if the joint had held through the step of breaking, it would be 0.08 and 0.003.
+  EXPECT_LT(torn_apart(0.4, 0.05), 0.004);
+  EXPECT_LT(torn_apart(0.025, 0.05), 0.001);
 }
 
 TEST(FacetNetwork, IntactBodyKeepsItsEnergyUnderLeapfrog) {
