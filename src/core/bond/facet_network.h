@@ -50,16 +50,16 @@ struct BoundaryFace {
   int face = 0;           ///< number of the face in the block's polyhedron
   int block = -1;         ///< local index
   int hole = -1;          ///< index of the crushed zone that it faces, -1 if none
-  Vec3 normal;            ///< unit, outward
-  Vec3 arm;               ///< centroid minus block centre [m]
-  Vec3 start;             ///< centroid in the start configuration [m]
-  double area = 0.0;      ///< [m2]
-  double pressure = 0.0;  ///< [Pa]
+  Vec3 normal = Vec3::Zero();  ///< unit, outward
+  Vec3 arm = Vec3::Zero();     ///< centroid minus block centre [m]
+  Vec3 start = Vec3::Zero();   ///< centroid in the start configuration [m]
+  double area = 0.0;           ///< [m2]
+  double pressure = 0.0;       ///< on a face with a hole only [Pa]
   // Of the step before; they follow the face through the run.
   double last_pressure = 0.0;   ///< [Pa]
   double last_swept = 0.0;      ///< [m3]
   double rigid_swept = 0.0;     ///< by the block's own motion since the start [m3]
-  Vec3 last_centroid, last_normal;
+  Vec3 last_centroid = Vec3::Zero(), last_normal = Vec3::Zero();
 };
 
 /// State of a facet; it only ever moves down this list.
