@@ -352,7 +352,7 @@ void CreateBlocks::create(const std::vector<char>& mine, const std::vector<Hole>
     body.axes = in.get<Mat3>();
     body.spheres = in.get_all<Sphere>();
     create_body(body, tag, atom_tag, args);
-    records.push_back({tag, body.volume, body.mass, body.centre, body.axes});
+    records.push_back({tag, body.volume, body.mass, body.centre, body.axes, {}});
     for (const BoundaryFace& face : in.get_all<BoundaryFace>()) faces.push_back(face);
     for (const Facet& facet : in.get_all<Facet>()) facets.push_back(facet);
   }

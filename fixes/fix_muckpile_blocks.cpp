@@ -84,11 +84,33 @@ void FixMuckpileBlocks::synchronise() {
   MPI_Allreduce(&changed, &any, 1, MPI_INT, MPI_MAX, world);
   if (any == 0) return;
   if (keeper_ != nullptr) keeper_->hand_back(memory_, faces_);
+  drop_retired();
   const engine::BlockDirectory directory(tags, world);
   migrate(tags, directory);
   index(tags, directory);
   tags_ = tags;
   ++version_;
+}
+
+/// Retired facets need not travel: their blocks remember what is left to know of them. Every rank
+/// that holds a copy drops it at the same time.
+void FixMuckpileBlocks::drop_retired() {
+  std::size_t kept = 0;
+  for (std::size_t f = 0; f < facets_.size(); ++f) {
+    const Facet& facet = facets_[f];
+    if (memory_[f].state != FacetState::retired) {
+      facets_[kept] = facet;
+      memory_[kept++] = memory_[f];
+      continue;
+    }
+    for (int end : {facet.i, facet.j}) {
+      if (end >= static_cast<int>(records_.size())) continue;  // a copy, or the ground
+      BlockRecord& record = records_[static_cast<std::size_t>(end)];
+      record.retired.add(facet, end == facet.i ? facet.arm_i : facet.arm_j, record.volume);
+    }
+  }
+  facets_.resize(kept);
+  memory_.resize(kept);
 }
 
 void FixMuckpileBlocks::migrate(const std::vector<int>& tags, const engine::BlockDirectory& directory) {

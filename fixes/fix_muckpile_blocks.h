@@ -26,6 +26,7 @@ struct BlockRecord {
   double mass = 0.0;    ///< [kg]
   Vec3 start;           ///< centroid in the start configuration [m]
   Mat3 start_axes;      ///< principal axes of inertia in the start configuration, columns
+  RetiredFacets retired;
 };
 
 /// Whoever computes with the facets; gets asked for their state before blocks migrate.
@@ -71,6 +72,7 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
  private:
   void synchronise();
   [[nodiscard]] std::vector<int> body_tags();
+  void drop_retired();
   void migrate(const std::vector<int>& tags, const engine::BlockDirectory& directory);
   void index(const std::vector<int>& tags, const engine::BlockDirectory& directory);
 

@@ -125,8 +125,8 @@ void FixMuckpileJoint::follow_blocks() {
   if (version_ == store_->version()) return;
   version_ = store_->version();
   std::vector<BlockConstants> blocks;
-  for (const BlockRecord& r : store_->records()) blocks.push_back({r.tag, std::max(r.volume, 1e-300), r.mass, true});
-  for (int tag : store_->copy_tags()) blocks.push_back({tag, 1.0, 1.0, false});
+  for (const BlockRecord& r : store_->records()) blocks.push_back({r.tag, std::max(r.volume, 1e-300), r.mass, true, r.retired});
+  for (int tag : store_->copy_tags()) blocks.push_back({tag, 1.0, 1.0, false, {}});
   network_.set_blocks(std::move(blocks));
   network_.set_facets(store_->facets(), store_->memory());
   network_.set_faces(store_->faces());
@@ -155,6 +155,9 @@ void FixMuckpileJoint::refresh_enclosed() {
   if (version_ == 0) return;
   std::vector<bool> open(network_.blocks().size(), false);
   for (const BoundaryFace& face : network_.faces()) open[static_cast<std::size_t>(face.block)] = true;
+  for (std::size_t b = 0; b < open.size(); ++b) {
+    if (network_.blocks()[b].retired.unbonded > 0.0) open[b] = true;
+  }
   for (std::size_t f = 0; f < network_.facets().size(); ++f) {
     if (network_.states()[f] == FacetState::intact) continue;
     open[static_cast<std::size_t>(network_.facets()[f].i)] = true;

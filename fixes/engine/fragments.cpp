@@ -65,7 +65,9 @@ std::vector<int> fragment_ids(const FixMuckpileJoint& joint, MPI_Comm world) {
 
 std::vector<double> broken_share(const FixMuckpileJoint& joint) {
   const FacetNetwork& network = joint.network();
-  std::vector<double> broken(network.blocks().size(), 0.0), all(network.blocks().size(), 0.0);
+  std::vector<double> broken;
+  for (const BlockConstants& block : network.blocks()) broken.push_back(block.retired.area);
+  std::vector<double> all = broken;
   for (std::size_t f = 0; f < network.facets().size(); ++f) {
     const Facet& facet = network.facets()[f];
     if (facet.kind != FacetKind::joint) continue;

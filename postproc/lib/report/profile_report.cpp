@@ -39,19 +39,33 @@ Hole hole_of(const ResultFolder& folder) {
           0.5 * folder.scene_number("hole_diameter_m")};
 }
 
-// Peak over the snapshots of the face layer's velocity [m/s]. Only the charge above the pit floor
-// drives the face.
-double face_velocity(const ResultFolder& folder, const std::vector<StartBlock>& blocks,
-                     const Hole& hole) {
+struct FaceSpeed {
+  double peak = std::nan("");  // of the fastest band of height [m/s]
+  double mean = std::nan("");  // of the middle half of the charge's height [m/s]
+};
+
+constexpr int kFaceBands = 10;  // bands of height, as a velocity profile of a filmed face has
+
+// Peaks over the snapshots. Only the charge above the pit floor drives the face.
+FaceSpeed face_speed_of(const ResultFolder& folder, const std::vector<StartBlock>& blocks,
+                        const Hole& hole) {
   const double low = std::max(hole.charge_bottom, 0.0), quarter = 0.25 * (hole.charge_top - low);
-  const std::vector<size_t> layer =
+  const std::vector<size_t> middle =
       face_layer(blocks, -hole.x, low + quarter, hole.charge_top - quarter);
-  if (layer.empty()) return std::nan("");
-  double fastest = 0.0;
-  for (const auto& path : folder.snapshots()) {
-    fastest = std::max(fastest, mean_outward_velocity(blocks, read_snapshot(path, blocks), layer));
+  std::vector<std::vector<size_t>> bands;
+  for (int k = 0; k < kFaceBands; ++k) {
+    const double step = hole.top / kFaceBands;
+    bands.push_back(face_layer(blocks, -hole.x, k * step, (k + 1) * step));
   }
-  return fastest;
+  FaceSpeed speed;
+  for (const auto& path : folder.snapshots()) {
+    const Snapshot now = read_snapshot(path, blocks);
+    if (!middle.empty()) speed.mean = std::fmax(speed.mean, mean_outward_velocity(blocks, now, middle));
+    for (const auto& band : bands) {
+      if (!band.empty()) speed.peak = std::fmax(speed.peak, mean_outward_velocity(blocks, now, band));
+    }
+  }
+  return speed;
 }
 
 void write_profile(const PileProfile& p, const std::filesystem::path& path) {
@@ -64,10 +78,11 @@ void write_profile(const PileProfile& p, const std::filesystem::path& path) {
   }
 }
 
-nlohmann::ordered_json pile_keys(const PileShape& shape, const Throw& thrown, double face_speed,
-                                 double cell) {
+nlohmann::ordered_json pile_keys(const PileShape& shape, const Throw& thrown,
+                                 const FaceSpeed& face_speed, double cell) {
   nlohmann::ordered_json keys;
-  keys["face_velocity_m_s"] = face_speed;
+  keys["face_velocity_m_s"] = face_speed.peak;
+  keys["face_velocity_mean_m_s"] = face_speed.mean;
   keys["throw_cg_m"] = thrown.centre_of_mass;
   keys["throw_max_m"] = thrown.largest;
   keys["cast_fraction"] = thrown.cast_fraction;
@@ -170,13 +185,13 @@ void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
   }
   const RunData run(folder, measure);
   const Hole hole = hole_of(folder);
-  const double face_speed = face_velocity(folder, run.blocks, hole);
+  const FaceSpeed face_speed = face_speed_of(folder, run.blocks, hole);
   const PileProfile profile = pile_profile(run.blocks, run.last, run.moved, run.cell);
   const PileShape shape = pile_shape(profile, -hole.x, mean_block_size(run.blocks, run.moved));
   const Throw thrown = throw_of(run.blocks, run.last, -hole.x);
   write_profile(profile, folder.file("profile.csv"));
   SectionPlot plot = section_of(folder, run, profile, shape, hole, section);
-  plot.subtitle = subtitle_of(shape, thrown, face_speed);
+  plot.subtitle = subtitle_of(shape, thrown, face_speed.peak);
   write_png(draw_section(std::move(plot)), folder.file("profile.png"));
   nlohmann::ordered_json keys = common_keys(folder);
   keys.update(pile_keys(shape, thrown, face_speed, run.cell));

@@ -32,7 +32,7 @@ constexpr std::array<std::array<double, 2>, kFacetPoints> kPoints = {
 
 void FacetNetwork::set_blocks(std::vector<BlockConstants> blocks) {
   blocks_ = std::move(blocks);
-  blocks_.push_back({kGroundTag, 1.0, 1.0, false});
+  blocks_.push_back({kGroundTag, 1.0, 1.0, false, {}});
   state_.assign(blocks_.size(), {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Mat3::Identity()});
   sums_.assign(blocks_.size(), {});
   theta_.assign(blocks_.size(), 0.0);
@@ -96,7 +96,7 @@ void FacetNetwork::list_active() {
 }
 
 void FacetNetwork::count_unbonded() {
-  for (BlockSums& sums : sums_) sums.unbonded = 0.0;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) sums_[b].unbonded = blocks_[b].retired.unbonded;
   for (const BoundaryFace& face : faces_) {
     const auto b = static_cast<std::size_t>(face.block);
     sums_[b].unbonded += face.area * face.normal.dot(face.arm) / blocks_[b].volume;
@@ -238,6 +238,7 @@ bool FacetNetwork::hold_facet(std::size_t f) {
 void FacetNetwork::work_facet(std::size_t f, double dt) {
   const Frame frame = frame_of(f);
   if (states_[f] != FacetState::intact && !closes(f, frame, dt)) return;
+  const bool torn = turned_squared(f, frame) > kTurnStart * kTurnStart;  // else a last point is a hinge
   const bool fresh = memory_[f].open;
   memory_[f].open = false;
   Push push;
@@ -246,7 +247,7 @@ void FacetNetwork::work_facet(std::size_t f, double dt) {
     Vec3 traction;
     if (!memory_[f].broken[static_cast<std::size_t>(p)]) {
       traction = bonded_traction(f, point);
-      if (fails(kinematics_[f].normal, traction)) {
+      if (torn || fails(kinematics_[f].normal, traction)) {
         break_point(f, p, point, traction, dt);
       } else if (damping_ > 0.0) {
         const Vec3 rate = relative_velocity(f, point.arm);
@@ -339,6 +340,12 @@ Vec3 FacetNetwork::contact_traction(std::size_t f, int p, const Point& point, bo
   return normal * n + shear;
 }
 
+/// Square of the angle by which the two blocks have turned against each other [rad2], while small.
+double FacetNetwork::turned_squared(std::size_t f, const Frame& frame) const {
+  return frame.turn_1.squaredNorm() / law_[f].half_1.squaredNorm() +
+         frame.turn_2.squaredNorm() / law_[f].half_2.squaredNorm();
+}
+
 /// Lets a broken facet fade and retire; false if it carries nothing in this step.
 bool FacetNetwork::closes(std::size_t f, const Frame& frame, double dt) {
   FacetMemory& memory = memory_[f];
@@ -347,11 +354,10 @@ bool FacetNetwork::closes(std::size_t f, const Frame& frame, double dt) {
   const Kinematics& kin = kinematics_[f];
   const double opened = kin.normal.dot(kin.jump);
   const double slid_squared = (kin.jump.squaredNorm() - opened * opened) / (law.radius * law.radius);
-  const double turned_squared = frame.turn_1.squaredNorm() / law.half_1.squaredNorm() +
-                                frame.turn_2.squaredNorm() / law.half_2.squaredNorm();
-  if (slid_squared > kSlideStart * kSlideStart || turned_squared > kTurnStart * kTurnStart) {
+  const double turn_squared = turned_squared(f, frame);
+  if (slid_squared > kSlideStart * kSlideStart || turn_squared > kTurnStart * kTurnStart) {
     const double matching = ramp_down(std::sqrt(std::max(slid_squared, 0.0)), kSlideStart, kSlideEnd) *
-                            ramp_down(std::sqrt(turned_squared), kTurnStart, kTurnEnd);
+                            ramp_down(std::sqrt(turn_squared), kTurnStart, kTurnEnd);
     if (matching < memory.fade) {
       book_fading(f, frame, memory.fade - matching);
       memory.fade = matching;
@@ -364,7 +370,7 @@ bool FacetNetwork::closes(std::size_t f, const Frame& frame, double dt) {
     return false;
   }
   const double turned = std::sqrt(frame.turn_1.squaredNorm()) + std::sqrt(frame.turn_2.squaredNorm());
-  const double tilted = std::sqrt(std::max(slid_squared, 0.0) * turned_squared);
+  const double tilted = std::sqrt(std::max(slid_squared, 0.0) * turn_squared);
   const double gap = opened - turned - (tilted + kSurelyOpen) * law.radius;
   if (gap <= 0.0) return true;
   memory.open = true;
@@ -509,6 +515,9 @@ double FacetNetwork::elastic_energy() const {
 
 double FacetNetwork::broken_count() const {
   double count = 0.0;
+  for (const BlockConstants& block : blocks_) {
+    if (block.owned) count += 0.5 * block.retired.count;  // each of the two blocks remembers it
+  }
   for (std::size_t f = 0; f < facets_.size(); ++f) {
     if (facets_[f].kind == FacetKind::joint && states_[f] != FacetState::intact) count += facets_[f].weight;
   }
@@ -517,6 +526,9 @@ double FacetNetwork::broken_count() const {
 
 double FacetNetwork::broken_area(bool all) const {
   double area = 0.0;
+  for (const BlockConstants& block : blocks_) {
+    if (block.owned) area += 0.5 * block.retired.area;
+  }
   for (std::size_t f = 0; f < facets_.size(); ++f) {
     if (facets_[f].kind != FacetKind::joint) continue;
     for (bool broken : memory_[f].broken) {

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -80,11 +81,27 @@ struct FacetMemory {
   double fade = 1.0;  ///< 1 while the faces match, falls to 0 as they slide or turn away
 };
 
+/// What is left to know of a block's retired facets once they are no longer kept.
+struct RetiredFacets {
+  double unbonded = 0.0;  ///< their part of phi [-]
+  double area = 0.0;      ///< of joints [m2]
+  double count = 0.0;     ///< of joints [-]
+
+  /// `arm` is the facet's centroid less the centre of the block, `volume` the block's.
+  void add(const Facet& facet, const Vec3& arm, double volume) {
+    unbonded += facet.area * std::abs(facet.normal.dot(arm)) / volume;
+    if (facet.kind != FacetKind::joint) return;
+    area += facet.area;
+    count += 1.0;
+  }
+};
+
 struct BlockConstants {
   int tag = 0;
   double volume = 0.0;  ///< [m3]
   double mass = 0.0;    ///< [kg]
   bool owned = true;    ///< false for a copy of another rank's block
+  RetiredFacets retired{};
 };
 
 struct BlockState {
@@ -195,6 +212,7 @@ class FacetNetwork {
   void break_point(std::size_t f, int p, const Point& point, const Vec3& traction, double dt);
   void drop_from_dilatation(std::size_t f, const Vec3& jump);
   [[nodiscard]] bool closes(std::size_t f, const Frame& frame, double dt);
+  [[nodiscard]] double turned_squared(std::size_t f, const Frame& frame) const;
   void book_fading(std::size_t f, const Frame& frame, double lost);
   void load_faces();
   void sweep(BoundaryFace& face) const;
