@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# crater_case.sh LIGGGHTS_MUCKPILE MUCKPILE_POST EXPECTED.json: runs inputs/crater/in.crater with the "vars" of
+# EXPECTED.json and compares summary.json, or the last row of history.csv, with its "expected" lines.
+# Scope: EXPECTED.json has one line per value: {"quantity": NAME, "value": V, "tolerance": T, "why": TEXT}.
+set -euo pipefail
+program=$1 post=$2 expected=$(readlink -f "$3")
+root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
+out=$(mktemp -d)
+trap 'rm -rf "$out"' EXIT
+cd "$root"
+
+read -ra vars < <(sed -nE 's/^ *"vars": "(.*)",?$/\1/p' "$expected")
+[[ ${#vars[@]} -gt 0 ]] || { echo "$expected: no line with \"vars\""; exit 1; }
+
+OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1 \
+  OMPI_MCA_btl_vader_single_copy_mechanism=none \
+  mpirun -np 2 --oversubscribe --bind-to none "$program" -in inputs/crater/in.crater -log none \
+  -var out "$out" "${vars[@]}" >"$out/screen" 2>&1 || { tail -n 30 "$out/screen"; exit 1; }
+"$post" crater "$out"
+
+value_of() {  # value_of QUANTITY: from summary.json, else the last row of history.csv, else nothing
+  local found
+  found=$(sed -nE "s/^ *\"$1\": ([-0-9.eE+]+),?$/\1/p" "$out/summary.json")
+  [[ -n $found ]] || found=$(awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) column = i }
+    END { if (column) print $column }' "$out/dump/history.csv")
+  printf '%s' "$found"
+}
+
+compared=0 wrong=0
+while read -r quantity value tolerance; do
+  found=$(value_of "$quantity")
+  compared=$((compared + 1))
+  verdict=$(awk -v f="${found:-missing}" -v v="$value" -v t="$tolerance" 'BEGIN {
+    d = f - v; if (f == "missing") print "missing"; else if (d <= t && -d <= t) print "ok"; else print "WRONG" }')
+  printf '%-28s %14s  expected %s +- %s  %s\n' "$quantity" "${found:-missing}" "$value" "$tolerance" "$verdict"
+  [[ $verdict == ok ]] || wrong=$((wrong + 1))
+done < <(sed -nE \
+  's/^ *\{"quantity": "([a-zA-Z0-9_]+)", "value": ([-0-9.eE+]+), "tolerance": ([-0-9.eE+]+), "why": ".+"\},?$/\1 \2 \3/p' \
+  "$expected")
+[[ $compared -gt 0 ]] || { echo "$expected: no line with \"quantity\""; exit 1; }
+[[ $wrong -eq 0 ]]
