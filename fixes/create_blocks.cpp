@@ -90,6 +90,10 @@ void CreateBlocks::command(int narg, char** arg) {
   if (narg < 1) engine::stop(*lmp, "create_blocks: needs the ID of a region as its first word");
   check_engine();
   const ArgValues args = engine::read_args(*lmp, table(), kStyle, narg, arg, 1);
+  if (args.integer("type") > atom->ntypes) {
+    engine::stop(*lmp, "create_blocks: type must be <= " + std::to_string(atom->ntypes) +
+                           ", the number of atom types of the box, got '" + std::to_string(args.integer("type")) + "'");
+  }
   LAMMPS_NS::Region& rock = region(arg[0]);
   check_overlap(rock);
   const double start = MPI_Wtime();
@@ -332,8 +336,7 @@ std::vector<char> CreateBlocks::hand_out(const Model& model) const {
     for (const Facet* facet : facets_of[b]) out.put(*facet);
     atom_tag += static_cast<int>(body.spheres.size());
   }
-  std::vector<std::vector<char>> buffers;
-  for (auto& writer : outgoing) buffers.push_back(std::move(writer.bytes()));
+  const auto buffers = engine::bytes_of(outgoing);
   return engine::exchange_bytes(buffers, world).front();
 }
 

@@ -19,14 +19,6 @@ using FacetKey = std::pair<int, int>;
 
 FacetKey key_of(const Facet& facet) { return {facet.tag_i, facet.face}; }
 
-/// Everything that goes with one block to its new owner.
-void pack_block(engine::ByteWriter& out, const BlockRecord& record, const std::vector<BoundaryFace>& faces,
-                const std::vector<std::pair<Facet, FacetMemory>>& facets) {
-  out.put(record);
-  out.put_all(faces);
-  out.put_all(facets);
-}
-
 }  // namespace
 
 FixMuckpileBlocks::FixMuckpileBlocks(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
@@ -34,6 +26,10 @@ FixMuckpileBlocks::FixMuckpileBlocks(LAMMPS_NS::LAMMPS* engine, int narg, char**
   if (multisphere_ == nullptr) {
     engine::stop(*lmp, "fix muckpile/blocks needs a fix multisphere defined before it");
   }
+}
+
+FixMuckpileBlocks::~FixMuckpileBlocks() {
+  if (keeper_ != nullptr) keeper_->store_is_gone();
 }
 
 int FixMuckpileBlocks::setmask() { return LAMMPS_NS::FixConst::PRE_NEIGHBOR; }
@@ -50,7 +46,7 @@ double FixMuckpileBlocks::memory_usage() {
 void FixMuckpileBlocks::add(const std::vector<BlockRecord>& records, const std::vector<Facet>& facets,
                             const std::vector<BoundaryFace>& faces, const std::vector<Hole>& holes,
                             int blocks_all) {
-  if (keeper_ != nullptr) keeper_->hand_back(memory_, faces_);
+  take_back();
   records_.insert(records_.end(), records.begin(), records.end());
   facets_.insert(facets_.end(), facets.begin(), facets.end());
   memory_.resize(facets_.size());
@@ -83,13 +79,27 @@ void FixMuckpileBlocks::synchronise() {
   int changed = tags == tags_ ? 0 : 1, any = 0;
   MPI_Allreduce(&changed, &any, 1, MPI_INT, MPI_MAX, world);
   if (any == 0) return;
-  if (keeper_ != nullptr) keeper_->hand_back(memory_, faces_);
-  drop_retired();
+  take_back();
   const engine::BlockDirectory directory(tags, world);
+  drop_orphans(directory);
   migrate(tags, directory);
   index(tags, directory);
   tags_ = tags;
   ++version_;
+}
+
+/// Gets the facets' state back from whoever computes with it, once after each change of the lists.
+void FixMuckpileBlocks::take_back() {
+  if (keeper_ == nullptr || taken_back_ == version_) return;
+  keeper_->hand_back(memory_, faces_);
+  drop_retired();
+  taken_back_ = version_;
+}
+
+void FixMuckpileBlocks::retire_into_record(const Facet& facet, int end) {
+  if (end >= static_cast<int>(records_.size())) return;  // a copy, or the ground
+  BlockRecord& record = records_[static_cast<std::size_t>(end)];
+  record.retired.add(facet, end == facet.i ? facet.arm_i : facet.arm_j, record.volume);
 }
 
 /// Retired facets need not travel: their blocks remember what is left to know of them. Every rank
@@ -97,23 +107,51 @@ void FixMuckpileBlocks::synchronise() {
 void FixMuckpileBlocks::drop_retired() {
   std::size_t kept = 0;
   for (std::size_t f = 0; f < facets_.size(); ++f) {
-    const Facet& facet = facets_[f];
+    const Facet facet = facets_[f];
     if (memory_[f].state != FacetState::retired) {
       facets_[kept] = facet;
       memory_[kept++] = memory_[f];
       continue;
     }
-    for (int end : {facet.i, facet.j}) {
-      if (end >= static_cast<int>(records_.size())) continue;  // a copy, or the ground
-      BlockRecord& record = records_[static_cast<std::size_t>(end)];
-      record.retired.add(facet, end == facet.i ? facet.arm_i : facet.arm_j, record.volume);
-    }
+    retire_into_record(facet, facet.i);
+    retire_into_record(facet, facet.j);
   }
   facets_.resize(kept);
   memory_.resize(kept);
 }
 
+/// A block that left the simulation box takes its joints with it: its neighbours lose them, and
+/// nothing pulls at a block that is no longer there. fix muckpile/progress reports the loss.
+void FixMuckpileBlocks::drop_orphans(const engine::BlockDirectory& directory) {
+  std::vector<int> ends;
+  for (const Facet& facet : facets_) {
+    for (int tag : {facet.tag_i, facet.tag_j}) {
+      if (tag != kGroundTag) ends.push_back(tag);
+    }
+  }
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  const std::vector<int> owners = directory.owners(ends);
+  std::unordered_set<int> lost;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    if (owners[k] < 0) lost.insert(ends[k]);
+  }
+  if (lost.empty()) return;
+  for (std::size_t f = 0; f < facets_.size(); ++f) {
+    if (lost.count(facets_[f].tag_i) + lost.count(facets_[f].tag_j) > 0) {
+      memory_[f].state = FacetState::retired;
+    }
+  }
+  drop_retired();
+}
+
 void FixMuckpileBlocks::migrate(const std::vector<int>& tags, const engine::BlockDirectory& directory) {
+  merge(tags, engine::exchange_bytes(pack_leaving(tags, directory), world));
+}
+
+/// Per destination rank: the blocks that went there, with their faces and facets.
+std::vector<std::vector<char>> FixMuckpileBlocks::pack_leaving(
+    const std::vector<int>& tags, const engine::BlockDirectory& directory) {
   const std::unordered_set<int> here(tags.begin(), tags.end());
   std::vector<int> leaving;
   for (const BlockRecord& record : records_) {
@@ -127,7 +165,7 @@ void FixMuckpileBlocks::migrate(const std::vector<int>& tags, const engine::Bloc
   for (const BoundaryFace& face : faces_) {
     if (destination.count(face.tag) != 0) faces_of[face.tag].push_back(face);
   }
-  std::unordered_map<int, std::vector<std::pair<Facet, FacetMemory>>> facets_of;
+  std::unordered_map<int, std::vector<FacetEntry>> facets_of;
   for (std::size_t f = 0; f < facets_.size(); ++f) {
     for (int tag : {facets_[f].tag_i, facets_[f].tag_j}) {
       if (destination.count(tag) != 0) facets_of[tag].emplace_back(facets_[f], memory_[f]);
@@ -139,50 +177,50 @@ void FixMuckpileBlocks::migrate(const std::vector<int>& tags, const engine::Bloc
   for (const BlockRecord& record : records_) {
     const auto to = destination.find(record.tag);
     if (to == destination.end() || to->second < 0) continue;
-    pack_block(outgoing[static_cast<std::size_t>(to->second)], record, faces_of[record.tag],
-               facets_of[record.tag]);
+    engine::ByteWriter& out = outgoing[static_cast<std::size_t>(to->second)];
+    out.put(record);
+    out.put_all(faces_of[record.tag]);
+    out.put_all(facets_of[record.tag]);
   }
-  std::vector<std::vector<char>> buffers;
-  for (auto& writer : outgoing) buffers.push_back(std::move(writer.bytes()));
+  return engine::bytes_of(outgoing);
+}
 
+/// Adds what arrived, drops what no block here needs, and puts all in canonical order.
+void FixMuckpileBlocks::merge(const std::vector<int>& tags,
+                              const std::vector<std::vector<char>>& arrived) {
+  const std::unordered_set<int> here(tags.begin(), tags.end());
   std::unordered_map<int, BlockRecord> known;
   for (const BlockRecord& record : records_) known[record.tag] = record;
-  std::vector<BoundaryFace> faces;
-  for (const BoundaryFace& face : faces_) {
-    if (here.count(face.tag) != 0) faces.push_back(face);
-  }
-  std::vector<std::pair<Facet, FacetMemory>> facets;
+  std::vector<FacetEntry> facets;
   for (std::size_t f = 0; f < facets_.size(); ++f) facets.emplace_back(facets_[f], memory_[f]);
-
-  for (const auto& part : engine::exchange_bytes(buffers, world)) {
+  for (const auto& part : arrived) {
     for (engine::ByteReader reader(part); !reader.empty();) {
       const auto record = reader.get<BlockRecord>();
       known[record.tag] = record;
-      for (const auto& face : reader.get_all<BoundaryFace>()) faces.push_back(face);
-      for (const auto& facet : reader.get_all<std::pair<Facet, FacetMemory>>()) facets.push_back(facet);
+      for (const auto& face : reader.get_all<BoundaryFace>()) faces_.push_back(face);
+      for (const auto& facet : reader.get_all<FacetEntry>()) facets.push_back(facet);
     }
   }
-  const auto unowned = [&](const auto& entry) {
+  std::erase_if(faces_, [&](const BoundaryFace& face) { return here.count(face.tag) == 0; });
+  std::erase_if(facets, [&](const FacetEntry& entry) {
     return here.count(entry.first.tag_i) == 0 && here.count(entry.first.tag_j) == 0;
-  };
-  facets.erase(std::remove_if(facets.begin(), facets.end(), unowned), facets.end());
-  const auto before = [](const auto& a, const auto& b) { return key_of(a.first) < key_of(b.first); };
-  const auto same = [](const auto& a, const auto& b) { return key_of(a.first) == key_of(b.first); };
-  std::sort(facets.begin(), facets.end(), before);
-  facets.erase(std::unique(facets.begin(), facets.end(), same), facets.end());
-  const auto face_before = [](const BoundaryFace& a, const BoundaryFace& b) {
+  });
+  std::sort(faces_.begin(), faces_.end(), [](const BoundaryFace& a, const BoundaryFace& b) {
     return std::pair(a.tag, a.face) < std::pair(b.tag, b.face);
-  };
-  std::sort(faces.begin(), faces.end(), face_before);
+  });
+  std::sort(facets.begin(), facets.end(), [](const FacetEntry& a, const FacetEntry& b) {
+    return key_of(a.first) < key_of(b.first);
+  });
+  const auto twice = std::unique(facets.begin(), facets.end(), [](const auto& a, const auto& b) {
+    return key_of(a.first) == key_of(b.first);
+  });
+  facets.erase(twice, facets.end());
 
   records_.clear();
   for (int tag : tags) {
     const auto found = known.find(tag);  // absent for a body that create_blocks did not make
-    BlockRecord foreign;
-    foreign.tag = tag;
-    records_.push_back(found == known.end() ? foreign : found->second);
+    records_.push_back(found == known.end() ? BlockRecord{.tag = tag} : found->second);
   }
-  faces_ = std::move(faces);
   facets_.clear();
   memory_.clear();
   for (const auto& [facet, memory] : facets) {

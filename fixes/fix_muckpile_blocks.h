@@ -24,9 +24,9 @@ struct BlockRecord {
   int tag = 0;
   double volume = 0.0;  ///< of the polyhedron [m3]
   double mass = 0.0;    ///< [kg]
-  Vec3 start;           ///< centroid in the start configuration [m]
-  Mat3 start_axes;      ///< principal axes of inertia in the start configuration, columns
-  RetiredFacets retired;
+  Vec3 start = Vec3::Zero();              ///< centroid in the start configuration [m]
+  Mat3 start_axes = Mat3::Identity();     ///< principal axes of inertia in the start configuration, columns
+  RetiredFacets retired{};
 };
 
 /// Whoever computes with the facets; gets asked for their state before blocks migrate.
@@ -34,11 +34,13 @@ class FacetKeeper {
  public:
   virtual ~FacetKeeper() = default;
   virtual void hand_back(std::vector<FacetMemory>& memory, std::vector<BoundaryFace>& faces) = 0;
+  virtual void store_is_gone() = 0;  ///< the engine deletes fixes in any order
 };
 
 class FixMuckpileBlocks : public LAMMPS_NS::Fix {
  public:
   FixMuckpileBlocks(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+  ~FixMuckpileBlocks() override;
 
   int setmask() override;
   void setup_pre_neighbor() override { synchronise(); }
@@ -70,10 +72,18 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   [[nodiscard]] LAMMPS_NS::FixMultisphere& multisphere() { return *multisphere_; }
 
  private:
+  using FacetEntry = std::pair<Facet, FacetMemory>;
+
   void synchronise();
   [[nodiscard]] std::vector<int> body_tags();
+  void take_back();
   void drop_retired();
+  void drop_orphans(const engine::BlockDirectory& directory);
+  void retire_into_record(const Facet& facet, int end);
   void migrate(const std::vector<int>& tags, const engine::BlockDirectory& directory);
+  [[nodiscard]] std::vector<std::vector<char>> pack_leaving(const std::vector<int>& tags,
+                                                            const engine::BlockDirectory& directory);
+  void merge(const std::vector<int>& tags, const std::vector<std::vector<char>>& arrived);
   void index(const std::vector<int>& tags, const engine::BlockDirectory& directory);
 
   LAMMPS_NS::FixMultisphere* multisphere_;
@@ -85,7 +95,7 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   std::vector<Hole> holes_;
   std::vector<int> tags_, copy_tags_;
   engine::BlockHalo halo_;
-  std::uint64_t version_ = 0;
+  std::uint64_t version_ = 0, taken_back_ = 0;
   int blocks_created_ = 0, facets_created_ = 0;
 };
 

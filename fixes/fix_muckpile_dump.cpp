@@ -60,7 +60,11 @@ void FixMuckpileDump::init() {
   }
 }
 
-void FixMuckpileDump::setup(int) { write(); }
+void FixMuckpileDump::setup(int) {
+  if (last_ < 0) write();
+}
+
+void FixMuckpileDump::post_run() { write(); }
 
 void FixMuckpileDump::end_of_step() {
   if (update->ntimestep % nevery == 0) write();

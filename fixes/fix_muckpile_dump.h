@@ -20,6 +20,7 @@ class FixMuckpileDump : public LAMMPS_NS::Fix {
   void init() override;
   void setup(int vflag) override;
   void end_of_step() override;
+  void post_run() override;
   int modify_param(int narg, char** arg) override;
 
  private:

@@ -115,7 +115,7 @@ void FixMuckpileJoint::init() {
 }
 
 void FixMuckpileJoint::hand_back(std::vector<FacetMemory>& facet_memory, std::vector<BoundaryFace>& faces) {
-  if (version_ == 0) return;
+  if (version_ == 0 || version_ != store_->version()) return;  // has not taken the lists over yet
   facet_memory = network_.memory();
   faces = network_.faces();
 }
@@ -171,15 +171,19 @@ void FixMuckpileJoint::refresh_enclosed() {
   std::sort(enclosed_tags_.begin(), enclosed_tags_.end());
 }
 
-void FixMuckpileJoint::setup(int vflag) { post_force(vflag); }
+void FixMuckpileJoint::setup(int) { add_forces(0.0); }  // no time passes: nothing is lost in dashpots
 
 void FixMuckpileJoint::post_force(int) {
+  add_forces(update->dt);
+  ask_for_neighbours();
+}
+
+void FixMuckpileJoint::add_forces(double dt) {
   gather_state();
   network_.dilatation();
   store_->halo().forward(network_.theta().first(store_->halo().size()), 1);
-  network_.tractions(update->dt);
+  network_.tractions(dt);
   apply_forces();
-  ask_for_neighbours();
 }
 
 void FixMuckpileJoint::gather_state() {
@@ -288,6 +292,7 @@ int FixMuckpileJoint::modify_param(int narg, char** arg) {
   if (std::strcmp(arg[0], "soften") != 0) return 0;
   const std::string where = std::string("fix_modify ") + id;
   if (narg < 2) engine::stop(*lmp, where + ": soften needs a factor in (0, 1]");
+  if (version_ == 0) engine::stop(*lmp, where + ": soften needs a run (run 0 will do) before it");
   engine::or_engine_error(*lmp, [&] {
     const double factor = parse_real(where, "soften", arg[1], "", Range::left_open(0.0, 1.0));
     gather_state();

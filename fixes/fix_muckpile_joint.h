@@ -32,6 +32,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix, public FacetKeeper, public Joint
   double memory_usage() override;
 
   void hand_back(std::vector<FacetMemory>& facet_memory, std::vector<BoundaryFace>& faces) override;
+  void store_is_gone() override { store_ = nullptr; }
 
   [[nodiscard]] int facet_between(int block_tag_a, int block_tag_b) const override;
   [[nodiscard]] const FacetState* facet_states() const override { return network_.states().data(); }
@@ -53,6 +54,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix, public FacetKeeper, public Joint
 
  private:
   void follow_blocks();
+  void add_forces(double dt);
   void gather_state();
   void apply_forces();
   void refresh_enclosed();

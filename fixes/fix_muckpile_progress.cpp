@@ -177,13 +177,14 @@ void FixMuckpileProgress::write_history(const Look& now) {
 void FixMuckpileProgress::write_run(const Look& now) const {
   if (comm->me != 0) return;
   std::ofstream out(folder_ + "/run.json");
+  if (!out) error->warning(FLERR, ("fix muckpile/progress: cannot write to '" + folder_ + "'").c_str());
   out.precision(10);
   out << "{\n  \"blocks\": " << store_->blocks_created() << ",\n  \"spheres\": " << atom->natoms
       << ",\n  \"joints\": " << store_->facets_created() << ",\n  \"joints_broken_fraction\": "
       << (now.joints > 0.0 ? now.broken / now.joints : 0.0) << ",\n  \"steps\": " << update->ntimestep
       << ",\n  \"physical_time_s\": " << now.time << ",\n  \"wall_time_s\": " << MPI_Wtime() - wall_start_
       << ",\n  \"ranks\": " << comm->nprocs << ",\n  \"energy_balance_error\": " << now.balance
-      << ",\n  \"still\": " << (still(now) ? "true" : "false") << "\n}\n";
+      << ",\n  \"version\": \"" << MUCKPILE_VERSION << "\",\n  \"still\": " << (still(now) ? "true" : "false") << "\n}\n";
 }
 
 double FixMuckpileProgress::compute_scalar() { return still(look()) ? 1.0 : 0.0; }

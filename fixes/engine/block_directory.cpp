@@ -11,8 +11,7 @@ BlockDirectory::BlockDirectory(const std::vector<int>& owned_tags, MPI_Comm worl
   MPI_Comm_size(world_, &ranks_);
   std::vector<ByteWriter> outgoing(static_cast<std::size_t>(ranks_));
   for (int tag : owned_tags) outgoing[static_cast<std::size_t>(home(tag))].put(tag);
-  std::vector<std::vector<char>> buffers;
-  for (auto& writer : outgoing) buffers.push_back(std::move(writer.bytes()));
+  const auto buffers = bytes_of(outgoing);
   const auto incoming = exchange_bytes(buffers, world_);
   for (std::size_t rank = 0; rank < incoming.size(); ++rank) {
     for (ByteReader reader(incoming[rank]); !reader.empty();) {
@@ -25,8 +24,7 @@ std::vector<int> BlockDirectory::owners(const std::vector<int>& tags) const {
   const auto ranks = static_cast<std::size_t>(ranks_);
   std::vector<ByteWriter> questions(ranks);
   for (int tag : tags) questions[static_cast<std::size_t>(home(tag))].put(tag);
-  std::vector<std::vector<char>> buffers;
-  for (auto& writer : questions) buffers.push_back(std::move(writer.bytes()));
+  const auto buffers = bytes_of(questions);
   const auto asked = exchange_bytes(buffers, world_);
 
   std::vector<ByteWriter> answers(ranks);
@@ -36,8 +34,7 @@ std::vector<int> BlockDirectory::owners(const std::vector<int>& tags) const {
       answers[rank].put(found == entries_.end() ? -1 : found->second);
     }
   }
-  std::vector<std::vector<char>> replies;
-  for (auto& writer : answers) replies.push_back(std::move(writer.bytes()));
+  const auto replies = bytes_of(answers);
   const auto told = exchange_bytes(replies, world_);
 
   std::vector<ByteReader> readers;

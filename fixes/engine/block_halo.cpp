@@ -26,8 +26,7 @@ BlockHalo::BlockHalo(const std::vector<int>& owned_tags, const std::vector<int>&
     wishes[static_cast<std::size_t>(owners[k])].put(needed_tags[k]);
     places[static_cast<std::size_t>(owners[k])].push_back(owned_ + k);
   }
-  std::vector<std::vector<char>> buffers;
-  for (auto& writer : wishes) buffers.push_back(std::move(writer.bytes()));
+  const auto buffers = bytes_of(wishes);
   const auto asked = exchange_bytes(buffers, world_);
 
   std::unordered_map<int, std::size_t> position;

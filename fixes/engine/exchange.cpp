@@ -3,7 +3,11 @@
 // Scope: at most 2 GiB per rank and call, MPI's int counts.
 #include "engine/exchange.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <numeric>
+#include <stdexcept>
 
 namespace muckpile::engine {
 namespace {
@@ -14,11 +18,32 @@ std::vector<int> offsets(const std::vector<int>& counts) {
   return first;
 }
 
+void refuse_too_much(const std::vector<std::vector<char>>& outgoing, MPI_Comm world) {
+  std::vector<std::int64_t> sent, received(outgoing.size());
+  for (const auto& part : outgoing) sent.push_back(static_cast<std::int64_t>(part.size()));
+  MPI_Alltoall(sent.data(), 1, MPI_INT64_T, received.data(), 1, MPI_INT64_T, world);
+  const auto total = [](const std::vector<std::int64_t>& v) {
+    return std::accumulate(v.begin(), v.end(), std::int64_t{0});
+  };
+  std::int64_t mine = std::max(total(sent), total(received)), most = 0;
+  MPI_Allreduce(&mine, &most, 1, MPI_INT64_T, MPI_MAX, world);
+  if (most > std::numeric_limits<int>::max()) {
+    throw std::length_error("an exchange between ranks needs 2 GiB or more on one rank");
+  }
+}
+
 }  // namespace
+
+std::vector<std::vector<char>> bytes_of(std::vector<ByteWriter>& writers) {
+  std::vector<std::vector<char>> buffers;
+  for (ByteWriter& writer : writers) buffers.push_back(std::move(writer.bytes()));
+  return buffers;
+}
 
 std::vector<std::vector<char>> exchange_bytes(const std::vector<std::vector<char>>& outgoing, MPI_Comm world) {
   const std::size_t ranks = outgoing.size();
   if (ranks == 1) return outgoing;
+  refuse_too_much(outgoing, world);
   std::vector<int> sent(ranks), received(ranks);
   for (std::size_t r = 0; r < ranks; ++r) sent[r] = static_cast<int>(outgoing[r].size());
   MPI_Alltoall(sent.data(), 1, MPI_INT, received.data(), 1, MPI_INT, world);

@@ -62,7 +62,11 @@ class ByteReader {
   const char* end_;
 };
 
+/// The buffers of writers, which are left empty.
+[[nodiscard]] std::vector<std::vector<char>> bytes_of(std::vector<ByteWriter>& writers);
+
 /// Sends outgoing[r] to rank r and returns what each rank sent here. Collective.
+/// Throws std::length_error on every rank if one rank would send or receive 2 GiB or more.
 [[nodiscard]] std::vector<std::vector<char>> exchange_bytes(const std::vector<std::vector<char>>& outgoing,
                                                       MPI_Comm world);
 

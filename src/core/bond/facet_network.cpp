@@ -385,6 +385,7 @@ void FacetNetwork::let_sleep(std::size_t f, double gap, double dt) {
   const BlockState& sj = state_[static_cast<std::size_t>(elastic_[f].j)];
   const double reach = kinematics_[f].side.norm() + law_[f].depth_j + 3.0 * law_[f].radius;
   const double speed = (sj.velocity - si.velocity).norm() + (si.spin.norm() + sj.spin.norm()) * reach;
+  if (dt <= 0.0) return;
   const double steps = 0.5 * gap / (std::max(speed, 1e-30) * dt);
   asleep_[f] = calls_ + 1 + static_cast<std::int64_t>(std::min(steps, material_.parameters().longest_sleep));
 }

@@ -31,20 +31,24 @@ template <class... Words>
 void check_hole(const TessellationOptions& options, std::size_t h) {
   const Hole& hole = options.holes[h];
   if (!(std::isfinite(hole.radius) && hole.radius > 0.0)) {
-    fail("radius of hole ", h, " must be > 0 m, got '", hole.radius, "'");
+    fail("radius of hole ", h + 1, " must be > 0 m, got '", hole.radius, "'");
   }
-  if (!(hole_length(hole) > 0.0)) fail("hole ", h, " must have a length > 0 m, got '0'");
+  if (!(hole_length(hole) > 0.0)) fail("hole ", h + 1, " must have a length > 0 m, got '0'");
   for (const Vec3& end : {hole.toe, hole.collar}) {
     const bool in_box =
         (end.array() >= options.lo.array()).all() && (end.array() <= options.hi.array()).all();
     if (!in_box) {
-      fail("the axis of hole ", h, " must lie in the box, got an end at '", end.x(), ' ', end.y(),
+      fail("the axis of hole ", h + 1, " must lie in the box, got an end at '", end.x(), ' ', end.y(),
+           ' ', end.z(), "'");
+    }
+    if (options.region.inside && !options.region.inside(end)) {
+      fail("the axis of hole ", h + 1, " must lie in the rock, got an end at '", end.x(), ' ', end.y(),
            ' ', end.z(), "'");
     }
   }
   const double size = options.size.at(hole.radius);
   if (size > 2.0 * hole.radius) {
-    fail("blocks at the wall of hole ", h, " must be <= its crushed-zone diameter ",
+    fail("blocks at the wall of hole ", h + 1, " must be <= its crushed-zone diameter ",
          2.0 * hole.radius, " m, got '", size, "'");
   }
 }

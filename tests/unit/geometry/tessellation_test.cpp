@@ -314,14 +314,14 @@ TEST(Tessellation, NamesWhatIsWrong) {
   EXPECT_EQ(message([](auto& o) { o.sweeps = -1; }),
             "block tessellation: sweeps must be >= 0, got '-1'");
   EXPECT_EQ(message([](auto& o) { o.holes[0].radius = 0.0; }),
-            "block tessellation: radius of hole 0 must be > 0 m, got '0'");
+            "block tessellation: radius of hole 1 must be > 0 m, got '0'");
   EXPECT_EQ(message([](auto& o) { o.holes[0].collar = o.holes[0].toe; }),
-            "block tessellation: hole 0 must have a length > 0 m, got '0'");
+            "block tessellation: hole 1 must have a length > 0 m, got '0'");
   EXPECT_EQ(message([](auto& o) { o.holes[0].collar = Vec3(0, 0, 3.5); }),
-            "block tessellation: the axis of hole 0 must lie in the box, got an end at "
+            "block tessellation: the axis of hole 1 must lie in the box, got an end at "
             "'0 0 3.5'");
   EXPECT_EQ(message([](auto& o) { o.size = SizeLaw::uniform(0.4); }),
-            "block tessellation: blocks at the wall of hole 0 must be <= its crushed-zone "
+            "block tessellation: blocks at the wall of hole 1 must be <= its crushed-zone "
             "diameter 0.3 m, got '0.4'");
   EXPECT_EQ(message([](auto& o) { o.region.inside = [](const Vec3&) { return true; }; }),
             "block tessellation: a region needs both inside and surface_points");

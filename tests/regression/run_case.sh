@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# crater_case.sh LIGGGHTS_MUCKPILE MUCKPILE_POST EXPECTED.json: runs inputs/crater/in.crater with the "vars" of
-# EXPECTED.json and compares summary.json, or the last row of history.csv, with its "expected" lines.
+# run_case.sh LIGGGHTS_MUCKPILE MUCKPILE_POST INPUT REPORT EXPECTED.json: runs INPUT with the "vars" of EXPECTED.json,
+# lets muckpile-post make REPORT, and compares summary.json, or the last row of history.csv, with the "expected" lines.
 # Scope: EXPECTED.json has one line per value: {"quantity": NAME, "value": V, "tolerance": T, "why": TEXT}.
 set -euo pipefail
-program=$1 post=$2 expected=$(readlink -f "$3")
+program=$1 post=$2 input=$3 report=$4 expected=$(readlink -f "$5")
 root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
@@ -15,9 +15,9 @@ read -ra vars < <(sed -nE 's/^ *"vars": "(.*)",?$/\1/p' "$expected")
 
 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1 \
   OMPI_MCA_btl_vader_single_copy_mechanism=none \
-  mpirun -np 2 --oversubscribe --bind-to none "$program" -in inputs/crater/in.crater -log none \
+  mpirun -np 2 --oversubscribe --bind-to none "$program" -in "$input" -log none \
   -var out "$out" "${vars[@]}" >"$out/screen" 2>&1 || { tail -n 30 "$out/screen"; exit 1; }
-"$post" crater "$out"
+"$post" "$report" "$out"
 
 value_of() {  # value_of QUANTITY: from summary.json, else the last row of history.csv, else nothing
   local found
