@@ -51,6 +51,9 @@ const ArgTable& table() {
                  "`fixed REGION` or `mirror REGION`: how boundary faces with their centroid in that region "
                  "are held; all others are free faces")
           .integer("spheres_per_block", "", Range::closed(1, 64), 8, "contact spheres in each block")
+          .real("sphere_growth", "", Range::closed(1.0, 1.5), 1.0,
+                "radius of the contact spheres over that of spheres inside the block; above 1 they stand for the "
+                "volume of the corners; overlaps at the start carry no force")
           .integer("type", "", Range::closed(1, 1000), 1, "atom type of the spheres")
           .integer("seed", "", Range::closed(1, 2147483647), 1, "seed of the cut")
           .integer("sweeps", "", Range::closed(0, 200), 20, "size-weighted Lloyd sweeps")
@@ -289,7 +292,7 @@ CreateBlocks::Model CreateBlocks::cut(const TessellationOptions& what, const Arg
   if (model.rock.blocks.empty()) throw InputError("the region holds no block; block sizes are too large for it");
   const auto spheres = static_cast<int>(args.integer("spheres_per_block"));
   for (const Block& block : model.rock.blocks) {
-    model.bodies.push_back(rigid_body(block, args.real("density"), spheres));
+    model.bodies.push_back(rigid_body(block, args.real("density"), spheres, args.real("sphere_growth")));
   }
   model.largest_overlap = largest_overlap(model.rock.blocks, model.bodies);
   return model;

@@ -154,7 +154,7 @@ PileShape pile_shape(const PileProfile& p, double burden, double block_size) {
   if (shape.solid_volume > 0.0) shape.swell = shape.bulk_volume / shape.solid_volume;
   const double low = 0.2 * shape.height, high = 0.8 * shape.height;
   const auto on_front = [=](double z) { return z >= low && z <= high; };
-  shape.repose_angle = std::atan(-fitted_slope(p, peak, toe + 1, on_front));
+  shape.front_angle = std::atan(-fitted_slope(p, peak, toe + 1, on_front));
   shape.steepest_angle = std::atan(steepest_slope(p, peak, toe, 0.5 * shape.height));
   return shape;
 }

@@ -36,7 +36,7 @@ struct PileShape {
   double toe_98;            // 98 % of the pile's rock beyond the face lies behind [m]
   double swell;             // bulk over solid volume, between the face and the toe
   double bulk_volume, solid_volume;  // beyond the face, to the toe [m3]
-  double repose_angle;    // of the line through the front slope, 20 to 80 % of the height [rad]
+  double front_angle;    // of the line through the front slope, 20 to 80 % of the height [rad]
   double steepest_angle;  // steepest line over a stretch of half the height [rad]
 };
 

@@ -93,8 +93,8 @@ nlohmann::ordered_json pile_keys(const PileShape& shape, const Throw& thrown,
   keys["swell_factor"] = shape.swell;
   keys["pile_bulk_volume_m3"] = shape.bulk_volume;
   keys["pile_solid_volume_m3"] = shape.solid_volume;
-  keys["repose_angle_deg"] = degrees(shape.repose_angle);
-  keys["steepest_slope_deg"] = degrees(shape.steepest_angle);
+  keys["repose_angle_deg"] = degrees(shape.steepest_angle);
+  keys["front_slope_deg"] = degrees(shape.front_angle);
   keys["profile_cell_m"] = cell;
   return keys;
 }
@@ -127,7 +127,7 @@ std::string subtitle_of(const PileShape& s, const Throw& t, double face_speed) {
                {"height ", " m", s.height},
                {"toe ", " m", s.toe},
                {"swell ", "", s.swell},
-               {"front slope ", "°", degrees(s.repose_angle)},
+               {"rest angle ", "°", degrees(s.steepest_angle)},
                {"face ", " m/s", face_speed}};
   std::string text;
   for (const auto& [name, unit, value] : facts) {

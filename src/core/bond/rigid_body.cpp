@@ -9,7 +9,7 @@
 
 namespace muckpile {
 
-RigidBody rigid_body(const Block& block, double density, int spheres) {
+RigidBody rigid_body(const Block& block, double density, int spheres, double growth) {
   RigidBody body;
   body.volume = block.mass.volume;
   body.mass = density * block.mass.volume;
@@ -19,6 +19,7 @@ RigidBody rigid_body(const Block& block, double density, int spheres) {
   body.axes = solver.eigenvectors();
   if (body.axes.determinant() < 0.0) body.axes.col(2) *= -1.0;
   body.spheres = fill_with_spheres(block.shape, block.mass.centroid, spheres);
+  for (Sphere& sphere : body.spheres) sphere.radius *= growth;
   return body;
 }
 

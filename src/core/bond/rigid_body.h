@@ -20,7 +20,10 @@ struct RigidBody {
   std::vector<Sphere> spheres;
 };
 
-[[nodiscard]] RigidBody rigid_body(const Block& block, double density, int spheres);
+/// The spheres are those of fill_with_spheres with their radii times `growth` (>= 1): grown ones
+/// stand for the volume of the corners that inscribed spheres do not reach.
+[[nodiscard]] RigidBody rigid_body(const Block& block, double density, int spheres,
+                                   double growth = 1.0);
 
 /// Largest overlap of two spheres of neighbouring blocks over the smaller radius [-].
 [[nodiscard]] double largest_overlap(const std::vector<Block>& blocks, const std::vector<RigidBody>& bodies);

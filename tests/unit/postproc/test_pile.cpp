@@ -76,9 +76,9 @@ TEST(PileShape, FindsTheSlopeOfTheSteps) {
   // the stairs, here 0.65 m per m.
   const double n = 9.0, samples = 1.0 / kCell;
   const double slope = kLayer * (n * n - 1.0) / (n * n - 1.0 / (samples * samples));
-  EXPECT_NEAR(m.shape.repose_angle, std::atan(slope), 1e-7);
+  EXPECT_NEAR(m.shape.front_angle, std::atan(slope), 1e-7);
   EXPECT_GE(m.shape.steepest_angle,
-            m.shape.repose_angle);  // a stretch may end inside a step and be steeper
+            m.shape.front_angle);  // a stretch may end inside a step and be steeper
   EXPECT_LT(std::tan(m.shape.steepest_angle),
             kLayer * 1.25);  // four and a half steps: at most (n+1)/n steeper
 }
@@ -92,7 +92,7 @@ TEST(PileShape, HasNoSlopeOrToeWithoutAPile) {
   EXPECT_TRUE(std::isnan(shape.height));
   EXPECT_TRUE(std::isnan(shape.toe));
   EXPECT_TRUE(std::isnan(shape.swell));
-  EXPECT_TRUE(std::isnan(shape.repose_angle));
+  EXPECT_TRUE(std::isnan(shape.front_angle));
 }
 
 TEST(PileShape, Toe98LeavesTwoPercentOfTheRockBeyond) {
