@@ -325,9 +325,14 @@ TEST(Tessellation, NamesWhatIsWrong) {
             "diameter 0.3 m, got '0.4'");
   EXPECT_EQ(message([](auto& o) { o.region.inside = [](const Vec3&) { return true; }; }),
             "block tessellation: a region needs both inside and surface_points");
-  EXPECT_EQ(message([](auto& o) {
-              o.region.inside = [](const Vec3&) { return false; };
-              o.region.surface_points = [](const Vec3&, double) { return std::vector<Vec3>(); };
+  const auto no_rock = [](auto& o) {
+    o.region.inside = [](const Vec3&) { return false; };
+    o.region.surface_points = [](const Vec3&, double) { return std::vector<Vec3>(); };
+  };
+  EXPECT_EQ(message(no_rock).rfind("block tessellation: the axis of hole 1 must lie in the rock", 0), 0u);
+  EXPECT_EQ(message([&](auto& o) {
+              no_rock(o);
+              o.holes.clear();
             }),
             "block tessellation: the rock holds less than one block (expected 0)");
 }
