@@ -37,28 +37,36 @@ const ArgTable& table() {
       ArgTable(kStyle)
           .real("density", "kg/m3", Range::positive(), std::nullopt, "density of the rock")
           .group("size", 2, 5, false,
-                 "block size V^(1/3) against distance from the nearest charge: `harries b K T alpha` (hole "
-                 "radius [m], wall strain, breaking strain, absorption per hole radius), `power c p` (size = "
+                 "block size V^(1/3) against distance from the nearest charge: `harries b K T "
+                 "alpha` (hole "
+                 "radius [m], wall strain, breaking strain, absorption per hole radius), `power c "
+                 "p` (size = "
                  "c r^p), `table FILE` (two columns, m) or `uniform s` [m]; required")
           .real("block_min", "m", Range::positive(), std::nullopt, "smallest block size")
           .real("block_max", "m", Range::positive(), std::nullopt, "largest block size")
           .group("hole", 7, 7, true,
-                 "crushed zone of one charge: toe x y z, collar x y z, radius [m]; its rock is removed")
+                 "crushed zone of one charge: toe x y z, collar x y z, radius [m]; its rock is "
+                 "removed")
           .group("hole_row", 11, 11, true,
-                 "N dx dy dz, then the words of `hole`: N equal holes, each shifted by (dx, dy, dz) [m] from the "
+                 "N dx dy dz, then the words of `hole`: N equal holes, each shifted by (dx, dy, "
+                 "dz) [m] from the "
                  "one before; numbered after all single holes")
           .group("support", 2, 2, true,
-                 "`fixed REGION` or `mirror REGION`: how boundary faces with their centroid in that region "
+                 "`fixed REGION` or `mirror REGION`: how boundary faces with their centroid in "
+                 "that region "
                  "are held; all others are free faces")
-          .integer("spheres_per_block", "", Range::closed(1, 64), 8, "contact spheres in each block")
+          .integer("spheres_per_block", "", Range::closed(1, 64), 8,
+                   "contact spheres in each block")
           .real("sphere_growth", "", Range::closed(1.0, 1.5), 1.0,
-                "radius of the contact spheres over that of spheres inside the block; above 1 they stand for the "
+                "radius of the contact spheres over that of spheres inside the block; above 1 they "
+                "stand for the "
                 "volume of the corners; overlaps at the start carry no force")
           .integer("type", "", Range::closed(1, 1000), 1, "atom type of the spheres")
           .integer("seed", "", Range::closed(1, 2147483647), 1, "seed of the cut")
           .integer("sweeps", "", Range::closed(0, 200), 20, "size-weighted Lloyd sweeps")
           .integer("max_blocks", "", Range::closed(0, 100000000), 0,
-                   "refuse to make more blocks; 0: as many as half of this machine's memory holds, at most 5 million")
+                   "refuse to make more blocks; 0: as many as half of this machine's memory holds, "
+                   "at most 5 million")
           .word("file", {}, "none", "VTK file for the blocks in the start configuration, or none");
   return args;
 }
@@ -87,6 +95,18 @@ double quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(at)];
 }
 
+/// Size below which `share` of the rock's volume lies [m].
+double size_by_volume(std::vector<double> sizes, double share) {
+  std::sort(sizes.begin(), sizes.end());
+  double all = 0.0, below = 0.0;
+  for (double size : sizes) all += size * size * size;
+  for (double size : sizes) {
+    below += size * size * size;
+    if (below >= share * all) return size;
+  }
+  return sizes.back();
+}
+
 }  // namespace
 
 void CreateBlocks::command(int narg, char** arg) {
@@ -95,7 +115,8 @@ void CreateBlocks::command(int narg, char** arg) {
   const ArgValues args = engine::read_args(*lmp, table(), kStyle, narg, arg, 1);
   if (args.integer("type") > atom->ntypes) {
     engine::stop(*lmp, "create_blocks: type must be <= " + std::to_string(atom->ntypes) +
-                           ", the number of atom types of the box, got '" + std::to_string(args.integer("type")) + "'");
+                           ", the number of atom types of the box, got '" +
+                           std::to_string(args.integer("type")) + "'");
   }
   LAMMPS_NS::Region& rock = region(arg[0]);
   check_overlap(rock);
@@ -113,7 +134,8 @@ void CreateBlocks::command(int narg, char** arg) {
   on_rank_0(*lmp, [&] {
     model = cut(what, args);
     model.facets = build_facets(model.rock.blocks, first_tag_, held);
-    if (args.word("file") != "none") write_blocks(args.word("file"), model.rock.blocks, first_tag_, args.real("density"));
+    if (args.word("file") != "none")
+      write_blocks(args.word("file"), model.rock.blocks, first_tag_, args.real("density"));
   });
   int blocks = static_cast<int>(model.rock.blocks.size());
   MPI_Bcast(&blocks, 1, MPI_INT, 0, world);
@@ -143,9 +165,11 @@ void CreateBlocks::settle_new_fixes() {
 }
 
 void CreateBlocks::check_engine() const {
-  if (domain->box_exist == 0) engine::stop(*lmp, "create_blocks: needs a simulation box (create_box) before it");
+  if (domain->box_exist == 0)
+    engine::stop(*lmp, "create_blocks: needs a simulation box (create_box) before it");
   if (std::strcmp(update->unit_style, "si") != 0) {
-    engine::stop(*lmp, std::string("create_blocks: needs 'units si', got 'units ") + update->unit_style + "'");
+    engine::stop(*lmp, std::string("create_blocks: needs 'units si', got 'units ") +
+                           update->unit_style + "'");
   }
   if (atom->sphere_flag == 0 || atom->rmass == nullptr) {
     engine::stop(*lmp, "create_blocks: needs 'atom_style granular' (or sphere)");
@@ -170,16 +194,19 @@ void CreateBlocks::check_overlap(LAMMPS_NS::Region& rock) const {
   }
   MPI_Allreduce(&inside, &all, 1, MPI_INT, MPI_SUM, world);
   if (all > 0) {
-    engine::stop(*lmp, std::string("create_blocks: region '") + rock.id + "' must not overlap rock that exists, got " +
-                           std::to_string(all) + " bodies with their centre in it");
+    engine::stop(*lmp, std::string("create_blocks: region '") + rock.id +
+                           "' must not overlap rock that exists, got " + std::to_string(all) +
+                           " bodies with their centre in it");
   }
 }
 
 std::vector<Hole> CreateBlocks::holes(const ArgValues& args) const {
-  const auto read = [](const char* keyword, const std::vector<std::string>& words, std::size_t first) {
+  const auto read = [](const char* keyword, const std::vector<std::string>& words,
+                       std::size_t first) {
     std::array<double, 7> v{};
     for (std::size_t k = 0; k < v.size(); ++k) {
-      v[k] = parse_real(kStyle, keyword, words[first + k], "m", k < 6 ? Range::any() : Range::positive());
+      v[k] = parse_real(kStyle, keyword, words[first + k], "m",
+                        k < 6 ? Range::any() : Range::positive());
     }
     return Hole{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, v[6]};
   };
@@ -189,7 +216,8 @@ std::vector<Hole> CreateBlocks::holes(const ArgValues& args) const {
     const long count = parse_integer(kStyle, "hole_row", words[0], "", Range::closed(1, 100000));
     Vec3 shift;
     for (int c = 0; c < 3; ++c) {
-      shift[c] = parse_real(kStyle, "hole_row", words[static_cast<std::size_t>(c) + 1], "m", Range::any());
+      shift[c] =
+          parse_real(kStyle, "hole_row", words[static_cast<std::size_t>(c) + 1], "m", Range::any());
     }
     const Hole first = read("hole_row", words, 4);
     for (long k = 0; k < count; ++k) {
@@ -209,13 +237,15 @@ SizeLaw CreateBlocks::size_law(const ArgValues& args) const {
   };
   const auto need = [&](std::size_t count) {
     if (words.size() != count + 1) {
-      throw InputError(std::string(kStyle) + ": size " + words[0] + " takes " + std::to_string(count) +
-                       " value(s), got " + std::to_string(words.size() - 1));
+      throw InputError(std::string(kStyle) + ": size " + words[0] + " takes " +
+                       std::to_string(count) + " value(s), got " +
+                       std::to_string(words.size() - 1));
     }
   };
   if (words[0] == "harries") {
     need(4);
-    return SizeLaw::harries(HarriesParameters{number(1, "m"), number(2, ""), number(3, ""), number(4, "")}, limits);
+    return SizeLaw::harries(
+        HarriesParameters{number(1, "m"), number(2, ""), number(3, ""), number(4, "")}, limits);
   }
   if (words[0] == "power") {
     need(2);
@@ -229,14 +259,17 @@ SizeLaw CreateBlocks::size_law(const ArgValues& args) const {
     need(1);
     return SizeLaw::uniform(number(1, "m"));
   }
-  throw InputError(std::string(kStyle) + ": size must be harries, power, table or uniform, got '" + words[0] + "'");
+  throw InputError(std::string(kStyle) + ": size must be harries, power, table or uniform, got '" +
+                   words[0] + "'");
 }
 
 std::size_t CreateBlocks::most_blocks(const ArgValues& args) const {
   if (args.integer("max_blocks") > 0) return static_cast<std::size_t>(args.integer("max_blocks"));
   // Measured peaks: 12 kB a block while cutting, 0.7 kB a sphere in LIGGGHTS and contact lists.
-  const double bytes_per_block = 12e3 + 0.7e3 * static_cast<double>(args.integer("spheres_per_block"));
-  const double installed = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+  const double bytes_per_block =
+      12e3 + 0.7e3 * static_cast<double>(args.integer("spheres_per_block"));
+  const double installed =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
   return static_cast<std::size_t>(std::min(0.5 * installed / bytes_per_block, 5e6));
 }
 
@@ -249,7 +282,8 @@ TessellationOptions CreateBlocks::options(LAMMPS_NS::Region& rock, const ArgValu
   what.hi = {rock.extent_xhi, rock.extent_yhi, rock.extent_zhi};
   const Vec3 box_lo(domain->boxlo), box_hi(domain->boxhi);
   if ((what.lo.array() < box_lo.array()).any() || (what.hi.array() > box_hi.array()).any()) {
-    throw InputError(std::string(kStyle) + ": region '" + rock.id + "' must lie inside the simulation box");
+    throw InputError(std::string(kStyle) + ": region '" + rock.id +
+                     "' must lie inside the simulation box");
   }
   what.holes = holes(args);
   what.size = size_law(args);
@@ -274,7 +308,8 @@ SupportRule CreateBlocks::support(const ArgValues& args) const {
   std::vector<std::pair<Support, LAMMPS_NS::Region*>> rules;
   for (const auto& words : args.groups("support")) {
     if (words[0] != "fixed" && words[0] != "mirror") {
-      throw InputError(std::string(kStyle) + ": support must be fixed or mirror, got '" + words[0] + "'");
+      throw InputError(std::string(kStyle) + ": support must be fixed or mirror, got '" + words[0] +
+                       "'");
     }
     rules.emplace_back(words[0] == "fixed" ? Support::fixed : Support::mirror, &region(words[1]));
   }
@@ -286,13 +321,16 @@ SupportRule CreateBlocks::support(const ArgValues& args) const {
   };
 }
 
-CreateBlocks::Model CreateBlocks::cut(const TessellationOptions& what, const ArgValues& args) const {
+CreateBlocks::Model CreateBlocks::cut(const TessellationOptions& what,
+                                      const ArgValues& args) const {
   Model model;
   model.rock = tessellate(what);
-  if (model.rock.blocks.empty()) throw InputError("the region holds no block; block sizes are too large for it");
+  if (model.rock.blocks.empty())
+    throw InputError("the region holds no block; block sizes are too large for it");
   const auto spheres = static_cast<int>(args.integer("spheres_per_block"));
   for (const Block& block : model.rock.blocks) {
-    model.bodies.push_back(rigid_body(block, args.real("density"), spheres, args.real("sphere_growth")));
+    model.bodies.push_back(
+        rigid_body(block, args.real("density"), spheres, args.real("sphere_growth")));
   }
   model.largest_overlap = largest_overlap(model.rock.blocks, model.bodies);
   return model;
@@ -343,8 +381,8 @@ std::vector<char> CreateBlocks::hand_out(const Model& model) const {
   return engine::exchange_bytes(buffers, world).front();
 }
 
-void CreateBlocks::create(const std::vector<char>& mine, const std::vector<Hole>& holes, const ArgValues& args,
-                          int blocks) {
+void CreateBlocks::create(const std::vector<char>& mine, const std::vector<Hole>& holes,
+                          const ArgValues& args, int blocks) {
   std::vector<BlockRecord> records;
   std::vector<Facet> facets;
   std::vector<BoundaryFace> faces;
@@ -375,7 +413,8 @@ void CreateBlocks::create(const std::vector<char>& mine, const std::vector<Hole>
   store().add(records, facets, faces, holes, blocks);
 }
 
-void CreateBlocks::create_body(const RigidBody& body, int tag, int first_atom_tag, const ArgValues& args) {
+void CreateBlocks::create_body(const RigidBody& body, int tag, int first_atom_tag,
+                               const ArgValues& args) {
   const auto count = static_cast<int>(body.spheres.size());
   const int type = static_cast<int>(args.integer("type"));
   double reach = 0.0;
@@ -402,10 +441,12 @@ void CreateBlocks::create_body(const RigidBody& body, int tag, int first_atom_ta
   Vec3 centre = body.centre, zero = Vec3::Zero(), inertia = body.inertia;
   Mat3 axes = body.axes;
   std::array<bool, 3> free{true, true, true};
-  multisphere_->data().add_body(count, centre.data(), zero.data(), reach, zero.data(), zero.data(), body.mass,
-                                args.real("density"), type, 1, inertia.data(), axes.col(0).data(),
-                                axes.col(1).data(), axes.col(2).data(), rows.data(), free.data(), free.data());
-  auto* ids = multisphere_->data().prop().getElementProperty<LAMMPS_NS::ScalarContainer<int>>("id_multisphere");
+  multisphere_->data().add_body(count, centre.data(), zero.data(), reach, zero.data(), zero.data(),
+                                body.mass, args.real("density"), type, 1, inertia.data(),
+                                axes.col(0).data(), axes.col(1).data(), axes.col(2).data(),
+                                rows.data(), free.data(), free.data());
+  auto* ids = multisphere_->data().prop().getElementProperty<LAMMPS_NS::ScalarContainer<int>>(
+      "id_multisphere");
   ids->set(multisphere_->n_body() - 1, tag);
 }
 
@@ -431,13 +472,19 @@ void CreateBlocks::report(const Model& model, double seconds) const {
   for (const Facet& facet : model.facets.facets) joints += facet.kind == FacetKind::joint ? 1 : 0;
   std::array<char, 1024> text{};
   std::snprintf(text.data(), text.size(),
-                "create_blocks: %zu blocks, %zu spheres, %zu joints, %zu supported and %zu free or loaded faces\n"
-                "  block size by number: smallest %.4g, median %.4g, largest %.4g m; size over target %.3f .. %.3f "
-                "(10 and 90 %%)\n"
-                "  volume %.9g m3 in blocks, %.4g m3 removed; largest initial sphere overlap %.3g of a radius; %.2f s\n",
-                sizes.size(), spheres, joints, model.facets.facets.size() - joints, model.facets.faces.size(),
-                quantile(sizes, 0.0), quantile(sizes, 0.5), quantile(sizes, 1.0), quantile(ratios, 0.1),
-                quantile(ratios, 0.9), volume, model.rock.statistics.void_volume, model.largest_overlap, seconds);
+                "create_blocks: %zu blocks, %zu spheres, %zu joints, %zu supported and %zu free or "
+                "loaded faces\n"
+                "  block size by number: smallest %.4g, 10 %% %.4g, 50 %% %.4g, 90 %% %.4g, "
+                "largest %.4g m; by mass: 20 %% "
+                "%.4g, 50 %% %.4g, 80 %% %.4g m; over target %.3f .. %.3f (10 and 90 %%)\n"
+                "  volume %.9g m3 in blocks, %.4g m3 removed; largest initial sphere overlap %.3g "
+                "of a radius; %.2f s\n",
+                sizes.size(), spheres, joints, model.facets.facets.size() - joints,
+                model.facets.faces.size(), quantile(sizes, 0.0), quantile(sizes, 0.1),
+                quantile(sizes, 0.5), quantile(sizes, 0.9), quantile(sizes, 1.0),
+                size_by_volume(sizes, 0.2), size_by_volume(sizes, 0.5), size_by_volume(sizes, 0.8),
+                quantile(ratios, 0.1), quantile(ratios, 0.9), volume,
+                model.rock.statistics.void_volume, model.largest_overlap, seconds);
   engine::print_once(*lmp, text.data());
 }
 

@@ -48,7 +48,8 @@ class CreateBlocks : protected LAMMPS_NS::Pointers {
   [[nodiscard]] std::size_t most_blocks(const ArgValues& args) const;
   [[nodiscard]] Model cut(const TessellationOptions& what, const ArgValues& args) const;
   [[nodiscard]] std::vector<char> hand_out(const Model& model) const;
-  void create(const std::vector<char>& mine, const std::vector<Hole>& holes, const ArgValues& args, int blocks);
+  void create(const std::vector<char>& mine, const std::vector<Hole>& holes, const ArgValues& args,
+              int blocks);
   void create_body(const RigidBody& body, int tag, int first_atom_tag, const ArgValues& args);
   void report(const Model& model, double seconds) const;
   FixMuckpileBlocks& store();

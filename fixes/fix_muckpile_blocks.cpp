@@ -39,11 +39,13 @@ FixMuckpileBlocks* FixMuckpileBlocks::find(LAMMPS_NS::LAMMPS& lmp) {
 }
 
 double FixMuckpileBlocks::memory_usage() {
-  return static_cast<double>(records_.size() * sizeof(BlockRecord) + facets_.size() * sizeof(Facet) +
-                             memory_.size() * sizeof(FacetMemory) + faces_.size() * sizeof(BoundaryFace));
+  return static_cast<double>(records_.size() * sizeof(BlockRecord) +
+                             facets_.size() * sizeof(Facet) + memory_.size() * sizeof(FacetMemory) +
+                             faces_.size() * sizeof(BoundaryFace));
 }
 
-void FixMuckpileBlocks::add(const std::vector<BlockRecord>& records, const std::vector<Facet>& facets,
+void FixMuckpileBlocks::add(const std::vector<BlockRecord>& records,
+                            const std::vector<Facet>& facets,
                             const std::vector<BoundaryFace>& faces, const std::vector<Hole>& holes,
                             int blocks_all) {
   take_back();
@@ -145,7 +147,8 @@ void FixMuckpileBlocks::drop_orphans(const engine::BlockDirectory& directory) {
   drop_retired();
 }
 
-void FixMuckpileBlocks::migrate(const std::vector<int>& tags, const engine::BlockDirectory& directory) {
+void FixMuckpileBlocks::migrate(const std::vector<int>& tags,
+                                const engine::BlockDirectory& directory) {
   merge(tags, engine::exchange_bytes(pack_leaving(tags, directory), world));
 }
 
@@ -229,7 +232,8 @@ void FixMuckpileBlocks::merge(const std::vector<int>& tags,
   }
 }
 
-void FixMuckpileBlocks::index(const std::vector<int>& tags, const engine::BlockDirectory& directory) {
+void FixMuckpileBlocks::index(const std::vector<int>& tags,
+                              const engine::BlockDirectory& directory) {
   std::unordered_map<int, int> position;
   for (std::size_t b = 0; b < tags.size(); ++b) position[tags[b]] = static_cast<int>(b);
   copy_tags_.clear();

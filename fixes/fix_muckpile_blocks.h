@@ -22,10 +22,11 @@ namespace muckpile {
 
 struct BlockRecord {
   int tag = 0;
-  double volume = 0.0;  ///< of the polyhedron [m3]
-  double mass = 0.0;    ///< [kg]
-  Vec3 start = Vec3::Zero();              ///< centroid in the start configuration [m]
-  Mat3 start_axes = Mat3::Identity();     ///< principal axes of inertia in the start configuration, columns
+  double volume = 0.0;        ///< of the polyhedron [m3]
+  double mass = 0.0;          ///< [kg]
+  Vec3 start = Vec3::Zero();  ///< centroid in the start configuration [m]
+  Mat3 start_axes =
+      Mat3::Identity();  ///< principal axes of inertia in the start configuration, columns
   RetiredFacets retired{};
 };
 
@@ -81,8 +82,8 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   void drop_orphans(const engine::BlockDirectory& directory);
   void retire_into_record(const Facet& facet, int end);
   void migrate(const std::vector<int>& tags, const engine::BlockDirectory& directory);
-  [[nodiscard]] std::vector<std::vector<char>> pack_leaving(const std::vector<int>& tags,
-                                                            const engine::BlockDirectory& directory);
+  [[nodiscard]] std::vector<std::vector<char>> pack_leaving(
+      const std::vector<int>& tags, const engine::BlockDirectory& directory);
   void merge(const std::vector<int>& tags, const std::vector<std::vector<char>>& arrived);
   void index(const std::vector<int>& tags, const engine::BlockDirectory& directory);
 

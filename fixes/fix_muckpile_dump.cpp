@@ -27,18 +27,21 @@ namespace muckpile {
 namespace {
 
 constexpr const char* kHeader =
-    "id,x_m,y_m,z_m,qw,qx,qy,qz,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s,fragment_id,broken_fraction\n";
+    "id,x_m,y_m,z_m,qw,qx,qy,qz,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s,fragment_id,broken_"
+    "fraction\n";
 
 const ArgTable& table() {
-  static const ArgTable args = ArgTable("fix muckpile/dump")
-                                   .integer("every", "steps", Range::at_least(1), std::nullopt, "between snapshots")
-                                   .word("directory", {}, std::nullopt, "where blocks_<step>.csv go");
+  static const ArgTable args =
+      ArgTable("fix muckpile/dump")
+          .integer("every", "steps", Range::at_least(1), std::nullopt, "between snapshots")
+          .word("directory", {}, std::nullopt, "where blocks_<step>.csv go");
   return args;
 }
 
 }  // namespace
 
-FixMuckpileDump::FixMuckpileDump(LAMMPS_NS::LAMMPS* engine, int narg, char** arg) : Fix(engine, narg, arg) {
+FixMuckpileDump::FixMuckpileDump(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
+    : Fix(engine, narg, arg) {
   const std::string where = std::string("fix muckpile/dump '") + id + "'";
   const ArgValues args = engine::read_args(*lmp, table(), where, narg, arg, 3);
   nevery = static_cast<int>(args.integer("every"));
@@ -56,7 +59,8 @@ void FixMuckpileDump::init() {
   store_ = FixMuckpileBlocks::find(*lmp);
   joint_ = dynamic_cast<FixMuckpileJoint*>(modify->find_fix_style_strict("muckpile/joint", 0));
   if (store_ == nullptr) {
-    engine::stop(*lmp, std::string("fix muckpile/dump '") + id + "': needs create_blocks before the first run");
+    engine::stop(*lmp, std::string("fix muckpile/dump '") + id +
+                           "': needs create_blocks before the first run");
   }
 }
 
@@ -96,9 +100,10 @@ std::string FixMuckpileDump::rows() const {
     const Quat q(Mat3(bodies.axes(b) * record.start_axes.transpose()));
     const Vec3 x = bodies.centre(b), v = bodies.velocity(b), w = bodies.spin(b);
     const int length = std::snprintf(
-        line.data(), line.size(), "%d,%.10g,%.10g,%.10g,%.9g,%.9g,%.9g,%.9g,%.7g,%.7g,%.7g,%.7g,%.7g,%.7g,%d,%.5g\n",
-        record.tag, x.x(), x.y(), x.z(), q.w(), q.x(), q.y(), q.z(), v.x(), v.y(), v.z(), w.x(), w.y(), w.z(),
-        fragment.empty() ? record.tag : fragment[k], broken[k]);
+        line.data(), line.size(),
+        "%d,%.10g,%.10g,%.10g,%.9g,%.9g,%.9g,%.9g,%.7g,%.7g,%.7g,%.7g,%.7g,%.7g,%d,%.5g\n",
+        record.tag, x.x(), x.y(), x.z(), q.w(), q.x(), q.y(), q.z(), v.x(), v.y(), v.z(), w.x(),
+        w.y(), w.z(), fragment.empty() ? record.tag : fragment[k], broken[k]);
     text.append(line.data(), static_cast<std::size_t>(length));
   }
   return text;
@@ -112,15 +117,20 @@ void FixMuckpileDump::write() {
   std::vector<int> lengths(static_cast<std::size_t>(comm->nprocs)), first(lengths.size(), 0);
   MPI_Gather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, 0, world);
   std::partial_sum(lengths.begin(), lengths.end() - 1, first.begin() + 1);
-  std::string all(comm->me == 0 ? static_cast<std::size_t>(first.back() + lengths.back()) : 0, '\0');
-  MPI_Gatherv(mine.data(), length, MPI_CHAR, all.data(), lengths.data(), first.data(), MPI_CHAR, 0, world);
+  std::string all(comm->me == 0 ? static_cast<std::size_t>(first.back() + lengths.back()) : 0,
+                  '\0');
+  MPI_Gatherv(mine.data(), length, MPI_CHAR, all.data(), lengths.data(), first.data(), MPI_CHAR, 0,
+              world);
   if (comm->me != 0) return;
   std::array<char, 64> name{};
-  std::snprintf(name.data(), name.size(), "/blocks_%09lld.csv", static_cast<long long>(update->ntimestep));
+  std::snprintf(name.data(), name.size(), "/blocks_%09lld.csv",
+                static_cast<long long>(update->ntimestep));
   std::ofstream out(folder_ + name.data());
   out.precision(12);
-  out << "# step=" << update->ntimestep << " time_s=" << update->get_cur_time() << '\n' << kHeader << all;
-  if (!out.flush()) error->warning(FLERR, ("fix muckpile/dump: cannot write to '" + folder_ + "'").c_str());
+  out << "# step=" << update->ntimestep << " time_s=" << update->get_cur_time() << '\n'
+      << kHeader << all;
+  if (!out.flush())
+    error->warning(FLERR, ("fix muckpile/dump: cannot write to '" + folder_ + "'").c_str());
 }
 
 }  // namespace muckpile

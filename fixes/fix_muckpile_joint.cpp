@@ -25,24 +25,44 @@ constexpr LAMMPS_NS::bigint kCheckEvery = 50;  // steps between looks for newly 
 constexpr double kDegree = M_PI / 180.0;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-enum Output { joints, broken, broken_share, elastic, fracture, friction, damping, stable_step, pressure_work_done, output_count };
+enum Output {
+  joints,
+  broken,
+  broken_share,
+  elastic,
+  fracture,
+  friction,
+  damping,
+  stable_step,
+  pressure_work_done,
+  output_count
+};
 
 const ArgTable& table() {
   static const ArgTable args =
       ArgTable("fix muckpile/joint")
           .real("youngs_modulus", "Pa", Range::positive(), std::nullopt, "of the rock")
           .real("poisson_ratio", "", Range::right_open(0.0, 0.5), std::nullopt, "of the rock")
-          .real("density", "kg/m3", Range::positive(), std::nullopt, "of the rock; sets the damping only")
-          .real("cohesion", "Pa", Range::non_negative(), std::nullopt, "shear strength without normal stress")
-          .real("friction_angle", "deg", Range::right_open(0.0, 90.0), std::nullopt, "of the unbroken joint")
+          .real("density", "kg/m3", Range::positive(), std::nullopt,
+                "of the rock; sets the damping only")
+          .real("cohesion", "Pa", Range::non_negative(), std::nullopt,
+                "shear strength without normal stress")
+          .real("friction_angle", "deg", Range::right_open(0.0, 90.0), std::nullopt,
+                "of the unbroken joint")
           .real("tension", "Pa", Range::non_negative(), std::nullopt, "tensile strength (cut-off)")
-          .real("residual_friction_angle", "deg", Range::right_open(0.0, 90.0), 35.0, "of the broken joint")
-          .real("normal_stiffness", "Pa/m", Range::non_negative(), 0.0, "of the joint alone, in series with the rock; 0: rigid")
-          .real("shear_stiffness", "Pa/m", Range::non_negative(), 0.0, "of the joint alone, in series with the rock; 0: rigid")
-          .real("damping", "", Range::non_negative(), 0.0, "of intact joints, share of density x P-wave speed per area")
-          .real("contact_damping", "", Range::non_negative(), 0.05, "of closed broken facets, share of density x P-wave speed per area")
-          .integer("open_sleep", "steps", Range::closed(0, 1000), 20,
-                   "longest time that a broken, open facet is left alone while its gap lasts; 0: never");
+          .real("residual_friction_angle", "deg", Range::right_open(0.0, 90.0), 35.0,
+                "of the broken joint")
+          .real("normal_stiffness", "Pa/m", Range::non_negative(), 0.0,
+                "of the joint alone, in series with the rock; 0: rigid")
+          .real("shear_stiffness", "Pa/m", Range::non_negative(), 0.0,
+                "of the joint alone, in series with the rock; 0: rigid")
+          .real("damping", "", Range::non_negative(), 0.0,
+                "of intact joints, share of density x P-wave speed per area")
+          .real("contact_damping", "", Range::non_negative(), 0.05,
+                "of closed broken facets, share of density x P-wave speed per area")
+          .integer(
+              "open_sleep", "steps", Range::closed(0, 1000), 20,
+              "longest time that a broken, open facet is left alone while its gap lasts; 0: never");
   return args;
 }
 
@@ -56,7 +76,8 @@ JointMaterial material(LAMMPS_NS::LAMMPS& lmp, const std::string& where, int nar
   p.tension = args.real("tension");
   p.friction_angle = args.real("friction_angle") * kDegree;
   p.residual_friction_angle = args.real("residual_friction_angle") * kDegree;
-  p.normal_stiffness = args.real("normal_stiffness") > 0.0 ? args.real("normal_stiffness") : kInfinity;
+  p.normal_stiffness =
+      args.real("normal_stiffness") > 0.0 ? args.real("normal_stiffness") : kInfinity;
   p.shear_stiffness = args.real("shear_stiffness") > 0.0 ? args.real("shear_stiffness") : kInfinity;
   p.damping = args.real("damping");
   p.contact_damping = args.real("contact_damping");
@@ -81,7 +102,8 @@ FixMuckpileJoint::FixMuckpileJoint(LAMMPS_NS::LAMMPS* engine, int narg, char** a
     engine::stop(*lmp, name_of(narg, arg) + ": only one fix muckpile/joint is possible");
   }
   if (std::strcmp(update->unit_style, "si") != 0) {
-    engine::stop(*lmp, name_of(narg, arg) + ": needs 'units si', got 'units " + update->unit_style + "'");
+    engine::stop(*lmp,
+                 name_of(narg, arg) + ": needs 'units si', got 'units " + update->unit_style + "'");
   }
   vector_flag = 1;
   size_vector = output_count;
@@ -102,10 +124,12 @@ int FixMuckpileJoint::setmask() {
 void FixMuckpileJoint::init() {
   FixMuckpileBlocks* found = FixMuckpileBlocks::find(*lmp);
   if (found == nullptr) {
-    engine::stop(*lmp, std::string("fix muckpile/joint '") + id + "': needs create_blocks before the first run");
+    engine::stop(*lmp, std::string("fix muckpile/joint '") + id +
+                           "': needs create_blocks before the first run");
   }
   if (modify->find_fix(found->id) > modify->find_fix(id)) {
-    engine::stop(*lmp, std::string("fix muckpile/joint '") + id + "': must be defined after create_blocks");
+    engine::stop(
+        *lmp, std::string("fix muckpile/joint '") + id + "': must be defined after create_blocks");
   }
   if (store_ == nullptr) {
     store_ = found;
@@ -114,7 +138,8 @@ void FixMuckpileJoint::init() {
   follow_blocks();
 }
 
-void FixMuckpileJoint::hand_back(std::vector<FacetMemory>& facet_memory, std::vector<BoundaryFace>& faces) {
+void FixMuckpileJoint::hand_back(std::vector<FacetMemory>& facet_memory,
+                                 std::vector<BoundaryFace>& faces) {
   if (version_ == 0 || version_ != store_->version()) return;  // has not taken the lists over yet
   facet_memory = network_.memory();
   faces = network_.faces();
@@ -125,7 +150,8 @@ void FixMuckpileJoint::follow_blocks() {
   if (version_ == store_->version()) return;
   version_ = store_->version();
   std::vector<BlockConstants> blocks;
-  for (const BlockRecord& r : store_->records()) blocks.push_back({r.tag, std::max(r.volume, 1e-300), r.mass, true, r.retired});
+  for (const BlockRecord& r : store_->records())
+    blocks.push_back({r.tag, std::max(r.volume, 1e-300), r.mass, true, r.retired});
   for (int tag : store_->copy_tags()) blocks.push_back({tag, 1.0, 1.0, false, {}});
   network_.set_blocks(std::move(blocks));
   network_.set_facets(store_->facets(), store_->memory());
@@ -154,7 +180,8 @@ void FixMuckpileJoint::refresh_enclosed() {
   cracked_since_build_ = false;
   if (version_ == 0) return;
   std::vector<bool> open(network_.blocks().size(), false);
-  for (const BoundaryFace& face : network_.faces()) open[static_cast<std::size_t>(face.block)] = true;
+  for (const BoundaryFace& face : network_.faces())
+    open[static_cast<std::size_t>(face.block)] = true;
   for (std::size_t b = 0; b < open.size(); ++b) {
     if (network_.blocks()[b].retired.unbonded > 0.0) open[b] = true;
   }
@@ -171,7 +198,9 @@ void FixMuckpileJoint::refresh_enclosed() {
   std::sort(enclosed_tags_.begin(), enclosed_tags_.end());
 }
 
-void FixMuckpileJoint::setup(int) { add_forces(0.0); }  // no time passes: nothing is lost in dashpots
+void FixMuckpileJoint::setup(int) {
+  add_forces(0.0);
+}  // no time passes: nothing is lost in dashpots
 
 void FixMuckpileJoint::post_force(int) {
   add_forces(update->dt);
@@ -195,7 +224,8 @@ void FixMuckpileJoint::gather_state() {
     s.centre = bodies.centre(b);
     s.velocity = bodies.velocity(b);
     s.spin = bodies.spin(b);
-    s.rotation.noalias() = bodies.axes(b) * store_->records()[static_cast<std::size_t>(b)].start_axes.transpose();
+    s.rotation.noalias() =
+        bodies.axes(b) * store_->records()[static_cast<std::size_t>(b)].start_axes.transpose();
   }
   if (comm->nprocs == 1) return;
   poses_.resize(halo.size() * kPoseWidth);
@@ -209,8 +239,8 @@ void FixMuckpileJoint::gather_state() {
   halo.forward(poses_, kPoseWidth);
   for (std::size_t b = halo.owned(); b < halo.size(); ++b) {
     const double* from = poses_.data() + b * kPoseWidth;
-    state[b] = {Eigen::Map<const Vec3>(from), Eigen::Map<const Vec3>(from + 3), Eigen::Map<const Vec3>(from + 6),
-                Eigen::Map<const Mat3>(from + 9)};
+    state[b] = {Eigen::Map<const Vec3>(from), Eigen::Map<const Vec3>(from + 3),
+                Eigen::Map<const Vec3>(from + 6), Eigen::Map<const Mat3>(from + 9)};
   }
 }
 
@@ -252,7 +282,8 @@ const Hole& FixMuckpileJoint::hole(int index) const {
 }
 
 void FixMuckpileJoint::set_pressure(std::span<const double> pressure) {
-  for (std::size_t k = 0; k < loaded_faces_.size(); ++k) network_.faces()[loaded_faces_[k]].pressure = pressure[k];
+  for (std::size_t k = 0; k < loaded_faces_.size(); ++k)
+    network_.faces()[loaded_faces_[k]].pressure = pressure[k];
 }
 
 void FixMuckpileJoint::swept_volume(std::span<double> per_hole) const {
@@ -271,20 +302,29 @@ double FixMuckpileJoint::sum(double mine) const {
 
 double FixMuckpileJoint::compute_vector(int n) {
   switch (n) {
-    case joints: return store_ == nullptr ? 0.0 : store_->facets_created();
-    case broken: return sum(network_.broken_count());
-    case broken_share: return sum(network_.broken_area(false)) / std::max(sum(network_.broken_area(true)), 1e-300);
-    case elastic: return sum(network_.elastic_energy());
-    case fracture: return sum(network_.losses().fracture);
-    case friction: return sum(network_.losses().friction);
-    case damping: return sum(network_.losses().damping);
-    case pressure_work_done: return sum(network_.pressure_work());
+    case joints:
+      return store_ == nullptr ? 0.0 : store_->facets_created();
+    case broken:
+      return sum(network_.broken_count());
+    case broken_share:
+      return sum(network_.broken_area(false)) / std::max(sum(network_.broken_area(true)), 1e-300);
+    case elastic:
+      return sum(network_.elastic_energy());
+    case fracture:
+      return sum(network_.losses().fracture);
+    case friction:
+      return sum(network_.losses().friction);
+    case damping:
+      return sum(network_.losses().damping);
+    case pressure_work_done:
+      return sum(network_.pressure_work());
     case stable_step: {
       double mine = network_.stable_step(), all = 0.0;
       MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MIN, world);
       return all;
     }
-    default: return 0.0;
+    default:
+      return 0.0;
   }
 }
 

@@ -16,7 +16,10 @@
 
 namespace muckpile {
 
-class FixMuckpileJoint : public LAMMPS_NS::Fix, public FacetKeeper, public JointView, public BlastSurface {
+class FixMuckpileJoint : public LAMMPS_NS::Fix,
+                         public FacetKeeper,
+                         public JointView,
+                         public BlastSurface {
  public:
   FixMuckpileJoint(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
   ~FixMuckpileJoint() override;

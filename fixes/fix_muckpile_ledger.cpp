@@ -25,18 +25,20 @@ namespace muckpile {
 namespace {
 
 constexpr std::array kColumns = {
-    &EnergyLedger::kinetic,        &EnergyLedger::joint_elastic,    &EnergyLedger::contact_elastic,
-    &EnergyLedger::gravity,        &EnergyLedger::blast_work,       &EnergyLedger::fracture,
-    &EnergyLedger::joint_friction, &EnergyLedger::joint_damping,    &EnergyLedger::contact_friction,
+    &EnergyLedger::kinetic,         &EnergyLedger::joint_elastic, &EnergyLedger::contact_elastic,
+    &EnergyLedger::gravity,         &EnergyLedger::blast_work,    &EnergyLedger::fracture,
+    &EnergyLedger::joint_friction,  &EnergyLedger::joint_damping, &EnergyLedger::contact_friction,
     &EnergyLedger::contact_damping, &EnergyLedger::walls};
 
 }  // namespace
 
-FixMuckpileLedger::FixMuckpileLedger(LAMMPS_NS::LAMMPS* engine, int narg, char** arg) : Fix(engine, narg, arg) {
+FixMuckpileLedger::FixMuckpileLedger(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
+    : Fix(engine, narg, arg) {
   const std::string where = std::string("fix muckpile/ledger '") + id + "'";
   if (narg != 3) engine::stop(*lmp, where + ": takes no keywords, got '" + arg[3] + "'");
   multisphere_ = engine::find_multisphere(*lmp);
-  if (multisphere_ == nullptr) engine::stop(*lmp, where + ": needs 'fix ID all multisphere' before it");
+  if (multisphere_ == nullptr)
+    engine::stop(*lmp, where + ": needs 'fix ID all multisphere' before it");
   scalar_flag = vector_flag = 1;
   size_vector = static_cast<int>(kColumns.size());
   global_freq = 1;
@@ -135,6 +137,8 @@ double FixMuckpileLedger::fastest_block() {
 
 double FixMuckpileLedger::compute_scalar() { return balance_error(); }
 
-double FixMuckpileLedger::compute_vector(int n) { return ledger().*kColumns[static_cast<std::size_t>(n)]; }
+double FixMuckpileLedger::compute_vector(int n) {
+  return ledger().*kColumns[static_cast<std::size_t>(n)];
+}
 
 }  // namespace muckpile

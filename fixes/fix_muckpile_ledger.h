@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix muckpile/ledger: where the energy is and where it went.
-// Scope: fix multisphere bodies under fix muckpile/joint, fix gravity, walls and pair muckpile/block,
-// whichever of them the run has.
+// Scope: fix multisphere bodies under fix muckpile/joint, fix gravity, walls and pair
+// muckpile/block, whichever of them the run has.
 #pragma once
 
 #include <fix.h>
@@ -26,8 +26,8 @@ struct EnergyLedger {
 
   /// What is in the system and what left it, less what came in.
   [[nodiscard]] double residual() const {
-    return kinetic + joint_elastic + contact_elastic + gravity + fracture + joint_friction + joint_damping +
-           contact_friction + contact_damping + walls - blast_work;
+    return kinetic + joint_elastic + contact_elastic + gravity + fracture + joint_friction +
+           joint_damping + contact_friction + contact_damping + walls - blast_work;
   }
 };
 
@@ -58,7 +58,7 @@ class FixMuckpileLedger : public LAMMPS_NS::Fix {
   LAMMPS_NS::FixGravity* gravity_ = nullptr;
   FixMuckpileJoint* joint_ = nullptr;
   EnergyLedger ledger_;
-  double sphere_work_ = 0.0;   // this rank, by all forces on spheres since the start [J]
+  double sphere_work_ = 0.0;  // this rank, by all forces on spheres since the start [J]
   double start_residual_ = 0.0, start_kinetic_ = 0.0, start_gravity_ = 0.0;
   bool started_ = false;
   LAMMPS_NS::bigint computed_at_ = -1;

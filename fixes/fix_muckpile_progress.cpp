@@ -28,8 +28,10 @@ namespace muckpile {
 namespace {
 
 constexpr const char* kHistoryHeader =
-    "step,time_s,timestep_s,phase,joints,joints_broken,fastest_block_m_s,kinetic_J,elastic_J,contact_elastic_J,"
-    "gravity_J,blast_work_J,fracture_J,joint_friction_J,joint_damping_J,contact_friction_J,contact_damping_J,wall_J,"
+    "step,time_s,timestep_s,phase,joints,joints_broken,fastest_block_m_s,kinetic_J,elastic_J,"
+    "contact_elastic_J,"
+    "gravity_J,blast_work_J,fracture_J,joint_friction_J,joint_damping_J,contact_friction_J,contact_"
+    "damping_J,wall_J,"
     "balance_error\n";
 
 const ArgTable& table() {
@@ -38,10 +40,13 @@ const ArgTable& table() {
           .integer("every", "steps", Range::at_least(1), std::nullopt, "between looks")
           .word("directory", {}, std::nullopt, "where history.csv and run.json go")
           .word("phase", {}, "run", "name of the phase that begins")
-          .real("time_end", "s", Range::positive(), 1e30, "physical time at which the phase ends at the latest; for the time left")
+          .real("time_end", "s", Range::positive(), 1e30,
+                "physical time at which the phase ends at the latest; for the time left")
           .real("still_speed", "m/s", Range::positive(), 0.1, "a block slower than this is at rest")
-          .real("still_share", "", Range::open(0.0, 1.0), 0.001, "mass share that may still move in a pile called still")
-          .real("fastest_allowed", "m/s", Range::positive(), 2000.0, "a faster block stops the run as unstable");
+          .real("still_share", "", Range::open(0.0, 1.0), 0.001,
+                "mass share that may still move in a pile called still")
+          .real("fastest_allowed", "m/s", Range::positive(), 2000.0,
+                "a faster block stops the run as unstable");
   return args;
 }
 
@@ -125,35 +130,42 @@ double FixMuckpileProgress::moving_share() const {
 bool FixMuckpileProgress::still(const Look& now) const { return now.moving_share < still_share_; }
 
 void FixMuckpileProgress::stop_if_wrong(const Look& now) {
-  const std::string at = " at step " + std::to_string(update->ntimestep) + ", t = " + number_text(now.time) + " s";
-  if (!std::isfinite(now.fastest)) stop_with_restart("a block's velocity is not a number" + at + "; the time step is too long");
+  const std::string at =
+      " at step " + std::to_string(update->ntimestep) + ", t = " + number_text(now.time) + " s";
+  if (!std::isfinite(now.fastest))
+    stop_with_restart("a block's velocity is not a number" + at + "; the time step is too long");
   if (now.bodies < store_->blocks_created()) {
-    stop_with_restart(std::to_string(store_->blocks_created() - now.bodies) + " blocks left the simulation box" + at +
-                      "; make the box larger");
+    stop_with_restart(std::to_string(store_->blocks_created() - now.bodies) +
+                      " blocks left the simulation box" + at + "; make the box larger");
   }
   if (now.fastest > fastest_allowed_) {
     stop_with_restart("the fastest block moves at " + number_text(now.fastest) + " m/s" + at +
-                      ", more than fastest_allowed " + number_text(fastest_allowed_) + "; shorten the time step");
+                      ", more than fastest_allowed " + number_text(fastest_allowed_) +
+                      "; shorten the time step");
   }
 }
 
 void FixMuckpileProgress::stop_with_restart(const std::string& why) {
   std::string file = folder_ + "/stopped.restart";
   LAMMPS_NS::WriteRestart(lmp).write(file.data());
-  engine::stop(*lmp, std::string("fix muckpile/progress '") + id + "': " + why + ". State written to " + file);
+  engine::stop(*lmp, std::string("fix muckpile/progress '") + id + "': " + why +
+                         ". State written to " + file);
 }
 
 void FixMuckpileProgress::say(const Look& now) const {
   const double done = now.time - phase_time_start_;
-  const double left = done > 0.0 && time_end_ < 1e29
-                          ? (MPI_Wtime() - phase_wall_start_) / done * std::max(time_end_ - now.time, 0.0)
-                          : -1.0;
+  const double left = done > 0.0 && time_end_ < 1e29 ? (MPI_Wtime() - phase_wall_start_) / done *
+                                                           std::max(time_end_ - now.time, 0.0)
+                                                     : -1.0;
   char remaining[64] = "";
   if (left >= 0.0) std::snprintf(remaining, sizeof remaining, " | at most %.0f s left", left);
   char text[256];
-  std::snprintf(text, sizeof text, "[%s] t = %.4g s | step %lld of %.2g s | joints broken %.1f %% | fastest %.3g m/s | moving %.1f %%%s\n",
+  std::snprintf(text, sizeof text,
+                "[%s] t = %.4g s | step %lld of %.2g s | joints broken %.1f %% | fastest %.3g m/s "
+                "| moving %.1f %%%s\n",
                 phase_.c_str(), now.time, static_cast<long long>(update->ntimestep), update->dt,
-                now.joints > 0.0 ? 100.0 * now.broken / now.joints : 0.0, now.fastest, 100.0 * now.moving_share, remaining);
+                now.joints > 0.0 ? 100.0 * now.broken / now.joints : 0.0, now.fastest,
+                100.0 * now.moving_share, remaining);
   engine::print_once(*lmp, text);
   if (screen != nullptr) std::fflush(screen);
 }
@@ -165,10 +177,11 @@ void FixMuckpileProgress::write_history(const Look& now) {
   if (!history_begun_) out << kHistoryHeader;
   history_begun_ = true;
   out.precision(10);
-  out << update->ntimestep << ',' << now.time << ',' << update->dt << ',' << phase_ << ',' << now.joints << ','
-      << now.broken << ',' << now.fastest;
-  for (double energy : {e.kinetic, e.joint_elastic, e.contact_elastic, e.gravity, e.blast_work, e.fracture,
-                        e.joint_friction, e.joint_damping, e.contact_friction, e.contact_damping, e.walls, now.balance}) {
+  out << update->ntimestep << ',' << now.time << ',' << update->dt << ',' << phase_ << ','
+      << now.joints << ',' << now.broken << ',' << now.fastest;
+  for (double energy : {e.kinetic, e.joint_elastic, e.contact_elastic, e.gravity, e.blast_work,
+                        e.fracture, e.joint_friction, e.joint_damping, e.contact_friction,
+                        e.contact_damping, e.walls, now.balance}) {
     out << ',' << energy;
   }
   out << '\n';
@@ -177,14 +190,16 @@ void FixMuckpileProgress::write_history(const Look& now) {
 void FixMuckpileProgress::write_run(const Look& now) const {
   if (comm->me != 0) return;
   std::ofstream out(folder_ + "/run.json");
-  if (!out) error->warning(FLERR, ("fix muckpile/progress: cannot write to '" + folder_ + "'").c_str());
+  if (!out)
+    error->warning(FLERR, ("fix muckpile/progress: cannot write to '" + folder_ + "'").c_str());
   out.precision(10);
   out << "{\n  \"blocks\": " << store_->blocks_created() << ",\n  \"spheres\": " << atom->natoms
-      << ",\n  \"joints\": " << store_->facets_created() << ",\n  \"joints_broken_fraction\": "
-      << (now.joints > 0.0 ? now.broken / now.joints : 0.0) << ",\n  \"steps\": " << update->ntimestep
-      << ",\n  \"physical_time_s\": " << now.time << ",\n  \"wall_time_s\": " << MPI_Wtime() - wall_start_
-      << ",\n  \"ranks\": " << comm->nprocs << ",\n  \"energy_balance_error\": " << now.balance
-      << ",\n  \"version\": \"" << MUCKPILE_VERSION << "\",\n  \"still\": " << (still(now) ? "true" : "false") << "\n}\n";
+      << ",\n  \"joints\": " << store_->facets_created()
+      << ",\n  \"joints_broken_fraction\": " << (now.joints > 0.0 ? now.broken / now.joints : 0.0)
+      << ",\n  \"steps\": " << update->ntimestep << ",\n  \"physical_time_s\": " << now.time
+      << ",\n  \"wall_time_s\": " << MPI_Wtime() - wall_start_ << ",\n  \"ranks\": " << comm->nprocs
+      << ",\n  \"energy_balance_error\": " << now.balance << ",\n  \"version\": \""
+      << MUCKPILE_VERSION << "\",\n  \"still\": " << (still(now) ? "true" : "false") << "\n}\n";
 }
 
 double FixMuckpileProgress::compute_scalar() { return still(look()) ? 1.0 : 0.0; }
@@ -201,7 +216,8 @@ int FixMuckpileProgress::modify_param(int narg, char** arg) {
   engine::or_engine_error(*lmp, [&] {
     if (key == "phase") phase_ = arg[1];
     if (key == "time_end") time_end_ = parse_real(where, key, arg[1], "s", Range::positive());
-    if (key == "every") nevery = static_cast<int>(parse_integer(where, key, arg[1], "steps", Range::at_least(1)));
+    if (key == "every")
+      nevery = static_cast<int>(parse_integer(where, key, arg[1], "steps", Range::at_least(1)));
     return 0;
   });
   return 2;

@@ -29,9 +29,9 @@ class FixMuckpileProgress : public LAMMPS_NS::Fix {
 
  private:
   struct Look {
-    double time = 0.0;            // [s]
-    double fastest = 0.0;         // [m/s]
-    double moving_share = 0.0;    // mass share of blocks faster than still_speed [-]
+    double time = 0.0;          // [s]
+    double fastest = 0.0;       // [m/s]
+    double moving_share = 0.0;  // mass share of blocks faster than still_speed [-]
     double joints = 0.0, broken = 0.0;
     int bodies = 0;
     double balance = 0.0;

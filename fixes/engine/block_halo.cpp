@@ -55,7 +55,8 @@ void BlockHalo::forward(std::span<double> values, std::size_t width) {
     send_buffers_[k].clear();
     for (std::size_t b : sends_[k].positions) {
       const auto first = values.begin() + static_cast<std::ptrdiff_t>(b * width);
-      send_buffers_[k].insert(send_buffers_[k].end(), first, first + static_cast<std::ptrdiff_t>(width));
+      send_buffers_[k].insert(send_buffers_[k].end(), first,
+                              first + static_cast<std::ptrdiff_t>(width));
     }
     MPI_Isend(send_buffers_[k].data(), static_cast<int>(send_buffers_[k].size()), MPI_DOUBLE,
               sends_[k].rank, kMessageTag, world_, &requests_.emplace_back());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Typed view of the rigid bodies that fix multisphere owns on this rank.
-// Scope: pointers are valid until bodies are added, removed or exchanged; make a view, use it, drop it.
+// Scope: pointers are valid until bodies are added, removed or exchanged; make a view, use it, drop
+// it.
 #pragma once
 
 #include <error.h>
@@ -44,7 +45,9 @@ class Bodies {
   [[nodiscard]] Eigen::Map<Vec3> centre(int b) const { return Eigen::Map<Vec3>(centre_[b]); }
   [[nodiscard]] Eigen::Map<Vec3> velocity(int b) const { return Eigen::Map<Vec3>(velocity_[b]); }
   [[nodiscard]] Eigen::Map<Vec3> spin(int b) const { return Eigen::Map<Vec3>(spin_[b]); }
-  [[nodiscard]] Eigen::Map<Vec3> angular_momentum(int b) const { return Eigen::Map<Vec3>(momentum_[b]); }
+  [[nodiscard]] Eigen::Map<Vec3> angular_momentum(int b) const {
+    return Eigen::Map<Vec3>(momentum_[b]);
+  }
   [[nodiscard]] Eigen::Map<Vec3> force(int b) const { return Eigen::Map<Vec3>(force_[b]); }
   [[nodiscard]] Eigen::Map<Vec3> torque(int b) const { return Eigen::Map<Vec3>(torque_[b]); }
   /// Columns are the principal axes of inertia in space.

@@ -40,7 +40,8 @@ std::vector<std::vector<char>> bytes_of(std::vector<ByteWriter>& writers) {
   return buffers;
 }
 
-std::vector<std::vector<char>> exchange_bytes(const std::vector<std::vector<char>>& outgoing, MPI_Comm world) {
+std::vector<std::vector<char>> exchange_bytes(const std::vector<std::vector<char>>& outgoing,
+                                              MPI_Comm world) {
   const std::size_t ranks = outgoing.size();
   if (ranks == 1) return outgoing;
   refuse_too_much(outgoing, world);

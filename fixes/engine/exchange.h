@@ -39,7 +39,8 @@ class ByteWriter {
 
 class ByteReader {
  public:
-  explicit ByteReader(const std::vector<char>& bytes) : at_(bytes.data()), end_(at_ + bytes.size()) {}
+  explicit ByteReader(const std::vector<char>& bytes)
+      : at_(bytes.data()), end_(at_ + bytes.size()) {}
   ByteReader(const char* first, std::size_t size) : at_(first), end_(first + size) {}
   [[nodiscard]] bool empty() const { return at_ == end_; }
   template <typename T>
@@ -67,7 +68,7 @@ class ByteReader {
 
 /// Sends outgoing[r] to rank r and returns what each rank sent here. Collective.
 /// Throws std::length_error on every rank if one rank would send or receive 2 GiB or more.
-[[nodiscard]] std::vector<std::vector<char>> exchange_bytes(const std::vector<std::vector<char>>& outgoing,
-                                                      MPI_Comm world);
+[[nodiscard]] std::vector<std::vector<char>> exchange_bytes(
+    const std::vector<std::vector<char>>& outgoing, MPI_Comm world);
 
 }  // namespace muckpile::engine

@@ -17,7 +17,9 @@ namespace {
 
 class UnionFind {
  public:
-  explicit UnionFind(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+  explicit UnionFind(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
   std::size_t root(std::size_t k) {
     while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
     return k;
@@ -72,7 +74,9 @@ std::vector<double> broken_share(const FixMuckpileJoint& joint) {
     const Facet& facet = network.facets()[f];
     if (facet.kind != FacetKind::joint) continue;
     const auto& points = network.memory()[f].broken;
-    const double gone = facet.area * static_cast<double>(std::count(points.begin(), points.end(), true)) / kFacetPoints;
+    const double gone = facet.area *
+                        static_cast<double>(std::count(points.begin(), points.end(), true)) /
+                        kFacetPoints;
     for (int b : {facet.i, facet.j}) {
       broken[static_cast<std::size_t>(b)] += gone;
       all[static_cast<std::size_t>(b)] += facet.area;

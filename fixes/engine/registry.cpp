@@ -3,14 +3,13 @@
 // Scope: written for LIGGGHTS 3.8; the static_asserts stop the build if a map's type changes.
 #include "engine/registry.h"
 
+#include <error.h>
 #include <fix.h>
 #include <force.h>
 #include <input.h>
 #include <lammps.h>
 #include <modify.h>
 #include <pair.h>
-
-#include <error.h>
 
 #include <map>
 #include <type_traits>
@@ -100,12 +99,14 @@ const std::map<std::string, PairCreator>& pairs() {
 template <typename Map>
 void add_all(LAMMPS& lmp, Map* engine_map, const Map& ours, const char* kind) {
   if (engine_map == nullptr) {
-    lmp.error->all(FLERR, (std::string("this LIGGGHTS has no table of ") + kind + " styles").c_str());
+    lmp.error->all(FLERR,
+                   (std::string("this LIGGGHTS has no table of ") + kind + " styles").c_str());
   }
   for (const auto& [name, creator] : ours) {
     const auto [place, added] = engine_map->emplace(name, creator);
     if (!added && place->second != creator) {
-      lmp.error->all(FLERR, ("LIGGGHTS already has a " + std::string(kind) + " style '" + name + "'").c_str());
+      lmp.error->all(
+          FLERR, ("LIGGGHTS already has a " + std::string(kind) + " style '" + name + "'").c_str());
     }
   }
 }

@@ -48,7 +48,8 @@ int main(int argc, char** argv) {
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   if (rank == 0 && asks_for_help(argc, argv)) print_styles();
 
-  auto* lmp = new LAMMPS_NS::LAMMPS(argc, argv, MPI_COMM_WORLD);  // prints LIGGGHTS' help and exits on -help
+  auto* lmp = new LAMMPS_NS::LAMMPS(argc, argv,
+                                    MPI_COMM_WORLD);  // prints LIGGGHTS' help and exits on -help
   muckpile::engine::register_styles(*lmp);
   lmp->input->file();
   delete lmp;

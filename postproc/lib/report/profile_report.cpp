@@ -60,9 +60,11 @@ FaceSpeed face_speed_of(const ResultFolder& folder, const std::vector<StartBlock
   FaceSpeed speed;
   for (const auto& path : folder.snapshots()) {
     const Snapshot now = read_snapshot(path, blocks);
-    if (!middle.empty()) speed.mean = std::fmax(speed.mean, mean_outward_velocity(blocks, now, middle));
+    if (!middle.empty())
+      speed.mean = std::fmax(speed.mean, mean_outward_velocity(blocks, now, middle));
     for (const auto& band : bands) {
-      if (!band.empty()) speed.peak = std::fmax(speed.peak, mean_outward_velocity(blocks, now, band));
+      if (!band.empty())
+        speed.peak = std::fmax(speed.peak, mean_outward_velocity(blocks, now, band));
     }
   }
   return speed;

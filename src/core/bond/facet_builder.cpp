@@ -34,7 +34,8 @@ FacetSet build_facets(const std::vector<Block>& blocks, int first_tag, const Sup
       if (face.area < smallest && !is_hole_face(other)) continue;
       const Support held = other == kFreeFace ? support(face.centroid) : Support::free;
       if (other >= 0 || held != Support::free) {
-        const Vec3 centre_j = other >= 0 ? blocks[static_cast<std::size_t>(other)].mass.centroid : Vec3::Zero();
+        const Vec3 centre_j =
+            other >= 0 ? blocks[static_cast<std::size_t>(other)].mass.centroid : Vec3::Zero();
         Facet facet = facet_of(face, block.mass.centroid, centre_j);
         facet.tag_i = tag;
         facet.face = static_cast<int>(k);

@@ -82,8 +82,13 @@ void FacetNetwork::derive() {
     law.contact = k.contact;
     law.tan_residual = smooth ? 0.0 : material_.tan_residual_friction();
     law.radius = std::sqrt(facet.area / M_PI);
-    elastic_[f] = {facet.i, facet.j, facet.normal, facet.arm_i, facet.arm_j,
-                   share_i * k.rock_share * facet.area, share_j * k.rock_share * facet.area};
+    elastic_[f] = {facet.i,
+                   facet.j,
+                   facet.normal,
+                   facet.arm_i,
+                   facet.arm_j,
+                   share_i * k.rock_share * facet.area,
+                   share_j * k.rock_share * facet.area};
   }
 }
 
@@ -238,7 +243,8 @@ bool FacetNetwork::hold_facet(std::size_t f) {
 void FacetNetwork::work_facet(std::size_t f, double dt) {
   const Frame frame = frame_of(f);
   if (states_[f] != FacetState::intact && !closes(f, frame, dt)) return;
-  const bool torn = turned_squared(f, frame) > kTurnStart * kTurnStart;  // else a last point is a hinge
+  const bool torn =
+      turned_squared(f, frame) > kTurnStart * kTurnStart;  // else a last point is a hinge
   const bool fresh = memory_[f].open;
   memory_[f].open = false;
   Push push;
@@ -255,7 +261,8 @@ void FacetNetwork::work_facet(std::size_t f, double dt) {
         losses_.damping += facets_[f].weight * law_[f].area * damping_ * rate.squaredNorm() * dt;
       }
     }
-    if (memory_[f].broken[static_cast<std::size_t>(p)]) traction = contact_traction(f, p, point, fresh, dt);
+    if (memory_[f].broken[static_cast<std::size_t>(p)])
+      traction = contact_traction(f, p, point, fresh, dt);
     push.force += law_[f].area * traction;
     push.moment += law_[f].area * point.arm.cross(traction);
   }
@@ -284,11 +291,13 @@ void FacetNetwork::break_point(std::size_t f, int p, const Point& point, const V
   newly_cracked_ = true;
 
   const double normal_jump = n.dot(point.jump);
-  const double before = law.shear * point.jump.squaredNorm() + law.normal_extra * normal_jump * normal_jump;
+  const double before =
+      law.shear * point.jump.squaredNorm() + law.normal_extra * normal_jump * normal_jump;
   double after = held * held / law.contact;
   if (law.shear > 0.0) after += kept * kept * shear_size * shear_size / law.shear;
-  // The half kick to the present step used the traction before, the one from it uses that after: the
-  // blocks did the work of their mean over the step's path, the springs' account assumes the first.
+  // The half kick to the present step used the traction before, the one from it uses that after:
+  // the blocks did the work of their mean over the step's path, the springs' account assumes the
+  // first.
   const Vec3 dropped = traction - held * n - kept * shear;
   const double undone = dropped.dot(relative_velocity(f, point.arm)) * dt;
   losses_.fracture += 0.5 * facets_[f].weight * law.area * (before - after - undone);
@@ -308,7 +317,8 @@ void FacetNetwork::drop_from_dilatation(std::size_t f, const Vec3& jump) {
   drop(e.j, e.area_j, law.depth_j);
 }
 
-Vec3 FacetNetwork::contact_traction(std::size_t f, int p, const Point& point, bool fresh, double dt) {
+Vec3 FacetNetwork::contact_traction(std::size_t f, int p, const Point& point, bool fresh,
+                                    double dt) {
   const Law& law = law_[f];
   FacetMemory& memory = memory_[f];
   Vec3& offset = memory.offset[static_cast<std::size_t>(p)];
@@ -353,11 +363,13 @@ bool FacetNetwork::closes(std::size_t f, const Frame& frame, double dt) {
   const Law& law = law_[f];
   const Kinematics& kin = kinematics_[f];
   const double opened = kin.normal.dot(kin.jump);
-  const double slid_squared = (kin.jump.squaredNorm() - opened * opened) / (law.radius * law.radius);
+  const double slid_squared =
+      (kin.jump.squaredNorm() - opened * opened) / (law.radius * law.radius);
   const double turn_squared = turned_squared(f, frame);
   if (slid_squared > kSlideStart * kSlideStart || turn_squared > kTurnStart * kTurnStart) {
-    const double matching = ramp_down(std::sqrt(std::max(slid_squared, 0.0)), kSlideStart, kSlideEnd) *
-                            ramp_down(std::sqrt(turn_squared), kTurnStart, kTurnEnd);
+    const double matching =
+        ramp_down(std::sqrt(std::max(slid_squared, 0.0)), kSlideStart, kSlideEnd) *
+        ramp_down(std::sqrt(turn_squared), kTurnStart, kTurnEnd);
     if (matching < memory.fade) {
       book_fading(f, frame, memory.fade - matching);
       memory.fade = matching;
@@ -369,7 +381,8 @@ bool FacetNetwork::closes(std::size_t f, const Frame& frame, double dt) {
     ++retired_since_;
     return false;
   }
-  const double turned = std::sqrt(frame.turn_1.squaredNorm()) + std::sqrt(frame.turn_2.squaredNorm());
+  const double turned =
+      std::sqrt(frame.turn_1.squaredNorm()) + std::sqrt(frame.turn_2.squaredNorm());
   const double tilted = std::sqrt(std::max(slid_squared, 0.0) * turn_squared);
   const double gap = opened - turned - (tilted + kSurelyOpen) * law.radius;
   if (gap <= 0.0) return true;
@@ -384,10 +397,12 @@ void FacetNetwork::let_sleep(std::size_t f, double gap, double dt) {
   const BlockState& si = state_[static_cast<std::size_t>(elastic_[f].i)];
   const BlockState& sj = state_[static_cast<std::size_t>(elastic_[f].j)];
   const double reach = kinematics_[f].side.norm() + law_[f].depth_j + 3.0 * law_[f].radius;
-  const double speed = (sj.velocity - si.velocity).norm() + (si.spin.norm() + sj.spin.norm()) * reach;
+  const double speed =
+      (sj.velocity - si.velocity).norm() + (si.spin.norm() + sj.spin.norm()) * reach;
   if (dt <= 0.0) return;
   const double steps = 0.5 * gap / (std::max(speed, 1e-30) * dt);
-  asleep_[f] = calls_ + 1 + static_cast<std::int64_t>(std::min(steps, material_.parameters().longest_sleep));
+  asleep_[f] =
+      calls_ + 1 + static_cast<std::int64_t>(std::min(steps, material_.parameters().longest_sleep));
 }
 
 /// The spring energy that a facet gives up when its fade falls by `lost` is booked as friction.
@@ -397,7 +412,8 @@ void FacetNetwork::book_fading(std::size_t f, const Frame& frame, double lost) {
   const Vec3& n = kinematics_[f].normal;
   double stored = 0.0;
   for (int p = 0; p < kFacetPoints; ++p) {
-    const Vec3 spring = point_of(f, frame, p).jump - turn * memory_[f].offset[static_cast<std::size_t>(p)];
+    const Vec3 spring =
+        point_of(f, frame, p).jump - turn * memory_[f].offset[static_cast<std::size_t>(p)];
     const double closed = n.dot(spring);
     if (closed >= 0.0) continue;
     stored += law.contact * closed * closed + law.shear * (spring - closed * n).squaredNorm();
@@ -428,7 +444,8 @@ void FacetNetwork::sweep(BoundaryFace& face) const {
   const BlockState& s = state_[static_cast<std::size_t>(face.block)];
   const Vec3 centroid = s.centre + s.rotation * face.arm;
   const Vec3 normal = s.rotation * face.normal;
-  face.rigid_swept -= 0.5 * face.area * (normal + face.last_normal).dot(centroid - face.last_centroid);
+  face.rigid_swept -=
+      0.5 * face.area * (normal + face.last_normal).dot(centroid - face.last_centroid);
   face.last_centroid = centroid;
   face.last_normal = normal;
 }
@@ -443,7 +460,8 @@ double FacetNetwork::block_potential(std::size_t b, const BlockSums& sums) const
 
 double FacetNetwork::block_energy(std::size_t b) const {
   const BlockSums& sums = sums_[b];
-  return block_potential(b, sums) - material_.lame_lambda() * theta_[b] * sums.loaded + sums.squeezed;
+  return block_potential(b, sums) - material_.lame_lambda() * theta_[b] * sums.loaded +
+         sums.squeezed;
 }
 
 void FacetNetwork::book_fracture() {
@@ -461,7 +479,8 @@ void FacetNetwork::book_fracture() {
 }
 
 void FacetNetwork::apply(std::size_t f, const Push& push) {
-  const auto i = static_cast<std::size_t>(elastic_[f].i), j = static_cast<std::size_t>(elastic_[f].j);
+  const auto i = static_cast<std::size_t>(elastic_[f].i),
+             j = static_cast<std::size_t>(elastic_[f].j);
   force_[i] += push.force;
   torque_[i] += push.moment;
   force_[j] -= push.force;
@@ -504,7 +523,8 @@ double FacetNetwork::elastic_energy() const {
       const Vec3 spring = jump - turn * memory.offset[q];
       const double closed = n.dot(spring);
       if (closed >= 0.0) continue;
-      sum += memory.fade * (law.contact * closed * closed + law.shear * (spring - closed * n).squaredNorm());
+      sum += memory.fade *
+             (law.contact * closed * closed + law.shear * (spring - closed * n).squaredNorm());
     }
     energy += 0.5 * facets_[f].weight * law.area * sum;
   }
@@ -520,7 +540,8 @@ double FacetNetwork::broken_count() const {
     if (block.owned) count += 0.5 * block.retired.count;  // each of the two blocks remembers it
   }
   for (std::size_t f = 0; f < facets_.size(); ++f) {
-    if (facets_[f].kind == FacetKind::joint && states_[f] != FacetState::intact) count += facets_[f].weight;
+    if (facets_[f].kind == FacetKind::joint && states_[f] != FacetState::intact)
+      count += facets_[f].weight;
   }
   return count;
 }

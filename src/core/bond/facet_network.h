@@ -34,9 +34,9 @@ enum class FacetKind : std::uint8_t { joint, fixed, mirror };
 /// Facet in the start configuration. Blocks are named by tag; `i`, `j` are indices into the
 /// network's blocks and are set by the caller whenever those change. (tag_i, face) is unique.
 struct Facet {
-  int tag_i = 0, tag_j = 0;       ///< tag_i < tag_j, or tag_j = kGroundTag
-  int face = 0;                   ///< number of the face in block i's polyhedron
-  int i = -1, j = -1;             ///< local indices; j = ground() for a support
+  int tag_i = 0, tag_j = 0;  ///< tag_i < tag_j, or tag_j = kGroundTag
+  int face = 0;              ///< number of the face in block i's polyhedron
+  int i = -1, j = -1;        ///< local indices; j = ground() for a support
   FacetKind kind = FacetKind::joint;
   Vec3 normal;                    ///< unit, from i to j
   Vec3 arm_i, arm_j;              ///< facet centroid minus block centre (ground: the origin) [m]
@@ -48,18 +48,18 @@ struct Facet {
 /// Face of one block that is free or faces a crushed zone.
 struct BoundaryFace {
   int tag = 0;
-  int face = 0;           ///< number of the face in the block's polyhedron
-  int block = -1;         ///< local index
-  int hole = -1;          ///< index of the crushed zone that it faces, -1 if none
+  int face = 0;                ///< number of the face in the block's polyhedron
+  int block = -1;              ///< local index
+  int hole = -1;               ///< index of the crushed zone that it faces, -1 if none
   Vec3 normal = Vec3::Zero();  ///< unit, outward
   Vec3 arm = Vec3::Zero();     ///< centroid minus block centre [m]
   Vec3 start = Vec3::Zero();   ///< centroid in the start configuration [m]
   double area = 0.0;           ///< [m2]
   double pressure = 0.0;       ///< on a face with a hole only [Pa]
   // Of the step before; they follow the face through the run.
-  double last_pressure = 0.0;   ///< [Pa]
-  double last_swept = 0.0;      ///< [m3]
-  double rigid_swept = 0.0;     ///< by the block's own motion since the start [m3]
+  double last_pressure = 0.0;  ///< [Pa]
+  double last_swept = 0.0;     ///< [m3]
+  double rigid_swept = 0.0;    ///< by the block's own motion since the start [m3]
   Vec3 last_centroid = Vec3::Zero(), last_normal = Vec3::Zero();
 };
 
@@ -139,16 +139,21 @@ class FacetNetwork {
   [[nodiscard]] std::span<const Vec3> force() const { return force_; }
   [[nodiscard]] std::span<const Vec3> torque() const { return torque_; }
 
-  void dilatation();            ///< theta of every block from the poses; right for owned blocks
-  void tractions(double dt);    ///< forces, torques, breaking, losses over a step dt [s]
+  void dilatation();          ///< theta of every block from the poses; right for owned blocks
+  void tractions(double dt);  ///< forces, torques, breaking, losses over a step dt [s]
 
-  [[nodiscard]] double elastic_energy() const;   ///< of joints, rock and closed broken facets [J]
+  [[nodiscard]] double elastic_energy() const;  ///< of joints, rock and closed broken facets [J]
   [[nodiscard]] double volume_swept(const BoundaryFace& face) const;  ///< by a loaded face [m3]
-  [[nodiscard]] double pressure_work() const { return pressure_work_; }  ///< on owned blocks so far [J]
+  [[nodiscard]] double pressure_work() const {
+    return pressure_work_;
+  }  ///< on owned blocks so far [J]
   [[nodiscard]] const JointLosses& losses() const { return losses_; }
-  [[nodiscard]] bool newly_cracked() const { return newly_cracked_; }  ///< a facet cracked in the last call
-  [[nodiscard]] double broken_area(bool all) const;  ///< booked by this rank, `all`: of all joints [m2]
-  [[nodiscard]] double broken_count() const;         ///< facets with a broken point, booked share
+  [[nodiscard]] bool newly_cracked() const {
+    return newly_cracked_;
+  }  ///< a facet cracked in the last call
+  [[nodiscard]] double broken_area(
+      bool all) const;                        ///< booked by this rank, `all`: of all joints [m2]
+  [[nodiscard]] double broken_count() const;  ///< facets with a broken point, booked share
 
   /// Estimate of the largest stable step [s]: 2/omega, omega^2 the largest row sum of the
   /// translations (Gershgorin). Rotations are left out: measured on cubes, bars and Voronoi blocks,
@@ -173,10 +178,10 @@ class FacetNetwork {
     double theta_i, theta_j;     // normal traction per dilatation of block i and j [Pa]
     double contact;              // normal stiffness when broken and closed [Pa/m]
     double tan_residual;
-    double radius;               // of the circle of equal area [m]
-    double depth_i, depth_j;     // distance of the facet from the two centres [m]
+    double radius;            // of the circle of equal area [m]
+    double depth_i, depth_j;  // distance of the facet from the two centres [m]
   };
-  struct Kinematics {  // of the present step
+  struct Kinematics {         // of the present step
     Vec3 normal, jump, side;  // side: facet centroid on block i less its centre [m]
   };
   struct Frame {  // the facet's in-plane axes on block i, and how block j's differ
@@ -186,11 +191,11 @@ class FacetNetwork {
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
   };
   struct BlockSums {
-    double bonded = 0.0;     // sum of A n.u/2 [m3]
-    double loaded = 0.0;     // sum of A t_n d/(2G) [m3]
-    double squeezed = 0.0;   // sum of A d t_n^2/(4G) [J]
-    double unbonded = 0.0;   // phi, faces and broken facets [-]
-    double dropped = 0.0;    // bonded sum lost by breaking in this step
+    double bonded = 0.0;    // sum of A n.u/2 [m3]
+    double loaded = 0.0;    // sum of A t_n d/(2G) [m3]
+    double squeezed = 0.0;  // sum of A d t_n^2/(4G) [J]
+    double unbonded = 0.0;  // phi, faces and broken facets [-]
+    double dropped = 0.0;   // bonded sum lost by breaking in this step
     double unbonded_added = 0.0;
   };
 
@@ -208,7 +213,8 @@ class FacetNetwork {
   void work_facet(std::size_t f, double dt);
   [[nodiscard]] Vec3 bonded_traction(std::size_t f, const Point& point) const;
   [[nodiscard]] bool fails(const Vec3& normal, const Vec3& traction) const;
-  [[nodiscard]] Vec3 contact_traction(std::size_t f, int p, const Point& point, bool fresh, double dt);
+  [[nodiscard]] Vec3 contact_traction(std::size_t f, int p, const Point& point, bool fresh,
+                                      double dt);
   void break_point(std::size_t f, int p, const Point& point, const Vec3& traction, double dt);
   void drop_from_dilatation(std::size_t f, const Vec3& jump);
   [[nodiscard]] bool closes(std::size_t f, const Frame& frame, double dt);

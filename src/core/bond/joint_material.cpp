@@ -49,9 +49,13 @@ JointMaterial::JointMaterial(const JointParameters& parameters)
 
 double JointMaterial::p_wave_modulus() const { return lame_lambda_ + 2.0 * shear_modulus_; }
 
-double JointMaterial::p_wave_speed() const { return std::sqrt(p_wave_modulus() / parameters_.density); }
+double JointMaterial::p_wave_speed() const {
+  return std::sqrt(p_wave_modulus() / parameters_.density);
+}
 
-double JointMaterial::s_wave_speed() const { return std::sqrt(shear_modulus_ / parameters_.density); }
+double JointMaterial::s_wave_speed() const {
+  return std::sqrt(shear_modulus_ / parameters_.density);
+}
 
 double JointMaterial::damping_coefficient() const {
   return parameters_.damping * parameters_.density * p_wave_speed();

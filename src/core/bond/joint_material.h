@@ -9,15 +9,15 @@ namespace muckpile {
 
 /// What the user gives. Compression is negative in tractions, strengths are positive.
 struct JointParameters {
-  double youngs_modulus = 0.0;                                            ///< [Pa]
-  double poisson_ratio = 0.0;                                             ///< [-], 0 <= nu < 0.5
-  double density = 0.0;                                                   ///< of the rock [kg/m3]
-  double tension = 0.0;                                                   ///< cut-off [Pa]
-  double cohesion = 0.0;                                                  ///< [Pa]
-  double friction_angle = 0.0;                                            ///< before breaking [rad]
-  double residual_friction_angle = 0.0;                                   ///< after breaking [rad]
-  double normal_stiffness = std::numeric_limits<double>::infinity();      ///< joint alone [Pa/m]
-  double shear_stiffness = std::numeric_limits<double>::infinity();       ///< joint alone [Pa/m]
+  double youngs_modulus = 0.0;                                        ///< [Pa]
+  double poisson_ratio = 0.0;                                         ///< [-], 0 <= nu < 0.5
+  double density = 0.0;                                               ///< of the rock [kg/m3]
+  double tension = 0.0;                                               ///< cut-off [Pa]
+  double cohesion = 0.0;                                              ///< [Pa]
+  double friction_angle = 0.0;                                        ///< before breaking [rad]
+  double residual_friction_angle = 0.0;                               ///< after breaking [rad]
+  double normal_stiffness = std::numeric_limits<double>::infinity();  ///< joint alone [Pa/m]
+  double shear_stiffness = std::numeric_limits<double>::infinity();   ///< joint alone [Pa/m]
   double damping = 0.0;          ///< of intact joints, share of rho c_P per area [-]
   double contact_damping = 0.0;  ///< of closed broken facets, share of rho c_P per area [-]
   double longest_sleep = 0.0;    ///< steps for which a broken open facet may be left alone [-]
@@ -25,10 +25,10 @@ struct JointParameters {
 
 /// Stiffness of one facet whose block centres are h apart along its normal.
 struct FacetStiffness {
-  double normal;        ///< elastic part of the normal traction per jump [Pa/m]
-  double shear;         ///< tangential traction per jump [Pa/m]
-  double rock_share;    ///< share of the normal jump that strains the rock, not the joint [-]
-  double contact;       ///< normal stiffness of the closed broken facet [Pa/m]
+  double normal;      ///< elastic part of the normal traction per jump [Pa/m]
+  double shear;       ///< tangential traction per jump [Pa/m]
+  double rock_share;  ///< share of the normal jump that strains the rock, not the joint [-]
+  double contact;     ///< normal stiffness of the closed broken facet [Pa/m]
 };
 
 /// Derived constants; throws InputError if a parameter is out of range.
@@ -37,15 +37,15 @@ class JointMaterial {
   explicit JointMaterial(const JointParameters& parameters);
 
   [[nodiscard]] const JointParameters& parameters() const { return parameters_; }
-  [[nodiscard]] double shear_modulus() const { return shear_modulus_; }        ///< G [Pa]
-  [[nodiscard]] double lame_lambda() const { return lame_lambda_; }            ///< lambda [Pa]
-  [[nodiscard]] double p_wave_modulus() const;                                 ///< lambda + 2G [Pa]
-  [[nodiscard]] double p_wave_speed() const;                                   ///< c_P [m/s]
-  [[nodiscard]] double s_wave_speed() const;                                   ///< c_S [m/s]
+  [[nodiscard]] double shear_modulus() const { return shear_modulus_; }  ///< G [Pa]
+  [[nodiscard]] double lame_lambda() const { return lame_lambda_; }      ///< lambda [Pa]
+  [[nodiscard]] double p_wave_modulus() const;                           ///< lambda + 2G [Pa]
+  [[nodiscard]] double p_wave_speed() const;                             ///< c_P [m/s]
+  [[nodiscard]] double s_wave_speed() const;                             ///< c_S [m/s]
   [[nodiscard]] double tan_friction() const { return tan_friction_; }
   [[nodiscard]] double tan_residual_friction() const { return tan_residual_friction_; }
-  [[nodiscard]] double damping_coefficient() const;                            ///< [Pa s/m]
-  [[nodiscard]] double contact_damping_coefficient() const;                    ///< [Pa s/m]
+  [[nodiscard]] double damping_coefficient() const;          ///< [Pa s/m]
+  [[nodiscard]] double contact_damping_coefficient() const;  ///< [Pa s/m]
 
   /// Joint compliances act in series with the rock between the centres. The share of the jump that
   /// strains the rock is k/(k + (lambda + 2G)/h), exact for uniaxial strain normal to the joint.

@@ -4,7 +4,6 @@
 #include "bond/rigid_body.h"
 
 #include <Eigen/Eigenvalues>
-
 #include <algorithm>
 
 namespace muckpile {

@@ -26,6 +26,7 @@ struct RigidBody {
                                    double growth = 1.0);
 
 /// Largest overlap of two spheres of neighbouring blocks over the smaller radius [-].
-[[nodiscard]] double largest_overlap(const std::vector<Block>& blocks, const std::vector<RigidBody>& bodies);
+[[nodiscard]] double largest_overlap(const std::vector<Block>& blocks,
+                                     const std::vector<RigidBody>& bodies);
 
 }  // namespace muckpile

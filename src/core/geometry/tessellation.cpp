@@ -38,12 +38,12 @@ void check_hole(const TessellationOptions& options, std::size_t h) {
     const bool in_box =
         (end.array() >= options.lo.array()).all() && (end.array() <= options.hi.array()).all();
     if (!in_box) {
-      fail("the axis of hole ", h + 1, " must lie in the box, got an end at '", end.x(), ' ', end.y(),
-           ' ', end.z(), "'");
+      fail("the axis of hole ", h + 1, " must lie in the box, got an end at '", end.x(), ' ',
+           end.y(), ' ', end.z(), "'");
     }
     if (options.region.inside && !options.region.inside(end)) {
-      fail("the axis of hole ", h + 1, " must lie in the rock, got an end at '", end.x(), ' ', end.y(),
-           ' ', end.z(), "'");
+      fail("the axis of hole ", h + 1, " must lie in the rock, got an end at '", end.x(), ' ',
+           end.y(), ' ', end.z(), "'");
     }
   }
   const double size = options.size.at(hole.radius);
@@ -71,7 +71,8 @@ double checked_block_count(const TessellationOptions& options) {
   const double count = integrate_density(options, Ground(options), allowed);
   if (count > allowed) {
     fail("more than ", options.max_blocks,
-         " blocks are expected, which is the limit; enlarge the blocks, shrink the rock or raise the limit");
+         " blocks are expected, which is the limit; enlarge the blocks, shrink the rock or raise "
+         "the limit");
   }
   if (!(count >= 1.0)) fail("the rock holds less than one block (expected ", count, ")");
   return count;

@@ -329,7 +329,8 @@ TEST(Tessellation, NamesWhatIsWrong) {
     o.region.inside = [](const Vec3&) { return false; };
     o.region.surface_points = [](const Vec3&, double) { return std::vector<Vec3>(); };
   };
-  EXPECT_EQ(message(no_rock).rfind("block tessellation: the axis of hole 1 must lie in the rock", 0), 0u);
+  EXPECT_EQ(
+      message(no_rock).rfind("block tessellation: the axis of hole 1 must lie in the rock", 0), 0u);
   EXPECT_EQ(message([&](auto& o) {
               no_rock(o);
               o.holes.clear();
