@@ -3,7 +3,6 @@
 // aside. Scope: a small block of rock with two holes; runs on any number of ranks.
 #include <fix.h>
 #include <gtest/gtest.h>
-#include <input.h>
 #include <lammps.h>
 #include <modify.h>
 #include <mpi.h>
@@ -15,10 +14,10 @@
 #include <vector>
 
 #include "engine/bodies.h"
-#include "engine/registry.h"
 #include "explosive/starfield_pulse.h"
 #include "geometry/polyhedron.h"
 #include "geometry/tessellation.h"
+#include "silent_engine.h"
 
 namespace muckpile {
 namespace {
@@ -45,26 +44,17 @@ class Engine {
  public:
   /// `joint`: words of fix muckpile/joint; `blast`: words of fix muckpile/blast.
   Engine(const std::string& joint, const std::string& blast, const std::string& timestep) {
-    std::array<std::string, 7> words{"test", "-screen", "none", "-log", "none", "-echo", "none"};
-    std::array<char*, 7> arg{};
-    for (std::size_t i = 0; i < words.size(); ++i) arg[i] = words[i].data();
-    lmp_ = std::make_unique<LAMMPS_NS::LAMMPS>(static_cast<int>(arg.size()), arg.data(),
-                                               MPI_COMM_WORLD);
-    engine::register_styles(*lmp_);
-    for (const std::string& line :
-         {std::string("units si"), std::string("atom_style granular"),
-          std::string("atom_modify map array sort 0 0"), std::string("newton off"),
-          std::string("boundary f f f"), std::string("communicate single cutoff 1.0 vel yes"),
-          std::string("processors * 1 1"), std::string("region box block -2 2 -2 2 -2 2 units box"),
-          std::string("create_box 1 box"), std::string("neighbor 0.01 bin"), "timestep " + timestep,
-          std::string("region rock block -1 1 -0.6 0.6 -0.6 0.6 units box"),
-          std::string("fix bodies all multisphere"), create_blocks(),
-          "fix joints all muckpile/joint " + joint, "fix load all muckpile/blast " + blast}) {
-      command(line);
-    }
+    test::run_lines(
+        *lmp_,
+        {"units si", "atom_style granular", "atom_modify map array sort 0 0", "newton off",
+         "boundary f f f", "communicate single cutoff 1.0 vel yes", "processors * 1 1",
+         "region box block -2 2 -2 2 -2 2 units box", "create_box 1 box", "neighbor 0.01 bin",
+         "timestep " + timestep, "region rock block -1 1 -0.6 0.6 -0.6 0.6 units box",
+         "fix bodies all multisphere", create_blocks(), "fix joints all muckpile/joint " + joint,
+         "fix load all muckpile/blast " + blast});
   }
 
-  void command(const std::string& line) { lmp_->input->one(line.c_str()); }
+  void command(const std::string& line) { test::run_lines(*lmp_, {line}); }
   [[nodiscard]] LAMMPS_NS::LAMMPS& lmp() { return *lmp_; }
   /// f_load[n], f_joints[n], n from 1.
   [[nodiscard]] double load(int n) { return fix("load").compute_vector(n - 1); }
@@ -96,7 +86,7 @@ class Engine {
     return *lmp_->modify->fix[lmp_->modify->find_fix(id.c_str())];
   }
 
-  std::unique_ptr<LAMMPS_NS::LAMMPS> lmp_;
+  std::unique_ptr<LAMMPS_NS::LAMMPS> lmp_ = test::silent_engine(MPI_COMM_WORLD);
 };
 
 const std::string kStrong =
@@ -207,19 +197,3 @@ TEST(FixMuckpileBlast, StartsWithItsDelayAndEndsWhenTheLoadHasGone) {
 
 }  // namespace
 }  // namespace muckpile
-
-int main(int argc, char** argv) {
-  MPI_Init(&argc, &argv);
-  testing::InitGoogleTest(&argc, argv);
-  int rank = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  if (rank != 0) {
-    auto& listeners = testing::UnitTest::GetInstance()->listeners();
-    delete listeners.Release(listeners.default_result_printer());
-  }
-  const int own = RUN_ALL_TESTS();
-  int worst = 0;
-  MPI_Allreduce(&own, &worst, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
-  MPI_Finalize();
-  return worst;
-}

@@ -9,7 +9,6 @@
 #include <fix.h>
 #include <fix_multisphere.h>
 #include <force.h>
-#include <input.h>
 #include <lammps.h>
 #include <modify.h>
 #include <multisphere.h>
@@ -17,47 +16,30 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <stdexcept>
 
+#include "args/numbers.h"
 #include "engine/bodies.h"
-#include "engine/registry.h"
+#include "silent_engine.h"
 
 namespace muckpile::testing {
 
-namespace {
-
-std::string text(double value) {
-  std::array<char, 40> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.17g", value);
-  return buffer.data();
-}
-
-}  // namespace
-
 BlockScene::BlockScene(MPI_Comm comm, double half_box, double skin, const std::string& contact)
     : comm_(comm) {
-  std::array<std::string, 5> words{"test", "-screen", "none", "-log", "none"};
-  std::array<char*, 5> arg{words[0].data(), words[1].data(), words[2].data(), words[3].data(),
-                           words[4].data()};
-  lmp_ = std::make_unique<LAMMPS_NS::LAMMPS>(5, arg.data(), comm_);
-  engine::register_styles(*lmp_);
-  const std::string h = text(half_box);
-  for (const std::string& line :
-       {std::string("units si"), std::string("atom_style granular"),
-        std::string("atom_modify map array"), std::string("boundary f f f"),
-        std::string("newton off"), std::string("communicate single vel yes"),
-        std::string("processors * 1 1"),  // a split in x, where the scenes have their action
-        "region box block -" + h + " " + h + " -" + h + " " + h + " -" + h + " " + h,
-        std::string("create_box 1 box"), "neighbor " + text(skin) + " bin",
-        std::string("neigh_modify delay 0"), "pair_style muckpile/block " + contact,
-        std::string("pair_coeff * *"), std::string("fix bodies all multisphere")})
-    command(line);
+  lmp_ = test::silent_engine(comm_);
+  const std::string h = number_text(half_box), side = " -" + h + " " + h;
+  // A split in x, where the scenes have their action.
+  test::run_lines(
+      *lmp_,
+      {"units si", "atom_style granular", "atom_modify map array", "boundary f f f", "newton off",
+       "communicate single vel yes", "processors * 1 1", "region box block" + side + side + side,
+       "create_box 1 box", "neighbor " + number_text(skin) + " bin", "neigh_modify delay 0",
+       "pair_style muckpile/block " + contact, "pair_coeff * *", "fix bodies all multisphere"});
 }
 
 BlockScene::~BlockScene() = default;
 
-void BlockScene::command(const std::string& line) { lmp_->input->one(line.c_str()); }
+void BlockScene::command(const std::string& line) { test::run_lines(*lmp_, {line}); }
 
 void BlockScene::place(const BlockSpec& block, int first_atom_tag) {
   LAMMPS_NS::Atom& atom = *lmp_->atom;
@@ -119,7 +101,7 @@ void BlockScene::add(const std::vector<BlockSpec>& blocks) {
 }
 
 void BlockScene::run(int steps, double time_step) {
-  command("timestep " + text(time_step));
+  command("timestep " + number_text(time_step));
   command("run " + std::to_string(steps));
 }
 
@@ -132,18 +114,7 @@ std::map<int, BlockNow> BlockScene::blocks() const {
       mine.insert(mine.end(), v.data(), v.data() + 3);
     mine.push_back(bodies.kinetic_energy(b));
   }
-  int ranks = 0, size = static_cast<int>(mine.size());
-  MPI_Comm_size(comm_, &ranks);
-  std::vector<int> sizes(static_cast<std::size_t>(ranks)), starts(sizes.size());
-  MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, comm_);
-  int total = 0;
-  for (std::size_t r = 0; r < sizes.size(); ++r) {
-    starts[r] = total;
-    total += sizes[r];
-  }
-  std::vector<double> all(static_cast<std::size_t>(total));
-  MPI_Allgatherv(mine.data(), size, MPI_DOUBLE, all.data(), sizes.data(), starts.data(), MPI_DOUBLE,
-                 comm_);
+  const std::vector<double> all = test::gather(mine, comm_);
   std::map<int, BlockNow> result;
   for (std::size_t k = 0; k + 11 <= all.size(); k += 11) {
     const double* row = all.data() + k;

@@ -191,11 +191,3 @@ TEST(PairMuckpileBlock, FrictionSpringSurvivesRebuildsAndTheChangeOfRank) {
 
 }  // namespace
 }  // namespace muckpile::testing
-
-int main(int argc, char** argv) {
-  MPI_Init(&argc, &argv);
-  ::testing::InitGoogleTest(&argc, argv);
-  const int result = RUN_ALL_TESTS();
-  MPI_Finalize();
-  return result;
-}

@@ -6,29 +6,21 @@
 #include <atom.h>
 #include <fix.h>
 #include <fix_multisphere.h>
-#include <input.h>
 #include <lammps.h>
 #include <modify.h>
 #include <multisphere.h>
 
-#include <array>
-#include <cstdio>
 #include <stdexcept>
 #include <vector>
 
+#include "args/numbers.h"
 #include "engine/bodies.h"
-#include "engine/registry.h"
+#include "silent_engine.h"
 
 namespace muckpile::test {
 namespace {
 
 constexpr std::size_t kRow = 24;  // numbers per block in blocks()
-
-std::string text(double value) {
-  std::array<char, 40> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.17g", value);
-  return buffer.data();
-}
 
 Mat3 inertia_of(LAMMPS_NS::FixMultisphere& fix, const engine::Bodies& bodies, int b) {
   using Vectors = LAMMPS_NS::VectorContainer<double, 3>;
@@ -41,25 +33,17 @@ Mat3 inertia_of(LAMMPS_NS::FixMultisphere& fix, const engine::Bodies& bodies, in
 
 RockScene::RockScene(MPI_Comm comm, const std::string& box, const std::string& processors)
     : comm_(comm) {
-  std::array<std::string, 7> words{"test", "-screen", "none", "-log", "none", "-echo", "none"};
-  std::array<char*, 7> arg{};
-  for (std::size_t i = 0; i < words.size(); ++i) arg[i] = words[i].data();
-  lmp_ = std::make_unique<LAMMPS_NS::LAMMPS>(static_cast<int>(arg.size()), arg.data(), comm_);
-  engine::register_styles(*lmp_);
-  for (const std::string& line :
-       {std::string("units si"), std::string("atom_style granular"),
-        std::string("atom_modify map array sort 0 0"), std::string("newton off"),
-        std::string("boundary f f f"), std::string("communicate single cutoff 1.0 vel yes"),
-        "processors " + processors, "region box block " + box + " units box",
-        std::string("create_box 1 box"), std::string("neighbor 0.05 bin"),
-        std::string("neigh_modify delay 0"), std::string("fix bodies all multisphere")}) {
-    command(line);
-  }
+  lmp_ = silent_engine(comm_);
+  run_lines(*lmp_,
+            {"units si", "atom_style granular", "atom_modify map array sort 0 0", "newton off",
+             "boundary f f f", "communicate single cutoff 1.0 vel yes", "processors " + processors,
+             "region box block " + box + " units box", "create_box 1 box", "neighbor 0.05 bin",
+             "neigh_modify delay 0", "fix bodies all multisphere"});
 }
 
 RockScene::~RockScene() = default;
 
-void RockScene::command(const std::string& line) { lmp_->input->one(line.c_str()); }
+void RockScene::command(const std::string& line) { run_lines(*lmp_, {line}); }
 
 void RockScene::cut(const std::string& block, const std::string& words) {
   command("region rock block " + block + " units box");
@@ -67,7 +51,7 @@ void RockScene::cut(const std::string& block, const std::string& words) {
 }
 
 void RockScene::run(int steps, double time_step) {
-  command("timestep " + text(time_step));
+  command("timestep " + number_text(time_step));
   command("run " + std::to_string(steps));
 }
 
@@ -99,17 +83,7 @@ std::map<int, BlockNow> RockScene::blocks() const {
     mine.push_back(bodies.kinetic_energy(b));
     put(inertia_of(fix, bodies, b).data(), 9);
   }
-  int ranks = 0, size = static_cast<int>(mine.size()), total = 0;
-  MPI_Comm_size(comm_, &ranks);
-  std::vector<int> sizes(static_cast<std::size_t>(ranks)), starts(sizes.size());
-  MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, comm_);
-  for (std::size_t r = 0; r < sizes.size(); ++r) {
-    starts[r] = total;
-    total += sizes[r];
-  }
-  std::vector<double> all(static_cast<std::size_t>(total));
-  MPI_Allgatherv(mine.data(), size, MPI_DOUBLE, all.data(), sizes.data(), starts.data(), MPI_DOUBLE,
-                 comm_);
+  const std::vector<double> all = gather(mine, comm_);
   std::map<int, BlockNow> result;
   for (std::size_t k = 0; k < all.size(); k += kRow) {
     const double* row = all.data() + k;
