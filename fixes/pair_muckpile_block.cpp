@@ -23,7 +23,6 @@
 
 #include "args/arg_table.h"
 #include "engine/style_args.h"
-#include "joint_view.h"
 
 namespace muckpile {
 
@@ -207,20 +206,26 @@ void PairMuckpileBlock::drop_intact_pairs(std::vector<BlockPair>& pairs) const {
   });
 }
 
+SphereSet PairMuckpileBlock::spheres() const {
+  const int count = atom->nlocal + atom->nghost;
+  return {count > 0 ? atom->x[0] : nullptr,
+          atom->radius,
+          atom->tag,
+          atom_block_.data(),
+          count,
+          atom->nlocal};
+}
+
+bool PairMuckpileBlock::muted(const BlockPair& pair, const FacetState* states) {
+  return pair.facet >= 0 && states[pair.facet] < FacetState::fading;
+}
+
 void PairMuckpileBlock::rebuild() {
   const double started = MPI_Wtime();
-  const int count = atom->nlocal + atom->nghost;
   number_blocks();
-  const SphereSet spheres{count > 0 ? atom->x[0] : nullptr,
-                          atom->radius,
-                          atom->tag,
-                          atom_block_.data(),
-                          count,
-                          atom->nlocal};
-  list_.group(spheres, static_cast<int>(block_tag_.size()));
+  list_.group(spheres(), static_cast<int>(block_tag_.size()));
   drop_intact_pairs(list_.find_block_pairs(neighbor->skin));
-  list_.find_sphere_pairs(spheres, neighbor->skin);
-  listed_tags_.assign(atom->tag, atom->tag + count);
+  listed_tags_.assign(atom->tag, atom->tag + atom->nlocal + atom->nghost);
   listed_owned_ = atom->nlocal;
   recall_contacts();
   list_is_stale_ = false;
@@ -235,15 +240,21 @@ void PairMuckpileBlock::rebuild() {
                            std::to_string(update->ntimestep) + "; use a smaller timestep");
 }
 
+// A muted pair has no contacts; its spheres are looked up when it is heard again.
 void PairMuckpileBlock::recall_contacts() {
   contacts_.clear();
   free_contacts_.clear();
-  for (SpherePair& pair : list_.sphere_pairs()) {
-    const bool first_is_owned = pair.first < atom->nlocal;
-    const int owner = first_is_owned ? pair.first : pair.second;
-    const int partner = first_is_owned ? pair.second : pair.first;
-    if (const ContactState* state = history_->find(owner, atom->tag[partner]))
-      pair.contact = new_contact(*state);
+  const FacetState* states = joints_ != nullptr ? joints_->facet_states() : nullptr;
+  for (BlockPair& block_pair : list_.block_pairs()) {
+    if (muted(block_pair, states)) continue;
+    list_.look_up(block_pair, spheres(), free_contacts_);
+    for (SpherePair& pair : near_spheres(block_pair)) {
+      const bool first_is_owned = pair.first < atom->nlocal;
+      const int owner = first_is_owned ? pair.first : pair.second;
+      const int partner = first_is_owned ? pair.second : pair.first;
+      if (const ContactState* state = history_->find(owner, atom->tag[partner]))
+        pair.contact = new_contact(*state);
+    }
   }
 }
 
@@ -269,16 +280,17 @@ void PairMuckpileBlock::store_contacts(FixMuckpileContactHistory& history) {
   };
   record_owners_.clear();
   records_.clear();
-  for (const SpherePair& pair : list_.sphere_pairs()) {
-    if (pair.contact < 0) continue;
-    const ContactState& state = contacts_[static_cast<std::size_t>(pair.contact)];
-    for (const auto& [owner, partner] :
-         {std::pair(pair.first, pair.second), std::pair(pair.second, pair.first)})
-      if (const int now = index_now(owner); now >= 0) {
-        record_owners_.push_back(now);
-        records_.push_back({listed_tags_[static_cast<std::size_t>(partner)], state});
-      }
-  }
+  for (const BlockPair& block_pair : list_.block_pairs())
+    for (const SpherePair& pair : near_spheres(block_pair)) {
+      if (pair.contact < 0) continue;
+      const ContactState& state = contacts_[static_cast<std::size_t>(pair.contact)];
+      for (const auto& [owner, partner] :
+           {std::pair(pair.first, pair.second), std::pair(pair.second, pair.first)})
+        if (const int now = index_now(owner); now >= 0) {
+          record_owners_.push_back(now);
+          records_.push_back({listed_tags_[static_cast<std::size_t>(partner)], state});
+        }
+    }
   history.store(record_owners_, records_);
 }
 
@@ -287,7 +299,11 @@ void PairMuckpileBlock::compute(int eflag, int vflag) {
     ev_setup(eflag, vflag);
   else
     evflag = vflag_fdotr = 0;
-  if (neighbor->ago == 0 && list_is_stale_) rebuild();
+  if (neighbor->ago == 0 && list_is_stale_) {
+    rebuild();
+  } else if (atom->nlocal + atom->nghost > 0) {
+    list_.follow(atom->x[0], atom->omega[0], update->dt);
+  }
   step_contacts();
   contacts_moved_ = true;
   if (eflag_global) eng_vdwl += ledger_.elastic_J;
@@ -305,26 +321,26 @@ void PairMuckpileBlock::step_contacts() {
   // Set-up of a run computes the forces of a state that a step has already reached.
   const double history_step = update->setupflag != 0 ? 0.0 : update->dt;
   const FacetState* states = joints_ != nullptr ? joints_->facet_states() : nullptr;
-  for (const BlockPair& pair : list_.block_pairs()) {
-    if (pair.facet >= 0 && states[pair.facet] < FacetState::fading) continue;
+  for (BlockPair& pair : list_.block_pairs()) {
+    if (muted(pair, states)) continue;
+    if (list_.moved(pair)) list_.look_up(pair, spheres(), free_contacts_);
     step_block_pair(pair, atoms, history_step);
   }
 }
 
 void PairMuckpileBlock::step_block_pair(const BlockPair& block_pair, const AtomArrays& atoms,
                                         double history_step) {
-  SpherePair* const pairs = list_.sphere_pairs().data();
   const double* const x = atoms.x;
-  for (SpherePair *p = pairs + block_pair.begin, *end = pairs + block_pair.end; p != end; ++p) {
-    const double* a = x + 3 * p->first;
-    const double* b = x + 3 * p->second;
+  for (SpherePair& pair : near_spheres(block_pair)) {
+    const double* a = x + 3 * pair.first;
+    const double* b = x + 3 * pair.second;
     const double dx = b[0] - a[0], dy = b[1] - a[1], dz = b[2] - a[2];
     const double squared = dx * dx + dy * dy + dz * dz;
-    if (squared < p->reach * p->reach) {
-      touch(*p, Vec3(dx, dy, dz), std::sqrt(squared), atoms, history_step);
-    } else if (p->contact >= 0) {
-      free_contacts_.push_back(p->contact);
-      p->contact = -1;
+    if (squared < pair.reach * pair.reach) {
+      touch(pair, Vec3(dx, dy, dz), std::sqrt(squared), atoms, history_step);
+    } else if (pair.contact >= 0) {
+      free_contacts_.push_back(pair.contact);
+      pair.contact = -1;
     }
   }
 }
@@ -401,8 +417,7 @@ void* PairMuckpileBlock::extract(const char* name, int& dim) {
 }
 
 double PairMuckpileBlock::memory_usage() {
-  return static_cast<double>(list_.sphere_pairs().capacity() * sizeof(SpherePair) +
-                             contacts_.capacity() * sizeof(ContactState));
+  return list_.bytes() + static_cast<double>(contacts_.capacity() * sizeof(ContactState));
 }
 
 }  // namespace muckpile

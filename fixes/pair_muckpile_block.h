@@ -7,12 +7,14 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "contact/block_contact_list.h"
 #include "contact/contact_law.h"
 #include "fix_muckpile_contact_history.h"
+#include "joint_view.h"
 
 namespace LAMMPS_NS {
 class FixMultisphere;
@@ -21,7 +23,6 @@ class FixMultisphere;
 namespace muckpile {
 
 class ArgTable;
-class JointView;
 
 /// The keyword table, for the parser and the docs.
 [[nodiscard]] ArgTable block_contact_keywords();
@@ -72,6 +73,12 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource {
   int add_block(int body_tag, const double* x);
   void drop_intact_pairs(std::vector<BlockPair>& pairs) const;
   void recall_contacts();
+  [[nodiscard]] SphereSet spheres() const;
+  [[nodiscard]] std::span<SpherePair> near_spheres(const BlockPair& pair) {
+    return {list_.sphere_pairs(pair), static_cast<std::size_t>(pair.count)};
+  }
+  /// A pair whose facet still acts itself has no sphere contact.
+  [[nodiscard]] static bool muted(const BlockPair& pair, const FacetState* states);
 
   [[nodiscard]] AtomArrays arrays() const;
   void step_contacts();

@@ -1,34 +1,54 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Candidate contacts between blocks: grouping, bounding spheres, block pairs, sphere pairs.
+// Candidate contacts between blocks: grouping, bounding spheres, block pairs, near spheres.
 // Scope: see the header.
 #include "contact/block_contact_list.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace muckpile {
+namespace {
 
-void BlockContactList::bound_block(int block) {
-  const auto b = static_cast<std::size_t>(block);
-  const auto begin = static_cast<std::size_t>(start_[b]);
-  const auto end = static_cast<std::size_t>(start_[b + 1]);
-  Vec3 low = members_[begin].centre.array() - members_[begin].radius;
-  Vec3 high = members_[begin].centre.array() + members_[begin].radius;
-  for (std::size_t m = begin; m < end; ++m) {
-    low = low.cwiseMin((members_[m].centre.array() - members_[m].radius).matrix());
-    high = high.cwiseMax((members_[m].centre.array() + members_[m].radius).matrix());
+// A step turns a block by its mid-step spin, which the spin at hand meets to second order only.
+constexpr double kTurnSafety = 1.1;
+
+Vec3 position(const double* positions, int sphere) {
+  return Vec3::Map(positions + 3 * static_cast<std::ptrdiff_t>(sphere));
+}
+
+}  // namespace
+
+/// The reference is the sphere nearest to the middle of the block's box: its arm is short.
+void BlockContactList::bound_block(const SphereSet& spheres, std::size_t block) {
+  const auto begin = members_.begin() + start_[block], end = members_.begin() + start_[block + 1];
+  const auto centre = [&](const Member& m) { return position(spheres.positions, m.sphere); };
+  Vec3 low = centre(*begin), high = low;
+  for (auto m = begin; m != end; ++m) {
+    low = low.cwiseMin((centre(*m).array() - m->radius).matrix());
+    high = high.cwiseMax((centre(*m).array() + m->radius).matrix());
   }
   BoundingSphere bound{0.5 * (low + high), 0.0};
-  for (std::size_t m = begin; m < end; ++m) {
-    const double reach = (members_[m].centre - bound.centre).norm() + members_[m].radius;
-    bound.radius = std::max(bound.radius, reach);
-    if (!std::isfinite(reach)) {
-      bound.radius = reach;  // the grid leaves the block out and counts it
+  const Member* nearest = &*begin;
+  for (auto m = begin; m != end; ++m) {
+    const double distance = (centre(*m) - bound.centre).norm();
+    if (distance < (centre(*nearest) - bound.centre).norm()) nearest = &*m;
+    bound.radius = std::max(bound.radius, distance + m->radius);
+    if (!std::isfinite(distance)) {
+      bound.radius = distance;  // the grid leaves the block out and counts it
       break;
     }
   }
-  bounds_[b] = bound;
+  items_.push_back(bound);
+  reference_[block] = nearest->sphere;
+  places_[block] = {centre(*nearest), 0.0};
+  arm_[block] = extent_[block] = 0.0;
+  for (auto m = begin; m != end; ++m) {
+    const double arm = (centre(*m) - places_[block].reference).norm();
+    arm_[block] = std::max(arm_[block], arm);
+    extent_[block] = std::max(extent_[block], arm + m->radius);
+  }
 }
 
 void BlockContactList::group(const SphereSet& spheres, int blocks) {
@@ -46,71 +66,114 @@ void BlockContactList::group(const SphereSet& spheres, int blocks) {
   for (int k = spheres.count - 1; k >= 0; --k) {  // backwards, start_ counts down and up again
     if (spheres.blocks[k] < 0) continue;
     const auto b = static_cast<std::size_t>(spheres.blocks[k]);
-    const double* x = spheres.positions + 3 * k;
-    members_[static_cast<std::size_t>(--start_[b + 1])] =
-        Member{Vec3(x[0], x[1], x[2]), spheres.radii[k], k};
+    members_[static_cast<std::size_t>(--start_[b + 1])] = Member{spheres.radii[k], k};
   }
   // start_[b + 1] is now the first member of block b: shift down.
   std::move(start_.begin() + 1, start_.end(), start_.begin());
   start_[n_blocks] = static_cast<int>(members_.size());
 
-  bounds_.resize(n_blocks);
+  reference_.assign(n_blocks, -1);
+  arm_.resize(n_blocks);
+  extent_.resize(n_blocks);
+  places_.resize(n_blocks);
   item_block_.clear();
   items_.clear();
   for (int b = 0; b < blocks; ++b) {
     const auto k = static_cast<std::size_t>(b);
     if (start_[k] == start_[k + 1]) continue;
-    bound_block(b);
+    bound_block(spheres, k);
     item_block_.push_back(b);
-    items_.push_back(bounds_[k]);
   }
 }
 
 std::vector<BlockPair>& BlockContactList::find_block_pairs(double gap) {
   block_pairs_.clear();
-  for (const IndexPair& pair : grid_.find_pairs(items_, gap)) {
-    const int a = item_block_[static_cast<std::size_t>(pair.first)];
-    const int b = item_block_[static_cast<std::size_t>(pair.second)];
-    if (has_owned_[static_cast<std::size_t>(a)] || has_owned_[static_cast<std::size_t>(b)])
-      block_pairs_.push_back(BlockPair{a, b, -1, 0, 0});
+  sphere_pairs_.clear();
+  for (const IndexPair& found : grid_.find_pairs(items_, gap)) {
+    BlockPair pair;
+    pair.first = item_block_[static_cast<std::size_t>(found.first)];
+    pair.second = item_block_[static_cast<std::size_t>(found.second)];
+    if (has_owned_[static_cast<std::size_t>(pair.first)] ||
+        has_owned_[static_cast<std::size_t>(pair.second)])
+      block_pairs_.push_back(pair);
   }
   skipped_blocks_ = grid_.skipped();
   return block_pairs_;
 }
 
-void BlockContactList::members_near(int block, const BoundingSphere& other, double gap,
-                                    std::vector<Member>& out) const {
-  out.clear();
-  const auto b = static_cast<std::size_t>(block);
-  for (int m = start_[b]; m < start_[b + 1]; ++m) {
-    const Member& member = members_[static_cast<std::size_t>(m)];
-    const double limit = member.radius + other.radius + gap;
-    if ((member.centre - other.centre).squaredNorm() < limit * limit) out.push_back(member);
+void BlockContactList::follow(const double* positions, const double* spins, double time_step) {
+  for (std::size_t b = 0; b < places_.size(); ++b) {
+    if (reference_[b] < 0) continue;
+    places_[b].reference = position(positions, reference_[b]);
+    places_[b].travel += kTurnSafety * time_step * arm_[b] * position(spins, reference_[b]).norm();
   }
 }
 
-void BlockContactList::find_sphere_pairs(const SphereSet& spheres, double gap) {
-  sphere_pairs_.clear();
-  std::size_t kept = 0;
-  for (const BlockPair& pair : block_pairs_) {
-    members_near(pair.first, bounds_[static_cast<std::size_t>(pair.second)], gap, near_first_);
-    if (near_first_.empty()) continue;
-    members_near(pair.second, bounds_[static_cast<std::size_t>(pair.first)], gap, near_second_);
-    const int begin = static_cast<int>(sphere_pairs_.size());
-    for (const Member& a : near_first_)
-      for (const Member& b : near_second_) {
-        const double reach = a.radius + b.radius;
-        if (!((a.centre - b.centre).squaredNorm() < (reach + gap) * (reach + gap))) continue;
-        if (a.sphere >= spheres.owned && b.sphere >= spheres.owned) continue;
-        const bool in_order = spheres.tags[a.sphere] < spheres.tags[b.sphere];
-        sphere_pairs_.push_back(in_order ? SpherePair{a.sphere, b.sphere, -1, reach}
-                                         : SpherePair{b.sphere, a.sphere, -1, reach});
+void BlockContactList::look_up(BlockPair& pair, const SphereSet& spheres,
+                               std::vector<int>& dropped) {
+  const auto a = static_cast<std::size_t>(pair.first), b = static_cast<std::size_t>(pair.second);
+  pair.offset = places_[b].reference - places_[a].reference;
+  pair.travel = places_[a].travel + places_[b].travel;
+  pair.slack = pair.offset.norm() - extent_[a] - extent_[b];
+  const double margin = kMargin * std::min(extent_[a], extent_[b]);
+  near_.clear();
+  if (pair.slack <= margin) list_near(pair, spheres, margin, pair.slack);
+  keep_contacts(pair, dropped);
+}
+
+void BlockContactList::list_near(const BlockPair& pair, const SphereSet& spheres, double margin,
+                                 double& slack) {
+  slack = std::numeric_limits<double>::infinity();
+  const auto members = [this](int block) {
+    const auto b = static_cast<std::size_t>(block);
+    return std::span(members_).subspan(static_cast<std::size_t>(start_[b]),
+                                       static_cast<std::size_t>(start_[b + 1] - start_[b]));
+  };
+  for (const Member& a : members(pair.first)) {
+    const Vec3 centre = position(spheres.positions, a.sphere);
+    for (const Member& b : members(pair.second)) {
+      if (a.sphere >= spheres.owned && b.sphere >= spheres.owned) continue;
+      const double reach = a.radius + b.radius;
+      const double gap = (position(spheres.positions, b.sphere) - centre).norm() - reach;
+      if (gap >= margin) {
+        slack = std::min(slack, gap);
+        continue;
       }
-    const int end = static_cast<int>(sphere_pairs_.size());
-    if (end == begin) continue;
-    block_pairs_[kept++] = BlockPair{pair.first, pair.second, pair.facet, begin, end};
+      const bool in_order = spheres.tags[a.sphere] < spheres.tags[b.sphere];
+      near_.push_back(in_order ? SpherePair{a.sphere, b.sphere, -1, reach}
+                               : SpherePair{b.sphere, a.sphere, -1, reach});
+    }
   }
-  block_pairs_.resize(kept);
+}
+
+/// Puts near_ in the pair's place, with the contacts of the spheres that were listed there before.
+void BlockContactList::keep_contacts(BlockPair& pair, std::vector<int>& dropped) {
+  for (int k = 0; k < pair.count; ++k) {
+    const SpherePair& old = sphere_pairs(pair)[k];
+    if (old.contact < 0) continue;
+    const auto same = std::find_if(near_.begin(), near_.end(), [&](const SpherePair& p) {
+      return p.first == old.first && p.second == old.second;
+    });
+    if (same != near_.end())
+      same->contact = old.contact;
+    else
+      dropped.push_back(old.contact);
+  }
+  pair.count = static_cast<int>(near_.size());
+  if (pair.count > pair.room) {
+    pair.room = 2 * pair.count;
+    pair.begin = static_cast<int>(sphere_pairs_.size());
+    sphere_pairs_.resize(sphere_pairs_.size() + static_cast<std::size_t>(pair.room));
+  }
+  std::copy(near_.begin(), near_.end(), sphere_pairs(pair));
+}
+
+double BlockContactList::bytes() const {
+  const auto size = [](const auto& list) {
+    return static_cast<double>(list.capacity() * sizeof(list[0]));
+  };
+  return size(start_) + size(members_) + size(reference_) + size(arm_) + size(extent_) +
+         size(places_) + size(items_) + size(block_pairs_) + size(sphere_pairs_);
 }
 
 }  // namespace muckpile

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Which spheres of which blocks are near each other: blocks first, then spheres of near blocks.
-// Scope: one rank's spheres (its own ones first, copies of others behind); SI units.
+// Which spheres of which blocks are near each other: blocks first, then spheres of near blocks,
+// looked up again only when two blocks have moved against each other by enough.
+// Scope: one rank's spheres (its own ones first, copies of others behind); SI units. Blocks are
+// rigid: their spheres keep their distances.
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "contact/hierarchical_grid.h"
@@ -26,14 +30,20 @@ struct SpherePair {
   double reach;       ///< sum of the radii [m]
 };
 
+/// Two blocks, and the sphere pairs of theirs that are near each other since the last look_up().
 struct BlockPair {
-  int first, second;  ///< blocks
-  int facet;          ///< free for the user, -1 when new
-  int begin, end;     ///< its sphere pairs
+  int first = 0, second = 0;   ///< blocks
+  int facet = -1;              ///< free for the user
+  int begin = 0, count = 0;    ///< its sphere pairs
+  int room = 0;                ///< sphere pairs that fit in its place
+  double slack = -1.0;         ///< no other spheres touch before that much motion [m]; < 0: unknown
+  double travel = 0.0;         ///< of both blocks' turning, at the last look [m]
+  Vec3 offset = Vec3::Zero();  ///< second block's reference less the first's, at the last look [m]
 };
 
-/// Candidate list in three steps, so that the user can drop block pairs between the second and
-/// the third. Deterministic; buffers are kept, no allocation once they have grown.
+/// Candidate list. Deterministic; buffers are kept, no allocation once they have grown.
+/// Use: group(), find_block_pairs(); then per step follow() once, and for each block pair look_up()
+/// if moved(), and its sphere pairs.
 class BlockContactList {
  public:
   /// Sorts the spheres by block and bounds each block's present spheres. Blocks that have no
@@ -44,36 +54,61 @@ class BlockContactList {
   /// owned sphere. The caller may erase entries and set `facet`.
   std::vector<BlockPair>& find_block_pairs(double gap);
 
-  /// Pairs of spheres less than `gap` [m] apart within the block pairs, at least one of the two
-  /// owned; block pairs that have none are dropped. `spheres` as given to group().
-  void find_sphere_pairs(const SphereSet& spheres, double gap);
+  /// Takes over where the blocks are after a step. `spins`: angular velocity of each sphere's
+  /// block, three per sphere [rad/s].
+  void follow(const double* positions, const double* spins, double time_step);
 
-  [[nodiscard]] const std::vector<BlockPair>& block_pairs() const { return block_pairs_; }
-  [[nodiscard]] const std::vector<SpherePair>& sphere_pairs() const { return sphere_pairs_; }
-  [[nodiscard]] std::vector<SpherePair>& sphere_pairs() { return sphere_pairs_; }
+  /// True if the blocks have moved against each other so far that spheres may be near which are
+  /// not listed. Exact up to the difference between a turn and the path of its angle.
+  [[nodiscard]] bool moved(const BlockPair& pair) const {
+    const Place& a = places_[static_cast<std::size_t>(pair.first)];
+    const Place& b = places_[static_cast<std::size_t>(pair.second)];
+    const double left = pair.slack - (a.travel + b.travel - pair.travel);
+    return left < 0.0 || (b.reference - a.reference - pair.offset).squaredNorm() > left * left;
+  }
+
+  /// Lists the pair's spheres (at least one of the two owned) that are less than the margin apart:
+  /// kMargin times the bounding radius of the smaller block. Spheres listed before keep their
+  /// `contact`; that of spheres no longer listed is appended to `dropped`.
+  void look_up(BlockPair& pair, const SphereSet& spheres, std::vector<int>& dropped);
+
+  [[nodiscard]] std::vector<BlockPair>& block_pairs() { return block_pairs_; }
+  [[nodiscard]] SpherePair* sphere_pairs(const BlockPair& pair) {
+    return sphere_pairs_.data() + pair.begin;
+  }
   /// Blocks left out of the last search because a position was not finite.
   [[nodiscard]] int skipped_blocks() const { return skipped_blocks_; }
+  [[nodiscard]] double bytes() const;
+
+  /// A wider margin means more candidates per step, a narrower one more looks.
+  static constexpr double kMargin = 0.1;
 
  private:
   struct Member {
-    Vec3 centre;    ///< [m]
     double radius;  ///< [m]
     int sphere;
   };
+  struct Place {
+    Vec3 reference;       ///< centre of the block's reference sphere [m]
+    double travel = 0.0;  ///< path of its farthest sphere about the reference, by turning [m]
+  };
 
-  void bound_block(int block);
-  void members_near(int block, const BoundingSphere& other, double gap,
-                    std::vector<Member>& out) const;
+  void bound_block(const SphereSet& spheres, std::size_t block);
+  void list_near(const BlockPair& pair, const SphereSet& spheres, double margin, double& slack);
+  void keep_contacts(BlockPair& pair, std::vector<int>& dropped);
 
   std::vector<int> start_;       ///< per block: its first member; one more at the end
   std::vector<Member> members_;  ///< spheres sorted by block
-  std::vector<BoundingSphere> bounds_;
+  std::vector<int> reference_;   ///< per block: the sphere that stands for its position
+  std::vector<double> arm_;      ///< per block: farthest sphere centre from the reference [m]
+  std::vector<double> extent_;   ///< per block: farthest point from the reference [m]
+  std::vector<Place> places_;    ///< per block
   std::vector<int> item_block_;  ///< blocks that have spheres, as items of the grid
   std::vector<BoundingSphere> items_;
   std::vector<char> has_owned_;  ///< per block
   std::vector<BlockPair> block_pairs_;
   std::vector<SpherePair> sphere_pairs_;
-  std::vector<Member> near_first_, near_second_;  ///< work space
+  std::vector<SpherePair> near_;  ///< work space of look_up
   HierarchicalGrid grid_;
   int skipped_blocks_ = 0;
 };

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The candidate list of sphere pairs is complete, ordered and free of pairs nobody here owns.
+// The candidate list of sphere pairs is complete, stays so while blocks move, is ordered, and free
+// of pairs nobody here owns.
 // Scope: random blocks of spheres, compared with a search over all pairs of spheres.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <random>
 #include <set>
@@ -57,8 +60,10 @@ Scene random_scene(int block_count, unsigned seed) {
   return scene;
 }
 
-std::set<std::pair<int, int>> brute_force(const Scene& s, double gap) {
-  std::set<std::pair<int, int>> tags;
+using TagPairs = std::set<std::pair<int, int>>;
+
+TagPairs brute_force(const Scene& s, double gap) {
+  TagPairs tags;
   for (std::size_t i = 0; i < s.radii.size(); ++i)
     for (std::size_t j = i + 1; j < s.radii.size(); ++j) {
       if (s.blocks[i] == s.blocks[j] || static_cast<int>(i) >= s.owned) continue;
@@ -70,54 +75,132 @@ std::set<std::pair<int, int>> brute_force(const Scene& s, double gap) {
   return tags;
 }
 
-TEST(BlockContactList, FindsAllSpherePairsThatTouchAnOwnedSphere) {
+/// All block pairs less than `gap` apart, each looked up once.
+BlockContactList listed(const Scene& scene, double gap) {
   BlockContactList list;
-  for (unsigned seed = 1; seed <= 4; ++seed) {
-    const Scene scene = random_scene(120, seed);
-    list.group(scene.view(), scene.block_count);
-    (void)list.find_block_pairs(0.03);
-    list.find_sphere_pairs(scene.view(), 0.03);
-    std::set<std::pair<int, int>> found;
-    for (const SpherePair& p : list.sphere_pairs()) {
+  list.group(scene.view(), scene.block_count);
+  std::vector<int> dropped;
+  for (BlockPair& pair : list.find_block_pairs(gap)) list.look_up(pair, scene.view(), dropped);
+  return list;
+}
+
+TagPairs tags_of(BlockContactList& list, const Scene& scene) {
+  TagPairs tags;
+  for (const BlockPair& pair : list.block_pairs())
+    for (int k = 0; k < pair.count; ++k) {
+      const SpherePair& p = list.sphere_pairs(pair)[k];
       const int first = scene.tags[static_cast<std::size_t>(p.first)];
       const int second = scene.tags[static_cast<std::size_t>(p.second)];
       EXPECT_LT(first, second);
-      EXPECT_TRUE(found.insert({first, second}).second);
+      EXPECT_TRUE(tags.insert({first, second}).second) << first << " and " << second << " twice";
     }
-    const auto expected = brute_force(scene, 0.03);
-    ASSERT_GT(expected.size(), 100u);
-    EXPECT_EQ(found, expected);
+  return tags;
+}
+
+TEST(BlockContactList, ListsAllTouchingSpherePairsOfWhichOneIsOwned) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    const Scene scene = random_scene(120, seed);
+    BlockContactList list = listed(scene, 0.03);
+    const TagPairs found = tags_of(list, scene);
+    const TagPairs touching = brute_force(scene, 0.0);
+    ASSERT_GT(touching.size(), 100u);
+    EXPECT_TRUE(std::includes(found.begin(), found.end(), touching.begin(), touching.end()));
+    const TagPairs near = brute_force(scene, 0.2);  // more than any margin here
+    EXPECT_TRUE(std::includes(near.begin(), near.end(), found.begin(), found.end()));
   }
 }
 
-TEST(BlockContactList, BlockPairsCoverTheSpherePairsOneAfterTheOther) {
-  const Scene scene = random_scene(80, 9);
-  BlockContactList list;
-  list.group(scene.view(), scene.block_count);
-  (void)list.find_block_pairs(0.03);
-  list.find_sphere_pairs(scene.view(), 0.03);
-  int next = 0;
-  for (const BlockPair& pair : list.block_pairs()) {
-    EXPECT_EQ(pair.begin, next);
-    EXPECT_GT(pair.end, pair.begin);
-    next = pair.end;
-    for (int k = pair.begin; k < pair.end; ++k) {
-      const SpherePair& p = list.sphere_pairs()[static_cast<std::size_t>(k)];
-      const std::set<int> blocks{scene.blocks[static_cast<std::size_t>(p.first)],
-                                 scene.blocks[static_cast<std::size_t>(p.second)]};
-      EXPECT_EQ(blocks, (std::set<int>{pair.first, pair.second}));
+// Blocks fly apart and together, turning, for as long as the block pairs hold.
+struct Motion {
+  std::vector<Vec3> velocity, spin;
+  std::vector<double> spins;  ///< per sphere, as the list reads them
+
+  Motion(const Scene& scene, double speed, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    for (int b = 0; b < scene.block_count; ++b) {
+      velocity.push_back(speed * Vec3(unit(random), unit(random), unit(random)));
+      spin.push_back(20.0 * speed * Vec3(unit(random), unit(random), unit(random)));
     }
+    for (int block : scene.blocks)
+      for (int d = 0; d < 3; ++d) spins.push_back(spin[static_cast<std::size_t>(block)][d]);
   }
-  EXPECT_EQ(next, static_cast<int>(list.sphere_pairs().size()));
+
+  void step(Scene& scene, std::vector<Vec3>& centres, double dt) const {
+    for (std::size_t k = 0; k < scene.blocks.size(); ++k) {
+      const auto b = static_cast<std::size_t>(scene.blocks[k]);
+      Eigen::Map<Vec3> x(scene.positions.data() + 3 * k);
+      const Eigen::AngleAxisd turn(spin[b].norm() * dt, spin[b].normalized());
+      x = centres[b] + velocity[b] * dt + turn * (x - centres[b]);
+    }
+    for (std::size_t b = 0; b < centres.size(); ++b) centres[b] += velocity[b] * dt;
+  }
+};
+
+std::vector<Vec3> mean_positions(const Scene& scene) {
+  std::vector<Vec3> centres(static_cast<std::size_t>(scene.block_count), Vec3::Zero());
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k)
+    centres[static_cast<std::size_t>(scene.blocks[k])] +=
+        Eigen::Map<const Vec3>(scene.positions.data() + 3 * k) / 9.0;
+  return centres;
+}
+
+TEST(BlockContactList, MissesNoTouchWhileBlocksMoveAndTurnAndSparesMostLooks) {
+  Scene scene = random_scene(150, 6);
+  constexpr double kGap = 0.2, kSpeed = 0.5, kStep = 1e-3;  // 100 steps: each moves by < kGap / 2
+  const Motion motion(scene, kSpeed, 7);
+  std::vector<Vec3> centres = mean_positions(scene);
+  BlockContactList list = listed(scene, kGap);
+  std::vector<int> dropped;
+  std::size_t looks = 0, chances = 0, touches = 0;
+  for (int step = 0; step < 100; ++step) {
+    motion.step(scene, centres, kStep);
+    list.follow(scene.positions.data(), motion.spins.data(), kStep);
+    for (BlockPair& pair : list.block_pairs()) {
+      ++chances;
+      if (!list.moved(pair)) continue;
+      ++looks;
+      list.look_up(pair, scene.view(), dropped);
+    }
+    const TagPairs touching = brute_force(scene, 0.0), found = tags_of(list, scene);
+    touches += touching.size();
+    ASSERT_TRUE(std::includes(found.begin(), found.end(), touching.begin(), touching.end()))
+        << "step " << step;
+  }
+  std::printf("looked up %zu of %zu times, %zu touches\n", looks, chances, touches);
+  EXPECT_LT(5 * looks, chances);
+  EXPECT_GT(touches, 10000u);
+}
+
+TEST(BlockContactList, ContactsStayWithTheirSpheresAndLostOnesAreReported) {
+  Scene scene = random_scene(60, 11);
+  BlockContactList list = listed(scene, 0.03);
+  BlockPair* pair = nullptr;
+  for (BlockPair& p : list.block_pairs())
+    if (p.count > 2) pair = &p;
+  ASSERT_NE(pair, nullptr);
+  const int first = list.sphere_pairs(*pair)[1].first;
+  list.sphere_pairs(*pair)[1].contact = 42;
+  std::vector<int> dropped;
+  list.look_up(*pair, scene.view(), dropped);
+  EXPECT_EQ(list.sphere_pairs(*pair)[1].contact, 42);
+  EXPECT_TRUE(dropped.empty());
+
+  const int moved_block = scene.blocks[static_cast<std::size_t>(first)];
+  for (std::size_t k = 0; k < scene.blocks.size(); ++k)
+    if (scene.blocks[k] == moved_block) scene.positions[3 * k] += 50.0;
+  list.follow(scene.positions.data(), std::vector<double>(3 * scene.blocks.size()).data(), 1e-3);
+  ASSERT_TRUE(list.moved(*pair));
+  list.look_up(*pair, scene.view(), dropped);
+  EXPECT_EQ(pair->count, 0);
+  EXPECT_EQ(dropped, std::vector<int>{42});
 }
 
 TEST(BlockContactList, DroppedBlockPairsAndLeftOutSpheresGiveNoCandidates) {
   Scene scene = random_scene(60, 3);
-  BlockContactList list;
-  list.group(scene.view(), scene.block_count);
+  BlockContactList list = listed(scene, 0.03);
   list.find_block_pairs(0.03).clear();
-  list.find_sphere_pairs(scene.view(), 0.03);
-  EXPECT_TRUE(list.sphere_pairs().empty());
+  EXPECT_TRUE(tags_of(list, scene).empty());
 
   scene.blocks.assign(scene.blocks.size(), -1);
   list.group(scene.view(), scene.block_count);
