@@ -12,14 +12,13 @@
 #include <array>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <numeric>
 #include <vector>
 
-#include "args/numbers.h"
 #include "engine/bodies.h"
 #include "engine/fragments.h"
+#include "engine/periodic_output.h"
 #include "engine/style_args.h"
 #include "fix_muckpile_joint.h"
 
@@ -31,10 +30,8 @@ constexpr const char* kHeader =
     "fraction\n";
 
 const ArgTable& table() {
-  static const ArgTable args =
-      ArgTable("fix muckpile/dump")
-          .integer("every", "steps", Range::at_least(1), std::nullopt, "between snapshots")
-          .word("directory", {}, std::nullopt, "where blocks_<step>.csv go");
+  static const ArgTable args = engine::periodic_output_table(
+      "fix muckpile/dump", "between snapshots", "where blocks_<step>.csv go");
   return args;
 }
 
@@ -46,11 +43,7 @@ FixMuckpileDump::FixMuckpileDump(LAMMPS_NS::LAMMPS* engine, int narg, char** arg
   const ArgValues args = engine::read_args(*lmp, table(), where, narg, arg, 3);
   nevery = static_cast<int>(args.integer("every"));
   folder_ = args.word("directory");
-  std::error_code fault;
-  if (comm->me == 0) std::filesystem::create_directories(folder_, fault);
-  int bad = fault ? 1 : 0;
-  MPI_Bcast(&bad, 1, MPI_INT, 0, world);
-  if (bad != 0) engine::stop(*lmp, where + ": directory must be writable, got '" + folder_ + "'");
+  engine::make_output_folder(*lmp, where, folder_);
 }
 
 int FixMuckpileDump::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
@@ -76,10 +69,7 @@ void FixMuckpileDump::end_of_step() {
 
 int FixMuckpileDump::modify_param(int narg, char** arg) {
   if (std::strcmp(arg[0], "every") != 0) return 0;
-  const std::string where = std::string("fix_modify ") + id;
-  if (narg < 2) engine::stop(*lmp, where + ": every needs a number of steps");
-  nevery = static_cast<int>(engine::or_engine_error(
-      *lmp, [&] { return parse_integer(where, "every", arg[1], "steps", Range::at_least(1)); }));
+  nevery = engine::read_every(*lmp, std::string("fix_modify ") + id, narg, arg);
   return 2;
 }
 

@@ -15,11 +15,11 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 
 #include "args/numbers.h"
 #include "engine/bodies.h"
+#include "engine/periodic_output.h"
 #include "engine/style_args.h"
 #include "fix_muckpile_joint.h"
 #include "fix_muckpile_ledger.h"
@@ -36,9 +36,8 @@ constexpr const char* kHistoryHeader =
 
 const ArgTable& table() {
   static const ArgTable args =
-      ArgTable("fix muckpile/progress")
-          .integer("every", "steps", Range::at_least(1), std::nullopt, "between looks")
-          .word("directory", {}, std::nullopt, "where history.csv and run.json go")
+      engine::periodic_output_table("fix muckpile/progress", "between looks",
+                                    "where history.csv and run.json go")
           .word("phase", {}, "run", "name of the phase that begins")
           .real("time_end", "s", Range::positive(), 1e30,
                 "physical time at which the phase ends at the latest; for the time left")
@@ -63,11 +62,7 @@ FixMuckpileProgress::FixMuckpileProgress(LAMMPS_NS::LAMMPS* engine, int narg, ch
   still_speed_ = args.real("still_speed");
   still_share_ = args.real("still_share");
   fastest_allowed_ = args.real("fastest_allowed");
-  std::error_code fault;
-  if (comm->me == 0) std::filesystem::create_directories(folder_, fault);
-  int bad = fault ? 1 : 0;
-  MPI_Bcast(&bad, 1, MPI_INT, 0, world);
-  if (bad != 0) engine::stop(*lmp, where + ": directory must be writable, got '" + folder_ + "'");
+  engine::make_output_folder(*lmp, where, folder_);
   scalar_flag = vector_flag = 1;
   size_vector = 2;
   global_freq = 1;
@@ -212,14 +207,16 @@ int FixMuckpileProgress::modify_param(int narg, char** arg) {
   const std::string where = std::string("fix_modify ") + id;
   const std::string key = arg[0];
   if (key != "phase" && key != "time_end" && key != "every") return 0;
+  if (key == "every") {
+    nevery = engine::read_every(*lmp, where, narg, arg);
+    return 2;
+  }
   if (narg < 2) engine::stop(*lmp, where + ": " + key + " needs a value");
-  engine::or_engine_error(*lmp, [&] {
-    if (key == "phase") phase_ = arg[1];
-    if (key == "time_end") time_end_ = parse_real(where, key, arg[1], "s", Range::positive());
-    if (key == "every")
-      nevery = static_cast<int>(parse_integer(where, key, arg[1], "steps", Range::at_least(1)));
-    return 0;
-  });
+  if (key == "phase") phase_ = arg[1];
+  if (key == "time_end") {
+    time_end_ = engine::or_engine_error(
+        *lmp, [&] { return parse_real(where, key, arg[1], "s", Range::positive()); });
+  }
   return 2;
 }
 

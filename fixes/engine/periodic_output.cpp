@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What fixes that write files every so many steps share.
+// Scope: see the header.
+#include "engine/periodic_output.h"
+
+#include <comm.h>
+#include <lammps.h>
+#include <mpi.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <limits>
+
+#include "args/numbers.h"
+#include "engine/style_args.h"
+
+namespace muckpile::engine {
+namespace {
+
+/// The engine counts steps between outputs in an int.
+Range steps() { return Range::closed(1, std::numeric_limits<int>::max()); }
+
+}  // namespace
+
+ArgTable periodic_output_table(const std::string& style, const std::string& every_text,
+                               const std::string& directory_text) {
+  return ArgTable(style)
+      .integer("every", "steps", steps(), std::nullopt, every_text)
+      .word("directory", {}, std::nullopt, directory_text);
+}
+
+void make_output_folder(LAMMPS_NS::LAMMPS& lmp, const std::string& where,
+                        const std::string& folder) {
+  int bad = 0;
+  if (lmp.comm->me == 0) {
+    std::error_code fault;
+    std::filesystem::create_directories(folder, fault);
+    bad = fault || access(folder.c_str(), W_OK | X_OK) != 0 ? 1 : 0;
+  }
+  MPI_Bcast(&bad, 1, MPI_INT, 0, lmp.world);
+  if (bad != 0) stop(lmp, where + ": directory must be writable, got '" + folder + "'");
+}
+
+int read_every(LAMMPS_NS::LAMMPS& lmp, const std::string& where, int narg, char** arg) {
+  if (narg < 2) stop(lmp, where + ": every needs a number of steps");
+  return static_cast<int>(or_engine_error(
+      lmp, [&] { return parse_integer(where, "every", arg[1], "steps", steps()); }));
+}
+
+}  // namespace muckpile::engine
