@@ -24,6 +24,7 @@
 #include "args/numbers.h"
 #include "engine/bodies.h"
 #include "engine/exchange.h"
+#include "fix_muckpile_balance.h"
 #include "fix_muckpile_blocks.h"
 #include "geometry/block_file.h"
 
@@ -139,6 +140,11 @@ void CreateBlocks::command(int narg, char** arg) {
   });
   int blocks = static_cast<int>(model.rock.blocks.size());
   MPI_Bcast(&blocks, 1, MPI_INT, 0, world);
+  if (FixMuckpileBalance* balance = FixMuckpileBalance::find(*lmp)) {
+    std::vector<Vec3> centres;
+    for (const RigidBody& body : model.bodies) centres.push_back(body.centre);
+    balance->cut_for(centres);
+  }
   create(hand_out(model), what.holes, args, blocks);
   if (comm->me == 0) report(model, MPI_Wtime() - start);
 }

@@ -66,17 +66,21 @@ void FixMuckpileLedger::setup(int) {
 
 void FixMuckpileLedger::end_of_step() { sphere_work_ += work_rate_of_spheres() * update->dt; }
 
-/// Full-step velocities: with them force x velocity x dt is the change of kinetic energy between
-/// half steps, exactly as the integrator makes it.
+/// Of the force on each body that neither gravity nor the joints put there. Full-step velocities:
+/// with them force x velocity x dt is the change of kinetic energy between half steps, exactly as
+/// the integrator makes it.
 double FixMuckpileLedger::work_rate_of_spheres() const {
+  const engine::Bodies bodies(*multisphere_);
+  Vec3 g = Vec3::Zero();
+  if (gravity_ != nullptr) gravity_->get_gravity(g.data());
   double rate = 0.0;
-  double** const v = atom->v;
-  double** const w = atom->omega;
-  double** const f = atom->f;
-  double** const t = atom->torque;
-  for (int i = 0; i < atom->nlocal; ++i) {
-    rate += f[i][0] * v[i][0] + f[i][1] * v[i][1] + f[i][2] * v[i][2];
-    rate += t[i][0] * w[i][0] + t[i][1] * w[i][1] + t[i][2] * w[i][2];
+  for (int b = 0; b < bodies.count(); ++b) {
+    rate += (bodies.force(b) - bodies.mass(b) * g).dot(bodies.velocity(b)) +
+            bodies.torque(b).dot(bodies.spin(b));
+    if (joint_ == nullptr) continue;
+    const auto k = static_cast<std::size_t>(b);
+    rate -= joint_->network().force()[k].dot(bodies.velocity(b)) +
+            joint_->network().torque()[k].dot(bodies.spin(b));
   }
   return rate;
 }

@@ -34,6 +34,7 @@ class Bodies {
     momentum_ = vectors("angmom");
     force_ = vectors("fcm");
     torque_ = vectors("torque");
+    inertia_ = vectors("inertia");
     ex_ = vectors("ex_space");
     ey_ = vectors("ey_space");
     ez_ = vectors("ez_space");
@@ -50,6 +51,10 @@ class Bodies {
   }
   [[nodiscard]] Eigen::Map<Vec3> force(int b) const { return Eigen::Map<Vec3>(force_[b]); }
   [[nodiscard]] Eigen::Map<Vec3> torque(int b) const { return Eigen::Map<Vec3>(torque_[b]); }
+  /// Principal moments [kg m2].
+  [[nodiscard]] Eigen::Map<const Vec3> inertia(int b) const {
+    return Eigen::Map<const Vec3>(inertia_[b]);
+  }
   /// Columns are the principal axes of inertia in space.
   [[nodiscard]] Mat3 axes(int b) const {
     Mat3 axes;
@@ -64,7 +69,8 @@ class Bodies {
  private:
   LAMMPS_NS::Multisphere& data_;
   int count_;
-  double **centre_, **velocity_, **spin_, **momentum_, **force_, **torque_, **ex_, **ey_, **ez_;
+  double **centre_, **velocity_, **spin_, **momentum_, **force_, **torque_, **inertia_, **ex_, **ey_,
+      **ez_;
 };
 
 }  // namespace muckpile::engine

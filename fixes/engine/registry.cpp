@@ -15,6 +15,7 @@
 #include <type_traits>
 
 #include "create_blocks.h"
+#include "fix_muckpile_balance.h"
 #include "fix_muckpile_blast.h"
 #include "fix_muckpile_blocks.h"
 #include "fix_muckpile_contact_history.h"
@@ -22,6 +23,7 @@
 #include "fix_muckpile_joint.h"
 #include "fix_muckpile_ledger.h"
 #include "fix_muckpile_progress.h"
+#include "fix_multisphere_muckpile.h"
 #include "pair_muckpile_block.h"
 
 namespace muckpile::engine {
@@ -79,6 +81,8 @@ const std::map<std::string, CommandCreator>& commands() {
 }
 const std::map<std::string, FixCreator>& fixes() {
   static const std::map<std::string, FixCreator> table = {
+      {"multisphere/muckpile", &create_fix<FixMultisphereMuckpile>},
+      {"muckpile/balance", &create_fix<FixMuckpileBalance>},
       {"muckpile/blast", &create_fix<FixMuckpileBlast>},
       {"muckpile/blocks", &create_fix<FixMuckpileBlocks>},
       {"muckpile/contact/history", &create_fix<FixMuckpileContactHistory>},

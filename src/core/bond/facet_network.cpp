@@ -245,6 +245,7 @@ void FacetNetwork::work_facet(std::size_t f, double dt) {
   if (states_[f] != FacetState::intact && !closes(f, frame, dt)) return;
   const bool torn =
       turned_squared(f, frame) > kTurnStart * kTurnStart;  // else a last point is a hinge
+  const Slip slip = slip_of(f);
   const bool fresh = memory_[f].open;
   memory_[f].open = false;
   Push push;
@@ -254,23 +255,23 @@ void FacetNetwork::work_facet(std::size_t f, double dt) {
     if (!memory_[f].broken[static_cast<std::size_t>(p)]) {
       traction = bonded_traction(f, point);
       if (torn || fails(kinematics_[f].normal, traction)) {
-        break_point(f, p, point, traction, dt);
+        break_point(f, p, point, slip, traction, dt);
       } else if (damping_ > 0.0) {
-        const Vec3 rate = relative_velocity(f, point.arm);
+        const Vec3 rate = slip.at(point.arm);
         traction += damping_ * rate;
         losses_.damping += facets_[f].weight * law_[f].area * damping_ * rate.squaredNorm() * dt;
       }
     }
     if (memory_[f].broken[static_cast<std::size_t>(p)])
-      traction = contact_traction(f, p, point, fresh, dt);
+      traction = contact_traction(f, p, point, slip, fresh, dt);
     push.force += law_[f].area * traction;
     push.moment += law_[f].area * point.arm.cross(traction);
   }
   apply(f, push);
 }
 
-void FacetNetwork::break_point(std::size_t f, int p, const Point& point, const Vec3& traction,
-                               double dt) {
+void FacetNetwork::break_point(std::size_t f, int p, const Point& point, const Slip& slip,
+                               const Vec3& traction, double dt) {
   const Law& law = law_[f];
   const Vec3& n = kinematics_[f].normal;
   const double normal = n.dot(traction);
@@ -299,7 +300,7 @@ void FacetNetwork::break_point(std::size_t f, int p, const Point& point, const V
   // the blocks did the work of their mean over the step's path, the springs' account assumes the
   // first.
   const Vec3 dropped = traction - held * n - kept * shear;
-  const double undone = dropped.dot(relative_velocity(f, point.arm)) * dt;
+  const double undone = dropped.dot(slip.at(point.arm)) * dt;
   losses_.fracture += 0.5 * facets_[f].weight * law.area * (before - after - undone);
   drop_from_dilatation(f, point.jump);
 }
@@ -317,8 +318,8 @@ void FacetNetwork::drop_from_dilatation(std::size_t f, const Vec3& jump) {
   drop(e.j, e.area_j, law.depth_j);
 }
 
-Vec3 FacetNetwork::contact_traction(std::size_t f, int p, const Point& point, bool fresh,
-                                    double dt) {
+Vec3 FacetNetwork::contact_traction(std::size_t f, int p, const Point& point, const Slip& slip,
+                                    bool fresh, double dt) {
   const Law& law = law_[f];
   FacetMemory& memory = memory_[f];
   Vec3& offset = memory.offset[static_cast<std::size_t>(p)];
@@ -332,7 +333,7 @@ Vec3 FacetNetwork::contact_traction(std::size_t f, int p, const Point& point, bo
     spring = closed * n;
   }
   const double booked = facets_[f].weight * law.area;
-  const double normal_rate = n.dot(relative_velocity(f, point.arm));
+  const double normal_rate = n.dot(slip.at(point.arm));
   const double elastic = memory.fade * law.contact * closed;
   const double damping = memory.fade * contact_damping_;
   const double normal = std::min(0.0, elastic + damping * normal_rate);
@@ -487,11 +488,11 @@ void FacetNetwork::apply(std::size_t f, const Push& push) {
   torque_[j] -= push.moment + (state_[i].centre - state_[j].centre).cross(push.force);
 }
 
-Vec3 FacetNetwork::relative_velocity(std::size_t f, const Vec3& arm) const {
+/// The velocity that block j's rock would have at the centre of block i, less that of block i.
+FacetNetwork::Slip FacetNetwork::slip_of(std::size_t f) const {
   const BlockState& si = state_[static_cast<std::size_t>(elastic_[f].i)];
   const BlockState& sj = state_[static_cast<std::size_t>(elastic_[f].j)];
-  const Vec3 arm_j = arm + si.centre - sj.centre;
-  return sj.velocity + sj.spin.cross(arm_j) - si.velocity - si.spin.cross(arm);
+  return {sj.velocity - si.velocity + sj.spin.cross(si.centre - sj.centre), sj.spin - si.spin};
 }
 
 double FacetNetwork::volume_swept(const BoundaryFace& face) const {

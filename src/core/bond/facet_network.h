@@ -187,6 +187,10 @@ class FacetNetwork {
   struct Frame {  // the facet's in-plane axes on block i, and how block j's differ
     Vec3 half_1, half_2, turn_1, turn_2;
   };
+  struct Slip {  // motion of block j's side against block i's
+    Vec3 velocity, spin;
+    [[nodiscard]] Vec3 at(const Vec3& arm) const { return velocity + spin.cross(arm); }
+  };
   struct Push {  // on block i; block j gets the opposite at the same points
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
   };
@@ -213,9 +217,10 @@ class FacetNetwork {
   void work_facet(std::size_t f, double dt);
   [[nodiscard]] Vec3 bonded_traction(std::size_t f, const Point& point) const;
   [[nodiscard]] bool fails(const Vec3& normal, const Vec3& traction) const;
-  [[nodiscard]] Vec3 contact_traction(std::size_t f, int p, const Point& point, bool fresh,
-                                      double dt);
-  void break_point(std::size_t f, int p, const Point& point, const Vec3& traction, double dt);
+  [[nodiscard]] Vec3 contact_traction(std::size_t f, int p, const Point& point, const Slip& slip,
+                                      bool fresh, double dt);
+  void break_point(std::size_t f, int p, const Point& point, const Slip& slip, const Vec3& traction,
+                   double dt);
   void drop_from_dilatation(std::size_t f, const Vec3& jump);
   [[nodiscard]] bool closes(std::size_t f, const Frame& frame, double dt);
   [[nodiscard]] double turned_squared(std::size_t f, const Frame& frame) const;
@@ -226,7 +231,7 @@ class FacetNetwork {
   void apply(std::size_t f, const Push& push);
   [[nodiscard]] Frame frame_of(std::size_t f) const;
   [[nodiscard]] Point point_of(std::size_t f, const Frame& frame, int p) const;
-  [[nodiscard]] Vec3 relative_velocity(std::size_t f, const Vec3& arm) const;
+  [[nodiscard]] Slip slip_of(std::size_t f) const;
   [[nodiscard]] double block_potential(std::size_t b, const BlockSums& sums) const;
   [[nodiscard]] double block_energy(std::size_t b) const;
 

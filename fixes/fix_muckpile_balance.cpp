@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/balance: the engine side of cutting the box by weight.
+// Scope: see the header.
+#include "fix_muckpile_balance.h"
+
+#include <atom.h>
+#include <comm.h>
+#include <domain.h>
+#include <modify.h>
+#include <neighbor.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "engine/bodies.h"
+#include "engine/style_args.h"
+#include "partition/even_cuts.h"
+
+namespace muckpile {
+namespace {
+
+constexpr int kBins = 8192;
+
+std::vector<Vec3> body_centres(LAMMPS_NS::LAMMPS& lmp) {
+  const engine::Bodies bodies(*engine::find_multisphere(lmp));
+  std::vector<Vec3> centres;
+  for (int b = 0; b < bodies.count(); ++b) centres.emplace_back(bodies.centre(b));
+  return centres;
+}
+
+}  // namespace
+
+FixMuckpileBalance::FixMuckpileBalance(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
+    : Fix(engine, narg, arg) {
+  const std::string where = std::string("fix muckpile/balance '") + id + "'";
+  if (narg != 3) engine::stop(*lmp, where + ": takes no keywords, got '" + arg[3] + "'");
+  if (engine::find_multisphere(*lmp) == nullptr)
+    engine::stop(*lmp, where + ": needs 'fix ID all multisphere' before it");
+  if (domain->triclinic != 0) engine::stop(*lmp, where + ": the box must not be triclinic");
+  scalar_flag = 1;
+  global_freq = 1;
+  extscalar = 0;
+}
+
+FixMuckpileBalance* FixMuckpileBalance::find(LAMMPS_NS::LAMMPS& lmp) {
+  return dynamic_cast<FixMuckpileBalance*>(
+      lmp.modify->find_fix_style_strict("muckpile/balance", 0));
+}
+
+void FixMuckpileBalance::init() { cut(body_centres(*lmp), Reach::neighbours); }
+
+void FixMuckpileBalance::cut_for(std::span<const Vec3> centres) {
+  if (atom->natoms == 0) cut(centres, Reach::any);
+}
+
+void FixMuckpileBalance::cut(std::span<const Vec3> centres, Reach reach) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (comm->procgrid[axis] > 1) cut_axis(axis, centres, reach);
+  }
+  domain->set_local_box();
+}
+
+std::span<double> FixMuckpileBalance::splits(int axis) {
+  const std::array<double*, 3> all{comm->xsplit, comm->ysplit, comm->zsplit};
+  return {all[static_cast<std::size_t>(axis)], static_cast<std::size_t>(comm->procgrid[axis]) + 1};
+}
+
+void FixMuckpileBalance::cut_axis(int axis, std::span<const Vec3> centres, Reach reach) {
+  const double low = domain->boxlo[axis], length = domain->boxhi[axis] - low;
+  std::vector<double> mine(kBins, 0.0), all(kBins);
+  for (const Vec3& centre : centres) {
+    const double bin = std::floor((centre[axis] - low) / length * kBins);
+    if (std::isfinite(bin))
+      mine[static_cast<std::size_t>(std::clamp(bin, 0.0, kBins - 1.0))] += 1.0;
+  }
+  MPI_Allreduce(mine.data(), all.data(), kBins, MPI_DOUBLE, MPI_SUM, world);
+  const std::span<double> now = splits(axis);
+  std::vector<double> cuts = even_cuts(all, comm->procgrid[axis]);
+  // A part thinner than what it must know of its neighbours would talk to ranks farther away.
+  const double halo = std::max(comm->cutghost[axis], neighbor->skin);
+  cuts = widened_cuts(std::move(cuts), halo / length);
+  if (reach == Reach::neighbours) cuts = neighbourly_cuts(now, cuts);
+  std::copy(cuts.begin(), cuts.end(), now.begin());
+}
+
+double FixMuckpileBalance::compute_scalar() {
+  const double mine = engine::Bodies(*engine::find_multisphere(*lmp)).count();
+  double most = 0.0, all = 0.0;
+  MPI_Allreduce(&mine, &most, 1, MPI_DOUBLE, MPI_MAX, world);
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all > 0.0 ? most * comm->nprocs / all : 1.0;
+}
+
+}  // namespace muckpile
