@@ -10,6 +10,7 @@
 #include <modify.h>
 #include <multisphere.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <vector>
 
@@ -31,14 +32,15 @@ Mat3 inertia_of(LAMMPS_NS::FixMultisphere& fix, const engine::Bodies& bodies, in
 
 }  // namespace
 
-RockScene::RockScene(MPI_Comm comm, const std::string& box, const std::string& processors)
+RockScene::RockScene(MPI_Comm comm, const std::string& box, const std::string& processors,
+                     const std::string& bodies)
     : comm_(comm) {
   lmp_ = silent_engine(comm_);
   run_lines(*lmp_,
             {"units si", "atom_style granular", "atom_modify map array sort 0 0", "newton off",
              "boundary f f f", "communicate single cutoff 1.0 vel yes", "processors " + processors,
              "region box block " + box + " units box", "create_box 1 box", "neighbor 0.05 bin",
-             "neigh_modify delay 0", "fix bodies all multisphere"});
+             "neigh_modify delay 0", "fix bodies all " + bodies});
 }
 
 RockScene::~RockScene() = default;
@@ -109,5 +111,20 @@ double RockScene::kinetic_energy() const {
 int RockScene::own_blocks() const { return engine::find_multisphere(*lmp_)->n_body(); }
 
 double RockScene::spheres() const { return static_cast<double>(lmp_->atom->natoms); }
+
+std::map<int, std::array<double, 6>> RockScene::sphere_motion() const {
+  const LAMMPS_NS::Atom& atom = *lmp_->atom;
+  std::vector<double> mine;
+  for (int i = 0; i < atom.nlocal; ++i) {
+    mine.push_back(atom.tag[i]);
+    mine.insert(mine.end(), atom.x[i], atom.x[i] + 3);
+    mine.insert(mine.end(), atom.v[i], atom.v[i] + 3);
+  }
+  const std::vector<double> all = gather(mine, comm_);
+  std::map<int, std::array<double, 6>> result;
+  for (std::size_t k = 0; k < all.size(); k += 7)
+    std::copy_n(all.data() + k + 1, 6, result[static_cast<int>(all[k])].begin());
+  return result;
+}
 
 }  // namespace muckpile::test

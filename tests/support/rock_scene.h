@@ -6,6 +6,7 @@
 
 #include <mpi.h>
 
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -33,8 +34,10 @@ struct Motion {
 
 class RockScene {
  public:
-  /// `box`: six numbers [m]; `processors`: the words after that command.
-  RockScene(MPI_Comm comm, const std::string& box, const std::string& processors = "* 1 1");
+  /// `box`: six numbers [m]; `processors`: the words after that command; `bodies`: style of the fix
+  /// that holds the blocks.
+  RockScene(MPI_Comm comm, const std::string& box, const std::string& processors = "* 1 1",
+            const std::string& bodies = "multisphere");
   ~RockScene();
   RockScene(const RockScene&) = delete;
   RockScene& operator=(const RockScene&) = delete;
@@ -53,6 +56,8 @@ class RockScene {
   /// Blocks on this rank.
   [[nodiscard]] int own_blocks() const;
   [[nodiscard]] double spheres() const;
+  /// Position and velocity of all spheres by tag, on every rank.
+  [[nodiscard]] std::map<int, std::array<double, 6>> sphere_motion() const;
 
  private:
   MPI_Comm comm_;
