@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix muckpile/balance: moves the borders between ranks so that all hold equally many blocks.
+// fix muckpile/balance: moves the borders between ranks so that all have the same work.
 // Scope: at the start of each run, along the axes that the processor grid cuts.
 #pragma once
 
@@ -27,8 +27,12 @@ class FixMuckpileBalance : public LAMMPS_NS::Fix {
 
  private:
   enum class Reach { neighbours, any };
-  void cut(std::span<const Vec3> centres, Reach reach);
-  void cut_axis(int axis, std::span<const Vec3> centres, Reach reach);
+  struct Load {
+    Vec3 centre;  ///< [m]
+    double cost;  ///< of a block per step, in units of a loose block's
+  };
+  void cut(std::span<const Load> loads, Reach reach);
+  void cut_axis(int axis, std::span<const Load> loads, Reach reach);
   [[nodiscard]] std::span<double> splits(int axis);
 };
 
