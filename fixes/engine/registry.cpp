@@ -25,6 +25,7 @@
 #include "fix_muckpile_progress.h"
 #include "fix_multisphere_muckpile.h"
 #include "pair_muckpile_block.h"
+#include "require.h"
 
 namespace muckpile::engine {
 namespace {
@@ -76,6 +77,7 @@ const std::map<std::string, CommandCreator>& commands() {
   static const std::map<std::string, CommandCreator> table = {
       {"create_blocks", &run_command<CreateBlocks>},
       {"muckpile_styles", &register_again},
+      {"require", &run_command<Require>},
   };
   return table;
 }

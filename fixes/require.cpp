@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// require: words to a range, and the check.
+// Scope: see the header.
+#include "require.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "args/input_error.h"
+#include "args/numbers.h"
+#include "engine/style_args.h"
+
+namespace muckpile {
+namespace {
+
+constexpr const char* kStyle = "require";
+
+struct Rule {
+  Range range;
+  bool whole = false;
+  std::string unit;
+  std::optional<double> exception;  ///< allowed although outside the range
+};
+
+Rule read_rule(const std::vector<std::string>& words) {
+  Rule rule;
+  for (std::size_t k = 0; k < words.size();) {
+    const std::string& word = words[k++];
+    if (word == "whole") {
+      rule.whole = true;
+      continue;
+    }
+    if (k == words.size())
+      throw InputError(std::string(kStyle) + ": nothing follows '" + word + "'");
+    const std::string& value = words[k++];
+    if (word == "unit") {
+      rule.unit = value;
+      continue;
+    }
+    const double number = parse_real(kStyle, word, value, "", Range::any());
+    if (word == "above" || word == "at_least") {
+      rule.range.lo = number;
+      rule.range.lo_open = word == "above";
+    } else if (word == "below" || word == "at_most") {
+      rule.range.hi = number;
+      rule.range.hi_open = word == "below";
+    } else if (word == "or") {
+      rule.exception = number;
+    } else {
+      throw InputError(std::string(kStyle) + ": unknown keyword '" + word +
+                       "' (known: above, at_least, below, at_most, or, whole, unit)");
+    }
+  }
+  return rule;
+}
+
+void check(const std::string& name, const std::string& text, const Rule& rule) {
+  const std::string where = "input";
+  if (rule.exception && parse_real(where, name, text, rule.unit, Range::any()) == *rule.exception)
+    return;
+  if (rule.whole)
+    (void)parse_integer(where, name, text, rule.unit, rule.range);
+  else
+    (void)parse_real(where, name, text, rule.unit, rule.range);
+}
+
+}  // namespace
+
+void Require::command(int narg, char** arg) {
+  engine::or_engine_error(*lmp, [&] {
+    if (narg < 2) throw InputError(std::string(kStyle) + ": needs a name, its value and a rule");
+    check(arg[0], arg[1], read_rule({arg + 2, arg + narg}));
+    return 0;
+  });
+}
+
+}  // namespace muckpile

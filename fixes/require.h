@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// require: stops an input script whose variable is not a number in the range that the script needs.
+// Scope: a check only; nothing is kept.
+#pragma once
+
+#include <pointers.h>
+
+namespace muckpile {
+
+class Require : protected LAMMPS_NS::Pointers {
+ public:
+  explicit Require(LAMMPS_NS::LAMMPS* engine) : Pointers(engine) {}
+  void command(int narg, char** arg);
+};
+
+}  // namespace muckpile
