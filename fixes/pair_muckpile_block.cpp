@@ -22,6 +22,8 @@
 #include <utility>
 
 #include "args/arg_table.h"
+#include "contact/contact_step_bound.h"
+#include "engine/bodies.h"
 #include "engine/style_args.h"
 
 namespace muckpile {
@@ -132,17 +134,45 @@ void PairMuckpileBlock::init_style() {
   find_partners();
   double smallest = 0.0;
   modify->max_min_rad(largest_radius_, smallest);  // over all ranks, with particle templates
-  ledger_.stable_step_s = smallest_stable_step();
 }
 
 double PairMuckpileBlock::init_one(int /*i*/, int /*j*/) { return 2.0 * largest_radius_; }
 
-double PairMuckpileBlock::smallest_stable_step() const {
-  double mine = std::numeric_limits<double>::max(), all = 0.0;
+/// Of contacts that may come: one, with a small overlap, per sphere.
+double PairMuckpileBlock::step_of_light_contacts() const {
+  double step = std::numeric_limits<double>::infinity();
   for (int k = 0; k < atom->nlocal; ++k)
-    mine = std::min(mine, law_->stable_time_step(atom->rmass[k], atom->radius[k]));
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MIN, world);
-  return all;
+    step = std::min(step, law_->stable_time_step(atom->rmass[k], atom->radius[k]));
+  return step;
+}
+
+double PairMuckpileBlock::step_of_present_contacts() {
+  const engine::Bodies bodies(*bodies_);
+  ContactStepBound bound(static_cast<std::size_t>(bodies.count()));
+  for (const BlockPair& block_pair : list_.block_pairs())
+    for (const SpherePair& pair : near_spheres(block_pair)) {
+      if (pair.contact < 0) continue;
+      const Vec3 first = vector_at(atom->x[0], pair.first);
+      const Vec3 between = vector_at(atom->x[0], pair.second) - first;
+      ContactMotion motion{};
+      motion.overlap = pair.reach - between.norm();
+      motion.radius_first = atom->radius[pair.first];
+      motion.radius_second = atom->radius[pair.second];
+      const double m1 = atom->rmass[pair.first], m2 = atom->rmass[pair.second];
+      motion.reduced_mass = m1 * m2 / (m1 + m2);
+      const auto [stiffness, damping] =
+          law_->resistance(motion, contacts_[static_cast<std::size_t>(pair.contact)]);
+      const Vec3 point = first + (motion.radius_first / pair.reach) * between;
+      for (const int sphere : {pair.first, pair.second}) {
+        const int body = bodies_->data().map(bodies_->belongs_to(sphere));
+        if (body < 0) continue;  // the other rank's
+        Vec3 arm = point - bodies.centre(body);
+        domain->minimum_image(arm.x(), arm.y(), arm.z());
+        bound.add(static_cast<std::size_t>(body), stiffness, damping,
+                  1.0 / bodies.mass(body) + arm.squaredNorm() / bodies.inertia(body).minCoeff());
+      }
+    }
+  return bound.step();
 }
 
 int PairMuckpileBlock::add_block(int body_tag, const double* x) {
@@ -410,7 +440,10 @@ void* PairMuckpileBlock::extract(const char* name, int& dim) {
   if (key == "power_W") return &ledger_.power_W;
   if (key == "contacts") return &ledger_.contacts;
   if (key == "max_overlap_ratio") return &ledger_.max_overlap_ratio;
-  if (key == "stable_step_s") return &ledger_.stable_step_s;
+  if (key == "stable_step_s") {
+    ledger_.stable_step_s = std::min(step_of_light_contacts(), step_of_present_contacts());
+    return &ledger_.stable_step_s;
+  }
   if (key == "rebuild_s") return &ledger_.rebuild_s;
   if (key == "rebuilds") return &ledger_.rebuilds;
   return nullptr;

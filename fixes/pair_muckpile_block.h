@@ -41,10 +41,11 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource {
   void compute(int eflag, int vflag) override;
   double memory_usage() override;
 
-  /// Values of this rank, to be summed over ranks (largest for max_overlap_ratio, same on all for
+  /// Values of this rank, to be summed over ranks (largest for max_overlap_ratio, smallest for
   /// stable_step_s); a contact between two ranks counts half on each. Pointers to double:
   /// "elastic_J", "power_W", "contacts", "max_overlap_ratio" of the last step;
-  /// "friction_J", "damping_J" since the start; "stable_step_s"; "rebuild_s", "rebuilds".
+  /// "friction_J", "damping_J" since the start; "stable_step_s", worked out when asked for;
+  /// "rebuild_s", "rebuilds".
   void* extract(const char* name, int& dim) override;
 
   void store_contacts(FixMuckpileContactHistory& history) override;
@@ -65,7 +66,8 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource {
 
   void require_engine_settings();
   void find_partners();
-  [[nodiscard]] double smallest_stable_step() const;
+  [[nodiscard]] double step_of_light_contacts() const;
+  [[nodiscard]] double step_of_present_contacts();
 
   void rebuild();
   void number_blocks();

@@ -66,6 +66,17 @@ double ContactLaw::normal_stiffness(double radius_first, double radius_second,
   return 2.0 * young_star_ * std::sqrt(reduced_radius * overlap);
 }
 
+ContactLaw::Resistance ContactLaw::resistance(const ContactMotion& motion,
+                                              const ContactState& state) const {
+  const double reduced_radius =
+      motion.radius_first * motion.radius_second / (motion.radius_first + motion.radius_second);
+  const double overlap = std::max(motion.overlap - state.overlap_offset, 0.0);
+  const Normal normal = normal_part(motion, reduced_radius, overlap);
+  return {std::max(normal_stiffness(motion.radius_first, motion.radius_second, overlap),
+                   normal.tangential_stiffness),
+          normal.damping};
+}
+
 double ContactLaw::stable_time_step(double mass, double radius) const {
   constexpr double kOverlapRatio = 0.05, kShareOfPeriod = 0.2;
   // Against a plane: Hertz with R* = radius; the linear model with two equal spheres at most.

@@ -70,6 +70,12 @@ class ContactLaw {
   [[nodiscard]] double normal_stiffness(double radius_first, double radius_second,
                                         double overlap) const;
 
+  /// Stiffness, the larger of normal and tangential [N/m], and normal dashpot [N s/m] of a contact.
+  struct Resistance {
+    double stiffness, damping;
+  };
+  [[nodiscard]] Resistance resistance(const ContactMotion& motion, const ContactState& state) const;
+
   /// Dashpot strength: damping ratio of the equivalent linear oscillator [-].
   [[nodiscard]] double damping_ratio() const { return damping_ratio_; }
 
