@@ -50,6 +50,7 @@ void FacetNetwork::set_facets(std::vector<Facet> facets, std::vector<FacetMemory
   for (std::size_t f = 0; f < facets_.size(); ++f) states_[f] = memory_[f].state;
   derive();
   list_active();
+  list_yielding();
   count_unbonded();
 }
 
@@ -86,7 +87,7 @@ void FacetNetwork::derive() {
                    facet.j,
                    facet.normal,
                    facet.arm_i,
-                   facet.arm_j,
+                   facet.arm_j + memory_[f].ground.displacement,
                    share_i * k.rock_share * facet.area,
                    share_j * k.rock_share * facet.area};
   }
@@ -117,7 +118,7 @@ void FacetNetwork::count_unbonded() {
   }
 }
 
-void FacetNetwork::dilatation() {
+void FacetNetwork::dilatation(double dt) {
   if (4 * retired_since_ > active_.size()) list_active();
   for (BlockSums& sums : sums_) sums.bonded = sums.loaded = sums.squeezed = 0.0;
   for (std::size_t f : active_) {
@@ -131,6 +132,7 @@ void FacetNetwork::dilatation() {
     sums.loaded -= squeezed;
     sums.squeezed += 0.5 * squeezed * face.pressure;
   }
+  if (!yielding_.empty()) yield_ground(dt);
   const double ratio = material_.lame_lambda() / two_g;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     theta_[b] = (sums_[b].bonded + sums_[b].loaded) /
@@ -256,7 +258,7 @@ void FacetNetwork::work_facet(std::size_t f, double dt) {
       traction = bonded_traction(f, point);
       if (torn || fails(kinematics_[f].normal, traction)) {
         break_point(f, p, point, slip, traction, dt);
-      } else if (damping_ > 0.0) {
+      } else if (damping_ > 0.0 && !memory_[f].ground.yields) {  // the ground has a dashpot itself
         const Vec3 rate = slip.at(point.arm);
         traction += damping_ * rate;
         losses_.damping += facets_[f].weight * law_[f].area * damping_ * rate.squaredNorm() * dt;
@@ -577,6 +579,7 @@ double FacetNetwork::stable_step() const {
 }
 
 void FacetNetwork::soften(double factor) {
+  stop_ground();  // what is behind is not softened, and no wave is left to let out
   dilatation();
   losses_.fracture += (1.0 - factor) * elastic_energy();
   material_ = material_.softened(factor);

@@ -11,15 +11,18 @@
 // theta = [sum over bonded facets A n.u/2 + sum over loaded faces A t_n d/(2G)] /
 //         [V (1 + phi lambda/(2G))],  phi = sum over unbonded faces of A d / V,
 // d the distance of a face from the centre. Free and loaded faces are condensed out that way.
+// A support whose ground yields (quiet_ground.h) is a bonded facet whose far side moves.
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "bond/joint_material.h"
+#include "bond/quiet_ground.h"
 #include "math/types.h"
 
 namespace muckpile {
@@ -77,8 +80,9 @@ struct FacetMemory {
   ///< broken point: jump at zero force, in start orientation [m]
   std::array<bool, kFacetPoints> broken{false, false, false};
   FacetState state = FacetState::intact;
-  bool open = false;  ///< broken and so far open that its points were left alone last time
-  double fade = 1.0;  ///< 1 while the faces match, falls to 0 as they slide or turn away
+  bool open = false;    ///< broken and so far open that its points were left alone last time
+  double fade = 1.0;    ///< 1 while the faces match, falls to 0 as they slide or turn away
+  GroundMemory ground;  ///< of a support only
 };
 
 /// What is left to know of a block's retired facets once they are no longer kept.
@@ -114,6 +118,8 @@ struct JointLosses {
   double fracture = 0.0;
   double friction = 0.0;
   double damping = 0.0;
+  double quiet = 0.0;     ///< given to the rock behind yielding supports, in all
+  double radiated = 0.0;  ///< of that, carried away by waves
 };
 
 class FacetNetwork {
@@ -139,8 +145,17 @@ class FacetNetwork {
   [[nodiscard]] std::span<const Vec3> force() const { return force_; }
   [[nodiscard]] std::span<const Vec3> torque() const { return torque_; }
 
-  void dilatation();          ///< theta of every block from the poses; right for owned blocks
+  /// Theta of every block from the poses, right for owned blocks; yielding supports give way over
+  /// the step dt [s] that led here.
+  void dilatation(double dt = 0.0);
   void tractions(double dt);  ///< forces, torques, breaking, losses over a step dt [s]
+
+  /// The ground behind the intact `fixed` supports that `chosen` accepts by their centroid in the
+  /// start configuration yields from now on; what they carry in the present pose is held. To be
+  /// called after dilatation(). Returns how many yield now that did not before.
+  int let_ground_yield(const QuietGround& ground, const std::function<bool(const Vec3&)>& chosen);
+  void stop_ground();  ///< every ground stays where it is from now on
+  [[nodiscard]] std::size_t yielding_supports() const { return yielding_.size(); }
 
   [[nodiscard]] double elastic_energy() const;  ///< of joints, rock and closed broken facets [J]
   [[nodiscard]] double volume_swept(const BoundaryFace& face) const;  ///< by a loaded face [m3]
@@ -225,6 +240,14 @@ class FacetNetwork {
   [[nodiscard]] bool closes(std::size_t f, const Frame& frame, double dt);
   [[nodiscard]] double turned_squared(std::size_t f, const Frame& frame) const;
   void book_fading(std::size_t f, const Frame& frame, double lost);
+  void list_yielding();
+  void yield_ground(double dt);
+  void yield_block_ground(std::size_t first, std::size_t last, double dt);
+  struct GroundPlan;
+  [[nodiscard]] GroundPlan plan_ground(std::size_t f, double dt) const;
+  void yield_support(std::size_t f, double theta, double dt);
+  void book_ground(std::size_t f, const Vec3& step, const Vec3& traction, double dt);
+  [[nodiscard]] Vec3 mean_traction(std::size_t f) const;
   void load_faces();
   void sweep(BoundaryFace& face) const;
   void book_fracture();
@@ -251,6 +274,8 @@ class FacetNetwork {
   std::vector<std::int64_t> asleep_;  // call of tractions() up to which an open facet is left alone
   std::int64_t calls_ = 0;            // of tractions()
   std::vector<Kinematics> kinematics_;
+  std::vector<std::size_t> yielding_;  // supports whose ground yields, those of a block together
+  QuietGround quiet_ground_;
   std::vector<BoundaryFace> faces_;
   JointLosses losses_;
   double damping_ = 0.0, contact_damping_ = 0.0;  // [Pa s/m]

@@ -91,7 +91,7 @@ void BondScene::shake(double shift, double angle, unsigned seed) {
 }
 
 void BondScene::compute(double dt) {
-  network_.dilatation();
+  network_.dilatation(dt);
   network_.tractions(dt);
 }
 
@@ -136,7 +136,7 @@ double BondScene::kinetic_energy() const {
 double BondScene::energy_account() {
   const JointLosses& lost = network_.losses();
   return kinetic_energy() + network_.elastic_energy() + lost.fracture + lost.friction +
-         lost.damping - network_.pressure_work();
+         lost.damping + lost.quiet - network_.pressure_work();
 }
 
 Vec3 BondScene::facet_force(std::size_t f) {

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The rock behind a supported boundary facet: constants of the rock, and the part of the facet
+// network that moves the ground of its yielding supports.
+// Scope: see quiet_ground.h and facet_network.h.
+#include "bond/quiet_ground.h"
+
+#include <string>
+
+#include "args/input_error.h"
+#include "bond/facet_network.h"
+
+namespace muckpile {
+
+QuietGround::QuietGround(const JointMaterial& rock, double rock_behind) {
+  if (!(rock_behind > 0.0))
+    throw InputError("rock_behind must be > 0 m, got '" + std::to_string(rock_behind) + "'");
+  const double density = rock.parameters().density;
+  normal_impedance = density * rock.p_wave_speed();
+  shear_impedance = density * rock.s_wave_speed();
+  normal_stiffness = rock.p_wave_modulus() / rock_behind;
+  shear_stiffness = rock.shear_modulus() / rock_behind;
+}
+
+namespace {
+
+/// One direction's part of a vector: along the facet's normal, or in its plane.
+Vec3 along(const Vec3& v, const Vec3& normal) { return normal.dot(v) * normal; }
+
+}  // namespace
+
+int FacetNetwork::let_ground_yield(const QuietGround& ground,
+                                   const std::function<bool(const Vec3&)>& chosen) {
+  quiet_ground_ = ground;
+  int more = 0;
+  for (std::size_t f = 0; f < facets_.size(); ++f) {
+    const Facet& facet = facets_[f];
+    GroundMemory& memory = memory_[f].ground;
+    if (facet.kind != FacetKind::fixed || states_[f] != FacetState::intact || memory.yields)
+      continue;
+    if (!chosen(facet.arm_j)) continue;  // the ground's centre is the origin
+    const Vec3& n = kinematics_[f].normal;
+    const Vec3 at = memory.displacement, across = along(at, n);
+    memory.yields = true;
+    memory.traction = mean_traction(f);
+    memory.held =
+        memory.traction + ground.normal_stiffness * across + ground.shear_stiffness * (at - across);
+    ++more;
+  }
+  list_yielding();
+  return more;
+}
+
+void FacetNetwork::stop_ground() {
+  for (FacetMemory& memory : memory_) memory.ground.yields = false;
+  yielding_.clear();
+}
+
+/// Facets come in order of tag_i, so those of one block follow each other.
+void FacetNetwork::list_yielding() {
+  yielding_.clear();
+  for (std::size_t f = 0; f < facets_.size(); ++f) {
+    if (memory_[f].ground.yields && states_[f] == FacetState::intact) yielding_.push_back(f);
+  }
+}
+
+Vec3 FacetNetwork::mean_traction(std::size_t f) const {
+  const Law& law = law_[f];
+  const Vec3 &n = kinematics_[f].normal, &jump = kinematics_[f].jump;
+  const double theta = theta_[static_cast<std::size_t>(elastic_[f].i)];
+  return law.shear * jump + (law.normal_extra * n.dot(jump) + law.theta_i * theta) * n;
+}
+
+void FacetNetwork::yield_ground(double dt) {
+  std::erase_if(yielding_, [&](std::size_t f) { return states_[f] != FacetState::intact; });
+  for (std::size_t first = 0; first < yielding_.size();) {
+    std::size_t last = first + 1;
+    while (last < yielding_.size() && elastic_[yielding_[last]].i == elastic_[yielding_[first]].i)
+      ++last;
+    yield_block_ground(first, last, dt);
+    first = last;
+  }
+}
+
+/// Where the ground of a support would end without traction, and how the facet answers.
+struct FacetNetwork::GroundPlan {
+  double normal_end, normal_give;  ///< predicted displacement [m], compliance [m/Pa]
+  Vec3 shear_end;                  ///< in the facet's plane [m]
+  double shear_give;               ///< [m/Pa]
+  double opened;                   ///< normal jump if the ground ended as predicted [m]
+  double yielding;                 ///< 1 + normal stiffness x compliance [-]
+};
+
+FacetNetwork::GroundPlan FacetNetwork::plan_ground(std::size_t f, double dt) const {
+  const GroundMemory& memory = memory_[f].ground;
+  const QuietGround& q = quiet_ground_;
+  const Vec3& n = kinematics_[f].normal;
+  const double moved = n.dot(memory.displacement);
+  const GroundStep normal = ground_step(q.normal_impedance, q.normal_stiffness, moved,
+                                        n.dot(memory.traction), n.dot(memory.held), dt);
+  GroundPlan plan;
+  plan.normal_end = normal.predicted;
+  plan.normal_give = normal.compliance;
+  for (int k = 0; k < 3; ++k) {
+    const GroundStep shear =
+        ground_step(q.shear_impedance, q.shear_stiffness, memory.displacement[k],
+                    memory.traction[k], memory.held[k], dt);
+    plan.shear_end[k] = shear.predicted;
+    plan.shear_give = shear.compliance;
+  }
+  plan.shear_end -= along(plan.shear_end, n);
+  plan.opened = n.dot(kinematics_[f].jump) + plan.normal_end - moved;
+  plan.yielding = 1.0 + (law_[f].shear + law_[f].normal_extra) * plan.normal_give;
+  return plan;
+}
+
+/// The traction at the end of the step depends on where the ground is then and, through the
+/// dilatation, on the block's other yielding supports. With U the normal jump if the ground ended
+/// as predicted, k the normal stiffness, c the traction per dilatation, e the area that strains the
+/// block, a the compliance of the step, V and S the block's volume and 1 + phi lambda/(2G):
+///     t = (k U + c theta) / (1 + k a),
+///     theta [V S + sum e a c/(1 + k a)] = sums over all other facets and faces + sum e U/(1 + k
+///     a).
+void FacetNetwork::yield_block_ground(std::size_t first, std::size_t last, double dt) {
+  const auto b = static_cast<std::size_t>(elastic_[yielding_[first]].i);
+  const double ratio = material_.lame_lambda() / (2.0 * material_.shear_modulus());
+  double opened = sums_[b].bonded + sums_[b].loaded;
+  double volume = blocks_[b].volume * (1.0 + sums_[b].unbonded * ratio);
+  for (std::size_t y = first; y < last; ++y) {
+    const std::size_t f = yielding_[y];
+    const GroundPlan plan = plan_ground(f, dt);
+    const double area = elastic_[f].area_i;
+    opened += area * (plan.opened / plan.yielding - kinematics_[f].normal.dot(kinematics_[f].jump));
+    volume += area * plan.normal_give * law_[f].theta_i / plan.yielding;
+  }
+  for (std::size_t y = first; y < last; ++y) yield_support(yielding_[y], opened / volume, dt);
+}
+
+/// Moves the ground of one support to the end of the step, given the block's dilatation there.
+void FacetNetwork::yield_support(std::size_t f, double theta, double dt) {
+  const Law& law = law_[f];
+  Kinematics& kin = kinematics_[f];
+  GroundMemory& memory = memory_[f].ground;
+  const Vec3& n = kin.normal;
+  const GroundPlan plan = plan_ground(f, dt);
+  const double pull =
+      ((law.shear + law.normal_extra) * plan.opened + law.theta_i * theta) / plan.yielding;
+  const Vec3 sheared = kin.jump - memory.displacement;
+  const Vec3 drag = law.shear / (1.0 + law.shear * plan.shear_give) *
+                    (sheared - along(sheared, n) + plan.shear_end);
+  const Vec3 step = (plan.normal_end - plan.normal_give * pull) * n + plan.shear_end -
+                    plan.shear_give * drag - memory.displacement;
+  const Vec3 traction = pull * n + drag;
+  book_ground(f, step, 0.5 * (memory.traction + traction), dt);
+  memory.displacement += step;
+  memory.traction = traction;
+  elastic_[f].arm_j += step;
+  kin.jump += step;
+  sums_[static_cast<std::size_t>(elastic_[f].i)].bonded += elastic_[f].area_i * n.dot(step);
+}
+
+void FacetNetwork::book_ground(std::size_t f, const Vec3& step, const Vec3& traction, double dt) {
+  if (dt <= 0.0) return;
+  const double area = facets_[f].weight * facets_[f].area, normal = kinematics_[f].normal.dot(step);
+  losses_.quiet -= area * traction.dot(step);
+  losses_.radiated += area / dt *
+                      (quiet_ground_.normal_impedance * normal * normal +
+                       quiet_ground_.shear_impedance * (step.squaredNorm() - normal * normal));
+}
+
+}  // namespace muckpile
