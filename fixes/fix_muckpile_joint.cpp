@@ -209,7 +209,7 @@ void FixMuckpileJoint::post_force(int) {
 
 void FixMuckpileJoint::add_forces(double dt) {
   gather_state();
-  network_.dilatation();
+  network_.dilatation(dt);
   store_->halo().forward(network_.theta().first(store_->halo().size()), 1);
   network_.tractions(dt);
   apply_forces();
@@ -292,6 +292,18 @@ void FixMuckpileJoint::swept_volume(std::span<double> per_hole) const {
     const BoundaryFace& face = network_.faces()[k];
     per_hole[static_cast<std::size_t>(face.hole)] += network_.volume_swept(face);
   }
+}
+
+YieldingSupports::Chosen FixMuckpileJoint::let_ground_yield(
+    const std::function<bool(const Vec3&)>& chosen, double rock_behind) {
+  network_.let_ground_yield(QuietGround(network_.material(), rock_behind), chosen);
+  Chosen yielding;
+  for (std::size_t f = 0; f < network_.facets().size(); ++f) {
+    if (!network_.memory()[f].ground.yields) continue;
+    yielding.count += 1.0;
+    yielding.area += network_.facets()[f].area;
+  }
+  return yielding;
 }
 
 double FixMuckpileJoint::sum(double mine) const {

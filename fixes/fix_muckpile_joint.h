@@ -13,13 +13,15 @@
 #include "bond/facet_network.h"
 #include "fix_muckpile_blocks.h"
 #include "joint_view.h"
+#include "yielding_supports.h"
 
 namespace muckpile {
 
 class FixMuckpileJoint : public LAMMPS_NS::Fix,
                          public FacetKeeper,
                          public JointView,
-                         public BlastSurface {
+                         public BlastSurface,
+                         public YieldingSupports {
  public:
   FixMuckpileJoint(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
   ~FixMuckpileJoint() override;
@@ -48,6 +50,15 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   void set_pressure(std::span<const double> pressure) override;
   void swept_volume(std::span<double> per_hole) const override;
   [[nodiscard]] double pressure_work() const override { return network_.pressure_work(); }
+
+  Chosen let_ground_yield(const std::function<bool(const Vec3&)>& chosen,
+                          double rock_behind) override;
+  void stop_ground() override { network_.stop_ground(); }
+  [[nodiscard]] double supports_yielding() const override {
+    return static_cast<double>(network_.yielding_supports());
+  }
+  [[nodiscard]] double energy_given() const override { return network_.losses().quiet; }
+  [[nodiscard]] double energy_radiated() const override { return network_.losses().radiated; }
 
   /// Joints with at least one broken point, of all ranks. Collective.
   [[nodiscard]] double joints_broken() const { return sum(network_.broken_count()); }

@@ -28,7 +28,7 @@ constexpr std::array kColumns = {
     &EnergyLedger::kinetic,         &EnergyLedger::joint_elastic, &EnergyLedger::contact_elastic,
     &EnergyLedger::gravity,         &EnergyLedger::blast_work,    &EnergyLedger::fracture,
     &EnergyLedger::joint_friction,  &EnergyLedger::joint_damping, &EnergyLedger::contact_friction,
-    &EnergyLedger::contact_damping, &EnergyLedger::walls};
+    &EnergyLedger::contact_damping, &EnergyLedger::walls,         &EnergyLedger::quiet};
 
 }  // namespace
 
@@ -108,6 +108,7 @@ const EnergyLedger& FixMuckpileLedger::ledger() {
     mine.fracture = network.losses().fracture;
     mine.joint_friction = network.losses().friction;
     mine.joint_damping = network.losses().damping;
+    mine.quiet = network.losses().quiet;
     mine.blast_work = network.pressure_work();
   }
   mine.contact_elastic = of_pair("elastic_J");

@@ -23,11 +23,12 @@ struct EnergyLedger {
   double blast_work = 0.0;
   double fracture = 0.0, joint_friction = 0.0, joint_damping = 0.0;
   double contact_friction = 0.0, contact_damping = 0.0, walls = 0.0;
+  double quiet = 0.0;  ///< given to the rock behind quiet boundaries
 
   /// What is in the system and what left it, less what came in.
   [[nodiscard]] double residual() const {
     return kinetic + joint_elastic + contact_elastic + gravity + fracture + joint_friction +
-           joint_damping + contact_friction + contact_damping + walls - blast_work;
+           joint_damping + contact_friction + contact_damping + walls + quiet - blast_work;
   }
 };
 

@@ -23,6 +23,7 @@
 #include "fix_muckpile_joint.h"
 #include "fix_muckpile_ledger.h"
 #include "fix_muckpile_progress.h"
+#include "fix_muckpile_quiet.h"
 #include "fix_multisphere_muckpile.h"
 #include "pair_muckpile_block.h"
 #include "require.h"
@@ -92,6 +93,7 @@ const std::map<std::string, FixCreator>& fixes() {
       {"muckpile/joint", &create_fix<FixMuckpileJoint>},
       {"muckpile/ledger", &create_fix<FixMuckpileLedger>},
       {"muckpile/progress", &create_fix<FixMuckpileProgress>},
+      {"muckpile/quiet", &create_fix<FixMuckpileQuiet>},
   };
   return table;
 }

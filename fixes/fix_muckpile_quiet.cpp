@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/quiet: words, choice of supports, and when it is over; the law is in
+// core/bond/quiet_ground.
+#include "fix_muckpile_quiet.h"
+
+#include <domain.h>
+#include <modify.h>
+#include <mpi.h>
+#include <region.h>
+#include <update.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "args/numbers.h"
+#include "engine/style_args.h"
+
+namespace muckpile {
+namespace {
+
+enum Output { kYielding, kRadiated, kPower, kOver, kOutputCount };
+
+const ArgTable& table() {
+  static const ArgTable args =
+      ArgTable("fix muckpile/quiet")
+          .group("region", 1, 1, true,
+                 "`fixed` supports of `create_blocks` with their centroid in this region yield; at "
+                 "least one")
+          .real("rock_behind", "m", Range::positive(), std::nullopt,
+                "thickness of the rock behind, on a rigid base, for lasting loads")
+          .real("until", "s", Range::non_negative(), 1e30,
+                "time of the run from which on the ground stands still")
+          .real("power_share", "", Range::right_open(0.0, 1.0), 0.0,
+                "the ground stands still once less than this share of the greatest radiated power "
+                "so far leaves; 0: never")
+          .integer("every", "steps", Range::at_least(1), 100,
+                   "between looks at time and power, which is the mean between two looks");
+  return args;
+}
+
+}  // namespace
+
+FixMuckpileQuiet::FixMuckpileQuiet(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
+    : Fix(engine, narg, arg),
+      where_(std::string("fix muckpile/quiet '") + (narg > 0 ? arg[0] : "") + "'") {
+  const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
+  for (const auto& words : args.groups("region")) regions_.push_back(words.front());
+  if (regions_.empty()) engine::stop(*lmp, where_ + ": keyword 'region' is required");
+  if (modify->find_fix_style_strict("muckpile/quiet", 0) != nullptr)
+    engine::stop(*lmp, where_ + ": only one fix muckpile/quiet is possible");
+  rock_behind_ = args.real("rock_behind");
+  until_ = args.real("until");
+  power_share_ = args.real("power_share");
+  nevery = static_cast<int>(args.integer("every"));
+  scalar_flag = vector_flag = 1;
+  size_vector = kOutputCount;
+  global_freq = 1;
+  extscalar = extvector = 0;
+}
+
+int FixMuckpileQuiet::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
+
+YieldingSupports* FixMuckpileQuiet::find_supports() const {
+  for (int i = 0; i < modify->nfix; ++i) {
+    if (auto* supports = dynamic_cast<YieldingSupports*>(modify->fix[i])) return supports;
+  }
+  return nullptr;
+}
+
+/// An unfix makes fixed supports of them again; the engine's own end does not matter.
+void FixMuckpileQuiet::pre_delete(bool unfixflag) {
+  YieldingSupports* supports = unfixflag ? find_supports() : nullptr;
+  if (supports != nullptr) supports->stop_ground();
+}
+
+void FixMuckpileQuiet::init() {
+  supports_ = find_supports();
+  if (supports_ == nullptr) engine::stop(*lmp, where_ + ": needs a fix muckpile/joint before it");
+  for (int i = modify->find_fix(id) + 1; i < modify->nfix; ++i) {
+    if (dynamic_cast<YieldingSupports*>(modify->fix[i]) != nullptr)
+      engine::stop(*lmp, where_ + ": must be defined after fix muckpile/joint");
+  }
+  for (const std::string& region : regions_) {
+    if (domain->find_region(region.c_str()) < 0)
+      engine::stop(*lmp, where_ + ": region must exist, got '" + region + "'");
+  }
+}
+
+/// Forces are up to date here: what the supports carry now is what they hold.
+void FixMuckpileQuiet::setup(int) {
+  last_time_ = update->get_cur_time();
+  if (begun_) return;
+  begun_ = true;
+  const auto mine =
+      supports_->let_ground_yield([this](const Vec3& at) { return chosen(at); }, rock_behind_);
+  const double count = sum(mine.count), area = sum(mine.area);
+  if (count == 0.0) {
+    engine::stop(*lmp, where_ +
+                           ": its regions must hold supports (create_blocks ... support "
+                           "fixed REGION), got none that is unbroken");
+  }
+  std::array<char, 160> text{};
+  std::snprintf(text.data(), text.size(), "%s: %.0f supports of %.4g m2 yield\n", where_.c_str(),
+                count, area);
+  engine::print_once(*lmp, text.data());
+}
+
+bool FixMuckpileQuiet::chosen(const Vec3& centroid) const {
+  return std::any_of(regions_.begin(), regions_.end(), [&](const std::string& name) {
+    LAMMPS_NS::Region& region = *domain->regions[domain->find_region(name.c_str())];
+    return region.match(centroid.x(), centroid.y(), centroid.z()) != 0;
+  });
+}
+
+void FixMuckpileQuiet::end_of_step() {
+  if (!over_) look();
+}
+
+void FixMuckpileQuiet::look() {
+  const double time = update->get_cur_time(), radiated = sum(supports_->energy_radiated());
+  power_ = time > last_time_ ? (radiated - last_radiated_) / (time - last_time_) : 0.0;
+  greatest_power_ = std::max(greatest_power_, power_);
+  last_time_ = time;
+  last_radiated_ = radiated;
+  if (time >= until_) return stop("until is reached");
+  if (greatest_power_ > 0.0 && power_ < power_share_ * greatest_power_)
+    return stop("the wave has passed");
+  if (sum(supports_->supports_yielding()) == 0.0) stop("no support yields any more");
+}
+
+void FixMuckpileQuiet::stop(const std::string& why) {
+  over_ = true;
+  power_ = 0.0;
+  supports_->stop_ground();
+  engine::print_once(*lmp, where_ + ": the ground stands still from " +
+                               number_text(update->get_cur_time()) + " s on: " + why + "\n");
+}
+
+double FixMuckpileQuiet::sum(double mine) const {
+  double all = 0.0;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+double FixMuckpileQuiet::compute_scalar() {
+  const YieldingSupports* supports = find_supports();
+  return supports == nullptr ? 0.0 : sum(supports->energy_given());
+}
+
+double FixMuckpileQuiet::compute_vector(int n) {
+  const YieldingSupports* supports = find_supports();  // between runs it may have been unfixed
+  if (supports == nullptr) return 0.0;
+  switch (n) {
+    case kYielding:
+      return sum(supports->supports_yielding());
+    case kRadiated:
+      return sum(supports->energy_radiated());
+    case kPower:
+      return power_;
+    case kOver:
+      return over_ ? 1.0 : 0.0;
+    default:
+      return 0.0;
+  }
+}
+
+}  // namespace muckpile
