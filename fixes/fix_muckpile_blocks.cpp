@@ -48,6 +48,11 @@ void FixMuckpileBlocks::add(const std::vector<BlockRecord>& records,
                             const std::vector<Facet>& facets,
                             const std::vector<BoundaryFace>& faces, const std::vector<Hole>& holes,
                             int blocks_all) {
+  // Each joint comes with both of its blocks. Joints that have retired are no longer in the lists.
+  int mine = 0, all = 0;
+  for (const Facet& facet : facets) mine += facet.kind == FacetKind::joint ? 1 : 0;
+  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_SUM, world);
+  facets_created_ += all / 2;
   take_back();
   records_.insert(records_.end(), records.begin(), records.end());
   facets_.insert(facets_.end(), facets.begin(), facets.end());
@@ -61,12 +66,6 @@ void FixMuckpileBlocks::add(const std::vector<BlockRecord>& records,
   blocks_created_ += blocks_all;
   tags_.clear();
   synchronise();
-  double share = 0.0, all = 0.0;
-  for (const Facet& facet : facets_) {
-    if (facet.kind == FacetKind::joint) share += facet.weight;
-  }
-  MPI_Allreduce(&share, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  facets_created_ = static_cast<int>(all + 0.5);
 }
 
 std::vector<int> FixMuckpileBlocks::body_tags() {

@@ -6,9 +6,12 @@
 #include <atom.h>
 #include <fix.h>
 #include <fix_multisphere.h>
+#include <input.h>
 #include <lammps.h>
 #include <modify.h>
 #include <multisphere.h>
+#include <update.h>
+#include <variable.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -94,6 +97,31 @@ std::map<int, BlockNow> RockScene::blocks() const {
   }
   return result;
 }
+
+std::map<int, SphereNow> RockScene::all_spheres() const {
+  const LAMMPS_NS::Atom& atom = *lmp_->atom;
+  std::vector<double> mine;
+  for (int i = 0; i < atom.nlocal; ++i) {
+    mine.push_back(atom.tag[i]);
+    mine.insert(mine.end(), atom.x[i], atom.x[i] + 3);
+    mine.insert(mine.end(), atom.v[i], atom.v[i] + 3);
+    mine.push_back(atom.radius[i]);
+  }
+  const std::vector<double> all = gather(mine, comm_);
+  std::map<int, SphereNow> result;
+  for (std::size_t k = 0; k < all.size(); k += 8) {
+    const double* row = all.data() + k;
+    result[static_cast<int>(row[0])] = {Vec3(row + 1), Vec3(row + 4), row[7]};
+  }
+  return result;
+}
+
+double RockScene::variable(const std::string& name) const {
+  std::string word = name;
+  return lmp_->input->variable->compute_equal(lmp_->input->variable->find(word.data()));
+}
+
+double RockScene::time_step() const { return lmp_->update->dt; }
 
 double RockScene::output(const std::string& id, int n) const {
   const int index = lmp_->modify->find_fix(id.c_str());

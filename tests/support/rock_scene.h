@@ -28,6 +28,11 @@ struct BlockNow {
   Mat3 inertia = Mat3::Zero();  ///< in space [kg m2]
 };
 
+struct SphereNow {
+  Vec3 centre, velocity;
+  double radius = 0.0;
+};
+
 struct Motion {
   Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();
 };
@@ -50,8 +55,13 @@ class RockScene {
 
   /// All blocks by tag, on every rank.
   [[nodiscard]] std::map<int, BlockNow> blocks() const;
+  /// All contact spheres by atom tag, on every rank. create_blocks numbers them block by block.
+  [[nodiscard]] std::map<int, SphereNow> all_spheres() const;
   /// f_ID[n], n from 1; n = 0: f_ID.
   [[nodiscard]] double output(const std::string& fix, int n) const;
+  /// Value of an equal-style variable.
+  [[nodiscard]] double variable(const std::string& name) const;
+  [[nodiscard]] double time_step() const;  // [s]
   [[nodiscard]] double kinetic_energy() const;
   /// Blocks on this rank.
   [[nodiscard]] int own_blocks() const;

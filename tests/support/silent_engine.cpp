@@ -12,7 +12,8 @@
 namespace muckpile::test {
 
 std::unique_ptr<LAMMPS_NS::LAMMPS> silent_engine(MPI_Comm comm) {
-  std::array<std::string, 7> words{"test", "-screen", "none", "-log", "none", "-echo", "none"};
+  // Not "-screen none": reading a mesh then writes to a null pointer.
+  std::array<std::string, 7> words{"test", "-screen", "/dev/null", "-log", "none", "-echo", "none"};
   std::array<char*, 7> arg{};
   for (std::size_t i = 0; i < words.size(); ++i) arg[i] = words[i].data();
   auto lmp = std::make_unique<LAMMPS_NS::LAMMPS>(static_cast<int>(arg.size()), arg.data(), comm);

@@ -2,18 +2,17 @@
 // create_blocks in the engine: the same blocks on any number of ranks, exact bodies, numbering.
 // Scope: some dozen blocks; run with mpirun -np 1, 2 and 4.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "geometry/tessellation.h"
 #include "rock_scene.h"
+#include "scratch_folder.h"
 
 namespace muckpile::test {
 namespace {
@@ -24,22 +23,6 @@ const std::string kCut =
     "density 2700 size power 0.8 1 block_min 0.3 block_max 0.6 hole 0 0 -0.5 0 0 0.6 0.2 seed 7 "
     "sweeps 5 "
     "spheres_per_block 5 ";
-
-/// A folder of this test run, the same on every rank.
-std::filesystem::path folder() {
-  int id = static_cast<int>(getpid());
-  MPI_Bcast(&id, 1, MPI_INT, 0, MPI_COMM_WORLD);
-  auto path =
-      std::filesystem::temp_directory_path() / ("muckpile_create_blocks_" + std::to_string(id));
-  std::filesystem::create_directories(path);
-  return path;
-}
-
-std::string content(const std::filesystem::path& path) {
-  std::ostringstream all;
-  all << std::ifstream(path).rdbuf();
-  return all.str();
-}
 
 /// Lines in alphabetic order: rows of a snapshot come in any order.
 std::vector<std::string> lines(const std::string& text) {
@@ -67,15 +50,13 @@ std::pair<std::string, std::string> files(MPI_Comm comm, const std::filesystem::
 TEST(CreateBlocks, MakesTheSameBlocksOnAnyNumberOfRanks) {
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  const auto base = folder();
+  const ScratchFolder base("create_blocks");
   const auto [alone_vtk, alone_csv] = files(MPI_COMM_SELF, base / ("alone" + std::to_string(rank)));
   const auto [shared_vtk, shared_csv] = files(MPI_COMM_WORLD, base / "shared");
   ASSERT_GT(alone_vtk.size(), 10000u);
   ASSERT_GT(lines(alone_csv).size(), 50u);
   EXPECT_EQ(alone_vtk, shared_vtk);
   EXPECT_EQ(lines(alone_csv), lines(shared_csv));
-  MPI_Barrier(MPI_COMM_WORLD);
-  if (rank == 0) std::filesystem::remove_all(base);
 }
 
 /// The rock of kCut, cut without the engine.
