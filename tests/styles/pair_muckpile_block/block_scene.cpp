@@ -123,6 +123,8 @@ std::map<int, BlockNow> BlockScene::blocks() const {
   return result;
 }
 
+void BlockScene::compute_contacts() { lmp_->force->pair->compute(0, 0); }
+
 double BlockScene::sum(const char* name) const {
   int dim = 0;
   const auto* value = static_cast<const double*>(lmp_->force->pair->extract(name, dim));

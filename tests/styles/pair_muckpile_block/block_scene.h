@@ -52,6 +52,9 @@ class BlockScene {
   void add(const std::vector<BlockSpec>& blocks);
   void run(int steps, double time_step);
 
+  /// The contact forces of the present state once more, for measuring their time.
+  void compute_contacts();
+
   /// All blocks by tag, on every rank.
   [[nodiscard]] std::map<int, BlockNow> blocks() const;
   /// Sum over ranks of a value of the contact style.

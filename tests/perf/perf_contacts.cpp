@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// perf_contacts: time of one rebuild of the contact list and of one step of contact forces on the
+// graded bed, on one core; prints JSON to standard output.
+// Scope: the list by itself (core) and the whole pair style inside LIGGGHTS. Times are CPU times,
+// the least of several rounds, so that other programs on the machine disturb little.
+#include <mpi.h>
+
+#include <algorithm>
+#include <ctime>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "graded_bed.h"
+
+namespace muckpile::perf {
+namespace {
+
+constexpr int kRounds = 7;
+constexpr double kSkin = 0.02;       // [m], as in inputs with blocks of 0.1 m
+constexpr double kTarget = 0.15;     // of a rebuild, one core [s]
+constexpr double kTouching = 0.985;  // spacing at which most neighbours touch [-]
+constexpr double kApart = 1.03;      // and at which none do, but all are candidates [-]
+
+/// CPU time of this thread [s].
+double now() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+double least_time(const std::function<void()>& body) {
+  double least = 1e30;
+  for (int round = 0; round < kRounds; ++round) {
+    const double start = now();
+    body();
+    least = std::min(least, now() - start);
+  }
+  return least;
+}
+
+std::string processor() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
+}
+
+struct Candidates {
+  double block_pairs = 0.0, sphere_pairs = 0.0;
+};
+
+/// The three parts of a rebuild, by the core classes alone.
+nlohmann::ordered_json core_rebuild(const std::vector<testing::BlockSpec>& bed, Candidates& found) {
+  const BedSpheres spheres(bed);
+  BlockContactList list;
+  std::vector<int> dropped;
+  const double group =
+      least_time([&] { list.group(spheres.view(), static_cast<int>(bed.size())); });
+  const double search = least_time([&] { list.find_block_pairs(kSkin); });
+  const double look = least_time([&] {
+    list.find_block_pairs(kSkin);
+    for (BlockPair& pair : list.block_pairs()) list.look_up(pair, spheres.view(), dropped);
+  });
+  found.block_pairs = static_cast<double>(list.block_pairs().size());
+  for (const BlockPair& pair : list.block_pairs()) found.sphere_pairs += pair.count;
+  return {{"group_s", group},
+          {"block_search_s", search},
+          {"sphere_search_s", look - search},
+          {"total_s", group + look},
+          {"block_pairs", found.block_pairs},
+          {"candidate_sphere_pairs", found.sphere_pairs}};
+}
+
+/// One step of the pair style inside LIGGGHTS, and what a rebuild takes there.
+nlohmann::ordered_json engine_step(const std::vector<testing::BlockSpec>& bed,
+                                   const Candidates& candidates) {
+  testing::BlockScene scene(MPI_COMM_WORLD, kHalfBox, kSkin, "youngs_modulus 5e8");
+  scene.add(bed);
+  double rebuild = 1e30;
+  for (int round = 0; round < kRounds; ++round) {
+    const double before = scene.sum("rebuild_s"), count = scene.sum("rebuilds");
+    scene.run(0, 1e-6);
+    rebuild = std::min(
+        rebuild, (scene.sum("rebuild_s") - before) / std::max(scene.sum("rebuilds") - count, 1.0));
+  }
+  const double step = least_time([&] { scene.compute_contacts(); });
+  return {{"rebuild_wall_s", rebuild},
+          {"contact_step_s", step},
+          {"contacts", scene.sum("contacts")},
+          {"contact_step_ns_per_candidate_pair", 1e9 * step / candidates.sphere_pairs}};
+}
+
+nlohmann::ordered_json measure() {
+  nlohmann::ordered_json result;
+  result["what"] = "8,000 blocks of 0.1 m beside 1,000 of 1 m, nine spheres each";
+  result["processor"] = processor();
+  result["ranks"] = 1;
+  result["rebuild_target_s"] = kTarget;
+  for (const auto& [name, spacing] :
+       {std::pair("touching", kTouching), std::pair("apart", kApart)}) {
+    const auto bed = graded_bed(spacing);
+    Candidates candidates;
+    result[name]["core_rebuild"] = core_rebuild(bed, candidates);
+    result[name]["engine"] = engine_step(bed, candidates);
+  }
+  return result;
+}
+
+}  // namespace
+}  // namespace muckpile::perf
+
+int main(int argc, char** argv) {
+  MPI_Init(&argc, &argv);
+  std::cout << muckpile::perf::measure().dump(2) << '\n';
+  MPI_Finalize();
+  return 0;
+}
