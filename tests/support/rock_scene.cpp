@@ -140,19 +140,4 @@ int RockScene::own_blocks() const { return engine::find_multisphere(*lmp_)->n_bo
 
 double RockScene::spheres() const { return static_cast<double>(lmp_->atom->natoms); }
 
-std::map<int, std::array<double, 6>> RockScene::sphere_motion() const {
-  const LAMMPS_NS::Atom& atom = *lmp_->atom;
-  std::vector<double> mine;
-  for (int i = 0; i < atom.nlocal; ++i) {
-    mine.push_back(atom.tag[i]);
-    mine.insert(mine.end(), atom.x[i], atom.x[i] + 3);
-    mine.insert(mine.end(), atom.v[i], atom.v[i] + 3);
-  }
-  const std::vector<double> all = gather(mine, comm_);
-  std::map<int, std::array<double, 6>> result;
-  for (std::size_t k = 0; k < all.size(); k += 7)
-    std::copy_n(all.data() + k + 1, 6, result[static_cast<int>(all[k])].begin());
-  return result;
-}
-
 }  // namespace muckpile::test

@@ -66,8 +66,6 @@ class RockScene {
   /// Blocks on this rank.
   [[nodiscard]] int own_blocks() const;
   [[nodiscard]] double spheres() const;
-  /// Position and velocity of all spheres by tag, on every rank.
-  [[nodiscard]] std::map<int, std::array<double, 6>> sphere_motion() const;
 
  private:
   MPI_Comm comm_;

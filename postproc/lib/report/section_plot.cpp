@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "draw/clip.h"
 #include "draw/text.h"
 
 namespace muckpile {
@@ -32,18 +33,13 @@ double fit_equal_scales(Range& x, Range& z) {
   return height;
 }
 
-bool is_inside(const std::vector<Vec2>& outline, const Range& x, const Range& z) {
-  return std::ranges::all_of(outline, [&](const Vec2& p) {
-    return p.x() >= x.low && p.x() <= x.high && p.y() >= z.low && p.y() <= z.high;
-  });
-}
-
 void draw_blocks(const SectionPlot& plot, const Axes& axes, Canvas& canvas) {
   for (const SectionPolygon& polygon : plot.polygons) {
-    if (!is_inside(polygon.outline, plot.x, plot.z)) continue;
+    const std::vector<Vec2> seen = clipped(polygon.outline, plot.x, plot.z);
+    if (seen.empty()) continue;
     const bool moved = plot.moved[polygon.block] != 0;
     const Colour colour = moved ? plot.colours.of_block[polygon.block] : kRockInPlace;
-    std::vector<Vec2> outline = axes.places(polygon.outline);
+    std::vector<Vec2> outline = axes.places(seen);
     canvas.fill(outline, colour);
     outline.push_back(outline.front());
     canvas.polyline(outline, 0.7, moved ? scaled(colour, 0.45) : kGrey);

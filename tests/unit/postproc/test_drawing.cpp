@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The software pictures: covered pixels, hidden surfaces, shadows, ticks and text.
-// Scope: draw/.
+// Scope: draw/, and blocks in a section.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,8 +8,10 @@
 #include "draw/axes.h"
 #include "draw/camera.h"
 #include "draw/canvas.h"
+#include "draw/clip.h"
 #include "draw/scene.h"
 #include "draw/text.h"
+#include "report/section_plot.h"
 
 namespace muckpile {
 namespace {
@@ -84,6 +86,47 @@ TEST(Axes, PlacesDataLinearlyAndByLogarithm) {
   EXPECT_NEAR((straight.place(5.0, 5.0) - Vec2(200, 50)).norm(), 0.0, 1e-12);
   const Axes logarithmic({100, 50}, {300, 150}, {0.01, 1.0}, {0.0, 5.0}, Scale::kLogarithmic);
   EXPECT_NEAR(logarithmic.place(0.1, 0.0).x(), 200.0, 1e-9);
+}
+
+double area_of(const std::vector<Vec2>& polygon) {
+  double twice = 0.0;
+  for (size_t k = 0; k < polygon.size(); ++k) {
+    const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    twice += a.x() * b.y() - b.x() * a.y();
+  }
+  return 0.5 * twice;
+}
+
+TEST(Clip, KeepsThePartInsideTheFrame) {
+  const Range x{0.0, 4.0}, y{0.0, 3.0};
+  const std::vector<Vec2> inside = {{1, 1}, {2, 1}, {2, 2}};
+  EXPECT_EQ(clipped(inside, x, y), inside);
+  EXPECT_TRUE(clipped({{5, 1}, {6, 1}, {6, 2}}, x, y).empty());
+  EXPECT_TRUE(clipped({{-2, 4}, {-1, 4}, {-1, 5}}, x, y).empty());
+  // A square of side 2 about each of: the middle of an edge, a corner, the whole frame.
+  const auto square = [](double cx, double cy, double half) {
+    return std::vector<Vec2>{{cx - half, cy - half},
+                             {cx + half, cy - half},
+                             {cx + half, cy + half},
+                             {cx - half, cy + half}};
+  };
+  EXPECT_NEAR(area_of(clipped(square(4, 1.5, 1), x, y)), 2.0, 1e-12);
+  EXPECT_NEAR(area_of(clipped(square(0, 3, 1), x, y)), 1.0, 1e-12);
+  EXPECT_NEAR(area_of(clipped(square(2, 1.5, 10), x, y)), 12.0, 1e-12);
+  // A triangle whose tip sticks out at the top: (1,2) (3,2) (2,4) less its upper quarter.
+  EXPECT_NEAR(area_of(clipped({{1, 2}, {3, 2}, {2, 4}}, x, y)), 2.0 - 0.5, 1e-12);
+}
+
+TEST(SectionPlot, BlockAcrossTheFrameIsCutAtIt) {
+  SectionPlot plot{"", "", "", {0.0, 10.0}, {0.0, 5.0}, {}, {1}, {{{0.0F, 0.0F, 0.0F}}, "", {}},
+                   {}, {}, ""};
+  plot.polygons = {{0, {{8.0, 1.0}, {12.0, 1.0}, {12.0, 4.0}, {8.0, 4.0}}}};
+  const Canvas canvas = draw_section(plot);
+  // The plot area ends 30 px left of the picture's edge and is 1465 px wide.
+  const int middle = 185 + 1465 / 4;
+  EXPECT_EQ(pixel(canvas, 105 + 1465 * 9 / 10, middle).red, 0);
+  EXPECT_EQ(pixel(canvas, 105 + 1465 * 3 / 4, middle).red, 255);
+  EXPECT_EQ(pixel(canvas, 1600 - 15, middle).red, 255);
 }
 
 TEST(Camera, PlaceAndPointAreInverse) {
