@@ -209,10 +209,17 @@ void FixMuckpileJoint::post_force(int) {
 
 void FixMuckpileJoint::add_forces(double dt) {
   gather_state();
-  network_.dilatation(dt);
-  store_->halo().forward(network_.theta().first(store_->halo().size()), 1);
+  compute_bulk_stresses(dt);
   network_.tractions(dt);
   apply_forces();
+}
+
+void FixMuckpileJoint::compute_bulk_stresses(double dt) {
+  engine::BlockHalo& halo = store_->halo();
+  network_.dilatation(dt);
+  halo.forward(network_.theta().first(halo.size()), 1);
+  network_.bulk_stresses();
+  halo.forward(network_.bulk_stress().first(halo.size()), 1);
 }
 
 void FixMuckpileJoint::gather_state() {
@@ -348,7 +355,7 @@ int FixMuckpileJoint::modify_param(int narg, char** arg) {
   engine::or_engine_error(*lmp, [&] {
     const double factor = parse_real(where, "soften", arg[1], "", Range::left_open(0.0, 1.0));
     gather_state();
-    network_.dilatation();
+    compute_bulk_stresses(0.0);
     network_.soften(factor);
     return 0;
   });

@@ -70,6 +70,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   void follow_blocks();
   void add_forces(double dt);
   void gather_state();
+  void compute_bulk_stresses(double dt);
   void apply_forces();
   void refresh_enclosed();
   void ask_for_neighbours();

@@ -28,6 +28,13 @@ double ramp_down(double x, double start, double end) {
 constexpr std::array<std::array<double, 2>, kFacetPoints> kPoints = {
     {{1.0, 0.0}, {-0.5, kHalfSqrt3}, {-0.5, -kHalfSqrt3}}};
 
+/// m of block i. A block may slide along a mirror, and the ground of a fixed support may yield.
+Vec3 opening_of(const Facet& facet) {
+  if (facet.kind == FacetKind::joint) return facet.opening_i;
+  if (facet.kind == FacetKind::fixed) return facet.normal;
+  return facet.normal.dot(facet.opening_i) * facet.normal;
+}
+
 }  // namespace
 
 void FacetNetwork::set_blocks(std::vector<BlockConstants> blocks) {
@@ -36,6 +43,7 @@ void FacetNetwork::set_blocks(std::vector<BlockConstants> blocks) {
   state_.assign(blocks_.size(), {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Mat3::Identity()});
   sums_.assign(blocks_.size(), {});
   theta_.assign(blocks_.size(), 0.0);
+  bulk_stress_.assign(blocks_.size(), 0.0);
   force_.assign(blocks_.size(), Vec3::Zero());
   torque_.assign(blocks_.size(), Vec3::Zero());
 }
@@ -44,7 +52,8 @@ void FacetNetwork::set_facets(std::vector<Facet> facets, std::vector<FacetMemory
   facets_ = std::move(facets);
   memory_ = std::move(memory);
   memory_.resize(facets_.size());
-  kinematics_.assign(facets_.size(), {Vec3::UnitX(), Vec3::Zero(), Vec3::Zero()});
+  kinematics_.assign(facets_.size(),
+                     {Vec3::UnitX(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
   states_.resize(facets_.size());
   asleep_.assign(facets_.size(), 0);
   for (std::size_t f = 0; f < facets_.size(); ++f) states_[f] = memory_[f].state;
@@ -62,6 +71,8 @@ void FacetNetwork::set_faces(std::vector<BoundaryFace> faces) {
 void FacetNetwork::derive() {
   damping_ = material_.damping_coefficient();
   contact_damping_ = material_.contact_damping_coefficient();
+  const double sharpening =
+      kSharpening * (2.0 * material_.lame_lambda() + material_.shear_modulus()) / 6.0;  // D [Pa]
   elastic_.resize(facets_.size());
   law_.resize(facets_.size());
   for (std::size_t f = 0; f < facets_.size(); ++f) {
@@ -78,8 +89,8 @@ void FacetNetwork::derive() {
     law.area = facet.area / kFacetPoints;
     law.shear = smooth ? 0.0 : k.shear;
     law.normal_extra = k.normal - law.shear;
-    law.theta_i = share_i * k.rock_share * material_.lame_lambda();
-    law.theta_j = share_j * k.rock_share * material_.lame_lambda();
+    law.bulk_i = share_i * k.rock_share;
+    law.bulk_j = share_j * k.rock_share;
     law.contact = k.contact;
     law.tan_residual = smooth ? 0.0 : material_.tan_residual_friction();
     law.radius = std::sqrt(facet.area / M_PI);
@@ -88,8 +99,13 @@ void FacetNetwork::derive() {
                    facet.normal,
                    facet.arm_i,
                    facet.arm_j + memory_[f].ground.displacement,
+                   opening_of(facet),
+                   facet.opening_j,
                    share_i * k.rock_share * facet.area,
-                   share_j * k.rock_share * facet.area};
+                   share_j * k.rock_share * facet.area,
+                   facet.sharpened
+                       ? sharpening * k.rock_share * facet.area * (law.depth_i + law.depth_j)
+                       : 0.0};
   }
 }
 
@@ -133,12 +149,41 @@ void FacetNetwork::dilatation(double dt) {
     sums.squeezed += 0.5 * squeezed * face.pressure;
   }
   if (!yielding_.empty()) yield_ground(dt);
-  const double ratio = material_.lame_lambda() / two_g;
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    theta_[b] = (sums_[b].bonded + sums_[b].loaded) /
-                (blocks_[b].volume * (1.0 + sums_[b].unbonded * ratio));
-  }
+  for (std::size_t b = 0; b < blocks_.size(); ++b) theta_[b] = theta_of(b);
   theta_.back() = 0.0;  // the ground
+}
+
+/// s of the header.
+double FacetNetwork::stiffening(const BlockSums& sums) const {
+  return 1.0 + sums.unbonded * material_.lame_lambda() / (2.0 * material_.shear_modulus());
+}
+
+double FacetNetwork::theta_of(std::size_t b) const {
+  return (sums_[b].bonded + sums_[b].loaded) / (blocks_[b].volume * stiffening(sums_[b]));
+}
+
+/// D A h of the part of a facet that is bonded [J].
+double FacetNetwork::sharpening(std::size_t f) const {
+  if (states_[f] == FacetState::intact) return elastic_[f].sharpening;
+  int bonded = 0;
+  for (bool broken : memory_[f].broken) bonded += broken ? 0 : 1;
+  return elastic_[f].sharpening * bonded / kFacetPoints;
+}
+
+void FacetNetwork::bulk_stresses() {
+  for (BlockSums& sums : sums_) sums.uneven = 0.0;
+  for (std::size_t f : active_) {
+    const auto i = static_cast<std::size_t>(elastic_[f].i),
+               j = static_cast<std::size_t>(elastic_[f].j);
+    const double part = sharpening(f) * (theta_[i] - theta_[j]);
+    sums_[i].uneven += part;
+    sums_[j].uneven -= part;
+  }
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    bulk_stress_[b] = material_.lame_lambda() * theta_[b] +
+                      sums_[b].uneven / (blocks_[b].volume * stiffening(sums_[b]));
+  }
+  bulk_stress_.back() = 0.0;  // the ground
 }
 
 /// Kinematics of a facet, and its part in the dilatation of its blocks.
@@ -149,22 +194,25 @@ void FacetNetwork::open_facet(std::size_t f) {
   Kinematics& kin = kinematics_[f];
   const Mat3 both = si.rotation + sj.rotation;
   kin.normal.noalias() = both * e.normal;
-  kin.normal *= 1.0 / std::sqrt(kin.normal.squaredNorm());
+  const double scale = 1.0 / std::sqrt(kin.normal.squaredNorm());
+  kin.normal *= scale;
+  kin.opening_i.noalias() = scale * (both * e.opening_i);
+  kin.opening_j.noalias() = scale * (both * e.opening_j);
   kin.side.noalias() = si.rotation * e.arm_i;
   kin.jump.noalias() = sj.rotation * e.arm_j;
   kin.jump += sj.centre - si.centre - kin.side;
   if (all_broken(f)) return;
-  double opened = kin.normal.dot(kin.jump);  // mean over the facet of the bonded normal jump [m]
+  Vec3 bonded = kin.jump;  // mean over the facet of the jump where it is bonded [m]
   if (states_[f] != FacetState::intact) {
     const Frame frame = frame_of(f);
-    opened = 0.0;
+    bonded.setZero();
     for (int p = 0; p < kFacetPoints; ++p) {
       if (memory_[f].broken[static_cast<std::size_t>(p)]) continue;
-      opened += kin.normal.dot(point_of(f, frame, p).jump) / kFacetPoints;
+      bonded += point_of(f, frame, p).jump / kFacetPoints;
     }
   }
-  sums_[i].bonded += e.area_i * opened;
-  sums_[j].bonded += e.area_j * opened;
+  sums_[i].bonded += e.area_i * kin.opening_i.dot(bonded);
+  sums_[j].bonded += e.area_j * kin.opening_j.dot(bonded);
 }
 
 bool FacetNetwork::all_broken(std::size_t f) const {
@@ -210,11 +258,11 @@ FacetNetwork::Point FacetNetwork::point_of(std::size_t f, const Frame& frame, in
 
 Vec3 FacetNetwork::bonded_traction(std::size_t f, const Point& point) const {
   const Law& law = law_[f];
-  const Vec3& n = kinematics_[f].normal;
-  const double along_normal = law.normal_extra * n.dot(point.jump) +
-                              law.theta_i * theta_[static_cast<std::size_t>(elastic_[f].i)] +
-                              law.theta_j * theta_[static_cast<std::size_t>(elastic_[f].j)];
-  return law.shear * point.jump + along_normal * n;
+  const Kinematics& kin = kinematics_[f];
+  const double bulk_i = law.bulk_i * bulk_stress_[static_cast<std::size_t>(elastic_[f].i)];
+  const double bulk_j = law.bulk_j * bulk_stress_[static_cast<std::size_t>(elastic_[f].j)];
+  return law.shear * point.jump + law.normal_extra * kin.normal.dot(point.jump) * kin.normal +
+         bulk_i * kin.opening_i + bulk_j * kin.opening_j;
 }
 
 bool FacetNetwork::fails(const Vec3& normal, const Vec3& traction) const {
@@ -303,21 +351,24 @@ void FacetNetwork::break_point(std::size_t f, int p, const Point& point, const S
   // first.
   const Vec3 dropped = traction - held * n - kept * shear;
   const double undone = dropped.dot(slip.at(point.arm)) * dt;
-  losses_.fracture += 0.5 * facets_[f].weight * law.area * (before - after - undone);
+  const double uneven = theta_[static_cast<std::size_t>(elastic_[f].i)] -
+                        theta_[static_cast<std::size_t>(elastic_[f].j)];
+  losses_.fracture += 0.5 * facets_[f].weight *
+                      (law.area * (before - after - undone) +
+                       elastic_[f].sharpening / kFacetPoints * uneven * uneven);
   drop_from_dilatation(f, point.jump);
 }
 
 void FacetNetwork::drop_from_dilatation(std::size_t f, const Vec3& jump) {
   const Elastic& e = elastic_[f];
   const Law& law = law_[f];
-  const double opened = kinematics_[f].normal.dot(jump) / kFacetPoints;
-  const auto drop = [&](int block, double area_share, double depth) {
+  const auto drop = [&](int block, double area_share, const Vec3& opening, double depth) {
     const auto b = static_cast<std::size_t>(block);
-    sums_[b].dropped += area_share * opened;
+    sums_[b].dropped += area_share * opening.dot(jump) / kFacetPoints;
     sums_[b].unbonded_added += law.area * depth / blocks_[b].volume;
   };
-  drop(e.i, e.area_i, law.depth_i);
-  drop(e.j, e.area_j, law.depth_j);
+  drop(e.i, e.area_i, kinematics_[f].opening_i, law.depth_i);
+  drop(e.j, e.area_j, kinematics_[f].opening_j, law.depth_j);
 }
 
 Vec3 FacetNetwork::contact_traction(std::size_t f, int p, const Point& point, const Slip& slip,
@@ -455,19 +506,17 @@ void FacetNetwork::sweep(BoundaryFace& face) const {
 
 /// Energy of a block's dilatation less the potential of the pressures on its faces [J].
 double FacetNetwork::block_potential(std::size_t b, const BlockSums& sums) const {
-  const double lambda = material_.lame_lambda();
   const double opened = sums.bonded + sums.loaded;
-  const double stiffening = 1.0 + sums.unbonded * lambda / (2.0 * material_.shear_modulus());
-  return 0.5 * lambda * opened * opened / (blocks_[b].volume * stiffening);
+  return 0.5 * material_.lame_lambda() * opened * opened / (blocks_[b].volume * stiffening(sums));
 }
 
 double FacetNetwork::block_energy(std::size_t b) const {
   const BlockSums& sums = sums_[b];
-  return block_potential(b, sums) - material_.lame_lambda() * theta_[b] * sums.loaded +
-         sums.squeezed;
+  return block_potential(b, sums) - bulk_stress_[b] * sums.loaded + sums.squeezed;
 }
 
 void FacetNetwork::book_fracture() {
+  const std::vector<double> theta_before = theta_;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     BlockSums& sums = sums_[b];
     if (sums.unbonded_added == 0.0) continue;
@@ -478,6 +527,20 @@ void FacetNetwork::book_fracture() {
     sums.bonded = after.bonded;
     sums.unbonded = after.unbonded;
     sums.dropped = sums.unbonded_added = 0.0;
+    if (blocks_[b].owned) theta_[b] = theta_of(b);
+  }
+  book_sharpening(theta_before);
+  bulk_stresses();
+}
+
+/// Books what the energy of uneven dilatation loses as breaking changes theta. The part of a block
+/// of another rank is booked there; only the product of both changes is left out.
+void FacetNetwork::book_sharpening(const std::vector<double>& theta_before) {
+  for (std::size_t f : active_) {
+    const auto i = static_cast<std::size_t>(elastic_[f].i),
+               j = static_cast<std::size_t>(elastic_[f].j);
+    const double before = theta_before[i] - theta_before[j], after = theta_[i] - theta_[j];
+    losses_.fracture += 0.5 * sharpening(f) * (before * before - after * after);
   }
 }
 
@@ -499,9 +562,9 @@ FacetNetwork::Slip FacetNetwork::slip_of(std::size_t f) const {
 
 double FacetNetwork::volume_swept(const BoundaryFace& face) const {
   const double two_g = 2.0 * material_.shear_modulus();
-  const double theta = theta_[static_cast<std::size_t>(face.block)];
-  const double squeezed = (-face.pressure - material_.lame_lambda() * theta) *
-                          face.normal.dot(face.arm) / two_g;  // the face's own displacement
+  const double bulk_stress = bulk_stress_[static_cast<std::size_t>(face.block)];
+  const double squeezed = (-face.pressure - bulk_stress) * face.normal.dot(face.arm) /
+                          two_g;  // the face's own displacement
   return face.rigid_swept - face.area * squeezed;
 }
 
@@ -511,6 +574,9 @@ double FacetNetwork::elastic_energy() const {
     const FacetMemory& memory = memory_[f];
     if (memory.state == FacetState::retired || memory.open) continue;
     const Law& law = law_[f];
+    const double uneven = theta_[static_cast<std::size_t>(elastic_[f].i)] -
+                          theta_[static_cast<std::size_t>(elastic_[f].j)];
+    energy += 0.5 * facets_[f].weight * sharpening(f) * uneven * uneven;
     const Frame frame = frame_of(f);
     const Vec3& n = kinematics_[f].normal;
     const Mat3& turn = state_[static_cast<std::size_t>(elastic_[f].i)].rotation;
@@ -580,7 +646,6 @@ double FacetNetwork::stable_step() const {
 
 void FacetNetwork::soften(double factor) {
   stop_ground();  // what is behind is not softened, and no wave is left to let out
-  dilatation();
   losses_.fracture += (1.0 - factor) * elastic_energy();
   material_ = material_.softened(factor);
   derive();

@@ -2,16 +2,26 @@
 // The dilatation-coupled network of joint facets between rigid polyhedral blocks: elasticity,
 // breaking, and plane contact of broken facets.
 // Scope: forces from the poses of the blocks; no integration, no engine, no communication. The
-// caller fills state(), calls dilatation(), sets the dilatation of blocks it does not own, calls
-// tractions(), and reads force() and torque().
+// caller fills state() and calls dilatation(), bulk_stresses() and tractions(); after each of the
+// first two it sets what blocks it does not own have (theta(), bulk_stress()). Then it reads
+// force() and torque().
 //
 // Elasticity (Muckpile's own; kin: Chen, Lin, Jiao & Liu 2014, Asahina et al. 2015): a facet with
 // normal n (from i to j), centre distance h along n and jump u = displacement of j minus that of i
-// carries t = (2G/h) u + lambda (theta_i + theta_j)/2 n, with the dilatation of a block
-// theta = [sum over bonded facets A n.u/2 + sum over loaded faces A t_n d/(2G)] /
-//         [V (1 + phi lambda/(2G))],  phi = sum over unbonded faces of A d / V,
-// d the distance of a face from the centre. Free and loaded faces are condensed out that way.
-// A support whose ground yields (quiet_ground.h) is a bonded facet whose far side moves.
+// carries t = (2G/h) u + (p_i m_i + p_j m_j)/2. The dilatation of a block is
+// theta = [sum over bonded facets A m.u/2 + sum over loaded faces A t_n d/(2G)] / [V s],
+// s = 1 + phi lambda/(2G), phi = sum over unbonded faces of A d / V, d the distance of a face from
+// the centre: free and loaded faces are condensed out. m = K n is n but for a few per cent: K is
+// the inverse of the block's sum over faces of A n (x) r / V, r half the way to the neighbour's
+// centre, so theta is exact in every homogeneous strain, where facets are not centred on the line
+// between the centres too.
+// The bulk stress p = lambda theta + [sum over bonded facets D A h (theta - theta_neighbour)] /
+// [V s] keeps short waves from being slow: with p = lambda theta alone a block's dilatation spans
+// two block lengths, and the P wave is too slow by (kh)^2 (lambda + G/2)/(6 (lambda + 2G)) along a
+// cuboid's axis, 3/5 of that where facets face all directions. kSharpening of D stands between.
+// Fixed supports, whose ground may yield, have m = n, and their blocks p = lambda theta; of a
+// mirror only the part of m along n counts. A support whose ground yields (quiet_ground.h) is a
+// bonded facet whose far side moves.
 #pragma once
 
 #include <array>
@@ -28,7 +38,8 @@
 namespace muckpile {
 
 inline constexpr int kFacetPoints = 3;  ///< per facet: area, centroid and second moments exact
-inline constexpr int kGroundTag = 0;    ///< "block" on the far side of a supported boundary face
+inline constexpr double kSharpening = 2.0 / 3.0;  ///< see above: 1 for cuboids, 3/5 on average
+inline constexpr int kGroundTag = 0;  ///< "block" on the far side of a supported boundary face
 
 /// What a facet joins its block `i` to. `fixed` and `mirror` join it to the ground: rock that does
 /// not move, and the mirror image behind a symmetry plane (no shear).
@@ -43,8 +54,10 @@ struct Facet {
   FacetKind kind = FacetKind::joint;
   Vec3 normal;                    ///< unit, from i to j
   Vec3 arm_i, arm_j;              ///< facet centroid minus block centre (ground: the origin) [m]
+  Vec3 opening_i, opening_j;      ///< m of blocks i and j: how the jump dilates them [-]
   std::array<Vec3, 2> half_axes;  ///< sqrt(2) x radii of gyration along the in-plane axes [m]
   double area = 0.0;              ///< [m2]
+  bool sharpened = true;          ///< D counts; not at the blocks of fixed supports
   double weight = 1.0;            ///< share of the facet's energy that this rank books [-]
 };
 
@@ -142,12 +155,14 @@ class FacetNetwork {
   [[nodiscard]] const std::vector<BoundaryFace>& faces() const { return faces_; }
   [[nodiscard]] std::span<BlockState> state() { return state_; }
   [[nodiscard]] std::span<double> theta() { return theta_; }
+  [[nodiscard]] std::span<double> bulk_stress() { return bulk_stress_; }  ///< [Pa]
   [[nodiscard]] std::span<const Vec3> force() const { return force_; }
   [[nodiscard]] std::span<const Vec3> torque() const { return torque_; }
 
   /// Theta of every block from the poses, right for owned blocks; yielding supports give way over
   /// the step dt [s] that led here.
   void dilatation(double dt = 0.0);
+  void bulk_stresses();       ///< of every block from all theta; right for owned blocks
   void tractions(double dt);  ///< forces, torques, breaking, losses over a step dt [s]
 
   /// The ground behind the intact `fixed` supports that `chosen` accepts by their centroid in the
@@ -176,21 +191,23 @@ class FacetNetwork {
   [[nodiscard]] double stable_step() const;
 
   /// Continues with softer rock: every stiffness times `factor` in the present pose, so every
-  /// traction falls to that share. The elastic energy given up is booked as fracture loss.
+  /// traction falls to that share. The elastic energy given up is booked as fracture loss. Theta
+  /// and bulk stress must be those of the present pose.
   void soften(double factor);
 
  private:
   // What the two passes read of a facet, contiguous; derived from facets_ and material_.
   struct Elastic {  // first pass
     int i, j;
-    Vec3 normal, arm_i, arm_j;
+    Vec3 normal, arm_i, arm_j, opening_i, opening_j;
     double area_i, area_j;  // area x share of the jump that strains the rock of block i and j [m2]
+    double sharpening;      // energy per square of the difference in theta, twice [J]
   };
   struct Law {  // second pass
     Vec3 half_1, half_2;
     double area;                 // per integration point [m2]
     double shear, normal_extra;  // stiffness; normal less shear [Pa/m]
-    double theta_i, theta_j;     // normal traction per dilatation of block i and j [Pa]
+    double bulk_i, bulk_j;       // share of the bulk stress of block i and j in the traction [-]
     double contact;              // normal stiffness when broken and closed [Pa/m]
     double tan_residual;
     double radius;            // of the circle of equal area [m]
@@ -198,6 +215,7 @@ class FacetNetwork {
   };
   struct Kinematics {         // of the present step
     Vec3 normal, jump, side;  // side: facet centroid on block i less its centre [m]
+    Vec3 opening_i, opening_j;
   };
   struct Frame {  // the facet's in-plane axes on block i, and how block j's differ
     Vec3 half_1, half_2, turn_1, turn_2;
@@ -210,10 +228,11 @@ class FacetNetwork {
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
   };
   struct BlockSums {
-    double bonded = 0.0;    // sum of A n.u/2 [m3]
+    double bonded = 0.0;    // sum of A m.u/2 [m3]
     double loaded = 0.0;    // sum of A t_n d/(2G) [m3]
     double squeezed = 0.0;  // sum of A d t_n^2/(4G) [J]
     double unbonded = 0.0;  // phi, faces and broken facets [-]
+    double uneven = 0.0;    // sum of D A h (theta - theta of the neighbour) [J]
     double dropped = 0.0;   // bonded sum lost by breaking in this step
     double unbonded_added = 0.0;
   };
@@ -227,6 +246,9 @@ class FacetNetwork {
   void list_active();
   void open_facet(std::size_t f);
   [[nodiscard]] bool all_broken(std::size_t f) const;
+  [[nodiscard]] double stiffening(const BlockSums& sums) const;
+  [[nodiscard]] double theta_of(std::size_t b) const;
+  [[nodiscard]] double sharpening(std::size_t f) const;
   void let_sleep(std::size_t f, double gap, double dt);
   bool hold_facet(std::size_t f);
   void work_facet(std::size_t f, double dt);
@@ -245,12 +267,13 @@ class FacetNetwork {
   void yield_block_ground(std::size_t first, std::size_t last, double dt);
   struct GroundPlan;
   [[nodiscard]] GroundPlan plan_ground(std::size_t f, double dt) const;
-  void yield_support(std::size_t f, double theta, double dt);
+  void yield_support(std::size_t f, double bulk_stress, double dt);
   void book_ground(std::size_t f, const Vec3& step, const Vec3& traction, double dt);
   [[nodiscard]] Vec3 mean_traction(std::size_t f) const;
   void load_faces();
   void sweep(BoundaryFace& face) const;
   void book_fracture();
+  void book_sharpening(const std::vector<double>& theta_before);
   void apply(std::size_t f, const Push& push);
   [[nodiscard]] Frame frame_of(std::size_t f) const;
   [[nodiscard]] Point point_of(std::size_t f, const Frame& frame, int p) const;
@@ -262,7 +285,7 @@ class FacetNetwork {
   std::vector<BlockConstants> blocks_;
   std::vector<BlockState> state_;
   std::vector<BlockSums> sums_;
-  std::vector<double> theta_;
+  std::vector<double> theta_, bulk_stress_;
   std::vector<Vec3> force_, torque_;
   std::vector<Facet> facets_;
   std::vector<FacetMemory> memory_;

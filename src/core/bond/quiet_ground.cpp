@@ -66,8 +66,8 @@ void FacetNetwork::list_yielding() {
 Vec3 FacetNetwork::mean_traction(std::size_t f) const {
   const Law& law = law_[f];
   const Vec3 &n = kinematics_[f].normal, &jump = kinematics_[f].jump;
-  const double theta = theta_[static_cast<std::size_t>(elastic_[f].i)];
-  return law.shear * jump + (law.normal_extra * n.dot(jump) + law.theta_i * theta) * n;
+  const double bulk = law.bulk_i * bulk_stress_[static_cast<std::size_t>(elastic_[f].i)];
+  return law.shear * jump + (law.normal_extra * n.dot(jump) + bulk) * n;
 }
 
 void FacetNetwork::yield_ground(double dt) {
@@ -120,30 +120,32 @@ FacetNetwork::GroundPlan FacetNetwork::plan_ground(std::size_t f, double dt) con
 ///     t = (k U + c theta) / (1 + k a),
 ///     theta [V S + sum e a c/(1 + k a)] = sums over all other facets and faces + sum e U/(1 + k
 ///     a).
+/// Beside fixed supports the bulk stress is lambda theta.
 void FacetNetwork::yield_block_ground(std::size_t first, std::size_t last, double dt) {
   const auto b = static_cast<std::size_t>(elastic_[yielding_[first]].i);
-  const double ratio = material_.lame_lambda() / (2.0 * material_.shear_modulus());
+  const double lambda = material_.lame_lambda();
   double opened = sums_[b].bonded + sums_[b].loaded;
-  double volume = blocks_[b].volume * (1.0 + sums_[b].unbonded * ratio);
+  double volume = blocks_[b].volume * stiffening(sums_[b]);
   for (std::size_t y = first; y < last; ++y) {
     const std::size_t f = yielding_[y];
     const GroundPlan plan = plan_ground(f, dt);
     const double area = elastic_[f].area_i;
     opened += area * (plan.opened / plan.yielding - kinematics_[f].normal.dot(kinematics_[f].jump));
-    volume += area * plan.normal_give * law_[f].theta_i / plan.yielding;
+    volume += area * plan.normal_give * law_[f].bulk_i * lambda / plan.yielding;
   }
-  for (std::size_t y = first; y < last; ++y) yield_support(yielding_[y], opened / volume, dt);
+  for (std::size_t y = first; y < last; ++y)
+    yield_support(yielding_[y], lambda * opened / volume, dt);
 }
 
-/// Moves the ground of one support to the end of the step, given the block's dilatation there.
-void FacetNetwork::yield_support(std::size_t f, double theta, double dt) {
+/// Moves the ground of one support to the end of the step, given the block's bulk stress there.
+void FacetNetwork::yield_support(std::size_t f, double bulk_stress, double dt) {
   const Law& law = law_[f];
   Kinematics& kin = kinematics_[f];
   GroundMemory& memory = memory_[f].ground;
   const Vec3& n = kin.normal;
   const GroundPlan plan = plan_ground(f, dt);
   const double pull =
-      ((law.shear + law.normal_extra) * plan.opened + law.theta_i * theta) / plan.yielding;
+      ((law.shear + law.normal_extra) * plan.opened + law.bulk_i * bulk_stress) / plan.yielding;
   const Vec3 sheared = kin.jump - memory.displacement;
   const Vec3 drag = law.shear / (1.0 + law.shear * plan.shear_give) *
                     (sheared - along(sheared, n) + plan.shear_end);

@@ -26,6 +26,8 @@ double Ground::charge_distance(const Vec3& point) const {
   double nearest = std::numeric_limits<double>::infinity();
   for (const Hole& hole : options_.holes)
     nearest = std::min(nearest, distance_to_axis(hole, point));
+  for (const auto& [from, to] : options_.fine_axes)
+    nearest = std::min(nearest, distance_to_axis({from, to, 0.0}, point));
   return nearest;
 }
 

@@ -15,7 +15,7 @@ class Ground {
   [[nodiscard]] bool in_region(const Vec3& point) const;
   // In the region and in no hole.
   [[nodiscard]] bool is_rock(const Vec3& point) const;
-  // Distance from the nearest charge axis; infinity without holes [m].
+  // Distance from the nearest charge or fine axis; infinity without any [m].
   [[nodiscard]] double charge_distance(const Vec3& point) const;
   // Block size asked for at a point [m].
   [[nodiscard]] double size(const Vec3& point) const;

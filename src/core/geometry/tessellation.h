@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "geometry/block_model.h"
@@ -26,6 +27,8 @@ struct TessellationOptions {
   Vec3 lo = Vec3::Zero();  // box corners [m]
   Vec3 hi = Vec3::Zero();
   std::vector<Hole> holes;
+  // Further axes (both ends) that the size law counts from; no rock is removed there.
+  std::vector<std::pair<Vec3, Vec3>> fine_axes;
   SizeLaw size = SizeLaw::uniform(1.0);
   unsigned long seed = 1;
   int sweeps = 20;  // size-weighted Lloyd sweeps

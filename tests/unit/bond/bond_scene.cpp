@@ -92,6 +92,7 @@ void BondScene::shake(double shift, double angle, unsigned seed) {
 
 void BondScene::compute(double dt) {
   network_.dilatation(dt);
+  network_.bulk_stresses();
   network_.tractions(dt);
 }
 
@@ -141,14 +142,16 @@ double BondScene::energy_account() {
 
 Vec3 BondScene::facet_force(std::size_t f) {
   network_.dilatation();
+  network_.bulk_stresses();
   FacetNetwork alone(network_.material());
   std::vector<BlockConstants> blocks = network_.blocks();
   blocks.pop_back();  // the ground, which set_blocks appends
   alone.set_blocks(blocks);
   alone.set_facets({network_.facets()[f]}, {network_.memory()[f]});
   for (std::size_t b = 0; b < size(); ++b) alone.state()[b] = block(b);
-  alone.dilatation();  // the facet's jump; its own dilatations are overwritten next
-  std::copy(network_.theta().begin(), network_.theta().end(), alone.theta().begin());
+  alone.dilatation();  // the facet's jump; its own bulk stresses are overwritten next
+  std::copy(network_.bulk_stress().begin(), network_.bulk_stress().end(),
+            alone.bulk_stress().begin());
   alone.tractions(0.0);
   return alone.force()[static_cast<std::size_t>(network_.facets()[f].i)];
 }

@@ -72,6 +72,7 @@ double load_ring(FacetNetwork& network) {
   const double pressure = load.pressure(0.7e-4, 0.0);
   for (BoundaryFace& face : network.faces()) face.pressure = pressure;
   network.dilatation();
+  network.bulk_stresses();
   network.tractions(1e-6);
   return pressure;
 }
