@@ -86,6 +86,9 @@ void FacetNetwork::derive() {
     const bool smooth = facet.kind == FacetKind::mirror;
     law.half_1 = facet.half_axes[0];
     law.half_2 = facet.half_axes[1];
+    law.per_half_1_squared = 1.0 / law.half_1.squaredNorm();
+    law.per_half_2_squared = 1.0 / law.half_2.squaredNorm();
+    law.weight = facet.weight;
     law.area = facet.area / kFacetPoints;
     law.shear = smooth ? 0.0 : k.shear;
     law.normal_extra = k.normal - law.shear;
@@ -196,12 +199,12 @@ void FacetNetwork::open_facet(std::size_t f) {
   kin.normal.noalias() = both * e.normal;
   const double scale = 1.0 / std::sqrt(kin.normal.squaredNorm());
   kin.normal *= scale;
-  kin.opening_i.noalias() = scale * (both * e.opening_i);
-  kin.opening_j.noalias() = scale * (both * e.opening_j);
   kin.side.noalias() = si.rotation * e.arm_i;
   kin.jump.noalias() = sj.rotation * e.arm_j;
   kin.jump += sj.centre - si.centre - kin.side;
   if (all_broken(f)) return;
+  kin.opening_i.noalias() = scale * (both * e.opening_i);
+  kin.opening_j.noalias() = scale * (both * e.opening_j);
   Vec3 bonded = kin.jump;  // mean over the facet of the jump where it is bonded [m]
   if (states_[f] != FacetState::intact) {
     const Frame frame = frame_of(f);
@@ -385,7 +388,7 @@ Vec3 FacetNetwork::contact_traction(std::size_t f, int p, const Point& point, co
     if (closed >= 0.0) return Vec3::Zero();
     spring = closed * n;
   }
-  const double booked = facets_[f].weight * law.area;
+  const double booked = law.weight * law.area;
   const double normal_rate = n.dot(slip.at(point.arm));
   const double elastic = memory.fade * law.contact * closed;
   const double damping = memory.fade * contact_damping_;
@@ -406,8 +409,8 @@ Vec3 FacetNetwork::contact_traction(std::size_t f, int p, const Point& point, co
 
 /// Square of the angle by which the two blocks have turned against each other [rad2], while small.
 double FacetNetwork::turned_squared(std::size_t f, const Frame& frame) const {
-  return frame.turn_1.squaredNorm() / law_[f].half_1.squaredNorm() +
-         frame.turn_2.squaredNorm() / law_[f].half_2.squaredNorm();
+  return frame.turn_1.squaredNorm() * law_[f].per_half_1_squared +
+         frame.turn_2.squaredNorm() * law_[f].per_half_2_squared;
 }
 
 /// Lets a broken facet fade and retire; false if it carries nothing in this step.

@@ -205,10 +205,12 @@ class FacetNetwork {
   };
   struct Law {  // second pass
     Vec3 half_1, half_2;
-    double area;                 // per integration point [m2]
-    double shear, normal_extra;  // stiffness; normal less shear [Pa/m]
-    double bulk_i, bulk_j;       // share of the bulk stress of block i and j in the traction [-]
-    double contact;              // normal stiffness when broken and closed [Pa/m]
+    double per_half_1_squared, per_half_2_squared;  // [1/m2]
+    double weight;                                  // as in Facet
+    double area;                                    // per integration point [m2]
+    double shear, normal_extra;                     // stiffness; normal less shear [Pa/m]
+    double bulk_i, bulk_j;  // share of the bulk stress of block i and j in the traction [-]
+    double contact;         // normal stiffness when broken and closed [Pa/m]
     double tan_residual;
     double radius;            // of the circle of equal area [m]
     double depth_i, depth_j;  // distance of the facet from the two centres [m]
