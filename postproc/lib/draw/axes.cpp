@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A framed plot area with ticks, grid and labels, and the map from data to pixels.
-// Scope: straight or logarithmic x, straight y.
+// Scope: straight or logarithmic axes.
 #include "draw/axes.h"
 
 #include <cmath>
@@ -13,6 +13,12 @@ constexpr double kTextSize = 19.0;   // [px]
 constexpr double kTick = 6.0;        // [px]
 constexpr double kTickSpace = 90.0;  // between ticks, about [px]
 constexpr Colour kGridLine{0.90F, 0.91F, 0.92F};
+
+// Share of the way from the low to the high end of a range.
+double share_of(double value, const Range& range, Scale scale) {
+  return scale == Scale::kStraight ? (value - range.low) / (range.high - range.low)
+                                   : std::log(value / range.low) / std::log(range.high / range.low);
+}
 
 }  // namespace
 
@@ -52,18 +58,16 @@ std::string spelled(double value, int digits) {
   return text;
 }
 
-Axes::Axes(Vec2 upper_left, Vec2 lower_right, Range x, Range y, Scale x_scale)
+Axes::Axes(Vec2 upper_left, Vec2 lower_right, Range x, Range y, Scale x_scale, Scale y_scale)
     : upper_left_(std::move(upper_left)),
       lower_right_(std::move(lower_right)),
       x_(x),
       y_(y),
-      x_scale_(x_scale) {}
+      x_scale_(x_scale),
+      y_scale_(y_scale) {}
 
 Vec2 Axes::place(double x, double y) const {
-  const double across = x_scale_ == Scale::kStraight
-                            ? (x - x_.low) / (x_.high - x_.low)
-                            : std::log(x / x_.low) / std::log(x_.high / x_.low);
-  const double up = (y - y_.low) / (y_.high - y_.low);
+  const double across = share_of(x, x_, x_scale_), up = share_of(y, y_, y_scale_);
   return {upper_left_.x() + across * (lower_right_.x() - upper_left_.x()),
           lower_right_.y() + up * (upper_left_.y() - lower_right_.y())};
 }
@@ -80,10 +84,14 @@ std::vector<double> Axes::x_ticks() const {
   return x_scale_ == Scale::kStraight ? straight_ticks(x_, wanted) : logarithmic_ticks(x_);
 }
 
+std::vector<double> Axes::y_ticks() const {
+  const int wanted = static_cast<int>((lower_right_.y() - upper_left_.y()) / kTickSpace) + 1;
+  return y_scale_ == Scale::kStraight ? straight_ticks(y_, wanted) : logarithmic_ticks(y_);
+}
+
 void Axes::draw_grid(Canvas& canvas) const {
   for (const double x : x_ticks()) canvas.line(place(x, y_.low), place(x, y_.high), 1.0, kGridLine);
-  const int wanted = static_cast<int>((lower_right_.y() - upper_left_.y()) / kTickSpace) + 1;
-  for (const double y : straight_ticks(y_, wanted)) {
+  for (const double y : y_ticks()) {
     canvas.line(place(x_.low, y), place(x_.high, y), 1.0, kGridLine);
   }
 }
@@ -98,8 +106,7 @@ void Axes::draw_frame(Canvas& canvas, const std::string& x_label,
     canvas.line(at, at + Vec2(0.0, kTick), 1.2, kInk);
     canvas.text(at + Vec2(0.0, kTick + kTextSize), spelled(x), kTextSize, kInk, Anchor::kCentre);
   }
-  const int wanted = static_cast<int>((low.y() - high.y()) / kTickSpace) + 1;
-  for (const double y : straight_ticks(y_, wanted)) {
+  for (const double y : y_ticks()) {
     const Vec2 at = place(x_.low, y);
     canvas.line(at, at - Vec2(kTick, 0.0), 1.2, kInk);
     canvas.text(at + Vec2(-kTick - 5.0, 0.36 * kTextSize), spelled(y), kTextSize, kInk,

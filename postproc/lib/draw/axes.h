@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A framed plot area with ticks, grid and labels, and the map from data to pixels.
-// Scope: straight or logarithmic x, straight y.
+// Scope: straight or logarithmic axes.
 #pragma once
 
 #include <string>
@@ -19,7 +19,8 @@ enum class Scale { kStraight, kLogarithmic };
 class Axes {
  public:
   // The plot area lies between two corners [px]; `x` and `y` are the data ranges.
-  Axes(Vec2 upper_left, Vec2 lower_right, Range x, Range y, Scale x_scale = Scale::kStraight);
+  Axes(Vec2 upper_left, Vec2 lower_right, Range x, Range y, Scale x_scale = Scale::kStraight,
+       Scale y_scale = Scale::kStraight);
 
   [[nodiscard]] Vec2 place(double x, double y) const;  // [px]
   [[nodiscard]] std::vector<Vec2> places(const std::vector<Vec2>& points) const;
@@ -29,10 +30,11 @@ class Axes {
 
  private:
   [[nodiscard]] std::vector<double> x_ticks() const;
+  [[nodiscard]] std::vector<double> y_ticks() const;
 
   Vec2 upper_left_, lower_right_;
   Range x_, y_;
-  Scale x_scale_;
+  Scale x_scale_, y_scale_;
 };
 
 // Multiples of 1, 2 or 5 times a power of ten inside the range, about `wanted` of them.

@@ -268,6 +268,10 @@ Vec3 FacetNetwork::bonded_traction(std::size_t f, const Point& point) const {
          bulk_i * kin.opening_i + bulk_j * kin.opening_j;
 }
 
+Vec3 FacetNetwork::mean_traction(std::size_t f) const {
+  return bonded_traction(f, {kinematics_[f].jump, Vec3::Zero()});
+}
+
 bool FacetNetwork::fails(const Vec3& normal, const Vec3& traction) const {
   const double along = normal.dot(traction);
   const double shear = std::sqrt(std::max(0.0, traction.squaredNorm() - along * along));

@@ -172,6 +172,8 @@ class FacetNetwork {
   void stop_ground();  ///< every ground stays where it is from now on
   [[nodiscard]] std::size_t yielding_supports() const { return yielding_.size(); }
 
+  /// Of an intact facet on its block i, as the last passes left it [Pa].
+  [[nodiscard]] Vec3 mean_traction(std::size_t f) const;
   [[nodiscard]] double elastic_energy() const;  ///< of joints, rock and closed broken facets [J]
   [[nodiscard]] double volume_swept(const BoundaryFace& face) const;  ///< by a loaded face [m3]
   [[nodiscard]] double pressure_work() const {
@@ -271,7 +273,6 @@ class FacetNetwork {
   [[nodiscard]] GroundPlan plan_ground(std::size_t f, double dt) const;
   void yield_support(std::size_t f, double bulk_stress, double dt);
   void book_ground(std::size_t f, const Vec3& step, const Vec3& traction, double dt);
-  [[nodiscard]] Vec3 mean_traction(std::size_t f) const;
   void load_faces();
   void sweep(BoundaryFace& face) const;
   void book_fracture();

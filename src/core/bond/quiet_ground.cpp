@@ -63,13 +63,6 @@ void FacetNetwork::list_yielding() {
   }
 }
 
-Vec3 FacetNetwork::mean_traction(std::size_t f) const {
-  const Law& law = law_[f];
-  const Vec3 &n = kinematics_[f].normal, &jump = kinematics_[f].jump;
-  const double bulk = law.bulk_i * bulk_stress_[static_cast<std::size_t>(elastic_[f].i)];
-  return law.shear * jump + (law.normal_extra * n.dot(jump) + bulk) * n;
-}
-
 void FacetNetwork::yield_ground(double dt) {
   std::erase_if(yielding_, [&](std::size_t f) { return states_[f] != FacetState::intact; });
   for (std::size_t first = 0; first < yielding_.size();) {

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A plot of curves and points with axes, a title and a key.
+// Scope: see the header.
+#include "draw/curve_plot.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "draw/text.h"
+
+namespace muckpile {
+namespace {
+
+constexpr int kWidth = 1200;
+constexpr double kLeft = 110.0, kRight = 30.0, kBelow = 85.0, kPlotHeight = 620.0;  // [px]
+constexpr double kTitleSize = 28.0, kKeySize = 20.0, kKeyLine = 30.0, kKeyStroke = 40.0;
+constexpr double kTop = 66.0;  // of the key [px]
+constexpr double kThickness = 3.0, kDash = 9.0, kPointSize = 5.0;
+
+Range range_of(const CurvePlot& plot, int axis, Scale scale) {
+  double low = 1e300, high = -1e300;
+  for (const PlotCurve& curve : plot.curves) {
+    for (const Vec2& p : curve.points) {
+      low = std::min(low, p[axis]);
+      high = std::max(high, p[axis]);
+    }
+  }
+  if (low > high) return {1.0, 2.0};
+  if (scale == Scale::kLogarithmic) return {low / 1.15, high * 1.15};
+  const double margin = high > low ? 0.04 * (high - low) : 0.5 * std::max(std::abs(high), 1.0);
+  return {low - margin, high + margin};
+}
+
+bool is_inside(const Vec2& p, const Range& x, const Range& y) {
+  return p.x() >= x.low && p.x() <= x.high && p.y() >= y.low && p.y() <= y.high;
+}
+
+void draw_point(Canvas& canvas, const Vec2& at, Colour colour) {
+  constexpr int kCorners = 16;
+  std::vector<Vec2> disc;
+  for (int k = 0; k < kCorners; ++k) {
+    const double angle = 2.0 * M_PI * k / kCorners;
+    disc.push_back(at + kPointSize * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  canvas.fill(disc, colour);
+}
+
+void draw_stroke(Canvas& canvas, const std::vector<Vec2>& points, const PlotCurve& curve) {
+  const Colour colour = colour_of_curve(curve.colour);
+  switch (curve.style) {
+    case CurveStyle::kLine:
+      canvas.polyline(points, kThickness, colour);
+      break;
+    case CurveStyle::kDashed:
+      canvas.dashes(points, kThickness, kDash, colour);
+      break;
+    case CurveStyle::kPoints:
+      for (const Vec2& p : points) draw_point(canvas, p, colour);
+      break;
+  }
+}
+
+// Places the labels in lines; draws them if there is a canvas. Returns the height that they take
+// [px].
+double lay_out_key(const CurvePlot& plot, Canvas* canvas) {
+  double x = kLeft, y = kTop + kKeySize;
+  for (const PlotCurve& curve : plot.curves) {
+    if (curve.label.empty()) continue;
+    const double width = kKeyStroke + 40.0 + text_mask(curve.label, kKeySize, 0.0).advance.x();
+    if (x > kLeft && x + width > kWidth - kRight) {
+      x = kLeft;
+      y += kKeyLine;
+    }
+    if (canvas != nullptr) {
+      const double middle = y - 0.35 * kKeySize;
+      if (curve.style == CurveStyle::kPoints) {
+        draw_stroke(*canvas, {{x + 0.5 * kKeyStroke, middle}}, curve);
+      } else {
+        draw_stroke(*canvas, {{x, middle}, {x + kKeyStroke, middle}}, curve);
+      }
+      canvas->text({x + kKeyStroke + 8.0, y}, curve.label, kKeySize, kInk);
+    }
+    x += width;
+  }
+  return y + 0.7 * kKeyLine - kTop;
+}
+
+void draw_curve(Canvas& canvas, const Axes& axes, const PlotCurve& curve, const Range& x,
+                const Range& y) {
+  std::vector<Vec2> part;
+  for (const Vec2& p : curve.points) {
+    if (is_inside(p, x, y)) {
+      part.push_back(axes.place(p.x(), p.y()));
+      continue;
+    }
+    draw_stroke(canvas, part, curve);
+    part.clear();
+  }
+  draw_stroke(canvas, part, curve);
+}
+
+}  // namespace
+
+Colour colour_of_curve(int number) {
+  constexpr std::array<Colour, 8> kColours{{{0.00F, 0.45F, 0.70F},
+                                            {0.84F, 0.37F, 0.00F},
+                                            {0.00F, 0.62F, 0.45F},
+                                            {0.80F, 0.47F, 0.65F},
+                                            {0.90F, 0.62F, 0.00F},
+                                            {0.34F, 0.71F, 0.91F},
+                                            {0.45F, 0.45F, 0.45F},
+                                            {0.13F, 0.14F, 0.16F}}};
+  return kColours[static_cast<size_t>(number) % kColours.size()];
+}
+
+Canvas draw_curves(const CurvePlot& plot) {
+  const Range x = plot.x.value_or(range_of(plot, 0, plot.x_scale));
+  const Range y = plot.y.value_or(range_of(plot, 1, plot.y_scale));
+  const double top = kTop + lay_out_key(plot, nullptr);
+  Canvas canvas(kWidth, static_cast<int>(std::lround(top + kPlotHeight + kBelow)), kWhite);
+  const Axes axes({kLeft, top}, {kWidth - kRight, top + kPlotHeight}, x, y, plot.x_scale,
+                  plot.y_scale);
+  axes.draw_grid(canvas);
+  for (const PlotCurve& curve : plot.curves) draw_curve(canvas, axes, curve, x, y);
+  axes.draw_frame(canvas, plot.x_label, plot.y_label);
+  canvas.text({kLeft, 42.0}, plot.title, kTitleSize, kInk);
+  lay_out_key(plot, &canvas);
+  return canvas;
+}
+
+}  // namespace muckpile

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A plot of curves and points with axes, a title and a key.
+// Scope: one frame; the ranges follow from the data unless they are given.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "draw/axes.h"
+#include "draw/canvas.h"
+
+namespace muckpile {
+
+enum class CurveStyle { kLine, kDashed, kPoints };
+
+struct PlotCurve {
+  std::string label;  // in the key; an empty one is left out of it
+  CurveStyle style = CurveStyle::kLine;
+  int colour = 0;  // of colour_of_curve
+  std::vector<Vec2> points;
+};
+
+struct CurvePlot {
+  std::string title, x_label, y_label;
+  Scale x_scale = Scale::kStraight, y_scale = Scale::kStraight;
+  std::optional<Range> x, y;
+  std::vector<PlotCurve> curves;
+};
+
+// Eight colours that differ in print and for most eyes (after Okabe and Ito); they repeat.
+Colour colour_of_curve(int number);
+
+// 1200 px wide. What lies outside a given range is left out. A logarithmic axis needs values > 0.
+Canvas draw_curves(const CurvePlot& plot);
+
+}  // namespace muckpile

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Rigid blocks under one or more facet networks, moved by leapfrog, without the engine.
+// Scope: see the header.
+#include "framework/block_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace muckpile::verification {
+namespace {
+
+Mat3 reflection(const Vec3& normal) { return Mat3::Identity() - 2.0 * normal * normal.transpose(); }
+
+bool has_image(Wall wall) { return wall == Wall::even || wall == Wall::odd; }
+
+Support support_of(Wall wall) {
+  if (wall == Wall::free) return Support::free;
+  return wall == Wall::fixed ? Support::fixed : Support::mirror;
+}
+
+}  // namespace
+
+Mat3 rotation_by(const Vec3& angle) {
+  const double size = angle.norm();
+  return size > 0.0 ? Mat3(Eigen::AngleAxisd(size, angle / size)) : Mat3(Mat3::Identity());
+}
+
+WallRule walls_with(const Vec3& parity, const Vec3& box) {
+  return [=](const Vec3& at) {
+    for (int a = 0; a < 3; ++a) {
+      const double slack = 1e-6 * box[a];
+      if (at[a] > slack && at[a] < box[a] - slack) continue;
+      return parity[a] > 0.0 ? Wall::even : Wall::odd;
+    }
+    return Wall::free;
+  };
+}
+
+BlockRun::BlockRun(const std::vector<Block>& blocks, const std::vector<JointParameters>& networks,
+                   const WallRule& walls)
+    : angular_momentum_(blocks.size(), Vec3::Zero()) {
+  const double density = networks.front().density;
+  for (const Block& block : blocks) {
+    mass_.push_back(density * block.mass.volume);
+    volume_.push_back(block.mass.volume);
+    inertia_.push_back(density * block.mass.inertia);
+    inverse_inertia_.push_back(inertia_.back().inverse());
+    start_.push_back(block.mass.centroid);
+    state_.push_back({block.mass.centroid, Vec3::Zero(), Vec3::Zero(), Mat3::Identity()});
+  }
+  make_networks(blocks, networks, walls);
+  force_.assign(state_.size(), Vec3::Zero());
+  torque_.assign(state_.size(), Vec3::Zero());
+}
+
+void BlockRun::make_networks(const std::vector<Block>& blocks,
+                             const std::vector<JointParameters>& networks, const WallRule& walls) {
+  FacetSet set = build_facets(blocks, 1, [&](const Vec3& at) { return support_of(walls(at)); });
+  std::vector<BlockConstants> constants;
+  for (std::size_t b = 0; b < size(); ++b) {
+    constants.push_back({static_cast<int>(b) + 1, volume_[b], mass_[b], true, {}});
+  }
+  std::vector<Facet*> grounded;
+  for (Facet& facet : set.facets) {
+    facet.i = facet.tag_i - 1;
+    facet.j = facet.tag_j - 1;
+    if (facet.tag_j != kGroundTag) continue;
+    const auto b = static_cast<std::size_t>(facet.i);
+    const Vec3 at = start_[b] + facet.arm_i;
+    const Wall wall = walls(at);
+    if (!has_image(wall)) {
+      grounded.push_back(&facet);
+      continue;
+    }
+    const Vec3 plane = facet.normal.dot(at) * facet.normal;
+    const Vec3 image = start_[b] + 2.0 * facet.normal.dot(facet.arm_i) * facet.normal;
+    images_.push_back({b, facet.normal, plane, image, wall == Wall::even ? 1.0 : -1.0});
+    state_.push_back({image, Vec3::Zero(), Vec3::Zero(), Mat3::Identity()});
+    facet.kind = FacetKind::joint;
+    facet.j = static_cast<int>(constants.size());
+    facet.tag_j = facet.j + 1;
+    facet.arm_j = at - image;
+    facet.opening_j = -reflection(facet.normal) * facet.opening_i;
+    facet.weight = 0.5;  // the other half belongs to the reflected rock
+    constants.push_back({facet.tag_j, volume_[b], mass_[b], false, {}});
+  }
+  for (BoundaryFace& face : set.faces) face.block = face.tag - 1;
+  for (Facet* facet : grounded) facet->j = static_cast<int>(constants.size());
+  for (const JointParameters& parameters : networks) {
+    networks_.emplace_back(JointMaterial(parameters));
+    networks_.back().set_blocks(constants);
+    networks_.back().set_facets(set.facets, {});
+    networks_.back().set_faces(set.faces);
+  }
+}
+
+double BlockRun::total_volume() const {
+  return std::accumulate(volume_.begin(), volume_.end(), 0.0);
+}
+
+void BlockRun::place(std::size_t b, const Vec3& displacement, const Vec3& rotation) {
+  state_[b].centre = start_[b] + displacement;
+  state_[b].rotation = rotation_by(rotation);
+}
+
+void BlockRun::set_motion(std::size_t b, const Vec3& velocity, const Vec3& spin) {
+  const Mat3& r = state_[b].rotation;
+  state_[b].velocity = velocity;
+  state_[b].spin = spin;
+  angular_momentum_[b] = r * inertia_[b] * r.transpose() * spin;
+}
+
+/// A displacement is a polar vector, a rotation an axial one.
+void BlockRun::reflect(std::size_t k) {
+  const Image& image = images_[k];
+  const BlockState& from = state_[image.of];
+  const Mat3 mirror = reflection(image.normal);
+  BlockState& to = state_[size() + k];
+  to.centre = image.start + image.parity * mirror * (from.centre - start_[image.of]) +
+              2.0 * strain_ * image.wall;
+  to.velocity = image.parity * mirror * from.velocity;
+  to.spin = -image.parity * mirror * from.spin;
+  to.rotation = mirror * (image.parity > 0.0 ? from.rotation : from.rotation.transpose()) * mirror;
+}
+
+void BlockRun::reflect_scalars(std::span<double> values) const {
+  for (std::size_t k = 0; k < images_.size(); ++k) {
+    values[size() + k] = images_[k].parity * values[images_[k].of];
+  }
+}
+
+void BlockRun::compute(double dt) {
+  for (std::size_t k = 0; k < images_.size(); ++k) reflect(k);
+  std::fill(force_.begin(), force_.end(), Vec3::Zero());
+  std::fill(torque_.begin(), torque_.end(), Vec3::Zero());
+  for (FacetNetwork& network : networks_) {
+    std::copy(state_.begin(), state_.end(), network.state().begin());
+    network.dilatation();
+    reflect_scalars(network.theta());
+    network.bulk_stresses();
+    reflect_scalars(network.bulk_stress());
+    network.tractions(dt);
+    for (std::size_t b = 0; b < state_.size(); ++b) {
+      force_[b] += network.force()[b];
+      torque_[b] += network.torque()[b];
+    }
+  }
+}
+
+void BlockRun::kick(double dt) {
+  for (std::size_t b = 0; b < size(); ++b) {
+    state_[b].velocity += dt / mass_[b] * force_[b];
+    angular_momentum_[b] += dt * torque_[b];
+  }
+}
+
+/// Turns by the spin at mid-step, which a first half turn predicts.
+void BlockRun::drift(double dt) {
+  const auto spin = [&](std::size_t b, const Mat3& r) -> Vec3 {
+    return r * (inverse_inertia_[b] * (r.transpose() * angular_momentum_[b]));
+  };
+  for (std::size_t b = 0; b < size(); ++b) {
+    BlockState& s = state_[b];
+    s.centre += dt * s.velocity;
+    const Mat3 middle = rotation_by(0.5 * dt * spin(b, s.rotation)) * s.rotation;
+    s.rotation = rotation_by(dt * spin(b, middle)) * s.rotation;
+  }
+}
+
+void BlockRun::step(double dt) {
+  kick(0.5 * dt);
+  drift(dt);
+  compute(dt);
+  kick(0.5 * dt);
+  for (std::size_t b = 0; b < size(); ++b) {
+    const Mat3& r = state_[b].rotation;
+    state_[b].spin = r * (inverse_inertia_[b] * (r.transpose() * angular_momentum_[b]));
+  }
+}
+
+double BlockRun::stable_step() const {
+  double sum = 0.0;
+  for (const FacetNetwork& network : networks_) sum += std::pow(network.stable_step(), -2.0);
+  return 1.0 / std::sqrt(sum);
+}
+
+double BlockRun::kinetic_energy() const {
+  double energy = 0.0;
+  for (std::size_t b = 0; b < size(); ++b) {
+    energy += 0.5 * (mass_[b] * state_[b].velocity.squaredNorm() +
+                     state_[b].spin.dot(angular_momentum_[b]));
+  }
+  return energy;
+}
+
+double BlockRun::elastic_energy() const {
+  double energy = 0.0;
+  for (const FacetNetwork& network : networks_) energy += network.elastic_energy();
+  return energy;
+}
+
+std::vector<Mat3> BlockRun::stresses() const {
+  std::vector<Mat3> sum(state_.size() + 1,
+                        Mat3::Zero());  // images and the ground are left out below
+  for (const FacetNetwork& network : networks_) {
+    for (std::size_t f = 0; f < network.facets().size(); ++f) {
+      const Facet& facet = network.facets()[f];
+      const Vec3 force = facet.area * network.mean_traction(f);
+      sum[static_cast<std::size_t>(facet.i)] += force * facet.arm_i.transpose();
+      sum[static_cast<std::size_t>(facet.j)] -= force * facet.arm_j.transpose();
+    }
+    for (const BoundaryFace& face : network.faces()) {
+      sum[static_cast<std::size_t>(face.block)] -=
+          face.pressure * face.area * face.normal * face.arm.transpose();
+    }
+  }
+  sum.resize(size());
+  for (std::size_t b = 0; b < size(); ++b)
+    sum[b] = 0.5 * (sum[b] + sum[b].transpose()).eval() / volume_[b];
+  return sum;
+}
+
+Mat3 BlockRun::average_stress() const {
+  Mat3 sum = Mat3::Zero();
+  for (std::size_t k = 0; k < images_.size(); ++k) {
+    sum -= force_[size() + k] * images_[k].wall.transpose();
+  }
+  return 0.5 * (sum + sum.transpose()) / total_volume();
+}
+
+}  // namespace muckpile::verification

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Boxes of rock to verify on: uniform, graded and joint-set cuts, elastic constants, plain springs.
+// Scope: one corner at the origin; blocks of about 1 m unless said otherwise.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bond/joint_material.h"
+#include "geometry/block_model.h"
+#include "unit/bond/bond_scene.h"
+
+namespace muckpile::verification {
+
+using test::rock;
+
+struct RockSample {
+  std::vector<Block> blocks;
+  Vec3 box;     ///< [m]
+  double size;  ///< edge of the largest blocks [m]
+};
+
+[[nodiscard]] RockSample uniform_rock(const Vec3& box, unsigned long seed = 1);
+/// Sizes from 0.1 m on the z axis, which is an edge of the box, to 1 m at 5 m from it and beyond.
+[[nodiscard]] RockSample graded_rock(const Vec3& box, unsigned long seed = 1);
+/// Three joint sets at right angles; numbers of blocks and edges [m].
+[[nodiscard]] RockSample cuboid_rock(const Eigen::Vector3i& number, const Vec3& edge);
+
+/// Springs alone, for comparison: kn = (lambda + 2G)/h and ks = 2G/h per area, which give both wave
+/// speeds along the axes of cubes. A network of equal springs and one of normal springs, added.
+[[nodiscard]] std::vector<JointParameters> plain_springs(double poisson_ratio);
+
+}  // namespace muckpile::verification

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Joins the reports of all verification cases: summary.json, one PNG per plot, the page of tables.
+// Scope: make_page RESULTS [TEMPLATE DOCS]; RESULTS/cases holds the reports. In the template a line
+// {{table NAME}} becomes the rows of all reports whose name begins with NAME, {{plot NAME}} the
+// picture, {{summary}} the count of rows.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "draw/curve_plot.h"
+#include "draw/png_file.h"
+#include "io/result_folder.h"
+
+namespace muckpile {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::vector<Json> read_reports(const fs::path& folder) {
+  std::set<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".json") files.insert(entry.path());
+  }
+  std::vector<Json> reports;
+  for (const fs::path& file : files) reports.push_back(read_json_object(file));
+  if (reports.empty()) throw std::runtime_error(folder.string() + ": holds no reports");
+  return reports;
+}
+
+Json all_rows(const std::vector<Json>& reports, const std::string& prefix) {
+  Json rows = Json::array();
+  for (const Json& report : reports) {
+    if (!report["report"].get<std::string>().starts_with(prefix)) continue;
+    for (const Json& row : report["rows"]) rows.push_back(row);
+  }
+  return rows;
+}
+
+void write_text(const fs::path& path, const std::string& text) {
+  std::ofstream out(path);
+  out << text;
+  if (!out) throw std::runtime_error(path.string() + ": cannot be written");
+}
+
+Scale scale_of(const Json& word) {
+  return word == "logarithmic" ? Scale::kLogarithmic : Scale::kStraight;
+}
+
+PlotCurve curve_of(const Json& from) {
+  PlotCurve curve;
+  curve.label = from["label"];
+  curve.style = from["style"] == "line"     ? CurveStyle::kLine
+                : from["style"] == "dashed" ? CurveStyle::kDashed
+                                            : CurveStyle::kPoints;
+  curve.colour = from["colour"];
+  for (const Json& p : from["points"]) curve.points.emplace_back(p[0], p[1]);
+  return curve;
+}
+
+std::map<std::string, CurvePlot> collect_plots(const std::vector<Json>& reports) {
+  std::map<std::string, CurvePlot> plots;
+  for (const Json& report : reports) {
+    for (const Json& curve : report["curves"]) {
+      CurvePlot& plot = plots[curve["plot"]];
+      plot.title = curve["title"];
+      plot.x_label = curve["x_label"];
+      plot.y_label = curve["y_label"];
+      plot.x_scale = scale_of(curve["x_scale"]);
+      plot.y_scale = scale_of(curve["y_scale"]);
+      plot.curves.push_back(curve_of(curve));
+    }
+  }
+  return plots;
+}
+
+std::string spelled_number(const Json& value, int digits) {
+  return value.is_null() ? "" : spelled(value.get<double>(), digits);
+}
+
+/// Relative errors in per cent; an error whose reference is 0 is the value itself.
+std::string spelled_error(const Json& row, const char* key) {
+  if (row[key].is_null()) return "";
+  const double value = row[key].get<double>();
+  if (row["reference"].get<double>() == 0.0) return spelled(value, 2);
+  return spelled(100.0 * value, 2) + " %";
+}
+
+std::string table(const Json& rows, const std::string& name) {
+  if (rows.empty()) throw std::runtime_error("no report has rows for {{table " + name + "}}");
+  std::string text =
+      "| case | quantity | measured | expected | error | allowed | "
+      "|\n|---|---|---|---|---|---|---|\n";
+  std::string notes;
+  for (const Json& row : rows) {
+    const bool pass = row["pass"].get<bool>();
+    const std::string unit =
+        row["unit"].get<std::string>().empty() ? "" : " " + row["unit"].get<std::string>();
+    text += "| " + row["case"].get<std::string>() + " | " + row["quantity"].get<std::string>() +
+            " | " + spelled_number(row["value"], 5) + unit + " | " +
+            (row["tolerance"].is_null() ? "" : spelled_number(row["reference"], 5) + unit) + " | " +
+            spelled_error(row, "error") + " | " + spelled_error(row, "tolerance") + " | " +
+            (row["tolerance"].is_null() ? ""
+             : pass                     ? "ok"
+                                        : "**no**") +
+            " |\n";
+    if (row.contains("note")) {
+      notes += "\nNot met: " + row["case"].get<std::string>() + ", " +
+               row["quantity"].get<std::string>() + ": " + row["note"].get<std::string>() + "\n";
+    }
+  }
+  return text + notes;
+}
+
+std::string summary(const std::vector<Json>& reports) {
+  int required = 0, passed = 0;
+  double seconds = 0.0;
+  for (const Json& report : reports) seconds += report["seconds"].get<double>();
+  for (const Json& row : all_rows(reports, "")) {
+    if (row["tolerance"].is_null()) continue;
+    ++required;
+    passed += row["pass"].get<bool>() ? 1 : 0;
+  }
+  return std::to_string(passed) + " of " + std::to_string(required) +
+         " required figures are within their bounds; the programs ran " +
+         std::to_string(std::lround(seconds)) + " s in all, on one core each.\n";
+}
+
+/// The words behind `keyword` of a line {{keyword words}}, or nothing.
+std::string directive(const std::string& line, const std::string& keyword) {
+  const std::string head = "{{" + keyword + " ";
+  if (!line.starts_with(head) || !line.ends_with("}}")) return "";
+  return line.substr(head.size(), line.size() - head.size() - 2);
+}
+
+std::string page(const fs::path& form, const std::vector<Json>& reports,
+                 const std::map<std::string, CurvePlot>& plots) {
+  std::ifstream in(form);
+  if (!in) throw std::runtime_error(form.string() + ": cannot be opened");
+  std::string text;
+  for (std::string line; std::getline(in, line);) {
+    if (const std::string name = directive(line, "table"); !name.empty()) {
+      text += table(all_rows(reports, name), name);
+    } else if (const std::string plot = directive(line, "plot"); !plot.empty()) {
+      if (!plots.contains(plot)) throw std::runtime_error("no report has curves for " + line);
+      text += "![" + plots.at(plot).title + "](images/verification/" + plot + ".png)\n";
+    } else if (line == "{{summary}}") {
+      text += summary(reports);
+    } else {
+      text += line + "\n";
+    }
+  }
+  return text;
+}
+
+void make(int argc, char** argv) {
+  const fs::path results = argv[1];
+  const std::vector<Json> reports = read_reports(results / "cases");
+  const Json rows = {{"rows", all_rows(reports, "")}};
+  write_text(results / "summary.json", rows.dump(1) + "\n");
+  const std::map<std::string, CurvePlot> plots = collect_plots(reports);
+  for (const auto& [name, plot] : plots) write_png(draw_curves(plot), results / (name + ".png"));
+  if (argc < 4) return;
+  const fs::path docs = argv[3], images = docs / "images" / "verification";
+  const std::string text = page(argv[2], reports, plots);
+  fs::create_directories(images);
+  for (const auto& [name, plot] : plots) {
+    fs::copy_file(results / (name + ".png"), images / (name + ".png"),
+                  fs::copy_options::overwrite_existing);
+  }
+  write_text(docs / "verification.md", text);
+}
+
+}  // namespace
+}  // namespace muckpile
+
+int main(int argc, char** argv) {
+  if (argc != 2 && argc != 4) {
+    std::fprintf(stderr, "usage: %s RESULTS [TEMPLATE DOCS]\n", argv[0]);
+    return 2;
+  }
+  try {
+    muckpile::make(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "make_page: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
