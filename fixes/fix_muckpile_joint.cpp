@@ -33,7 +33,7 @@ enum Output {
   fracture,
   friction,
   damping,
-  stable_step,
+  longest_step,
   pressure_work_done,
   output_count
 };
@@ -313,6 +313,18 @@ YieldingSupports::Chosen FixMuckpileJoint::let_ground_yield(
   return yielding;
 }
 
+StepBound FixMuckpileJoint::stable_step(Breaking breaking, double guess) const {
+  const engine::Bodies bodies(store_->multisphere());
+  std::vector<Mat3> inertia;
+  for (int b = 0; b < bodies.count(); ++b) inertia.push_back(bodies.inertia_in_space(b));
+  RankTeam team;
+  team.fill_copies = [this](std::span<double> values, std::size_t width) {
+    store_->halo().forward(values, width);
+  };
+  team.sum = [this](double mine) { return sum(mine); };
+  return muckpile::stable_step(network_, inertia, breaking, team, guess);
+}
+
 double FixMuckpileJoint::sum(double mine) const {
   double all = 0.0;
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
@@ -337,11 +349,8 @@ double FixMuckpileJoint::compute_vector(int n) {
       return sum(network_.losses().damping);
     case pressure_work_done:
       return sum(network_.pressure_work());
-    case stable_step: {
-      double mine = network_.stable_step(), all = 0.0;
-      MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MIN, world);
-      return all;
-    }
+    case longest_step:
+      return version_ == 0 ? kInfinity : stable_step(Breaking::possible, 0.0).seconds;
     default:
       return 0.0;
   }

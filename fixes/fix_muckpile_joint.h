@@ -13,6 +13,7 @@
 #include "bond/facet_network.h"
 #include "fix_muckpile_blocks.h"
 #include "joint_view.h"
+#include "step_limit.h"
 #include "yielding_supports.h"
 
 namespace muckpile {
@@ -21,7 +22,8 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
                          public FacetKeeper,
                          public JointView,
                          public BlastSurface,
-                         public YieldingSupports {
+                         public YieldingSupports,
+                         public StepLimit {
  public:
   FixMuckpileJoint(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
   ~FixMuckpileJoint() override;
@@ -57,6 +59,8 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   [[nodiscard]] double supports_yielding() const override {
     return static_cast<double>(network_.yielding_supports());
   }
+  [[nodiscard]] StepBound stable_step(Breaking breaking, double guess) const override;
+
   [[nodiscard]] double energy_given() const override { return network_.losses().quiet; }
   [[nodiscard]] double energy_radiated() const override { return network_.losses().radiated; }
 

@@ -129,6 +129,12 @@ double FixMuckpileLedger::balance_error() {
   return moved > 0.0 ? std::abs(now.residual() - start_residual_) / moved : 0.0;
 }
 
+bool FixMuckpileLedger::balanced(double allowed) {
+  constexpr double kRounding = 1e-9;  // of the weight's potential about the origin, a large sum
+  const double apart = std::abs(ledger().residual() - start_residual_);
+  return balance_error() <= allowed || apart <= kRounding * std::abs(start_gravity_);
+}
+
 double FixMuckpileLedger::fastest_block() {
   const engine::Bodies bodies(*multisphere_);
   double mine = 0.0, all = 0.0;

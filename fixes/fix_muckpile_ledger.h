@@ -48,6 +48,8 @@ class FixMuckpileLedger : public LAMMPS_NS::Fix {
   /// |residual - its start value| over the largest of blast work, kinetic energy at the start and
   /// gravity energy released.
   [[nodiscard]] double balance_error();
+  /// False if that error is larger than `allowed`, and not merely rounding of rock at rest.
+  [[nodiscard]] bool balanced(double allowed);
   /// Of the fastest block [m/s]. Collective.
   [[nodiscard]] double fastest_block();
 

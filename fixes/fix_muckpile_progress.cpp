@@ -45,7 +45,9 @@ const ArgTable& table() {
           .real("still_share", "", Range::open(0.0, 1.0), 0.001,
                 "mass share that may still move in a pile called still")
           .real("fastest_allowed", "m/s", Range::positive(), 2000.0,
-                "a faster block stops the run as unstable");
+                "a faster block stops the run as unstable")
+          .real("balance_allowed", "", Range::positive(), 0.5,
+                "a larger energy balance error stops the run as unstable");
   return args;
 }
 
@@ -62,6 +64,7 @@ FixMuckpileProgress::FixMuckpileProgress(LAMMPS_NS::LAMMPS* engine, int narg, ch
   still_speed_ = args.real("still_speed");
   still_share_ = args.real("still_share");
   fastest_allowed_ = args.real("fastest_allowed");
+  balance_allowed_ = args.real("balance_allowed");
   engine::make_output_folder(*lmp, where, folder_);
   scalar_flag = vector_flag = 1;
   size_vector = 2;
@@ -136,6 +139,11 @@ void FixMuckpileProgress::stop_if_wrong(const Look& now) {
   if (now.fastest > fastest_allowed_) {
     stop_with_restart("the fastest block moves at " + number_text(now.fastest) + " m/s" + at +
                       ", more than fastest_allowed " + number_text(fastest_allowed_) +
+                      "; shorten the time step");
+  }
+  if (!ledger_->balanced(balance_allowed_)) {
+    stop_with_restart("the energy balance error is " + number_text(now.balance) + at +
+                      ", more than balance_allowed " + number_text(balance_allowed_) +
                       "; shorten the time step");
   }
 }

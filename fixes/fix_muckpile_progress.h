@@ -50,7 +50,7 @@ class FixMuckpileProgress : public LAMMPS_NS::Fix {
   FixMuckpileJoint* joint_ = nullptr;
   FixMuckpileBlocks* store_ = nullptr;
   std::string folder_, phase_;
-  double time_end_, still_speed_, still_share_, fastest_allowed_;
+  double time_end_, still_speed_, still_share_, fastest_allowed_, balance_allowed_;
   double wall_start_, phase_wall_start_ = 0.0, phase_time_start_ = 0.0;
   bool history_begun_ = false;
   LAMMPS_NS::bigint last_ = -1;

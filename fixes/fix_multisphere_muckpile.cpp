@@ -3,6 +3,7 @@
 // Scope: see the header.
 #include "fix_multisphere_muckpile.h"
 
+#include <force.h>
 #include <math_extra.h>
 #include <modify.h>
 #include <output.h>
@@ -34,6 +35,12 @@ void FixMultisphereMuckpile::init() {
     const bool at_end = (modify->fmask[f] & LAMMPS_NS::FixConst::END_OF_STEP) != 0;
     if (at_end && !ours(modify->fix[f]->style)) read_every_step_ = true;
   }
+}
+
+void FixMultisphereMuckpile::reset_dt() {
+  dtv = update->dt;
+  dtf = 0.5 * update->dt * force->ftm2v;
+  dtq = 0.5 * update->dt;
 }
 
 bool FixMultisphereMuckpile::velocities_are_read() const {

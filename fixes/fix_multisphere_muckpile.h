@@ -13,6 +13,7 @@ class FixMultisphereMuckpile : public LAMMPS_NS::FixMultisphere {
   FixMultisphereMuckpile(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
   void init() override;
+  void reset_dt() override;  ///< LIGGGHTS' own takes a time step over at the start of a run only
   void final_integrate() override;
 
  private:

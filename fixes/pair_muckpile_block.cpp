@@ -146,9 +146,9 @@ double PairMuckpileBlock::step_of_light_contacts() const {
   return step;
 }
 
-double PairMuckpileBlock::step_of_present_contacts() {
+ContactStepBound PairMuckpileBlock::present_contacts() {
   const engine::Bodies bodies(*bodies_);
-  ContactStepBound bound(static_cast<std::size_t>(bodies.count()));
+  ContactStepBound bound;
   for (const BlockPair& block_pair : list_.block_pairs())
     for (const SpherePair& pair : near_spheres(block_pair)) {
       if (pair.contact < 0) continue;
@@ -160,19 +160,21 @@ double PairMuckpileBlock::step_of_present_contacts() {
       motion.radius_second = atom->radius[pair.second];
       const double m1 = atom->rmass[pair.first], m2 = atom->rmass[pair.second];
       motion.reduced_mass = m1 * m2 / (m1 + m2);
-      const auto [stiffness, damping] =
+      const ContactResistance resistance =
           law_->resistance(motion, contacts_[static_cast<std::size_t>(pair.contact)]);
       const Vec3 point = first + (motion.radius_first / pair.reach) * between;
-      for (const int sphere : {pair.first, pair.second}) {
-        const int body = bodies_->data().map(bodies_->belongs_to(sphere));
+      for (const bool second : {false, true}) {
+        const int body =
+            bodies_->data().map(bodies_->belongs_to(second ? pair.second : pair.first));
         if (body < 0) continue;  // the other rank's
         Vec3 arm = point - bodies.centre(body);
         domain->minimum_image(arm.x(), arm.y(), arm.z());
-        bound.add(static_cast<std::size_t>(body), stiffness, damping,
-                  1.0 / bodies.mass(body) + arm.squaredNorm() / bodies.inertia(body).minCoeff());
+        bound.add(static_cast<std::size_t>(body),
+                  {bodies.mass(body), bodies.inertia_in_space(body)}, resistance,
+                  between.normalized(), arm, second ? m1 : m2);
       }
     }
-  return bound.step();
+  return bound;
 }
 
 int PairMuckpileBlock::add_block(int body_tag, const double* x) {
@@ -441,8 +443,12 @@ void* PairMuckpileBlock::extract(const char* name, int& dim) {
   if (key == "contacts") return &ledger_.contacts;
   if (key == "max_overlap_ratio") return &ledger_.max_overlap_ratio;
   if (key == "stable_step_s") {
-    ledger_.stable_step_s = std::min(step_of_light_contacts(), step_of_present_contacts());
+    ledger_.stable_step_s = std::min(step_of_light_contacts(), present_contacts().step());
     return &ledger_.stable_step_s;
+  }
+  if (key == "spring_step_s") {
+    ledger_.spring_step_s = std::min(step_of_light_contacts(), present_contacts().spring_step());
+    return &ledger_.spring_step_s;
   }
   if (key == "rebuild_s") return &ledger_.rebuild_s;
   if (key == "rebuilds") return &ledger_.rebuilds;

@@ -42,10 +42,10 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource {
   double memory_usage() override;
 
   /// Values of this rank, to be summed over ranks (largest for max_overlap_ratio, smallest for
-  /// stable_step_s); a contact between two ranks counts half on each. Pointers to double:
+  /// the steps); a contact between two ranks counts half on each. Pointers to double:
   /// "elastic_J", "power_W", "contacts", "max_overlap_ratio" of the last step;
-  /// "friction_J", "damping_J" since the start; "stable_step_s", worked out when asked for;
-  /// "rebuild_s", "rebuilds".
+  /// "friction_J", "damping_J" since the start; "stable_step_s", and "spring_step_s", which leaves
+  /// the dashpots out, worked out when asked for; "rebuild_s", "rebuilds".
   void* extract(const char* name, int& dim) override;
 
   void store_contacts(FixMuckpileContactHistory& history) override;
@@ -54,7 +54,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource {
   struct Ledger {
     double elastic_J = 0.0, power_W = 0.0, contacts = 0.0, max_overlap_ratio = 0.0;
     double friction_J = 0.0, damping_J = 0.0;
-    double stable_step_s = 0.0;
+    double stable_step_s = 0.0, spring_step_s = 0.0;
     double rebuild_s = 0.0, rebuilds = 0.0;
   };
   /// The engine's arrays, as the loop over contacts needs them.
@@ -67,7 +67,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource {
   void require_engine_settings();
   void find_partners();
   [[nodiscard]] double step_of_light_contacts() const;
-  [[nodiscard]] double step_of_present_contacts();
+  [[nodiscard]] ContactStepBound present_contacts();
 
   void rebuild();
   void number_blocks();

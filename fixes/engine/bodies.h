@@ -61,6 +61,10 @@ class Bodies {
     axes << Eigen::Map<Vec3>(ex_[b]), Eigen::Map<Vec3>(ey_[b]), Eigen::Map<Vec3>(ez_[b]);
     return axes;
   }
+  [[nodiscard]] Mat3 inertia_in_space(int b) const {
+    const Mat3 turned = axes(b);
+    return turned * inertia(b).asDiagonal() * turned.transpose();
+  }
   /// Translation and rotation [J].
   [[nodiscard]] double kinetic_energy(int b) const {
     return 0.5 * (mass(b) * velocity(b).squaredNorm() + angular_momentum(b).dot(spin(b)));

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace muckpile {
 namespace {
@@ -634,21 +633,6 @@ double FacetNetwork::broken_area(bool all) const {
     }
   }
   return area;
-}
-
-double FacetNetwork::stable_step() const {
-  std::vector<double> stiffness(blocks_.size(), 0.0);
-  for (std::size_t f = 0; f < facets_.size(); ++f) {
-    if (states_[f] == FacetState::retired) continue;
-    const double k = facets_[f].area * law_[f].contact;
-    stiffness[static_cast<std::size_t>(facets_[f].i)] += k;
-    stiffness[static_cast<std::size_t>(facets_[f].j)] += k;
-  }
-  double fastest = 0.0;
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    if (blocks_[b].owned) fastest = std::max(fastest, 2.0 * stiffness[b] / blocks_[b].mass);
-  }
-  return fastest > 0.0 ? 2.0 / std::sqrt(fastest) : std::numeric_limits<double>::infinity();
 }
 
 void FacetNetwork::soften(double factor) {

@@ -135,6 +135,9 @@ struct JointLosses {
   double radiated = 0.0;  ///< of that, carried away by waves
 };
 
+enum class BreakView : std::uint8_t;
+class LinearNetwork;
+
 class FacetNetwork {
  public:
   explicit FacetNetwork(const JointMaterial& material) : material_(material) { derive(); }
@@ -187,10 +190,8 @@ class FacetNetwork {
       bool all) const;                        ///< booked by this rank, `all`: of all joints [m2]
   [[nodiscard]] double broken_count() const;  ///< facets with a broken point, booked share
 
-  /// Estimate of the largest stable step [s]: 2/omega, omega^2 the largest row sum of the
-  /// translations (Gershgorin). Rotations are left out: measured on cubes, bars and Voronoi blocks,
-  /// instability begins at 0.86 (nu = 0) to 1.64 (nu = 0.4) times this. Use at most 0.8 of it.
-  [[nodiscard]] double stable_step() const;
+  /// Springs about the pose of the last force computation, for LinearNetwork.
+  void linearise(LinearNetwork& linear, BreakView view, double damping_rate) const;
 
   /// Continues with softer rock: every stiffness times `factor` in the present pose, so every
   /// traction falls to that share. The elastic energy given up is booked as fracture loss. Theta

@@ -66,15 +66,17 @@ double ContactLaw::normal_stiffness(double radius_first, double radius_second,
   return 2.0 * young_star_ * std::sqrt(reduced_radius * overlap);
 }
 
-ContactLaw::Resistance ContactLaw::resistance(const ContactMotion& motion,
-                                              const ContactState& state) const {
+ContactResistance ContactLaw::resistance(const ContactMotion& motion,
+                                         const ContactState& state) const {
+  constexpr double kTsuji = 1.8257418583505538;  // 2 sqrt(5/6), as in evaluate()
   const double reduced_radius =
       motion.radius_first * motion.radius_second / (motion.radius_first + motion.radius_second);
   const double overlap = std::max(motion.overlap - state.overlap_offset, 0.0);
   const Normal normal = normal_part(motion, reduced_radius, overlap);
-  return {std::max(normal_stiffness(motion.radius_first, motion.radius_second, overlap),
-                   normal.tangential_stiffness),
-          normal.damping};
+  const double tangential = normal.tangential_stiffness;
+  return {normal_stiffness(motion.radius_first, motion.radius_second, overlap), tangential,
+          tangential * reduced_radius * reduced_radius, normal.damping,
+          kTsuji * damping_ratio_ * std::sqrt(tangential * motion.reduced_mass)};
 }
 
 double ContactLaw::stable_time_step(double mass, double radius) const {

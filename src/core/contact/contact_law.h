@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/contact_step_bound.h"
 #include "math/types.h"
 
 namespace muckpile {
@@ -70,11 +71,9 @@ class ContactLaw {
   [[nodiscard]] double normal_stiffness(double radius_first, double radius_second,
                                         double overlap) const;
 
-  /// Stiffness, the larger of normal and tangential [N/m], and normal dashpot [N s/m] of a contact.
-  struct Resistance {
-    double stiffness, damping;
-  };
-  [[nodiscard]] Resistance resistance(const ContactMotion& motion, const ContactState& state) const;
+  /// Springs and dashpots of a contact, sticking, for the time step that it bears.
+  [[nodiscard]] ContactResistance resistance(const ContactMotion& motion,
+                                             const ContactState& state) const;
 
   /// Dashpot strength: damping ratio of the equivalent linear oscillator [-].
   [[nodiscard]] double damping_ratio() const { return damping_ratio_; }

@@ -1,49 +1,56 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // How long a time step the contacts of rigid bodies bear.
-// Scope: linearised about the present overlaps; contacts yet to come are not known here.
+// Scope: linearised about the present overlaps, all contacts sticking; contacts yet to come are not
+// known here.
 //
-// The springs of all contacts together are at most, for any motion, twice the sum over bodies of
-// each body's own contacts: (a - b)^2 <= 2 a^2 + 2 b^2. So omega^2 <= 2 sum k (1/m + r^2/I) over
-// the contacts of a body, k the larger of normal and tangential stiffness, r the arm, I the
-// smallest principal moment; the dashpots likewise. A leapfrog step with dashpots that lag half a
-// step is stable up to (2 / omega) (sqrt(1 + zeta^2) - zeta), zeta = c / (2 omega).
+// The springs of all contacts are at most, for any motion, the sum over bodies of each body's own
+// contacts, each of them (1 + sqrt(m/m_other)) times as stiff: (a - b)^2 <= w a^2 + v b^2 wherever
+// 1/w + 1/v = 1. So the fastest vibration is at most that of a single body on its contacts, six by
+// six; the dashpots likewise. A leapfrog step dt whose dashpots lag half a step is stable while
+// dt^2 K + 2 dt C <= 4 M.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <vector>
+#include <map>
+
+#include "math/types.h"
 
 namespace muckpile {
 
+/// Springs and dashpots of one contact.
+struct ContactResistance {
+  double normal_stiffness = 0.0, tangential_stiffness = 0.0;  ///< [N/m]
+  double rolling_stiffness = 0.0;                             ///< [N m/rad]
+  double normal_damping = 0.0, tangential_damping = 0.0;      ///< [N s/m]
+};
+
 class ContactStepBound {
  public:
-  explicit ContactStepBound(std::size_t bodies) : sums_(bodies) {}
+  struct Body {
+    double mass;   ///< [kg]
+    Mat3 inertia;  ///< in space, about the centre [kg m2]
+  };
 
-  /// One contact of `body`: stiffness [N/m], damping [N s/m], and 1/m + r^2/I [1/kg].
-  void add(std::size_t body, double stiffness, double damping, double mobility) {
-    sums_[body].stiffness += 2.0 * stiffness * mobility;
-    sums_[body].damping += 2.0 * damping * mobility;
-  }
+  /// One contact of body `number`, at `arm` [m] from its centre, with a body of mass `other_mass`.
+  void add(std::size_t number, const Body& body, const ContactResistance& contact,
+           const Vec3& normal, const Vec3& arm, double other_mass);
 
   /// Longest stable step [s]; infinity without contacts.
-  [[nodiscard]] double step() const {
-    double shortest = std::numeric_limits<double>::infinity();
-    for (const Sum& sum : sums_) {
-      if (sum.stiffness <= 0.0) continue;
-      const double omega = std::sqrt(sum.stiffness), zeta = 0.5 * sum.damping / omega;
-      shortest = std::min(shortest, 2.0 / omega * (std::sqrt(1.0 + zeta * zeta) - zeta));
-    }
-    return shortest;
-  }
+  [[nodiscard]] double step() const { return shortest(true); }
+  /// The same without the dashpots.
+  [[nodiscard]] double spring_step() const { return shortest(false); }
 
  private:
+  using Mat6 = Eigen::Matrix<double, 6, 6>;
   struct Sum {
-    double stiffness = 0.0;  ///< [1/s2]
-    double damping = 0.0;    ///< [1/s]
+    Mat6 stiffness = Mat6::Zero(), damping = Mat6::Zero();
+    Mat6 slim = Mat6::Zero();  // M^(-1/2)
   };
-  std::vector<Sum> sums_;
+  [[nodiscard]] double shortest(bool damped) const;
+  [[nodiscard]] static double limit(const Mat6& stiffness, const Mat6& damping,
+                                    double shorter_than);
+
+  std::map<std::size_t, Sum> sums_;
 };
 
 }  // namespace muckpile

@@ -123,6 +123,15 @@ void BondScene::step(double dt) {
   kick(0.5 * dt);
 }
 
+double BondScene::stable_step(Breaking breaking) {
+  std::vector<Mat3> inertia;
+  for (std::size_t b = 0; b < size(); ++b) {
+    const Mat3& r = block(b).rotation;
+    inertia.push_back(r * inertia_[b] * r.transpose());
+  }
+  return muckpile::stable_step(network_, inertia, breaking).seconds;
+}
+
 double BondScene::kinetic_energy() const {
   auto& network = const_cast<FacetNetwork&>(network_);
   double energy = 0.0;

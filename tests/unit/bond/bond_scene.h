@@ -8,6 +8,7 @@
 
 #include "bond/facet_builder.h"
 #include "bond/facet_network.h"
+#include "bond/stable_step.h"
 #include "geometry/block_model.h"
 
 namespace muckpile::test {
@@ -44,6 +45,9 @@ class BondScene {
   void compute(double dt = 0.0);
   /// Kick, drift, force, kick; compute() must have been called once before.
   void step(double dt);
+
+  /// Bound for the present pose, after compute() [s].
+  [[nodiscard]] double stable_step(Breaking breaking = Breaking::possible);
 
   [[nodiscard]] double kinetic_energy() const;
   /// Kinetic and elastic energy and all losses, less the work of pressures [J].

@@ -265,7 +265,7 @@ double torn_apart(double share_of_step, double contact_damping) {
     scene.block(b).spin = Vec3(0, 0.6, 0);
   }
   scene.compute();
-  const double start = scene.energy_account(), dt = share_of_step * scene.network().stable_step();
+  const double start = scene.energy_account(), dt = share_of_step * scene.stable_step();
   double worst = 0.0;
   for (double t = 0.0; t < 0.05; t += dt) {
     scene.step(dt);
@@ -291,7 +291,7 @@ TEST(FacetNetwork, IntactBodyKeepsItsEnergyUnderLeapfrog) {
     scene.block(b).spin = Vec3(0, 0, 40);
   }
   scene.compute();
-  const double start = scene.energy_account(), dt = 0.1 * scene.network().stable_step();
+  const double start = scene.energy_account(), dt = 0.1 * scene.stable_step();
   double worst = 0.0;
   for (int k = 0; k < 3000; ++k) {
     scene.step(dt);

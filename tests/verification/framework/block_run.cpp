@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "bond/stable_step.h"
+
 namespace muckpile::verification {
 namespace {
 
@@ -180,8 +182,14 @@ void BlockRun::step(double dt) {
 }
 
 double BlockRun::stable_step() const {
+  std::vector<Mat3> inertia;
+  for (std::size_t b = 0; b < size(); ++b) {
+    const Mat3& r = state_[b].rotation;
+    inertia.push_back(r * inverse_inertia_[b].inverse() * r.transpose());
+  }
   double sum = 0.0;
-  for (const FacetNetwork& network : networks_) sum += std::pow(network.stable_step(), -2.0);
+  for (const FacetNetwork& network : networks_)
+    sum += std::pow(muckpile::stable_step(network, inertia, Breaking::none).seconds, -2.0);
   return 1.0 / std::sqrt(sum);
 }
 

@@ -55,7 +55,7 @@ class BlockRun {
   /// Kick, drift, forces, kick; compute() must have been called once before.
   void step(double dt);
 
-  /// Of all networks together, by FacetNetwork::stable_step() [s].
+  /// Of all networks together, by stable_step.h, without breaking [s].
   [[nodiscard]] double stable_step() const;
   [[nodiscard]] double kinetic_energy() const;
   [[nodiscard]] double elastic_energy() const;

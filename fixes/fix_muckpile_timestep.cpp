@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/timestep: words, looks, and what the engine must be told of a new step; the bounds
+// are in core/bond/stable_step and core/contact/contact_step_bound.
+#include "fix_muckpile_timestep.h"
+
+#include <force.h>
+#include <modify.h>
+#include <mpi.h>
+#include <pair.h>
+#include <update.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "args/numbers.h"
+#include "engine/bodies.h"
+#include "engine/style_args.h"
+#include "fix_multisphere_muckpile.h"
+
+namespace muckpile {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kWorthAChange = 1.01;  // a longer step than now by less is not taken
+
+enum Output { kJointStep, kContactStep, kStep, kChanges, kProducts, kOutputCount };
+
+const ArgTable& table() {
+  static const ArgTable args =
+      ArgTable("fix muckpile/timestep")
+          .real("fraction", "", Range::left_open(0.0, 1.0), 0.8, "of the longest stable step")
+          .integer("every", "steps", Range::at_least(1), 100, "between looks at the contacts")
+          .integer("joints_every", "looks", Range::at_least(0), 20,
+                   "between looks at the joints; 0: at the start of each run only")
+          .word("breaking", {"possible", "none"}, "possible",
+                "whether joints may break between two looks: a closed broken one is stiffer")
+          .flag("contact_dashpots", true,
+                "whether the dashpots of sphere contacts count, or their springs only")
+          .real("min", "s", Range::non_negative(), 0.0, "a step shorter than this stops the run")
+          .real("max", "s", Range::positive(), 1e30, "the step is never longer");
+  return args;
+}
+
+/// The same on any number of ranks, where the bound differs by rounding: cut to three digits.
+double three_digits(double step) {
+  const double unit = std::pow(10.0, std::floor(std::log10(step)) - 2.0);
+  return std::floor(step / unit * (1.0 + 1e-9)) * unit;
+}
+
+}  // namespace
+
+FixMuckpileTimestep::FixMuckpileTimestep(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
+    : Fix(engine, narg, arg),
+      where_(std::string("fix muckpile/timestep '") + (narg > 0 ? arg[0] : "") + "'"),
+      joint_step_(kInfinity),
+      contact_step_(kInfinity) {
+  const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
+  if (modify->find_fix_style_strict("muckpile/timestep", 0) != nullptr)
+    engine::stop(*lmp, where_ + ": only one fix muckpile/timestep is possible");
+  fraction_ = args.real("fraction");
+  shortest_ = args.real("min");
+  longest_ = args.real("max");
+  if (shortest_ > longest_) engine::stop(*lmp, where_ + ": min must be <= max");
+  joints_every_ = static_cast<int>(args.integer("joints_every"));
+  breaking_ = args.word("breaking") == "none" ? Breaking::none : Breaking::possible;
+  contact_dashpots_ = args.flag("contact_dashpots");
+  nevery = static_cast<int>(args.integer("every"));
+  time_depend = 1;  // the engine's clock counts steps of equal length otherwise
+  scalar_flag = vector_flag = 1;
+  size_vector = kOutputCount;
+  global_freq = 1;
+  extscalar = extvector = 0;
+}
+
+int FixMuckpileTimestep::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
+
+void FixMuckpileTimestep::init() {
+  if (dynamic_cast<FixMultisphereMuckpile*>(engine::find_multisphere(*lmp)) == nullptr) {
+    engine::stop(*lmp, where_ +
+                           ": needs fix multisphere/muckpile; LIGGGHTS' own fix multisphere "
+                           "keeps the step that a run began with");
+  }
+  joints_ = nullptr;
+  for (int i = 0; i < modify->nfix; ++i) {
+    auto* joints = dynamic_cast<StepLimit*>(modify->fix[i]);
+    if (joints == nullptr) continue;
+    joints_ = joints;
+    if (i > modify->find_fix(id))
+      engine::stop(*lmp, where_ + ": must be defined after fix muckpile/joint");
+  }
+}
+
+/// Forces are up to date here, so poses and contacts are.
+void FixMuckpileTimestep::setup(int) {
+  looks_ = 0;
+  look_at_joints();
+  look_at_contacts();
+  choose();
+}
+
+void FixMuckpileTimestep::end_of_step() {
+  ++looks_;
+  if (joints_every_ > 0 && looks_ % joints_every_ == 0) look_at_joints();
+  look_at_contacts();
+  choose();
+}
+
+void FixMuckpileTimestep::look_at_joints() {
+  if (joints_ == nullptr) return;
+  const StepBound bound = joints_->stable_step(breaking_, joint_step_);
+  joint_step_ = bound.seconds;
+  products_ += bound.products;
+}
+
+void FixMuckpileTimestep::look_at_contacts() {
+  int dimension = 0;
+  const void* found =
+      force->pair == nullptr
+          ? nullptr
+          : force->pair->extract(contact_dashpots_ ? "stable_step_s" : "spring_step_s", dimension);
+  const double mine = found == nullptr ? kInfinity : *static_cast<const double*>(found);
+  MPI_Allreduce(&mine, &contact_step_, 1, MPI_DOUBLE, MPI_MIN, world);
+}
+
+/// Both act on the same block at worst: their stiffnesses add.
+double FixMuckpileTimestep::longest_stable() const {
+  return 1.0 / std::sqrt(1.0 / (joint_step_ * joint_step_) + 1.0 / (contact_step_ * contact_step_));
+}
+
+void FixMuckpileTimestep::choose() {
+  const double wanted = std::min(fraction_ * longest_stable(), longest_);
+  if (wanted > 1e29) return;  // nothing holds it: as it is
+  const double step = three_digits(wanted);
+  if (!(step >= shortest_)) {
+    engine::stop(*lmp, where_ + ": the step must be " + number_text(step) + " s at step " +
+                           std::to_string(update->ntimestep) + ", shorter than min " +
+                           number_text(shortest_) + " s (joints bear " + number_text(joint_step_) +
+                           " s, contacts " + number_text(contact_step_) + " s)");
+  }
+  if (step < update->dt || step > kWorthAChange * update->dt) set_step(step);
+}
+
+void FixMuckpileTimestep::set_step(double step) {
+  ++changes_;
+  update->update_time();
+  update->dt = step;
+  if (force->pair != nullptr) force->pair->reset_dt();
+  for (int i = 0; i < modify->nfix; ++i) modify->fix[i]->reset_dt();
+}
+
+double FixMuckpileTimestep::compute_scalar() { return longest_stable() / update->dt; }
+
+double FixMuckpileTimestep::compute_vector(int n) {
+  switch (n) {
+    case kJointStep:
+      return joint_step_;
+    case kContactStep:
+      return contact_step_;
+    case kStep:
+      return update->dt;
+    case kChanges:
+      return changes_;
+    case kProducts:
+      return products_;
+    default:
+      return 0.0;
+  }
+}
+
+int FixMuckpileTimestep::modify_param(int narg, char** arg) {
+  const std::string where = std::string("fix_modify ") + id;
+  const std::string key = arg[0];
+  if (key != "fraction" && key != "max") return 0;
+  if (narg < 2) engine::stop(*lmp, where + ": " + key + " needs a value");
+  engine::or_engine_error(*lmp, [&] {
+    if (key == "fraction")
+      fraction_ = parse_real(where, key, arg[1], "", Range::left_open(0.0, 1.0));
+    if (key == "max") longest_ = parse_real(where, key, arg[1], "s", Range::positive());
+    return 0;
+  });
+  return 2;
+}
+
+}  // namespace muckpile

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/timestep: keeps the time step a given share of the longest stable one.
+// Scope: joints and sphere contacts of blocks; walls are softer or equal, and stand back.
+#pragma once
+
+#include <fix.h>
+
+#include <string>
+
+#include "bond/stable_step.h"
+#include "step_limit.h"
+
+namespace muckpile {
+
+class FixMuckpileTimestep : public LAMMPS_NS::Fix {
+ public:
+  FixMuckpileTimestep(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+
+  int setmask() override;
+  void init() override;
+  void setup(int vflag) override;
+  void end_of_step() override;
+  double compute_scalar() override;
+  double compute_vector(int n) override;
+  int modify_param(int narg, char** arg) override;
+
+ private:
+  void look_at_joints();
+  void look_at_contacts();
+  void choose();
+  void set_step(double step);
+  [[nodiscard]] double longest_stable() const;
+
+  std::string where_;
+  double fraction_, shortest_, longest_;  // [-], [s], [s]
+  int joints_every_;                      // looks between two looks at the joints, 0: never again
+  Breaking breaking_;
+  bool contact_dashpots_;
+  StepLimit* joints_ = nullptr;       // looked up in every init(); null: no joints
+  double joint_step_, contact_step_;  // of the last looks [s]
+  int looks_ = 0, changes_ = 0, products_ = 0;
+};
+
+}  // namespace muckpile

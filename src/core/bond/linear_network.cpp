@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Stiffness of the facet network about its present pose.
+// Scope: see the header.
+#include "bond/linear_network.h"
+
+#include <algorithm>
+
+namespace muckpile {
+namespace {
+
+using Six = Eigen::Matrix<double, 6, 1>;
+
+Six of_block(std::span<const double> values, int block) {
+  return Eigen::Map<const Six>(values.data() + 6 * static_cast<std::size_t>(block));
+}
+
+/// Displacement of a point at `arm` from the centre.
+Vec3 moved(const Six& motion, const Vec3& arm) {
+  return motion.head<3>() + Vec3(motion.tail<3>()).cross(arm);
+}
+
+}  // namespace
+
+LinearNetwork::LinearNetwork(const FacetNetwork& network, BreakView view, double damping_rate) {
+  network.linearise(*this, view, damping_rate);
+}
+
+void FacetNetwork::linearise(LinearNetwork& linear, BreakView view, double damping_rate) const {
+  for (std::size_t f : active_) {
+    if (states_[f] == FacetState::retired) continue;
+    const Law& law = law_[f];
+    const Elastic& e = elastic_[f];
+    const Frame frame = frame_of(f);
+    LinearNetwork::Spring spring{};
+    spring.i = e.i;
+    spring.j = e.j == ground() ? -1 : e.j;
+    spring.normal = kinematics_[f].normal;
+    spring.opening_i = kinematics_[f].opening_i;
+    spring.opening_j = kinematics_[f].opening_j;
+    spring.pull_i = law.area * law.bulk_i;
+    spring.pull_j = law.area * law.bulk_j;
+    spring.strain_i = e.area_i / kFacetPoints;
+    spring.strain_j = e.area_j / kFacetPoints;
+    const Vec3 between =
+        state_[static_cast<std::size_t>(e.i)].centre - state_[static_cast<std::size_t>(e.j)].centre;
+    for (std::size_t p = 0; p < kFacetPoints; ++p) {
+      spring.arm_i[p] = point_of(f, frame, static_cast<int>(p)).arm;
+      spring.arm_j[p] = spring.arm_i[p] + between;
+      const bool bonded = view == BreakView::as_it_is && !memory_[f].broken[p];
+      const double fade = bonded ? 1.0 : memory_[f].fade;
+      const double normal = bonded ? law.shear + law.normal_extra : law.contact;
+      const double dashpot = damping_rate * (bonded ? damping_ : contact_damping_);
+      spring.bonded[p] = bonded;
+      spring.shear[p] = law.area * (fade * law.shear + (bonded ? dashpot : 0.0));
+      spring.extra[p] = law.area * (fade * (normal - law.shear) + (bonded ? 0.0 : fade * dashpot));
+      if (bonded) spring.sharpening += e.sharpening / kFacetPoints;
+    }
+    linear.springs_.push_back(spring);
+  }
+  linear.lambda_ = material_.lame_lambda();
+  for (std::size_t b = 0; b + 1 < blocks_.size(); ++b)
+    linear.volume_.push_back(blocks_[b].volume * stiffening(sums_[b]));
+  linear.theta_.resize(linear.volume_.size());
+  linear.bulk_.resize(linear.volume_.size());
+}
+
+Vec3 LinearNetwork::jump(const Spring& s, std::size_t p, std::span<const double> motion) {
+  const Vec3 of_i = moved(of_block(motion, s.i), s.arm_i[p]);
+  return s.j < 0 ? Vec3(-of_i) : Vec3(moved(of_block(motion, s.j), s.arm_j[p]) - of_i);
+}
+
+void LinearNetwork::bulk_stresses(std::span<const double> motion, const RankTeam& team) {
+  std::fill(theta_.begin(), theta_.end(), 0.0);
+  for (const Spring& s : springs_) {
+    for (std::size_t p = 0; p < kFacetPoints; ++p) {
+      if (!s.bonded[p]) continue;
+      const Vec3 opened = jump(s, p, motion);
+      theta_[static_cast<std::size_t>(s.i)] += s.strain_i * s.opening_i.dot(opened);
+      if (s.j >= 0) theta_[static_cast<std::size_t>(s.j)] += s.strain_j * s.opening_j.dot(opened);
+    }
+  }
+  for (std::size_t b = 0; b < theta_.size(); ++b) theta_[b] /= volume_[b];
+  team.fill_copies(theta_, 1);
+  std::fill(bulk_.begin(), bulk_.end(), 0.0);
+  for (const Spring& s : springs_) {
+    if (s.j < 0 || s.sharpening == 0.0) continue;
+    const auto i = static_cast<std::size_t>(s.i), j = static_cast<std::size_t>(s.j);
+    const double uneven = s.sharpening * (theta_[i] - theta_[j]);
+    bulk_[i] += uneven;
+    bulk_[j] -= uneven;
+  }
+  for (std::size_t b = 0; b < bulk_.size(); ++b)
+    bulk_[b] = lambda_ * theta_[b] + bulk_[b] / volume_[b];
+  team.fill_copies(bulk_, 1);
+}
+
+/// Force of a bonded point by the bulk stresses [N].
+Vec3 LinearNetwork::bulk_pull(const Spring& s) const {
+  Vec3 pull = s.pull_i * bulk_[static_cast<std::size_t>(s.i)] * s.opening_i;
+  if (s.j >= 0) pull += s.pull_j * bulk_[static_cast<std::size_t>(s.j)] * s.opening_j;
+  return pull;
+}
+
+void LinearNetwork::hold(std::span<double> motion, std::span<double> force, const RankTeam& team) {
+  team.fill_copies(motion, 6);
+  bulk_stresses(motion, team);
+  std::fill(force.begin(), force.end(), 0.0);
+  const auto push = [&](int block, const Vec3& on_block, const Vec3& arm) {
+    const auto at = 6 * static_cast<std::size_t>(block);
+    if (block < 0 || at >= force.size()) return;  // the ground, or a copy
+    Eigen::Map<Six> six(force.data() + at);
+    six.head<3>() += on_block;
+    six.tail<3>() += arm.cross(on_block);
+  };
+  for (const Spring& s : springs_) {
+    const Vec3 bulk = bulk_pull(s);
+    for (std::size_t p = 0; p < kFacetPoints; ++p) {
+      const Vec3 opened = jump(s, p, motion);
+      Vec3 pull = s.shear[p] * opened + s.extra[p] * s.normal.dot(opened) * s.normal;
+      if (s.bonded[p]) pull += bulk;
+      push(s.i, -pull, s.arm_i[p]);
+      push(s.j, pull, s.arm_j[p]);
+    }
+  }
+}
+
+}  // namespace muckpile

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# step_stress.sh LIGGGHTS_MUCKPILE [NP]: runs in.step at 0.1 to 1.5 of the longest stable step. Up to 1 it must end well
+# with its energy balanced; above, it must stop with the message of fix muckpile/progress and leave a restart file.
+set -euo pipefail
+program=$1 ranks=${2:-1}
+here=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")")
+out=$(mktemp -d)
+trap 'rm -rf "$out"' EXIT
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1 \
+  OMPI_MCA_btl_vader_single_copy_mechanism=none
+
+wrong=0
+fail() { echo "  WRONG: $1"; tail -n 5 "$out/screen"; wrong=1; }
+
+try() {  # try SHARE ends|stops [variables]
+  local share=$1 expected=$2 status=0
+  shift 2
+  rm -rf "$out/dump" "$out/screen"
+  mpirun -np "$ranks" --oversubscribe --bind-to none "$program" -in "$here/in.step" -log none -var out "$out" \
+    -var share "$share" "$@" >"$out/screen" 2>&1 || status=$?
+  local said
+  said=$(grep -E "^step_stress:|fix muckpile/progress 'progress':" "$out/screen" | tail -n 1 || true)
+  echo "share $share $*: status $status, ${said:-nothing said}"
+  if [[ $expected == ends ]]; then
+    [[ $status -eq 0 ]] || fail "must end well"
+    awk '/^step_stress: energy balance/ { ok = $4 < 0.01 } END { exit !ok }' "$out/screen" || fail "energy is not balanced"
+  else
+    [[ $status -ne 0 ]] || fail "must stop"
+    [[ $said == *"the time step"* ]] || fail "must say that the time step is too long"
+    [[ -s $out/dump/stopped.restart ]] || fail "must leave stopped.restart"
+  fi
+}
+
+for share in 0.1 0.5 0.8 1.0; do try $share ends; done
+for share in 1.05 1.2 1.5; do try $share stops; done
+# Rock that breaks: the bound covers whatever breaks.
+for share in 0.5 1.0; do try $share ends -var strength 4e6 -var breaking possible; done
+try 1.5 stops -var strength 4e6 -var breaking possible
+exit $wrong

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/timestep in the engine: the step it takes, the same on any number of ranks, changes
+// within a run, contacts.
+// Scope: up to some hundred blocks; run with mpirun -np 1, 2 and 4. The bound itself is tested in
+// tests/unit/bond.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "rock_scene.h"
+
+namespace muckpile::test {
+namespace {
+
+enum Timestep { margin = 0, joint_step = 1, contact_step = 2, step = 3, changes = 4, products = 5 };
+
+const std::string kRock = " youngs_modulus 50e9 poisson_ratio 0.25 density 2600 friction_angle 45 ";
+const std::string kUnbreakable = kRock + "cohesion 1e12 tension 1e12";
+
+RockScene engine(MPI_Comm comm) {
+  return RockScene(comm, "-6 6 -4 4 -4 4", "* * 1", "multisphere/muckpile");
+}
+
+/// Some hundred blocks, graded 3:1 around a short charge.
+void graded(RockScene& scene, const std::string& joints) {
+  scene.cut("-1 1 -1 1 -0.8 0.8",
+            "density 2600 size power 0.5 1 block_min 0.15 block_max 0.5 hole 0 0 -0.3 0 0 0.3 0.1 "
+            "spheres_per_block 2 seed 3 sweeps 5");
+  scene.command("fix joint all muckpile/joint" + joints);
+}
+
+TEST(FixMuckpileTimestep, TakesItsShareOfTheBound) {
+  RockScene scene = engine(MPI_COMM_WORLD);
+  graded(scene, kUnbreakable);
+  scene.command("fix dt all muckpile/timestep fraction 0.5");
+  scene.run(0, 1e-9);
+  const double bound = scene.output("dt", joint_step), taken = scene.output("dt", step);
+  EXPECT_NEAR(bound / scene.output("joint", 8), 1.0, 0.02);  // worked out from another guess
+  EXPECT_LE(taken, 0.5 * bound);
+  EXPECT_GT(taken, 0.495 * bound);  // cut to three digits
+  EXPECT_DOUBLE_EQ(scene.output("dt", margin), bound / taken);
+  EXPECT_EQ(scene.output("dt", changes), 1.0);
+  EXPECT_GT(scene.output("dt", products), 30.0);
+
+  scene.command("fix_modify dt fraction 0.8 max 1e-7");
+  scene.run(0, taken);
+  EXPECT_DOUBLE_EQ(scene.output("dt", step), 1e-7);
+  scene.command("fix_modify dt max 1");
+  scene.run(0, taken);
+  EXPECT_NEAR(scene.output("dt", step) / (1.6 * taken), 1.0, 0.03);
+}
+
+TEST(FixMuckpileTimestep, RanksTakeTheSameStep) {
+  double taken[2] = {}, bound[2] = {};
+  for (const bool shared : {false, true}) {
+    RockScene scene = engine(shared ? MPI_COMM_WORLD : MPI_COMM_SELF);
+    graded(scene, kUnbreakable);
+    scene.command("fix dt all muckpile/timestep");
+    scene.run(20, 1e-9);
+    taken[shared ? 1 : 0] = scene.output("dt", step);
+    bound[shared ? 1 : 0] = scene.output("dt", joint_step);
+  }
+  EXPECT_EQ(taken[0], taken[1]);
+  EXPECT_NEAR(bound[1] / bound[0], 1.0, 1e-9);
+}
+
+TEST(FixMuckpileTimestep, BoundIsWhereVibrationsGrow) {
+  for (const double share : {1.0, 1.04}) {
+    RockScene scene = engine(MPI_COMM_WORLD);
+    graded(scene, kUnbreakable);
+    scene.command("fix dt all muckpile/timestep breaking none");
+    scene.run(0, 1e-9);
+    const double dt = share * scene.output("dt", joint_step);
+    scene.command("unfix dt");
+    scene.set_motion([](int tag, const Vec3&) {
+      return Motion{0.01 * Vec3(tag % 3 - 1, tag % 5 - 2, tag % 7 - 3), Vec3(0, 0, tag % 2)};
+    });
+    const double start = scene.kinetic_energy();
+    scene.run(1500, dt);
+    const double now = scene.kinetic_energy() + scene.output("joint", 4);
+    if (share == 1.0) {
+      EXPECT_LT(now, 3.0 * start);
+    } else {
+      EXPECT_FALSE(now < 100.0 * start);
+    }
+  }
+}
+
+/// Blocks that fly apart: their joints break in the first step and retire when they have opened.
+void scatter(RockScene& scene) {
+  graded(scene, kRock + "cohesion 0 tension 0");
+  scene.set_motion([](int, const Vec3& at) { return Motion{2.0 * at, Vec3::Zero()}; });
+}
+
+TEST(FixMuckpileTimestep, StepGrowsWithinARunAsJointsRetire) {
+  RockScene scene = engine(MPI_COMM_WORLD);
+  scatter(scene);
+  scene.command("fix dt all muckpile/timestep every 50 joints_every 2 max 1e-4");
+  scene.command("variable now equal time");
+  const auto start = scene.blocks();
+  scene.run(0, 1e-9);
+  const double small = scene.output("dt", step);
+  scene.run(3000, small);
+  EXPECT_LT(small, 5e-5);
+  EXPECT_DOUBLE_EQ(scene.output("dt", step), 1e-4);
+  EXPECT_GT(scene.output("dt", changes), 2.0);
+  // Positions follow the engine's clock: the bodies and the clock know of every change.
+  const double time = scene.variable("now");
+  EXPECT_GT(time, 500 * 1e-4);
+  for (const auto& [tag, block] : scene.blocks()) {
+    const Vec3 home = start.at(tag).centre;
+    EXPECT_LT((block.centre - home - time * 2.0 * home).norm(), 1e-6 * time) << tag;
+  }
+}
+
+TEST(FixMuckpileTimestep, CountsContacts) {
+  RockScene scene = engine(MPI_COMM_WORLD);
+  scene.command("pair_style muckpile/block youngs_modulus 1e9");
+  scene.command("pair_coeff * *");
+  graded(scene, kUnbreakable);
+  scene.command("fix dt all muckpile/timestep");
+  scene.run(0, 1e-9);
+  const double joints = scene.output("dt", joint_step), contacts = scene.output("dt", contact_step);
+  EXPECT_TRUE(std::isfinite(contacts));
+  const double both = 1.0 / std::sqrt(1.0 / (joints * joints) + 1.0 / (contacts * contacts));
+  EXPECT_NEAR(scene.output("dt", step) / (0.8 * both), 1.0, 0.01);
+}
+
+}  // namespace
+}  // namespace muckpile::test
