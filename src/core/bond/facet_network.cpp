@@ -36,6 +36,12 @@ Vec3 opening_of(const Facet& facet) {
 
 }  // namespace
 
+FacetNetwork::FacetNetwork(const JointMaterial& material, const std::vector<JointClass>& natural)
+    : materials_{material} {
+  for (const JointClass& joint : natural) materials_.push_back(material.with_joints(joint));
+  derive();
+}
+
 void FacetNetwork::set_blocks(std::vector<BlockConstants> blocks) {
   blocks_ = std::move(blocks);
   blocks_.push_back({kGroundTag, 1.0, 1.0, false, {}});
@@ -68,10 +74,10 @@ void FacetNetwork::set_faces(std::vector<BoundaryFace> faces) {
 }
 
 void FacetNetwork::derive() {
-  damping_ = material_.damping_coefficient();
-  contact_damping_ = material_.contact_damping_coefficient();
+  damping_ = material().damping_coefficient();
+  contact_damping_ = material().contact_damping_coefficient();
   const double sharpening =
-      kSharpening * (2.0 * material_.lame_lambda() + material_.shear_modulus()) / 6.0;  // D [Pa]
+      kSharpening * (2.0 * material().lame_lambda() + material().shear_modulus()) / 6.0;  // D [Pa]
   elastic_.resize(facets_.size());
   law_.resize(facets_.size());
   for (std::size_t f = 0; f < facets_.size(); ++f) {
@@ -81,7 +87,8 @@ void FacetNetwork::derive() {
     Law& law = law_[f];
     law.depth_i = facet.normal.dot(facet.arm_i);
     law.depth_j = grounded ? 0.0 : -facet.normal.dot(facet.arm_j);
-    const FacetStiffness k = material_.facet_stiffness(law.depth_i + law.depth_j);
+    const JointMaterial& joint = materials_.at(facet.joint_class);
+    const FacetStiffness k = joint.facet_stiffness(law.depth_i + law.depth_j);
     const bool smooth = facet.kind == FacetKind::mirror;
     law.half_1 = facet.half_axes[0];
     law.half_2 = facet.half_axes[1];
@@ -94,8 +101,9 @@ void FacetNetwork::derive() {
     law.bulk_i = share_i * k.rock_share;
     law.bulk_j = share_j * k.rock_share;
     law.contact = k.contact;
-    law.tan_residual = smooth ? 0.0 : material_.tan_residual_friction();
+    law.tan_residual = smooth ? 0.0 : joint.tan_residual_friction();
     law.radius = std::sqrt(facet.area / M_PI);
+    law.joint_class = facet.joint_class;
     elastic_[f] = {facet.i,
                    facet.j,
                    facet.normal,
@@ -142,7 +150,7 @@ void FacetNetwork::dilatation(double dt) {
   for (std::size_t f : active_) {
     if (states_[f] != FacetState::retired && asleep_[f] <= calls_) open_facet(f);
   }
-  const double two_g = 2.0 * material_.shear_modulus();
+  const double two_g = 2.0 * material().shear_modulus();
   for (const BoundaryFace& face : faces_) {
     if (face.pressure == 0.0) continue;
     BlockSums& sums = sums_[static_cast<std::size_t>(face.block)];
@@ -157,7 +165,7 @@ void FacetNetwork::dilatation(double dt) {
 
 /// s of the header.
 double FacetNetwork::stiffening(const BlockSums& sums) const {
-  return 1.0 + sums.unbonded * material_.lame_lambda() / (2.0 * material_.shear_modulus());
+  return 1.0 + sums.unbonded * material().lame_lambda() / (2.0 * material().shear_modulus());
 }
 
 double FacetNetwork::theta_of(std::size_t b) const {
@@ -182,7 +190,7 @@ void FacetNetwork::bulk_stresses() {
     sums_[j].uneven -= part;
   }
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    bulk_stress_[b] = material_.lame_lambda() * theta_[b] +
+    bulk_stress_[b] = material().lame_lambda() * theta_[b] +
                       sums_[b].uneven / (blocks_[b].volume * stiffening(sums_[b]));
   }
   bulk_stress_.back() = 0.0;  // the ground
@@ -271,11 +279,12 @@ Vec3 FacetNetwork::mean_traction(std::size_t f) const {
   return bonded_traction(f, {kinematics_[f].jump, Vec3::Zero()});
 }
 
-bool FacetNetwork::fails(const Vec3& normal, const Vec3& traction) const {
-  const double along = normal.dot(traction);
+bool FacetNetwork::fails(std::size_t f, const Vec3& traction) const {
+  const JointMaterial& joint = materials_[law_[f].joint_class];
+  const double along = kinematics_[f].normal.dot(traction);
   const double shear = std::sqrt(std::max(0.0, traction.squaredNorm() - along * along));
-  const JointParameters& p = material_.parameters();
-  return joint_fails(along, shear, p.tension, p.cohesion, material_.tan_friction());
+  const JointParameters& p = joint.parameters();
+  return joint_fails(along, shear, p.tension, p.cohesion, joint.tan_friction());
 }
 
 /// Forces of an intact, undamped facet; false, and nothing done, if a point of it fails.
@@ -285,7 +294,7 @@ bool FacetNetwork::hold_facet(std::size_t f) {
   for (int p = 0; p < kFacetPoints; ++p) {
     const Point point = point_of(f, frame, p);
     const Vec3 traction = bonded_traction(f, point);
-    if (fails(kinematics_[f].normal, traction)) return false;
+    if (fails(f, traction)) return false;
     push.force += traction;
     push.moment += point.arm.cross(traction);
   }
@@ -310,7 +319,7 @@ void FacetNetwork::work_facet(std::size_t f, double dt) {
     Vec3 traction;
     if (!memory_[f].broken[static_cast<std::size_t>(p)]) {
       traction = bonded_traction(f, point);
-      if (torn || fails(kinematics_[f].normal, traction)) {
+      if (torn || fails(f, traction)) {
         break_point(f, p, point, slip, traction, dt);
       } else if (damping_ > 0.0 && !memory_[f].ground.yields) {  // the ground has a dashpot itself
         const Vec3 rate = slip.at(point.arm);
@@ -461,8 +470,8 @@ void FacetNetwork::let_sleep(std::size_t f, double gap, double dt) {
       (sj.velocity - si.velocity).norm() + (si.spin.norm() + sj.spin.norm()) * reach;
   if (dt <= 0.0) return;
   const double steps = 0.5 * gap / (std::max(speed, 1e-30) * dt);
-  asleep_[f] =
-      calls_ + 1 + static_cast<std::int64_t>(std::min(steps, material_.parameters().longest_sleep));
+  asleep_[f] = calls_ + 1 +
+               static_cast<std::int64_t>(std::min(steps, material().parameters().longest_sleep));
 }
 
 /// The spring energy that a facet gives up when its fade falls by `lost` is booked as friction.
@@ -513,7 +522,7 @@ void FacetNetwork::sweep(BoundaryFace& face) const {
 /// Energy of a block's dilatation less the potential of the pressures on its faces [J].
 double FacetNetwork::block_potential(std::size_t b, const BlockSums& sums) const {
   const double opened = sums.bonded + sums.loaded;
-  return 0.5 * material_.lame_lambda() * opened * opened / (blocks_[b].volume * stiffening(sums));
+  return 0.5 * material().lame_lambda() * opened * opened / (blocks_[b].volume * stiffening(sums));
 }
 
 double FacetNetwork::block_energy(std::size_t b) const {
@@ -567,7 +576,7 @@ FacetNetwork::Slip FacetNetwork::slip_of(std::size_t f) const {
 }
 
 double FacetNetwork::volume_swept(const BoundaryFace& face) const {
-  const double two_g = 2.0 * material_.shear_modulus();
+  const double two_g = 2.0 * material().shear_modulus();
   const double bulk_stress = bulk_stress_[static_cast<std::size_t>(face.block)];
   const double squeezed = (-face.pressure - bulk_stress) * face.normal.dot(face.arm) /
                           two_g;  // the face's own displacement
@@ -638,7 +647,7 @@ double FacetNetwork::broken_area(bool all) const {
 void FacetNetwork::soften(double factor) {
   stop_ground();  // what is behind is not softened, and no wave is left to let out
   losses_.fracture += (1.0 - factor) * elastic_energy();
-  material_ = material_.softened(factor);
+  for (JointMaterial& material : materials_) material = material.softened(factor);
   derive();
 }
 

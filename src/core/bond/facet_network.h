@@ -52,6 +52,7 @@ struct Facet {
   int face = 0;              ///< number of the face in block i's polyhedron
   int i = -1, j = -1;        ///< local indices; j = ground() for a support
   FacetKind kind = FacetKind::joint;
+  std::uint8_t joint_class = 0;   ///< 0: made by the cut alone; from 1: natural joints
   Vec3 normal;                    ///< unit, from i to j
   Vec3 arm_i, arm_j;              ///< facet centroid minus block centre (ground: the origin) [m]
   Vec3 opening_i, opening_j;      ///< m of blocks i and j: how the jump dilates them [-]
@@ -140,7 +141,8 @@ class LinearNetwork;
 
 class FacetNetwork {
  public:
-  explicit FacetNetwork(const JointMaterial& material) : material_(material) { derive(); }
+  /// `natural`: the joint classes from 1; class 0 is that of `material`.
+  explicit FacetNetwork(const JointMaterial& material, const std::vector<JointClass>& natural = {});
 
   /// Blocks first (owned ones first; the ground is appended), then facets and faces with their
   /// indices set.
@@ -149,7 +151,7 @@ class FacetNetwork {
   void set_facets(std::vector<Facet> facets, std::vector<FacetMemory> memory);
   void set_faces(std::vector<BoundaryFace> faces);
 
-  [[nodiscard]] const JointMaterial& material() const { return material_; }
+  [[nodiscard]] const JointMaterial& material() const { return materials_.front(); }
   [[nodiscard]] const std::vector<BlockConstants>& blocks() const { return blocks_; }
   [[nodiscard]] const std::vector<Facet>& facets() const { return facets_; }
   [[nodiscard]] const std::vector<FacetMemory>& memory() const { return memory_; }
@@ -199,7 +201,7 @@ class FacetNetwork {
   void soften(double factor);
 
  private:
-  // What the two passes read of a facet, contiguous; derived from facets_ and material_.
+  // What the two passes read of a facet, contiguous; derived from facets_ and materials_.
   struct Elastic {  // first pass
     int i, j;
     Vec3 normal, arm_i, arm_j, opening_i, opening_j;
@@ -215,7 +217,8 @@ class FacetNetwork {
     double bulk_i, bulk_j;  // share of the bulk stress of block i and j in the traction [-]
     double contact;         // normal stiffness when broken and closed [Pa/m]
     double tan_residual;
-    double radius;            // of the circle of equal area [m]
+    double radius;  // of the circle of equal area [m]
+    std::uint8_t joint_class;
     double depth_i, depth_j;  // distance of the facet from the two centres [m]
   };
   struct Kinematics {         // of the present step
@@ -258,7 +261,7 @@ class FacetNetwork {
   bool hold_facet(std::size_t f);
   void work_facet(std::size_t f, double dt);
   [[nodiscard]] Vec3 bonded_traction(std::size_t f, const Point& point) const;
-  [[nodiscard]] bool fails(const Vec3& normal, const Vec3& traction) const;
+  [[nodiscard]] bool fails(std::size_t f, const Vec3& traction) const;
   [[nodiscard]] Vec3 contact_traction(std::size_t f, int p, const Point& point, const Slip& slip,
                                       bool fresh, double dt);
   void break_point(std::size_t f, int p, const Point& point, const Slip& slip, const Vec3& traction,
@@ -285,7 +288,7 @@ class FacetNetwork {
   [[nodiscard]] double block_potential(std::size_t b, const BlockSums& sums) const;
   [[nodiscard]] double block_energy(std::size_t b) const;
 
-  JointMaterial material_;
+  std::vector<JointMaterial> materials_;  // per joint class; the rock is the same in all
   std::vector<BlockConstants> blocks_;
   std::vector<BlockState> state_;
   std::vector<BlockSums> sums_;

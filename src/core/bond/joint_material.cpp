@@ -79,6 +79,17 @@ FacetStiffness JointMaterial::facet_stiffness(double h) const {
   return k;
 }
 
+JointMaterial JointMaterial::with_joints(const JointClass& joint) const {
+  JointParameters p = parameters_;
+  p.tension = joint.tension;
+  p.cohesion = joint.cohesion;
+  p.friction_angle = joint.friction_angle;
+  p.residual_friction_angle = joint.residual_friction_angle;
+  p.normal_stiffness = joint.normal_stiffness;
+  p.shear_stiffness = joint.shear_stiffness;
+  return JointMaterial(p);
+}
+
 JointMaterial JointMaterial::softened(double factor) const {
   JointParameters p = parameters_;
   p.youngs_modulus *= factor;

@@ -23,6 +23,16 @@ struct JointParameters {
   double longest_sleep = 0.0;    ///< steps for which a broken open facet may be left alone [-]
 };
 
+/// A natural joint: stiffness and strength of its own; the rock on both sides is the same.
+struct JointClass {
+  double tension = 0.0;                                               ///< cut-off [Pa]
+  double cohesion = 0.0;                                              ///< [Pa]
+  double friction_angle = 0.0;                                        ///< before breaking [rad]
+  double residual_friction_angle = 0.0;                               ///< after breaking [rad]
+  double normal_stiffness = std::numeric_limits<double>::infinity();  ///< [Pa/m]
+  double shear_stiffness = std::numeric_limits<double>::infinity();   ///< [Pa/m]
+};
+
 /// Stiffness of one facet whose block centres are h apart along its normal.
 struct FacetStiffness {
   double normal;      ///< elastic part of the normal traction per jump [Pa/m]
@@ -50,6 +60,9 @@ class JointMaterial {
   /// Joint compliances act in series with the rock between the centres. The share of the jump that
   /// strains the rock is k/(k + (lambda + 2G)/h), exact for uniaxial strain normal to the joint.
   [[nodiscard]] FacetStiffness facet_stiffness(double h) const;
+
+  /// The same rock with other joints in it.
+  [[nodiscard]] JointMaterial with_joints(const JointClass& joint) const;
 
   /// Rock softened by `factor` (all moduli and stiffnesses), strengths unchanged.
   [[nodiscard]] JointMaterial softened(double factor) const;

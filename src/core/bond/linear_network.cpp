@@ -57,7 +57,7 @@ void FacetNetwork::linearise(LinearNetwork& linear, BreakView view, double dampi
     }
     linear.springs_.push_back(spring);
   }
-  linear.lambda_ = material_.lame_lambda();
+  linear.lambda_ = material().lame_lambda();
   for (std::size_t b = 0; b + 1 < blocks_.size(); ++b)
     linear.volume_.push_back(blocks_[b].volume * stiffening(sums_[b]));
   linear.theta_.resize(linear.volume_.size());

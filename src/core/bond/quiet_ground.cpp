@@ -116,7 +116,7 @@ FacetNetwork::GroundPlan FacetNetwork::plan_ground(std::size_t f, double dt) con
 /// Beside fixed supports the bulk stress is lambda theta.
 void FacetNetwork::yield_block_ground(std::size_t first, std::size_t last, double dt) {
   const auto b = static_cast<std::size_t>(elastic_[yielding_[first]].i);
-  const double lambda = material_.lame_lambda();
+  const double lambda = material().lame_lambda();
   double opened = sums_[b].bonded + sums_[b].loaded;
   double volume = blocks_[b].volume * stiffening(sums_[b]);
   for (std::size_t y = first; y < last; ++y) {

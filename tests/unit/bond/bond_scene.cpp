@@ -46,8 +46,9 @@ Mat3 turn(const Vec3& angle) {
 }
 
 BondScene::BondScene(const std::vector<Block>& blocks, const JointParameters& parameters,
-                     const SupportRule& support)
-    : network_(JointMaterial(parameters)), angular_momentum_(blocks.size(), Vec3::Zero()) {
+                     const SupportRule& support, const NaturalJoints& natural)
+    : network_(JointMaterial(parameters), natural.classes),
+      angular_momentum_(blocks.size(), Vec3::Zero()) {
   std::vector<BlockConstants> constants;
   for (const Block& block : blocks) {
     mass_.push_back(parameters.density * block.mass.volume);
@@ -58,6 +59,7 @@ BondScene::BondScene(const std::vector<Block>& blocks, const JointParameters& pa
   }
   network_.set_blocks(constants);
   FacetSet set = build_facets(blocks, 1, support);
+  assign_joint_classes(natural.planes, blocks, 1, set.facets);
   for (Facet& facet : set.facets) {
     facet.i = facet.tag_i - 1;
     facet.j = facet.tag_j == kGroundTag ? network_.ground() : facet.tag_j - 1;

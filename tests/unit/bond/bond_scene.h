@@ -8,6 +8,7 @@
 
 #include "bond/facet_builder.h"
 #include "bond/facet_network.h"
+#include "bond/joint_plane.h"
 #include "bond/stable_step.h"
 #include "geometry/block_model.h"
 
@@ -26,7 +27,8 @@ class BondScene {
  public:
   BondScene(
       const std::vector<Block>& blocks, const JointParameters& parameters,
-      const SupportRule& support = [](const Vec3&) { return Support::free; });
+      const SupportRule& support = [](const Vec3&) { return Support::free; },
+      const NaturalJoints& natural = {});
 
   [[nodiscard]] FacetNetwork& network() { return network_; }
   [[nodiscard]] std::size_t size() const { return mass_.size(); }

@@ -40,7 +40,7 @@ WallRule walls_with(const Vec3& parity, const Vec3& box) {
 }
 
 BlockRun::BlockRun(const std::vector<Block>& blocks, const std::vector<JointParameters>& networks,
-                   const WallRule& walls)
+                   const WallRule& walls, const NaturalJoints& natural)
     : angular_momentum_(blocks.size(), Vec3::Zero()) {
   const double density = networks.front().density;
   for (const Block& block : blocks) {
@@ -51,14 +51,16 @@ BlockRun::BlockRun(const std::vector<Block>& blocks, const std::vector<JointPara
     start_.push_back(block.mass.centroid);
     state_.push_back({block.mass.centroid, Vec3::Zero(), Vec3::Zero(), Mat3::Identity()});
   }
-  make_networks(blocks, networks, walls);
+  make_networks(blocks, networks, walls, natural);
   force_.assign(state_.size(), Vec3::Zero());
   torque_.assign(state_.size(), Vec3::Zero());
 }
 
 void BlockRun::make_networks(const std::vector<Block>& blocks,
-                             const std::vector<JointParameters>& networks, const WallRule& walls) {
+                             const std::vector<JointParameters>& networks, const WallRule& walls,
+                             const NaturalJoints& natural) {
   FacetSet set = build_facets(blocks, 1, [&](const Vec3& at) { return support_of(walls(at)); });
+  assign_joint_classes(natural.planes, blocks, 1, set.facets);
   std::vector<BlockConstants> constants;
   for (std::size_t b = 0; b < size(); ++b) {
     constants.push_back({static_cast<int>(b) + 1, volume_[b], mass_[b], true, {}});
@@ -90,7 +92,7 @@ void BlockRun::make_networks(const std::vector<Block>& blocks,
   for (BoundaryFace& face : set.faces) face.block = face.tag - 1;
   for (Facet* facet : grounded) facet->j = static_cast<int>(constants.size());
   for (const JointParameters& parameters : networks) {
-    networks_.emplace_back(JointMaterial(parameters));
+    networks_.emplace_back(JointMaterial(parameters), natural.classes);
     networks_.back().set_blocks(constants);
     networks_.back().set_facets(set.facets, {});
     networks_.back().set_faces(set.faces);

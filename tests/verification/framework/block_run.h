@@ -9,6 +9,7 @@
 
 #include "bond/facet_builder.h"
 #include "bond/facet_network.h"
+#include "bond/joint_plane.h"
 #include "geometry/block_model.h"
 
 namespace muckpile::verification {
@@ -30,7 +31,7 @@ class BlockRun {
  public:
   /// Every element of `networks` is a facet network of its own over all facets; their forces add.
   BlockRun(const std::vector<Block>& blocks, const std::vector<JointParameters>& networks,
-           const WallRule& walls);
+           const WallRule& walls, const NaturalJoints& natural = {});
 
   [[nodiscard]] std::size_t size() const { return mass_.size(); }
   [[nodiscard]] double mass(std::size_t b) const { return mass_[b]; }
@@ -72,7 +73,7 @@ class BlockRun {
     double parity;
   };
   void make_networks(const std::vector<Block>& blocks, const std::vector<JointParameters>& networks,
-                     const WallRule& walls);
+                     const WallRule& walls, const NaturalJoints& natural);
   void reflect(std::size_t k);
   void reflect_scalars(std::span<double> values) const;
   void kick(double dt);
