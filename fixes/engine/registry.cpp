@@ -14,6 +14,7 @@
 #include <map>
 #include <type_traits>
 
+#include "charge_design.h"
 #include "create_blocks.h"
 #include "fix_muckpile_balance.h"
 #include "fix_muckpile_blast.h"
@@ -77,6 +78,7 @@ void register_again(LAMMPS* lmp, int, char**) { register_styles(*lmp); }
 
 const std::map<std::string, CommandCreator>& commands() {
   static const std::map<std::string, CommandCreator> table = {
+      {"charge_design", &run_command<ChargeDesignCommand>},
       {"create_blocks", &run_command<CreateBlocks>},
       {"muckpile_styles", &register_again},
       {"require", &run_command<Require>},

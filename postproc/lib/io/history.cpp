@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "args/input_error.h"
-#include "io/csv_table.h"
+#include "args/csv_table.h"
 
 namespace muckpile {
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "args/input_error.h"
-#include "io/csv_table.h"
+#include "args/csv_table.h"
 
 namespace muckpile {
 namespace {

@@ -15,6 +15,12 @@ double crushed_zone_exponent(double poisson_ratio) {
   return 2.0 + poisson_ratio / (1.0 - poisson_ratio);
 }
 
+double liu_katsabanis_exponent(double p_wave_speed, double detonation_velocity) {
+  explosive_detail::require_positive("rock_p_wave_speed", "m/s", p_wave_speed);
+  explosive_detail::require_positive("vod", "m/s", detonation_velocity);
+  return 1.54 * std::pow(p_wave_speed / detonation_velocity, -0.33);
+}
+
 double attenuated_pressure(double pressure, double borehole_radius, double radius,
                            double exponent) {
   explosive_detail::require_not_negative("borehole_pressure", "Pa", pressure);

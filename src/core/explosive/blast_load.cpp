@@ -17,7 +17,7 @@ BlastLoad::BlastLoad(const Parameters& parameters)
     : wave_peak_(parameters.wave_peak),
       pulse_(parameters.rise_time),
       gas_(parameters.gas),
-      isentrope_(parameters.isentrope),
+      expansion_(parameters.isentrope, parameters.jwl),
       charge_volume_(parameters.charge_volume),
       vent_time_(parameters.vent_time),
       vent_decay_(parameters.vent_decay) {
@@ -26,12 +26,14 @@ BlastLoad::BlastLoad(const Parameters& parameters)
   explosive_detail::require_positive("charge volume", "m3", charge_volume_);
   explosive_detail::require_not_negative("vent_time", "s", vent_time_);
   explosive_detail::require_positive("vent_decay", "s", vent_decay_);
-  switch_volume_ = isentrope_.switch_ratio() * charge_volume_;
+  explosive_detail::require_positive("free volume ratio", "", parameters.free_volume_ratio);
+  start_volume_ =
+      std::max(expansion_.switch_ratio(), parameters.free_volume_ratio) * charge_volume_;
 }
 
 double BlastLoad::gas_pressure(double swept_volume, double time) const {
   if (!gas_) return 0.0;
-  return isentrope_.pressure((switch_volume_ + swept_volume) / charge_volume_) *
+  return expansion_.pressure((start_volume_ + swept_volume) / charge_volume_) *
          vent_factor(time, vent_time_, vent_decay_);
 }
 
@@ -45,8 +47,6 @@ double BlastLoad::bound(double tau, double gas_pressure) const {
   return std::max(wave_peak_ * wave, gas_pressure);
 }
 
-double BlastLoad::greatest_pressure() const {
-  return std::max(wave_peak_, gas_ ? isentrope_.switch_pressure() : 0.0);
-}
+double BlastLoad::greatest_pressure() const { return std::max(wave_peak_, gas_pressure(0.0, 0.0)); }
 
 }  // namespace muckpile

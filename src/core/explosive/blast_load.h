@@ -4,8 +4,10 @@
 // sweeps; leakage is a time law, the flow of gas into cracks is not resolved.
 #pragma once
 
+#include <optional>
+
+#include "explosive/product_expansion.h"
 #include "explosive/starfield_pulse.h"
-#include "explosive/two_stage_isentrope.h"
 
 namespace muckpile {
 
@@ -19,9 +21,10 @@ namespace muckpile {
 /// after. So before the peak p is the pulse alone wherever P1 >= p_gas, and afterwards the greater
 /// of both: the maximum, not the sum, because the pulse is the first part of the same expansion. If
 /// P1 < p_gas the gas comes up along the pulse's own rise. Either way the load never jumps.
-///     p_gas = p(V/V0) s(t),  V = Vk + swept volume,  V0 charge volume, p(V/V0) and Vk the
-///     isentrope's,
-/// that is pk (Vk/V)^gamma2 s(t) as long as the wall has not moved inward, s the vent factor.
+///     p_gas = p(V/V0) s(t),  V = Vg + swept volume,  V0 charge volume,
+/// p(V/V0) the isentrope's and Vg its Vk, or the room that a decoupled charge has if that is more:
+/// pk (Vk/V)^gamma2 s(t) for the two-stage law as long as the wall has not moved inward, s the vent
+/// factor.
 class BlastLoad {
  public:
   struct Parameters {
@@ -29,7 +32,9 @@ class BlastLoad {
     double rise_time;                         ///< [s]
     bool gas;                                 ///< false: pulse only, the four below are not used
     TwoStageIsentrope::Parameters isentrope;  ///< of the products
+    std::optional<JwlParameters> jwl{};       ///< in its place; see ProductExpansion
     double charge_volume;                     ///< V0 [m3]
+    double free_volume_ratio = 1.0;           ///< chamber that the products fill over V0 [-]
     double vent_time;                         ///< since the primer fired [s]
     double vent_decay;                        ///< [s]
   };
@@ -46,7 +51,8 @@ class BlastLoad {
   [[nodiscard]] double bound(double tau, double gas_pressure) const;
 
   [[nodiscard]] double wave_peak() const { return wave_peak_; }          ///< P1 [Pa]
-  [[nodiscard]] double switch_volume() const { return switch_volume_; }  ///< Vk [m3], 0 without gas
+  [[nodiscard]] double start_volume() const { return start_volume_; }    ///< Vg [m3], 0 without gas
+  [[nodiscard]] double charge_volume() const { return charge_volume_; }  ///< V0 [m3]
   /// The greatest load that can occur on a wall that only moves outward [Pa].
   [[nodiscard]] double greatest_pressure() const;
 
@@ -54,9 +60,9 @@ class BlastLoad {
   double wave_peak_;
   StarfieldPulse pulse_;
   bool gas_;
-  TwoStageIsentrope isentrope_;
+  ProductExpansion expansion_;
   double charge_volume_;
-  double switch_volume_ = 0.0;
+  double start_volume_ = 0.0;
   double vent_time_;
   double vent_decay_;
 };

@@ -2,7 +2,6 @@
 // The words of fix muckpile/blast; see the header.
 #include "explosive/blast_options.h"
 
-#include <numbers>
 #include <sstream>
 
 #include "args/input_error.h"
@@ -12,52 +11,34 @@
 namespace muckpile {
 namespace {
 
-constexpr const char* kNotGiven = "auto";
-
-/// A number that may be left to the style: a word in the table, read by optional_real().
-void add_optional(ArgTable& table, const std::string& name, const std::string& text) {
-  table.word(name, {}, kNotGiven, text);
-}
-
-std::optional<double> optional_real(const ArgValues& values, const std::string& where,
-                                    const std::string& name, const std::string& unit, Range range) {
-  const std::string& word = values.word(name);
-  if (word == kNotGiven) return std::nullopt;
-  return parse_real(where, name, word, unit, range);
-}
+constexpr double kMPa = 1e6;
 
 void add_charge_keywords(ArgTable& table) {
-  table.real("explosive_density", "kg/m3", Range::positive(), std::nullopt, "density of the charge")
-      .real("vod", "m/s", Range::positive(), std::nullopt, "detonation velocity along the column")
-      .real("hole_diameter", "m", Range::positive(), std::nullopt,
-            "diameter of hole and charge (fully coupled)")
-      .word("borehole_model",
-            {"explosion_state", "explosion_state_fit", "chapman_jouguet", "impedance_matched"},
-            "explosion_state", "formula for the borehole pressure P0");
-  add_optional(table, "borehole_pressure", "P0 itself [Pa], > 0; auto: from borehole_model");
-  add_optional(table, "rock_impedance",
-               "density times P-wave speed of the rock [Pa s/m], > 0; needed by impedance_matched "
-               "only");
-  table.word("primer", {}, "bottom", "bottom, top, or its place along the column from 0 to 1");
+  add_explosive_keywords(table);
+  table.real("hole_diameter", "m", Range::positive(), std::nullopt, "diameter of the hole");
+  add_decoupling_keywords(table);
+  add_borehole_keywords(table);
+  table.word("primer", {}, "bottom", "bottom, top, or its place along the charge from 0 to 1");
 }
 
 void add_pulse_keywords(ArgTable& table) {
   table.flag("pulse", true, "stress-wave pulse on or off")
       .real("rise_time", "s", Range::positive(), 1e-4, "time from arrival to peak");
-  add_optional(table, "poisson_ratio",
-               "of the rock, >= 0 and < 0.5; sets the attenuation exponent 2 + nu/(1 - nu)");
-  add_optional(table, "attenuation_exponent",
-               "from hole wall to crushed-zone wall, >= 0; auto: from poisson_ratio");
+  add_optional(table, "poisson_ratio", "of the rock, >= 0 and < 0.5; needed by attenuation shock");
+  table.word(
+      "attenuation", {"shock", "liu_katsabanis"}, "shock",
+      "exponent of the fall of the peak from hole wall to crushed-zone wall: of a shock, 2 + "
+      "nu/(1 - nu), or 1.54 (c_p/D)^-0.33");
+  add_optional(table, "rock_p_wave_speed",
+               "c_p of the rock [m/s], > 0; needed by attenuation liu_katsabanis only");
+  add_optional(table, "attenuation_exponent", "that exponent itself, >= 0; auto: from attenuation");
   add_optional(table, "peak_pressure",
                "P1 on the crushed-zone wall itself [Pa], >= 0; auto: P0 attenuated");
 }
 
 void add_gas_keywords(ArgTable& table) {
-  table.flag("gas", true, "gas stage on or off")
-      .real("gas_switch_pressure", "Pa", Range::positive(), 200e6,
-            "pressure p_k at which the isentrope changes its exponent and the gas stage starts")
-      .real("gas_gamma_dense", "", Range::positive(), 3.0, "isentrope exponent above p_k")
-      .real("gas_gamma", "", Range::positive(), 1.4, "isentrope exponent below p_k");
+  table.flag("gas", true, "gas stage on or off");
+  add_expansion_keywords(table);
   add_optional(table, "vent_time",
                "from firing to the start of venting [s], >= 0; needed with gas yes, about 3.3e-3 "
                "per m of burden");
@@ -88,34 +69,43 @@ double primer_place(const std::string& where, const std::string& word) {
   }
 }
 
-double chosen_borehole_pressure(const BlastOptions& options, const ArgValues& values) {
-  const std::string& model = values.word("borehole_model");
-  if (const auto typed =
-          optional_real(values, options.where, "borehole_pressure", "Pa", Range::positive())) {
-    if (!values.given("borehole_model")) return *typed;
-    refuse(options.where, "borehole_pressure and borehole_model exclude each other");
+void read_attenuation(BlastOptions& options, const ArgValues& values) {
+  const auto number = [&](const char* name, const char* unit, Range range) {
+    return optional_real(values, options.where, name, unit, range);
+  };
+  options.poisson_ratio = number("poisson_ratio", "", Range::right_open(0.0, 0.5));
+  options.p_wave_speed = number("rock_p_wave_speed", "m/s", Range::positive());
+  options.typed_exponent = number("attenuation_exponent", "", Range::non_negative());
+  options.peak_pressure = number("peak_pressure", "Pa", Range::non_negative());
+  if (values.word("attenuation") == "liu_katsabanis") {
+    options.attenuation = Attenuation::liu_katsabanis;
   }
-  if (model == "explosion_state_fit") return explosion_state_pressure_fit(options.explosive);
-  if (model == "chapman_jouguet") return chapman_jouguet_pressure(options.explosive);
-  if (model == "impedance_matched") {
-    if (!options.rock_impedance) {
-      refuse(options.where, "borehole_model impedance_matched needs rock_impedance [Pa s/m]");
-    }
-    return impedance_matched_pressure(options.explosive, *options.rock_impedance);
+  if (options.typed_exponent && values.given("attenuation")) {
+    refuse(options.where, "attenuation_exponent and attenuation exclude each other");
   }
-  return explosion_state_pressure(options.explosive);
+  if (options.typed_exponent) options.attenuation = Attenuation::typed;
+  if (options.peak_pressure || !options.pulse) return;
+  if (options.attenuation == Attenuation::shock && !options.poisson_ratio) {
+    refuse(options.where, "needs poisson_ratio, attenuation_exponent or peak_pressure");
+  }
+  if (options.attenuation == Attenuation::liu_katsabanis && !options.p_wave_speed) {
+    refuse(options.where, "attenuation liu_katsabanis needs rock_p_wave_speed [m/s]");
+  }
 }
 
-double chosen_exponent(const BlastOptions& options, const ArgValues& values) {
-  const auto poisson_ratio =
-      optional_real(values, options.where, "poisson_ratio", "", Range::right_open(0.0, 0.5));
-  if (const auto typed =
-          optional_real(values, options.where, "attenuation_exponent", "", Range::non_negative())) {
-    return *typed;
+/// Of that explosive; 0 where it is not known because nothing needs it.
+double exponent_of(const BlastOptions& options, Attenuation by, const NamedExplosive& explosive) {
+  switch (by) {
+    case Attenuation::shock:
+      return options.poisson_ratio ? crushed_zone_exponent(*options.poisson_ratio) : 0.0;
+    case Attenuation::liu_katsabanis:
+      return options.p_wave_speed
+                 ? liu_katsabanis_exponent(*options.p_wave_speed, explosive.detonation_velocity)
+                 : 0.0;
+    case Attenuation::typed:
+      break;
   }
-  if (poisson_ratio) return crushed_zone_exponent(*poisson_ratio);
-  if (options.peak_pressure || !options.pulse) return 0.0;  // not used
-  refuse(options.where, "needs poisson_ratio, attenuation_exponent or peak_pressure");
+  return options.typed_exponent.value_or(0.0);
 }
 
 /// A time that the gas needs; `advice` for who left it out.
@@ -146,43 +136,123 @@ std::map<long, double> own_delays(const std::string& where, const ArgValues& val
   return delays;
 }
 
-double charge_volume(const BlastOptions& options, const Hole& zone) {
-  return std::numbers::pi * options.hole_radius * options.hole_radius *
-         (zone.collar - zone.toe).norm();
+/// One charge in its hole, all that its load needs.
+struct LoadedHole {
+  NamedExplosive explosive;
+  ChargeShape shape;
+  DecouplingRule decoupling;
+  double initial_pressure = 0.0;  ///< P0, 0 if nothing needs it [Pa]
+  double wall_pressure = 0.0;     ///< on the hole's wall [Pa]
+  double exponent = 0.0;          ///< of the attenuation
+};
+
+LoadedHole loaded_hole(const BlastOptions& options, const Hole& zone) {
+  const ChargeOptions& charge = options.charge;
+  LoadedHole hole;
+  hole.explosive = charge.explosive;
+  hole.shape.hole_radius = charge.hole_radius;
+  hole.shape.charge_radius = charge.charge_radius.value_or(charge.hole_radius);
+  hole.shape.chamber_length = (zone.collar - zone.toe).norm();
+  hole.shape.charge_length = charge.charge_length.value_or(hole.shape.chamber_length);
+  check_shape(hole.shape);
+  hole.exponent = exponent_of(options, options.attenuation, hole.explosive);
+  hole.decoupling = charge.decoupling;
+  if (charge.decoupling.coupling == Coupling::stemming && !charge.coupling_exponent_typed) {
+    hole.decoupling.coupling_exponent = hole.exponent;  // stemming is crushed rock
+  }
+  if (!options.needs_borehole_pressure()) return hole;
+  hole.initial_pressure = initial_pressure(charge, hole.explosive);
+  hole.wall_pressure =
+      wall_pressure(hole.initial_pressure, product_expansion(charge, hole.explosive), hole.shape,
+                    hole.decoupling);
+  return hole;
 }
 
-double wall_peak(const BlastOptions& options, const Hole& zone) {
+double wall_peak(const BlastOptions& options, const LoadedHole& hole, const Hole& zone) {
   if (!options.pulse) return 0.0;
   if (options.peak_pressure) return *options.peak_pressure;
-  return attenuated_pressure(options.borehole_pressure, options.hole_radius, zone.radius,
-                             options.attenuation_exponent);
+  return attenuated_pressure(hole.wall_pressure, hole.shape.hole_radius, zone.radius,
+                             hole.exponent);
+}
+
+BlastLoad blast_load(const BlastOptions& options, const LoadedHole& hole, const Hole& zone) {
+  BlastLoad::Parameters parameters{.wave_peak = wall_peak(options, hole, zone),
+                                   .rise_time = options.rise_time,
+                                   .gas = options.gas,
+                                   .isentrope = options.charge.isentrope,
+                                   .charge_volume = hole.shape.charge_volume(),
+                                   .vent_time = options.vent_time,
+                                   .vent_decay = options.vent_decay};
+  // Without a P0 there is no gas either: any pressure that the law takes will do.
+  parameters.isentrope.initial_pressure =
+      hole.initial_pressure > 0.0 ? hole.initial_pressure : parameters.isentrope.switch_pressure;
+  if (options.charge.jwl) parameters.jwl = hole.explosive.jwl;
+  parameters.free_volume_ratio = free_volume_ratio(hole.shape, hole.decoupling);
+  return BlastLoad(parameters);
+}
+
+void check_zone(const BlastOptions& options, const Hole& zone, int number) {
+  if (zone.radius >= options.charge.hole_radius) return;
+  std::ostringstream text;
+  text << "hole_diameter must not exceed that of the crushed zone of hole " << number << ", "
+       << 2.0 * zone.radius << " [m], got '" << 2.0 * options.charge.hole_radius << "'";
+  refuse(options.where, text.str());
 }
 
 HoleBlast hole_blast(const BlastOptions& options, const Hole& zone, int index) {
-  if (zone.radius < options.hole_radius) {
-    std::ostringstream text;
-    text << "hole_diameter must not exceed that of the crushed zone of hole " << index + 1 << ", "
-         << 2.0 * zone.radius << " [m], got '" << 2.0 * options.hole_radius << "'";
-    refuse(options.where, text.str());
-  }
+  check_zone(options, zone, index + 1);
   const auto own = options.delays.find(index + 1);
   const double firing = own != options.delays.end() ? own->second : index * options.interval;
   try {
-    return {BlastLoad({.wave_peak = wall_peak(options, zone),
-                       .rise_time = options.rise_time,
-                       .gas = options.gas,
-                       .isentrope = options.isentrope,
-                       .charge_volume = charge_volume(options, zone),
-                       .vent_time = options.vent_time,
-                       .vent_decay = options.vent_decay}),
+    const LoadedHole hole = loaded_hole(options, zone);
+    const Vec3 axis = (zone.collar - zone.toe).normalized();
+    return {blast_load(options, hole, zone),
             DetonationFront({.toe = zone.toe,
-                             .collar = zone.collar,
-                             .detonation_velocity = options.explosive.detonation_velocity,
+                             .collar = zone.toe + hole.shape.charge_length * axis,
+                             .detonation_velocity = hole.explosive.detonation_velocity,
                              .firing_time = firing,
                              .primer = options.primer})};
   } catch (const InputError& error) {
     refuse(options.where, "hole " + std::to_string(index + 1) + ": " + error.what());
   }
+}
+
+void describe_pressures(std::ostream& text, const BlastOptions& options, const LoadedHole& hole) {
+  text << "  explosive " << hole.explosive.name << ": " << hole.explosive.density << " kg/m3, "
+       << hole.explosive.detonation_velocity << " m/s";
+  if (options.charge.energy_known) text << ", " << hole.explosive.energy / 1e6 << " MJ/kg";
+  if (!hole.explosive.source.empty()) text << " (" << hole.explosive.source << ")";
+  text << '\n';
+  if (!options.needs_borehole_pressure()) return;
+  text << "  borehole pressure P0 = " << hole.initial_pressure / kMPa
+       << " MPa; by formula: " << alternative_pressures(options.charge, hole.explosive) << '\n';
+  if (hole.wall_pressure != hole.initial_pressure) {
+    text << "  decoupled: " << hole.wall_pressure / kMPa << " MPa on the wall, products free in "
+         << free_volume_ratio(hole.shape, hole.decoupling) << " V0\n";
+  }
+}
+
+/// P1 by every exponent that is known, so that the choice can be judged.
+void describe_wave(std::ostream& text, const BlastOptions& options, const LoadedHole& hole,
+                   const Hole& zone) {
+  text << "  wave peak P1 = " << wall_peak(options, hole, zone) / kMPa
+       << " MPa on r1 = " << zone.radius << " m (" << zone.radius / hole.shape.hole_radius
+       << " hole radii, exponent " << hole.exponent << "), rise " << options.rise_time << " s";
+  if (hole.wall_pressure > 0.0) {
+    const auto other = [&](const char* name, double exponent) {
+      if (exponent <= 0.0) return;
+      text << ", " << name << " (" << exponent << ") "
+           << attenuated_pressure(hole.wall_pressure, hole.shape.hole_radius, zone.radius,
+                                  exponent) /
+                  kMPa;
+    };
+    text << "; by exponent";
+    other("shock", exponent_of(options, Attenuation::shock, hole.explosive));
+    other("Liu-Katsabanis", exponent_of(options, Attenuation::liu_katsabanis, hole.explosive));
+    other("Hino", kHinoExponent);
+    text << " MPa";
+  }
+  text << '\n';
 }
 
 }  // namespace
@@ -202,19 +272,12 @@ BlastOptions blast_options(const ArgValues& values, const std::string& where) {
   options.pulse = values.flag("pulse");
   options.gas = values.flag("gas");
   if (!options.pulse && !options.gas) refuse(where, "pulse no and gas no leave no load");
-  options.explosive = {values.real("explosive_density"), values.real("vod")};
-  options.hole_radius = 0.5 * values.real("hole_diameter");
-  options.rock_impedance =
-      optional_real(values, where, "rock_impedance", "Pa s/m", Range::positive());
-  options.borehole_pressure = chosen_borehole_pressure(options, values);
-  options.peak_pressure =
-      optional_real(values, where, "peak_pressure", "Pa", Range::non_negative());
-  options.attenuation_exponent = chosen_exponent(options, values);
+  read_explosive(options.charge, values, where);
+  options.charge.hole_radius = 0.5 * values.real("hole_diameter");
+  read_decoupling(options.charge, values, where);
+  read_expansion(options.charge, values, where);
+  read_attenuation(options, values);
   options.rise_time = values.real("rise_time");
-  options.isentrope = {.initial_pressure = options.borehole_pressure,
-                       .switch_pressure = values.real("gas_switch_pressure"),
-                       .dense_exponent = values.real("gas_gamma_dense"),
-                       .dilute_exponent = values.real("gas_gamma")};
   options.vent_time = vent_word(options, values, "vent_time", Range::non_negative(), "3.3e-3");
   options.vent_decay = vent_word(options, values, "vent_decay", Range::positive(), "1.5e-3");
   options.primer = primer_place(where, values.word("primer"));
@@ -241,28 +304,18 @@ std::vector<HoleBlast> hole_blasts(const BlastOptions& options,
 
 std::string describe(const BlastOptions& options, const std::vector<Hole>& crushed_zones,
                      const std::vector<HoleBlast>& blasts) {
-  constexpr double kMPa = 1e6;
   const Hole& zone = crushed_zones.front();
   const BlastLoad& load = blasts.front().load();
+  const LoadedHole hole = loaded_hole(options, zone);
   std::ostringstream text;
   text.precision(4);
-  text << options.where << ": " << blasts.size() << " hole(s), hole 1:\n"
-       << "  borehole pressure P0 = " << options.borehole_pressure / kMPa
-       << " MPa; other formulas: explosion state "
-       << explosion_state_pressure(options.explosive) / kMPa << ", its fit "
-       << explosion_state_pressure_fit(options.explosive) / kMPa << ", Chapman-Jouguet "
-       << chapman_jouguet_pressure(options.explosive) / kMPa;
-  if (options.rock_impedance) {
-    text << ", impedance-matched "
-         << impedance_matched_pressure(options.explosive, *options.rock_impedance) / kMPa;
-  }
-  text << " MPa\n  wave peak P1 = " << load.wave_peak() / kMPa << " MPa on r1 = " << zone.radius
-       << " m (" << zone.radius / options.hole_radius << " hole radii, exponent "
-       << options.attenuation_exponent << "), rise " << options.rise_time << " s\n";
+  text << options.where << ": " << blasts.size() << " hole(s), hole 1:\n";
+  describe_pressures(text, options, hole);
+  describe_wave(text, options, hole, zone);
   if (options.gas) {
     text << "  gas from " << load.gas_pressure(0.0, 0.0) / kMPa
-         << " MPa at Vk = " << load.switch_volume()
-         << " m3, charge volume V0 = " << charge_volume(options, zone) << " m3, vents after "
+         << " MPa at Vg = " << load.start_volume()
+         << " m3, charge volume V0 = " << load.charge_volume() << " m3, vents after "
          << options.vent_time << " s, decay " << options.vent_decay << " s\n";
   }
   text << "  firing times [s]:";

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "args/parse_args.h"
-#include "explosive/borehole_pressure.h"
+#include "explosive/charge_options.h"
 #include "explosive/hole_blast.h"
 #include "geometry/block_model.h"
 
@@ -17,23 +17,27 @@ namespace muckpile {
 
 [[nodiscard]] ArgTable blast_table();
 
+enum class Attenuation { shock, liu_katsabanis, typed };
+
 struct BlastOptions {
   std::string where;  ///< starts every message
-  Explosive explosive{};
-  double hole_radius = 0.0;                ///< charge and hole, fully coupled [m]
-  std::optional<double> rock_impedance{};  ///< [Pa s/m]
-  double borehole_pressure = 0.0;          ///< P0, by the chosen model or typed [Pa]
-  double attenuation_exponent = 0.0;
+  ChargeOptions charge{};
+  Attenuation attenuation = Attenuation::shock;
+  std::optional<double> typed_exponent{};
+  std::optional<double> poisson_ratio{};  ///< of the rock
+  std::optional<double> p_wave_speed{};   ///< of the rock [m/s]
   std::optional<double> peak_pressure{};  ///< P1 as typed [Pa]
   bool pulse = true;
   double rise_time = 0.0;  ///< [s]
   bool gas = true;
-  TwoStageIsentrope::Parameters isentrope{};
   double vent_time = 0.0;           ///< [s]
   double vent_decay = 1.0;          ///< [s]
   double primer = 0.0;              ///< 0 bottom, 1 top
   double interval = 0.0;            ///< between the firing of consecutive holes [s]
   std::map<long, double> delays{};  ///< hole number from 1: its own delay [s]
+
+  /// P0 counts unless P1 is typed (or there is no pulse) and there is no gas.
+  [[nodiscard]] bool needs_borehole_pressure() const { return gas || (pulse && !peak_pressure); }
 };
 
 /// Throws InputError where words contradict each other or one that is needed is missing.

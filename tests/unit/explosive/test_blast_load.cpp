@@ -102,14 +102,14 @@ TEST(DetonationFront, RefusesNegativeDelayAndEmptyColumn) {
 
 TEST(Gas, StartsFromTheSwitchVolume) {
   const BlastLoad load(emulsion());
-  EXPECT_NEAR(load.switch_volume() / kV0, 2.4056, 1e-4);
+  EXPECT_NEAR(load.start_volume() / kV0, 2.4056, 1e-4);
   EXPECT_NEAR(load.gas_pressure(0.0, 0.0), 200e6, 1.0);  // rounding of a cube root
 }
 
 TEST(Gas, ExpandsWithTheSweptVolume) {
   const BlastLoad load(emulsion());
   // V = 2 Vk: 200 / 2^1.4 = 75.786 MPa
-  EXPECT_NEAR(load.gas_pressure(load.switch_volume(), 0.0), 200e6 / 2.6390158, 10.0);
+  EXPECT_NEAR(load.gas_pressure(load.start_volume(), 0.0), 200e6 / 2.6390158, 10.0);
 }
 
 TEST(Gas, VentsExponentially) {

@@ -9,7 +9,7 @@
 
 #include "args/input_error.h"
 #include "geometry/block_file.h"
-#include "io/csv_table.h"
+#include "args/csv_table.h"
 #include "io/history.h"
 #include "io/result_folder.h"
 #include "synthetic_run.h"

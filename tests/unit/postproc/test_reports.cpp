@@ -13,7 +13,7 @@
 #include <cmath>
 
 #include "args/input_error.h"
-#include "io/csv_table.h"
+#include "args/csv_table.h"
 #include "io/vtk_series.h"
 #include "report/reports.h"
 #include "synthetic_run.h"

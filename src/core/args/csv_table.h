@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Strict reader for the comma-separated number tables that a run writes.
-// Scope: one header line, then rows of numbers or words without quotes; leading `#` lines are kept
-// as remarks.
+// Strict reader for comma-separated tables: what a run writes, and what a user hands in.
+// Scope: one header line, then rows of numbers or words without quotes; blanks around a field do
+// not count; `#` lines are kept as remarks.
 #pragma once
 
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,12 +19,19 @@ class CsvTable {
   // Throws InputError, naming the file and the line, if it is absent, has no header or a ragged
   // row.
   static CsvTable read(const std::filesystem::path& path);
+  // The same from a text; `name` stands for the file in messages.
+  static CsvTable parse(std::string text, const std::string& name);
 
+  [[nodiscard]] const std::vector<std::string_view>& header() const { return header_; }
   [[nodiscard]] size_t rows() const { return lines_.size(); }
   [[nodiscard]] const std::vector<std::string_view>& remarks() const { return remarks_; }
 
   // Position of a named column. Throws InputError if the header lacks it.
   [[nodiscard]] size_t column(std::string_view name) const;
+  // The same, nothing if the header lacks it.
+  [[nodiscard]] std::optional<size_t> find_column(std::string_view name) const;
+  // Throws InputError, naming the nearest of `known`, if the header has a name that is not known.
+  void require_known_columns(const std::vector<std::string>& known) const;
 
   // One field as a finite number. Throws InputError, naming file, line and column, otherwise.
   [[nodiscard]] double number(size_t row, size_t column) const;
@@ -38,7 +47,7 @@ class CsvTable {
   Number parsed(size_t row, size_t column, const char* kind) const;
 
   std::string name_;
-  std::string text_;
+  std::shared_ptr<const std::string> text_;  // the views below look into it
   std::vector<std::string_view> remarks_, header_, fields_;
   std::vector<size_t> lines_;  // line number of each row, from 1
 };

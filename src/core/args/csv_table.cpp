@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Strict reader for the comma-separated number tables that a run writes.
+// Strict reader for comma-separated tables; see the header.
 // Scope: the file is held as one text, fields are views into it.
-#include "io/csv_table.h"
+#include "args/csv_table.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
 #include <sstream>
 
 #include "args/input_error.h"
+#include "args/suggestion.h"
 
 namespace muckpile {
 namespace {
@@ -29,11 +31,17 @@ std::string_view next_line(std::string_view& rest) {
   return line;
 }
 
+std::string_view trimmed(std::string_view text) {
+  const size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
 size_t split(std::string_view line, std::vector<std::string_view>& out) {
   size_t count = 0;
   for (size_t begin = 0; begin <= line.size(); ++count) {
     const size_t end = std::min(line.find(',', begin), line.size());
-    out.push_back(line.substr(begin, end - begin));
+    out.push_back(trimmed(line.substr(begin, end - begin)));
     begin = end + 1;
   }
   return count;
@@ -49,13 +57,17 @@ bool parse_all(std::string_view text, Number& value) {
 }  // namespace
 
 CsvTable CsvTable::read(const std::filesystem::path& path) {
+  return parse(whole_file(path), path.string());
+}
+
+CsvTable CsvTable::parse(std::string text, const std::string& name) {
   CsvTable table;
-  table.name_ = path.string();
-  table.text_ = whole_file(path);
-  std::string_view rest = table.text_;
+  table.name_ = name;
+  table.text_ = std::make_shared<const std::string>(std::move(text));
+  std::string_view rest = *table.text_;
   for (size_t number = 1; !rest.empty(); ++number) {
     const std::string_view line = next_line(rest);
-    if (line.empty()) continue;
+    if (trimmed(line).empty()) continue;
     if (line.front() == '#') {
       table.remarks_.push_back(line.substr(1));
     } else if (table.header_.empty()) {
@@ -74,10 +86,23 @@ CsvTable CsvTable::read(const std::filesystem::path& path) {
   return table;
 }
 
-size_t CsvTable::column(std::string_view name) const {
+std::optional<size_t> CsvTable::find_column(std::string_view name) const {
   for (size_t i = 0; i < header_.size(); ++i) {
     if (header_[i] == name) return i;
   }
+  return std::nullopt;
+}
+
+void CsvTable::require_known_columns(const std::vector<std::string>& known) const {
+  for (const std::string_view name : header_) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    throw InputError(name_ + ": unknown column '" + std::string(name) + "'" +
+                     did_you_mean(std::string(name), known));
+  }
+}
+
+size_t CsvTable::column(std::string_view name) const {
+  if (const auto found = find_column(name)) return *found;
   throw InputError(name_ + ": has no column '" + std::string(name) + "'");
 }
 

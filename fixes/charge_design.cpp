@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// charge_design: words to the core, its numbers to variables.
+// Scope: see the header.
+#include "charge_design.h"
+
+#include <input.h>
+#include <variable.h>
+
+#include <array>
+#include <string>
+
+#include "args/numbers.h"
+#include "engine/style_args.h"
+#include "explosive/charge_design.h"
+
+namespace muckpile {
+
+void ChargeDesignCommand::command(int narg, char** arg) {
+  const std::string where = "charge_design";
+  const ChargeDesign design = engine::or_engine_error(*lmp, [&] {
+    const ArgValues values =
+        parse_args(charge_design_table(), where, engine::words_of(narg, arg, 0));
+    return charge_design(values, where);
+  });
+  engine::print_once(*lmp, design.report);
+  set_variable("charge_density", design.density);
+  set_variable("charge_vod", design.detonation_velocity);
+  set_variable("charge_energy", design.energy);
+  if (design.crushed_radius) set_variable("crushed_radius", *design.crushed_radius);
+}
+
+void ChargeDesignCommand::set_variable(const char* name, double value) {
+  std::array<std::string, 3> words{name, "string", number_text(value)};
+  std::array<char*, 3> arg{words[0].data(), words[1].data(), words[2].data()};
+  input->variable->set(3, arg.data());
+}
+
+}  // namespace muckpile

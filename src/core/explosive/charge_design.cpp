@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Explosive and crushed zone of an input script; see the header.
+#include "explosive/charge_design.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "args/input_error.h"
+#include "explosive/attenuation.h"
+#include "explosive/charge_options.h"
+#include "explosive/crushed_zone.h"
+
+namespace muckpile {
+namespace {
+
+constexpr double kMPa = 1e6;
+
+/// Speed of P waves in isotropic elastic rock [m/s].
+double p_wave_speed(double youngs_modulus, double poisson_ratio, double density) {
+  const double nu = poisson_ratio;
+  return std::sqrt(youngs_modulus * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu) * density));
+}
+
+/// The chosen model's input; what the script left out stays 0 and is refused by who needs it.
+struct Rock {
+  double youngs_modulus, poisson_ratio, density, ucs, tensile_strength;
+  [[nodiscard]] bool elastic() const { return youngs_modulus > 0.0 && density > 0.0; }
+  [[nodiscard]] double speed() const {
+    return p_wave_speed(youngs_modulus, poisson_ratio, density);
+  }
+};
+
+Rock rock_of(const ArgValues& values, const std::string& where) {
+  const auto number = [&](const char* name, const char* unit, Range range) {
+    return optional_real(values, where, name, unit, range).value_or(0.0);
+  };
+  return {number("youngs_modulus", "Pa", Range::positive()),
+          number("poisson_ratio", "", Range::right_open(0.0, 0.5)),
+          number("rock_density", "kg/m3", Range::positive()),
+          number("ucs", "Pa", Range::positive()),
+          number("tensile_strength", "Pa", Range::positive())};
+}
+
+CrushedZoneInput zone_input(const ChargeOptions& charge, const ArgValues& values,
+                            const Rock& rock) {
+  const Explosive plain{charge.explosive.density, charge.explosive.detonation_velocity};
+  CrushedZoneInput in;
+  in.hole_radius = 0.5 * values.real("hole_diameter");
+  in.borehole_pressure = initial_pressure(charge, charge.explosive);
+  in.cj_pressure = chapman_jouguet_pressure(plain);
+  in.wall_shock =
+      rock.elastic() ? impedance_matched_pressure(plain, rock.density * rock.speed()) : 0.0;
+  in.youngs_modulus = rock.youngs_modulus;
+  in.poisson_ratio = rock.poisson_ratio;
+  in.ucs = rock.ucs;
+  in.tensile_strength = rock.tensile_strength;
+  in.strain_rate = values.real("strain_rate");
+  in.multiple = values.real("crushed_ratio");
+  return in;
+}
+
+/// A model that lacks an input has no radius.
+std::optional<double> radius_if_known(CrushedZone model, const CrushedZoneInput& in) {
+  if (model == CrushedZone::dai && in.wall_shock <= 0.0) return std::nullopt;
+  try {
+    return crushed_zone_radius(model, in);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+/// One line per model: its radius, and the wave's peak there by each exponent.
+void describe_zones(std::ostream& text, const CrushedZoneInput& in, const Rock& rock,
+                    const ChargeOptions& charge, CrushedZone chosen) {
+  text << "  crushed zone    r1 [m]  r1/hole   P1 [MPa]: shock";
+  if (rock.elastic()) text << "  Liu-Katsabanis";
+  text << "  Hino\n";
+  for (std::size_t k = 0; k < kCrushedZones.size(); ++k) {
+    const auto model = static_cast<CrushedZone>(k);
+    const auto radius = radius_if_known(model, in);
+    if (!radius) continue;
+    text << "  " << (model == chosen ? "* " : "  ") << kCrushedZones[k] << ": " << *radius << "  "
+         << *radius / in.hole_radius << "  ";
+    const auto peak = [&](double exponent) {
+      text << ' '
+           << attenuated_pressure(in.borehole_pressure, in.hole_radius, *radius, exponent) / kMPa;
+    };
+    peak(crushed_zone_exponent(in.poisson_ratio));
+    if (rock.elastic()) {
+      peak(liu_katsabanis_exponent(rock.speed(), charge.explosive.detonation_velocity));
+    }
+    peak(kHinoExponent);
+    text << '\n';
+  }
+}
+
+}  // namespace
+
+ArgTable charge_design_table() {
+  ArgTable table("charge_design");
+  add_explosive_keywords(table);
+  add_borehole_keywords(table);
+  table
+      .real("hole_diameter", "m", Range::non_negative(), 0.0,
+            "diameter of the hole; 0: no crushed zone is asked for")
+      .word("crushed_zone", {kCrushedZones.begin(), kCrushedZones.end()}, "multiple",
+            "formula for the crushed zone's radius")
+      .real("crushed_ratio", "", Range::closed(1.0, 20.0), 3.0,
+            "radius over hole radius, for `multiple`")
+      .real("strain_rate", "1/s", Range::closed(1e2, 1e4), 1e3, "in the crushed zone, for `dai`");
+  add_optional(table, "rock_density", "[kg/m3], > 0; needed by `dai`");
+  add_optional(table, "youngs_modulus", "of the rock [Pa], > 0; needed by `esen` and `dai`");
+  add_optional(table, "poisson_ratio", "of the rock, >= 0 and < 0.5; auto: 0");
+  add_optional(table, "ucs",
+               "uniaxial compressive strength of the intact rock [Pa], > 0; needed by `esen`, "
+               "`kanchibotla` and `dai`");
+  add_optional(table, "tensile_strength", "of the intact rock [Pa], > 0; needed by `djordjevic`");
+  return table;
+}
+
+ChargeDesign charge_design(const ArgValues& values, const std::string& where) {
+  ChargeOptions charge;
+  read_explosive(charge, values, where);
+  const NamedExplosive& explosive = charge.explosive;
+  ChargeDesign design;
+  design.density = explosive.density;
+  design.detonation_velocity = explosive.detonation_velocity;
+  design.energy = charge.energy_known ? explosive.energy : 0.0;
+  std::ostringstream text;
+  text.precision(4);
+  text << where << ": explosive " << explosive.name << ", " << explosive.density << " kg/m3, "
+       << explosive.detonation_velocity << " m/s, " << design.energy / 1e6 << " MJ/kg\n";
+  if (values.real("hole_diameter") > 0.0) {
+    const Rock rock = rock_of(values, where);
+    const std::string& word = values.word("crushed_zone");
+    const auto at = std::find(kCrushedZones.begin(), kCrushedZones.end(), word);
+    const auto model = static_cast<CrushedZone>(at - kCrushedZones.begin());
+    try {
+      if (model == CrushedZone::dai && !rock.elastic()) {
+        throw InputError("crushed_zone dai needs youngs_modulus [Pa] and rock_density [kg/m3]");
+      }
+      const CrushedZoneInput in = zone_input(charge, values, rock);
+      design.crushed_radius = crushed_zone_radius(model, in);
+      text << "  borehole pressure P0 = " << in.borehole_pressure / kMPa
+           << " MPa; by formula: " << alternative_pressures(charge, explosive) << '\n';
+      describe_zones(text, in, rock, charge, model);
+    } catch (const InputError& error) {
+      throw InputError(where + ": " + error.what());
+    }
+  }
+  design.report = text.str();
+  return design;
+}
+
+}  // namespace muckpile

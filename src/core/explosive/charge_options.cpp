@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The words of a charge; see the header.
+#include "explosive/charge_options.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "args/input_error.h"
+#include "args/numbers.h"
+#include "explosive/require.h"
+
+namespace muckpile {
+namespace {
+
+constexpr const char* kNotGiven = "auto";
+constexpr double kMPa = 1e6;
+
+const std::vector<std::string> kModels = {"explosion_state",       "explosion_state_fit",
+                                          "explosion_state_gamma", "chapman_jouguet",
+                                          "impedance_matched",     "jwl"};
+
+[[noreturn]] void refuse(const std::string& where, const std::string& text) {
+  throw InputError(where + ": " + text);
+}
+
+JwlParameters typed_jwl(const std::string& where, const std::vector<std::string>& words,
+                        const NamedExplosive& explosive) {
+  std::array<double, 6> v{};
+  for (std::size_t k = 0; k < v.size(); ++k) {
+    v[k] = parse_real(where, "jwl", words[k], "", Range::non_negative());
+  }
+  return {.a = v[0],
+          .b = v[1],
+          .r1 = v[2],
+          .r2 = v[3],
+          .omega = v[4],
+          .cj_pressure = v[5],
+          .density = explosive.density,
+          .detonation_velocity = explosive.detonation_velocity};
+}
+
+bool jwl_holds(const NamedExplosive& explosive) {
+  constexpr double kAlike = 0.1;  // relative difference in density up to which the fit is used
+  return explosive.jwl &&
+         std::abs(explosive.density - explosive.jwl->density) <= kAlike * explosive.jwl->density;
+}
+
+void require_jwl(const NamedExplosive& explosive) {
+  if (!explosive.jwl) {
+    throw InputError("explosive '" + explosive.name +
+                     "' has no JWL parameters; give them with jwl, or choose another model");
+  }
+  if (jwl_holds(explosive)) return;
+  const double of_fit = explosive.jwl->density;
+  std::ostringstream rule;
+  rule << "within 10 % of the density " << of_fit << " that JWL was fitted at";
+  explosive_detail::refuse("explosive_density", rule.str().c_str(), "kg/m3", explosive.density);
+}
+
+/// Between light ANFO mixes and cast high explosives; outside, none of the formulas has been tried.
+void check_formula_range(const NamedExplosive& explosive) {
+  const auto check = [](const char* name, const char* unit, double value, double lo, double hi) {
+    std::ostringstream rule;
+    rule << "from " << lo << " to " << hi << ", the range of the formulas for P0,";
+    if (!(value >= lo && value <= hi)) {
+      explosive_detail::refuse(name, rule.str().c_str(), unit, value);
+    }
+  };
+  check("explosive_density", "kg/m3", explosive.density, 200.0, 2000.0);
+  check("vod", "m/s", explosive.detonation_velocity, 1000.0, 9500.0);
+}
+
+double pressure_by(BoreholeModel model, const ChargeOptions& options,
+                   const NamedExplosive& explosive) {
+  const Explosive plain{explosive.density, explosive.detonation_velocity};
+  switch (model) {
+    case BoreholeModel::explosion_state_fit:
+      return explosion_state_pressure_fit(plain);
+    case BoreholeModel::explosion_state_gamma:
+      if (!explosive.gamma) {
+        throw InputError("borehole_model explosion_state_gamma needs explosive_gamma");
+      }
+      return explosion_state_pressure_by_gamma(plain, *explosive.gamma);
+    case BoreholeModel::chapman_jouguet:
+      return chapman_jouguet_pressure(plain);
+    case BoreholeModel::impedance_matched:
+      if (!options.rock_impedance) {
+        throw InputError("borehole_model impedance_matched needs rock_impedance [Pa s/m]");
+      }
+      return impedance_matched_pressure(plain, *options.rock_impedance);
+    case BoreholeModel::jwl:
+      require_jwl(explosive);
+      return JwlIsentrope(*explosive.jwl).pressure(1.0);
+    case BoreholeModel::explosion_state:
+      break;
+  }
+  return explosion_state_pressure(plain);
+}
+
+}  // namespace
+
+void add_optional(ArgTable& table, const std::string& name, const std::string& text) {
+  table.word(name, {}, kNotGiven, text);
+}
+
+std::optional<double> optional_real(const ArgValues& values, const std::string& where,
+                                    const std::string& name, const std::string& unit, Range range) {
+  const std::string& word = values.word(name);
+  if (word == kNotGiven) return std::nullopt;
+  return parse_real(where, name, word, unit, range);
+}
+
+void add_explosive_keywords(ArgTable& table) {
+  table.word("explosive", {}, "none",
+             "name in the table of explosives; none: the numbers below are needed");
+  table.word("explosive_table", {}, "none",
+             "CSV file with explosives of your own, in the columns of the shipped explosives.csv; "
+             "its names win");
+  add_optional(table, "explosive_density", "density of the charge [kg/m3], > 0; auto: the table's");
+  add_optional(table, "vod", "detonation velocity along the column [m/s], > 0; auto: the table's");
+  add_optional(table, "explosive_energy",
+               "energy per mass [J/kg], > 0; auto: the table's; for the energy report only");
+  add_optional(table, "explosive_gamma",
+               "exponent of the products at the Chapman-Jouguet point, > 1; auto: the table's");
+  table.group("jwl", 6, 6, false,
+              "A [Pa] B [Pa] R1 R2 omega P_CJ [Pa] of an explosive of this density and VOD");
+}
+
+void add_borehole_keywords(ArgTable& table) {
+  table.word("borehole_model", kModels, "explosion_state", "formula for the borehole pressure P0");
+  add_optional(table, "borehole_pressure", "P0 itself [Pa], > 0; auto: from borehole_model");
+  add_optional(table, "rock_impedance",
+               "density times P-wave speed of the rock [Pa s/m], > 0; needed by impedance_matched "
+               "only");
+}
+
+void add_decoupling_keywords(ArgTable& table) {
+  add_optional(table, "charge_diameter",
+               "diameter of the charge [m], > 0, at most hole_diameter; auto: it fills the hole");
+  add_optional(table, "charge_length",
+               "length of the charge [m], > 0, from its toe; what is left of the hole's axis is an "
+               "air deck; auto: the whole axis");
+  table.word("coupling", {"air", "water", "stemming"}, "air",
+             "what stands around a charge thinner than its hole");
+  add_optional(table, "coupling_exponent",
+               "decay of the peak through water or stemming, >= 0; auto: 0.72 in water, the "
+               "attenuation exponent in stemming");
+  table
+      .word("decoupling", {"isentrope", "power"}, "isentrope",
+            "fall of the pressure into an air gap: along the isentrope, or one power law")
+      .real("decoupling_exponent", "", Range::positive(), 3.0,
+            "of the power law in volume: 3 is the usual sixth power of the diameters")
+      .real("impact_factor", "", Range::closed(1.0, 11.0), 1.0,
+            "shock of the products on the wall behind an air gap over their pressure; on the wave "
+            "only");
+}
+
+void add_expansion_keywords(ArgTable& table) {
+  table.word("expansion", {"two_stage", "jwl"}, "two_stage", "law by which the products expand")
+      .real("gas_switch_pressure", "Pa", Range::positive(), 200e6,
+            "pressure p_k at which the isentrope changes its exponent and the gas stage starts")
+      .real("gas_gamma_dense", "", Range::positive(), 3.0,
+            "isentrope exponent above p_k (two_stage)")
+      .real("gas_gamma", "", Range::positive(), 1.4, "isentrope exponent below p_k (two_stage)");
+}
+
+void read_explosive(ChargeOptions& options, const ArgValues& values, const std::string& where) {
+  options.table = ExplosiveTable::with_file(values.word("explosive_table"));
+  NamedExplosive& explosive = options.explosive;
+  const bool named = values.word("explosive") != "none";
+  if (named) explosive = options.table.find(values.word("explosive"), where);
+  const auto typed = [&](const char* name, const char* unit, Range range) {
+    return optional_real(values, where, name, unit, range);
+  };
+  const auto density = typed("explosive_density", "kg/m3", Range::positive());
+  const auto velocity = typed("vod", "m/s", Range::positive());
+  const auto energy = typed("explosive_energy", "J/kg", Range::positive());
+  if (!named && !(density && velocity)) {
+    refuse(where, "needs explosive NAME, or explosive_density and vod");
+  }
+  if (!named) explosive.name = "as typed";
+  explosive.density = density.value_or(explosive.density);
+  explosive.detonation_velocity = velocity.value_or(explosive.detonation_velocity);
+  explosive.energy = energy.value_or(explosive.energy);
+  options.energy_known = named || energy;
+  if (const auto gamma = typed("explosive_gamma", "", Range::left_open(1.0, 10.0))) {
+    explosive.gamma = gamma;
+  }
+  if (!values.groups("jwl").empty()) {
+    explosive.jwl = typed_jwl(where, values.groups("jwl").front(), explosive);
+  }
+  options.typed_pressure =
+      optional_real(values, where, "borehole_pressure", "Pa", Range::positive());
+  if (options.typed_pressure && values.given("borehole_model")) {
+    refuse(where, "borehole_pressure and borehole_model exclude each other");
+  }
+  options.rock_impedance =
+      optional_real(values, where, "rock_impedance", "Pa s/m", Range::positive());
+  const auto at = std::find(kModels.begin(), kModels.end(), values.word("borehole_model"));
+  options.model = static_cast<BoreholeModel>(at - kModels.begin());
+}
+
+void read_decoupling(ChargeOptions& options, const ArgValues& values, const std::string& where) {
+  if (const auto diameter =
+          optional_real(values, where, "charge_diameter", "m", Range::positive())) {
+    options.charge_radius = 0.5 * *diameter;
+  }
+  options.charge_length = optional_real(values, where, "charge_length", "m", Range::positive());
+  DecouplingRule& rule = options.decoupling;
+  const std::string& coupling = values.word("coupling");
+  rule.coupling = coupling == "air"     ? Coupling::air
+                  : coupling == "water" ? Coupling::water
+                                        : Coupling::stemming;
+  rule.power_law = values.word("decoupling") == "power";
+  rule.power_exponent = values.real("decoupling_exponent");
+  rule.impact_factor = values.real("impact_factor");
+  if (const auto exponent =
+          optional_real(values, where, "coupling_exponent", "", Range::non_negative())) {
+    rule.coupling_exponent = *exponent;
+    options.coupling_exponent_typed = true;
+  }
+}
+
+void read_expansion(ChargeOptions& options, const ArgValues& values, const std::string& /*where*/) {
+  options.jwl = values.word("expansion") == "jwl";
+  // The isentrope has a pressure of its own at the charge's volume.
+  if (options.jwl && !options.typed_pressure && !values.given("borehole_model")) {
+    options.model = BoreholeModel::jwl;
+  }
+  options.isentrope.switch_pressure = values.real("gas_switch_pressure");
+  options.isentrope.dense_exponent = values.real("gas_gamma_dense");
+  options.isentrope.dilute_exponent = values.real("gas_gamma");
+}
+
+double initial_pressure(const ChargeOptions& options, const NamedExplosive& explosive) {
+  if (options.typed_pressure) return *options.typed_pressure;
+  check_formula_range(explosive);
+  return pressure_by(options.model, options, explosive);
+}
+
+std::string alternative_pressures(const ChargeOptions& options, const NamedExplosive& explosive) {
+  std::ostringstream text;
+  text.precision(4);
+  const auto add = [&](const char* name, BoreholeModel model) {
+    text << (text.str().empty() ? "" : ", ") << name << ' '
+         << pressure_by(model, options, explosive) / kMPa;
+  };
+  add("explosion state", BoreholeModel::explosion_state);
+  add("its fit", BoreholeModel::explosion_state_fit);
+  if (explosive.gamma) add("its gamma form", BoreholeModel::explosion_state_gamma);
+  add("Chapman-Jouguet", BoreholeModel::chapman_jouguet);
+  if (options.rock_impedance) add("impedance-matched", BoreholeModel::impedance_matched);
+  if (jwl_holds(explosive)) add("JWL", BoreholeModel::jwl);
+  text << " MPa";
+  return text.str();
+}
+
+ProductExpansion product_expansion(const ChargeOptions& options, const NamedExplosive& explosive) {
+  TwoStageIsentrope::Parameters two_stage = options.isentrope;
+  two_stage.initial_pressure = initial_pressure(options, explosive);
+  if (!options.jwl) return {two_stage, std::nullopt};
+  require_jwl(explosive);
+  return {two_stage, explosive.jwl};
+}
+
+}  // namespace muckpile

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The words that describe a charge: explosive, borehole pressure, expansion, decoupling.
+// Scope: shared by fix muckpile/blast and charge_design; every fault throws InputError that starts
+// with `where`.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "args/parse_args.h"
+#include "explosive/borehole_pressure.h"
+#include "explosive/decoupling.h"
+#include "explosive/explosive_table.h"
+
+namespace muckpile {
+
+/// A number that may be left to the style: a word in the table, `auto` unless typed.
+void add_optional(ArgTable& table, const std::string& name, const std::string& text);
+[[nodiscard]] std::optional<double> optional_real(const ArgValues& values, const std::string& where,
+                                                  const std::string& name, const std::string& unit,
+                                                  Range range);
+
+enum class BoreholeModel {
+  explosion_state,
+  explosion_state_fit,
+  explosion_state_gamma,
+  chapman_jouguet,
+  impedance_matched,
+  jwl
+};
+
+struct ChargeOptions {
+  ExplosiveTable table = ExplosiveTable::shipped();
+  NamedExplosive explosive{};  ///< with what the user typed in its place
+  bool energy_known = false;   ///< explosive.energy counts
+  BoreholeModel model = BoreholeModel::explosion_state;
+  std::optional<double> typed_pressure{};     ///< P0 [Pa]
+  std::optional<double> rock_impedance{};     ///< [Pa s/m]
+  bool jwl = false;                           ///< expansion by JWL, else two-stage
+  TwoStageIsentrope::Parameters isentrope{};  ///< without its initial pressure
+  double hole_radius = 0.0;                   ///< [m]
+  std::optional<double> charge_radius{};      ///< nothing: fills the hole [m]
+  std::optional<double> charge_length{};      ///< nothing: fills the axis [m]
+  DecouplingRule decoupling{};
+  bool coupling_exponent_typed = false;
+};
+
+void add_explosive_keywords(ArgTable& table);
+void add_borehole_keywords(ArgTable& table);
+void add_decoupling_keywords(ArgTable& table);
+void add_expansion_keywords(ArgTable& table);
+
+/// Explosive, its numbers and the borehole pressure; for a table that has the words of the first
+/// two. InputError where words contradict each other or one that is needed is missing.
+void read_explosive(ChargeOptions& options, const ArgValues& values, const std::string& where);
+/// The rest.
+void read_decoupling(ChargeOptions& options, const ArgValues& values, const std::string& where);
+void read_expansion(ChargeOptions& options, const ArgValues& values, const std::string& where);
+
+/// P0 of an explosive by the chosen model, or as typed [Pa]. InputError if the model needs what the
+/// explosive lacks, or density or VOD is outside the range that the formulas are made for.
+[[nodiscard]] double initial_pressure(const ChargeOptions& options,
+                                      const NamedExplosive& explosive);
+
+/// One number per model that this explosive allows, for the log: "explosion state 2784, ..." [MPa].
+[[nodiscard]] std::string alternative_pressures(const ChargeOptions& options,
+                                                const NamedExplosive& explosive);
+
+/// The law of expansion. InputError as ProductExpansion.
+[[nodiscard]] ProductExpansion product_expansion(const ChargeOptions& options,
+                                                 const NamedExplosive& explosive);
+
+}  // namespace muckpile

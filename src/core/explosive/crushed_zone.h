@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Radius of the crushed zone around a borehole by published formulas.
+// Scope: one hole in intact rock; the formulas differ by several times, so all are offered.
+#pragma once
+
+#include <array>
+
+namespace muckpile {
+
+enum class CrushedZone { multiple, esen, djordjevic, kanchibotla, dai };
+inline constexpr std::array kCrushedZones = {"multiple", "esen", "djordjevic", "kanchibotla",
+                                             "dai"};
+
+struct CrushedZoneInput {
+  double hole_radius = 0.0;        ///< r_b [m]
+  double borehole_pressure = 0.0;  ///< P_b on the hole's wall [Pa]
+  double cj_pressure = 0.0;        ///< Chapman-Jouguet [Pa]
+  double wall_shock = 0.0;         ///< P_w, impedance-matched [Pa]
+  double youngs_modulus = 0.0;     ///< of the intact rock [Pa]
+  double poisson_ratio = 0.0;
+  double ucs = 0.0;               ///< uniaxial compressive strength of the intact rock [Pa]
+  double tensile_strength = 0.0;  ///< of the intact rock [Pa]
+  double strain_rate = 1e3;       ///< in the crushed zone, 1e2 to 1e4 [1/s]; `dai` only
+  double multiple = 3.0;          ///< radius over hole radius; `multiple` only
+};
+
+/// Radius [m], never below the hole's. InputError names what is out of range.
+///   multiple     ratio x r_b (3 is what particle models load; Yan et al. 2016)
+///   esen         r_b 0.812 CZI^0.219, CZI = P_b^3 (1 + nu)/(E sigma_c^2), no crushing below
+///   CZI 2.6
+///                (Esen, Onederra and Bilgin 2003)
+///   djordjevic   r_b / sqrt(24 sigma_t / P_b) (Djordjevic 1999, Griffith's criterion)
+///   kanchibotla  r_b sqrt(P_CJ / sigma_c) (Kanchibotla et al. 1999)
+///   dai          r_b [P_w B / (sqrt 2 sigma_cd)]^(1/(2 + b)), b = mu/(1 - mu), mu = 0.8 nu,
+///                B^2 = (1 + b)^2 + 1 + b^2 - 2 mu (1 - mu)(1 - b)^2,
+///                sigma_cd = sigma_c (strain rate x 1 s)^(1/3) (Dai Jun 2001)
+/// All but `multiple` quoted from secondary sources.
+[[nodiscard]] double crushed_zone_radius(CrushedZone model, const CrushedZoneInput& input);
+
+}  // namespace muckpile

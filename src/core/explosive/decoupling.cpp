@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Decoupled charges; equations in the header.
+#include "explosive/decoupling.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "explosive/require.h"
+
+namespace muckpile {
+
+double ChargeShape::charge_volume() const {
+  return std::numbers::pi * charge_radius * charge_radius * charge_length;
+}
+
+void check_shape(const ChargeShape& shape) {
+  explosive_detail::require_positive("hole_diameter", "m", 2.0 * shape.hole_radius);
+  explosive_detail::require_positive("charge_diameter", "m", 2.0 * shape.charge_radius);
+  explosive_detail::require_positive("charge_length", "m", shape.charge_length);
+  if (shape.charge_radius > shape.hole_radius) {
+    explosive_detail::refuse("charge_diameter", "at most hole_diameter", "m",
+                             2.0 * shape.charge_radius);
+  }
+  constexpr double kRounding = 1e-9;
+  if (shape.charge_length > shape.chamber_length * (1.0 + kRounding)) {
+    explosive_detail::refuse("charge_length", "at most the length of its hole's axis", "m",
+                             shape.charge_length);
+  }
+}
+
+double free_volume_ratio(const ChargeShape& shape, const DecouplingRule& rule) {
+  const double deck = shape.chamber_length / shape.charge_length;
+  if (rule.coupling != Coupling::air) return deck;
+  return deck * std::pow(shape.hole_radius / shape.charge_radius, 2.0);
+}
+
+double wall_pressure(double initial_pressure, const ProductExpansion& expansion,
+                     const ChargeShape& shape, const DecouplingRule& rule) {
+  const double ratio = free_volume_ratio(shape, rule);
+  const bool decoupled = ratio > 1.0;
+  double pressure = initial_pressure;
+  if (decoupled && rule.power_law) pressure *= std::pow(ratio, -rule.power_exponent);
+  if (decoupled && !rule.power_law) {
+    // P0 may come from another formula than the isentrope: only the fall is the isentrope's.
+    pressure *= expansion.pressure(ratio) / expansion.pressure(1.0);
+  }
+  if (rule.coupling == Coupling::air) return decoupled ? pressure * rule.impact_factor : pressure;
+  return pressure * std::pow(shape.charge_radius / shape.hole_radius, rule.coupling_exponent);
+}
+
+}  // namespace muckpile

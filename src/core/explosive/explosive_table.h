@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Named explosives: the shipped table (explosives.csv, compiled in and installed) and the user's
+// own in the same form. Scope: numbers and their sources; what is made of them is
+// borehole_pressure.h and others.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "args/csv_table.h"
+#include "explosive/jwl_isentrope.h"
+
+namespace muckpile {
+
+struct NamedExplosive {
+  std::string name;
+  double density = 0.0;              ///< [kg/m3]
+  double detonation_velocity = 0.0;  ///< [m/s]
+  double energy = 0.0;               ///< per mass [J/kg]
+  std::optional<double> gamma{};     ///< of the products at the Chapman-Jouguet point [-]
+  std::optional<JwlParameters> jwl{};
+  std::string source{};
+};
+
+class ExplosiveTable {
+ public:
+  /// InputError, with file and line, on a number out of range, a name twice, or a JWL set that is
+  /// neither whole nor empty.
+  explicit ExplosiveTable(const CsvTable& csv);
+
+  /// What Muckpile ships.
+  [[nodiscard]] static const ExplosiveTable& shipped();
+  /// The shipped table, before it the entries of a user's file: those win. "none": no file.
+  [[nodiscard]] static ExplosiveTable with_file(const std::string& path);
+
+  /// InputError that lists the known names and the nearest; `where` starts it.
+  [[nodiscard]] const NamedExplosive& find(const std::string& name, const std::string& where) const;
+  [[nodiscard]] const std::vector<NamedExplosive>& entries() const { return entries_; }
+
+ private:
+  std::vector<NamedExplosive> entries_;
+};
+
+}  // namespace muckpile

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// JWL isentrope; equations in the header.
+#include "explosive/jwl_isentrope.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "explosive/require.h"
+
+namespace muckpile {
+namespace {
+
+double checked_cj_volume(const JwlParameters& p) {
+  explosive_detail::require_positive("jwl A", "Pa", p.a);
+  explosive_detail::require_not_negative("jwl B", "Pa", p.b);
+  explosive_detail::require_positive("jwl R1", "", p.r1);
+  explosive_detail::require_not_negative("jwl R2", "", p.r2);
+  explosive_detail::require_positive("jwl omega", "", p.omega);
+  explosive_detail::require_positive("jwl Chapman-Jouguet pressure", "Pa", p.cj_pressure);
+  explosive_detail::require_positive("jwl density", "kg/m3", p.density);
+  explosive_detail::require_positive("jwl vod", "m/s", p.detonation_velocity);
+  const double inertia = p.density * p.detonation_velocity * p.detonation_velocity;
+  if (p.cj_pressure >= inertia) {
+    explosive_detail::refuse("jwl Chapman-Jouguet pressure", "below density x vod^2", "Pa",
+                             p.cj_pressure);
+  }
+  return 1.0 - p.cj_pressure / inertia;
+}
+
+}  // namespace
+
+JwlIsentrope::JwlIsentrope(const JwlParameters& parameters)
+    : p_(parameters), cj_volume_(checked_cj_volume(parameters)), gas_(0.0) {
+  const double rest = p_.cj_pressure - curve(cj_volume_);
+  if (rest <= 0.0) {
+    explosive_detail::refuse("jwl Chapman-Jouguet pressure", "above the A and B terms there", "Pa",
+                             p_.cj_pressure);
+  }
+  gas_ = rest * std::pow(cj_volume_, 1.0 + p_.omega);
+}
+
+double JwlIsentrope::curve(double volume) const {
+  return p_.a * std::exp(-p_.r1 * volume) + p_.b * std::exp(-p_.r2 * volume) +
+         gas_ * std::pow(volume, -1.0 - p_.omega);
+}
+
+double JwlIsentrope::pressure(double volume_ratio) const {
+  return curve(std::max(volume_ratio, 1.0));
+}
+
+double JwlIsentrope::volume_ratio_at(double wanted) const {
+  double low = 1.0, high = 2.0;
+  if (curve(low) <= wanted) return low;
+  while (curve(high) > wanted) high *= 2.0;
+  for (int halving = 0; halving < 100; ++halving) {  // to rounding; the curve falls monotonically
+    const double middle = 0.5 * (low + high);
+    (curve(middle) > wanted ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+double JwlIsentrope::implied_energy() const {
+  const double v = cj_volume_;
+  const double inner = p_.a / p_.r1 * std::exp(-p_.r1 * v) +
+                       (p_.r2 > 0.0 ? p_.b / p_.r2 * std::exp(-p_.r2 * v) : 0.0) +
+                       gas_ / p_.omega * std::pow(v, -p_.omega);
+  return inner - 0.5 * p_.cj_pressure * (1.0 - v);
+}
+
+}  // namespace muckpile
