@@ -14,7 +14,9 @@ namespace {
 
 Mat3 reflection(const Vec3& normal) { return Mat3::Identity() - 2.0 * normal * normal.transpose(); }
 
-bool has_image(Wall wall) { return wall == Wall::even || wall == Wall::odd; }
+bool has_image(Wall wall) {
+  return wall == Wall::even || wall == Wall::odd || wall == Wall::repeat;
+}
 
 Support support_of(Wall wall) {
   if (wall == Wall::free) return Support::free;
@@ -77,15 +79,17 @@ void BlockRun::make_networks(const std::vector<Block>& blocks,
       grounded.push_back(&facet);
       continue;
     }
-    const Vec3 plane = facet.normal.dot(at) * facet.normal;
+    const Vec3 from = wall == Wall::repeat ? facet.arm_i : at;  // half a shift is half a block
+    const Vec3 plane = facet.normal.dot(from) * facet.normal;
     const Vec3 image = start_[b] + 2.0 * facet.normal.dot(facet.arm_i) * facet.normal;
-    images_.push_back({b, facet.normal, plane, image, wall == Wall::even ? 1.0 : -1.0});
+    const Mat3 map = wall == Wall::repeat ? Mat3::Identity() : reflection(facet.normal);
+    images_.push_back({b, facet.normal, plane, image, wall == Wall::odd ? -1.0 : 1.0, map});
     state_.push_back({image, Vec3::Zero(), Vec3::Zero(), Mat3::Identity()});
     facet.kind = FacetKind::joint;
     facet.j = static_cast<int>(constants.size());
     facet.tag_j = facet.j + 1;
     facet.arm_j = at - image;
-    facet.opening_j = -reflection(facet.normal) * facet.opening_i;
+    facet.opening_j = (wall == Wall::repeat ? 1.0 : -1.0) * map * facet.opening_i;
     facet.weight = 0.5;  // the other half belongs to the reflected rock
     constants.push_back({facet.tag_j, volume_[b], mass_[b], false, {}});
   }
@@ -119,13 +123,14 @@ void BlockRun::set_motion(std::size_t b, const Vec3& velocity, const Vec3& spin)
 void BlockRun::reflect(std::size_t k) {
   const Image& image = images_[k];
   const BlockState& from = state_[image.of];
-  const Mat3 mirror = reflection(image.normal);
+  const Mat3& map = image.map;
+  const double axial = image.parity * map.determinant();
   BlockState& to = state_[size() + k];
-  to.centre = image.start + image.parity * mirror * (from.centre - start_[image.of]) +
+  to.centre = image.start + image.parity * map * (from.centre - start_[image.of]) +
               2.0 * strain_ * image.wall;
-  to.velocity = image.parity * mirror * from.velocity;
-  to.spin = -image.parity * mirror * from.spin;
-  to.rotation = mirror * (image.parity > 0.0 ? from.rotation : from.rotation.transpose()) * mirror;
+  to.velocity = image.parity * map * from.velocity;
+  to.spin = axial * map * from.spin;
+  to.rotation = map * (image.parity > 0.0 ? from.rotation : from.rotation.transpose()) * map;
 }
 
 void BlockRun::reflect_scalars(std::span<double> values) const {
@@ -140,7 +145,7 @@ void BlockRun::compute(double dt) {
   std::fill(torque_.begin(), torque_.end(), Vec3::Zero());
   for (FacetNetwork& network : networks_) {
     std::copy(state_.begin(), state_.end(), network.state().begin());
-    network.dilatation();
+    network.dilatation(dt);
     reflect_scalars(network.theta());
     network.bulk_stresses();
     reflect_scalars(network.bulk_stress());

@@ -17,8 +17,8 @@ namespace muckpile::verification {
 /// What stands behind a face on the box's wall. `mirror` is the network's own symmetry plane;
 /// `even` and `odd` are images of the blocks themselves, so that the box and its reflections fill
 /// space: displacement behind the wall is plus or minus the reflected one, and an average strain is
-/// possible.
-enum class Wall { free, fixed, mirror, even, odd };
+/// possible. `repeat` is the same block again, shifted; for blocks that reach from wall to wall.
+enum class Wall { free, fixed, mirror, even, odd, repeat };
 using WallRule = std::function<Wall(const Vec3& face_centroid)>;
 
 /// Images behind all walls of a box with one corner at the origin; parity +1 (even) or -1 (odd) of
@@ -71,6 +71,7 @@ class BlockRun {
     Vec3 normal, wall;  ///< outward unit normal; the wall's closest point to the origin [m]
     Vec3 start;         ///< [m]
     double parity;
+    Mat3 map;  ///< from directions of the block to those of the image
   };
   void make_networks(const std::vector<Block>& blocks, const std::vector<JointParameters>& networks,
                      const WallRule& walls, const NaturalJoints& natural);

@@ -38,6 +38,11 @@ void Report::relative(const Quantity& what, double value, double reference, doub
   add(what, value, reference, error, tolerance, std::abs(error) <= tolerance);
 }
 
+void Report::difference(const Quantity& what, double value, double reference, double tolerance) {
+  const double error = value - reference;
+  add(what, value, reference, error, tolerance, std::abs(error) <= tolerance);
+}
+
 void Report::at_most(const Quantity& what, double value, double bound) {
   add(what, value, 0.0, value, bound, std::abs(value) <= bound);
 }

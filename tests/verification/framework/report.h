@@ -30,6 +30,8 @@ class Report {
 
   /// Passes if |value / reference - 1| <= tolerance.
   void relative(const Quantity& what, double value, double reference, double tolerance);
+  /// Passes if |value - reference| <= tolerance: for shares of a whole.
+  void difference(const Quantity& what, double value, double reference, double tolerance);
   /// Passes if |value| <= bound: the ideal is 0.
   void at_most(const Quantity& what, double value, double bound);
   /// A figure without a requirement.

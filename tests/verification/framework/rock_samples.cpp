@@ -3,6 +3,8 @@
 // Scope: see the header.
 #include "framework/rock_samples.h"
 
+#include <algorithm>
+
 #include "geometry/tessellation.h"
 
 namespace muckpile::verification {
@@ -14,19 +16,49 @@ RockSample uniform_rock(const Vec3& box, unsigned long seed) {
   return {tessellate(options).blocks, box, 1.0};
 }
 
-RockSample graded_rock(const Vec3& box, unsigned long seed) {
-  constexpr double kSmallest = 0.1, kLargest = 1.0, kReach = 5.0;  // [m]
+RockSample graded_rock(const Vec3& box, const std::pair<Vec3, Vec3>& line, const SizeLaw& size,
+                       unsigned long seed) {
   TessellationOptions options;
   options.hi = box;
   options.seed = seed;
-  options.fine_axes = {{Vec3::Zero(), Vec3(0.0, 0.0, box.z())}};
-  options.size = SizeLaw::table({{0.0, kSmallest}, {kReach, kLargest}}, {kSmallest, kLargest});
-  return {tessellate(options).blocks, box, kLargest};
+  options.fine_axes = {line};
+  options.size = size;
+  return {tessellate(options).blocks, box, size.at(box.norm())};
+}
+
+RockSample graded_rock(const Vec3& box, unsigned long seed) {
+  constexpr double kSmallest = 0.1, kLargest = 1.0, kReach = 5.0;  // [m]
+  return graded_rock(box, {Vec3::Zero(), Vec3(0.0, 0.0, box.z())},
+                     SizeLaw::table({{0.0, kSmallest}, {kReach, kLargest}}, {kSmallest, kLargest}),
+                     seed);
 }
 
 RockSample cuboid_rock(const Eigen::Vector3i& number, const Vec3& edge) {
   return {test::cuboids(number.x(), number.y(), number.z(), edge),
           number.cast<double>().cwiseProduct(edge), edge.maxCoeff()};
+}
+
+RockSample with_mirror_image(const RockSample& sample) {
+  const double wall = sample.box.x();
+  const int count = static_cast<int>(sample.blocks.size());
+  RockSample both = sample;
+  both.box.x() = 2.0 * wall;
+  for (std::size_t b = 0; b < sample.blocks.size(); ++b) {
+    Block image = sample.blocks[b];
+    for (Vec3& vertex : image.shape.vertices) vertex.x() = 2.0 * wall - vertex.x();
+    for (std::vector<int>& face : image.shape.faces) std::reverse(face.begin(), face.end());
+    image.mass = mass_properties(image.shape);
+    for (std::size_t k = 0; k < image.neighbour.size(); ++k) {
+      if (image.neighbour[k] >= 0) image.neighbour[k] += count;
+      if (image.neighbour[k] != kFreeFace) continue;
+      const FaceGeometry face = face_geometry(sample.blocks[b].shape, static_cast<int>(k));
+      if (face.normal.x() < 0.5 || face.centroid.x() < wall - 1e-6 * sample.size) continue;
+      image.neighbour[k] = static_cast<int>(b);
+      both.blocks[b].neighbour[k] = count + static_cast<int>(b);
+    }
+    both.blocks.push_back(image);
+  }
+  return both;
 }
 
 std::vector<JointParameters> plain_springs(double poisson_ratio) {

@@ -4,10 +4,12 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bond/joint_material.h"
 #include "geometry/block_model.h"
+#include "geometry/size_law.h"
 #include "unit/bond/bond_scene.h"
 
 namespace muckpile::verification {
@@ -23,8 +25,15 @@ struct RockSample {
 [[nodiscard]] RockSample uniform_rock(const Vec3& box, unsigned long seed = 1);
 /// Sizes from 0.1 m on the z axis, which is an edge of the box, to 1 m at 5 m from it and beyond.
 [[nodiscard]] RockSample graded_rock(const Vec3& box, unsigned long seed = 1);
+/// Sizes by a law of the distance from a line [m].
+[[nodiscard]] RockSample graded_rock(const Vec3& box, const std::pair<Vec3, Vec3>& line,
+                                     const SizeLaw& size, unsigned long seed = 1);
 /// Three joint sets at right angles; numbers of blocks and edges [m].
 [[nodiscard]] RockSample cuboid_rock(const Eigen::Vector3i& number, const Vec3& edge);
+
+/// The sample and its image behind the wall at the far end of x, joined: the wall becomes a plane
+/// of facets between blocks.
+[[nodiscard]] RockSample with_mirror_image(const RockSample& sample);
 
 /// Springs alone, for comparison: kn = (lambda + 2G)/h and ks = 2G/h per area, which give both wave
 /// speeds along the axes of cubes. A network of equal springs and one of normal springs, added.
