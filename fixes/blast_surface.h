@@ -20,8 +20,7 @@ struct LoadedFacet {
 };
 
 /// The loaded faces of the blocks that this rank owns. Every face is owned by exactly one rank, so
-/// a sum over ranks counts each face once. Only swept_volume() and pressure_work() need a sum over
-/// ranks.
+/// a sum over ranks counts each face once. Only swept_volume() and the works need a sum over ranks.
 class BlastSurface {
  public:
   virtual ~BlastSurface() = default;
@@ -41,7 +40,10 @@ class BlastSurface {
   /// for the coming force computation. It stays until it is set again. The force on the block is -p
   /// A n at the face's centroid, n its outward normal, both turning with the block; the pressure
   /// also enters the block's dilatation. Called in pre_force, used in post_force.
-  virtual void set_pressure(std::span<const double> pressure) = 0;
+  /// wave_share, one per facet: of the pressure's work, booked as the wave's; the rest is the
+  /// gas's.
+  virtual void set_pressure(std::span<const double> pressure,
+                            std::span<const double> wave_share) = 0;
 
   /// Volume [m3] swept since the start by the faces of each hole, this rank's faces only, positive
   /// outward; a function of the present state, with the condensed displacement of the face.
@@ -51,6 +53,8 @@ class BlastSurface {
 
   /// Work done by the pressure so far on this rank's faces [J].
   [[nodiscard]] virtual double pressure_work() const = 0;
+  /// Of that, what the wave did [J].
+  [[nodiscard]] virtual double wave_work() const = 0;
 };
 
 }  // namespace muckpile

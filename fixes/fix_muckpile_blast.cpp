@@ -9,7 +9,6 @@
 #include <update.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <cstring>
 #include <numeric>
@@ -27,6 +26,11 @@ enum Output {
   kWork,
   kActiveHoles,
   kOver,
+  kWaveWork,
+  kGasWork,
+  kExplosiveEnergy,
+  kExplosiveMass,
+  kGasLeft,
   kOutputCount
 };
 
@@ -76,13 +80,22 @@ void FixMuckpileBlast::init() {
   const std::vector<Hole> holes = holes_of(*surface_);
   engine::or_engine_error(*lmp, [&] {
     blasts_ = hole_blasts(options_, holes);
+    charges_ = charge_energies(options_, holes);
     if (!described_) engine::print_once(*lmp, describe(options_, holes, blasts_));
   });
   described_ = true;
   swept_.resize(blasts_.size(), 0.0);
   gas_.resize(blasts_.size(), 0.0);
+  states_.resize(blasts_.size());
   hole_over_.resize(blasts_.size(), 0);
   check_timestep();
+}
+
+FixMuckpileBlast* FixMuckpileBlast::find(LAMMPS_NS::LAMMPS& lmp) {
+  for (int i = 0; i < lmp.modify->nfix; ++i) {
+    if (auto* blast = dynamic_cast<FixMuckpileBlast*>(lmp.modify->fix[i])) return blast;
+  }
+  return nullptr;
 }
 
 BlastSurface* FixMuckpileBlast::find_surface() const {
@@ -97,12 +110,15 @@ BlastSurface* FixMuckpileBlast::find_surface() const {
 void FixMuckpileBlast::pre_delete(bool unfixflag) {
   BlastSurface* surface = unfixflag ? find_surface() : nullptr;
   if (surface == nullptr) return;
-  surface->set_pressure(std::vector<double>(surface->loaded_facets().size(), 0.0));
+  const std::size_t count = surface->loaded_facets().size();
+  const std::vector<double> none(count, 0.0);
+  surface->set_pressure(none, none);
 }
 
 void FixMuckpileBlast::check_timestep() const {
   constexpr double kStepsPerRise = 10.0;  // the sampled peak is then within 0.1 % of P1
-  if (comm->me != 0 || over_ || update->dt * kStepsPerRise <= options_.rise_time) return;
+  if (comm->me != 0 || over_ || update->dt * kStepsPerRise <= options_.pulse_shape.rise_time)
+    return;
   error->warning(FLERR, (where_ + ": the time step is longer than a tenth of rise_time; the pulse "
                                   "is cut into few steps")
                             .c_str());
@@ -134,7 +150,9 @@ bool FixMuckpileBlast::fired(double time) const {
 }
 
 void FixMuckpileBlast::end_of_step() {
-  if (!over_ && fired(clock())) sum_swept_volumes();
+  if (over_ || !fired(clock())) return;
+  sum_swept_volumes();
+  advance_gas();
 }
 
 void FixMuckpileBlast::refresh_arrivals() {
@@ -146,6 +164,7 @@ void FixMuckpileBlast::refresh_arrivals() {
         blasts_[static_cast<std::size_t>(face.hole)].arrival_time(face.start_point));
   }
   pressures_.assign(arrivals_.size(), 0.0);
+  wave_share_.assign(arrivals_.size(), 0.0);
   arrivals_version_ = version;
   arrivals_known_ = true;
 }
@@ -156,11 +175,17 @@ void FixMuckpileBlast::sum_swept_volumes() {
                 world);
 }
 
+void FixMuckpileBlast::advance_gas() {
+  for (std::size_t hole = 0; hole < blasts_.size(); ++hole) {
+    if (!hole_over_[hole]) blasts_[hole].advance(states_[hole], swept_[hole], clock(), update->dt);
+  }
+}
+
 void FixMuckpileBlast::load_faces(double time) {
   active_holes_ = 0;
   for (std::size_t hole = 0; hole < blasts_.size(); ++hole) {
     const HoleBlast& blast = blasts_[hole];
-    gas_[hole] = blast.gas_pressure(swept_[hole], time);
+    gas_[hole] = blast.gas_pressure(swept_[hole], time, states_[hole]);
     if (blast.over(time, gas_[hole])) hole_over_[hole] = 1;
     if (hole_over_[hole]) gas_[hole] = 0.0;
     if (!hole_over_[hole] && time >= blast.firing_time()) ++active_holes_;
@@ -169,14 +194,25 @@ void FixMuckpileBlast::load_faces(double time) {
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const auto hole = static_cast<std::size_t>(faces[i].hole);
     pressures_[i] = hole_over_[hole] ? 0.0 : blasts_[hole].pressure(arrivals_[i], time, gas_[hole]);
+    wave_share_[i] = blasts_[hole].load().wave_share(time - arrivals_[i], gas_[hole]);
   }
-  surface_->set_pressure(pressures_);
+  surface_->set_pressure(pressures_, wave_share_);
 }
 
 /// The last load has just been set to zero on every face; nothing is left to do.
 void FixMuckpileBlast::finish() {
   over_ = true;
   engine::print_once(*lmp, where_ + ": all holes are over at " + std::to_string(clock()) + " s\n");
+}
+
+FixMuckpileBlast::Energies FixMuckpileBlast::energies() const {
+  Energies energies;
+  for (const ChargeEnergy& charge : charges_) energies.explosive += charge.energy;
+  if (const BlastSurface* surface = find_surface()) {
+    energies.wave = sum_over_ranks(world, surface->wave_work());
+    energies.gas = sum_over_ranks(world, surface->pressure_work()) - energies.wave;
+  }
+  return energies;
 }
 
 double FixMuckpileBlast::compute_vector(int index) {
@@ -200,28 +236,53 @@ double FixMuckpileBlast::compute_vector(int index) {
       return active_holes_;
     case kOver:
       return over_ ? 1.0 : 0.0;
+    case kWaveWork:
+      return energies().wave;
+    case kGasWork:
+      return energies().gas;
+    case kExplosiveEnergy:
+      return energies().explosive;
+    case kExplosiveMass:
+      return std::accumulate(charges_.begin(), charges_.end(), 0.0,
+                             [](double sum, const ChargeEnergy& c) { return sum + c.mass; });
+    case kGasLeft:
+      return states_.front().mass_left;
     default:
       return 0.0;
   }
 }
 
-// Clock, number of holes, swept volume of each. The engine wants the size in bytes first.
+// Clock, number of holes, swept volume of each, gas state of each. The engine wants the size in
+// bytes first.
 void FixMuckpileBlast::write_restart(FILE* file) {
   if (comm->me != 0) return;
   std::vector<double> state{clock_started_ ? clock() : clock_restarted_,
                             static_cast<double>(swept_.size())};
   state.insert(state.end(), swept_.begin(), swept_.end());
+  for (const GasState& gas : states_) {
+    state.insert(state.end(), {gas.mass_left, gas.stemming_path, gas.stemming_speed});
+  }
   const auto size = static_cast<int>(state.size() * sizeof(double));
   std::fwrite(&size, sizeof(size), 1, file);
   std::fwrite(state.data(), sizeof(double), state.size(), file);
 }
 
 void FixMuckpileBlast::restart(char* buffer) {
-  std::array<double, 2> head{};
-  std::memcpy(head.data(), buffer, sizeof(head));
-  clock_restarted_ = head[0];
-  swept_.resize(static_cast<std::size_t>(head[1]));
-  std::memcpy(swept_.data(), buffer + sizeof(head), swept_.size() * sizeof(double));
+  const auto next = [&buffer] {
+    double value = 0.0;
+    std::memcpy(&value, buffer, sizeof(value));
+    buffer += sizeof(value);
+    return value;
+  };
+  clock_restarted_ = next();
+  swept_.resize(static_cast<std::size_t>(next()));
+  states_.resize(swept_.size());
+  for (double& swept : swept_) swept = next();
+  for (GasState& gas : states_) {
+    gas.mass_left = next();
+    gas.stemming_path = next();
+    gas.stemming_speed = next();
+  }
 }
 
 }  // namespace muckpile

@@ -30,6 +30,15 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix {
   void write_restart(FILE* file) override;
   void restart(char* buffer) override;
 
+  /// The fix of this run, nullptr if there is none.
+  [[nodiscard]] static FixMuckpileBlast* find(LAMMPS_NS::LAMMPS& lmp);
+  /// Where the explosive's energy went so far [J]. Collective.
+  struct Energies {
+    double explosive = 0.0;        ///< of all charges, fired or not; 0 if not known
+    double wave = 0.0, gas = 0.0;  ///< work on the blocks
+  };
+  [[nodiscard]] Energies energies() const;
+
  private:
   [[nodiscard]] BlastSurface* find_surface() const;  // nullptr if there is none
   void check_timestep() const;
@@ -37,6 +46,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix {
   void refresh_arrivals();
   [[nodiscard]] bool fired(double time) const;
   void sum_swept_volumes();
+  void advance_gas();
   void load_faces(double time);
   void finish();
 
@@ -52,12 +62,15 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix {
 
   std::uint64_t arrivals_version_ = 0;
   bool arrivals_known_ = false;
-  std::vector<double> arrivals_;   // per loaded face of this rank [s]
-  std::vector<double> pressures_;  // per loaded face of this rank [Pa]
+  std::vector<double> arrivals_;    // per loaded face of this rank [s]
+  std::vector<double> pressures_;   // per loaded face of this rank [Pa]
+  std::vector<double> wave_share_;  // per loaded face of this rank
   // At the last force computation: the faces of a block cannot tell once it has changed rank.
-  std::vector<double> swept_;    // per hole, all ranks [m3]
-  std::vector<double> gas_;      // per hole [Pa]
-  std::vector<char> hole_over_;  // per hole; never turns back
+  std::vector<double> swept_;          // per hole, all ranks [m3]
+  std::vector<double> gas_;            // per hole [Pa]
+  std::vector<GasState> states_;       // per hole
+  std::vector<ChargeEnergy> charges_;  // per hole
+  std::vector<char> hole_over_;        // per hole; never turns back
   bool over_ = false;
   int active_holes_ = 0;
 };

@@ -288,9 +288,13 @@ const Hole& FixMuckpileJoint::hole(int index) const {
   return FixMuckpileBlocks::find(*lmp)->holes()[static_cast<std::size_t>(index)];
 }
 
-void FixMuckpileJoint::set_pressure(std::span<const double> pressure) {
-  for (std::size_t k = 0; k < loaded_faces_.size(); ++k)
-    network_.faces()[loaded_faces_[k]].pressure = pressure[k];
+void FixMuckpileJoint::set_pressure(std::span<const double> pressure,
+                                    std::span<const double> wave_share) {
+  for (std::size_t k = 0; k < loaded_faces_.size(); ++k) {
+    BoundaryFace& face = network_.faces()[loaded_faces_[k]];
+    face.pressure = pressure[k];
+    face.wave_share = wave_share[k];
+  }
 }
 
 void FixMuckpileJoint::swept_volume(std::span<double> per_hole) const {

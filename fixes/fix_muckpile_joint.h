@@ -49,9 +49,10 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   [[nodiscard]] const Hole& hole(int index) const override;
   [[nodiscard]] std::span<const LoadedFacet> loaded_facets() const override { return loaded_; }
   [[nodiscard]] std::uint64_t loaded_facets_version() const override { return version_; }
-  void set_pressure(std::span<const double> pressure) override;
+  void set_pressure(std::span<const double> pressure, std::span<const double> wave_share) override;
   void swept_volume(std::span<double> per_hole) const override;
   [[nodiscard]] double pressure_work() const override { return network_.pressure_work(); }
+  [[nodiscard]] double wave_work() const override { return network_.wave_work(); }
 
   Chosen let_ground_yield(const std::function<bool(const Vec3&)>& chosen,
                           double rock_behind) override;

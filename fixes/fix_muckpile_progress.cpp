@@ -21,6 +21,7 @@
 #include "engine/bodies.h"
 #include "engine/periodic_output.h"
 #include "engine/style_args.h"
+#include "fix_muckpile_blast.h"
 #include "fix_muckpile_joint.h"
 #include "fix_muckpile_ledger.h"
 
@@ -191,6 +192,8 @@ void FixMuckpileProgress::write_history(const Look& now) {
 }
 
 void FixMuckpileProgress::write_run(const Look& now) const {
+  const FixMuckpileBlast* blast = FixMuckpileBlast::find(*lmp);
+  const auto energies = blast != nullptr ? blast->energies() : FixMuckpileBlast::Energies{};
   if (comm->me != 0) return;
   std::ofstream out(folder_ + "/run.json");
   if (!out)
@@ -201,8 +204,11 @@ void FixMuckpileProgress::write_run(const Look& now) const {
       << ",\n  \"joints_broken_fraction\": " << (now.joints > 0.0 ? now.broken / now.joints : 0.0)
       << ",\n  \"steps\": " << update->ntimestep << ",\n  \"physical_time_s\": " << now.time
       << ",\n  \"wall_time_s\": " << MPI_Wtime() - wall_start_ << ",\n  \"ranks\": " << comm->nprocs
-      << ",\n  \"energy_balance_error\": " << now.balance << ",\n  \"version\": \""
-      << MUCKPILE_VERSION << "\",\n  \"still\": " << (still(now) ? "true" : "false") << "\n}\n";
+      << ",\n  \"energy_balance_error\": " << now.balance
+      << ",\n  \"explosive_energy_J\": " << energies.explosive
+      << ",\n  \"wave_work_J\": " << energies.wave << ",\n  \"gas_work_J\": " << energies.gas
+      << ",\n  \"version\": \"" << MUCKPILE_VERSION
+      << "\",\n  \"still\": " << (still(now) ? "true" : "false") << "\n}\n";
 }
 
 double FixMuckpileProgress::compute_scalar() { return still(look()) ? 1.0 : 0.0; }

@@ -500,7 +500,9 @@ void FacetNetwork::load_faces() {
     torque_[b] += (face.last_centroid - state_[b].centre).cross(force);
     const double swept = volume_swept(face);
     if (blocks_[b].owned) {
-      pressure_work_ += 0.5 * (face.pressure + face.last_pressure) * (swept - face.last_swept);
+      const double work = 0.5 * (face.pressure + face.last_pressure) * (swept - face.last_swept);
+      pressure_work_ += work;
+      wave_work_ += face.wave_share * work;
     }
     face.last_pressure = face.pressure;
     face.last_swept = swept;

@@ -73,6 +73,7 @@ struct BoundaryFace {
   Vec3 start = Vec3::Zero();   ///< centroid in the start configuration [m]
   double area = 0.0;           ///< [m2]
   double pressure = 0.0;       ///< on a face with a hole only [Pa]
+  double wave_share = 0.0;     ///< of its work; the rest is the gas's [-]
   // Of the step before; they follow the face through the run.
   double last_pressure = 0.0;  ///< [Pa]
   double last_swept = 0.0;     ///< [m3]
@@ -184,6 +185,7 @@ class FacetNetwork {
   [[nodiscard]] double pressure_work() const {
     return pressure_work_;
   }  ///< on owned blocks so far [J]
+  [[nodiscard]] double wave_work() const { return wave_work_; }  ///< of that, by waves [J]
   [[nodiscard]] const JointLosses& losses() const { return losses_; }
   [[nodiscard]] bool newly_cracked() const {
     return newly_cracked_;
@@ -309,7 +311,7 @@ class FacetNetwork {
   std::vector<BoundaryFace> faces_;
   JointLosses losses_;
   double damping_ = 0.0, contact_damping_ = 0.0;  // [Pa s/m]
-  double pressure_work_ = 0.0;
+  double pressure_work_ = 0.0, wave_work_ = 0.0;
   bool newly_cracked_ = false;
 };
 

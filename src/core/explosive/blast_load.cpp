@@ -15,7 +15,7 @@ double vent_factor(double time, double vent_time, double vent_decay) {
 
 BlastLoad::BlastLoad(const Parameters& parameters)
     : wave_peak_(parameters.wave_peak),
-      pulse_(parameters.rise_time),
+      pulse_(parameters.pulse),
       gas_(parameters.gas),
       expansion_(parameters.isentrope, parameters.jwl),
       charge_volume_(parameters.charge_volume),
@@ -24,17 +24,33 @@ BlastLoad::BlastLoad(const Parameters& parameters)
   explosive_detail::require_not_negative("peak_pressure", "Pa", wave_peak_);
   if (!gas_) return;
   explosive_detail::require_positive("charge volume", "m3", charge_volume_);
-  explosive_detail::require_not_negative("vent_time", "s", vent_time_);
-  explosive_detail::require_positive("vent_decay", "s", vent_decay_);
+  if (parameters.flow) {
+    vent_.emplace(*parameters.flow);
+    products_mass_ = parameters.flow->products_mass;
+  } else {
+    explosive_detail::require_not_negative("vent_time", "s", vent_time_);
+    explosive_detail::require_positive("vent_decay", "s", vent_decay_);
+  }
   explosive_detail::require_positive("free volume ratio", "", parameters.free_volume_ratio);
   start_volume_ =
       std::max(expansion_.switch_ratio(), parameters.free_volume_ratio) * charge_volume_;
 }
 
-double BlastLoad::gas_pressure(double swept_volume, double time) const {
+double BlastLoad::gas_pressure(double swept_volume, double time, const GasState& state) const {
   if (!gas_) return 0.0;
-  return expansion_.pressure((start_volume_ + swept_volume) / charge_volume_) *
-         vent_factor(time, vent_time_, vent_decay_);
+  const double volume = (start_volume_ + swept_volume) / charge_volume_;
+  if (vent_) return expansion_.pressure(volume / state.mass_left);
+  return expansion_.pressure(volume) * vent_factor(time, vent_time_, vent_decay_);
+}
+
+void BlastLoad::advance(GasState& state, double swept_volume, double time, double dt) const {
+  if (!vent_) return;
+  const Chamber chamber{
+      .pressure = gas_pressure(swept_volume, time, state),
+      .gas_density = state.mass_left * products_mass_ / (start_volume_ + swept_volume),
+      .swept_volume = swept_volume,
+      .time = time};
+  vent_->advance(state, chamber, dt);
 }
 
 double BlastLoad::pressure(double tau, double gas_pressure) const {
@@ -42,9 +58,13 @@ double BlastLoad::pressure(double tau, double gas_pressure) const {
   return std::max(wave_peak_ * pulse_.shape(tau), gas_pressure * pulse_.ramp(tau));
 }
 
+double BlastLoad::wave_share(double tau, double gas_pressure) const {
+  const double load = pressure(tau, gas_pressure);
+  return load > 0.0 ? wave_peak_ * pulse_.shape(tau) / load : 0.0;
+}
+
 double BlastLoad::bound(double tau, double gas_pressure) const {
-  const double wave = tau < pulse_.rise_time() ? 1.0 : pulse_.shape(tau);
-  return std::max(wave_peak_ * wave, gas_pressure);
+  return std::max(wave_peak_ * pulse_.bound(tau), gas_pressure);
 }
 
 double BlastLoad::greatest_pressure() const { return std::max(wave_peak_, gas_pressure(0.0, 0.0)); }

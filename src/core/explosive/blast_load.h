@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Pressure on the wall of the crushed zone: the stress-wave pulse, then the detonation gas.
 // Scope: one hole; the gas has one pressure in the whole hole and follows the volume that the wall
-// sweeps; leakage is a time law, the flow of gas into cracks is not resolved.
+// sweeps; it leaks by a time law, or by flow through collar and cracks (gas_vent.h).
 #pragma once
 
 #include <optional>
 
+#include "explosive/gas_vent.h"
 #include "explosive/product_expansion.h"
-#include "explosive/starfield_pulse.h"
+#include "explosive/pulse_shape.h"
 
 namespace muckpile {
 
@@ -17,33 +18,40 @@ namespace muckpile {
 
 /// Load at a wall point, tau = time since the detonation arrived there:
 ///     p = max( P1 f(tau), p_gas(V, t) g(tau) )
-/// P1 peak wave pressure at the wall, f the Starfield-Pugliese shape, g = f until the peak and 1
-/// after. So before the peak p is the pulse alone wherever P1 >= p_gas, and afterwards the greater
-/// of both: the maximum, not the sum, because the pulse is the first part of the same expansion. If
-/// P1 < p_gas the gas comes up along the pulse's own rise. Either way the load never jumps.
+/// P1 peak wave pressure at the wall, f the pulse's shape, g = f until the peak (of a table its
+/// greatest so far) and 1 after. So before the peak p is the pulse alone wherever P1 >= p_gas, and
+/// afterwards the greater of both: the maximum, not the sum, because the pulse is the first part of
+/// the same expansion. If P1 < p_gas the gas comes up along the pulse's own rise. Either way the
+/// load never jumps.
 ///     p_gas = p(V/V0) s(t),  V = Vg + swept volume,  V0 charge volume,
 /// p(V/V0) the isentrope's and Vg its Vk, or the room that a decoupled charge has if that is more:
+/// With flow instead of s(t) the gas that is left, a share m of the mass, fills the chamber alone:
+/// p_gas = p(V/(m V0)). Either way that is, while all of it is there,
 /// pk (Vk/V)^gamma2 s(t) for the two-stage law as long as the wall has not moved inward, s the vent
 /// factor.
 class BlastLoad {
  public:
   struct Parameters {
-    double wave_peak;                         ///< P1 [Pa], 0 for no pulse
-    double rise_time;                         ///< [s]
-    bool gas;                                 ///< false: pulse only, the four below are not used
-    TwoStageIsentrope::Parameters isentrope;  ///< of the products
-    std::optional<JwlParameters> jwl{};       ///< in its place; see ProductExpansion
-    double charge_volume;                     ///< V0 [m3]
-    double free_volume_ratio = 1.0;           ///< chamber that the products fill over V0 [-]
-    double vent_time;                         ///< since the primer fired [s]
-    double vent_decay;                        ///< [s]
+    double wave_peak;                           ///< P1 [Pa], 0 for no pulse
+    PulseParameters pulse{};                    ///< its shape
+    bool gas;                                   ///< false: pulse only, the four below are not used
+    TwoStageIsentrope::Parameters isentrope;    ///< of the products
+    std::optional<JwlParameters> jwl{};         ///< in its place; see ProductExpansion
+    double charge_volume;                       ///< V0 [m3]
+    double free_volume_ratio = 1.0;             ///< chamber that the products fill over V0 [-]
+    double vent_time;                           ///< since the primer fired [s]
+    double vent_decay;                          ///< [s]
+    std::optional<GasVent::Parameters> flow{};  ///< in place of those two times
   };
 
   /// InputError on a value out of range.
   explicit BlastLoad(const Parameters& parameters);
 
   /// Gas pressure [Pa] at a swept volume [m3] and a time [s] since the primer fired; 0 without gas.
-  [[nodiscard]] double gas_pressure(double swept_volume, double time) const;
+  [[nodiscard]] double gas_pressure(double swept_volume, double time,
+                                    const GasState& state = {}) const;
+  /// The gas that flows out and the stemming that moves in one step [s].
+  void advance(GasState& state, double swept_volume, double time, double dt) const;
   /// Load [Pa] at a point that the detonation reached tau seconds ago, under that gas pressure.
   [[nodiscard]] double pressure(double tau, double gas_pressure) const;
   /// Bound on pressure() at tau and later if the gas pressure does not rise above the given one;
@@ -53,18 +61,22 @@ class BlastLoad {
   [[nodiscard]] double wave_peak() const { return wave_peak_; }          ///< P1 [Pa]
   [[nodiscard]] double start_volume() const { return start_volume_; }    ///< Vg [m3], 0 without gas
   [[nodiscard]] double charge_volume() const { return charge_volume_; }  ///< V0 [m3]
+  /// Part of pressure() that the pulse alone would make; the gas adds the rest [-].
+  [[nodiscard]] double wave_share(double tau, double gas_pressure) const;
   /// The greatest load that can occur on a wall that only moves outward [Pa].
   [[nodiscard]] double greatest_pressure() const;
 
  private:
   double wave_peak_;
-  StarfieldPulse pulse_;
+  PulseShape pulse_;
   bool gas_;
   ProductExpansion expansion_;
   double charge_volume_;
   double start_volume_ = 0.0;
   double vent_time_;
   double vent_decay_;
+  double products_mass_ = 0.0;  // [kg], with flow
+  std::optional<GasVent> vent_;
 };
 
 }  // namespace muckpile

@@ -23,7 +23,13 @@ void add_charge_keywords(ArgTable& table) {
 
 void add_pulse_keywords(ArgTable& table) {
   table.flag("pulse", true, "stress-wave pulse on or off")
-      .real("rise_time", "s", Range::positive(), 1e-4, "time from arrival to peak");
+      .real("rise_time", "s", Range::positive(), 1e-4, "time from arrival to peak; not of `table`")
+      .word("pulse_shape", {"starfield", "jong", "duvall", "triangular", "itasca", "table"},
+            "starfield", "history of the pulse; jong is starfield with this rise time")
+      .real("pulse_ratio", "", Range::above(1.0), 2.0, "rates' ratio of `duvall`; 2 is starfield");
+  add_optional(table, "pulse_end", "end of `triangular` [s], > rise_time");
+  add_optional(table, "pulse_half_time", "of `itasca` after the peak [s], > 0");
+  table.word("pulse_table", {}, "none", "CSV file of `table`: columns time_s, share of P1");
   add_optional(table, "poisson_ratio", "of the rock, >= 0 and < 0.5; needed by attenuation shock");
   table.word(
       "attenuation", {"shock", "liu_katsabanis"}, "shock",
@@ -46,6 +52,22 @@ void add_gas_keywords(ArgTable& table) {
       table, "vent_decay",
       "decay time of the gas once it vents [s], > 0; needed with gas yes, about 1.5e-3 per "
       "m of burden");
+}
+
+void add_venting_keywords(ArgTable& table) {
+  table.word("venting", {"time", "flow"}, "time",
+             "how the gas leaves: by the two times above, or by flow through collar and cracks");
+  add_optional(table, "stemming_length", "[m], >= 0; needed with venting flow");
+  table.real("stemming_density", "kg/m3", Range::positive(), 1800.0, "of the stemming, as it lies")
+      .real("stemming_shear", "Pa", Range::non_negative(), 0.0,
+            "resistance of the stemming per area of the hole's wall")
+      .real("collar_discharge", "", Range::closed(0.0, 1.0), 0.8,
+            "share of the choked flow through the open collar");
+  add_optional(table, "crack_delay",
+               "from firing until cracks reach a free face [s], >= 0, about 1e-3 per m of burden; "
+               "needed with venting flow");
+  table.real("crack_discharge", "", Range::closed(0.0, 1.0), 0.05,
+             "share of the choked flow through the cracks at the wall");
 }
 
 void add_timing_keywords(ArgTable& table) {
@@ -108,16 +130,59 @@ double exponent_of(const BlastOptions& options, Attenuation by, const NamedExplo
   return options.typed_exponent.value_or(0.0);
 }
 
-/// A time that the gas needs; `advice` for who left it out.
+/// A number that this way of venting needs; `advice` for who left it out.
 double vent_word(const BlastOptions& options, const ArgValues& values, const std::string& name,
-                 Range range, const std::string& advice) {
-  const auto typed = optional_real(values, options.where, name, "s", range);
-  if (typed) return *typed;
-  if (options.gas) {
-    refuse(options.where,
-           name + " [s] is needed with gas yes (about " + advice + " s per metre of burden)");
+                 const std::string& unit, Range range, bool by_flow, const std::string& advice) {
+  if (const auto typed = optional_real(values, options.where, name, unit, range)) return *typed;
+  if (options.gas && options.vent_by_flow == by_flow) {
+    refuse(options.where, name + " [" + unit + "] is needed with gas yes" + advice);
   }
   return 1.0;  // not used
+}
+
+void read_venting(BlastOptions& options, const ArgValues& values) {
+  options.vent_by_flow = values.word("venting") == "flow";
+  options.vent_time = vent_word(options, values, "vent_time", "s", Range::non_negative(), false,
+                                " (about 3.3e-3 s per metre of burden)");
+  options.vent_decay = vent_word(options, values, "vent_decay", "s", Range::positive(), false,
+                                 " (about 1.5e-3 s per metre of burden)");
+  options.flow.stemming_length = vent_word(options, values, "stemming_length", "m",
+                                           Range::non_negative(), true, " and venting flow");
+  options.flow.crack_delay =
+      vent_word(options, values, "crack_delay", "s", Range::non_negative(), true,
+                " and venting flow (about 1e-3 s per metre of burden)");
+  options.flow.gamma = options.charge.isentrope.dilute_exponent;
+  options.flow.stemming_density = values.real("stemming_density");
+  options.flow.stemming_shear = values.real("stemming_shear");
+  options.flow.collar_discharge = values.real("collar_discharge");
+  options.flow.crack_discharge = values.real("crack_discharge");
+}
+
+void read_pulse(BlastOptions& options, const ArgValues& values) {
+  using Kind = PulseParameters::Kind;
+  static const std::map<std::string, Kind> kinds = {
+      {"starfield", Kind::starfield},   {"jong", Kind::starfield}, {"duvall", Kind::duvall},
+      {"triangular", Kind::triangular}, {"itasca", Kind::itasca},  {"table", Kind::table}};
+  PulseParameters& pulse = options.pulse_shape;
+  pulse.kind = kinds.at(values.word("pulse_shape"));
+  pulse.rise_time = values.real("rise_time");
+  pulse.ratio = values.real("pulse_ratio");
+  const auto needed = [&](Kind kind, const char* name) {
+    const auto typed = optional_real(values, options.where, name, "s", Range::positive());
+    if (!typed && pulse.kind == kind) {
+      refuse(options.where,
+             std::string(name) + " [s] is needed with pulse_shape " + values.word("pulse_shape"));
+    }
+    return typed.value_or(0.0);
+  };
+  pulse.end_time = needed(Kind::triangular, "pulse_end");
+  pulse.half_time = needed(Kind::itasca, "pulse_half_time");
+  if (pulse.kind == Kind::table) pulse.table = read_pulse_table(values.word("pulse_table"));
+  try {
+    pulse.rise_time = PulseShape(pulse).rise_time();
+  } catch (const InputError& error) {
+    refuse(options.where, error.what());
+  }
 }
 
 std::map<long, double> own_delays(const std::string& where, const ArgValues& values) {
@@ -177,7 +242,7 @@ double wall_peak(const BlastOptions& options, const LoadedHole& hole, const Hole
 
 BlastLoad blast_load(const BlastOptions& options, const LoadedHole& hole, const Hole& zone) {
   BlastLoad::Parameters parameters{.wave_peak = wall_peak(options, hole, zone),
-                                   .rise_time = options.rise_time,
+                                   .pulse = options.pulse_shape,
                                    .gas = options.gas,
                                    .isentrope = options.charge.isentrope,
                                    .charge_volume = hole.shape.charge_volume(),
@@ -188,6 +253,12 @@ BlastLoad blast_load(const BlastOptions& options, const LoadedHole& hole, const 
       hole.initial_pressure > 0.0 ? hole.initial_pressure : parameters.isentrope.switch_pressure;
   if (options.charge.jwl) parameters.jwl = hole.explosive.jwl;
   parameters.free_volume_ratio = free_volume_ratio(hole.shape, hole.decoupling);
+  if (options.vent_by_flow) {
+    parameters.flow = options.flow;
+    parameters.flow->hole_radius = hole.shape.hole_radius;
+    parameters.flow->zone_radius = zone.radius;
+    parameters.flow->products_mass = hole.explosive.density * hole.shape.charge_volume();
+  }
   return BlastLoad(parameters);
 }
 
@@ -237,7 +308,8 @@ void describe_wave(std::ostream& text, const BlastOptions& options, const Loaded
                    const Hole& zone) {
   text << "  wave peak P1 = " << wall_peak(options, hole, zone) / kMPa
        << " MPa on r1 = " << zone.radius << " m (" << zone.radius / hole.shape.hole_radius
-       << " hole radii, exponent " << hole.exponent << "), rise " << options.rise_time << " s";
+       << " hole radii, exponent " << hole.exponent << "), rise " << options.pulse_shape.rise_time
+       << " s";
   if (hole.wall_pressure > 0.0) {
     const auto other = [&](const char* name, double exponent) {
       if (exponent <= 0.0) return;
@@ -262,6 +334,7 @@ ArgTable blast_table() {
   add_charge_keywords(table);
   add_pulse_keywords(table);
   add_gas_keywords(table);
+  add_venting_keywords(table);
   add_timing_keywords(table);
   return table;
 }
@@ -277,9 +350,8 @@ BlastOptions blast_options(const ArgValues& values, const std::string& where) {
   read_decoupling(options.charge, values, where);
   read_expansion(options.charge, values, where);
   read_attenuation(options, values);
-  options.rise_time = values.real("rise_time");
-  options.vent_time = vent_word(options, values, "vent_time", Range::non_negative(), "3.3e-3");
-  options.vent_decay = vent_word(options, values, "vent_decay", Range::positive(), "1.5e-3");
+  read_pulse(options, values);
+  read_venting(options, values);
   options.primer = primer_place(where, values.word("primer"));
   options.interval = values.real("interval");
   options.delays = own_delays(where, values);
@@ -302,6 +374,17 @@ std::vector<HoleBlast> hole_blasts(const BlastOptions& options,
   return blasts;
 }
 
+std::vector<ChargeEnergy> charge_energies(const BlastOptions& options,
+                                          const std::vector<Hole>& crushed_zones) {
+  std::vector<ChargeEnergy> energies;
+  for (const Hole& zone : crushed_zones) {
+    const LoadedHole hole = loaded_hole(options, zone);
+    const double mass = hole.explosive.density * hole.shape.charge_volume();
+    energies.push_back({mass, options.charge.energy_known ? mass * hole.explosive.energy : 0.0});
+  }
+  return energies;
+}
+
 std::string describe(const BlastOptions& options, const std::vector<Hole>& crushed_zones,
                      const std::vector<HoleBlast>& blasts) {
   const Hole& zone = crushed_zones.front();
@@ -315,8 +398,14 @@ std::string describe(const BlastOptions& options, const std::vector<Hole>& crush
   if (options.gas) {
     text << "  gas from " << load.gas_pressure(0.0, 0.0) / kMPa
          << " MPa at Vg = " << load.start_volume()
-         << " m3, charge volume V0 = " << load.charge_volume() << " m3, vents after "
-         << options.vent_time << " s, decay " << options.vent_decay << " s\n";
+         << " m3, charge volume V0 = " << load.charge_volume() << " m3, ";
+    if (options.vent_by_flow) {
+      text << "leaves through the collar once " << options.flow.stemming_length
+           << " m of stemming are out, and through cracks from " << options.flow.crack_delay
+           << " s on\n";
+    } else {
+      text << "vents after " << options.vent_time << " s, decay " << options.vent_decay << " s\n";
+    }
   }
   text << "  firing times [s]:";
   for (const HoleBlast& blast : blasts) text << ' ' << blast.firing_time();

@@ -28,10 +28,12 @@ struct BlastOptions {
   std::optional<double> p_wave_speed{};   ///< of the rock [m/s]
   std::optional<double> peak_pressure{};  ///< P1 as typed [Pa]
   bool pulse = true;
-  double rise_time = 0.0;  ///< [s]
+  PulseParameters pulse_shape{};
   bool gas = true;
   double vent_time = 0.0;           ///< [s]
   double vent_decay = 1.0;          ///< [s]
+  bool vent_by_flow = false;
+  GasVent::Parameters flow{};  ///< without radii and mass
   double primer = 0.0;              ///< 0 bottom, 1 top
   double interval = 0.0;            ///< between the firing of consecutive holes [s]
   std::map<long, double> delays{};  ///< hole number from 1: its own delay [s]
@@ -47,6 +49,14 @@ struct BlastOptions {
 /// zone narrower than the hole.
 [[nodiscard]] std::vector<HoleBlast> hole_blasts(const BlastOptions& options,
                                                  const std::vector<Hole>& crushed_zones);
+
+/// Of one hole's explosive.
+struct ChargeEnergy {
+  double mass = 0.0;    ///< [kg]
+  double energy = 0.0;  ///< 0 if the explosive's is not known [J]
+};
+[[nodiscard]] std::vector<ChargeEnergy> charge_energies(const BlastOptions& options,
+                                                        const std::vector<Hole>& crushed_zones);
 
 /// What was understood, for the log: the pressures chosen and the alternatives beside them, for the
 /// first hole, and the firing time of each.

@@ -4,9 +4,14 @@
 
 namespace muckpile {
 
-double HoleBlast::gas_pressure(double swept_volume, double time) const {
+double HoleBlast::gas_pressure(double swept_volume, double time, const GasState& state) const {
   const double since_firing = time - front_.firing_time();
-  return since_firing < 0.0 ? 0.0 : load_.gas_pressure(swept_volume, since_firing);
+  return since_firing < 0.0 ? 0.0 : load_.gas_pressure(swept_volume, since_firing, state);
+}
+
+void HoleBlast::advance(GasState& state, double swept_volume, double time, double dt) const {
+  const double since_firing = time - front_.firing_time();
+  if (since_firing >= 0.0) load_.advance(state, swept_volume, since_firing, dt);
 }
 
 bool HoleBlast::over(double time, double gas_pressure) const {

@@ -16,7 +16,10 @@ class HoleBlast {
   /// When the detonation passes the height of a wall point [s].
   [[nodiscard]] double arrival_time(const Vec3& point) const { return front_.arrival_time(point); }
   /// Pressure of the gas in the whole hole [Pa] at a swept volume [m3]; 0 before the hole fires.
-  [[nodiscard]] double gas_pressure(double swept_volume, double time) const;
+  [[nodiscard]] double gas_pressure(double swept_volume, double time,
+                                    const GasState& state = {}) const;
+  /// What the gas and the stemming do in one step [s]; nothing before the hole fires.
+  void advance(GasState& state, double swept_volume, double time, double dt) const;
   /// Load [Pa] on a wall point of that arrival time.
   [[nodiscard]] double pressure(double arrival_time, double time, double gas_pressure) const {
     return load_.pressure(time - arrival_time, gas_pressure);

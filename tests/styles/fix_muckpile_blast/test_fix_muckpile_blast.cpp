@@ -106,8 +106,8 @@ Vec3 push(const Block& block, int hole) {
 
 TEST(FixMuckpileBlast, ResultantOnEachHoleIsPressureTimesTrueArea) {
   // No force at time 0, so the blocks still stand where they were when the first step is done, and
-  // their momentum is half a step of its force. Joints that carry next to nothing: a face's pressure
-  // pulls no neighbour along.
+  // their momentum is half a step of its force. Joints that carry next to nothing: a face's
+  // pressure pulls no neighbour along.
   constexpr double kStep = 3e-5;
   Engine engine(
       "youngs_modulus 55e9 poisson_ratio 0 normal_stiffness 1e-6 shear_stiffness 1e-6" + kStrong,
@@ -169,6 +169,36 @@ TEST(FixMuckpileBlast, GasFollowsTheSweptVolume) {
   // One hole's swept volume is not an output: its pressure lies between none and all of it swept.
   EXPECT_LT(engine.load(2), 200e6 * decay);
   EXPECT_GT(engine.load(2), 200e6 * std::pow(1.0 + swept / 1.133635e-2, -1.4) * decay);
+}
+
+TEST(FixMuckpileBlast, WaveAndGasShareTheWork) {
+  const std::string charge = "explosive anfo hole_diameter 0.1 poisson_ratio 0.25 rise_time 2e-5 ";
+  Engine both("youngs_modulus 55e9 poisson_ratio 0.25" + kStrong,
+              charge + "vent_time 1e-2 vent_decay 5e-3", "1e-6");
+  both.command("run 300");
+  EXPECT_GT(both.load(7), 0.0);
+  EXPECT_GT(both.load(8), 0.0);
+  EXPECT_NEAR(both.load(7) + both.load(8), both.load(4), 1e-9 * both.load(4));
+  // two charges, pi 0.05^2 (0.6 + 0.6021) x 800 x 3.8e6; 0.05 m aslant: sqrt(0.6^2 + 0.05^2)
+  EXPECT_NEAR(both.load(9), M_PI * 0.0025 * (0.6 + 0.60208) * 800 * 3.8e6, 1e3);
+  EXPECT_NEAR(both.load(10), both.load(9) / 3.8e6, 1e-6);
+  Engine wave("youngs_modulus 55e9 poisson_ratio 0.25" + kStrong, charge + "gas no", "1e-6");
+  wave.command("run 300");
+  EXPECT_NEAR(wave.load(7), wave.load(4), 1e-9 * wave.load(4));
+}
+
+TEST(FixMuckpileBlast, GasThatFlowsOutIsMissingAndPressesLess) {
+  const std::string charge = kCharge + "pulse no rise_time 2e-5 venting flow ";
+  Engine open("youngs_modulus 55e9 poisson_ratio 0.25" + kStrong,
+              charge + "stemming_length 0 crack_delay 1", "1e-6");
+  Engine closed("youngs_modulus 55e9 poisson_ratio 0.25" + kStrong,
+                charge + "stemming_length 100 crack_delay 1", "1e-6");
+  open.command("run 400");
+  closed.command("run 400");
+  EXPECT_EQ(closed.load(11), 1.0);
+  EXPECT_LT(open.load(11), 0.999);
+  EXPECT_GT(open.load(11), 0.5);
+  EXPECT_LT(open.load(2), closed.load(2));
 }
 
 TEST(FixMuckpileBlast, StartsWithItsDelayAndEndsWhenTheLoadHasGone) {

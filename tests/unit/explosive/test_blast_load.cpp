@@ -21,7 +21,7 @@ constexpr double kDecay = 0.0045;
 
 BlastLoad::Parameters emulsion() {
   return {.wave_peak = kP1,
-          .rise_time = kRise,
+          .pulse = {.rise_time = kRise},
           .gas = true,
           .isentrope = {.initial_pressure = 2.784375e9},
           .charge_volume = kV0,
@@ -154,6 +154,14 @@ TEST(BlastLoad, NeverJumpsEvenIfTheWaveIsWeakerThanTheGas) {
   }
 }
 
+TEST(BlastLoad, WaveShareIsWhatThePulseAloneWouldPress) {
+  const BlastLoad load(emulsion());
+  EXPECT_DOUBLE_EQ(load.wave_share(kRise, 200e6), 1.0);
+  const double pulse = kP1 * StarfieldPulse(kRise).shape(3.0 * kRise);  // 99 MPa
+  EXPECT_DOUBLE_EQ(load.wave_share(3.0 * kRise, 200e6), pulse / 200e6);
+  EXPECT_EQ(load.wave_share(0.0, 200e6), 0.0);
+}
+
 TEST(BlastLoad, WithoutGasOnlyThePulseIsLeft) {
   BlastLoad::Parameters parameters = emulsion();
   parameters.gas = false;
@@ -179,7 +187,7 @@ TEST(BlastLoad, RefusesValuesOutOfRange) {
     EXPECT_THROW(BlastLoad{parameters}, InputError);
   };
   refused([](auto& p) { p.wave_peak = -1.0; });
-  refused([](auto& p) { p.rise_time = 0.0; });
+  refused([](auto& p) { p.pulse.rise_time = 0.0; });
   refused([](auto& p) { p.charge_volume = 0.0; });
   refused([](auto& p) { p.vent_time = -1.0; });
   refused([](auto& p) { p.vent_decay = 0.0; });

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Venting by flow; equations in the header.
+#include "explosive/gas_vent.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "explosive/require.h"
+
+namespace muckpile {
+
+double choked_flux(double pressure, double density, double gamma) {
+  return std::sqrt(gamma * pressure * density) *
+         std::pow(2.0 / (gamma + 1.0), 0.5 * (gamma + 1.0) / (gamma - 1.0));
+}
+
+GasVent::GasVent(const Parameters& parameters) : p_(parameters) {
+  using namespace explosive_detail;
+  require_positive("hole_diameter", "m", 2.0 * p_.hole_radius);
+  require_positive("crushed-zone radius", "m", p_.zone_radius);
+  require_positive("mass of the charge", "kg", p_.products_mass);
+  if (!(p_.gamma > 1.0)) refuse("gas_gamma", "> 1 with venting flow", "", p_.gamma);
+  require_not_negative("stemming_length", "m", p_.stemming_length);
+  require_positive("stemming_density", "kg/m3", p_.stemming_density);
+  require_not_negative("stemming_shear", "Pa", p_.stemming_shear);
+  require_not_negative("collar_discharge", "", p_.collar_discharge);
+  require_not_negative("crack_delay", "s", p_.crack_delay);
+  require_not_negative("crack_discharge", "", p_.crack_discharge);
+}
+
+double GasVent::open_area(const GasState& state, const Chamber& chamber) const {
+  double area = 0.0;
+  if (state.stemming_path >= p_.stemming_length) {
+    area += p_.collar_discharge * std::numbers::pi * p_.hole_radius * p_.hole_radius;
+  }
+  if (chamber.time >= p_.crack_delay) {
+    area += p_.crack_discharge * std::max(0.0, chamber.swept_volume) / p_.zone_radius;
+  }
+  return area;
+}
+
+void GasVent::advance(GasState& state, const Chamber& chamber, double dt) const {
+  if (chamber.time < 0.0) return;
+  const double flow =
+      open_area(state, chamber) * choked_flux(chamber.pressure, chamber.gas_density, p_.gamma);
+  // Over a step the flow falls in proportion to the mass: never below zero, exact for a steady
+  // rate.
+  state.mass_left *= std::exp(-flow * dt / (state.mass_left * p_.products_mass));
+  if (state.stemming_path >= p_.stemming_length) return;
+  const double held = p_.stemming_length - state.stemming_path;
+  const double drive = chamber.pressure - 2.0 * p_.stemming_shear * held / p_.hole_radius;
+  state.stemming_speed =
+      std::max(0.0, state.stemming_speed + drive / (p_.stemming_density * p_.stemming_length) * dt);
+  state.stemming_path += state.stemming_speed * dt;
+}
+
+}  // namespace muckpile

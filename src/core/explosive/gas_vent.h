@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// How the gas of one hole leaves: through the collar once the stemming is out, and through cracks.
+// Scope: one pressure in the chamber; choked flow; no gas dynamics in the cracks, no atmosphere.
+#pragma once
+
+namespace muckpile {
+
+/// What the hole remembers.
+struct GasState {
+  double mass_left = 1.0;       ///< share of the products still in the chamber
+  double stemming_path = 0.0;   ///< way that the stemming has gone towards the collar [m]
+  double stemming_speed = 0.0;  ///< [m/s]
+};
+
+/// Chamber at one instant.
+struct Chamber {
+  double pressure;      ///< [Pa]
+  double gas_density;   ///< [kg/m3]
+  double swept_volume;  ///< by the crushed-zone wall [m3]
+  double time;          ///< since the primer fired [s]
+};
+
+/// Mass flow per area through a choked opening [kg/(m2 s)]:
+/// (gamma p rho)^(1/2) (2/(gamma + 1))^((gamma + 1)/(2 (gamma - 1))), ideal gas.
+[[nodiscard]] double choked_flux(double pressure, double density, double gamma);
+
+class GasVent {
+ public:
+  struct Parameters {
+    double hole_radius;                ///< [m]
+    double zone_radius;                ///< r1, of the crushed zone [m]
+    double products_mass;              ///< of the charge [kg]
+    double gamma = 1.4;                ///< of the expanded gas, > 1
+    double stemming_length = 0.0;      ///< 0: the collar is open from the start [m]
+    double stemming_density = 1800.0;  ///< [kg/m3]
+    double stemming_shear = 0.0;       ///< resistance per wall area [Pa]
+    double collar_discharge = 0.8;     ///< share of the choked flow through the collar
+    double crack_delay = 0.0;          ///< until cracks reach a free face [s]
+    double crack_discharge = 0.05;     ///< share of the choked flow through the cracks
+  };
+
+  /// InputError on a value out of range.
+  explicit GasVent(const Parameters& parameters);
+
+  /// Area of the openings times their discharge [m2]. The collar opens when the stemming has gone
+  /// its own length. The cracks' area at the wall is what the wall has lengthened by, times the
+  /// charge's length: swept volume / r1 (all stretch taken by open radial cracks; ours).
+  [[nodiscard]] double open_area(const GasState& state, const Chamber& chamber) const;
+
+  /// One step on [s]. The stemming is a plug: density x length x acceleration = pressure - 2 shear
+  /// x remaining length / hole radius. The mass falls by the choked flux through open_area().
+  void advance(GasState& state, const Chamber& chamber, double dt) const;
+
+ private:
+  Parameters p_;
+};
+
+}  // namespace muckpile

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Venting by flow: choked flux, stemming as a plug, mass that leaves.
+// Scope: closed forms of one chamber.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "args/input_error.h"
+#include "explosive/blast_load.h"
+
+namespace muckpile {
+namespace {
+
+GasVent::Parameters vent() {
+  GasVent::Parameters p;
+  p.hole_radius = 0.045;
+  p.zone_radius = 0.135;
+  p.products_mass = 60.0;
+  p.stemming_length = 3.0;
+  p.crack_delay = 3e-3;
+  return p;
+}
+
+TEST(GasVent, ChokedFluxIsThatOfAnIdealGas) {
+  // air at 1 bar, 1.2 kg/m3: sqrt(1.4 x 1e5 x 1.2) (2/2.4)^3 = 409.878 x 0.578704 = 237.198
+  EXPECT_NEAR(choked_flux(1e5, 1.2, 1.4), 237.198, 1e-3);
+}
+
+TEST(GasVent, StemmingIsAPlugUnderConstantPressure) {
+  // path = p t^2 / (2 rho T): 2e7/(1800 x 3) = 3703.7 m/s2, 3 m after sqrt(2 x 3/3703.7) = 40.25 ms
+  const GasVent gas(vent());
+  GasState state;
+  double time = 0.0;
+  constexpr double kStep = 1e-6;
+  while (state.stemming_path < 3.0) {
+    gas.advance(state, {2e7, 100.0, 0.0, time}, kStep);
+    time += kStep;
+  }
+  EXPECT_NEAR(time, 40.249e-3, 2e-6);  // one step
+  EXPECT_EQ(state.mass_left, 1.0);     // closed until now, and the cracks have no width
+}
+
+TEST(GasVent, ShearOnTheWallHoldsAPlugThatIsLongEnough) {
+  GasVent::Parameters p = vent();
+  p.stemming_shear = 2e5;  // holds 2 x 2e5 x 3/0.045 = 26.7 MPa
+  const GasVent gas(p);
+  GasState state;
+  gas.advance(state, {26e6, 100.0, 0.0, 0.0}, 1e-3);
+  EXPECT_EQ(state.stemming_path, 0.0);
+  gas.advance(state, {28e6, 100.0, 0.0, 0.0}, 1e-3);
+  EXPECT_GT(state.stemming_path, 0.0);
+}
+
+TEST(GasVent, CollarOpensWhenTheStemmingIsOutAndCracksWithTheirDelay) {
+  const GasVent gas(vent());
+  const double bore = 0.8 * std::numbers::pi * 0.045 * 0.045;
+  const double cracks = 0.05 * 0.027 / 0.135;  // 0.027 m3 swept: 0.2 m2 of cracks
+  GasState out;
+  out.stemming_path = 3.0;
+  EXPECT_EQ(gas.open_area({}, {1e8, 100.0, 0.027, 1e-3}), 0.0);
+  EXPECT_DOUBLE_EQ(gas.open_area(out, {1e8, 100.0, 0.027, 1e-3}), bore);
+  EXPECT_DOUBLE_EQ(gas.open_area(out, {1e8, 100.0, 0.027, 4e-3}), bore + cracks);
+  EXPECT_DOUBLE_EQ(gas.open_area(out, {1e8, 100.0, -0.01, 4e-3}), bore);
+}
+
+TEST(GasVent, AChamberOfConstantVolumeEmptiesAsTheClosedFormSays) {
+  // p ~ m^1.4 and rho ~ m, so dm/dt = -k m^1.2 and m = (1 + 0.2 k t)^-5, k = A flux(p0, rho0)/mass
+  GasVent::Parameters p = vent();
+  p.stemming_length = 0.0;
+  const GasVent gas(p);
+  const double p0 = 2e8, rho0 = 400.0;
+  const double k = 0.8 * std::numbers::pi * 0.045 * 0.045 * choked_flux(p0, rho0, 1.4) / 60.0;
+  GasState state;
+  constexpr double kStep = 1e-5;
+  for (int i = 0; i < 3000; ++i) {
+    gas.advance(state,
+                {p0 * std::pow(state.mass_left, 1.4), rho0 * state.mass_left, 0.0, i * kStep},
+                kStep);
+  }
+  const double expected = std::pow(1.0 + 0.2 * k * 0.03, -5.0);
+  ASSERT_LT(expected, 0.7);
+  EXPECT_NEAR(state.mass_left, expected, 1e-3 * expected);  // first order in the step
+}
+
+TEST(GasVent, GasThatIsLeftFillsTheChamberAlone) {
+  BlastLoad::Parameters parameters{.wave_peak = 0.0,
+                                   .gas = true,
+                                   .isentrope = {.initial_pressure = 2.784375e9},
+                                   .charge_volume = 0.01,
+                                   .vent_time = 0.0,
+                                   .vent_decay = 1.0,
+                                   .flow = vent()};
+  const BlastLoad load(parameters);
+  GasState half;
+  half.mass_left = 0.5;
+  EXPECT_NEAR(load.gas_pressure(0.0, 1.0, {}), 200e6, 1.0);  // no time law
+  EXPECT_NEAR(load.gas_pressure(0.0, 1.0, half), 200e6 / std::pow(2.0, 1.4), 1.0);
+}
+
+TEST(GasVent, RefusesValuesOutOfRange) {
+  const auto refused = [](auto change) {
+    GasVent::Parameters p = vent();
+    change(p);
+    EXPECT_THROW(GasVent{p}, InputError);
+  };
+  refused([](auto& p) { p.hole_radius = 0.0; });
+  refused([](auto& p) { p.products_mass = 0.0; });
+  refused([](auto& p) { p.gamma = 1.0; });
+  refused([](auto& p) { p.stemming_length = -1.0; });
+  refused([](auto& p) { p.stemming_density = 0.0; });
+  refused([](auto& p) { p.crack_delay = -1.0; });
+}
+
+}  // namespace
+}  // namespace muckpile
