@@ -86,6 +86,7 @@ void BlockRun::make_networks(const std::vector<Block>& blocks,
     images_.push_back({b, facet.normal, plane, image, wall == Wall::odd ? -1.0 : 1.0, map});
     state_.push_back({image, Vec3::Zero(), Vec3::Zero(), Mat3::Identity()});
     facet.kind = FacetKind::joint;
+    facet.joint_class = static_cast<std::uint8_t>(natural.classes.size() + 1);
     facet.j = static_cast<int>(constants.size());
     facet.tag_j = facet.j + 1;
     facet.arm_j = at - image;
@@ -95,8 +96,12 @@ void BlockRun::make_networks(const std::vector<Block>& blocks,
   }
   for (BoundaryFace& face : set.faces) face.block = face.tag - 1;
   for (Facet* facet : grounded) facet->j = static_cast<int>(constants.size());
+  std::vector<JointClass> classes = natural.classes;
   for (const JointParameters& parameters : networks) {
-    networks_.emplace_back(JointMaterial(parameters), natural.classes);
+    classes.resize(natural.classes.size());
+    classes.push_back({1e30, 1e30, 0.0, 0.0, parameters.normal_stiffness,
+                       parameters.shear_stiffness});  // of joints with images: they hold
+    networks_.emplace_back(JointMaterial(parameters), classes);
     networks_.back().set_blocks(constants);
     networks_.back().set_facets(set.facets, {});
     networks_.back().set_faces(set.faces);

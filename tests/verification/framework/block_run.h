@@ -18,6 +18,7 @@ namespace muckpile::verification {
 /// `even` and `odd` are images of the blocks themselves, so that the box and its reflections fill
 /// space: displacement behind the wall is plus or minus the reflected one, and an average strain is
 /// possible. `repeat` is the same block again, shifted; for blocks that reach from wall to wall.
+/// Facets between a block and its image never break.
 enum class Wall { free, fixed, mirror, even, odd, repeat };
 using WallRule = std::function<Wall(const Vec3& face_centroid)>;
 
