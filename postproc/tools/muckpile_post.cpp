@@ -62,7 +62,9 @@ void add_pile_commands(CLI::App& app, Options& o) {
                   "bench: profile.csv, profile.png; throw, height, toe, swell, slope", o.folder);
   CLI::App* crater = add_command(
       app, "crater", "crater: crater.csv, crater.png; radius, depth, volume, ejecta", o.folder);
-  for (CLI::App* command : {profile, crater}) {
+  CLI::App* heap = add_command(
+      app, "heap", "heap: heap.csv, heap.png; angle of repose, height, toe, swell", o.folder);
+  for (CLI::App* command : {profile, crater, heap}) {
     add_measure(command, o.measure);
     add_colour(command, o.colour);
     command->add_option("--y", o.section.y, "place of the section [m] (default: through a hole)");
@@ -78,6 +80,10 @@ void add_pile_commands(CLI::App& app, Options& o) {
   crater->callback([&o] {
     o.section.colour_by = kColours.at(o.colour);
     report_crater(ResultFolder(o.folder), o.measure, o.section);
+  });
+  heap->callback([&o] {
+    o.section.colour_by = kColours.at(o.colour);
+    report_heap(ResultFolder(o.folder), o.measure, o.section);
   });
   fragments->callback([&o] { report_fragments(ResultFolder(o.folder), o.measure); });
 }

@@ -8,25 +8,44 @@
 #include <limits>
 #include <numeric>
 
+#include "measure/broken_out.h"
+#include "measure/slope.h"
+
 namespace muckpile {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kFloor = 0.0;  // [m]
+constexpr double kFloor = 0.0;          // [m]
+constexpr double kSectionBlocks = 2.0;  // width of a section over the mean block size
 
+// Mean over the rows [begin, end) of the grid.
 template <class Value>
-std::vector<double> mean_over_y(const ColumnGrid& grid, Value&& value) {
+std::vector<double> mean_over_rows(const ColumnGrid& grid, int begin, int end, Value&& value) {
   std::vector<double> mean(static_cast<size_t>(grid.nx), 0.0);
   for (int i = 0; i < grid.nx; ++i) {
-    for (int j = 0; j < grid.ny; ++j)
-      mean[static_cast<size_t>(i)] += value(grid.at(i, j)) / grid.ny;
+    for (int j = begin; j < end; ++j)
+      mean[static_cast<size_t>(i)] += value(grid.at(i, j)) / (end - begin);
   }
   return mean;
 }
 
+std::vector<double> mean_top(const Columns& columns, int begin, int end) {
+  return mean_over_rows(columns.grid, begin, end,
+                        [&](size_t cell) { return std::max(columns.top[cell], kFloor); });
+}
+
 std::vector<double> mean_top(const Columns& columns) {
-  return mean_over_y(columns.grid,
-                     [&](size_t cell) { return std::max(columns.top[cell], kFloor); });
+  return mean_top(columns, 0, columns.grid.ny);
+}
+
+std::vector<std::vector<double>> section_tops(const Columns& columns, double width) {
+  const ColumnGrid& grid = columns.grid;
+  const auto wanted = static_cast<int>(std::lround(grid.dy * grid.ny / width));
+  const int count = std::clamp(wanted, 1, grid.ny);
+  std::vector<std::vector<double>> sections;
+  for (int k = 0; k < count; ++k)
+    sections.push_back(mean_top(columns, k * grid.ny / count, (k + 1) * grid.ny / count));
+  return sections;
 }
 
 std::vector<double> highest_top(const Columns& columns) {
@@ -51,32 +70,19 @@ std::vector<double> centre_top(const Columns& columns) {
   return centre;
 }
 
-// Slope of the least-squares line through the samples [begin, end) that `take` accepts, NaN for
-// fewer than three.
-template <class Take>
-double fitted_slope(const PileProfile& p, size_t begin, size_t end, Take&& take) {
-  double n = 0, sx = 0, sz = 0, sxx = 0, sxz = 0;
-  for (size_t i = begin; i < end; ++i) {
-    if (!take(p.pile[i])) continue;
-    const double x = p.x[i] - p.x[begin];
-    n += 1, sx += x, sz += p.pile[i], sxx += x * x, sxz += x * p.pile[i];
-  }
-  return n < 3 ? kNan : (n * sxz - sx * sz) / (n * sxx - sx * sx);
-}
-
-size_t index_of_peak(const PileProfile& p, double burden) {
-  size_t peak = p.x.size();
-  for (size_t i = 0; i < p.x.size(); ++i) {
-    if (p.x[i] > -burden && p.pile[i] > 0.0 && (peak == p.x.size() || p.pile[i] > p.pile[peak]))
-      peak = i;
+// Highest sample beyond the holes, x.size() where there is no pile.
+size_t index_of_peak(const std::vector<double>& x, const std::vector<double>& top, double burden) {
+  size_t peak = x.size();
+  for (size_t i = 0; i < x.size(); ++i) {
+    if (x[i] > -burden && top[i] > 0.0 && (peak == x.size() || top[i] > top[peak])) peak = i;
   }
   return peak;
 }
 
 // Last sample at or after the peak where the pile is at least one block thick.
-size_t index_of_toe(const PileProfile& p, size_t peak, double block_size) {
-  size_t toe = p.x.size() - 1;
-  while (toe > peak && p.pile[toe] < block_size) --toe;
+size_t index_of_toe(const std::vector<double>& top, size_t peak, double block_size) {
+  size_t toe = top.size() - 1;
+  while (toe > peak && top[toe] < block_size) --toe;
   return toe;
 }
 
@@ -100,14 +106,21 @@ double place_of_share(const PileProfile& p, double share) {
   return kNan;
 }
 
-double steepest_slope(const PileProfile& p, size_t peak, size_t toe, double stretch) {
-  const auto samples = static_cast<size_t>(std::max(3.0, std::round(stretch / p.dx)));
-  double steepest = kNan;
-  for (size_t i = peak; i + samples <= toe + 1; ++i) {
-    const double slope = -fitted_slope(p, i, i + samples, [](double) { return true; });
-    if (!(steepest >= slope)) steepest = slope;
+// Sections, because a front that is not straight across the width has a flatter mean; a length as
+// long as the pile is high, because a shorter one, or one found by its fall, follows single blocks.
+double rest_slope(const PileProfile& p, double burden, double block_size, double stretch) {
+  double sum = 0.0;
+  int sections = 0;
+  for (const std::vector<double>& top : p.sections) {
+    const size_t peak = index_of_peak(p.x, top, burden);
+    if (peak == p.x.size()) continue;
+    const double slope =
+        steepest_slope(p.x, top, peak, index_of_toe(top, peak, block_size) + 1, stretch);
+    if (std::isnan(slope)) continue;
+    sum += slope;
+    ++sections;
   }
-  return steepest;
+  return sections > 0 ? sum / sections : kNan;
 }
 
 }  // namespace
@@ -132,7 +145,9 @@ PileProfile pile_profile(const std::vector<StartBlock>& blocks, const Snapshot& 
   profile.highest = highest_top(rock);
   profile.rock_in_place = mean_top(columns_through(grid, blocks, last.states, stayed));
   profile.pile = mean_top(pile);
-  profile.pile_length = mean_over_y(grid, [&](size_t c) { return pile.length[c]; });
+  profile.pile_length =
+      mean_over_rows(grid, 0, grid.ny, [&](size_t column) { return pile.length[column]; });
+  profile.sections = section_tops(pile, kSectionBlocks * mean_block_size(blocks, all));
   profile.dx = grid.dx;
   profile.width = grid.dy * grid.ny;
   return profile;
@@ -140,9 +155,9 @@ PileProfile pile_profile(const std::vector<StartBlock>& blocks, const Snapshot& 
 
 PileShape pile_shape(const PileProfile& p, double burden, double block_size) {
   PileShape shape{kNan, kNan, kNan, place_of_share(p, 0.98), kNan, 0.0, 0.0, kNan, kNan};
-  const size_t peak = index_of_peak(p, burden);
+  const size_t peak = index_of_peak(p.x, p.pile, burden);
   if (peak == p.x.size()) return shape;
-  const size_t toe = index_of_toe(p, peak, block_size);
+  const size_t toe = index_of_toe(p.pile, peak, block_size);
   shape.height = p.pile[peak];
   shape.height_x = p.x[peak];
   shape.toe = crossing_after(p, toe, block_size);
@@ -153,9 +168,8 @@ PileShape pile_shape(const PileProfile& p, double burden, double block_size) {
   }
   if (shape.solid_volume > 0.0) shape.swell = shape.bulk_volume / shape.solid_volume;
   const double low = 0.2 * shape.height, high = 0.8 * shape.height;
-  const auto on_front = [=](double z) { return z >= low && z <= high; };
-  shape.front_angle = std::atan(-fitted_slope(p, peak, toe + 1, on_front));
-  shape.steepest_angle = std::atan(steepest_slope(p, peak, toe, 0.5 * shape.height));
+  shape.front_angle = std::atan(slope_between_heights(p.x, p.pile, peak, toe + 1, low, high));
+  shape.rest_angle = std::atan(rest_slope(p, burden, block_size, shape.height));
   return shape;
 }
 

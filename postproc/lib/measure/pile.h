@@ -23,8 +23,11 @@ struct PileProfile {
   std::vector<double> rock_in_place;  // top of the rock that stayed, mean over y
   std::vector<double> pile;           // top of the broken-out rock, mean over y
   std::vector<double> pile_length;    // rock of the pile in a column [m], mean over y
-  double dx;                          // [m]
-  double width;                       // along y [m]
+  // Top of the broken-out rock again, mean over y of each of the sections two blocks wide that the
+  // width is cut into.
+  std::vector<std::vector<double>> sections;
+  double dx;     // [m]
+  double width;  // along y [m]
 };
 
 PileProfile pile_profile(const std::vector<StartBlock>& blocks, const Snapshot& last,
@@ -36,8 +39,9 @@ struct PileShape {
   double toe_98;            // 98 % of the pile's rock beyond the face lies behind [m]
   double swell;             // bulk over solid volume, between the face and the toe
   double bulk_volume, solid_volume;  // beyond the face, to the toe [m3]
-  double front_angle;    // of the line through the front slope, 20 to 80 % of the height [rad]
-  double steepest_angle;  // steepest line over a stretch of half the height [rad]
+  double front_angle;  // of the line through the front slope, 20 to 80 % of the height [rad]
+  double rest_angle;   // steepest line over a stretch as long as the pile is high, mean of the
+                       // sections [rad]
 };
 
 // NaN where a measure has no meaning, e.g. a slope without a pile. `burden` and `block_size` in m.

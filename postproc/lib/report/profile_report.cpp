@@ -3,21 +3,19 @@
 // Scope: bench coordinates, free face at x = 0, pit floor at z = 0.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "args/input_error.h"
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
 #include "measure/face_velocity.h"
 #include "measure/pile.h"
+#include "report/degrees.h"
 #include "report/reports.h"
 #include "report/run_data.h"
 #include "report/section_plot.h"
 
 namespace muckpile {
 namespace {
-
-double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 
 struct Hole {
   double x, top, bottom;             // [m]
@@ -95,7 +93,7 @@ nlohmann::ordered_json pile_keys(const PileShape& shape, const Throw& thrown,
   keys["swell_factor"] = shape.swell;
   keys["pile_bulk_volume_m3"] = shape.bulk_volume;
   keys["pile_solid_volume_m3"] = shape.solid_volume;
-  keys["repose_angle_deg"] = degrees(shape.steepest_angle);
+  keys["repose_angle_deg"] = degrees(shape.rest_angle);
   keys["front_slope_deg"] = degrees(shape.front_angle);
   keys["profile_cell_m"] = cell;
   return keys;
@@ -129,7 +127,7 @@ std::string subtitle_of(const PileShape& s, const Throw& t, double face_speed) {
                {"height ", " m", s.height},
                {"toe ", " m", s.toe},
                {"swell ", "", s.swell},
-               {"rest angle ", "°", degrees(s.steepest_angle)},
+               {"rest angle ", "°", degrees(s.rest_angle)},
                {"face ", " m/s", face_speed}};
   std::string text;
   for (const auto& [name, unit, value] : facts) {

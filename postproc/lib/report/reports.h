@@ -17,6 +17,9 @@ void report_fragments(const ResultFolder& folder, const MeasureOptions& measure)
 // Crater only: crater.csv, crater.png and the crater's keys.
 void report_crater(const ResultFolder& folder, const MeasureOptions& measure,
                    const SectionOptions& section);
+// Heap only: heap.csv, heap.png and the angle of repose.
+void report_heap(const ResultFolder& folder, const MeasureOptions& measure,
+                 const SectionOptions& section);
 // pile3d.png, and pile3d_<number>.png for frames.
 void report_picture(const ResultFolder& folder, const PictureOptions& options);
 

@@ -173,4 +173,19 @@ void write_crater(const std::filesystem::path& folder) {
              "\"hole_diameter_m\": 0.2}\n");
 }
 
+void write_heap(const std::filesystem::path& folder) {
+  const BenchRun bench = bench_run();
+  BenchRun heap;
+  for (size_t b = 0; b < bench.blocks.size(); ++b) {
+    if (!in_prism(bench.blocks[b])) continue;
+    heap.shapes.push_back(bench.shapes[b]);
+    heap.last.states.push_back(bench.last.states[b]);
+  }
+  heap.blocks = as_start_blocks(heap.shapes);
+  heap.last.step = 2000;
+  heap.last.time = 4.5;
+  write_common(folder / "dump", heap);
+  write_text(folder / "dump" / "scene.json", "{\"case\": \"heap\"}\n");
+}
+
 }  // namespace muckpile::testing

@@ -61,5 +61,7 @@ void write_snapshot(const std::filesystem::path& path, const std::vector<StartBl
 // the prism moves at 6 m/s along x and its two outer layers of cubes at 14 m/s.
 void write_bench(const std::filesystem::path& folder);
 void write_crater(const std::filesystem::path& folder);
+// The pile of the bench alone, as a heap on the floor in front of the symmetry plane x = 0.
+void write_heap(const std::filesystem::path& folder);
 
 }  // namespace muckpile::testing

@@ -77,10 +77,79 @@ TEST(PileShape, FindsTheSlopeOfTheSteps) {
   const double n = 9.0, samples = 1.0 / kCell;
   const double slope = kLayer * (n * n - 1.0) / (n * n - 1.0 / (samples * samples));
   EXPECT_NEAR(m.shape.front_angle, std::atan(slope), 1e-7);
-  EXPECT_GE(m.shape.steepest_angle,
-            m.shape.front_angle);  // a stretch may end inside a step and be steeper
-  EXPECT_LT(std::tan(m.shape.steepest_angle),
-            kLayer * 1.25);  // four and a half steps: at most (n+1)/n steeper
+  // As long as the pile is high is nine steps and a little: a stretch may end inside a step, which
+  // changes the slope by a few per cent.
+  ASSERT_EQ(m.profile.sections.size(), 2u);  // 2 m wide, two cubes of 0.5 m each
+  for (const auto& section : m.profile.sections) {
+    for (size_t i = 0; i < section.size(); ++i) EXPECT_NEAR(section[i], m.profile.pile[i], 1e-8);
+  }
+  EXPECT_NEAR(std::tan(m.shape.rest_angle), kLayer, 0.03 * kLayer);
+}
+
+// Falls from 6 m at x = 0 by `upper` in 1 as far as `bend` [m], then by `lower` in 1 to the floor;
+// columns of 0.1 m.
+std::vector<double> bent_slope(double upper, double bend, double lower) {
+  std::vector<double> z;
+  for (int i = 0; i < 200; ++i) {
+    const double x = (i + 0.5) * 0.1;
+    z.push_back(std::max(0.0, 6.0 - upper * std::min(x, bend) - lower * std::max(0.0, x - bend)));
+  }
+  return z;
+}
+
+std::vector<double> straight_slope(double slope) { return bent_slope(slope, 20.0, slope); }
+
+PileProfile profile_of(const std::vector<std::vector<double>>& sections) {
+  PileProfile p{};
+  p.dx = 0.1;
+  p.width = static_cast<double>(sections.size());
+  p.sections = sections;
+  p.pile.assign(sections[0].size(), 0.0);
+  for (size_t i = 0; i < p.pile.size(); ++i) {
+    p.x.push_back((static_cast<double>(i) + 0.5) * p.dx);
+    for (const auto& z : sections) p.pile[i] += z[i] / static_cast<double>(sections.size());
+  }
+  p.pile_length = p.pile;
+  return p;
+}
+
+constexpr double kThin = 0.01;  // [m] block size that counts every sample above the floor
+
+double rest_slope_of(const PileProfile& p) {
+  return std::tan(pile_shape(p, 0.0, kThin).rest_angle);
+}
+
+TEST(RestAngle, OfAStraightSlopeIsThatSlope) {
+  EXPECT_NEAR(rest_slope_of(profile_of({straight_slope(0.4)})), 0.4, 1e-9);
+}
+
+TEST(RestAngle, OfASlopeShorterThanThePileIsHighIsThatSlope) {
+  EXPECT_NEAR(rest_slope_of(profile_of({straight_slope(2.0)})), 2.0, 1e-9);
+}
+
+TEST(RestAngle, IsThatOfTheSteepestStretch) {
+  // 1.2 m at 0.4 over 3 m, then 4.8 m at 0.8 over 6 m, which is the pile's height.
+  EXPECT_NEAR(rest_slope_of(profile_of({bent_slope(0.4, 3.0, 0.8)})), 0.8, 1e-9);
+}
+
+TEST(RestAngle, HardlyFeelsOneBlockOnTheSlope) {
+  std::vector<double> z = straight_slope(0.4);
+  for (size_t i = 40; i < 45; ++i) z[i] += 0.25;
+  // The steepest stretch of n = 60 samples begins on the block. Its line is steeper by
+  // 12 * 0.25 m * (29.5 + 28.5 + 27.5 + 26.5 + 25.5) / (0.1 m * n (n^2 - 1)) = 412.5 / 21594.
+  EXPECT_NEAR(rest_slope_of(profile_of({z})), 0.4 + 412.5 / 21594.0, 1e-9);
+}
+
+TEST(RestAngle, DoesNotFeelThatTheFrontIsNotStraightAcrossTheWidth) {
+  std::vector<double> ahead = straight_slope(0.4);
+  std::rotate(ahead.begin(), ahead.end() - 20, ahead.end());  // 2 m farther out
+  std::fill_n(ahead.begin(), 20, 6.0);
+  const PileProfile p = profile_of({straight_slope(0.4), ahead});
+  EXPECT_NEAR(rest_slope_of(p), 0.4, 1e-9);
+}
+
+TEST(RestAngle, IsTheMeanOfTheSections) {
+  EXPECT_NEAR(rest_slope_of(profile_of({straight_slope(0.4), straight_slope(0.8)})), 0.6, 1e-9);
 }
 
 TEST(PileShape, HasNoSlopeOrToeWithoutAPile) {
@@ -93,6 +162,7 @@ TEST(PileShape, HasNoSlopeOrToeWithoutAPile) {
   EXPECT_TRUE(std::isnan(shape.toe));
   EXPECT_TRUE(std::isnan(shape.swell));
   EXPECT_TRUE(std::isnan(shape.front_angle));
+  EXPECT_TRUE(std::isnan(shape.rest_angle));
 }
 
 TEST(PileShape, Toe98LeavesTwoPercentOfTheRockBeyond) {

@@ -161,5 +161,24 @@ TEST(CraterReport, WritesItsKeysTableAndPicture) {
   EXPECT_TRUE(facts_of(folder.file("crater.png")).has_drawing);
 }
 
+TEST(HeapReport, WritesItsKeysTableAndPicture) {
+  TemporaryFolder temporary;
+  write_heap(temporary.path());
+  const ResultFolder folder(temporary.path());
+  report_heap(folder, {kCube, 0.125}, {});
+  const auto keys = read_json_object(temporary.path() / "summary.json");
+  EXPECT_NEAR(keys["pile_height_m"], kSteps * kLayer, 1e-7);
+  EXPECT_NEAR(keys["swell_factor"], kLayer / kCube, 1e-7);
+  // Nine steps of eight columns each, worked out in PileShape.FindsTheSlopeOfTheSteps.
+  EXPECT_NEAR(std::tan(keys["front_slope_deg"].get<double>() * M_PI / 180.0),
+              kLayer * (81.0 - 1.0) / (81.0 - 1.0 / 64.0), 1e-7);
+  EXPECT_EQ(CsvTable::read(folder.file("heap.csv")).number(0, 4), 0.0);
+  EXPECT_TRUE(facts_of(folder.file("heap.png")).has_drawing);
+}
+
+TEST_F(BenchReports, HeapRefusesABench) {
+  EXPECT_THROW(report_heap(ResultFolder(temporary_.path()), {}, {}), InputError);
+}
+
 }  // namespace
 }  // namespace muckpile
