@@ -4,6 +4,7 @@ function(muckpile_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow
+    -fno-math-errno -fno-trapping-math
     "-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/="
     $<$<BOOL:${MUCKPILE_WARNINGS_AS_ERRORS}>:-Werror>
     $<$<BOOL:${MUCKPILE_NATIVE}>:-march=native>)

@@ -1,53 +1,24 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // perf_contacts: time of one rebuild of the contact list and of one step of contact forces on the
 // graded bed, on one core; prints JSON to standard output.
-// Scope: the list by itself (core) and the whole pair style inside LIGGGHTS. Times are CPU times,
-// the least of several rounds, so that other programs on the machine disturb little.
+// Scope: the list by itself (core) and the whole pair style inside LIGGGHTS; CPU times.
 #include <mpi.h>
 
 #include <algorithm>
-#include <ctime>
-#include <fstream>
-#include <functional>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "graded_bed.h"
+#include "timing.h"
 
 namespace muckpile::perf {
 namespace {
 
-constexpr int kRounds = 7;
 constexpr double kSkin = 0.02;       // [m], as in inputs with blocks of 0.1 m
 constexpr double kTarget = 0.15;     // of a rebuild, one core [s]
 constexpr double kTouching = 0.985;  // spacing at which most neighbours touch [-]
 constexpr double kApart = 1.03;      // and at which none do, but all are candidates [-]
-
-/// CPU time of this thread [s].
-double now() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-double least_time(const std::function<void()>& body) {
-  double least = 1e30;
-  for (int round = 0; round < kRounds; ++round) {
-    const double start = now();
-    body();
-    least = std::min(least, now() - start);
-  }
-  return least;
-}
-
-std::string processor() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);) {
-    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
-  }
-  return "unknown";
-}
 
 struct Candidates {
   double block_pairs = 0.0, sphere_pairs = 0.0;

@@ -29,10 +29,12 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "bond/joint_material.h"
 #include "bond/quiet_ground.h"
+#include "math/four_vectors.h"
 #include "math/types.h"
 
 namespace muckpile {
@@ -89,14 +91,14 @@ enum class FacetState : std::uint8_t {
   retired   ///< the facet carries nothing any more
 };
 
-/// What a facet remembers; all of it travels with the facet.
-struct FacetMemory {
+/// What a facet remembers; all of it travels with the facet. What the loops read comes first.
+struct alignas(64) FacetMemory {
   std::array<Vec3, kFacetPoints> offset{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   ///< broken point: jump at zero force, in start orientation [m]
+  double fade = 1.0;  ///< 1 while the faces match, falls to 0 as they slide or turn away
   std::array<bool, kFacetPoints> broken{false, false, false};
   FacetState state = FacetState::intact;
   bool open = false;    ///< broken and so far open that its points were left alone last time
-  double fade = 1.0;    ///< 1 while the faces match, falls to 0 as they slide or turn away
   GroundMemory ground;  ///< of a support only
 };
 
@@ -203,40 +205,38 @@ class FacetNetwork {
   void soften(double factor);
 
  private:
-  // What the two passes read of a facet, contiguous; derived from facets_ and materials_.
-  struct Elastic {  // first pass
+  // What the passes read of a facet, contiguous; derived from facets_ and materials_.
+  struct Sides {       // in the start
+    FourVectors on_i;  // centroid from the centre of block i, the half axes [m]; the normal [-]
+    Vec3 arm_j;        // centroid from the centre of block j [m]
     int i, j;
-    Vec3 normal, arm_i, arm_j, opening_i, opening_j;
-    double area_i, area_j;  // area x share of the jump that strains the rock of block i and j [m2]
-    double sharpening;      // energy per square of the difference in theta, twice [J]
   };
-  struct Law {  // second pass
-    Vec3 half_1, half_2;
-    double per_half_1_squared, per_half_2_squared;  // [1/m2]
-    double weight;                                  // as in Facet
-    double area;                                    // per integration point [m2]
-    double shear, normal_extra;                     // stiffness; normal less shear [Pa/m]
-    double bulk_i, bulk_j;  // share of the bulk stress of block i and j in the traction [-]
-    double contact;         // normal stiffness when broken and closed [Pa/m]
-    double tan_residual;
-    double radius;  // of the circle of equal area [m]
-    std::uint8_t joint_class;
-    double depth_i, depth_j;  // distance of the facet from the two centres [m]
-  };
-  struct Kinematics {         // of the present step
-    Vec3 normal, jump, side;  // side: facet centroid on block i less its centre [m]
+  struct alignas(64) Bond {  // of the bonded points
     Vec3 opening_i, opening_j;
+    double area_i, area_j;  // area x share of the jump that strains the rock of block i and j [m2]
+    double point_area;      // [m2]
+    double shear, normal_extra;              // stiffness; normal less shear [Pa/m]
+    double bulk_i, bulk_j;                   // share of the two bulk stresses in the traction [-]
+    double tension, cohesion, tan_friction;  // strength [Pa], [Pa], [-]
   };
-  struct Frame {  // the facet's in-plane axes on block i, and how block j's differ
-    Vec3 half_1, half_2, turn_1, turn_2;
+  struct alignas(64) Contact {  // of the broken points
+    double weight;              // as in Facet
+    double point_area;          // [m2]
+    double normal, shear;       // stiffness when closed [Pa/m]
+    double tan_residual;
+    double radius;                                  // of the circle of equal area [m]
+    double per_half_1_squared, per_half_2_squared;  // of the half axes [1/m2]
   };
-  struct Slip {  // motion of block j's side against block i's
-    Vec3 velocity, spin;
-    [[nodiscard]] Vec3 at(const Vec3& arm) const { return velocity + spin.cross(arm); }
+  struct Coupling {  // of the dilatations of two blocks
+    int i, j;
+    double sharpening;  // energy per square of the difference, twice; of the bonded points [J]
   };
-  struct Push {  // on block i; block j gets the opposite at the same points
-    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+  struct Openings {
+    Vec3 i, j;
   };
+  struct Motion;  // how the two sides lie now, in lanes
+  struct Pull;    // tractions at the points, in lanes
+  struct Break;   // what a point carried as it broke
   struct BlockSums {
     double bonded = 0.0;    // sum of A m.u/2 [m3]
     double loaded = 0.0;    // sum of A t_n d/(2G) [m3]
@@ -247,31 +247,46 @@ class FacetNetwork {
     double unbonded_added = 0.0;
   };
 
-  struct Point {     // one integration point in the present step
-    Vec3 jump, arm;  // arm: midway between the two sides, less the centre of block i [m]
-  };
-
+  // Set-up and bookkeeping: facet_network.cpp.
   void derive();
+  void derive_facet(std::size_t f);
   void count_unbonded();
   void list_active();
-  void open_facet(std::size_t f);
-  [[nodiscard]] bool all_broken(std::size_t f) const;
   [[nodiscard]] double stiffening(const BlockSums& sums) const;
   [[nodiscard]] double theta_of(std::size_t b) const;
-  [[nodiscard]] double sharpening(std::size_t f) const;
-  void let_sleep(std::size_t f, double gap, double dt);
+  [[nodiscard]] std::pair<double, double> depths(std::size_t f) const;
+  [[nodiscard]] Motion motion_of(std::size_t f) const;
+  [[nodiscard]] Openings openings_of(std::size_t f, double scale) const;
+  [[nodiscard]] double facet_energy(std::size_t f) const;
+  [[nodiscard]] double block_potential(std::size_t b, const BlockSums& sums) const;
+  [[nodiscard]] double block_energy(std::size_t b) const;
+
+  // Bonded points: facet_bond.cpp.
+  void open_facet(std::size_t f);
+  [[nodiscard]] Vec3 bulk_traction(std::size_t f, const Openings& openings) const;
+  [[nodiscard]] Pull bonded_pull(std::size_t f, const Motion& motion) const;
   bool hold_facet(std::size_t f);
   void work_facet(std::size_t f, double dt);
-  [[nodiscard]] Vec3 bonded_traction(std::size_t f, const Point& point) const;
-  [[nodiscard]] bool fails(std::size_t f, const Vec3& traction) const;
-  [[nodiscard]] Vec3 contact_traction(std::size_t f, int p, const Point& point, const Slip& slip,
-                                      bool fresh, double dt);
-  void break_point(std::size_t f, int p, const Point& point, const Slip& slip, const Vec3& traction,
-                   double dt);
-  void drop_from_dilatation(std::size_t f, const Vec3& jump);
-  [[nodiscard]] bool closes(std::size_t f, const Frame& frame, double dt);
-  [[nodiscard]] double turned_squared(std::size_t f, const Frame& frame) const;
-  void book_fading(std::size_t f, const Frame& frame, double lost);
+  void work_bonded(std::size_t f, const Motion& motion, Pull& pull, double dt);
+  void break_point(std::size_t f, int p, const Break& broken, double dt);
+  void drop_from_dilatation(std::size_t f, const Break& broken);
+  void book_fracture();
+  void book_sharpening(const std::vector<double>& theta_before);
+  void apply(std::size_t f, const Pull& pull);
+
+  // Broken points: facet_contact.cpp.
+  [[nodiscard]] bool turned_away(std::size_t f, const Motion& motion) const;
+  [[nodiscard]] bool closes(std::size_t f, const Motion& motion, double dt);
+  void fade(std::size_t f, const Motion& motion, double matching);
+  void let_sleep(std::size_t f, double gap, double dt);
+  [[nodiscard]] double contact_energy(std::size_t f, const Motion& motion) const;
+  void add_contact(std::size_t f, Pull& pull, double dt);
+
+  // Pressure: facet_load.cpp.
+  void load_faces();
+  void sweep(BoundaryFace& face) const;
+
+  // Yielding supports: quiet_ground.cpp.
   void list_yielding();
   void yield_ground(double dt);
   void yield_block_ground(std::size_t first, std::size_t last, double dt);
@@ -279,16 +294,6 @@ class FacetNetwork {
   [[nodiscard]] GroundPlan plan_ground(std::size_t f, double dt) const;
   void yield_support(std::size_t f, double bulk_stress, double dt);
   void book_ground(std::size_t f, const Vec3& step, const Vec3& traction, double dt);
-  void load_faces();
-  void sweep(BoundaryFace& face) const;
-  void book_fracture();
-  void book_sharpening(const std::vector<double>& theta_before);
-  void apply(std::size_t f, const Push& push);
-  [[nodiscard]] Frame frame_of(std::size_t f) const;
-  [[nodiscard]] Point point_of(std::size_t f, const Frame& frame, int p) const;
-  [[nodiscard]] Slip slip_of(std::size_t f) const;
-  [[nodiscard]] double block_potential(std::size_t b, const BlockSums& sums) const;
-  [[nodiscard]] double block_energy(std::size_t b) const;
 
   std::vector<JointMaterial> materials_;  // per joint class; the rock is the same in all
   std::vector<BlockConstants> blocks_;
@@ -298,14 +303,17 @@ class FacetNetwork {
   std::vector<Vec3> force_, torque_;
   std::vector<Facet> facets_;
   std::vector<FacetMemory> memory_;
-  std::vector<Elastic> elastic_;
-  std::vector<Law> law_;
-  std::vector<FacetState> states_;    // as in memory_, packed
-  std::vector<std::size_t> active_;   // facets that are not retired
-  std::size_t retired_since_ = 0;     // how many entries of active_ have retired
+  std::vector<Sides> sides_;
+  std::vector<Bond> bonds_;
+  std::vector<Contact> contacts_;
+  std::vector<Coupling> couplings_;
+  std::vector<FacetState> states_;           // as in memory_, packed
+  std::vector<std::uint8_t> bonded_points_;  // how many of them
+  std::vector<std::size_t> bonded_;          // facets with a bonded point, and some without
+  std::vector<std::size_t> active_;          // facets that are not retired, and some that are
+  std::size_t changed_since_ = 0;            // how many entries of the two are out of date
   std::vector<std::int64_t> asleep_;  // call of tractions() up to which an open facet is left alone
   std::int64_t calls_ = 0;            // of tractions()
-  std::vector<Kinematics> kinematics_;
   std::vector<std::size_t> yielding_;  // supports whose ground yields, those of a block together
   QuietGround quiet_ground_;
   std::vector<BoundaryFace> faces_;

@@ -3,6 +3,7 @@
 // Scope: one isotropic rock; strengths are per area and act on the continuum traction of a facet.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 
 namespace muckpile {
@@ -76,11 +77,12 @@ class JointMaterial {
 };
 
 /// Mohr-Coulomb with tension cut-off. `normal` is positive in tension [Pa], `shear` >= 0 [Pa].
-[[nodiscard]] inline bool joint_fails(double normal, double shear, double tension, double cohesion,
-                                      double tan_friction) {
-  if (normal > tension) return true;
-  const double strength = cohesion - normal * tan_friction;
-  return shear > (strength > 0.0 ? strength : 0.0);
+/// Real: double, or Lanes with a mask for the answer.
+template <class Real>
+[[nodiscard]] auto joint_fails(const Real& normal, const Real& shear, double tension,
+                               double cohesion, double tan_friction) {
+  using std::max;
+  return normal > Real(tension) || shear > max(cohesion - normal * tan_friction, Real(0.0));
 }
 
 }  // namespace muckpile

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "bond/facet_lanes.h"
+
 namespace muckpile {
 namespace {
 
@@ -28,32 +30,36 @@ LinearNetwork::LinearNetwork(const FacetNetwork& network, BreakView view, double
 void FacetNetwork::linearise(LinearNetwork& linear, BreakView view, double damping_rate) const {
   for (std::size_t f : active_) {
     if (states_[f] == FacetState::retired) continue;
-    const Law& law = law_[f];
-    const Elastic& e = elastic_[f];
-    const Frame frame = frame_of(f);
+    const Bond& bond = bonds_[f];
+    const Contact& contact = contacts_[f];
+    const Sides& sides = sides_[f];
+    const Motion motion = motion_of(f);
+    const LaneVec jump = motion.jump(), side = motion.side();
+    const Openings openings = openings_of(f, motion.scale);
     LinearNetwork::Spring spring{};
-    spring.i = e.i;
-    spring.j = e.j == ground() ? -1 : e.j;
-    spring.normal = kinematics_[f].normal;
-    spring.opening_i = kinematics_[f].opening_i;
-    spring.opening_j = kinematics_[f].opening_j;
-    spring.pull_i = law.area * law.bulk_i;
-    spring.pull_j = law.area * law.bulk_j;
-    spring.strain_i = e.area_i / kFacetPoints;
-    spring.strain_j = e.area_j / kFacetPoints;
-    const Vec3 between =
-        state_[static_cast<std::size_t>(e.i)].centre - state_[static_cast<std::size_t>(e.j)].centre;
+    spring.i = sides.i;
+    spring.j = sides.j == ground() ? -1 : sides.j;
+    spring.normal = motion.normal;
+    spring.opening_i = openings.i;
+    spring.opening_j = openings.j;
+    spring.pull_i = bond.point_area * bond.bulk_i;
+    spring.pull_j = bond.point_area * bond.bulk_j;
+    spring.strain_i = bond.area_i / kFacetPoints;
+    spring.strain_j = bond.area_j / kFacetPoints;
+    if (view == BreakView::as_it_is) spring.sharpening = couplings_[f].sharpening;
+    const Vec3 between = state_[static_cast<std::size_t>(sides.i)].centre -
+                         state_[static_cast<std::size_t>(sides.j)].centre;
     for (std::size_t p = 0; p < kFacetPoints; ++p) {
-      spring.arm_i[p] = point_of(f, frame, static_cast<int>(p)).arm;
+      spring.arm_i[p] = side.at(static_cast<int>(p)) + 0.5 * jump.at(static_cast<int>(p));
       spring.arm_j[p] = spring.arm_i[p] + between;
       const bool bonded = view == BreakView::as_it_is && !memory_[f].broken[p];
       const double fade = bonded ? 1.0 : memory_[f].fade;
-      const double normal = bonded ? law.shear + law.normal_extra : law.contact;
+      const double normal = bonded ? bond.shear + bond.normal_extra : contact.normal;
       const double dashpot = damping_rate * (bonded ? damping_ : contact_damping_);
       spring.bonded[p] = bonded;
-      spring.shear[p] = law.area * (fade * law.shear + (bonded ? dashpot : 0.0));
-      spring.extra[p] = law.area * (fade * (normal - law.shear) + (bonded ? 0.0 : fade * dashpot));
-      if (bonded) spring.sharpening += e.sharpening / kFacetPoints;
+      spring.shear[p] = bond.point_area * (fade * bond.shear + (bonded ? dashpot : 0.0));
+      spring.extra[p] =
+          bond.point_area * (fade * (normal - bond.shear) + (bonded ? 0.0 : fade * dashpot));
     }
     linear.springs_.push_back(spring);
   }

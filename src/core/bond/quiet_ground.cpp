@@ -7,6 +7,7 @@
 #include <string>
 
 #include "args/input_error.h"
+#include "bond/facet_lanes.h"
 #include "bond/facet_network.h"
 
 namespace muckpile {
@@ -38,7 +39,7 @@ int FacetNetwork::let_ground_yield(const QuietGround& ground,
     if (facet.kind != FacetKind::fixed || states_[f] != FacetState::intact || memory.yields)
       continue;
     if (!chosen(facet.arm_j)) continue;  // the ground's centre is the origin
-    const Vec3& n = kinematics_[f].normal;
+    const Vec3 n = motion_of(f).normal;
     const Vec3 at = memory.displacement, across = along(at, n);
     memory.yields = true;
     memory.traction = mean_traction(f);
@@ -67,7 +68,7 @@ void FacetNetwork::yield_ground(double dt) {
   std::erase_if(yielding_, [&](std::size_t f) { return states_[f] != FacetState::intact; });
   for (std::size_t first = 0; first < yielding_.size();) {
     std::size_t last = first + 1;
-    while (last < yielding_.size() && elastic_[yielding_[last]].i == elastic_[yielding_[first]].i)
+    while (last < yielding_.size() && sides_[yielding_[last]].i == sides_[yielding_[first]].i)
       ++last;
     yield_block_ground(first, last, dt);
     first = last;
@@ -76,6 +77,7 @@ void FacetNetwork::yield_ground(double dt) {
 
 /// Where the ground of a support would end without traction, and how the facet answers.
 struct FacetNetwork::GroundPlan {
+  Vec3 normal, jump;               ///< of the facet [-], [m]
   double normal_end, normal_give;  ///< predicted displacement [m], compliance [m/Pa]
   Vec3 shear_end;                  ///< in the facet's plane [m]
   double shear_give;               ///< [m/Pa]
@@ -86,7 +88,8 @@ struct FacetNetwork::GroundPlan {
 FacetNetwork::GroundPlan FacetNetwork::plan_ground(std::size_t f, double dt) const {
   const GroundMemory& memory = memory_[f].ground;
   const QuietGround& q = quiet_ground_;
-  const Vec3& n = kinematics_[f].normal;
+  const Motion motion = motion_of(f);
+  const Vec3& n = motion.normal;
   const double moved = n.dot(memory.displacement);
   const GroundStep normal = ground_step(q.normal_impedance, q.normal_stiffness, moved,
                                         n.dot(memory.traction), n.dot(memory.held), dt);
@@ -101,8 +104,10 @@ FacetNetwork::GroundPlan FacetNetwork::plan_ground(std::size_t f, double dt) con
     plan.shear_give = shear.compliance;
   }
   plan.shear_end -= along(plan.shear_end, n);
-  plan.opened = n.dot(kinematics_[f].jump) + plan.normal_end - moved;
-  plan.yielding = 1.0 + (law_[f].shear + law_[f].normal_extra) * plan.normal_give;
+  plan.normal = n;
+  plan.jump = motion.mean_jump();
+  plan.opened = n.dot(plan.jump) + plan.normal_end - moved;
+  plan.yielding = 1.0 + (bonds_[f].shear + bonds_[f].normal_extra) * plan.normal_give;
   return plan;
 }
 
@@ -115,16 +120,16 @@ FacetNetwork::GroundPlan FacetNetwork::plan_ground(std::size_t f, double dt) con
 ///     a).
 /// Beside fixed supports the bulk stress is lambda theta.
 void FacetNetwork::yield_block_ground(std::size_t first, std::size_t last, double dt) {
-  const auto b = static_cast<std::size_t>(elastic_[yielding_[first]].i);
+  const auto b = static_cast<std::size_t>(sides_[yielding_[first]].i);
   const double lambda = material().lame_lambda();
   double opened = sums_[b].bonded + sums_[b].loaded;
   double volume = blocks_[b].volume * stiffening(sums_[b]);
   for (std::size_t y = first; y < last; ++y) {
     const std::size_t f = yielding_[y];
     const GroundPlan plan = plan_ground(f, dt);
-    const double area = elastic_[f].area_i;
-    opened += area * (plan.opened / plan.yielding - kinematics_[f].normal.dot(kinematics_[f].jump));
-    volume += area * plan.normal_give * law_[f].bulk_i * lambda / plan.yielding;
+    const double area = bonds_[f].area_i;
+    opened += area * (plan.opened / plan.yielding - plan.normal.dot(plan.jump));
+    volume += area * plan.normal_give * bonds_[f].bulk_i * lambda / plan.yielding;
   }
   for (std::size_t y = first; y < last; ++y)
     yield_support(yielding_[y], lambda * opened / volume, dt);
@@ -132,15 +137,14 @@ void FacetNetwork::yield_block_ground(std::size_t first, std::size_t last, doubl
 
 /// Moves the ground of one support to the end of the step, given the block's bulk stress there.
 void FacetNetwork::yield_support(std::size_t f, double bulk_stress, double dt) {
-  const Law& law = law_[f];
-  Kinematics& kin = kinematics_[f];
+  const Bond& bond = bonds_[f];
   GroundMemory& memory = memory_[f].ground;
-  const Vec3& n = kin.normal;
   const GroundPlan plan = plan_ground(f, dt);
+  const Vec3& n = plan.normal;
   const double pull =
-      ((law.shear + law.normal_extra) * plan.opened + law.bulk_i * bulk_stress) / plan.yielding;
-  const Vec3 sheared = kin.jump - memory.displacement;
-  const Vec3 drag = law.shear / (1.0 + law.shear * plan.shear_give) *
+      ((bond.shear + bond.normal_extra) * plan.opened + bond.bulk_i * bulk_stress) / plan.yielding;
+  const Vec3 sheared = plan.jump - memory.displacement;
+  const Vec3 drag = bond.shear / (1.0 + bond.shear * plan.shear_give) *
                     (sheared - along(sheared, n) + plan.shear_end);
   const Vec3 step = (plan.normal_end - plan.normal_give * pull) * n + plan.shear_end -
                     plan.shear_give * drag - memory.displacement;
@@ -148,14 +152,13 @@ void FacetNetwork::yield_support(std::size_t f, double bulk_stress, double dt) {
   book_ground(f, step, 0.5 * (memory.traction + traction), dt);
   memory.displacement += step;
   memory.traction = traction;
-  elastic_[f].arm_j += step;
-  kin.jump += step;
-  sums_[static_cast<std::size_t>(elastic_[f].i)].bonded += elastic_[f].area_i * n.dot(step);
+  sides_[f].arm_j += step;
+  sums_[static_cast<std::size_t>(sides_[f].i)].bonded += bonds_[f].area_i * n.dot(step);
 }
 
 void FacetNetwork::book_ground(std::size_t f, const Vec3& step, const Vec3& traction, double dt) {
   if (dt <= 0.0) return;
-  const double area = facets_[f].weight * facets_[f].area, normal = kinematics_[f].normal.dot(step);
+  const double area = facets_[f].weight * facets_[f].area, normal = motion_of(f).normal.dot(step);
   losses_.quiet -= area * traction.dot(step);
   losses_.radiated += area / dt *
                       (quiet_ground_.normal_impedance * normal * normal +

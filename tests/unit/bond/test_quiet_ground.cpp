@@ -183,7 +183,8 @@ TEST(QuietGround, SolvesTheStepWithItsDilatation) {
       if (!is.yields) continue;
       ++checked;
       const Vec3 given = scene.facet_force(f) / network.facets()[f].area;
-      EXPECT_LT((given - is.traction).norm(), 1e-9 * given.norm());
+      // Positions are rounded to 1e-15 m, which is 5e-5 Pa at 5e10 Pa/m.
+      EXPECT_LT((given - is.traction).norm(), 1e-4);
       const Vec3& n = network.facets()[f].normal;
       const Vec3 rate = (is.displacement - was.displacement) / dt;
       const Vec3 mean = 0.5 * (is.displacement + was.displacement);

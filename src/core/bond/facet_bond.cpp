@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The facet network where it is bonded: tractions, breaking, and what breaking costs.
+// Scope: see facet_network.h; formulas are there.
+#include <algorithm>
+#include <cmath>
+
+#include "bond/facet_lanes.h"
+#include "bond/facet_network.h"
+
+namespace muckpile {
+
+/// What a point carried as it broke.
+struct FacetNetwork::Break {
+  Vec3 normal, jump, traction, rate;  // [-], [m], [Pa], [m/s]
+  Openings openings;
+};
+
+/// The part of a facet in the dilatation of its blocks.
+void FacetNetwork::open_facet(std::size_t f) {
+  const Bond& bond = bonds_[f];
+  const Motion motion = motion_of(f);
+  const Openings openings = openings_of(f, motion.scale);
+  Vec3 bonded = motion.mean_jump();  // mean over the facet of the jump where it is bonded [m]
+  if (bonded_points_[f] < kFacetPoints) {
+    const LaneMask holds = is_point() && !where_true(memory_[f].broken);
+    bonded = sum(choose(holds, Lanes(1.0 / kFacetPoints), 0.0) * motion.jump());
+  }
+  sums_[static_cast<std::size_t>(sides_[f].i)].bonded += bond.area_i * openings.i.dot(bonded);
+  sums_[static_cast<std::size_t>(sides_[f].j)].bonded += bond.area_j * openings.j.dot(bonded);
+}
+
+void FacetNetwork::tractions(double dt) {
+  std::fill(force_.begin(), force_.end(), Vec3::Zero());
+  std::fill(torque_.begin(), torque_.end(), Vec3::Zero());
+  newly_cracked_ = false;
+  for (std::size_t f : active_) {
+    if (bonded_points_[f] == kFacetPoints && damping_ == 0.0 && hold_facet(f)) continue;
+    if (states_[f] != FacetState::retired && asleep_[f] <= calls_) work_facet(f, dt);
+  }
+  ++calls_;
+  load_faces();
+  if (newly_cracked_) book_fracture();
+}
+
+/// Part of the traction that the bulk stresses of the two blocks make [Pa].
+Vec3 FacetNetwork::bulk_traction(std::size_t f, const Openings& openings) const {
+  const Bond& bond = bonds_[f];
+  return bond.bulk_i * bulk_stress_[static_cast<std::size_t>(sides_[f].i)] * openings.i +
+         bond.bulk_j * bulk_stress_[static_cast<std::size_t>(sides_[f].j)] * openings.j;
+}
+
+[[gnu::always_inline]] inline FacetNetwork::Pull FacetNetwork::bonded_pull(
+    std::size_t f, const Motion& motion) const {
+  const Bond& bond = bonds_[f];
+  Pull pull(motion);
+  pull.traction = Lanes(bond.shear) * pull.jump +
+                  bond.normal_extra * dot(pull.normal, pull.jump) * pull.normal +
+                  LaneVec(bulk_traction(f, openings_of(f, motion.scale)));
+  return pull;
+}
+
+Vec3 FacetNetwork::mean_traction(std::size_t f) const {
+  const Bond& bond = bonds_[f];
+  const Motion motion = motion_of(f);
+  const Vec3 jump = motion.mean_jump();
+  return bond.shear * jump + bond.normal_extra * motion.normal.dot(jump) * motion.normal +
+         bulk_traction(f, openings_of(f, motion.scale));
+}
+
+[[gnu::always_inline]] inline void FacetNetwork::apply(std::size_t f, const Pull& pull) {
+  const auto i = static_cast<std::size_t>(sides_[f].i), j = static_cast<std::size_t>(sides_[f].j);
+  const LaneVec at_points = choose(is_point(), Lanes(contacts_[f].point_area), 0.0) * pull.traction;
+  const Vec3 force = sum(at_points), moment = sum(cross(pull.arm, at_points));
+  force_[i] += force;
+  torque_[i] += moment;
+  force_[j] -= force;
+  torque_[j] -= moment + (state_[i].centre - state_[j].centre).cross(force);
+}
+
+/// Forces of an intact, undamped facet; false, and nothing done, if a point of it fails.
+bool FacetNetwork::hold_facet(std::size_t f) {
+  const Pull pull = bonded_pull(f, motion_of(f));
+  if (any_of(pull.failing(bonds_[f]))) return false;
+  apply(f, pull);
+  return true;
+}
+
+/// Forces of any facet: breaks points, and handles broken and damped ones.
+void FacetNetwork::work_facet(std::size_t f, double dt) {
+  const Motion motion = motion_of(f);
+  const bool bonded = bonded_points_[f] > 0;
+  if (!bonded && !closes(f, motion, dt)) return;
+  Pull pull = bonded ? bonded_pull(f, motion) : Pull(motion);
+  const BlockState& si = state_[static_cast<std::size_t>(sides_[f].i)];
+  const BlockState& sj = state_[static_cast<std::size_t>(sides_[f].j)];
+  // The velocity that block j's rock would have at the centre of block i, less that of block i.
+  const Vec3 slip = sj.velocity - si.velocity + sj.spin.cross(si.centre - sj.centre);
+  pull.rate = LaneVec(slip) + cross(LaneVec(Vec3(sj.spin - si.spin)), pull.arm);
+  if (bonded) work_bonded(f, motion, pull, dt);
+  if (bonded_points_[f] < kFacetPoints) add_contact(f, pull, dt);
+  apply(f, pull);
+}
+
+/// Breaks points that fail, damps the others; the traction of broken points is no longer true.
+void FacetNetwork::work_bonded(std::size_t f, const Motion& motion, Pull& pull, double dt) {
+  const LaneMask fails = turned_away(f, motion) ? is_point() : pull.failing(bonds_[f]);
+  for (int p = 0; p < kFacetPoints; ++p) {
+    const auto q = static_cast<std::size_t>(p);
+    if (memory_[f].broken[q] || !fails[q]) continue;
+    const Vec3 traction = pull.traction.at(p);
+    break_point(
+        f, p,
+        {motion.normal, pull.jump.at(p), traction, pull.rate.at(p), openings_of(f, motion.scale)},
+        dt);
+  }
+  if (damping_ == 0.0 || memory_[f].ground.yields) return;  // that ground has a dashpot itself
+  const LaneMask bonded = is_point() && !where_true(memory_[f].broken);
+  const LaneVec rate = choose(bonded, Lanes(1.0), 0.0) * pull.rate;
+  pull.traction += Lanes(damping_) * rate;
+  losses_.damping +=
+      contacts_[f].weight * bonds_[f].point_area * damping_ * dt * sum(dot(rate, rate));
+}
+
+void FacetNetwork::break_point(std::size_t f, int p, const Break& broken, double dt) {
+  const Bond& bond = bonds_[f];
+  const Contact& contact = contacts_[f];
+  const Vec3& n = broken.normal;
+  const double normal = n.dot(broken.traction);
+  const double held = std::min(normal, 0.0);
+  const Vec3 shear = broken.traction - normal * n;
+  const double limit = contact.tan_residual * -held;
+  const double shear_size = shear.norm();
+  const double kept = shear_size > limit ? limit / shear_size : 1.0;
+  // The contact starts with the compression that the joint carried and the shear that friction can.
+  Vec3 spring = held / contact.normal * n;
+  if (contact.shear > 0.0) spring += kept / contact.shear * shear;
+
+  FacetMemory& memory = memory_[f];
+  const Mat3& turn = state_[static_cast<std::size_t>(sides_[f].i)].rotation;
+  memory.offset[static_cast<std::size_t>(p)] = turn.transpose() * (broken.jump - spring);
+  memory.broken[static_cast<std::size_t>(p)] = true;
+  if (memory.state == FacetState::intact) memory.state = states_[f] = FacetState::cracked;
+  newly_cracked_ = true;
+
+  const double normal_jump = n.dot(broken.jump);
+  const double before =
+      bond.shear * broken.jump.squaredNorm() + bond.normal_extra * normal_jump * normal_jump;
+  double after = held * held / contact.normal;
+  if (contact.shear > 0.0) after += kept * kept * shear_size * shear_size / contact.shear;
+  // The half kick to the present step used the traction before, the one from it uses that after:
+  // the blocks did the work of their mean over the step's path, the springs' account assumes the
+  // first.
+  const Vec3 dropped = broken.traction - held * n - kept * shear;
+  const double undone = dropped.dot(broken.rate) * dt;
+  Coupling& coupling = couplings_[f];
+  const double uneven =
+      theta_[static_cast<std::size_t>(coupling.i)] - theta_[static_cast<std::size_t>(coupling.j)];
+  const double uncoupled = coupling.sharpening / bonded_points_[f];
+  losses_.fracture += 0.5 * contact.weight *
+                      (bond.point_area * (before - after - undone) + uncoupled * uneven * uneven);
+  coupling.sharpening -= uncoupled;
+  if (--bonded_points_[f] == 0) ++changed_since_;
+  drop_from_dilatation(f, broken);
+}
+
+void FacetNetwork::drop_from_dilatation(std::size_t f, const Break& broken) {
+  const Bond& bond = bonds_[f];
+  const auto drop = [&](int block, double area_share, const Vec3& opening, double depth) {
+    const auto b = static_cast<std::size_t>(block);
+    sums_[b].dropped += area_share * opening.dot(broken.jump) / kFacetPoints;
+    sums_[b].unbonded_added += bond.point_area * depth / blocks_[b].volume;
+  };
+  const auto [depth_i, depth_j] = depths(f);
+  drop(sides_[f].i, bond.area_i, broken.openings.i, depth_i);
+  drop(sides_[f].j, bond.area_j, broken.openings.j, depth_j);
+}
+
+void FacetNetwork::book_fracture() {
+  const std::vector<double> theta_before = theta_;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    BlockSums& sums = sums_[b];
+    if (sums.unbonded_added == 0.0) continue;
+    BlockSums after = sums;
+    after.bonded -= sums.dropped;
+    after.unbonded += sums.unbonded_added;
+    if (blocks_[b].owned) losses_.fracture += block_potential(b, sums) - block_potential(b, after);
+    sums.bonded = after.bonded;
+    sums.unbonded = after.unbonded;
+    sums.dropped = sums.unbonded_added = 0.0;
+    if (blocks_[b].owned) theta_[b] = theta_of(b);
+  }
+  book_sharpening(theta_before);
+  bulk_stresses();
+}
+
+/// Books what the energy of uneven dilatation loses as breaking changes theta. The part of a block
+/// of another rank is booked there; only the product of both changes is left out.
+void FacetNetwork::book_sharpening(const std::vector<double>& theta_before) {
+  for (std::size_t f : bonded_) {
+    const Coupling& coupling = couplings_[f];
+    const auto i = static_cast<std::size_t>(coupling.i), j = static_cast<std::size_t>(coupling.j);
+    const double before = theta_before[i] - theta_before[j], after = theta_[i] - theta_[j];
+    losses_.fracture += 0.5 * coupling.sharpening * (before * before - after * after);
+  }
+}
+
+}  // namespace muckpile

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The facet network where it is broken: plane contact while the two faces still match.
+// Scope: see facet_network.h and docs/styles/fix_muckpile_joint.md.
+#include <algorithm>
+#include <cmath>
+
+#include "bond/facet_lanes.h"
+#include "bond/facet_network.h"
+
+namespace muckpile {
+namespace {
+
+// A broken facet is a plane contact only while its two faces still match. It fades between these
+// shares of its radius slid, and of radians turned, and retires once it has opened that far.
+constexpr double kSlideStart = 0.1, kSlideEnd = 0.5;
+constexpr double kTurnStart = 0.1, kTurnEnd = 0.5;
+constexpr double kOpened = 0.1;
+constexpr double kSurelyOpen = 0.01;  // opened further than its rotation explains: no point closed
+
+double ramp_down(double x, double start, double end) {
+  return std::clamp((end - x) / (end - start), 0.0, 1.0);
+}
+
+}  // namespace
+
+/// Tractions of the broken points: no tension, friction, a dashpot along the normal.
+void FacetNetwork::add_contact(std::size_t f, Pull& pull, double dt) {
+  const Contact& contact = contacts_[f];
+  FacetMemory& memory = memory_[f];
+  const Mat3& turn = state_[static_cast<std::size_t>(sides_[f].i)].rotation;
+  const LaneMask broken = bonded_points_[f] == 0 ? is_point() : where_true(memory.broken);
+  const bool fresh = memory.open;  // open until now: friction forgets where it stuck
+  memory.open = false;
+
+  const LaneVec offset = lanes_of(memory.offset);
+  const LaneVec spring = pull.jump - rotated(turn, offset);
+  const Lanes gap = dot(pull.normal, spring);
+  const LaneMask closed = broken && gap < 0.0;
+  const LaneMask forgets = fresh ? broken : broken && !closed;
+  const Lanes rate = dot(pull.normal, pull.rate);
+  const Lanes elastic = choose(closed, memory.fade * contact.normal * gap, 0.0);
+  const Lanes damped = elastic + memory.fade * contact_damping_ * rate;
+  const Lanes normal = choose(closed, min(damped, Lanes(0.0)), 0.0);
+
+  const LaneVec stuck = choose(closed && !forgets, Lanes(1.0), 0.0) * (spring - gap * pull.normal);
+  const LaneVec shear = Lanes(memory.fade * contact.shear) * stuck;
+  const Lanes size = sqrt(dot(shear, shear)), limit = -contact.tan_residual * normal;
+  const LaneMask slips = size > limit;
+  const Lanes kept = choose(slips, limit / choose(slips, size, 1.0), 1.0);
+  const LaneVec traction = normal * pull.normal + kept * shear;
+  pull.traction = choose(broken, traction, pull.traction);
+
+  const double booked = contact.weight * contact.point_area;
+  losses_.damping += booked * dt * sum((normal - elastic) * rate);
+  if (none_of(slips || forgets)) return;
+  const LaneVec sticks_at = rotated_back(turn, pull.jump - gap * pull.normal - kept * stuck);
+  for (std::size_t p = 0; p < kFacetPoints; ++p) {
+    if (slips[p] || forgets[p]) memory.offset[p] = sticks_at.at(static_cast<int>(p));
+  }
+  losses_.friction += booked * sum(limit * (1.0 - kept) * sqrt(dot(stuck, stuck)));
+}
+
+/// A facet that has turned so far does not hold on by a last point, as by a hinge.
+bool FacetNetwork::turned_away(std::size_t f, const Motion& motion) const {
+  const Lanes squares = dot(motion.apart, motion.apart);
+  return squares[1] * contacts_[f].per_half_1_squared +
+             squares[2] * contacts_[f].per_half_2_squared >
+         kTurnStart * kTurnStart;
+}
+
+/// Lets a broken facet fade and retire; false if it carries nothing in this step.
+bool FacetNetwork::closes(std::size_t f, const Motion& motion, double dt) {
+  FacetMemory& memory = memory_[f];
+  const Contact& contact = contacts_[f];
+  const double opened = dot(LaneVec(motion.normal), motion.apart)[0];
+  const Lanes squares = dot(motion.apart, motion.apart);  // of the jump, of how half axes differ
+  const double slid_squared =
+      std::max(squares[0] - opened * opened, 0.0) / (contact.radius * contact.radius);
+  const double turned_squared =  // angle between the blocks [rad2], while small
+      squares[1] * contact.per_half_1_squared + squares[2] * contact.per_half_2_squared;
+  if (slid_squared > kSlideStart * kSlideStart || turned_squared > kTurnStart * kTurnStart) {
+    fade(f, motion,
+         ramp_down(std::sqrt(slid_squared), kSlideStart, kSlideEnd) *
+             ramp_down(std::sqrt(turned_squared), kTurnStart, kTurnEnd));
+  }
+  if (memory.fade == 0.0 || opened > kOpened * contact.radius) {
+    memory.state = states_[f] = FacetState::retired;
+    ++changed_since_;
+    return false;
+  }
+  if (opened <= kSurelyOpen * contact.radius) return true;
+  const Lanes lengths = sqrt(squares);
+  const double tilted = std::sqrt(slid_squared * turned_squared) + kSurelyOpen;
+  const double gap = opened - lengths[1] - lengths[2] - tilted * contact.radius;
+  if (gap <= 0.0) return true;
+  memory.open = true;
+  let_sleep(f, gap, dt);
+  return false;
+}
+
+/// Leaves an open facet alone for as long as its gap lasts at twice the present speed of approach,
+/// for a bounded time, because other forces may change that speed.
+void FacetNetwork::let_sleep(std::size_t f, double gap, double dt) {
+  const BlockState& si = state_[static_cast<std::size_t>(sides_[f].i)];
+  const BlockState& sj = state_[static_cast<std::size_t>(sides_[f].j)];
+  const double reach = facets_[f].arm_i.norm() + depths(f).second + 3.0 * contacts_[f].radius;
+  const double speed =
+      (sj.velocity - si.velocity).norm() + (si.spin.norm() + sj.spin.norm()) * reach;
+  if (dt <= 0.0) return;
+  const double steps = 0.5 * gap / (std::max(speed, 1e-30) * dt);
+  asleep_[f] = calls_ + 1 +
+               static_cast<std::int64_t>(std::min(steps, material().parameters().longest_sleep));
+}
+
+/// A facet whose faces match less than before gives up spring energy, which is booked as friction.
+void FacetNetwork::fade(std::size_t f, const Motion& motion, double matching) {
+  FacetMemory& memory = memory_[f];
+  if (matching >= memory.fade) return;
+  losses_.friction +=
+      contacts_[f].weight * (1.0 - matching / memory.fade) * contact_energy(f, motion);
+  memory.fade = matching;
+  memory.state = states_[f] = FacetState::fading;
+}
+
+/// Of the closed broken points [J].
+double FacetNetwork::contact_energy(std::size_t f, const Motion& motion) const {
+  const Contact& contact = contacts_[f];
+  const FacetMemory& memory = memory_[f];
+  const Mat3& turn = state_[static_cast<std::size_t>(sides_[f].i)].rotation;
+  const LaneVec jump = motion.jump();
+  double stored = 0.0;
+  for (int p = 0; p < kFacetPoints; ++p) {
+    const auto q = static_cast<std::size_t>(p);
+    if (!memory.broken[q]) continue;
+    const Vec3 spring = jump.at(p) - turn * memory.offset[q];
+    const double closed = motion.normal.dot(spring);
+    if (closed >= 0.0) continue;
+    const Vec3 sheared = spring - closed * motion.normal;
+    stored += contact.normal * closed * closed + contact.shear * sheared.squaredNorm();
+  }
+  return 0.5 * contact.point_area * memory.fade * stored;
+}
+
+}  // namespace muckpile

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the facet network works out of one facet for four vectors, or three points, at once.
+// Scope: inside FacetNetwork. Points are the first kFacetPoints lanes, the last has no meaning.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "bond/facet_network.h"
+#include "math/lanes.h"
+
+namespace muckpile {
+
+static_assert(kFacetPoints == kLanes - 1);
+
+/// Where the points lie: three points at 120 degrees on the ellipse of half axes sqrt(2) x gyration
+/// radii have the facet's second moments. Weights of the first and the second half axis.
+inline constexpr double kHalfSqrt3 = 0.86602540378443865;
+inline constexpr std::array<double, kLanes> kOnFirst = {1.0, -0.5, -0.5, 0.0};
+inline constexpr std::array<double, kLanes> kOnSecond = {0.0, kHalfSqrt3, -kHalfSqrt3, 0.0};
+
+[[nodiscard]] inline LaneMask is_point() {
+  return Lanes([](auto lane) { return lane < kFacetPoints ? 1.0 : 0.0; }) > 0.5;
+}
+
+[[nodiscard]] inline LaneMask where_true(const std::array<bool, kFacetPoints>& at_point) {
+  const auto value = [&](auto lane) {
+    return lane < kFacetPoints && at_point[lane % kFacetPoints] ? 1.0 : 0.0;
+  };
+  return Lanes(value) > 0.5;
+}
+
+/// A vector of each point.
+[[nodiscard]] inline LaneVec lanes_of(const std::array<Vec3, kFacetPoints>& v) {
+  const auto of = [&](Eigen::Index d) {
+    return Lanes([&](auto lane) { return lane < kFacetPoints ? v[lane % kFacetPoints][d] : 0.0; });
+  };
+  return {of(0), of(1), of(2)};
+}
+
+/// How the two sides of a facet lie in the present pose. Lanes: the centroid, the two half axes,
+/// the normal.
+struct FacetNetwork::Motion {
+  LaneVec near;   // on block i; the centroid from its centre [m]
+  LaneVec apart;  // on block j less on block i [m]
+  Vec3 normal;    // unit, mean of the two
+  double scale;   // that makes the sum of the two normals a unit vector [-]
+
+  [[nodiscard]] Vec3 mean_jump() const { return apart.at(0); }
+  [[nodiscard]] LaneVec jump() const { return at_points(apart); }
+  [[nodiscard]] LaneVec side() const { return at_points(near); }
+
+ private:
+  [[nodiscard]] static Lanes at_points(const Lanes& v) {
+    return v[0] + v[1] * load(kOnFirst) + v[2] * load(kOnSecond);
+  }
+  [[nodiscard]] static LaneVec at_points(const LaneVec& v) {
+    return {at_points(v.x), at_points(v.y), at_points(v.z)};
+  }
+};
+
+[[gnu::always_inline]] inline FacetNetwork::Motion FacetNetwork::motion_of(std::size_t f) const {
+  const Sides& sides = sides_[f];
+  const BlockState& si = state_[static_cast<std::size_t>(sides.i)];
+  const BlockState& sj = state_[static_cast<std::size_t>(sides.j)];
+  const LaneVec start(sides.on_i);
+  const LaneMask centroid = Lanes([](auto lane) { return lane == 0 ? 1.0 : 0.0; }) > 0.5;
+  Motion motion;
+  motion.near = rotated(si.rotation, start);
+  const LaneVec far = rotated(sj.rotation, choose(centroid, LaneVec(sides.arm_j), start));
+  const LaneVec between = choose(centroid, LaneVec(Vec3(sj.centre - si.centre)), LaneVec());
+  motion.apart = far - motion.near + between;
+  const Vec3 both = motion.near.at(3) + far.at(3);
+  motion.scale = 1.0 / std::sqrt(both.squaredNorm());
+  motion.normal = motion.scale * both;
+  return motion;
+}
+
+/// m of the two blocks in the present pose.
+[[gnu::always_inline]] inline FacetNetwork::Openings FacetNetwork::openings_of(std::size_t f,
+                                                                               double scale) const {
+  const Mat3& ri = state_[static_cast<std::size_t>(sides_[f].i)].rotation;
+  const Mat3& rj = state_[static_cast<std::size_t>(sides_[f].j)].rotation;
+  const auto turned = [&](const Vec3& v) { return Vec3(scale * (ri * v + rj * v)); };
+  return {turned(bonds_[f].opening_i), turned(bonds_[f].opening_j)};
+}
+
+/// Tractions on block i at the points of a facet; block j gets the opposite at the same places,
+/// midway between the two sides.
+struct FacetNetwork::Pull {
+  LaneVec normal, jump, arm;  // arm: from the centre of block i [m]
+  LaneVec rate;               // motion of block j's side against block i's [m/s]
+  LaneVec traction;           // [Pa]
+
+  explicit Pull(const Motion& motion)
+      : normal(motion.normal), jump(motion.jump()), arm(motion.side() + Lanes(0.5) * jump) {}
+
+  /// Which points fail if they are bonded.
+  [[nodiscard]] LaneMask failing(const Bond& bond) const {
+    const Lanes along = dot(normal, traction);
+    const Lanes shear_squared = dot(traction, traction) - along * along;
+    const Lanes shear = sqrt(max(shear_squared, Lanes(0.0)));
+    return is_point() && joint_fails(along, shear, bond.tension, bond.cohesion, bond.tan_friction);
+  }
+};
+
+}  // namespace muckpile

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// perf_facets: time of one force computation of the facet network per integration point, on one
+// core; prints JSON to standard output.
+// Scope: core only, no communication: three passes over intact rock, over rock whose facets are all
+// broken but closed, and over rock that has fallen apart.
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "bond_scene.h"
+#include "timing.h"
+
+namespace muckpile::perf {
+namespace {
+
+constexpr double kEdge = 20.0;  // of the cube [m]; its blocks are of 1 m
+constexpr int kSweeps = 5;
+constexpr int kSteps = 200;
+constexpr double kStep = 1e-6;  // [s]
+constexpr double kStrain = 1e-4;
+constexpr double kTarget = 8.0;  // per integration point [ns]
+
+test::BondScene cube(const std::vector<Block>& blocks, double strength) {
+  JointParameters rock = test::rock(0.25);
+  rock.tension = rock.cohesion = strength;
+  rock.residual_friction_angle = 0.6;
+  rock.contact_damping = 0.05;
+  rock.longest_sleep = 20.0;
+  return {blocks, rock};
+}
+
+nlohmann::ordered_json time_of(test::BondScene& scene) {
+  const double step = least_time([&] { scene.compute(kStep); }, kSteps);
+  const auto facets = static_cast<double>(scene.network().facets().size());
+  return {{"step_s", step}, {"ns_per_point", 1e9 * step / (facets * kFacetPoints)}};
+}
+
+nlohmann::ordered_json measure() {
+  const std::vector<Block> blocks = test::voronoi_blocks(kEdge, 1, kSweeps);
+  nlohmann::ordered_json result;
+  result["what"] = "cube of Voronoi blocks, three points per facet";
+  result["processor"] = processor();
+  result["blocks"] = blocks.size();
+  result["target_ns_per_point"] = kTarget;
+
+  test::BondScene intact = cube(blocks, 1e30);
+  result["facets"] = intact.network().facets().size();
+  intact.deform(-kStrain * Mat3::Identity());
+  result["intact"] = time_of(intact);
+
+  test::BondScene broken = cube(blocks, 0.0);
+  broken.deform(kStrain * Mat3::Identity());
+  broken.compute();
+  broken.deform(-kStrain * Mat3::Identity());
+  result["broken_closed"] = time_of(broken);
+  result["broken_closed"]["broken_share"] =
+      broken.network().broken_area(false) / broken.network().broken_area(true);
+
+  broken.deform(0.05 * Mat3::Identity());
+  result["open"] = time_of(broken);
+  return result;
+}
+
+}  // namespace
+}  // namespace muckpile::perf
+
+int main() {
+  std::cout << muckpile::perf::measure().dump(2) << '\n';
+  return 0;
+}
