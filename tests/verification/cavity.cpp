@@ -339,7 +339,7 @@ const Cases kCases = {
     {"sphere_5", peaks_case(CavityShape::sphere, 5.0, 0.1, 0.16, {2.0, 5.0}, 3)},
     {"sphere_10", peaks_case(CavityShape::sphere, 10.0, 0.125, 0.2, {2.0, 5.0}, 4)},
     {"sphere_far_5", peaks_case(CavityShape::sphere, 5.0, 0.1, 0.14, {10.0}, 3, 1.0)},
-    {"sphere_far_10", peaks_case(CavityShape::sphere, 10.0, 0.15, 0.16, {10.0}, 4, 1.0)},
+    {"sphere_far_10", peaks_case(CavityShape::sphere, 10.0, 0.125, 0.14, {10.0}, 4, 1.0)},
     {"ladder", [](Report& report) {
        int colour = 0;
        for (const double rise : {2.0, 5.0, 10.0})
