@@ -27,6 +27,15 @@ void ChargeDesignCommand::command(int narg, char** arg) {
   set_variable("charge_vod", design.detonation_velocity);
   set_variable("charge_energy", design.energy);
   if (design.crushed_radius) set_variable("crushed_radius", *design.crushed_radius);
+  if (!design.pattern) return;
+  set_variable("pattern_holes", static_cast<double>(design.pattern->holes()));
+  set_variable("pattern_last_firing", design.pattern->last_firing_time());
+  const Eigen::AlignedBox3d box = design.pattern->chambers();
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const std::string axis = std::string("pattern_") + "xyz"[k];
+    set_variable((axis + "_lo").c_str(), box.min()[k]);
+    set_variable((axis + "_hi").c_str(), box.max()[k]);
+  }
 }
 
 void ChargeDesignCommand::set_variable(const char* name, double value) {

@@ -24,6 +24,7 @@
 #include "args/numbers.h"
 #include "engine/bodies.h"
 #include "engine/exchange.h"
+#include "explosive/hole_table.h"
 #include "fix_muckpile_balance.h"
 #include "fix_muckpile_blocks.h"
 #include "geometry/block_file.h"
@@ -52,6 +53,10 @@ const ArgTable& table() {
                  "N dx dy dz, then the words of `hole`: N equal holes, each shifted by (dx, dy, "
                  "dz) [m] from the "
                  "one before; numbered after all single holes")
+          .group(
+              "hole_table", 2, 2, false,
+              "FILE RATIO: the pattern of a CSV file, one crushed zone per charged deck, of RATIO "
+              "hole radii (>= 1) unless the file says; numbered after all rows")
           .group("support", 2, 2, true,
                  "`fixed REGION` or `mirror REGION`: how boundary faces with their centroid in "
                  "that region "
@@ -230,6 +235,11 @@ std::vector<Hole> CreateBlocks::holes(const ArgValues& args) const {
       const Vec3 by = static_cast<double>(k) * shift;
       found.push_back({first.toe + by, first.collar + by, first.radius});
     }
+  }
+  for (const auto& words : args.groups("hole_table")) {
+    const double ratio = parse_real(kStyle, "hole_table", words[1], "", Range::closed(1.0, 20.0));
+    const std::vector<Hole> pattern = HoleTable::read(words[0]).crushed_zones(ratio);
+    found.insert(found.end(), pattern.begin(), pattern.end());
   }
   return found;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/vtk_series.h"
+#include "report/plan_report.h"
 #include "report/reports.h"
 
 namespace {
@@ -110,6 +111,10 @@ void add_picture_commands(CLI::App& app, Options& o) {
     o.picture.colour_by = kColours.at(o.colour);
     report_picture(ResultFolder(o.folder), o.picture);
   });
+  CLI::App* plan = app.add_subcommand("plan", "plan.png: the holes and when they fire");
+  plan->add_option("table", o.folder, "hole table (CSV), or result folder with dump/holes.csv")
+      ->required();
+  plan->callback([&o] { report_plan(o.folder); });
   CLI::App* series = add_command(
       app, "series", "vtk/blocks.pvd: all snapshots as polyhedra for ParaView", o.folder);
   series->add_option("--every", o.every, "write only every n-th snapshot and the last")

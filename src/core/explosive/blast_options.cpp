@@ -15,7 +15,10 @@ constexpr double kMPa = 1e6;
 
 void add_charge_keywords(ArgTable& table) {
   add_explosive_keywords(table);
-  table.real("hole_diameter", "m", Range::positive(), std::nullopt, "diameter of the hole");
+  add_optional(table, "hole_diameter", "of all holes [m], > 0; needed without hole_table");
+  table.word("hole_table", {}, "none",
+             "CSV file of the pattern, as create_blocks has it: each hole's diameter, charge, "
+             "explosive and firing time");
   add_decoupling_keywords(table);
   add_borehole_keywords(table);
   table.word("primer", {}, "bottom", "bottom, top, or its place along the charge from 0 to 1");
@@ -185,6 +188,22 @@ void read_pulse(BlastOptions& options, const ArgValues& values) {
   }
 }
 
+void read_holes(BlastOptions& options, const ArgValues& values) {
+  const auto diameter =
+      optional_real(values, options.where, "hole_diameter", "m", Range::positive());
+  const std::string& file = values.word("hole_table");
+  if (file == "none") {
+    if (!diameter) refuse(options.where, "needs hole_diameter [m] or hole_table");
+    options.charge.hole_radius = 0.5 * *diameter;
+    return;
+  }
+  for (const char* word : {"hole_diameter", "interval"}) {
+    if (values.given(word)) refuse(options.where, std::string("hole_table excludes ") + word);
+  }
+  if (!values.groups("hole").empty()) refuse(options.where, "hole_table excludes hole");
+  options.pattern = HoleTable::read(file);
+}
+
 std::map<long, double> own_delays(const std::string& where, const ArgValues& values) {
   std::map<long, double> delays;
   for (const std::vector<std::string>& words : values.groups("hole")) {
@@ -209,16 +228,39 @@ struct LoadedHole {
   double initial_pressure = 0.0;  ///< P0, 0 if nothing needs it [Pa]
   double wall_pressure = 0.0;     ///< on the hole's wall [Pa]
   double exponent = 0.0;          ///< of the attenuation
+  bool energy_known = false;      ///< explosive.energy counts
+  double primer = 0.0;            ///< 0 toe to 1 collar of the charge
+  double firing_time = 0.0;       ///< [s]
 };
 
-LoadedHole loaded_hole(const BlastOptions& options, const Hole& zone) {
+/// What one row of the pattern says instead of the style's words.
+void apply_deck(LoadedHole& hole, const BlastOptions& options, const Deck& deck) {
+  if (deck.explosive) {
+    hole.explosive = options.charge.table.find(*deck.explosive, "hole_table");
+    hole.energy_known = true;
+  }
+  hole.shape.hole_radius = 0.5 * deck.diameter;
+  if (!options.charge.charge_radius) hole.shape.charge_radius = hole.shape.hole_radius;
+  if (deck.charge_diameter) hole.shape.charge_radius = 0.5 * *deck.charge_diameter;
+  if (deck.charge_length) hole.shape.charge_length = *deck.charge_length;
+  if (deck.primer) hole.primer = *deck.primer;
+  hole.firing_time = deck.firing_time;
+}
+
+LoadedHole loaded_hole(const BlastOptions& options, const Hole& zone, std::size_t index) {
   const ChargeOptions& charge = options.charge;
   LoadedHole hole;
   hole.explosive = charge.explosive;
+  hole.energy_known = charge.energy_known;
+  hole.primer = options.primer;
+  const auto own = options.delays.find(static_cast<long>(index) + 1);
+  hole.firing_time =
+      own != options.delays.end() ? own->second : static_cast<double>(index) * options.interval;
   hole.shape.hole_radius = charge.hole_radius;
   hole.shape.charge_radius = charge.charge_radius.value_or(charge.hole_radius);
   hole.shape.chamber_length = (zone.collar - zone.toe).norm();
   hole.shape.charge_length = charge.charge_length.value_or(hole.shape.chamber_length);
+  if (options.pattern) apply_deck(hole, options, options.pattern->decks()[index]);
   check_shape(hole.shape);
   hole.exponent = exponent_of(options, options.attenuation, hole.explosive);
   hole.decoupling = charge.decoupling;
@@ -262,27 +304,46 @@ BlastLoad blast_load(const BlastOptions& options, const LoadedHole& hole, const 
   return BlastLoad(parameters);
 }
 
-void check_zone(const BlastOptions& options, const Hole& zone, int number) {
-  if (zone.radius >= options.charge.hole_radius) return;
+void check_zone(const BlastOptions& options, const Hole& zone, std::size_t index) {
+  const double diameter =
+      options.pattern ? options.pattern->decks()[index].diameter : 2.0 * options.charge.hole_radius;
+  if (2.0 * zone.radius >= diameter) return;
   std::ostringstream text;
-  text << "hole_diameter must not exceed that of the crushed zone of hole " << number << ", "
-       << 2.0 * zone.radius << " [m], got '" << 2.0 * options.charge.hole_radius << "'";
+  text << "hole_diameter must not exceed that of the crushed zone of hole " << index + 1 << ", "
+       << 2.0 * zone.radius << " [m], got '" << diameter << "'";
   refuse(options.where, text.str());
 }
 
-HoleBlast hole_blast(const BlastOptions& options, const Hole& zone, int index) {
-  check_zone(options, zone, index + 1);
-  const auto own = options.delays.find(index + 1);
-  const double firing = own != options.delays.end() ? own->second : index * options.interval;
+/// The pattern must be the one that the rock was cut for.
+void check_pattern(const BlastOptions& options, const std::vector<Hole>& zones) {
+  const std::vector<Deck>& decks = options.pattern->decks();
+  if (decks.size() != zones.size()) {
+    refuse(options.where, "hole_table must have one row for each of the " +
+                              std::to_string(zones.size()) + " holes of create_blocks, got " +
+                              std::to_string(decks.size()) + " rows");
+  }
+  constexpr double kSamePlace = 1e-6;  // [m]
+  for (std::size_t k = 0; k < zones.size(); ++k) {
+    if ((decks[k].toe - zones[k].toe).norm() < kSamePlace &&
+        (decks[k].collar - zones[k].collar).norm() < kSamePlace) {
+      continue;
+    }
+    refuse(options.where, "row " + std::to_string(k + 1) + " of hole_table (hole '" +
+                              decks[k].hole + "') is not where create_blocks has its hole " +
+                              std::to_string(k + 1));
+  }
+}
+
+HoleBlast hole_blast(const BlastOptions& options, const Hole& zone, std::size_t index) {
   try {
-    const LoadedHole hole = loaded_hole(options, zone);
+    const LoadedHole hole = loaded_hole(options, zone, index);
     const Vec3 axis = (zone.collar - zone.toe).normalized();
     return {blast_load(options, hole, zone),
             DetonationFront({.toe = zone.toe,
                              .collar = zone.toe + hole.shape.charge_length * axis,
                              .detonation_velocity = hole.explosive.detonation_velocity,
-                             .firing_time = firing,
-                             .primer = options.primer})};
+                             .firing_time = hole.firing_time,
+                             .primer = hole.primer})};
   } catch (const InputError& error) {
     refuse(options.where, "hole " + std::to_string(index + 1) + ": " + error.what());
   }
@@ -291,7 +352,7 @@ HoleBlast hole_blast(const BlastOptions& options, const Hole& zone, int index) {
 void describe_pressures(std::ostream& text, const BlastOptions& options, const LoadedHole& hole) {
   text << "  explosive " << hole.explosive.name << ": " << hole.explosive.density << " kg/m3, "
        << hole.explosive.detonation_velocity << " m/s";
-  if (options.charge.energy_known) text << ", " << hole.explosive.energy / 1e6 << " MJ/kg";
+  if (hole.energy_known) text << ", " << hole.explosive.energy / 1e6 << " MJ/kg";
   if (!hole.explosive.source.empty()) text << " (" << hole.explosive.source << ")";
   text << '\n';
   if (!options.needs_borehole_pressure()) return;
@@ -346,7 +407,7 @@ BlastOptions blast_options(const ArgValues& values, const std::string& where) {
   options.gas = values.flag("gas");
   if (!options.pulse && !options.gas) refuse(where, "pulse no and gas no leave no load");
   read_explosive(options.charge, values, where);
-  options.charge.hole_radius = 0.5 * values.real("hole_diameter");
+  read_holes(options, values);
   read_decoupling(options.charge, values, where);
   read_expansion(options.charge, values, where);
   read_attenuation(options, values);
@@ -367,9 +428,12 @@ std::vector<HoleBlast> hole_blasts(const BlastOptions& options,
     refuse(options.where, "hole must be from 1 to " + std::to_string(count) +
                               ", the holes of create_blocks, got '" + std::to_string(number) + "'");
   }
+  if (options.pattern) check_pattern(options, crushed_zones);
   std::vector<HoleBlast> blasts;
   for (int i = 0; i < count; ++i) {
-    blasts.push_back(hole_blast(options, crushed_zones[static_cast<std::size_t>(i)], i));
+    const auto index = static_cast<std::size_t>(i);
+    check_zone(options, crushed_zones[index], index);
+    blasts.push_back(hole_blast(options, crushed_zones[index], index));
   }
   return blasts;
 }
@@ -377,10 +441,10 @@ std::vector<HoleBlast> hole_blasts(const BlastOptions& options,
 std::vector<ChargeEnergy> charge_energies(const BlastOptions& options,
                                           const std::vector<Hole>& crushed_zones) {
   std::vector<ChargeEnergy> energies;
-  for (const Hole& zone : crushed_zones) {
-    const LoadedHole hole = loaded_hole(options, zone);
+  for (std::size_t k = 0; k < crushed_zones.size(); ++k) {
+    const LoadedHole hole = loaded_hole(options, crushed_zones[k], k);
     const double mass = hole.explosive.density * hole.shape.charge_volume();
-    energies.push_back({mass, options.charge.energy_known ? mass * hole.explosive.energy : 0.0});
+    energies.push_back({mass, hole.energy_known ? mass * hole.explosive.energy : 0.0});
   }
   return energies;
 }
@@ -389,7 +453,7 @@ std::string describe(const BlastOptions& options, const std::vector<Hole>& crush
                      const std::vector<HoleBlast>& blasts) {
   const Hole& zone = crushed_zones.front();
   const BlastLoad& load = blasts.front().load();
-  const LoadedHole hole = loaded_hole(options, zone);
+  const LoadedHole hole = loaded_hole(options, zone, 0);
   std::ostringstream text;
   text.precision(4);
   text << options.where << ": " << blasts.size() << " hole(s), hole 1:\n";

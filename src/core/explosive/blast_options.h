@@ -11,6 +11,7 @@
 #include "args/parse_args.h"
 #include "explosive/charge_options.h"
 #include "explosive/hole_blast.h"
+#include "explosive/hole_table.h"
 #include "geometry/block_model.h"
 
 namespace muckpile {
@@ -30,13 +31,14 @@ struct BlastOptions {
   bool pulse = true;
   PulseParameters pulse_shape{};
   bool gas = true;
-  double vent_time = 0.0;           ///< [s]
-  double vent_decay = 1.0;          ///< [s]
+  double vent_time = 0.0;   ///< [s]
+  double vent_decay = 1.0;  ///< [s]
   bool vent_by_flow = false;
-  GasVent::Parameters flow{};  ///< without radii and mass
-  double primer = 0.0;              ///< 0 bottom, 1 top
-  double interval = 0.0;            ///< between the firing of consecutive holes [s]
-  std::map<long, double> delays{};  ///< hole number from 1: its own delay [s]
+  GasVent::Parameters flow{};          ///< without radii and mass
+  double primer = 0.0;                 ///< 0 bottom, 1 top
+  double interval = 0.0;               ///< between the firing of consecutive holes [s]
+  std::map<long, double> delays{};     ///< hole number from 1: its own delay [s]
+  std::optional<HoleTable> pattern{};  ///< in place of diameter, interval and delays
 
   /// P0 counts unless P1 is typed (or there is no pulse) and there is no gas.
   [[nodiscard]] bool needs_borehole_pressure() const { return gas || (pulse && !peak_pressure); }

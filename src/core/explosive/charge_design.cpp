@@ -109,6 +109,7 @@ ArgTable charge_design_table() {
       .real("crushed_ratio", "", Range::closed(1.0, 20.0), 3.0,
             "radius over hole radius, for `multiple`")
       .real("strain_rate", "1/s", Range::closed(1e2, 1e4), 1e3, "in the crushed zone, for `dai`");
+  table.word("hole_table", {}, "none", "CSV file of a pattern");
   add_optional(table, "rock_density", "[kg/m3], > 0; needed by `dai`");
   add_optional(table, "youngs_modulus", "of the rock [Pa], > 0; needed by `esen` and `dai`");
   add_optional(table, "poisson_ratio", "of the rock, >= 0 and < 0.5; auto: 0");
@@ -148,6 +149,11 @@ ChargeDesign charge_design(const ArgValues& values, const std::string& where) {
     } catch (const InputError& error) {
       throw InputError(where + ": " + error.what());
     }
+  }
+  if (const std::string& file = values.word("hole_table"); file != "none") {
+    design.pattern = HoleTable::read(file);
+    text << "  pattern: " << design.pattern->holes() << " holes, " << design.pattern->decks().size()
+         << " charged decks, the last fires at " << design.pattern->last_firing_time() << " s\n";
   }
   design.report = text.str();
   return design;

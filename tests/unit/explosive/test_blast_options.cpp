@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <numbers>
 #include <sstream>
 
@@ -84,6 +86,39 @@ TEST(BlastOptions, ADecoupledChargeHasItsOwnWallPressureAndRoom) {
   const auto deck = hole_blasts(read(kCharge + kGas + " charge_length 3"), {kZone});
   EXPECT_NEAR(deck[0].load().start_volume(), 0.0572555, 1e-6);  // 9 m of hole
   EXPECT_DOUBLE_EQ(deck[0].arrival_time({0, 0, 9}), 3.0 / 4500.0);
+}
+
+TEST(BlastOptions, APatternGivesEachHoleItsOwnChargeAndFiringTime) {
+  const auto path = std::filesystem::temp_directory_path() / "muckpile_pattern_test.csv";
+  std::ofstream(path) << "hole,collar_x_m,collar_y_m,collar_z_m,toe_x_m,toe_y_m,toe_z_m,diameter_m,"
+                         "explosive,charge_diameter_m,surface_delay_s\n"
+                         "a,0,0,9,0,0,0,0.09,anfo,,0.000001\n"
+                         "b,3,0,9,3,0,0,0.1,,0.08,0.025\n";
+  const std::string words =
+      "explosive emulsion poisson_ratio 0.22" + kGas + " hole_table " + path.string();
+  Hole second = kZone;
+  second.toe.x() = second.collar.x() = 3.0;
+  const BlastOptions options = read(words);
+  const auto blasts = hole_blasts(options, {kZone, second});
+  EXPECT_EQ(blasts[0].firing_time(), 1e-6);
+  EXPECT_EQ(blasts[1].firing_time(), 0.025);
+  EXPECT_NEAR(blasts[0].load().wave_peak(), 1600e6 * 0.0815064, 0.01e6);  // 3^-2.282051
+  const auto energies = charge_energies(options, {kZone, second});
+  EXPECT_NEAR(energies[0].mass, 800 * M_PI * 0.045 * 0.045 * 9, 1e-9);
+  EXPECT_NEAR(energies[1].energy, 3e6 * 1100 * M_PI * 0.04 * 0.04 * 9, 1e-3);
+  EXPECT_EQ(message(words, {kZone}),
+            kWhere +
+                ": hole_table must have one row for each of the 1 holes of create_blocks, got "
+                "2 rows");
+  EXPECT_EQ(message(words, {kZone, kZone}),
+            kWhere + ": row 2 of hole_table (hole 'b') is not where create_blocks has its hole 2");
+  for (const char* word : {"hole_diameter 0.09", "interval 0.01", "hole 1 delay 0"}) {
+    const std::string text(word);
+    EXPECT_EQ(message(words + " " + text, {kZone, second}),
+              kWhere + ": hole_table excludes " + text.substr(0, text.find(' ')));
+  }
+  EXPECT_EQ(message("explosive anfo poisson_ratio 0.2" + kGas),
+            kWhere + ": needs hole_diameter [m] or hole_table");
 }
 
 TEST(BlastOptions, IntervalAndOwnDelaySetTheFiringTimes) {

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Plan of a blast pattern: holes, firing times, contours of equal time.
+// Scope: x to the right, y up, equal scales; the first deck of a hole stands for it.
+#include "report/plan_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "draw/axes.h"
+#include "draw/png_file.h"
+#include "explosive/hole_table.h"
+#include "measure/contours.h"
+#include "report/block_colours.h"
+#include "report/reports.h"
+
+namespace muckpile {
+namespace {
+
+constexpr double kLeft = 105.0, kRight = 30.0, kAbove = 150.0, kBelow = 85.0;  // margins [px]
+constexpr double kMostSide = 1400.0;  // of the plot area [px]
+constexpr double kTextSize = 18.0;
+
+struct Plan {
+  std::vector<Vec2> places;   // of the collars [m]
+  std::vector<double> times;  // of each hole's first deck [ms]
+};
+
+Plan plan_of(const HoleTable& table) {
+  std::map<std::string, size_t> known;
+  Plan plan;
+  for (const Deck& deck : table.decks()) {
+    const double time = 1e3 * deck.firing_time;
+    const auto [place, fresh] = known.emplace(deck.hole, plan.places.size());
+    if (fresh) {
+      plan.places.emplace_back(deck.hole_collar.x(), deck.hole_collar.y());
+      plan.times.push_back(time);
+    } else {
+      double& first = plan.times[place->second];
+      first = std::min(first, time);
+    }
+  }
+  return plan;
+}
+
+// The holes with a margin of the mean distance between neighbours.
+std::pair<Range, Range> frame(const Plan& plan) {
+  const auto range = [&](Eigen::Index k) {
+    const auto [low, high] =
+        std::ranges::minmax_element(plan.places, {}, [k](const Vec2& p) { return p[k]; });
+    return Range{(*low)[k], (*high)[k]};
+  };
+  Range x = range(0), y = range(1);
+  const double area = std::max(1.0, (x.high - x.low) * (y.high - y.low));
+  const double margin = std::sqrt(area / static_cast<double>(plan.places.size()));
+  return {{x.low - margin, x.high + margin}, {y.low - margin, y.high + margin}};
+}
+
+void draw_contours(const Plan& plan, const Axes& axes, const ColourMap& map, Canvas& canvas) {
+  constexpr int kWanted = 15;
+  const std::vector<Triangle> triangles = triangulate(plan.places);
+  for (const double level : straight_ticks({map.low(), map.high()}, kWanted)) {
+    for (const auto& [from, to] : contour(plan.places, plan.times, triangles, level)) {
+      canvas.line(axes.place(from.x(), from.y()), axes.place(to.x(), to.y()), 2.5, map.at(level));
+    }
+  }
+}
+
+void draw_holes(const Plan& plan, const Axes& axes, const ColourMap& map, Canvas& canvas) {
+  constexpr double kRadius = 7.0;
+  constexpr int kCorners = 16;
+  for (size_t h = 0; h < plan.places.size(); ++h) {
+    const Vec2 at = axes.place(plan.places[h].x(), plan.places[h].y());
+    std::vector<Vec2> disc;
+    for (int k = 0; k < kCorners; ++k) {
+      const double angle = 2.0 * M_PI * k / kCorners;
+      disc.push_back(at + kRadius * Vec2(std::cos(angle), std::sin(angle)));
+    }
+    canvas.fill(disc, map.at(plan.times[h]));
+    disc.push_back(disc.front());
+    canvas.polyline(disc, 1.5, kInk);
+    canvas.text(at + Vec2(0.0, -11.0), spelled(plan.times[h], 4), kTextSize, kInk, Anchor::kCentre);
+  }
+}
+
+Canvas draw(const HoleTable& table) {
+  const Plan plan = plan_of(table);
+  const auto [x, y] = frame(plan);
+  const double scale = kMostSide / std::max(x.high - x.low, y.high - y.low);
+  const double width = std::max(600.0, scale * (x.high - x.low));
+  const double height = scale * (y.high - y.low);
+  const double more = 0.5 * (width / scale - (x.high - x.low));
+  Canvas canvas(static_cast<int>(kLeft + width + kRight),
+                static_cast<int>(kAbove + height + kBelow), kWhite);
+  const Axes axes({kLeft, kAbove}, {kLeft + width, kAbove + height}, {x.low - more, x.high + more},
+                  y);
+  const auto [first, last] = std::ranges::minmax(plan.times);
+  BlockColours colours;
+  colours.map = amount_map(first, std::max(last, first + 1e-3));
+  colours.label = "first deck fires [ms]";
+  axes.draw_grid(canvas);
+  draw_contours(plan, axes, *colours.map, canvas);
+  draw_holes(plan, axes, *colours.map, canvas);
+  axes.draw_frame(canvas, "x [m]", "y [m]");
+  canvas.text({kLeft, 48.0}, "Plan of the blast", 30.0, kInk);
+  canvas.text(
+      {kLeft, 88.0},
+      std::to_string(table.holes()) + " holes, " + std::to_string(table.decks().size()) + " decks",
+      kTextSize + 4.0, kInk);
+  draw_legend(colours, {kLeft + width - 310.0, 22.0}, canvas);
+  return canvas;
+}
+
+// Charges that fire within 8 ms are usually counted as one in vibration practice.
+size_t most_decks_together(const HoleTable& table) {
+  constexpr double kTogether = 8e-3;  // [s]
+  std::vector<double> times;
+  for (const Deck& deck : table.decks()) times.push_back(deck.firing_time);
+  std::ranges::sort(times);
+  size_t most = 0;
+  for (size_t from = 0, to = 0; from < times.size(); ++from) {
+    while (to < times.size() && times[to] < times[from] + kTogether) ++to;
+    most = std::max(most, to - from);
+  }
+  return most;
+}
+
+}  // namespace
+
+void report_plan(const std::filesystem::path& what) {
+  if (!std::filesystem::is_directory(what)) {
+    write_png(draw(HoleTable::read(what.string())),
+              std::filesystem::path(what).replace_extension(".png"));
+    return;
+  }
+  const ResultFolder folder(what);
+  const HoleTable table = HoleTable::read(folder.dump("holes.csv").string());
+  write_png(draw(table), folder.file("plan.png"));
+  const auto firing = [](const Deck& deck) { return deck.firing_time; };
+  nlohmann::ordered_json keys;
+  if (std::filesystem::exists(folder.dump("run.json"))) keys = common_keys(folder);
+  keys["pattern_holes"] = table.holes();
+  keys["pattern_decks"] = table.decks().size();
+  keys["first_firing_s"] = std::ranges::min(table.decks(), {}, firing).firing_time;
+  keys["last_firing_s"] = std::ranges::max(table.decks(), {}, firing).firing_time;
+  keys["most_decks_within_8_ms"] = most_decks_together(table);
+  folder.merge_into_summary(keys);
+}
+
+}  // namespace muckpile

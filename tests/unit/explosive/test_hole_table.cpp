@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Blast patterns: geometry of decks, surface and in-hole delays, and every fault of a row.
+// Scope: core only.
+#include <gtest/gtest.h>
+
+#include "../args/expect_input_error.h"
+#include "explosive/hole_table.h"
+
+namespace muckpile {
+namespace {
+
+const std::string kHead =
+    "hole,collar_x_m,collar_y_m,collar_z_m,toe_x_m,toe_y_m,toe_z_m,diameter_m";
+
+HoleTable read(const std::string& more_columns, const std::string& rows) {
+  return HoleTable(CsvTable::parse(kHead + more_columns + "\n" + rows, "p.csv"));
+}
+
+std::string fault(const std::string& more_columns, const std::string& rows) {
+  return input_error_of([&] { (void)read(more_columns, rows); });
+}
+
+TEST(HoleTable, AChamberIsPlacedAlongTheHole) {
+  // 5 m long, 3 down for 4 across; 1 m of stemming
+  const HoleTable table = read(",from_m,to_m", "a, 0,0,10, 4,0,7, 0.1, 1,5\n");
+  const Deck& deck = table.decks()[0];
+  EXPECT_LT((deck.collar - Vec3(0.8, 0, 9.4)).norm(), 1e-12);
+  EXPECT_LT((deck.toe - Vec3(4, 0, 7)).norm(), 1e-12);
+  const Hole zone = table.crushed_zones(3.0)[0];
+  EXPECT_NEAR(zone.radius, 0.15, 1e-15);
+}
+
+TEST(HoleTable, WithoutDepthsTheWholeHoleIsCharged) {
+  const HoleTable table = read("", "a,0,0,10,0,0,0,0.1\n");
+  EXPECT_EQ(table.decks()[0].from, 0.0);
+  EXPECT_EQ(table.decks()[0].to, 10.0);
+  EXPECT_FALSE(table.decks()[0].explosive.has_value());
+}
+
+TEST(HoleTable, SurfaceDelaysFollowTheTieUpWhateverTheOrderOfRows) {
+  const HoleTable table = read(",after,surface_delay_s,in_hole_delay_s",
+                               "c,0,0,1,0,0,0,0.1,b,0.025,0.475\n"
+                               "a,1,0,1,1,0,0,0.1,,0.000017,0.475\n"
+                               "b,2,0,1,2,0,0,0.1,a,0.042,0.475\n");
+  EXPECT_DOUBLE_EQ(table.decks()[0].firing_time, 0.542017);  // 17 us + 42 + 25 + 475 ms
+  EXPECT_DOUBLE_EQ(table.decks()[1].firing_time, 0.475017);
+  EXPECT_DOUBLE_EQ(table.decks()[2].firing_time, 0.517017);
+}
+
+TEST(HoleTable, RowsOfOneHoleAreItsDecks) {
+  const HoleTable table = read(",from_m,to_m,explosive,in_hole_delay_s,crushed_radius_m",
+                               "a,0,0,10,0,0,0,0.1,3,6,anfo,0.025,\n"
+                               "a,0,0,10,0,0,0,0.1,7,10,emulsion,0,0.2\n");
+  EXPECT_EQ(table.holes(), 1u);
+  ASSERT_EQ(table.decks().size(), 2u);
+  EXPECT_EQ(*table.decks()[1].explosive, "emulsion");
+  EXPECT_EQ(table.decks()[0].firing_time, 0.025);
+  EXPECT_EQ(table.crushed_zones(3.0)[1].radius, 0.2);
+}
+
+TEST(HoleTable, EachFaultIsNamedWithItsLine) {
+  const std::string hole = "a,0,0,10,0,0,0,0.1";
+  EXPECT_EQ(fault(",dely", hole + ",1\n"), "p.csv: unknown column 'dely'");
+  EXPECT_EQ(fault("", "a,0,0,10,0,0,0,0\n"), "p.csv:2: diameter_m must be > 0, got '0'");
+  EXPECT_EQ(fault("", "a,0,0,10,0,0,,0.1\n"), "p.csv:2: toe_z_m is missing");
+  EXPECT_EQ(fault("", "a,0,0,0,0,0,0,0.1\n"), "p.csv:2: collar and toe are the same point");
+  EXPECT_EQ(fault("", ",0,0,10,0,0,0,0.1\n"), "p.csv:2: hole is missing");
+  EXPECT_EQ(fault(",to_m", hole + ",11\n"),
+            "p.csv:2: to_m must be <= 10 m, the length of the hole, got '11'");
+  EXPECT_EQ(fault(",from_m,to_m", hole + ",5,4\n"), "p.csv:2: to_m must be > from_m, got '4'");
+  EXPECT_EQ(fault(",from_m,to_m", hole + ",3,7\n" + hole + ",6,9\n"),
+            "p.csv:3: the deck overlaps another one of hole 'a'");
+  EXPECT_EQ(fault("", hole + "\na,0,0,10,0,0,0,0.2\n"),
+            "p.csv:3: hole 'a' must have the collar, toe and diameter of its first row");
+  EXPECT_EQ(fault(",after,surface_delay_s", hole + ",b,0.1\n"),
+            "p.csv:2: after names no hole of the table, got 'b'");
+  EXPECT_EQ(fault(",after,surface_delay_s", hole + ",b,0.1\nb,1,0,10,1,0,0,0.1,a,0.1\n"),
+            "p.csv:2: the surface delays of hole 'a' lead back to itself");
+  EXPECT_EQ(fault(",surface_delay_s", hole + ",-1\n"),
+            "p.csv:2: surface_delay_s must be >= 0, got '-1'");
+  EXPECT_EQ(fault(",from_m,to_m,surface_delay_s", hole + ",1,2,0.1\n" + hole + ",3,4,0.2\n"),
+            "p.csv:3: hole 'a' must have the surface delay of its first row");
+  EXPECT_EQ(fault("", ""), "hole table: no rows found");
+}
+
+}  // namespace
+}  // namespace muckpile
