@@ -26,9 +26,11 @@ class ShearBox {
 
   /// The upper layer stands at `shift` from its start [m]; the work done is summed.
   void move(const Vec3& shift) {
+    constexpr double kTime = 1e-6;  // of a move, which no force depends on [s]
     run_.place(1, shift, Vec3::Zero());
+    run_.set_motion(1, (shift - shift_) / kTime, Vec3::Zero());
     const Vec3 before = traction_;
-    run_.compute();
+    run_.compute(kTime);
     traction_ = -run_.force(1) / kArea;
     work_ += 0.5 * kArea * (before + traction_).dot(shift - shift_);
     shift_ = shift;

@@ -13,6 +13,7 @@ namespace muckpile {
 struct FacetNetwork::Break {
   Vec3 normal, jump, traction, rate;  // [-], [m], [Pa], [m/s]
   Openings openings;
+  Mat3 turn;  // of the facet
 };
 
 /// The part of a facet in the dilatation of its blocks.
@@ -97,7 +98,7 @@ void FacetNetwork::work_facet(std::size_t f, double dt) {
   const Vec3 slip = sj.velocity - si.velocity + sj.spin.cross(si.centre - sj.centre);
   pull.rate = LaneVec(slip) + cross(LaneVec(Vec3(sj.spin - si.spin)), pull.arm);
   if (bonded) work_bonded(f, motion, pull, dt);
-  if (bonded_points_[f] < kFacetPoints) add_contact(f, pull, dt);
+  if (bonded_points_[f] < kFacetPoints) add_contact(f, motion, pull, dt);
   apply(f, pull);
 }
 
@@ -108,10 +109,10 @@ void FacetNetwork::work_bonded(std::size_t f, const Motion& motion, Pull& pull, 
     const auto q = static_cast<std::size_t>(p);
     if (memory_[f].broken[q] || !fails[q]) continue;
     const Vec3 traction = pull.traction.at(p);
-    break_point(
-        f, p,
-        {motion.normal, pull.jump.at(p), traction, pull.rate.at(p), openings_of(f, motion.scale)},
-        dt);
+    break_point(f, p,
+                {motion.normal, pull.jump.at(p), traction, pull.rate.at(p),
+                 openings_of(f, motion.scale), motion.turn(sides_[f])},
+                dt);
   }
   if (damping_ == 0.0 || memory_[f].ground.yields) return;  // that ground has a dashpot itself
   const LaneMask bonded = is_point() && !where_true(memory_[f].broken);
@@ -136,8 +137,7 @@ void FacetNetwork::break_point(std::size_t f, int p, const Break& broken, double
   if (contact.shear > 0.0) spring += kept / contact.shear * shear;
 
   FacetMemory& memory = memory_[f];
-  const Mat3& turn = state_[static_cast<std::size_t>(sides_[f].i)].rotation;
-  memory.offset[static_cast<std::size_t>(p)] = turn.transpose() * (broken.jump - spring);
+  memory.offset[static_cast<std::size_t>(p)] = broken.turn.transpose() * (broken.jump - spring);
   memory.broken[static_cast<std::size_t>(p)] = true;
   if (memory.state == FacetState::intact) memory.state = states_[f] = FacetState::cracked;
   newly_cracked_ = true;

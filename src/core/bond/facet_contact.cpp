@@ -23,11 +23,13 @@ double ramp_down(double x, double start, double end) {
 
 }  // namespace
 
-/// Tractions of the broken points: no tension, friction, a dashpot along the normal.
-void FacetNetwork::add_contact(std::size_t f, Pull& pull, double dt) {
+/// Tractions of the broken points: no tension, friction, a dashpot along the normal. Friction is
+/// booked as the work that leapfrog takes from the blocks, that of the mean of the forces before
+/// and after the step's path, less what the springs have gained.
+void FacetNetwork::add_contact(std::size_t f, const Motion& motion, Pull& pull, double dt) {
   const Contact& contact = contacts_[f];
   FacetMemory& memory = memory_[f];
-  const Mat3& turn = state_[static_cast<std::size_t>(sides_[f].i)].rotation;
+  const Mat3 turn = motion.turn(sides_[f]);
   const LaneMask broken = bonded_points_[f] == 0 ? is_point() : where_true(memory.broken);
   const bool fresh = memory.open;  // open until now: friction forgets where it stuck
   memory.open = false;
@@ -42,7 +44,8 @@ void FacetNetwork::add_contact(std::size_t f, Pull& pull, double dt) {
   const Lanes damped = elastic + memory.fade * contact_damping_ * rate;
   const Lanes normal = choose(closed, min(damped, Lanes(0.0)), 0.0);
 
-  const LaneVec stuck = choose(closed && !forgets, Lanes(1.0), 0.0) * (spring - gap * pull.normal);
+  const LaneVec sheared = spring - gap * pull.normal;
+  const LaneVec stuck = choose(closed && !forgets, Lanes(1.0), 0.0) * sheared;
   const LaneVec shear = Lanes(memory.fade * contact.shear) * stuck;
   const Lanes size = sqrt(dot(shear, shear)), limit = -contact.tan_residual * normal;
   const LaneMask slips = size > limit;
@@ -57,7 +60,11 @@ void FacetNetwork::add_contact(std::size_t f, Pull& pull, double dt) {
   for (std::size_t p = 0; p < kFacetPoints; ++p) {
     if (slips[p] || forgets[p]) memory.offset[p] = sticks_at.at(static_cast<int>(p));
   }
-  losses_.friction += booked * sum(limit * (1.0 - kept) * sqrt(dot(stuck, stuck)));
+  const Lanes slid = (1.0 - kept) * dot(stuck, (1.0 + kept) * stuck - Lanes(dt) * pull.rate);
+  const LaneMask opens = forgets && !closed && gap < dt * rate;
+  const Lanes forgotten =
+      fresh ? Lanes(0.0) : choose(opens, dot(sheared, sheared - Lanes(dt) * pull.rate), 0.0);
+  losses_.friction += 0.5 * booked * memory.fade * contact.shear * sum(slid + forgotten);
 }
 
 /// A facet that has turned so far does not hold on by a last point, as by a hinge.
@@ -126,7 +133,7 @@ void FacetNetwork::fade(std::size_t f, const Motion& motion, double matching) {
 double FacetNetwork::contact_energy(std::size_t f, const Motion& motion) const {
   const Contact& contact = contacts_[f];
   const FacetMemory& memory = memory_[f];
-  const Mat3& turn = state_[static_cast<std::size_t>(sides_[f].i)].rotation;
+  const Mat3 turn = motion.turn(sides_[f]);
   const LaneVec jump = motion.jump();
   double stored = 0.0;
   for (int p = 0; p < kFacetPoints; ++p) {

@@ -50,12 +50,29 @@ struct FacetNetwork::Motion {
   [[nodiscard]] LaneVec jump() const { return at_points(apart); }
   [[nodiscard]] LaneVec side() const { return at_points(near); }
 
+  /// From the start orientation, as the mean of the two blocks, which is how the jump between
+  /// points on both of them turns. What broken points remember turns so: turned by one block, a
+  /// facet that has slid and then tilts would do work that no spring stores.
+  [[nodiscard]] Mat3 turn(const Sides& sides) const {
+    const Vec3 half = 2.0 * near.at(1) + apart.at(1);
+    const LaneVec start(sides.on_i);
+    return basis(normal, half - normal.dot(half) * normal) *
+           basis(start.at(3), start.at(1)).transpose();
+  }
+
  private:
   [[nodiscard]] static Lanes at_points(const Lanes& v) {
     return v[0] + v[1] * load(kOnFirst) + v[2] * load(kOnSecond);
   }
   [[nodiscard]] static LaneVec at_points(const LaneVec& v) {
     return {at_points(v.x), at_points(v.y), at_points(v.z)};
+  }
+  /// Of `first`, the direction of `second`, which is normal to it, and their cross product.
+  [[nodiscard]] static Mat3 basis(const Vec3& first, const Vec3& second) {
+    const Vec3 unit = second.normalized();
+    Mat3 columns;
+    columns << first, unit, first.cross(unit);
+    return columns;
   }
 };
 

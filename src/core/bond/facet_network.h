@@ -186,7 +186,7 @@ class FacetNetwork {
   [[nodiscard]] double volume_swept(const BoundaryFace& face) const;  ///< by a loaded face [m3]
   [[nodiscard]] double pressure_work() const {
     return pressure_work_;
-  }  ///< on owned blocks so far [J]
+  }                                                              ///< on owned blocks so far [J]
   [[nodiscard]] double wave_work() const { return wave_work_; }  ///< of that, by waves [J]
   [[nodiscard]] const JointLosses& losses() const { return losses_; }
   [[nodiscard]] bool newly_cracked() const {
@@ -280,7 +280,7 @@ class FacetNetwork {
   void fade(std::size_t f, const Motion& motion, double matching);
   void let_sleep(std::size_t f, double gap, double dt);
   [[nodiscard]] double contact_energy(std::size_t f, const Motion& motion) const;
-  void add_contact(std::size_t f, Pull& pull, double dt);
+  void add_contact(std::size_t f, const Motion& motion, Pull& pull, double dt);
 
   // Pressure: facet_load.cpp.
   void load_faces();

@@ -34,10 +34,15 @@ class Pair {
   explicit Pair(double nu = 0.25) : Pair(weak_rock(nu)) {}
   explicit Pair(const JointParameters& p) : scene(cuboids(2, 1, 1), p) {}
 
-  /// Force on block 0 with block 1 moved by `jump` [m]: traction of the facet, tension positive.
+  /// Force on block 0 once block 1 has moved to `jump` [m]: traction of the facet, tension
+  /// positive.
   Vec3 at(const Vec3& jump) {
-    scene.block(1).centre = scene.start(1) + jump;
-    scene.compute(1e-6);
+    constexpr double kTime = 1e-6;  // [s]
+    const Vec3 path = scene.start(1) + jump - scene.block(1).centre;
+    scene.block(1).centre += path;
+    scene.block(1).velocity = path / kTime;
+    scene.compute(kTime);
+    scene.block(1).velocity.setZero();
     return scene.network().force()[0];
   }
   [[nodiscard]] bool cracked() { return scene.network().broken_count() > 0.0; }
@@ -166,6 +171,31 @@ TEST(FacetNetwork, FrictionTakesForceTimesPath) {
   const double expected = 5e7 * std::tan(kResidual) * 1e-2;
   EXPECT_NEAR((pair.scene.network().losses().friction - start) / expected, 1.0,
               1e-9);  // rounding of jumps
+}
+
+TEST(FacetNetwork, FacetThatHasSlidStoresTheWorkOfATilt) {
+  JointParameters p = weak_rock(0.0);
+  p.residual_friction_angle = 1.5;  // sticks after the break: no friction
+  Pair pair(p);
+  pair.at({1e-3, 0.05, 0});  // open while it slides, so that no shear is left
+  pair.at({-2e-3, 0.05, 0});
+  ASSERT_TRUE(pair.cracked());
+  FacetNetwork& network = pair.scene.network();
+  const double before = network.elastic_energy(), lost = network.losses().friction;
+  constexpr double kStep = 1e-5;  // [rad]
+  double work = 0.0, torque = network.torque()[1].z(), most = 0.0, missing = 0.0;
+  for (int k = 1; k <= 100; ++k) {
+    pair.scene.block(1).rotation = turn({0, 0, k * kStep});
+    pair.scene.compute();
+    work -= 0.5 * kStep * (torque + network.torque()[1].z());
+    torque = network.torque()[1].z();
+    const double told = network.elastic_energy() - before;
+    most = std::max(most, std::abs(told));
+    missing = std::max(missing, std::abs(work - told));
+  }
+  EXPECT_EQ(network.losses().friction, lost);
+  EXPECT_GT(most, 1e3);
+  EXPECT_LT(missing / most, 0.01) << missing << " of " << most;
 }
 
 TEST(FacetNetwork, ContactOfABrokenFacetFadesWithItsSlideAndRetires) {
