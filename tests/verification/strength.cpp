@@ -64,7 +64,8 @@ class ShearBox {
 
 void shear_box(Report& report) {
   constexpr double kEnd = 4e-3;  // slid in all: less than where facets begin to fade [m]
-  const JointParameters p = weak_rock();
+  JointParameters p = weak_rock();
+  p.damping = p.contact_damping = 0.0;
   const JointMaterial material(p);
   const double per_jump = 2.0 * material.shear_modulus();  // blocks of 1 m [Pa/m]
   PlotCurve peaks{"peak, measured", CurveStyle::kPoints, 0, {}},
