@@ -89,8 +89,6 @@ std::string name_of(int narg, char** arg) {
   return std::string("fix muckpile/joint '") + (narg > 0 ? arg[0] : "") + "'";
 }
 
-std::pair<int, int> ordered(int a, int b) { return a < b ? std::pair{a, b} : std::pair{b, a}; }
-
 }  // namespace
 
 FixMuckpileJoint::FixMuckpileJoint(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
@@ -157,14 +155,7 @@ void FixMuckpileJoint::follow_blocks() {
   network_.set_facets(store_->facets(), store_->memory());
   network_.set_faces(store_->faces());
 
-  facet_index_.clear();
-  for (std::size_t f = 0; f < network_.facets().size(); ++f) {
-    const Facet& facet = network_.facets()[f];
-    if (facet.kind == FacetKind::joint) {
-      facet_index_.push_back({ordered(facet.tag_i, facet.tag_j), static_cast<int>(f)});
-    }
-  }
-  std::sort(facet_index_.begin(), facet_index_.end());
+  index_facets();
   loaded_.clear();
   loaded_faces_.clear();
   for (std::size_t k = 0; k < network_.faces().size(); ++k) {
@@ -174,6 +165,21 @@ void FixMuckpileJoint::follow_blocks() {
     loaded_.push_back({face.hole, face.area, face.start});
   }
   refresh_enclosed();
+}
+
+/// The store keeps facets in order of their lower tag.
+void FixMuckpileJoint::index_facets() {
+  lower_tags_.clear();
+  first_of_.clear();
+  upper_tags_.clear();
+  for (const Facet& facet : network_.facets()) {
+    if (lower_tags_.empty() || lower_tags_.back() != facet.tag_i) {
+      lower_tags_.push_back(facet.tag_i);
+      first_of_.push_back(upper_tags_.size());
+    }
+    upper_tags_.push_back(facet.kind == FacetKind::joint ? facet.tag_j : kGroundTag);
+  }
+  first_of_.push_back(upper_tags_.size());
 }
 
 void FixMuckpileJoint::refresh_enclosed() {
@@ -270,9 +276,14 @@ void FixMuckpileJoint::ask_for_neighbours() {
 }
 
 int FixMuckpileJoint::facet_between(int block_tag_a, int block_tag_b) const {
-  const auto key = ordered(block_tag_a, block_tag_b);
-  const auto found = std::lower_bound(facet_index_.begin(), facet_index_.end(), std::pair{key, -1});
-  return found != facet_index_.end() && found->first == key ? found->second : -1;
+  const auto [lower, upper] = std::minmax(block_tag_a, block_tag_b);
+  const auto found = std::lower_bound(lower_tags_.begin(), lower_tags_.end(), lower);
+  if (found == lower_tags_.end() || *found != lower) return -1;
+  const auto k = static_cast<std::size_t>(found - lower_tags_.begin());
+  for (std::size_t f = first_of_[k]; f < first_of_[k + 1]; ++f) {
+    if (upper_tags_[f] == upper) return static_cast<int>(f);
+  }
+  return -1;
 }
 
 bool FixMuckpileJoint::enclosed(int block_tag) const {

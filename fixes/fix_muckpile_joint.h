@@ -77,6 +77,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   void gather_state();
   void compute_bulk_stresses(double dt);
   void apply_forces();
+  void index_facets();
   void refresh_enclosed();
   void ask_for_neighbours();
   [[nodiscard]] double sum(double mine) const;
@@ -84,9 +85,11 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   FacetNetwork network_;
   FixMuckpileBlocks* store_ = nullptr;
   std::uint64_t version_ = 0;
-  std::vector<std::pair<std::pair<int, int>, int>> facet_index_;  // sorted by the two tags
-  std::vector<int> enclosed_tags_;                                // sorted
-  std::vector<std::size_t> loaded_faces_;                         // positions in network_.faces()
+  // For facet_between: lower tags in order, the first facet of each, the upper tag of every facet.
+  std::vector<int> lower_tags_, upper_tags_;
+  std::vector<std::size_t> first_of_;
+  std::vector<int> enclosed_tags_;         // sorted
+  std::vector<std::size_t> loaded_faces_;  // positions in network_.faces()
   std::vector<LoadedFacet> loaded_;
   std::vector<double> poses_;
   bool cracked_since_build_ = false;

@@ -225,7 +225,7 @@ void PairMuckpileBlock::number_blocks() {
     if (block >= 0 && enclosed[static_cast<std::size_t>(block)] != 0) block = -1;
 }
 
-// A pair whose facet is cracked stays, muted: see step_block_pair.
+// A pair whose facet is cracked stays, muted.
 void PairMuckpileBlock::drop_intact_pairs(std::vector<BlockPair>& pairs) const {
   const FacetState* states = joints_ != nullptr ? joints_->facet_states() : nullptr;
   std::erase_if(pairs, [&](BlockPair& pair) {
@@ -248,8 +248,25 @@ SphereSet PairMuckpileBlock::spheres() const {
           atom->nlocal};
 }
 
-bool PairMuckpileBlock::muted(const BlockPair& pair, const FacetState* states) {
-  return pair.facet >= 0 && states[pair.facet] < FacetState::fading;
+/// Facets that are whole or cracked carry what contact their two blocks have.
+void PairMuckpileBlock::mute_pairs() {
+  muted_.clear();
+  const FacetState* states = joints_ != nullptr ? joints_->facet_states() : nullptr;
+  const std::vector<BlockPair>& pairs = list_.block_pairs();
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if (pairs[k].facet < 0 || states[pairs[k].facet] >= FacetState::fading) continue;
+    list_.mute(k);
+    muted_.push_back({k, pairs[k].facet});
+  }
+}
+
+void PairMuckpileBlock::hear_pairs() {
+  const FacetState* states = joints_ != nullptr ? joints_->facet_states() : nullptr;
+  std::erase_if(muted_, [&](const MutedPair& muted) {
+    if (states[muted.facet] < FacetState::fading) return false;
+    list_.hear(muted.pair);
+    return true;
+  });
 }
 
 void PairMuckpileBlock::rebuild() {
@@ -257,6 +274,7 @@ void PairMuckpileBlock::rebuild() {
   number_blocks();
   list_.group(spheres(), static_cast<int>(block_tag_.size()));
   drop_intact_pairs(list_.find_block_pairs(neighbor->skin));
+  mute_pairs();
   listed_tags_.assign(atom->tag, atom->tag + atom->nlocal + atom->nghost);
   listed_owned_ = atom->nlocal;
   recall_contacts();
@@ -276,9 +294,9 @@ void PairMuckpileBlock::rebuild() {
 void PairMuckpileBlock::recall_contacts() {
   contacts_.clear();
   free_contacts_.clear();
-  const FacetState* states = joints_ != nullptr ? joints_->facet_states() : nullptr;
-  for (BlockPair& block_pair : list_.block_pairs()) {
-    if (muted(block_pair, states)) continue;
+  for (std::size_t k = 0; k < list_.block_pairs().size(); ++k) {
+    if (list_.idle(k)) continue;
+    BlockPair& block_pair = list_.block_pairs()[k];
     list_.look_up(block_pair, spheres(), free_contacts_);
     for (SpherePair& pair : near_spheres(block_pair)) {
       const bool first_is_owned = pair.first < atom->nlocal;
@@ -352,9 +370,10 @@ void PairMuckpileBlock::step_contacts() {
   const AtomArrays atoms = arrays();
   // Set-up of a run computes the forces of a state that a step has already reached.
   const double history_step = update->setupflag != 0 ? 0.0 : update->dt;
-  const FacetState* states = joints_ != nullptr ? joints_->facet_states() : nullptr;
-  for (BlockPair& pair : list_.block_pairs()) {
-    if (muted(pair, states)) continue;
+  hear_pairs();
+  for (std::size_t k = 0; k < list_.block_pairs().size(); ++k) {
+    if (list_.idle(k)) continue;
+    BlockPair& pair = list_.block_pairs()[k];
     if (list_.moved(pair)) list_.look_up(pair, spheres(), free_contacts_);
     step_block_pair(pair, atoms, history_step);
   }

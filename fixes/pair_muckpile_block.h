@@ -80,7 +80,8 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource {
     return {list_.sphere_pairs(pair), static_cast<std::size_t>(pair.count)};
   }
   /// A pair whose facet still acts itself has no sphere contact.
-  [[nodiscard]] static bool muted(const BlockPair& pair, const FacetState* states);
+  void mute_pairs();
+  void hear_pairs();
 
   [[nodiscard]] AtomArrays arrays() const;
   void step_contacts();
@@ -96,7 +97,13 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource {
   const JointView* joints_ = nullptr;
   FixMuckpileContactHistory* history_ = nullptr;  ///< owned by the engine
 
+  struct MutedPair {
+    std::size_t pair;  ///< of list_.block_pairs()
+    int facet;         ///< of joints_->facet_states()
+  };
+
   BlockContactList list_;
+  std::vector<MutedPair> muted_;
   std::vector<ContactState> contacts_;
   std::vector<int> free_contacts_;
   bool list_is_stale_ = true;    ///< atoms were exchanged since the list was built

@@ -53,6 +53,7 @@ void BlockContactList::bound_block(const SphereSet& spheres, std::size_t block) 
 
 void BlockContactList::group(const SphereSet& spheres, int blocks) {
   const auto n_blocks = static_cast<std::size_t>(blocks);
+  drift_ = 0.0;
   start_.assign(n_blocks + 1, 0);
   has_owned_.assign(n_blocks, 0);
   for (int k = 0; k < spheres.count; ++k) {
@@ -89,6 +90,7 @@ void BlockContactList::group(const SphereSet& spheres, int blocks) {
 std::vector<BlockPair>& BlockContactList::find_block_pairs(double gap) {
   block_pairs_.clear();
   sphere_pairs_.clear();
+  rest_.clear();
   for (const IndexPair& found : grid_.find_pairs(items_, gap)) {
     BlockPair pair;
     pair.first = item_block_[static_cast<std::size_t>(found.first)];
@@ -102,11 +104,21 @@ std::vector<BlockPair>& BlockContactList::find_block_pairs(double gap) {
 }
 
 void BlockContactList::follow(const double* positions, const double* spins, double time_step) {
+  Vec3 least = Vec3::Constant(std::numeric_limits<double>::infinity()), most = -least;
+  double turned = 0.0;
   for (std::size_t b = 0; b < places_.size(); ++b) {
     if (reference_[b] < 0) continue;
-    places_[b].reference = position(positions, reference_[b]);
-    places_[b].travel += kTurnSafety * time_step * arm_[b] * position(spins, reference_[b]).norm();
+    Place& place = places_[b];
+    const Vec3 now = position(positions, reference_[b]);
+    const Vec3 step = now - place.reference;
+    const double turn = kTurnSafety * time_step * arm_[b] * position(spins, reference_[b]).norm();
+    place.reference = now;
+    place.travel += turn;
+    least = least.cwiseMin(step);
+    most = most.cwiseMax(step);
+    turned = std::max(turned, turn);
   }
+  if (least.x() <= most.x()) drift_ += (most - least).norm() + 2.0 * turned;
 }
 
 void BlockContactList::look_up(BlockPair& pair, const SphereSet& spheres,
@@ -117,6 +129,7 @@ void BlockContactList::look_up(BlockPair& pair, const SphereSet& spheres,
   pair.slack = pair.offset.norm() - extent_[a] - extent_[b];
   const double margin = kMargin * std::min(extent_[a], extent_[b]);
   near_.clear();
+  pair.due = drift_;
   if (pair.slack <= margin) list_near(pair, spheres, margin, pair.slack);
   keep_contacts(pair, dropped);
 }
@@ -173,7 +186,7 @@ double BlockContactList::bytes() const {
     return static_cast<double>(list.capacity() * sizeof(list[0]));
   };
   return size(start_) + size(members_) + size(reference_) + size(arm_) + size(extent_) +
-         size(places_) + size(items_) + size(block_pairs_) + size(sphere_pairs_);
+         size(places_) + size(items_) + size(block_pairs_) + size(rest_) + size(sphere_pairs_);
 }
 
 }  // namespace muckpile

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -32,10 +33,11 @@ struct SpherePair {
 
 /// Two blocks, and the sphere pairs of theirs that are near each other since the last look_up().
 struct BlockPair {
-  int first = 0, second = 0;   ///< blocks
+  double due = 0.0;            ///< drift() before which moved() is false [m]
   int facet = -1;              ///< free for the user
   int begin = 0, count = 0;    ///< its sphere pairs
   int room = 0;                ///< sphere pairs that fit in its place
+  int first = 0, second = 0;   ///< blocks
   double slack = -1.0;         ///< no other spheres touch before that much motion [m]; < 0: unknown
   double travel = 0.0;         ///< of both blocks' turning, at the last look [m]
   Vec3 offset = Vec3::Zero();  ///< second block's reference less the first's, at the last look [m]
@@ -60,12 +62,23 @@ class BlockContactList {
 
   /// True if the blocks have moved against each other so far that spheres may be near which are
   /// not listed. Exact up to the difference between a turn and the path of its angle.
-  [[nodiscard]] bool moved(const BlockPair& pair) const {
+  [[nodiscard]] bool moved(BlockPair& pair) {
+    if (drift_ < pair.due) return false;
     const Place& a = places_[static_cast<std::size_t>(pair.first)];
     const Place& b = places_[static_cast<std::size_t>(pair.second)];
-    const double left = pair.slack - (a.travel + b.travel - pair.travel);
-    return left < 0.0 || (b.reference - a.reference - pair.offset).squaredNorm() > left * left;
+    const double left = pair.slack - (a.travel + b.travel - pair.travel) -
+                        (b.reference - a.reference - pair.offset).norm();
+    pair.due = drift_ + left;
+    if (pair.count == 0 && left > 0.0)
+      rest_until(static_cast<std::size_t>(&pair - block_pairs_.data()), pair.due);
+    return left < 0.0;
   }
+  /// True if there is nothing to do for block pair k: it has no sphere pairs and moved() is false,
+  /// or it was muted. Looks at neither pair nor blocks.
+  [[nodiscard]] bool idle(std::size_t k) const { return k < rest_.size() && drift_ < rest_[k]; }
+  /// Block pair k is idle until it is heard again.
+  void mute(std::size_t k) { rest_until(k, std::numeric_limits<double>::infinity()); }
+  void hear(std::size_t k) { rest_until(k, kAwake); }
 
   /// Lists the pair's spheres (at least one of the two owned) that are less than the margin apart:
   /// kMargin times the bounding radius of the smaller block. Spheres listed before keep their
@@ -84,6 +97,13 @@ class BlockContactList {
   static constexpr double kMargin = 0.1;
 
  private:
+  static constexpr double kAwake = -1.0;
+
+  void rest_until(std::size_t k, double drift) {
+    if (rest_.size() < block_pairs_.size()) rest_.resize(block_pairs_.size(), kAwake);
+    rest_[k] = drift;
+  }
+
   struct Member {
     double radius;  ///< [m]
     int sphere;
@@ -111,6 +131,8 @@ class BlockContactList {
   std::vector<SpherePair> near_;  ///< work space of look_up
   HierarchicalGrid grid_;
   int skipped_blocks_ = 0;
+  std::vector<double> rest_;  ///< per block pair: drift before which it is idle [m]
+  double drift_ = 0.0;        ///< no two blocks have come closer since group() than this [m]
 };
 
 }  // namespace muckpile
