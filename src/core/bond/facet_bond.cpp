@@ -13,7 +13,7 @@ namespace muckpile {
 struct FacetNetwork::Break {
   Vec3 normal, jump, traction, rate;  // [-], [m], [Pa], [m/s]
   Openings openings;
-  Mat3 turn;  // of the facet
+  Mat3 axes;  // of the facet
 };
 
 /// The part of a facet in the dilatation of its blocks.
@@ -111,7 +111,7 @@ void FacetNetwork::work_bonded(std::size_t f, const Motion& motion, Pull& pull, 
     const Vec3 traction = pull.traction.at(p);
     break_point(f, p,
                 {motion.normal, pull.jump.at(p), traction, pull.rate.at(p),
-                 openings_of(f, motion.scale), motion.turn(sides_[f])},
+                 openings_of(f, motion.scale), motion.axes()},
                 dt);
   }
   if (damping_ == 0.0 || memory_[f].ground.yields) return;  // that ground has a dashpot itself
@@ -137,7 +137,7 @@ void FacetNetwork::break_point(std::size_t f, int p, const Break& broken, double
   if (contact.shear > 0.0) spring += kept / contact.shear * shear;
 
   FacetMemory& memory = memory_[f];
-  memory.offset[static_cast<std::size_t>(p)] = broken.turn.transpose() * (broken.jump - spring);
+  memory.offset[static_cast<std::size_t>(p)] = broken.axes.transpose() * (broken.jump - spring);
   memory.broken[static_cast<std::size_t>(p)] = true;
   if (memory.state == FacetState::intact) memory.state = states_[f] = FacetState::cracked;
   newly_cracked_ = true;

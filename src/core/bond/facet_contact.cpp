@@ -29,13 +29,13 @@ double ramp_down(double x, double start, double end) {
 void FacetNetwork::add_contact(std::size_t f, const Motion& motion, Pull& pull, double dt) {
   const Contact& contact = contacts_[f];
   FacetMemory& memory = memory_[f];
-  const Mat3 turn = motion.turn(sides_[f]);
+  const Mat3 axes = motion.axes();
   const LaneMask broken = bonded_points_[f] == 0 ? is_point() : where_true(memory.broken);
   const bool fresh = memory.open;  // open until now: friction forgets where it stuck
   memory.open = false;
 
   const LaneVec offset = lanes_of(memory.offset);
-  const LaneVec spring = pull.jump - rotated(turn, offset);
+  const LaneVec spring = pull.jump - rotated(axes, offset);
   const Lanes gap = dot(pull.normal, spring);
   const LaneMask closed = broken && gap < 0.0;
   const LaneMask forgets = fresh ? broken : broken && !closed;
@@ -56,7 +56,7 @@ void FacetNetwork::add_contact(std::size_t f, const Motion& motion, Pull& pull, 
   const double booked = contact.weight * contact.point_area;
   losses_.damping += booked * dt * sum((normal - elastic) * rate);
   if (none_of(slips || forgets)) return;
-  const LaneVec sticks_at = rotated_back(turn, pull.jump - gap * pull.normal - kept * stuck);
+  const LaneVec sticks_at = rotated_back(axes, pull.jump - gap * pull.normal - kept * stuck);
   for (std::size_t p = 0; p < kFacetPoints; ++p) {
     if (slips[p] || forgets[p]) memory.offset[p] = sticks_at.at(static_cast<int>(p));
   }
@@ -133,13 +133,13 @@ void FacetNetwork::fade(std::size_t f, const Motion& motion, double matching) {
 double FacetNetwork::contact_energy(std::size_t f, const Motion& motion) const {
   const Contact& contact = contacts_[f];
   const FacetMemory& memory = memory_[f];
-  const Mat3 turn = motion.turn(sides_[f]);
+  const Mat3 axes = motion.axes();
   const LaneVec jump = motion.jump();
   double stored = 0.0;
   for (int p = 0; p < kFacetPoints; ++p) {
     const auto q = static_cast<std::size_t>(p);
     if (!memory.broken[q]) continue;
-    const Vec3 spring = jump.at(p) - turn * memory.offset[q];
+    const Vec3 spring = jump.at(p) - axes * memory.offset[q];
     const double closed = motion.normal.dot(spring);
     if (closed >= 0.0) continue;
     const Vec3 sheared = spring - closed * motion.normal;

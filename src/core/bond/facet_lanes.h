@@ -50,14 +50,18 @@ struct FacetNetwork::Motion {
   [[nodiscard]] LaneVec jump() const { return at_points(apart); }
   [[nodiscard]] LaneVec side() const { return at_points(near); }
 
-  /// From the start orientation, as the mean of the two blocks, which is how the jump between
-  /// points on both of them turns. What broken points remember turns so: turned by one block, a
-  /// facet that has slid and then tilts would do work that no spring stores.
-  [[nodiscard]] Mat3 turn(const Sides& sides) const {
+  /// The facet's own axes, which turn with the mean of the two blocks, as the jump between points
+  /// on both of them does: normal, along the first half axis, across. What broken points remember
+  /// turns so: turned by one block, a facet that has slid and then tilts would do work that no
+  /// spring stores.
+  [[nodiscard]] Mat3 axes() const {
     const Vec3 half = 2.0 * near.at(1) + apart.at(1);
-    const LaneVec start(sides.on_i);
-    return basis(normal, half - normal.dot(half) * normal) *
-           basis(start.at(3), start.at(1)).transpose();
+    const Vec3 along = half - normal.dot(half) * normal;
+    Mat3 columns;
+    columns.col(0) = normal;
+    columns.col(1) = along / std::sqrt(along.squaredNorm());
+    columns.col(2) = normal.cross(Vec3(columns.col(1)));
+    return columns;
   }
 
  private:
@@ -66,13 +70,6 @@ struct FacetNetwork::Motion {
   }
   [[nodiscard]] static LaneVec at_points(const LaneVec& v) {
     return {at_points(v.x), at_points(v.y), at_points(v.z)};
-  }
-  /// Of `first`, the direction of `second`, which is normal to it, and their cross product.
-  [[nodiscard]] static Mat3 basis(const Vec3& first, const Vec3& second) {
-    const Vec3 unit = second.normalized();
-    Mat3 columns;
-    columns << first, unit, first.cross(unit);
-    return columns;
   }
 };
 

@@ -94,7 +94,7 @@ enum class FacetState : std::uint8_t {
 /// What a facet remembers; all of it travels with the facet. What the loops read comes first.
 struct alignas(64) FacetMemory {
   std::array<Vec3, kFacetPoints> offset{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  ///< broken point: jump at zero force, in start orientation [m]
+  ///< broken point: jump at zero force, along the normal, the first half axis and across [m]
   double fade = 1.0;  ///< 1 while the faces match, falls to 0 as they slide or turn away
   std::array<bool, kFacetPoints> broken{false, false, false};
   FacetState state = FacetState::intact;
