@@ -111,6 +111,9 @@ void add_picture_commands(CLI::App& app, Options& o) {
     o.picture.colour_by = kColours.at(o.colour);
     report_picture(ResultFolder(o.folder), o.picture);
   });
+  CLI::App* energy =
+      add_command(app, "energy", "energy.png: where the energy is and went, over time", o.folder);
+  energy->callback([&o] { report_energy(ResultFolder(o.folder)); });
   CLI::App* plan = app.add_subcommand("plan", "plan.png: the holes and when they fire");
   plan->add_option("table", o.folder, "hole table (CSV), or result folder with dump/holes.csv")
       ->required();

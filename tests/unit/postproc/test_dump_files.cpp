@@ -7,9 +7,10 @@
 #include <fstream>
 #include <sstream>
 
+#include "args/csv_table.h"
 #include "args/input_error.h"
 #include "geometry/block_file.h"
-#include "args/csv_table.h"
+#include "io/energy_history.h"
 #include "io/history.h"
 #include "io/result_folder.h"
 #include "synthetic_run.h"
@@ -194,6 +195,17 @@ TEST_F(DumpFiles, HistoryGivesTheWorstBalanceAndTheFastestBlock) {
   EXPECT_DOUBLE_EQ(history.joints_broken_fraction, 0.25);  // 1000 of 4000
   EXPECT_DOUBLE_EQ(history.fastest_block, 31.5);
   EXPECT_DOUBLE_EQ(history.worst_balance_error, 0.002);
+}
+
+// Row 2 of history.csv: kinetic 5, elastic 4, contacts 3, gravity 2, blast work 1, all else 0.
+TEST_F(DumpFiles, ReadsTheEnergiesInGroups) {
+  const EnergyHistory history = read_energies(dump("history.csv"));
+  EXPECT_EQ(history.time, (std::vector<double>{0.0, 0.01, 4.5}));
+  ASSERT_EQ(history.groups.size(), 9U);  // no quiet_J in that file
+  EXPECT_EQ(history.groups[0].name, "blast work");
+  EXPECT_EQ(history.groups[0].energy, (std::vector<double>{0.0, 1.0, 1.0}));
+  EXPECT_EQ(history.groups[4].energy, (std::vector<double>{0.0, 2.0, 2.0}));
+  EXPECT_EQ(history.missing(), (std::vector<double>{0.0, -13.0, -13.0}));  // 1 - 5 - 4 - 3 - 2
 }
 
 TEST_F(DumpFiles, SummaryKeepsTheKeysOfOtherCommands) {

@@ -180,5 +180,12 @@ TEST_F(BenchReports, HeapRefusesABench) {
   EXPECT_THROW(report_heap(ResultFolder(temporary_.path()), {}, {}), InputError);
 }
 
+TEST_F(BenchReports, EnergyDrawsTheLedger) {
+  const ResultFolder folder(temporary_.path());
+  report_energy(folder);
+  EXPECT_TRUE(facts_of(folder.file("energy.png")).has_drawing);
+  EXPECT_EQ(summary()["joints"], 4000);
+}
+
 }  // namespace
 }  // namespace muckpile

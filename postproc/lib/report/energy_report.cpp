@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Sub-command energy: where the energy of the run is and where it went, over time.
+// Scope: what fix muckpile/progress wrote of fix muckpile/ledger into history.csv.
+#include <algorithm>
+#include <cmath>
+
+#include "args/input_error.h"
+#include "draw/curve_plot.h"
+#include "draw/png_file.h"
+#include "io/energy_history.h"
+#include "report/reports.h"
+
+namespace muckpile {
+namespace {
+
+constexpr int kColours = 8;  // of colour_of_curve; they begin again, dashed
+
+struct EnergyUnit {
+  double size;  // [J]
+  const char* name;
+};
+
+/// The largest unit of which the largest energy has at least one.
+EnergyUnit unit_for(double largest) {
+  for (const EnergyUnit unit :
+       {EnergyUnit{1e9, "GJ"}, EnergyUnit{1e6, "MJ"}, EnergyUnit{1e3, "kJ"}}) {
+    if (largest >= unit.size) return unit;
+  }
+  return {1.0, "J"};
+}
+
+double largest_of(const EnergyHistory& history) {
+  double largest = 0.0;
+  for (const EnergyGroup& group : history.groups) {
+    for (const double energy : group.energy) largest = std::max(largest, std::abs(energy));
+  }
+  return largest;
+}
+
+/// The wave takes milliseconds and the throw seconds, so time is logarithmic; row 0 is at time 0.
+CurvePlot plot_of(const EnergyHistory& history) {
+  const EnergyUnit unit = unit_for(largest_of(history));
+  CurvePlot plot;
+  plot.title = "Energy of the run";
+  plot.x_label = "time [s]";
+  plot.y_label = std::string("energy [") + unit.name + "]";
+  plot.x_scale = Scale::kLogarithmic;
+  const auto add = [&](const std::string& name, const std::vector<double>& energy) {
+    const int number = static_cast<int>(plot.curves.size());
+    PlotCurve curve{
+        name, number < kColours ? CurveStyle::kLine : CurveStyle::kDashed, number % kColours, {}};
+    for (size_t row = 0; row < energy.size(); ++row) {
+      if (history.time[row] > 0.0)
+        curve.points.emplace_back(history.time[row], energy[row] / unit.size);
+    }
+    plot.curves.push_back(std::move(curve));
+  };
+  for (const EnergyGroup& group : history.groups) {
+    const bool any = std::ranges::any_of(group.energy, [](double e) { return e != 0.0; });
+    if (any) add(group.name, group.energy);
+  }
+  add("missing", history.missing());
+  return plot;
+}
+
+}  // namespace
+
+void report_energy(const ResultFolder& folder) {
+  const EnergyHistory history = read_energies(folder.dump("history.csv"));
+  const auto after_start = [](double time) { return time > 0.0; };
+  if (std::ranges::count_if(history.time, after_start) < 2)
+    throw InputError(folder.dump("history.csv").string() + ": needs two rows after time 0");
+  write_png(draw_curves(plot_of(history)), folder.file("energy.png"));
+  folder.merge_into_summary(common_keys(folder));
+}
+
+}  // namespace muckpile
