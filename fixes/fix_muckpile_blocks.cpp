@@ -55,8 +55,9 @@ void FixMuckpileBlocks::add(const std::vector<BlockRecord>& records,
   facets_created_ += all / 2;
   take_back();
   records_.insert(records_.end(), records.begin(), records.end());
-  facets_.insert(facets_.end(), facets.begin(), facets.end());
-  memory_.resize(facets_.size());
+  std::vector<FacetEntry> entries;
+  for (const Facet& facet : facets) entries.emplace_back(facet, FacetMemory{});
+  add_facets(std::move(entries));
   const int first_hole = static_cast<int>(holes_.size());
   for (BoundaryFace face : faces) {
     if (face.hole >= 0) face.hole += first_hole;
@@ -82,7 +83,7 @@ void FixMuckpileBlocks::synchronise() {
   if (any == 0) return;
   take_back();
   const engine::BlockDirectory directory(tags, world);
-  drop_orphans(directory);
+  drop_orphans(tags, directory);
   migrate(tags, directory);
   index(tags, directory);
   tags_ = tags;
@@ -123,11 +124,13 @@ void FixMuckpileBlocks::drop_retired() {
 
 /// A block that left the simulation box takes its joints with it: its neighbours lose them, and
 /// nothing pulls at a block that is no longer there. fix muckpile/progress reports the loss.
-void FixMuckpileBlocks::drop_orphans(const engine::BlockDirectory& directory) {
+void FixMuckpileBlocks::drop_orphans(const std::vector<int>& tags,
+                                     const engine::BlockDirectory& directory) {
+  const std::unordered_set<int> here(tags.begin(), tags.end());
   std::vector<int> ends;
   for (const Facet& facet : facets_) {
     for (int tag : {facet.tag_i, facet.tag_j}) {
-      if (tag != kGroundTag) ends.push_back(tag);
+      if (tag != kGroundTag && here.count(tag) == 0) ends.push_back(tag);
     }
   }
   std::sort(ends.begin(), ends.end());
@@ -187,14 +190,13 @@ std::vector<std::vector<char>> FixMuckpileBlocks::pack_leaving(
   return engine::bytes_of(outgoing);
 }
 
-/// Adds what arrived, drops what no block here needs, and puts all in canonical order.
+/// Adds what arrived, drops what no block here needs, and keeps all in canonical order.
 void FixMuckpileBlocks::merge(const std::vector<int>& tags,
                               const std::vector<std::vector<char>>& arrived) {
   const std::unordered_set<int> here(tags.begin(), tags.end());
   std::unordered_map<int, BlockRecord> known;
   for (const BlockRecord& record : records_) known[record.tag] = record;
   std::vector<FacetEntry> facets;
-  for (std::size_t f = 0; f < facets_.size(); ++f) facets.emplace_back(facets_[f], memory_[f]);
   for (const auto& part : arrived) {
     for (engine::ByteReader reader(part); !reader.empty();) {
       const auto record = reader.get<BlockRecord>();
@@ -204,31 +206,58 @@ void FixMuckpileBlocks::merge(const std::vector<int>& tags,
     }
   }
   std::erase_if(faces_, [&](const BoundaryFace& face) { return here.count(face.tag) == 0; });
-  std::erase_if(facets, [&](const FacetEntry& entry) {
-    return here.count(entry.first.tag_i) == 0 && here.count(entry.first.tag_j) == 0;
-  });
   std::sort(faces_.begin(), faces_.end(), [](const BoundaryFace& a, const BoundaryFace& b) {
     return std::pair(a.tag, a.face) < std::pair(b.tag, b.face);
   });
-  std::sort(facets.begin(), facets.end(), [](const FacetEntry& a, const FacetEntry& b) {
-    return key_of(a.first) < key_of(b.first);
-  });
-  const auto twice = std::unique(facets.begin(), facets.end(), [](const auto& a, const auto& b) {
-    return key_of(a.first) == key_of(b.first);
-  });
-  facets.erase(twice, facets.end());
+  keep_facets(
+      [&](const Facet& facet) { return here.count(facet.tag_i) + here.count(facet.tag_j) > 0; });
+  add_facets(std::move(facets));
 
   records_.clear();
   for (int tag : tags) {
     const auto found = known.find(tag);  // absent for a body that create_blocks did not make
     records_.push_back(found == known.end() ? BlockRecord{.tag = tag} : found->second);
   }
-  facets_.clear();
-  memory_.clear();
-  for (const auto& [facet, memory] : facets) {
-    facets_.push_back(facet);
-    memory_.push_back(memory);
+}
+
+void FixMuckpileBlocks::keep_facets(const std::function<bool(const Facet&)>& needed) {
+  std::size_t kept = 0;
+  for (std::size_t f = 0; f < facets_.size(); ++f) {
+    if (!needed(facets_[f])) continue;
+    if (kept != f) {
+      facets_[kept] = facets_[f];
+      memory_[kept] = memory_[f];
+    }
+    ++kept;
   }
+  facets_.resize(kept);
+  memory_.resize(kept);
+}
+
+/// Puts facets in their places among those that are here; one that is here already stays as it is.
+void FixMuckpileBlocks::add_facets(std::vector<FacetEntry> added) {
+  if (added.empty()) return;
+  std::sort(added.begin(), added.end(), [](const FacetEntry& a, const FacetEntry& b) {
+    return key_of(a.first) < key_of(b.first);
+  });
+  std::vector<Facet> facets;
+  std::vector<FacetMemory> memory;
+  facets.reserve(facets_.size() + added.size());
+  memory.reserve(facets_.size() + added.size());
+  const auto append = [&](const Facet& facet, const FacetMemory& its) {
+    if (!facets.empty() && key_of(facets.back()) == key_of(facet)) return;
+    facets.push_back(facet);
+    memory.push_back(its);
+  };
+  auto next = added.begin();
+  for (std::size_t f = 0; f < facets_.size(); ++f) {
+    for (; next != added.end() && key_of(next->first) < key_of(facets_[f]); ++next)
+      append(next->first, next->second);
+    append(facets_[f], memory_[f]);
+  }
+  for (; next != added.end(); ++next) append(next->first, next->second);
+  facets_ = std::move(facets);
+  memory_ = std::move(memory);
 }
 
 void FixMuckpileBlocks::index(const std::vector<int>& tags,

@@ -8,6 +8,7 @@
 #include <fix.h>
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "bond/facet_network.h"
@@ -79,11 +80,13 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   [[nodiscard]] std::vector<int> body_tags();
   void take_back();
   void drop_retired();
-  void drop_orphans(const engine::BlockDirectory& directory);
+  void drop_orphans(const std::vector<int>& tags, const engine::BlockDirectory& directory);
   void retire_into_record(const Facet& facet, int end);
   void migrate(const std::vector<int>& tags, const engine::BlockDirectory& directory);
   [[nodiscard]] std::vector<std::vector<char>> pack_leaving(
       const std::vector<int>& tags, const engine::BlockDirectory& directory);
+  void keep_facets(const std::function<bool(const Facet&)>& needed);
+  void add_facets(std::vector<FacetEntry> added);
   void merge(const std::vector<int>& tags, const std::vector<std::vector<char>>& arrived);
   void index(const std::vector<int>& tags, const engine::BlockDirectory& directory);
 
