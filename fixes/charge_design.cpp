@@ -27,6 +27,7 @@ void ChargeDesignCommand::command(int narg, char** arg) {
   set_variable("charge_vod", design.detonation_velocity);
   set_variable("charge_energy", design.energy);
   if (design.crushed_radius) set_variable("crushed_radius", *design.crushed_radius);
+  if (design.harries_strain) set_variable("harries_strain", *design.harries_strain);
   if (!design.pattern) return;
   set_variable("pattern_holes", static_cast<double>(design.pattern->holes()));
   set_variable("pattern_last_firing", design.pattern->last_firing_time());

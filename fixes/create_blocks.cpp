@@ -20,6 +20,7 @@
 #include <cstdio>
 #include <cstring>
 #include <functional>
+#include <sstream>
 
 #include "args/numbers.h"
 #include "engine/bodies.h"
@@ -43,7 +44,12 @@ const ArgTable& table() {
                  "alpha` (hole "
                  "radius [m], wall strain, breaking strain, absorption per hole radius), `power c "
                  "p` (size = "
-                 "c r^p), `table FILE` (two columns, m) or `uniform s` [m]; required")
+                 "c r^p), `table FILE` (two columns, m), `uniform s` [m], `target kuz_ram x50 n` "
+                 "or `target "
+                 "swebrec x50 xmax b` (fitted to that size curve, m); required")
+          .flag("superpose", false,
+                "with `size harries`: the cracks of all charges add up, not those of the nearest "
+                "alone")
           .real("block_min", "m", Range::positive(), std::nullopt, "smallest block size")
           .real("block_max", "m", Range::positive(), std::nullopt, "largest block size")
           .group("hole", 7, 7, true,
@@ -275,8 +281,29 @@ SizeLaw CreateBlocks::size_law(const ArgValues& args) const {
     need(1);
     return SizeLaw::uniform(number(1, "m"));
   }
-  throw InputError(std::string(kStyle) + ": size must be harries, power, table or uniform, got '" +
-                   words[0] + "'");
+  if (words[0] == "target") {
+    (void)size_target(args);
+    return SizeLaw::table({{0.0, limits.smallest}}, limits);  // until the rock is cut
+  }
+  throw InputError(std::string(kStyle) +
+                   ": size must be harries, power, table, uniform or target, got '" + words[0] +
+                   "'");
+}
+
+std::optional<SizeTarget> CreateBlocks::size_target(const ArgValues& args) const {
+  const std::vector<std::string>& words = args.groups("size").front();
+  if (words[0] != "target") return std::nullopt;
+  const auto number = [&](std::size_t k, const char* unit) {
+    return parse_real(kStyle, "size target " + words[1], words[k], unit, Range::positive());
+  };
+  if (words[1] == "kuz_ram" && words.size() == 4) {
+    return SizeTarget::kuz_ram(number(2, "m"), number(3, ""));
+  }
+  if (words[1] == "swebrec" && words.size() == 5) {
+    return SizeTarget::swebrec(number(2, "m"), number(3, "m"), number(4, ""));
+  }
+  throw InputError(std::string(kStyle) +
+                   ": size target must be followed by 'kuz_ram x50 n' or 'swebrec x50 xmax b'");
 }
 
 std::size_t CreateBlocks::most_blocks(const ArgValues& args) const {
@@ -303,6 +330,10 @@ TessellationOptions CreateBlocks::options(LAMMPS_NS::Region& rock, const ArgValu
   }
   what.holes = holes(args);
   what.size = size_law(args);
+  what.superpose = args.flag("superpose");
+  if (what.superpose && args.groups("size").front()[0] != "harries") {
+    throw InputError(std::string(kStyle) + ": superpose yes needs size harries");
+  }
   what.seed = static_cast<unsigned long>(args.integer("seed"));
   what.sweeps = static_cast<int>(args.integer("sweeps"));
   what.max_blocks = most_blocks(args);
@@ -340,7 +371,14 @@ SupportRule CreateBlocks::support(const ArgValues& args) const {
 CreateBlocks::Model CreateBlocks::cut(const TessellationOptions& what,
                                       const ArgValues& args) const {
   Model model;
-  model.rock = tessellate(what);
+  if (const auto target = size_target(args)) {
+    FittedCut fitted =
+        tessellate_to_target(what, *target, {args.real("block_min"), args.real("block_max")});
+    model.rock = std::move(fitted.cut);
+    model.sizes = std::move(fitted.comparison);
+  } else {
+    model.rock = tessellate(what);
+  }
   if (model.rock.blocks.empty())
     throw InputError("the region holds no block; block sizes are too large for it");
   const auto spheres = static_cast<int>(args.integer("spheres_per_block"));
@@ -502,6 +540,24 @@ void CreateBlocks::report(const Model& model, double seconds) const {
                 quantile(ratios, 0.1), quantile(ratios, 0.9), volume,
                 model.rock.statistics.void_volume, model.largest_overlap, seconds);
   engine::print_once(*lmp, text.data());
+  if (model.sizes) report_target(*model.sizes);
+}
+
+void CreateBlocks::report_target(const SizeComparison& sizes) const {
+  std::ostringstream text;
+  text.precision(4);
+  text << "  size curve by mass, target and achieved [m]:";
+  for (const SizeComparison::Point& point : sizes.points) {
+    text << "\n    P" << std::lround(100.0 * point.share) << ' ' << point.target << ' '
+         << point.achieved;
+  }
+  text << "\n  greatest difference between block_min and block_max: "
+       << 100.0 * sizes.greatest_difference << " % of the mass";
+  text << (sizes.good() ? "\n"
+                        : "; the target is missed (allowed: 3 %, and 5 % for P20, P50, P80): its "
+                          "fine or coarse end lies outside block_min and block_max, or the rock "
+                          "is too small for its largest blocks\n");
+  engine::print_once(*lmp, text.str());
 }
 
 }  // namespace muckpile

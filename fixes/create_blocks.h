@@ -7,12 +7,13 @@
 
 #include <pointers.h>
 
+#include <optional>
 #include <vector>
 
 #include "bond/facet_builder.h"
 #include "bond/rigid_body.h"
 #include "engine/style_args.h"
-#include "geometry/tessellation.h"
+#include "geometry/size_target.h"
 
 namespace LAMMPS_NS {
 class FixMultisphere;
@@ -34,6 +35,7 @@ class CreateBlocks : protected LAMMPS_NS::Pointers {
     std::vector<RigidBody> bodies;
     FacetSet facets;
     double largest_overlap = 0.0;
+    std::optional<SizeComparison> sizes{};  // with size target
   };
 
   void check_engine() const;
@@ -43,6 +45,7 @@ class CreateBlocks : protected LAMMPS_NS::Pointers {
   [[nodiscard]] LAMMPS_NS::Region& region(const std::string& id) const;
   [[nodiscard]] TessellationOptions options(LAMMPS_NS::Region& rock, const ArgValues& args) const;
   [[nodiscard]] SizeLaw size_law(const ArgValues& args) const;
+  [[nodiscard]] std::optional<SizeTarget> size_target(const ArgValues& args) const;
   [[nodiscard]] std::vector<Hole> holes(const ArgValues& args) const;
   [[nodiscard]] SupportRule support(const ArgValues& args) const;
   [[nodiscard]] std::size_t most_blocks(const ArgValues& args) const;
@@ -52,6 +55,7 @@ class CreateBlocks : protected LAMMPS_NS::Pointers {
               int blocks);
   void create_body(const RigidBody& body, int tag, int first_atom_tag, const ArgValues& args);
   void report(const Model& model, double seconds) const;
+  void report_target(const SizeComparison& sizes) const;
   FixMuckpileBlocks& store();
 
   LAMMPS_NS::FixMultisphere* multisphere_ = nullptr;

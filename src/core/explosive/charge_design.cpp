@@ -10,6 +10,7 @@
 #include "explosive/attenuation.h"
 #include "explosive/charge_options.h"
 #include "explosive/crushed_zone.h"
+#include "geometry/size_law.h"
 
 namespace muckpile {
 namespace {
@@ -95,6 +96,28 @@ void describe_zones(std::ostream& text, const CrushedZoneInput& in, const Rock& 
   }
 }
 
+/// Harries' crack counting from the wave on the crushed zone: K = P1/(2 G), the hoop strain of the
+/// wall of an elastic cylinder under P1.
+void add_harries(std::ostream& text, ChargeDesign& design, const CrushedZoneInput& in,
+                 double breaking_strain) {
+  const double radius = *design.crushed_radius;
+  const double shear_modulus = 0.5 * in.youngs_modulus / (1.0 + in.poisson_ratio);
+  const double peak = attenuated_pressure(in.borehole_pressure, in.hole_radius, radius,
+                                          crushed_zone_exponent(in.poisson_ratio));
+  const HarriesParameters harries{.hole_radius = radius,
+                                  .wall_strain = 0.5 * peak / shear_modulus,
+                                  .breaking_strain = breaking_strain,
+                                  .absorption = 0.0};
+  design.harries_strain = harries.wall_strain;
+  text << "  Harries: strain " << harries.wall_strain << " on r1, cracks and their spacing [m]:";
+  for (const double multiple : {1.0, 2.0, 4.0, 8.0, 16.0}) {
+    const double r = multiple * radius;
+    text << " at " << r << " m " << harries_cracks(harries, r) << ", "
+         << harries_spacing(harries, r) << ';';
+  }
+  text << " the last ends at " << harries_reach(harries) << " m\n";
+}
+
 }  // namespace
 
 ArgTable charge_design_table() {
@@ -109,6 +132,8 @@ ArgTable charge_design_table() {
       .real("crushed_ratio", "", Range::closed(1.0, 20.0), 3.0,
             "radius over hole radius, for `multiple`")
       .real("strain_rate", "1/s", Range::closed(1e2, 1e4), 1e3, "in the crushed zone, for `dai`");
+  table.real("breaking_strain", "", Range::positive(), 3e-4,
+             "dynamic tensile strain at which rock cracks, for Harries' counting (2e-4 to 6e-4)");
   table.word("hole_table", {}, "none", "CSV file of a pattern");
   add_optional(table, "rock_density", "[kg/m3], > 0; needed by `dai`");
   add_optional(table, "youngs_modulus", "of the rock [Pa], > 0; needed by `esen` and `dai`");
@@ -146,6 +171,9 @@ ChargeDesign charge_design(const ArgValues& values, const std::string& where) {
       text << "  borehole pressure P0 = " << in.borehole_pressure / kMPa
            << " MPa; by formula: " << alternative_pressures(charge, explosive) << '\n';
       describe_zones(text, in, rock, charge, model);
+      if (in.youngs_modulus > 0.0) {
+        add_harries(text, design, in, values.real("breaking_strain"));
+      }
     } catch (const InputError& error) {
       throw InputError(where + ": " + error.what());
     }

@@ -17,6 +17,7 @@ struct ChargeDesign {
   double detonation_velocity = 0.0;        ///< [m/s]
   double energy = 0.0;                     ///< per mass, 0 if not known [J/kg]
   std::optional<double> crushed_radius{};  ///< with a hole_diameter [m]
+  std::optional<double> harries_strain{};  ///< on the crushed zone, with the rock's stiffness
   std::optional<HoleTable> pattern{};      ///< with a hole_table
   std::string report{};                    ///< the choice with the alternatives beside it
 };

@@ -31,10 +31,21 @@ double Ground::charge_distance(const Vec3& point) const {
   return nearest;
 }
 
-double Ground::size(const Vec3& point) const { return options_.size.at(charge_distance(point)); }
+double Ground::size_nearer(const Vec3& point, double nearer) const {
+  if (!options_.superpose || options_.holes.empty()) {
+    return options_.size.at(std::max(0.0, charge_distance(point) - nearer));
+  }
+  std::vector<double> distances;
+  for (const Hole& hole : options_.holes) {
+    distances.push_back(std::max(0.0, distance_to_axis(hole, point) - nearer));
+  }
+  return options_.size.superposed(distances);
+}
+
+double Ground::size(const Vec3& point) const { return size_nearer(point, 0.0); }
 
 double Ground::smallest_size_near(const Vec3& point, double reach) const {
-  return options_.size.at(std::max(0.0, charge_distance(point) - reach));
+  return size_nearer(point, reach);
 }
 
 Vec3 Ground::log_size_gradient(const Vec3& point) const {

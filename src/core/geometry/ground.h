@@ -25,6 +25,9 @@ class Ground {
   [[nodiscard]] Vec3 log_size_gradient(const Vec3& point) const;
 
  private:
+  // The law at the distances of a point, each less `nearer` [m].
+  [[nodiscard]] double size_nearer(const Vec3& point, double nearer) const;
+
   const TessellationOptions& options_;
 };
 

@@ -40,10 +40,7 @@ void require_valid(const SizeLimits& limits) {
 }
 
 double raw_size(const HarriesParameters& p, double distance) {
-  if (distance <= 0.0) return 0.0;
-  const double ratio = distance / p.hole_radius;
-  const double cracks = p.wall_strain / p.breaking_strain / ratio * std::exp(-p.absorption * ratio);
-  return 2.0 * std::numbers::pi * distance / cracks;  // no crack at all: infinity, clipped
+  return distance <= 0.0 ? 0.0 : harries_spacing(p, distance);
 }
 
 double raw_size(const PowerParameters& p, double distance) {
@@ -91,6 +88,24 @@ void append_pair(SizeTable& points, double distance, double size, const std::str
 
 }  // namespace
 
+double harries_cracks(const HarriesParameters& p, double distance) {
+  const double ratio = distance / p.hole_radius;
+  return p.wall_strain / p.breaking_strain / ratio * std::exp(-p.absorption * ratio);
+}
+
+double harries_spacing(const HarriesParameters& p, double distance) {
+  return 2.0 * std::numbers::pi * distance / harries_cracks(p, distance);
+}
+
+double harries_reach(const HarriesParameters& p) {
+  double low = 0.0, high = p.hole_radius * p.wall_strain / p.breaking_strain;  // exact at alpha = 0
+  for (int halving = 0; halving < 100; ++halving) {  // the count falls with distance
+    const double middle = 0.5 * (low + high);
+    (harries_cracks(p, middle) > 1.0 ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
 SizeLaw::SizeLaw(Kind kind, const SizeLimits& limits) : kind_(std::move(kind)), limits_(limits) {
   require_valid(limits_);
 }
@@ -128,9 +143,18 @@ SizeLaw SizeLaw::table(const SizeTable& points, const SizeLimits& limits) {
   return {points, limits};
 }
 
+double SizeLaw::raw(double distance) const {
+  return std::visit([&](const auto& p) { return raw_size(p, distance); }, kind_);
+}
+
 double SizeLaw::at(double distance) const {
-  const double raw = std::visit([&](const auto& p) { return raw_size(p, distance); }, kind_);
-  return std::clamp(raw, limits_.smallest, limits_.largest);
+  return std::clamp(raw(distance), limits_.smallest, limits_.largest);
+}
+
+double SizeLaw::superposed(std::span<const double> distances) const {
+  double per_length = 0.0;
+  for (const double distance : distances) per_length += 1.0 / raw(distance);
+  return std::clamp(1.0 / per_length, limits_.smallest, limits_.largest);
 }
 
 SizeTable read_size_table(std::istream& in, const std::string& name) {

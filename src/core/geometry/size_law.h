@@ -4,6 +4,7 @@
 #pragma once
 
 #include <istream>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -27,6 +28,13 @@ struct HarriesParameters {
   double absorption = 0.0;       // alpha, per hole radius [-]
 };
 
+/// Radial cracks that pass a distance [m] > 0 from the axis, and their spacing there [m]; infinite
+/// where there is none.
+[[nodiscard]] double harries_cracks(const HarriesParameters& parameters, double distance);
+[[nodiscard]] double harries_spacing(const HarriesParameters& parameters, double distance);
+/// Distance of the last crack's end, where the count falls to 1 [m].
+[[nodiscard]] double harries_reach(const HarriesParameters& parameters);
+
 // size = coefficient * distance^exponent.
 struct PowerParameters {
   double coefficient = 0.0;  // [m^(1-exponent)]
@@ -48,11 +56,17 @@ class SizeLaw {
   // Block size [m] at a distance [m] >= 0 from the nearest charge axis (infinity is allowed).
   [[nodiscard]] double at(double distance) const;
 
+  // The same among several charges whose cracks cross: cracks per length, 1/size, add up before the
+  // limits are applied. Distances [m] >= 0 from each axis, one at least.
+  [[nodiscard]] double superposed(std::span<const double> distances) const;
+
   [[nodiscard]] const SizeLimits& limits() const { return limits_; }
 
  private:
   using Kind = std::variant<HarriesParameters, PowerParameters, SizeTable>;
   SizeLaw(Kind kind, const SizeLimits& limits);
+
+  [[nodiscard]] double raw(double distance) const;  // without the limits
 
   Kind kind_;
   SizeLimits limits_;

@@ -30,6 +30,7 @@ struct TessellationOptions {
   // Further axes (both ends) that the size law counts from; no rock is removed there.
   std::vector<std::pair<Vec3, Vec3>> fine_axes;
   SizeLaw size = SizeLaw::uniform(1.0);
+  bool superpose = false;  // sizes from all holes (SizeLaw::superposed), not from the nearest
   unsigned long seed = 1;
   int sweeps = 20;  // size-weighted Lloyd sweeps
   std::size_t max_blocks = 1000000;

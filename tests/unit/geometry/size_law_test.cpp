@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "args/input_error.h"
+#include "geometry/ground.h"
 
 namespace muckpile {
 namespace {
@@ -130,6 +131,48 @@ TEST(SizeTableReader, NamesFileAndLineOfAFault) {
   EXPECT_EQ(table_message("# nothing\n"), "size table 'sizes.txt': no pairs found");
   EXPECT_EQ(message_of([] { (void)read_size_table_file("no_such_file.txt"); }),
             "size table 'no_such_file.txt': cannot be opened");
+}
+
+// Strain 227 MPa / (2 x 24 GPa) = 4.729e-3 on r1 = 0.135 m, breaking strain 3e-4, no absorption.
+constexpr HarriesParameters kRing{
+    .hole_radius = 0.135, .wall_strain = 4.729e-3, .breaking_strain = 3e-4, .absorption = 0.0};
+
+TEST(Harries, CountsRadialCracksAndTheirSpacing) {
+  EXPECT_NEAR(harries_cracks(kRing, 0.135), 15.763, 1e-3);  // 4.729e-3/3e-4
+  EXPECT_NEAR(harries_cracks(kRing, 0.5), 4.256, 1e-3);     // 15.763 x 0.27
+  EXPECT_NEAR(harries_spacing(kRing, 0.5), 0.7381, 1e-3);   // 2 pi 0.5/4.256
+  EXPECT_NEAR(harries_spacing(kRing, 1.0) / harries_spacing(kRing, 0.5), 4.0, 1e-12);  // r^2
+  EXPECT_NEAR(harries_reach(kRing), 2.128, 1e-3);  // 0.135 x 15.763
+}
+
+TEST(Harries, AbsorptionEndsTheCracksEarlier) {
+  HarriesParameters damped = kRing;
+  damped.absorption = 0.05;
+  const double reach = harries_reach(damped);
+  EXPECT_LT(reach, harries_reach(kRing));
+  EXPECT_NEAR(harries_cracks(damped, reach), 1.0, 1e-9);
+}
+
+TEST(Harries, CracksOfTwoChargesAddUpAndTheLimitsHold) {
+  const SizeLaw law = SizeLaw::harries(kRing, {.smallest = 0.1, .largest = 10.0});
+  const std::vector<double> apart{1.0, 1.0}, far{1.0, 1e6}, near{0.135, 0.135};
+  EXPECT_NEAR(law.superposed(apart), 0.5 * law.at(1.0), 1e-12);
+  EXPECT_NEAR(law.superposed(far), law.at(1.0), 1e-9);
+  EXPECT_EQ(law.superposed(near), 0.1);
+}
+
+TEST(Harries, SuperposedRockIsFinerBetweenTwoHoles) {
+  TessellationOptions options;
+  options.lo = {-1.5, -0.5, 0.0};
+  options.hi = {1.5, 0.5, 0.5};
+  options.holes = {{{-1.0, 0, 0.1}, {-1.0, 0, 0.4}, 0.135}, {{1.0, 0, 0.1}, {1.0, 0, 0.4}, 0.135}};
+  options.size = SizeLaw::harries(kRing, {.smallest = 0.15, .largest = 5.0});
+  const double alone = expected_block_count(options, 1e9);
+  const Vec3 between(0.0, 0.0, 0.25);
+  EXPECT_NEAR(Ground(options).size(between), 2.9525, 1e-3);  // 2 pi/(15.763 x 0.135)
+  options.superpose = true;
+  EXPECT_NEAR(Ground(options).size(between), 0.5 * 2.9525, 1e-3);
+  EXPECT_GT(expected_block_count(options, 1e9), alone);
 }
 
 }  // namespace
