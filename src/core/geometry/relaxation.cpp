@@ -21,9 +21,12 @@ constexpr double kFirstReach =
 }  // namespace
 
 Relaxation::Relaxation(const TessellationOptions& options)
+    : Relaxation(options, scatter_seeds(options, Ground(options))) {}
+
+Relaxation::Relaxation(const TessellationOptions& options, std::vector<Vec3> seeds)
     : options_(options),
       ground_(options),
-      seeds_(scatter_seeds(options, ground_)),
+      seeds_(std::move(seeds)),
       mirrored_holes_(options.holes) {
   for (const Hole& hole : options.holes) {
     cylinder_volumes_.push_back(

@@ -16,6 +16,8 @@ class Relaxation {
  public:
   // Scatters the seeds. The options must be valid and outlive this object.
   explicit Relaxation(const TessellationOptions& options);
+  // With these seeds.
+  Relaxation(const TessellationOptions& options, std::vector<Vec3> seeds);
 
   void sweep();                                          // moves each seed to its cell's centroid
   [[nodiscard]] std::vector<Block> make_blocks() const;  // the cells of the present seeds

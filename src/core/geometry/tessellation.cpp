@@ -14,6 +14,7 @@
 #include "geometry/conformity.h"
 #include "geometry/ground.h"
 #include "geometry/hole_surface.h"
+#include "geometry/plane_parts.h"
 #include "geometry/relaxation.h"
 #include "geometry/seeding.h"
 
@@ -62,6 +63,10 @@ void check(const TessellationOptions& options) {
   if (static_cast<bool>(options.region.inside) !=
       static_cast<bool>(options.region.surface_points)) {
     fail("a region needs both inside and surface_points");
+  }
+  for (const CutPlane& plane : options.planes) {
+    if (!(plane.normal.allFinite() && plane.normal.norm() > 0.0 && plane.point.allFinite()))
+      fail("a plane of the cut needs a point and a normal");
   }
   for (std::size_t h = 0; h < options.holes.size(); ++h) check_hole(options, h);
 }
@@ -116,6 +121,22 @@ void add_volume_statistics(const TessellationOptions& options, const std::vector
   statistics.median_size_ratio = median(std::move(ratios));
 }
 
+/// Adds the blocks of these seeds.
+void relax(Relaxation relaxation, int sweeps, Tessellation& result) {
+  if (relaxation.seeds() == 0) return;
+  for (int k = 0; k < sweeps; ++k) relaxation.sweep();
+  std::vector<Block> blocks = relaxation.make_blocks();
+  result.statistics.faces_collapsed += collapse_one_sided_faces(blocks);
+  std::vector<double>& volumes = result.statistics.cylinder_volume;
+  volumes.resize(relaxation.cylinder_volumes().size(), 0.0);
+  for (std::size_t h = 0; h < volumes.size(); ++h) volumes[h] += relaxation.cylinder_volumes()[h];
+  const int first = static_cast<int>(result.blocks.size());
+  for (Block& block : blocks) {
+    for (int& other : block.neighbour) other += other >= 0 ? first : 0;
+    result.blocks.push_back(std::move(block));
+  }
+}
+
 }  // namespace
 
 double expected_block_count(const TessellationOptions& options, double give_up) {
@@ -127,12 +148,16 @@ Tessellation tessellate(const TessellationOptions& options) {
   check(options);
   Tessellation result;
   result.statistics.expected_blocks = checked_block_count(options);
-  Relaxation relaxation(options);
-  if (relaxation.seeds() == 0) fail("no seed fell into the rock");
-  for (int k = 0; k < options.sweeps; ++k) relaxation.sweep();
-  result.blocks = relaxation.make_blocks();
-  result.statistics.faces_collapsed = collapse_one_sided_faces(result.blocks);
-  result.statistics.cylinder_volume = relaxation.cylinder_volumes();
+  if (options.planes.empty()) {
+    relax(Relaxation(options), options.sweeps, result);
+  } else {
+    for (const RockPart& part : parts_of(options)) {
+      const TessellationOptions alone = options_of(options, part.sides);
+      relax(Relaxation(alone, part.seeds), options.sweeps, result);
+    }
+    join_in_planes(options.planes, result.blocks);
+  }
+  if (result.blocks.empty()) fail("no seed fell into the rock");
   add_volume_statistics(options, result.blocks, result.statistics);
   add_face_statistics(options, result.blocks, result.statistics);
   return result;

@@ -23,6 +23,12 @@ struct RegionQuery {
   std::function<std::vector<Vec3>(const Vec3& point, double cutoff)> surface_points;
 };
 
+// Plane that the cut follows: blocks end on both sides of it.
+struct CutPlane {
+  Vec3 point = Vec3::Zero();    // [m]
+  Vec3 normal = Vec3::UnitZ();  // of any length but 0
+};
+
 struct TessellationOptions {
   Vec3 lo = Vec3::Zero();  // box corners [m]
   Vec3 hi = Vec3::Zero();
@@ -35,6 +41,9 @@ struct TessellationOptions {
   int sweeps = 20;  // size-weighted Lloyd sweeps
   std::size_t max_blocks = 1000000;
   RegionQuery region;
+  // Each goes through all of the rock. Parts between planes that are much smaller than a block may
+  // be lost. A crushed zone that crosses a plane is carved on each side for itself.
+  std::vector<CutPlane> planes;
 };
 
 struct TessellationStatistics {
@@ -58,9 +67,10 @@ struct Tessellation {
 // Expected number of blocks [-]; cheap, nothing is allocated. Stops counting above `give_up`.
 [[nodiscard]] double expected_block_count(const TessellationOptions& options, double give_up);
 
-// The same options give the same blocks. Faces between two blocks agree to rounding.
-// Throws InputError: empty box, hole axis outside the box, blocks at a hole larger than its
-// diameter, half a region query, or more blocks expected than max_blocks.
+// The same options give the same blocks. Faces between two blocks agree to rounding; in a plane of
+// the cut a block has one face for each block behind it.
+// Throws InputError: empty box, plane without normal, hole axis outside the box, blocks at a hole
+// larger than its diameter, half a region query, or more blocks expected than max_blocks.
 [[nodiscard]] Tessellation tessellate(const TessellationOptions& options);
 
 }  // namespace muckpile
