@@ -67,6 +67,11 @@ const ArgTable& table() {
                  "`fixed REGION` or `mirror REGION`: how boundary faces with their centroid in "
                  "that region "
                  "are held; all others are free faces")
+          .group(
+              "joint_plane", 6, 7, true,
+              "natural joint: x y z of a point [m], dip and dip direction [degrees; y is north, x "
+              "is east], number of the `joint_class` of fix muckpile/joint (0: none), and "
+              "optionally a radius about the point [m] beyond which its facets are like all others")
           .integer("spheres_per_block", "", Range::closed(1, 64), 8,
                    "contact spheres in each block")
           .real("sphere_growth", "", Range::closed(1.0, 1.5), 1.0,
@@ -146,6 +151,7 @@ void CreateBlocks::command(int narg, char** arg) {
   on_rank_0(*lmp, [&] {
     model = cut(what, args);
     model.facets = build_facets(model.rock.blocks, first_tag_, held);
+    assign_joint_classes(joint_planes(args), model.rock.blocks, first_tag_, model.facets.facets);
     if (args.word("file") != "none")
       write_blocks(args.word("file"), model.rock.blocks, first_tag_, args.real("density"));
   });
@@ -250,6 +256,25 @@ std::vector<Hole> CreateBlocks::holes(const ArgValues& args) const {
   return found;
 }
 
+std::vector<JointPlane> CreateBlocks::joint_planes(const ArgValues& args) const {
+  std::vector<JointPlane> planes;
+  for (const auto& words : args.groups("joint_plane")) {
+    const auto number = [&](std::size_t k, const char* unit, const Range& range) {
+      return parse_real(kStyle, "joint_plane", words[k], unit, range);
+    };
+    const auto metres = [&](std::size_t k) { return number(k, "m", Range::any()); };
+    JointPlane plane;
+    plane.point = {metres(0), metres(1), metres(2)};
+    plane.normal = normal_of_dip(number(3, "deg", Range::closed(0.0, 90.0)) * M_PI / 180.0,
+                                 number(4, "deg", Range::closed(0.0, 360.0)) * M_PI / 180.0);
+    plane.joint_class = static_cast<std::uint8_t>(
+        parse_integer(kStyle, "joint_plane", words[5], "", Range::closed(0, 255)));
+    if (words.size() > 6) plane.radius = number(6, "m", Range::positive());
+    planes.push_back(plane);
+  }
+  return planes;
+}
+
 SizeLaw CreateBlocks::size_law(const ArgValues& args) const {
   if (!args.given("size")) throw InputError("create_blocks: keyword 'size' is required");
   const std::vector<std::string>& words = args.groups("size").front();
@@ -334,6 +359,8 @@ TessellationOptions CreateBlocks::options(LAMMPS_NS::Region& rock, const ArgValu
   if (what.superpose && args.groups("size").front()[0] != "harries") {
     throw InputError(std::string(kStyle) + ": superpose yes needs size harries");
   }
+  for (const JointPlane& plane : joint_planes(args))
+    what.planes.push_back({plane.point, plane.normal});
   what.seed = static_cast<unsigned long>(args.integer("seed"));
   what.sweeps = static_cast<int>(args.integer("sweeps"));
   what.max_blocks = most_blocks(args);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bond/facet_builder.h"
+#include "bond/joint_plane.h"
 #include "bond/rigid_body.h"
 #include "engine/style_args.h"
 #include "geometry/size_target.h"
@@ -47,6 +48,7 @@ class CreateBlocks : protected LAMMPS_NS::Pointers {
   [[nodiscard]] SizeLaw size_law(const ArgValues& args) const;
   [[nodiscard]] std::optional<SizeTarget> size_target(const ArgValues& args) const;
   [[nodiscard]] std::vector<Hole> holes(const ArgValues& args) const;
+  [[nodiscard]] std::vector<JointPlane> joint_planes(const ArgValues& args) const;
   [[nodiscard]] SupportRule support(const ArgValues& args) const;
   [[nodiscard]] std::size_t most_blocks(const ArgValues& args) const;
   [[nodiscard]] Model cut(const TessellationOptions& what, const ArgValues& args) const;

@@ -60,13 +60,38 @@ const ArgTable& table() {
                 "of intact joints, share of density x P-wave speed per area")
           .real("contact_damping", "", Range::non_negative(), 0.05,
                 "of closed broken facets, share of density x P-wave speed per area")
+          .group("joint_class", 6, 6, true,
+                 "natural joints of the planes that create_blocks gives this class: cohesion [Pa], "
+                 "friction angle [deg], tension [Pa], residual friction angle [deg], normal and "
+                 "shear stiffness [Pa/m; 0: rigid]; the first one is class 1, the next class 2")
           .integer(
               "open_sleep", "steps", Range::closed(0, 1000), 20,
               "longest time that a broken, open facet is left alone while its gap lasts; 0: never");
   return args;
 }
 
-JointMaterial material(LAMMPS_NS::LAMMPS& lmp, const std::string& where, int narg, char** arg) {
+double rigid_if_0(double stiffness) { return stiffness > 0.0 ? stiffness : kInfinity; }
+
+std::vector<JointClass> joint_classes(const ArgValues& args, const std::string& where) {
+  std::vector<JointClass> classes;
+  for (const auto& words : args.groups("joint_class")) {
+    const auto number = [&](std::size_t k, const char* unit, const Range& range) {
+      return parse_real(where, "joint_class", words[k], unit, range);
+    };
+    const Range size = Range::non_negative(), angle = Range::right_open(0.0, 90.0);
+    JointClass joint;
+    joint.cohesion = number(0, "Pa", size);
+    joint.friction_angle = number(1, "deg", angle) * kDegree;
+    joint.tension = number(2, "Pa", size);
+    joint.residual_friction_angle = number(3, "deg", angle) * kDegree;
+    joint.normal_stiffness = rigid_if_0(number(4, "Pa/m", size));
+    joint.shear_stiffness = rigid_if_0(number(5, "Pa/m", size));
+    classes.push_back(joint);
+  }
+  return classes;
+}
+
+FacetNetwork network(LAMMPS_NS::LAMMPS& lmp, const std::string& where, int narg, char** arg) {
   const ArgValues args = engine::read_args(lmp, table(), where, narg, arg, 3);
   JointParameters p;
   p.youngs_modulus = args.real("youngs_modulus");
@@ -76,13 +101,13 @@ JointMaterial material(LAMMPS_NS::LAMMPS& lmp, const std::string& where, int nar
   p.tension = args.real("tension");
   p.friction_angle = args.real("friction_angle") * kDegree;
   p.residual_friction_angle = args.real("residual_friction_angle") * kDegree;
-  p.normal_stiffness =
-      args.real("normal_stiffness") > 0.0 ? args.real("normal_stiffness") : kInfinity;
-  p.shear_stiffness = args.real("shear_stiffness") > 0.0 ? args.real("shear_stiffness") : kInfinity;
+  p.normal_stiffness = rigid_if_0(args.real("normal_stiffness"));
+  p.shear_stiffness = rigid_if_0(args.real("shear_stiffness"));
   p.damping = args.real("damping");
   p.contact_damping = args.real("contact_damping");
   p.longest_sleep = static_cast<double>(args.integer("open_sleep"));
-  return JointMaterial(p);
+  return engine::or_engine_error(
+      lmp, [&] { return FacetNetwork(JointMaterial(p), joint_classes(args, where)); });
 }
 
 std::string name_of(int narg, char** arg) {
@@ -92,7 +117,7 @@ std::string name_of(int narg, char** arg) {
 }  // namespace
 
 FixMuckpileJoint::FixMuckpileJoint(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
-    : Fix(engine, narg, arg), network_(material(*engine, name_of(narg, arg), narg, arg)) {
+    : Fix(engine, narg, arg), network_(network(*engine, name_of(narg, arg), narg, arg)) {
   if (engine::find_multisphere(*lmp) == nullptr) {
     engine::stop(*lmp, name_of(narg, arg) + ": needs 'fix ID all multisphere' before it");
   }
@@ -133,7 +158,19 @@ void FixMuckpileJoint::init() {
     store_ = found;
     store_->set_keeper(this);
   }
+  check_classes();
   follow_blocks();
+}
+
+void FixMuckpileJoint::check_classes() const {
+  int mine = 0, most = 0;
+  for (const Facet& facet : store_->facets()) mine = std::max<int>(mine, facet.joint_class);
+  MPI_Allreduce(&mine, &most, 1, MPI_INT, MPI_MAX, world);
+  const auto given = static_cast<int>(network_.natural_classes());
+  if (most <= given) return;
+  engine::stop(*lmp, std::string("fix muckpile/joint '") + id +
+                         "': create_blocks has a joint_plane of class " + std::to_string(most) +
+                         ", but joint_class is given " + std::to_string(given) + " time(s)");
 }
 
 void FixMuckpileJoint::hand_back(std::vector<FacetMemory>& facet_memory,

@@ -72,6 +72,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   [[nodiscard]] FixMuckpileBlocks& blocks() const { return *store_; }
 
  private:
+  void check_classes() const;
   void follow_blocks();
   void add_forces(double dt);
   void gather_state();

@@ -155,6 +155,7 @@ class FacetNetwork {
   void set_faces(std::vector<BoundaryFace> faces);
 
   [[nodiscard]] const JointMaterial& material() const { return materials_.front(); }
+  [[nodiscard]] std::size_t natural_classes() const { return materials_.size() - 1; }
   [[nodiscard]] const std::vector<BlockConstants>& blocks() const { return blocks_; }
   [[nodiscard]] const std::vector<Facet>& facets() const { return facets_; }
   [[nodiscard]] const std::vector<FacetMemory>& memory() const { return memory_; }

@@ -20,6 +20,11 @@ bool holds(const JointPlane& plane, const Facet& facet, const Vec3& centroid) {
 
 }  // namespace
 
+Vec3 normal_of_dip(double dip, double dip_direction) {
+  return {std::sin(dip) * std::sin(dip_direction), std::sin(dip) * std::cos(dip_direction),
+          std::cos(dip)};
+}
+
 std::size_t assign_joint_classes(const std::vector<JointPlane>& planes,
                                  const std::vector<Block>& blocks, int first_tag,
                                  std::vector<Facet>& facets) {

@@ -20,6 +20,10 @@ struct JointPlane {
   double radius = std::numeric_limits<double>::infinity();  ///< [m]
 };
 
+/// Upward normal of a plane by its dip and dip direction [rad]: x is east, y is north, z is up; the
+/// dip direction is counted from north over east.
+[[nodiscard]] Vec3 normal_of_dip(double dip, double dip_direction);
+
 struct NaturalJoints {
   std::vector<JointClass> classes;  ///< from 1 on, as FacetNetwork takes them
   std::vector<JointPlane> planes;

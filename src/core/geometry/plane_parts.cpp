@@ -147,6 +147,34 @@ void divide_face(const Frame& frame, Block& block, std::size_t face,
   }
 }
 
+bool differ_in_one(const Sides& a, const Sides& b) {
+  int different = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) different += a[k] != b[k] ? 1 : 0;
+  return different == 1;
+}
+
+Vec3 mirrored(const CutPlane& plane, const Vec3& p) {
+  return p - 2.0 * height(plane, p) * plane.normal.normalized();
+}
+
+/// Replaces the layer of seeds below the plane by the images of the one above it.
+void mirror_layer(const CutPlane& plane, const std::vector<CutPlane>& planes, const Ground& ground,
+                  std::vector<Vec3>& seeds) {
+  constexpr double kLayer = 1.5;  // blocks: the ones at the plane, and those that show between them
+  const auto in_layer = [&](const Vec3& p) {
+    return std::abs(height(plane, p)) < kLayer * ground.size(p);
+  };
+  std::vector<Vec3> images;
+  for (const Vec3& seed : seeds) {
+    if (height(plane, seed) <= 0.0 || !in_layer(seed)) continue;
+    const Vec3 image = mirrored(plane, seed);
+    if (ground.is_rock(image) && differ_in_one(sides_of(planes, seed), sides_of(planes, image)))
+      images.push_back(image);
+  }
+  std::erase_if(seeds, [&](const Vec3& p) { return height(plane, p) <= 0.0 && in_layer(p); });
+  seeds.insert(seeds.end(), images.begin(), images.end());
+}
+
 }  // namespace
 
 Sides sides_of(const std::vector<CutPlane>& planes, const Vec3& point) {
@@ -159,8 +187,9 @@ std::vector<RockPart> parts_of(const TessellationOptions& options) {
   constexpr unsigned long kLooks = 8;
   std::map<Sides, std::vector<Vec3>> found;
   const Ground ground(options);
-  for (const Vec3& seed : scatter_seeds(options, ground))
-    found[sides_of(options.planes, seed)].push_back(seed);
+  std::vector<Vec3> seeds = scatter_seeds(options, ground);
+  for (const CutPlane& plane : options.planes) mirror_layer(plane, options.planes, ground, seeds);
+  for (const Vec3& seed : seeds) found[sides_of(options.planes, seed)].push_back(seed);
   TessellationOptions again = options;
   for (unsigned long k = 1; k <= kLooks; ++k) {
     again.seed = options.seed + k;
@@ -168,8 +197,43 @@ std::vector<RockPart> parts_of(const TessellationOptions& options) {
       found.try_emplace(sides_of(options.planes, point), 1, point);
   }
   std::vector<RockPart> parts;
-  for (auto& [sides, seeds] : found) parts.push_back({sides, std::move(seeds)});
+  for (auto& [sides, own] : found) parts.push_back({sides, std::move(own)});
   return parts;
+}
+
+std::vector<SeedPair> pairs_across(const TessellationOptions& options,
+                                   const std::vector<RockPart>& parts) {
+  constexpr double kRounding = 1e-6;  // of the block size
+  const Ground ground(options);
+  std::vector<SeedPair> pairs;
+  for (std::size_t k = 0; k < options.planes.size(); ++k) {
+    for (std::size_t a = 0; a < parts.size(); ++a) {
+      if (!parts[a].sides[k]) continue;
+      Sides behind = parts[a].sides;
+      behind[k] = false;
+      const auto other = std::find_if(parts.begin(), parts.end(),
+                                      [&](const RockPart& p) { return p.sides == behind; });
+      if (other == parts.end()) continue;
+      const auto b = static_cast<std::size_t>(other - parts.begin());
+      for (std::size_t i = 0; i < parts[a].seeds.size(); ++i) {
+        const Vec3 image = mirrored(options.planes[k], parts[a].seeds[i]);
+        const double near = kRounding * ground.size(image);
+        const auto twin =
+            std::find_if(other->seeds.begin(), other->seeds.end(),
+                         [&](const Vec3& seed) { return (seed - image).norm() < near; });
+        if (twin == other->seeds.end()) continue;
+        pairs.push_back({k, a, i, b, static_cast<std::size_t>(twin - other->seeds.begin())});
+      }
+    }
+  }
+  return pairs;
+}
+
+void make_symmetric(const std::vector<CutPlane>& planes, const SeedPair& pair, Vec3& seed,
+                    Vec3& other) {
+  const CutPlane& plane = planes[pair.plane];
+  seed = 0.5 * (seed + mirrored(plane, other));
+  other = mirrored(plane, seed);
 }
 
 TessellationOptions options_of(const TessellationOptions& options, const Sides& sides) {

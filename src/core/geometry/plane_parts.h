@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Rock that planes cut through and through: one tessellation per part, joined again in the planes.
-// Scope: serial and deterministic. Blocks on the two sides of a plane do not match; their faces in
-// it are divided into what each pair of them shares, so a block may have several faces in a plane.
+// Scope: serial and deterministic. Seeds next to a plane come in mirror pairs, so that the blocks
+// on its two sides face each other as anywhere in the rock. Where they do not match, at crossings,
+// their faces in the plane are divided into what each pair of blocks shares: a block may have
+// several.
 #pragma once
 
 #include <vector>
@@ -20,6 +22,16 @@ struct RockPart {
   std::vector<Vec3> seeds;
 };
 [[nodiscard]] std::vector<RockPart> parts_of(const TessellationOptions& options);
+
+/// Two seeds that mirror each other.
+struct SeedPair {
+  std::size_t plane, part, seed, other_part, other_seed;
+};
+[[nodiscard]] std::vector<SeedPair> pairs_across(const TessellationOptions& options,
+                                                 const std::vector<RockPart>& parts);
+/// Puts both seeds of a pair where they and their images are on average.
+void make_symmetric(const std::vector<CutPlane>& planes, const SeedPair& pair, Vec3& seed,
+                    Vec3& other);
 
 /// The same options for one part alone: the planes become surfaces of its region.
 [[nodiscard]] TessellationOptions options_of(const TessellationOptions& options,

@@ -22,6 +22,7 @@ class Relaxation {
   void sweep();                                          // moves each seed to its cell's centroid
   [[nodiscard]] std::vector<Block> make_blocks() const;  // the cells of the present seeds
   [[nodiscard]] std::size_t seeds() const { return seeds_.size(); }
+  [[nodiscard]] Vec3& seed(std::size_t k) { return seeds_[k]; }
   // Per hole: volume of the cylinder within the region [m3].
   [[nodiscard]] const std::vector<double>& cylinder_volumes() const { return cylinder_volumes_; }
 

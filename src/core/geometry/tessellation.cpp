@@ -121,10 +121,8 @@ void add_volume_statistics(const TessellationOptions& options, const std::vector
   statistics.median_size_ratio = median(std::move(ratios));
 }
 
-/// Adds the blocks of these seeds.
-void relax(Relaxation relaxation, int sweeps, Tessellation& result) {
+void add_blocks(const Relaxation& relaxation, Tessellation& result) {
   if (relaxation.seeds() == 0) return;
-  for (int k = 0; k < sweeps; ++k) relaxation.sweep();
   std::vector<Block> blocks = relaxation.make_blocks();
   result.statistics.faces_collapsed += collapse_one_sided_faces(blocks);
   std::vector<double>& volumes = result.statistics.cylinder_volume;
@@ -135,6 +133,31 @@ void relax(Relaxation relaxation, int sweeps, Tessellation& result) {
     for (int& other : block.neighbour) other += other >= 0 ? first : 0;
     result.blocks.push_back(std::move(block));
   }
+}
+
+void cut_whole(const TessellationOptions& options, Tessellation& result) {
+  Relaxation relaxation(options);
+  if (relaxation.seeds() == 0) return;
+  for (int k = 0; k < options.sweeps; ++k) relaxation.sweep();
+  add_blocks(relaxation, result);
+}
+
+void cut_parts(const TessellationOptions& options, Tessellation& result) {
+  const std::vector<RockPart> parts = parts_of(options);
+  const std::vector<SeedPair> pairs = pairs_across(options, parts);
+  std::vector<TessellationOptions> alone;
+  for (const RockPart& part : parts) alone.push_back(options_of(options, part.sides));
+  std::vector<Relaxation> relaxations;
+  for (std::size_t p = 0; p < parts.size(); ++p) relaxations.emplace_back(alone[p], parts[p].seeds);
+  for (int k = 0; k < options.sweeps; ++k) {
+    for (Relaxation& relaxation : relaxations) relaxation.sweep();
+    for (const SeedPair& pair : pairs) {
+      make_symmetric(options.planes, pair, relaxations[pair.part].seed(pair.seed),
+                     relaxations[pair.other_part].seed(pair.other_seed));
+    }
+  }
+  for (const Relaxation& relaxation : relaxations) add_blocks(relaxation, result);
+  join_in_planes(options.planes, result.blocks);
 }
 
 }  // namespace
@@ -148,15 +171,7 @@ Tessellation tessellate(const TessellationOptions& options) {
   check(options);
   Tessellation result;
   result.statistics.expected_blocks = checked_block_count(options);
-  if (options.planes.empty()) {
-    relax(Relaxation(options), options.sweeps, result);
-  } else {
-    for (const RockPart& part : parts_of(options)) {
-      const TessellationOptions alone = options_of(options, part.sides);
-      relax(Relaxation(alone, part.seeds), options.sweeps, result);
-    }
-    join_in_planes(options.planes, result.blocks);
-  }
+  (options.planes.empty() ? cut_whole : cut_parts)(options, result);
   if (result.blocks.empty()) fail("no seed fell into the rock");
   add_volume_statistics(options, result.blocks, result.statistics);
   add_face_statistics(options, result.blocks, result.statistics);

@@ -59,6 +59,14 @@ TEST(JointClasses, FacetsAreFoundByTheirPlane) {
   EXPECT_EQ(marked({Vec3(2, 1.5, 1.5), Vec3(1.0, 0.01, 0.0), 1, 9}), 0);  // tilted
 }
 
+TEST(JointClasses, DipAndDipDirectionGiveTheNormal) {
+  const double right = M_PI / 2.0;
+  EXPECT_LT((normal_of_dip(0.0, 1.0) - Vec3::UnitZ()).norm(), 1e-15);      // flat
+  EXPECT_LT((normal_of_dip(right, right) - Vec3::UnitX()).norm(), 1e-15);  // upright, faces east
+  // Dips 30 degrees to the north: falls by 1 m over sqrt(3) m of y.
+  EXPECT_NEAR(normal_of_dip(M_PI / 6.0, 0.0).dot(Vec3(0.0, std::sqrt(3.0), -1.0)), 0.0, 1e-15);
+}
+
 TEST(JointClasses, TheFirstPlaneWins) {
   BondScene scene(cuboids(2, 1, 1), rock(0.25), [](const Vec3&) { return Support::free; },
                   {{weak_joint(), weak_joint()},

@@ -16,6 +16,13 @@ RockSample uniform_rock(const Vec3& box, unsigned long seed) {
   return {tessellate(options).blocks, box, 1.0};
 }
 
+RockSample uniform_rock(const Vec3& box, const std::vector<CutPlane>& planes) {
+  TessellationOptions options;
+  options.hi = box;
+  options.planes = planes;
+  return {tessellate(options).blocks, box, 1.0};
+}
+
 RockSample graded_rock(const Vec3& box, const std::pair<Vec3, Vec3>& line, const SizeLaw& size,
                        unsigned long seed) {
   TessellationOptions options;

@@ -10,6 +10,7 @@
 #include "bond/joint_material.h"
 #include "geometry/block_model.h"
 #include "geometry/size_law.h"
+#include "geometry/tessellation.h"
 #include "unit/bond/bond_scene.h"
 
 namespace muckpile::verification {
@@ -23,6 +24,8 @@ struct RockSample {
 };
 
 [[nodiscard]] RockSample uniform_rock(const Vec3& box, unsigned long seed = 1);
+/// Cut along planes too.
+[[nodiscard]] RockSample uniform_rock(const Vec3& box, const std::vector<CutPlane>& planes);
 /// Sizes from 0.1 m on the z axis, which is an edge of the box, to 1 m at 5 m from it and beyond.
 [[nodiscard]] RockSample graded_rock(const Vec3& box, unsigned long seed = 1);
 /// Sizes by a law of the distance from a line [m].
