@@ -91,7 +91,7 @@ std::vector<JointClass> joint_classes(const ArgValues& args, const std::string& 
   return classes;
 }
 
-FacetNetwork network(LAMMPS_NS::LAMMPS& lmp, const std::string& where, int narg, char** arg) {
+FacetNetwork make_network(LAMMPS_NS::LAMMPS& lmp, const std::string& where, int narg, char** arg) {
   const ArgValues args = engine::read_args(lmp, table(), where, narg, arg, 3);
   JointParameters p;
   p.youngs_modulus = args.real("youngs_modulus");
@@ -117,7 +117,7 @@ std::string name_of(int narg, char** arg) {
 }  // namespace
 
 FixMuckpileJoint::FixMuckpileJoint(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
-    : Fix(engine, narg, arg), network_(network(*engine, name_of(narg, arg), narg, arg)) {
+    : Fix(engine, narg, arg), network_(make_network(*engine, name_of(narg, arg), narg, arg)) {
   if (engine::find_multisphere(*lmp) == nullptr) {
     engine::stop(*lmp, name_of(narg, arg) + ": needs 'fix ID all multisphere' before it");
   }

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Natural joints from a script: the cut follows them, and rock slides on them by their own
+// friction. Scope: a cube of rock cut by one plane that dips 30 degrees to the east (+x).
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "rock_scene.h"
+
+namespace muckpile::test {
+namespace {
+
+constexpr double kGravity = 9.81, kDip = M_PI / 6.0, kTimeStep = 2e-5;  // [m/s2], [rad], [s]
+
+/// Tied to the ground at z = -1 m; everything but the plane is too strong to break.
+void stand_on_plane(RockScene& scene, double friction_deg) {
+  scene.command("region base block -2 2 -2 2 -1.1 -0.999 units box");
+  scene.cut("-1 1 -1 1 -1 1",
+            "density 2600 size uniform 0.5 block_min 0.5 block_max 0.5 spheres_per_block 2 seed 3 "
+            "support fixed base joint_plane 0 0 0 30 90 1");
+  const std::string friction = std::to_string(friction_deg);
+  scene.command(
+      "fix joint all muckpile/joint youngs_modulus 5e9 poisson_ratio 0.25 density 2600 cohesion "
+      "1e12 friction_angle 45 tension 1e12 damping 0.05 joint_class 0 " +
+      friction + " 0 " + friction + " 0 0");
+  scene.command("fix weight all gravity 9.81 vector 0 0 -1");
+}
+
+/// Mean velocity down the dip of what lies above the plane [m/s].
+double sliding(const RockScene& scene) {
+  const Vec3 down(std::cos(kDip), 0.0, -std::sin(kDip)), up(std::sin(kDip), 0.0, std::cos(kDip));
+  double momentum = 0.0, mass = 0.0;
+  for (const auto& [tag, block] : scene.blocks()) {
+    if (up.dot(block.centre) < 0.0) continue;
+    momentum += block.mass * down.dot(block.velocity);
+    mass += block.mass;
+  }
+  EXPECT_NEAR(mass / (2600.0 * 4.0), 1.0, 1e-6);  // half of 8 m3: no block crosses the plane
+  return momentum / mass;
+}
+
+TEST(JointPlanes, RockSlidesAsOnAnInclinedPlane) {
+  RockScene scene(MPI_COMM_WORLD, "-2 2 -2 2 -2 2");
+  stand_on_plane(scene, 20.0);
+  scene.run(500, kTimeStep);
+  const double before = sliding(scene);
+  scene.run(1000, kTimeStep);
+  const double gained = sliding(scene) - before;
+  const double expected = kGravity * (std::sin(kDip) - std::tan(M_PI / 9.0) * std::cos(kDip));
+  EXPECT_NEAR(gained / (1000 * kTimeStep) / expected, 1.0, 0.02);  // it still swings a little
+}
+
+TEST(JointPlanes, RockStaysWhereFrictionHolds) {
+  RockScene scene(MPI_COMM_WORLD, "-2 2 -2 2 -2 2");
+  stand_on_plane(scene, 40.0);
+  scene.run(1500, kTimeStep);
+  EXPECT_LT(std::abs(sliding(scene)), 1e-3);  // 0.03 s of sliding freely would be 0.15 m/s
+}
+
+}  // namespace
+}  // namespace muckpile::test
