@@ -117,7 +117,7 @@ void planes(Report& report) {
   const std::vector<double> ratios = {0.0, 0.25, 0.45};
   measure(report, "uniform, one plane", uniform_rock(Vec3::Constant(10.0), {steep}), 4, ratios);
   measure(report, "uniform, two crossing planes", uniform_rock(Vec3::Constant(10.0), {steep, flat}),
-          5, ratios);
+          5, ratios, "along the line where planes cross, blocks do not face each other");
 }
 
 const Cases kCases = {
