@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Joins the reports of all verification cases: summary.json, one PNG per plot, the page of tables.
-// Scope: make_page RESULTS [TEMPLATE DOCS]; RESULTS/cases holds the reports. In the template a line
-// {{table NAME}} becomes the rows of all reports whose name begins with NAME, {{plot NAME}} the
-// picture, {{summary}} the count of rows.
+// Joins the reports of all cases of a folder: summary.json, one PNG per plot, the page of tables.
+// Scope: make_page RESULTS [TEMPLATE PAGE]; RESULTS/cases holds the reports, pictures go to images/
+// beside the page. In the template a line {{table NAME}} becomes the rows of all reports whose name
+// begins with NAME, {{plot NAME}} the picture, {{summary}} the count of rows, {{file NAME}} the
+// text of RESULTS/NAME.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -10,6 +11,7 @@
 #include <fstream>
 #include <map>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 #include "draw/curve_plot.h"
@@ -99,8 +101,8 @@ std::string table(const Json& rows, const std::string& name) {
   std::string notes;
   for (const Json& row : rows) {
     const bool pass = row["pass"].get<bool>();
-    const std::string unit =
-        row["unit"].get<std::string>().empty() ? "" : " " + row["unit"].get<std::string>();
+    std::string unit = row["unit"];
+    if (!unit.empty()) unit.insert(unit.begin(), ' ');
     text += "| " + row["case"].get<std::string>() + " | " + row["quantity"].get<std::string>() +
             " | " + spelled_number(row["value"], 5) + unit + " | " +
             (row["tolerance"].is_null() ? "" : spelled_number(row["reference"], 5) + unit) + " | " +
@@ -138,17 +140,37 @@ std::string directive(const std::string& line, const std::string& keyword) {
   return line.substr(head.size(), line.size() - head.size() - 2);
 }
 
-std::string page(const fs::path& form, const std::vector<Json>& reports,
-                 const std::map<std::string, CurvePlot>& plots) {
-  std::ifstream in(form);
-  if (!in) throw std::runtime_error(form.string() + ": cannot be opened");
+std::ifstream opened(const fs::path& path) {
+  std::ifstream in(path);
+  if (!in) throw std::runtime_error(path.string() + ": cannot be opened");
+  return in;
+}
+
+std::string text_of(const fs::path& path) {
+  std::ostringstream text;
+  text << opened(path).rdbuf();
+  return text.str();
+}
+
+struct Source {
+  fs::path results;
+  std::vector<Json> reports;
+  std::map<std::string, CurvePlot> plots;
+};
+
+std::string page(const fs::path& form, const Source& source, const std::string& images) {
+  const auto& [results, reports, plots] = source;
+  std::ifstream in = opened(form);
   std::string text;
   for (std::string line; std::getline(in, line);) {
     if (const std::string name = directive(line, "table"); !name.empty()) {
       text += table(all_rows(reports, name), name);
     } else if (const std::string plot = directive(line, "plot"); !plot.empty()) {
       if (!plots.contains(plot)) throw std::runtime_error("no report has curves for " + line);
-      text += "![" + plots.at(plot).title + "](images/verification/" + plot + ".png)\n";
+      const fs::path picture = fs::path(images) / (plot + ".png");
+      text += "![" + plots.at(plot).title + "](" + picture.string() + ")\n";
+    } else if (const std::string file = directive(line, "file"); !file.empty()) {
+      text += text_of(results / file);
     } else if (line == "{{summary}}") {
       text += summary(reports);
     } else {
@@ -159,21 +181,24 @@ std::string page(const fs::path& form, const std::vector<Json>& reports,
 }
 
 void make(int argc, char** argv) {
-  const fs::path results = argv[1];
-  const std::vector<Json> reports = read_reports(results / "cases");
-  const Json rows = {{"rows", all_rows(reports, "")}};
+  Source source{argv[1], {}, {}};
+  const fs::path& results = source.results;
+  source.reports = read_reports(results / "cases");
+  const Json rows = {{"rows", all_rows(source.reports, "")}};
   write_text(results / "summary.json", rows.dump(1) + "\n");
-  const std::map<std::string, CurvePlot> plots = collect_plots(reports);
-  for (const auto& [name, plot] : plots) write_png(draw_curves(plot), results / (name + ".png"));
+  source.plots = collect_plots(source.reports);
+  for (const auto& [name, plot] : source.plots) {
+    write_png(draw_curves(plot), results / (name + ".png"));
+  }
   if (argc < 4) return;
-  const fs::path docs = argv[3], images = docs / "images" / "verification";
-  const std::string text = page(argv[2], reports, plots);
-  fs::create_directories(images);
-  for (const auto& [name, plot] : plots) {
-    fs::copy_file(results / (name + ".png"), images / (name + ".png"),
+  const fs::path target = argv[3], images = fs::path("images") / target.stem();
+  const std::string text = page(argv[2], source, images.string());
+  fs::create_directories(target.parent_path() / images);
+  for (const auto& [name, plot] : source.plots) {
+    fs::copy_file(results / (name + ".png"), target.parent_path() / images / (name + ".png"),
                   fs::copy_options::overwrite_existing);
   }
-  write_text(docs / "verification.md", text);
+  write_text(target, text);
 }
 
 }  // namespace
@@ -181,7 +206,7 @@ void make(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   if (argc != 2 && argc != 4) {
-    std::fprintf(stderr, "usage: %s RESULTS [TEMPLATE DOCS]\n", argv[0]);
+    std::fprintf(stderr, "usage: %s RESULTS [TEMPLATE PAGE]\n", argv[0]);
     return 2;
   }
   try {

@@ -1,0 +1,167 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# peers.sh LIGGGHTS_MUCKPILE OUT [full]: equivalent scenes in Muckpile, stock LIGGGHTS, LAMMPS and YADE; writes OUT/peers.csv and peers.md.
+# Scope: CPU seconds of one core for a stretch of steps, without set-up; three rounds, the codes in turn, the least counts. LAMMPS and YADE
+# are left out, with a word, where they are not installed. `full` lets the 8,000 clumps come to rest too (about an hour).
+set -euo pipefail
+program=$(readlink -f "$1") out=$2 full=${3-}
+here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
+readonly rounds=3
+readonly start=$out/peers/start.txt raw=$out/peers/raw.csv
+mkdir -p "$out/peers"
+: >"$raw"
+export OMP_NUM_THREADS=1
+
+say() { printf '%s\n' "peers: $*"; }
+
+have() {  # have COMMAND PACKAGE
+  command -v "$1" >/dev/null && return
+  say "skipped $2: not installed (apt-get install $2)"
+  return 1
+}
+
+run() {  # run LOG COMMAND...
+  local log=$1
+  shift
+  "$@" >"$log" 2>&1 </dev/null || {
+    tail -n 15 "$log"
+    say "error: this failed: $*"
+    exit 1
+  }
+}
+
+# CPU seconds of the stretch NAME in a log: of two copies of /proc/PID/stat, or as printed.
+seconds_of() {  # seconds_of NAME LOG
+  awk -v name="$1" -v tick="$(getconf CLK_TCK)" '
+    $0 ~ "^seconds " name " " { seconds = $3 }
+    match($0, "ticks " name " [0-9]+ [(]") {
+      split(substr($0, RSTART), words, " ")
+      ticks = words[16] + words[17]   # utime and stime, fields 14 and 15 of stat
+      if (seen++) seconds = (ticks - first) / tick; else first = ticks
+    }
+    END { if (seconds > 0) print seconds; else exit 1 }' "$2" || { say "error: $2 has no time of '$1'" >&2; exit 1; }
+}
+
+# The last row under a thermo header that ends in WORD: that column.
+last_thermo() {  # last_thermo WORD COLUMN LOG
+  awk -v word="$1" -v column="$2" '$NF ~ word { getline; value = $column } END { print value + 0 }' "$3"
+}
+
+record() {  # record SCENE CODE LAW PARTICLES LINKS STEPS SECONDS
+  local IFS=,
+  printf '%s\n' "$*" >>"$raw"
+}
+
+# Scene: bonded rock
+
+rock() {
+  local log=$out/peers/rock.log steps
+  steps=300
+  run "$log" "$program" -in "$here/rock_muckpile.in" -log none -var count $steps
+  record rock Muckpile "joint of 3 points: Mohr-Coulomb + cut-off + moments + dilatation; blocks of 5 spheres" \
+    8000 "$(last_thermo 'joint\[2\]' 3 "$log")" $steps "$(seconds_of rock "$log")"
+  steps=500
+  run "$log" "$program" -in "$here/rock_liggghts.in" -log none -var count $steps
+  record rock LIGGGHTS "no bonds in stock: Hertz contact with friction instead" \
+    8788 $(($(last_thermo touches 3 "$log") / 2)) $steps "$(seconds_of rock "$log")"
+  if have lmp lammps; then
+    steps=1000
+    run "$log" lmp -in "$here/rock_lammps.in" -log none -var count $steps
+    record rock LAMMPS "bond_style harmonic: central force only; no strength" \
+      8788 "$(last_thermo Bonds 3 "$log")" $steps "$(seconds_of rock "$log")"
+  fi
+  if have yade yade; then
+    steps=300
+    CELLS=13 COUNT=$steps run "$log" yade -n -x -j1 "$here/rock_yade.py"
+    record rock YADE "JCFpm: normal and shear spring; Mohr-Coulomb + cut-off" \
+      8788 "$(awk '$1 == "atoms" { print $4 }' "$log")" $steps "$(seconds_of rock "$log")"
+  fi
+}
+
+# Scene: loose clumps
+
+lammps_data() {  # lammps_data SIDE: the dump on standard input as a data file
+  awk -v side="$1" 'NR > 9 { row[++n] = $1 " 1 " $3 " " $4 " " $5 " " 2 * $6 " 2500 " $2 }
+    END {
+      print "clumps\n\n" n " atoms\n1 atom types\n0 bonds\n0 bond types"
+      print "0 " side " xlo xhi\n0 " side " ylo yhi\n0 10 zlo zhi\n\nAtoms\n"
+      for (i = 1; i <= n; i++) print row[i]
+    }'
+}
+
+record_clumps() {  # record_clumps CODE LAW LOG TOUCHES COUNT [pile]
+  local code=$1 law=$2 log=$3 touches=$4 count=$5 pile=${6-}
+  record "fall of $bodies" "$code" "$law" "$bodies" 0 "$count" "$(seconds_of fall "$log")"
+  [[ -z $pile ]] || record "pile of $bodies" "$code" "$law" "$bodies" $((touches / 2)) "$count" "$(seconds_of pile "$log")"
+}
+
+clumps() {  # clumps BODIES SIDE SETTLE COUNT [pile]
+  local bodies=$1 side=$2 settle=$3 count=$4 pile=${5-} log=$out/peers/clumps.log own
+  local vars=(-log none -var side "$side" -var settle "$settle" -var count "$count" -var start)
+  for own in 0 1; do
+    run "$log" "$program" -in "$here/clumps_liggghts.in" "${vars[@]}" "$start" -var own $own -var bodies "$bodies"
+    bodies=$(($(awk 'NR == 4' "$start") / 8))
+    if ((own)); then
+      record_clumps Muckpile "fix multisphere/muckpile; pair muckpile/block (Hertz-Mindlin)" "$log" \
+        "$(last_thermo touches 3 "$log")" "$count" "$pile"
+    else
+      record_clumps LIGGGHTS "fix multisphere; pair gran hertz tangential history" "$log" \
+        "$(last_thermo touches 3 "$log")" "$count" "$pile"
+    fi
+  done
+  if have lmp lammps; then
+    lammps_data "$side" <"$start" >"$out/peers/start.data"
+    run "$log" lmp -in "$here/clumps_lammps.in" "${vars[@]}" "$out/peers/start.data"
+    record_clumps LAMMPS "fix rigid/small; gran/hertz/history" "$log" "$(last_thermo touches 3 "$log")" "$count" "$pile"
+  fi
+  if have yade yade; then
+    START=$start SETTLE=$settle COUNT=$count SIDE=$side run "$log" yade -n -x -j1 "$here/clumps_yade.py"
+    record_clumps YADE "clumps; Hertz-Mindlin" "$log" "$(awk '$1 == "touches" { print $2 }' "$log")" "$count" "$pile"
+  fi
+}
+
+# Tables
+
+# Least seconds of all rounds: scene, code, law, particles, links, us per step and particle, ns per step and link (where there are
+# links), and both over Muckpile's.
+least() {
+  awk -F, '
+    { key = $1 FS $2 }
+    !(key in seconds) { order[++n] = key }
+    !(key in seconds) || $7 / $6 < seconds[key] { seconds[key] = $7 / $6; law[key] = $3; bodies[key] = $4; links[key] = $5 }
+    function ratio(value, own) { return own > 0 ? sprintf("%.2f", value / own) : "" }
+    END {
+      for (i = 1; i <= n; i++) {
+        key = order[i]
+        split(key, part, FS)
+        own = part[1] FS "Muckpile"
+        body = 1e6 * seconds[key] / bodies[key]
+        own_body = 1e6 * seconds[own] / bodies[own]
+        link = links[key] > 0 ? 1e9 * seconds[key] / links[key] : 0
+        own_link = links[own] > 0 ? 1e9 * seconds[own] / links[own] : 0
+        printf "%s,%s,%s,%d,%d,%.0f,%.3f,%s,%s,%s\n", part[1], part[2], law[key], bodies[key], links[key], 1 / seconds[key], body,
+          ratio(body, own_body), link > 0 ? sprintf("%.0f", link) : "", link > 0 ? ratio(link, own_link) : ""
+      }
+    }' "$raw"
+}
+
+write_tables() {
+  {
+    echo "scene,code,law,particles,links,steps_per_s,us_per_particle_step,over_muckpile,ns_per_link_step,over_muckpile_per_link"
+    least
+  } >"$out/peers.csv"
+  {
+    echo "| scene | code | law | blocks, clumps or spheres | bonds or contacts | steps/s | us per block-step | over Muckpile | ns per bond- or contact-step | over Muckpile |"
+    echo "|---|---|---|---|---|---|---|---|---|---|"
+    least | awk -F, '{ print "| " $1 " | " $2 " | " $3 " | " $4 " | " $5 " | " $6 " | " $7 " | " $8 " | " $9 " | " $10 " |" }'
+  } >"$out/peers.md"
+}
+
+for ((round = 1; round <= rounds; round++)); do
+  say "round $round of $rounds"
+  rock
+  clumps 1000 2.5 6000 500 pile
+  if [[ $full == full ]]; then clumps 8000 7.1 6000 500 pile; else clumps 8000 7.1 201 200; fi
+done
+write_tables
+cat "$out/peers.md"
