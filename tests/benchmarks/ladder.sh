@@ -140,7 +140,7 @@ write_report() {
       printf "{\"report\": \"ladder\", \"seconds\": %d,\n \"rows\": [", total
       for (k = 1; k <= n; k++) {
         split(run[k], c, ",")
-        printf "%s\n  {\"case\": %s, \"quantity\": \"CPU time\", \"unit\": \"s\", \"value\": %g, \"reference\": 0, \"source\": \"none\", \"error\": null, \"tolerance\": null, \"pass\": true}", k > 1 ? "," : "", json(c[1]), c[6]
+        printf "%s\n  {\"case\": %s, \"quantity\": \"CPU time\", \"unit\": \"s\", \"value\": %g, \"reference\": 0, \"source\": \"none\", \"error\": null, \"tolerance\": null, \"pass\": true}", (k > 1 ? "," : ""), json(c[1]), c[6]
         for (i = 7; i <= 10; i++)
           printf ",\n  {\"case\": %s, \"quantity\": %s, \"unit\": %s, \"value\": %g, \"reference\": %g, \"source\": \"finest run\", \"error\": %g, \"tolerance\": null, \"pass\": true}", json(c[1]), json(name[i]), json(unit[name[i]]), c[i], finest[i], c[i] / finest[i] - 1
       }
@@ -160,7 +160,7 @@ write_report() {
           points[c[2]] = points[c[2]] (points[c[2]] == "" ? "" : ", ") sprintf("[%g, %g]", c[6], 100 * (error > 1e-4 ? error : 1e-4))
         }
         for (k = 1; k <= knobs; k++)
-          printf "%s\n  {\"plot\": \"ladder_%s\", \"title\": \"%s: run time against distance from the finest run\", \"x_label\": \"CPU time, s\", \"y_label\": \"distance, %%\", \"x_scale\": \"logarithmic\", \"y_scale\": \"logarithmic\", \"label\": %s, \"style\": \"points\", \"colour\": %d, \"points\": [%s]}", i + k > 8 ? "," : "", name[i], name[i], json(label[k]), k - 1, points[label[k]]
+          printf "%s\n  {\"plot\": \"ladder_%s\", \"title\": \"%s: run time against distance from the finest run\", \"x_label\": \"CPU time, s\", \"y_label\": \"distance, %%\", \"x_scale\": \"logarithmic\", \"y_scale\": \"logarithmic\", \"label\": %s, \"style\": \"points\", \"colour\": %d, \"points\": [%s]}", (i + k > 8 ? "," : ""), name[i], name[i], json(label[k]), k - 1, points[label[k]]
       }
       print "\n ]}"
     }' "$out/ladder.csv"
