@@ -27,11 +27,11 @@ ladder=(
   "finest|finest|blocks x 0.7, 8 spheres, half the step, 4 x stiffer|$(sizes 0.7) -var spheres_per_block 8 -var steps_per_contact 30 -var contact_modulus 1e8 -var softening 1.5e-3 -var open_sleep 0"
   "size_0.7|block size|x 0.7|$(sizes 0.7)"
   "size_0.85|block size|x 0.85|$(sizes 0.85)"
-  "standard|standard|standard|$(sizes 1)"
+  "standard|standard|seed 1|$(sizes 1)"
   "size_1.2|block size|x 1.2|$(sizes 1.2)"
   "size_1.4|block size|x 1.4|$(sizes 1.4)"
-  "seed_2|seed|2|$(sizes 1) -var seed 2"
-  "seed_3|seed|3|$(sizes 1) -var seed 3"
+  "seed_2|standard|seed 2|$(sizes 1) -var seed 2"
+  "seed_3|standard|seed 3|$(sizes 1) -var seed 3"
   "spheres_3|spheres per block|3|$(sizes 1) -var spheres_per_block 3"
   "spheres_8|spheres per block|8|$(sizes 1) -var spheres_per_block 8"
   "steps_8|steps per contact|8|$(sizes 1) -var steps_per_contact 8"
@@ -40,8 +40,8 @@ ladder=(
   "softening_high|softening|1.5e-3|$(sizes 1) -var softening 1.5e-3"
   "modulus_low|contact modulus|6.25e6 Pa|$(sizes 1) -var contact_modulus 6.25e6"
   "modulus_high|contact modulus|1e8 Pa|$(sizes 1) -var contact_modulus 1e8"
-  "sleep_off|open_sleep|0|$(sizes 1) -var open_sleep 0"
-  "quiet_off|quiet|0|$(sizes 1) -var quiet 0"
+  "sleep_off|shortcut off|open_sleep 0|$(sizes 1) -var open_sleep 0"
+  "quiet_off|shortcut off|quiet 0|$(sizes 1) -var quiet 0"
   "accuracy_quick|accuracy|quick|-var accuracy quick -var fragment_x50 0.455 -var block_min 0.19"
   "accuracy_fine|accuracy|fine|-var accuracy fine -var fragment_x50 0.28"
 )
@@ -116,7 +116,7 @@ write_table() {
 write_scatter() {
   awk -F, '
     NR == 1 { for (i = 7; i <= 10; i++) name[i] = $i; next }
-    $1 == "standard" || $2 == "seed" { n++; for (i = 7; i <= 10; i++) { sum[i] += $i; square[i] += $i * $i } }
+    $2 == "standard" { n++; for (i = 7; i <= 10; i++) { sum[i] += $i; square[i] += $i * $i } }
     END {
       print "| quantity | mean of " n " seeds | standard deviation |\n|---|---|---|"
       for (i = 7; i <= 10; i++) {
