@@ -20,6 +20,7 @@
 #include "args/numbers.h"
 #include "engine/bodies.h"
 #include "engine/periodic_output.h"
+#include "engine/region.h"
 #include "engine/style_args.h"
 #include "fix_muckpile_blast.h"
 #include "fix_muckpile_joint.h"
@@ -48,16 +49,20 @@ const ArgTable& table() {
           .real("fastest_allowed", "m/s", Range::positive(), 2000.0,
                 "a faster block stops the run as unstable")
           .real("balance_allowed", "", Range::positive(), 0.5,
-                "a larger energy balance error stops the run as unstable");
+                "a larger energy balance error stops the run as unstable")
+          .word("scene", {}, "all",
+                "region; a block whose centre is outside has left, and no longer keeps the pile "
+                "from being still");
   return args;
 }
 
 }  // namespace
 
 FixMuckpileProgress::FixMuckpileProgress(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
-    : Fix(engine, narg, arg), wall_start_(MPI_Wtime()) {
-  const std::string where = std::string("fix muckpile/progress '") + id + "'";
-  const ArgValues args = engine::read_args(*lmp, table(), where, narg, arg, 3);
+    : Fix(engine, narg, arg),
+      where_(std::string("fix muckpile/progress '") + id + "'"),
+      wall_start_(MPI_Wtime()) {
+  const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
   nevery = static_cast<int>(args.integer("every"));
   folder_ = args.word("directory");
   phase_ = args.word("phase");
@@ -66,9 +71,10 @@ FixMuckpileProgress::FixMuckpileProgress(LAMMPS_NS::LAMMPS* engine, int narg, ch
   still_share_ = args.real("still_share");
   fastest_allowed_ = args.real("fastest_allowed");
   balance_allowed_ = args.real("balance_allowed");
-  engine::make_output_folder(*lmp, where, folder_);
+  if (args.word("scene") != "all") scene_ = args.word("scene");
+  engine::make_output_folder(*lmp, where_, folder_);
   scalar_flag = vector_flag = 1;
-  size_vector = 2;
+  size_vector = 3;
   global_freq = 1;
   extscalar = extvector = 0;
 }
@@ -79,9 +85,9 @@ void FixMuckpileProgress::init() {
   ledger_ = dynamic_cast<FixMuckpileLedger*>(modify->find_fix_style_strict("muckpile/ledger", 0));
   joint_ = dynamic_cast<FixMuckpileJoint*>(modify->find_fix_style_strict("muckpile/joint", 0));
   store_ = FixMuckpileBlocks::find(*lmp);
-  const std::string where = std::string("fix muckpile/progress '") + id + "'";
-  if (ledger_ == nullptr) engine::stop(*lmp, where + ": needs a fix muckpile/ledger");
-  if (store_ == nullptr) engine::stop(*lmp, where + ": needs create_blocks before the first run");
+  if (ledger_ == nullptr) engine::stop(*lmp, where_ + ": needs a fix muckpile/ledger");
+  if (store_ == nullptr) engine::stop(*lmp, where_ + ": needs create_blocks before the first run");
+  if (!scene_.empty()) engine::require_region(*lmp, where_, scene_);
 }
 
 void FixMuckpileProgress::setup(int) {
@@ -105,7 +111,7 @@ FixMuckpileProgress::Look FixMuckpileProgress::look() {
   Look now;
   now.time = update->get_cur_time();
   now.fastest = ledger_->fastest_block();
-  now.moving_share = moving_share();
+  look_at_blocks(now);
   now.bodies = store_->multisphere().n_body_all();
   now.balance = ledger_->balance_error();
   if (joint_ != nullptr) {
@@ -115,15 +121,23 @@ FixMuckpileProgress::Look FixMuckpileProgress::look() {
   return now;
 }
 
-double FixMuckpileProgress::moving_share() const {
+void FixMuckpileProgress::look_at_blocks(Look& now) const {
   const engine::Bodies bodies(store_->multisphere());
-  std::array<double, 2> mine{}, all{};
+  std::array<double, 4> mine{}, all{};
+  auto& [moving, mass, gone, gone_mass] = mine;
   for (int b = 0; b < bodies.count(); ++b) {
-    mine[1] += bodies.mass(b);
-    if (bodies.velocity(b).norm() > still_speed_) mine[0] += bodies.mass(b);
+    mass += bodies.mass(b);
+    if (!scene_.empty() && !engine::in_region(*lmp, scene_, bodies.centre(b))) {
+      gone += 1.0;
+      gone_mass += bodies.mass(b);
+    } else if (bodies.velocity(b).norm() > still_speed_) {
+      moving += bodies.mass(b);
+    }
   }
-  MPI_Allreduce(mine.data(), all.data(), 2, MPI_DOUBLE, MPI_SUM, world);
-  return all[1] > 0.0 ? all[0] / all[1] : 0.0;
+  MPI_Allreduce(mine.data(), all.data(), static_cast<int>(all.size()), MPI_DOUBLE, MPI_SUM, world);
+  now.moving_share = all[1] > 0.0 ? all[0] / all[1] : 0.0;
+  now.gone = all[2];
+  now.gone_mass = all[3];
 }
 
 bool FixMuckpileProgress::still(const Look& now) const { return now.moving_share < still_share_; }
@@ -163,13 +177,15 @@ void FixMuckpileProgress::say(const Look& now) const {
                                                      : -1.0;
   char remaining[64] = "";
   if (left >= 0.0) std::snprintf(remaining, sizeof remaining, " | at most %.0f s left", left);
-  char text[256];
+  char gone[64] = "";
+  if (now.gone > 0.0) std::snprintf(gone, sizeof gone, " | %.0f blocks left the scene", now.gone);
+  char text[320];
   std::snprintf(text, sizeof text,
                 "[%s] t = %.4g s | step %lld of %.2g s | joints broken %.1f %% | fastest %.3g m/s "
-                "| moving %.1f %%%s\n",
+                "| moving %.1f %%%s%s\n",
                 phase_.c_str(), now.time, static_cast<long long>(update->ntimestep), update->dt,
                 now.joints > 0.0 ? 100.0 * now.broken / now.joints : 0.0, now.fastest,
-                100.0 * now.moving_share, remaining);
+                100.0 * now.moving_share, gone, remaining);
   engine::print_once(*lmp, text);
   if (screen != nullptr) std::fflush(screen);
 }
@@ -207,14 +223,16 @@ void FixMuckpileProgress::write_run(const Look& now) const {
       << ",\n  \"energy_balance_error\": " << now.balance
       << ",\n  \"explosive_energy_J\": " << energies.explosive
       << ",\n  \"wave_work_J\": " << energies.wave << ",\n  \"gas_work_J\": " << energies.gas
-      << ",\n  \"version\": \"" << MUCKPILE_VERSION
-      << "\",\n  \"still\": " << (still(now) ? "true" : "false") << "\n}\n";
+      << ",\n  \"blocks_left_scene\": " << now.gone
+      << ",\n  \"mass_left_scene_kg\": " << now.gone_mass << ",\n  \"version\": \""
+      << MUCKPILE_VERSION << "\",\n  \"still\": " << (still(now) ? "true" : "false") << "\n}\n";
 }
 
 double FixMuckpileProgress::compute_scalar() { return still(look()) ? 1.0 : 0.0; }
 
 double FixMuckpileProgress::compute_vector(int n) {
-  return n == 0 ? ledger_->fastest_block() : moving_share();
+  const Look now = look();
+  return n == 0 ? now.fastest : n == 1 ? now.moving_share : now.gone;
 }
 
 int FixMuckpileProgress::modify_param(int narg, char** arg) {

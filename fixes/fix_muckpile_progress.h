@@ -31,14 +31,16 @@ class FixMuckpileProgress : public LAMMPS_NS::Fix {
   struct Look {
     double time = 0.0;          // [s]
     double fastest = 0.0;       // [m/s]
-    double moving_share = 0.0;  // mass share of blocks faster than still_speed [-]
+    double moving_share = 0.0;  // mass share of blocks in the scene faster than still_speed [-]
+    double gone = 0.0;          // blocks outside of the scene
+    double gone_mass = 0.0;     // [kg]
     double joints = 0.0, broken = 0.0;
     int bodies = 0;
     double balance = 0.0;
   };
 
   [[nodiscard]] Look look();
-  [[nodiscard]] double moving_share() const;
+  void look_at_blocks(Look& now) const;
   void say(const Look& now) const;
   void write_history(const Look& now);
   void write_run(const Look& now) const;
@@ -49,7 +51,8 @@ class FixMuckpileProgress : public LAMMPS_NS::Fix {
   FixMuckpileLedger* ledger_ = nullptr;
   FixMuckpileJoint* joint_ = nullptr;
   FixMuckpileBlocks* store_ = nullptr;
-  std::string folder_, phase_;
+  std::string where_, folder_, phase_;
+  std::string scene_;  // region, empty for all space
   double time_end_, still_speed_, still_share_, fastest_allowed_, balance_allowed_;
   double wall_start_, phase_wall_start_ = 0.0, phase_time_start_ = 0.0;
   bool history_begun_ = false;

@@ -3,10 +3,8 @@
 // core/bond/quiet_ground.
 #include "fix_muckpile_quiet.h"
 
-#include <domain.h>
 #include <modify.h>
 #include <mpi.h>
-#include <region.h>
 #include <update.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 #include <cstdio>
 
 #include "args/numbers.h"
+#include "engine/region.h"
 #include "engine/style_args.h"
 
 namespace muckpile {
@@ -81,10 +80,7 @@ void FixMuckpileQuiet::init() {
     if (dynamic_cast<YieldingSupports*>(modify->fix[i]) != nullptr)
       engine::stop(*lmp, where_ + ": must be defined after fix muckpile/joint");
   }
-  for (const std::string& region : regions_) {
-    if (domain->find_region(region.c_str()) < 0)
-      engine::stop(*lmp, where_ + ": region must exist, got '" + region + "'");
-  }
+  for (const std::string& region : regions_) engine::require_region(*lmp, where_, region);
 }
 
 /// Forces are up to date here: what the supports carry now is what they hold.
@@ -108,8 +104,7 @@ void FixMuckpileQuiet::setup(int) {
 
 bool FixMuckpileQuiet::chosen(const Vec3& centroid) const {
   return std::any_of(regions_.begin(), regions_.end(), [&](const std::string& name) {
-    LAMMPS_NS::Region& region = *domain->regions[domain->find_region(name.c_str())];
-    return region.match(centroid.x(), centroid.y(), centroid.z()) != 0;
+    return engine::in_region(*lmp, name, centroid);
   });
 }
 
