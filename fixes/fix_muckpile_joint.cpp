@@ -64,6 +64,14 @@ const ArgTable& table() {
                  "natural joints of the planes that create_blocks gives this class: cohesion [Pa], "
                  "friction angle [deg], tension [Pa], residual friction angle [deg], normal and "
                  "shear stiffness [Pa/m; 0: rigid]; the first one is class 1, the next class 2")
+          .real("fracture_energy_tension", "J/m2", Range::non_negative(), 0.0,
+                "taken as tension falls to nothing, linearly with the opening; 0: at once")
+          .real("fracture_energy_shear", "J/m2", Range::non_negative(), 0.0,
+                "taken as cohesion falls to nothing, linearly with the slip; 0: at once")
+          .real("rate_exponent", "", Range::closed(0.0, 1.0), 0.0,
+                "tension and cohesion grow with this power of the strain rate; 0: not")
+          .real("reference_rate", "1/s", Range::positive(), 1e-6,
+                "strain rate up to which strength is that at rest")
           .integer(
               "open_sleep", "steps", Range::closed(0, 1000), 20,
               "longest time that a broken, open facet is left alone while its gap lasts; 0: never");
@@ -105,6 +113,10 @@ FacetNetwork make_network(LAMMPS_NS::LAMMPS& lmp, const std::string& where, int 
   p.shear_stiffness = rigid_if_0(args.real("shear_stiffness"));
   p.damping = args.real("damping");
   p.contact_damping = args.real("contact_damping");
+  p.fracture_energy_tension = args.real("fracture_energy_tension");
+  p.fracture_energy_shear = args.real("fracture_energy_shear");
+  p.rate_exponent = args.real("rate_exponent");
+  p.reference_rate = args.real("reference_rate");
   p.longest_sleep = static_cast<double>(args.integer("open_sleep"));
   return engine::or_engine_error(
       lmp, [&] { return FacetNetwork(JointMaterial(p), joint_classes(args, where)); });

@@ -99,16 +99,20 @@ void FacetNetwork::work_facet(std::size_t f, double dt) {
   pull.rate = LaneVec(slip) + cross(LaneVec(Vec3(sj.spin - si.spin)), pull.arm);
   if (bonded) work_bonded(f, motion, pull, dt);
   if (bonded_points_[f] < kFacetPoints) add_contact(f, motion, pull, dt);
+  if (softens_) add_cohesion(f, motion, pull, dt);
   apply(f, pull);
 }
 
 /// Breaks points that fail, damps the others; the traction of broken points is no longer true.
 void FacetNetwork::work_bonded(std::size_t f, const Motion& motion, Pull& pull, double dt) {
-  const LaneMask fails = turned_away(f, motion) ? is_point() : pull.failing(bonds_[f]);
+  const bool torn = turned_away(f, motion);
+  const LaneMask fails = torn ? is_point() : pull.failing(bonds_[f]);
   for (int p = 0; p < kFacetPoints; ++p) {
     const auto q = static_cast<std::size_t>(p);
     if (memory_[f].broken[q] || !fails[q]) continue;
     const Vec3 traction = pull.traction.at(p);
+    if (depends_on_rate_ && !torn && holds_at_its_rate(f, motion.normal, traction, pull.rate.at(p)))
+      continue;
     break_point(f, p,
                 {motion.normal, pull.jump.at(p), traction, pull.rate.at(p),
                  openings_of(f, motion.scale), motion.axes()},
@@ -132,11 +136,19 @@ void FacetNetwork::break_point(std::size_t f, int p, const Break& broken, double
   const double limit = contact.tan_residual * -held;
   const double shear_size = shear.norm();
   const double kept = shear_size > limit ? limit / shear_size : 1.0;
-  // The contact starts with the compression that the joint carried and the shear that friction can.
-  Vec3 spring = held / contact.normal * n;
+  const Vec3 dropped = broken.traction - held * n - kept * shear;
+  FacetMemory& memory = memory_[f];
+  Cohesion& cohesion = memory.cohesion[static_cast<std::size_t>(p)];
+  if (softens_) {
+    const Mat3 to_axes = broken.axes.transpose();
+    cohesion = cohesion_after(to_axes * dropped, to_axes * broken.jump, contact.normal,
+                              contact.shear, material().parameters());
+  }
+  // The contact starts with the compression that the joint carried and the shear that friction can;
+  // open by what a point that softens has parted.
+  Vec3 spring = (held / contact.normal + cohesion.first * cohesion.direction.x()) * n;
   if (contact.shear > 0.0) spring += kept / contact.shear * shear;
 
-  FacetMemory& memory = memory_[f];
   memory.offset[static_cast<std::size_t>(p)] = broken.axes.transpose() * (broken.jump - spring);
   memory.broken[static_cast<std::size_t>(p)] = true;
   if (memory.state == FacetState::intact) memory.state = states_[f] = FacetState::cracked;
@@ -150,8 +162,13 @@ void FacetNetwork::break_point(std::size_t f, int p, const Break& broken, double
   // The half kick to the present step used the traction before, the one from it uses that after:
   // the blocks did the work of their mean over the step's path, the springs' account assumes the
   // first.
-  const Vec3 dropped = broken.traction - held * n - kept * shear;
-  const double undone = dropped.dot(broken.rate) * dt;
+  const double undone = cohesion.holds() ? 0.0 : dropped.dot(broken.rate) * dt;
+  if (cohesion.holds()) {
+    // The sides have parted by `first` beside the stretch of the spring that friction holds.
+    const double rubbed = kept * shear.dot(dropped) / contact.shear;
+    losses_.friction += contact.weight * bond.point_area * rubbed;
+    after += 2.0 * (cohesion.energy(cohesion.first) + rubbed);
+  }
   Coupling& coupling = couplings_[f];
   const double uneven =
       theta_[static_cast<std::size_t>(coupling.i)] - theta_[static_cast<std::size_t>(coupling.j)];

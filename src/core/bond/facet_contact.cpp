@@ -90,6 +90,7 @@ bool FacetNetwork::closes(std::size_t f, const Motion& motion, double dt) {
          ramp_down(std::sqrt(slid_squared), kSlideStart, kSlideEnd) *
              ramp_down(std::sqrt(turned_squared), kTurnStart, kTurnEnd));
   }
+  if (softens_ && holds_on(f)) return true;
   if (memory.fade == 0.0 || opened > kOpened * contact.radius) {
     memory.state = states_[f] = FacetState::retired;
     ++changed_since_;

@@ -109,6 +109,13 @@ struct FacetNetwork::Pull {
   explicit Pull(const Motion& motion)
       : normal(motion.normal), jump(motion.jump()), arm(motion.side() + Lanes(0.5) * jump) {}
 
+  void add(int p, const Vec3& t) {
+    const auto k = static_cast<std::size_t>(p);
+    traction.x[k] += t.x();
+    traction.y[k] += t.y();
+    traction.z[k] += t.z();
+  }
+
   /// Which points fail if they are bonded.
   [[nodiscard]] LaneMask failing(const Bond& bond) const {
     const Lanes along = dot(normal, traction);

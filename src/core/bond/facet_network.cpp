@@ -65,6 +65,9 @@ void FacetNetwork::set_faces(std::vector<BoundaryFace> faces) {
 }
 
 void FacetNetwork::derive() {
+  const JointParameters& parameters = material().parameters();
+  softens_ = parameters.fracture_energy_tension > 0.0 || parameters.fracture_energy_shear > 0.0;
+  depends_on_rate_ = parameters.rate_exponent > 0.0;
   damping_ = material().damping_coefficient();
   contact_damping_ = material().contact_damping_coefficient();
   sides_.resize(facets_.size());
@@ -224,7 +227,7 @@ double FacetNetwork::facet_energy(std::size_t f) const {
     stored += bond.shear * jump.squaredNorm() + bond.normal_extra * normal * normal;
   }
   return 0.5 * (bond.point_area * stored + coupling.sharpening * uneven * uneven) +
-         contact_energy(f, motion);
+         contact_energy(f, motion) + (softens_ ? cohesion_energy(f, motion) : 0.0);
 }
 
 double FacetNetwork::elastic_energy() const {
@@ -268,6 +271,9 @@ double FacetNetwork::broken_area(bool all) const {
 void FacetNetwork::soften(double factor) {
   stop_ground();  // what is behind is not softened, and no wave is left to let out
   losses_.fracture += (1.0 - factor) * elastic_energy();
+  for (FacetMemory& memory : memory_) {
+    for (Cohesion& cohesion : memory.cohesion) cohesion.strength *= factor;
+  }
   for (JointMaterial& material : materials_) material = material.softened(factor);
   derive();
 }

@@ -32,6 +32,7 @@
 #include <utility>
 #include <vector>
 
+#include "bond/cohesion.h"
 #include "bond/joint_material.h"
 #include "bond/quiet_ground.h"
 #include "math/four_vectors.h"
@@ -97,6 +98,7 @@ struct alignas(64) FacetMemory {
   ///< broken point: jump at zero force, along the normal, the first half axis and across [m]
   double fade = 1.0;  ///< 1 while the faces match, falls to 0 as they slide or turn away
   std::array<bool, kFacetPoints> broken{false, false, false};
+  std::array<Cohesion, kFacetPoints> cohesion{};  ///< broken point: what it still holds
   FacetState state = FacetState::intact;
   bool open = false;    ///< broken and so far open that its points were left alone last time
   GroundMemory ground;  ///< of a support only
@@ -283,6 +285,13 @@ class FacetNetwork {
   [[nodiscard]] double contact_energy(std::size_t f, const Motion& motion) const;
   void add_contact(std::size_t f, const Motion& motion, Pull& pull, double dt);
 
+  // What broken points still hold: facet_softening.cpp.
+  [[nodiscard]] bool holds_at_its_rate(std::size_t f, const Vec3& normal, const Vec3& traction,
+                                       const Vec3& rate) const;
+  [[nodiscard]] bool holds_on(std::size_t f) const;
+  void add_cohesion(std::size_t f, const Motion& motion, Pull& pull, double dt);
+  [[nodiscard]] double cohesion_energy(std::size_t f, const Motion& motion) const;
+
   // Pressure: facet_load.cpp.
   void load_faces();
   void sweep(BoundaryFace& face) const;
@@ -319,6 +328,7 @@ class FacetNetwork {
   QuietGround quiet_ground_;
   std::vector<BoundaryFace> faces_;
   JointLosses losses_;
+  bool softens_ = false, depends_on_rate_ = false;
   double damping_ = 0.0, contact_damping_ = 0.0;  // [Pa s/m]
   double pressure_work_ = 0.0, wave_work_ = 0.0;
   bool newly_cracked_ = false;

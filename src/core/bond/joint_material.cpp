@@ -45,6 +45,12 @@ JointMaterial::JointMaterial(const JointParameters& parameters)
   require(p.shear_stiffness > 0.0, "shear_stiffness must be > 0 Pa/m", p.shear_stiffness);
   require(p.damping >= 0.0, "damping must be >= 0", p.damping);
   require(p.contact_damping >= 0.0, "contact_damping must be >= 0", p.contact_damping);
+  require(p.fracture_energy_tension >= 0.0, "fracture_energy_tension must be >= 0 J/m2",
+          p.fracture_energy_tension);
+  require(p.fracture_energy_shear >= 0.0, "fracture_energy_shear must be >= 0 J/m2",
+          p.fracture_energy_shear);
+  require(p.rate_exponent >= 0.0, "rate_exponent must be >= 0", p.rate_exponent);
+  require(p.reference_rate > 0.0, "reference_rate must be > 0 1/s", p.reference_rate);
 }
 
 double JointMaterial::p_wave_modulus() const { return lame_lambda_ + 2.0 * shear_modulus_; }

@@ -19,9 +19,13 @@ struct JointParameters {
   double residual_friction_angle = 0.0;                               ///< after breaking [rad]
   double normal_stiffness = std::numeric_limits<double>::infinity();  ///< joint alone [Pa/m]
   double shear_stiffness = std::numeric_limits<double>::infinity();   ///< joint alone [Pa/m]
-  double damping = 0.0;          ///< of intact joints, share of rho c_P per area [-]
-  double contact_damping = 0.0;  ///< of closed broken facets, share of rho c_P per area [-]
-  double longest_sleep = 0.0;    ///< steps for which a broken open facet may be left alone [-]
+  double damping = 0.0;                  ///< of intact joints, share of rho c_P per area [-]
+  double contact_damping = 0.0;          ///< of closed broken facets, share of rho c_P per area [-]
+  double fracture_energy_tension = 0.0;  ///< [J/m2]; 0: tension drops at once
+  double fracture_energy_shear = 0.0;    ///< beside friction [J/m2]; 0: cohesion drops at once
+  double rate_exponent = 0.0;            ///< of strength [-]; 0: it does not depend on rate
+  double reference_rate = 1e-6;          ///< up to which strength is that at rest [1/s]
+  double longest_sleep = 0.0;  ///< steps for which a broken open facet may be left alone [-]
 };
 
 /// A natural joint: stiffness and strength of its own; the rock on both sides is the same.

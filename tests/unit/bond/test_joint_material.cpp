@@ -105,6 +105,10 @@ TEST(JointMaterial, RefusesWhatIsOutOfRange) {
       [](JointParameters& p) { p.shear_stiffness = 0.0; },
       [](JointParameters& p) { p.damping = -0.1; },
       [](JointParameters& p) { p.contact_damping = -0.1; },
+      [](JointParameters& p) { p.fracture_energy_tension = -1.0; },
+      [](JointParameters& p) { p.fracture_energy_shear = -1.0; },
+      [](JointParameters& p) { p.rate_exponent = -0.1; },
+      [](JointParameters& p) { p.reference_rate = 0.0; },
       [](JointParameters& p) { p.youngs_modulus = std::numeric_limits<double>::quiet_NaN(); },
   };
   for (std::size_t k = 0; k < faults.size(); ++k) {
