@@ -98,7 +98,7 @@ record_clumps() {  # record_clumps CODE LAW LOG TOUCHES COUNT [pile]
 clumps() {  # clumps BODIES SIDE SETTLE COUNT [pile]
   local bodies=$1 side=$2 settle=$3 count=$4 pile=${5-} log=$out/peers/clumps.log own
   local vars=(-log none -var side "$side" -var settle "$settle" -var count "$count" -var start)
-  for own in 0 1; do
+  for own in 1 0; do
     run "$log" "$program" -in "$here/clumps_liggghts.in" "${vars[@]}" "$start" -var own $own -var bodies "$bodies"
     bodies=$(($(awk 'NR == 4' "$start") / 8))
     if ((own)); then
@@ -140,7 +140,7 @@ least() {
         link = links[key] > 0 ? 1e9 * seconds[key] / links[key] : 0
         own_link = links[own] > 0 ? 1e9 * seconds[own] / links[own] : 0
         printf "%s,%s,%s,%d,%d,%.0f,%.3f,%s,%s,%s\n", part[1], part[2], law[key], bodies[key], links[key], 1 / seconds[key], body,
-          ratio(body, own_body), link > 0 ? sprintf("%.0f", link) : "", link > 0 ? ratio(link, own_link) : ""
+          ratio(body, own_body), (link > 0 ? sprintf("%.0f", link) : ""), (link > 0 ? ratio(link, own_link) : "")
       }
     }' "$raw"
 }
@@ -160,7 +160,7 @@ write_tables() {
 for ((round = 1; round <= rounds; round++)); do
   say "round $round of $rounds"
   rock
-  clumps 1000 2.5 6000 500 pile
+  clumps 1000 2.5 6000 1000 pile
   if [[ $full == full ]]; then clumps 8000 7.1 6000 500 pile; else clumps 8000 7.1 201 200; fi
 done
 write_tables
