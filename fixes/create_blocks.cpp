@@ -29,6 +29,7 @@
 #include "fix_muckpile_balance.h"
 #include "fix_muckpile_blocks.h"
 #include "geometry/block_file.h"
+#include "geometry/filling_quality.h"
 
 namespace muckpile {
 namespace {
@@ -567,7 +568,27 @@ void CreateBlocks::report(const Model& model, double seconds) const {
                 quantile(ratios, 0.1), quantile(ratios, 0.9), volume,
                 model.rock.statistics.void_volume, model.largest_overlap, seconds);
   engine::print_once(*lmp, text.data());
+  report_filling(model);
   if (model.sizes) report_target(*model.sizes);
+}
+
+/// Means over some blocks, evenly chosen.
+void CreateBlocks::report_filling(const Model& model) const {
+  constexpr std::size_t kBlocks = 200;
+  const std::size_t step = std::max<std::size_t>(1, model.bodies.size() / kBlocks);
+  FillingQuality mean;
+  double count = 0.0;
+  for (std::size_t b = 0; b < model.bodies.size(); b += step, count += 1.0) {
+    const FillingQuality one = filling_quality(model.rock.blocks[b].shape, model.bodies[b].spheres);
+    mean.coverage += one.coverage;
+    mean.surface_deviation += one.surface_deviation;
+  }
+  std::ostringstream text;
+  text.precision(3);
+  text << "  spheres cover " << 100.0 * mean.coverage / count
+       << " % of their block; its surface lies " << 100.0 * mean.surface_deviation / count
+       << " % of V^(1/3) off theirs (means of " << count << " blocks)\n";
+  engine::print_once(*lmp, text.str());
 }
 
 void CreateBlocks::report_target(const SizeComparison& sizes) const {

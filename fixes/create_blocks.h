@@ -57,6 +57,7 @@ class CreateBlocks : protected LAMMPS_NS::Pointers {
               int blocks);
   void create_body(const RigidBody& body, int tag, int first_atom_tag, const ArgValues& args);
   void report(const Model& model, double seconds) const;
+  void report_filling(const Model& model) const;
   void report_target(const SizeComparison& sizes) const;
   FixMuckpileBlocks& store();
 
