@@ -98,10 +98,10 @@ struct alignas(64) FacetMemory {
   ///< broken point: jump at zero force, along the normal, the first half axis and across [m]
   double fade = 1.0;  ///< 1 while the faces match, falls to 0 as they slide or turn away
   std::array<bool, kFacetPoints> broken{false, false, false};
-  std::array<Cohesion, kFacetPoints> cohesion{};  ///< broken point: what it still holds
   FacetState state = FacetState::intact;
-  bool open = false;    ///< broken and so far open that its points were left alone last time
-  GroundMemory ground;  ///< of a support only
+  bool open = false;  ///< broken and so far open that its points were left alone last time
+  std::array<Cohesion, kFacetPoints> cohesion{};  ///< broken point: what it still holds
+  GroundMemory ground;                            ///< of a support only
 };
 
 /// What is left to know of a block's retired facets once they are no longer kept.
