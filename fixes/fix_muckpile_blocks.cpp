@@ -107,19 +107,12 @@ void FixMuckpileBlocks::retire_into_record(const Facet& facet, int end) {
 /// Retired facets need not travel: their blocks remember what is left to know of them. Every rank
 /// that holds a copy drops it at the same time.
 void FixMuckpileBlocks::drop_retired() {
-  std::size_t kept = 0;
-  for (std::size_t f = 0; f < facets_.size(); ++f) {
-    const Facet facet = facets_[f];
-    if (memory_[f].state != FacetState::retired) {
-      facets_[kept] = facet;
-      memory_[kept++] = memory_[f];
-      continue;
-    }
-    retire_into_record(facet, facet.i);
-    retire_into_record(facet, facet.j);
-  }
-  facets_.resize(kept);
-  memory_.resize(kept);
+  keep_facets([&](std::size_t f) {
+    if (memory_[f].state != FacetState::retired) return true;
+    retire_into_record(facets_[f], facets_[f].i);
+    retire_into_record(facets_[f], facets_[f].j);
+    return false;
+  });
 }
 
 /// A block that left the simulation box takes its joints with it: its neighbours lose them, and
@@ -209,8 +202,9 @@ void FixMuckpileBlocks::merge(const std::vector<int>& tags,
   std::sort(faces_.begin(), faces_.end(), [](const BoundaryFace& a, const BoundaryFace& b) {
     return std::pair(a.tag, a.face) < std::pair(b.tag, b.face);
   });
-  keep_facets(
-      [&](const Facet& facet) { return here.count(facet.tag_i) + here.count(facet.tag_j) > 0; });
+  keep_facets([&](std::size_t f) {
+    return here.count(facets_[f].tag_i) + here.count(facets_[f].tag_j) > 0;
+  });
   add_facets(std::move(facets));
 
   records_.clear();
@@ -220,10 +214,10 @@ void FixMuckpileBlocks::merge(const std::vector<int>& tags,
   }
 }
 
-void FixMuckpileBlocks::keep_facets(const std::function<bool(const Facet&)>& needed) {
+void FixMuckpileBlocks::keep_facets(const std::function<bool(std::size_t)>& needed) {
   std::size_t kept = 0;
   for (std::size_t f = 0; f < facets_.size(); ++f) {
-    if (!needed(facets_[f])) continue;
+    if (!needed(f)) continue;
     if (kept != f) {
       facets_[kept] = facets_[f];
       memory_[kept] = memory_[f];

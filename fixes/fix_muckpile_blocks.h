@@ -85,7 +85,7 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   void migrate(const std::vector<int>& tags, const engine::BlockDirectory& directory);
   [[nodiscard]] std::vector<std::vector<char>> pack_leaving(
       const std::vector<int>& tags, const engine::BlockDirectory& directory);
-  void keep_facets(const std::function<bool(const Facet&)>& needed);
+  void keep_facets(const std::function<bool(std::size_t)>& needed);
   void add_facets(std::vector<FacetEntry> added);
   void merge(const std::vector<int>& tags, const std::vector<std::vector<char>>& arrived);
   void index(const std::vector<int>& tags, const engine::BlockDirectory& directory);

@@ -435,9 +435,10 @@ int FixMuckpileJoint::modify_param(int narg, char** arg) {
   return 2;
 }
 
+/// The network's own tables take some 45 numbers per facet.
 double FixMuckpileJoint::memory_usage() {
   const double facets = static_cast<double>(network_.facets().size());
-  return facets * static_cast<double>(sizeof(Facet) + sizeof(FacetMemory) + 20 * sizeof(double)) +
+  return facets * static_cast<double>(sizeof(Facet) + sizeof(FacetMemory) + 45 * sizeof(double)) +
          static_cast<double>(network_.blocks().size() * (sizeof(BlockState) + 12 * sizeof(double)));
 }
 
