@@ -46,7 +46,7 @@ TessellationOptions graded_bench(const BenchRock& what) {
   options.region = profile();
   options.max_blocks = 4 * what.blocks;
   const auto wanted = static_cast<double>(what.blocks);
-  double smallest = 0.1;  // [m]
+  double smallest = 0.1;         // [m]
   for (int k = 0; k < 8; ++k) {  // the count goes with size^-3, but for the edges
     options.size = law(smallest, what.size_ratio);
     smallest *= std::cbrt(expected_block_count(options, 1e9) / wanted);

@@ -16,10 +16,10 @@
 namespace muckpile::perf {
 namespace {
 
-constexpr int kSpheres = 9;            // per block
-constexpr double kDensity = 2700.0;    // [kg/m3]
-constexpr double kTarget = 60.0;       // per 100,000 blocks, sweeps included [s]
-constexpr int kOnce = 1;               // rounds of least_time
+constexpr int kSpheres = 9;          // per block
+constexpr double kDensity = 2700.0;  // [kg/m3]
+constexpr double kTarget = 60.0;     // per 100,000 blocks, sweeps included [s]
+constexpr int kOnce = 1;             // rounds of least_time
 
 /// Where the time goes: each stage by itself, on the relaxed seeds.
 nlohmann::ordered_json stages(const TessellationOptions& options, const Tessellation& cut) {

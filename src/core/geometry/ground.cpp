@@ -5,11 +5,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 #include "geometry/hole_surface.h"
 
 namespace muckpile {
+
+namespace {
+
+AxisIndex axes_of(const TessellationOptions& options) {
+  std::vector<Axis> axes;
+  for (const Hole& hole : options.holes) axes.emplace_back(hole.toe, hole.collar);
+  for (const auto& [from, to] : options.fine_axes) axes.emplace_back(from, to);
+  return AxisIndex(std::move(axes));
+}
+
+}  // namespace
+
+Ground::Ground(const TessellationOptions& options) : options_(options), axes_(axes_of(options)) {
+  for (const Hole& hole : options.holes) largest_radius_ = std::max(largest_radius_, hole.radius);
+}
 
 bool Ground::in_region(const Vec3& point) const {
   const bool in_box =
@@ -18,17 +33,22 @@ bool Ground::in_region(const Vec3& point) const {
 }
 
 bool Ground::is_rock(const Vec3& point) const {
-  const auto holds = [&](const Hole& hole) { return inside_hole(hole, point); };
-  return in_region(point) && std::none_of(options_.holes.begin(), options_.holes.end(), holds);
+  if (!in_region(point)) return false;
+  return !axes_.any_within(point, largest_radius_, [&](int axis) {
+    const auto h = static_cast<std::size_t>(axis);
+    return h < options_.holes.size() && inside_hole(options_.holes[h], point);
+  });
 }
 
-double Ground::charge_distance(const Vec3& point) const {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const Hole& hole : options_.holes)
-    nearest = std::min(nearest, distance_to_axis(hole, point));
-  for (const auto& [from, to] : options_.fine_axes)
-    nearest = std::min(nearest, distance_to_axis({from, to, 0.0}, point));
-  return nearest;
+double Ground::charge_distance(const Vec3& point) const { return axes_.nearest(point); }
+
+void Ground::holes_near(const Vec3& point, double distance, std::vector<int>& found) const {
+  found.clear();
+  axes_.any_within(point, distance + largest_radius_, [&](int axis) {
+    if (static_cast<std::size_t>(axis) < options_.holes.size()) found.push_back(axis);
+    return false;
+  });
+  std::sort(found.begin(), found.end());
 }
 
 double Ground::size_nearer(const Vec3& point, double nearer) const {
@@ -36,8 +56,8 @@ double Ground::size_nearer(const Vec3& point, double nearer) const {
     return options_.size.at(std::max(0.0, charge_distance(point) - nearer));
   }
   std::vector<double> distances;
-  for (const Hole& hole : options_.holes) {
-    distances.push_back(std::max(0.0, distance_to_axis(hole, point) - nearer));
+  for (int h = 0; h < static_cast<int>(options_.holes.size()); ++h) {
+    distances.push_back(std::max(0.0, axes_[h].distance(point) - nearer));
   }
   return options_.size.superposed(distances);
 }

@@ -3,13 +3,16 @@
 // Scope: read-only view of validated TessellationOptions; lengths in metres.
 #pragma once
 
+#include <vector>
+
+#include "geometry/axis_index.h"
 #include "geometry/tessellation.h"
 
 namespace muckpile {
 
 class Ground {
  public:
-  explicit Ground(const TessellationOptions& options) : options_(options) {}
+  explicit Ground(const TessellationOptions& options);
 
   // In the box and in the region, holes or not.
   [[nodiscard]] bool in_region(const Vec3& point) const;
@@ -17,6 +20,9 @@ class Ground {
   [[nodiscard]] bool is_rock(const Vec3& point) const;
   // Distance from the nearest charge or fine axis; infinity without any [m].
   [[nodiscard]] double charge_distance(const Vec3& point) const;
+  // Replaces `found` by the numbers of the holes whose wall is within a distance [m] of a point,
+  // and perhaps of some farther ones, in rising order.
+  void holes_near(const Vec3& point, double distance, std::vector<int>& found) const;
   // Block size asked for at a point [m].
   [[nodiscard]] double size(const Vec3& point) const;
   // Lower bound of the size within `reach` [m] of a point: the law never falls with distance.
@@ -29,6 +35,8 @@ class Ground {
   [[nodiscard]] double size_nearer(const Vec3& point, double nearer) const;
 
   const TessellationOptions& options_;
+  AxisIndex axes_;               // of the holes, then the fine axes
+  double largest_radius_ = 0.0;  // of the holes [m]
 };
 
 }  // namespace muckpile

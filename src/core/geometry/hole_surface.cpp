@@ -29,12 +29,6 @@ double cylinder_volume(const Hole& hole) {
   return std::numbers::pi * hole.radius * hole.radius * hole_length(hole);
 }
 
-double distance_to_axis(const Hole& hole, const Vec3& point) {
-  const AxisCoordinates at = split(hole, point);
-  const double beyond = at.along - std::clamp(at.along, 0.0, hole_length(hole));
-  return std::hypot(beyond, at.across.norm());
-}
-
 bool inside_hole(const Hole& hole, const Vec3& point) {
   const AxisCoordinates at = split(hole, point);
   return at.along >= 0.0 && at.along <= hole_length(hole) && at.across.norm() <= hole.radius;

@@ -12,9 +12,6 @@ namespace muckpile {
 
 [[nodiscard]] double hole_length(const Hole& hole);  // [m]
 
-// Distance from the axis segment (the charge), >= 0 [m].
-[[nodiscard]] double distance_to_axis(const Hole& hole, const Vec3& point);
-
 // True inside the closed cylinder.
 [[nodiscard]] bool inside_hole(const Hole& hole, const Vec3& point);
 

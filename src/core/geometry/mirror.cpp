@@ -33,10 +33,12 @@ void mirror_at_hole(const Vec3& seed, const Hole& hole, int number, double reach
 Images mirror_seeds(const std::vector<Vec3>& seeds, const std::vector<Hole>& holes,
                     const RegionQuery& region, const Ground& ground) {
   Images images;
+  std::vector<int> near;
   for (const Vec3& seed : seeds) {
     const double size = ground.size(seed);
-    for (std::size_t h = 0; h < holes.size(); ++h) {
-      mirror_at_hole(seed, holes[h], static_cast<int>(h), kHoleReach * size, images);
+    ground.holes_near(seed, kHoleReach * size, near);
+    for (const int h : near) {
+      mirror_at_hole(seed, holes[static_cast<std::size_t>(h)], h, kHoleReach * size, images);
     }
     if (!region.surface_points) continue;
     for (const Vec3& surface : region.surface_points(seed, kRegionReach * size)) {
