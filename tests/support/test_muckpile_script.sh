@@ -105,8 +105,11 @@ fake bin/id 'echo 1000'
 fake bin/sudo '"$@"'
 must_work install-deps
 called '^sudo env DEBIAN_FRONTEND=noninteractive apt-get .*install -y --no-install-recommends cmake ninja-build$'
+fake bin/dpkg-query 'shift 2; for p in "$@"; do [[ $p == lammps ]] || echo "$p installed"; done; exit 1'
+must_work install-deps lammps
+called 'install -y --no-install-recommends lammps$'
 fake bin/apt-get 'exit 100'
-must_refuse "apt-get update failed" install-deps
+must_refuse "apt-get update failed" install-deps lammps
 
 rm bin/*
 for tool in bash readlink dirname; do ln -s "$(command -v "$tool")" bin/; done

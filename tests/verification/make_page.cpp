@@ -3,7 +3,8 @@
 // Scope: make_page RESULTS [TEMPLATE PAGE]; RESULTS/cases holds the reports, pictures go to images/
 // beside the page. In the template a line {{table NAME}} becomes the rows of all reports whose name
 // begins with NAME, {{plot NAME}} the picture, {{summary}} the count of rows, {{file NAME}} the
-// text of RESULTS/NAME.
+// text of RESULTS/NAME. A report may say that it was skipped, and why, instead of having rows; the
+// plots that begin with its name are then left out.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -93,8 +94,21 @@ std::string spelled_error(const Json& row, const char* key) {
   return spelled(100.0 * value, 2) + " %";
 }
 
-std::string table(const Json& rows, const std::string& name) {
-  if (rows.empty()) throw std::runtime_error("no report has rows for {{table " + name + "}}");
+/// Why reports whose name begins with `prefix` have no rows, if they say so.
+std::string why_skipped(const std::vector<Json>& reports, const std::string& prefix) {
+  for (const Json& report : reports) {
+    if (report.contains("skipped") && report["report"].get<std::string>().starts_with(prefix))
+      return "Not run: " + report["skipped"].get<std::string>() + ".\n";
+  }
+  return "";
+}
+
+std::string table(const std::vector<Json>& reports, const std::string& name) {
+  const Json rows = all_rows(reports, name);
+  if (rows.empty()) {
+    if (const std::string why = why_skipped(reports, name); !why.empty()) return why;
+    throw std::runtime_error("no report has rows for {{table " + name + "}}");
+  }
   std::string text =
       "| case | quantity | measured | expected | error | allowed | "
       "|\n|---|---|---|---|---|---|---|\n";
@@ -164,9 +178,12 @@ std::string page(const fs::path& form, const Source& source, const std::string& 
   std::string text;
   for (std::string line; std::getline(in, line);) {
     if (const std::string name = directive(line, "table"); !name.empty()) {
-      text += table(all_rows(reports, name), name);
+      text += table(reports, name);
     } else if (const std::string plot = directive(line, "plot"); !plot.empty()) {
-      if (!plots.contains(plot)) throw std::runtime_error("no report has curves for " + line);
+      if (!plots.contains(plot)) {
+        if (!why_skipped(reports, plot.substr(0, plot.find('_'))).empty()) continue;
+        throw std::runtime_error("no report has curves for " + line);
+      }
       const fs::path picture = fs::path(images) / (plot + ".png");
       text += "![" + plots.at(plot).title + "](" + picture.string() + ")\n";
     } else if (const std::string file = directive(line, "file"); !file.empty()) {

@@ -7,51 +7,12 @@
 #include <numbers>
 #include <vector>
 
+#include "framework/frequency_fit.h"
+
 namespace muckpile::verification {
 namespace {
 
 constexpr double kStrain = 1e-6;  // amplitude x wave number: far from any second-order effect
-
-struct Sample {
-  double time, amplitude;
-};
-
-/// Least-squares misfit of a cos(wt) + b sin(wt), solved for a and b.
-double misfit(const std::vector<Sample>& samples, double w) {
-  Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
-  Eigen::Vector2d right = Eigen::Vector2d::Zero();
-  double square = 0.0;
-  for (const Sample& s : samples) {
-    const Eigen::Vector2d basis(std::cos(w * s.time), std::sin(w * s.time));
-    normal += basis * basis.transpose();
-    right += s.amplitude * basis;
-    square += s.amplitude * s.amplitude;
-  }
-  return square - right.dot(normal.inverse() * right);
-}
-
-/// Minimum by golden section between two frequencies.
-double best_frequency(const std::vector<Sample>& samples, double low, double high) {
-  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
-  double a = high - golden * (high - low), b = low + golden * (high - low);
-  double at_a = misfit(samples, a), at_b = misfit(samples, b);
-  while (high - low > 1e-7 * high) {
-    if (at_a < at_b) {
-      high = b;
-      b = a;
-      at_b = at_a;
-      a = high - golden * (high - low);
-      at_a = misfit(samples, a);
-    } else {
-      low = a;
-      a = b;
-      at_a = at_b;
-      b = low + golden * (high - low);
-      at_b = misfit(samples, b);
-    }
-  }
-  return 0.5 * (low + high);
-}
 
 }  // namespace
 
@@ -128,7 +89,7 @@ double measured_frequency(BlockRun& run, const StandingWave& wave, double period
     }
     samples.push_back({n * dt, part / (shape * amplitude)});
   }
-  return best_frequency(samples, 0.6 * guess, 1.3 * guess);
+  return fitted_frequency(samples, 0.6 * guess, 1.3 * guess);
 }
 
 }  // namespace muckpile::verification
