@@ -73,6 +73,14 @@ const ArgTable& table() {
               "natural joint: x y z of a point [m], dip and dip direction [degrees; y is north, x "
               "is east], number of the `joint_class` of fix muckpile/joint (0: none), and "
               "optionally a radius about the point [m] beyond which its facets are like all others")
+          .word("cut", {"voronoi", "joint_sets"}, "voronoi",
+                "how the rock is cut: graded Voronoi blocks, or joint sets in concentric bands")
+          .group("joint_set", 2, 3, true,
+                 "for `cut joint_sets`, two or three times: dip and dip direction [degrees], and "
+                 "optionally the spacing relative to the other sets' (1)")
+          .real("sliver", "", Range::closed(0.0, 0.3), 0.2,
+                "for `cut joint_sets`: no block gets 3 volume / surface below this share of the "
+                "size asked for")
           .integer("spheres_per_block", "", Range::closed(1, 64), 8,
                    "contact spheres in each block")
           .real("sphere_growth", "", Range::closed(1.0, 1.5), 1.0,
@@ -276,6 +284,21 @@ std::vector<JointPlane> CreateBlocks::joint_planes(const ArgValues& args) const 
   return planes;
 }
 
+JointSetCut CreateBlocks::joint_sets(const ArgValues& args) const {
+  JointSetCut how{{}, args.real("sliver")};
+  for (const auto& words : args.groups("joint_set")) {
+    const auto radians = [&](std::size_t k, double most) {
+      return parse_real(kStyle, "joint_set", words[k], "deg", Range::closed(0.0, most)) * M_PI /
+             180.0;
+    };
+    JointSet set{normal_of_dip(radians(0, 90.0), radians(1, 360.0))};
+    if (words.size() > 2)
+      set.spacing = parse_real(kStyle, "joint_set", words[2], "", Range::positive());
+    how.sets.push_back(set);
+  }
+  return how;
+}
+
 SizeLaw CreateBlocks::size_law(const ArgValues& args) const {
   if (!args.given("size")) throw InputError("create_blocks: keyword 'size' is required");
   const std::vector<std::string>& words = args.groups("size").front();
@@ -399,7 +422,14 @@ SupportRule CreateBlocks::support(const ArgValues& args) const {
 CreateBlocks::Model CreateBlocks::cut(const TessellationOptions& what,
                                       const ArgValues& args) const {
   Model model;
-  if (const auto target = size_target(args)) {
+  const bool by_sets = args.word("cut") == "joint_sets";
+  if (!by_sets && (args.given("joint_set") || args.given("sliver")))
+    throw InputError("joint_set and sliver need 'cut joint_sets'");
+  if (by_sets && size_target(args))
+    throw InputError("size target needs 'cut voronoi': joint sets halve block sizes in steps");
+  if (by_sets) {
+    model.rock = cut_by_joint_sets(what, joint_sets(args));
+  } else if (const auto target = size_target(args)) {
     FittedCut fitted =
         tessellate_to_target(what, *target, {args.real("block_min"), args.real("block_max")});
     model.rock = std::move(fitted.cut);

@@ -14,6 +14,7 @@
 #include "bond/joint_plane.h"
 #include "bond/rigid_body.h"
 #include "engine/style_args.h"
+#include "geometry/joint_set_cut.h"
 #include "geometry/size_target.h"
 
 namespace LAMMPS_NS {
@@ -49,6 +50,7 @@ class CreateBlocks : protected LAMMPS_NS::Pointers {
   [[nodiscard]] std::optional<SizeTarget> size_target(const ArgValues& args) const;
   [[nodiscard]] std::vector<Hole> holes(const ArgValues& args) const;
   [[nodiscard]] std::vector<JointPlane> joint_planes(const ArgValues& args) const;
+  [[nodiscard]] JointSetCut joint_sets(const ArgValues& args) const;
   [[nodiscard]] SupportRule support(const ArgValues& args) const;
   [[nodiscard]] std::size_t most_blocks(const ArgValues& args) const;
   [[nodiscard]] Model cut(const TessellationOptions& what, const ArgValues& args) const;

@@ -120,6 +120,20 @@ void planes(Report& report) {
           5, ratios, "along the line where planes cross, blocks do not face each other");
 }
 
+/// Cuts by joint sets, upright and leaning, in bands and not.
+void joint_sets(Report& report) {
+  const std::vector<Vec2> upright = {{90, 90}, {90, 0}, {0, 0}},
+                          leaning = {{75, 90}, {85, 0}, {10, 270}};
+  const std::vector<double> ratios = {0.0, 0.25, 0.45};
+  measure(report, "upright sets, bands 10:1", banded_rock({10, 10, 5}, upright, true), 4, ratios);
+  const std::string why =
+      "lines between centres cross leaning faces at an angle and off their middle";
+  measure(report, "leaning sets, uniform", banded_rock({10, 10, 10}, leaning, false), 5, ratios,
+          why);
+  measure(report, "leaning sets, bands 10:1", banded_rock({10, 10, 5}, leaning, true), 6, ratios,
+          why);
+}
+
 const Cases kCases = {
     {"quick",
      [](Report& r) {
@@ -136,6 +150,7 @@ const Cases kCases = {
        measure(r, "cuboids", cuboid_rock({4, 4, 4}, {1.0, 0.8, 1.25}), 2, kRatios);
      }},
     {"planes", planes},
+    {"joint_sets", joint_sets},
     {"springs", springs},
 };
 

@@ -29,22 +29,6 @@ void drop_repeated_corners(std::vector<int>& face) {
   while (face.size() > 1 && face.front() == face.back()) face.pop_back();
 }
 
-void drop_unused_vertices(Polyhedron& shape) {
-  std::vector<int> renumbered(shape.vertices.size(), -1);
-  std::vector<Vec3> kept;
-  for (std::vector<int>& face : shape.faces) {
-    for (int& v : face) {
-      int& number = renumbered[static_cast<std::size_t>(v)];
-      if (number < 0) {
-        number = static_cast<int>(kept.size());
-        kept.push_back(shape.vertices[static_cast<std::size_t>(v)]);
-      }
-      v = number;
-    }
-  }
-  shape.vertices = std::move(kept);
-}
-
 // Merges the corners of one face into its first one and removes faces with fewer than 3 corners.
 void collapse_face(Block& block, std::size_t face_number) {
   const std::vector<int> gone = block.shape.faces[face_number];

@@ -10,76 +10,18 @@
 
 #include "geometry/ground.h"
 #include "geometry/seeding.h"
+#include "geometry/shared_faces.h"
 
 namespace muckpile {
 namespace {
-
-using Vec2 = Eigen::Vector2d;
-using Polygon = std::vector<Vec2>;  // convex, counter-clockwise about the plane's normal
 
 double height(const CutPlane& plane, const Vec3& point) {
   return plane.normal.normalized().dot(point - plane.point);
 }
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-double area_of(const Polygon& polygon) {
-  double twice = 0.0;
-  for (std::size_t k = 0; k < polygon.size(); ++k)
-    twice += cross(polygon[k], polygon[(k + 1) % polygon.size()]);
-  return 0.5 * twice;
-}
-
-/// Part of a polygon to the left of the line from a to b (Sutherland & Hodgman 1974).
-Polygon left_of(const Polygon& polygon, const Vec2& a, const Vec2& b) {
-  Polygon kept;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Vec2 &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
-    const double at_p = cross(b - a, p - a), at_q = cross(b - a, q - a);
-    if (at_p >= 0.0) kept.push_back(p);
-    if ((at_p >= 0.0) != (at_q >= 0.0)) kept.push_back(p + at_p / (at_p - at_q) * (q - p));
-  }
-  return kept;
-}
-
-Polygon overlap(Polygon polygon, const Polygon& other) {
-  for (std::size_t k = 0; k < other.size() && polygon.size() > 2; ++k)
-    polygon = left_of(polygon, other[k], other[(k + 1) % other.size()]);
-  return polygon;
-}
-
-/// Axes in a plane.
-struct Frame {
-  Vec3 origin, normal, first, second;
-  explicit Frame(const CutPlane& plane)
-      : origin(plane.point),
-        normal(plane.normal.normalized()),
-        first(normal.unitOrthogonal()),
-        second(normal.cross(first)) {}
-  [[nodiscard]] Vec2 flat(const Vec3& p) const {
-    return {first.dot(p - origin), second.dot(p - origin)};
-  }
-  [[nodiscard]] Vec3 space(const Vec2& p) const { return origin + p.x() * first + p.y() * second; }
-};
-
-/// Free face of a block in the plane.
-struct PlaneFace {
-  std::size_t block, face;
-  Polygon polygon;
-  Vec2 lo, hi;
-  double area;
-};
-
-/// Piece of a face and the block behind it.
-struct Piece {
-  Polygon polygon;
-  int behind;
-};
-
-using Pieces = std::map<std::pair<std::size_t, std::size_t>, std::vector<Piece>>;  // block, face
-
 /// Faces in the plane of blocks below (`side` 1) or above it (-1).
-std::vector<PlaneFace> faces_in(const Frame& frame, const std::vector<Block>& blocks, double side) {
+std::vector<PlaneFace> faces_in(const PlaneFrame& frame, const std::vector<Block>& blocks,
+                                double side) {
   constexpr double kRounding = 1e-7;  // of the block size, and radians
   std::vector<PlaneFace> found;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
@@ -90,61 +32,10 @@ std::vector<PlaneFace> faces_in(const Frame& frame, const std::vector<Block>& bl
       const double off = frame.normal.dot(face.centroid - frame.origin);
       if (std::abs(off) > kRounding * std::cbrt(block.mass.volume)) continue;
       if ((face.normal - side * frame.normal).norm() > kRounding) continue;
-      PlaneFace in{b, f, {}, Vec2::Constant(1e300), Vec2::Constant(-1e300), face.area};
-      for (const int v : block.shape.faces[f]) {
-        in.polygon.push_back(frame.flat(block.shape.vertices[static_cast<std::size_t>(v)]));
-        in.lo = in.lo.cwiseMin(in.polygon.back());
-        in.hi = in.hi.cwiseMax(in.polygon.back());
-      }
-      if (side < 0.0) std::reverse(in.polygon.begin(), in.polygon.end());
-      found.push_back(std::move(in));
+      found.push_back(plane_face(frame, blocks, b, f, side));
     }
   }
   return found;
-}
-
-void share_faces(const Frame& frame, const std::vector<Block>& blocks, Pieces& pieces) {
-  constexpr double kSmallest = 1e-9;  // of the smaller face: below it is rounding
-  const std::vector<PlaneFace> below = faces_in(frame, blocks, 1.0),
-                               above = faces_in(frame, blocks, -1.0);
-  for (const PlaneFace& a : below) {
-    for (const PlaneFace& b : above) {
-      if ((a.lo.array() > b.hi.array()).any() || (b.lo.array() > a.hi.array()).any()) continue;
-      const Polygon common = overlap(a.polygon, b.polygon);
-      if (common.size() < 3 || area_of(common) < kSmallest * std::min(a.area, b.area)) continue;
-      pieces[{a.block, a.face}].push_back({common, static_cast<int>(b.block)});
-      Polygon turned(common.rbegin(), common.rend());
-      pieces[{b.block, b.face}].push_back({std::move(turned), static_cast<int>(a.block)});
-    }
-  }
-}
-
-/// A corner of the block that is there already, or a new one.
-int corner(Polyhedron& shape, const std::vector<int>& old_face, const Vec3& at, double size) {
-  for (const int v : old_face) {
-    if ((shape.vertices[static_cast<std::size_t>(v)] - at).norm() < 1e-9 * size) return v;
-  }
-  shape.vertices.push_back(at);
-  return static_cast<int>(shape.vertices.size()) - 1;
-}
-
-/// The first piece takes the face's place, the others follow all faces.
-void divide_face(const Frame& frame, Block& block, std::size_t face,
-                 const std::vector<Piece>& pieces) {
-  const std::vector<int> whole = block.shape.faces[face];
-  const double size = std::cbrt(block.mass.volume);
-  for (std::size_t n = 0; n < pieces.size(); ++n) {
-    std::vector<int> part;
-    for (const Vec2& p : pieces[n].polygon)
-      part.push_back(corner(block.shape, whole, frame.space(p), size));
-    if (n == 0) {
-      block.shape.faces[face] = std::move(part);
-      block.neighbour[face] = pieces[n].behind;
-    } else {
-      block.shape.faces.push_back(std::move(part));
-      block.neighbour.push_back(pieces[n].behind);
-    }
-  }
 }
 
 bool differ_in_one(const Sides& a, const Sides& b) {
@@ -259,11 +150,12 @@ TessellationOptions options_of(const TessellationOptions& options, const Sides& 
 
 void join_in_planes(const std::vector<CutPlane>& planes, std::vector<Block>& blocks) {
   for (const CutPlane& plane : planes) {
-    const Frame frame(plane);
+    const PlaneFrame frame(plane.point, plane.normal);
+    std::vector<PlaneFace> below = faces_in(frame, blocks, 1.0),
+                           above = faces_in(frame, blocks, -1.0);
     Pieces pieces;
-    share_faces(frame, blocks, pieces);
-    for (const auto& [place, parts] : pieces)
-      divide_face(frame, blocks[place.first], place.second, parts);
+    share_faces(frame, below, above, pieces);
+    divide_faces(pieces, blocks);
   }
 }
 

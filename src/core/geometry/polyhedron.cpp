@@ -138,4 +138,20 @@ Vec3 area_vector_sum(const Polyhedron& shape) {
   return sum;
 }
 
+void drop_unused_vertices(Polyhedron& shape) {
+  std::vector<int> renumbered(shape.vertices.size(), -1);
+  std::vector<Vec3> kept;
+  for (std::vector<int>& face : shape.faces) {
+    for (int& v : face) {
+      int& number = renumbered[static_cast<std::size_t>(v)];
+      if (number < 0) {
+        number = static_cast<int>(kept.size());
+        kept.push_back(shape.vertices[static_cast<std::size_t>(v)]);
+      }
+      v = number;
+    }
+  }
+  shape.vertices = std::move(kept);
+}
+
 }  // namespace muckpile

@@ -39,4 +39,7 @@ struct FaceGeometry {
 // Sum of area * outward normal over all faces [m2]; zero for a closed polyhedron.
 [[nodiscard]] Vec3 area_vector_sum(const Polyhedron& shape);
 
+// Keeps the vertices that faces use, in the order of their first use.
+void drop_unused_vertices(Polyhedron& shape);
+
 }  // namespace muckpile

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <string>
 
@@ -45,6 +46,21 @@ class Planes {
   }
   [[nodiscard]] double clearance(const Vec3& point) const { return nearest(point).first; }
   [[nodiscard]] const Vec3& normal(std::size_t plane) const { return normals_[plane]; }
+
+  // Whether faces of three directions meet at a vertex: where a face is divided among several
+  // blocks behind it, it has vertices that are no corners of the body.
+  [[nodiscard]] bool is_corner(const Vec3& vertex, double size) const {
+    constexpr double kRounding = 1e-9, kParallel = 1e-6;  // of the size, radians
+    std::vector<Vec3> met;
+    for (std::size_t k = 0; k < normals_.size(); ++k) {
+      if (std::abs(offsets_[k] - normals_[k].dot(vertex)) > kRounding * size) continue;
+      const bool known = std::any_of(met.begin(), met.end(), [&](const Vec3& n) {
+        return (n - normals_[k]).norm() < kParallel;
+      });
+      if (!known) met.push_back(normals_[k]);
+    }
+    return met.size() > 2;
+  }
 
  private:
   static double mean_square_size(const Polyhedron& shape) {
@@ -98,6 +114,14 @@ Sphere corner_sphere(const Planes& planes, const Vec3& middle, const Vec3& corne
   return inset(centre, planes.clearance(centre));
 }
 
+// Every body has corners; should rounding hide them, all vertices serve.
+std::vector<Vec3> corners_of(const Polyhedron& shape, const Planes& planes, double size) {
+  std::vector<Vec3> corners;
+  std::copy_if(shape.vertices.begin(), shape.vertices.end(), std::back_inserter(corners),
+               [&](const Vec3& v) { return planes.is_corner(v, size); });
+  return corners.size() < 4 ? shape.vertices : corners;
+}
+
 double gap(const Vec3& corner, const Sphere& sphere) {
   return (corner - sphere.centre).norm() - sphere.radius;
 }
@@ -118,21 +142,21 @@ std::vector<Sphere> fill_with_spheres(const Polyhedron& shape, const Vec3& centr
   const Planes planes(shape);
   std::vector<Sphere> spheres = {inscribed_sphere(planes, centroid)};
   const Sphere middle = spheres.front();
+  const std::vector<Vec3> corners = corners_of(shape, planes, middle.radius);
   std::vector<double> gaps;  // per corner: to the nearest sphere, served ones -infinity [m]
-  for (const Vec3& corner : shape.vertices) gaps.push_back(gap(corner, middle));
+  for (const Vec3& corner : corners) gaps.push_back(gap(corner, middle));
   double radius = kCornerRadius * middle.radius;
   while (static_cast<int>(spheres.size()) < count) {
     auto farthest = std::max_element(gaps.begin(), gaps.end()) - gaps.begin();
     if (gaps[static_cast<std::size_t>(farthest)] == kServed) {  // more spheres than corners
       radius *= kCornerRadius;
-      for (std::size_t v = 0; v < gaps.size(); ++v)
-        gaps[v] = nearest_gap(shape.vertices[v], spheres);
+      for (std::size_t v = 0; v < gaps.size(); ++v) gaps[v] = nearest_gap(corners[v], spheres);
       farthest = std::max_element(gaps.begin(), gaps.end()) - gaps.begin();
     }
-    const Vec3& corner = shape.vertices[static_cast<std::size_t>(farthest)];
+    const Vec3& corner = corners[static_cast<std::size_t>(farthest)];
     spheres.push_back(corner_sphere(planes, middle.centre, corner, radius));
     for (std::size_t v = 0; v < gaps.size(); ++v) {
-      gaps[v] = std::min(gaps[v], gap(shape.vertices[v], spheres.back()));
+      gaps[v] = std::min(gaps[v], gap(corners[v], spheres.back()));
     }
     gaps[static_cast<std::size_t>(farthest)] = kServed;
   }

@@ -71,18 +71,6 @@ void check(const TessellationOptions& options) {
   for (std::size_t h = 0; h < options.holes.size(); ++h) check_hole(options, h);
 }
 
-double checked_block_count(const TessellationOptions& options) {
-  const double allowed = static_cast<double>(options.max_blocks);
-  const double count = integrate_density(options, Ground(options), allowed);
-  if (count > allowed) {
-    fail("more than ", options.max_blocks,
-         " blocks are expected, which is the limit; enlarge the blocks, shrink the rock or raise "
-         "the limit");
-  }
-  if (!(count >= 1.0)) fail("the rock holds less than one block (expected ", count, ")");
-  return count;
-}
-
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -162,19 +150,35 @@ void cut_parts(const TessellationOptions& options, Tessellation& result) {
 
 }  // namespace
 
+double checked_block_count(const TessellationOptions& options) {
+  check(options);
+  const double allowed = static_cast<double>(options.max_blocks);
+  const double count = integrate_density(options, Ground(options), allowed);
+  if (count > allowed) {
+    fail("more than ", options.max_blocks,
+         " blocks are expected, which is the limit; enlarge the blocks, shrink the rock or raise "
+         "the limit");
+  }
+  if (!(count >= 1.0)) fail("the rock holds less than one block (expected ", count, ")");
+  return count;
+}
+
+void add_statistics(const TessellationOptions& options, Tessellation& result) {
+  add_volume_statistics(options, result.blocks, result.statistics);
+  add_face_statistics(options, result.blocks, result.statistics);
+}
+
 double expected_block_count(const TessellationOptions& options, double give_up) {
   check(options);
   return integrate_density(options, Ground(options), give_up);
 }
 
 Tessellation tessellate(const TessellationOptions& options) {
-  check(options);
   Tessellation result;
   result.statistics.expected_blocks = checked_block_count(options);
   (options.planes.empty() ? cut_whole : cut_parts)(options, result);
   if (result.blocks.empty()) fail("no seed fell into the rock");
-  add_volume_statistics(options, result.blocks, result.statistics);
-  add_face_statistics(options, result.blocks, result.statistics);
+  add_statistics(options, result);
   return result;
 }
 

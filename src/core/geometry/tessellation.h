@@ -67,6 +67,11 @@ struct Tessellation {
 // Expected number of blocks [-]; cheap, nothing is allocated. Stops counting above `give_up`.
 [[nodiscard]] double expected_block_count(const TessellationOptions& options, double give_up);
 
+// For the makers of a cut: expected number of blocks; throws InputError as tessellate() does.
+[[nodiscard]] double checked_block_count(const TessellationOptions& options);
+// For the makers of a cut: all of result.statistics that follows from its blocks.
+void add_statistics(const TessellationOptions& options, Tessellation& result);
+
 // The same options give the same blocks. Faces between two blocks agree to rounding; in a plane of
 // the cut a block has one face for each block behind it.
 // Throws InputError: empty box, plane without normal, hole axis outside the box, blocks at a hole

@@ -3,6 +3,8 @@
 // Scope: tests only; lengths in metres.
 #pragma once
 
+#include <algorithm>
+
 #include "geometry/tessellation.h"
 
 namespace muckpile::test {
@@ -21,6 +23,21 @@ inline Polyhedron box(const Vec3& lo, const Vec3& hi) {
 inline Polyhedron corner_tetrahedron() {
   return {{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()},
           {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+}
+
+// Air where x > 0 and z > 0, so a vertical face meets a horizontal floor.
+inline RegionQuery bench_profile() {
+  RegionQuery region;
+  region.inside = [](const Vec3& p) { return p.x() <= 0.0 || p.z() <= 0.0; };
+  region.surface_points = [](const Vec3& p, double cutoff) {
+    const Vec3 on_face(0.0, p.y(), std::max(p.z(), 0.0));
+    const Vec3 on_floor(std::max(p.x(), 0.0), p.y(), 0.0);
+    std::vector<Vec3> points;
+    if ((on_face - p).norm() < cutoff) points.push_back(on_face);
+    if ((on_floor - p).norm() < cutoff && on_floor != on_face) points.push_back(on_floor);
+    return points;
+  };
+  return region;
 }
 
 // A cube of the given edge [m] cut into blocks of about 1 m.

@@ -45,15 +45,7 @@ TessellationOptions bench_options() {
   options.hi = Vec3(1.5, 1.5, 1.5);
   options.size = SizeLaw::uniform(0.25);
   options.sweeps = 12;
-  options.region.inside = [](const Vec3& p) { return p.x() <= 0.0 || p.z() <= 0.0; };
-  options.region.surface_points = [](const Vec3& p, double cutoff) {
-    const Vec3 on_face(0.0, p.y(), std::max(p.z(), 0.0));
-    const Vec3 on_floor(std::max(p.x(), 0.0), p.y(), 0.0);
-    std::vector<Vec3> points;
-    if ((on_face - p).norm() < cutoff) points.push_back(on_face);
-    if ((on_floor - p).norm() < cutoff && on_floor != on_face) points.push_back(on_floor);
-    return points;
-  };
+  options.region = test::bench_profile();
   return options;
 }
 

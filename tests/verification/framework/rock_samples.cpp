@@ -4,7 +4,10 @@
 #include "framework/rock_samples.h"
 
 #include <algorithm>
+#include <numbers>
 
+#include "bond/joint_plane.h"
+#include "geometry/joint_set_cut.h"
 #include "geometry/tessellation.h"
 
 namespace muckpile::verification {
@@ -33,11 +36,32 @@ RockSample graded_rock(const Vec3& box, const std::pair<Vec3, Vec3>& line, const
   return {tessellate(options).blocks, box, size.at(box.norm())};
 }
 
-RockSample graded_rock(const Vec3& box, unsigned long seed) {
+namespace {
+
+SizeLaw graded_sizes() {
   constexpr double kSmallest = 0.1, kLargest = 1.0, kReach = 5.0;  // [m]
-  return graded_rock(box, {Vec3::Zero(), Vec3(0.0, 0.0, box.z())},
-                     SizeLaw::table({{0.0, kSmallest}, {kReach, kLargest}}, {kSmallest, kLargest}),
-                     seed);
+  return SizeLaw::table({{0.0, kSmallest}, {kReach, kLargest}}, {kSmallest, kLargest});
+}
+
+}  // namespace
+
+RockSample graded_rock(const Vec3& box, unsigned long seed) {
+  return graded_rock(box, {Vec3::Zero(), Vec3(0.0, 0.0, box.z())}, graded_sizes(), seed);
+}
+
+RockSample banded_rock(const Vec3& box, const std::vector<Vec2>& sets, bool graded) {
+  TessellationOptions options;
+  options.hi = box;
+  if (graded) {
+    options.fine_axes = {{Vec3::Zero(), Vec3(0.0, 0.0, box.z())}};
+    options.size = graded_sizes();
+  }
+  JointSetCut how;
+  for (const Vec2& set : sets) {
+    const Vec2 radians = set * std::numbers::pi / 180.0;
+    how.sets.push_back({normal_of_dip(radians.x(), radians.y())});
+  }
+  return {cut_by_joint_sets(options, how).blocks, box, 1.0};
 }
 
 RockSample cuboid_rock(const Eigen::Vector3i& number, const Vec3& edge) {

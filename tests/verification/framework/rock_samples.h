@@ -9,6 +9,7 @@
 
 #include "bond/joint_material.h"
 #include "geometry/block_model.h"
+#include "geometry/polygon.h"
 #include "geometry/size_law.h"
 #include "geometry/tessellation.h"
 #include "unit/bond/bond_scene.h"
@@ -31,6 +32,8 @@ struct RockSample {
 /// Sizes by a law of the distance from a line [m].
 [[nodiscard]] RockSample graded_rock(const Vec3& box, const std::pair<Vec3, Vec3>& line,
                                      const SizeLaw& size, unsigned long seed = 1);
+/// Joint sets in bands, with the sizes of graded_rock, or all of 1 m; dip and dip direction [deg].
+[[nodiscard]] RockSample banded_rock(const Vec3& box, const std::vector<Vec2>& sets, bool graded);
 /// Three joint sets at right angles; numbers of blocks and edges [m].
 [[nodiscard]] RockSample cuboid_rock(const Eigen::Vector3i& number, const Vec3& edge);
 
