@@ -8,8 +8,6 @@
 #include <numbers>
 #include <utility>
 
-#include "geometry/hole_surface.h"
-
 namespace muckpile {
 namespace {
 
@@ -30,7 +28,7 @@ std::optional<ConvexCell> below(const ConvexCell& cell, const CutPlane& plane, i
 }  // namespace
 
 HoleCarving::HoleCarving(const Hole& hole, int number, double wall_size, double scale)
-    : hole_(hole), code_(hole_face(number)) {
+    : hole_(hole), axis_(hole.toe, hole.collar), code_(hole_face(number)) {
   const int count = side_count(hole.radius, wall_size);
   const double pi = std::numbers::pi;
   // A polygon of n sides at distance d from the middle has the area n d^2 tan(pi/n).
@@ -50,7 +48,7 @@ bool HoleCarving::near(const ConvexCell& cell) const {
   double reach = 0.0;
   for (const Vec3& v : cell.shape.vertices) reach = std::max(reach, (v - centroid).norm());
   constexpr double kEdges = 1.5;  // the prism's edges stick out of the cylinder
-  return distance_to_axis(hole_, centroid) < reach + kEdges * hole_.radius;
+  return axis_.distance(centroid) < reach + kEdges * hole_.radius;
 }
 
 std::optional<HoleCarving::Inside> HoleCarving::part_inside(const ConvexCell& cell) const {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/axis_index.h"
 #include "geometry/cell_partition.h"
 
 namespace muckpile {
@@ -56,6 +57,7 @@ class HoleCarving {
                   CellPartition& partition, std::vector<ConvexCell>& rock) const;
 
   Hole hole_;
+  Axis axis_;
   int code_;
   std::vector<CutPlane> sides_, ends_;  // normals look away from the zone
 };

@@ -101,6 +101,7 @@ class Cutting {
   [[nodiscard]] std::vector<ConvexCell> parts_between_planes();
   [[nodiscard]] LatticeCell in_lattice(ConvexCell cell) const;
   [[nodiscard]] double blocks_in(const ConvexCell& cell) const;
+  [[nodiscard]] std::vector<std::size_t> holes_in(const ConvexCell& cell) const;
   [[nodiscard]] bool is_sliver(const ConvexCell& cell) const;
   [[nodiscard]] bool is_thin(const HalfCells& halves, const LatticeSet& set) const;
   void refine(const LatticeCell& whole);
@@ -119,6 +120,7 @@ class Cutting {
   const Lattice lattice_;
   CellPartition partition_;
   std::vector<HoleCarving> zones_;
+  double beyond_walls_ = 0.0;  // how far a prism's edges stick out of its cylinder at most [m]
   std::vector<ConvexCell> at_holes_;  // across a crushed zone's wall, of final size
   std::vector<double> scales_, cylinder_volumes_;
 };
@@ -165,13 +167,28 @@ LatticeCell Cutting::in_lattice(ConvexCell cell) const {
   return placed;
 }
 
+/// The crushed zones that reach into a cell.
+std::vector<std::size_t> Cutting::holes_in(const ConvexCell& cell) const {
+  std::vector<std::size_t> found;
+  if (zones_.empty()) return found;
+  const Vec3 middle = centroid_of(cell);
+  double reach = 0.0;
+  for (const Vec3& v : cell.shape.vertices) reach = std::max(reach, (v - middle).norm());
+  std::vector<int> near;
+  ground_.holes_near(middle, reach + beyond_walls_, near);
+  for (const int h : near) {
+    const auto zone = static_cast<std::size_t>(h);
+    if (zones_[zone].place_of(cell) != HoleCarving::Place::outside) found.push_back(zone);
+  }
+  return found;
+}
+
 /// Volume of the rock in a cell over that of a block there, for each block that will come of it.
 double Cutting::blocks_in(const ConvexCell& cell) const {
   const MassProperties whole = mass_properties(cell.shape);
   double most = std::pow(ground_.size(whole.centroid), -3.0) * whole.volume;
-  for (const HoleCarving& zone : zones_) {
-    if (zone.place_of(cell) == HoleCarving::Place::outside) continue;
-    const HoleCarving::Rock rock = zone.rock_of(cell);
+  for (const std::size_t h : holes_in(cell)) {
+    const HoleCarving::Rock rock = zones_[h].rock_of(cell);
     most = std::min(most, rock.volume / std::pow(ground_.size(rock.centroid), 3.0) /
                               static_cast<double>(rock.parts));
   }
@@ -272,11 +289,7 @@ bool Cutting::part_by_curved_surface(const ConvexCell& from) {
 void Cutting::finish(ConvexCell cell) {
   if (rock_.region.inside && !rock_.region.inside(centroid_of(cell)))
     return partition_.finish(std::move(cell), kFreeFace);
-  for (const HoleCarving& zone : zones_) {
-    if (zone.place_of(cell) == HoleCarving::Place::outside) continue;
-    at_holes_.push_back(std::move(cell));
-    return;
-  }
+  if (!holes_in(cell).empty()) return at_holes_.push_back(std::move(cell));
   partition_.finish(std::move(cell), kRock);
 }
 
@@ -331,6 +344,7 @@ void Cutting::fit_prisms() {
 std::vector<Block> Cutting::run() {
   zones_ = prisms();
   for (const Hole& hole : rock_.holes) {
+    beyond_walls_ = std::max(beyond_walls_, 0.5 * hole.radius);
     cylinder_volumes_.push_back(
         cylinder_volume_where(hole, [&](const Vec3& p) { return ground_.in_region(p); }));
   }
