@@ -336,8 +336,10 @@ const Cases kCases = {
     {"cylinder_2", peaks_case(CavityShape::cylinder, 2.0, 0.1, 0.1, kStations, 0)},
     {"cylinder_5", peaks_case(CavityShape::cylinder, 5.0, 0.125, 0.25, kStations, 1)},
     {"cylinder_10", peaks_case(CavityShape::cylinder, 10.0, 0.125, 0.25, kStations, 2)},
+    {"sphere_2", peaks_case(CavityShape::sphere, 2.0, 0.08, 0.12, {2.0, 5.0}, 5, 1.0)},
     {"sphere_5", peaks_case(CavityShape::sphere, 5.0, 0.1, 0.16, {2.0, 5.0}, 3)},
     {"sphere_10", peaks_case(CavityShape::sphere, 10.0, 0.125, 0.2, {2.0, 5.0}, 4)},
+    {"sphere_far_2", peaks_case(CavityShape::sphere, 2.0, 0.08, 0.1, {10.0}, 5, 1.5)},
     {"sphere_far_5", peaks_case(CavityShape::sphere, 5.0, 0.1, 0.14, {10.0}, 3, 1.0)},
     {"sphere_far_10", peaks_case(CavityShape::sphere, 10.0, 0.125, 0.14, {10.0}, 4, 1.0)},
     {"ladder", [](Report& report) {
