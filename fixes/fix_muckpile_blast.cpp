@@ -185,7 +185,7 @@ void FixMuckpileBlast::load_faces(double time) {
   active_holes_ = 0;
   for (std::size_t hole = 0; hole < blasts_.size(); ++hole) {
     const HoleBlast& blast = blasts_[hole];
-    gas_[hole] = blast.gas_pressure(swept_[hole], time, states_[hole]);
+    gas_[hole] = std::max(0.0, blast.gas_pressure(swept_[hole], time, states_[hole]) - ambient_);
     if (blast.over(time, gas_[hole])) hole_over_[hole] = 1;
     if (hole_over_[hole]) gas_[hole] = 0.0;
     if (!hole_over_[hole] && time >= blast.firing_time()) ++active_holes_;
@@ -197,6 +197,26 @@ void FixMuckpileBlast::load_faces(double time) {
     wave_share_[i] = blasts_[hole].load().wave_share(time - arrivals_[i], gas_[hole]);
   }
   surface_->set_pressure(pressures_, wave_share_);
+}
+
+void FixMuckpileBlast::let_gas_into_joints(double ambient) {
+  if (!options_.gas || !options_.vent_by_flow)
+    throw InputError(where_ + ": gas in joints needs gas yes and venting flow");
+  options_.flow.crack_discharge = 0.0;
+  ambient_ = ambient;
+}
+
+GasChamber FixMuckpileBlast::chamber(std::size_t hole) const {
+  const HoleBlast& blast = blasts_[hole];
+  if (hole_over_[hole]) return {};
+  const double pressure = blast.gas_pressure(swept_[hole], clock(), states_[hole]);
+  const double mass = states_[hole].mass_left * charges_[hole].mass;
+  return {{pressure, mass / (blast.load().start_volume() + swept_[hole])}, mass};
+}
+
+void FixMuckpileBlast::take_gas(std::span<const double> per_hole) {
+  for (std::size_t hole = 0; hole < states_.size(); ++hole)
+    states_[hole].mass_left -= per_hole[hole] / charges_[hole].mass;
 }
 
 /// The last load has just been set to zero on every face; nothing is left to do.

@@ -12,6 +12,7 @@
 
 #include "blast_surface.h"
 #include "explosive/blast_options.h"
+#include "gas/joint_gas.h"
 
 namespace muckpile {
 
@@ -39,6 +40,16 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix {
   };
   [[nodiscard]] Energies energies() const;
 
+  /// The gas leaves into joints by a flow that someone else works out, in place of crack_discharge,
+  /// and presses on the walls by what it has above `ambient` [Pa]. To be called before the first
+  /// run. InputError without gas that vents by flow.
+  void let_gas_into_joints(double ambient);
+  [[nodiscard]] double gas_gamma() const { return options_.flow.gamma; }
+  /// The gas in a crushed zone; pressure 0 before its hole fires and after it is over.
+  [[nodiscard]] GasChamber chamber(std::size_t hole) const;
+  void take_gas(std::span<const double> per_hole);  ///< [kg], the same on all ranks
+  [[nodiscard]] bool over() const { return over_; }
+
  private:
   [[nodiscard]] BlastSurface* find_surface() const;  // nullptr if there is none
   void check_timestep() const;
@@ -52,6 +63,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix {
 
   std::string where_;
   BlastOptions options_;
+  double ambient_ = 0.0;             // that the gas in the holes works against [Pa]
   BlastSurface* surface_ = nullptr;  // looked up in every init()
   std::vector<HoleBlast> blasts_;    // per hole
   bool described_ = false;

@@ -108,7 +108,7 @@ void FixMuckpileBlocks::retire_into_record(const Facet& facet, int end) {
 /// that holds a copy drops it at the same time.
 void FixMuckpileBlocks::drop_retired() {
   keep_facets([&](std::size_t f) {
-    if (memory_[f].state != FacetState::retired) return true;
+    if (!memory_[f].over()) return true;
     retire_into_record(facets_[f], facets_[f].i);
     retire_into_record(facets_[f], facets_[f].j);
     return false;
@@ -137,6 +137,7 @@ void FixMuckpileBlocks::drop_orphans(const std::vector<int>& tags,
   for (std::size_t f = 0; f < facets_.size(); ++f) {
     if (lost.count(facets_[f].tag_i) + lost.count(facets_[f].tag_j) > 0) {
       memory_[f].state = FacetState::retired;
+      memory_[f].gas = false;
     }
   }
   drop_retired();

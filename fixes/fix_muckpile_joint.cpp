@@ -170,6 +170,10 @@ void FixMuckpileJoint::init() {
     store_ = found;
     store_->set_keeper(this);
   }
+  gas_ = nullptr;
+  for (int i = 0; i < modify->nfix; ++i) {
+    if (auto* gas = dynamic_cast<JointPressure*>(modify->fix[i])) gas_ = gas;
+  }
   check_classes();
   follow_blocks();
 }
@@ -265,6 +269,7 @@ void FixMuckpileJoint::post_force(int) {
 void FixMuckpileJoint::add_forces(double dt) {
   gather_state();
   compute_bulk_stresses(dt);
+  if (gas_ != nullptr) gas_->fill_joints(network_, store_->halo());
   network_.tractions(dt);
   apply_forces();
 }

@@ -12,6 +12,7 @@
 #include "blast_surface.h"
 #include "bond/facet_network.h"
 #include "fix_muckpile_blocks.h"
+#include "joint_pressure.h"
 #include "joint_view.h"
 #include "step_limit.h"
 #include "yielding_supports.h"
@@ -67,6 +68,9 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
 
   /// Joints with at least one broken point, of all ranks. Collective.
   [[nodiscard]] double joints_broken() const { return sum(network_.broken_count()); }
+  /// The network, for gas in its joints.
+  [[nodiscard]] FacetNetwork& joints_for_gas() { return network_; }
+
   /// For fragments: the network as it stands, and the store behind it.
   [[nodiscard]] const FacetNetwork& network() const { return network_; }
   [[nodiscard]] FixMuckpileBlocks& blocks() const { return *store_; }
@@ -85,6 +89,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
 
   FacetNetwork network_;
   FixMuckpileBlocks* store_ = nullptr;
+  JointPressure* gas_ = nullptr;  // looked up in every init(), nullptr if there is none
   std::uint64_t version_ = 0;
   // For facet_between: lower tags in order, the first facet of each, the upper tag of every facet.
   std::vector<int> lower_tags_, upper_tags_;

@@ -21,6 +21,7 @@
 #include "fix_muckpile_blocks.h"
 #include "fix_muckpile_contact_history.h"
 #include "fix_muckpile_dump.h"
+#include "fix_muckpile_gas.h"
 #include "fix_muckpile_joint.h"
 #include "fix_muckpile_ledger.h"
 #include "fix_muckpile_progress.h"
@@ -93,6 +94,7 @@ const std::map<std::string, FixCreator>& fixes() {
       {"muckpile/blocks", &create_fix<FixMuckpileBlocks>},
       {"muckpile/contact/history", &create_fix<FixMuckpileContactHistory>},
       {"muckpile/dump", &create_fix<FixMuckpileDump>},
+      {"muckpile/gas", &create_fix<FixMuckpileGas>},
       {"muckpile/joint", &create_fix<FixMuckpileJoint>},
       {"muckpile/ledger", &create_fix<FixMuckpileLedger>},
       {"muckpile/progress", &create_fix<FixMuckpileProgress>},

@@ -40,6 +40,7 @@ void FacetNetwork::tractions(double dt) {
   }
   ++calls_;
   load_faces();
+  press_joints();
   if (newly_cracked_) book_fracture();
 }
 
@@ -152,6 +153,7 @@ void FacetNetwork::break_point(std::size_t f, int p, const Break& broken, double
   memory.offset[static_cast<std::size_t>(p)] = broken.axes.transpose() * (broken.jump - spring);
   memory.broken[static_cast<std::size_t>(p)] = true;
   if (memory.state == FacetState::intact) memory.state = states_[f] = FacetState::cracked;
+  memory.gas = keeps_gas_;
   newly_cracked_ = true;
 
   const double normal_jump = n.dot(broken.jump);

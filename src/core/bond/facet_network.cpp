@@ -40,6 +40,7 @@ void FacetNetwork::set_blocks(std::vector<BlockConstants> blocks) {
   bulk_stress_.assign(blocks_.size(), 0.0);
   force_.assign(blocks_.size(), Vec3::Zero());
   torque_.assign(blocks_.size(), Vec3::Zero());
+  gas_pressure_.clear();
 }
 
 void FacetNetwork::set_facets(std::vector<Facet> facets, std::vector<FacetMemory> memory) {
@@ -132,7 +133,7 @@ void FacetNetwork::list_active() {
   active_.clear();
   bonded_.clear();
   for (std::size_t f = 0; f < states_.size(); ++f) {
-    if (states_[f] != FacetState::retired) active_.push_back(f);
+    if (!memory_[f].over()) active_.push_back(f);
     if (bonded_points_[f] > 0) bonded_.push_back(f);
   }
   changed_since_ = 0;

@@ -100,8 +100,12 @@ struct alignas(64) FacetMemory {
   std::array<bool, kFacetPoints> broken{false, false, false};
   FacetState state = FacetState::intact;
   bool open = false;  ///< broken and so far open that its points were left alone last time
+  bool gas = false;   ///< broken, and not yet so wide that gas in it is in the open
   std::array<Cohesion, kFacetPoints> cohesion{};  ///< broken point: what it still holds
   GroundMemory ground;                            ///< of a support only
+
+  /// Nothing acts through it any more.
+  [[nodiscard]] bool over() const { return state == FacetState::retired && !gas; }
 };
 
 /// What is left to know of a block's retired facets once they are no longer kept.
@@ -182,6 +186,24 @@ class FacetNetwork {
   int let_ground_yield(const QuietGround& ground, const std::function<bool(const Vec3&)>& chosen);
   void stop_ground();  ///< every ground stays where it is from now on
   [[nodiscard]] std::size_t yielding_supports() const { return yielding_.size(); }
+
+  /// Gas in the broken joints of each block, more than the atmosphere [Pa]; set for all blocks, it
+  /// acts in tractions() until it is set again or the blocks are. A joint has the mean of its two.
+  [[nodiscard]] std::span<double> gas_pressure();
+  [[nodiscard]] std::span<const Vec3> gas_force() const { return gas_force_; }  ///< in force() too
+  [[nodiscard]] std::span<const Vec3> gas_torque() const { return gas_torque_; }
+  /// From now on joints that break keep gas even when retired, until they are wide.
+  void keep_gas_in_joints() { keeps_gas_ = true; }
+  void release_gas(std::size_t f) { memory_[f].gas = false; }
+  void release_gas();  ///< all of it, for good
+  /// Work of the gas on owned blocks [J], to be part of pressure_work().
+  void book_gas_work(double joules) { pressure_work_ += joules; }
+  struct OpenJoint {
+    double area = 0.0;     ///< of broken points [m2]
+    double opening = 0.0;  ///< mean over them [m]
+    bool wide = false;     ///< so far open, slid or turned that it is no joint for gas either
+  };
+  [[nodiscard]] OpenJoint open_joint(std::size_t f) const;
 
   /// Of an intact facet on its block i, as the last passes left it [Pa].
   [[nodiscard]] Vec3 mean_traction(std::size_t f) const;
@@ -285,6 +307,8 @@ class FacetNetwork {
   [[nodiscard]] double contact_energy(std::size_t f, const Motion& motion) const;
   void add_contact(std::size_t f, const Motion& motion, Pull& pull, double dt);
 
+  void press_joints();  // gas in them: facet_gas.cpp
+
   // What broken points still hold: facet_softening.cpp.
   [[nodiscard]] bool holds_at_its_rate(std::size_t f, const Vec3& normal, const Vec3& traction,
                                        const Vec3& rate) const;
@@ -311,6 +335,8 @@ class FacetNetwork {
   std::vector<BlockSums> sums_;
   std::vector<double> theta_, bulk_stress_;
   std::vector<Vec3> force_, torque_;
+  std::vector<double> gas_pressure_;  // empty until asked for
+  std::vector<Vec3> gas_force_, gas_torque_;
   std::vector<Facet> facets_;
   std::vector<FacetMemory> memory_;
   std::vector<Sides> sides_;
@@ -328,7 +354,7 @@ class FacetNetwork {
   QuietGround quiet_ground_;
   std::vector<BoundaryFace> faces_;
   JointLosses losses_;
-  bool softens_ = false, depends_on_rate_ = false;
+  bool softens_ = false, depends_on_rate_ = false, keeps_gas_ = false;
   double damping_ = 0.0, contact_damping_ = 0.0;  // [Pa s/m]
   double pressure_work_ = 0.0, wave_work_ = 0.0;
   bool newly_cracked_ = false;

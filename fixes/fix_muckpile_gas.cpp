@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/gas: words, messages, and the books; the laws are in core/gas.
+#include "fix_muckpile_gas.h"
+
+#include <fix_multisphere.h>
+#include <modify.h>
+#include <mpi.h>
+#include <update.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "args/numbers.h"
+#include "engine/bodies.h"
+#include "engine/exchange.h"
+#include "engine/style_args.h"
+#include "fix_muckpile_blast.h"
+#include "fix_muckpile_joint.h"
+
+namespace muckpile {
+namespace {
+
+enum Output { kInJoints, kTaken, kVented, kWork, kGreatest, kBlocks, kSpent, kOutputCount };
+
+constexpr int kCellWidth = 4;                  // mass, entropy, volume, links
+constexpr LAMMPS_NS::bigint kLookEvery = 100;  // steps between looks whether the gas is spent
+constexpr double kSpentShare = 0.2;  // spent: nowhere more than that share above the atmosphere
+
+const ArgTable& table() {
+  static const ArgTable args =
+      ArgTable("fix muckpile/gas")
+          .real("residual_aperture", "m", Range::positive(), 1e-4,
+                "of a broken joint that is closed; the opening comes on top")
+          .real("roughness", "m", Range::non_negative(), 1e-4,
+                "height of the asperities, for the friction of the flow")
+          .real("ambient_pressure", "Pa", Range::positive(), 101325.0, "of the atmosphere");
+  return args;
+}
+
+std::string where_of(int narg, char** arg) {
+  return std::string("fix muckpile/gas '") + (narg > 0 ? arg[0] : "") + "'";
+}
+
+JointGas make_gas(LAMMPS_NS::LAMMPS& lmp, const ArgValues& args, double gamma) {
+  return engine::or_engine_error(lmp, [&] {
+    return JointGas({.flow = {.gamma = gamma, .roughness = args.real("roughness")},
+                     .residual_aperture = args.real("residual_aperture"),
+                     .ambient = args.real("ambient_pressure")});
+  });
+}
+
+}  // namespace
+
+FixMuckpileGas::FixMuckpileGas(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
+    : Fix(engine, narg, arg), where_(where_of(narg, arg)), gas_({}) {
+  const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
+  if (modify->find_fix_style_strict("muckpile/gas", 0) != nullptr)
+    engine::stop(*lmp, where_ + ": only one fix muckpile/gas is possible");
+  FixMuckpileBlast* blast = find_blast();
+  if (blast == nullptr) engine::stop(*lmp, where_ + ": needs a fix muckpile/blast before it");
+  ambient_ = args.real("ambient_pressure");
+  engine::or_engine_error(*lmp, [&] {
+    blast->let_gas_into_joints(ambient_);
+    return 0;
+  });
+  gas_ = make_gas(*lmp, args, blast->gas_gamma());
+  vector_flag = 1;
+  size_vector = kOutputCount;
+  global_freq = 1;
+  extvector = 0;
+  nevery = 1;
+}
+
+int FixMuckpileGas::setmask() {
+  return LAMMPS_NS::FixConst::PRE_NEIGHBOR | LAMMPS_NS::FixConst::END_OF_STEP;
+}
+
+FixMuckpileBlast* FixMuckpileGas::find_blast() const { return FixMuckpileBlast::find(*lmp); }
+
+FixMuckpileJoint* FixMuckpileGas::find_joint() const {
+  return dynamic_cast<FixMuckpileJoint*>(modify->find_fix_style_strict("muckpile/joint", 0));
+}
+
+/// An unfix lets all gas go; the engine's own end does not matter.
+void FixMuckpileGas::pre_delete(bool unfixflag) {
+  FixMuckpileJoint* joint = unfixflag ? find_joint() : nullptr;
+  if (joint != nullptr) joint->joints_for_gas().release_gas();
+}
+
+void FixMuckpileGas::init() {
+  blast_ = find_blast();
+  joint_ = find_joint();
+  if (blast_ == nullptr || joint_ == nullptr)
+    engine::stop(*lmp, where_ + ": needs fix muckpile/joint and fix muckpile/blast");
+  const int here = modify->find_fix(id);
+  if (modify->find_fix(joint_->id) > here || modify->find_fix(blast_->id) > here)
+    engine::stop(*lmp,
+                 where_ + ": must be defined after fix muckpile/joint and fix muckpile/blast");
+  if (!spent_) joint_->joints_for_gas().keep_gas_in_joints();
+  const auto holes = static_cast<std::size_t>(joint_->hole_count());
+  fed_.resize(holes, 0);
+  chambers_.resize(holes);
+}
+
+/// Gas follows its block from rank to rank.
+void FixMuckpileGas::follow_blocks() {
+  if (version_ == joint_->loaded_facets_version()) return;
+  version_ = joint_->loaded_facets_version();
+  std::vector<int> tags;
+  for (const BlockRecord& record : joint_->blocks().records()) tags.push_back(record.tag);
+  std::unordered_map<int, GasContent> contents;
+  if (active_) contents = contents_here(tags);
+  gas_.set_network(joint_->network());
+  engine::BlockHalo& halo = joint_->blocks().halo();
+  halo.forward(gas_.touches().first(halo.size()));
+  tags_ = std::move(tags);
+  for (std::size_t b = 0; b < tags_.size(); ++b) {
+    const auto found = contents.find(tags_[b]);
+    if (found != contents.end()) gas_.cells()[b].content = found->second;
+  }
+}
+
+/// What the blocks of these tags, now on this rank, hold. Collective.
+std::unordered_map<int, GasContent> FixMuckpileGas::contents_here(const std::vector<int>& tags) {
+  const engine::BlockDirectory directory(tags, world);
+  std::vector<int> with_gas;
+  std::unordered_map<int, GasContent> all;
+  for (std::size_t b = 0; b < tags_.size(); ++b) {
+    if (gas_.cells()[b].content.mass == 0.0) continue;
+    with_gas.push_back(tags_[b]);
+    all[tags_[b]] = gas_.cells()[b].content;
+  }
+  const std::vector<int> owners = directory.owners(with_gas);
+  int rank = 0, ranks = 1;
+  MPI_Comm_rank(world, &rank);
+  MPI_Comm_size(world, &ranks);
+  std::vector<engine::ByteWriter> outgoing(static_cast<std::size_t>(ranks));
+  for (std::size_t k = 0; k < with_gas.size(); ++k) {
+    const GasContent content = all[with_gas[k]];
+    if (owners[k] < 0) lost_ += content.mass;
+    if (owners[k] < 0 || owners[k] == rank) continue;
+    outgoing[static_cast<std::size_t>(owners[k])].put(with_gas[k]);
+    outgoing[static_cast<std::size_t>(owners[k])].put(content);
+  }
+  for (const auto& part : engine::exchange_bytes(engine::bytes_of(outgoing), world)) {
+    for (engine::ByteReader reader(part); !reader.empty();) {
+      const int tag = reader.get<int>();
+      all[tag] = reader.get<GasContent>();
+    }
+  }
+  return all;
+}
+
+void FixMuckpileGas::fill_joints(FacetNetwork& network, engine::BlockHalo& halo) {
+  if (!active_) return;
+  gas_.measure(network, fed_);
+  numbers_.resize(halo.size() * kCellWidth);
+  const std::span<GasCell> cells = gas_.cells();
+  for (std::size_t b = 0; b < halo.owned(); ++b) {
+    const GasCell& cell = cells[b];
+    const std::array<double, kCellWidth> row = {cell.content.mass, cell.content.entropy,
+                                                cell.volume, cell.links};
+    std::copy(row.begin(), row.end(), numbers_.data() + b * kCellWidth);
+  }
+  halo.forward(numbers_, kCellWidth);
+  for (std::size_t b = halo.owned(); b < halo.size(); ++b) {
+    const double* row = numbers_.data() + b * kCellWidth;
+    cells[b] = {{row[0], row[1]}, row[2], row[3]};
+  }
+  gas_.press(network);
+}
+
+void FixMuckpileGas::end_of_step() {
+  if (spent_) return;
+  read_chambers();
+  if (!active_) {  // the gas flows from the step after the first hole fires
+    active_ = std::any_of(fed_.begin(), fed_.end(), [](char fed) { return fed != 0; });
+    return;
+  }
+  book_work();
+  flow();
+  if (update->ntimestep % kLookEvery == 0) look_whether_spent();
+}
+
+void FixMuckpileGas::read_chambers() {
+  for (std::size_t hole = 0; hole < chambers_.size(); ++hole) {
+    chambers_[hole] = blast_->chamber(hole);
+    fed_[hole] = chambers_[hole].gas.pressure > 0.0 ? 1 : 0;
+  }
+}
+
+/// With full-step velocities force x velocity x dt is what the integrator makes of the force.
+void FixMuckpileGas::book_work() {
+  const engine::Bodies bodies(joint_->blocks().multisphere());
+  const FacetNetwork& network = joint_->network();
+  if (network.gas_force().empty()) return;
+  double rate = 0.0;
+  for (int b = 0; b < bodies.count(); ++b) {
+    const auto k = static_cast<std::size_t>(b);
+    rate += network.gas_force()[k].dot(bodies.velocity(b)) +
+            network.gas_torque()[k].dot(bodies.spin(b));
+  }
+  work_ += rate * update->dt;
+  joint_->joints_for_gas().book_gas_work(rate * update->dt);
+}
+
+void FixMuckpileGas::flow() {
+  const JointGas::Flows flows = gas_.flow(joint_->joints_for_gas(), chambers_, update->dt);
+  std::vector<double> sums = flows.from_hole;
+  sums.push_back(flows.vented + lost_);
+  lost_ = 0.0;
+  MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM,
+                world);
+  vented_ += sums.back();
+  sums.pop_back();
+  taken_ += std::accumulate(sums.begin(), sums.end(), 0.0);
+  blast_->take_gas(sums);
+}
+
+void FixMuckpileGas::look_whether_spent() {
+  const bool fed = std::any_of(fed_.begin(), fed_.end(), [](char hole) { return hole != 0; });
+  const double greatest = over_ranks(gas_.greatest_pressure(), true);
+  if (fed || !blast_->over() || greatest > (1.0 + kSpentShare) * ambient_) return;
+  spent_ = true;
+  active_ = false;
+  joint_->joints_for_gas().release_gas();
+  engine::print_once(*lmp, where_ + ": the gas in joints is spent at " +
+                               number_text(update->get_cur_time()) + " s\n");
+}
+
+double FixMuckpileGas::over_ranks(double mine, bool greatest) const {
+  double all = 0.0;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, greatest ? MPI_MAX : MPI_SUM, world);
+  return all;
+}
+
+double FixMuckpileGas::compute_vector(int n) {
+  switch (n) {
+    case kInJoints:
+      return over_ranks(gas_.mass());
+    case kTaken:
+      return taken_;
+    case kVented:
+      return vented_;
+    case kWork:
+      return over_ranks(work_);
+    case kGreatest:
+      return over_ranks(gas_.greatest_pressure(), true);
+    case kBlocks:
+      return over_ranks(gas_.blocks_with_gas());
+    case kSpent:
+      return spent_ ? 1.0 : 0.0;
+    default:
+      return 0.0;
+  }
+}
+
+}  // namespace muckpile

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Whoever puts gas into the broken joints.
+// Scope: an interface only; fix muckpile/gas implements it, fix muckpile/joint calls it.
+#pragma once
+
+#include "bond/facet_network.h"
+#include "engine/block_halo.h"
+
+namespace muckpile {
+
+class JointPressure {
+ public:
+  virtual ~JointPressure() = default;
+  /// Sets the network's gas pressures of all blocks in its present pose, just before its forces.
+  virtual void fill_joints(FacetNetwork& network, engine::BlockHalo& halo) = 0;
+};
+
+}  // namespace muckpile

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Gas of the charges in broken joints: finite volumes on the blocks of a facet network.
+// Scope: how much gas is where and what it presses; no engine, no communication. The gas of a block
+// is that between it and the middle of each of its broken facets: V = sum of A_broken w/2 (w at a
+// support), w = residual aperture + mean opening. A crack through the edge of a block has two of
+// the three facets there, and those share a block: so the gas goes wherever cracks hang together.
+// Two blocks exchange gas through the broken facet that they share. Where both have a face on the
+// same crushed zone their facet ends there and takes gas from the chamber, and where both have a
+// free face it lets gas out. In both cases each block has half the aperture.
+//
+// A step: the caller fills the contents of owned blocks; measure(), then copies get the numbers of
+// their owners, then press(); after the forces flow(). Both owners of a facet compute the same flow
+// from the same numbers, so mass is kept to rounding.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "bond/facet_network.h"
+#include "gas/crack_flow.h"
+
+namespace muckpile {
+
+/// What a block's joints hold; it travels with the block.
+struct GasContent {
+  double mass = 0.0;     ///< [kg]
+  double entropy = 0.0;  ///< sum of mass x K of what came in, p = K rho^gamma
+};
+
+/// Numbers of a block that its neighbours need.
+struct GasCell {
+  GasContent content;
+  double volume = 0.0;  ///< of its broken joints [m3]
+  double links = 0.0;   ///< broken joints, and their ends on a crushed zone or a free face
+};
+
+/// Gas in a crushed zone.
+struct GasChamber {
+  GasPoint gas;       ///< pressure 0: nothing flows out or in
+  double mass = 0.0;  ///< [kg]
+};
+
+class JointGas {
+ public:
+  struct Parameters {
+    CrackFlow::Parameters flow;
+    double residual_aperture = 1e-4;  ///< of a closed joint [m]
+    double ambient = 101325.0;        ///< pressure of the atmosphere [Pa]
+  };
+
+  /// InputError on a value out of range.
+  explicit JointGas(const Parameters& parameters);
+
+  /// New lists of blocks and facets; every cell is empty after that.
+  void set_network(const FacetNetwork& network);
+  /// Code of what each block touches: 2 (hole + 1) + (1 if it has a free face). Right for owned
+  /// blocks after set_network(); the caller fills in the copies.
+  [[nodiscard]] std::span<int> touches() { return touches_; }
+  [[nodiscard]] std::span<GasCell> cells() { return cells_; }
+  [[nodiscard]] std::span<const GasCell> cells() const { return cells_; }
+
+  /// Volumes of the owned blocks that gas can reach in this step, in the pose of the network; a
+  /// hole whose `fed` is false lets no gas out.
+  void measure(const FacetNetwork& network, const std::vector<char>& fed);
+  /// Tells the network what the gas presses beyond the atmosphere [Pa].
+  void press(FacetNetwork& network) const;
+
+  struct Flows {
+    std::vector<double> from_hole;  ///< what owned blocks took from each chamber [kg]
+    double vented = 0.0;            ///< what they let into the atmosphere [kg]
+  };
+  /// One step [s]. Joints that measure() found wide lose their share to the atmosphere. No flow
+  /// is larger than the share 1/(n + 1) of what would make both sides equal, n the links of the
+  /// side that has more: pressures never cross and no cell is emptied.
+  [[nodiscard]] Flows flow(FacetNetwork& network, std::span<const GasChamber> chambers, double dt);
+
+  [[nodiscard]] double pressure(const GasCell& cell) const;  ///< absolute; 0 if empty [Pa]
+  [[nodiscard]] double mass() const;                         ///< in owned blocks [kg]
+  [[nodiscard]] double greatest_pressure() const;            ///< of owned blocks [Pa]
+  [[nodiscard]] double blocks_with_gas() const;              ///< owned ones
+
+ private:
+  struct Crack {  // a broken facet that gas can reach
+    std::size_t facet;
+    std::size_t i, j;
+    bool joint, wide;
+    int hole;       // that it ends in, -1: none
+    bool surfaces;  // ends on a free face
+    double aperture, width, volume;
+  };
+  struct Change {
+    double mass = 0.0, entropy = 0.0, lost_volume = 0.0;
+  };
+
+  [[nodiscard]] bool owned(std::size_t b) const { return owned_[b] != 0; }
+  [[nodiscard]] Crack crack_of(const FacetNetwork& network, std::size_t f) const;
+  [[nodiscard]] static bool holds_gas(const FacetNetwork& network, std::size_t f);
+  void mark_reached(const FacetNetwork& network, const std::vector<char>& fed);
+  [[nodiscard]] double equalising_mass(const GasPoint& from, double from_volume, double to_pressure,
+                                       double to_volume) const;
+  void exchange(const Crack& crack, double dt);
+  [[nodiscard]] double feed(std::size_t b, const Crack& crack, const GasChamber& chamber,
+                            double dt);
+  [[nodiscard]] double vent(std::size_t b, const Crack& crack, double dt);
+  void move(std::size_t b, double mass, double entropy_per_mass);
+  [[nodiscard]] GasPoint point(std::size_t b) const;
+
+  Parameters p_;
+  CrackFlow flow_;
+  std::vector<int> touches_;
+  std::vector<GasCell> cells_;
+  std::vector<char> owned_, reached_;
+  std::vector<Crack> cracks_;
+  std::vector<Change> changes_;
+  std::vector<GasPoint> points_;
+};
+
+}  // namespace muckpile

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Gas in broken joints: equilibrium, steady flow, conservation of mass, and the force it makes.
+// Scope: facet networks without the engine; blocks stay where the test puts them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "../bond/bond_scene.h"
+#include "args/input_error.h"
+#include "explosive/gas_vent.h"
+#include "gas/joint_gas.h"
+
+namespace muckpile {
+namespace {
+
+using test::BondScene;
+
+constexpr double kGamma = 1.4, kEntropy = 37900.0;  // p = K rho^gamma of the emulsion
+constexpr double kOpening = 1e-3;                   // of every joint [m]
+
+double density_at(double pressure) { return std::pow(pressure / kEntropy, 1.0 / kGamma); }
+double pressure_at(double density) { return kEntropy * std::pow(density, kGamma); }
+
+JointParameters weak() {
+  JointParameters p = test::rock(0.0);
+  p.tension = p.cohesion = 1e5;
+  p.contact_damping = 0.0;
+  return p;
+}
+
+/// Blocks apart at every joint, and the gas between them.
+struct GasScene {
+  BondScene scene;
+  JointGas gas;
+  std::vector<char> fed;
+  std::vector<GasChamber> chambers;
+  double vented = 0.0;
+  std::vector<double> taken;
+
+  GasScene(const std::vector<Block>& blocks, const JointGas::Parameters& parameters,
+           std::size_t holes = 0)
+      : scene(blocks, weak()), gas(parameters), fed(holes, 1), chambers(holes), taken(holes, 0.0) {
+    scene.network().keep_gas_in_joints();
+    const Mat3 apart = Mat3::Identity();
+    scene.deform(kOpening * apart);  // every joint breaks: its gap counts from here
+    scene.compute();
+    scene.deform(2.0 * kOpening * apart);
+    gas.set_network(scene.network());
+  }
+  void fill(std::size_t b, double mass) { gas.cells()[b].content = {mass, mass * kEntropy}; }
+  void step(double dt) {
+    gas.measure(scene.network(), fed);
+    const JointGas::Flows flows = gas.flow(scene.network(), chambers, dt);
+    vented += flows.vented;
+    for (std::size_t h = 0; h < taken.size(); ++h) taken[h] += flows.from_hole[h];
+  }
+  double mass(std::size_t b) { return gas.cells()[b].content.mass; }
+};
+
+JointGas::Parameters closed() {  // nothing to the atmosphere, whatever surface the blocks have
+  return {.flow = {.gamma = kGamma, .roughness = 1e-4}, .residual_aperture = 1e-4, .ambient = 0.0};
+}
+
+/// The blocks of a test row lie free in space: without this their joints would end on a surface.
+void seal(JointGas& gas) {
+  for (int& code : gas.touches()) code = 0;
+}
+
+TEST(JointGas, VolumeIsHalfTheApertureOfEveryBrokenJoint) {
+  GasScene row(test::cuboids(3, 1, 1), closed());
+  row.fill(1, 0.1);
+  row.gas.measure(row.scene.network(), row.fed);
+  const double joint = 0.5 * (1e-4 + kOpening);  // of 1 m2
+  EXPECT_NEAR(row.gas.cells()[0].volume, joint, 1e-12);
+  EXPECT_NEAR(row.gas.cells()[1].volume, 2.0 * joint, 1e-12);
+}
+
+TEST(JointGas, TwoBlocksComeToThePressureOfHalfTheGasEach) {
+  GasScene pair(test::cuboids(2, 1, 1), closed());
+  seal(pair.gas);
+  pair.fill(0, 0.01);
+  for (int n = 0; n < 4000; ++n) pair.step(5e-6);
+  pair.gas.measure(pair.scene.network(), pair.fed);
+  const double expected = pressure_at(0.005 / (0.5 * (1e-4 + kOpening)));
+  EXPECT_NEAR(pair.gas.pressure(pair.gas.cells()[0]) / expected, 1.0, 1e-9);
+  EXPECT_NEAR(pair.gas.pressure(pair.gas.cells()[1]) / expected, 1.0, 1e-9);
+  EXPECT_NEAR(pair.mass(0) + pair.mass(1), 0.01, 1e-16);
+}
+
+TEST(JointGas, SteadyFlowThroughARowIsTheIntegralAlongTheIsentrope) {
+  // Ends held at 100 and 20 MPa, n joints: n G^2/2 (1 + f L/(2w)) = gamma/(gamma + 1) (p1 rho1 -
+  // p2 rho2). The joints are so narrow that none of them chokes.
+  constexpr int kBlocks = 7;
+  GasScene row(test::cuboids(kBlocks, 1, 1), closed());
+  seal(row.gas);
+  const double aperture = 1e-4 + kOpening, width = 2.0 / std::sqrt(M_PI);
+  const auto volume = [&](int b) { return (b == 0 || b == kBlocks - 1 ? 0.5 : 1.0) * aperture; };
+  double through = 0.0;
+  for (int n = 0; n < 200000; ++n) {  // 1 s
+    row.fill(0, density_at(100e6) * volume(0));
+    row.fill(kBlocks - 1, density_at(20e6) * volume(kBlocks - 1));
+    const double before = row.mass(kBlocks - 1);
+    row.step(5e-6);
+    through = (row.mass(kBlocks - 1) - before) / (5e-6 * aperture * width);
+  }
+  const double f = CrackFlow({.gamma = kGamma, .roughness = 1e-4}).friction_factor(aperture);
+  const double resistance = (kBlocks - 1) * (1.0 + f * width / (2.0 * aperture));
+  const double head =
+      kGamma / (kGamma + 1.0) * (100e6 * density_at(100e6) - 20e6 * density_at(20e6));
+  EXPECT_NEAR(through / std::sqrt(2.0 * head / resistance), 1.0, 1e-6);
+}
+
+TEST(JointGas, FrontIsSlowerThanSound) {  // all but the little that an upwind scheme spreads
+  constexpr int kBlocks = 12;
+  GasScene row(test::cuboids(kBlocks, 1, 1), closed());
+  seal(row.gas);
+  const double sound = std::sqrt(kGamma * 200e6 / density_at(200e6));
+  double time = 0.0;
+  for (; time < 5e-3; time += 5e-6) {
+    row.fill(0, density_at(200e6) * 0.5 * (1e-4 + kOpening));
+    row.step(5e-6);
+  }
+  double beyond = 0.0, all = 0.0;
+  for (int b = 1; b < kBlocks; ++b) {
+    all += row.mass(b);
+    if (b > sound * time) beyond += row.mass(b);
+  }
+  ASSERT_GT(all, 0.0);
+  EXPECT_LT(sound * time, kBlocks - 2);
+  EXPECT_LT(beyond / all, 1e-2);  // measured 0.002
+}
+
+TEST(JointGas, ChamberFeedsAtTheChokedFluxIntoEmptyJoints) {
+  JointGas::Parameters p = closed();
+  p.flow.roughness = 0.0;
+  GasScene pair(test::cuboids(2, 1, 1), p, 1);
+  for (int& code : pair.gas.touches()) code = 2;
+  pair.chambers[0] = {{100e6, density_at(100e6)}, 1e6};
+  const double flux = choked_flux(100e6, density_at(100e6), kGamma);
+  const double area = (1e-4 + kOpening) * 2.0 / std::sqrt(M_PI);  // both halves of the crack
+  for (int n = 0; n < 20; ++n) pair.step(1e-6);
+  EXPECT_NEAR(pair.taken[0] / (flux * area * 20e-6), 1.0, 1e-12);
+  EXPECT_NEAR((pair.mass(0) + pair.mass(1)) / pair.taken[0], 1.0, 1e-14);
+  for (int n = 0; n < 4000; ++n) pair.step(1e-5);  // to the pressure of the chamber
+  pair.gas.measure(pair.scene.network(), pair.fed);
+  EXPECT_NEAR(pair.gas.pressure(pair.gas.cells()[0]) / 100e6, 1.0, 1e-9);
+}
+
+TEST(JointGas, SurfaceLetsGasOutDownToTheAtmosphere) {
+  JointGas::Parameters p = closed();
+  p.ambient = 1e5;
+  GasScene pair(test::cuboids(2, 1, 1), p);
+  pair.fill(0, 0.01);
+  pair.fill(1, 0.02);
+  for (int n = 0; n < 20000; ++n) pair.step(1e-5);
+  pair.gas.measure(pair.scene.network(), pair.fed);
+  EXPECT_NEAR(pair.gas.pressure(pair.gas.cells()[0]) / 1e5, 1.0, 1e-6);
+  EXPECT_NEAR(pair.mass(0) + pair.mass(1) + pair.vented, 0.03, 1e-15);
+}
+
+TEST(JointGas, MassIsKeptThroughFlowOutflowAndRetiringJoints) {
+  GasScene cube(test::voronoi_blocks(4.0, 3), closed(), 1);
+  for (std::size_t b = 0; b < 6; ++b) cube.gas.touches()[b] = 2;
+  cube.chambers[0] = {{150e6, density_at(150e6)}, 50.0};
+  double filled = 0.0;
+  for (std::size_t b = 10; b < 20; ++b) {
+    cube.fill(b, 0.01 * static_cast<double>(b));
+    filled += 0.01 * static_cast<double>(b);
+  }
+  for (int n = 0; n < 3000; ++n) {
+    cube.gas.measure(cube.scene.network(), cube.fed);
+    if (n % 500 == 499) {  // joints open beyond what they bear
+      cube.scene.block(static_cast<std::size_t>(n / 500)).centre += Vec3(0.9, 0.6, 0.3);
+      cube.scene.compute();
+    }
+    const JointGas::Flows flows = cube.gas.flow(cube.scene.network(), cube.chambers, 5e-6);
+    cube.vented += flows.vented;
+    cube.taken[0] += flows.from_hole[0];
+  }
+  double least = 1.0;
+  for (const GasCell& cell : cube.gas.cells()) least = std::min(least, cell.content.mass);
+  EXPECT_GE(least, 0.0);
+  EXPECT_GT(cube.vented, 0.1 * filled);
+  EXPECT_GT(cube.taken[0], 0.0);
+  EXPECT_NEAR((cube.gas.mass() + cube.vented) / (filled + cube.taken[0]), 1.0, 1e-12);
+}
+
+TEST(JointGas, PressurePushesBothBlocksApartWithItsTrueResultant) {
+  JointGas::Parameters p = closed();
+  p.ambient = 1e5;
+  GasScene pair(test::cuboids(2, 1, 1), p);
+  pair.fill(0, 0.01);
+  pair.fill(1, 0.02);
+  pair.gas.measure(pair.scene.network(), pair.fed);
+  pair.gas.press(pair.scene.network());
+  pair.scene.network().tractions(0.0);
+  const auto gauge = [&](std::size_t b) { return pair.gas.pressure(pair.gas.cells()[b]) - 1e5; };
+  const double expected = 0.5 * (gauge(0) + gauge(1));  // on 1 m2
+  ASSERT_GT(expected, 1e6);
+  EXPECT_NEAR(pair.scene.network().force()[0].x() / -expected, 1.0, 1e-12);
+  EXPECT_NEAR(pair.scene.network().force()[1].x() / expected, 1.0, 1e-12);
+  EXPECT_NEAR(pair.scene.network().torque()[0].norm() / expected, 0.0, 1e-12);
+  EXPECT_EQ(pair.scene.network().gas_force()[1], pair.scene.network().force()[1]);
+}
+
+TEST(JointGas, ClosedJointCarriesTheRestOfTheLoad) {
+  // Terzaghi: what squeezes the blocks is gas and contact; the contact alone bears friction.
+  GasScene pair(test::cuboids(2, 1, 1), closed());
+  pair.scene.deform(kOpening * 0.99 * Mat3::Identity());  // closed by 1e-5 m
+  pair.scene.compute();
+  const double contact = pair.scene.network().force()[1].x();
+  pair.fill(0, 0.002);
+  pair.fill(1, 0.002);
+  pair.gas.measure(pair.scene.network(), pair.fed);
+  EXPECT_NEAR(pair.gas.cells()[0].volume, 0.5e-4, 1e-14);
+  pair.gas.press(pair.scene.network());
+  pair.scene.network().tractions(0.0);
+  EXPECT_NEAR((pair.scene.network().force()[1].x() - contact) / pressure_at(0.002 / 0.5e-4), 1.0,
+              1e-9);
+}
+
+TEST(JointGas, IntactJointsHoldNoGas) {
+  BondScene pair(test::cuboids(2, 1, 1), test::rock(0.25));
+  pair.compute();
+  JointGas gas(closed());
+  gas.set_network(pair.network());
+  gas.cells()[0].content = {1.0, kEntropy};
+  gas.measure(pair.network(), {});
+  EXPECT_EQ(gas.cells()[0].volume, 0.0);
+  gas.press(pair.network());
+  pair.network().tractions(0.0);
+  EXPECT_EQ(pair.network().force()[0].norm(), 0.0);
+}
+
+TEST(JointGas, RefusesWhatIsNoAperture) {
+  JointGas::Parameters p = closed();
+  p.residual_aperture = 0.0;
+  EXPECT_THROW(JointGas{p}, InputError);
+  p = closed();
+  p.ambient = -1.0;
+  EXPECT_THROW(JointGas{p}, InputError);
+}
+
+}  // namespace
+}  // namespace muckpile
