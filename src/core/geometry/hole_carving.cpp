@@ -107,23 +107,34 @@ std::optional<HalfCells> HoleCarving::part_by_radius(const ConvexCell& cell,
   return std::nullopt;
 }
 
-/// Divides by the side that leaves most rock.
-void HoleCarving::carve_side(const ConvexCell& cell, const std::vector<std::size_t>& sides,
-                             const Thin& thin, CellPartition& partition,
-                             std::vector<ConvexCell>& rock) const {
-  double most = 0.0;
-  std::optional<CutPlane> best;
-  for (const std::size_t side : sides) {
-    const auto halves = divided(cell, sides_[side].point, sides_[side].normal, 0);
-    if (!halves || thin(halves->above)) continue;
-    const double left = volume_of(halves->above);
-    if (left > most) best = sides_[side];
-    most = std::max(most, left);
+bool HoleCarving::is_mostly_rock(const ConvexCell& cell) const {
+  const auto inside = part_inside(cell);
+  return !inside || volume_of(inside->cell) < 0.5 * volume_of(cell);
+}
+
+/// Divides by the side that leaves most rock, then by the others. What no side divides is void or
+/// rock, whichever is the larger part of it.
+void HoleCarving::carve_sides(ConvexCell cell, const std::vector<std::size_t>& sides,
+                              const Thin& thin, CellPartition& partition,
+                              std::vector<ConvexCell>& rock) const {
+  while (true) {
+    double most = 0.0;
+    std::optional<CutPlane> best;
+    for (const std::size_t side : sides) {
+      const auto halves = divided(cell, sides_[side].point, sides_[side].normal, 0);
+      if (!halves || thin(halves->above)) continue;
+      const double left = volume_of(halves->above);
+      if (left > most) best = sides_[side];
+      most = std::max(most, left);
+    }
+    if (!best) break;
+    auto halves = partition.divide(cell, *best);
+    if (thin(halves->below) && is_mostly_rock(halves->below)) break;
+    rock.push_back(std::move(halves->above));
+    cell = std::move(halves->below);
   }
-  if (!best) return partition.finish(cell, code_);
-  auto halves = partition.divide(cell, *best);
-  rock.push_back(std::move(halves->above));
-  partition.finish(std::move(halves->below), code_);
+  if (is_mostly_rock(cell)) return rock.push_back(std::move(cell));
+  partition.finish(std::move(cell), code_);
 }
 
 void HoleCarving::carve_part(const ConvexCell& cell, const Thin& thin, CellPartition& partition,
@@ -143,7 +154,7 @@ void HoleCarving::carve_part(const ConvexCell& cell, const Thin& thin, CellParti
       return carve_part(halves->above, thin, partition, rock);
     }
   }
-  carve_side(cell, inside->sides, thin, partition, rock);
+  carve_sides(cell, inside->sides, thin, partition, rock);
 }
 
 std::vector<ConvexCell> HoleCarving::carve(const ConvexCell& cell, const Thin& thin,

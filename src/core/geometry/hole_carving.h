@@ -45,6 +45,7 @@ class HoleCarving {
     std::vector<std::size_t> sides;  // that it has faces on
   };
   [[nodiscard]] std::optional<Inside> part_inside(const ConvexCell& cell) const;
+  [[nodiscard]] bool is_mostly_rock(const ConvexCell& cell) const;
   [[nodiscard]] bool near(const ConvexCell& cell) const;
   [[nodiscard]] CutPlane radius_between(std::size_t side, std::size_t next) const;
   [[nodiscard]] std::optional<HalfCells> part_by_radius(const ConvexCell& cell,
@@ -53,8 +54,8 @@ class HoleCarving {
                                                         CellPartition& partition) const;
   void carve_part(const ConvexCell& cell, const Thin& thin, CellPartition& partition,
                   std::vector<ConvexCell>& rock) const;
-  void carve_side(const ConvexCell& cell, const std::vector<std::size_t>& sides, const Thin& thin,
-                  CellPartition& partition, std::vector<ConvexCell>& rock) const;
+  void carve_sides(ConvexCell cell, const std::vector<std::size_t>& sides, const Thin& thin,
+                   CellPartition& partition, std::vector<ConvexCell>& rock) const;
 
   Hole hole_;
   Axis axis_;

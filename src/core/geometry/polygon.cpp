@@ -3,6 +3,9 @@
 // Scope: see the header.
 #include "geometry/polygon.h"
 
+#include <cmath>
+#include <utility>
+
 namespace muckpile {
 namespace {
 
@@ -20,6 +23,18 @@ Polygon left_of(const Polygon& polygon, const Vec2& a, const Vec2& b) {
   return kept;
 }
 
+/// Sides of a polygon, without those of rounding's length: they have no direction.
+std::vector<std::pair<Vec2, Vec2>> sides_of(const Polygon& polygon) {
+  constexpr double kRounding = 1e-9;  // of the polygon's size
+  const double shortest = kRounding * std::sqrt(std::abs(area_of(polygon)));
+  std::vector<std::pair<Vec2, Vec2>> sides;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    if ((b - a).norm() > shortest) sides.emplace_back(a, b);
+  }
+  return sides;
+}
+
 }  // namespace
 
 double area_of(const Polygon& polygon) {
@@ -30,9 +45,19 @@ double area_of(const Polygon& polygon) {
 }
 
 Polygon overlap(Polygon polygon, const Polygon& other) {
-  for (std::size_t k = 0; k < other.size() && polygon.size() > 2; ++k)
-    polygon = left_of(polygon, other[k], other[(k + 1) % other.size()]);
+  for (const auto& [a, b] : sides_of(other)) polygon = left_of(polygon, a, b);
   return polygon;
+}
+
+std::vector<Polygon> without(const Polygon& polygon, const Polygon& other) {
+  std::vector<Polygon> pieces;
+  Polygon rest = polygon;  // to the left of the sides so far
+  for (const auto& [a, b] : sides_of(other)) {
+    Polygon right = left_of(rest, b, a);
+    if (right.size() > 2) pieces.push_back(std::move(right));
+    rest = left_of(rest, a, b);
+  }
+  return pieces;
 }
 
 PlaneFrame::PlaneFrame(const Vec3& point, const Vec3& along)

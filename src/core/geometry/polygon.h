@@ -17,6 +17,9 @@ using Polygon = std::vector<Vec2>;
 /// What two convex polygons share; may have fewer than three corners.
 [[nodiscard]] Polygon overlap(Polygon polygon, const Polygon& other);
 
+/// The rest of a convex polygon beside another, in convex pieces; some may have no area.
+[[nodiscard]] std::vector<Polygon> without(const Polygon& polygon, const Polygon& other);
+
 /// Axes in a plane.
 struct PlaneFrame {
   Vec3 origin, normal, first, second;

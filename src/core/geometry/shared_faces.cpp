@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "args/input_error.h"
 
 namespace muckpile {
 namespace {
@@ -18,23 +21,66 @@ int corner(Polyhedron& shape, const std::vector<int>& old_face, const Vec3& at, 
   return static_cast<int>(shape.vertices.size()) - 1;
 }
 
-bool is_whole(const Block& block, std::size_t face, const Piece& piece) {
-  constexpr double kRounding = 1e-9;  // of the face's area
+double area_in_space(const Piece& piece) {
   Vec3 area = Vec3::Zero();
   for (std::size_t k = 1; k + 1 < piece.polygon.size(); ++k) {
     area +=
         0.5 * (piece.polygon[k] - piece.polygon[0]).cross(piece.polygon[k + 1] - piece.polygon[0]);
   }
-  const double whole = face_geometry(block.shape, static_cast<int>(face)).area;
-  return std::abs(area.norm() - whole) < kRounding * whole;
+  return area.norm();
+}
+
+void refuse_overlap(const std::vector<Piece>& pieces, double covered, double whole) {
+  constexpr double kRounding = 1e-6;  // of the face's area
+  if (covered <= (1.0 + kRounding) * whole) return;
+  throw InputError("blocks " + std::to_string(pieces.front().behind) + " and " +
+                   std::to_string(pieces.back().behind) +
+                   " overlap: planes cut off a part of the rock that is smaller than a block; move "
+                   "a plane, make blocks smaller, or cut by joint sets");
+}
+
+/// What of a face no piece covers, as pieces with nothing behind.
+std::vector<Piece> bare_pieces(const Block& block, std::size_t face,
+                               const std::vector<Piece>& pieces) {
+  constexpr double kSmallest = 1e-9;  // of the face's area: below it is rounding
+  const FaceGeometry plane = face_geometry(block.shape, static_cast<int>(face));
+  const PlaneFrame frame(plane.centroid, plane.normal);
+  Polygon whole;
+  for (const int v : block.shape.faces[face])
+    whole.push_back(frame.flat(block.shape.vertices[static_cast<std::size_t>(v)]));
+  std::vector<Polygon> bare{whole};
+  for (const Piece& piece : pieces) {
+    Polygon covered;
+    for (const Vec3& p : piece.polygon) covered.push_back(frame.flat(p));
+    std::vector<Polygon> left;
+    for (const Polygon& polygon : bare) {
+      for (Polygon& part : without(polygon, covered)) {
+        if (area_of(part) > kSmallest * plane.area) left.push_back(std::move(part));
+      }
+    }
+    bare = std::move(left);
+  }
+  std::vector<Piece> found;
+  for (const Polygon& polygon : bare) {
+    found.push_back({{}, kFreeFace});
+    for (const Vec2& p : polygon) found.back().polygon.push_back(frame.space(p));
+  }
+  return found;
 }
 
 /// The first piece takes the face's place, the others follow all faces.
-void divide_face(Block& block, std::size_t face, const std::vector<Piece>& pieces) {
-  if (pieces.size() == 1 && is_whole(block, face, pieces.front())) {
+void divide_face(Block& block, std::size_t face, std::vector<Piece> pieces) {
+  constexpr double kRounding = 1e-9;  // of the face's area
+  const double area = face_geometry(block.shape, static_cast<int>(face)).area;
+  double covered = 0.0;
+  for (const Piece& piece : pieces) covered += area_in_space(piece);
+  refuse_overlap(pieces, covered, area);
+  if (pieces.size() == 1 && covered > (1.0 - kRounding) * area) {
     block.neighbour[face] = pieces.front().behind;
     return;
   }
+  const std::vector<Piece> bare = bare_pieces(block, face, pieces);
+  pieces.insert(pieces.end(), bare.begin(), bare.end());
   const std::vector<int> whole = block.shape.faces[face];
   const double size = std::cbrt(block.mass.volume);
   for (std::size_t n = 0; n < pieces.size(); ++n) {

@@ -38,7 +38,9 @@ using Pieces = std::map<std::pair<std::size_t, std::size_t>, std::vector<Piece>>
 void share_faces(const PlaneFrame& frame, std::vector<PlaneFace>& below,
                  std::vector<PlaneFace>& above, Pieces& pieces);
 
-/// Makes the blocks neighbours. A face that has one block behind all of it keeps its corners.
+/// Makes the blocks neighbours. A face that has one block behind all of it keeps its corners; what
+/// no block is behind becomes free faces, so that blocks stay closed. Throws InputError if blocks
+/// overlap.
 void divide_faces(const Pieces& pieces, std::vector<Block>& blocks);
 
 }  // namespace muckpile

@@ -89,6 +89,7 @@ void append_pair(SizeTable& points, double distance, double size, const std::str
 }  // namespace
 
 double harries_cracks(const HarriesParameters& p, double distance) {
+  if (std::isinf(distance)) return 0.0;  // rock without a charge
   const double ratio = distance / p.hole_radius;
   return p.wall_strain / p.breaking_strain / ratio * std::exp(-p.absorption * ratio);
 }

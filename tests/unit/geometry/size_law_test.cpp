@@ -175,5 +175,10 @@ TEST(Harries, SuperposedRockIsFinerBetweenTwoHoles) {
   EXPECT_GT(expected_block_count(options, 1e9), alone);
 }
 
+TEST(SizeLaw, HarriesWithoutAbsorptionIsTheLargestSizeWhereNoChargeIs) {
+  const SizeLaw law = SizeLaw::harries({0.1, 1e-3, 1e-4, 0.0}, {0.2, 1.5});
+  EXPECT_EQ(law.at(std::numeric_limits<double>::infinity()), 1.5);
+}
+
 }  // namespace
 }  // namespace muckpile

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// 200 random scenes, both cuts: blocks are convex and closed and fill the rock, faces between
+// blocks are in both of them, facets have the area of these faces, and no block is a sliver. Scope:
+// some fifty blocks a scene, with graded sizes, up to three holes (their cracks added up or not)
+// and up to two natural joints; every scene follows from its number.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "args/input_error.h"
+#include "bond/facet_builder.h"
+#include "bond/joint_plane.h"
+#include "cut_checks.h"
+#include "geometry/joint_set_cut.h"
+#include "geometry/random.h"
+
+namespace muckpile {
+namespace {
+
+constexpr int kScenes = 200;  // half of them by each cut
+
+struct Scene {
+  TessellationOptions rock;
+  JointSetCut sets;
+};
+
+double between(Random& random, double from, double to) {
+  return from + (to - from) * random.uniform();
+}
+
+Vec3 point_in(Random& random, const Vec3& lo, const Vec3& hi) {
+  return {between(random, lo.x(), hi.x()), between(random, lo.y(), hi.y()),
+          between(random, lo.z(), hi.z())};
+}
+
+Vec3 direction(Random& random) {
+  return normal_of_dip(std::acos(random.uniform()), between(random, 0.0, 2.0 * std::numbers::pi));
+}
+
+/// Sets that span at least half of what upright ones do.
+JointSetCut random_sets(Random& random) {
+  JointSetCut how;
+  double solid = 0.0;
+  while (solid < 0.5) {
+    how.sets = {{direction(random)}, {direction(random)}, {direction(random)}};
+    solid = std::abs(how.sets[0].normal.dot(how.sets[1].normal.cross(how.sets[2].normal)));
+  }
+  if (random.uniform() < 0.2) how.sets = {{Vec3::UnitX()}, {Vec3::UnitY()}, {Vec3::UnitZ()}};
+  if (random.uniform() < 0.2) how.sets.pop_back();
+  for (JointSet& set : how.sets) set.spacing = between(random, 0.7, 1.4);
+  return how;
+}
+
+/// Holes whose crushed zones keep clear of the box walls and of each other.
+void add_holes(Random& random, TessellationOptions& rock) {
+  const int count = static_cast<int>(3.999 * random.uniform());
+  constexpr double kApart = 1.3;  // [m]
+  for (int h = 0; h < count; ++h) {
+    const Vec3 toe(1.0 + kApart * h, between(random, 1.0, rock.hi.y() - 1.0), 0.8);
+    const Vec3 collar(toe.x() + between(random, -0.1, 0.1),
+                      std::clamp(toe.y() + between(random, -0.3, 0.3), 1.0, rock.hi.y() - 1.0),
+                      rock.hi.z() - 0.8);
+    rock.holes.push_back({toe, collar, between(random, 0.2, 0.3)});
+  }
+}
+
+void add_planes(Random& random, int most, TessellationOptions& rock) {
+  const int count = static_cast<int>((most + 0.999) * random.uniform());
+  for (int k = 0; k < count; ++k) {
+    // through the middle half, so that no part is smaller than a block
+    rock.planes.push_back({point_in(random, 0.4 * rock.hi, 0.6 * rock.hi), direction(random)});
+  }
+}
+
+Scene scene_of(int number) {
+  Random random(static_cast<std::uint64_t>(number));
+  Scene scene;
+  TessellationOptions& rock = scene.rock;
+  rock.hi = point_in(random, Vec3(4.6, 2.2, 2.4), Vec3(5.0, 2.8, 3.0));
+  add_holes(random, rock);
+  const SizeLimits limits{0.4, between(random, 0.6, 0.8)};
+  if (random.uniform() < 0.5) {
+    rock.size = SizeLaw::power({between(random, 0.5, 1.0), between(random, 0.8, 2.0)}, limits);
+  } else {
+    rock.size = SizeLaw::harries({0.2, between(random, 6e-3, 2e-2), 1e-3, 0.0}, limits);
+    rock.superpose = random.uniform() < 0.5;
+  }
+  rock.sweeps = 3 + static_cast<int>(6.0 * random.uniform());
+  rock.seed = static_cast<unsigned long>(number) + 1;
+  scene.sets = random_sets(random);
+  return scene;
+}
+
+double facet_area(const std::vector<Block>& blocks) {
+  const FacetSet set = build_facets(blocks, 1, [](const Vec3&) { return Support::free; });
+  double area = 0.0;
+  for (const Facet& facet : set.facets) area += facet.area;
+  return area;
+}
+
+/// Which wall of the box a face lies on: at 0 or at its far corner, and the axis across it.
+std::optional<std::pair<std::size_t, Eigen::Index>> wall_of(const Vec3& edge, const Block& block,
+                                                            std::size_t f,
+                                                            const FaceGeometry& face) {
+  if (block.neighbour[f] != kFreeFace) return std::nullopt;
+  Eigen::Index along = 0;
+  if (face.normal.cwiseAbs().maxCoeff(&along) < 1.0 - 1e-6) return std::nullopt;
+  const bool far = face.normal[along] > 0.0;
+  if (std::abs(face.centroid[along] - (far ? edge[along] : 0.0)) > 1e-9) return std::nullopt;
+  return std::pair(far ? std::size_t{1} : std::size_t{0}, along);
+}
+
+/// What voids the boundary shows, per direction [m2]: walls at 0, then at the box's far corner.
+std::array<Vec3, 2> walls_of_voids(const Vec3& edge, const std::vector<Block>& blocks) {
+  std::array<Vec3, 2> bare;
+  bare.fill({edge.y() * edge.z(), edge.z() * edge.x(), edge.x() * edge.y()});
+  for (const Block& block : blocks) {
+    for (std::size_t f = 0; f < block.neighbour.size(); ++f) {
+      const FaceGeometry face = face_geometry(block.shape, static_cast<int>(f));
+      const auto wall = wall_of(edge, block, f, face);
+      if (wall) bare[wall->first][wall->second] -= face.area;
+    }
+  }
+  return bare;
+}
+
+/// Volume of the voids from the faces around them, by the divergence theorem for x/3. Its normal
+/// component is 0 on the walls at 0 and constant on the others.
+double volume_of_voids(const Vec3& edge, const std::vector<Block>& blocks) {
+  double volume = walls_of_voids(edge, blocks)[1].dot(edge) / 3.0;
+  for (const Block& block : blocks) {
+    for (std::size_t f = 0; f < block.neighbour.size(); ++f) {
+      if (block.neighbour[f] >= 0) continue;
+      const FaceGeometry face = face_geometry(block.shape, static_cast<int>(f));
+      if (!wall_of(edge, block, f, face))
+        volume -= face.area * face.normal.dot(face.centroid) / 3.0;
+    }
+  }
+  return volume;
+}
+
+/// Returns what the crushed zones have taken of the boundary, which they should not reach [m2].
+double expect_sound(const TessellationOptions& rock, const Tessellation& cut) {
+  test::expect_sound_cut(cut.blocks, rock.hi.prod() - volume_of_voids(rock.hi, cut.blocks));
+  const double both_sides = test::expect_shared_faces(cut.blocks);
+  // Faces below kSmallestFacetShare of their block carry no facet.
+  EXPECT_NEAR(facet_area(cut.blocks), 0.5 * both_sides, 1e-7 * both_sides);
+  const std::array<Vec3, 2> bare = walls_of_voids(rock.hi, cut.blocks);
+  return bare[0].sum() + bare[1].sum();
+}
+
+/// Whether all its neighbours are behind natural joints: there is nothing to merge it with.
+bool is_a_part_between_planes(const Block& block, const std::vector<CutPlane>& planes) {
+  for (std::size_t f = 0; f < block.neighbour.size(); ++f) {
+    if (block.neighbour[f] < 0) continue;
+    const FaceGeometry face = face_geometry(block.shape, static_cast<int>(f));
+    const bool in_plane = std::any_of(planes.begin(), planes.end(), [&](const CutPlane& plane) {
+      return std::abs(plane.normal.dot(face.centroid - plane.point)) < 1e-9 &&
+             plane.normal.cross(face.normal).norm() < 1e-6;
+    });
+    if (!in_plane) return false;
+  }
+  return true;
+}
+
+TEST(RandomScenes, VoronoiCutsAreSound) {
+  double worst = 1.0;
+  std::size_t blocks = 0;
+  for (int number = 0; number < kScenes / 2; ++number) {
+    SCOPED_TRACE(number);
+    Scene scene = scene_of(number);
+    Random random(static_cast<std::uint64_t>(number));
+    add_planes(random, 1, scene.rock);
+    const Tessellation cut = tessellate(scene.rock);
+    const double bare = expect_sound(scene.rock, cut);
+    EXPECT_LT(bare, 0.05);
+    blocks += cut.blocks.size();
+    for (const Block& block : cut.blocks)
+      worst = std::min(worst, mean_radius(block.shape) / block.target_size);
+  }
+  std::printf("%zu blocks, smallest 3 V / A over size %.3f\n", blocks, worst);
+  EXPECT_GT(worst, JointSetCut{}.sliver);  // Lloyd sweeps leave no sliver
+}
+
+/// Two planes that cut off less than a block are too much for a Voronoi cut (parts of the rock are
+/// lost, or, which must not pass, blocks overlap); joint sets take them.
+TEST(RandomScenes, VoronoiCutWithOverlapsIsRefused) {
+  Scene scene = scene_of(19);
+  Random random(19);
+  add_planes(random, 2, scene.rock);
+  try {
+    (void)tessellate(scene.rock);
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("overlap"), std::string::npos) << error.what();
+  }
+}
+
+TEST(RandomScenes, JointSetCutsAreSound) {
+  std::size_t blocks = 0, left = 0, reached = 0;
+  for (int number = kScenes / 2; number < kScenes; ++number) {
+    SCOPED_TRACE(number);
+    Scene scene = scene_of(number);
+    Random random(static_cast<std::uint64_t>(number));
+    add_planes(random, 2, scene.rock);
+    const Tessellation cut = cut_by_joint_sets(scene.rock, scene.sets);
+    const double bare = expect_sound(scene.rock, cut);
+    EXPECT_LT(bare,
+              0.05);  // [m2]; rock thinner than a block of 0.4 m, between a zone and the boundary
+    reached += bare > 1e-7 ? 1 : 0;
+    blocks += cut.blocks.size();
+    for (const Block& block : cut.blocks) {
+      if (mean_radius(block.shape) >= scene.sets.sliver * block.target_size) continue;
+      ++left;
+      EXPECT_TRUE(is_a_part_between_planes(block, scene.rock.planes));
+    }
+  }
+  std::printf("%zu blocks, %zu slivers that joints cut off, %zu zones that reach the boundary\n",
+              blocks, left, reached);
+  EXPECT_LE(reached, 3u);
+}
+
+}  // namespace
+}  // namespace muckpile
