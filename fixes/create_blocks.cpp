@@ -29,6 +29,7 @@
 #include "fix_muckpile_balance.h"
 #include "fix_muckpile_blocks.h"
 #include "geometry/block_file.h"
+#include "geometry/block_import.h"
 #include "geometry/filling_quality.h"
 
 namespace muckpile {
@@ -47,7 +48,8 @@ const ArgTable& table() {
                  "p` (size = "
                  "c r^p), `table FILE` (two columns, m), `uniform s` [m], `target kuz_ram x50 n` "
                  "or `target "
-                 "swebrec x50 xmax b` (fitted to that size curve, m); required")
+                 "swebrec x50 xmax b` (fitted to that size curve, m), `import FILE` (blocks as a "
+                 "VTK file has them); required")
           .flag("superpose", false,
                 "with `size harries`: the cracks of all charges add up, not those of the nearest "
                 "alone")
@@ -330,13 +332,17 @@ SizeLaw CreateBlocks::size_law(const ArgValues& args) const {
     need(1);
     return SizeLaw::uniform(number(1, "m"));
   }
+  if (words[0] == "import") {
+    need(1);
+    return SizeLaw::table({{0.0, limits.smallest}}, limits);  // the limits alone count
+  }
   if (words[0] == "target") {
     (void)size_target(args);
     return SizeLaw::table({{0.0, limits.smallest}}, limits);  // until the rock is cut
   }
   throw InputError(std::string(kStyle) +
-                   ": size must be harries, power, table, uniform or target, got '" + words[0] +
-                   "'");
+                   ": size must be harries, power, table, uniform, target or import, got '" +
+                   words[0] + "'");
 }
 
 std::optional<SizeTarget> CreateBlocks::size_target(const ArgValues& args) const {
@@ -427,7 +433,11 @@ CreateBlocks::Model CreateBlocks::cut(const TessellationOptions& what,
     throw InputError("joint_set and sliver need 'cut joint_sets'");
   if (by_sets && size_target(args))
     throw InputError("size target needs 'cut voronoi': joint sets halve block sizes in steps");
-  if (by_sets) {
+  const std::vector<std::string>& size = args.groups("size").front();
+  if (size[0] == "import") {
+    if (args.given("cut")) throw InputError("size import leaves nothing to cut: no 'cut'");
+    model.rock = import_blocks(size[1], what);
+  } else if (by_sets) {
     model.rock = cut_by_joint_sets(what, joint_sets(args));
   } else if (const auto target = size_target(args)) {
     FittedCut fitted =

@@ -21,6 +21,12 @@ int corner(Polyhedron& shape, const std::vector<int>& old_face, const Vec3& at, 
   return static_cast<int>(shape.vertices.size()) - 1;
 }
 
+/// Area that is lost in the rounding of coordinates: of small faces relatively more [m2].
+double rounding_of(const Block& block, double face_area) {
+  constexpr double kRounding = 1e-9, kSmallFace = 1e-2;  // of the face, of V^(2/3)
+  return kRounding * std::max(face_area, kSmallFace * std::pow(block.mass.volume, 2.0 / 3.0));
+}
+
 double area_in_space(const Piece& piece) {
   Vec3 area = Vec3::Zero();
   for (std::size_t k = 1; k + 1 < piece.polygon.size(); ++k) {
@@ -30,9 +36,10 @@ double area_in_space(const Piece& piece) {
   return area.norm();
 }
 
-void refuse_overlap(const std::vector<Piece>& pieces, double covered, double whole) {
-  constexpr double kRounding = 1e-6;  // of the face's area
-  if (covered <= (1.0 + kRounding) * whole) return;
+void refuse_overlap(const std::vector<Piece>& pieces, double covered, double whole,
+                    double rounding) {
+  constexpr double kRounding = 1e3;  // times what coordinates' rounding makes
+  if (covered <= whole + kRounding * rounding) return;
   throw InputError("blocks " + std::to_string(pieces.front().behind) + " and " +
                    std::to_string(pieces.back().behind) +
                    " overlap: planes cut off a part of the rock that is smaller than a block; move "
@@ -42,7 +49,6 @@ void refuse_overlap(const std::vector<Piece>& pieces, double covered, double who
 /// What of a face no piece covers, as pieces with nothing behind.
 std::vector<Piece> bare_pieces(const Block& block, std::size_t face,
                                const std::vector<Piece>& pieces) {
-  constexpr double kSmallest = 1e-9;  // of the face's area: below it is rounding
   const FaceGeometry plane = face_geometry(block.shape, static_cast<int>(face));
   const PlaneFrame frame(plane.centroid, plane.normal);
   Polygon whole;
@@ -55,7 +61,7 @@ std::vector<Piece> bare_pieces(const Block& block, std::size_t face,
     std::vector<Polygon> left;
     for (const Polygon& polygon : bare) {
       for (Polygon& part : without(polygon, covered)) {
-        if (area_of(part) > kSmallest * plane.area) left.push_back(std::move(part));
+        if (area_of(part) > rounding_of(block, plane.area)) left.push_back(std::move(part));
       }
     }
     bare = std::move(left);
@@ -70,12 +76,11 @@ std::vector<Piece> bare_pieces(const Block& block, std::size_t face,
 
 /// The first piece takes the face's place, the others follow all faces.
 void divide_face(Block& block, std::size_t face, std::vector<Piece> pieces) {
-  constexpr double kRounding = 1e-9;  // of the face's area
   const double area = face_geometry(block.shape, static_cast<int>(face)).area;
   double covered = 0.0;
   for (const Piece& piece : pieces) covered += area_in_space(piece);
-  refuse_overlap(pieces, covered, area);
-  if (pieces.size() == 1 && covered > (1.0 - kRounding) * area) {
+  refuse_overlap(pieces, covered, area, rounding_of(block, area));
+  if (pieces.size() == 1 && covered > area - rounding_of(block, area)) {
     block.neighbour[face] = pieces.front().behind;
     return;
   }
