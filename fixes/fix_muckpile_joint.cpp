@@ -394,6 +394,27 @@ StepBound FixMuckpileJoint::stable_step(Breaking breaking, double guess) const {
   return muckpile::stable_step(network_, inertia, breaking, team, guess);
 }
 
+/// Into of_blocks_, of copies too; the ground's is 0.
+void FixMuckpileJoint::gather_flags(std::span<const char> of_bodies) {
+  of_blocks_.assign(network_.blocks().size(), 0);
+  std::copy(of_bodies.begin(), of_bodies.end(), of_blocks_.begin());
+  store_->halo().forward(std::span(of_blocks_).first(store_->halo().size()));
+}
+
+void FixMuckpileJoint::mark_joined(std::span<const char> moves, std::span<char> disturbed) {
+  gather_flags(moves);
+  std::vector<int> all(of_blocks_.size(), 0);
+  network_.mark_joined(of_blocks_, all);
+  for (std::size_t b = 0; b < disturbed.size(); ++b)
+    disturbed[b] = disturbed[b] != 0 || all[b] != 0 ? 1 : 0;
+}
+
+void FixMuckpileJoint::let_rest(std::span<const char> rests) {
+  gather_flags(rests);
+  of_blocks_.back() = 1;  // the ground
+  network_.let_rest(of_blocks_);
+}
+
 double FixMuckpileJoint::sum(double mine) const {
   double all = 0.0;
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
@@ -429,15 +450,19 @@ int FixMuckpileJoint::modify_param(int narg, char** arg) {
   if (std::strcmp(arg[0], "soften") != 0) return 0;
   const std::string where = std::string("fix_modify ") + id;
   if (narg < 2) engine::stop(*lmp, where + ": soften needs a factor in (0, 1]");
+  const bool damps = narg > 2 && std::strcmp(arg[2], "damping") == 0;
+  if (damps && narg < 4) engine::stop(*lmp, where + ": soften ... damping needs a share >= 0");
   if (version_ == 0) engine::stop(*lmp, where + ": soften needs a run (run 0 will do) before it");
   engine::or_engine_error(*lmp, [&] {
     const double factor = parse_real(where, "soften", arg[1], "", Range::left_open(0.0, 1.0));
+    std::optional<double> damping;
+    if (damps) damping = parse_real(where, "damping", arg[3], "", Range::non_negative());
     gather_state();
     compute_bulk_stresses(0.0);
-    network_.soften(factor);
+    network_.soften(factor, damping);
     return 0;
   });
-  return 2;
+  return damps ? 4 : 2;
 }
 
 /// The network's own tables take some 45 numbers per facet.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "blast_surface.h"
+#include "block_neighbours.h"
 #include "bond/facet_network.h"
 #include "fix_muckpile_blocks.h"
 #include "joint_pressure.h"
@@ -24,6 +25,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
                          public JointView,
                          public BlastSurface,
                          public YieldingSupports,
+                         public JoinedBlocks,
                          public StepLimit {
  public:
   FixMuckpileJoint(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
@@ -63,6 +65,9 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   }
   [[nodiscard]] StepBound stable_step(Breaking breaking, double guess) const override;
 
+  void mark_joined(std::span<const char> moves, std::span<char> disturbed) override;
+  void let_rest(std::span<const char> rests) override;
+
   [[nodiscard]] double energy_given() const override { return network_.losses().quiet; }
   [[nodiscard]] double energy_radiated() const override { return network_.losses().radiated; }
 
@@ -85,6 +90,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   void index_facets();
   void refresh_enclosed();
   void ask_for_neighbours();
+  void gather_flags(std::span<const char> of_bodies);
   [[nodiscard]] double sum(double mine) const;
 
   FacetNetwork network_;
@@ -98,6 +104,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   std::vector<std::size_t> loaded_faces_;  // positions in network_.faces()
   std::vector<LoadedFacet> loaded_;
   std::vector<double> poses_;
+  std::vector<int> of_blocks_;  // work space of mark_joined() and let_rest()
   bool cracked_since_build_ = false;
 };
 

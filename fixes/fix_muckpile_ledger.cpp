@@ -20,6 +20,7 @@
 #include "engine/bodies.h"
 #include "engine/style_args.h"
 #include "fix_muckpile_joint.h"
+#include "fix_muckpile_sleep.h"
 
 namespace muckpile {
 namespace {
@@ -28,7 +29,8 @@ constexpr std::array kColumns = {
     &EnergyLedger::kinetic,         &EnergyLedger::joint_elastic, &EnergyLedger::contact_elastic,
     &EnergyLedger::gravity,         &EnergyLedger::blast_work,    &EnergyLedger::fracture,
     &EnergyLedger::joint_friction,  &EnergyLedger::joint_damping, &EnergyLedger::contact_friction,
-    &EnergyLedger::contact_damping, &EnergyLedger::walls,         &EnergyLedger::quiet};
+    &EnergyLedger::contact_damping, &EnergyLedger::walls,         &EnergyLedger::quiet,
+    &EnergyLedger::sleep};
 
 }  // namespace
 
@@ -51,6 +53,7 @@ int FixMuckpileLedger::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
 void FixMuckpileLedger::init() {
   gravity_ = static_cast<LAMMPS_NS::FixGravity*>(modify->find_fix_style("gravity", 0));
   joint_ = dynamic_cast<FixMuckpileJoint*>(modify->find_fix_style_strict("muckpile/joint", 0));
+  sleep_ = dynamic_cast<FixMuckpileSleep*>(modify->find_fix_style_strict("muckpile/sleep", 0));
 }
 
 void FixMuckpileLedger::setup(int) {
@@ -111,6 +114,7 @@ const EnergyLedger& FixMuckpileLedger::ledger() {
     mine.quiet = network.losses().quiet;
     mine.blast_work = network.pressure_work();
   }
+  if (sleep_ != nullptr) mine.sleep = sleep_->energy_taken();
   mine.contact_elastic = of_pair("elastic_J");
   mine.contact_friction = of_pair("friction_J");
   mine.contact_damping = of_pair("damping_J");

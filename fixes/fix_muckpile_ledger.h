@@ -16,6 +16,7 @@ class FixMultisphere;
 namespace muckpile {
 
 class FixMuckpileJoint;
+class FixMuckpileSleep;
 
 /// Energies of the whole run [J]; losses and works are cumulative.
 struct EnergyLedger {
@@ -24,11 +25,13 @@ struct EnergyLedger {
   double fracture = 0.0, joint_friction = 0.0, joint_damping = 0.0;
   double contact_friction = 0.0, contact_damping = 0.0, walls = 0.0;
   double quiet = 0.0;  ///< given to the rock behind quiet boundaries
+  double sleep = 0.0;  ///< kinetic energy of blocks as they were laid to rest
 
   /// What is in the system and what left it, less what came in.
   [[nodiscard]] double residual() const {
     return kinetic + joint_elastic + contact_elastic + gravity + fracture + joint_friction +
-           joint_damping + contact_friction + contact_damping + walls + quiet - blast_work;
+           joint_damping + contact_friction + contact_damping + walls + quiet + sleep -
+           blast_work;
   }
 };
 
@@ -60,6 +63,7 @@ class FixMuckpileLedger : public LAMMPS_NS::Fix {
   LAMMPS_NS::FixMultisphere* multisphere_ = nullptr;
   LAMMPS_NS::FixGravity* gravity_ = nullptr;
   FixMuckpileJoint* joint_ = nullptr;
+  FixMuckpileSleep* sleep_ = nullptr;
   EnergyLedger ledger_;
   double sphere_work_ = 0.0;  // this rank, by all forces on spheres since the start [J]
   double start_residual_ = 0.0, start_kinetic_ = 0.0, start_gravity_ = 0.0;

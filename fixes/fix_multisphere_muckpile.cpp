@@ -29,7 +29,9 @@ FixMultisphereMuckpile::FixMultisphereMuckpile(LAMMPS_NS::LAMMPS* engine, int na
 
 void FixMultisphereMuckpile::init() {
   FixMultisphere::init();
-  const auto ours = [](std::string_view style) { return style.starts_with("muckpile/"); };
+  const auto ours = [](std::string_view name) { return name.starts_with("muckpile/"); };
+  resting_ =
+      dynamic_cast<const RestingBlocks*>(modify->find_fix_style_strict("muckpile/sleep", 0));
   read_every_step_ = fix_heat_ != nullptr;
   for (int f = 0; f < modify->nfix; ++f) {
     const bool at_end = (modify->fmask[f] & LAMMPS_NS::FixConst::END_OF_STEP) != 0;
@@ -53,6 +55,15 @@ void FixMultisphereMuckpile::final_integrate() {
   } else {
     calc_force(false);
     integrate_bodies();
+  }
+  if (resting_ != nullptr && resting_->any_rests()) hold_resting();
+}
+
+/// What was left out between resting blocks makes the forces on them incomplete.
+void FixMultisphereMuckpile::hold_resting() {
+  engine::Bodies bodies(*this);
+  for (int b = 0; b < bodies.count(); ++b) {
+    if (resting_->body_rests(b)) bodies.hold(b);
   }
 }
 

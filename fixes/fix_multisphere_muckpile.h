@@ -6,6 +6,8 @@
 
 #include <fix_multisphere.h>
 
+#include "resting_blocks.h"
+
 namespace muckpile {
 
 class FixMultisphereMuckpile : public LAMMPS_NS::FixMultisphere {
@@ -19,7 +21,9 @@ class FixMultisphereMuckpile : public LAMMPS_NS::FixMultisphere {
  private:
   [[nodiscard]] bool velocities_are_read() const;
   void integrate_bodies();
+  void hold_resting();
 
+  const RestingBlocks* resting_ = nullptr;  ///< looked up in every init(); null: none rests
   bool read_every_step_ = true;  ///< a fix of LIGGGHTS works at the end of each step
 };
 

@@ -120,6 +120,8 @@ void PairMuckpileBlock::require_engine_settings() {
 void PairMuckpileBlock::find_partners() {
   bodies_ = dynamic_cast<LAMMPS_NS::FixMultisphere*>(modify->find_fix_style("multisphere", 0));
   joints_ = dynamic_cast<const JointView*>(modify->find_fix_style("muckpile/joint", 0));
+  resting_ =
+      dynamic_cast<const RestingBlocks*>(modify->find_fix_style_strict("muckpile/sleep", 0));
   if (modify->find_fix(kHistoryId) < 0) {
     std::array<std::string, 3> words{kHistoryId, "all", kHistoryStyle};
     std::array<char*, 3> arg{words[0].data(), words[1].data(), words[2].data()};
@@ -177,16 +179,19 @@ ContactStepBound PairMuckpileBlock::present_contacts() {
   return bound;
 }
 
-int PairMuckpileBlock::add_block(int body_tag, const double* x) {
+int PairMuckpileBlock::add_block(int body_tag, int sphere) {
+  const double* x = atom->x[sphere];
   block_tag_.push_back(body_tag);
   seed_.push_back({x[0], x[1], x[2]});
+  first_sphere_.push_back(sphere);
   next_image_.push_back(-1);
   return static_cast<int>(block_tag_.size()) - 1;
 }
 
 // Spheres of one body form one block; its periodic images are blocks of their own, told apart by
 // their distance: a body is smaller than half the box.
-int PairMuckpileBlock::block_of(int body_tag, const double* x) {
+int PairMuckpileBlock::block_of(int body_tag, int sphere) {
+  const double* x = atom->x[sphere];
   const auto tag = static_cast<std::size_t>(body_tag);
   if (tag >= first_image_.size()) first_image_.resize(tag + 1, -1);
   int last = -1;
@@ -199,7 +204,7 @@ int PairMuckpileBlock::block_of(int body_tag, const double* x) {
     if (same) return b;
     last = b;
   }
-  const int block = add_block(body_tag, x);
+  const int block = add_block(body_tag, sphere);
   (last < 0 ? first_image_[tag] : next_image_[static_cast<std::size_t>(last)]) = block;
   return block;
 }
@@ -211,11 +216,12 @@ void PairMuckpileBlock::number_blocks() {
   std::fill(first_image_.begin(), first_image_.end(), -1);
   block_tag_.clear();
   seed_.clear();
+  first_sphere_.clear();
   next_image_.clear();
   atom_block_.assign(static_cast<std::size_t>(count), -1);
   for (int k = 0; k < count; ++k) {
     const int tag = bodies_->belongs_to(k);
-    if (tag >= 0) atom_block_[static_cast<std::size_t>(k)] = block_of(tag, atom->x[k]);
+    if (tag >= 0) atom_block_[static_cast<std::size_t>(k)] = block_of(tag, k);
   }
   if (joints_ == nullptr) return;
   std::vector<char> enclosed(block_tag_.size());
@@ -269,6 +275,51 @@ void PairMuckpileBlock::hear_pairs() {
   });
 }
 
+void PairMuckpileBlock::list_working_pairs() {
+  working_.clear();
+  left_alone_.clear();
+  const bool any = resting_ != nullptr && resting_->any_rests();
+  const std::span<const char> resting =
+      any ? resting_->resting_spheres() : std::span<const char>();
+  const auto rests = [&](int block) {
+    const int sphere = first_sphere_[static_cast<std::size_t>(block)];
+    return any && resting[static_cast<std::size_t>(sphere)] != 0;
+  };
+  for (std::size_t k = 0; k < list_.block_pairs().size(); ++k) {
+    const BlockPair& pair = list_.block_pairs()[k];
+    (rests(pair.first) && rests(pair.second) ? left_alone_ : working_).push_back(k);
+  }
+  if (resting_ != nullptr) rests_version_ = resting_->rests_version();
+}
+
+double PairMuckpileBlock::resting_energy() {
+  double energy = 0.0;
+  const AtomArrays atoms = arrays();
+  for (const std::size_t k : left_alone_)
+    for (const SpherePair& pair : near_spheres(list_.block_pairs()[k])) {
+      if (pair.contact < 0) continue;
+      const Vec3 to_second = vector_at(atoms.x, pair.second) - vector_at(atoms.x, pair.first);
+      ContactState state = contacts_[static_cast<std::size_t>(pair.contact)];
+      const double share = pair.first < atoms.owned && pair.second < atoms.owned ? 1.0 : 0.5;
+      energy += share * law_->evaluate(motion_of(pair, to_second, to_second.norm(), atoms), 0.0,
+                                       state)
+                            .elastic_energy;
+    }
+  return energy;
+}
+
+void PairMuckpileBlock::mark_near(std::span<const char> from, std::span<char> to) const {
+  const auto sphere = [this](int block) {
+    return static_cast<std::size_t>(first_sphere_[static_cast<std::size_t>(block)]);
+  };
+  for (const BlockPair& pair : list_.block_pairs()) {
+    if (pair.count == 0) continue;
+    const std::size_t first = sphere(pair.first), second = sphere(pair.second);
+    if (from[first] != 0) to[second] = 1;
+    if (from[second] != 0) to[first] = 1;
+  }
+}
+
 void PairMuckpileBlock::rebuild() {
   const double started = MPI_Wtime();
   number_blocks();
@@ -278,6 +329,7 @@ void PairMuckpileBlock::rebuild() {
   listed_tags_.assign(atom->tag, atom->tag + atom->nlocal + atom->nghost);
   listed_owned_ = atom->nlocal;
   recall_contacts();
+  list_working_pairs();
   list_is_stale_ = false;
   ledger_.rebuild_s += MPI_Wtime() - started;
   ledger_.rebuilds += 1.0;
@@ -354,9 +406,10 @@ void PairMuckpileBlock::compute(int eflag, int vflag) {
   } else if (atom->nlocal + atom->nghost > 0) {
     list_.follow(atom->x[0], atom->omega[0], update->dt);
   }
+  if (resting_ != nullptr && resting_->rests_version() != rests_version_) list_working_pairs();
   step_contacts();
   contacts_moved_ = true;
-  if (eflag_global) eng_vdwl += ledger_.elastic_J;
+  if (eflag_global) eng_vdwl += ledger_.elastic_J + resting_energy();
 }
 
 PairMuckpileBlock::AtomArrays PairMuckpileBlock::arrays() const {
@@ -371,7 +424,7 @@ void PairMuckpileBlock::step_contacts() {
   // Set-up of a run computes the forces of a state that a step has already reached.
   const double history_step = update->setupflag != 0 ? 0.0 : update->dt;
   hear_pairs();
-  for (std::size_t k = 0; k < list_.block_pairs().size(); ++k) {
+  for (const std::size_t k : working_) {
     if (list_.idle(k)) continue;
     BlockPair& pair = list_.block_pairs()[k];
     if (list_.moved(pair)) list_.look_up(pair, spheres(), free_contacts_);
@@ -407,8 +460,8 @@ int PairMuckpileBlock::new_contact(const ContactState& state) {
   return contact;
 }
 
-void PairMuckpileBlock::touch(SpherePair& pair, const Vec3& to_second, double distance,
-                              const AtomArrays& atoms, double history_step) {
+ContactMotion PairMuckpileBlock::motion_of(const SpherePair& pair, const Vec3& to_second,
+                                           double distance, const AtomArrays& atoms) const {
   const int i = pair.first, j = pair.second;  // by tag: both ranks of a contact compute the same
   const Vec3 normal = distance > 0.0 ? Vec3(to_second / distance) : Vec3::UnitX();
   const double overlap = pair.reach - distance;
@@ -416,18 +469,26 @@ void PairMuckpileBlock::touch(SpherePair& pair, const Vec3& to_second, double di
   const Vec3 v_i = vector_at(atoms.v, i), v_j = vector_at(atoms.v, j);
   const Vec3 spin_i = vector_at(atoms.omega, i), spin_j = vector_at(atoms.omega, j);
   const Vec3 arm_spin = arm_i * spin_i + arm_j * spin_j;
-  const ContactMotion motion{normal,
-                             overlap,
-                             atoms.radius[i],
-                             atoms.radius[j],
-                             atoms.mass[i] * atoms.mass[j] / (atoms.mass[i] + atoms.mass[j]),
-                             v_i - v_j + arm_spin.cross(normal),
-                             spin_i - spin_j};
+  return {normal,
+          overlap,
+          atoms.radius[i],
+          atoms.radius[j],
+          atoms.mass[i] * atoms.mass[j] / (atoms.mass[i] + atoms.mass[j]),
+          v_i - v_j + arm_spin.cross(normal),
+          spin_i - spin_j};
+}
+
+void PairMuckpileBlock::touch(SpherePair& pair, const Vec3& to_second, double distance,
+                              const AtomArrays& atoms, double history_step) {
+  const int i = pair.first, j = pair.second;
+  const ContactMotion motion = motion_of(pair, to_second, distance, atoms);
   if (pair.contact < 0) pair.contact = new_contact(ContactLaw::begin_contact(motion, update->dt));
   ContactState& state = contacts_[static_cast<std::size_t>(pair.contact)];
   const ContactResponse response = law_->evaluate(motion, history_step, state);
 
-  const Vec3 lever = normal.cross(response.force_on_first);
+  const double arm_i = atoms.radius[i] - 0.5 * motion.overlap;
+  const double arm_j = atoms.radius[j] - 0.5 * motion.overlap;
+  const Vec3 lever = motion.normal.cross(response.force_on_first);
   if (i < atoms.owned)
     apply(atoms, i, response.force_on_first, arm_i * lever + response.torque_on_first);
   if (j < atoms.owned)
@@ -441,7 +502,7 @@ void PairMuckpileBlock::touch(SpherePair& pair, const Vec3& to_second, double di
     ledger_.damping_J += share * response.damping_loss;
   }
   ledger_.max_overlap_ratio =
-      std::max(ledger_.max_overlap_ratio, overlap / std::min(atoms.radius[i], atoms.radius[j]));
+      std::max(ledger_.max_overlap_ratio, motion.overlap / std::min(atoms.radius[i], atoms.radius[j]));
 }
 
 void PairMuckpileBlock::apply(const AtomArrays& atoms, int target, const Vec3& pair_force,
@@ -455,7 +516,10 @@ void PairMuckpileBlock::apply(const AtomArrays& atoms, int target, const Vec3& p
 void* PairMuckpileBlock::extract(const char* name, int& dim) {
   dim = 0;
   const std::string_view key(name);
-  if (key == "elastic_J") return &ledger_.elastic_J;
+  if (key == "elastic_J") {
+    ledger_.all_elastic_J = ledger_.elastic_J + resting_energy();
+    return &ledger_.all_elastic_J;
+  }
   if (key == "friction_J") return &ledger_.friction_J;
   if (key == "damping_J") return &ledger_.damping_J;
   if (key == "power_W") return &ledger_.power_W;

@@ -11,10 +11,12 @@
 #include <string>
 #include <vector>
 
+#include "block_neighbours.h"
 #include "contact/block_contact_list.h"
 #include "contact/contact_law.h"
 #include "fix_muckpile_contact_history.h"
 #include "joint_view.h"
+#include "resting_blocks.h"
 
 namespace LAMMPS_NS {
 class FixMultisphere;
@@ -27,7 +29,7 @@ class ArgTable;
 /// The keyword table, for the parser and the docs.
 [[nodiscard]] ArgTable block_contact_keywords();
 
-class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource {
+class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public NearBlocks {
  public:
   explicit PairMuckpileBlock(LAMMPS_NS::LAMMPS* engine_object);
   PairMuckpileBlock(const PairMuckpileBlock&) = delete;
@@ -50,8 +52,12 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource {
 
   void store_contacts(FixMuckpileContactHistory& history) override;
 
+  void mark_near(std::span<const char> from, std::span<char> to) const override;
+
  private:
   struct Ledger {
+    double all_elastic_J = 0.0;  ///< worked out when asked for
+    // Of the last step, without what is left alone.
     double elastic_J = 0.0, power_W = 0.0, contacts = 0.0, max_overlap_ratio = 0.0;
     double friction_J = 0.0, damping_J = 0.0;
     double stable_step_s = 0.0, spring_step_s = 0.0;
@@ -71,8 +77,8 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource {
 
   void rebuild();
   void number_blocks();
-  int block_of(int body_tag, const double* x);
-  int add_block(int body_tag, const double* x);
+  int block_of(int body_tag, int sphere);
+  int add_block(int body_tag, int sphere);
   void drop_intact_pairs(std::vector<BlockPair>& pairs) const;
   void recall_contacts();
   [[nodiscard]] SphereSet spheres() const;
@@ -82,10 +88,16 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource {
   /// A pair whose facet still acts itself has no sphere contact.
   void mute_pairs();
   void hear_pairs();
+  /// Pairs of blocks that both rest are left alone, with their contacts as they are.
+  void list_working_pairs();
+  /// Of the contacts left alone, to be added to those of the last step.
+  [[nodiscard]] double resting_energy();
 
   [[nodiscard]] AtomArrays arrays() const;
   void step_contacts();
   void step_block_pair(const BlockPair& pair, const AtomArrays& atoms, double history_step);
+  [[nodiscard]] ContactMotion motion_of(const SpherePair& pair, const Vec3& to_second,
+                                        double distance, const AtomArrays& atoms) const;
   void touch(SpherePair& pair, const Vec3& to_second, double distance, const AtomArrays& atoms,
              double history_step);
   void apply(const AtomArrays& atoms, int atom, const Vec3& force, const Vec3& torque);
@@ -95,6 +107,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource {
   double largest_radius_ = 0.0;  ///< of all spheres on all ranks [m]
   LAMMPS_NS::FixMultisphere* bodies_ = nullptr;
   const JointView* joints_ = nullptr;
+  const RestingBlocks* resting_ = nullptr;  ///< null: none rests
   FixMuckpileContactHistory* history_ = nullptr;  ///< owned by the engine
 
   struct MutedPair {
@@ -104,6 +117,8 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource {
 
   BlockContactList list_;
   std::vector<MutedPair> muted_;
+  std::vector<std::size_t> working_, left_alone_;  ///< of list_.block_pairs()
+  std::uint64_t rests_version_ = 0;                ///< that the two are made for
   std::vector<ContactState> contacts_;
   std::vector<int> free_contacts_;
   bool list_is_stale_ = true;    ///< atoms were exchanged since the list was built
@@ -112,6 +127,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource {
   std::vector<int> atom_block_;              ///< per atom, -1: takes no part
   std::vector<int> block_tag_;               ///< per block: its body tag
   std::vector<std::array<double, 3>> seed_;  ///< per block: position of its first atom [m]
+  std::vector<int> first_sphere_;            ///< per block: that atom
   std::vector<int> next_image_;              ///< per block: another periodic image, -1: none
   std::vector<int> first_image_;             ///< per body tag: a block, -1: none
   std::vector<int> listed_tags_;             ///< per atom: its tag when the list was built

@@ -65,6 +65,14 @@ class Bodies {
     const Mat3 turned = axes(b);
     return turned * inertia(b).asDiagonal() * turned.transpose();
   }
+  /// Stops the body, and takes away the forces that would set it going.
+  void hold(int b) {
+    velocity(b).setZero();
+    spin(b).setZero();
+    angular_momentum(b).setZero();
+    force(b).setZero();
+    torque(b).setZero();
+  }
   /// Translation and rotation [J].
   [[nodiscard]] double kinetic_energy(int b) const {
     return 0.5 * (mass(b) * velocity(b).squaredNorm() + angular_momentum(b).dot(spin(b)));

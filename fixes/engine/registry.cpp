@@ -26,6 +26,7 @@
 #include "fix_muckpile_ledger.h"
 #include "fix_muckpile_progress.h"
 #include "fix_muckpile_quiet.h"
+#include "fix_muckpile_sleep.h"
 #include "fix_muckpile_timestep.h"
 #include "fix_multisphere_muckpile.h"
 #include "pair_muckpile_block.h"
@@ -99,6 +100,7 @@ const std::map<std::string, FixCreator>& fixes() {
       {"muckpile/ledger", &create_fix<FixMuckpileLedger>},
       {"muckpile/progress", &create_fix<FixMuckpileProgress>},
       {"muckpile/quiet", &create_fix<FixMuckpileQuiet>},
+      {"muckpile/sleep", &create_fix<FixMuckpileSleep>},
       {"muckpile/timestep", &create_fix<FixMuckpileTimestep>},
   };
   return table;

@@ -27,6 +27,7 @@ constexpr Columns kGroups[] = {{"blast work", true, {"blast_work_J", nullptr}},
                                {"friction", false, {"joint_friction_J", "contact_friction_J"}},
                                {"damping", false, {"joint_damping_J", "contact_damping_J"}},
                                {"quiet boundaries", false, {"quiet_J", nullptr}},
+                               {"laid to rest", false, {"sleep_J", nullptr}},
                                {"walls", false, {"wall_J", nullptr}}};
 
 }  // namespace

@@ -34,7 +34,7 @@ void FacetNetwork::tractions(double dt) {
   std::fill(force_.begin(), force_.end(), Vec3::Zero());
   std::fill(torque_.begin(), torque_.end(), Vec3::Zero());
   newly_cracked_ = false;
-  for (std::size_t f : active_) {
+  for (std::size_t f : working_) {
     if (bonded_points_[f] == kFacetPoints && damping_ == 0.0 && hold_facet(f)) continue;
     if (states_[f] != FacetState::retired && asleep_[f] <= calls_) work_facet(f, dt);
   }

@@ -41,6 +41,7 @@ void FacetNetwork::set_blocks(std::vector<BlockConstants> blocks) {
   force_.assign(blocks_.size(), Vec3::Zero());
   torque_.assign(blocks_.size(), Vec3::Zero());
   gas_pressure_.clear();
+  rests_.assign(blocks_.size(), 0);
 }
 
 void FacetNetwork::set_facets(std::vector<Facet> facets, std::vector<FacetMemory> memory) {
@@ -137,6 +138,30 @@ void FacetNetwork::list_active() {
     if (bonded_points_[f] > 0) bonded_.push_back(f);
   }
   changed_since_ = 0;
+  list_working();
+}
+
+void FacetNetwork::list_working() {
+  working_.clear();
+  for (std::size_t f : active_) {
+    const auto i = static_cast<std::size_t>(sides_[f].i), j = static_cast<std::size_t>(sides_[f].j);
+    if (rests_[i] == 0 || rests_[j] == 0) working_.push_back(f);
+  }
+}
+
+void FacetNetwork::mark_joined(std::span<const int> moves, std::span<int> disturbed) const {
+  for (std::size_t f : active_) {
+    if (states_[f] == FacetState::retired) continue;
+    const auto i = static_cast<std::size_t>(sides_[f].i), j = static_cast<std::size_t>(sides_[f].j);
+    if (moves[i] != 0) disturbed[j] = 1;
+    if (moves[j] != 0) disturbed[i] = 1;
+  }
+  for (std::size_t f : yielding_) disturbed[static_cast<std::size_t>(sides_[f].i)] = 1;
+}
+
+void FacetNetwork::let_rest(std::span<const int> rests) {
+  for (std::size_t b = 0; b < rests_.size(); ++b) rests_[b] = rests[b] != 0 ? 1 : 0;
+  list_working();
 }
 
 void FacetNetwork::count_unbonded() {
@@ -269,13 +294,13 @@ double FacetNetwork::broken_area(bool all) const {
   return area;
 }
 
-void FacetNetwork::soften(double factor) {
+void FacetNetwork::soften(double factor, std::optional<double> damping) {
   stop_ground();  // what is behind is not softened, and no wave is left to let out
   losses_.fracture += (1.0 - factor) * elastic_energy();
   for (FacetMemory& memory : memory_) {
     for (Cohesion& cohesion : memory.cohesion) cohesion.strength *= factor;
   }
-  for (JointMaterial& material : materials_) material = material.softened(factor);
+  for (JointMaterial& material : materials_) material = material.softened(factor, damping);
   derive();
 }
 

@@ -28,6 +28,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -205,6 +206,14 @@ class FacetNetwork {
   };
   [[nodiscard]] OpenJoint open_joint(std::size_t f) const;
 
+  /// Facets between two blocks that rest are left alone by tractions() from now on: their forces
+  /// are missing, and their blocks must be held where they are. One entry per block, ground last.
+  void let_rest(std::span<const int> rests);
+
+  /// Sets `disturbed` of every block that shares an acting facet with one of `moves`, or lies on
+  /// ground that yields. One entry per block, ground last.
+  void mark_joined(std::span<const int> moves, std::span<int> disturbed) const;
+
   /// Of an intact facet on its block i, as the last passes left it [Pa].
   [[nodiscard]] Vec3 mean_traction(std::size_t f) const;
   [[nodiscard]] double elastic_energy() const;  ///< of joints, rock and closed broken facets [J]
@@ -226,8 +235,8 @@ class FacetNetwork {
 
   /// Continues with softer rock: every stiffness times `factor` in the present pose, so every
   /// traction falls to that share. The elastic energy given up is booked as fracture loss. Theta
-  /// and bulk stress must be those of the present pose.
-  void soften(double factor);
+  /// and bulk stress must be those of the present pose. `damping` replaces that of all joints.
+  void soften(double factor, std::optional<double> damping = {});
 
  private:
   // What the passes read of a facet, contiguous; derived from facets_ and materials_.
@@ -277,6 +286,7 @@ class FacetNetwork {
   void derive_facet(std::size_t f);
   void count_unbonded();
   void list_active();
+  void list_working();
   [[nodiscard]] double stiffening(const BlockSums& sums) const;
   [[nodiscard]] double theta_of(std::size_t b) const;
   [[nodiscard]] std::pair<double, double> depths(std::size_t f) const;
@@ -347,6 +357,8 @@ class FacetNetwork {
   std::vector<std::uint8_t> bonded_points_;  // how many of them
   std::vector<std::size_t> bonded_;          // facets with a bonded point, and some without
   std::vector<std::size_t> active_;          // facets that are not retired, and some that are
+  std::vector<std::size_t> working_;         // the active ones that have a block that is not at rest
+  std::vector<char> rests_;                  // per block
   std::size_t changed_since_ = 0;            // how many entries of the two are out of date
   std::vector<std::int64_t> asleep_;  // call of tractions() up to which an open facet is left alone
   std::int64_t calls_ = 0;            // of tractions()

@@ -96,8 +96,9 @@ JointMaterial JointMaterial::with_joints(const JointClass& joint) const {
   return JointMaterial(p);
 }
 
-JointMaterial JointMaterial::softened(double factor) const {
+JointMaterial JointMaterial::softened(double factor, std::optional<double> damping) const {
   JointParameters p = parameters_;
+  if (damping) p.damping = p.contact_damping = *damping;
   p.youngs_modulus *= factor;
   p.normal_stiffness *= factor;
   p.shear_stiffness *= factor;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace muckpile {
 
@@ -69,8 +70,9 @@ class JointMaterial {
   /// The same rock with other joints in it.
   [[nodiscard]] JointMaterial with_joints(const JointClass& joint) const;
 
-  /// Rock softened by `factor` (all moduli and stiffnesses), strengths unchanged.
-  [[nodiscard]] JointMaterial softened(double factor) const;
+  /// Rock softened by `factor` (all moduli and stiffnesses), strengths unchanged; `damping`, of
+  /// intact joints and closed broken ones, as a share of the softer rock's impedance.
+  [[nodiscard]] JointMaterial softened(double factor, std::optional<double> damping = {}) const;
 
  private:
   JointParameters parameters_;

@@ -86,6 +86,7 @@ class BlockContactList {
   void look_up(BlockPair& pair, const SphereSet& spheres, std::vector<int>& dropped);
 
   [[nodiscard]] std::vector<BlockPair>& block_pairs() { return block_pairs_; }
+  [[nodiscard]] const std::vector<BlockPair>& block_pairs() const { return block_pairs_; }
   [[nodiscard]] SpherePair* sphere_pairs(const BlockPair& pair) {
     return sphere_pairs_.data() + pair.begin;
   }

@@ -330,5 +330,29 @@ TEST(FacetNetwork, IntactBodyKeepsItsEnergyUnderLeapfrog) {
   EXPECT_LT(worst, 2e-6);  // second order: (omega dt)^2/8 of the vibrating part; measured 6e-7
 }
 
+/// Of a spring and dashpot of damping ratio z that do not pull (Schwager & Poeschel 2007).
+double restitution(double z) {
+  const double root = std::sqrt(1.0 - z * z);
+  return std::exp(-z / root * (std::numbers::pi - std::atan2(2.0 * z * root, 1.0 - 2.0 * z * z)));
+}
+
+// Two unit cubes, nu = 0: k = E, reduced mass rho / 2, dashpot s rho cP: ratio s / sqrt(2).
+TEST(FacetNetwork, ClosedBrokenFacetReboundsAsItsDampingAfterSofteningHasIt) {
+  for (const double share : {0.05, 0.3}) {
+    Pair pair(0.0);
+    const Vec3 opened(1e-4, 0.0, 0.0);  // as it broke: it closes again from there
+    pair.at(opened);
+    ASSERT_TRUE(pair.cracked());
+    pair.scene.network().soften(1e-3, share);
+    const double speed = 1e-3;  // [m/s]
+    pair.scene.block(0).velocity = Vec3(0.5 * speed, 0.0, 0.0);
+    pair.scene.block(1).velocity = Vec3(-0.5 * speed, 0.0, 0.0);
+    pair.scene.compute();
+    for (int k = 0; k < 3000; ++k) pair.scene.step(1e-5);  // contact: pi sqrt(1300 / 5e7) = 16 ms
+    const double after = pair.scene.block(1).velocity.x() - pair.scene.block(0).velocity.x();
+    EXPECT_NEAR(after / speed, restitution(share / std::numbers::sqrt2), 2e-3) << share;
+  }
+}
+
 }  // namespace
 }  // namespace muckpile::test

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Which blocks rest: held where they are, until something near them moves.
+// Scope: an interface only; fix muckpile/sleep implements it, the integrator and the contact style
+// read it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace muckpile {
+
+class RestingBlocks {
+ public:
+  virtual ~RestingBlocks() = default;
+  /// True if any block of this rank's bodies or spheres rests.
+  [[nodiscard]] virtual bool any_rests() const = 0;
+  /// Of a body, by its index in fix multisphere on this rank.
+  [[nodiscard]] virtual bool body_rests(int body) const = 0;
+  /// Per sphere, owned ones and ghosts: 1 if its block rests.
+  [[nodiscard]] virtual std::span<const char> resting_spheres() const = 0;
+  /// Grows whenever one of these may have changed.
+  [[nodiscard]] virtual std::uint64_t rests_version() const = 0;
+};
+
+}  // namespace muckpile

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Whether a block has hardly moved for a while.
+// Scope: one block by itself; what its neighbours do is the caller's.
+#pragma once
+
+#include "math/types.h"
+
+namespace muckpile {
+
+/// A block is still once it has stayed within `distance` of one place for `time`, and is slower
+/// than `speed`. So no block with a lasting acceleration above 2 distance / time^2 is ever still.
+struct StillnessLimits {
+  double distance;  ///< [m]
+  double time;      ///< [s]
+  double speed;     ///< [m/s]
+};
+
+/// Where a block is; its surface lies within `radius` of its centre.
+struct BlockPlace {
+  Vec3 centre;    ///< [m]
+  Mat3 axes;      ///< of the block in space, columns
+  double radius;  ///< [m]
+  double speed;   ///< of its fastest point [m/s]
+};
+
+class Stillness {
+ public:
+  /// Takes over where the block is at `now` [s]; true if it is still.
+  bool follow(const StillnessLimits& limits, const BlockPlace& place, double now);
+
+ private:
+  Vec3 centre_ = Vec3::Zero();
+  Mat3 axes_ = Mat3::Zero();  // no place: the first look begins the stay
+  double since_ = 0.0;
+};
+
+}  // namespace muckpile
