@@ -25,12 +25,19 @@
 namespace muckpile {
 namespace {
 
-constexpr std::array kColumns = {
-    &EnergyLedger::kinetic,         &EnergyLedger::joint_elastic, &EnergyLedger::contact_elastic,
-    &EnergyLedger::gravity,         &EnergyLedger::blast_work,    &EnergyLedger::fracture,
-    &EnergyLedger::joint_friction,  &EnergyLedger::joint_damping, &EnergyLedger::contact_friction,
-    &EnergyLedger::contact_damping, &EnergyLedger::walls,         &EnergyLedger::quiet,
-    &EnergyLedger::sleep};
+constexpr std::array kColumns = {&EnergyLedger::kinetic,
+                                 &EnergyLedger::joint_elastic,
+                                 &EnergyLedger::contact_elastic,
+                                 &EnergyLedger::gravity,
+                                 &EnergyLedger::blast_work,
+                                 &EnergyLedger::fracture,
+                                 &EnergyLedger::joint_friction,
+                                 &EnergyLedger::joint_damping,
+                                 &EnergyLedger::contact_friction,
+                                 &EnergyLedger::contact_damping,
+                                 &EnergyLedger::walls,
+                                 &EnergyLedger::quiet,
+                                 &EnergyLedger::sleep};
 
 }  // namespace
 

@@ -30,8 +30,7 @@ struct EnergyLedger {
   /// What is in the system and what left it, less what came in.
   [[nodiscard]] double residual() const {
     return kinetic + joint_elastic + contact_elastic + gravity + fracture + joint_friction +
-           joint_damping + contact_friction + contact_damping + walls + quiet + sleep -
-           blast_work;
+           joint_damping + contact_friction + contact_damping + walls + quiet + sleep - blast_work;
   }
 };
 

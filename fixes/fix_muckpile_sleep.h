@@ -63,14 +63,14 @@ class FixMuckpileSleep : public LAMMPS_NS::Fix, public RestingBlocks {
   std::string where_;
   StillnessLimits limits_;
   LAMMPS_NS::FixMultisphere* multisphere_ = nullptr;
-  NearBlocks* near_ = nullptr;      // looked up in every init(); null: no such style
+  NearBlocks* near_ = nullptr;  // looked up in every init(); null: no such style
   JoinedBlocks* joined_ = nullptr;
-  std::vector<int> tags_;            // per body, as of follow_bodies()
-  std::vector<Stillness> stays_;     // per body
-  std::vector<char> rests_;          // per body
-  std::vector<char> of_spheres_;     // per sphere with ghosts: its block rests
-  std::vector<char> sent_;           // per sphere with ghosts: what share_sent() sends
-  int resting_ = 0;                  // bodies of this rank
+  std::vector<int> tags_;         // per body, as of follow_bodies()
+  std::vector<Stillness> stays_;  // per body
+  std::vector<char> rests_;       // per body
+  std::vector<char> of_spheres_;  // per sphere with ghosts: its block rests
+  std::vector<char> sent_;        // per sphere with ghosts: what share_sent() sends
+  int resting_ = 0;               // bodies of this rank
   std::uint64_t version_ = 0;
   double taken_ = 0.0;
 };

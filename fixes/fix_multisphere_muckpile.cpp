@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix multisphere/muckpile: second half step of the bodies alone.
-// Scope: see the header.
+// fix multisphere/muckpile: the step of the bodies, their spheres, and the forces on them.
+// Scope: see the header. Leapfrog and Richardson's rotation as in the base class.
 #include "fix_multisphere_muckpile.h"
 
+#include <atom.h>
+#include <domain.h>
+#include <fix_gravity.h>
 #include <force.h>
 #include <math_extra.h>
 #include <modify.h>
@@ -17,6 +20,19 @@
 #include "engine/style_args.h"
 
 namespace muckpile {
+namespace {
+
+using Flags = LAMMPS_NS::VectorContainer<bool, 3>;
+
+/// Half a step's change of velocity and angular momentum.
+void kick(engine::Bodies& bodies, int b, const bool* moves, const bool* turns, double half_step) {
+  for (int d = 0; d < 3; ++d) {
+    if (moves[d]) bodies.velocity(b)[d] += half_step / bodies.mass(b) * bodies.force(b)[d];
+    if (turns[d]) bodies.angular_momentum(b)[d] += half_step * bodies.torque(b)[d];
+  }
+}
+
+}  // namespace
 
 FixMultisphereMuckpile::FixMultisphereMuckpile(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : FixMultisphere(engine, narg, arg) {
@@ -29,14 +45,16 @@ FixMultisphereMuckpile::FixMultisphereMuckpile(LAMMPS_NS::LAMMPS* engine, int na
 
 void FixMultisphereMuckpile::init() {
   FixMultisphere::init();
+  resting_ = dynamic_cast<const RestingBlocks*>(modify->find_fix_style_strict("muckpile/sleep", 0));
   const auto ours = [](std::string_view name) { return name.starts_with("muckpile/"); };
-  resting_ =
-      dynamic_cast<const RestingBlocks*>(modify->find_fix_style_strict("muckpile/sleep", 0));
   read_every_step_ = fix_heat_ != nullptr;
   for (int f = 0; f < modify->nfix; ++f) {
     const bool at_end = (modify->fmask[f] & LAMMPS_NS::FixConst::END_OF_STEP) != 0;
     if (at_end && !ours(modify->fix[f]->style)) read_every_step_ = true;
   }
+  plain_ = fix_heat_ == nullptr && CAdd_ * fluidDensity_ == 0.0 && atom->quaternion == nullptr &&
+           modify->n_fixes_style("insert/stream") == 0 && modify->n_fixes_style("couple/cfd") == 0;
+  members_known_ = false;
 }
 
 void FixMultisphereMuckpile::reset_dt() {
@@ -45,41 +63,153 @@ void FixMultisphereMuckpile::reset_dt() {
   dtq = 0.5 * update->dt;
 }
 
+void FixMultisphereMuckpile::pre_neighbor() {
+  FixMultisphere::pre_neighbor();
+  members_known_ = false;
+}
+
 bool FixMultisphereMuckpile::velocities_are_read() const {
   return read_every_step_ || output->next == update->ntimestep;
 }
 
+/// Spheres, ghosts among them, whose body this rank moves; they stay the same until neighbours are
+/// looked for again.
+void FixMultisphereMuckpile::list_members() {
+  members_known_ = true;
+  placed_version_ = 0;
+  members_.clear();
+  counts_.clear();
+  shifts_.clear();
+  const bool periodic = domain->xperiodic + domain->yperiodic + domain->zperiodic > 0;
+  const Vec3 box(domain->xprd, domain->yprd, domain->zprd);
+  for (int k = 0; k < atom->nlocal + atom->nghost; ++k) {
+    const int body = body_[k] < 0 ? -1 : map(body_[k]);
+    if (body < 0) continue;
+    members_.push_back({k, body, Vec3(displace_[k][0], displace_[k][1], displace_[k][2])});
+    counts_.push_back(domain->is_owned_or_first_ghost(k) ? 1 : 0);
+    if (!periodic) continue;
+    const auto image = atom->image[k];
+    const Vec3 images(static_cast<double>((image & IMGMASK) - IMGMAX),
+                      static_cast<double>((image >> IMGBITS & IMGMASK) - IMGMAX),
+                      static_cast<double>((image >> IMG2BITS) - IMGMAX));
+    shifts_.push_back(-images.cwiseProduct(box));
+  }
+}
+
+void FixMultisphereMuckpile::initial_integrate(int vflag) {
+  if (!plain_ || vflag != 0) {
+    FixMultisphere::initial_integrate(vflag);
+    return;
+  }
+  evflag = 0;
+  if (!members_known_) list_members();
+  any_rests_ = resting_ != nullptr && resting_->any_rests();
+  move_bodies();
+  place_spheres();
+  rev_comm_flag_ = MS_COMM_REV_X_V_OMEGA;
+  reverse_comm();
+}
+
+void FixMultisphereMuckpile::move_bodies() {
+  bool** const moves = multisphere_.prop().getElementProperty<Flags>("fflag")->begin();
+  bool** const turns = multisphere_.prop().getElementProperty<Flags>("tflag")->begin();
+  engine::Bodies bodies(*this);
+  for (int b = 0; b < bodies.count(); ++b) {
+    if (rests(b)) continue;
+    kick(bodies, b, moves[b], turns[b], dtf);
+    bodies.centre(b) += dtv * bodies.velocity(b);
+    bodies.turn(b, dtq);
+  }
+}
+
+/// Resting bodies' spheres are where they were; once after they came to rest they are told to stop.
+void FixMultisphereMuckpile::place_spheres() {
+  const bool all = !any_rests_ || resting_->rests_version() != placed_version_;
+  if (any_rests_) placed_version_ = resting_->rests_version();
+  const engine::Bodies bodies(*this);
+  double** const x = atom->x;
+  double** const v = atom->v;
+  double** const omega = atom->omega;
+  int last = -1;
+  bool held = false;
+  Mat3 axes = Mat3::Identity();
+  Vec3 centre = Vec3::Zero(), velocity = Vec3::Zero(), spin = Vec3::Zero();
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    const Member& member = members_[m];
+    if (member.body != last) {
+      last = member.body;
+      held = !all && rests(last);
+      if (held) continue;
+      axes = bodies.axes(last);
+      centre = bodies.centre(last);
+      velocity = bodies.velocity(last);
+      spin = bodies.spin(last);
+    }
+    if (held) continue;
+    const Vec3 arm = axes * member.displacement;
+    Vec3::Map(x[member.sphere]) = centre + arm;
+    Vec3::Map(v[member.sphere]) = velocity + spin.cross(arm);
+    Vec3::Map(omega[member.sphere]) = spin;
+    if (!shifts_.empty()) Vec3::Map(x[member.sphere]) += shifts_[m];
+  }
+}
+
+void FixMultisphereMuckpile::calc_force(bool setupflag) {
+  if (!plain_) {
+    FixMultisphere::calc_force(setupflag);
+    return;
+  }
+  if (!members_known_) list_members();
+  engine::Bodies bodies(*this);
+  for (std::size_t m = 0; m < members_.size();) {
+    const int body = members_[m].body;
+    const Mat3 axes = bodies.axes(body);
+    Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
+    for (; m < members_.size() && members_[m].body == body; ++m) {
+      if (counts_[m] == 0) continue;
+      const Vec3 pull = Vec3::Map(atom->f[members_[m].sphere]);
+      sum += pull;
+      moment += (axes * members_[m].displacement).cross(pull) +
+                Vec3::Map(atom->torque[members_[m].sphere]);
+    }
+    bodies.force(body) += sum;
+    bodies.torque(body) += moment;
+  }
+  if (fix_gravity_ == nullptr) return;
+  Vec3 gravity;
+  fix_gravity_->get_gravity(gravity.data());
+  for (int b = 0; b < bodies.count(); ++b) bodies.force(b) += bodies.mass(b) * gravity;
+}
+
 void FixMultisphereMuckpile::final_integrate() {
+  any_rests_ = resting_ != nullptr && resting_->any_rests();
   if (velocities_are_read()) {
     FixMultisphere::final_integrate();
   } else {
     calc_force(false);
-    integrate_bodies();
+    kick_bodies();
   }
-  if (resting_ != nullptr && resting_->any_rests()) hold_resting();
+  if (any_rests_) hold_resting();
+}
+
+void FixMultisphereMuckpile::kick_bodies() {
+  bool** const moves = multisphere_.prop().getElementProperty<Flags>("fflag")->begin();
+  bool** const turns = multisphere_.prop().getElementProperty<Flags>("tflag")->begin();
+  engine::Bodies bodies(*this);
+  for (int b = 0; b < bodies.count(); ++b) {
+    if (rests(b)) continue;
+    kick(bodies, b, moves[b], turns[b], dtf);
+    const Mat3 axes = bodies.axes(b);
+    const Vec3 in_body = axes.transpose() * bodies.angular_momentum(b);
+    bodies.spin(b) = axes * in_body.cwiseQuotient(bodies.inertia(b));
+  }
 }
 
 /// What was left out between resting blocks makes the forces on them incomplete.
 void FixMultisphereMuckpile::hold_resting() {
   engine::Bodies bodies(*this);
   for (int b = 0; b < bodies.count(); ++b) {
-    if (resting_->body_rests(b)) bodies.hold(b);
-  }
-}
-
-void FixMultisphereMuckpile::integrate_bodies() {
-  using Flags = LAMMPS_NS::VectorContainer<bool, 3>;
-  bool** const moves = multisphere_.prop().getElementProperty<Flags>("fflag")->begin();
-  bool** const turns = multisphere_.prop().getElementProperty<Flags>("tflag")->begin();
-  engine::Bodies bodies(*this);
-  for (int b = 0; b < bodies.count(); ++b) {
-    for (int d = 0; d < 3; ++d) {
-      if (moves[b][d]) bodies.velocity(b)[d] += dtf / bodies.mass(b) * bodies.force(b)[d];
-      if (turns[b][d]) bodies.angular_momentum(b)[d] += dtf * bodies.torque(b)[d];
-    }
-    const Mat3 axes = bodies.axes(b);
-    const Vec3 in_body = axes.transpose() * bodies.angular_momentum(b);
-    bodies.spin(b) = axes * in_body.cwiseQuotient(bodies.inertia(b));
+    if (rests(b)) bodies.hold(b);
   }
 }
 

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix multisphere/muckpile: LIGGGHTS' fix multisphere that gives the spheres their full-step
-// velocities only when somebody reads them.
-// Scope: everything else is the base class; forces see the same mid-step velocities.
+// fix multisphere/muckpile: LIGGGHTS' fix multisphere with a leaner step.
+// Scope: moves bodies and their spheres, and sums the forces on them, through a list made when
+// bodies or spheres change their places; leaves out full-step velocities that nobody reads; holds
+// bodies that rest. Whatever else a step may need (virial, heat, drag, streams) the base class
+// does.
 #pragma once
 
 #include <fix_multisphere.h>
 
+#include <cstdint>
+#include <vector>
+
+#include "math/types.h"
 #include "resting_blocks.h"
 
 namespace muckpile {
@@ -16,15 +22,35 @@ class FixMultisphereMuckpile : public LAMMPS_NS::FixMultisphere {
 
   void init() override;
   void reset_dt() override;  ///< LIGGGHTS' own takes a time step over at the start of a run only
+  void pre_neighbor() override;
+  void initial_integrate(int vflag) override;
   void final_integrate() override;
+  void calc_force(bool setupflag) override;
 
  private:
+  /// A sphere of a body of this rank; itself may be a ghost.
+  struct Member {
+    int sphere, body;
+    Vec3 displacement;  ///< from the body's centre, along its axes [m]
+  };
+
   [[nodiscard]] bool velocities_are_read() const;
-  void integrate_bodies();
+  [[nodiscard]] bool rests(int body) const { return any_rests_ && resting_->body_rests(body); }
+  void list_members();
+  void move_bodies();
+  void place_spheres();
+  void kick_bodies();
   void hold_resting();
 
   const RestingBlocks* resting_ = nullptr;  ///< looked up in every init(); null: none rests
-  bool read_every_step_ = true;  ///< a fix of LIGGGHTS works at the end of each step
+  bool read_every_step_ = true;             ///< a fix of LIGGGHTS works at the end of each step
+  bool plain_ = false;                      ///< nothing that only the base class does
+  bool any_rests_ = false;                  ///< in this step
+  std::uint64_t placed_version_ = 0;        ///< of resting_, when the resting were last placed
+  bool members_known_ = false;
+  std::vector<Member> members_;
+  std::vector<char> counts_;  ///< per member: the one image of its sphere whose force is taken
+  std::vector<Vec3> shifts_;  ///< per member: of its periodic image [m]; empty without any
 };
 
 }  // namespace muckpile

@@ -120,8 +120,7 @@ void PairMuckpileBlock::require_engine_settings() {
 void PairMuckpileBlock::find_partners() {
   bodies_ = dynamic_cast<LAMMPS_NS::FixMultisphere*>(modify->find_fix_style("multisphere", 0));
   joints_ = dynamic_cast<const JointView*>(modify->find_fix_style("muckpile/joint", 0));
-  resting_ =
-      dynamic_cast<const RestingBlocks*>(modify->find_fix_style_strict("muckpile/sleep", 0));
+  resting_ = dynamic_cast<const RestingBlocks*>(modify->find_fix_style_strict("muckpile/sleep", 0));
   if (modify->find_fix(kHistoryId) < 0) {
     std::array<std::string, 3> words{kHistoryId, "all", kHistoryStyle};
     std::array<char*, 3> arg{words[0].data(), words[1].data(), words[2].data()};
@@ -279,8 +278,7 @@ void PairMuckpileBlock::list_working_pairs() {
   working_.clear();
   left_alone_.clear();
   const bool any = resting_ != nullptr && resting_->any_rests();
-  const std::span<const char> resting =
-      any ? resting_->resting_spheres() : std::span<const char>();
+  const std::span<const char> resting = any ? resting_->resting_spheres() : std::span<const char>();
   const auto rests = [&](int block) {
     const int sphere = first_sphere_[static_cast<std::size_t>(block)];
     return any && resting[static_cast<std::size_t>(sphere)] != 0;
@@ -301,9 +299,9 @@ double PairMuckpileBlock::resting_energy() {
       const Vec3 to_second = vector_at(atoms.x, pair.second) - vector_at(atoms.x, pair.first);
       ContactState state = contacts_[static_cast<std::size_t>(pair.contact)];
       const double share = pair.first < atoms.owned && pair.second < atoms.owned ? 1.0 : 0.5;
-      energy += share * law_->evaluate(motion_of(pair, to_second, to_second.norm(), atoms), 0.0,
-                                       state)
-                            .elastic_energy;
+      energy +=
+          share * law_->evaluate(motion_of(pair, to_second, to_second.norm(), atoms), 0.0, state)
+                      .elastic_energy;
     }
   return energy;
 }
@@ -501,8 +499,8 @@ void PairMuckpileBlock::touch(SpherePair& pair, const Vec3& to_second, double di
     ledger_.friction_J += share * response.friction_loss;
     ledger_.damping_J += share * response.damping_loss;
   }
-  ledger_.max_overlap_ratio =
-      std::max(ledger_.max_overlap_ratio, motion.overlap / std::min(atoms.radius[i], atoms.radius[j]));
+  ledger_.max_overlap_ratio = std::max(ledger_.max_overlap_ratio,
+                                       motion.overlap / std::min(atoms.radius[i], atoms.radius[j]));
 }
 
 void PairMuckpileBlock::apply(const AtomArrays& atoms, int target, const Vec3& pair_force,

@@ -107,7 +107,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public N
   double largest_radius_ = 0.0;  ///< of all spheres on all ranks [m]
   LAMMPS_NS::FixMultisphere* bodies_ = nullptr;
   const JointView* joints_ = nullptr;
-  const RestingBlocks* resting_ = nullptr;  ///< null: none rests
+  const RestingBlocks* resting_ = nullptr;        ///< null: none rests
   FixMuckpileContactHistory* history_ = nullptr;  ///< owned by the engine
 
   struct MutedPair {

@@ -7,6 +7,7 @@
 #include <error.h>
 #include <fix_multisphere.h>
 #include <lammps.h>
+#include <math_extra.h>
 #include <modify.h>
 #include <multisphere.h>
 
@@ -38,6 +39,9 @@ class Bodies {
     ex_ = vectors("ex_space");
     ey_ = vectors("ey_space");
     ez_ = vectors("ez_space");
+    quaternion_ = data_.prop()
+                      .template getElementProperty<LAMMPS_NS::VectorContainer<double, 4>>("quat")
+                      ->begin();
   }
 
   [[nodiscard]] int count() const { return count_; }
@@ -65,6 +69,12 @@ class Bodies {
     const Mat3 turned = axes(b);
     return turned * inertia(b).asDiagonal() * turned.transpose();
   }
+  /// Turns the body by a whole step at its angular momentum, Richardson's way; sets its spin.
+  void turn(int b, double half_step) {
+    MathExtra::angmom_to_omega(momentum_[b], ex_[b], ey_[b], ez_[b], inertia_[b], spin_[b]);
+    MathExtra::richardson(quaternion_[b], momentum_[b], spin_[b], inertia_[b], half_step);
+    MathExtra::q_to_exyz(quaternion_[b], ex_[b], ey_[b], ez_[b]);
+  }
   /// Stops the body, and takes away the forces that would set it going.
   void hold(int b) {
     velocity(b).setZero();
@@ -81,8 +91,8 @@ class Bodies {
  private:
   LAMMPS_NS::Multisphere& data_;
   int count_;
-  double **centre_, **velocity_, **spin_, **momentum_, **force_, **torque_, **inertia_, **ex_, **ey_,
-      **ez_;
+  double **centre_, **velocity_, **spin_, **momentum_, **force_, **torque_, **inertia_, **ex_,
+      **ey_, **ez_, **quaternion_;
 };
 
 }  // namespace muckpile::engine

@@ -357,9 +357,9 @@ class FacetNetwork {
   std::vector<std::uint8_t> bonded_points_;  // how many of them
   std::vector<std::size_t> bonded_;          // facets with a bonded point, and some without
   std::vector<std::size_t> active_;          // facets that are not retired, and some that are
-  std::vector<std::size_t> working_;         // the active ones that have a block that is not at rest
-  std::vector<char> rests_;                  // per block
-  std::size_t changed_since_ = 0;            // how many entries of the two are out of date
+  std::vector<std::size_t> working_;  // the active ones that have a block that is not at rest
+  std::vector<char> rests_;           // per block
+  std::size_t changed_since_ = 0;     // how many entries of the two are out of date
   std::vector<std::int64_t> asleep_;  // call of tractions() up to which an open facet is left alone
   std::int64_t calls_ = 0;            // of tractions()
   std::vector<std::size_t> yielding_;  // supports whose ground yields, those of a block together
