@@ -33,8 +33,6 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix {
 
   /// The fix of this run, nullptr if there is none.
   [[nodiscard]] static FixMuckpileBlast* find(LAMMPS_NS::LAMMPS& lmp);
-  /// True once every hole has fired and vented.
-  [[nodiscard]] bool over() const { return over_; }
   /// Where the explosive's energy went so far [J]. Collective.
   struct Energies {
     double explosive = 0.0;        ///< of all charges, fired or not; 0 if not known

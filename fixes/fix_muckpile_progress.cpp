@@ -105,7 +105,11 @@ void FixMuckpileProgress::end_of_step() {
   if (comm->me == 0) say(now);
 }
 
-void FixMuckpileProgress::post_run() { write_run(look()); }
+void FixMuckpileProgress::post_run() {
+  const Look now = look();
+  stop_if_wrong(now);
+  write_run(now);
+}
 
 FixMuckpileProgress::Look FixMuckpileProgress::look() {
   Look now;
