@@ -19,6 +19,19 @@ using FacetKey = std::pair<int, int>;
 
 FacetKey key_of(const Facet& facet) { return {facet.tag_i, facet.face}; }
 
+void put(engine::ByteWriter& out, const FacetMemory& memory) {
+  out.put(static_cast<const FacetTraces&>(memory));
+  out.put(memory.rare.exists());
+  if (memory.rare.exists()) out.put(memory.rare.get());
+}
+
+FacetMemory get_memory(engine::ByteReader& in) {
+  FacetMemory memory;
+  static_cast<FacetTraces&>(memory) = in.get<FacetTraces>();
+  if (in.get<bool>()) memory.rare.made() = in.get<RareMemory>();
+  return memory;
+}
+
 }  // namespace
 
 FixMuckpileBlocks::FixMuckpileBlocks(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
@@ -39,9 +52,9 @@ FixMuckpileBlocks* FixMuckpileBlocks::find(LAMMPS_NS::LAMMPS& lmp) {
 }
 
 double FixMuckpileBlocks::memory_usage() {
-  return static_cast<double>(records_.size() * sizeof(BlockRecord) +
-                             facets_.size() * sizeof(Facet) + memory_.size() * sizeof(FacetMemory) +
-                             faces_.size() * sizeof(BoundaryFace));
+  return static_cast<double>(
+      records_.capacity() * sizeof(BlockRecord) + facets_.capacity() * sizeof(Facet) +
+      memory_.capacity() * sizeof(FacetMemory) + faces_.capacity() * sizeof(BoundaryFace));
 }
 
 void FixMuckpileBlocks::add(const std::vector<BlockRecord>& records,
@@ -50,7 +63,10 @@ void FixMuckpileBlocks::add(const std::vector<BlockRecord>& records,
                             int blocks_all) {
   // Each joint comes with both of its blocks. Joints that have retired are no longer in the lists.
   int mine = 0, all = 0;
-  for (const Facet& facet : facets) mine += facet.kind == FacetKind::joint ? 1 : 0;
+  for (const Facet& facet : facets) {
+    mine += facet.kind == FacetKind::joint ? 1 : 0;
+    highest_joint_class_ = std::max<int>(highest_joint_class_, facet.joint_class);
+  }
   MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_SUM, world);
   facets_created_ += all / 2;
   take_back();
@@ -90,12 +106,30 @@ void FixMuckpileBlocks::synchronise() {
   ++version_;
 }
 
-/// Gets the facets' state back from whoever computes with it, once after each change of the lists.
+/// Gets the facets back from whoever computes with them.
 void FixMuckpileBlocks::take_back() {
-  if (keeper_ == nullptr || taken_back_ == version_) return;
-  keeper_->hand_back(memory_, faces_);
+  if (!handed_over_) return;
+  FacetLists lists = keeper_->hand_back();
+  facets_ = std::move(lists.facets);
+  memory_ = std::move(lists.memory);
+  faces_ = std::move(lists.faces);
+  handed_over_ = false;
   drop_retired();
-  taken_back_ = version_;
+}
+
+FacetLists FixMuckpileBlocks::hand_over() {
+  handed_over_ = true;
+  FacetLists lists{std::move(facets_), std::move(memory_), std::move(faces_)};
+  facets_.clear();
+  memory_.clear();
+  faces_.clear();
+  return lists;
+}
+
+/// What the keeper before had goes back to the store first.
+void FixMuckpileBlocks::set_keeper(FacetKeeper* keeper) {
+  take_back();
+  keeper_ = keeper;
 }
 
 void FixMuckpileBlocks::retire_into_record(const Facet& facet, int end) {
@@ -164,10 +198,10 @@ std::vector<std::vector<char>> FixMuckpileBlocks::pack_leaving(
   for (const BoundaryFace& face : faces_) {
     if (destination.count(face.tag) != 0) faces_of[face.tag].push_back(face);
   }
-  std::unordered_map<int, std::vector<FacetEntry>> facets_of;
+  std::unordered_map<int, std::vector<std::size_t>> facets_of;
   for (std::size_t f = 0; f < facets_.size(); ++f) {
     for (int tag : {facets_[f].tag_i, facets_[f].tag_j}) {
-      if (destination.count(tag) != 0) facets_of[tag].emplace_back(facets_[f], memory_[f]);
+      if (destination.count(tag) != 0) facets_of[tag].push_back(f);
     }
   }
   int ranks = 1;
@@ -179,7 +213,11 @@ std::vector<std::vector<char>> FixMuckpileBlocks::pack_leaving(
     engine::ByteWriter& out = outgoing[static_cast<std::size_t>(to->second)];
     out.put(record);
     out.put_all(faces_of[record.tag]);
-    out.put_all(facets_of[record.tag]);
+    out.put(facets_of[record.tag].size());
+    for (const std::size_t f : facets_of[record.tag]) {
+      out.put(facets_[f]);
+      put(out, memory_[f]);
+    }
   }
   return engine::bytes_of(outgoing);
 }
@@ -196,7 +234,10 @@ void FixMuckpileBlocks::merge(const std::vector<int>& tags,
       const auto record = reader.get<BlockRecord>();
       known[record.tag] = record;
       for (const auto& face : reader.get_all<BoundaryFace>()) faces_.push_back(face);
-      for (const auto& facet : reader.get_all<FacetEntry>()) facets.push_back(facet);
+      for (auto left = reader.get<std::size_t>(); left > 0; --left) {
+        const auto facet = reader.get<Facet>();
+        facets.emplace_back(facet, get_memory(reader));
+      }
     }
   }
   std::erase_if(faces_, [&](const BoundaryFace& face) { return here.count(face.tag) == 0; });
@@ -221,7 +262,7 @@ void FixMuckpileBlocks::keep_facets(const std::function<bool(std::size_t)>& need
     if (!needed(f)) continue;
     if (kept != f) {
       facets_[kept] = facets_[f];
-      memory_[kept] = memory_[f];
+      memory_[kept] = std::move(memory_[f]);
     }
     ++kept;
   }
@@ -239,10 +280,10 @@ void FixMuckpileBlocks::add_facets(std::vector<FacetEntry> added) {
   std::vector<FacetMemory> memory;
   facets.reserve(facets_.size() + added.size());
   memory.reserve(facets_.size() + added.size());
-  const auto append = [&](const Facet& facet, const FacetMemory& its) {
+  const auto append = [&](const Facet& facet, FacetMemory& its) {
     if (!facets.empty() && key_of(facets.back()) == key_of(facet)) return;
     facets.push_back(facet);
-    memory.push_back(its);
+    memory.push_back(std::move(its));
   };
   auto next = added.begin();
   for (std::size_t f = 0; f < facets_.size(); ++f) {

@@ -31,11 +31,19 @@ struct BlockRecord {
   RetiredFacets retired{};
 };
 
-/// Whoever computes with the facets; gets asked for their state before blocks migrate.
+/// The facets of a rank, what they remember, and the boundary faces. They are large, so that there
+/// is one copy: with the store while blocks migrate, else with whoever computes with them.
+struct FacetLists {
+  std::vector<Facet> facets;
+  std::vector<FacetMemory> memory;
+  std::vector<BoundaryFace> faces;
+};
+
+/// Whoever computes with the facets; has to give them back before blocks migrate.
 class FacetKeeper {
  public:
   virtual ~FacetKeeper() = default;
-  virtual void hand_back(std::vector<FacetMemory>& memory, std::vector<BoundaryFace>& faces) = 0;
+  [[nodiscard]] virtual FacetLists hand_back() = 0;
   virtual void store_is_gone() = 0;  ///< the engine deletes fixes in any order
 };
 
@@ -56,15 +64,16 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   void add(const std::vector<BlockRecord>& records, const std::vector<Facet>& facets,
            const std::vector<BoundaryFace>& faces, const std::vector<Hole>& holes, int blocks_all);
 
-  void set_keeper(FacetKeeper* keeper) { keeper_ = keeper; }
+  void set_keeper(FacetKeeper* keeper);
+  /// For the keeper: the store has them no longer.
+  [[nodiscard]] FacetLists hand_over();
 
   /// Grows whenever positions, facets or faces changed.
   [[nodiscard]] std::uint64_t version() const { return version_; }
   /// In the order of the multisphere bodies.
   [[nodiscard]] const std::vector<BlockRecord>& records() const { return records_; }
-  [[nodiscard]] const std::vector<Facet>& facets() const { return facets_; }
-  [[nodiscard]] const std::vector<FacetMemory>& memory() const { return memory_; }
-  [[nodiscard]] const std::vector<BoundaryFace>& faces() const { return faces_; }
+  /// Highest joint class of a facet of this rank so far.
+  [[nodiscard]] int highest_joint_class() const { return highest_joint_class_; }
   [[nodiscard]] const std::vector<Hole>& holes() const { return holes_; }
   /// Tags of the copies of other ranks' blocks, in halo order after the owned ones.
   [[nodiscard]] const std::vector<int>& copy_tags() const { return copy_tags_; }
@@ -99,8 +108,9 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   std::vector<Hole> holes_;
   std::vector<int> tags_, copy_tags_;
   engine::BlockHalo halo_;
-  std::uint64_t version_ = 0, taken_back_ = 0;
-  int blocks_created_ = 0, facets_created_ = 0;
+  std::uint64_t version_ = 0;
+  bool handed_over_ = false;
+  int blocks_created_ = 0, facets_created_ = 0, highest_joint_class_ = 0;
 };
 
 }  // namespace muckpile

@@ -179,8 +179,7 @@ void FixMuckpileJoint::init() {
 }
 
 void FixMuckpileJoint::check_classes() const {
-  int mine = 0, most = 0;
-  for (const Facet& facet : store_->facets()) mine = std::max<int>(mine, facet.joint_class);
+  int mine = store_->highest_joint_class(), most = 0;
   MPI_Allreduce(&mine, &most, 1, MPI_INT, MPI_MAX, world);
   const auto given = static_cast<int>(network_.natural_classes());
   if (most <= given) return;
@@ -189,11 +188,10 @@ void FixMuckpileJoint::check_classes() const {
                          ", but joint_class is given " + std::to_string(given) + " time(s)");
 }
 
-void FixMuckpileJoint::hand_back(std::vector<FacetMemory>& facet_memory,
-                                 std::vector<BoundaryFace>& faces) {
-  if (version_ == 0 || version_ != store_->version()) return;  // has not taken the lists over yet
-  facet_memory = network_.memory();
-  faces = network_.faces();
+FacetLists FixMuckpileJoint::hand_back() {
+  FacetLists lists;
+  network_.give_up(lists.facets, lists.memory, lists.faces);
+  return lists;
 }
 
 void FixMuckpileJoint::follow_blocks() {
@@ -205,8 +203,9 @@ void FixMuckpileJoint::follow_blocks() {
     blocks.push_back({r.tag, std::max(r.volume, 1e-300), r.mass, true, r.retired});
   for (int tag : store_->copy_tags()) blocks.push_back({tag, 1.0, 1.0, false, {}});
   network_.set_blocks(std::move(blocks));
-  network_.set_facets(store_->facets(), store_->memory());
-  network_.set_faces(store_->faces());
+  FacetLists lists = store_->hand_over();
+  network_.set_facets(std::move(lists.facets), std::move(lists.memory));
+  network_.set_faces(std::move(lists.faces));
 
   index_facets();
   loaded_.clear();
@@ -375,7 +374,7 @@ YieldingSupports::Chosen FixMuckpileJoint::let_ground_yield(
   network_.let_ground_yield(QuietGround(network_.material(), rock_behind), chosen);
   Chosen yielding;
   for (std::size_t f = 0; f < network_.facets().size(); ++f) {
-    if (!network_.memory()[f].ground.yields) continue;
+    if (!network_.memory()[f].ground().yields) continue;
     yielding.count += 1.0;
     yielding.area += network_.facets()[f].area;
   }
@@ -465,11 +464,12 @@ int FixMuckpileJoint::modify_param(int narg, char** arg) {
   return damps ? 4 : 2;
 }
 
-/// The network's own tables take some 45 numbers per facet.
 double FixMuckpileJoint::memory_usage() {
-  const double facets = static_cast<double>(network_.facets().size());
-  return facets * static_cast<double>(sizeof(Facet) + sizeof(FacetMemory) + 45 * sizeof(double)) +
-         static_cast<double>(network_.blocks().size() * (sizeof(BlockState) + 12 * sizeof(double)));
+  const auto bytes = [](const auto&... table) {
+    return (static_cast<double>(table.capacity() * sizeof(table[0])) + ...);
+  };
+  return network_.memory_usage() +
+         bytes(lower_tags_, upper_tags_, first_of_, enclosed_tags_, loaded_, poses_);
 }
 
 }  // namespace muckpile

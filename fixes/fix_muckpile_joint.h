@@ -41,7 +41,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   int modify_param(int narg, char** arg) override;
   double memory_usage() override;
 
-  void hand_back(std::vector<FacetMemory>& facet_memory, std::vector<BoundaryFace>& faces) override;
+  FacetLists hand_back() override;
   void store_is_gone() override { store_ = nullptr; }
 
   [[nodiscard]] int facet_between(int block_tag_a, int block_tag_b) const override;

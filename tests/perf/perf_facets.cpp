@@ -44,6 +44,9 @@ nlohmann::ordered_json measure() {
 
   test::BondScene intact = cube(blocks, 1e30);
   result["facets"] = intact.network().facets().size();
+  const double bytes = intact.network().memory_usage();
+  result["bytes_per_block"] = bytes / static_cast<double>(blocks.size());
+  result["bytes_per_facet"] = bytes / static_cast<double>(intact.network().facets().size());
   intact.deform(-kStrain * Mat3::Identity());
   result["intact"] = time_of(intact);
 

@@ -119,7 +119,7 @@ void FacetNetwork::work_bonded(std::size_t f, const Motion& motion, Pull& pull, 
                  openings_of(f, motion.scale), motion.axes()},
                 dt);
   }
-  if (damping_ == 0.0 || memory_[f].ground.yields) return;  // that ground has a dashpot itself
+  if (damping_ == 0.0 || memory_[f].ground().yields) return;  // that ground has a dashpot itself
   const LaneMask bonded = is_point() && !where_true(memory_[f].broken);
   const LaneVec rate = choose(bonded, Lanes(1.0), 0.0) * pull.rate;
   pull.traction += Lanes(damping_) * rate;
@@ -139,11 +139,12 @@ void FacetNetwork::break_point(std::size_t f, int p, const Break& broken, double
   const double kept = shear_size > limit ? limit / shear_size : 1.0;
   const Vec3 dropped = broken.traction - held * n - kept * shear;
   FacetMemory& memory = memory_[f];
-  Cohesion& cohesion = memory.cohesion[static_cast<std::size_t>(p)];
+  Cohesion cohesion;
   if (softens_) {
     const Mat3 to_axes = broken.axes.transpose();
     cohesion = cohesion_after(to_axes * dropped, to_axes * broken.jump, contact.normal,
                               contact.shear, material().parameters());
+    if (cohesion.holds()) memory.rare.made().cohesion[static_cast<std::size_t>(p)] = cohesion;
   }
   // The contact starts with the compression that the joint carried and the shear that friction can;
   // open by what a point that softens has parted.

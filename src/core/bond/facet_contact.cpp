@@ -111,7 +111,7 @@ bool FacetNetwork::closes(std::size_t f, const Motion& motion, double dt) {
 void FacetNetwork::let_sleep(std::size_t f, double gap, double dt) {
   const BlockState& si = state_[static_cast<std::size_t>(sides_[f].i)];
   const BlockState& sj = state_[static_cast<std::size_t>(sides_[f].j)];
-  const double reach = facets_[f].arm_i.norm() + depths(f).second + 3.0 * contacts_[f].radius;
+  const double reach = sides_[f].on_i.at(0).norm() + depths(f).second + 3.0 * contacts_[f].radius;
   const double speed =
       (sj.velocity - si.velocity).norm() + (si.spin.norm() + sj.spin.norm()) * reach;
   if (dt <= 0.0) return;

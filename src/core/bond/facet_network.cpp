@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "bond/facet_lanes.h"
 
@@ -45,17 +46,25 @@ void FacetNetwork::set_blocks(std::vector<BlockConstants> blocks) {
 }
 
 void FacetNetwork::set_facets(std::vector<Facet> facets, std::vector<FacetMemory> memory) {
-  facets_ = std::move(facets);
+  const std::size_t count = facets.size();
   memory_ = std::move(memory);
-  memory_.resize(facets_.size());
-  states_.resize(facets_.size());
-  bonded_points_.resize(facets_.size());
-  asleep_.assign(facets_.size(), 0);
-  for (std::size_t f = 0; f < facets_.size(); ++f) {
+  memory_.resize(count);
+  facets_.resize(count);
+  states_.resize(count);
+  bonded_points_.resize(count);
+  asleep_.assign(count, 0);
+  for (std::size_t f = 0; f < count; ++f) {
+    const Facet& facet = facets[f];
+    facets_[f] = {facet.tag_i, facet.tag_j,       facet.face,
+                  facet.kind,  facet.joint_class, facet.sharpened};
     states_[f] = memory_[f].state;
     bonded_points_[f] = bonded_points(memory_[f]);
   }
-  derive();
+  sides_.resize(count);
+  bonds_.resize(count);
+  contacts_.resize(count);
+  couplings_.resize(count);
+  for (std::size_t f = 0; f < count; ++f) derive_facet(f, facets[f]);
   list_active();
   list_yielding();
   count_unbonded();
@@ -66,28 +75,59 @@ void FacetNetwork::set_faces(std::vector<BoundaryFace> faces) {
   count_unbonded();
 }
 
+void FacetNetwork::give_up(std::vector<Facet>& facets, std::vector<FacetMemory>& memory,
+                           std::vector<BoundaryFace>& faces) {
+  facets = this->facets();
+  memory = std::move(memory_);
+  faces = std::move(faces_);
+  const auto release = [](auto&... table) { ((table = std::decay_t<decltype(table)>()), ...); };
+  release(facets_, memory_, sides_, bonds_, contacts_, couplings_, states_, bonded_points_, bonded_,
+          active_, asleep_, yielding_, faces_);
+}
+
+Facet FacetNetwork::facet(std::size_t f) const {
+  const FacetName& name = facets_[f];
+  const Sides& sides = sides_[f];
+  Facet facet;
+  facet.tag_i = name.tag_i;
+  facet.tag_j = name.tag_j;
+  facet.face = name.face;
+  facet.i = sides.i;
+  facet.j = sides.j;
+  facet.kind = name.kind;
+  facet.joint_class = name.joint_class;
+  facet.normal = sides.on_i.at(3);
+  facet.arm_i = sides.on_i.at(0);
+  facet.arm_j = sides.arm_j - memory_[f].ground().displacement;
+  facet.opening_i = bonds_[f].opening_i;
+  facet.opening_j = bonds_[f].opening_j;
+  facet.half_axes = {sides.on_i.at(1), sides.on_i.at(2)};
+  facet.area = kFacetPoints * contacts_[f].point_area;
+  facet.sharpened = name.sharpened;
+  facet.weight = contacts_[f].weight;
+  return facet;
+}
+
 void FacetNetwork::derive() {
   const JointParameters& parameters = material().parameters();
   softens_ = parameters.fracture_energy_tension > 0.0 || parameters.fracture_energy_shear > 0.0;
   depends_on_rate_ = parameters.rate_exponent > 0.0;
   damping_ = material().damping_coefficient();
   contact_damping_ = material().contact_damping_coefficient();
-  sides_.resize(facets_.size());
-  bonds_.resize(facets_.size());
-  contacts_.resize(facets_.size());
-  couplings_.resize(facets_.size());
-  for (std::size_t f = 0; f < facets_.size(); ++f) derive_facet(f);
+  for (std::size_t f = 0; f < facets_.size(); ++f) derive_facet(f, facet(f));
 }
 
-void FacetNetwork::derive_facet(std::size_t f) {
-  const Facet& facet = facets_[f];
+void FacetNetwork::derive_facet(std::size_t f, const Facet& facet) {
   const bool grounded = facet.kind != FacetKind::joint, smooth = facet.kind == FacetKind::mirror;
-  const auto [depth_i, depth_j] = depths(f);
+  const double depth_i = facet.normal.dot(facet.arm_i);
+  const double depth_j = grounded ? 0.0 : -facet.normal.dot(facet.arm_j);
   const JointMaterial& joint = materials_.at(facet.joint_class);
   const FacetStiffness k = joint.facet_stiffness(depth_i + depth_j);
   const double bulk_i = (grounded ? 1.0 : 0.5) * k.rock_share;
   const double bulk_j = (grounded ? 0.0 : 0.5) * k.rock_share;
-  const double shear = smooth ? 0.0 : k.shear, point_area = facet.area / kFacetPoints;
+  // Three times a third is the same number however often a facet is put together and taken apart.
+  const double point_area = facet.area / kFacetPoints, area = kFacetPoints * point_area;
+  const double shear = smooth ? 0.0 : k.shear;
   const double d =
       kSharpening * (2.0 * material().lame_lambda() + material().shear_modulus()) / 6.0;  // [Pa]
   const double stiffness = facet.sharpened ? d * k.rock_share * (depth_i + depth_j) : 0.0;
@@ -99,11 +139,11 @@ void FacetNetwork::derive_facet(std::size_t f) {
   sides.on_i.set(1, facet.half_axes[0]);
   sides.on_i.set(2, facet.half_axes[1]);
   sides.on_i.set(3, facet.normal);
-  sides.arm_j = facet.arm_j + memory_[f].ground.displacement;
+  sides.arm_j = facet.arm_j + memory_[f].ground().displacement;
   bonds_[f] = {opening_of(facet),
                facet.opening_j,
-               bulk_i * facet.area,
-               bulk_j * facet.area,
+               bulk_i * area,
+               bulk_j * area,
                point_area,
                shear,
                k.normal - shear,
@@ -117,7 +157,7 @@ void FacetNetwork::derive_facet(std::size_t f) {
                   k.contact,
                   shear,
                   smooth ? 0.0 : joint.tan_residual_friction(),
-                  std::sqrt(facet.area / M_PI),
+                  std::sqrt(area / M_PI),
                   1.0 / facet.half_axes[0].squaredNorm(),
                   1.0 / facet.half_axes[1].squaredNorm()};
   couplings_[f] = {facet.i, facet.j, stiffness * point_area * bonded_points_[f]};
@@ -125,17 +165,18 @@ void FacetNetwork::derive_facet(std::size_t f) {
 
 /// Distances of the facet from the two centres [m].
 std::pair<double, double> FacetNetwork::depths(std::size_t f) const {
-  const Facet& facet = facets_[f];
-  const bool grounded = facet.kind != FacetKind::joint;
-  return {facet.normal.dot(facet.arm_i), grounded ? 0.0 : -facet.normal.dot(facet.arm_j)};
+  const Sides& sides = sides_[f];
+  const Vec3 normal = sides.on_i.at(3);
+  const bool grounded = facets_[f].kind != FacetKind::joint;
+  return {normal.dot(sides.on_i.at(0)), grounded ? 0.0 : -normal.dot(sides.arm_j)};
 }
 
 void FacetNetwork::list_active() {
   active_.clear();
   bonded_.clear();
   for (std::size_t f = 0; f < states_.size(); ++f) {
-    if (!memory_[f].over()) active_.push_back(f);
-    if (bonded_points_[f] > 0) bonded_.push_back(f);
+    if (!memory_[f].over()) active_.push_back(static_cast<std::uint32_t>(f));
+    if (bonded_points_[f] > 0) bonded_.push_back(static_cast<std::uint32_t>(f));
   }
   changed_since_ = 0;
   list_working();
@@ -171,8 +212,7 @@ void FacetNetwork::count_unbonded() {
     sums_[b].unbonded += face.area * face.normal.dot(face.arm) / blocks_[b].volume;
   }
   for (std::size_t f = 0; f < facets_.size(); ++f) {
-    const Facet& facet = facets_[f];
-    const auto i = static_cast<std::size_t>(facet.i), j = static_cast<std::size_t>(facet.j);
+    const auto i = static_cast<std::size_t>(sides_[f].i), j = static_cast<std::size_t>(sides_[f].j);
     const auto [depth_i, depth_j] = depths(f);
     for (bool broken : memory_[f].broken) {
       if (!broken) continue;
@@ -260,7 +300,7 @@ double FacetNetwork::elastic_energy() const {
   double energy = 0.0;
   for (std::size_t f : active_) {
     if (states_[f] != FacetState::retired && !memory_[f].open)
-      energy += facets_[f].weight * facet_energy(f);
+      energy += contacts_[f].weight * facet_energy(f);
   }
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (blocks_[b].owned) energy += block_energy(b);
@@ -275,7 +315,7 @@ double FacetNetwork::broken_count() const {
   }
   for (std::size_t f = 0; f < facets_.size(); ++f) {
     if (facets_[f].kind == FacetKind::joint && states_[f] != FacetState::intact)
-      count += facets_[f].weight;
+      count += contacts_[f].weight;
   }
   return count;
 }
@@ -288,7 +328,7 @@ double FacetNetwork::broken_area(bool all) const {
   for (std::size_t f = 0; f < facets_.size(); ++f) {
     if (facets_[f].kind != FacetKind::joint) continue;
     for (bool broken : memory_[f].broken) {
-      if (broken || all) area += facets_[f].weight * contacts_[f].point_area;
+      if (broken || all) area += contacts_[f].weight * contacts_[f].point_area;
     }
   }
   return area;
@@ -298,10 +338,22 @@ void FacetNetwork::soften(double factor, std::optional<double> damping) {
   stop_ground();  // what is behind is not softened, and no wave is left to let out
   losses_.fracture += (1.0 - factor) * elastic_energy();
   for (FacetMemory& memory : memory_) {
-    for (Cohesion& cohesion : memory.cohesion) cohesion.strength *= factor;
+    if (!memory.rare.exists()) continue;
+    for (Cohesion& cohesion : memory.rare.made().cohesion) cohesion.strength *= factor;
   }
   for (JointMaterial& material : materials_) material = material.softened(factor, damping);
   derive();
+}
+
+double FacetNetwork::memory_usage() const {
+  const auto bytes = [](const auto&... table) {
+    return (static_cast<double>(table.capacity() * sizeof(table[0])) + ...);
+  };
+  double rare = 0.0;
+  for (const FacetMemory& memory : memory_) rare += memory.rare.exists() ? sizeof(RareMemory) : 0.0;
+  return rare + bytes(blocks_, state_, sums_, theta_, bulk_stress_, force_, torque_, facets_,
+                      memory_, sides_, bonds_, contacts_, couplings_, states_, bonded_points_,
+                      bonded_, active_, asleep_, yielding_, faces_);
 }
 
 }  // namespace muckpile

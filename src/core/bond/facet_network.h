@@ -28,6 +28,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <utility>
@@ -36,6 +37,7 @@
 #include "bond/cohesion.h"
 #include "bond/joint_material.h"
 #include "bond/quiet_ground.h"
+#include "bond/rare.h"
 #include "math/four_vectors.h"
 #include "math/types.h"
 
@@ -93,8 +95,14 @@ enum class FacetState : std::uint8_t {
   retired   ///< the facet carries nothing any more
 };
 
-/// What a facet remembers; all of it travels with the facet. What the loops read comes first.
-struct alignas(64) FacetMemory {
+/// What few facets remember: those that soften, and supports whose ground has moved.
+struct RareMemory {
+  std::array<Cohesion, kFacetPoints> cohesion{};  ///< broken point: what it still holds
+  GroundMemory ground;                            ///< of a support only
+};
+
+/// What every facet remembers.
+struct FacetTraces {
   std::array<Vec3, kFacetPoints> offset{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   ///< broken point: jump at zero force, along the normal, the first half axis and across [m]
   double fade = 1.0;  ///< 1 while the faces match, falls to 0 as they slide or turn away
@@ -102,11 +110,18 @@ struct alignas(64) FacetMemory {
   FacetState state = FacetState::intact;
   bool open = false;  ///< broken and so far open that its points were left alone last time
   bool gas = false;   ///< broken, and not yet so wide that gas in it is in the open
-  std::array<Cohesion, kFacetPoints> cohesion{};  ///< broken point: what it still holds
-  GroundMemory ground;                            ///< of a support only
 
   /// Nothing acts through it any more.
   [[nodiscard]] bool over() const { return state == FacetState::retired && !gas; }
+};
+
+/// What a facet remembers; all of it travels with the facet.
+struct FacetMemory : FacetTraces {
+  Rare<RareMemory> rare;
+  [[nodiscard]] const GroundMemory& ground() const { return rare.get().ground; }
+  [[nodiscard]] const std::array<Cohesion, kFacetPoints>& cohesion() const {
+    return rare.get().cohesion;
+  }
 };
 
 /// What is left to know of a block's retired facets once they are no longer kept.
@@ -147,6 +162,7 @@ struct JointLosses {
 };
 
 enum class BreakView : std::uint8_t;
+class FacetList;
 class LinearNetwork;
 
 class FacetNetwork {
@@ -160,11 +176,17 @@ class FacetNetwork {
   [[nodiscard]] int ground() const { return static_cast<int>(blocks_.size()) - 1; }
   void set_facets(std::vector<Facet> facets, std::vector<FacetMemory> memory);
   void set_faces(std::vector<BoundaryFace> faces);
+  /// The facets with all that they remember and the faces, which the network has no longer.
+  void give_up(std::vector<Facet>& facets, std::vector<FacetMemory>& memory,
+               std::vector<BoundaryFace>& faces);
 
   [[nodiscard]] const JointMaterial& material() const { return materials_.front(); }
   [[nodiscard]] std::size_t natural_classes() const { return materials_.size() - 1; }
   [[nodiscard]] const std::vector<BlockConstants>& blocks() const { return blocks_; }
-  [[nodiscard]] const std::vector<Facet>& facets() const { return facets_; }
+  [[nodiscard]] FacetList facets() const;
+  /// As it was set; put together from what the loops use.
+  [[nodiscard]] Facet facet(std::size_t f) const;
+  [[nodiscard]] std::size_t facet_count() const { return facets_.size(); }
   [[nodiscard]] const std::vector<FacetMemory>& memory() const { return memory_; }
   [[nodiscard]] const std::vector<FacetState>& states() const { return states_; }
   [[nodiscard]] std::vector<BoundaryFace>& faces() { return faces_; }
@@ -229,6 +251,7 @@ class FacetNetwork {
   [[nodiscard]] double broken_area(
       bool all) const;                        ///< booked by this rank, `all`: of all joints [m2]
   [[nodiscard]] double broken_count() const;  ///< facets with a broken point, booked share
+  [[nodiscard]] double memory_usage() const;  ///< of its tables [bytes]
 
   /// Springs about the pose of the last force computation, for LinearNetwork.
   void linearise(LinearNetwork& linear, BreakView view, double damping_rate) const;
@@ -239,7 +262,13 @@ class FacetNetwork {
   void soften(double factor, std::optional<double> damping = {});
 
  private:
-  // What the passes read of a facet, contiguous; derived from facets_ and materials_.
+  struct FacetName {  // what the passes do not read
+    int tag_i, tag_j, face;
+    FacetKind kind;
+    std::uint8_t joint_class;
+    bool sharpened;
+  };
+  // What the passes read of a facet, contiguous; from the facet and materials_.
   struct Sides {       // in the start
     FourVectors on_i;  // centroid from the centre of block i, the half axes [m]; the normal [-]
     Vec3 arm_j;        // centroid from the centre of block j [m]
@@ -283,7 +312,7 @@ class FacetNetwork {
 
   // Set-up and bookkeeping: facet_network.cpp.
   void derive();
-  void derive_facet(std::size_t f);
+  void derive_facet(std::size_t f, const Facet& facet);
   void count_unbonded();
   void list_active();
   void list_working();
@@ -347,7 +376,7 @@ class FacetNetwork {
   std::vector<Vec3> force_, torque_;
   std::vector<double> gas_pressure_;  // empty until asked for
   std::vector<Vec3> gas_force_, gas_torque_;
-  std::vector<Facet> facets_;
+  std::vector<FacetName> facets_;
   std::vector<FacetMemory> memory_;
   std::vector<Sides> sides_;
   std::vector<Bond> bonds_;
@@ -355,11 +384,11 @@ class FacetNetwork {
   std::vector<Coupling> couplings_;
   std::vector<FacetState> states_;           // as in memory_, packed
   std::vector<std::uint8_t> bonded_points_;  // how many of them
-  std::vector<std::size_t> bonded_;          // facets with a bonded point, and some without
-  std::vector<std::size_t> active_;          // facets that are not retired, and some that are
-  std::vector<std::size_t> working_;  // the active ones that have a block that is not at rest
-  std::vector<char> rests_;           // per block
-  std::size_t changed_since_ = 0;     // how many entries of the two are out of date
+  std::vector<std::uint32_t> bonded_;        // facets with a bonded point, and some without
+  std::vector<std::uint32_t> active_;        // facets that are not retired, and some that are
+  std::vector<std::uint32_t> working_;  // the active ones that have a block that is not at rest
+  std::vector<char> rests_;             // per block
+  std::size_t changed_since_ = 0;       // how many entries of the two are out of date
   std::vector<std::int64_t> asleep_;  // call of tractions() up to which an open facet is left alone
   std::int64_t calls_ = 0;            // of tractions()
   std::vector<std::size_t> yielding_;  // supports whose ground yields, those of a block together
@@ -371,5 +400,43 @@ class FacetNetwork {
   double pressure_work_ = 0.0, wave_work_ = 0.0;
   bool newly_cracked_ = false;
 };
+
+/// The facets of a network in their order, each put together when it is asked for.
+class FacetList {
+ public:
+  explicit FacetList(const FacetNetwork& network) : network_(&network) {}
+  [[nodiscard]] std::size_t size() const { return network_->facet_count(); }
+  [[nodiscard]] bool empty() const { return size() == 0; }
+  [[nodiscard]] Facet operator[](std::size_t f) const { return network_->facet(f); }
+  operator std::vector<Facet>() const { return {begin(), end()}; }
+
+  class Iterator {
+   public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = Facet;
+    using difference_type = std::ptrdiff_t;
+    using pointer = void;
+    using reference = Facet;
+    Iterator(const FacetNetwork* network, std::size_t f) : network_(network), f_(f) {}
+    Facet operator*() const { return network_->facet(f_); }
+    Iterator& operator++() {
+      ++f_;
+      return *this;
+    }
+    Iterator operator++(int) { return {network_, f_++}; }
+    bool operator==(const Iterator& other) const = default;
+
+   private:
+    const FacetNetwork* network_;
+    std::size_t f_;
+  };
+  [[nodiscard]] Iterator begin() const { return {network_, 0}; }
+  [[nodiscard]] Iterator end() const { return {network_, size()}; }
+
+ private:
+  const FacetNetwork* network_;
+};
+
+inline FacetList FacetNetwork::facets() const { return FacetList(*this); }
 
 }  // namespace muckpile

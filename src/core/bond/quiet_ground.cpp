@@ -34,11 +34,10 @@ int FacetNetwork::let_ground_yield(const QuietGround& ground,
   quiet_ground_ = ground;
   int more = 0;
   for (std::size_t f = 0; f < facets_.size(); ++f) {
-    const Facet& facet = facets_[f];
-    GroundMemory& memory = memory_[f].ground;
-    if (facet.kind != FacetKind::fixed || states_[f] != FacetState::intact || memory.yields)
-      continue;
-    if (!chosen(facet.arm_j)) continue;  // the ground's centre is the origin
+    if (facets_[f].kind != FacetKind::fixed || states_[f] != FacetState::intact) continue;
+    if (memory_[f].ground().yields) continue;
+    if (!chosen(facet(f).arm_j)) continue;  // the ground's centre is the origin
+    GroundMemory& memory = memory_[f].rare.made().ground;
     const Vec3 n = motion_of(f).normal;
     const Vec3 at = memory.displacement, across = along(at, n);
     memory.yields = true;
@@ -52,7 +51,8 @@ int FacetNetwork::let_ground_yield(const QuietGround& ground,
 }
 
 void FacetNetwork::stop_ground() {
-  for (FacetMemory& memory : memory_) memory.ground.yields = false;
+  for (FacetMemory& memory : memory_)
+    if (memory.rare.exists()) memory.rare.made().ground.yields = false;
   yielding_.clear();
 }
 
@@ -60,7 +60,7 @@ void FacetNetwork::stop_ground() {
 void FacetNetwork::list_yielding() {
   yielding_.clear();
   for (std::size_t f = 0; f < facets_.size(); ++f) {
-    if (memory_[f].ground.yields && states_[f] == FacetState::intact) yielding_.push_back(f);
+    if (memory_[f].ground().yields && states_[f] == FacetState::intact) yielding_.push_back(f);
   }
 }
 
@@ -86,7 +86,7 @@ struct FacetNetwork::GroundPlan {
 };
 
 FacetNetwork::GroundPlan FacetNetwork::plan_ground(std::size_t f, double dt) const {
-  const GroundMemory& memory = memory_[f].ground;
+  const GroundMemory& memory = memory_[f].ground();
   const QuietGround& q = quiet_ground_;
   const Motion motion = motion_of(f);
   const Vec3& n = motion.normal;
@@ -138,7 +138,7 @@ void FacetNetwork::yield_block_ground(std::size_t first, std::size_t last, doubl
 /// Moves the ground of one support to the end of the step, given the block's bulk stress there.
 void FacetNetwork::yield_support(std::size_t f, double bulk_stress, double dt) {
   const Bond& bond = bonds_[f];
-  GroundMemory& memory = memory_[f].ground;
+  GroundMemory& memory = memory_[f].rare.made().ground;
   const GroundPlan plan = plan_ground(f, dt);
   const Vec3& n = plan.normal;
   const double pull =
@@ -158,7 +158,8 @@ void FacetNetwork::yield_support(std::size_t f, double bulk_stress, double dt) {
 
 void FacetNetwork::book_ground(std::size_t f, const Vec3& step, const Vec3& traction, double dt) {
   if (dt <= 0.0) return;
-  const double area = facets_[f].weight * facets_[f].area, normal = motion_of(f).normal.dot(step);
+  const double area = contacts_[f].weight * kFacetPoints * contacts_[f].point_area,
+               normal = motion_of(f).normal.dot(step);
   losses_.quiet -= area * traction.dot(step);
   losses_.radiated += area / dt *
                       (quiet_ground_.normal_impedance * normal * normal +

@@ -179,7 +179,7 @@ TEST(QuietGround, SolvesTheStepWithItsDilatation) {
     const std::vector<FacetMemory> after = network.memory();
     int checked = 0;
     for (std::size_t f = 0; f < network.facets().size(); ++f) {
-      const GroundMemory &was = before[f].ground, &is = after[f].ground;
+      const GroundMemory &was = before[f].ground(), &is = after[f].ground();
       if (!is.yields) continue;
       ++checked;
       const Vec3 given = scene.facet_force(f) / network.facets()[f].area;
@@ -240,7 +240,7 @@ TEST(QuietGround, StandsStillOnceItsSupportCracks) {
   corner.scene.compute(1e-5);
   for (std::size_t f = 0; f < network.facets().size(); ++f) {
     const double moved =
-        (network.memory()[f].ground.displacement - before[f].ground.displacement).norm();
+        (network.memory()[f].ground().displacement - before[f].ground().displacement).norm();
     if (network.states()[f] == FacetState::intact) continue;
     EXPECT_EQ(moved, 0.0) << f;
   }
