@@ -55,8 +55,8 @@ void FacetNetwork::set_facets(std::vector<Facet> facets, std::vector<FacetMemory
   asleep_.assign(count, 0);
   for (std::size_t f = 0; f < count; ++f) {
     const Facet& facet = facets[f];
-    facets_[f] = {facet.tag_i, facet.tag_j,       facet.face,
-                  facet.kind,  facet.joint_class, facet.sharpened};
+    facets_[f] = {facet.tag_i,       facet.tag_j,     facet.face, facet.kind,
+                  facet.joint_class, facet.sharpened, facet.area};
     states_[f] = memory_[f].state;
     bonded_points_[f] = bonded_points(memory_[f]);
   }
@@ -102,7 +102,7 @@ Facet FacetNetwork::facet(std::size_t f) const {
   facet.opening_i = bonds_[f].opening_i;
   facet.opening_j = bonds_[f].opening_j;
   facet.half_axes = {sides.on_i.at(1), sides.on_i.at(2)};
-  facet.area = kFacetPoints * contacts_[f].point_area;
+  facet.area = name.area;
   facet.sharpened = name.sharpened;
   facet.weight = contacts_[f].weight;
   return facet;
@@ -125,9 +125,7 @@ void FacetNetwork::derive_facet(std::size_t f, const Facet& facet) {
   const FacetStiffness k = joint.facet_stiffness(depth_i + depth_j);
   const double bulk_i = (grounded ? 1.0 : 0.5) * k.rock_share;
   const double bulk_j = (grounded ? 0.0 : 0.5) * k.rock_share;
-  // Three times a third is the same number however often a facet is put together and taken apart.
-  const double point_area = facet.area / kFacetPoints, area = kFacetPoints * point_area;
-  const double shear = smooth ? 0.0 : k.shear;
+  const double shear = smooth ? 0.0 : k.shear, point_area = facet.area / kFacetPoints;
   const double d =
       kSharpening * (2.0 * material().lame_lambda() + material().shear_modulus()) / 6.0;  // [Pa]
   const double stiffness = facet.sharpened ? d * k.rock_share * (depth_i + depth_j) : 0.0;
@@ -142,8 +140,8 @@ void FacetNetwork::derive_facet(std::size_t f, const Facet& facet) {
   sides.arm_j = facet.arm_j + memory_[f].ground().displacement;
   bonds_[f] = {opening_of(facet),
                facet.opening_j,
-               bulk_i * area,
-               bulk_j * area,
+               bulk_i * facet.area,
+               bulk_j * facet.area,
                point_area,
                shear,
                k.normal - shear,
@@ -157,7 +155,7 @@ void FacetNetwork::derive_facet(std::size_t f, const Facet& facet) {
                   k.contact,
                   shear,
                   smooth ? 0.0 : joint.tan_residual_friction(),
-                  std::sqrt(area / M_PI),
+                  std::sqrt(facet.area / M_PI),
                   1.0 / facet.half_axes[0].squaredNorm(),
                   1.0 / facet.half_axes[1].squaredNorm()};
   couplings_[f] = {facet.i, facet.j, stiffness * point_area * bonded_points_[f]};

@@ -267,6 +267,7 @@ class FacetNetwork {
     FacetKind kind;
     std::uint8_t joint_class;
     bool sharpened;
+    double area;  // [m2]
   };
   // What the passes read of a facet, contiguous; from the facet and materials_.
   struct Sides {       // in the start

@@ -158,8 +158,7 @@ void FacetNetwork::yield_support(std::size_t f, double bulk_stress, double dt) {
 
 void FacetNetwork::book_ground(std::size_t f, const Vec3& step, const Vec3& traction, double dt) {
   if (dt <= 0.0) return;
-  const double area = contacts_[f].weight * kFacetPoints * contacts_[f].point_area,
-               normal = motion_of(f).normal.dot(step);
+  const double area = contacts_[f].weight * facets_[f].area, normal = motion_of(f).normal.dot(step);
   losses_.quiet -= area * traction.dot(step);
   losses_.radiated += area / dt *
                       (quiet_ground_.normal_impedance * normal * normal +

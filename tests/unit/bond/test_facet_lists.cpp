@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A network gives up the very facets that it was given, with what they have remembered since, and
+// goes on with them as if nothing had been.
+// Scope: broken, softening and supported facets.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "bond_scene.h"
+
+namespace muckpile {
+namespace {
+
+using test::BondScene;
+
+void expect_same(const Facet& a, const Facet& b) {
+  EXPECT_EQ(a.tag_i, b.tag_i);
+  EXPECT_EQ(a.tag_j, b.tag_j);
+  EXPECT_EQ(a.face, b.face);
+  EXPECT_EQ(a.i, b.i);
+  EXPECT_EQ(a.j, b.j);
+  EXPECT_EQ(a.kind, b.kind);
+  EXPECT_EQ(a.joint_class, b.joint_class);
+  EXPECT_EQ(a.normal, b.normal);
+  EXPECT_EQ(a.arm_i, b.arm_i);
+  EXPECT_EQ(a.arm_j, b.arm_j);
+  EXPECT_EQ(a.opening_j, b.opening_j);
+  EXPECT_EQ(a.half_axes, b.half_axes);
+  EXPECT_EQ(a.area, b.area);
+  EXPECT_EQ(a.sharpened, b.sharpened);
+  EXPECT_EQ(a.weight, b.weight);
+  if (a.kind == FacetKind::joint) EXPECT_EQ(a.opening_i, b.opening_i);  // a support uses its part
+}
+
+/// Rock on a fixed support that softens as it is stretched, so far that some of it has broken.
+BondScene torn_rock() {
+  JointParameters rock = test::rock(0.25);
+  rock.tension = rock.cohesion = 1e6;
+  rock.fracture_energy_tension = rock.fracture_energy_shear = 500.0;
+  BondScene scene(test::voronoi_blocks(4.0, 3, 5), rock,
+                  [](const Vec3& at) { return at.z() < 1e-6 ? Support::fixed : Support::free; });
+  Mat3 stretch = Mat3::Zero();
+  stretch(0, 0) = 3e-5;
+  scene.deform(stretch);
+  scene.compute(1e-6);
+  stretch(0, 0) = 6e-5;
+  scene.deform(stretch);
+  scene.compute(1e-6);
+  return scene;
+}
+
+TEST(FacetLists, AreGivenUpAsTheyWereSet) {
+  BondScene scene = torn_rock();
+  const std::vector<Facet> before = scene.network().facets();
+  std::vector<Facet> facets;
+  std::vector<FacetMemory> memory;
+  std::vector<BoundaryFace> faces;
+  const std::size_t face_count = scene.network().faces().size();
+  scene.network().give_up(facets, memory, faces);
+  EXPECT_TRUE(scene.network().facets().empty());
+  EXPECT_TRUE(scene.network().memory().empty());
+  EXPECT_EQ(faces.size(), face_count);
+  ASSERT_EQ(facets.size(), before.size());
+  ASSERT_EQ(memory.size(), before.size());
+  for (std::size_t f = 0; f < facets.size(); ++f) expect_same(facets[f], before[f]);
+}
+
+TEST(FacetLists, TheNetworkGoesOnWithThemAsIfNothingHadBeen) {
+  BondScene kept = torn_rock(), returned = torn_rock();
+  std::vector<Facet> facets;
+  std::vector<FacetMemory> memory;
+  std::vector<BoundaryFace> faces;
+  returned.network().give_up(facets, memory, faces);
+  std::size_t softening = 0;
+  for (const FacetMemory& one : memory) softening += one.rare.exists() ? 1 : 0;
+  EXPECT_GT(softening, 0u);
+  EXPECT_LT(softening, memory.size());
+  returned.network().set_facets(facets, memory);
+  returned.network().set_faces(faces);
+  kept.compute(1e-6);
+  returned.compute(1e-6);
+  // phi is summed up anew, in another order: rounding.
+  for (std::size_t b = 0; b < kept.size(); ++b) {
+    const Vec3 force = kept.network().force()[b], torque = kept.network().torque()[b];
+    EXPECT_LT((returned.network().force()[b] - force).norm(), 1e-9 * force.norm()) << b;
+    EXPECT_LT((returned.network().torque()[b] - torque).norm(), 1e-9 * force.norm()) << b;
+  }
+}
+
+TEST(Rare, CopiesAreDeepAndWhatIsNotThereReadsAsTheDefault) {
+  Rare<RareMemory> one;
+  EXPECT_FALSE(one.exists());
+  EXPECT_FALSE(one.get().ground.yields);
+  one.made().ground.yields = true;
+  Rare<RareMemory> copy = one;
+  copy.made().ground.yields = false;
+  EXPECT_TRUE(one.get().ground.yields);
+  copy = one;
+  EXPECT_TRUE(copy.get().ground.yields);
+  copy = Rare<RareMemory>();
+  EXPECT_FALSE(copy.exists());
+  EXPECT_TRUE(one.exists());
+}
+
+}  // namespace
+}  // namespace muckpile
