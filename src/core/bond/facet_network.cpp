@@ -82,7 +82,7 @@ void FacetNetwork::give_up(std::vector<Facet>& facets, std::vector<FacetMemory>&
   faces = std::move(faces_);
   const auto release = [](auto&... table) { ((table = std::decay_t<decltype(table)>()), ...); };
   release(facets_, memory_, sides_, bonds_, contacts_, couplings_, states_, bonded_points_, bonded_,
-          active_, asleep_, yielding_, faces_);
+          active_, working_, asleep_, yielding_, faces_);
 }
 
 Facet FacetNetwork::facet(std::size_t f) const {
@@ -182,7 +182,7 @@ void FacetNetwork::list_active() {
 
 void FacetNetwork::list_working() {
   working_.clear();
-  for (std::size_t f : active_) {
+  for (const std::uint32_t f : active_) {
     const auto i = static_cast<std::size_t>(sides_[f].i), j = static_cast<std::size_t>(sides_[f].j);
     if (rests_[i] == 0 || rests_[j] == 0) working_.push_back(f);
   }
