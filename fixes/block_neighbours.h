@@ -26,6 +26,7 @@ class JoinedBlocks {
   virtual void mark_joined(std::span<const char> moves, std::span<char> disturbed) = 0;
   /// Facets between bodies that all rest are left alone. One entry per body. Collective.
   virtual void let_rest(std::span<const char> rests) = 0;
+  virtual void wake_all() = 0;
 };
 
 }  // namespace muckpile

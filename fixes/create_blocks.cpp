@@ -79,7 +79,7 @@ const ArgTable& table() {
                 "how the rock is cut: graded Voronoi blocks, or joint sets in concentric bands")
           .group("joint_set", 2, 3, true,
                  "for `cut joint_sets`, two or three times: dip and dip direction [degrees], and "
-                 "optionally the spacing relative to the other sets' (1)")
+                 "optionally the spacing relative to the other sets' (1; 0.1 to 10)")
           .real("sliver", "", Range::closed(0.0, 0.3), 0.2,
                 "for `cut joint_sets`: no block gets 3 volume / surface below this share of the "
                 "size asked for")
@@ -295,7 +295,7 @@ JointSetCut CreateBlocks::joint_sets(const ArgValues& args) const {
     };
     JointSet set{normal_of_dip(radians(0, 90.0), radians(1, 360.0))};
     if (words.size() > 2)
-      set.spacing = parse_real(kStyle, "joint_set", words[2], "", Range::positive());
+      set.spacing = parse_real(kStyle, "joint_set", words[2], "", Range::closed(0.1, 10.0));
     how.sets.push_back(set);
   }
   return how;

@@ -221,9 +221,11 @@ void FixMuckpileGas::look_whether_spent() {
   const bool fed = std::any_of(fed_.begin(), fed_.end(), [](char hole) { return hole != 0; });
   const double greatest = over_ranks(gas_.greatest_pressure(), true);
   if (fed || !blast_->over() || greatest > (1.0 + kSpentShare) * ambient_) return;
+  vented_ += over_ranks(gas_.mass());
   spent_ = true;
   active_ = false;
   joint_->joints_for_gas().release_gas();
+  gas_.set_network(joint_->network());
   engine::print_once(*lmp, where_ + ": the gas in joints is spent at " +
                                number_text(update->get_cur_time()) + " s\n");
 }

@@ -33,6 +33,7 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure {
   double compute_vector(int n) override;
 
   void fill_joints(FacetNetwork& network, engine::BlockHalo& halo) override;
+  [[nodiscard]] bool acts() const override { return active_; }
 
  private:
   [[nodiscard]] FixMuckpileBlast* find_blast() const;

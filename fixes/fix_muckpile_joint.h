@@ -67,6 +67,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
 
   void mark_joined(std::span<const char> moves, std::span<char> disturbed) override;
   void let_rest(std::span<const char> rests) override;
+  void wake_all() override { network_.wake_all(); }
 
   [[nodiscard]] double energy_given() const override { return network_.losses().quiet; }
   [[nodiscard]] double energy_radiated() const override { return network_.losses().radiated; }

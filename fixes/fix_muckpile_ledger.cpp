@@ -121,7 +121,8 @@ const EnergyLedger& FixMuckpileLedger::ledger() {
     mine.quiet = network.losses().quiet;
     mine.blast_work = network.pressure_work();
   }
-  if (sleep_ != nullptr) mine.sleep = sleep_->energy_taken();
+  if (sleep_ != nullptr) laid_to_rest_ = sleep_->energy_taken();
+  mine.sleep = laid_to_rest_;
   mine.contact_elastic = of_pair("elastic_J");
   mine.contact_friction = of_pair("friction_J");
   mine.contact_damping = of_pair("damping_J");

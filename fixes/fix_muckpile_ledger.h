@@ -63,6 +63,7 @@ class FixMuckpileLedger : public LAMMPS_NS::Fix {
   LAMMPS_NS::FixGravity* gravity_ = nullptr;
   FixMuckpileJoint* joint_ = nullptr;
   FixMuckpileSleep* sleep_ = nullptr;
+  double laid_to_rest_ = 0.0;  // of this rank, also after that fix is gone [J]
   EnergyLedger ledger_;
   double sphere_work_ = 0.0;  // this rank, by all forces on spheres since the start [J]
   double start_residual_ = 0.0, start_kinetic_ = 0.0, start_gravity_ = 0.0;

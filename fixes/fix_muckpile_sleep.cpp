@@ -19,6 +19,7 @@
 #include "engine/bodies.h"
 #include "engine/style_args.h"
 #include "fix_muckpile_blast.h"
+#include "joint_pressure.h"
 
 namespace muckpile {
 namespace {
@@ -55,6 +56,13 @@ FixMuckpileSleep::FixMuckpileSleep(LAMMPS_NS::LAMMPS* engine, int narg, char** a
 
 int FixMuckpileSleep::setmask() {
   return LAMMPS_NS::FixConst::PRE_NEIGHBOR | LAMMPS_NS::FixConst::END_OF_STEP;
+}
+
+/// An unfix wakes all; the engine's own end does not matter.
+void FixMuckpileSleep::pre_delete(bool unfixflag) {
+  if (!unfixflag) return;
+  auto* joined = dynamic_cast<JoinedBlocks*>(modify->find_fix_style_strict("muckpile/joint", 0));
+  if (joined != nullptr) joined->wake_all();
 }
 
 void FixMuckpileSleep::init() {
@@ -97,7 +105,9 @@ void FixMuckpileSleep::setup(int) {
 
 bool FixMuckpileSleep::blast_is_on() const {
   const FixMuckpileBlast* const blast = FixMuckpileBlast::find(*lmp);
-  return blast != nullptr && !blast->over();
+  const auto* const gas =
+      dynamic_cast<const JointPressure*>(modify->find_fix_style_strict("muckpile/gas", 0));
+  return (blast != nullptr && !blast->over()) || (gas != nullptr && gas->acts());
 }
 
 void FixMuckpileSleep::end_of_step() {
@@ -159,6 +169,7 @@ void FixMuckpileSleep::tell() {
   resting_ = static_cast<int>(std::count(rests_.begin(), rests_.end(), 1));
   ++version_;
   of_spheres_ = on_spheres(rests_);
+  any_ = resting_ > 0 || std::count(of_spheres_.begin(), of_spheres_.end(), 1) > 0;
   if (joined_ != nullptr) joined_->let_rest(rests_);
 }
 
@@ -205,14 +216,13 @@ void FixMuckpileSleep::unpack_reverse_comm(int n, int* list, double* buffer) {
 
 int FixMuckpileSleep::modify_param(int, char** arg) {
   if (std::strcmp(arg[0], "wake") != 0) return 0;
-  if (version_ == 0) return 1;  // before the first run all are awake
   stays_.assign(stays_.size(), {});
   rests_.assign(rests_.size(), 0);
   resting_ = 0;
   ++version_;
   of_spheres_.assign(of_spheres_.size(), 0);
-  if (joined_ != nullptr) joined_->let_rest(rests_);
-  return 1;
+  any_ = false;
+  return 1;  // the joints are told at the start of the next run
 }
 
 double FixMuckpileSleep::compute_scalar() {

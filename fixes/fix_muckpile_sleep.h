@@ -26,6 +26,7 @@ class FixMuckpileSleep : public LAMMPS_NS::Fix, public RestingBlocks {
   FixMuckpileSleep(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
   int setmask() override;
+  void pre_delete(bool unfixflag) override;
   void init() override;
   void setup_pre_neighbor() override { follow_bodies(); }
   void pre_neighbor() override { follow_bodies(); }
@@ -39,7 +40,7 @@ class FixMuckpileSleep : public LAMMPS_NS::Fix, public RestingBlocks {
   int pack_reverse_comm(int n, int first, double* buffer) override;
   void unpack_reverse_comm(int n, int* list, double* buffer) override;
 
-  [[nodiscard]] bool any_rests() const override { return resting_ > 0; }
+  [[nodiscard]] bool any_rests() const override { return any_; }
   [[nodiscard]] bool body_rests(int body) const override {
     return rests_[static_cast<std::size_t>(body)] != 0;
   }
@@ -54,7 +55,7 @@ class FixMuckpileSleep : public LAMMPS_NS::Fix, public RestingBlocks {
   [[nodiscard]] bool blast_is_on() const;
   [[nodiscard]] std::vector<char> moving_bodies();
   void mark_near(const std::vector<char>& moving, std::vector<char>& disturbed);
-  void lay_to_rest(const std::vector<char>& rests);
+  void lay_to_rest(const std::vector<char>& disturbed);
   void tell();
   void share_sent();
   [[nodiscard]] std::vector<char> on_spheres(const std::vector<char>& of_bodies);
@@ -71,6 +72,7 @@ class FixMuckpileSleep : public LAMMPS_NS::Fix, public RestingBlocks {
   std::vector<char> of_spheres_;  // per sphere with ghosts: its block rests
   std::vector<char> sent_;        // per sphere with ghosts: what share_sent() sends
   int resting_ = 0;               // bodies of this rank
+  bool any_ = false;              // of its bodies or spheres
   std::uint64_t version_ = 0;
   double taken_ = 0.0;
 };

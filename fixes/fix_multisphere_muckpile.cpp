@@ -54,7 +54,7 @@ void FixMultisphereMuckpile::init() {
   }
   plain_ = fix_heat_ == nullptr && CAdd_ * fluidDensity_ == 0.0 && atom->quaternion == nullptr &&
            modify->n_fixes_style("insert/stream") == 0 && modify->n_fixes_style("couple/cfd") == 0;
-  members_known_ = false;
+  members_known_ = any_rests_ = false;
 }
 
 void FixMultisphereMuckpile::reset_dt() {
@@ -124,7 +124,7 @@ void FixMultisphereMuckpile::move_bodies() {
 
 /// Resting bodies' spheres are where they were; once after they came to rest they are told to stop.
 void FixMultisphereMuckpile::place_spheres() {
-  const bool all = !any_rests_ || resting_->rests_version() != placed_version_;
+  const bool all = !any_rests_ || !shifts_.empty() || resting_->rests_version() != placed_version_;
   if (any_rests_) placed_version_ = resting_->rests_version();
   const engine::Bodies bodies(*this);
   double** const x = atom->x;
@@ -154,11 +154,16 @@ void FixMultisphereMuckpile::place_spheres() {
   }
 }
 
+/// Resting bodies are held before anybody makes velocities of their incomplete forces.
 void FixMultisphereMuckpile::calc_force(bool setupflag) {
-  if (!plain_) {
+  if (plain_)
+    sum_forces();
+  else
     FixMultisphere::calc_force(setupflag);
-    return;
-  }
+  if (any_rests_) hold_resting();
+}
+
+void FixMultisphereMuckpile::sum_forces() {
   if (!members_known_) list_members();
   engine::Bodies bodies(*this);
   for (std::size_t m = 0; m < members_.size();) {
@@ -189,7 +194,6 @@ void FixMultisphereMuckpile::final_integrate() {
     calc_force(false);
     kick_bodies();
   }
-  if (any_rests_) hold_resting();
 }
 
 void FixMultisphereMuckpile::kick_bodies() {

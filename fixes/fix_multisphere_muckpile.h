@@ -39,6 +39,7 @@ class FixMultisphereMuckpile : public LAMMPS_NS::FixMultisphere {
   void list_members();
   void move_bodies();
   void place_spheres();
+  void sum_forces();
   void kick_bodies();
   void hold_resting();
 

@@ -13,6 +13,8 @@ class JointPressure {
   virtual ~JointPressure() = default;
   /// Sets the network's gas pressures of all blocks in its present pose, just before its forces.
   virtual void fill_joints(FacetNetwork& network, engine::BlockHalo& halo) = 0;
+  /// True while there is gas that may reach more joints.
+  [[nodiscard]] virtual bool acts() const = 0;
 };
 
 }  // namespace muckpile

@@ -69,10 +69,11 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run,
   if (folder.scene_has("charge_mass_kg"))
     plot.title += ": charge " + spelled(folder.scene_number("charge_mass_kg")) + " kg";
   plot.title += ", burial depth " + spelled(burial) + " m";
-  plot.subtitle = "apparent: radius " + spelled(apparent.radius) + " m, depth " +
-                  spelled(apparent.depth) + " m, volume " + spelled(apparent.volume) +
-                  " m³ · true: radius " + spelled(whole.radius) + " m, depth " +
-                  spelled(whole.depth) + " m, volume " + spelled(whole.volume) + " m³";
+  const auto dimensions = [](const CraterShape& shape) {
+    return spelled(shape.radius) + " m radius, " + spelled(shape.depth) + " m deep, " +
+           spelled(shape.volume) + " m³";
+  };
+  plot.subtitle = "apparent: " + dimensions(apparent) + " · true: " + dimensions(whole);
   plot.lines = {
       {{{-reach, 0.0}, {reach, 0.0}}, kBench, 2.5, true, "surface before"},
       {both_sides(rings, &CraterRing::surface), kSignal, 3.0, false,

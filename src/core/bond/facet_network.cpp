@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The facet network as a whole: set-up, dilatations and bulk stresses, sums over it.
 // Scope: see the header; bonded facets are in facet_bond.cpp, broken ones in facet_contact.cpp,
-// pressure in facet_load.cpp, yielding supports in quiet_ground.cpp.
+// what they still hold in
+// facet_softening.cpp, pressure in facet_load.cpp, gas in facet_gas.cpp, yielding supports in
+// quiet_ground.cpp.
 #include "bond/facet_network.h"
 
 #include <algorithm>
@@ -186,6 +188,11 @@ void FacetNetwork::list_working() {
     const auto i = static_cast<std::size_t>(sides_[f].i), j = static_cast<std::size_t>(sides_[f].j);
     if (rests_[i] == 0 || rests_[j] == 0) working_.push_back(f);
   }
+}
+
+void FacetNetwork::wake_all() {
+  rests_.assign(blocks_.size(), 0);
+  list_working();
 }
 
 void FacetNetwork::mark_joined(std::span<const int> moves, std::span<int> disturbed) const {

@@ -231,6 +231,7 @@ class FacetNetwork {
   /// Facets between two blocks that rest are left alone by tractions() from now on: their forces
   /// are missing, and their blocks must be held where they are. One entry per block, ground last.
   void let_rest(std::span<const int> rests);
+  void wake_all();
 
   /// Sets `disturbed` of every block that shares an acting facet with one of `moves`, or lies on
   /// ground that yields. One entry per block, ground last.
@@ -389,7 +390,7 @@ class FacetNetwork {
   std::vector<std::uint32_t> active_;        // facets that are not retired, and some that are
   std::vector<std::uint32_t> working_;  // the active ones that have a block that is not at rest
   std::vector<char> rests_;             // per block
-  std::size_t changed_since_ = 0;       // how many entries of the two are out of date
+  std::size_t changed_since_ = 0;       // how many entries of the three are out of date
   std::vector<std::int64_t> asleep_;  // call of tractions() up to which an open facet is left alone
   std::int64_t calls_ = 0;            // of tractions()
   std::vector<std::size_t> yielding_;  // supports whose ground yields, those of a block together

@@ -60,7 +60,7 @@ class Words {
     constexpr long kMost = 1000000000;
     const long value = next<long>(what);
     if (value < 0 || value > kMost)
-      fail("'", name_, "': ", what, " must be >= 0, got '", value, "'");
+      fail("'", name_, "': ", what, " must be >= 0 and <= ", kMost, ", got '", value, "'");
     return static_cast<std::size_t>(value);
   }
   void expect(const std::string& word) {
@@ -111,7 +111,7 @@ FaceList faces_of(const std::vector<int>& list, int type, std::size_t cell) {
     std::size_t at = 1;
     for (int f = 0; !list.empty() && f < list[0]; ++f) {
       const std::size_t count = at < list.size() ? static_cast<std::size_t>(list[at]) : 0;
-      if (count < 3 || at + count >= list.size())
+      if (count < 3 || count >= list.size() - at)
         fail("the faces of cell ", cell, " are cut short");
       const auto from = list.begin() + static_cast<std::ptrdiff_t>(at) + 1;
       faces.emplace_back(from, from + static_cast<std::ptrdiff_t>(count));
@@ -187,7 +187,6 @@ std::vector<std::pair<std::size_t, std::size_t>> touching(const std::vector<Bloc
     Vec3 lo, hi;
   };
   std::vector<Bounds> bounds;
-  double widest = 0.0;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     Bounds box{b, Vec3::Constant(1e300), Vec3::Constant(-1e300)};
     for (const Vec3& v : blocks[b].shape.vertices) {
@@ -197,7 +196,6 @@ std::vector<std::pair<std::size_t, std::size_t>> touching(const std::vector<Bloc
     const double around = kShape * std::cbrt(blocks[b].mass.volume);
     box.lo.array() -= around;
     box.hi.array() += around;
-    widest = std::max(widest, box.hi.x() - box.lo.x());
     bounds.push_back(box);
   }
   std::sort(bounds.begin(), bounds.end(),
@@ -333,7 +331,10 @@ Tessellation import_blocks(const std::string& path, const TessellationOptions& r
   std::ifstream in(path);
   if (!in) fail("cannot read '", path, "'");
   Tessellation result;
-  result.blocks = joined_blocks(read_cells(in, path));
+  std::vector<Polyhedron> cells = read_cells(in, path);
+  if (cells.size() > rock.max_blocks)
+    fail("'", path, "' holds ", cells.size(), " cells, more than max_blocks ", rock.max_blocks);
+  result.blocks = joined_blocks(std::move(cells));
   const Ground ground(rock);
   for (std::size_t b = 0; b < result.blocks.size(); ++b) {
     Block& block = result.blocks[b];

@@ -8,7 +8,8 @@
 namespace muckpile {
 
 /// A block is still once it has stayed within `distance` of one place for `time`, and is slower
-/// than `speed`. So no block with a lasting acceleration above 2 distance / time^2 is ever still.
+/// than `speed`. So a block that starts from rest with an acceleration above 2 distance / time^2 is
+/// never still, nor is one that turns back with more than (2 + sqrt 2)^2 distance / time^2.
 struct StillnessLimits {
   double distance;  ///< [m]
   double time;      ///< [s]

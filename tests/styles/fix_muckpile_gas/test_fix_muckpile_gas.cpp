@@ -62,7 +62,6 @@ TEST(FixMuckpileGas, WorkOfTheGasIsInTheLedger) {
   burst.scene.run(400, kStep);
   const double work = burst.gas(4), all = burst.scene.output("energy", 5);
   EXPECT_GT(work, 0.1 * all);
-  EXPECT_NEAR(burst.scene.output("load", 4) / all, 1.0, 1e-12);
   EXPECT_LT(burst.scene.output("energy", 0), 2e-3);
 }
 
@@ -106,7 +105,6 @@ TEST(FixMuckpileGas, UnfixLetsTheGasGo) {
   const double work = burst.gas(4);
   EXPECT_GT(work, 0.0);
   burst.scene.command("unfix gas");
-  burst.scene.command("fix push all gravity 0.0 vector 0 0 -1");
   burst.scene.run(200, kStep);
   EXPECT_LT(burst.scene.output("energy", 0), 5e-3);
 }

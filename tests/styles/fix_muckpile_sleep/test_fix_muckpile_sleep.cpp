@@ -18,13 +18,16 @@ constexpr double kStep = 1e-4;      // [s]
 constexpr double kDistance = 2e-3;  // [m]
 constexpr double kThrown = 6.0;     // [m/s] up
 
+const std::string kSleep = "distance 2e-3 time 0.1";
+
 /// Entries of fix muckpile/ledger, numbered from 1.
 enum Entry { gravity = 4, laid_to_rest = 13 };
 
 /// Blocks of 0.4 m that no joint holds; the topmost one flies up for 1.2 s.
 class LooseBlocks : public RockScene {
  public:
-  LooseBlocks(MPI_Comm comm, bool sleeps)
+  /// `sleep`: the words of fix muckpile/sleep, none without it.
+  LooseBlocks(MPI_Comm comm, const std::string& sleep)
       : RockScene(comm, "-3 3 -3 3 -1 4", "* 1 1", "multisphere/muckpile") {
     for (const char* line :
          {"fix m1 all property/global youngsModulus peratomtype 1e7",
@@ -45,7 +48,7 @@ class LooseBlocks : public RockScene {
     command(
         "fix joint all muckpile/joint youngs_modulus 2e7 poisson_ratio 0.25 density 2600 cohesion "
         "0 friction_angle 35 tension 0 contact_damping 0.3");
-    if (sleeps) command("fix sleep all muckpile/sleep distance 2e-3 time 0.1");
+    if (!sleep.empty()) command("fix sleep all muckpile/sleep " + sleep);
     command("fix ledger all muckpile/ledger");
     set_motion([](int, const Vec3& at) {
       const bool top = at.z() > 0.9 && at.head<2>().norm() < 0.3;
@@ -72,7 +75,7 @@ double farthest_apart(const std::map<int, BlockNow>& a, const std::map<int, Bloc
 }
 
 TEST(FixMuckpileSleep, WhatRestsIsHeldUntilItIsHit) {
-  LooseBlocks scene(MPI_COMM_WORLD, true);
+  LooseBlocks scene(MPI_COMM_WORLD, kSleep);
   ASSERT_GT(scene.blocks().size(), 20U);
   scene.run_to(0.9);
   EXPECT_GT(scene.resting_share(), 0.8);
@@ -90,7 +93,7 @@ TEST(FixMuckpileSleep, WhatRestsIsHeldUntilItIsHit) {
 }
 
 TEST(FixMuckpileSleep, BlocksGoWhereTheyGoWithoutIt) {
-  LooseBlocks off(MPI_COMM_SELF, false), on(MPI_COMM_SELF, true);
+  LooseBlocks off(MPI_COMM_SELF, ""), on(MPI_COMM_SELF, kSleep);
   off.run_to(1.1);
   on.run_to(1.1);
   const double before = farthest_apart(on.blocks(), off.blocks());
@@ -112,7 +115,7 @@ TEST(FixMuckpileSleep, BlocksGoWhereTheyGoWithoutIt) {
 }
 
 TEST(FixMuckpileSleep, EnergyTakenIsBooked) {
-  LooseBlocks scene(MPI_COMM_WORLD, true);
+  LooseBlocks scene(MPI_COMM_WORLD, kSleep);
   for (const double time : {0.5, 1.0, 1.5, 2.5}) {
     scene.run_to(time);
     EXPECT_LT(scene.output("ledger", 0), 0.01) << "at " << time << " s";
@@ -122,8 +125,46 @@ TEST(FixMuckpileSleep, EnergyTakenIsBooked) {
   EXPECT_LT(scene.output("ledger", laid_to_rest), 1e-3 * std::abs(scene.output("ledger", gravity)));
 }
 
+// So careless that it stops the flying block: most of the energy is taken at once.
+TEST(FixMuckpileSleep, EnergyTakenFromAFlyingBlockIsBooked) {
+  LooseBlocks scene(MPI_COMM_WORLD, "distance 0.5 time 1e-3 speed 100 every 1");
+  scene.run_to(0.01);
+  double start = 0.0;
+  for (const auto& [tag, block] : scene.blocks()) {
+    if (block.centre.z() > 0.9) start = std::max(start, 0.5 * block.mass * kThrown * kThrown);
+  }
+  EXPECT_GT(scene.output("ledger", laid_to_rest), 0.5 * start);
+  EXPECT_LT(scene.output("ledger", 0), 0.02);
+}
+
+// A fix of LIGGGHTS at the end of the step makes fix multisphere set full-step velocities.
+TEST(FixMuckpileSleep, SpheresOfRestingBlocksStandStill) {
+  LooseBlocks scene(MPI_COMM_WORLD, kSleep);
+  scene.command("variable now equal time");
+  scene.command("fix say all print 100 '${now}' screen no");
+  scene.run_to(0.9);
+  ASSERT_GT(scene.resting_share(), 0.5);
+  double still = 0.0;
+  const auto spheres = scene.all_spheres();
+  for (const auto& [tag, sphere] : spheres) still += sphere.velocity.norm() == 0.0 ? 1.0 : 0.0;
+  EXPECT_NEAR(still / static_cast<double>(spheres.size()), scene.resting_share(), 1e-9);
+}
+
+TEST(FixMuckpileSleep, UnfixWakesAll) {
+  LooseBlocks scene(MPI_COMM_WORLD, kSleep);
+  scene.run_to(0.9);
+  ASSERT_GT(scene.resting_share(), 0.8);
+  const auto before = scene.blocks();
+  scene.command("unfix sleep");
+  scene.run_to(1.1);
+  int sunk = 0;
+  for (const auto& [tag, block] : scene.blocks())
+    sunk += block.centre.z() < before.at(tag).centre.z() - 0.02 ? 1 : 0;
+  EXPECT_LE(sunk, 1) << "all but the flying block are still carried by what is below them";
+}
+
 TEST(FixMuckpileSleep, RanksAgree) {
-  LooseBlocks alone(MPI_COMM_SELF, true), shared(MPI_COMM_WORLD, true);
+  LooseBlocks alone(MPI_COMM_SELF, kSleep), shared(MPI_COMM_WORLD, kSleep);
   for (const double time : {0.6, 1.1}) {
     alone.run_to(time);
     shared.run_to(time);
@@ -133,7 +174,7 @@ TEST(FixMuckpileSleep, RanksAgree) {
 }
 
 TEST(FixMuckpileSleep, WakesOnCommand) {
-  LooseBlocks scene(MPI_COMM_WORLD, true);
+  LooseBlocks scene(MPI_COMM_WORLD, kSleep);
   scene.run_to(0.9);
   ASSERT_GT(scene.resting_share(), 0.8);
   scene.command("unfix floor");

@@ -354,5 +354,33 @@ TEST(FacetNetwork, ClosedBrokenFacetReboundsAsItsDampingAfterSofteningHasIt) {
   }
 }
 
+// Three unit cubes in a row, pulled: the first two rest.
+TEST(FacetNetwork, LeavesFacetsBetweenRestingBlocksAloneUntilTheyWake) {
+  BondScene scene(cuboids(3, 1, 1), rock(0.25));
+  scene.deform(1e-5 * Mat3::Identity());
+  scene.compute();
+  const std::vector<Vec3> all(scene.network().force().begin(), scene.network().force().end());
+  ASSERT_GT(all[0].norm(), 0.0);
+  scene.network().let_rest(std::vector<int>{1, 1, 0, 1});
+  scene.compute();
+  EXPECT_EQ(scene.network().force()[0], Vec3::Zero());
+  EXPECT_EQ(scene.network().force()[2], all[2]) << "the awake block feels what it felt";
+  scene.network().wake_all();
+  scene.compute();
+  for (std::size_t b = 0; b < 3; ++b) EXPECT_EQ(scene.network().force()[b], all[b]) << b;
+}
+
+TEST(FacetNetwork, MarksBlocksBesideOneThatMovesUnlessTheirFacetHasRetired) {
+  Pair pair(0.25);
+  std::vector<int> disturbed(3, 0);
+  pair.scene.network().mark_joined(std::vector<int>{1, 0, 0}, disturbed);
+  EXPECT_EQ(disturbed, (std::vector<int>{0, 1, 0}));
+  for (const double apart : {0.01, 0.1, 1.0}) pair.at(Vec3(apart, 0.0, 0.0));
+  ASSERT_EQ(pair.scene.network().states()[0], FacetState::retired);
+  std::fill(disturbed.begin(), disturbed.end(), 0);
+  pair.scene.network().mark_joined(std::vector<int>{1, 0, 0}, disturbed);
+  EXPECT_EQ(disturbed, (std::vector<int>{0, 0, 0}));
+}
+
 }  // namespace
 }  // namespace muckpile::test

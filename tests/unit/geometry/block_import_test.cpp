@@ -137,7 +137,7 @@ TEST(BlockImport, NamesWhatIsWrong) {
             "block import: cell 1 is not convex at its face 4");
   EXPECT_EQ(refusal("POINTS 1 double\n0 0"), "block import: 'test.vtk': a coordinate expected");
   EXPECT_EQ(refusal("POINTS -3 double\n"),
-            "block import: 'test.vtk': number of points must be >= 0, got '-3'");
+            "block import: 'test.vtk': number of points must be >= 0 and <= 1000000000, got '-3'");
   std::istringstream no_vtk("hello\n");
   EXPECT_THROW((void)read_cells(no_vtk, "x"), InputError);
   std::istringstream new_vtk("# vtk DataFile Version 5.1\nt\nASCII\n");

@@ -44,6 +44,21 @@ TEST(Stillness, NeverComesToABlockThatSpeedsUp) {
   EXPECT_GT(first_still([&](double t) { return at(0.5 * 0.95 * least * t * t); }), 0.0);
 }
 
+// Up and back within the time: it stays within the distance d of where it is seen first at most for
+// (2 + sqrt 2) sqrt(d/a), from the farthest it can come in from to as far beyond.
+TEST(Stillness, NeverComesToABlockThatTurnsBackSharply) {
+  const double bound = std::pow(2.0 + std::sqrt(2.0), 2) * 0.005 / (0.2 * 0.2);  // 1.5 m/s2
+  for (const double speed : {0.05, 0.1, 0.15, 0.2, 0.25}) {
+    const double a = 1.05 * bound;
+    const auto flight = [&](double t) {
+      return at(speed * t - 0.5 * a * t * t, 0.0, 0.0);  // as if slow: the distance alone counts
+    };
+    EXPECT_LT(first_still(flight), 0.0) << speed;
+  }
+  const double mild = 0.8;  // [m/s2], beyond 2 d/T^2, but it turns back
+  EXPECT_GT(first_still([&](double t) { return at(0.0885 * t - 0.5 * mild * t * t); }), 0.0);
+}
+
 TEST(Stillness, CountsTurningAtTheRadius) {
   EXPECT_LT(first_still([](double t) { return at(0.0, 0.06 * t); }), 0.0);  // 0.5 m: 0.030 m/s
   EXPECT_GT(first_still([](double t) { return at(0.0, 0.04 * t); }), 0.0);
