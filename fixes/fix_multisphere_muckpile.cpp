@@ -25,12 +25,23 @@ namespace {
 using Flags = LAMMPS_NS::VectorContainer<bool, 3>;
 
 /// Half a step's change of velocity and angular momentum.
-void kick(engine::Bodies& bodies, int b, const bool* moves, const bool* turns, double half_step) {
-  for (int d = 0; d < 3; ++d) {
-    if (moves[d]) bodies.velocity(b)[d] += half_step / bodies.mass(b) * bodies.force(b)[d];
-    if (turns[d]) bodies.angular_momentum(b)[d] += half_step * bodies.torque(b)[d];
+class Kick {
+ public:
+  Kick(LAMMPS_NS::Multisphere& data, double half_step)
+      : moves_(data.prop().getElementProperty<Flags>("fflag")->begin()),
+        turns_(data.prop().getElementProperty<Flags>("tflag")->begin()),
+        half_step_(half_step) {}
+  void operator()(engine::Bodies& bodies, int b) const {
+    for (int d = 0; d < 3; ++d) {
+      if (moves_[b][d]) bodies.velocity(b)[d] += half_step_ / bodies.mass(b) * bodies.force(b)[d];
+      if (turns_[b][d]) bodies.angular_momentum(b)[d] += half_step_ * bodies.torque(b)[d];
+    }
   }
-}
+
+ private:
+  bool **moves_, **turns_;
+  double half_step_;
+};
 
 }  // namespace
 
@@ -111,12 +122,11 @@ void FixMultisphereMuckpile::initial_integrate(int vflag) {
 }
 
 void FixMultisphereMuckpile::move_bodies() {
-  bool** const moves = multisphere_.prop().getElementProperty<Flags>("fflag")->begin();
-  bool** const turns = multisphere_.prop().getElementProperty<Flags>("tflag")->begin();
+  const Kick kick(multisphere_, dtf);
   engine::Bodies bodies(*this);
   for (int b = 0; b < bodies.count(); ++b) {
     if (rests(b)) continue;
-    kick(bodies, b, moves[b], turns[b], dtf);
+    kick(bodies, b);
     bodies.centre(b) += dtv * bodies.velocity(b);
     bodies.turn(b, dtq);
   }
@@ -197,12 +207,11 @@ void FixMultisphereMuckpile::final_integrate() {
 }
 
 void FixMultisphereMuckpile::kick_bodies() {
-  bool** const moves = multisphere_.prop().getElementProperty<Flags>("fflag")->begin();
-  bool** const turns = multisphere_.prop().getElementProperty<Flags>("tflag")->begin();
+  const Kick kick(multisphere_, dtf);
   engine::Bodies bodies(*this);
   for (int b = 0; b < bodies.count(); ++b) {
     if (rests(b)) continue;
-    kick(bodies, b, moves[b], turns[b], dtf);
+    kick(bodies, b);
     const Mat3 axes = bodies.axes(b);
     const Vec3 in_body = axes.transpose() * bodies.angular_momentum(b);
     bodies.spin(b) = axes * in_body.cwiseQuotient(bodies.inertia(b));

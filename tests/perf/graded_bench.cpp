@@ -3,8 +3,9 @@
 // Scope: see the header.
 #include "graded_bench.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "../unit/geometry/shapes.h"
 
 namespace muckpile::perf {
 namespace {
@@ -18,20 +19,6 @@ SizeLaw law(double smallest, double ratio) {
                         {smallest, ratio * smallest});
 }
 
-RegionQuery profile() {
-  RegionQuery region;
-  region.inside = [](const Vec3& p) { return p.x() <= 0.0 || p.z() <= 0.0; };
-  region.surface_points = [](const Vec3& p, double cutoff) {
-    const Vec3 on_face(0.0, p.y(), std::max(p.z(), 0.0));
-    const Vec3 on_floor(std::max(p.x(), 0.0), p.y(), 0.0);
-    std::vector<Vec3> points;
-    if ((on_face - p).norm() < cutoff) points.push_back(on_face);
-    if ((on_floor - p).norm() < cutoff && on_floor != on_face) points.push_back(on_floor);
-    return points;
-  };
-  return region;
-}
-
 }  // namespace
 
 TessellationOptions graded_bench(const BenchRock& what) {
@@ -43,7 +30,7 @@ TessellationOptions graded_bench(const BenchRock& what) {
     const double y = kSpacing * (h + 0.5);
     options.holes.push_back({{-kBurden, y, -0.5}, {-kBurden, y, 7.0}, kCrushedRadius});
   }
-  options.region = profile();
+  options.region = test::bench_profile();
   options.max_blocks = 4 * what.blocks;
   const auto wanted = static_cast<double>(what.blocks);
   double smallest = 0.1;         // [m]
