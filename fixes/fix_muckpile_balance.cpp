@@ -35,9 +35,10 @@ std::vector<double> block_costs(LAMMPS_NS::LAMMPS& lmp, int blocks) {
       dynamic_cast<FixMuckpileJoint*>(lmp.modify->find_fix_style_strict("muckpile/joint", 0));
   if (joint == nullptr) return costs;
   const FacetNetwork& network = joint->network();
-  for (std::size_t f = 0; f < network.facets().size(); ++f) {
+  for (std::size_t f = 0; f < network.facet_count(); ++f) {
     if (network.states()[f] == FacetState::retired || network.memory()[f].open) continue;
-    for (const int block : {network.facets()[f].i, network.facets()[f].j})
+    const FacetEnds ends = network.ends(f);
+    for (const int block : {ends.i, ends.j})
       if (block < blocks) costs[static_cast<std::size_t>(block)] += kJointCost;
   }
   return costs;

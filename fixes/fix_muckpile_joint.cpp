@@ -243,10 +243,10 @@ void FixMuckpileJoint::refresh_enclosed() {
   for (std::size_t b = 0; b < open.size(); ++b) {
     if (network_.blocks()[b].retired.unbonded > 0.0) open[b] = true;
   }
-  for (std::size_t f = 0; f < network_.facets().size(); ++f) {
+  for (std::size_t f = 0; f < network_.facet_count(); ++f) {
     if (network_.states()[f] == FacetState::intact) continue;
-    open[static_cast<std::size_t>(network_.facets()[f].i)] = true;
-    open[static_cast<std::size_t>(network_.facets()[f].j)] = true;
+    const FacetEnds ends = network_.ends(f);
+    open[static_cast<std::size_t>(ends.i)] = open[static_cast<std::size_t>(ends.j)] = true;
   }
   enclosed_tags_.clear();
   for (std::size_t b = 0; b < open.size(); ++b) {
@@ -373,10 +373,10 @@ YieldingSupports::Chosen FixMuckpileJoint::let_ground_yield(
     const std::function<bool(const Vec3&)>& chosen, double rock_behind) {
   network_.let_ground_yield(QuietGround(network_.material(), rock_behind), chosen);
   Chosen yielding;
-  for (std::size_t f = 0; f < network_.facets().size(); ++f) {
+  for (std::size_t f = 0; f < network_.facet_count(); ++f) {
     if (!network_.memory()[f].ground().yields) continue;
     yielding.count += 1.0;
-    yielding.area += network_.facets()[f].area;
+    yielding.area += network_.area(f);
   }
   return yielding;
 }

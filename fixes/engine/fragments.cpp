@@ -38,8 +38,8 @@ std::vector<int> fragment_ids(const FixMuckpileJoint& joint, MPI_Comm world) {
   const FacetNetwork& network = joint.network();
   BlockHalo& halo = joint.blocks().halo();
   UnionFind sets(network.blocks().size());
-  for (std::size_t f = 0; f < network.facets().size(); ++f) {
-    const Facet& facet = network.facets()[f];
+  for (std::size_t f = 0; f < network.facet_count(); ++f) {
+    const FacetEnds facet = network.ends(f);
     if (facet.kind == FacetKind::joint && holds(network.memory()[f])) {
       sets.join(static_cast<std::size_t>(facet.i), static_cast<std::size_t>(facet.j));
     }
@@ -70,16 +70,16 @@ std::vector<double> broken_share(const FixMuckpileJoint& joint) {
   std::vector<double> broken;
   for (const BlockConstants& block : network.blocks()) broken.push_back(block.retired.area);
   std::vector<double> all = broken;
-  for (std::size_t f = 0; f < network.facets().size(); ++f) {
-    const Facet& facet = network.facets()[f];
+  for (std::size_t f = 0; f < network.facet_count(); ++f) {
+    const FacetEnds facet = network.ends(f);
     if (facet.kind != FacetKind::joint) continue;
     const auto& points = network.memory()[f].broken;
-    const double gone = facet.area *
+    const double gone = network.area(f) *
                         static_cast<double>(std::count(points.begin(), points.end(), true)) /
                         kFacetPoints;
     for (int b : {facet.i, facet.j}) {
       broken[static_cast<std::size_t>(b)] += gone;
-      all[static_cast<std::size_t>(b)] += facet.area;
+      all[static_cast<std::size_t>(b)] += network.area(f);
     }
   }
   std::vector<double> share(joint.blocks().halo().owned(), 0.0);

@@ -29,13 +29,10 @@ FacetNetwork::OpenJoint FacetNetwork::open_joint(std::size_t f) const {
   const int broken = kFacetPoints - bonded_points_[f];
   if (broken == 0) return {};
   const Motion motion = motion_of(f);
-  const Mat3 axes = motion.axes();
-  const LaneVec jump = motion.jump();
+  const Lanes gaps = dot(LaneVec(motion.normal), motion.jump());
   double opening = 0.0;
-  for (int p = 0; p < kFacetPoints; ++p) {
-    const auto q = static_cast<std::size_t>(p);
-    if (!memory_[f].broken[q]) continue;
-    opening += std::max(0.0, motion.normal.dot(jump.at(p) - axes * memory_[f].offset[q]));
+  for (std::size_t p = 0; p < kFacetPoints; ++p) {
+    if (memory_[f].broken[p]) opening += std::max(0.0, gaps[p] - memory_[f].offset[p].x());
   }
   const double radius = contacts_[f].radius;
   const Lanes squares = dot(motion.apart, motion.apart);  // of the jump, of how half axes differ

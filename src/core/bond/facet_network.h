@@ -68,6 +68,12 @@ struct Facet {
   double weight = 1.0;            ///< share of the facet's energy that this rank books [-]
 };
 
+/// What a facet joins, by local index; j = ground() for a support.
+struct FacetEnds {
+  int i, j;
+  FacetKind kind;
+};
+
 /// Face of one block that is free or faces a crushed zone.
 struct BoundaryFace {
   int tag = 0;
@@ -186,6 +192,10 @@ class FacetNetwork {
   [[nodiscard]] FacetList facets() const;
   /// As it was set; put together from what the loops use.
   [[nodiscard]] Facet facet(std::size_t f) const;
+  [[nodiscard]] FacetEnds ends(std::size_t f) const {
+    return {sides_[f].i, sides_[f].j, facets_[f].kind};
+  }
+  [[nodiscard]] double area(std::size_t f) const { return facets_[f].area; }  ///< [m2]
   [[nodiscard]] std::size_t facet_count() const { return facets_.size(); }
   [[nodiscard]] const std::vector<FacetMemory>& memory() const { return memory_; }
   [[nodiscard]] const std::vector<FacetState>& states() const { return states_; }

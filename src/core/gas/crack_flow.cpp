@@ -20,13 +20,17 @@ double CrackFlow::friction_factor(double aperture) const {
   return 0.143 * std::cbrt(p_.roughness / aperture);
 }
 
-double CrackFlow::flux(const GasPoint& upstream, double downstream_pressure, double aperture,
+CrackFlow::Fall CrackFlow::fall(double upstream_pressure, double downstream_pressure) const {
+  const double ratio = downstream_pressure / upstream_pressure;
+  return {ratio, ratio > 0.0 ? std::pow(ratio, 1.0 / p_.gamma) : 0.0};
+}
+
+double CrackFlow::flux(const GasPoint& upstream, const Fall& fall, double aperture,
                        double length) const {
-  const double ratio = downstream_pressure / upstream.pressure;
-  if (!(ratio < 1.0)) return 0.0;
-  const double expanded = ratio > 0.0 ? ratio * std::pow(ratio, 1.0 / p_.gamma) : 0.0;
+  if (!(fall.ratio < 1.0)) return 0.0;
   const double resistance = 1.0 + friction_factor(aperture) * length / (2.0 * aperture);
-  const double share = 2.0 * p_.gamma / (p_.gamma + 1.0) * (1.0 - expanded) / resistance;
+  const double share =
+      2.0 * p_.gamma / (p_.gamma + 1.0) * (1.0 - fall.ratio * fall.thinning) / resistance;
   return std::sqrt(upstream.pressure * upstream.density) * std::min(std::sqrt(share), choked_);
 }
 

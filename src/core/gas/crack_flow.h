@@ -22,13 +22,20 @@ class CrackFlow {
   /// InputError on a value out of range.
   explicit CrackFlow(const Parameters& parameters);
 
-  /// Mass flow per area of the crack [kg/(m2 s)] from `upstream` to a lower pressure [Pa] over
+  /// How far the pressure falls along a crack.
+  struct Fall {
+    double ratio;     ///< downstream over upstream pressure [-]
+    double thinning;  ///< x = ratio^(1/gamma), downstream over upstream density [-]
+  };
+  [[nodiscard]] Fall fall(double upstream_pressure, double downstream_pressure) const;
+
+  /// Mass flow per area of the crack [kg/(m2 s)] from `upstream` over
   /// `length` [m] of a crack of that aperture w [m], without inertia:
   ///     G^2/2 (1 + f L/(2w)) = integral of rho dp = gamma/(gamma + 1) p rho [1 - x^(gamma + 1)],
-  /// x = (p_down/p)^(1/gamma), and never above the choked flux. The 1 is the gas coming up to
+  /// x of the fall, and never above the choked flux. The 1 is the gas coming up to
   /// speed, 2w the hydraulic diameter, f = 0.143 (k/w)^(1/3) (Gauckler, Manning and Strickler; Tsai
   /// & Rice 2010, quoted from memory).
-  [[nodiscard]] double flux(const GasPoint& upstream, double downstream_pressure, double aperture,
+  [[nodiscard]] double flux(const GasPoint& upstream, const Fall& fall, double aperture,
                             double length) const;
   /// Darcy's f at an aperture [m].
   [[nodiscard]] double friction_factor(double aperture) const;

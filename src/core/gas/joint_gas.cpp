@@ -35,7 +35,7 @@ void JointGas::set_network(const FacetNetwork& network) {
 }
 
 JointGas::Crack JointGas::crack_of(const FacetNetwork& network, std::size_t f) const {
-  const Facet& facet = network.facets()[f];
+  const FacetEnds facet = network.ends(f);
   const FacetNetwork::OpenJoint open = network.open_joint(f);
   const auto i = static_cast<std::size_t>(facet.i), j = static_cast<std::size_t>(facet.j);
   const bool joint = facet.kind == FacetKind::joint;
@@ -53,10 +53,6 @@ JointGas::Crack JointGas::crack_of(const FacetNetwork& network, std::size_t f) c
           .volume = (joint ? 0.5 : 1.0) * open.area * aperture};
 }
 
-bool JointGas::holds_gas(const FacetNetwork& network, std::size_t f) {
-  return network.states()[f] != FacetState::intact && network.memory()[f].gas;
-}
-
 /// Blocks with gas, those beside them, and those on a chamber. Copies may have got gas on their own
 /// rank, which is not known here yet: all of them count.
 void JointGas::mark_reached(const FacetNetwork& network, const std::vector<char>& fed) {
@@ -66,9 +62,8 @@ void JointGas::mark_reached(const FacetNetwork& network, const std::vector<char>
            (hole >= 0 && fed[static_cast<std::size_t>(hole)] != 0);
   };
   std::fill(reached_.begin(), reached_.end(), 0);
-  for (std::size_t f = 0; f < network.facets().size(); ++f) {
-    if (!holds_gas(network, f)) continue;
-    const Facet& facet = network.facets()[f];
+  for (const std::size_t f : open_to_gas_) {
+    const FacetEnds facet = network.ends(f);
     const auto i = static_cast<std::size_t>(facet.i), j = static_cast<std::size_t>(facet.j);
     const bool joint = facet.kind == FacetKind::joint;
     const bool any = holds(i) || (joint && holds(j));
@@ -78,12 +73,16 @@ void JointGas::mark_reached(const FacetNetwork& network, const std::vector<char>
 }
 
 void JointGas::measure(const FacetNetwork& network, const std::vector<char>& fed) {
+  open_to_gas_.clear();
+  for (std::size_t f = 0; f < network.facet_count(); ++f) {
+    if (network.states()[f] != FacetState::intact && network.memory()[f].gas)
+      open_to_gas_.push_back(f);
+  }
   mark_reached(network, fed);
   for (GasCell& cell : cells_) cell.volume = cell.links = 0.0;
   cracks_.clear();
-  for (std::size_t f = 0; f < network.facets().size(); ++f) {
-    if (!holds_gas(network, f)) continue;
-    const Facet& facet = network.facets()[f];
+  for (const std::size_t f : open_to_gas_) {
+    const FacetEnds facet = network.ends(f);
     const bool joint = facet.kind == FacetKind::joint;
     if (reached_[static_cast<std::size_t>(facet.i)] == 0 &&
         (!joint || reached_[static_cast<std::size_t>(facet.j)] == 0)) {
@@ -107,10 +106,12 @@ double JointGas::pressure(const GasCell& cell) const {
          std::pow(cell.content.mass / cell.volume, flow_.gamma());
 }
 
-void JointGas::press(FacetNetwork& network) const {
+void JointGas::press(FacetNetwork& network) {
   const std::span<double> pressure_of = network.gas_pressure();
-  for (std::size_t b = 0; b < cells_.size(); ++b)
-    pressure_of[b] = std::max(0.0, pressure(cells_[b]) - p_.ambient);
+  for (std::size_t b = 0; b < cells_.size(); ++b) {
+    points_[b] = point(b);
+    pressure_of[b] = std::max(0.0, points_[b].pressure - p_.ambient);
+  }
 }
 
 GasPoint JointGas::point(std::size_t b) const {
@@ -118,11 +119,10 @@ GasPoint JointGas::point(std::size_t b) const {
   return {pressure(cell), cell.volume > 0.0 ? cell.content.mass / cell.volume : 0.0};
 }
 
-/// What would have to flow for the pressure of both to be the same.
-double JointGas::equalising_mass(const GasPoint& from, double from_volume, double to_pressure,
-                                 double to_volume) const {
-  const double left = std::pow(to_pressure / from.pressure, 1.0 / flow_.gamma());
-  return from.density * (1.0 - left) * from_volume * to_volume / (from_volume + to_volume);
+/// What would have to flow for the pressure of both to be the same [kg].
+double JointGas::equalising_mass(const GasPoint& from, double from_volume, double thinning,
+                                 double to_volume) {
+  return from.density * (1.0 - thinning) * from_volume * to_volume / (from_volume + to_volume);
 }
 
 void JointGas::move(std::size_t b, double mass, double entropy_per_mass) {
@@ -137,10 +137,11 @@ void JointGas::exchange(const Crack& crack, double dt) {
   const GasCell &source = cells_[from], &sink = cells_[to];
   if (!(donor.pressure > points_[to].pressure) || !(sink.volume > 0.0)) return;
   const double share = 1.0 / (1.0 + std::max(source.links, sink.links));
-  const double flux = flow_.flux(donor, points_[to].pressure, crack.aperture, crack.width);
+  const CrackFlow::Fall fall = flow_.fall(donor.pressure, points_[to].pressure);
+  const double flux = flow_.flux(donor, fall, crack.aperture, crack.width);
   const double mass =
       std::min(flux * crack.aperture * crack.width * dt,
-               share * equalising_mass(donor, source.volume, points_[to].pressure, sink.volume));
+               share * equalising_mass(donor, source.volume, fall.thinning, sink.volume));
   const double entropy = source.content.entropy / source.content.mass;
   move(from, -mass, entropy);
   move(to, mass, entropy);
@@ -153,12 +154,12 @@ double JointGas::feed(std::size_t b, const Crack& crack, const GasChamber& chamb
   if (!(chamber.gas.pressure > 0.0) || !(cell.volume > 0.0)) return 0.0;
   const bool in = chamber.gas.pressure > gas.pressure;
   const GasPoint& donor = in ? chamber.gas : gas;
-  const double other = in ? gas.pressure : chamber.gas.pressure;
+  const CrackFlow::Fall fall = flow_.fall(donor.pressure, in ? gas.pressure : chamber.gas.pressure);
   const double room = chamber.mass / chamber.gas.density;
   const double most =
-      equalising_mass(donor, in ? room : cell.volume, other, in ? cell.volume : room);
+      equalising_mass(donor, in ? room : cell.volume, fall.thinning, in ? cell.volume : room);
   const double area = 0.5 * crack.aperture * crack.width;
-  const double mass = std::min(flow_.flux(donor, other, crack.aperture, crack.width) * area * dt,
+  const double mass = std::min(flow_.flux(donor, fall, crack.aperture, crack.width) * area * dt,
                                most / (1.0 + cell.links));
   const double entropy = in ? donor.pressure / std::pow(donor.density, flow_.gamma())
                             : cell.content.entropy / cell.content.mass;
@@ -171,10 +172,10 @@ double JointGas::vent(std::size_t b, const Crack& crack, double dt) {
   const GasPoint& gas = points_[b];
   const GasCell& cell = cells_[b];
   if (!(gas.pressure > p_.ambient)) return 0.0;
-  const double left = std::pow(p_.ambient / gas.pressure, 1.0 / flow_.gamma());
+  const CrackFlow::Fall fall = flow_.fall(gas.pressure, p_.ambient);
   const double area = 0.5 * crack.aperture * crack.width;
-  const double mass = std::min(flow_.flux(gas, p_.ambient, crack.aperture, crack.width) * area * dt,
-                               cell.content.mass * (1.0 - left) / (1.0 + cell.links));
+  const double mass = std::min(flow_.flux(gas, fall, crack.aperture, crack.width) * area * dt,
+                               cell.content.mass * (1.0 - fall.thinning) / (1.0 + cell.links));
   move(b, -mass, cell.content.entropy / cell.content.mass);
   return mass;
 }
@@ -183,7 +184,6 @@ JointGas::Flows JointGas::flow(FacetNetwork& network, std::span<const GasChamber
                                double dt) {
   Flows flows{std::vector<double>(chambers.size(), 0.0), 0.0};
   std::fill(changes_.begin(), changes_.end(), Change{});
-  for (std::size_t b = 0; b < cells_.size(); ++b) points_[b] = point(b);
   for (const Crack& crack : cracks_) {
     if (crack.joint) exchange(crack, dt);
     if (crack.wide) network.release_gas(crack.facet);

@@ -63,7 +63,7 @@ class JointGas {
   /// hole whose `fed` is false lets no gas out.
   void measure(const FacetNetwork& network, const std::vector<char>& fed);
   /// Tells the network what the gas presses beyond the atmosphere [Pa].
-  void press(FacetNetwork& network) const;
+  void press(FacetNetwork& network);
 
   struct Flows {
     std::vector<double> from_hole;  ///< what owned blocks took from each chamber [kg]
@@ -94,10 +94,9 @@ class JointGas {
 
   [[nodiscard]] bool owned(std::size_t b) const { return owned_[b] != 0; }
   [[nodiscard]] Crack crack_of(const FacetNetwork& network, std::size_t f) const;
-  [[nodiscard]] static bool holds_gas(const FacetNetwork& network, std::size_t f);
   void mark_reached(const FacetNetwork& network, const std::vector<char>& fed);
-  [[nodiscard]] double equalising_mass(const GasPoint& from, double from_volume, double to_pressure,
-                                       double to_volume) const;
+  [[nodiscard]] static double equalising_mass(const GasPoint& from, double from_volume,
+                                              double thinning, double to_volume);
   void exchange(const Crack& crack, double dt);
   [[nodiscard]] double feed(std::size_t b, const Crack& crack, const GasChamber& chamber,
                             double dt);
@@ -110,9 +109,10 @@ class JointGas {
   std::vector<int> touches_;
   std::vector<GasCell> cells_;
   std::vector<char> owned_, reached_;
-  std::vector<Crack> cracks_;
+  std::vector<std::size_t> open_to_gas_;  // broken facets
+  std::vector<Crack> cracks_;             // those of them that gas can reach
   std::vector<Change> changes_;
-  std::vector<GasPoint> points_;
+  std::vector<GasPoint> points_;  // per block, as press() found them
 };
 
 }  // namespace muckpile

@@ -51,6 +51,7 @@ struct GasScene {
   void fill(std::size_t b, double mass) { gas.cells()[b].content = {mass, mass * kEntropy}; }
   void step(double dt) {
     gas.measure(scene.network(), fed);
+    gas.press(scene.network());
     const JointGas::Flows flows = gas.flow(scene.network(), chambers, dt);
     vented += flows.vented;
     for (std::size_t h = 0; h < taken.size(); ++h) taken[h] += flows.from_hole[h];
@@ -174,6 +175,7 @@ TEST(JointGas, MassIsKeptThroughFlowOutflowAndRetiringJoints) {
       cube.scene.block(static_cast<std::size_t>(n / 500)).centre += Vec3(0.9, 0.6, 0.3);
       cube.scene.compute();
     }
+    cube.gas.press(cube.scene.network());
     const JointGas::Flows flows = cube.gas.flow(cube.scene.network(), cube.chambers, 5e-6);
     cube.vented += flows.vented;
     cube.taken[0] += flows.from_hole[0];
