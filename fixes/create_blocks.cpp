@@ -608,6 +608,11 @@ void CreateBlocks::report(const Model& model, double seconds) const {
                 quantile(ratios, 0.1), quantile(ratios, 0.9), volume,
                 model.rock.statistics.void_volume, model.largest_overlap, seconds);
   engine::print_once(*lmp, text.data());
+  if (model.rock.statistics.merged_parts > 0) {
+    engine::print_once(*lmp, "  " + std::to_string(model.rock.statistics.merged_parts) +
+                                 " parts between joint planes are too thin for a block: they stay "
+                                 "with the rock beside them, where the joint ends\n");
+  }
   report_filling(model);
   if (model.sizes) report_target(*model.sizes);
 }

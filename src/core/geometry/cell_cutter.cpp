@@ -9,6 +9,7 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <voro++/voro++.hh>
 
 #include "geometry/point_index.h"
@@ -23,10 +24,14 @@ double reach_of(voro::voronoicell_neighbor& cell) { return std::sqrt(cell.max_ra
 }  // namespace
 
 struct CellCutter::Impl {
-  Impl(const std::vector<Vec3>& all, const Vec3& box_lo, const Vec3& box_hi)
-      : points(all), lo(box_lo), hi(box_hi), index(all) {}
+  Impl(const std::vector<Vec3>& all, const Vec3& box_lo, const Vec3& box_hi,
+       std::vector<CutPlane> ends)
+      : points(all), bounds(std::move(ends)), lo(box_lo), hi(box_hi), index(all) {}
+
+  void cut_at_bounds();
 
   const std::vector<Vec3>& points;
+  const std::vector<CutPlane> bounds;
   const Vec3 lo, hi;
   const PointIndex index;
   PointIndex::Found found;
@@ -35,8 +40,18 @@ struct CellCutter::Impl {
   int highest_met = -1;
 };
 
-CellCutter::CellCutter(const std::vector<Vec3>& points, const Vec3& lo, const Vec3& hi)
-    : impl_(std::make_unique<Impl>(points, lo, hi)) {}
+void CellCutter::Impl::cut_at_bounds() {
+  constexpr int kBound = -7;  // -1 to -6 are the walls of the box
+  for (const CutPlane& bound : bounds) {
+    const Vec3& n = bound.normal;
+    if (!cell.nplane(n.x(), n.y(), n.z(), 2.0 * n.dot(bound.point - centre), kBound))
+      throw std::runtime_error("a seed lies outside its part of the rock");
+  }
+}
+
+CellCutter::CellCutter(const std::vector<Vec3>& points, const Vec3& lo, const Vec3& hi,
+                       std::vector<CutPlane> bounds)
+    : impl_(std::make_unique<Impl>(points, lo, hi, std::move(bounds))) {}
 
 CellCutter::~CellCutter() = default;
 
@@ -46,6 +61,7 @@ void CellCutter::cut(int point, double reach) {
   m.highest_met = -1;
   const Vec3 lo = m.lo - m.centre, hi = m.hi - m.centre;
   m.cell.init(lo.x(), hi.x(), lo.y(), hi.y(), lo.z(), hi.z());
+  m.cut_at_bounds();
   double needed = reach_of(m.cell);
   for (double inner = 0.0, outer = reach; inner < needed;) {
     m.index.shell(m.centre, inner, outer, m.found);

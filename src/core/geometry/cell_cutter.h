@@ -8,13 +8,16 @@
 #include <vector>
 
 #include "geometry/polyhedron.h"
+#include "geometry/tessellation.h"
 
 namespace muckpile {
 
 class CellCutter {
  public:
-  // The points must outlive the cutter. Box corners in metres.
-  CellCutter(const std::vector<Vec3>& points, const Vec3& lo, const Vec3& hi);
+  // The points must outlive the cutter. Box corners in metres. Cells end at the bounds,
+  // planes whose unit normals look out; every point that is cut lies within them.
+  CellCutter(const std::vector<Vec3>& points, const Vec3& lo, const Vec3& hi,
+             std::vector<CutPlane> bounds = {});
   ~CellCutter();
 
   // Makes the cell of one point the present cell. `reach` [m] > 0 is a guess of how far its

@@ -17,6 +17,7 @@
 #include "geometry/ground.h"
 #include "geometry/hole_carving.h"
 #include "geometry/hole_surface.h"
+#include "geometry/plane_parts.h"
 #include "geometry/region_cutting.h"
 
 namespace muckpile {
@@ -96,6 +97,7 @@ class Cutting {
 
   [[nodiscard]] std::vector<Block> run();
   [[nodiscard]] const std::vector<double>& cylinder_volumes() const { return cylinder_volumes_; }
+  [[nodiscard]] std::size_t merged_parts() const { return merged_parts_; }
 
  private:
   [[nodiscard]] std::vector<ConvexCell> parts_between_planes();
@@ -123,6 +125,7 @@ class Cutting {
   double beyond_walls_ = 0.0;  // how far a prism's edges stick out of its cylinder at most [m]
   std::vector<ConvexCell> at_holes_;  // across a crushed zone's wall, of final size
   std::vector<double> scales_, cylinder_volumes_;
+  std::size_t merged_parts_ = 0;
 };
 
 std::vector<HoleCarving> Cutting::prisms() const {
@@ -142,11 +145,14 @@ std::vector<ConvexCell> Cutting::parts_between_planes() {
     const CutPlane unit{plane.point, plane.normal.normalized()};
     std::vector<ConvexCell> next;
     for (const ConvexCell& part : parts) {
-      const auto halves = partition_.divide(part, unit);
-      if (!halves) {
+      const auto tried = divided(part, unit.point, unit.normal, 0);
+      const bool thin = tried && cuts_sliver_off(*tried, ground_, sliver_);
+      merged_parts_ += thin ? 1 : 0;
+      if (!tried || thin) {
         next.push_back(part);
         continue;
       }
+      const auto halves = partition_.divide(part, unit);
       next.push_back(halves->below);
       next.push_back(halves->above);
     }
@@ -367,6 +373,7 @@ Tessellation cut_by_joint_sets(const TessellationOptions& rock, const JointSetCu
   result.blocks = cutting.run();
   if (result.blocks.empty()) fail("the rock holds no block");
   result.statistics.cylinder_volume = cutting.cylinder_volumes();
+  result.statistics.merged_parts = cutting.merged_parts();
   add_statistics(rock, result);
   return result;
 }

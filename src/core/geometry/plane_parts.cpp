@@ -5,10 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
-#include "geometry/ground.h"
+#include "geometry/point_index.h"
 #include "geometry/seeding.h"
 #include "geometry/shared_faces.h"
 
@@ -38,114 +37,172 @@ std::vector<PlaneFace> faces_in(const PlaneFrame& frame, const std::vector<Block
   return found;
 }
 
-bool differ_in_one(const Sides& a, const Sides& b) {
-  int different = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) different += a[k] != b[k] ? 1 : 0;
-  return different == 1;
+/// Which side of each plane a point is on.
+std::vector<bool> sides_of(const std::vector<CutPlane>& planes, const Vec3& point) {
+  std::vector<bool> sides;
+  for (const CutPlane& plane : planes) sides.push_back(height(plane, point) > 0.0);
+  return sides;
 }
 
 Vec3 mirrored(const CutPlane& plane, const Vec3& p) {
   return p - 2.0 * height(plane, p) * plane.normal.normalized();
 }
 
+bool is_within(const std::vector<CutPlane>& bounds, const Vec3& point) {
+  return std::all_of(bounds.begin(), bounds.end(),
+                     [&](const CutPlane& bound) { return height(bound, point) <= 0.0; });
+}
+
+/// Whether the image of a point is rock just behind this plane and no other.
+bool has_image(const TessellationOptions& options, const Ground& ground, std::size_t plane,
+               const Vec3& p) {
+  const Vec3 image = mirrored(options.planes[plane], p);
+  if (!ground.is_rock(image)) return false;
+  const std::vector<bool> here = sides_of(options.planes, p),
+                          there = sides_of(options.planes, image);
+  for (std::size_t k = 0; k < here.size(); ++k) {
+    if ((here[k] != there[k]) != (k == plane)) return false;
+  }
+  return true;
+}
+
 /// Replaces the layer of seeds below the plane by the images of the one above it.
-void mirror_layer(const CutPlane& plane, const std::vector<CutPlane>& planes, const Ground& ground,
+void mirror_layer(const TessellationOptions& options, const Ground& ground, std::size_t number,
                   std::vector<Vec3>& seeds) {
   constexpr double kLayer = 1.5;  // blocks: the ones at the plane, and those that show between them
+  const CutPlane& plane = options.planes[number];
   const auto in_layer = [&](const Vec3& p) {
     return std::abs(height(plane, p)) < kLayer * ground.size(p);
   };
   std::vector<Vec3> images;
   for (const Vec3& seed : seeds) {
-    if (height(plane, seed) <= 0.0 || !in_layer(seed)) continue;
-    const Vec3 image = mirrored(plane, seed);
-    if (ground.is_rock(image) && differ_in_one(sides_of(planes, seed), sides_of(planes, image)))
-      images.push_back(image);
+    if (height(plane, seed) > 0.0 && in_layer(seed) && has_image(options, ground, number, seed))
+      images.push_back(mirrored(plane, seed));
   }
-  std::erase_if(seeds, [&](const Vec3& p) { return height(plane, p) <= 0.0 && in_layer(p); });
+  std::erase_if(seeds, [&](const Vec3& p) {
+    return height(plane, p) <= 0.0 && in_layer(mirrored(plane, p)) &&
+           has_image(options, ground, number, p);
+  });
   seeds.insert(seeds.end(), images.begin(), images.end());
 }
 
-}  // namespace
+struct BoundedCell {
+  ConvexCell cell;
+  std::vector<CutPlane> bounds;
+};
 
-Sides sides_of(const std::vector<CutPlane>& planes, const Vec3& point) {
-  Sides sides;
-  for (const CutPlane& plane : planes) sides.push_back(height(plane, point) > 0.0);
-  return sides;
+std::vector<BoundedCell> cells_between(const TessellationOptions& options, const Ground& ground,
+                                       std::size_t& merged) {
+  std::vector<BoundedCell> cells{{box_cell(options.lo, options.hi), {}}};
+  for (const CutPlane& plane : options.planes) {
+    const Vec3 normal = plane.normal.normalized();
+    std::vector<BoundedCell> next;
+    for (BoundedCell& whole : cells) {
+      auto halves = divided(whole.cell, plane.point, normal, 0);
+      const bool thin = halves && cuts_sliver_off(*halves, ground, kThinnestPart);
+      merged += thin ? 1 : 0;
+      if (!halves || thin) {
+        next.push_back(std::move(whole));
+        continue;
+      }
+      next.push_back({std::move(halves->below), whole.bounds});
+      next.back().bounds.push_back({plane.point, normal});
+      next.push_back({std::move(halves->above), std::move(whole.bounds)});
+      next.back().bounds.push_back({plane.point, -normal});
+    }
+    cells = std::move(next);
+  }
+  return cells;
 }
 
-std::vector<RockPart> parts_of(const TessellationOptions& options) {
+/// A place in the rock of a part that no seed fell into: its middle, or a random one.
+std::vector<Vec3> any_seed(const TessellationOptions& options, const Ground& ground,
+                           const BoundedCell& part) {
   constexpr unsigned long kLooks = 8;
-  std::map<Sides, std::vector<Vec3>> found;
-  const Ground ground(options);
-  std::vector<Vec3> seeds = scatter_seeds(options, ground);
-  for (const CutPlane& plane : options.planes) mirror_layer(plane, options.planes, ground, seeds);
-  for (const Vec3& seed : seeds) found[sides_of(options.planes, seed)].push_back(seed);
+  const Vec3 middle = centroid_of(part.cell);
+  if (ground.is_rock(middle)) return {middle};
   TessellationOptions again = options;
   for (unsigned long k = 1; k <= kLooks; ++k) {
     again.seed = options.seed + k;
     for (const Vec3& point : scatter_seeds(again, ground))
-      found.try_emplace(sides_of(options.planes, point), 1, point);
+      if (is_within(part.bounds, point)) return {point};
   }
-  std::vector<RockPart> parts;
-  for (auto& [sides, own] : found) parts.push_back({sides, std::move(own)});
-  return parts;
+  return {};
+}
+
+}  // namespace
+
+bool cuts_sliver_off(const HalfCells& halves, const Ground& ground, double thinnest) {
+  const auto is_sliver = [&](const ConvexCell& half) {
+    return mean_radius(half.shape) < thinnest * ground.size(centroid_of(half));
+  };
+  return is_sliver(halves.below) || is_sliver(halves.above);
+}
+
+RockParts parts_of(const TessellationOptions& options) {
+  const Ground ground(options);
+  std::vector<Vec3> seeds = scatter_seeds(options, ground);
+  for (std::size_t k = 0; k < options.planes.size(); ++k) mirror_layer(options, ground, k, seeds);
+  RockParts found;
+  for (const BoundedCell& cell : cells_between(options, ground, found.merged)) {
+    RockPart part{cell.bounds, {}};
+    const auto others = std::stable_partition(
+        seeds.begin(), seeds.end(), [&](const Vec3& p) { return is_within(part.bounds, p); });
+    part.seeds.assign(seeds.begin(), others);
+    seeds.erase(seeds.begin(), others);
+    if (part.seeds.empty()) part.seeds = any_seed(options, ground, cell);
+    if (!part.seeds.empty()) found.parts.push_back(std::move(part));
+  }
+  return found;
 }
 
 std::vector<SeedPair> pairs_across(const TessellationOptions& options,
                                    const std::vector<RockPart>& parts) {
   constexpr double kRounding = 1e-6;  // of the block size
   const Ground ground(options);
+  std::vector<Vec3> all;
+  std::vector<std::pair<std::size_t, std::size_t>> place;  // part, seed
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    for (std::size_t i = 0; i < parts[p].seeds.size(); ++i) {
+      all.push_back(parts[p].seeds[i]);
+      place.emplace_back(p, i);
+    }
+  }
+  const PointIndex index(all);
+  PointIndex::Found twins;
   std::vector<SeedPair> pairs;
   for (std::size_t k = 0; k < options.planes.size(); ++k) {
-    for (std::size_t a = 0; a < parts.size(); ++a) {
-      if (!parts[a].sides[k]) continue;
-      Sides behind = parts[a].sides;
-      behind[k] = false;
-      const auto other = std::find_if(parts.begin(), parts.end(),
-                                      [&](const RockPart& p) { return p.sides == behind; });
-      if (other == parts.end()) continue;
-      const auto b = static_cast<std::size_t>(other - parts.begin());
-      for (std::size_t i = 0; i < parts[a].seeds.size(); ++i) {
-        const Vec3 image = mirrored(options.planes[k], parts[a].seeds[i]);
-        const double near = kRounding * ground.size(image);
-        const auto twin =
-            std::find_if(other->seeds.begin(), other->seeds.end(),
-                         [&](const Vec3& seed) { return (seed - image).norm() < near; });
-        if (twin == other->seeds.end()) continue;
-        pairs.push_back({k, a, i, b, static_cast<std::size_t>(twin - other->seeds.begin())});
-      }
+    for (std::size_t n = 0; n < all.size(); ++n) {
+      if (height(options.planes[k], all[n]) <= 0.0) continue;
+      const Vec3 image = mirrored(options.planes[k], all[n]);
+      index.shell(image, 0.0, kRounding * ground.size(image), twins);
+      if (twins.empty()) continue;
+      const auto [part, seed] = place[n];
+      const auto [other, twin] = place[static_cast<std::size_t>(twins.front().second)];
+      if (part != other) pairs.push_back({k, part, seed, other, twin});
     }
   }
   return pairs;
 }
 
-void make_symmetric(const std::vector<CutPlane>& planes, const SeedPair& pair, Vec3& seed,
-                    Vec3& other) {
-  const CutPlane& plane = planes[pair.plane];
-  seed = 0.5 * (seed + mirrored(plane, other));
-  other = mirrored(plane, seed);
+void make_symmetric(const CutPlane& plane, const RockPart& part, Vec3& seed,
+                    const RockPart& other_part, Vec3& other) {
+  const Vec3 mean = 0.5 * (seed + mirrored(plane, other)), image = mirrored(plane, mean);
+  if (!is_within(part.bounds, mean) || !is_within(other_part.bounds, image)) return;
+  seed = mean;
+  other = image;
 }
 
-TessellationOptions options_of(const TessellationOptions& options, const Sides& sides) {
-  TessellationOptions part = options;
-  part.planes.clear();
-  const std::vector<CutPlane> planes = options.planes;
+TessellationOptions options_of(const TessellationOptions& options, const RockPart& part) {
+  TessellationOptions alone = options;
+  alone.planes.clear();
   const RegionQuery whole = options.region;
-  part.region.inside = [=](const Vec3& p) {
-    return (!whole.inside || whole.inside(p)) && sides_of(planes, p) == sides;
+  alone.region.inside = [whole, bounds = part.bounds](const Vec3& p) {
+    return (!whole.inside || whole.inside(p)) && is_within(bounds, p);
   };
-  constexpr double kReach = 2.0;  // further than at other surfaces: images there never hurt
-  part.region.surface_points = [=](const Vec3& p, double cutoff) {
-    std::vector<Vec3> points;
-    if (whole.surface_points) points = whole.surface_points(p, cutoff);
-    for (const CutPlane& plane : planes) {
-      const double away = height(plane, p);
-      if (std::abs(away) < kReach * cutoff) points.push_back(p - away * plane.normal.normalized());
-    }
-    return points;
-  };
-  return part;
+  if (!whole.surface_points)
+    alone.region.surface_points = [](const Vec3&, double) { return std::vector<Vec3>{}; };
+  return alone;
 }
 
 void join_in_planes(const std::vector<CutPlane>& planes, std::vector<Block>& blocks) {

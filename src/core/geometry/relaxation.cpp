@@ -21,12 +21,14 @@ constexpr double kFirstReach =
 }  // namespace
 
 Relaxation::Relaxation(const TessellationOptions& options)
-    : Relaxation(options, scatter_seeds(options, Ground(options))) {}
+    : Relaxation(options, scatter_seeds(options, Ground(options)), {}) {}
 
-Relaxation::Relaxation(const TessellationOptions& options, std::vector<Vec3> seeds)
+Relaxation::Relaxation(const TessellationOptions& options, std::vector<Vec3> seeds,
+                       std::vector<CutPlane> bounds)
     : options_(options),
       ground_(options),
       seeds_(std::move(seeds)),
+      bounds_(std::move(bounds)),
       mirrored_holes_(options.holes) {
   for (const Hole& hole : options.holes) {
     cylinder_volumes_.push_back(
@@ -89,7 +91,7 @@ void Relaxation::adjust_radii(const std::vector<double>& hole_volumes) {
 void Relaxation::sweep() {
   const Images images = mirror_seeds(seeds_, mirrored_holes_, options_.region, ground_);
   const std::vector<Vec3> points = points_with(images);
-  CellCutter cutter(points, options_.lo, options_.hi);
+  CellCutter cutter(points, options_.lo, options_.hi, bounds_);
   std::vector<Vec3> next(seeds_.size());
   std::vector<double> hole_volumes(options_.holes.size(), 0.0);
   Polyhedron shape;
@@ -108,7 +110,7 @@ void Relaxation::sweep() {
 std::vector<Block> Relaxation::make_blocks() const {
   const Images images = mirror_seeds(seeds_, mirrored_holes_, options_.region, ground_);
   const std::vector<Vec3> points = points_with(images);
-  CellCutter cutter(points, options_.lo, options_.hi);
+  CellCutter cutter(points, options_.lo, options_.hi, bounds_);
   std::vector<Block> blocks(seeds_.size());
   std::vector<int> behind;
   for (std::size_t i = 0; i < seeds_.size(); ++i) {

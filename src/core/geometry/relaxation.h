@@ -16,8 +16,9 @@ class Relaxation {
  public:
   // Scatters the seeds. The options must be valid and outlive this object.
   explicit Relaxation(const TessellationOptions& options);
-  // With these seeds.
-  Relaxation(const TessellationOptions& options, std::vector<Vec3> seeds);
+  // With these seeds, and cells that end at these planes, whose unit normals look out.
+  Relaxation(const TessellationOptions& options, std::vector<Vec3> seeds,
+             std::vector<CutPlane> bounds = {});
 
   void sweep();                                          // moves each seed to its cell's centroid
   [[nodiscard]] std::vector<Block> make_blocks() const;  // the cells of the present seeds
@@ -37,7 +38,8 @@ class Relaxation {
 
   const TessellationOptions& options_;
   Ground ground_;
-  std::vector<Vec3> seeds_;           // [m]
+  std::vector<Vec3> seeds_;  // [m]
+  std::vector<CutPlane> bounds_;
   std::vector<Hole> mirrored_holes_;  // radii shrunk so that the carved volume is the cylinder's
   std::vector<double> cylinder_volumes_;  // [m3]
 };

@@ -40,11 +40,8 @@ void refuse_overlap(const std::vector<Piece>& pieces, double covered, double who
                     double rounding) {
   constexpr double kRounding = 1e3;  // times what coordinates' rounding makes
   if (covered <= whole + kRounding * rounding) return;
-  throw InputError(
-      "blocks " + std::to_string(pieces.front().behind + 1) + " and " +
-      std::to_string(pieces.back().behind + 1) +
-      " overlap; where planes cut off a part of the rock that is smaller than a block, "
-      "move a plane, make blocks smaller, or cut by joint sets");
+  throw InputError("blocks " + std::to_string(pieces.front().behind + 1) + " and " +
+                   std::to_string(pieces.back().behind + 1) + " overlap");
 }
 
 /// What of a face no piece covers, as pieces with nothing behind.

@@ -131,16 +131,20 @@ void cut_whole(const TessellationOptions& options, Tessellation& result) {
 }
 
 void cut_parts(const TessellationOptions& options, Tessellation& result) {
-  const std::vector<RockPart> parts = parts_of(options);
+  const RockParts rock = parts_of(options);
+  const std::vector<RockPart>& parts = rock.parts;
+  result.statistics.merged_parts = rock.merged;
   const std::vector<SeedPair> pairs = pairs_across(options, parts);
   std::vector<TessellationOptions> alone;
-  for (const RockPart& part : parts) alone.push_back(options_of(options, part.sides));
+  for (const RockPart& part : parts) alone.push_back(options_of(options, part));
   std::vector<Relaxation> relaxations;
-  for (std::size_t p = 0; p < parts.size(); ++p) relaxations.emplace_back(alone[p], parts[p].seeds);
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    relaxations.emplace_back(alone[p], parts[p].seeds, parts[p].bounds);
   for (int k = 0; k < options.sweeps; ++k) {
     for (Relaxation& relaxation : relaxations) relaxation.sweep();
     for (const SeedPair& pair : pairs) {
-      make_symmetric(options.planes, pair, relaxations[pair.part].seed(pair.seed),
+      make_symmetric(options.planes[pair.plane], parts[pair.part],
+                     relaxations[pair.part].seed(pair.seed), parts[pair.other_part],
                      relaxations[pair.other_part].seed(pair.other_seed));
     }
   }

@@ -41,8 +41,8 @@ struct TessellationOptions {
   int sweeps = 20;  // size-weighted Lloyd sweeps
   std::size_t max_blocks = 1000000;
   RegionQuery region;
-  // Each goes through all of the rock. Parts between planes that are much smaller than a block may
-  // be lost. A crushed zone that crosses a plane is carved on each side for itself.
+  // Each goes through all of the rock, but cuts no sliver off (kThinnestPart). A crushed zone that
+  // crosses a plane is carved on each side for itself.
   std::vector<CutPlane> planes;
 };
 
@@ -57,6 +57,7 @@ struct TessellationStatistics {
   double smallest_face_area_ratio = 0.0;  // min over faces of area / V^(2/3) of its block [-]
   double median_size_ratio = 0.0;         // median over blocks of V^(1/3) / target size [-]
   std::size_t faces_collapsed = 0;        // faces at rounding level that only one block had
+  std::size_t merged_parts = 0;  // slivers between planes that stay with what is beside them
 };
 
 struct Tessellation {
