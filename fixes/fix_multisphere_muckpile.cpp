@@ -4,6 +4,7 @@
 #include "fix_multisphere_muckpile.h"
 
 #include <atom.h>
+#include <comm.h>
 #include <domain.h>
 #include <fix_gravity.h>
 #include <force.h>
@@ -12,9 +13,11 @@
 #include <output.h>
 #include <update.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "engine/bodies.h"
 #include "engine/style_args.h"
@@ -63,7 +66,7 @@ void FixMultisphereMuckpile::init() {
     const bool at_end = (modify->fmask[f] & LAMMPS_NS::FixConst::END_OF_STEP) != 0;
     if (at_end && !ours(modify->fix[f]->style)) read_every_step_ = true;
   }
-  plain_ = fix_heat_ == nullptr && CAdd_ * fluidDensity_ == 0.0 && atom->quaternion == nullptr &&
+  plain_ = fix_heat_ == nullptr && !do_modify_body_forces_torques_ && CAdd_ * fluidDensity_ == 0.0 && atom->quaternion == nullptr &&
            modify->n_fixes_style("insert/stream") == 0 && modify->n_fixes_style("couple/cfd") == 0;
   members_known_ = any_rests_ = false;
 }
@@ -72,6 +75,19 @@ void FixMultisphereMuckpile::reset_dt() {
   dtv = update->dt;
   dtf = 0.5 * update->dt * force->ftm2v;
   dtq = 0.5 * update->dt;
+}
+
+/// LIGGGHTS asks for two bounding radii. A rank must know the spheres of its bodies and what its
+/// spheres can touch, for which the pair style asks; ghosts are chosen by their surface.
+double FixMultisphereMuckpile::extend_cut_ghost() {
+  if (atom->radius == nullptr || !atom->radius_flag) return FixMultisphere::extend_cut_ghost();
+  double mine = 0.0, farthest = 0.0;  // sphere's surface nearest to its body's centre [m]
+  for (int k = 0; k < atom->nlocal; ++k) {
+    if (body_[k] >= 0)
+      mine = std::max(mine, Vec3::Map(displace_[k]).norm() - atom->radius[k]);
+  }
+  MPI_Allreduce(&mine, &farthest, 1, MPI_DOUBLE, MPI_MAX, world);
+  return 2.0 * farthest;  // LIGGGHTS takes half of it
 }
 
 void FixMultisphereMuckpile::pre_neighbor() {
@@ -105,6 +121,19 @@ void FixMultisphereMuckpile::list_members() {
                       static_cast<double>((image >> IMG2BITS) - IMGMAX));
     shifts_.push_back(-images.cwiseProduct(box));
   }
+  own_messages_ = !periodic && comm->nprocs > 1;
+  if (own_messages_) list_border_spheres();
+}
+
+void FixMultisphereMuckpile::list_border_spheres() {
+  std::vector<int> lent, strange;
+  for (const Member& member : members_) {
+    if (member.sphere >= atom->nlocal) lent.push_back(member.sphere);
+  }
+  for (int k = 0; k < atom->nlocal; ++k) {
+    if (body_[k] >= 0 && map(body_[k]) < 0) strange.push_back(k);
+  }
+  border_ = engine::BorderSpheres(std::move(lent), std::move(strange), atom->tag, world);
 }
 
 void FixMultisphereMuckpile::initial_integrate(int vflag) {
@@ -117,8 +146,12 @@ void FixMultisphereMuckpile::initial_integrate(int vflag) {
   any_rests_ = resting_ != nullptr && resting_->any_rests();
   move_bodies();
   place_spheres();
-  rev_comm_flag_ = MS_COMM_REV_X_V_OMEGA;
-  reverse_comm();
+  if (own_messages_) {
+    border_.to_spheres({atom->x, atom->v, atom->omega});
+  } else {
+    rev_comm_flag_ = MS_COMM_REV_X_V_OMEGA;
+    reverse_comm();
+  }
 }
 
 void FixMultisphereMuckpile::move_bodies() {
@@ -194,6 +227,15 @@ void FixMultisphereMuckpile::sum_forces() {
   Vec3 gravity;
   fix_gravity_->get_gravity(gravity.data());
   for (int b = 0; b < bodies.count(); ++b) bodies.force(b) += bodies.mass(b) * gravity;
+}
+
+/// The forces on spheres of other ranks that this rank's bodies have.
+void FixMultisphereMuckpile::pre_final_integrate() {
+  if (plain_ && !members_known_) list_members();
+  if (plain_ && own_messages_)
+    border_.to_bodies({atom->f, atom->torque});
+  else
+    FixMultisphere::pre_final_integrate();
 }
 
 void FixMultisphereMuckpile::final_integrate() {

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/border_spheres.h"
 #include "math/types.h"
 #include "resting_blocks.h"
 
@@ -22,8 +23,10 @@ class FixMultisphereMuckpile : public LAMMPS_NS::FixMultisphere {
 
   void init() override;
   void reset_dt() override;  ///< LIGGGHTS' own takes a time step over at the start of a run only
+  double extend_cut_ghost() override;
   void pre_neighbor() override;
   void initial_integrate(int vflag) override;
+  void pre_final_integrate() override;
   void final_integrate() override;
   void calc_force(bool setupflag) override;
 
@@ -37,6 +40,7 @@ class FixMultisphereMuckpile : public LAMMPS_NS::FixMultisphere {
   [[nodiscard]] bool velocities_are_read() const;
   [[nodiscard]] bool rests(int body) const { return any_rests_ && resting_->body_rests(body); }
   void list_members();
+  void list_border_spheres();
   void move_bodies();
   void place_spheres();
   void sum_forces();
@@ -50,6 +54,8 @@ class FixMultisphereMuckpile : public LAMMPS_NS::FixMultisphere {
   std::uint64_t placed_version_ = 0;        ///< of resting_, when the resting were last placed
   bool members_known_ = false;
   std::vector<Member> members_;
+  bool own_messages_ = false;  ///< border_ instead of LIGGGHTS' messages about all ghosts
+  engine::BorderSpheres border_;
   std::vector<char> counts_;  ///< per member: the one image of its sphere whose force is taken
   std::vector<Vec3> shifts_;  ///< per member: of its periodic image [m]; empty without any
 };
