@@ -66,7 +66,8 @@ void FixMultisphereMuckpile::init() {
     const bool at_end = (modify->fmask[f] & LAMMPS_NS::FixConst::END_OF_STEP) != 0;
     if (at_end && !ours(modify->fix[f]->style)) read_every_step_ = true;
   }
-  plain_ = fix_heat_ == nullptr && !do_modify_body_forces_torques_ && CAdd_ * fluidDensity_ == 0.0 && atom->quaternion == nullptr &&
+  plain_ = fix_heat_ == nullptr && !do_modify_body_forces_torques_ &&
+           CAdd_ * fluidDensity_ == 0.0 && atom->quaternion == nullptr &&
            modify->n_fixes_style("insert/stream") == 0 && modify->n_fixes_style("couple/cfd") == 0;
   members_known_ = any_rests_ = false;
 }
@@ -83,8 +84,7 @@ double FixMultisphereMuckpile::extend_cut_ghost() {
   if (atom->radius == nullptr || !atom->radius_flag) return FixMultisphere::extend_cut_ghost();
   double mine = 0.0, farthest = 0.0;  // sphere's surface nearest to its body's centre [m]
   for (int k = 0; k < atom->nlocal; ++k) {
-    if (body_[k] >= 0)
-      mine = std::max(mine, Vec3::Map(displace_[k]).norm() - atom->radius[k]);
+    if (body_[k] >= 0) mine = std::max(mine, Vec3::Map(displace_[k]).norm() - atom->radius[k]);
   }
   MPI_Allreduce(&mine, &farthest, 1, MPI_DOUBLE, MPI_MAX, world);
   return 2.0 * farthest;  // LIGGGHTS takes half of it

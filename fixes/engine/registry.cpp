@@ -30,6 +30,7 @@
 #include "fix_muckpile_timestep.h"
 #include "fix_multisphere_muckpile.h"
 #include "pair_muckpile_block.h"
+#include "rank_grid.h"
 #include "require.h"
 
 namespace muckpile::engine {
@@ -83,6 +84,7 @@ const std::map<std::string, CommandCreator>& commands() {
       {"charge_design", &run_command<ChargeDesignCommand>},
       {"create_blocks", &run_command<CreateBlocks>},
       {"muckpile_styles", &register_again},
+      {"rank_grid", &run_command<RankGridCommand>},
       {"require", &run_command<Require>},
   };
   return table;

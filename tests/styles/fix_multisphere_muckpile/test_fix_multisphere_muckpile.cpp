@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix multisphere/muckpile gives what fix multisphere gives, and full-step velocities to those who
 // read them.
-// Scope: a few dozen colliding, spinning blocks; run with mpirun -np 1 and 2.
+// Scope: a few dozen colliding, spinning blocks; run with mpirun -np 1, 2 and 4 (2 x 2,
+// where spheres of one body lie on up to four ranks).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +32,7 @@ TEST(FixMultisphereMuckpile, MovesBlocksAndSpheresAsFixMultisphereDoes) {
   std::array<std::map<int, BlockNow>, 2> blocks;
   std::array<std::map<int, SphereNow>, 2> spheres;
   for (const bool ours : {false, true}) {
-    RockScene scene(MPI_COMM_WORLD, "-3 3 -3 3 -3 3", "* 1 1",
+    RockScene scene(MPI_COMM_WORLD, "-3 3 -3 3 -3 3", "* * 1",
                     ours ? "multisphere/muckpile" : "multisphere");
     collide(scene);
     blocks[ours] = scene.blocks();
