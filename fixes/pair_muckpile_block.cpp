@@ -318,11 +318,14 @@ void PairMuckpileBlock::mark_near(std::span<const char> from, std::span<char> to
   }
 }
 
-void PairMuckpileBlock::rebuild() {
+/// The engine builds its lists anew before any sphere has moved by half the skin.
+void PairMuckpileBlock::list_pairs() {
   const double started = MPI_Wtime();
   number_blocks();
   list_.group(spheres(), static_cast<int>(block_tag_.size()));
-  drop_intact_pairs(list_.find_block_pairs(neighbor->skin));
+  const bool any = atom->nlocal + atom->nghost > 0;
+  drop_intact_pairs(list_.find_block_pairs(0.5 * neighbor->skin, any ? atom->v[0] : nullptr,
+                                           any ? atom->omega[0] : nullptr));
   mute_pairs();
   listed_tags_.assign(atom->tag, atom->tag + atom->nlocal + atom->nghost);
   listed_owned_ = atom->nlocal;
@@ -331,7 +334,10 @@ void PairMuckpileBlock::rebuild() {
   list_is_stale_ = false;
   ledger_.rebuild_s += MPI_Wtime() - started;
   ledger_.rebuilds += 1.0;
+}
 
+void PairMuckpileBlock::rebuild() {
+  list_pairs();
   int bad = list_.skipped_blocks(), all_bad = 0;
   MPI_Allreduce(&bad, &all_bad, 1, MPI_INT, MPI_SUM, world);
   if (all_bad > 0)
@@ -403,6 +409,10 @@ void PairMuckpileBlock::compute(int eflag, int vflag) {
     rebuild();
   } else if (atom->nlocal + atom->nghost > 0) {
     list_.follow(atom->x[0], atom->omega[0], update->dt);
+    if (list_.outgrown()) {
+      store_contacts(*history_);
+      list_pairs();
+    }
   }
   if (resting_ != nullptr && resting_->rests_version() != rests_version_) list_working_pairs();
   step_contacts();

@@ -76,6 +76,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public N
   [[nodiscard]] ContactStepBound present_contacts();
 
   void rebuild();
+  void list_pairs();
   void number_blocks();
   int block_of(int body_tag, int sphere);
   int add_block(int body_tag, int sphere);

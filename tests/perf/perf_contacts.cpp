@@ -31,9 +31,9 @@ nlohmann::ordered_json core_rebuild(const std::vector<testing::BlockSpec>& bed, 
   std::vector<int> dropped;
   const double group =
       least_time([&] { list.group(spheres.view(), static_cast<int>(bed.size())); });
-  const double search = least_time([&] { list.find_block_pairs(kSkin); });
+  const double search = least_time([&] { list.find_block_pairs(0.5 * kSkin); });
   const double look = least_time([&] {
-    list.find_block_pairs(kSkin);
+    list.find_block_pairs(0.5 * kSkin);
     for (BlockPair& pair : list.block_pairs()) list.look_up(pair, spheres.view(), dropped);
   });
   found.block_pairs = static_cast<double>(list.block_pairs().size());

@@ -42,7 +42,7 @@ void BlockContactList::bound_block(const SphereSet& spheres, std::size_t block) 
   }
   items_.push_back(bound);
   reference_[block] = nearest->sphere;
-  places_[block] = {centre(*nearest), 0.0};
+  places_[block] = {centre(*nearest), 0.0, centre(*nearest)};
   arm_[block] = extent_[block] = 0.0;
   for (auto m = begin; m != end; ++m) {
     const double arm = (centre(*m) - places_[block].reference).norm();
@@ -54,6 +54,7 @@ void BlockContactList::bound_block(const SphereSet& spheres, std::size_t block) 
 void BlockContactList::group(const SphereSet& spheres, int blocks) {
   const auto n_blocks = static_cast<std::size_t>(blocks);
   drift_ = 0.0;
+  outgrown_ = false;
   start_.assign(n_blocks + 1, 0);
   has_owned_.assign(n_blocks, 0);
   for (int k = 0; k < spheres.count; ++k) {
@@ -87,11 +88,38 @@ void BlockContactList::group(const SphereSet& spheres, int blocks) {
   }
 }
 
-std::vector<BlockPair>& BlockContactList::find_block_pairs(double gap) {
+std::vector<BlockPair>& BlockContactList::find_block_pairs(double range) {
+  for (const int block : item_block_) places_[static_cast<std::size_t>(block)].range = range;
+  pair_up();
+  return block_pairs_;
+}
+
+std::vector<BlockPair>& BlockContactList::find_block_pairs(double range, const double* velocities,
+                                                           const double* spins) {
+  const auto speed = [&](std::size_t b) {
+    return position(velocities, reference_[b]).norm() +
+           arm_[b] * position(spins, reference_[b]).norm();
+  };
+  double fastest = 0.0;
+  for (const int block : item_block_)
+    fastest = std::max(fastest, speed(static_cast<std::size_t>(block)));
+  for (const int block : item_block_) {
+    const auto b = static_cast<std::size_t>(block);
+    const double share = fastest > 0.0 ? speed(b) / fastest : 1.0;
+    places_[b].range = range * std::max(share, kLeastShare);
+  }
+  pair_up();
+  return block_pairs_;
+}
+
+void BlockContactList::pair_up() {
   block_pairs_.clear();
   sphere_pairs_.clear();
   rest_.clear();
-  for (const IndexPair& found : grid_.find_pairs(items_, gap)) {
+  swept_ = items_;
+  for (std::size_t k = 0; k < swept_.size(); ++k)
+    swept_[k].radius += places_[static_cast<std::size_t>(item_block_[k])].range;
+  for (const IndexPair& found : grid_.find_pairs(swept_, 0.0)) {
     BlockPair pair;
     pair.first = item_block_[static_cast<std::size_t>(found.first)];
     pair.second = item_block_[static_cast<std::size_t>(found.second)];
@@ -100,7 +128,6 @@ std::vector<BlockPair>& BlockContactList::find_block_pairs(double gap) {
       block_pairs_.push_back(pair);
   }
   skipped_blocks_ = grid_.skipped();
-  return block_pairs_;
 }
 
 void BlockContactList::follow(const double* positions, const double* spins, double time_step) {
@@ -117,6 +144,8 @@ void BlockContactList::follow(const double* positions, const double* spins, doub
     least = least.cwiseMin(step);
     most = most.cwiseMax(step);
     turned = std::max(turned, turn);
+    const double left = place.range - place.travel;
+    if (left < 0.0 || (now - place.start).squaredNorm() > left * left) outgrown_ = true;
   }
   if (least.x() <= most.x()) drift_ += (most - least).norm() + 2.0 * turned;
 }
@@ -186,7 +215,8 @@ double BlockContactList::bytes() const {
     return static_cast<double>(list.capacity() * sizeof(list[0]));
   };
   return size(start_) + size(members_) + size(reference_) + size(arm_) + size(extent_) +
-         size(places_) + size(items_) + size(block_pairs_) + size(rest_) + size(sphere_pairs_);
+         size(places_) + size(items_) + size(swept_) + size(block_pairs_) + size(rest_) +
+         size(sphere_pairs_);
 }
 
 }  // namespace muckpile

@@ -45,16 +45,24 @@ struct BlockPair {
 
 /// Candidate list. Deterministic; buffers are kept, no allocation once they have grown.
 /// Use: group(), find_block_pairs(); then per step follow() once, and for each block pair look_up()
-/// if moved(), and its sphere pairs.
+/// if moved(), and its sphere pairs. Once a block is outgrown(): group() and find_block_pairs().
 class BlockContactList {
  public:
   /// Sorts the spheres by block and bounds each block's present spheres. Blocks that have no
   /// sphere are allowed.
   void group(const SphereSet& spheres, int blocks);
 
-  /// Pairs of blocks with bounding spheres less than `gap` [m] apart, at least one of them with an
-  /// owned sphere. The caller may erase entries and set `facet`.
-  std::vector<BlockPair>& find_block_pairs(double gap);
+  /// Pairs of blocks that can touch before one of them is outgrown(), at least one of them with an
+  /// owned sphere. The caller may erase entries and set `facet`. Every block may move by `range`
+  /// [m].
+  std::vector<BlockPair>& find_block_pairs(double range);
+  /// The fastest block may move by `range`, slower ones by less, in proportion to their speed, but
+  /// for kLeastShare of it. `velocities` [m/s], `spins` of each sphere's block [rad/s]: three per
+  /// sphere.
+  std::vector<BlockPair>& find_block_pairs(double range, const double* velocities,
+                                           const double* spins);
+  /// True if a block has moved further since group() than find_block_pairs() allowed for.
+  [[nodiscard]] bool outgrown() const { return outgrown_; }
 
   /// Takes over where the blocks are after a step. `spins`: angular velocity of each sphere's
   /// block, three per sphere [rad/s].
@@ -96,6 +104,8 @@ class BlockContactList {
 
   /// A wider margin means more candidates per step, a narrower one more looks.
   static constexpr double kMargin = 0.1;
+  /// A larger share means more block pairs, a smaller one more searches.
+  static constexpr double kLeastShare = 0.1;
 
  private:
   static constexpr double kAwake = -1.0;
@@ -112,9 +122,12 @@ class BlockContactList {
   struct Place {
     Vec3 reference;       ///< centre of the block's reference sphere [m]
     double travel = 0.0;  ///< path of its farthest sphere about the reference, by turning [m]
+    Vec3 start;           ///< reference at group() [m]
+    double range = std::numeric_limits<double>::infinity();  ///< that a sphere may move from there
   };
 
   void bound_block(const SphereSet& spheres, std::size_t block);
+  void pair_up();
   void list_near(const BlockPair& pair, const SphereSet& spheres, double margin, double& slack);
   void keep_contacts(BlockPair& pair, std::vector<int>& dropped);
 
@@ -126,14 +139,16 @@ class BlockContactList {
   std::vector<Place> places_;    ///< per block
   std::vector<int> item_block_;  ///< blocks that have spheres, as items of the grid
   std::vector<BoundingSphere> items_;
-  std::vector<char> has_owned_;  ///< per block
+  std::vector<BoundingSphere> swept_;  ///< what they may reach
+  std::vector<char> has_owned_;        ///< per block
   std::vector<BlockPair> block_pairs_;
   std::vector<SpherePair> sphere_pairs_;
   std::vector<SpherePair> near_;  ///< work space of look_up
   HierarchicalGrid grid_;
   int skipped_blocks_ = 0;
   std::vector<double> rest_;  ///< per block pair: drift before which it is idle [m]
-  double drift_ = 0.0;        ///< no two blocks have come closer since group() than this [m]
+  bool outgrown_ = false;
+  double drift_ = 0.0;  ///< no two blocks have come closer since group() than this [m]
 };
 
 }  // namespace muckpile

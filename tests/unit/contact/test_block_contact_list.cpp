@@ -80,7 +80,8 @@ BlockContactList listed(const Scene& scene, double gap) {
   BlockContactList list;
   list.group(scene.view(), scene.block_count);
   std::vector<int> dropped;
-  for (BlockPair& pair : list.find_block_pairs(gap)) list.look_up(pair, scene.view(), dropped);
+  for (BlockPair& pair : list.find_block_pairs(0.5 * gap))
+    list.look_up(pair, scene.view(), dropped);
   return list;
 }
 
@@ -172,6 +173,48 @@ TEST(BlockContactList, MissesNoTouchWhileBlocksMoveAndTurnAndSparesMostLooks) {
   EXPECT_GT(touches, 10000u);
 }
 
+// What find_block_pairs() leaves out cannot touch before outgrown() says so.
+TEST(BlockContactList, SlowBlocksHaveFewerPairsAndNoTouchIsMissedBeforeOneIsOutgrown) {
+  Scene scene = random_scene(150, 8);
+  constexpr double kRange = 0.1, kStep = 1e-4;
+  Motion motion(scene, 0.5, 9);
+  for (std::size_t b = 0; b < motion.velocity.size(); ++b) {
+    if (b % 5 == 0) continue;  // the others hardly move at first
+    motion.velocity[b] *= 0.02;
+    motion.spin[b] *= 0.02;
+  }
+  std::vector<double> velocities, spins;
+  for (int block : scene.blocks) {
+    const auto b = static_cast<std::size_t>(block);
+    for (int d = 0; d < 3; ++d) {
+      velocities.push_back(motion.velocity[b][d]);
+      spins.push_back(motion.spin[b][d]);
+    }
+  }
+  std::vector<Vec3> centres = mean_positions(scene);
+  BlockContactList list;
+  list.group(scene.view(), scene.block_count);
+  const std::size_t all = list.find_block_pairs(kRange).size();
+  const std::size_t fewer = list.find_block_pairs(kRange, velocities.data(), spins.data()).size();
+  std::vector<int> dropped;
+  for (BlockPair& pair : list.block_pairs()) list.look_up(pair, scene.view(), dropped);
+  int steps = 0;
+  for (; !list.outgrown() && steps < 1000; ++steps) {
+    const TagPairs touching = brute_force(scene, 0.0), found = tags_of(list, scene);
+    ASSERT_TRUE(std::includes(found.begin(), found.end(), touching.begin(), touching.end()))
+        << "step " << steps;
+    if (steps == 30) motion.velocity[1] = Vec3(5.0, 0.0, 0.0);  // a slow block is hit
+    motion.step(scene, centres, kStep);
+    list.follow(scene.positions.data(), spins.data(), kStep);
+    for (BlockPair& pair : list.block_pairs())
+      if (list.moved(pair)) list.look_up(pair, scene.view(), dropped);
+  }
+  std::printf("%zu pairs instead of %zu; outgrown after %d steps\n", fewer, all, steps);
+  EXPECT_LT(1.2 * static_cast<double>(fewer), static_cast<double>(all));
+  EXPECT_GT(steps, 30);
+  EXPECT_LT(steps, 70);  // the hit one's range lasts 20 steps or some more, the others' above 100
+}
+
 TEST(BlockContactList, ContactsStayWithTheirSpheresAndLostOnesAreReported) {
   Scene scene = random_scene(60, 11);
   BlockContactList list = listed(scene, 0.03);
@@ -199,12 +242,12 @@ TEST(BlockContactList, ContactsStayWithTheirSpheresAndLostOnesAreReported) {
 TEST(BlockContactList, DroppedBlockPairsAndLeftOutSpheresGiveNoCandidates) {
   Scene scene = random_scene(60, 3);
   BlockContactList list = listed(scene, 0.03);
-  list.find_block_pairs(0.03).clear();
+  list.find_block_pairs(0.015).clear();
   EXPECT_TRUE(tags_of(list, scene).empty());
 
   scene.blocks.assign(scene.blocks.size(), -1);
   list.group(scene.view(), scene.block_count);
-  EXPECT_TRUE(list.find_block_pairs(0.03).empty());
+  EXPECT_TRUE(list.find_block_pairs(0.015).empty());
 }
 
 TEST(BlockContactList, ABlockWithAPositionThatIsNotANumberIsCounted) {
@@ -212,7 +255,7 @@ TEST(BlockContactList, ABlockWithAPositionThatIsNotANumberIsCounted) {
   scene.positions[4] = std::numeric_limits<double>::quiet_NaN();
   BlockContactList list;
   list.group(scene.view(), scene.block_count);
-  (void)list.find_block_pairs(10.0);
+  (void)list.find_block_pairs(5.0);
   EXPECT_EQ(list.skipped_blocks(), 1);
 }
 
