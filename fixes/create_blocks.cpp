@@ -31,6 +31,7 @@
 #include "geometry/block_file.h"
 #include "geometry/block_import.h"
 #include "geometry/filling_quality.h"
+#include "geometry/hole_overlap.h"
 
 namespace muckpile {
 namespace {
@@ -40,7 +41,8 @@ constexpr const char* kStyle = "create_blocks";
 const ArgTable& table() {
   static const ArgTable args =
       ArgTable(kStyle)
-          .real("density", "kg/m3", Range::positive(), std::nullopt, "density of the rock")
+          .real("density", "kg/m3", Range::closed(100.0, 30000.0), std::nullopt,
+                "density of the rock")
           .group("size", 2, 5, false,
                  "block size V^(1/3) against distance from the nearest charge: `harries b K T "
                  "alpha` (hole "
@@ -99,6 +101,11 @@ const ArgTable& table() {
   return args;
 }
 
+/// What the core says, after the name of the style.
+std::string in_style(const std::string& message) {
+  return message.rfind(kStyle, 0) == 0 ? message : std::string(kStyle) + ": " + message;
+}
+
 /// Runs `body` on rank 0; a fault there stops all ranks with its message.
 void on_rank_0(LAMMPS_NS::LAMMPS& lmp, const std::function<void()>& body) {
   std::string fault;
@@ -114,7 +121,7 @@ void on_rank_0(LAMMPS_NS::LAMMPS& lmp, const std::function<void()>& body) {
   if (length == 0) return;
   fault.resize(static_cast<std::size_t>(length));
   MPI_Bcast(fault.data(), length, MPI_CHAR, 0, lmp.world);
-  engine::stop(lmp, fault.rfind(kStyle, 0) == 0 ? fault : std::string(kStyle) + ": " + fault);
+  engine::stop(lmp, in_style(fault));
 }
 
 double quantile(std::vector<double> values, double share) {
@@ -154,8 +161,12 @@ void CreateBlocks::command(int narg, char** arg) {
   TessellationOptions what;
   SupportRule held;
   engine::or_engine_error(*lmp, [&] {
-    what = options(rock, args);
-    held = support(args);
+    try {
+      what = options(rock, args);
+      held = support(args);
+    } catch (const InputError& refused) {
+      throw InputError(in_style(refused.what()));
+    }
     return 0;
   });
   Model model;
@@ -305,6 +316,11 @@ SizeLaw CreateBlocks::size_law(const ArgValues& args) const {
   if (!args.given("size")) throw InputError("create_blocks: keyword 'size' is required");
   const std::vector<std::string>& words = args.groups("size").front();
   const SizeLimits limits{args.real("block_min"), args.real("block_max")};
+  if (limits.largest < limits.smallest) {
+    throw InputError(std::string(kStyle) + ": block_max must be >= block_min (" +
+                     number_text(limits.smallest) + " m), got '" + number_text(limits.largest) +
+                     "'");
+  }
   const auto number = [&](std::size_t k, const char* unit) {
     return parse_real(kStyle, "size " + words[0], words[k], unit, Range::non_negative());
   };
@@ -384,6 +400,7 @@ TessellationOptions CreateBlocks::options(LAMMPS_NS::Region& rock, const ArgValu
                      "' must lie inside the simulation box");
   }
   what.holes = holes(args);
+  refuse_overlapping_holes(what.holes);
   what.size = size_law(args);
   what.superpose = args.flag("superpose");
   if (what.superpose && args.groups("size").front()[0] != "harries") {

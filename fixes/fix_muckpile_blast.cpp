@@ -9,11 +9,14 @@
 #include <update.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <numeric>
 
+#include "engine/single_fix.h"
 #include "engine/style_args.h"
+#include "geometry/hole_surface.h"
 
 namespace muckpile {
 namespace {
@@ -54,6 +57,7 @@ std::vector<Hole> holes_of(const BlastSurface& surface) {
 
 FixMuckpileBlast::FixMuckpileBlast(LAMMPS_NS::LAMMPS* lmp_in, int narg, char** arg)
     : Fix(lmp_in, narg, arg), where_(where_of(narg, arg)) {
+  engine::refuse_second_fix(*lmp, where_, "muckpile/blast");
   const ArgValues values = engine::read_args(*lmp, blast_table(), where_, narg, arg, 3);
   options_ = engine::or_engine_error(*lmp, [&] { return blast_options(values, where_); });
   vector_flag = 1;
@@ -129,8 +133,35 @@ double FixMuckpileBlast::clock() const { return update->get_cur_time() - clock_z
 void FixMuckpileBlast::setup_pre_force(int vflag) {
   // The engine's time is only settled once a run begins: it starts again at 0 after read_restart.
   if (!clock_started_) clock_zero_ = update->get_cur_time() - clock_restarted_;
+  if (!clock_started_) check_walls();
   clock_started_ = true;
   pre_force(vflag);
+}
+
+/// Half a wall, as of a hole on a symmetry plane, would sweep half the volume against a whole
+/// charge.
+void FixMuckpileBlast::check_walls() const {
+  constexpr double kLeastShare =
+      0.75;                      // of the cylinder; its wall is a prism of six sides at least
+  constexpr double kEnd = 1e-3;  // faces nearer to an end than this share of the length are caps
+  std::vector<double> area(static_cast<std::size_t>(surface_->hole_count()), 0.0);
+  for (const LoadedFacet& face : surface_->loaded_facets()) {
+    const Hole& hole = surface_->hole(face.hole);
+    const Vec3 axis = hole.collar - hole.toe;
+    const double along = (face.start_point - hole.toe).dot(axis) / axis.squaredNorm();
+    if (along > kEnd && along < 1.0 - kEnd) area[static_cast<std::size_t>(face.hole)] += face.area;
+  }
+  MPI_Allreduce(MPI_IN_PLACE, area.data(), static_cast<int>(area.size()), MPI_DOUBLE, MPI_SUM,
+                world);
+  for (std::size_t h = 0; h < area.size(); ++h) {
+    const Hole& hole = surface_->hole(static_cast<int>(h));
+    const double share = area[h] / (2.0 * M_PI * hole.radius * hole_length(hole));
+    if (share >= kLeastShare) continue;
+    engine::stop(*lmp, where_ + ": hole " + std::to_string(h + 1) +
+                           " must lie whole in the rock, got " +
+                           std::to_string(std::lround(100.0 * share)) +
+                           " % of the wall of its crushed zone");
+  }
 }
 
 void FixMuckpileBlast::pre_force(int /*vflag*/) {

@@ -53,6 +53,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix {
  private:
   [[nodiscard]] BlastSurface* find_surface() const;  // nullptr if there is none
   void check_timestep() const;
+  void check_walls() const;
   [[nodiscard]] double clock() const;  // since the first run with this fix [s]
   void refresh_arrivals();
   [[nodiscard]] bool fired(double time) const;

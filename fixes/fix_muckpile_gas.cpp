@@ -13,6 +13,7 @@
 #include "args/numbers.h"
 #include "engine/bodies.h"
 #include "engine/exchange.h"
+#include "engine/single_fix.h"
 #include "engine/style_args.h"
 #include "fix_muckpile_blast.h"
 #include "fix_muckpile_joint.h"
@@ -53,9 +54,8 @@ JointGas make_gas(LAMMPS_NS::LAMMPS& lmp, const ArgValues& args, double gamma) {
 
 FixMuckpileGas::FixMuckpileGas(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg), where_(where_of(narg, arg)), gas_({}) {
+  engine::refuse_second_fix(*lmp, where_, "muckpile/gas");
   const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
-  if (modify->find_fix_style_strict("muckpile/gas", 0) != nullptr)
-    engine::stop(*lmp, where_ + ": only one fix muckpile/gas is possible");
   FixMuckpileBlast* blast = find_blast();
   if (blast == nullptr) engine::stop(*lmp, where_ + ": needs a fix muckpile/blast before it");
   ambient_ = args.real("ambient_pressure");

@@ -15,6 +15,7 @@
 
 #include "args/numbers.h"
 #include "engine/bodies.h"
+#include "engine/single_fix.h"
 #include "engine/style_args.h"
 
 namespace muckpile {
@@ -38,12 +39,15 @@ enum Output {
   output_count
 };
 
+/// Of a joint alone [Pa/m]; 0 stands for rigid.
+Range stiffness_range() { return Range::closed(0.0, 1e15); }
+
 const ArgTable& table() {
   static const ArgTable args =
       ArgTable("fix muckpile/joint")
-          .real("youngs_modulus", "Pa", Range::positive(), std::nullopt, "of the rock")
+          .real("youngs_modulus", "Pa", Range::closed(1e5, 1e13), std::nullopt, "of the rock")
           .real("poisson_ratio", "", Range::right_open(0.0, 0.5), std::nullopt, "of the rock")
-          .real("density", "kg/m3", Range::positive(), std::nullopt,
+          .real("density", "kg/m3", Range::closed(100.0, 30000.0), std::nullopt,
                 "of the rock; sets the damping only")
           .real("cohesion", "Pa", Range::non_negative(), std::nullopt,
                 "shear strength without normal stress")
@@ -52,13 +56,13 @@ const ArgTable& table() {
           .real("tension", "Pa", Range::non_negative(), std::nullopt, "tensile strength (cut-off)")
           .real("residual_friction_angle", "deg", Range::right_open(0.0, 90.0), 35.0,
                 "of the broken joint")
-          .real("normal_stiffness", "Pa/m", Range::non_negative(), 0.0,
+          .real("normal_stiffness", "Pa/m", stiffness_range(), 0.0,
                 "of the joint alone, in series with the rock; 0: rigid")
-          .real("shear_stiffness", "Pa/m", Range::non_negative(), 0.0,
+          .real("shear_stiffness", "Pa/m", stiffness_range(), 0.0,
                 "of the joint alone, in series with the rock; 0: rigid")
-          .real("damping", "", Range::non_negative(), 0.0,
+          .real("damping", "", Range::closed(0.0, 10.0), 0.0,
                 "of intact joints, share of density x P-wave speed per area")
-          .real("contact_damping", "", Range::non_negative(), 0.05,
+          .real("contact_damping", "", Range::closed(0.0, 10.0), 0.05,
                 "of closed broken facets, share of density x P-wave speed per area")
           .group("joint_class", 6, 6, true,
                  "natural joints of the planes that create_blocks gives this class: cohesion [Pa], "
@@ -92,8 +96,8 @@ std::vector<JointClass> joint_classes(const ArgValues& args, const std::string& 
     joint.friction_angle = number(1, "deg", angle) * kDegree;
     joint.tension = number(2, "Pa", size);
     joint.residual_friction_angle = number(3, "deg", angle) * kDegree;
-    joint.normal_stiffness = rigid_if_0(number(4, "Pa/m", size));
-    joint.shear_stiffness = rigid_if_0(number(5, "Pa/m", size));
+    joint.normal_stiffness = rigid_if_0(number(4, "Pa/m", stiffness_range()));
+    joint.shear_stiffness = rigid_if_0(number(5, "Pa/m", stiffness_range()));
     classes.push_back(joint);
   }
   return classes;
@@ -130,11 +134,9 @@ std::string name_of(int narg, char** arg) {
 
 FixMuckpileJoint::FixMuckpileJoint(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg), network_(make_network(*engine, name_of(narg, arg), narg, arg)) {
+  engine::refuse_second_fix(*lmp, name_of(narg, arg), "muckpile/joint");
   if (engine::find_multisphere(*lmp) == nullptr) {
     engine::stop(*lmp, name_of(narg, arg) + ": needs 'fix ID all multisphere' before it");
-  }
-  if (modify->find_fix_style_strict("muckpile/joint", 0) != nullptr) {
-    engine::stop(*lmp, name_of(narg, arg) + ": only one fix muckpile/joint is possible");
   }
   if (std::strcmp(update->unit_style, "si") != 0) {
     engine::stop(*lmp,
@@ -455,7 +457,7 @@ int FixMuckpileJoint::modify_param(int narg, char** arg) {
   engine::or_engine_error(*lmp, [&] {
     const double factor = parse_real(where, "soften", arg[1], "", Range::left_open(0.0, 1.0));
     std::optional<double> damping;
-    if (damps) damping = parse_real(where, "damping", arg[3], "", Range::non_negative());
+    if (damps) damping = parse_real(where, "damping", arg[3], "", Range::closed(0.0, 10.0));
     gather_state();
     compute_bulk_stresses(0.0);
     network_.soften(factor, damping);

@@ -13,6 +13,7 @@
 
 #include "args/numbers.h"
 #include "engine/region.h"
+#include "engine/single_fix.h"
 #include "engine/style_args.h"
 
 namespace muckpile {
@@ -26,7 +27,7 @@ const ArgTable& table() {
           .group("region", 1, 1, true,
                  "`fixed` supports of `create_blocks` with their centroid in this region yield; at "
                  "least one")
-          .real("rock_behind", "m", Range::positive(), std::nullopt,
+          .real("rock_behind", "m", Range::at_least(1e-3), std::nullopt,
                 "thickness of the rock behind, on a rigid base, for lasting loads")
           .real("until", "s", Range::non_negative(), 1e30,
                 "time of the run from which on the ground stands still")
@@ -43,11 +44,10 @@ const ArgTable& table() {
 FixMuckpileQuiet::FixMuckpileQuiet(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg),
       where_(std::string("fix muckpile/quiet '") + (narg > 0 ? arg[0] : "") + "'") {
+  engine::refuse_second_fix(*lmp, where_, "muckpile/quiet");
   const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
   for (const auto& words : args.groups("region")) regions_.push_back(words.front());
   if (regions_.empty()) engine::stop(*lmp, where_ + ": keyword 'region' is required");
-  if (modify->find_fix_style_strict("muckpile/quiet", 0) != nullptr)
-    engine::stop(*lmp, where_ + ": only one fix muckpile/quiet is possible");
   rock_behind_ = args.real("rock_behind");
   until_ = args.real("until");
   power_share_ = args.real("power_share");

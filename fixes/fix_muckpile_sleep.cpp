@@ -17,6 +17,7 @@
 #include <unordered_map>
 
 #include "engine/bodies.h"
+#include "engine/single_fix.h"
 #include "engine/style_args.h"
 #include "fix_muckpile_blast.h"
 #include "joint_pressure.h"
@@ -39,14 +40,13 @@ const ArgTable& table() {
 
 FixMuckpileSleep::FixMuckpileSleep(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg), where_(std::string("fix muckpile/sleep '") + id + "'") {
+  engine::refuse_second_fix(*lmp, where_, "muckpile/sleep");
   const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
   limits_ = {args.real("distance"), args.real("time"), args.real("speed")};
   nevery = static_cast<int>(args.integer("every"));
   multisphere_ = engine::find_multisphere(*lmp);
   if (multisphere_ == nullptr || std::strcmp(multisphere_->style, "multisphere/muckpile") != 0)
     engine::stop(*lmp, where_ + ": needs 'fix ID all multisphere/muckpile' before it");
-  if (modify->find_fix_style_strict("muckpile/sleep", 0) != nullptr)
-    engine::stop(*lmp, where_ + ": only one fix muckpile/sleep is possible");
   comm_forward = comm_reverse = 1;
   scalar_flag = vector_flag = 1;
   size_vector = 2;

@@ -15,6 +15,7 @@
 
 #include "args/numbers.h"
 #include "engine/bodies.h"
+#include "engine/single_fix.h"
 #include "engine/style_args.h"
 #include "fix_multisphere_muckpile.h"
 
@@ -55,9 +56,8 @@ FixMuckpileTimestep::FixMuckpileTimestep(LAMMPS_NS::LAMMPS* engine, int narg, ch
       where_(std::string("fix muckpile/timestep '") + (narg > 0 ? arg[0] : "") + "'"),
       joint_step_(kInfinity),
       contact_step_(kInfinity) {
+  engine::refuse_second_fix(*lmp, where_, "muckpile/timestep");
   const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
-  if (modify->find_fix_style_strict("muckpile/timestep", 0) != nullptr)
-    engine::stop(*lmp, where_ + ": only one fix muckpile/timestep is possible");
   fraction_ = args.real("fraction");
   shortest_ = args.real("min");
   longest_ = args.real("max");

@@ -3,6 +3,8 @@
 // Scope: see the header.
 #include "require.h"
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +17,12 @@ namespace muckpile {
 namespace {
 
 constexpr const char* kStyle = "require";
+
+bool starts_a_rule(const std::string& word) {
+  constexpr std::array<const char*, 7> kWords{"above", "at_least", "below", "at_most",
+                                              "or",    "whole",    "unit"};
+  return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+}
 
 struct Rule {
   Range range;
@@ -55,14 +63,23 @@ Rule read_rule(const std::vector<std::string>& words) {
   return rule;
 }
 
-void check(const std::string& name, const std::string& text, const Rule& rule) {
+void check_range(const std::string& name, const std::string& text, const Rule& rule) {
   const std::string where = "input";
-  if (rule.exception && parse_real(where, name, text, rule.unit, Range::any()) == *rule.exception)
-    return;
   if (rule.whole)
     (void)parse_integer(where, name, text, rule.unit, rule.range);
   else
     (void)parse_real(where, name, text, rule.unit, rule.range);
+}
+
+void check(const std::string& name, const std::string& text, const Rule& rule) {
+  if (!rule.exception) return check_range(name, text, rule);
+  if (parse_real("input", name, text, rule.unit, Range::any()) == *rule.exception) return;
+  try {
+    check_range(name, text, rule);
+  } catch (const InputError& refused) {
+    throw InputError(std::string(refused.what()) + "; " + number_text(*rule.exception) +
+                     " is allowed too");
+  }
 }
 
 }  // namespace
@@ -70,6 +87,8 @@ void check(const std::string& name, const std::string& text, const Rule& rule) {
 void Require::command(int narg, char** arg) {
   engine::or_engine_error(*lmp, [&] {
     if (narg < 2) throw InputError(std::string(kStyle) + ": needs a name, its value and a rule");
+    // An empty variable leaves no word: its rule has taken the value's place.
+    if (starts_a_rule(arg[1])) throw InputError(std::string("input: ") + arg[0] + " has no value");
     check(arg[0], arg[1], read_rule({arg + 2, arg + narg}));
     return 0;
   });
