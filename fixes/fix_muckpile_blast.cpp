@@ -245,6 +245,8 @@ GasChamber FixMuckpileBlast::chamber(std::size_t hole) const {
   return {{pressure, mass / (blast.load().start_volume() + swept_[hole])}, mass};
 }
 
+void FixMuckpileBlast::let_gas_go() { hole_over_.assign(hole_over_.size(), 1); }
+
 void FixMuckpileBlast::take_gas(std::span<const double> per_hole) {
   for (std::size_t hole = 0; hole < states_.size(); ++hole)
     states_[hole].mass_left -= per_hole[hole] / charges_[hole].mass;

@@ -47,6 +47,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix {
   [[nodiscard]] double gas_gamma() const { return options_.flow.gamma; }
   /// The gas in a crushed zone; pressure 0 before its hole fires and after it is over.
   [[nodiscard]] GasChamber chamber(std::size_t hole) const;
+  void let_gas_go();  ///< all holes are over from now on; what they hold presses no more
   void take_gas(std::span<const double> per_hole);  ///< [kg], the same on all ranks
   [[nodiscard]] bool over() const { return over_; }
 

@@ -100,6 +100,35 @@ void FixMuckpileGas::init() {
   const auto holes = static_cast<std::size_t>(joint_->hole_count());
   fed_.resize(holes, 0);
   chambers_.resize(holes);
+  let_go_of_softened_joints();
+}
+
+/// Softening takes all tractions to a small share; gas that stayed would push with all of its
+/// pressure, and the displacement that pressure squeezes out of a loaded face would grow at once.
+void FixMuckpileGas::let_go_of_softened_joints() {
+  const double modulus = joint_->network().material().shear_modulus();
+  const bool softened = modulus < shear_modulus_;
+  shear_modulus_ = modulus;
+  if (!softened || !active_) return;
+  const double pressure = over_ranks(gas_.greatest_pressure(), true);
+  double left = 0.0;
+  for (const GasChamber& chamber : chambers_) left += chamber.mass;
+  blast_->let_gas_go();
+  // What unloading the walls would give back is part of what softening has booked as lost.
+  for (BoundaryFace& face : joint_->joints_for_gas().faces()) face.last_pressure = 0.0;
+  end_of_gas("is let go, as the joints have been softened, with up to " + number_text(pressure) +
+             " Pa in them and " + number_text(left) + " kg in the holes,");
+}
+
+/// What is in the joints goes into the air.
+void FixMuckpileGas::end_of_gas(const std::string& how) {
+  vented_ += over_ranks(gas_.mass());
+  spent_ = true;
+  active_ = false;
+  joint_->joints_for_gas().release_gas();
+  gas_.set_network(joint_->network());
+  engine::print_once(*lmp, where_ + ": the gas in joints " + how + " at " +
+                               number_text(update->get_cur_time()) + " s\n");
 }
 
 /// Gas follows its block from rank to rank.
@@ -204,7 +233,18 @@ void FixMuckpileGas::book_work() {
   joint_->joints_for_gas().book_gas_work(rate * update->dt);
 }
 
+/// Of the pose that measure() saw.
+void FixMuckpileGas::count_chamber_links() {
+  if (std::none_of(fed_.begin(), fed_.end(), [](char hole) { return hole != 0; })) return;
+  links_.assign(chambers_.size(), 0.0);
+  std::ranges::copy(gas_.chamber_links(), links_.begin());
+  MPI_Allreduce(MPI_IN_PLACE, links_.data(), static_cast<int>(links_.size()), MPI_DOUBLE, MPI_SUM,
+                world);
+  for (std::size_t hole = 0; hole < links_.size(); ++hole) chambers_[hole].links = links_[hole];
+}
+
 void FixMuckpileGas::flow() {
+  count_chamber_links();
   const JointGas::Flows flows = gas_.flow(joint_->joints_for_gas(), chambers_, update->dt);
   std::vector<double> sums = flows.from_hole;
   sums.push_back(flows.vented + lost_);
@@ -221,13 +261,7 @@ void FixMuckpileGas::look_whether_spent() {
   const bool fed = std::any_of(fed_.begin(), fed_.end(), [](char hole) { return hole != 0; });
   const double greatest = over_ranks(gas_.greatest_pressure(), true);
   if (fed || !blast_->over() || greatest > (1.0 + kSpentShare) * ambient_) return;
-  vented_ += over_ranks(gas_.mass());
-  spent_ = true;
-  active_ = false;
-  joint_->joints_for_gas().release_gas();
-  gas_.set_network(joint_->network());
-  engine::print_once(*lmp, where_ + ": the gas in joints is spent at " +
-                               number_text(update->get_cur_time()) + " s\n");
+  end_of_gas("is spent");
 }
 
 double FixMuckpileGas::over_ranks(double mine, bool greatest) const {

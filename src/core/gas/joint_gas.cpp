@@ -80,6 +80,7 @@ void JointGas::measure(const FacetNetwork& network, const std::vector<char>& fed
   }
   mark_reached(network, fed);
   for (GasCell& cell : cells_) cell.volume = cell.links = 0.0;
+  chamber_links_.assign(fed.size(), 0.0);
   cracks_.clear();
   for (const std::size_t f : open_to_gas_) {
     const FacetEnds facet = network.ends(f);
@@ -96,6 +97,7 @@ void JointGas::measure(const FacetNetwork& network, const std::vector<char>& fed
       if (b == crack.j && !joint) continue;
       cells_[b].volume += crack.volume;
       cells_[b].links += links;
+      if (crack.hole >= 0 && owned(b)) chamber_links_[static_cast<std::size_t>(crack.hole)] += 1.0;
     }
   }
 }
@@ -136,12 +138,11 @@ void JointGas::exchange(const Crack& crack, double dt) {
   const GasPoint& donor = points_[from];
   const GasCell &source = cells_[from], &sink = cells_[to];
   if (!(donor.pressure > points_[to].pressure) || !(sink.volume > 0.0)) return;
-  const double share = 1.0 / (1.0 + std::max(source.links, sink.links));
   const CrackFlow::Fall fall = flow_.fall(donor.pressure, points_[to].pressure);
   const double flux = flow_.flux(donor, fall, crack.aperture, crack.width);
-  const double mass =
-      std::min(flux * crack.aperture * crack.width * dt,
-               share * equalising_mass(donor, source.volume, fall.thinning, sink.volume));
+  const double mass = std::min(flux * crack.aperture * crack.width * dt,
+                               equalising_mass(donor, source.volume / (1.0 + source.links),
+                                               fall.thinning, sink.volume / (1.0 + sink.links)));
   const double entropy = source.content.entropy / source.content.mass;
   move(from, -mass, entropy);
   move(to, mass, entropy);
@@ -155,12 +156,11 @@ double JointGas::feed(std::size_t b, const Crack& crack, const GasChamber& chamb
   const bool in = chamber.gas.pressure > gas.pressure;
   const GasPoint& donor = in ? chamber.gas : gas;
   const CrackFlow::Fall fall = flow_.fall(donor.pressure, in ? gas.pressure : chamber.gas.pressure);
-  const double room = chamber.mass / chamber.gas.density;
-  const double most =
-      equalising_mass(donor, in ? room : cell.volume, fall.thinning, in ? cell.volume : room);
+  const double room = chamber.mass / chamber.gas.density / (1.0 + chamber.links);
+  const double most = equalising_mass(donor, room, fall.thinning, cell.volume / (1.0 + cell.links));
   const double area = 0.5 * crack.aperture * crack.width;
-  const double mass = std::min(flow_.flux(donor, fall, crack.aperture, crack.width) * area * dt,
-                               most / (1.0 + cell.links));
+  const double mass =
+      std::min(flow_.flux(donor, fall, crack.aperture, crack.width) * area * dt, most);
   const double entropy = in ? donor.pressure / std::pow(donor.density, flow_.gamma())
                             : cell.content.entropy / cell.content.mass;
   move(b, in ? mass : -mass, entropy);

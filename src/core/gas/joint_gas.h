@@ -36,8 +36,9 @@ struct GasCell {
 
 /// Gas in a crushed zone.
 struct GasChamber {
-  GasPoint gas;       ///< pressure 0: nothing flows out or in
-  double mass = 0.0;  ///< [kg]
+  GasPoint gas;        ///< pressure 0: nothing flows out or in
+  double mass = 0.0;   ///< [kg]
+  double links = 0.0;  ///< joints that end in it, each counted for both blocks; of all ranks
 };
 
 class JointGas {
@@ -62,6 +63,8 @@ class JointGas {
   /// Volumes of the owned blocks that gas can reach in this step, in the pose of the network; a
   /// hole whose `fed` is false lets no gas out.
   void measure(const FacetNetwork& network, const std::vector<char>& fed);
+  /// Per hole, what measure() found: the part of GasChamber::links of owned blocks.
+  [[nodiscard]] std::span<const double> chamber_links() const { return chamber_links_; }
   /// Tells the network what the gas presses beyond the atmosphere [Pa].
   void press(FacetNetwork& network);
 
@@ -69,9 +72,9 @@ class JointGas {
     std::vector<double> from_hole;  ///< what owned blocks took from each chamber [kg]
     double vented = 0.0;            ///< what they let into the atmosphere [kg]
   };
-  /// One step [s]. Joints that measure() found wide lose their share to the atmosphere. No flow
-  /// is larger than the share 1/(n + 1) of what would make both sides equal, n the links of the
-  /// side that has more: pressures never cross and no cell is emptied.
+  /// One step [s]. Joints that measure() found wide lose their share to the atmosphere. A block or
+  /// chamber with n links gives each the share 1/(n + 1) of its volume, and no flow is larger than
+  /// what would make the two shares at a link equal: pressures never cross, none is emptied.
   [[nodiscard]] Flows flow(FacetNetwork& network, std::span<const GasChamber> chambers, double dt);
 
   [[nodiscard]] double pressure(const GasCell& cell) const;  ///< absolute; 0 if empty [Pa]
@@ -112,6 +115,7 @@ class JointGas {
   std::vector<std::size_t> open_to_gas_;  // broken facets
   std::vector<Crack> cracks_;             // those of them that gas can reach
   std::vector<Change> changes_;
+  std::vector<double> chamber_links_;
   std::vector<GasPoint> points_;  // per block, as press() found them
 };
 

@@ -99,6 +99,20 @@ TEST(FixMuckpileGas, AnyNumberOfRanksDoesTheSame) {
   EXPECT_LT(worst, 2e-3 * fastest);
 }
 
+TEST(FixMuckpileGas, SoftenedJointsLetTheGasGo) {
+  Burst burst(MPI_COMM_WORLD);
+  burst.scene.run(100, kStep);
+  ASSERT_GT(burst.gas(5), 1e7);  // [Pa]; far from spent
+  const double work = burst.scene.output("energy", 5);
+  burst.scene.command("fix_modify joint soften 2e-4");
+  burst.scene.run(300, kStep);
+  EXPECT_EQ(burst.gas(7), 1.0);
+  EXPECT_EQ(burst.gas(1), 0.0);
+  EXPECT_NEAR(burst.gas(3) / burst.gas(2), 1.0, 1e-12);
+  EXPECT_NEAR(burst.scene.output("energy", 5) / work, 1.0, 1e-3);  // nothing pushes any more
+  EXPECT_LT(burst.scene.output("energy", 0), 5e-3);
+}
+
 TEST(FixMuckpileGas, UnfixLetsTheGasGo) {
   Burst burst(MPI_COMM_WORLD);
   burst.scene.run(200, kStep);
