@@ -64,12 +64,33 @@ FixMuckpileBalance* FixMuckpileBalance::find(LAMMPS_NS::LAMMPS& lmp) {
 }
 
 void FixMuckpileBalance::init() {
+  settle_box();
   const engine::Bodies bodies(*engine::find_multisphere(*lmp));
   const std::vector<double> costs = block_costs(*lmp, bodies.count());
   std::vector<Load> loads;
   for (int b = 0; b < bodies.count(); ++b)
     loads.push_back({bodies.centre(b), costs[static_cast<std::size_t>(b)]});
   cut(loads, Reach::neighbours);
+}
+
+/// Meshes widen a box with `m` boundaries when the run starts, and with it the parts, which are
+/// shares of the box: ranks would get blocks of ranks beyond their neighbours, which the engine
+/// loses. So widen it now, and leave the borders in place.
+void FixMuckpileBalance::settle_box() {
+  if (atom->natoms == 0) return;
+  std::array<std::vector<double>, 3> borders;  // [m]
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = domain->boxlo[axis], length = domain->boxhi[axis] - low;
+    for (const double share : splits(axis)) borders.at(axis).push_back(low + share * length);
+  }
+  domain->reset_box();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = domain->boxlo[axis], length = domain->boxhi[axis] - low;
+    const std::span<double> shares = splits(axis);
+    for (std::size_t k = 1; k + 1 < shares.size(); ++k)
+      shares[k] = std::clamp((borders.at(axis)[k] - low) / length, 0.0, 1.0);
+  }
+  domain->set_local_box();
 }
 
 void FixMuckpileBalance::cut_for(std::span<const Vec3> centres) {

@@ -31,6 +31,7 @@ class FixMuckpileBalance : public LAMMPS_NS::Fix {
     Vec3 centre;  ///< [m]
     double cost;  ///< of a block per step, in units of a loose block's
   };
+  void settle_box();
   void cut(std::span<const Load> loads, Reach reach);
   void cut_axis(int axis, std::span<const Load> loads, Reach reach);
   [[nodiscard]] std::span<double> splits(int axis);

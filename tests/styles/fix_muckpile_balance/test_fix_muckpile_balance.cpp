@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <map>
 #include <string>
 
 #include "rock_scene.h"
+#include "scratch_folder.h"
 
 namespace muckpile::test {
 namespace {
@@ -62,6 +64,24 @@ TEST(FixMuckpileBalance, BordersFollowFlyingBlocksOverManyRanksWorthOfBox) {
     const Vec3 path(speed(block.centre) * 20 * 50 * 5e-4, 0.0, 0.0);
     EXPECT_LT((now.at(tag).centre - block.centre - path).norm(), 1e-9) << tag;
   }
+}
+
+// The box grows from 60 to 155 m as the run starts; parts are shares of the box, so that borders
+// would move by ranks.
+TEST(FixMuckpileBalance, AMeshThatWidensTheBoxLosesNoBlocks) {
+  const ScratchFolder folder("balance_mesh");
+  std::ofstream(folder / "floor.stl")
+      << "solid floor\nfacet normal 0 0 1\nouter loop\nvertex 0 -0.9 -0.5\n"
+         "vertex 150 -0.9 -0.5\nvertex 150 1.9 -0.5\nendloop\nendfacet\nendsolid floor\n";
+  RockScene scene(MPI_COMM_WORLD, "-5 55 -1 2 -1 2");
+  scene.command("change_box all boundary m f m");
+  scene.command("fix balance all muckpile/balance");
+  scene.cut("0 4 0 1 0 1", kCut);
+  const auto start = scene.blocks();
+  scene.command("fix floor all mesh/surface file " + (folder / "floor.stl").string() + " type 1");
+  scene.run(1, 1e-6);
+  EXPECT_EQ(scene.blocks().size(), start.size());
+  EXPECT_LT(scene.output("balance", 0), 1.15);
 }
 
 TEST(FixMuckpileBalance, JoinedRockThatBreaksEqualsTheRunOfOneRank) {
