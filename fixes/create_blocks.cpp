@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <functional>
@@ -169,6 +170,7 @@ void CreateBlocks::command(int narg, char** arg) {
     }
     return 0;
   });
+  if (sweeps_are_shared(args)) share_sweeps_of_rank_0(what);
   Model model;
   on_rank_0(*lmp, [&] {
     model = cut(what, args);
@@ -440,6 +442,30 @@ SupportRule CreateBlocks::support(const ArgValues& args) const {
     }
     return Support::free;
   };
+}
+
+/// Of the other cuts rank 0 alone knows when and over which seeds they sweep.
+bool CreateBlocks::sweeps_are_shared(const ArgValues& args) const {
+  const std::string& size = args.groups("size").front().front();
+  const bool plain = args.word("cut") == "voronoi" && size != "import" && size != "target";
+  return comm->nprocs > 1 && plain && !args.given("joint_set") && !args.given("sliver");
+}
+
+/// Rank 0 sweeps later, as it cuts; what goes wrong it reports.
+void CreateBlocks::share_sweeps_of_rank_0(TessellationOptions& what) const {
+  what.team.rank = comm->me;
+  what.team.ranks = comm->nprocs;
+  what.team.gather = [this](const std::vector<double>& mine) {
+    return engine::gather_all(mine, world);
+  };
+  auto most = static_cast<std::uint64_t>(what.max_blocks);  // other nodes may have less memory
+  MPI_Bcast(&most, 1, MPI_UINT64_T, 0, world);
+  what.max_blocks = static_cast<std::size_t>(most);
+  if (comm->me == 0) return;
+  try {
+    share_sweeps(what);
+  } catch (const std::exception&) {
+  }
 }
 
 CreateBlocks::Model CreateBlocks::cut(const TessellationOptions& what,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // create_blocks: cuts a region into graded blocks, makes them multisphere bodies, and hands their
 // facets to fix muckpile/blocks.
-// Scope: the tessellation runs on rank 0; bodies are created on the rank that owns their centre, so
-// the same seed gives the same blocks, tags included, on any number of ranks.
+// Scope: the tessellation runs on rank 0, its sweeps on all; bodies are created on the rank that
+// owns their centre, so the same seed gives the same blocks, tags included, on any number of ranks.
 #pragma once
 
 #include <pointers.h>
@@ -53,6 +53,8 @@ class CreateBlocks : protected LAMMPS_NS::Pointers {
   [[nodiscard]] JointSetCut joint_sets(const ArgValues& args) const;
   [[nodiscard]] SupportRule support(const ArgValues& args) const;
   [[nodiscard]] std::size_t most_blocks(const ArgValues& args) const;
+  [[nodiscard]] bool sweeps_are_shared(const ArgValues& args) const;
+  void share_sweeps_of_rank_0(TessellationOptions& what) const;
   [[nodiscard]] Model cut(const TessellationOptions& what, const ArgValues& args) const;
   [[nodiscard]] std::vector<char> hand_out(const Model& model) const;
   void create(const std::vector<char>& mine, const std::vector<Hole>& holes, const ArgValues& args,

@@ -40,6 +40,19 @@ std::vector<std::vector<char>> bytes_of(std::vector<ByteWriter>& writers) {
   return buffers;
 }
 
+std::vector<double> gather_all(const std::vector<double>& mine, MPI_Comm world) {
+  int ranks = 1;
+  MPI_Comm_size(world, &ranks);
+  const int count = static_cast<int>(mine.size());
+  std::vector<int> counts(static_cast<std::size_t>(ranks));
+  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
+  const std::vector<int> first = offsets(counts);
+  std::vector<double> all(static_cast<std::size_t>(first.back() + counts.back()));
+  MPI_Allgatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), first.data(),
+                 MPI_DOUBLE, world);
+  return all;
+}
+
 std::vector<std::vector<char>> exchange_bytes(const std::vector<std::vector<char>>& outgoing,
                                               MPI_Comm world) {
   const std::size_t ranks = outgoing.size();

@@ -66,6 +66,9 @@ class ByteReader {
 /// The buffers of writers, which are left empty.
 [[nodiscard]] std::vector<std::vector<char>> bytes_of(std::vector<ByteWriter>& writers);
 
+/// What each rank has given, one after the other, on every rank. Collective.
+[[nodiscard]] std::vector<double> gather_all(const std::vector<double>& mine, MPI_Comm world);
+
 /// Sends outgoing[r] to rank r and returns what each rank sent here. Collective.
 /// Throws std::length_error on every rank if one rank would send or receive 2 GiB or more.
 [[nodiscard]] std::vector<std::vector<char>> exchange_bytes(

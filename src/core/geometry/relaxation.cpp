@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Size-weighted Lloyd sweeps over seeds that are mirrored at holes and region, and their cells.
-// Scope: serial and deterministic; valid options only, as tessellate() checks them.
+// Scope: see the header.
 #include "geometry/relaxation.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <exception>
+#include <stdexcept>
 #include <utility>
 
 #include "geometry/cell_cutter.h"
@@ -68,12 +70,13 @@ Vec3 Relaxation::relaxed(const Vec3& seed, const Vec3& centroid, double volume) 
 }
 
 void Relaxation::add_hole_volumes(const Polyhedron& shape, const std::vector<int>& codes,
-                                  std::vector<double>& volumes) const {
+                                  std::vector<double>& carved) const {
   for (std::size_t f = 0; f < codes.size(); ++f) {
     if (!is_hole_face(codes[f])) continue;
-    const auto h = static_cast<std::size_t>(hole_of_face(codes[f]));
+    const int h = hole_of_face(codes[f]);
     const FaceGeometry face = face_geometry(shape, static_cast<int>(f));
-    volumes[h] += enclosed_by_face(options_.holes[h], face);
+    carved.push_back(h);
+    carved.push_back(enclosed_by_face(options_.holes[static_cast<std::size_t>(h)], face));
   }
 }
 
@@ -88,22 +91,51 @@ void Relaxation::adjust_radii(const std::vector<double>& hole_volumes) {
   }
 }
 
-void Relaxation::sweep() {
-  const Images images = mirror_seeds(seeds_, mirrored_holes_, options_.region, ground_);
+Relaxation::Swept Relaxation::sweep_part(const Images& images, std::size_t first,
+                                         std::size_t last) const {
   const std::vector<Vec3> points = points_with(images);
   CellCutter cutter(points, options_.lo, options_.hi, bounds_);
-  std::vector<Vec3> next(seeds_.size());
-  std::vector<double> hole_volumes(options_.holes.size(), 0.0);
+  Swept swept;
   Polyhedron shape;
   std::vector<int> behind;
-  for (std::size_t i = 0; i < seeds_.size(); ++i) {
+  for (std::size_t i = first; i < last; ++i) {
     cutter.cut(static_cast<int>(i), kFirstReach * ground_.size(seeds_[i]));
-    next[i] = relaxed(seeds_[i], cutter.centroid(), cutter.volume());
+    const Vec3 next = relaxed(seeds_[i], cutter.centroid(), cutter.volume());
+    swept.seeds.insert(swept.seeds.end(), next.begin(), next.end());
     if (!cutter.met_point_from(static_cast<int>(seeds_.size()))) continue;
     cutter.extract(shape, behind);
-    add_hole_volumes(shape, face_codes(behind, images), hole_volumes);
+    add_hole_volumes(shape, face_codes(behind, images), swept.carved);
   }
-  seeds_ = std::move(next);
+  return swept;
+}
+
+// Each takes seeds that follow one another. If one fails, all do the whole sweep, to fail alike.
+Relaxation::Swept Relaxation::shared_sweep(const Images& images) const {
+  const SweepTeam& team = options_.team;
+  const auto rank = static_cast<std::size_t>(team.rank),
+             ranks = static_cast<std::size_t>(team.ranks);
+  Swept mine;
+  double failed = 0.0;
+  try {
+    mine = sweep_part(images, rank * seeds() / ranks, (rank + 1) * seeds() / ranks);
+  } catch (const std::exception&) {
+    failed = 1.0;
+  }
+  const std::vector<double> faults = team.gather({failed});
+  if (std::find(faults.begin(), faults.end(), 1.0) == faults.end())
+    return {team.gather(mine.seeds), team.gather(mine.carved)};
+  (void)sweep_part(images, 0, seeds());
+  throw std::runtime_error("a process failed at its share of the Voronoi cells");
+}
+
+void Relaxation::sweep() {
+  const Images images = mirror_seeds(seeds_, mirrored_holes_, options_.region, ground_);
+  const Swept swept =
+      options_.team.ranks > 1 ? shared_sweep(images) : sweep_part(images, 0, seeds());
+  for (std::size_t i = 0; i < seeds(); ++i) seeds_[i] = Vec3::Map(swept.seeds.data() + 3 * i);
+  std::vector<double> hole_volumes(options_.holes.size(), 0.0);
+  for (std::size_t k = 0; k < swept.carved.size(); k += 2)
+    hole_volumes[static_cast<std::size_t>(swept.carved[k])] += swept.carved[k + 1];
   adjust_radii(hole_volumes);
 }
 

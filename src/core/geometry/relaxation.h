@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Size-weighted Lloyd sweeps over seeds that are mirrored at holes and region, and their cells.
-// Scope: serial and deterministic; valid options only, as tessellate() checks them.
+// Scope: deterministic; a team of processes may share the sweeps. Valid options only, as
+// tessellate() checks them.
 #pragma once
 
 #include <cstddef>
@@ -28,10 +29,16 @@ class Relaxation {
   [[nodiscard]] const std::vector<double>& cylinder_volumes() const { return cylinder_volumes_; }
 
  private:
+  struct Swept {
+    std::vector<double> seeds;   // where they go, three numbers each [m]
+    std::vector<double> carved;  // pairs: hole, volume between its axis and one cell's face [m3]
+  };
+  [[nodiscard]] Swept sweep_part(const Images& images, std::size_t first, std::size_t last) const;
+  [[nodiscard]] Swept shared_sweep(const Images& images) const;
   [[nodiscard]] std::vector<Vec3> points_with(const Images& images) const;
   [[nodiscard]] Vec3 relaxed(const Vec3& seed, const Vec3& centroid, double volume) const;
   void add_hole_volumes(const Polyhedron& shape, const std::vector<int>& codes,
-                        std::vector<double>& volumes) const;
+                        std::vector<double>& carved) const;
   [[nodiscard]] std::vector<int> face_codes(const std::vector<int>& points,
                                             const Images& images) const;
   void adjust_radii(const std::vector<double>& hole_volumes);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Graded centroidal Voronoi blocks: seeds, Lloyd sweeps with mirrored seeds, final cells.
-// Scope: deterministic and serial; every rank that calls it gets the same blocks.
+// Scope: deterministic; the sweeps may be shared with other processes.
 #include "geometry/tessellation.h"
 
 #include <algorithm>
@@ -123,32 +123,48 @@ void add_blocks(const Relaxation& relaxation, Tessellation& result) {
   }
 }
 
-void cut_whole(const TessellationOptions& options, Tessellation& result) {
+Relaxation relaxed_whole(const TessellationOptions& options) {
   Relaxation relaxation(options);
-  if (relaxation.seeds() == 0) return;
+  if (relaxation.seeds() == 0) return relaxation;
   for (int k = 0; k < options.sweeps; ++k) relaxation.sweep();
-  add_blocks(relaxation, result);
+  return relaxation;
+}
+
+/// The parts of the rock between the planes, each relaxed for itself.
+class RelaxedParts {
+ public:
+  explicit RelaxedParts(const TessellationOptions& options) : rock_(parts_of(options)) {
+    const std::vector<RockPart>& parts = rock_.parts;
+    const std::vector<SeedPair> pairs = pairs_across(options, parts);
+    for (const RockPart& part : parts) alone_.push_back(options_of(options, part));
+    for (std::size_t p = 0; p < parts.size(); ++p)
+      relaxations_.emplace_back(alone_[p], parts[p].seeds, parts[p].bounds);
+    for (int k = 0; k < options.sweeps; ++k) {
+      for (Relaxation& relaxation : relaxations_) relaxation.sweep();
+      for (const SeedPair& pair : pairs) {
+        make_symmetric(options.planes[pair.plane], parts[pair.part],
+                       relaxations_[pair.part].seed(pair.seed), parts[pair.other_part],
+                       relaxations_[pair.other_part].seed(pair.other_seed));
+      }
+    }
+  }
+  [[nodiscard]] const std::vector<Relaxation>& all() const { return relaxations_; }
+  [[nodiscard]] std::size_t merged() const { return rock_.merged; }
+
+ private:
+  RockParts rock_;
+  std::vector<TessellationOptions> alone_;
+  std::vector<Relaxation> relaxations_;
+};
+
+void cut_whole(const TessellationOptions& options, Tessellation& result) {
+  add_blocks(relaxed_whole(options), result);
 }
 
 void cut_parts(const TessellationOptions& options, Tessellation& result) {
-  const RockParts rock = parts_of(options);
-  const std::vector<RockPart>& parts = rock.parts;
-  result.statistics.merged_parts = rock.merged;
-  const std::vector<SeedPair> pairs = pairs_across(options, parts);
-  std::vector<TessellationOptions> alone;
-  for (const RockPart& part : parts) alone.push_back(options_of(options, part));
-  std::vector<Relaxation> relaxations;
-  for (std::size_t p = 0; p < parts.size(); ++p)
-    relaxations.emplace_back(alone[p], parts[p].seeds, parts[p].bounds);
-  for (int k = 0; k < options.sweeps; ++k) {
-    for (Relaxation& relaxation : relaxations) relaxation.sweep();
-    for (const SeedPair& pair : pairs) {
-      make_symmetric(options.planes[pair.plane], parts[pair.part],
-                     relaxations[pair.part].seed(pair.seed), parts[pair.other_part],
-                     relaxations[pair.other_part].seed(pair.other_seed));
-    }
-  }
-  for (const Relaxation& relaxation : relaxations) add_blocks(relaxation, result);
+  const RelaxedParts parts(options);
+  result.statistics.merged_parts = parts.merged();
+  for (const Relaxation& relaxation : parts.all()) add_blocks(relaxation, result);
   join_in_planes(options.planes, result.blocks);
 }
 
@@ -175,6 +191,14 @@ void add_statistics(const TessellationOptions& options, Tessellation& result) {
 double expected_block_count(const TessellationOptions& options, double give_up) {
   check(options);
   return integrate_density(options, Ground(options), give_up);
+}
+
+void share_sweeps(const TessellationOptions& options) {
+  (void)checked_block_count(options);
+  if (options.planes.empty())
+    (void)relaxed_whole(options);
+  else
+    (void)RelaxedParts(options);
 }
 
 Tessellation tessellate(const TessellationOptions& options) {

@@ -29,6 +29,13 @@ struct CutPlane {
   Vec3 normal = Vec3::UnitZ();  // of any length but 0
 };
 
+// Several processes that share the sweeps. Each has the same options but for `rank`.
+struct SweepTeam {
+  int rank = 0, ranks = 1;
+  // What each has given, one after the other in the order of ranks, to all. Collective.
+  std::function<std::vector<double>(const std::vector<double>& mine)> gather;
+};
+
 struct TessellationOptions {
   Vec3 lo = Vec3::Zero();  // box corners [m]
   Vec3 hi = Vec3::Zero();
@@ -44,6 +51,7 @@ struct TessellationOptions {
   // Each goes through all of the rock, but cuts no sliver off (kThinnestPart). A crushed zone that
   // crosses a plane is carved on each side for itself.
   std::vector<CutPlane> planes;
+  SweepTeam team;
 };
 
 struct TessellationStatistics {
@@ -77,6 +85,9 @@ void add_statistics(const TessellationOptions& options, Tessellation& result);
 // the cut a block has one face for each block behind it.
 // Throws InputError: empty box, plane without normal, hole axis outside the box, blocks at a hole
 // larger than its diameter, half a region query, or more blocks expected than max_blocks.
+// With a team, the other members call share_sweeps(); the blocks are the same to the last bit.
 [[nodiscard]] Tessellation tessellate(const TessellationOptions& options);
+// The sweeps of tessellate() without its blocks. Throws as it does before the first sweep.
+void share_sweeps(const TessellationOptions& options);
 
 }  // namespace muckpile

@@ -34,9 +34,10 @@ std::vector<std::string> lines(const std::string& text) {
 }
 
 /// Blocks file and first snapshot of the scene on the ranks of `comm`.
-std::pair<std::string, std::string> files(MPI_Comm comm, const std::filesystem::path& into) {
+std::pair<std::string, std::string> files(MPI_Comm comm, const std::filesystem::path& into,
+                                          const std::string& more = "") {
   RockScene scene(comm, kBox, "* * 1");
-  scene.cut(kRock, kCut + "file " + (into / "blocks.vtk").string());
+  scene.cut(kRock, kCut + more + "file " + (into / "blocks.vtk").string());
   scene.command(
       "fix joint all muckpile/joint youngs_modulus 5e10 poisson_ratio 0.25 density 2700 cohesion "
       "4e6 "
@@ -57,6 +58,17 @@ TEST(CreateBlocks, MakesTheSameBlocksOnAnyNumberOfRanks) {
   ASSERT_GT(lines(alone_csv).size(), 50u);
   EXPECT_EQ(alone_vtk, shared_vtk);
   EXPECT_EQ(lines(alone_csv), lines(shared_csv));
+}
+
+TEST(CreateBlocks, MakesTheSameBlocksBesideAJointOnAnyNumberOfRanks) {
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  const ScratchFolder base("create_blocks_joint");
+  const std::string joint = "joint_plane 1 0 0 80 90 0 ";
+  const auto alone = files(MPI_COMM_SELF, base / ("alone" + std::to_string(rank)), joint);
+  const auto shared = files(MPI_COMM_WORLD, base / "shared", joint);
+  ASSERT_GT(alone.first.size(), 10000u);
+  EXPECT_EQ(alone.first, shared.first);
 }
 
 /// The rock of kCut, cut without the engine.

@@ -6,10 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <barrier>
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "args/input_error.h"
@@ -91,6 +94,43 @@ void expect_shared_faces(const std::vector<Block>& blocks) {
       EXPECT_LT((mine.centroid - theirs.centroid).norm(), 1e-8);
       EXPECT_LT((mine.normal + theirs.normal).norm(), 1e-6);
     }
+  }
+}
+
+/// Runs `member` for each of three members of a team, in threads.
+void in_team_of_three(TessellationOptions options,
+                      const std::function<void(const TessellationOptions&)>& member) {
+  constexpr int kMembers = 3;
+  std::array<std::vector<double>, kMembers> given;
+  std::barrier all(kMembers);
+  std::vector<std::thread> threads;
+  for (int k = 0; k < kMembers; ++k) {
+    options.team = {k, kMembers, [&, k](const std::vector<double>& mine) {
+                      given[static_cast<std::size_t>(k)] = mine;
+                      all.arrive_and_wait();
+                      std::vector<double> joined;
+                      for (const auto& part : given)
+                        joined.insert(joined.end(), part.begin(), part.end());
+                      all.arrive_and_wait();
+                      return joined;
+                    }};
+    threads.emplace_back([&member, options] { member(options); });
+  }
+  for (std::thread& thread : threads) thread.join();
+}
+
+TEST(Tessellation, SharedSweepsGiveTheSameBlocksToTheLastBit) {
+  Tessellation shared;
+  in_team_of_three(blast_options(), [&](const TessellationOptions& mine) {
+    if (mine.team.rank == 1)
+      shared = tessellate(mine);
+    else
+      share_sweeps(mine);
+  });
+  ASSERT_EQ(shared.blocks.size(), blast().blocks.size());
+  for (std::size_t b = 0; b < shared.blocks.size(); ++b) {
+    EXPECT_EQ(shared.blocks[b].shape.vertices, blast().blocks[b].shape.vertices) << b;
+    EXPECT_EQ(shared.blocks[b].neighbour, blast().blocks[b].neighbour) << b;
   }
 }
 
