@@ -15,6 +15,7 @@ namespace {
 constexpr double kSlideStart = 0.1, kSlideEnd = 0.5;
 constexpr double kTurnStart = 0.1, kTurnEnd = 0.5;
 constexpr double kOpened = 0.1;
+constexpr double kNearSlip = 0.99;    // below that share of the friction limit, squared, none slips
 constexpr double kSurelyOpen = 0.01;  // opened further than its rotation explains: no point closed
 
 double ramp_down(double x, double start, double end) {
@@ -47,9 +48,14 @@ void FacetNetwork::add_contact(std::size_t f, const Motion& motion, Pull& pull, 
   const LaneVec sheared = spring - gap * pull.normal;
   const LaneVec stuck = choose(closed && !forgets, Lanes(1.0), 0.0) * sheared;
   const LaneVec shear = Lanes(memory.fade * contact.shear) * stuck;
-  const Lanes size = sqrt(dot(shear, shear)), limit = -contact.tan_residual * normal;
-  const LaneMask slips = size > limit;
-  const Lanes kept = choose(slips, limit / choose(slips, size, 1.0), 1.0);
+  const Lanes squared = dot(shear, shear), limit = -contact.tan_residual * normal;
+  LaneMask slips(false);
+  Lanes kept = 1.0;
+  if (any_of(squared > kNearSlip * limit * limit)) {  // the root takes long
+    const Lanes size = sqrt(squared);
+    slips = size > limit;
+    kept = choose(slips, limit / choose(slips, size, 1.0), 1.0);
+  }
   const LaneVec traction = normal * pull.normal + kept * shear;
   pull.traction = choose(broken, traction, pull.traction);
 

@@ -120,8 +120,8 @@ struct FacetNetwork::Pull {
   [[nodiscard]] LaneMask failing(const Bond& bond) const {
     const Lanes along = dot(normal, traction);
     const Lanes shear_squared = dot(traction, traction) - along * along;
-    const Lanes shear = sqrt(max(shear_squared, Lanes(0.0)));
-    return is_point() && joint_fails(along, shear, bond.tension, bond.cohesion, bond.tan_friction);
+    return is_point() &&
+           joint_fails(along, shear_squared, bond.tension, bond.cohesion, bond.tan_friction);
   }
 };
 

@@ -15,9 +15,9 @@ bool FacetNetwork::holds_at_its_rate(std::size_t f, const Vec3& normal, const Ve
   const auto [depth_i, depth_j] = depths(f);
   const double factor = rate_factor(rate.norm() / (depth_i + depth_j), material().parameters());
   const double along = normal.dot(traction);
-  const double shear = (traction - along * normal).norm();
+  const double shear_squared = (traction - along * normal).squaredNorm();
   const Bond& bond = bonds_[f];
-  return !joint_fails(along, shear, factor * bond.tension, factor * bond.cohesion,
+  return !joint_fails(along, shear_squared, factor * bond.tension, factor * bond.cohesion,
                       bond.tan_friction);
 }
 

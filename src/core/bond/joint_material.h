@@ -82,13 +82,14 @@ class JointMaterial {
   double tan_residual_friction_;
 };
 
-/// Mohr-Coulomb with tension cut-off. `normal` is positive in tension [Pa], `shear` >= 0 [Pa].
-/// Real: double, or Lanes with a mask for the answer.
+/// Mohr-Coulomb with tension cut-off. `normal` is positive in tension [Pa]; the shear is asked for
+/// squared [Pa2], which spares the root. Real: double, or Lanes with a mask for the answer.
 template <class Real>
-[[nodiscard]] auto joint_fails(const Real& normal, const Real& shear, double tension,
+[[nodiscard]] auto joint_fails(const Real& normal, const Real& shear_squared, double tension,
                                double cohesion, double tan_friction) {
   using std::max;
-  return normal > Real(tension) || shear > max(cohesion - normal * tan_friction, Real(0.0));
+  const Real strength = max(cohesion - normal * tan_friction, Real(0.0));
+  return normal > Real(tension) || shear_squared > strength * strength;
 }
 
 }  // namespace muckpile

@@ -240,10 +240,13 @@ double broken_on_ranks(const std::string& strength) {
   EXPECT_GT(count, 20.0);
   EXPECT_LT(count, alone.output("joint", joints));
   EXPECT_EQ(count, shared.output("joint", broken));
-  EXPECT_LT(largest_difference(alone, shared), 1e-9);
+  // Ranks sum forces in another order, and running cracks amplify rounding: 1e-16 m before they run
+  // becomes 1e-16 to 8e-7 m, as compilers round. A facet that one rank lost moves pieces by
+  // millimetres.
+  EXPECT_LT(largest_difference(alone, shared), 1e-5);
   const double taken = alone.output("joint", fracture);
   for (const int n : {friction, damping}) {
-    EXPECT_NEAR(shared.output("joint", n), alone.output("joint", n), 1e-9 * taken) << n;
+    EXPECT_NEAR(shared.output("joint", n), alone.output("joint", n), 1e-6 * taken) << n;
   }
   // Where two neighbours on different ranks crack in one step, the product of the changes of their
   // dilatations is not booked: measured 3e-4 and 6e-4 on 2 and 4 ranks.

@@ -130,14 +130,15 @@ TEST(JointFails, FollowsMohrCoulombWithTensionCutOff) {
                         Case{-100.0, 53.9, false}, Case{-100.0, 54.1, true}, Case{1.0, 3.49, false},
                         Case{1.0, 3.51, true},  // 4 - 1 x 0.5
                         Case{2.0, 2.99, false}, Case{2.0, 3.01, true}}) {
-    EXPECT_EQ(joint_fails(c.normal, c.shear, 2.0, 4.0, 0.5), c.fails) << c.normal << ' ' << c.shear;
+    EXPECT_EQ(joint_fails(c.normal, c.shear * c.shear, 2.0, 4.0, 0.5), c.fails)
+        << c.normal << ' ' << c.shear;
   }
 }
 
 TEST(JointFails, TensionBeyondTheConeLeavesNoShearStrength) {
   // cohesion 1, tan phi 1, tension 5: at normal 3 the line is below zero, the strength is none
   EXPECT_FALSE(joint_fails(3.0, 0.0, 5.0, 1.0, 1.0));
-  EXPECT_TRUE(joint_fails(3.0, 1e-9, 5.0, 1.0, 1.0));
+  EXPECT_TRUE(joint_fails(3.0, 1e-18, 5.0, 1.0, 1.0));
 }
 
 TEST(JointFails, NeverUnderPureCompression) {
@@ -145,7 +146,8 @@ TEST(JointFails, NeverUnderPureCompression) {
     for (const double strength : {0.0, 1.0, 1e6}) {
       for (const double friction : {0.0, 0.7, 3.0}) {
         EXPECT_FALSE(joint_fails(normal, 0.0, strength, strength, friction));
-        EXPECT_FALSE(joint_fails(normal, -0.999 * friction * normal, strength, strength, friction));
+        const double shear = -0.999 * friction * normal;
+        EXPECT_FALSE(joint_fails(normal, shear * shear, strength, strength, friction));
       }
     }
   }
