@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Exchange of byte buffers between all ranks.
-// Scope: at most 2 GiB per rank and call, MPI's int counts.
+// Scope: in rounds, because MPI counts with int.
 #include "engine/exchange.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <numeric>
-#include <stdexcept>
 
 namespace muckpile::engine {
 namespace {
@@ -18,17 +16,38 @@ std::vector<int> offsets(const std::vector<int>& counts) {
   return first;
 }
 
-void refuse_too_much(const std::vector<std::vector<char>>& outgoing, MPI_Comm world) {
+/// How many bytes each rank has for each.
+std::vector<std::int64_t> sizes_to_come(const std::vector<std::vector<char>>& outgoing,
+                                        MPI_Comm world) {
   std::vector<std::int64_t> sent, received(outgoing.size());
   for (const auto& part : outgoing) sent.push_back(static_cast<std::int64_t>(part.size()));
   MPI_Alltoall(sent.data(), 1, MPI_INT64_T, received.data(), 1, MPI_INT64_T, world);
-  const auto total = [](const std::vector<std::int64_t>& v) {
-    return std::accumulate(v.begin(), v.end(), std::int64_t{0});
-  };
-  std::int64_t mine = std::max(total(sent), total(received)), most = 0;
-  MPI_Allreduce(&mine, &most, 1, MPI_INT64_T, MPI_MAX, world);
-  if (most > std::numeric_limits<int>::max()) {
-    throw std::length_error("an exchange between ranks needs 2 GiB or more on one rank");
+  return received;
+}
+
+/// The part of a buffer of `size` bytes that goes in a round.
+int share_of(std::size_t size, std::size_t begin, std::size_t most) {
+  return size > begin ? static_cast<int>(std::min(most, size - begin)) : 0;
+}
+
+/// Bytes `begin` and on of every buffer, `most` of each.
+void exchange_round(const std::vector<std::vector<char>>& outgoing, std::size_t begin,
+                    std::size_t most, std::vector<std::vector<char>>& incoming, MPI_Comm world) {
+  std::vector<int> sent, received;
+  for (const auto& part : outgoing) sent.push_back(share_of(part.size(), begin, most));
+  for (const auto& part : incoming) received.push_back(share_of(part.size(), begin, most));
+  const std::vector<int> sent_at = offsets(sent), received_at = offsets(received);
+  std::vector<char> send_buffer(static_cast<std::size_t>(sent_at.back() + sent.back()));
+  std::vector<char> receive_buffer(static_cast<std::size_t>(received_at.back() + received.back()));
+  for (std::size_t r = 0; r < outgoing.size(); ++r) {
+    if (sent[r] > 0)
+      std::copy_n(outgoing[r].data() + begin, sent[r], send_buffer.data() + sent_at[r]);
+  }
+  MPI_Alltoallv(send_buffer.data(), sent.data(), sent_at.data(), MPI_CHAR, receive_buffer.data(),
+                received.data(), received_at.data(), MPI_CHAR, world);
+  for (std::size_t r = 0; r < incoming.size(); ++r) {
+    if (received[r] > 0)
+      std::copy_n(receive_buffer.data() + received_at[r], received[r], incoming[r].data() + begin);
   }
 }
 
@@ -54,26 +73,19 @@ std::vector<double> gather_all(const std::vector<double>& mine, MPI_Comm world) 
 }
 
 std::vector<std::vector<char>> exchange_bytes(const std::vector<std::vector<char>>& outgoing,
-                                              MPI_Comm world) {
+                                              MPI_Comm world, std::size_t most_at_once) {
   const std::size_t ranks = outgoing.size();
   if (ranks == 1) return outgoing;
-  refuse_too_much(outgoing, world);
-  std::vector<int> sent(ranks), received(ranks);
-  for (std::size_t r = 0; r < ranks; ++r) sent[r] = static_cast<int>(outgoing[r].size());
-  MPI_Alltoall(sent.data(), 1, MPI_INT, received.data(), 1, MPI_INT, world);
-
-  const std::vector<int> sent_at = offsets(sent), received_at = offsets(received);
-  std::vector<char> send_buffer;
-  for (const auto& part : outgoing) send_buffer.insert(send_buffer.end(), part.begin(), part.end());
-  std::vector<char> receive_buffer(static_cast<std::size_t>(received_at.back() + received.back()));
-  MPI_Alltoallv(send_buffer.data(), sent.data(), sent_at.data(), MPI_CHAR, receive_buffer.data(),
-                received.data(), received_at.data(), MPI_CHAR, world);
-
-  std::vector<std::vector<char>> incoming(ranks);
-  for (std::size_t r = 0; r < ranks; ++r) {
-    const auto first = receive_buffer.begin() + received_at[r];
-    incoming[r].assign(first, first + received[r]);
-  }
+  std::vector<std::vector<char>> incoming;
+  for (const std::int64_t size : sizes_to_come(outgoing, world))
+    incoming.emplace_back(static_cast<std::size_t>(size));
+  std::int64_t longest = 0;
+  for (const auto& part : outgoing)
+    longest = std::max(longest, static_cast<std::int64_t>(part.size()));
+  MPI_Allreduce(MPI_IN_PLACE, &longest, 1, MPI_INT64_T, MPI_MAX, world);
+  const std::size_t most = std::max<std::size_t>(1, most_at_once / ranks);
+  for (std::size_t begin = 0; begin < static_cast<std::size_t>(longest); begin += most)
+    exchange_round(outgoing, begin, most, incoming, world);
   return incoming;
 }
 

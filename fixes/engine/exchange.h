@@ -5,6 +5,7 @@
 
 #include <mpi.h>
 
+#include <cstddef>
 #include <cstring>
 #include <type_traits>
 #include <vector>
@@ -69,9 +70,10 @@ class ByteReader {
 /// What each rank has given, one after the other, on every rank. Collective.
 [[nodiscard]] std::vector<double> gather_all(const std::vector<double>& mine, MPI_Comm world);
 
-/// Sends outgoing[r] to rank r and returns what each rank sent here. Collective.
-/// Throws std::length_error on every rank if one rank would send or receive 2 GiB or more.
+/// Sends outgoing[r] to rank r and returns what each rank sent here. Collective. Goes in rounds of
+/// at most `most_at_once` bytes (below 2 GiB) to or from a rank.
 [[nodiscard]] std::vector<std::vector<char>> exchange_bytes(
-    const std::vector<std::vector<char>>& outgoing, MPI_Comm world);
+    const std::vector<std::vector<char>>& outgoing, MPI_Comm world,
+    std::size_t most_at_once = std::size_t{1} << 30);
 
 }  // namespace muckpile::engine
