@@ -575,7 +575,7 @@ void CreateBlocks::create(const std::vector<char>& mine, const std::vector<Hole>
     atom->map_set();
   }
   engine::find_multisphere(*lmp)->add_body_finalize();
-  store().add(records, facets, faces, holes, blocks);
+  FixMuckpileBlocks::find_or_make(*lmp).add(records, facets, faces, holes, blocks);
 }
 
 void CreateBlocks::create_body(const RigidBody& body, int tag, int first_atom_tag,
@@ -613,15 +613,6 @@ void CreateBlocks::create_body(const RigidBody& body, int tag, int first_atom_ta
   auto* ids = multisphere_->data().prop().getElementProperty<LAMMPS_NS::ScalarContainer<int>>(
       "id_multisphere");
   ids->set(multisphere_->n_body() - 1, tag);
-}
-
-FixMuckpileBlocks& CreateBlocks::store() {
-  FixMuckpileBlocks* found = FixMuckpileBlocks::find(*lmp);
-  if (found != nullptr) return *found;
-  std::array<std::string, 3> words{"muckpile_blocks", "all", "muckpile/blocks"};
-  std::array<char*, 3> arg{words[0].data(), words[1].data(), words[2].data()};
-  modify->add_fix(3, arg.data());
-  return *FixMuckpileBlocks::find(*lmp);
 }
 
 void CreateBlocks::report(const Model& model, double seconds) const {

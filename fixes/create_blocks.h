@@ -63,7 +63,6 @@ class CreateBlocks : protected LAMMPS_NS::Pointers {
   void report(const Model& model, double seconds) const;
   void report_filling(const Model& model) const;
   void report_target(const SizeComparison& sizes) const;
-  FixMuckpileBlocks& store();
 
   LAMMPS_NS::FixMultisphere* multisphere_ = nullptr;
   int first_tag_ = 1;

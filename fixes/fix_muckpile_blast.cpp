@@ -14,6 +14,7 @@
 #include <cstring>
 #include <numeric>
 
+#include "engine/restart_file.h"
 #include "engine/single_fix.h"
 #include "engine/style_args.h"
 #include "geometry/hole_surface.h"
@@ -305,37 +306,21 @@ double FixMuckpileBlast::compute_vector(int index) {
   }
 }
 
-// Clock, number of holes, swept volume of each, gas state of each. The engine wants the size in
-// bytes first.
 void FixMuckpileBlast::write_restart(FILE* file) {
-  if (comm->me != 0) return;
-  std::vector<double> state{clock_started_ ? clock() : clock_restarted_,
-                            static_cast<double>(swept_.size())};
-  state.insert(state.end(), swept_.begin(), swept_.end());
-  for (const GasState& gas : states_) {
-    state.insert(state.end(), {gas.mass_left, gas.stemming_path, gas.stemming_speed});
-  }
-  const auto size = static_cast<int>(state.size() * sizeof(double));
-  std::fwrite(&size, sizeof(size), 1, file);
-  std::fwrite(state.data(), sizeof(double), state.size(), file);
+  engine::ByteWriter state;
+  state.put(clock_started_ ? clock() : clock_restarted_);
+  state.put_all(swept_);
+  state.put_all(states_);
+  state.put_all(hole_over_);
+  engine::write_state(*lmp, style, file, state);
 }
 
-void FixMuckpileBlast::restart(char* buffer) {
-  const auto next = [&buffer] {
-    double value = 0.0;
-    std::memcpy(&value, buffer, sizeof(value));
-    buffer += sizeof(value);
-    return value;
-  };
-  clock_restarted_ = next();
-  swept_.resize(static_cast<std::size_t>(next()));
-  states_.resize(swept_.size());
-  for (double& swept : swept_) swept = next();
-  for (GasState& gas : states_) {
-    gas.mass_left = next();
-    gas.stemming_path = next();
-    gas.stemming_speed = next();
-  }
+void FixMuckpileBlast::restart(char* state) {
+  engine::ByteReader reader = engine::read_state(state);
+  clock_restarted_ = reader.get<double>();
+  swept_ = reader.get_all<double>();
+  states_ = reader.get_all<GasState>();
+  hole_over_ = reader.get_all<char>();
 }
 
 }  // namespace muckpile

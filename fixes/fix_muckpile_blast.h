@@ -29,7 +29,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix {
   void end_of_step() override;
   double compute_vector(int index) override;
   void write_restart(FILE* file) override;
-  void restart(char* buffer) override;
+  void restart(char* state) override;
 
   /// The fix of this run, nullptr if there is none.
   [[nodiscard]] static FixMuckpileBlast* find(LAMMPS_NS::LAMMPS& lmp);

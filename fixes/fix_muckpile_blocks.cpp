@@ -19,26 +19,30 @@ using FacetKey = std::pair<int, int>;
 
 FacetKey key_of(const Facet& facet) { return {facet.tag_i, facet.face}; }
 
-void put(engine::ByteWriter& out, const FacetMemory& memory) {
+}  // namespace
+
+void put(engine::ByteWriter& out, const Facet& facet, const FacetMemory& memory) {
+  out.put(facet);
   out.put(static_cast<const FacetTraces&>(memory));
   out.put(memory.rare.exists());
   if (memory.rare.exists()) out.put(memory.rare.get());
 }
 
-FacetMemory get_memory(engine::ByteReader& in) {
-  FacetMemory memory;
+std::pair<Facet, FacetMemory> get_facet(engine::ByteReader& in) {
+  std::pair<Facet, FacetMemory> entry;
+  auto& [facet, memory] = entry;
+  facet = in.get<Facet>();
   static_cast<FacetTraces&>(memory) = in.get<FacetTraces>();
   if (in.get<bool>()) memory.rare.made() = in.get<RareMemory>();
-  return memory;
+  return entry;
 }
-
-}  // namespace
 
 FixMuckpileBlocks::FixMuckpileBlocks(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg), multisphere_(engine::find_multisphere(*engine)) {
   if (multisphere_ == nullptr) {
     engine::stop(*lmp, "fix muckpile/blocks needs a fix multisphere defined before it");
   }
+  restart_global = 1;
 }
 
 FixMuckpileBlocks::~FixMuckpileBlocks() {
@@ -214,10 +218,7 @@ std::vector<std::vector<char>> FixMuckpileBlocks::pack_leaving(
     out.put(record);
     out.put_all(faces_of[record.tag]);
     out.put(facets_of[record.tag].size());
-    for (const std::size_t f : facets_of[record.tag]) {
-      out.put(facets_[f]);
-      put(out, memory_[f]);
-    }
+    for (const std::size_t f : facets_of[record.tag]) put(out, facets_[f], memory_[f]);
   }
   return engine::bytes_of(outgoing);
 }
@@ -234,10 +235,8 @@ void FixMuckpileBlocks::merge(const std::vector<int>& tags,
       const auto record = reader.get<BlockRecord>();
       known[record.tag] = record;
       for (const auto& face : reader.get_all<BoundaryFace>()) faces_.push_back(face);
-      for (auto left = reader.get<std::size_t>(); left > 0; --left) {
-        const auto facet = reader.get<Facet>();
-        facets.emplace_back(facet, get_memory(reader));
-      }
+      for (auto left = reader.get<std::size_t>(); left > 0; --left)
+        facets.push_back(get_facet(reader));
     }
   }
   std::erase_if(faces_, [&](const BoundaryFace& face) { return here.count(face.tag) == 0; });

@@ -8,11 +8,13 @@
 #include <fix.h>
 
 #include <cstdint>
+#include <cstdio>
 #include <functional>
 #include <vector>
 
 #include "bond/facet_network.h"
 #include "engine/block_halo.h"
+#include "engine/exchange.h"
 #include "geometry/block_model.h"
 
 namespace LAMMPS_NS {
@@ -39,10 +41,15 @@ struct FacetLists {
   std::vector<BoundaryFace> faces;
 };
 
+/// A facet with all that it remembers, as bytes.
+void put(engine::ByteWriter& out, const Facet& facet, const FacetMemory& memory);
+[[nodiscard]] std::pair<Facet, FacetMemory> get_facet(engine::ByteReader& in);
+
 /// Whoever computes with the facets; has to give them back before blocks migrate.
 class FacetKeeper {
  public:
   virtual ~FacetKeeper() = default;
+  [[nodiscard]] virtual FacetLists copy() const = 0;
   [[nodiscard]] virtual FacetLists hand_back() = 0;
   virtual void store_is_gone() = 0;  ///< the engine deletes fixes in any order
 };
@@ -56,9 +63,14 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   void setup_pre_neighbor() override { synchronise(); }
   void pre_neighbor() override { synchronise(); }
   double memory_usage() override;
+  void write_restart(FILE* file) override;
+  void restart(char* state) override;
 
   /// The store of this run, nullptr before create_blocks.
   [[nodiscard]] static FixMuckpileBlocks* find(LAMMPS_NS::LAMMPS& lmp);
+  static FixMuckpileBlocks& find_or_make(LAMMPS_NS::LAMMPS& lmp);
+  /// Came from a restart file.
+  [[nodiscard]] bool restored() const { return restored_; }
 
   /// Takes the blocks that this rank creates, with every facet that one of them has.
   void add(const std::vector<BlockRecord>& records, const std::vector<Facet>& facets,
@@ -79,11 +91,16 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   [[nodiscard]] const std::vector<int>& copy_tags() const { return copy_tags_; }
   [[nodiscard]] engine::BlockHalo& halo() { return halo_; }
   [[nodiscard]] int blocks_created() const { return blocks_created_; }
+  /// Of those, the ones that were no longer there when the restart file was written.
+  [[nodiscard]] int blocks_lost_before() const { return lost_before_; }
   [[nodiscard]] int facets_created() const { return facets_created_; }
   [[nodiscard]] LAMMPS_NS::FixMultisphere& multisphere() { return *multisphere_; }
 
  private:
   using FacetEntry = std::pair<Facet, FacetMemory>;
+
+  void read_lists(engine::ByteReader& reader);
+  void check_bodies();
 
   void synchronise();
   [[nodiscard]] std::vector<int> body_tags();
@@ -109,8 +126,8 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   std::vector<int> tags_, copy_tags_;
   engine::BlockHalo halo_;
   std::uint64_t version_ = 0;
-  bool handed_over_ = false;
-  int blocks_created_ = 0, facets_created_ = 0, highest_joint_class_ = 0;
+  bool handed_over_ = false, restored_ = false;
+  int blocks_created_ = 0, lost_before_ = 0, facets_created_ = 0, highest_joint_class_ = 0;
 };
 
 }  // namespace muckpile

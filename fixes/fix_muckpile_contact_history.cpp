@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+#include "engine/restart_file.h"
+
 namespace muckpile {
 
 namespace {
@@ -20,7 +22,7 @@ constexpr int kDoublesPerRecord = 9;  // partner, slide, roll, overlap offset, s
 FixMuckpileContactHistory::FixMuckpileContactHistory(LAMMPS_NS::LAMMPS* engine_object, int narg,
                                                      char** arg)
     : Fix(engine_object, narg, arg) {
-  restart_peratom = 1;
+  restart_peratom = restart_global = 1;
   create_attribute = 1;
   grow_arrays(atom->nmax);
   atom->add_callback(0);
@@ -30,6 +32,14 @@ FixMuckpileContactHistory::FixMuckpileContactHistory(LAMMPS_NS::LAMMPS* engine_o
 FixMuckpileContactHistory::~FixMuckpileContactHistory() {
   atom->delete_callback(id, 0);
   atom->delete_callback(id, 1);
+}
+
+void FixMuckpileContactHistory::set_source(ContactSource* source) {
+  if (source_ == nullptr) {
+    source->losses().friction += restored_.friction;
+    source->losses().damping += restored_.damping;
+  }
+  source_ = source;
 }
 
 int FixMuckpileContactHistory::setmask() { return LAMMPS_NS::FixConst::PRE_EXCHANGE; }
@@ -130,6 +140,25 @@ void FixMuckpileContactHistory::unpack_restart(int index, int nth) {
   int m = 0;
   for (int k = 0; k < nth; ++k) m += static_cast<int>(extra[m]);
   (void)unpack(index, extra + m + 1);
+}
+
+/// Called before the records are asked for: a file may be written in the middle of a run.
+void FixMuckpileContactHistory::write_restart(FILE* file) {
+  ContactSource::Losses losses;
+  if (source_ != nullptr) {
+    source_->store_contacts(*this);
+    losses = source_->losses();
+  }
+  engine::ByteWriter state;
+  state.put(engine::total(*lmp, losses.friction));
+  state.put(engine::total(*lmp, losses.damping));
+  engine::write_state(*lmp, style, file, state);
+}
+
+void FixMuckpileContactHistory::restart(char* state) {
+  engine::ByteReader reader = engine::read_state(state);
+  restored_.friction = engine::share_of_total(*lmp, reader.get<double>());
+  restored_.damping = engine::share_of_total(*lmp, reader.get<double>());
 }
 
 int FixMuckpileContactHistory::size_restart(int index) {

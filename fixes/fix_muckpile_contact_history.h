@@ -20,6 +20,11 @@ class ContactSource {
   virtual ~ContactSource() = default;
   /// Called before atoms are exchanged: put every live contact into `history`.
   virtual void store_contacts(FixMuckpileContactHistory& history) = 0;
+  /// Lost in contacts so far, for a run that goes on. [J]
+  struct Losses {
+    double friction = 0.0, damping = 0.0;
+  };
+  [[nodiscard]] virtual Losses& losses() = 0;
 };
 
 class FixMuckpileContactHistory : public LAMMPS_NS::Fix {
@@ -34,7 +39,7 @@ class FixMuckpileContactHistory : public LAMMPS_NS::Fix {
   FixMuckpileContactHistory& operator=(const FixMuckpileContactHistory&) = delete;
   ~FixMuckpileContactHistory() override;
 
-  void set_source(ContactSource* source) { source_ = source; }
+  void set_source(ContactSource* source);
 
   /// Replaces everything by `records`; owners[k] is the owned atom that carries records[k].
   void store(const std::vector<int>& owners, const std::vector<Record>& records);
@@ -54,6 +59,8 @@ class FixMuckpileContactHistory : public LAMMPS_NS::Fix {
   void unpack_restart(int index, int nth) override;
   int size_restart(int index) override;
   int maxsize_restart() override;
+  void write_restart(FILE* file) override;
+  void restart(char* state) override;
   double memory_usage() override;
 
  private:
@@ -64,9 +71,10 @@ class FixMuckpileContactHistory : public LAMMPS_NS::Fix {
   int unpack(int index, const double* buf);
 
   ContactSource* source_ = nullptr;
-  std::vector<Range> range_;     ///< per atom: its records in the pool
-  std::vector<Record> records_;  ///< the pool; leavers leave holes until the next store()
-  int most_records_ = 0;         ///< of one atom
+  ContactSource::Losses restored_;  ///< of a restart file, until there is a source
+  std::vector<Range> range_;        ///< per atom: its records in the pool
+  std::vector<Record> records_;     ///< the pool; leavers leave holes until the next store()
+  int most_records_ = 0;            ///< of one atom
 };
 
 }  // namespace muckpile

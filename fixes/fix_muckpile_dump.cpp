@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <numeric>
 #include <vector>
@@ -58,7 +59,19 @@ void FixMuckpileDump::init() {
 }
 
 void FixMuckpileDump::setup(int) {
+  if (last_ < 0 && store_->restored() && comm->me == 0) remove_later();
   if (last_ < 0) write();
+}
+
+/// Snapshots that the run before wrote after its restart file; what they show did not happen.
+void FixMuckpileDump::remove_later() const {
+  std::error_code fault;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_, fault)) {
+    long long step = 0;
+    const std::string name = entry.path().filename().string();
+    if (std::sscanf(name.c_str(), "blocks_%lld.csv", &step) == 1 && step > update->ntimestep)
+      std::filesystem::remove(entry.path(), fault);
+  }
 }
 
 void FixMuckpileDump::post_run() { write(); }

@@ -24,6 +24,7 @@ class FixMuckpileDump : public LAMMPS_NS::Fix {
   int modify_param(int narg, char** arg) override;
 
  private:
+  void remove_later() const;
   void write();
   [[nodiscard]] std::string rows() const;
 

@@ -13,6 +13,7 @@
 #include "args/numbers.h"
 #include "engine/bodies.h"
 #include "engine/exchange.h"
+#include "engine/restart_file.h"
 #include "engine/single_fix.h"
 #include "engine/style_args.h"
 #include "fix_muckpile_blast.h"
@@ -69,6 +70,7 @@ FixMuckpileGas::FixMuckpileGas(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
   global_freq = 1;
   extvector = 0;
   nevery = 1;
+  restart_global = 1;
 }
 
 int FixMuckpileGas::setmask() {
@@ -139,6 +141,8 @@ void FixMuckpileGas::follow_blocks() {
   for (const BlockRecord& record : joint_->blocks().records()) tags.push_back(record.tag);
   std::unordered_map<int, GasContent> contents;
   if (active_) contents = contents_here(tags);
+  contents.merge(restored_);
+  restored_.clear();
   gas_.set_network(joint_->network());
   engine::BlockHalo& halo = joint_->blocks().halo();
   halo.forward(gas_.touches().first(halo.size()));
@@ -262,6 +266,38 @@ void FixMuckpileGas::look_whether_spent() {
   const double greatest = over_ranks(gas_.greatest_pressure(), true);
   if (fed || !blast_->over() || greatest > (1.0 + kSpentShare) * ambient_) return;
   end_of_gas("is spent");
+}
+
+void FixMuckpileGas::write_restart(FILE* file) {
+  engine::ByteWriter common, mine;
+  common.put(active_);
+  common.put(spent_);
+  common.put_all(fed_);
+  common.put(taken_);
+  common.put(vented_);
+  common.put(over_ranks(lost_));
+  common.put(over_ranks(work_));
+  for (std::size_t b = 0; b < tags_.size(); ++b) {
+    mine.put(tags_[b]);
+    mine.put(gas_.cells()[b].content);
+  }
+  engine::write_state(*lmp, style, file, common, mine);
+}
+
+/// The contents of all blocks, until follow_blocks() picks those of this rank.
+void FixMuckpileGas::restart(char* state) {
+  engine::ByteReader reader = engine::read_state(state);
+  active_ = reader.get<bool>();
+  spent_ = reader.get<bool>();
+  fed_ = reader.get_all<char>();
+  taken_ = reader.get<double>();
+  vented_ = reader.get<double>();
+  lost_ = engine::share_of_total(*lmp, reader.get<double>());
+  work_ = engine::share_of_total(*lmp, reader.get<double>());
+  while (!reader.empty()) {
+    const int tag = reader.get<int>();
+    restored_[tag] = reader.get<GasContent>();
+  }
 }
 
 double FixMuckpileGas::over_ranks(double mine, bool greatest) const {

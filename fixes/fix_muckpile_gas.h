@@ -31,6 +31,8 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure {
   void pre_neighbor() override { follow_blocks(); }
   void end_of_step() override;
   double compute_vector(int n) override;
+  void write_restart(FILE* file) override;
+  void restart(char* state) override;
 
   void fill_joints(FacetNetwork& network, engine::BlockHalo& halo) override;
   [[nodiscard]] bool acts() const override { return active_; }
@@ -56,6 +58,7 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure {
   FixMuckpileJoint* joint_ = nullptr;
   std::uint64_t version_ = 0;
   std::vector<int> tags_;  // of the owned blocks, in the order of their cells
+  std::unordered_map<int, GasContent> restored_;  // by tag, until the first follow_blocks()
   bool active_ = false, spent_ = false;
   std::vector<char> fed_;              // per hole
   std::vector<GasChamber> chambers_;   // per hole

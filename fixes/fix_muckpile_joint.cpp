@@ -36,6 +36,7 @@ enum Output {
   damping,
   longest_step,
   pressure_work_done,
+  softened,
   output_count
 };
 
@@ -138,6 +139,13 @@ FixMuckpileJoint::FixMuckpileJoint(LAMMPS_NS::LAMMPS* engine, int narg, char** a
   if (engine::find_multisphere(*lmp) == nullptr) {
     engine::stop(*lmp, name_of(narg, arg) + ": needs 'fix ID all multisphere' before it");
   }
+  if (modify->have_restart_data_style("muckpile/blocks") &&
+      FixMuckpileBlocks::find(*lmp) == nullptr) {
+    engine::stop(*lmp,
+                 name_of(narg, arg) +
+                     ": after read_restart it needs 'fix ID all multisphere/muckpile', with the "
+                     "ID that it had when the file was written, before it");
+  }
   if (std::strcmp(update->unit_style, "si") != 0) {
     engine::stop(*lmp,
                  name_of(narg, arg) + ": needs 'units si', got 'units " + update->unit_style + "'");
@@ -148,6 +156,7 @@ FixMuckpileJoint::FixMuckpileJoint(LAMMPS_NS::LAMMPS* engine, int narg, char** a
   extvector = 0;
   force_reneighbor = 1;
   next_reneighbor = -1;
+  restart_global = 1;
 }
 
 FixMuckpileJoint::~FixMuckpileJoint() {
@@ -177,7 +186,9 @@ void FixMuckpileJoint::init() {
     if (auto* gas = dynamic_cast<JointPressure*>(modify->fix[i])) gas_ = gas;
   }
   check_classes();
+  check_restart();
   follow_blocks();
+  end_what_does_not_go_on();
 }
 
 void FixMuckpileJoint::check_classes() const {
@@ -188,6 +199,10 @@ void FixMuckpileJoint::check_classes() const {
   engine::stop(*lmp, std::string("fix muckpile/joint '") + id +
                          "': create_blocks has a joint_plane of class " + std::to_string(most) +
                          ", but joint_class is given " + std::to_string(given) + " time(s)");
+}
+
+FacetLists FixMuckpileJoint::copy() const {
+  return {network_.facets(), network_.memory(), network_.faces()};
 }
 
 FacetLists FixMuckpileJoint::hand_back() {
@@ -442,6 +457,8 @@ double FixMuckpileJoint::compute_vector(int n) {
       return sum(network_.pressure_work());
     case longest_step:
       return version_ == 0 ? kInfinity : stable_step(Breaking::possible, 0.0).seconds;
+    case softened:
+      return network_.totals().softened;
     default:
       return 0.0;
   }

@@ -6,6 +6,7 @@
 
 #include <fix.h>
 
+#include <cstdio>
 #include <memory>
 #include <vector>
 
@@ -40,7 +41,10 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   double compute_vector(int n) override;
   int modify_param(int narg, char** arg) override;
   double memory_usage() override;
+  void write_restart(FILE* file) override;
+  void restart(char* state) override;
 
+  [[nodiscard]] FacetLists copy() const override;
   FacetLists hand_back() override;
   void store_is_gone() override { store_ = nullptr; }
 
@@ -83,6 +87,8 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
 
  private:
   void check_classes() const;
+  void check_restart() const;
+  void end_what_does_not_go_on();
   void follow_blocks();
   void add_forces(double dt);
   void gather_state();
@@ -107,6 +113,8 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   std::vector<double> poses_;
   std::vector<int> of_blocks_;  // work space of mark_joined() and let_rest()
   bool cracked_since_build_ = false;
+  bool restored_ = false;  ///< its totals came from a restart file
+  bool goes_on_ = false;   ///< and what does not go on has ended
 };
 
 }  // namespace muckpile

@@ -18,6 +18,7 @@
 #include <string>
 
 #include "engine/bodies.h"
+#include "engine/restart_file.h"
 #include "engine/style_args.h"
 #include "fix_muckpile_joint.h"
 #include "fix_muckpile_sleep.h"
@@ -53,6 +54,7 @@ FixMuckpileLedger::FixMuckpileLedger(LAMMPS_NS::LAMMPS* engine, int narg, char**
   global_freq = 1;
   extscalar = extvector = 0;
   nevery = 1;
+  restart_global = 1;
 }
 
 int FixMuckpileLedger::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
@@ -156,6 +158,27 @@ double FixMuckpileLedger::fastest_block() {
   }
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
   return all;
+}
+
+void FixMuckpileLedger::write_restart(FILE* file) {
+  engine::ByteWriter state;
+  state.put(started_);
+  state.put(start_kinetic_);
+  state.put(start_residual_);
+  state.put(start_gravity_);
+  state.put(engine::total(*lmp, sphere_work_));
+  state.put(engine::total(*lmp, sleep_ != nullptr ? sleep_->energy_taken() : laid_to_rest_));
+  engine::write_state(*lmp, style, file, state);
+}
+
+void FixMuckpileLedger::restart(char* state) {
+  engine::ByteReader reader = engine::read_state(state);
+  started_ = reader.get<bool>();
+  start_kinetic_ = reader.get<double>();
+  start_residual_ = reader.get<double>();
+  start_gravity_ = reader.get<double>();
+  sphere_work_ = engine::share_of_total(*lmp, reader.get<double>());
+  laid_to_rest_ = engine::share_of_total(*lmp, reader.get<double>());
 }
 
 double FixMuckpileLedger::compute_scalar() { return balance_error(); }

@@ -44,6 +44,8 @@ class FixMuckpileLedger : public LAMMPS_NS::Fix {
   void end_of_step() override;
   double compute_scalar() override;
   double compute_vector(int n) override;
+  void write_restart(FILE* file) override;
+  void restart(char* state) override;
 
   /// Summed over ranks. Collective; computed once per step.
   [[nodiscard]] const EnergyLedger& ledger();

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 
@@ -21,6 +22,7 @@
 #include "engine/bodies.h"
 #include "engine/periodic_output.h"
 #include "engine/region.h"
+#include "engine/restart_file.h"
 #include "engine/style_args.h"
 #include "fix_muckpile_blast.h"
 #include "fix_muckpile_joint.h"
@@ -77,6 +79,7 @@ FixMuckpileProgress::FixMuckpileProgress(LAMMPS_NS::LAMMPS* engine, int narg, ch
   size_vector = 3;
   global_freq = 1;
   extscalar = extvector = 0;
+  restart_global = 1;
 }
 
 int FixMuckpileProgress::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
@@ -151,9 +154,10 @@ void FixMuckpileProgress::stop_if_wrong(const Look& now) {
       " at step " + std::to_string(update->ntimestep) + ", t = " + number_text(now.time) + " s";
   if (!std::isfinite(now.fastest))
     stop_with_restart("a block's velocity is not a number" + at + "; the time step is too long");
-  if (now.bodies < store_->blocks_created()) {
-    stop_with_restart(std::to_string(store_->blocks_created() - now.bodies) +
-                      " blocks left the simulation box" + at + "; make the box larger");
+  const int blocks = store_->blocks_created() - store_->blocks_lost_before();
+  if (now.bodies < blocks) {
+    stop_with_restart(std::to_string(blocks - now.bodies) + " blocks left the simulation box" + at +
+                      "; make the box larger");
   }
   if (now.fastest > fastest_allowed_) {
     stop_with_restart("the fastest block moves at " + number_text(now.fastest) + " m/s" + at +
@@ -194,9 +198,34 @@ void FixMuckpileProgress::say(const Look& now) const {
   if (screen != nullptr) std::fflush(screen);
 }
 
+void FixMuckpileProgress::write_restart(FILE* file) {
+  engine::ByteWriter state;
+  state.put(MPI_Wtime() - wall_start_);
+  engine::write_state(*lmp, style, file, state);
+}
+
+void FixMuckpileProgress::restart(char* state) {
+  wall_start_ -= engine::read_state(state).get<double>();
+  restored_ = true;
+}
+
+/// The history of the run before, up to now; what it did later did not happen. False if there is
+/// none in this folder.
+bool FixMuckpileProgress::keep_history() const {
+  std::ifstream in(folder_ + "/history.csv");
+  std::string line, kept = kHistoryHeader;
+  if (!std::getline(in, line) || line + '\n' != kHistoryHeader) return false;
+  while (std::getline(in, line) && std::atoll(line.c_str()) < update->ntimestep)
+    kept += line + '\n';
+  in.close();
+  std::ofstream(folder_ + "/history.csv") << kept;
+  return true;
+}
+
 void FixMuckpileProgress::write_history(const Look& now) {
   const EnergyLedger& e = ledger_->ledger();
   if (comm->me != 0) return;
+  if (!history_begun_ && restored_) history_begun_ = keep_history();
   std::ofstream out(folder_ + "/history.csv", history_begun_ ? std::ios::app : std::ios::trunc);
   if (!history_begun_) out << kHistoryHeader;
   history_begun_ = true;

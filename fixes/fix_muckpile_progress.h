@@ -25,6 +25,8 @@ class FixMuckpileProgress : public LAMMPS_NS::Fix {
   void post_run() override;
   double compute_scalar() override;
   double compute_vector(int n) override;
+  void write_restart(FILE* file) override;
+  void restart(char* state) override;
   int modify_param(int narg, char** arg) override;
 
  private:
@@ -43,6 +45,7 @@ class FixMuckpileProgress : public LAMMPS_NS::Fix {
   void look_at_blocks(Look& now) const;
   void say(const Look& now) const;
   void write_history(const Look& now);
+  [[nodiscard]] bool keep_history() const;
   void write_run(const Look& now) const;
   void stop_if_wrong(const Look& now);
   [[nodiscard]] bool still(const Look& now) const;
@@ -56,6 +59,7 @@ class FixMuckpileProgress : public LAMMPS_NS::Fix {
   double time_end_, still_speed_, still_share_, fastest_allowed_, balance_allowed_;
   double wall_start_, phase_wall_start_ = 0.0, phase_time_start_ = 0.0;
   bool history_begun_ = false;
+  bool restored_ = false;  // a run goes on from a restart file
   LAMMPS_NS::bigint last_ = -1;
 };
 

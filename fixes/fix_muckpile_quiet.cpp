@@ -13,6 +13,7 @@
 
 #include "args/numbers.h"
 #include "engine/region.h"
+#include "engine/restart_file.h"
 #include "engine/single_fix.h"
 #include "engine/style_args.h"
 
@@ -56,6 +57,7 @@ FixMuckpileQuiet::FixMuckpileQuiet(LAMMPS_NS::LAMMPS* engine, int narg, char** a
   size_vector = kOutputCount;
   global_freq = 1;
   extscalar = extvector = 0;
+  restart_global = 1;
 }
 
 int FixMuckpileQuiet::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
@@ -87,6 +89,8 @@ void FixMuckpileQuiet::init() {
 void FixMuckpileQuiet::setup(int) {
   last_time_ = update->get_cur_time();
   if (begun_) return;
+  if (sum(supports_->supports_yielding()) > 0.0)
+    engine::stop(*lmp, where_ + ": must have the ID that it had when the restart file was written");
   begun_ = true;
   const auto mine =
       supports_->let_ground_yield([this](const Vec3& at) { return chosen(at); }, rock_behind_);
@@ -130,6 +134,26 @@ void FixMuckpileQuiet::stop(const std::string& why) {
   supports_->stop_ground();
   engine::print_once(*lmp, where_ + ": the ground stands still from " +
                                number_text(update->get_cur_time()) + " s on: " + why + "\n");
+}
+
+/// What the ground remembers is with the joints.
+void FixMuckpileQuiet::write_restart(FILE* file) {
+  engine::ByteWriter state;
+  state.put(begun_);
+  state.put(over_);
+  state.put(power_);
+  state.put(greatest_power_);
+  state.put(last_radiated_);
+  engine::write_state(*lmp, style, file, state);
+}
+
+void FixMuckpileQuiet::restart(char* state) {
+  engine::ByteReader reader = engine::read_state(state);
+  begun_ = reader.get<bool>();
+  over_ = reader.get<bool>();
+  power_ = reader.get<double>();
+  greatest_power_ = reader.get<double>();
+  last_radiated_ = reader.get<double>();
 }
 
 double FixMuckpileQuiet::sum(double mine) const {

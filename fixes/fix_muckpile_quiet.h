@@ -25,6 +25,8 @@ class FixMuckpileQuiet : public LAMMPS_NS::Fix {
   void end_of_step() override;
   double compute_scalar() override;
   double compute_vector(int n) override;
+  void write_restart(FILE* file) override;
+  void restart(char* state) override;
 
  private:
   [[nodiscard]] YieldingSupports* find_supports() const;  // nullptr if there are none

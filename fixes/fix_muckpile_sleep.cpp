@@ -17,6 +17,7 @@
 #include <unordered_map>
 
 #include "engine/bodies.h"
+#include "engine/restart_file.h"
 #include "engine/single_fix.h"
 #include "engine/style_args.h"
 #include "fix_muckpile_blast.h"
@@ -52,6 +53,7 @@ FixMuckpileSleep::FixMuckpileSleep(LAMMPS_NS::LAMMPS* engine, int narg, char** a
   size_vector = 2;
   global_freq = 1;
   extscalar = extvector = 0;
+  restart_global = 1;
 }
 
 int FixMuckpileSleep::setmask() {
@@ -212,6 +214,30 @@ int FixMuckpileSleep::pack_reverse_comm(int n, int first, double* buffer) {
 void FixMuckpileSleep::unpack_reverse_comm(int n, int* list, double* buffer) {
   for (int k = 0; k < n; ++k)
     if (buffer[k] > 0.5) sent_[static_cast<std::size_t>(list[k])] = 1;
+}
+
+void FixMuckpileSleep::write_restart(FILE* file) {
+  engine::ByteWriter common, mine;
+  common.put(engine::total(*lmp, taken_));
+  mine.put_all(tags_);
+  mine.put_all(stays_);
+  mine.put_all(rests_);
+  engine::write_state(*lmp, style, file, common, mine);
+}
+
+/// Of all blocks, until follow_bodies() picks those of this rank.
+void FixMuckpileSleep::restart(char* state) {
+  engine::ByteReader reader = engine::read_state(state);
+  taken_ = engine::share_of_total(*lmp, reader.get<double>());
+  const auto append = [&reader]<class T>(std::vector<T>& all) {
+    const std::vector<T> part = reader.get_all<T>();
+    all.insert(all.end(), part.begin(), part.end());
+  };
+  while (!reader.empty()) {
+    append(tags_);
+    append(stays_);
+    append(rests_);
+  }
 }
 
 int FixMuckpileSleep::modify_param(int, char** arg) {

@@ -35,6 +35,8 @@ class FixMuckpileSleep : public LAMMPS_NS::Fix, public RestingBlocks {
   int modify_param(int narg, char** arg) override;
   double compute_scalar() override;
   double compute_vector(int n) override;
+  void write_restart(FILE* file) override;
+  void restart(char* state) override;
   int pack_comm(int n, int* list, double* buffer, int pbc_flag, int* pbc) override;
   void unpack_comm(int n, int first, double* buffer) override;
   int pack_reverse_comm(int n, int first, double* buffer) override;

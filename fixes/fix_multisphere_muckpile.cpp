@@ -21,6 +21,7 @@
 
 #include "engine/bodies.h"
 #include "engine/style_args.h"
+#include "fix_muckpile_blocks.h"
 
 namespace muckpile {
 namespace {
@@ -55,6 +56,11 @@ FixMultisphereMuckpile::FixMultisphereMuckpile(LAMMPS_NS::LAMMPS* engine, int na
                               "': takes no keywords, got '" + arg[3] +
                               "'; fix multisphere has some");
   }
+}
+
+void FixMultisphereMuckpile::post_create() {
+  FixMultisphere::post_create();
+  if (modify->have_restart_data_style("muckpile/blocks")) FixMuckpileBlocks::find_or_make(*lmp);
 }
 
 void FixMultisphereMuckpile::init() {

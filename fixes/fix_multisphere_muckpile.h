@@ -21,6 +21,7 @@ class FixMultisphereMuckpile : public LAMMPS_NS::FixMultisphere {
  public:
   FixMultisphereMuckpile(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
+  void post_create() override;  ///< with the blocks of a restart file, if there is one
   void init() override;
   void reset_dt() override;  ///< LIGGGHTS' own takes a time step over at the start of a run only
   double extend_cut_ghost() override;

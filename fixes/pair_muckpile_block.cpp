@@ -506,8 +506,8 @@ void PairMuckpileBlock::touch(SpherePair& pair, const Vec3& to_second, double di
   ledger_.contacts += share;
   ledger_.elastic_J += share * response.elastic_energy;
   if (history_step > 0.0) {
-    ledger_.friction_J += share * response.friction_loss;
-    ledger_.damping_J += share * response.damping_loss;
+    losses_.friction += share * response.friction_loss;
+    losses_.damping += share * response.damping_loss;
   }
   ledger_.max_overlap_ratio = std::max(ledger_.max_overlap_ratio,
                                        motion.overlap / std::min(atoms.radius[i], atoms.radius[j]));
@@ -528,8 +528,8 @@ void* PairMuckpileBlock::extract(const char* name, int& dim) {
     ledger_.all_elastic_J = ledger_.elastic_J + resting_energy();
     return &ledger_.all_elastic_J;
   }
-  if (key == "friction_J") return &ledger_.friction_J;
-  if (key == "damping_J") return &ledger_.damping_J;
+  if (key == "friction_J") return &losses_.friction;
+  if (key == "damping_J") return &losses_.damping;
   if (key == "power_W") return &ledger_.power_W;
   if (key == "contacts") return &ledger_.contacts;
   if (key == "max_overlap_ratio") return &ledger_.max_overlap_ratio;

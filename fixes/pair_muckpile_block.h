@@ -51,6 +51,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public N
   void* extract(const char* name, int& dim) override;
 
   void store_contacts(FixMuckpileContactHistory& history) override;
+  [[nodiscard]] Losses& losses() override { return losses_; }
 
   void mark_near(std::span<const char> from, std::span<char> to) const override;
 
@@ -59,7 +60,6 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public N
     double all_elastic_J = 0.0;  ///< worked out when asked for
     // Of the last step, without what is left alone.
     double elastic_J = 0.0, power_W = 0.0, contacts = 0.0, max_overlap_ratio = 0.0;
-    double friction_J = 0.0, damping_J = 0.0;
     double stable_step_s = 0.0, spring_step_s = 0.0;
     double rebuild_s = 0.0, rebuilds = 0.0;
   };
@@ -137,6 +137,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public N
   std::vector<int> record_owners_;  ///< work space of store_contacts
   std::vector<FixMuckpileContactHistory::Record> records_;
   Ledger ledger_;
+  Losses losses_;
 };
 
 }  // namespace muckpile

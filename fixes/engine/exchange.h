@@ -24,8 +24,9 @@ class ByteWriter {
   template <typename T>
   void put(const T& value) {
     static_assert(kCopyable<T>);
-    const auto* first = reinterpret_cast<const char*>(&value);
-    bytes_.insert(bytes_.end(), first, first + sizeof(T));
+    const std::size_t size = bytes_.size();
+    bytes_.resize(size + sizeof(T));
+    std::memcpy(bytes_.data() + size, static_cast<const void*>(&value), sizeof(T));
   }
   template <typename T>
   void put_all(const std::vector<T>& values) {

@@ -37,16 +37,27 @@ Mat3 inertia_of(LAMMPS_NS::FixMultisphere& fix, const engine::Bodies& bodies, in
 
 RockScene::RockScene(MPI_Comm comm, const std::string& box, const std::string& processors,
                      const std::string& bodies)
-    : comm_(comm) {
-  lmp_ = silent_engine(comm_);
-  run_lines(*lmp_,
-            {"units si", "atom_style granular", "atom_modify map array sort 0 0", "newton off",
-             "boundary f f f", "communicate single cutoff 1.0 vel yes", "processors " + processors,
-             "region box block " + box + " units box", "create_box 1 box", "neighbor 0.05 bin",
-             "neigh_modify delay 0", "fix bodies all " + bodies});
+    : RockScene(comm) {
+  run_lines(*lmp_, {"processors " + processors, "region box block " + box + " units box",
+                    "create_box 1 box", "neighbor 0.05 bin", "neigh_modify delay 0",
+                    "fix bodies all " + bodies});
+}
+
+RockScene::RockScene(MPI_Comm comm) : comm_(comm), lmp_(silent_engine(comm)) {
+  run_lines(*lmp_, {"units si", "atom_style granular", "atom_modify map array sort 0 0",
+                    "newton off", "boundary f f f", "communicate single cutoff 1.0 vel yes"});
+}
+
+RockScene RockScene::restarted(MPI_Comm comm, const std::string& file,
+                               const std::string& processors, const std::string& bodies) {
+  RockScene scene(comm);
+  run_lines(*scene.lmp_, {"processors " + processors, "read_restart " + file, "neighbor 0.05 bin",
+                          "neigh_modify delay 0", "fix bodies all " + bodies});
+  return scene;
 }
 
 RockScene::~RockScene() = default;
+RockScene::RockScene(RockScene&&) noexcept = default;
 
 void RockScene::command(const std::string& line) { run_lines(*lmp_, {line}); }
 

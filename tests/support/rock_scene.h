@@ -43,7 +43,12 @@ class RockScene {
   /// that holds the blocks.
   RockScene(MPI_Comm comm, const std::string& box, const std::string& processors = "* 1 1",
             const std::string& bodies = "multisphere");
+  /// Goes on from a restart file of such a scene, with the same style of `bodies`.
+  static RockScene restarted(MPI_Comm comm, const std::string& file,
+                             const std::string& processors = "* 1 1",
+                             const std::string& bodies = "multisphere/muckpile");
   ~RockScene();
+  RockScene(RockScene&&) noexcept;
   RockScene(const RockScene&) = delete;
   RockScene& operator=(const RockScene&) = delete;
 
@@ -68,6 +73,7 @@ class RockScene {
   [[nodiscard]] double spheres() const;
 
  private:
+  explicit RockScene(MPI_Comm comm);
   MPI_Comm comm_;
   std::unique_ptr<LAMMPS_NS::LAMMPS> lmp_;
 };

@@ -54,7 +54,6 @@ void FacetNetwork::set_facets(std::vector<Facet> facets, std::vector<FacetMemory
   facets_.resize(count);
   states_.resize(count);
   bonded_points_.resize(count);
-  asleep_.assign(count, 0);
   for (std::size_t f = 0; f < count; ++f) {
     const Facet& facet = facets[f];
     facets_[f] = {facet.tag_i,       facet.tag_j,     facet.face, facet.kind,
@@ -67,6 +66,16 @@ void FacetNetwork::set_facets(std::vector<Facet> facets, std::vector<FacetMemory
   contacts_.resize(count);
   couplings_.resize(count);
   for (std::size_t f = 0; f < count; ++f) derive_facet(f, facets[f]);
+  list_anew();
+}
+
+void FacetNetwork::derive_anew() {
+  derive();
+  list_anew();
+}
+
+void FacetNetwork::list_anew() {
+  asleep_.assign(facets_.size(), 0);
   list_active();
   list_yielding();
   count_unbonded();
@@ -347,6 +356,21 @@ void FacetNetwork::soften(double factor, std::optional<double> damping) {
     for (Cohesion& cohesion : memory.rare.made().cohesion) cohesion.strength *= factor;
   }
   for (JointMaterial& material : materials_) material = material.softened(factor, damping);
+  softened_ *= factor;
+  if (damping) damping_given_ = damping;
+  derive();
+}
+
+void FacetNetwork::resume(const NetworkTotals& totals) {
+  losses_ = totals.losses;
+  pressure_work_ = totals.pressure_work;
+  wave_work_ = totals.wave_work;
+  softened_ = totals.softened;
+  damping_given_ = totals.damping;
+  quiet_ground_ = totals.quiet_ground;
+  if (softened_ == 1.0 && !totals.damping) return;
+  for (JointMaterial& material : materials_)
+    material = material.softened(softened_, totals.damping);
   derive();
 }
 

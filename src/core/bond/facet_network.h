@@ -167,6 +167,15 @@ struct JointLosses {
   double radiated = 0.0;  ///< of that, carried away by waves
 };
 
+/// What a network has added up, for a run that continues it.
+struct NetworkTotals {
+  JointLosses losses;
+  double pressure_work = 0.0, wave_work = 0.0;  ///< [J]
+  double softened = 1.0;                        ///< product of all factors of soften() [-]
+  std::optional<double> damping;                ///< the last one given to soften() [-]
+  QuietGround quiet_ground;
+};
+
 enum class BreakView : std::uint8_t;
 class FacetList;
 class LinearNetwork;
@@ -272,6 +281,15 @@ class FacetNetwork {
   /// and bulk stress must be those of the present pose. `damping` replaces that of all joints.
   void soften(double factor, std::optional<double> damping = {});
 
+  [[nodiscard]] NetworkTotals totals() const {
+    return {losses_, pressure_work_, wave_work_, softened_, damping_given_, quiet_ground_};
+  }
+  /// What breaking changes bit by bit is worked out from the facets again, as in a network that
+  /// gets them from a restart file: the two then agree to the last bit.
+  void derive_anew();
+  /// Of a network just made: goes on from these totals, with rock that soft.
+  void resume(const NetworkTotals& totals);
+
  private:
   struct FacetName {  // what the passes do not read
     int tag_i, tag_j, face;
@@ -326,6 +344,7 @@ class FacetNetwork {
   void derive();
   void derive_facet(std::size_t f, const Facet& facet);
   void count_unbonded();
+  void list_anew();
   void list_active();
   void list_working();
   [[nodiscard]] double stiffening(const BlockSums& sums) const;
@@ -409,7 +428,8 @@ class FacetNetwork {
   JointLosses losses_;
   bool softens_ = false, depends_on_rate_ = false, keeps_gas_ = false;
   double damping_ = 0.0, contact_damping_ = 0.0;  // [Pa s/m]
-  double pressure_work_ = 0.0, wave_work_ = 0.0;
+  double pressure_work_ = 0.0, wave_work_ = 0.0, softened_ = 1.0;
+  std::optional<double> damping_given_;
   bool newly_cracked_ = false;
 };
 

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "rock_scene.h"
+#include "scratch_folder.h"
 
 namespace muckpile::test {
 namespace {
@@ -29,6 +30,30 @@ class LooseBlocks : public RockScene {
   /// `sleep`: the words of fix muckpile/sleep, none without it.
   LooseBlocks(MPI_Comm comm, const std::string& sleep)
       : RockScene(comm, "-3 3 -3 3 -1 4", "* 1 1", "multisphere/muckpile") {
+    add_contacts();
+    cut("-0.6 0.6 -0.6 0.6 0 1.2",
+        "density 2600 size uniform 0.4 block_min 0.4 block_max 0.4 spheres_per_block 5 seed 3");
+    add_joints_and_books(sleep);
+    set_motion([](int, const Vec3& at) {
+      const bool top = at.z() > 0.9 && at.head<2>().norm() < 0.3;
+      return Motion{Vec3(0.0, 0.0, top ? kThrown : 0.0), Vec3::Zero()};
+    });
+  }
+  /// Goes on from a file written at `time`.
+  LooseBlocks(MPI_Comm comm, const std::string& file, double time, const std::string& sleep)
+      : RockScene(restarted(comm, file)), time_(time) {
+    add_contacts();
+    add_joints_and_books(sleep);
+  }
+  void run_to(double time) {
+    const int more = static_cast<int>(std::round((time - time_) / kStep));
+    run(more, kStep);
+    time_ = time;
+  }
+  [[nodiscard]] double resting_share() const { return output("sleep", 0); }
+
+ private:
+  void add_contacts() {
     for (const char* line :
          {"fix m1 all property/global youngsModulus peratomtype 1e7",
           "fix m2 all property/global poissonsRatio peratomtype 0.25",
@@ -43,26 +68,14 @@ class LooseBlocks : public RockScene {
     for (const char* side : {"xplane -0.6", "xplane 0.6", "yplane -0.6", "yplane 0.6"})
       command("fix wall" + std::to_string(walls_++) +
               " all wall/gran model hertz tangential history primitive type 1 " + side);
-    cut("-0.6 0.6 -0.6 0.6 0 1.2",
-        "density 2600 size uniform 0.4 block_min 0.4 block_max 0.4 spheres_per_block 5 seed 3");
+  }
+  void add_joints_and_books(const std::string& sleep) {
     command(
         "fix joint all muckpile/joint youngs_modulus 2e7 poisson_ratio 0.25 density 2600 cohesion "
         "0 friction_angle 35 tension 0 contact_damping 0.3");
     if (!sleep.empty()) command("fix sleep all muckpile/sleep " + sleep);
     command("fix ledger all muckpile/ledger");
-    set_motion([](int, const Vec3& at) {
-      const bool top = at.z() > 0.9 && at.head<2>().norm() < 0.3;
-      return Motion{Vec3(0.0, 0.0, top ? kThrown : 0.0), Vec3::Zero()};
-    });
   }
-  void run_to(double time) {
-    const int more = static_cast<int>(std::round((time - time_) / kStep));
-    run(more, kStep);
-    time_ = time;
-  }
-  [[nodiscard]] double resting_share() const { return output("sleep", 0); }
-
- private:
   double time_ = 0.0;
   int walls_ = 0;
 };
@@ -90,6 +103,30 @@ TEST(FixMuckpileSleep, WhatRestsIsHeldUntilItIsHit) {
   EXPECT_GT(farthest_apart(resting, scene.blocks()), 0.01);
   scene.run_to(2.5);
   EXPECT_GT(scene.resting_share(), 0.95) << "all come to rest again";
+}
+
+TEST(FixMuckpileSleep, WhatRestsStillRestsAfterARestart) {
+  const ScratchFolder folder("restart");
+  const std::string file = folder / "loose.restart";
+  LooseBlocks went_on(MPI_COMM_WORLD, kSleep);
+  went_on.run_to(0.9);
+  const double share = went_on.resting_share(), taken = went_on.output("ledger", laid_to_rest);
+  EXPECT_GT(share, 0.8);
+  went_on.command("write_restart " + file);
+  LooseBlocks restarted(MPI_COMM_WORLD, file, 0.9, kSleep);
+  restarted.run_to(0.9);
+  EXPECT_EQ(restarted.resting_share(), share);
+  EXPECT_NEAR(restarted.output("ledger", laid_to_rest), taken, 1e-12 * taken);
+  went_on.run_to(1.0);
+  restarted.run_to(1.0);
+  const double apart = farthest_apart(went_on.blocks(), restarted.blocks());
+  std::cout << "0.1 s later: " << apart << " m apart\n";
+  EXPECT_LT(apart, 1e-3 * kDistance);
+  EXPECT_EQ(restarted.resting_share(), went_on.resting_share());
+  went_on.run_to(2.5);
+  restarted.run_to(2.5);
+  EXPECT_LT(restarted.output("ledger", 0), 0.01) << "books of both runs together";
+  EXPECT_GT(restarted.resting_share(), 0.95);
 }
 
 TEST(FixMuckpileSleep, BlocksGoWhereTheyGoWithoutIt) {

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/blocks in restart files: all blocks, facets with their memory, faces and holes, and
+// the engine's time, which LIGGGHTS does not keep.
+// Scope: read by the program that wrote it, on any number of ranks. LIGGGHTS gives the whole of a
+// fix's data to every rank, at most 2 GiB of it.
+#include <modify.h>
+#include <update.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <unordered_set>
+#include <utility>
+
+#include "args/numbers.h"
+#include "engine/bodies.h"
+#include "engine/exchange.h"
+#include "engine/restart_file.h"
+#include "engine/style_args.h"
+#include "fix_muckpile_blocks.h"
+
+namespace muckpile {
+namespace {
+
+/// Another program lays out its data otherwise.
+using Layout = std::array<std::size_t, 6>;
+constexpr Layout kLayout{sizeof(BlockRecord), sizeof(Facet),        sizeof(FacetTraces),
+                         sizeof(RareMemory),  sizeof(BoundaryFace), sizeof(Hole)};
+
+}  // namespace
+
+/// What a keeper computes with is copied, not taken back.
+void FixMuckpileBlocks::write_restart(FILE* file) {
+  const FacetLists lists = handed_over_ ? keeper_->copy() : FacetLists{facets_, memory_, faces_};
+  engine::ByteWriter mine;
+  mine.put_all(records_);
+  mine.put_all(lists.faces);
+  mine.put(lists.facets.size());
+  for (std::size_t f = 0; f < lists.facets.size(); ++f) put(mine, lists.facets[f], lists.memory[f]);
+
+  update->update_time();  // from here on both runs count from the same moment
+  engine::ByteWriter all;
+  all.put(kLayout);
+  all.put(update->atime);
+  all.put(highest_joint_class_);
+  all.put_all(holes_);
+  all.put(blocks_created_);
+  all.put(facets_created_);
+  engine::write_state(*lmp, style, file, all, mine);
+}
+
+void FixMuckpileBlocks::restart(char* state) {
+  engine::ByteReader reader = engine::read_state(state);
+  if (reader.get<Layout>() != kLayout)
+    engine::stop(*lmp, "read_restart: the file is of another version of Muckpile");
+  update->atime = reader.get<double>();
+  update->atimestep = update->ntimestep;
+  highest_joint_class_ = reader.get<int>();
+  holes_ = reader.get_all<Hole>();
+  blocks_created_ = reader.get<int>();
+  facets_created_ = reader.get<int>();
+  check_bodies();
+  read_lists(reader);
+  restored_ = true;
+  synchronise();
+}
+
+/// Every rank reads all and keeps what its bodies, which are here already, need. A facet of two
+/// ranks stands in the file twice.
+void FixMuckpileBlocks::read_lists(engine::ByteReader& reader) {
+  const std::vector<int> tags = body_tags();
+  const std::unordered_set<int> here(tags.begin(), tags.end());
+  std::vector<FacetEntry> facets;
+  while (!reader.empty()) {
+    for (const auto& record : reader.get_all<BlockRecord>()) {
+      if (here.count(record.tag) > 0) records_.push_back(record);
+    }
+    for (const auto& face : reader.get_all<BoundaryFace>()) {
+      if (here.count(face.tag) > 0) faces_.push_back(face);
+    }
+    for (auto left = reader.get<std::size_t>(); left > 0; --left) {
+      FacetEntry entry = get_facet(reader);
+      if (here.count(entry.first.tag_i) + here.count(entry.first.tag_j) > 0)
+        facets.push_back(std::move(entry));
+    }
+  }
+  add_facets(std::move(facets));
+}
+
+/// fix muckpile/progress leaves a file behind when a run has gone wrong.
+void FixMuckpileBlocks::check_bodies() {
+  const engine::Bodies bodies(*multisphere_);
+  std::array<int, 2> mine{bodies.count(), 0}, all{};
+  for (int b = 0; b < bodies.count(); ++b) {
+    if (!bodies.centre(b).allFinite() || !bodies.velocity(b).allFinite() ||
+        !bodies.axes(b).allFinite() || !bodies.spin(b).allFinite())
+      ++mine[1];
+  }
+  MPI_Allreduce(mine.data(), all.data(), 2, MPI_INT, MPI_SUM, world);
+  if (all[1] > 0) {
+    engine::stop(*lmp, "read_restart: " + std::to_string(all[1]) +
+                           " blocks have a position or velocity that is not a number; go on from "
+                           "a file written before that (command restart)");
+  }
+  lost_before_ = std::max(blocks_created_ - all[0], 0);
+  engine::print_once(*lmp, "read_restart: " + std::to_string(all[0]) +
+                               " blocks at t = " + number_text(update->atime) + " s" +
+                               (lost_before_ > 0 ? "; " + std::to_string(lost_before_) +
+                                                       " more had left the simulation box"
+                                                 : std::string()) +
+                               "\n");
+}
+
+FixMuckpileBlocks& FixMuckpileBlocks::find_or_make(LAMMPS_NS::LAMMPS& lmp) {
+  if (FixMuckpileBlocks* found = find(lmp); found != nullptr) return *found;
+  std::array<std::string, 3> words{"muckpile_blocks", "all", "muckpile/blocks"};
+  std::array<char*, 3> arg{words[0].data(), words[1].data(), words[2].data()};
+  lmp.modify->add_fix(3, arg.data());
+  return *find(lmp);
+}
+
+}  // namespace muckpile

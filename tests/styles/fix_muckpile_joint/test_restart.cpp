@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Rock from a restart file: a run that goes on from one is the run that went on without.
+// Scope: joints, blocks, contacts and the ledger's sums; on as many ranks as wrote the file, and on
+// one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <string>
+#include <utility>
+
+#include "rock_scene.h"
+#include "scratch_folder.h"
+
+namespace muckpile::test {
+namespace {
+
+constexpr double kStep = 1e-5;  // [s]
+constexpr int kBefore = 100, kSoon = 100, kLate = 300;
+const std::string kStrength = " cohesion 4e6 friction_angle 50 tension 2e6";
+
+void add_contacts(RockScene& scene) {
+  scene.command("pair_style muckpile/block youngs_modulus 5e8 restitution 0.3 friction 0.6");
+  scene.command("pair_coeff * *");
+}
+
+/// Joints and contacts, as an input has to give them again after read_restart.
+void add_laws(RockScene& scene, const std::string& strength) {
+  add_contacts(scene);
+  scene.command("fix joint all muckpile/joint youngs_modulus 50e9 poisson_ratio 0.25 density 2600" +
+                strength);
+}
+
+/// A lump that is pressed together on one side and spins to pieces.
+void make_breaking_lump(RockScene& scene, const std::string& strength) {
+  scene.cut("-1 1 -1 1 -1 1",
+            "density 2600 size uniform 0.5 block_min 0.5 block_max 0.5 spheres_per_block 4 "
+            "sphere_growth 1.1 seed 3");
+  add_laws(scene, strength);
+  scene.set_motion([](int, const Vec3& at) {
+    const Vec3 spin(2.0, 5.0, 20.0), inward(at.x() > 0.0 ? -0.4 * at.x() : 0.0, 0.0, 0.0);
+    return Motion{spin.cross(at) + inward, spin};
+  });
+}
+
+struct Totals {
+  double broken, elastic, fracture, friction, damping;
+};
+
+Totals totals_of(const RockScene& scene) {
+  return {scene.output("joint", 2), scene.output("joint", 4), scene.output("joint", 5),
+          scene.output("joint", 6), scene.output("joint", 7)};
+}
+
+/// Largest difference of centres [m], velocities [m/s] and spins [rad/s].
+double difference(const RockScene& a, const RockScene& b) {
+  const auto one = a.blocks(), two = b.blocks();
+  EXPECT_EQ(one.size(), two.size());
+  double most = 0.0;
+  for (const auto& [tag, block] : one) {
+    const BlockNow& other = two.at(tag);
+    for (const Vec3& apart :
+         {Vec3(block.centre - other.centre), Vec3(block.velocity - other.velocity),
+          Vec3(block.spin - other.spin)}) {
+      most = std::max(most, apart.norm());
+    }
+  }
+  return most;
+}
+
+/// `books`: allowed share of the fracture energy.
+void expect_same(const RockScene& went_on, const RockScene& restarted, double allowed,
+                 double books) {
+  EXPECT_LE(difference(went_on, restarted), allowed);
+  const Totals one = totals_of(went_on), two = totals_of(restarted);
+  EXPECT_EQ(one.broken, two.broken);
+  for (const auto& [a, b] :
+       {std::pair(one.elastic, two.elastic), std::pair(one.fracture, two.fracture),
+        std::pair(one.friction, two.friction), std::pair(one.damping, two.damping)})
+    EXPECT_NEAR(a, b, books * one.fracture);
+}
+
+/// Largest difference [m], [m/s], [rad/s] on as many ranks as before, and on another number. On
+/// more than two ranks the spheres are read in another order, so that sums round otherwise, and a
+/// contact that slips as a run starts lies on the friction limit to rounding: its dashpot acts for
+/// one step or not.
+struct Bounds {
+  double same_ranks, other_ranks;
+};
+Bounds bounds() {
+  int ranks = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  return ranks <= 2 ? Bounds{0.0, 1e-9} : Bounds{1e-7, 1e-3};
+}
+
+/// `between` is for the first run only: what a restart has to know of it is in the file.
+void go_on_and_restart(const std::string& strength, const std::string& between = "",
+                       double books = 1e-3) {
+  const ScratchFolder folder("restart");
+  const std::string file = folder / "lump.restart";
+  RockScene went_on(MPI_COMM_WORLD, "-4 4 -4 4 -4 4", "* * 1", "multisphere/muckpile");
+  make_breaking_lump(went_on, strength);
+  went_on.run(kBefore, kStep);
+  if (!between.empty()) went_on.command(between);
+  const double broken = went_on.output("joint", 2);
+  EXPECT_GT(broken, 10.0);
+  went_on.command("write_restart " + file);
+  went_on.run(kSoon, kStep);
+
+  // On another number of ranks sums round otherwise, and breaking rock magnifies that.
+  RockScene alone = RockScene::restarted(MPI_COMM_SELF, file);
+  add_laws(alone, strength);
+  alone.run(kSoon, kStep);
+  // Where neighbours on two ranks crack in one step it also changes the books.
+  expect_same(went_on, alone, bounds().other_ranks, books);
+
+  went_on.run(kLate, kStep);
+  EXPECT_GT(went_on.output("joint", 2), broken);
+  RockScene restarted = RockScene::restarted(MPI_COMM_WORLD, file, "* * 1");
+  add_laws(restarted, strength);
+  restarted.run(kSoon, kStep);
+  restarted.run(kLate, kStep);
+  expect_same(went_on, restarted, bounds().same_ranks, 1e-12 + bounds().same_ranks);
+}
+
+TEST(Restart, BreakingRockOnRanksGoesOnAsIfNothingHadHappened) { go_on_and_restart(kStrength); }
+
+TEST(Restart, CracksKeepWhatTheyHold) {
+  go_on_and_restart(kStrength + " fracture_energy_tension 40 fracture_energy_shear 160", "", 5e-3);
+}
+
+TEST(Restart, SoftenedRockStaysSoft) {
+  go_on_and_restart(kStrength, "fix_modify joint soften 0.1");
+}
+
+/// Without joints: what sphere contacts remember of their sliding.
+TEST(Restart, LooseBlocksGoOnAsIfNothingHadHappened) {
+  const ScratchFolder folder("restart");
+  const std::string file = folder / "loose.restart";
+  RockScene went_on(MPI_COMM_WORLD, "-4 4 -4 4 -4 4", "* * 1", "multisphere/muckpile");
+  went_on.cut("-1 1 -1 1 -1 1",
+              "density 2600 size uniform 0.6 block_min 0.6 block_max 0.6 spheres_per_block 5 "
+              "sphere_growth 1.2 seed 3");
+  add_contacts(went_on);
+  went_on.set_motion([](int, const Vec3& at) {
+    const Vec3 spin(2.0, 5.0, 8.0);
+    return Motion{spin.cross(at) - 4.0 * at, Vec3(3.0, -4.0, 1.0)};
+  });
+  const double start = went_on.kinetic_energy();
+  went_on.run(50, 4 * kStep);
+  const double middle = went_on.kinetic_energy();
+  went_on.command("write_restart " + file);
+  went_on.run(400, 4 * kStep);
+  EXPECT_LT(middle, 0.99 * start);  // they are in contact when the file is written, and after
+  EXPECT_GT(std::abs(went_on.kinetic_energy() / middle - 1.0), 0.01);
+
+  RockScene restarted = RockScene::restarted(MPI_COMM_WORLD, file, "* * 1");
+  add_contacts(restarted);
+  restarted.run(400, 4 * kStep);
+  EXPECT_LE(difference(went_on, restarted), 1e-10);  // contacts are summed in another order
+}
+
+/// A charge whose gas flows into the joints, on ground that yields at one side.
+void add_blast(RockScene& scene) {
+  add_laws(scene, kStrength);
+  for (const char* line :
+       {"region far block -2 -0.89 -2 2 -2 2 units box",
+        "fix load all muckpile/blast explosive_density 1100 vod 4500 hole_diameter 0.1 "
+        "poisson_ratio 0.25 venting flow stemming_length 100 crack_delay 0",
+        "fix gas all muckpile/gas", "fix quiet all muckpile/quiet region far rock_behind 5",
+        "fix ledger all muckpile/ledger"})
+    scene.command(line);
+}
+
+constexpr double kBlastStep = 5e-6;  // [s]
+
+RockScene blasted_rock(MPI_Comm comm) {
+  RockScene scene(comm, "-6 6 -6 6 -6 6", "* * 1", "multisphere/muckpile");
+  scene.command("region held block -2 -0.89 -2 2 -2 2 units box");
+  scene.cut("-0.9 0.9 -0.9 0.9 -0.9 0.9",
+            "density 2600 size uniform 0.3 block_min 0.3 block_max 0.3 spheres_per_block 3 "
+            "sweeps 5 seed 3 hole 0 0 -0.4 0 0 0.4 0.15 support fixed held");
+  add_blast(scene);
+  return scene;
+}
+
+/// Of the ledger: blast work, fracture, friction, damping, given to quiet ground [J].
+constexpr std::array kBooks{5, 6, 7, 8, 9, 10, 12};
+
+/// Worst difference of any entry, as a share of the blast work.
+double apart_in_books(const RockScene& a, const RockScene& b) {
+  double worst = 0.0;
+  for (int entry : kBooks)
+    worst = std::max(worst, std::abs(a.output("ledger", entry) - b.output("ledger", entry)));
+  return worst / a.output("ledger", 5);
+}
+
+TEST(Restart, BlastGoesOnWithItsGasItsGroundAndItsBooks) {
+  const ScratchFolder folder("restart");
+  const std::string file = folder / "blast.restart";
+  RockScene went_on = blasted_rock(MPI_COMM_WORLD);
+  went_on.run(200, kBlastStep);  // 1 ms: gas in the joints, waves in the ground
+  EXPECT_GT(went_on.output("gas", 1), 0.01);
+  EXPECT_GT(went_on.output("quiet", 1), 0.0);
+  went_on.command("write_restart " + file);
+  RockScene restarted = RockScene::restarted(MPI_COMM_WORLD, file, "* * 1");
+  add_blast(restarted);
+  for (RockScene* scene : {&went_on, &restarted}) scene->run(0, kBlastStep);
+  EXPECT_LT(difference(went_on, restarted), 1e-12);
+  EXPECT_LT(apart_in_books(went_on, restarted), 1e-12);
+  for (const auto& [fix, entries] : {std::pair("gas", 7), std::pair("load", 11)}) {
+    for (int n = 1; n <= entries; ++n)
+      EXPECT_NEAR(went_on.output(fix, n), restarted.output(fix, n),
+                  1e-9 * std::abs(went_on.output(fix, n)))
+          << fix << ' ' << n;
+  }
+  went_on.run(200, kBlastStep);
+  restarted.run(200, kBlastStep);
+  const double apart = difference(went_on, restarted), books = apart_in_books(went_on, restarted);
+  std::cout << "1 ms later: " << apart << " m/s apart, books " << books << " of the blast work\n";
+  EXPECT_LT(apart, 1e-7);  // breaking rock magnifies rounding
+  EXPECT_LT(books, 1e-9);
+  EXPECT_LT(restarted.output("ledger", 0), 0.01);
+}
+
+double time_of(RockScene& scene) {
+  scene.command("variable now equal time");
+  return scene.variable("now");
+}
+
+/// fix muckpile/progress writes such a file when a run goes wrong, the command restart now and
+/// then.
+TEST(Restart, FileFromTheMiddleOfARunIsGoodToo) {
+  const ScratchFolder folder("restart");
+  const std::string file = folder / "middle.restart";
+  RockScene went_on(MPI_COMM_WORLD, "-4 4 -4 4 -4 4", "* * 1", "multisphere/muckpile");
+  make_breaking_lump(went_on, kStrength);
+  went_on.command("restart 150 " + file);
+  went_on.run(200, kStep);
+  const double time = time_of(went_on);
+  RockScene restarted = RockScene::restarted(MPI_COMM_WORLD, file + ".150", "* * 1");
+  add_laws(restarted, kStrength);
+  restarted.run(50, kStep);
+  EXPECT_NEAR(time_of(restarted), time, 1e-12);
+  // The run that begins works out its forces at full steps, the other has them from half a step
+  // before: contacts that slip feel that.
+  const double apart = difference(went_on, restarted);
+  std::cout << "50 steps later: " << apart << " m/s apart\n";
+  EXPECT_LT(apart, 1e-3);
+  EXPECT_NEAR(restarted.output("joint", 2), went_on.output("joint", 2), 1.0);
+}
+
+TEST(Restart, WhatIsNotGivenAgainEnds) {
+  const ScratchFolder folder("restart");
+  const std::string file = folder / "blast.restart";
+  RockScene went_on = blasted_rock(MPI_COMM_WORLD);
+  went_on.run(200, kBlastStep);
+  went_on.command("write_restart " + file);
+  for (const char* fix : {"gas", "quiet", "load"}) went_on.command(std::string("unfix ") + fix);
+  went_on.run(100, kBlastStep);
+  RockScene restarted = RockScene::restarted(MPI_COMM_WORLD, file, "* * 1");
+  add_laws(restarted, kStrength);
+  restarted.command("fix ledger all muckpile/ledger");
+  restarted.run(100, kBlastStep);
+  EXPECT_LT(difference(went_on, restarted), 1e-3);
+  EXPECT_LT(apart_in_books(went_on, restarted), 1e-6);
+}
+
+/// fix muckpile/progress stops a run that loses blocks; the one that goes on does without them.
+TEST(Restart, BlocksLostBeforeAreNotMissed) {
+  const ScratchFolder folder("restart");
+  const std::string file = folder / "lost.restart";
+  RockScene scene(MPI_COMM_SELF, "-4 4 -4 4 -4 4", "* * 1", "multisphere/muckpile");
+  make_breaking_lump(scene, " cohesion 1e3 friction_angle 50 tension 1e3");
+  const std::size_t before = scene.blocks().size();
+  scene.set_motion([](int tag, const Vec3&) {
+    return Motion{tag <= 2 ? Vec3(100.0, 0.0, 0.0) : Vec3::Zero(), Vec3::Zero()};
+  });
+  scene.command("thermo_modify lost ignore");
+  for (int k = 0; k < 10; ++k) scene.run(1000, kStep);
+  const std::size_t left = scene.blocks().size();
+  EXPECT_LT(left, before);
+  scene.command("write_restart " + file);
+
+  RockScene restarted = RockScene::restarted(MPI_COMM_SELF, file, "* * 1");
+  add_laws(restarted, " cohesion 1e3 friction_angle 50 tension 1e3");
+  restarted.command("fix ledger all muckpile/ledger");
+  restarted.command("fix progress all muckpile/progress every 10 directory " +
+                    (folder / "out").string());
+  restarted.run(100, kStep);  // an engine that stops ends the program
+  EXPECT_EQ(restarted.blocks().size(), left);
+}
+
+}  // namespace
+}  // namespace muckpile::test
