@@ -38,6 +38,7 @@ class CreateBlocks : protected LAMMPS_NS::Pointers {
     FacetSet facets;
     double largest_overlap = 0.0;
     std::optional<SizeComparison> sizes{};  // with size target
+    std::string why_missed{};               // the target, if it is
   };
 
   void check_engine() const;
@@ -62,7 +63,7 @@ class CreateBlocks : protected LAMMPS_NS::Pointers {
   void create_body(const RigidBody& body, int tag, int first_atom_tag, const ArgValues& args);
   void report(const Model& model, double seconds) const;
   void report_filling(const Model& model) const;
-  void report_target(const SizeComparison& sizes) const;
+  void report_target(const SizeComparison& sizes, const std::string& why) const;
 
   LAMMPS_NS::FixMultisphere* multisphere_ = nullptr;
   int first_tag_ = 1;

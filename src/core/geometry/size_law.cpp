@@ -57,6 +57,26 @@ double raw_size(const SizeTable& points, double distance) {
   return s0 + (s1 - s0) * (distance - d0) / (d1 - d0);
 }
 
+double raw_size(const SizeBands& p, double distance) {
+  for (const auto& [radius, size] : p.bands)
+    if (distance <= radius) return size;
+  return p.bands.back().second;
+}
+
+/// Pairs of distance and size.
+void require_growing(const SizeTable& pairs, const std::string& what) {
+  if (pairs.empty()) throw InputError("size law: the " + what + " must have at least one pair");
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const auto [distance, size] = pairs[k];
+    require(std::isfinite(distance) && distance >= 0.0, what + " distance must be >= 0 m",
+            distance);
+    require_positive(size, what + " size", " m");
+    if (k == 0) continue;
+    require(distance > pairs[k - 1].first, what + " distances must grow", distance);
+    require(size >= pairs[k - 1].second, what + " sizes must not fall with distance", size);
+  }
+}
+
 [[noreturn]] void fail_at(const std::string& name, int line, const std::string& rule,
                           std::string_view text) {
   throw InputError("size table '" + name + "' line " + std::to_string(line) + ": " + rule +
@@ -132,16 +152,13 @@ SizeLaw SizeLaw::power(const PowerParameters& p, const SizeLimits& limits) {
 }
 
 SizeLaw SizeLaw::table(const SizeTable& points, const SizeLimits& limits) {
-  if (points.empty()) throw InputError("size law: the table must have at least one pair");
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const auto [distance, size] = points[k];
-    require(std::isfinite(distance) && distance >= 0.0, "table distance must be >= 0 m", distance);
-    require_positive(size, "table size", " m");
-    if (k == 0) continue;
-    require(distance > points[k - 1].first, "table distances must grow", distance);
-    require(size >= points[k - 1].second, "table sizes must not fall with distance", size);
-  }
+  require_growing(points, "table");
   return {points, limits};
+}
+
+SizeLaw SizeLaw::bands(const SizeBands& bands, const SizeLimits& limits) {
+  require_growing(bands.bands, "bands");
+  return {bands, limits};
 }
 
 double SizeLaw::raw(double distance) const {

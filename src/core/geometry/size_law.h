@@ -44,6 +44,12 @@ struct PowerParameters {
 // Linear between points, constant beyond the ends: pairs (distance [m], size [m]).
 using SizeTable = std::vector<std::pair<double, double>>;
 
+// Concentric bands: pairs (outer radius [m], size in the band [m]); beyond the last radius its
+// size.
+struct SizeBands {
+  std::vector<std::pair<double, double>> bands;
+};
+
 class SizeLaw {
  public:
   // Each maker throws InputError naming the parameter that is out of range.
@@ -52,6 +58,7 @@ class SizeLaw {
                                        const SizeLimits& limits);
   [[nodiscard]] static SizeLaw power(const PowerParameters& parameters, const SizeLimits& limits);
   [[nodiscard]] static SizeLaw table(const SizeTable& points, const SizeLimits& limits);
+  [[nodiscard]] static SizeLaw bands(const SizeBands& bands, const SizeLimits& limits);
 
   // Block size [m] at a distance [m] >= 0 from the nearest charge axis (infinity is allowed).
   [[nodiscard]] double at(double distance) const;
@@ -63,7 +70,7 @@ class SizeLaw {
   [[nodiscard]] const SizeLimits& limits() const { return limits_; }
 
  private:
-  using Kind = std::variant<HarriesParameters, PowerParameters, SizeTable>;
+  using Kind = std::variant<HarriesParameters, PowerParameters, SizeTable, SizeBands>;
   SizeLaw(Kind kind, const SizeLimits& limits);
 
   [[nodiscard]] double raw(double distance) const;  // without the limits

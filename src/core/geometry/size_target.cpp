@@ -163,6 +163,30 @@ SizeComparison compare_sizes(const std::vector<Block>& blocks, const SizeTarget&
   return result;
 }
 
+std::string why_missed(const SizeComparison& comparison, const SizeTarget& target,
+                       const SizeLimits& limits, double volume) {
+  if (comparison.good()) return {};
+  constexpr double kShare = 0.03;  // of the mass: as much as the curve may be off
+  const auto percent = [](double share) { return number_text(std::round(1e3 * share) / 10.0); };
+  std::string why;
+  const auto add = [&](const std::string& reason) { why += (why.empty() ? "" : "; ") + reason; };
+  const double fine = target.passing(limits.smallest),
+               coarse = 1.0 - target.passing(limits.largest);
+  if (fine > kShare) add(percent(fine) + " % of the target is finer than block_min");
+  if (coarse > kShare) add(percent(coarse) + " % of the target is coarser than block_max");
+  const double one = std::pow(std::min(target.size_at(0.9), limits.largest), 3.0) / volume;
+  if (one > kShare / 3.0)  // three of them are a step of the curve that is too high
+    add("the rock is small: one block of the target's P90 is " + percent(one) + " % of its mass");
+  const SizeComparison::Point& large = comparison.at(90);
+  if (why.empty() && large.achieved < 0.97 * large.target) {
+    add("the rock farthest from the charges has no room for the largest blocks: P90 is " +
+        number_text(large.achieved) + " m instead of " + number_text(large.target) + " m");
+  }
+  if (why.empty())
+    add("the sizes of single blocks scatter about the law; another seed or larger rock may do");
+  return why;
+}
+
 FittedCut tessellate_to_target(TessellationOptions options, const SizeTarget& target,
                                const SizeLimits& limits, int most_rounds) {
   if (options.holes.empty() && options.fine_axes.empty()) {
@@ -182,12 +206,13 @@ FittedCut tessellate_to_target(TessellationOptions options, const SizeTarget& ta
     const SizeComparison comparison = compare_sizes(cut.blocks, target, limits);
     const auto curve = passing_curve(cut.blocks);
     if (round == 1 || deviation(comparison) < deviation(best.comparison)) {
-      best = {std::move(cut), comparison, law, round};
+      best = {std::move(cut), comparison, {}, law, round};
     }
     constexpr double kComfortable = 0.8;  // of what is allowed, so that rounding cannot undo it
     if (deviation(best.comparison) <= kComfortable) break;
     correct(sizes, target, curve);
   }
+  best.why_missed = why_missed(best.comparison, target, limits, best.cut.statistics.block_volume);
   return best;
 }
 

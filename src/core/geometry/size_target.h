@@ -4,6 +4,7 @@
 // Scope: sizes are V^(1/3), shares are of mass; a sieve grades by width, some 0.8 to 1 of it.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "geometry/tessellation.h"
@@ -45,10 +46,15 @@ struct SizeComparison {
 [[nodiscard]] SizeComparison compare_sizes(const std::vector<Block>& blocks,
                                            const SizeTarget& target, const SizeLimits& limits);
 
+/// Why a comparison is not good(), in words, with numbers; `volume` is that of all blocks [m3].
+[[nodiscard]] std::string why_missed(const SizeComparison& comparison, const SizeTarget& target,
+                                     const SizeLimits& limits, double volume);
+
 struct FittedCut {
   Tessellation cut;
   SizeComparison comparison;
-  SizeTable law;  ///< distance [m], size [m]
+  std::string why_missed;  ///< empty if the comparison is good()
+  SizeTable law;           ///< distance [m], size [m]
   int rounds = 0;
 };
 

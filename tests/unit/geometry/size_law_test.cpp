@@ -81,7 +81,20 @@ TEST(SizeLaw, TableInterpolatesLinearlyAndIsConstantBeyondItsEnds) {
   EXPECT_EQ(law.at(5.0), 0.9);
 }
 
+TEST(SizeLaw, BandsHaveOneSizeEachAndTheLastGoesOn) {
+  const SizeLaw law = SizeLaw::bands({{{0.5, 0.1}, {1.0, 0.2}, {2.0, 0.4}}}, kWide);
+  EXPECT_EQ(law.at(0.0), 0.1);
+  EXPECT_EQ(law.at(0.5), 0.1);
+  EXPECT_EQ(law.at(0.5001), 0.2);
+  EXPECT_EQ(law.at(1.9), 0.4);
+  EXPECT_EQ(law.at(kInfinity), 0.4);
+}
+
 TEST(SizeLaw, RejectsWhatHasNoMeaning) {
+  EXPECT_EQ(message_of([] {
+              (void)SizeLaw::bands({{{1.0, 0.2}, {2.0, 0.1}}}, kWide);
+            }),
+            "size law: bands sizes must not fall with distance, got '0.1'");
   EXPECT_THROW((void)SizeLaw::uniform(0.0), InputError);
   EXPECT_THROW((void)SizeLaw::uniform(std::nan("")), InputError);
   EXPECT_THROW((void)SizeLaw::power({0.1, -1.0}, kWide), InputError);

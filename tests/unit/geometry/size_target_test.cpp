@@ -92,5 +92,23 @@ TEST(SizeTarget, ACutFollowsKuzRam) { expect_good(SizeTarget::kuz_ram(0.3, 2.5),
 
 TEST(SizeTarget, ACutFollowsSwebrec) { expect_good(SizeTarget::swebrec(0.3, 1.2, 6.0), "swebrec"); }
 
+TEST(SizeTarget, AMissSaysWhy) {
+  TessellationOptions small = rock();
+  small.hi = {2.0, -1.0, 1.0};  // 4 m3: a block of P90, 0.53 m, is 4 % of it
+  small.holes = {{{0.2, -1.5, 0.2}, {0.2, -1.5, 0.8}, 0.12}};
+  const SizeTarget target = SizeTarget::kuz_ram(0.3, 2.1);
+  const FittedCut few = tessellate_to_target(small, target, kLimits, 2);
+  EXPECT_FALSE(few.comparison.good());
+  EXPECT_EQ(few.why_missed,  // 1 - 2^-(0.08/0.3)^2.1 = 0.042
+            "4.2 % of the target is finer than block_min; the rock is small: one block of the "
+            "target's P90 is 3.8 % of its mass");
+  const SizeLimits narrow{0.2, 0.4};
+  const FittedCut cropped = tessellate_to_target(rock(), target, narrow, 1);
+  // 1 - 2^-(0.2/0.3)^2.1 = 0.256; 2^-(0.4/0.3)^2.1 = 0.281
+  EXPECT_EQ(cropped.why_missed,
+            "25.6 % of the target is finer than block_min; 28.1 % of the target is coarser than "
+            "block_max");
+}
+
 }  // namespace
 }  // namespace muckpile
