@@ -61,6 +61,7 @@ PairMuckpileBlock::PairMuckpileBlock(LAMMPS_NS::LAMMPS* engine_object) : Pair(en
   single_enable = 0;
   restartinfo = 0;
   no_virial_fdotr_compute = 1;
+  comm_forward = comm_reverse = 1;
 }
 
 PairMuckpileBlock::~PairMuckpileBlock() {
@@ -222,12 +223,47 @@ void PairMuckpileBlock::number_blocks() {
     const int tag = bodies_->belongs_to(k);
     if (tag >= 0) atom_block_[static_cast<std::size_t>(k)] = block_of(tag, k);
   }
+  for (std::size_t k = 0; k < enclosed_.size(); ++k)
+    if (enclosed_[k] != 0) atom_block_[k] = -1;
+}
+
+/// Only the rank that moves a block knows whether it is enclosed; it may have some of its spheres
+/// as ghosts: what one rank has marked, all mark.
+void PairMuckpileBlock::share_enclosed() {
+  enclosed_.clear();
   if (joints_ == nullptr) return;
-  std::vector<char> enclosed(block_tag_.size());
-  for (std::size_t b = 0; b < block_tag_.size(); ++b)
-    enclosed[b] = joints_->enclosed(block_tag_[b]) ? 1 : 0;
-  for (int& block : atom_block_)
-    if (block >= 0 && enclosed[static_cast<std::size_t>(block)] != 0) block = -1;
+  enclosed_.resize(static_cast<std::size_t>(atom->nlocal + atom->nghost), 0);
+  int last = -1;
+  bool last_is_enclosed = false;
+  for (std::size_t k = 0; k < enclosed_.size(); ++k) {
+    const int tag = bodies_->belongs_to(static_cast<int>(k));
+    if (tag < 0 || bodies_->data().map(tag) < 0) continue;
+    if (tag != last) last_is_enclosed = joints_->enclosed(tag);
+    last = tag;
+    enclosed_[k] = last_is_enclosed ? 1 : 0;
+  }
+  comm->reverse_comm_pair(this);
+  comm->forward_comm_pair(this);
+}
+
+int PairMuckpileBlock::pack_comm(int n, int* list, double* buffer, int, int*) {
+  for (int k = 0; k < n; ++k) buffer[k] = enclosed_[static_cast<std::size_t>(list[k])];
+  return 1;
+}
+
+void PairMuckpileBlock::unpack_comm(int n, int first, double* buffer) {
+  for (int k = 0; k < n; ++k)
+    enclosed_[static_cast<std::size_t>(first + k)] = buffer[k] > 0.5 ? 1 : 0;
+}
+
+int PairMuckpileBlock::pack_reverse_comm(int n, int first, double* buffer) {
+  for (int k = 0; k < n; ++k) buffer[k] = enclosed_[static_cast<std::size_t>(first + k)];
+  return 1;
+}
+
+void PairMuckpileBlock::unpack_reverse_comm(int n, int* list, double* buffer) {
+  for (int k = 0; k < n; ++k)
+    if (buffer[k] > 0.5) enclosed_[static_cast<std::size_t>(list[k])] = 1;
 }
 
 // A pair whose facet is cracked stays, muted.
@@ -337,6 +373,7 @@ void PairMuckpileBlock::list_pairs() {
 }
 
 void PairMuckpileBlock::rebuild() {
+  share_enclosed();
   list_pairs();
   int bad = list_.skipped_blocks(), all_bad = 0;
   MPI_Allreduce(&bad, &all_bad, 1, MPI_INT, MPI_SUM, world);

@@ -42,6 +42,10 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public N
   double init_one(int i, int j) override;
   void compute(int eflag, int vflag) override;
   double memory_usage() override;
+  int pack_comm(int n, int* list, double* buffer, int pbc_flag, int* pbc) override;
+  void unpack_comm(int n, int first, double* buffer) override;
+  int pack_reverse_comm(int n, int first, double* buffer) override;
+  void unpack_reverse_comm(int n, int* list, double* buffer) override;
 
   /// Values of this rank, to be summed over ranks (largest for max_overlap_ratio, smallest for
   /// the steps); a contact between two ranks counts half on each. Pointers to double:
@@ -77,6 +81,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public N
 
   void rebuild();
   void list_pairs();
+  void share_enclosed();
   void number_blocks();
   int block_of(int body_tag, int sphere);
   int add_block(int body_tag, int sphere);
@@ -125,6 +130,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public N
   bool list_is_stale_ = true;    ///< atoms were exchanged since the list was built
   bool contacts_moved_ = false;  ///< forces were computed since the contacts were stored
 
+  std::vector<char> enclosed_;               ///< per sphere; empty without joints
   std::vector<int> atom_block_;              ///< per atom, -1: takes no part
   std::vector<int> block_tag_;               ///< per block: its body tag
   std::vector<std::array<double, 3>> seed_;  ///< per block: position of its first atom [m]

@@ -109,5 +109,32 @@ TEST(FixMuckpileBalance, JoinedRockThatBreaksEqualsTheRunOfOneRank) {
   EXPECT_LT(worst, 1e-8);  // [m/s], of about 4; sums in another order
 }
 
+// All joints hold and all faces are held: no sphere may act, although grown ones overlap and a rank
+// knows many whose block another rank moves.
+TEST(FixMuckpileBalance, EnclosedBlocksTouchNobodyOnAnyNumberOfRanks) {
+  std::array<std::map<int, BlockNow>, 2> result;
+  for (const bool shared : {false, true}) {
+    RockScene scene(shared ? MPI_COMM_WORLD : MPI_COMM_SELF, "-5 55 -3 4 -3 4");
+    scene.command("pair_style muckpile/block youngs_modulus 1e8");
+    scene.command("pair_coeff * *");
+    scene.command("fix balance all muckpile/balance");
+    scene.command("region everywhere block -9 99 -9 9 -9 9 units box");
+    scene.cut("0 2 0 1 0 1", kCut + " sphere_growth 1.3 support fixed everywhere");
+    scene.command(
+        "fix joint all muckpile/joint youngs_modulus 5e9 poisson_ratio 0.25 density 2600 cohesion "
+        "2e9 friction_angle 40 tension 1e9");
+    scene.set_motion([](int, const Vec3& at) {
+      return Motion{Vec3(at.x() - 1.0, 2.0 * at.y(), at.z()), Vec3::Zero()};
+    });
+    scene.run(100, 2e-5);
+    result[shared] = scene.blocks();
+    EXPECT_EQ(scene.output("joint", 2), 0.0);
+  }
+  double worst = 0.0;
+  for (const auto& [tag, block] : result[0])
+    worst = std::max(worst, (result[1].at(tag).velocity - block.velocity).norm());
+  EXPECT_LT(worst, 1e-9);  // [m/s], of about 1; sums in another order
+}
+
 }  // namespace
 }  // namespace muckpile::test
