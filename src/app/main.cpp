@@ -6,19 +6,32 @@
 #include <mpi.h>
 #include <signal_handling.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <string>
+#include <vector>
 
 #include "engine/registry.h"
+#include "unused_variables.h"
 
 namespace {
 
-bool asks_for_help(int argc, char** argv) {
-  for (int i = 1; i < argc; ++i) {
-    if (std::strcmp(argv[i], "-h") == 0 || std::strcmp(argv[i], "-help") == 0) return true;
-  }
-  return false;
+bool is_given(const char* option, int argc, char** argv) {
+  return std::any_of(argv + 1, argv + argc,
+                     [option](const char* word) { return std::strcmp(word, option) == 0; });
+}
+
+/// LIGGGHTS knows -help only.
+void spell_as_liggghts_does(int argc, char** argv) {
+  static char help[] = "-help";
+  for (int i = 1; i < argc; ++i)
+    if (std::strcmp(argv[i], "--help") == 0) argv[i] = help;
+}
+
+void warn(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) std::printf("WARNING: %s\n", line.c_str());
 }
 
 void print_styles() {
@@ -43,15 +56,24 @@ void install_signal_handlers() {
 int main(int argc, char** argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, 0);  // Error::one aborts without flushing
   install_signal_handlers();
+  if (is_given("-version", argc, argv) || is_given("--version", argc, argv)) {
+    std::printf("Muckpile " MUCKPILE_VERSION "\n");
+    return 0;
+  }
+  spell_as_liggghts_does(argc, argv);
   MPI_Init(&argc, &argv);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  if (rank == 0 && asks_for_help(argc, argv)) print_styles();
+  if (rank == 0 && (is_given("-h", argc, argv) || is_given("-help", argc, argv))) print_styles();
+  std::vector<std::string> unused;
+  if (rank == 0) unused = muckpile::unused_variables({argv + 1, argv + argc});
 
   auto* lmp = new LAMMPS_NS::LAMMPS(argc, argv,
                                     MPI_COMM_WORLD);  // prints LIGGGHTS' help and exits on -help
   muckpile::engine::register_styles(*lmp);
+  warn(unused);
   lmp->input->file();
+  warn(unused);  // once more, where it is seen
   delete lmp;
   MPI_Finalize();
   return 0;

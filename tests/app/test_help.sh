@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# test_help.sh PROGRAM FIXES_CMAKELISTS: -help and -h list every style that FIXES_CMAKELISTS builds, and LIGGGHTS' own
+# test_help.sh PROGRAM FIXES_CMAKELISTS: -help, -h and --help list every style that FIXES_CMAKELISTS builds, and LIGGGHTS' own
 # after them.
 set -euo pipefail
 program=$1 list=$2
@@ -13,7 +13,7 @@ fail() {
 mapfile -t styles < <(sed -nE 's/^muckpile_add_style\(([a-z]+) ([^ )]+)\)$/\1 \2/p' "$list")
 [[ ${#styles[@]} -ge 7 ]] || fail "found ${#styles[@]} styles in $list"
 
-for option in -help -h; do
+for option in -help -h --help; do
   # LIGGGHTS leaves its help with status 1, and warns on standard error of styles that it registers twice.
   status=0
   output=$("$program" "$option" 2>/dev/null </dev/null) || status=$?

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# test_unused_variable.sh PROGRAM: a name behind -var that the script and its includes do not mention is told, twice, with the one that
+# was meant; others are not, and nothing is said of a script whose includes cannot be found.
+set -euo pipefail
+program=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+
+fail() {
+  printf '%s\n' "test_unused_variable: $*" "--- output:" "${output-}"
+  exit 1
+}
+
+warnings() {  # warnings INPUT OPTION...: how many lines warn of -var
+  output=$("$program" -log none -in "$@" 2>&1 </dev/null) || true
+  grep -c '^WARNING: -var' <<<"$output" || true
+}
+
+mkdir common
+cat >in.x <<'EOF'
+variable burden index 3   # not burdn
+variable case index a
+include common/${case}.in
+print "${burden} $h"
+EOF
+echo 'variable twice equal 2*v_spacing' >common/a.in
+cat >in.lost <<'EOF'
+include common/not_there_${case}.in
+EOF
+
+[[ $(warnings in.x -var burdn 4 -var h 1) -eq 2 ]] || fail "burdn must be told twice"
+"$program" -log none -in in.x -var burdn 4 -var h 1 2>&1 </dev/null | grep -qF "did you mean 'burden'?" || fail "burden must be named"
+[[ $(warnings in.x -var burden 4 -var h 1 -var spacing 2 -var case a) -eq 0 ]] || fail "names that are mentioned must not be told"
+[[ $(warnings in.lost -var burdn 4 -var case b) -eq 0 ]] || fail "a file that is not there may use any name"
+[[ $("$program" --version) == Muckpile\ * ]] || fail "--version must print the version"
