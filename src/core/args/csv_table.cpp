@@ -47,6 +47,15 @@ size_t split(std::string_view line, std::vector<std::string_view>& out) {
   return count;
 }
 
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // spreadsheets begin a file with it
+
+void refuse_twice(std::vector<std::string_view> columns, const std::string& name) {
+  std::sort(columns.begin(), columns.end());
+  const auto twice = std::adjacent_find(columns.begin(), columns.end());
+  if (twice != columns.end())
+    throw InputError(name + ": column '" + std::string(*twice) + "' is there twice");
+}
+
 template <class Number>
 bool parse_all(std::string_view text, Number& value) {
   const char* end = text.data() + text.size();
@@ -65,6 +74,8 @@ CsvTable CsvTable::parse(std::string text, const std::string& name) {
   table.name_ = name;
   table.text_ = std::make_shared<const std::string>(std::move(text));
   std::string_view rest = *table.text_;
+  if (rest.substr(0, kByteOrderMark.size()) == kByteOrderMark)
+    rest.remove_prefix(kByteOrderMark.size());
   for (size_t number = 1; !rest.empty(); ++number) {
     const std::string_view line = next_line(rest);
     if (trimmed(line).empty()) continue;
@@ -72,6 +83,7 @@ CsvTable CsvTable::parse(std::string text, const std::string& name) {
       table.remarks_.push_back(line.substr(1));
     } else if (table.header_.empty()) {
       split(line, table.header_);
+      refuse_twice(table.header_, name);
     } else {
       const size_t count = split(line, table.fields_);
       table.lines_.push_back(number);

@@ -92,7 +92,7 @@ Deck deck_of(const CsvTable& csv, size_t row) {
   if (deck.hole.empty()) throw InputError(csv.where(row) + "hole is missing");
   deck.hole_collar = point(csv, row, "collar");
   deck.hole_toe = point(csv, row, "toe");
-  deck.diameter = required(csv, row, "diameter_m", Range::positive());
+  deck.diameter = required(csv, row, "diameter_m", Range::left_open(0.0, 2.0));
   place_chamber(csv, row, deck);
   if (const std::string name = text(csv, row, "explosive"); !name.empty()) deck.explosive = name;
   deck.charge_diameter = number(csv, row, "charge_diameter_m", Range::positive());

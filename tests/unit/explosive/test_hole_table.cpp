@@ -58,10 +58,17 @@ TEST(HoleTable, RowsOfOneHoleAreItsDecks) {
   EXPECT_EQ(table.crushed_zones(3.0)[1].radius, 0.2);
 }
 
+TEST(HoleTable, ASpreadsheetsByteOrderMarkIsSkipped) {
+  const CsvTable csv = CsvTable::parse("\xEF\xBB\xBFhole,x\na,1\n", "p.csv");
+  EXPECT_EQ(csv.column("hole"), 0u);
+}
+
 TEST(HoleTable, EachFaultIsNamedWithItsLine) {
   const std::string hole = "a,0,0,10,0,0,0,0.1";
   EXPECT_EQ(fault(",dely", hole + ",1\n"), "p.csv: unknown column 'dely'");
-  EXPECT_EQ(fault("", "a,0,0,10,0,0,0,0\n"), "p.csv:2: diameter_m must be > 0, got '0'");
+  EXPECT_EQ(fault("", "a,0,0,10,0,0,0,0\n"),
+            "p.csv:2: diameter_m must be > 0 and <= 2, got '0'");
+  EXPECT_EQ(fault(",toe_x_m", hole + ",1\n"), "p.csv: column 'toe_x_m' is there twice");
   EXPECT_EQ(fault("", "a,0,0,10,0,0,,0.1\n"), "p.csv:2: toe_z_m is missing");
   EXPECT_EQ(fault("", "a,0,0,0,0,0,0,0.1\n"), "p.csv:2: collar and toe are the same point");
   EXPECT_EQ(fault("", ",0,0,10,0,0,0,0.1\n"), "p.csv:2: hole is missing");
