@@ -124,11 +124,14 @@ void FixMuckpileBalance::cut_axis(int axis, std::span<const Load> loads, Reach r
   const std::span<double> now = splits(axis);
   std::vector<double> cuts = even_cuts(all, comm->procgrid[axis]);
   // A part thinner than what it must know of its neighbours would talk to ranks farther away.
-  const double halo = std::max(comm->cutghost[axis], neighbor->skin);
+  const double halo = halo_known_ ? std::max(comm->cutghost[axis], neighbor->skin) : neighbor->skin;
   cuts = widened_cuts(std::move(cuts), halo / length);
   if (reach == Reach::neighbours) cuts = neighbourly_cuts(now, cuts);
   std::copy(cuts.begin(), cuts.end(), now.begin());
 }
+
+/// The engine leaves its ghost layer's thickness uninitialised until a run is set up.
+void FixMuckpileBalance::setup(int) { halo_known_ = true; }
 
 double FixMuckpileBalance::compute_scalar() {
   const double mine = engine::Bodies(*engine::find_multisphere(*lmp)).count();

@@ -17,6 +17,7 @@ class FixMuckpileBalance : public LAMMPS_NS::Fix {
 
   int setmask() override { return 0; }
   void init() override;
+  void setup(int vflag) override;
   double compute_scalar() override;
 
   /// The fix of this run, nullptr if there is none.
@@ -35,6 +36,8 @@ class FixMuckpileBalance : public LAMMPS_NS::Fix {
   void cut(std::span<const Load> loads, Reach reach);
   void cut_axis(int axis, std::span<const Load> loads, Reach reach);
   [[nodiscard]] std::span<double> splits(int axis);
+
+  bool halo_known_ = false;
 };
 
 }  // namespace muckpile
