@@ -15,7 +15,8 @@ cd "$tree"
 
 printf 'include inputs/common/rock.in\nvariable bench_height index 12 # m\nvariable out index x\n' \
   >inputs/demo/in.demo
-printf 'variable rock_density index 2700 # kg/m3\nvariable step equal 1\n' >inputs/common/rock.in
+printf 'variable rock_density index 2700 # kg/m3\nvariable step equal 1\ninclude inputs/common/mode_${mode}.in\n' >inputs/common/rock.in
+printf 'variable patience index 4\nvariable go_on index 0\nvariable from index none\n' >inputs/common/mode_slow.in
 
 fake() {  # fake NAME BODY
   printf '#!/bin/bash\necho "%s $*" >>%s/calls\n%s\n' "$(basename "$1")" "$tree" "$2" >"$1"
@@ -65,10 +66,11 @@ must_refuse "-np must be a whole number >= 1, got ''" run inputs/demo/in.demo -n
 must_refuse "unknown option '-n'" run inputs/demo/in.demo -n 2
 must_refuse "run takes one input" run inputs/demo/in.demo 12
 must_refuse "-var needs a name and a value" run inputs/demo/in.demo -var bench_height
-must_refuse "has no variable 'bench_heigth'; did you mean 'bench_height'? (it has: bench_height rock_density)" \
+must_refuse "has no variable 'bench_heigth'; did you mean 'bench_height'? (it has: bench_height from go_on patience rock_density)" \
   run inputs/demo/in.demo -var bench_heigth 10
 must_refuse "-var bench_height needs one value" run inputs/demo/in.demo -var bench_height ''
 must_refuse "computes 'step' itself" run inputs/demo/in.demo -var step 2
+must_refuse "-var from FILE needs -var go_on 1" run inputs/demo/in.demo -var from a.restart
 must_refuse "use -out DIR" run inputs/demo/in.demo -var out here
 must_refuse "splits names at blanks" run inputs/demo/in.demo -out 'a b'
 
@@ -83,6 +85,11 @@ grep -qF 'results/demo/profile.png' <<<"$output" || problem "the picture is not 
 touch results/demo/dump/blocks_000000009.csv
 must_work run inputs/demo/in.demo
 [[ ! -e results/demo/dump/blocks_000000009.csv ]] || problem "a block file of an older run stayed"
+
+touch results/demo/dump/blocks_000000009.csv
+must_work run inputs/demo/in.demo -var go_on 1 -var from a.restart -var patience 8
+called '-var go_on 1 -var from a.restart -var patience 8$'
+[[ -e results/demo/dump/blocks_000000009.csv ]] || problem "a run that goes on lost what was there"
 
 fake bin/mpirun 'exit 3'
 call run inputs/demo/in.demo
