@@ -16,7 +16,7 @@ namespace {
 
 struct Script {
   std::set<std::string> files;
-  std::set<std::string> words;     ///< every name that it mentions
+  std::set<std::string> used;      ///< variables that it sets or reads
   std::vector<std::string> knobs;  ///< variables that -var can set
   bool whole = true;               ///< false once a file could not be found
 };
@@ -34,12 +34,12 @@ void read_included(const std::string& path, Script& script) {
 }
 
 void read_line(const std::string& line, Script& script) {
-  static const std::regex name(R"(\w+)"), knob(R"(\bvariable\s+(\w+)\s+index\b)"),
-      file(R"re(\b(?:include|jump)\s+([^\s"']+))re");
+  static const std::regex use(R"(\$\{(\w+)\}|\$(\w)|\bv_(\w+)|\b(?:variable|next)\s+(\w+))"),
+      knob(R"(\bvariable\s+(\w+)\s+index\b)"), file(R"re(\b(?:include|jump)\s+([^\s"']+))re");
   const std::sregex_iterator end;
-  for (std::sregex_iterator at(line.begin(), line.end(), name); at != end; ++at) {
-    const std::string word = at->str();
-    script.words.insert(word.rfind("v_", 0) == 0 ? word.substr(2) : word);
+  for (std::sregex_iterator at(line.begin(), line.end(), use); at != end; ++at) {
+    for (std::size_t form = 1; form < at->size(); ++form)
+      if ((*at)[form].matched) script.used.insert((*at)[form]);
   }
   std::smatch match;
   if (std::regex_search(line, match, knob)) script.knobs.push_back(match[1]);
@@ -68,7 +68,7 @@ std::vector<std::string> unused_variables(const std::vector<std::string>& argume
   read_script(input, script);
   if (!script.whole) return lines;
   for (const std::string& name : given) {
-    if (script.words.count(name) != 0) continue;
+    if (script.used.count(name) != 0) continue;
     lines.push_back("-var " + name + ": " + input + " has no such variable" +
                     did_you_mean(name, script.knobs));
   }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# test_unused_variable.sh PROGRAM: a name behind -var that the script and its includes do not mention is told, twice, with the one that
+# test_unused_variable.sh PROGRAM: a name behind -var that is no variable of the script and its includes is told, twice, with the one that
 # was meant; others are not, and nothing is said of a script whose includes cannot be found.
 set -euo pipefail
 program=$1
@@ -24,6 +24,8 @@ variable burden index 3   # not burdn
 variable case index a
 include common/${case}.in
 print "${burden} $h"
+label again
+create_box 1 rock density 2900
 EOF
 echo 'variable twice equal 2*v_spacing' >common/a.in
 cat >in.lost <<'EOF'
@@ -31,7 +33,9 @@ include common/not_there_${case}.in
 EOF
 
 [[ $(warnings in.x -var burdn 4 -var h 1) -eq 2 ]] || fail "burdn must be told twice"
-"$program" -log none -in in.x -var burdn 4 -var h 1 2>&1 </dev/null | grep -qF "did you mean 'burden'?" || fail "burden must be named"
-[[ $(warnings in.x -var burden 4 -var h 1 -var spacing 2 -var case a) -eq 0 ]] || fail "names that are mentioned must not be told"
+output=$("$program" -log none -in in.x -var burdn 4 -var h 1 2>&1 </dev/null) || true
+grep -qF "did you mean 'burden'?" <<<"$output" || fail "burden must be named"
+[[ $(warnings in.x -var density 4 -var again 1) -eq 4 ]] || fail "a keyword and a label are no variables"
+[[ $(warnings in.x -var burden 4 -var h 1 -var spacing 2 -var case a) -eq 0 ]] || fail "variables must not be told"
 [[ $(warnings in.lost -var burdn 4 -var case b) -eq 0 ]] || fail "a file that is not there may use any name"
 [[ $("$program" --version) == Muckpile\ * ]] || fail "--version must print the version"
