@@ -87,7 +87,7 @@ const ArgTable& table() {
           .group("joint_set", 2, 3, true,
                  "for `cut joint_sets`, two or three times: dip and dip direction [degrees], and "
                  "optionally the spacing relative to the other sets' (1; 0.1 to 10)")
-          .real("sliver", "", Range::closed(0.0, 0.3), 0.2,
+          .real("sliver", "", Range::closed(0.0, 0.3), kThinnestPart,
                 "for `cut joint_sets`: no block gets 3 volume / surface below this share of the "
                 "size asked for")
           .integer("spheres_per_block", "", Range::closed(1, 64), 8,
@@ -104,6 +104,36 @@ const ArgTable& table() {
                    "at most 5 million")
           .word("file", {}, "none", "VTK file for the blocks in the start configuration, or none");
   return args;
+}
+
+/// Fails unless `size LAW` has so many values behind it.
+void need_values(const std::vector<std::string>& words, std::size_t count) {
+  if (words.size() == count + 1) return;
+  throw InputError(std::string(kStyle) + ": size " + words[0] + " takes " + std::to_string(count) +
+                   " value(s), got " + std::to_string(words.size() - 1));
+}
+
+double value_of_size(const std::vector<std::string>& words, std::size_t k, const char* unit) {
+  return parse_real(kStyle, "size " + words[0], words[k], unit, Range::non_negative());
+}
+
+SizeLimits size_limits(const ArgValues& args) {
+  const SizeLimits limits{args.real("block_min"), args.real("block_max")};
+  if (limits.largest < limits.smallest) {
+    throw InputError(std::string(kStyle) + ": block_max must be >= block_min (" +
+                     number_text(limits.smallest) + " m), got '" + number_text(limits.largest) +
+                     "'");
+  }
+  return limits;
+}
+
+SizeLaw size_bands(const std::vector<std::string>& words, const SizeLimits& limits) {
+  if (words.size() % 2 == 0)
+    throw InputError(std::string(kStyle) + ": size bands takes pairs of a radius and a size");
+  SizeBands bands;
+  for (std::size_t k = 1; k + 1 < words.size(); k += 2)
+    bands.bands.emplace_back(value_of_size(words, k, "m"), value_of_size(words, k + 1, "m"));
+  return SizeLaw::bands(bands, limits);
 }
 
 /// What the core says, after the name of the style.
@@ -321,22 +351,11 @@ JointSetCut CreateBlocks::joint_sets(const ArgValues& args) const {
 SizeLaw CreateBlocks::size_law(const ArgValues& args) const {
   if (!args.given("size")) throw InputError("create_blocks: keyword 'size' is required");
   const std::vector<std::string>& words = args.groups("size").front();
-  const SizeLimits limits{args.real("block_min"), args.real("block_max")};
-  if (limits.largest < limits.smallest) {
-    throw InputError(std::string(kStyle) + ": block_max must be >= block_min (" +
-                     number_text(limits.smallest) + " m), got '" + number_text(limits.largest) +
-                     "'");
-  }
+  const SizeLimits limits = size_limits(args);
   const auto number = [&](std::size_t k, const char* unit) {
-    return parse_real(kStyle, "size " + words[0], words[k], unit, Range::non_negative());
+    return value_of_size(words, k, unit);
   };
-  const auto need = [&](std::size_t count) {
-    if (words.size() != count + 1) {
-      throw InputError(std::string(kStyle) + ": size " + words[0] + " takes " +
-                       std::to_string(count) + " value(s), got " +
-                       std::to_string(words.size() - 1));
-    }
-  };
+  const auto need = [&](std::size_t count) { need_values(words, count); };
   if (words[0] == "harries") {
     need(4);
     return SizeLaw::harries(
@@ -350,14 +369,7 @@ SizeLaw CreateBlocks::size_law(const ArgValues& args) const {
     need(1);
     return SizeLaw::table(read_size_table_file(words[1]), limits);
   }
-  if (words[0] == "bands") {
-    if (words.size() % 2 == 0)
-      throw InputError(std::string(kStyle) + ": size bands takes pairs of a radius and a size");
-    SizeBands bands;
-    for (std::size_t k = 1; k + 1 < words.size(); k += 2)
-      bands.bands.emplace_back(number(k, "m"), number(k + 1, "m"));
-    return SizeLaw::bands(bands, limits);
-  }
+  if (words[0] == "bands") return size_bands(words, limits);
   if (words[0] == "uniform") {
     need(1);
     return SizeLaw::uniform(number(1, "m"));
@@ -659,6 +671,13 @@ void CreateBlocks::report(const Model& model, double seconds) const {
     engine::print_once(*lmp, "  " + std::to_string(model.rock.statistics.merged_parts) +
                                  " parts between joint planes are too thin for a block: they stay "
                                  "with the rock beside them, where the joint ends\n");
+  }
+  if (model.rock.statistics.lost_parts > 0) {
+    engine::print_once(*lmp, "  " + std::to_string(model.rock.statistics.lost_parts) +
+                                 " parts between joint planes are left out, since no seed fell "
+                                 "into their " +
+                                 number_text(model.rock.statistics.lost_volume) +
+                                 " m3 of rock: take smaller blocks\n");
   }
   report_filling(model);
   if (model.sizes) report_target(*model.sizes, model.why_missed);

@@ -20,7 +20,7 @@ struct JointSetCut {
   // No division makes a block with 3 V / A (mean_radius) below this share of the size asked for
   // there, or thinner along a set's normal than twice this share: what would be a sliver stays part
   // of its neighbour, or of the void at a crushed zone.
-  double sliver = 0.2;
+  double sliver = kThinnestPart;
 };
 
 /// `rock.sweeps` and `rock.seed` are not used. Blocks fill the rock; every facet is the polygon

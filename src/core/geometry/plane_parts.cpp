@@ -115,6 +115,24 @@ std::vector<BoundedCell> cells_between(const TessellationOptions& options, const
   return cells;
 }
 
+/// Rock in a part, by counting points of a grid around it [m3].
+double rock_volume(const Ground& ground, const BoundedCell& part) {
+  constexpr int kPoints = 16;  // per axis
+  Vec3 lo = part.cell.shape.vertices.front(), hi = lo;
+  for (const Vec3& v : part.cell.shape.vertices) {
+    lo = lo.cwiseMin(v);
+    hi = hi.cwiseMax(v);
+  }
+  const Vec3 step = (hi - lo) / kPoints;
+  int hits = 0;
+  for (int k = 0; k < kPoints * kPoints * kPoints; ++k) {
+    const Vec3 place(k % kPoints + 0.5, k / kPoints % kPoints + 0.5, k / (kPoints * kPoints) + 0.5);
+    const Vec3 point = lo + place.cwiseProduct(step);
+    hits += is_within(part.bounds, point) && ground.is_rock(point) ? 1 : 0;
+  }
+  return hits * step.prod();
+}
+
 /// A place in the rock of a part that no seed fell into: its middle, or a random one.
 std::vector<Vec3> any_seed(const TessellationOptions& options, const Ground& ground,
                            const BoundedCell& part) {
@@ -151,7 +169,13 @@ RockParts parts_of(const TessellationOptions& options) {
     part.seeds.assign(seeds.begin(), others);
     seeds.erase(seeds.begin(), others);
     if (part.seeds.empty()) part.seeds = any_seed(options, ground, cell);
-    if (!part.seeds.empty()) found.parts.push_back(std::move(part));
+    if (part.seeds.empty()) {
+      const double rock = rock_volume(ground, cell);
+      found.lost += rock > 0.0 ? 1 : 0;
+      found.lost_volume += rock;
+    } else {
+      found.parts.push_back(std::move(part));
+    }
   }
   return found;
 }

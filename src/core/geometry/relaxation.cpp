@@ -81,7 +81,8 @@ void Relaxation::add_hole_volumes(const Polyhedron& shape, const std::vector<int
 }
 
 // Tangent planes enclose more than the cylinder (by 3 % with ten blocks around); mirroring at a
-// slightly smaller cylinder gives the crushed zone its volume.
+// slightly smaller cylinder gives the crushed zone its volume. Where blocks are as wide as the
+// zone, the least radius stops that: few planes enclose half as much again, or more.
 void Relaxation::adjust_radii(const std::vector<double>& hole_volumes) {
   for (std::size_t h = 0; h < mirrored_holes_.size(); ++h) {
     if (!(hole_volumes[h] > 0.0)) continue;
@@ -91,8 +92,8 @@ void Relaxation::adjust_radii(const std::vector<double>& hole_volumes) {
   }
 }
 
-Relaxation::Swept Relaxation::sweep_part(const Images& images, std::size_t first,
-                                         std::size_t last) const {
+Relaxation::Swept Relaxation::sweep_part(std::size_t first, std::size_t last) const {
+  const Images images = mirror_seeds(seeds_, mirrored_holes_, options_.region, ground_);
   const std::vector<Vec3> points = points_with(images);
   CellCutter cutter(points, options_.lo, options_.hi, bounds_);
   Swept swept;
@@ -110,28 +111,26 @@ Relaxation::Swept Relaxation::sweep_part(const Images& images, std::size_t first
 }
 
 // Each takes seeds that follow one another. If one fails, all do the whole sweep, to fail alike.
-Relaxation::Swept Relaxation::shared_sweep(const Images& images) const {
+Relaxation::Swept Relaxation::shared_sweep() const {
   const SweepTeam& team = options_.team;
   const auto rank = static_cast<std::size_t>(team.rank),
              ranks = static_cast<std::size_t>(team.ranks);
   Swept mine;
   double failed = 0.0;
   try {
-    mine = sweep_part(images, rank * seeds() / ranks, (rank + 1) * seeds() / ranks);
+    mine = sweep_part(rank * seeds() / ranks, (rank + 1) * seeds() / ranks);
   } catch (const std::exception&) {
     failed = 1.0;
   }
   const std::vector<double> faults = team.gather({failed});
   if (std::find(faults.begin(), faults.end(), 1.0) == faults.end())
     return {team.gather(mine.seeds), team.gather(mine.carved)};
-  (void)sweep_part(images, 0, seeds());
+  (void)sweep_part(0, seeds());
   throw std::runtime_error("a process failed at its share of the Voronoi cells");
 }
 
 void Relaxation::sweep() {
-  const Images images = mirror_seeds(seeds_, mirrored_holes_, options_.region, ground_);
-  const Swept swept =
-      options_.team.ranks > 1 ? shared_sweep(images) : sweep_part(images, 0, seeds());
+  const Swept swept = options_.team.ranks > 1 ? shared_sweep() : sweep_part(0, seeds());
   for (std::size_t i = 0; i < seeds(); ++i) seeds_[i] = Vec3::Map(swept.seeds.data() + 3 * i);
   std::vector<double> hole_volumes(options_.holes.size(), 0.0);
   for (std::size_t k = 0; k < swept.carved.size(); k += 2)

@@ -33,8 +33,8 @@ class Relaxation {
     std::vector<double> seeds;   // where they go, three numbers each [m]
     std::vector<double> carved;  // pairs: hole, volume between its axis and one cell's face [m3]
   };
-  [[nodiscard]] Swept sweep_part(const Images& images, std::size_t first, std::size_t last) const;
-  [[nodiscard]] Swept shared_sweep(const Images& images) const;
+  [[nodiscard]] Swept sweep_part(std::size_t first, std::size_t last) const;
+  [[nodiscard]] Swept shared_sweep() const;
   [[nodiscard]] std::vector<Vec3> points_with(const Images& images) const;
   [[nodiscard]] Vec3 relaxed(const Vec3& seed, const Vec3& centroid, double volume) const;
   void add_hole_volumes(const Polyhedron& shape, const std::vector<int>& codes,

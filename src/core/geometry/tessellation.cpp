@@ -149,7 +149,7 @@ class RelaxedParts {
     }
   }
   [[nodiscard]] const std::vector<Relaxation>& all() const { return relaxations_; }
-  [[nodiscard]] std::size_t merged() const { return rock_.merged; }
+  [[nodiscard]] const RockParts& rock() const { return rock_; }
 
  private:
   RockParts rock_;
@@ -163,7 +163,9 @@ void cut_whole(const TessellationOptions& options, Tessellation& result) {
 
 void cut_parts(const TessellationOptions& options, Tessellation& result) {
   const RelaxedParts parts(options);
-  result.statistics.merged_parts = parts.merged();
+  result.statistics.merged_parts = parts.rock().merged;
+  result.statistics.lost_parts = parts.rock().lost;
+  result.statistics.lost_volume = parts.rock().lost_volume;
   for (const Relaxation& relaxation : parts.all()) add_blocks(relaxation, result);
   join_in_planes(options.planes, result.blocks);
 }
