@@ -25,7 +25,7 @@ variable case index a
 include common/${case}.in
 print "${burden} $h"
 label again
-create_box 1 rock density 2900
+print "density 2900"
 EOF
 echo 'variable twice equal 2*v_spacing' >common/a.in
 cat >in.lost <<'EOF'
@@ -35,7 +35,7 @@ EOF
 [[ $(warnings in.x -var burdn 4 -var h 1) -eq 2 ]] || fail "burdn must be told twice"
 output=$("$program" -log none -in in.x -var burdn 4 -var h 1 2>&1 </dev/null) || true
 grep -qF "did you mean 'burden'?" <<<"$output" || fail "burden must be named"
-[[ $(warnings in.x -var density 4 -var again 1) -eq 4 ]] || fail "a keyword and a label are no variables"
+[[ $(warnings in.x -var density 4 -var again 1 -var h 1) -eq 4 ]] || fail "a keyword and a label are no variables"
 [[ $(warnings in.x -var burden 4 -var h 1 -var spacing 2 -var case a) -eq 0 ]] || fail "variables must not be told"
 [[ $(warnings in.lost -var burdn 4 -var case b) -eq 0 ]] || fail "a file that is not there may use any name"
 [[ $("$program" --version) == Muckpile\ * ]] || fail "--version must print the version"
