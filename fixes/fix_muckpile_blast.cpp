@@ -59,6 +59,7 @@ std::vector<Hole> holes_of(const BlastSurface& surface) {
 FixMuckpileBlast::FixMuckpileBlast(LAMMPS_NS::LAMMPS* lmp_in, int narg, char** arg)
     : Fix(lmp_in, narg, arg), where_(where_of(narg, arg)) {
   engine::refuse_second_fix(*lmp, where_, "muckpile/blast");
+  engine::require_id_of_restart(*lmp, where_, *this);
   const ArgValues values = engine::read_args(*lmp, blast_table(), where_, narg, arg, 3);
   options_ = engine::or_engine_error(*lmp, [&] { return blast_options(values, where_); });
   vector_flag = 1;
@@ -132,10 +133,12 @@ void FixMuckpileBlast::check_timestep() const {
 double FixMuckpileBlast::clock() const { return update->get_cur_time() - clock_zero_; }
 
 void FixMuckpileBlast::setup_pre_force(int vflag) {
-  // The engine's time is only settled once a run begins: it starts again at 0 after read_restart.
+  // Whatever the engine's time is when the run begins, the clock starts at 0 or goes on.
   if (!clock_started_) clock_zero_ = update->get_cur_time() - clock_restarted_;
-  if (!clock_started_) check_walls();
   clock_started_ = true;
+  // Of a blast that goes on, blocks at the walls may have left since.
+  if (!walls_checked_) check_walls();
+  walls_checked_ = true;
   pre_force(vflag);
 }
 
@@ -312,6 +315,8 @@ void FixMuckpileBlast::write_restart(FILE* file) {
   state.put_all(swept_);
   state.put_all(states_);
   state.put_all(hole_over_);
+  state.put(over_);
+  state.put(walls_checked_);
   engine::write_state(*lmp, style, file, state);
 }
 
@@ -321,6 +326,8 @@ void FixMuckpileBlast::restart(char* state) {
   swept_ = reader.get_all<double>();
   states_ = reader.get_all<GasState>();
   hole_over_ = reader.get_all<char>();
+  over_ = reader.get<bool>();
+  walls_checked_ = reader.get<bool>();
 }
 
 }  // namespace muckpile

@@ -71,6 +71,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix {
   bool described_ = false;
 
   bool clock_started_ = false;
+  bool walls_checked_ = false;
   double clock_zero_ = 0.0;       // engine time at clock 0 [s]
   double clock_restarted_ = 0.0;  // clock taken over from a restart file [s]
 

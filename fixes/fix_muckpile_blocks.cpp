@@ -276,13 +276,13 @@ void FixMuckpileBlocks::add_facets(std::vector<FacetEntry> added) {
     return key_of(a.first) < key_of(b.first);
   });
   std::vector<Facet> facets;
-  std::vector<FacetMemory> memory;
+  std::vector<FacetMemory> memories;
   facets.reserve(facets_.size() + added.size());
-  memory.reserve(facets_.size() + added.size());
+  memories.reserve(facets_.size() + added.size());
   const auto append = [&](const Facet& facet, FacetMemory& its) {
     if (!facets.empty() && key_of(facets.back()) == key_of(facet)) return;
     facets.push_back(facet);
-    memory.push_back(std::move(its));
+    memories.push_back(std::move(its));
   };
   auto next = added.begin();
   for (std::size_t f = 0; f < facets_.size(); ++f) {
@@ -292,7 +292,7 @@ void FixMuckpileBlocks::add_facets(std::vector<FacetEntry> added) {
   }
   for (; next != added.end(); ++next) append(next->first, next->second);
   facets_ = std::move(facets);
-  memory_ = std::move(memory);
+  memory_ = std::move(memories);
 }
 
 void FixMuckpileBlocks::index(const std::vector<int>& tags,

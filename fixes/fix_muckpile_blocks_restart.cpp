@@ -42,7 +42,9 @@ void FixMuckpileBlocks::write_restart(FILE* file) {
   engine::ByteWriter all;
   all.put(kLayout);
   all.put(update->atime);
-  all.put(highest_joint_class_);
+  int highest_class = highest_joint_class_;  // of the facets of this rank so far
+  MPI_Allreduce(MPI_IN_PLACE, &highest_class, 1, MPI_INT, MPI_MAX, world);
+  all.put(highest_class);
   all.put_all(holes_);
   all.put(blocks_created_);
   all.put(facets_created_);

@@ -65,12 +65,15 @@ void FixMuckpileDump::setup(int) {
 
 /// Snapshots that the run before wrote after its restart file; what they show did not happen.
 void FixMuckpileDump::remove_later() const {
-  std::error_code fault;
-  for (const auto& entry : std::filesystem::directory_iterator(folder_, fault)) {
+  std::error_code fault, unheeded;
+  std::filesystem::directory_iterator entry(folder_, fault);
+  for (; !fault && entry != std::filesystem::directory_iterator(); entry.increment(fault)) {
     long long step = 0;
-    const std::string name = entry.path().filename().string();
-    if (std::sscanf(name.c_str(), "blocks_%lld.csv", &step) == 1 && step > update->ntimestep)
-      std::filesystem::remove(entry.path(), fault);
+    int length = 0;  // stays 0 if the name ends or goes on otherwise after the number
+    const std::string name = entry->path().filename().string();
+    std::sscanf(name.c_str(), "blocks_%lld.csv%n", &step, &length);
+    if (static_cast<std::size_t>(length) == name.size() && step > update->ntimestep)
+      std::filesystem::remove(entry->path(), unheeded);
   }
 }
 

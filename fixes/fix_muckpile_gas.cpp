@@ -2,6 +2,7 @@
 // fix muckpile/gas: words, messages, and the books; the laws are in core/gas.
 #include "fix_muckpile_gas.h"
 
+#include <comm.h>
 #include <fix_multisphere.h>
 #include <modify.h>
 #include <mpi.h>
@@ -56,6 +57,7 @@ JointGas make_gas(LAMMPS_NS::LAMMPS& lmp, const ArgValues& args, double gamma) {
 FixMuckpileGas::FixMuckpileGas(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg), where_(where_of(narg, arg)), gas_({}) {
   engine::refuse_second_fix(*lmp, where_, "muckpile/gas");
+  engine::require_id_of_restart(*lmp, where_, *this);
   const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
   FixMuckpileBlast* blast = find_blast();
   if (blast == nullptr) engine::stop(*lmp, where_ + ": needs a fix muckpile/blast before it");
@@ -280,6 +282,12 @@ void FixMuckpileGas::write_restart(FILE* file) {
   for (std::size_t b = 0; b < tags_.size(); ++b) {
     mine.put(tags_[b]);
     mine.put(gas_.cells()[b].content);
+  }
+  // Before the first run after read_restart every rank has all.
+  for (const auto& [tag, content] : restored_) {
+    if (comm->me != 0) break;
+    mine.put(tag);
+    mine.put(content);
   }
   engine::write_state(*lmp, style, file, common, mine);
 }

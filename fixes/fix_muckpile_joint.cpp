@@ -136,6 +136,7 @@ std::string name_of(int narg, char** arg) {
 FixMuckpileJoint::FixMuckpileJoint(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg), network_(make_network(*engine, name_of(narg, arg), narg, arg)) {
   engine::refuse_second_fix(*lmp, name_of(narg, arg), "muckpile/joint");
+  engine::require_id_of_restart(*lmp, name_of(narg, arg), *this);
   if (engine::find_multisphere(*lmp) == nullptr) {
     engine::stop(*lmp, name_of(narg, arg) + ": needs 'fix ID all multisphere' before it");
   }
@@ -186,7 +187,6 @@ void FixMuckpileJoint::init() {
     if (auto* gas = dynamic_cast<JointPressure*>(modify->fix[i])) gas_ = gas;
   }
   check_classes();
-  check_restart();
   follow_blocks();
   end_what_does_not_go_on();
 }

@@ -87,7 +87,6 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
 
  private:
   void check_classes() const;
-  void check_restart() const;
   void end_what_does_not_go_on();
   void follow_blocks();
   void add_forces(double dt);
@@ -113,8 +112,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   std::vector<double> poses_;
   std::vector<int> of_blocks_;  // work space of mark_joined() and let_rest()
   bool cracked_since_build_ = false;
-  bool restored_ = false;  ///< its totals came from a restart file
-  bool goes_on_ = false;   ///< and what does not go on has ended
+  bool goes_on_ = false;  ///< after a restart file: what does not go on has ended
 };
 
 }  // namespace muckpile

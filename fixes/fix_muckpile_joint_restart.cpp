@@ -5,10 +5,8 @@
 #include <modify.h>
 
 #include <array>
-#include <string>
 
 #include "engine/restart_file.h"
-#include "engine/style_args.h"
 #include "fix_muckpile_joint.h"
 
 namespace muckpile {
@@ -36,13 +34,6 @@ void FixMuckpileJoint::restart(char* state) {
   auto totals = engine::read_state(state).get<NetworkTotals>();
   for (double* all : sums_of(totals)) *all = engine::share_of_total(*lmp, *all);
   network_.resume(totals);
-  restored_ = true;
-}
-
-void FixMuckpileJoint::check_restart() const {
-  if (!store_->restored() || restored_) return;
-  engine::stop(*lmp, std::string("fix muckpile/joint '") + id +
-                         "': must have the ID that it had when the restart file was written");
 }
 
 /// What a fix of the run before did to the joints ends, as at an unfix, if it is not here again.

@@ -19,6 +19,7 @@
 
 #include "engine/bodies.h"
 #include "engine/restart_file.h"
+#include "engine/single_fix.h"
 #include "engine/style_args.h"
 #include "fix_muckpile_joint.h"
 #include "fix_muckpile_sleep.h"
@@ -46,6 +47,7 @@ FixMuckpileLedger::FixMuckpileLedger(LAMMPS_NS::LAMMPS* engine, int narg, char**
     : Fix(engine, narg, arg) {
   const std::string where = std::string("fix muckpile/ledger '") + id + "'";
   if (narg != 3) engine::stop(*lmp, where + ": takes no keywords, got '" + arg[3] + "'");
+  engine::require_id_of_restart(*lmp, where, *this);
   multisphere_ = engine::find_multisphere(*lmp);
   if (multisphere_ == nullptr)
     engine::stop(*lmp, where + ": needs 'fix ID all multisphere' before it");

@@ -172,10 +172,13 @@ void FixMuckpileProgress::stop_if_wrong(const Look& now) {
 }
 
 void FixMuckpileProgress::stop_with_restart(const std::string& why) {
+  if (update->ntimestep == read_at_)
+    engine::stop(*lmp, where_ + ": " + why +
+                           ". It is so in the restart file that was read; go on " +
+                           "from an earlier one (command restart)");
   std::string file = folder_ + "/stopped.restart";
   LAMMPS_NS::WriteRestart(lmp).write(file.data());
-  engine::stop(*lmp, std::string("fix muckpile/progress '") + id + "': " + why +
-                         ". State written to " + file);
+  engine::stop(*lmp, where_ + ": " + why + ". State written to " + file);
 }
 
 void FixMuckpileProgress::say(const Look& now) const {
@@ -206,7 +209,7 @@ void FixMuckpileProgress::write_restart(FILE* file) {
 
 void FixMuckpileProgress::restart(char* state) {
   wall_start_ -= engine::read_state(state).get<double>();
-  restored_ = true;
+  read_at_ = update->ntimestep;
 }
 
 /// The history of the run before, up to now; what it did later did not happen. False if there is
@@ -225,7 +228,7 @@ bool FixMuckpileProgress::keep_history() const {
 void FixMuckpileProgress::write_history(const Look& now) {
   const EnergyLedger& e = ledger_->ledger();
   if (comm->me != 0) return;
-  if (!history_begun_ && restored_) history_begun_ = keep_history();
+  if (!history_begun_ && read_at_ >= 0) history_begun_ = keep_history();
   std::ofstream out(folder_ + "/history.csv", history_begun_ ? std::ios::app : std::ios::trunc);
   if (!history_begun_) out << kHistoryHeader;
   history_begun_ = true;

@@ -59,7 +59,7 @@ class FixMuckpileProgress : public LAMMPS_NS::Fix {
   double time_end_, still_speed_, still_share_, fastest_allowed_, balance_allowed_;
   double wall_start_, phase_wall_start_ = 0.0, phase_time_start_ = 0.0;
   bool history_begun_ = false;
-  bool restored_ = false;  // a run goes on from a restart file
+  LAMMPS_NS::bigint read_at_ = -1;  // step of the restart file from which the run goes on
   LAMMPS_NS::bigint last_ = -1;
 };
 

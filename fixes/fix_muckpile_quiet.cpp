@@ -46,6 +46,7 @@ FixMuckpileQuiet::FixMuckpileQuiet(LAMMPS_NS::LAMMPS* engine, int narg, char** a
     : Fix(engine, narg, arg),
       where_(std::string("fix muckpile/quiet '") + (narg > 0 ? arg[0] : "") + "'") {
   engine::refuse_second_fix(*lmp, where_, "muckpile/quiet");
+  engine::require_id_of_restart(*lmp, where_, *this);
   const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
   for (const auto& words : args.groups("region")) regions_.push_back(words.front());
   if (regions_.empty()) engine::stop(*lmp, where_ + ": keyword 'region' is required");
@@ -89,8 +90,6 @@ void FixMuckpileQuiet::init() {
 void FixMuckpileQuiet::setup(int) {
   last_time_ = update->get_cur_time();
   if (begun_) return;
-  if (sum(supports_->supports_yielding()) > 0.0)
-    engine::stop(*lmp, where_ + ": must have the ID that it had when the restart file was written");
   begun_ = true;
   const auto mine =
       supports_->let_ground_yield([this](const Vec3& at) { return chosen(at); }, rock_behind_);

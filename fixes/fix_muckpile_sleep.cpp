@@ -42,6 +42,7 @@ const ArgTable& table() {
 FixMuckpileSleep::FixMuckpileSleep(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg), where_(std::string("fix muckpile/sleep '") + id + "'") {
   engine::refuse_second_fix(*lmp, where_, "muckpile/sleep");
+  engine::require_id_of_restart(*lmp, where_, *this);
   const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
   limits_ = {args.real("distance"), args.real("time"), args.real("speed")};
   nevery = static_cast<int>(args.integer("every"));

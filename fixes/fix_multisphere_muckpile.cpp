@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "engine/bodies.h"
+#include "engine/single_fix.h"
 #include "engine/style_args.h"
 #include "fix_muckpile_blocks.h"
 
@@ -60,7 +61,9 @@ FixMultisphereMuckpile::FixMultisphereMuckpile(LAMMPS_NS::LAMMPS* engine, int na
 
 void FixMultisphereMuckpile::post_create() {
   FixMultisphere::post_create();
-  if (modify->have_restart_data_style("muckpile/blocks")) FixMuckpileBlocks::find_or_make(*lmp);
+  engine::require_id_of_restart(*lmp, std::string("fix multisphere/muckpile '") + id + "'", *this);
+  if (modify->have_restart_data(this) && modify->have_restart_data_style("muckpile/blocks"))
+    FixMuckpileBlocks::find_or_make(*lmp);
 }
 
 void FixMultisphereMuckpile::init() {

@@ -38,7 +38,12 @@ void BorderSpheres::carry(BlockHalo& halo, const std::vector<int>& from, const s
   double* number = values_.data();
   for (const int sphere : from)
     for (double** const array : arrays) number = std::copy_n(array[sphere], 3, number);
+  double* const received = number;
+  // A sphere for which nobody sends keeps what it has.
+  for (const int sphere : to)
+    for (double** const array : arrays) number = std::copy_n(array[sphere], 3, number);
   halo.forward(values_, width);
+  number = received;
   for (const int sphere : to)
     for (double** const array : arrays) {
       std::copy_n(number, 3, array[sphere]);

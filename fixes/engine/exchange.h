@@ -72,7 +72,8 @@ class ByteReader {
 [[nodiscard]] std::vector<double> gather_all(const std::vector<double>& mine, MPI_Comm world);
 
 /// Sends outgoing[r] to rank r and returns what each rank sent here. Collective. Goes in rounds of
-/// at most `most_at_once` bytes (below 2 GiB) to or from a rank.
+/// at most `most_at_once` bytes (below 2 GiB) to or from a rank, or, with more ranks than that, one
+/// byte between each two.
 [[nodiscard]] std::vector<std::vector<char>> exchange_bytes(
     const std::vector<std::vector<char>>& outgoing, MPI_Comm world,
     std::size_t most_at_once = std::size_t{1} << 30);

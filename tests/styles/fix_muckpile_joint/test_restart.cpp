@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <string>
 #include <utility>
@@ -223,6 +225,89 @@ TEST(Restart, BlastGoesOnWithItsGasItsGroundAndItsBooks) {
   EXPECT_LT(apart, 1e-7);  // breaking rock magnifies rounding
   EXPECT_LT(books, 1e-9);
   EXPECT_LT(restarted.output("ledger", 0), 0.01);
+}
+
+/// As when the command restart is followed by a second start before anything has moved.
+TEST(Restart, FileThatIsWrittenAgainBeforeARunKeepsTheGas) {
+  const ScratchFolder folder("restart");
+  const std::string first = folder / "first.restart", second = folder / "second.restart";
+  RockScene scene = blasted_rock(MPI_COMM_WORLD);
+  scene.run(200, kBlastStep);
+  scene.command("write_restart " + first);
+  RockScene again = RockScene::restarted(MPI_COMM_WORLD, first, "* * 1");
+  add_blast(again);
+  again.command("write_restart " + second);
+  RockScene restarted = RockScene::restarted(MPI_COMM_WORLD, second, "* * 1");
+  add_blast(restarted);
+  for (RockScene* each : {&scene, &restarted}) each->run(0, kBlastStep);
+  EXPECT_GT(scene.output("gas", 1), 0.01);
+  EXPECT_NEAR(restarted.output("gas", 1), scene.output("gas", 1), 1e-9 * scene.output("gas", 1));
+}
+
+TEST(Restart, JointsCanBeTakenOffAndGivenAgainAfterwards) {
+  const ScratchFolder folder("restart");
+  const std::string file = folder / "lump.restart";
+  RockScene scene(MPI_COMM_SELF, "-4 4 -4 4 -4 4", "* * 1", "multisphere/muckpile");
+  make_breaking_lump(scene, kStrength);
+  scene.run(kBefore, kStep);
+  scene.command("write_restart " + file);
+  const double broken = scene.output("joint", 2);
+  RockScene restarted = RockScene::restarted(MPI_COMM_SELF, file);
+  add_laws(restarted, kStrength);
+  restarted.run(1, kStep);
+  restarted.command("unfix joint");
+  add_laws(restarted, kStrength);
+  restarted.run(1, kStep);  // an engine that stops ends the program
+  EXPECT_GE(restarted.output("joint", 2), broken);
+}
+
+/// Of a hole half of whose wall has flown away since the blast began.
+TEST(Restart, BlastGoesOnWithoutTheRockAroundItsHole) {
+  const ScratchFolder folder("restart");
+  const std::string file = folder / "flown.restart";
+  const auto add_weak_blast = [](RockScene& scene) {
+    add_laws(scene, " cohesion 1e3 friction_angle 50 tension 1e3");
+    scene.command(
+        "fix load all muckpile/blast explosive_density 1100 vod 4500 hole_diameter 0.1 "
+        "poisson_ratio 0.25 vent_time 1e-3 vent_decay 1e-3");
+  };
+  RockScene scene(MPI_COMM_SELF, "-3 3 -3 3 -3 3", "* * 1", "multisphere/muckpile");
+  scene.cut("-0.9 0.9 -0.9 0.9 -0.9 0.9",
+            "density 2600 size uniform 0.3 block_min 0.3 block_max 0.3 spheres_per_block 1 "
+            "sweeps 5 seed 3 hole 0 0 -0.4 0 0 0.4 0.15");
+  add_weak_blast(scene);
+  scene.run(1, kStep);
+  const std::size_t before = scene.blocks().size();
+  scene.set_motion([](int, const Vec3& at) {
+    return Motion{at.x() > 0.0 ? Vec3(400.0, 0.0, 0.0) : Vec3::Zero(), Vec3::Zero()};
+  });
+  scene.command("thermo_modify lost ignore");
+  for (int k = 0; k < 10; ++k) scene.run(100, kStep);
+  EXPECT_LT(scene.blocks().size(), before);
+  scene.command("write_restart " + file);
+  RockScene restarted = RockScene::restarted(MPI_COMM_SELF, file, "* * 1");
+  add_weak_blast(restarted);
+  restarted.run(1, kStep);  // an engine that stops ends the program
+  EXPECT_EQ(restarted.blocks().size(), scene.blocks().size());
+}
+
+TEST(Restart, LaterSnapshotsGoAndOtherFilesStay) {
+  const ScratchFolder folder("restart");
+  const std::string file = folder / "lump.restart", out = folder / "out";
+  RockScene scene(MPI_COMM_SELF, "-4 4 -4 4 -4 4", "* * 1", "multisphere/muckpile");
+  make_breaking_lump(scene, kStrength);
+  scene.run(1, kStep);
+  scene.command("write_restart " + file);
+  std::filesystem::create_directory(out);
+  for (const char* name : {"/blocks_000000900.csv", "/blocks_900_notes.txt", "/blocks_900.csv.old"})
+    std::ofstream(out + name) << "x\n";
+  RockScene restarted = RockScene::restarted(MPI_COMM_SELF, file);
+  add_laws(restarted, kStrength);
+  restarted.command("fix dump all muckpile/dump every 10 directory " + out);
+  restarted.run(0, kStep);
+  EXPECT_FALSE(std::filesystem::exists(out + "/blocks_000000900.csv"));
+  EXPECT_TRUE(std::filesystem::exists(out + "/blocks_900_notes.txt"));
+  EXPECT_TRUE(std::filesystem::exists(out + "/blocks_900.csv.old"));
 }
 
 double time_of(RockScene& scene) {
