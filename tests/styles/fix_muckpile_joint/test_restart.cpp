@@ -261,36 +261,6 @@ TEST(Restart, JointsCanBeTakenOffAndGivenAgainAfterwards) {
   EXPECT_GE(restarted.output("joint", 2), broken);
 }
 
-/// Of a hole half of whose wall has flown away since the blast began.
-TEST(Restart, BlastGoesOnWithoutTheRockAroundItsHole) {
-  const ScratchFolder folder("restart");
-  const std::string file = folder / "flown.restart";
-  const auto add_weak_blast = [](RockScene& scene) {
-    add_laws(scene, " cohesion 1e3 friction_angle 50 tension 1e3");
-    scene.command(
-        "fix load all muckpile/blast explosive_density 1100 vod 4500 hole_diameter 0.1 "
-        "poisson_ratio 0.25 vent_time 1e-3 vent_decay 1e-3");
-  };
-  RockScene scene(MPI_COMM_SELF, "-3 3 -3 3 -3 3", "* * 1", "multisphere/muckpile");
-  scene.cut("-0.9 0.9 -0.9 0.9 -0.9 0.9",
-            "density 2600 size uniform 0.3 block_min 0.3 block_max 0.3 spheres_per_block 1 "
-            "sweeps 5 seed 3 hole 0 0 -0.4 0 0 0.4 0.15");
-  add_weak_blast(scene);
-  scene.run(1, kStep);
-  const std::size_t before = scene.blocks().size();
-  scene.set_motion([](int, const Vec3& at) {
-    return Motion{at.x() > 0.0 ? Vec3(400.0, 0.0, 0.0) : Vec3::Zero(), Vec3::Zero()};
-  });
-  scene.command("thermo_modify lost ignore");
-  for (int k = 0; k < 10; ++k) scene.run(100, kStep);
-  EXPECT_LT(scene.blocks().size(), before);
-  scene.command("write_restart " + file);
-  RockScene restarted = RockScene::restarted(MPI_COMM_SELF, file, "* * 1");
-  add_weak_blast(restarted);
-  restarted.run(1, kStep);  // an engine that stops ends the program
-  EXPECT_EQ(restarted.blocks().size(), scene.blocks().size());
-}
-
 TEST(Restart, LaterSnapshotsGoAndOtherFilesStay) {
   const ScratchFolder folder("restart");
   const std::string file = folder / "lump.restart", out = folder / "out";
