@@ -22,10 +22,18 @@
 namespace muckpile {
 namespace {
 
+/// To be raised whenever a fix of ours writes other things, or in another order.
+constexpr std::size_t kFormat = 1;
+
 /// Another program lays out its data otherwise.
-using Layout = std::array<std::size_t, 6>;
-constexpr Layout kLayout{sizeof(BlockRecord), sizeof(Facet),        sizeof(FacetTraces),
-                         sizeof(RareMemory),  sizeof(BoundaryFace), sizeof(Hole)};
+using Layout = std::array<std::size_t, 7>;
+constexpr Layout kLayout{kFormat,
+                         sizeof(BlockRecord),
+                         sizeof(Facet),
+                         sizeof(FacetTraces),
+                         sizeof(RareMemory),
+                         sizeof(BoundaryFace),
+                         sizeof(Hole)};
 
 }  // namespace
 
