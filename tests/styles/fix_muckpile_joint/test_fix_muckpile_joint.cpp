@@ -241,8 +241,7 @@ double broken_on_ranks(const std::string& strength) {
   EXPECT_LT(count, alone.output("joint", joints));
   EXPECT_EQ(count, shared.output("joint", broken));
   // Ranks sum forces in another order, and running cracks amplify rounding: 1e-16 m before they run
-  // becomes 1e-16 to 8e-7 m, as compilers round. A facet that one rank lost moves pieces by
-  // millimetres.
+  // becomes 1e-16 to 8e-7 m, as compilers round. The lump turns by 0.3 rad.
   EXPECT_LT(largest_difference(alone, shared), 1e-5);
   const double taken = alone.output("joint", fracture);
   for (const int n : {friction, damping}) {
