@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "blast_surface.h"
-#include "explosive/blast_options.h"
+#include "explosive/hole_loads.h"
 #include "gas/joint_gas.h"
 
 namespace muckpile {

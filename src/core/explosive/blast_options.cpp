@@ -2,16 +2,11 @@
 // The words of fix muckpile/blast; see the header.
 #include "explosive/blast_options.h"
 
-#include <sstream>
-
 #include "args/input_error.h"
 #include "args/numbers.h"
-#include "explosive/attenuation.h"
 
 namespace muckpile {
 namespace {
-
-constexpr double kMPa = 1e6;
 
 void add_charge_keywords(ArgTable& table) {
   add_explosive_keywords(table);
@@ -118,21 +113,6 @@ void read_attenuation(BlastOptions& options, const ArgValues& values) {
   }
 }
 
-/// Of that explosive; 0 where it is not known because nothing needs it.
-double exponent_of(const BlastOptions& options, Attenuation by, const NamedExplosive& explosive) {
-  switch (by) {
-    case Attenuation::shock:
-      return options.poisson_ratio ? crushed_zone_exponent(*options.poisson_ratio) : 0.0;
-    case Attenuation::liu_katsabanis:
-      return options.p_wave_speed
-                 ? liu_katsabanis_exponent(*options.p_wave_speed, explosive.detonation_velocity)
-                 : 0.0;
-    case Attenuation::typed:
-      break;
-  }
-  return options.typed_exponent.value_or(0.0);
-}
-
 /// A number that this way of venting needs; `advice` for who left it out.
 double vent_word(const BlastOptions& options, const ArgValues& values, const std::string& name,
                  const std::string& unit, Range range, bool by_flow, const std::string& advice) {
@@ -220,174 +200,6 @@ std::map<long, double> own_delays(const std::string& where, const ArgValues& val
   return delays;
 }
 
-/// One charge in its hole, all that its load needs.
-struct LoadedHole {
-  NamedExplosive explosive;
-  ChargeShape shape;
-  DecouplingRule decoupling;
-  double initial_pressure = 0.0;  ///< P0, 0 if nothing needs it [Pa]
-  double wall_pressure = 0.0;     ///< on the hole's wall [Pa]
-  double exponent = 0.0;          ///< of the attenuation
-  bool energy_known = false;      ///< explosive.energy counts
-  double primer = 0.0;            ///< 0 toe to 1 collar of the charge
-  double firing_time = 0.0;       ///< [s]
-};
-
-/// What one row of the pattern says instead of the style's words.
-void apply_deck(LoadedHole& hole, const BlastOptions& options, const Deck& deck) {
-  if (deck.explosive) {
-    hole.explosive = options.charge.table.find(*deck.explosive, "hole_table");
-    hole.energy_known = true;
-  }
-  hole.shape.hole_radius = 0.5 * deck.diameter;
-  if (!options.charge.charge_radius) hole.shape.charge_radius = hole.shape.hole_radius;
-  if (deck.charge_diameter) hole.shape.charge_radius = 0.5 * *deck.charge_diameter;
-  if (deck.charge_length) hole.shape.charge_length = *deck.charge_length;
-  if (deck.primer) hole.primer = *deck.primer;
-  hole.firing_time = deck.firing_time;
-}
-
-LoadedHole loaded_hole(const BlastOptions& options, const Hole& zone, std::size_t index) {
-  const ChargeOptions& charge = options.charge;
-  LoadedHole hole;
-  hole.explosive = charge.explosive;
-  hole.energy_known = charge.energy_known;
-  hole.primer = options.primer;
-  const auto own = options.delays.find(static_cast<long>(index) + 1);
-  hole.firing_time =
-      own != options.delays.end() ? own->second : static_cast<double>(index) * options.interval;
-  hole.shape.hole_radius = charge.hole_radius;
-  hole.shape.charge_radius = charge.charge_radius.value_or(charge.hole_radius);
-  hole.shape.chamber_length = (zone.collar - zone.toe).norm();
-  hole.shape.charge_length = charge.charge_length.value_or(hole.shape.chamber_length);
-  if (options.pattern) apply_deck(hole, options, options.pattern->decks()[index]);
-  check_shape(hole.shape);
-  hole.exponent = exponent_of(options, options.attenuation, hole.explosive);
-  hole.decoupling = charge.decoupling;
-  if (charge.decoupling.coupling == Coupling::stemming && !charge.coupling_exponent_typed) {
-    hole.decoupling.coupling_exponent = hole.exponent;  // stemming is crushed rock
-  }
-  if (!options.needs_borehole_pressure()) return hole;
-  hole.initial_pressure = initial_pressure(charge, hole.explosive);
-  hole.wall_pressure =
-      wall_pressure(hole.initial_pressure, product_expansion(charge, hole.explosive), hole.shape,
-                    hole.decoupling);
-  return hole;
-}
-
-double wall_peak(const BlastOptions& options, const LoadedHole& hole, const Hole& zone) {
-  if (!options.pulse) return 0.0;
-  if (options.peak_pressure) return *options.peak_pressure;
-  return attenuated_pressure(hole.wall_pressure, hole.shape.hole_radius, zone.radius,
-                             hole.exponent);
-}
-
-BlastLoad blast_load(const BlastOptions& options, const LoadedHole& hole, const Hole& zone) {
-  BlastLoad::Parameters parameters{.wave_peak = wall_peak(options, hole, zone),
-                                   .pulse = options.pulse_shape,
-                                   .gas = options.gas,
-                                   .isentrope = options.charge.isentrope,
-                                   .charge_volume = hole.shape.charge_volume(),
-                                   .vent_time = options.vent_time,
-                                   .vent_decay = options.vent_decay};
-  // Without a P0 there is no gas either: any pressure that the law takes will do.
-  parameters.isentrope.initial_pressure =
-      hole.initial_pressure > 0.0 ? hole.initial_pressure : parameters.isentrope.switch_pressure;
-  if (options.charge.jwl) parameters.jwl = hole.explosive.jwl;
-  parameters.free_volume_ratio = free_volume_ratio(hole.shape, hole.decoupling);
-  if (options.vent_by_flow) {
-    parameters.flow = options.flow;
-    parameters.flow->hole_radius = hole.shape.hole_radius;
-    parameters.flow->zone_radius = zone.radius;
-    parameters.flow->products_mass = hole.explosive.density * hole.shape.charge_volume();
-  }
-  return BlastLoad(parameters);
-}
-
-void check_zone(const BlastOptions& options, const Hole& zone, std::size_t index) {
-  const double diameter =
-      options.pattern ? options.pattern->decks()[index].diameter : 2.0 * options.charge.hole_radius;
-  if (2.0 * zone.radius >= diameter) return;
-  std::ostringstream text;
-  text << "hole_diameter must not exceed that of the crushed zone of hole " << index + 1 << ", "
-       << 2.0 * zone.radius << " [m], got '" << diameter << "'";
-  refuse(options.where, text.str());
-}
-
-/// The pattern must be the one that the rock was cut for.
-void check_pattern(const BlastOptions& options, const std::vector<Hole>& zones) {
-  const std::vector<Deck>& decks = options.pattern->decks();
-  if (decks.size() != zones.size()) {
-    refuse(options.where, "hole_table must have one row for each of the " +
-                              std::to_string(zones.size()) + " holes of create_blocks, got " +
-                              std::to_string(decks.size()) + " rows");
-  }
-  constexpr double kSamePlace = 1e-6;  // [m]
-  for (std::size_t k = 0; k < zones.size(); ++k) {
-    if ((decks[k].toe - zones[k].toe).norm() < kSamePlace &&
-        (decks[k].collar - zones[k].collar).norm() < kSamePlace) {
-      continue;
-    }
-    refuse(options.where, "row " + std::to_string(k + 1) + " of hole_table (hole '" +
-                              decks[k].hole + "') is not where create_blocks has its hole " +
-                              std::to_string(k + 1));
-  }
-}
-
-HoleBlast hole_blast(const BlastOptions& options, const Hole& zone, std::size_t index) {
-  try {
-    const LoadedHole hole = loaded_hole(options, zone, index);
-    const Vec3 axis = (zone.collar - zone.toe).normalized();
-    return {blast_load(options, hole, zone),
-            DetonationFront({.toe = zone.toe,
-                             .collar = zone.toe + hole.shape.charge_length * axis,
-                             .detonation_velocity = hole.explosive.detonation_velocity,
-                             .firing_time = hole.firing_time,
-                             .primer = hole.primer})};
-  } catch (const InputError& error) {
-    refuse(options.where, "hole " + std::to_string(index + 1) + ": " + error.what());
-  }
-}
-
-void describe_pressures(std::ostream& text, const BlastOptions& options, const LoadedHole& hole) {
-  text << "  explosive " << hole.explosive.name << ": " << hole.explosive.density << " kg/m3, "
-       << hole.explosive.detonation_velocity << " m/s";
-  if (hole.energy_known) text << ", " << hole.explosive.energy / 1e6 << " MJ/kg";
-  if (!hole.explosive.source.empty()) text << " (" << hole.explosive.source << ")";
-  text << '\n';
-  if (!options.needs_borehole_pressure()) return;
-  text << "  borehole pressure P0 = " << hole.initial_pressure / kMPa
-       << " MPa; by formula: " << alternative_pressures(options.charge, hole.explosive) << '\n';
-  if (hole.wall_pressure != hole.initial_pressure) {
-    text << "  decoupled: " << hole.wall_pressure / kMPa << " MPa on the wall, products free in "
-         << free_volume_ratio(hole.shape, hole.decoupling) << " V0\n";
-  }
-}
-
-/// P1 by every exponent that is known, so that the choice can be judged.
-void describe_wave(std::ostream& text, const BlastOptions& options, const LoadedHole& hole,
-                   const Hole& zone) {
-  text << "  wave peak P1 = " << wall_peak(options, hole, zone) / kMPa
-       << " MPa on r1 = " << zone.radius << " m (" << zone.radius / hole.shape.hole_radius
-       << " hole radii, exponent " << hole.exponent << "), rise " << options.pulse_shape.rise_time
-       << " s";
-  if (hole.wall_pressure > 0.0) {
-    const auto other = [&](const char* name, double exponent) {
-      if (exponent <= 0.0) return;
-      text << ", " << name << " (" << exponent << ") "
-           << attenuated_pressure(hole.wall_pressure, hole.shape.hole_radius, zone.radius,
-                                  exponent) /
-                  kMPa;
-    };
-    text << "; by exponent";
-    other("shock", exponent_of(options, Attenuation::shock, hole.explosive));
-    other("Liu-Katsabanis", exponent_of(options, Attenuation::liu_katsabanis, hole.explosive));
-    other("Hino", kHinoExponent);
-    text << " MPa";
-  }
-  text << '\n';
-}
-
 }  // namespace
 
 ArgTable blast_table() {
@@ -417,64 +229,6 @@ BlastOptions blast_options(const ArgValues& values, const std::string& where) {
   options.interval = values.real("interval");
   options.delays = own_delays(where, values);
   return options;
-}
-
-std::vector<HoleBlast> hole_blasts(const BlastOptions& options,
-                                   const std::vector<Hole>& crushed_zones) {
-  const int count = static_cast<int>(crushed_zones.size());
-  if (count == 0) refuse(options.where, "there is no hole to load; give create_blocks a hole");
-  for (const auto& [number, delay] : options.delays) {
-    if (number >= 1 && number <= count) continue;
-    refuse(options.where, "hole must be from 1 to " + std::to_string(count) +
-                              ", the holes of create_blocks, got '" + std::to_string(number) + "'");
-  }
-  if (options.pattern) check_pattern(options, crushed_zones);
-  std::vector<HoleBlast> blasts;
-  for (int i = 0; i < count; ++i) {
-    const auto index = static_cast<std::size_t>(i);
-    check_zone(options, crushed_zones[index], index);
-    blasts.push_back(hole_blast(options, crushed_zones[index], index));
-  }
-  return blasts;
-}
-
-std::vector<ChargeEnergy> charge_energies(const BlastOptions& options,
-                                          const std::vector<Hole>& crushed_zones) {
-  std::vector<ChargeEnergy> energies;
-  for (std::size_t k = 0; k < crushed_zones.size(); ++k) {
-    const LoadedHole hole = loaded_hole(options, crushed_zones[k], k);
-    const double mass = hole.explosive.density * hole.shape.charge_volume();
-    energies.push_back({mass, hole.energy_known ? mass * hole.explosive.energy : 0.0});
-  }
-  return energies;
-}
-
-std::string describe(const BlastOptions& options, const std::vector<Hole>& crushed_zones,
-                     const std::vector<HoleBlast>& blasts) {
-  const Hole& zone = crushed_zones.front();
-  const BlastLoad& load = blasts.front().load();
-  const LoadedHole hole = loaded_hole(options, zone, 0);
-  std::ostringstream text;
-  text.precision(4);
-  text << options.where << ": " << blasts.size() << " hole(s), hole 1:\n";
-  describe_pressures(text, options, hole);
-  describe_wave(text, options, hole, zone);
-  if (options.gas) {
-    text << "  gas from " << load.gas_pressure(0.0, 0.0) / kMPa
-         << " MPa at Vg = " << load.start_volume()
-         << " m3, charge volume V0 = " << load.charge_volume() << " m3, ";
-    if (options.vent_by_flow) {
-      text << "leaves through the collar once " << options.flow.stemming_length
-           << " m of stemming are out, and through cracks from " << options.flow.crack_delay
-           << " s on\n";
-    } else {
-      text << "vents after " << options.vent_time << " s, decay " << options.vent_decay << " s\n";
-    }
-  }
-  text << "  firing times [s]:";
-  for (const HoleBlast& blast : blasts) text << ' ' << blast.firing_time();
-  text << '\n';
-  return text.str();
 }
 
 }  // namespace muckpile

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The words of fix muckpile/blast: their table, their meaning, and the hole loads they ask for.
+// The words of fix muckpile/blast: their table and their meaning.
 // Scope: no engine; every fault in the words throws InputError that starts with `where`.
 #pragma once
 
@@ -10,9 +10,9 @@
 
 #include "args/parse_args.h"
 #include "explosive/charge_options.h"
-#include "explosive/hole_blast.h"
+#include "explosive/gas_vent.h"
 #include "explosive/hole_table.h"
-#include "geometry/block_model.h"
+#include "explosive/pulse_shape.h"
 
 namespace muckpile {
 
@@ -46,24 +46,5 @@ struct BlastOptions {
 
 /// Throws InputError where words contradict each other or one that is needed is missing.
 [[nodiscard]] BlastOptions blast_options(const ArgValues& values, const std::string& where);
-
-/// The loads of all holes. InputError: no hole, a delay for a hole that is not there, a crushed
-/// zone narrower than the hole.
-[[nodiscard]] std::vector<HoleBlast> hole_blasts(const BlastOptions& options,
-                                                 const std::vector<Hole>& crushed_zones);
-
-/// Of one hole's explosive.
-struct ChargeEnergy {
-  double mass = 0.0;    ///< [kg]
-  double energy = 0.0;  ///< 0 if the explosive's is not known [J]
-};
-[[nodiscard]] std::vector<ChargeEnergy> charge_energies(const BlastOptions& options,
-                                                        const std::vector<Hole>& crushed_zones);
-
-/// What was understood, for the log: the pressures chosen and the alternatives beside them, for the
-/// first hole, and the firing time of each.
-[[nodiscard]] std::string describe(const BlastOptions& options,
-                                   const std::vector<Hole>& crushed_zones,
-                                   const std::vector<HoleBlast>& blasts);
 
 }  // namespace muckpile

@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "args/input_error.h"
-#include "explosive/blast_options.h"
+#include "explosive/hole_loads.h"
 
 namespace muckpile {
 namespace {

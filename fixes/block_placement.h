@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Puts blocks that rank 0 has cut where they belong: a multisphere body with its spheres on the
+// rank that owns the centre, and every facet on the ranks of its blocks. Scope: all members are
+// collective; blocks and spheres are numbered on from what exists.
+#pragma once
+
+#include <pointers.h>
+
+#include <vector>
+
+#include "rock/rock_model.h"
+
+namespace LAMMPS_NS {
+class FixMultisphere;
+}
+
+namespace muckpile {
+
+class BlockPlacement : protected LAMMPS_NS::Pointers {
+ public:
+  /// Spheres get this atom type and density [kg/m3].
+  BlockPlacement(LAMMPS_NS::LAMMPS* engine, int type, double density);
+
+  /// Of the first new block.
+  [[nodiscard]] int first_tag() const { return first_tag_; }
+  /// `model` counts on rank 0 only.
+  void place(const RockModel& model, const std::vector<Hole>& holes);
+
+ private:
+  void settle_new_fixes();
+  [[nodiscard]] std::vector<char> hand_out(const RockModel& model) const;
+  void create(const std::vector<char>& mine, const std::vector<Hole>& holes, int blocks);
+  void create_body(const RigidBody& body, int tag, int first_atom_tag);
+  void create_spheres(const RigidBody& body, int tag, int first_atom_tag);
+  void count_atoms();
+
+  LAMMPS_NS::FixMultisphere* multisphere_;
+  int type_;
+  double density_;
+  int first_tag_ = 1;
+  int first_atom_tag_ = 1;
+};
+
+}  // namespace muckpile

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The loads of all holes; see the header.
+#include "explosive/hole_loads.h"
+
+#include <sstream>
+
+#include "args/input_error.h"
+#include "explosive/attenuation.h"
+
+namespace muckpile {
+namespace {
+
+[[noreturn]] void refuse(const std::string& where, const std::string& text) {
+  throw InputError(where + ": " + text);
+}
+
+/// What one row of the pattern says instead of the style's words.
+void apply_deck(LoadedHole& hole, const BlastOptions& options, const Deck& deck) {
+  if (deck.explosive) {
+    hole.explosive = options.charge.table.find(*deck.explosive, "hole_table");
+    hole.energy_known = true;
+  }
+  hole.shape.hole_radius = 0.5 * deck.diameter;
+  if (!options.charge.charge_radius) hole.shape.charge_radius = hole.shape.hole_radius;
+  if (deck.charge_diameter) hole.shape.charge_radius = 0.5 * *deck.charge_diameter;
+  if (deck.charge_length) hole.shape.charge_length = *deck.charge_length;
+  if (deck.primer) hole.primer = *deck.primer;
+  hole.firing_time = deck.firing_time;
+}
+
+BlastLoad blast_load(const BlastOptions& options, const LoadedHole& hole, const Hole& zone) {
+  BlastLoad::Parameters parameters{.wave_peak = wall_peak(options, hole, zone),
+                                   .pulse = options.pulse_shape,
+                                   .gas = options.gas,
+                                   .isentrope = options.charge.isentrope,
+                                   .charge_volume = hole.shape.charge_volume(),
+                                   .vent_time = options.vent_time,
+                                   .vent_decay = options.vent_decay};
+  // Without a P0 there is no gas either: any pressure that the law takes will do.
+  parameters.isentrope.initial_pressure =
+      hole.initial_pressure > 0.0 ? hole.initial_pressure : parameters.isentrope.switch_pressure;
+  if (options.charge.jwl) parameters.jwl = hole.explosive.jwl;
+  parameters.free_volume_ratio = free_volume_ratio(hole.shape, hole.decoupling);
+  if (options.vent_by_flow) {
+    parameters.flow = options.flow;
+    parameters.flow->hole_radius = hole.shape.hole_radius;
+    parameters.flow->zone_radius = zone.radius;
+    parameters.flow->products_mass = hole.explosive.density * hole.shape.charge_volume();
+  }
+  return BlastLoad(parameters);
+}
+
+void check_zone(const BlastOptions& options, const Hole& zone, std::size_t index) {
+  const double diameter =
+      options.pattern ? options.pattern->decks()[index].diameter : 2.0 * options.charge.hole_radius;
+  if (2.0 * zone.radius >= diameter) return;
+  std::ostringstream text;
+  text << "hole_diameter must not exceed that of the crushed zone of hole " << index + 1 << ", "
+       << 2.0 * zone.radius << " [m], got '" << diameter << "'";
+  refuse(options.where, text.str());
+}
+
+/// The pattern must be the one that the rock was cut for.
+void check_pattern(const BlastOptions& options, const std::vector<Hole>& zones) {
+  const std::vector<Deck>& decks = options.pattern->decks();
+  if (decks.size() != zones.size()) {
+    refuse(options.where, "hole_table must have one row for each of the " +
+                              std::to_string(zones.size()) + " holes of create_blocks, got " +
+                              std::to_string(decks.size()) + " rows");
+  }
+  constexpr double kSamePlace = 1e-6;  // [m]
+  for (std::size_t k = 0; k < zones.size(); ++k) {
+    if ((decks[k].toe - zones[k].toe).norm() < kSamePlace &&
+        (decks[k].collar - zones[k].collar).norm() < kSamePlace) {
+      continue;
+    }
+    refuse(options.where, "row " + std::to_string(k + 1) + " of hole_table (hole '" +
+                              decks[k].hole + "') is not where create_blocks has its hole " +
+                              std::to_string(k + 1));
+  }
+}
+
+HoleBlast hole_blast(const BlastOptions& options, const Hole& zone, std::size_t index) {
+  try {
+    const LoadedHole hole = loaded_hole(options, zone, index);
+    const Vec3 axis = (zone.collar - zone.toe).normalized();
+    return {blast_load(options, hole, zone),
+            DetonationFront({.toe = zone.toe,
+                             .collar = zone.toe + hole.shape.charge_length * axis,
+                             .detonation_velocity = hole.explosive.detonation_velocity,
+                             .firing_time = hole.firing_time,
+                             .primer = hole.primer})};
+  } catch (const InputError& error) {
+    refuse(options.where, "hole " + std::to_string(index + 1) + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+double exponent_of(const BlastOptions& options, Attenuation by, const NamedExplosive& explosive) {
+  switch (by) {
+    case Attenuation::shock:
+      return options.poisson_ratio ? crushed_zone_exponent(*options.poisson_ratio) : 0.0;
+    case Attenuation::liu_katsabanis:
+      return options.p_wave_speed
+                 ? liu_katsabanis_exponent(*options.p_wave_speed, explosive.detonation_velocity)
+                 : 0.0;
+    case Attenuation::typed:
+      break;
+  }
+  return options.typed_exponent.value_or(0.0);
+}
+
+LoadedHole loaded_hole(const BlastOptions& options, const Hole& zone, std::size_t index) {
+  const ChargeOptions& charge = options.charge;
+  LoadedHole hole;
+  hole.explosive = charge.explosive;
+  hole.energy_known = charge.energy_known;
+  hole.primer = options.primer;
+  const auto own = options.delays.find(static_cast<long>(index) + 1);
+  hole.firing_time =
+      own != options.delays.end() ? own->second : static_cast<double>(index) * options.interval;
+  hole.shape.hole_radius = charge.hole_radius;
+  hole.shape.charge_radius = charge.charge_radius.value_or(charge.hole_radius);
+  hole.shape.chamber_length = (zone.collar - zone.toe).norm();
+  hole.shape.charge_length = charge.charge_length.value_or(hole.shape.chamber_length);
+  if (options.pattern) apply_deck(hole, options, options.pattern->decks()[index]);
+  check_shape(hole.shape);
+  hole.exponent = exponent_of(options, options.attenuation, hole.explosive);
+  hole.decoupling = charge.decoupling;
+  if (charge.decoupling.coupling == Coupling::stemming && !charge.coupling_exponent_typed) {
+    hole.decoupling.coupling_exponent = hole.exponent;  // stemming is crushed rock
+  }
+  if (!options.needs_borehole_pressure()) return hole;
+  hole.initial_pressure = initial_pressure(charge, hole.explosive);
+  hole.wall_pressure =
+      wall_pressure(hole.initial_pressure, product_expansion(charge, hole.explosive), hole.shape,
+                    hole.decoupling);
+  return hole;
+}
+
+double wall_peak(const BlastOptions& options, const LoadedHole& hole, const Hole& zone) {
+  if (!options.pulse) return 0.0;
+  if (options.peak_pressure) return *options.peak_pressure;
+  return attenuated_pressure(hole.wall_pressure, hole.shape.hole_radius, zone.radius,
+                             hole.exponent);
+}
+
+std::vector<HoleBlast> hole_blasts(const BlastOptions& options,
+                                   const std::vector<Hole>& crushed_zones) {
+  const int count = static_cast<int>(crushed_zones.size());
+  if (count == 0) refuse(options.where, "there is no hole to load; give create_blocks a hole");
+  for (const auto& [number, delay] : options.delays) {
+    if (number >= 1 && number <= count) continue;
+    refuse(options.where, "hole must be from 1 to " + std::to_string(count) +
+                              ", the holes of create_blocks, got '" + std::to_string(number) + "'");
+  }
+  if (options.pattern) check_pattern(options, crushed_zones);
+  std::vector<HoleBlast> blasts;
+  for (int i = 0; i < count; ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    check_zone(options, crushed_zones[index], index);
+    blasts.push_back(hole_blast(options, crushed_zones[index], index));
+  }
+  return blasts;
+}
+
+std::vector<ChargeEnergy> charge_energies(const BlastOptions& options,
+                                          const std::vector<Hole>& crushed_zones) {
+  std::vector<ChargeEnergy> energies;
+  for (std::size_t k = 0; k < crushed_zones.size(); ++k) {
+    const LoadedHole hole = loaded_hole(options, crushed_zones[k], k);
+    const double mass = hole.explosive.density * hole.shape.charge_volume();
+    energies.push_back({mass, hole.energy_known ? mass * hole.explosive.energy : 0.0});
+  }
+  return energies;
+}
+
+}  // namespace muckpile

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The loads of all holes, from the words of fix muckpile/blast and the crushed zones of the rock.
+// Scope: no engine; every fault throws InputError that starts with the options' `where`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "explosive/blast_options.h"
+#include "explosive/hole_blast.h"
+#include "geometry/block_model.h"
+
+namespace muckpile {
+
+/// One charge in its hole, all that its load needs.
+struct LoadedHole {
+  NamedExplosive explosive;
+  ChargeShape shape;
+  DecouplingRule decoupling;
+  double initial_pressure = 0.0;  ///< P0, 0 if nothing needs it [Pa]
+  double wall_pressure = 0.0;     ///< on the hole's wall [Pa]
+  double exponent = 0.0;          ///< of the attenuation
+  bool energy_known = false;      ///< explosive.energy counts
+  double primer = 0.0;            ///< 0 toe to 1 collar of the charge
+  double firing_time = 0.0;       ///< [s]
+};
+
+/// Hole `index` counts from 0.
+[[nodiscard]] LoadedHole loaded_hole(const BlastOptions& options, const Hole& zone,
+                                     std::size_t index);
+/// Exponent of the attenuation; 0 where it is not known because nothing needs it.
+[[nodiscard]] double exponent_of(const BlastOptions& options, Attenuation by,
+                                 const NamedExplosive& explosive);
+/// P1 on the wall of the crushed zone [Pa].
+[[nodiscard]] double wall_peak(const BlastOptions& options, const LoadedHole& hole,
+                               const Hole& zone);
+
+/// The loads of all holes. InputError: no hole, a delay for a hole that is not there, a crushed
+/// zone narrower than the hole.
+[[nodiscard]] std::vector<HoleBlast> hole_blasts(const BlastOptions& options,
+                                                 const std::vector<Hole>& crushed_zones);
+
+/// Of one hole's explosive.
+struct ChargeEnergy {
+  double mass = 0.0;    ///< [kg]
+  double energy = 0.0;  ///< 0 if the explosive's is not known [J]
+};
+[[nodiscard]] std::vector<ChargeEnergy> charge_energies(const BlastOptions& options,
+                                                        const std::vector<Hole>& crushed_zones);
+
+/// What was understood, for the log: the pressures chosen and the alternatives beside them, for the
+/// first hole, and the firing time of each.
+[[nodiscard]] std::string describe(const BlastOptions& options,
+                                   const std::vector<Hole>& crushed_zones,
+                                   const std::vector<HoleBlast>& blasts);
+
+}  // namespace muckpile

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the words of create_blocks ask for; see the header.
+#include "rock/cut_options.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "args/input_error.h"
+#include "args/numbers.h"
+#include "explosive/hole_table.h"
+#include "geometry/hole_overlap.h"
+#include "rock/cut_table.h"
+
+namespace muckpile {
+namespace {
+
+using Words = std::vector<std::string>;
+
+[[noreturn]] void refuse(const std::string& text) {
+  throw InputError(std::string(kCreateBlocks) + ": " + text);
+}
+
+double real_of(const std::string& keyword, const std::string& word, const char* unit,
+               const Range& range) {
+  return parse_real(kCreateBlocks, keyword, word, unit, range);
+}
+
+long whole_of(const std::string& keyword, const std::string& word, const Range& range) {
+  return parse_integer(kCreateBlocks, keyword, word, "", range);
+}
+
+double radians_of(const std::string& keyword, const std::string& word, double most_degrees) {
+  return real_of(keyword, word, "deg", Range::closed(0.0, most_degrees)) * M_PI / 180.0;
+}
+
+SizeLimits size_limits(const ArgValues& args) {
+  const SizeLimits limits{args.real("block_min"), args.real("block_max")};
+  if (limits.largest < limits.smallest) {
+    refuse("block_max must be >= block_min (" + number_text(limits.smallest) + " m), got '" +
+           number_text(limits.largest) + "'");
+  }
+  return limits;
+}
+
+/// Value k of `size LAW ...`.
+double size_value(const Words& words, std::size_t k, const char* unit) {
+  return real_of("size " + words[0], words[k], unit, Range::non_negative());
+}
+
+/// Fails unless `size LAW` has so many values behind it.
+void need_values(const Words& words, std::size_t count) {
+  if (words.size() == count + 1) return;
+  refuse("size " + words[0] + " takes " + std::to_string(count) + " value(s), got " +
+         std::to_string(words.size() - 1));
+}
+
+SizeLaw size_bands(const Words& words, const SizeLimits& limits) {
+  if (words.size() % 2 == 0) refuse("size bands takes pairs of a radius and a size");
+  SizeBands bands;
+  for (std::size_t k = 1; k + 1 < words.size(); k += 2)
+    bands.bands.emplace_back(size_value(words, k, "m"), size_value(words, k + 1, "m"));
+  return SizeLaw::bands(bands, limits);
+}
+
+SizeLaw size_law(const Words& words, const SizeLimits& limits) {
+  const auto number = [&](std::size_t k, const char* unit) { return size_value(words, k, unit); };
+  if (words[0] == "harries") {
+    need_values(words, 4);
+    return SizeLaw::harries(
+        HarriesParameters{number(1, "m"), number(2, ""), number(3, ""), number(4, "")}, limits);
+  }
+  if (words[0] == "power") {
+    need_values(words, 2);
+    return SizeLaw::power(PowerParameters{number(1, ""), number(2, "")}, limits);
+  }
+  if (words[0] == "table") {
+    need_values(words, 1);
+    return SizeLaw::table(read_size_table_file(words[1]), limits);
+  }
+  if (words[0] == "bands") return size_bands(words, limits);
+  if (words[0] == "uniform") {
+    need_values(words, 1);
+    return SizeLaw::uniform(number(1, "m"));
+  }
+  refuse("size must be harries, power, table, bands, uniform, target or import, got '" + words[0] +
+         "'");
+}
+
+SizeTarget size_target(const Words& words) {
+  const auto number = [&](std::size_t k, const char* unit) {
+    return real_of("size target " + words[1], words[k], unit, Range::positive());
+  };
+  if (words.size() == 4 && words[1] == "kuz_ram")
+    return SizeTarget::kuz_ram(number(2, "m"), number(3, ""));
+  if (words.size() == 5 && words[1] == "swebrec")
+    return SizeTarget::swebrec(number(2, "m"), number(3, "m"), number(4, ""));
+  refuse("size target must be followed by 'kuz_ram x50 n' or 'swebrec x50 xmax b'");
+}
+
+void read_size(CutOptions& options, const ArgValues& args) {
+  if (!args.given("size")) refuse("keyword 'size' is required");
+  const Words& words = args.groups("size").front();
+  options.limits = size_limits(args);
+  options.rock.superpose = args.flag("superpose");
+  if (options.rock.superpose && words[0] != "harries") refuse("superpose yes needs size harries");
+  if (words[0] != "import" && words[0] != "target") {
+    options.rock.size = size_law(words, options.limits);
+    return;
+  }
+  // Of the law only the limits count then.
+  options.rock.size = SizeLaw::table({{0.0, options.limits.smallest}}, options.limits);
+  if (words[0] == "target") {
+    options.target = size_target(words);
+    return;
+  }
+  need_values(words, 1);
+  options.import_file = words[1];
+}
+
+/// Seven words from `first` on.
+Hole hole_of(const std::string& keyword, const Words& words, std::size_t first) {
+  std::array<double, 7> v{};
+  for (std::size_t k = 0; k < v.size(); ++k)
+    v[k] = real_of(keyword, words[first + k], "m", k < 6 ? Range::any() : Range::positive());
+  return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, v[6]};
+}
+
+void add_row(std::vector<Hole>& holes, const Words& words) {
+  const long count = whole_of("hole_row", words[0], Range::closed(1, 100000));
+  Vec3 shift;
+  for (int c = 0; c < 3; ++c)
+    shift[c] = real_of("hole_row", words[static_cast<std::size_t>(c) + 1], "m", Range::any());
+  const Hole first = hole_of("hole_row", words, 4);
+  for (long k = 0; k < count; ++k) {
+    const Vec3 by = static_cast<double>(k) * shift;
+    holes.push_back({first.toe + by, first.collar + by, first.radius});
+  }
+}
+
+std::vector<Hole> crushed_zones(const ArgValues& args) {
+  std::vector<Hole> holes;
+  for (const Words& words : args.groups("hole")) holes.push_back(hole_of("hole", words, 0));
+  for (const Words& words : args.groups("hole_row")) add_row(holes, words);
+  for (const Words& words : args.groups("hole_table")) {
+    const double ratio = real_of("hole_table", words[1], "", Range::closed(1.0, 20.0));
+    const std::vector<Hole> pattern = HoleTable::read(words[0]).crushed_zones(ratio);
+    holes.insert(holes.end(), pattern.begin(), pattern.end());
+  }
+  refuse_overlapping_holes(holes);
+  return holes;
+}
+
+JointPlane natural_joint(const Words& words) {
+  const auto metres = [&](std::size_t k, const Range& range) {
+    return real_of("joint_plane", words[k], "m", range);
+  };
+  JointPlane plane;
+  plane.point = {metres(0, Range::any()), metres(1, Range::any()), metres(2, Range::any())};
+  plane.normal = normal_of_dip(radians_of("joint_plane", words[3], 90.0),
+                               radians_of("joint_plane", words[4], 360.0));
+  plane.joint_class =
+      static_cast<std::uint8_t>(whole_of("joint_plane", words[5], Range::closed(0, 255)));
+  if (words.size() > 6) plane.radius = metres(6, Range::positive());
+  return plane;
+}
+
+JointSetCut joint_sets(const ArgValues& args) {
+  JointSetCut how{{}, args.real("sliver")};
+  for (const Words& words : args.groups("joint_set")) {
+    JointSet set{normal_of_dip(radians_of("joint_set", words[0], 90.0),
+                               radians_of("joint_set", words[1], 360.0))};
+    if (words.size() > 2)
+      set.spacing = real_of("joint_set", words[2], "", Range::closed(0.1, 10.0));
+    how.sets.push_back(set);
+  }
+  return how;
+}
+
+void read_cut(CutOptions& options, const ArgValues& args) {
+  if (args.word("cut") == "joint_sets") {
+    options.joint_sets = joint_sets(args);
+  } else if (args.given("joint_set") || args.given("sliver")) {
+    refuse("joint_set and sliver need 'cut joint_sets'");
+  }
+  if (options.joint_sets && options.target)
+    refuse("size target needs 'cut voronoi': joint sets halve block sizes in steps");
+  if (options.import_file && args.given("cut"))
+    refuse("size import leaves nothing to cut: no 'cut'");
+}
+
+std::size_t most_blocks(const ArgValues& args) {
+  if (args.integer("max_blocks") > 0) return static_cast<std::size_t>(args.integer("max_blocks"));
+  // Measured peaks: 12 kB a block while cutting, 0.7 kB a sphere in LIGGGHTS and contact lists.
+  const double bytes_per_block =
+      12e3 + 0.7e3 * static_cast<double>(args.integer("spheres_per_block"));
+  const double installed =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+  return static_cast<std::size_t>(std::min(0.5 * installed / bytes_per_block, 5e6));
+}
+
+CutOptions read(const ArgValues& args) {
+  CutOptions options;
+  read_size(options, args);
+  read_cut(options, args);
+  TessellationOptions& rock = options.rock;
+  rock.holes = crushed_zones(args);
+  for (const Words& words : args.groups("joint_plane"))
+    options.natural_joints.push_back(natural_joint(words));
+  for (const JointPlane& plane : options.natural_joints)
+    rock.planes.push_back({plane.point, plane.normal});
+  rock.seed = static_cast<unsigned long>(args.integer("seed"));
+  rock.sweeps = static_cast<int>(args.integer("sweeps"));
+  rock.max_blocks = most_blocks(args);
+  options.density = args.real("density");
+  options.spheres_per_block = static_cast<int>(args.integer("spheres_per_block"));
+  options.sphere_growth = args.real("sphere_growth");
+  return options;
+}
+
+}  // namespace
+
+CutOptions cut_options(const ArgValues& args) {
+  try {
+    return read(args);
+  } catch (const InputError& error) {
+    throw InputError(in_create_blocks(error.what()));
+  }
+}
+
+}  // namespace muckpile

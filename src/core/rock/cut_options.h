@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the words of create_blocks ask for.
+// Scope: no engine; every fault in the words throws InputError that starts with the style's name.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "args/parse_args.h"
+#include "bond/joint_plane.h"
+#include "geometry/joint_set_cut.h"
+#include "geometry/size_target.h"
+#include "geometry/tessellation.h"
+
+namespace muckpile {
+
+struct CutOptions {
+  TessellationOptions rock;                  ///< without its box, region and team
+  SizeLimits limits{};                       ///< block_min and block_max
+  std::optional<SizeTarget> target{};        ///< size curve to meet, in place of rock.size
+  std::optional<std::string> import_file{};  ///< blocks are in this file, in place of a cut
+  std::optional<JointSetCut> joint_sets{};   ///< cut by them, in place of Voronoi cells
+  std::vector<JointPlane> natural_joints{};  ///< the planes in rock.planes with their joint class
+  double density = 0.0;                      ///< [kg/m3]
+  int spheres_per_block = 0;
+  double sphere_growth = 1.0;
+
+  /// Rank 0 alone knows when and over which seeds the other cuts sweep.
+  [[nodiscard]] bool is_plain_voronoi() const { return !target && !import_file && !joint_sets; }
+};
+
+/// Throws InputError where words contradict each other or one that is needed is missing, a value
+/// is outside its range, or a file cannot be read.
+[[nodiscard]] CutOptions cut_options(const ArgValues& args);
+
+}  // namespace muckpile

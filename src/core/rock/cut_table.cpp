@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The keywords of create_blocks; see the header.
+#include "rock/cut_table.h"
+
+#include "geometry/tessellation.h"
+
+namespace muckpile {
+namespace {
+
+constexpr int kMostBands = 20;
+
+}  // namespace
+
+const ArgTable& cut_table() {
+  static const ArgTable args =
+      ArgTable(kCreateBlocks)
+          .real("density", "kg/m3", Range::closed(100.0, 30000.0), std::nullopt,
+                "density of the rock")
+          .group("size", 2, 2 * kMostBands + 1, false,
+                 "block size V^(1/3) against distance from the nearest charge: `harries b K T "
+                 "alpha` (hole "
+                 "radius [m], wall strain, breaking strain, absorption per hole radius), `power c "
+                 "p` (size = "
+                 "c r^p), `table FILE` (two columns, m), `uniform s` [m], `bands R1 s1 R2 s2 ...` "
+                 "(s1 out to R1, s2 from there to R2, ..., the "
+                 "last s beyond, m; 20 bands at most), `target kuz_ram x50 n` "
+                 "or `target "
+                 "swebrec x50 xmax b` (fitted to that size curve, m), `import FILE` (blocks as a "
+                 "VTK file has them); required")
+          .flag("superpose", false,
+                "with `size harries`: the cracks of all charges add up, not those of the nearest "
+                "alone")
+          .real("block_min", "m", Range::positive(), std::nullopt, "smallest block size")
+          .real("block_max", "m", Range::positive(), std::nullopt, "largest block size")
+          .group("hole", 7, 7, true,
+                 "crushed zone of one charge: toe x y z, collar x y z, radius [m]; its rock is "
+                 "removed")
+          .group("hole_row", 11, 11, true,
+                 "N dx dy dz, then the words of `hole`: N equal holes, each shifted by (dx, dy, "
+                 "dz) [m] from the "
+                 "one before; numbered after all single holes")
+          .group(
+              "hole_table", 2, 2, false,
+              "FILE RATIO: the pattern of a CSV file, one crushed zone per charged deck, of RATIO "
+              "hole radii (>= 1) unless the file says; numbered after all rows")
+          .group("support", 2, 2, true,
+                 "`fixed REGION` or `mirror REGION`: how boundary faces with their centroid in "
+                 "that region "
+                 "are held; all others are free faces")
+          .group(
+              "joint_plane", 6, 7, true,
+              "natural joint: x y z of a point [m], dip and dip direction [degrees; y is north, x "
+              "is east], number of the `joint_class` of fix muckpile/joint (0: none), and "
+              "optionally a radius about the point [m] beyond which its facets are like all others")
+          .word("cut", {"voronoi", "joint_sets"}, "voronoi",
+                "how the rock is cut: graded Voronoi blocks, or joint sets in concentric bands")
+          .group("joint_set", 2, 3, true,
+                 "for `cut joint_sets`, two or three times: dip and dip direction [degrees], and "
+                 "optionally the spacing relative to the other sets' (1; 0.1 to 10)")
+          .real("sliver", "", Range::closed(0.0, 0.3), kThinnestPart,
+                "for `cut joint_sets`: no block gets 3 volume / surface below this share of the "
+                "size asked for")
+          .integer("spheres_per_block", "", Range::closed(1, 64), 8,
+                   "contact spheres in each block")
+          .real("sphere_growth", "", Range::closed(1.0, 1.5), 1.0,
+                "radius of the contact spheres over that of spheres inside the block; above 1 they "
+                "stand for the "
+                "volume of the corners; overlaps at the start carry no force")
+          .integer("type", "", Range::closed(1, 1000), 1, "atom type of the spheres")
+          .integer("seed", "", Range::closed(1, 2147483647), 1, "seed of the cut")
+          .integer("sweeps", "", Range::closed(0, 200), 20, "size-weighted Lloyd sweeps")
+          .integer("max_blocks", "", Range::closed(0, 100000000), 0,
+                   "refuse to make more blocks; 0: as many as half of this machine's memory holds, "
+                   "at most 5 million")
+          .word("file", {}, "none", "VTK file for the blocks in the start configuration, or none");
+  return args;
+}
+
+std::string in_create_blocks(const std::string& message) {
+  const std::string name(kCreateBlocks);
+  return message.rfind(name, 0) == 0 ? message : name + ": " + message;
+}
+
+}  // namespace muckpile

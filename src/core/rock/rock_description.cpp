@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What create_blocks prints about the rock it has cut; see rock_model.h.
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+#include "args/numbers.h"
+#include "geometry/filling_quality.h"
+#include "rock/rock_model.h"
+
+namespace muckpile {
+namespace {
+
+double quantile(std::vector<double> values, double share) {
+  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + at, values.end());
+  return values[static_cast<std::size_t>(at)];
+}
+
+/// Size below which `share` of the rock's volume lies [m].
+double size_by_volume(std::vector<double> sizes, double share) {
+  std::sort(sizes.begin(), sizes.end());
+  double all = 0.0, below = 0.0;
+  for (double size : sizes) all += size * size * size;
+  for (double size : sizes) {
+    below += size * size * size;
+    if (below >= share * all) return size;
+  }
+  return sizes.back();
+}
+
+struct BlockSizes {
+  std::vector<double> sizes, over_target;
+  double volume = 0.0;  // [m3]
+};
+
+BlockSizes sizes_of(const std::vector<Block>& blocks) {
+  BlockSizes all;
+  for (const Block& block : blocks) {
+    all.sizes.push_back(std::cbrt(block.mass.volume));
+    all.over_target.push_back(all.sizes.back() / block.target_size);
+    all.volume += block.mass.volume;
+  }
+  return all;
+}
+
+std::string describe_blocks(const RockModel& model, double seconds) {
+  const auto [sizes, ratios, volume] = sizes_of(model.rock.blocks);
+  std::size_t spheres = 0, joints = 0;
+  for (const RigidBody& body : model.bodies) spheres += body.spheres.size();
+  for (const Facet& facet : model.facets.facets) joints += facet.kind == FacetKind::joint ? 1 : 0;
+  std::ostringstream text;
+  text.precision(4);
+  text << "create_blocks: " << sizes.size() << " blocks, " << spheres << " spheres, " << joints
+       << " joints, " << model.facets.facets.size() - joints << " supported and "
+       << model.facets.faces.size() << " free or loaded faces\n"
+       << "  block size by number: smallest " << quantile(sizes, 0.0) << ", 10 % "
+       << quantile(sizes, 0.1) << ", 50 % " << quantile(sizes, 0.5) << ", 90 % "
+       << quantile(sizes, 0.9) << ", largest " << quantile(sizes, 1.0) << " m; by mass: 20 % "
+       << size_by_volume(sizes, 0.2) << ", 50 % " << size_by_volume(sizes, 0.5) << ", 80 % "
+       << size_by_volume(sizes, 0.8) << " m; over target " << quantile(ratios, 0.1) << " .. "
+       << quantile(ratios, 0.9) << " (10 and 90 %)\n"
+       << "  volume " << std::setprecision(9) << volume << std::setprecision(4) << " m3 in blocks, "
+       << model.rock.statistics.void_volume << " m3 removed; largest initial sphere overlap "
+       << model.largest_overlap << " of a radius; " << seconds << " s\n";
+  return text.str();
+}
+
+std::string describe_parts(const TessellationStatistics& statistics) {
+  std::string text;
+  if (statistics.merged_parts > 0) {
+    text += "  " + std::to_string(statistics.merged_parts) +
+            " parts between joint planes are too thin for a block: they stay with the rock beside "
+            "them, where the joint ends\n";
+  }
+  if (statistics.lost_parts > 0) {
+    text += "  " + std::to_string(statistics.lost_parts) +
+            " parts between joint planes are left out, since no seed fell into their " +
+            number_text(statistics.lost_volume) + " m3 of rock: take smaller blocks\n";
+  }
+  return text;
+}
+
+/// Means over some blocks, evenly chosen.
+std::string describe_filling(const RockModel& model) {
+  constexpr std::size_t kBlocks = 200;
+  const std::size_t step = std::max<std::size_t>(1, model.bodies.size() / kBlocks);
+  FillingQuality mean;
+  double count = 0.0;
+  for (std::size_t b = 0; b < model.bodies.size(); b += step, count += 1.0) {
+    const FillingQuality one = filling_quality(model.rock.blocks[b].shape, model.bodies[b].spheres);
+    mean.coverage += one.coverage;
+    mean.surface_deviation += one.surface_deviation;
+  }
+  std::ostringstream text;
+  text.precision(3);
+  text << "  spheres cover " << 100.0 * mean.coverage / count
+       << " % of their block; its surface lies " << 100.0 * mean.surface_deviation / count
+       << " % of V^(1/3) off theirs (means of " << count << " blocks)\n";
+  return text.str();
+}
+
+std::string describe_target(const SizeComparison& sizes, const std::string& why) {
+  std::ostringstream text;
+  text.precision(4);
+  text << "  size curve by mass, target and achieved [m]:";
+  for (const SizeComparison::Point& point : sizes.points) {
+    text << "\n    P" << std::lround(100.0 * point.share) << ' ' << point.target << ' '
+         << point.achieved;
+  }
+  text << "\n  greatest difference between block_min and block_max: "
+       << 100.0 * sizes.greatest_difference << " % of the mass";
+  text << (sizes.good()
+               ? "\n"
+               : "; the target is missed (allowed: 3 %, and 5 % for P20, P50, P80): " + why + "\n");
+  return text.str();
+}
+
+}  // namespace
+
+std::string describe(const RockModel& model, double seconds) {
+  std::string text = describe_blocks(model, seconds) + describe_parts(model.rock.statistics) +
+                     describe_filling(model);
+  if (model.sizes) text += describe_target(*model.sizes, model.why_missed);
+  return text;
+}
+
+}  // namespace muckpile

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The rock as the engine takes it: blocks, their rigid bodies with spheres, and the facets between
+// them.
+// Scope: start configuration; tags are first_tag + block number.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bond/facet_builder.h"
+#include "bond/rigid_body.h"
+#include "rock/cut_options.h"
+
+namespace muckpile {
+
+struct RockModel {
+  Tessellation rock;
+  std::vector<RigidBody> bodies;  ///< one per block
+  FacetSet facets;
+  double largest_overlap = 0.0;           ///< of spheres of two blocks, in radii
+  std::optional<SizeComparison> sizes{};  ///< with a size target
+  std::string why_missed{};               ///< the target, if it is
+};
+
+/// Throws InputError as the cuts do (tessellation.h, joint_set_cut.h, size_target.h,
+/// block_import.h), and where the region holds no block.
+[[nodiscard]] RockModel cut_rock(const CutOptions& options, int first_tag,
+                                 const SupportRule& support);
+
+/// What came out, for the log: counts, sizes, the target and how near it is. `seconds`: what the
+/// making took.
+[[nodiscard]] std::string describe(const RockModel& model, double seconds);
+
+}  // namespace muckpile

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The words of create_blocks: what they ask for, and what each wrong one says.
+// Scope: core only; the engine repeats some of the messages in tests/errors.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "args/input_error.h"
+#include "rock/cut_options.h"
+#include "rock/cut_table.h"
+
+namespace muckpile {
+namespace {
+
+const std::string kRock = "density 2700 block_min 0.1 block_max 0.5 ";
+
+CutOptions read(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return cut_options(parse_args(cut_table(), kCreateBlocks, words));
+}
+
+std::string message(const std::string& text) {
+  try {
+    (void)read(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(CutOptions, ReadsAPlainCut) {
+  const CutOptions options =
+      read(kRock + "size power 0.1 1 hole 0 0 0 0 0 5 0.2 seed 7 spheres_per_block 9");
+  EXPECT_TRUE(options.is_plain_voronoi());
+  EXPECT_EQ(options.rock.seed, 7u);
+  EXPECT_EQ(options.spheres_per_block, 9);
+  ASSERT_EQ(options.rock.holes.size(), 1u);
+  EXPECT_EQ(options.rock.holes[0].radius, 0.2);
+  EXPECT_DOUBLE_EQ(options.rock.size.at(3.0), 0.3);
+  EXPECT_DOUBLE_EQ(options.rock.size.at(1e3), 0.5);
+}
+
+TEST(CutOptions, ARowIsShiftedAndComesAfterSingleHoles) {
+  const CutOptions options =
+      read(kRock + "size uniform 0.3 hole_row 3 0 2 0 1 0 0 1 0 4 0.2 hole 9 9 0 9 9 4 0.1");
+  ASSERT_EQ(options.rock.holes.size(), 4u);
+  EXPECT_EQ(options.rock.holes[0].radius, 0.1);
+  EXPECT_EQ(options.rock.holes[3].toe, Vec3(1, 4, 0));
+  EXPECT_EQ(options.rock.holes[3].collar, Vec3(1, 4, 4));
+}
+
+TEST(CutOptions, NaturalJointsAreCutPlanesToo) {
+  const CutOptions options = read(kRock + "size uniform 0.3 joint_plane 1 2 3 90 90 2 5");
+  ASSERT_EQ(options.natural_joints.size(), 1u);
+  EXPECT_EQ(options.natural_joints[0].joint_class, 2);
+  EXPECT_EQ(options.natural_joints[0].radius, 5.0);
+  ASSERT_EQ(options.rock.planes.size(), 1u);
+  EXPECT_NEAR(std::abs(options.rock.planes[0].normal.x()), 1.0, 1e-15);  // dips to the east
+}
+
+TEST(CutOptions, OtherCutsAreNotPlain) {
+  EXPECT_FALSE(read(kRock + "size target kuz_ram 0.3 1.2").is_plain_voronoi());
+  EXPECT_FALSE(read(kRock + "size import rock.vtk").is_plain_voronoi());
+  const CutOptions sets =
+      read(kRock + "size uniform 0.3 cut joint_sets joint_set 90 0 joint_set 90 90 2");
+  EXPECT_FALSE(sets.is_plain_voronoi());
+  ASSERT_TRUE(sets.joint_sets);
+  EXPECT_EQ(sets.joint_sets->sets[1].spacing, 2.0);
+}
+
+TEST(CutOptions, RefusesWhatDoesNotFitTogether) {
+  EXPECT_EQ(message("density 2700 block_min 0.5 block_max 0.1 size uniform 0.3"),
+            "create_blocks: block_max must be >= block_min (0.5 m), got '0.1'");
+  EXPECT_EQ(message(kRock), "create_blocks: keyword 'size' is required");
+  EXPECT_EQ(message(kRock + "size power 1"), "create_blocks: size power takes 2 value(s), got 1");
+  EXPECT_EQ(message(kRock + "size bands 1 0.2 3"),
+            "create_blocks: size bands takes pairs of a radius and a size");
+  EXPECT_EQ(message(kRock + "size linear 1"),
+            "create_blocks: size must be harries, power, table, bands, uniform, target or import, "
+            "got 'linear'");
+  EXPECT_EQ(message(kRock + "size uniform 0.3 superpose yes"),
+            "create_blocks: superpose yes needs size harries");
+  EXPECT_EQ(message(kRock + "size uniform 0.3 joint_set 90 0"),
+            "create_blocks: joint_set and sliver need 'cut joint_sets'");
+  EXPECT_EQ(message(kRock + "size import a.vtk cut voronoi"),
+            "create_blocks: size import leaves nothing to cut: no 'cut'");
+  EXPECT_EQ(message(kRock + "size target kuz_ram 0.3"),
+            "create_blocks: size target must be followed by 'kuz_ram x50 n' or 'swebrec x50 xmax "
+            "b'");
+}
+
+}  // namespace
+}  // namespace muckpile

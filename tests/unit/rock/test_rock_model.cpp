@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// From options to bodies and facets, and what is printed about them.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "args/input_error.h"
+#include "rock/cut_table.h"
+#include "rock/rock_model.h"
+
+namespace muckpile {
+namespace {
+
+SupportRule nothing_is_held() {
+  return [](const Vec3&) { return Support::free; };
+}
+
+/// A cube of 2 m.
+CutOptions cube(const std::string& text) {
+  std::istringstream stream("density 2500 block_min 0.3 block_max 0.6 " + text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  CutOptions options = cut_options(parse_args(cut_table(), kCreateBlocks, words));
+  options.rock.hi = Vec3::Constant(2.0);
+  return options;
+}
+
+TEST(RockModel, BodiesHoldAllOfTheRock) {
+  const RockModel model =
+      cut_rock(cube("size uniform 0.5 spheres_per_block 4"), 11, nothing_is_held());
+  ASSERT_EQ(model.bodies.size(), model.rock.blocks.size());
+  double mass = 0.0;
+  for (const RigidBody& body : model.bodies) mass += body.mass;
+  EXPECT_NEAR(mass, 2500.0 * 8.0, 1e-9 * 20000.0);
+  int lowest = 1 << 30;
+  for (const Facet& facet : model.facets.facets) lowest = std::min(lowest, facet.tag_i);
+  EXPECT_EQ(lowest, 11);
+  EXPECT_NE(describe(model, 0.0).find("volume 8 m3 in blocks"), std::string::npos);
+}
+
+TEST(RockModel, ATargetIsReportedPointByPoint) {
+  const RockModel model =
+      cut_rock(cube("size target kuz_ram 0.45 3 hole 1 1 0 1 1 2 0.3"), 1, nothing_is_held());
+  ASSERT_TRUE(model.sizes);
+  const std::string text = describe(model, 0.0);
+  EXPECT_NE(text.find("P50 0.45 "), std::string::npos) << text;
+  EXPECT_EQ(model.sizes->good(), text.find("the target is missed") == std::string::npos);
+}
+
+}  // namespace
+}  // namespace muckpile
