@@ -86,6 +86,21 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   [[nodiscard]] FixMuckpileBlocks& blocks() const { return *store_; }
 
  private:
+  /// What compute_vector() gives.
+  enum class Output {
+    joints,
+    broken,
+    broken_share,
+    elastic,
+    fracture,
+    friction,
+    damping,
+    longest_step,
+    pressure_work_done,
+    softened,
+    count
+  };
+
   void check_classes() const;
   void end_what_does_not_go_on();
   void follow_blocks();

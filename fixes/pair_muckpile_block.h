@@ -24,13 +24,10 @@ class FixMultisphere;
 
 namespace muckpile {
 
-class ArgTable;
-
-/// The keyword table, for the parser and the docs.
-[[nodiscard]] ArgTable block_contact_keywords();
-
 class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public NearBlocks {
  public:
+  static constexpr const char* kStyle = "pair_style muckpile/block";
+
   explicit PairMuckpileBlock(LAMMPS_NS::LAMMPS* engine_object);
   PairMuckpileBlock(const PairMuckpileBlock&) = delete;
   PairMuckpileBlock& operator=(const PairMuckpileBlock&) = delete;

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/joint: its keywords, and the joint materials that they make.
+// Scope: words to numbers; what the numbers do is core's.
+#include "fix_muckpile_joint_arguments.h"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "args/numbers.h"
+#include "engine/style_args.h"
+
+namespace muckpile {
+namespace {
+
+constexpr double kDegree = M_PI / 180.0;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Of a joint alone [Pa/m]; 0 stands for rigid.
+Range stiffness_range() { return Range::closed(0.0, 1e15); }
+
+const ArgTable& table() {
+  static const ArgTable args =
+      ArgTable("fix muckpile/joint")
+          .real("youngs_modulus", "Pa", Range::closed(1e5, 1e13), std::nullopt, "of the rock")
+          .real("poisson_ratio", "", Range::right_open(0.0, 0.5), std::nullopt, "of the rock")
+          .real("density", "kg/m3", Range::closed(100.0, 30000.0), std::nullopt,
+                "of the rock; sets the damping only")
+          .real("cohesion", "Pa", Range::non_negative(), std::nullopt,
+                "shear strength without normal stress")
+          .real("friction_angle", "deg", Range::right_open(0.0, 90.0), std::nullopt,
+                "of the unbroken joint")
+          .real("tension", "Pa", Range::non_negative(), std::nullopt, "tensile strength (cut-off)")
+          .real("residual_friction_angle", "deg", Range::right_open(0.0, 90.0), 35.0,
+                "of the broken joint")
+          .real("normal_stiffness", "Pa/m", stiffness_range(), 0.0,
+                "of the joint alone, in series with the rock; 0: rigid")
+          .real("shear_stiffness", "Pa/m", stiffness_range(), 0.0,
+                "of the joint alone, in series with the rock; 0: rigid")
+          .real("damping", "", Range::closed(0.0, 10.0), 0.0,
+                "of intact joints, share of density x P-wave speed per area")
+          .real("contact_damping", "", Range::closed(0.0, 10.0), 0.05,
+                "of closed broken facets, share of density x P-wave speed per area")
+          .group("joint_class", 6, 6, true,
+                 "natural joints of the planes that create_blocks gives this class: cohesion [Pa], "
+                 "friction angle [deg], tension [Pa], residual friction angle [deg], normal and "
+                 "shear stiffness [Pa/m; 0: rigid]; the first one is class 1, the next class 2")
+          .real("fracture_energy_tension", "J/m2", Range::non_negative(), 0.0,
+                "taken as tension falls to nothing, linearly with the opening; 0: at once")
+          .real("fracture_energy_shear", "J/m2", Range::non_negative(), 0.0,
+                "taken as cohesion falls to nothing, linearly with the slip; 0: at once")
+          .real("rate_exponent", "", Range::closed(0.0, 1.0), 0.0,
+                "tension and cohesion grow with this power of the strain rate; 0: not")
+          .real("reference_rate", "1/s", Range::positive(), 1e-6,
+                "strain rate up to which strength is that at rest")
+          .integer(
+              "open_sleep", "steps", Range::closed(0, 1000), 20,
+              "longest time that a broken, open facet is left alone while its gap lasts; 0: never");
+  return args;
+}
+
+double rigid_if_0(double stiffness) { return stiffness > 0.0 ? stiffness : kInfinity; }
+
+std::vector<JointClass> joint_classes(const ArgValues& args, const std::string& where) {
+  std::vector<JointClass> classes;
+  for (const auto& words : args.groups("joint_class")) {
+    const auto number = [&](std::size_t k, const char* unit, const Range& range) {
+      return parse_real(where, "joint_class", words[k], unit, range);
+    };
+    const Range size = Range::non_negative(), angle = Range::right_open(0.0, 90.0);
+    JointClass joint;
+    joint.cohesion = number(0, "Pa", size);
+    joint.friction_angle = number(1, "deg", angle) * kDegree;
+    joint.tension = number(2, "Pa", size);
+    joint.residual_friction_angle = number(3, "deg", angle) * kDegree;
+    joint.normal_stiffness = rigid_if_0(number(4, "Pa/m", stiffness_range()));
+    joint.shear_stiffness = rigid_if_0(number(5, "Pa/m", stiffness_range()));
+    classes.push_back(joint);
+  }
+  return classes;
+}
+
+}  // namespace
+
+FacetNetwork network_from_arguments(LAMMPS_NS::LAMMPS& lmp, const std::string& where, int narg,
+                                    char** arg) {
+  const ArgValues args = engine::read_args(lmp, table(), where, narg, arg, 3);
+  JointParameters p;
+  p.youngs_modulus = args.real("youngs_modulus");
+  p.poisson_ratio = args.real("poisson_ratio");
+  p.density = args.real("density");
+  p.cohesion = args.real("cohesion");
+  p.tension = args.real("tension");
+  p.friction_angle = args.real("friction_angle") * kDegree;
+  p.residual_friction_angle = args.real("residual_friction_angle") * kDegree;
+  p.normal_stiffness = rigid_if_0(args.real("normal_stiffness"));
+  p.shear_stiffness = rigid_if_0(args.real("shear_stiffness"));
+  p.damping = args.real("damping");
+  p.contact_damping = args.real("contact_damping");
+  p.fracture_energy_tension = args.real("fracture_energy_tension");
+  p.fracture_energy_shear = args.real("fracture_energy_shear");
+  p.rate_exponent = args.real("rate_exponent");
+  p.reference_rate = args.real("reference_rate");
+  p.longest_sleep = static_cast<double>(args.integer("open_sleep"));
+  return engine::or_engine_error(
+      lmp, [&] { return FacetNetwork(JointMaterial(p), joint_classes(args, where)); });
+}
+
+}  // namespace muckpile
