@@ -24,6 +24,8 @@ FacetKey key_of(const Facet& facet) { return {facet.tag_i, facet.face}; }
 void put(engine::ByteWriter& out, const Facet& facet, const FacetMemory& memory) {
   out.put(facet);
   out.put(static_cast<const FacetTraces&>(memory));
+  out.put(memory.contact.exists());
+  if (memory.contact.exists()) out.put(memory.contact.get());
   out.put(memory.rare.exists());
   if (memory.rare.exists()) out.put(memory.rare.get());
 }
@@ -33,6 +35,7 @@ std::pair<Facet, FacetMemory> get_facet(engine::ByteReader& in) {
   auto& [facet, memory] = entry;
   facet = in.get<Facet>();
   static_cast<FacetTraces&>(memory) = in.get<FacetTraces>();
+  if (in.get<bool>()) memory.contact.made() = in.get<ContactMemory>();
   if (in.get<bool>()) memory.rare.made() = in.get<RareMemory>();
   return entry;
 }

@@ -23,14 +23,15 @@ namespace muckpile {
 namespace {
 
 /// To be raised whenever a fix of ours writes other things, or in another order.
-constexpr std::size_t kFormat = 1;
+constexpr std::size_t kFormat = 2;
 
 /// Another program lays out its data otherwise.
-using Layout = std::array<std::size_t, 7>;
+using Layout = std::array<std::size_t, 8>;
 constexpr Layout kLayout{kFormat,
                          sizeof(BlockRecord),
                          sizeof(Facet),
                          sizeof(FacetTraces),
+                         sizeof(ContactMemory),
                          sizeof(RareMemory),
                          sizeof(BoundaryFace),
                          sizeof(Hole)};

@@ -18,7 +18,7 @@ struct FacetNetwork::Break {
 
 /// The part of a facet in the dilatation of its blocks.
 void FacetNetwork::open_facet(std::size_t f) {
-  const Bond& bond = bonds_[f];
+  const Bond bond = bond_of(f);
   const Motion motion = motion_of(f);
   const Openings openings = openings_of(f, motion.scale);
   Vec3 bonded = motion.mean_jump();  // mean over the facet of the jump where it is bonded [m]
@@ -26,18 +26,15 @@ void FacetNetwork::open_facet(std::size_t f) {
     const LaneMask holds = is_point() && !where_true(memory_[f].broken);
     bonded = sum(choose(holds, Lanes(1.0 / kFacetPoints), 0.0) * motion.jump());
   }
-  sums_[static_cast<std::size_t>(sides_[f].i)].bonded += bond.area_i * openings.i.dot(bonded);
-  sums_[static_cast<std::size_t>(sides_[f].j)].bonded += bond.area_j * openings.j.dot(bonded);
+  sums_[static_cast<std::size_t>(i_of(f))].bonded += bond.area_i * openings.i.dot(bonded);
+  sums_[static_cast<std::size_t>(j_of(f))].bonded += bond.area_j * openings.j.dot(bonded);
 }
 
 void FacetNetwork::tractions(double dt) {
   std::fill(force_.begin(), force_.end(), Vec3::Zero());
   std::fill(torque_.begin(), torque_.end(), Vec3::Zero());
   newly_cracked_ = false;
-  for (std::size_t f : working_) {
-    if (bonded_points_[f] == kFacetPoints && damping_ == 0.0 && hold_facet(f)) continue;
-    if (states_[f] != FacetState::retired && asleep_[f] <= calls_) work_facet(f, dt);
-  }
+  for (const LaneSet& set : working_) work_group(set, dt);
   ++calls_;
   load_faces();
   press_joints();
@@ -46,14 +43,14 @@ void FacetNetwork::tractions(double dt) {
 
 /// Part of the traction that the bulk stresses of the two blocks make [Pa].
 Vec3 FacetNetwork::bulk_traction(std::size_t f, const Openings& openings) const {
-  const Bond& bond = bonds_[f];
-  return bond.bulk_i * bulk_stress_[static_cast<std::size_t>(sides_[f].i)] * openings.i +
-         bond.bulk_j * bulk_stress_[static_cast<std::size_t>(sides_[f].j)] * openings.j;
+  const Bond bond = bond_of(f);
+  return bond.bulk_i * bulk_stress_[static_cast<std::size_t>(i_of(f))] * openings.i +
+         bond.bulk_j * bulk_stress_[static_cast<std::size_t>(j_of(f))] * openings.j;
 }
 
 [[gnu::always_inline]] inline FacetNetwork::Pull FacetNetwork::bonded_pull(
     std::size_t f, const Motion& motion) const {
-  const Bond& bond = bonds_[f];
+  const Bond bond = bond_of(f);
   Pull pull(motion);
   pull.traction = Lanes(bond.shear) * pull.jump +
                   bond.normal_extra * dot(pull.normal, pull.jump) * pull.normal +
@@ -62,7 +59,7 @@ Vec3 FacetNetwork::bulk_traction(std::size_t f, const Openings& openings) const 
 }
 
 Vec3 FacetNetwork::mean_traction(std::size_t f) const {
-  const Bond& bond = bonds_[f];
+  const Bond bond = bond_of(f);
   const Motion motion = motion_of(f);
   const Vec3 jump = motion.mean_jump();
   return bond.shear * jump + bond.normal_extra * motion.normal.dot(jump) * motion.normal +
@@ -70,21 +67,13 @@ Vec3 FacetNetwork::mean_traction(std::size_t f) const {
 }
 
 [[gnu::always_inline]] inline void FacetNetwork::apply(std::size_t f, const Pull& pull) {
-  const auto i = static_cast<std::size_t>(sides_[f].i), j = static_cast<std::size_t>(sides_[f].j);
-  const LaneVec at_points = choose(is_point(), Lanes(contacts_[f].point_area), 0.0) * pull.traction;
+  const auto i = static_cast<std::size_t>(i_of(f)), j = static_cast<std::size_t>(j_of(f));
+  const LaneVec at_points = choose(is_point(), Lanes(area(f) / kFacetPoints), 0.0) * pull.traction;
   const Vec3 force = sum(at_points), moment = sum(cross(pull.arm, at_points));
   force_[i] += force;
   torque_[i] += moment;
   force_[j] -= force;
   torque_[j] -= moment + (state_[i].centre - state_[j].centre).cross(force);
-}
-
-/// Forces of an intact, undamped facet; false, and nothing done, if a point of it fails.
-bool FacetNetwork::hold_facet(std::size_t f) {
-  const Pull pull = bonded_pull(f, motion_of(f));
-  if (any_of(pull.failing(bonds_[f]))) return false;
-  apply(f, pull);
-  return true;
 }
 
 /// Forces of any facet: breaks points, and handles broken and damped ones.
@@ -93,8 +82,8 @@ void FacetNetwork::work_facet(std::size_t f, double dt) {
   const bool bonded = bonded_points_[f] > 0;
   if (!bonded && !closes(f, motion, dt)) return;
   Pull pull = bonded ? bonded_pull(f, motion) : Pull(motion);
-  const BlockState& si = state_[static_cast<std::size_t>(sides_[f].i)];
-  const BlockState& sj = state_[static_cast<std::size_t>(sides_[f].j)];
+  const BlockState& si = state_[static_cast<std::size_t>(i_of(f))];
+  const BlockState& sj = state_[static_cast<std::size_t>(j_of(f))];
   // The velocity that block j's rock would have at the centre of block i, less that of block i.
   const Vec3 slip = sj.velocity - si.velocity + sj.spin.cross(si.centre - sj.centre);
   pull.rate = LaneVec(slip) + cross(LaneVec(Vec3(sj.spin - si.spin)), pull.arm);
@@ -107,7 +96,7 @@ void FacetNetwork::work_facet(std::size_t f, double dt) {
 /// Breaks points that fail, damps the others; the traction of broken points is no longer true.
 void FacetNetwork::work_bonded(std::size_t f, const Motion& motion, Pull& pull, double dt) {
   const bool torn = turned_away(f, motion);
-  const LaneMask fails = torn ? is_point() : pull.failing(bonds_[f]);
+  const LaneMask fails = torn ? is_point() : pull.failing(bond_of(f));
   for (int p = 0; p < kFacetPoints; ++p) {
     const auto q = static_cast<std::size_t>(p);
     if (memory_[f].broken[q] || !fails[q]) continue;
@@ -124,12 +113,12 @@ void FacetNetwork::work_bonded(std::size_t f, const Motion& motion, Pull& pull, 
   const LaneVec rate = choose(bonded, Lanes(1.0), 0.0) * pull.rate;
   pull.traction += Lanes(damping_) * rate;
   losses_.damping +=
-      contacts_[f].weight * bonds_[f].point_area * damping_ * dt * sum(dot(rate, rate));
+      facets_[f].weight * bond_of(f).point_area * damping_ * dt * sum(dot(rate, rate));
 }
 
 void FacetNetwork::break_point(std::size_t f, int p, const Break& broken, double dt) {
-  const Bond& bond = bonds_[f];
-  const Contact& contact = contacts_[f];
+  const Bond bond = bond_of(f);
+  const Contact contact = contact_of(f);
   const Vec3& n = broken.normal;
   const double normal = n.dot(broken.traction);
   const double held = std::min(normal, 0.0);
@@ -151,7 +140,8 @@ void FacetNetwork::break_point(std::size_t f, int p, const Break& broken, double
   Vec3 spring = (held / contact.normal + cohesion.first * cohesion.direction.x()) * n;
   if (contact.shear > 0.0) spring += kept / contact.shear * shear;
 
-  memory.offset[static_cast<std::size_t>(p)] = broken.axes.transpose() * (broken.jump - spring);
+  memory.contact.made().offset[static_cast<std::size_t>(p)] =
+      broken.axes.transpose() * (broken.jump - spring);
   memory.broken[static_cast<std::size_t>(p)] = true;
   if (memory.state == FacetState::intact) memory.state = states_[f] = FacetState::cracked;
   memory.gas = keeps_gas_;
@@ -172,27 +162,27 @@ void FacetNetwork::break_point(std::size_t f, int p, const Break& broken, double
     losses_.friction += contact.weight * bond.point_area * rubbed;
     after += 2.0 * (cohesion.energy(cohesion.first) + rubbed);
   }
-  Coupling& coupling = couplings_[f];
+  const Coupling coupling = coupling_of(f);
   const double uneven =
       theta_[static_cast<std::size_t>(coupling.i)] - theta_[static_cast<std::size_t>(coupling.j)];
   const double uncoupled = coupling.sharpening / bonded_points_[f];
   losses_.fracture += 0.5 * contact.weight *
                       (bond.point_area * (before - after - undone) + uncoupled * uneven * uneven);
-  coupling.sharpening -= uncoupled;
+  group_of(f).sharpening[lane_of(f)] = coupling.sharpening - uncoupled;
   if (--bonded_points_[f] == 0) ++changed_since_;
   drop_from_dilatation(f, broken);
 }
 
 void FacetNetwork::drop_from_dilatation(std::size_t f, const Break& broken) {
-  const Bond& bond = bonds_[f];
+  const Bond bond = bond_of(f);
   const auto drop = [&](int block, double area_share, const Vec3& opening, double depth) {
     const auto b = static_cast<std::size_t>(block);
     sums_[b].dropped += area_share * opening.dot(broken.jump) / kFacetPoints;
     sums_[b].unbonded_added += bond.point_area * depth / blocks_[b].volume;
   };
   const auto [depth_i, depth_j] = depths(f);
-  drop(sides_[f].i, bond.area_i, broken.openings.i, depth_i);
-  drop(sides_[f].j, bond.area_j, broken.openings.j, depth_j);
+  drop(i_of(f), bond.area_i, broken.openings.i, depth_i);
+  drop(j_of(f), bond.area_j, broken.openings.j, depth_j);
 }
 
 void FacetNetwork::book_fracture() {
@@ -216,12 +206,12 @@ void FacetNetwork::book_fracture() {
 /// Books what the energy of uneven dilatation loses as breaking changes theta. The part of a block
 /// of another rank is booked there; only the product of both changes is left out.
 void FacetNetwork::book_sharpening(const std::vector<double>& theta_before) {
-  for (std::size_t f : bonded_) {
-    const Coupling& coupling = couplings_[f];
+  each_facet(bonded_, [&](std::size_t f) {
+    const Coupling coupling = coupling_of(f);
     const auto i = static_cast<std::size_t>(coupling.i), j = static_cast<std::size_t>(coupling.j);
     const double before = theta_before[i] - theta_before[j], after = theta_[i] - theta_[j];
     losses_.fracture += 0.5 * coupling.sharpening * (before * before - after * after);
-  }
+  });
 }
 
 }  // namespace muckpile

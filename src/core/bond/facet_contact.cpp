@@ -28,26 +28,28 @@ double ramp_down(double x, double start, double end) {
 /// booked as the work that leapfrog takes from the blocks, that of the mean of the forces before
 /// and after the step's path, less what the springs have gained.
 void FacetNetwork::add_contact(std::size_t f, const Motion& motion, Pull& pull, double dt) {
-  const Contact& contact = contacts_[f];
+  const Contact contact = contact_of(f);
   FacetMemory& memory = memory_[f];
+  ContactMemory& remembered = memory.contact.made();
+  const double fade = remembered.fade;
   const Mat3 axes = motion.axes();
   const LaneMask broken = bonded_points_[f] == 0 ? is_point() : where_true(memory.broken);
   const bool fresh = memory.open;  // open until now: friction forgets where it stuck
   memory.open = false;
 
-  const LaneVec offset = lanes_of(memory.offset);
+  const LaneVec offset = lanes_of(remembered.offset);
   const LaneVec spring = pull.jump - rotated(axes, offset);
   const Lanes gap = dot(pull.normal, spring);
   const LaneMask closed = broken && gap < 0.0;
   const LaneMask forgets = fresh ? broken : broken && !closed;
   const Lanes rate = dot(pull.normal, pull.rate);
-  const Lanes elastic = choose(closed, memory.fade * contact.normal * gap, 0.0);
-  const Lanes damped = elastic + memory.fade * contact_damping_ * rate;
+  const Lanes elastic = choose(closed, fade * contact.normal * gap, 0.0);
+  const Lanes damped = elastic + fade * contact_damping_ * rate;
   const Lanes normal = choose(closed, min(damped, Lanes(0.0)), 0.0);
 
   const LaneVec sheared = spring - gap * pull.normal;
   const LaneVec stuck = choose(closed && !forgets, Lanes(1.0), 0.0) * sheared;
-  const LaneVec shear = Lanes(memory.fade * contact.shear) * stuck;
+  const LaneVec shear = Lanes(fade * contact.shear) * stuck;
   const Lanes squared = dot(shear, shear), limit = -contact.tan_residual * normal;
   LaneMask slips(false);
   Lanes kept = 1.0;
@@ -64,27 +66,27 @@ void FacetNetwork::add_contact(std::size_t f, const Motion& motion, Pull& pull, 
   if (none_of(slips || forgets)) return;
   const LaneVec sticks_at = rotated_back(axes, pull.jump - gap * pull.normal - kept * stuck);
   for (std::size_t p = 0; p < kFacetPoints; ++p) {
-    if (slips[p] || forgets[p]) memory.offset[p] = sticks_at.at(static_cast<int>(p));
+    if (slips[p] || forgets[p]) remembered.offset[p] = sticks_at.at(static_cast<int>(p));
   }
   const Lanes slid = (1.0 - kept) * dot(stuck, (1.0 + kept) * stuck - Lanes(dt) * pull.rate);
   const LaneMask opens = forgets && !closed && gap < dt * rate;
   const Lanes forgotten =
       fresh ? Lanes(0.0) : choose(opens, dot(sheared, sheared - Lanes(dt) * pull.rate), 0.0);
-  losses_.friction += 0.5 * booked * memory.fade * contact.shear * sum(slid + forgotten);
+  losses_.friction += 0.5 * booked * fade * contact.shear * sum(slid + forgotten);
 }
 
 /// A facet that has turned so far does not hold on by a last point, as by a hinge.
 bool FacetNetwork::turned_away(std::size_t f, const Motion& motion) const {
   const Lanes squares = dot(motion.apart, motion.apart);
-  return squares[1] * contacts_[f].per_half_1_squared +
-             squares[2] * contacts_[f].per_half_2_squared >
+  return squares[1] * contact_of(f).per_half_1_squared +
+             squares[2] * contact_of(f).per_half_2_squared >
          kTurnStart * kTurnStart;
 }
 
 /// Lets a broken facet fade and retire; false if it carries nothing in this step.
 bool FacetNetwork::closes(std::size_t f, const Motion& motion, double dt) {
   FacetMemory& memory = memory_[f];
-  const Contact& contact = contacts_[f];
+  const Contact contact = contact_of(f);
   const double opened = dot(LaneVec(motion.normal), motion.apart)[0];
   const Lanes squares = dot(motion.apart, motion.apart);  // of the jump, of how half axes differ
   const double slid_squared =
@@ -97,8 +99,9 @@ bool FacetNetwork::closes(std::size_t f, const Motion& motion, double dt) {
              ramp_down(std::sqrt(turned_squared), kTurnStart, kTurnEnd));
   }
   if (softens_ && holds_on(f)) return true;
-  if (memory.fade == 0.0 || opened > kOpened * contact.radius) {
+  if (memory.contact.get().fade == 0.0 || opened > kOpened * contact.radius) {
     memory.state = states_[f] = FacetState::retired;
+    if (!memory.gas) memory.contact.drop();
     ++changed_since_;
     return false;
   }
@@ -115,37 +118,38 @@ bool FacetNetwork::closes(std::size_t f, const Motion& motion, double dt) {
 /// Leaves an open facet alone for as long as its gap lasts at twice the present speed of approach,
 /// for a bounded time, because other forces may change that speed.
 void FacetNetwork::let_sleep(std::size_t f, double gap, double dt) {
-  const BlockState& si = state_[static_cast<std::size_t>(sides_[f].i)];
-  const BlockState& sj = state_[static_cast<std::size_t>(sides_[f].j)];
-  const double reach = sides_[f].on_i.at(0).norm() + depths(f).second + 3.0 * contacts_[f].radius;
+  const BlockState& si = state_[static_cast<std::size_t>(i_of(f))];
+  const BlockState& sj = state_[static_cast<std::size_t>(j_of(f))];
+  const double reach =
+      at_lane(group_of(f).arm, lane_of(f)).norm() + depths(f).second + 3.0 * contact_of(f).radius;
   const double speed =
       (sj.velocity - si.velocity).norm() + (si.spin.norm() + sj.spin.norm()) * reach;
   if (dt <= 0.0) return;
   const double steps = 0.5 * gap / (std::max(speed, 1e-30) * dt);
   asleep_[f] = calls_ + 1 +
-               static_cast<std::int64_t>(std::min(steps, material().parameters().longest_sleep));
+               static_cast<std::uint32_t>(std::min(steps, material().parameters().longest_sleep));
 }
 
 /// A facet whose faces match less than before gives up spring energy, which is booked as friction.
 void FacetNetwork::fade(std::size_t f, const Motion& motion, double matching) {
   FacetMemory& memory = memory_[f];
-  if (matching >= memory.fade) return;
-  losses_.friction +=
-      contacts_[f].weight * (1.0 - matching / memory.fade) * contact_energy(f, motion);
-  memory.fade = matching;
+  const double before = memory.contact.get().fade;
+  if (matching >= before) return;
+  losses_.friction += facets_[f].weight * (1.0 - matching / before) * contact_energy(f, motion);
+  memory.contact.made().fade = matching;
   memory.state = states_[f] = FacetState::fading;
 }
 
 /// Of the closed broken points [J].
 double FacetNetwork::contact_energy(std::size_t f, const Motion& motion) const {
-  const Contact& contact = contacts_[f];
-  const FacetMemory& memory = memory_[f];
+  const Contact contact = contact_of(f);
+  const ContactMemory& memory = memory_[f].contact.get();
   const Mat3 axes = motion.axes();
   const LaneVec jump = motion.jump();
   double stored = 0.0;
   for (int p = 0; p < kFacetPoints; ++p) {
     const auto q = static_cast<std::size_t>(p);
-    if (!memory.broken[q]) continue;
+    if (!memory_[f].broken[q]) continue;
     const Vec3 spring = jump.at(p) - axes * memory.offset[q];
     const double closed = motion.normal.dot(spring);
     if (closed >= 0.0) continue;

@@ -32,14 +32,15 @@ FacetNetwork::OpenJoint FacetNetwork::open_joint(std::size_t f) const {
   const Lanes gaps = dot(LaneVec(motion.normal), motion.jump());
   double opening = 0.0;
   for (std::size_t p = 0; p < kFacetPoints; ++p) {
-    if (memory_[f].broken[p]) opening += std::max(0.0, gaps[p] - memory_[f].offset[p].x());
+    if (memory_[f].broken[p])
+      opening += std::max(0.0, gaps[p] - memory_[f].contact.get().offset[p].x());
   }
-  const double radius = contacts_[f].radius;
+  const double radius = contact_of(f).radius;
   const Lanes squares = dot(motion.apart, motion.apart);  // of the jump, of how half axes differ
   const double turned_squared =
-      squares[1] * contacts_[f].per_half_1_squared + squares[2] * contacts_[f].per_half_2_squared;
+      squares[1] * contact_of(f).per_half_1_squared + squares[2] * contact_of(f).per_half_2_squared;
   const bool wide = squares[0] > kWide * kWide * radius * radius || turned_squared > kWide * kWide;
-  return {broken * contacts_[f].point_area, opening / broken, wide};
+  return {broken * area(f) / kFacetPoints, opening / broken, wide};
 }
 
 void FacetNetwork::release_gas() {
@@ -54,22 +55,22 @@ void FacetNetwork::press_joints() {
   if (gas_pressure_.size() != blocks_.size()) return;
   std::fill(gas_force_.begin(), gas_force_.end(), Vec3::Zero());
   std::fill(gas_torque_.begin(), gas_torque_.end(), Vec3::Zero());
-  for (std::size_t f : active_) {
-    if (bonded_points_[f] == kFacetPoints || memory_[f].over()) continue;
-    const auto i = static_cast<std::size_t>(sides_[f].i), j = static_cast<std::size_t>(sides_[f].j);
+  each_facet(active_, [&](std::size_t f) {
+    if (bonded_points_[f] == kFacetPoints || memory_[f].over()) return;
+    const auto i = static_cast<std::size_t>(i_of(f)), j = static_cast<std::size_t>(j_of(f));
     const bool joint = facets_[f].kind == FacetKind::joint;
     const double pressure = joint ? 0.5 * (gas_pressure_[i] + gas_pressure_[j]) : gas_pressure_[i];
-    if (pressure == 0.0) continue;
+    if (pressure == 0.0) return;
     const Pull pull(motion_of(f));
     const LaneMask broken = bonded_points_[f] == 0 ? is_point() : where_true(memory_[f].broken);
     const LaneVec at_points =
-        choose(broken, Lanes(-pressure * contacts_[f].point_area), 0.0) * pull.normal;
+        choose(broken, Lanes(-pressure * area(f) / kFacetPoints), 0.0) * pull.normal;
     const Vec3 force = sum(at_points), moment = sum(cross(pull.arm, at_points));
     gas_force_[i] += force;
     gas_torque_[i] += moment;
     gas_force_[j] -= force;
     gas_torque_[j] -= moment + (state_[i].centre - state_[j].centre).cross(force);
-  }
+  });
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     force_[b] += gas_force_[b];
     torque_[b] += gas_torque_[b];

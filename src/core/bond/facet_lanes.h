@@ -74,14 +74,20 @@ struct FacetNetwork::Motion {
 };
 
 [[gnu::always_inline]] inline FacetNetwork::Motion FacetNetwork::motion_of(std::size_t f) const {
-  const Sides& sides = sides_[f];
-  const BlockState& si = state_[static_cast<std::size_t>(sides.i)];
-  const BlockState& sj = state_[static_cast<std::size_t>(sides.j)];
-  const LaneVec start(sides.on_i);
+  const FacetGroup& group = group_of(f);
+  const std::size_t k = lane_of(f);
+  const BlockState& si = state_[static_cast<std::size_t>(group.i[k])];
+  const BlockState& sj = state_[static_cast<std::size_t>(group.j[k])];
+  const auto four = [&](std::size_t d) {
+    return load(std::array<float, kLanes>{group.arm[d][k], group.half_1[d][k], group.half_2[d][k],
+                                          group.normal[d][k]});
+  };
+  const LaneVec start(four(0), four(1), four(2));
   const LaneMask centroid = Lanes([](auto lane) { return lane == 0 ? 1.0 : 0.0; }) > 0.5;
   Motion motion;
   motion.near = rotated(si.rotation, start);
-  const LaneVec far = rotated(sj.rotation, choose(centroid, LaneVec(sides.arm_j), start));
+  const LaneVec far =
+      rotated(sj.rotation, choose(centroid, LaneVec(at_lane(group.arm_j, k)), start));
   const LaneVec between = choose(centroid, LaneVec(Vec3(sj.centre - si.centre)), LaneVec());
   motion.apart = far - motion.near + between;
   const Vec3 both = motion.near.at(3) + far.at(3);
@@ -90,13 +96,50 @@ struct FacetNetwork::Motion {
   return motion;
 }
 
+inline FacetNetwork::Bond FacetNetwork::bond_of(std::size_t f) const {
+  const FacetGroup& group = group_of(f);
+  const std::size_t k = lane_of(f);
+  const FacetName& name = facets_[f];
+  const Strength& strength = strengths_[name.joint_class];
+  const double area = group.area[k], bulk = group.bulk[k];
+  const double bulk_j = name.kind == FacetKind::joint ? bulk : 0.0;
+  return {at_lane(group.opening_i, k),
+          at_lane(group.opening_j, k),
+          bulk * area,
+          bulk_j * area,
+          area / kFacetPoints,
+          group.shear[k],
+          group.normal_extra[k],
+          bulk,
+          bulk_j,
+          strength.tension,
+          strength.cohesion,
+          strength.tan_friction};
+}
+
+inline FacetNetwork::Contact FacetNetwork::contact_of(std::size_t f) const {
+  const FacetName& name = facets_[f];
+  const FacetGroup& group = group_of(f);
+  const std::size_t k = lane_of(f);
+  return {name.weight,
+          area(f) / kFacetPoints,
+          closed_stiffness_[f],
+          group.shear[k],
+          name.kind == FacetKind::mirror ? 0.0 : strengths_[name.joint_class].tan_residual,
+          std::sqrt(area(f) / M_PI),
+          1.0 / at_lane(group.half_1, k).squaredNorm(),
+          1.0 / at_lane(group.half_2, k).squaredNorm()};
+}
+
 /// m of the two blocks in the present pose.
 [[gnu::always_inline]] inline FacetNetwork::Openings FacetNetwork::openings_of(std::size_t f,
                                                                                double scale) const {
-  const Mat3& ri = state_[static_cast<std::size_t>(sides_[f].i)].rotation;
-  const Mat3& rj = state_[static_cast<std::size_t>(sides_[f].j)].rotation;
+  const FacetGroup& group = group_of(f);
+  const std::size_t k = lane_of(f);
+  const Mat3& ri = state_[static_cast<std::size_t>(group.i[k])].rotation;
+  const Mat3& rj = state_[static_cast<std::size_t>(group.j[k])].rotation;
   const auto turned = [&](const Vec3& v) { return Vec3(scale * (ri * v + rj * v)); };
-  return {turned(bonds_[f].opening_i), turned(bonds_[f].opening_j)};
+  return {turned(at_lane(group.opening_i, k)), turned(at_lane(group.opening_j, k))};
 }
 
 /// Tractions on block i at the points of a facet; block j gets the opposite at the same places,

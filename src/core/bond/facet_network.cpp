@@ -55,17 +55,15 @@ void FacetNetwork::set_facets(std::vector<Facet> facets, std::vector<FacetMemory
   states_.resize(count);
   bonded_points_.resize(count);
   for (std::size_t f = 0; f < count; ++f) {
-    const Facet& facet = facets[f];
-    facets_[f] = {facet.tag_i,       facet.tag_j,     facet.face, facet.kind,
-                  facet.joint_class, facet.sharpened, facet.area};
     states_[f] = memory_[f].state;
     bonded_points_[f] = bonded_points(memory_[f]);
   }
-  sides_.resize(count);
-  bonds_.resize(count);
-  contacts_.resize(count);
-  couplings_.resize(count);
-  for (std::size_t f = 0; f < count; ++f) derive_facet(f, facets[f]);
+  groups_.assign((count + kGroup - 1) / kGroup, {});
+  closed_stiffness_.resize(count);
+  for (std::size_t f = 0; f < count; ++f) {
+    place_facet(f, facets[f]);
+    derive_facet(f);
+  }
   list_anew();
 }
 
@@ -76,6 +74,7 @@ void FacetNetwork::derive_anew() {
 
 void FacetNetwork::list_anew() {
   asleep_.assign(facets_.size(), 0);
+  calls_ = 0;
   list_active();
   list_yielding();
   count_unbonded();
@@ -92,30 +91,31 @@ void FacetNetwork::give_up(std::vector<Facet>& facets, std::vector<FacetMemory>&
   memory = std::move(memory_);
   faces = std::move(faces_);
   const auto release = [](auto&... table) { ((table = std::decay_t<decltype(table)>()), ...); };
-  release(facets_, memory_, sides_, bonds_, contacts_, couplings_, states_, bonded_points_, bonded_,
-          active_, working_, asleep_, yielding_, faces_);
+  release(facets_, memory_, groups_, closed_stiffness_, states_, bonded_points_, bonded_, active_,
+          working_, asleep_, yielding_, faces_);
 }
 
 Facet FacetNetwork::facet(std::size_t f) const {
   const FacetName& name = facets_[f];
-  const Sides& sides = sides_[f];
+  const FacetGroup& group = group_of(f);
+  const std::size_t k = lane_of(f);
   Facet facet;
-  facet.tag_i = name.tag_i;
-  facet.tag_j = name.tag_j;
+  facet.i = group.i[k];
+  facet.j = group.j[k];
+  facet.tag_i = blocks_[static_cast<std::size_t>(facet.i)].tag;
+  facet.tag_j = blocks_[static_cast<std::size_t>(facet.j)].tag;
   facet.face = name.face;
-  facet.i = sides.i;
-  facet.j = sides.j;
   facet.kind = name.kind;
   facet.joint_class = name.joint_class;
-  facet.normal = sides.on_i.at(3);
-  facet.arm_i = sides.on_i.at(0);
-  facet.arm_j = sides.arm_j - memory_[f].ground().displacement;
-  facet.opening_i = bonds_[f].opening_i;
-  facet.opening_j = bonds_[f].opening_j;
-  facet.half_axes = {sides.on_i.at(1), sides.on_i.at(2)};
-  facet.area = name.area;
+  facet.normal = at_lane(group.normal, k);
+  facet.arm_i = at_lane(group.arm, k);
+  facet.arm_j = at_lane(group.arm_j, k) - memory_[f].ground().displacement;
+  facet.opening_i = at_lane(group.opening_i, k);
+  facet.opening_j = at_lane(group.opening_j, k);
+  facet.half_axes = {at_lane(group.half_1, k), at_lane(group.half_2, k)};
+  facet.area = group.area[k];
   facet.sharpened = name.sharpened;
-  facet.weight = contacts_[f].weight;
+  facet.weight = facets_[f].weight;
   return facet;
 }
 
@@ -123,69 +123,75 @@ void FacetNetwork::derive() {
   const JointParameters& parameters = material().parameters();
   softens_ = parameters.fracture_energy_tension > 0.0 || parameters.fracture_energy_shear > 0.0;
   depends_on_rate_ = parameters.rate_exponent > 0.0;
+  strengths_.clear();
+  for (const JointMaterial& joint : materials_)
+    strengths_.push_back({joint.parameters().tension, joint.parameters().cohesion,
+                          joint.tan_friction(), joint.tan_residual_friction()});
   damping_ = material().damping_coefficient();
   contact_damping_ = material().contact_damping_coefficient();
-  for (std::size_t f = 0; f < facets_.size(); ++f) derive_facet(f, facet(f));
+  for (std::size_t f = 0; f < facets_.size(); ++f) derive_facet(f);
 }
 
-void FacetNetwork::derive_facet(std::size_t f, const Facet& facet) {
+/// Into the tables, rounded once and for all: what is derived of it is derived of the rounded
+/// values, so that it is the same after a restart or a change of ranks.
+void FacetNetwork::place_facet(std::size_t f, const Facet& facet) {
+  facets_[f] = {facet.face, static_cast<float>(facet.weight), facet.kind, facet.joint_class,
+                facet.sharpened};
+  FacetGroup& group = group_of(f);
+  const std::size_t lane = lane_of(f);
+  group.i[lane] = facet.i;
+  group.j[lane] = facet.j;
+  group.area[lane] = facet.area;
+  set_lane(group.arm, lane, facet.arm_i);
+  set_lane(group.half_1, lane, facet.half_axes[0]);
+  set_lane(group.half_2, lane, facet.half_axes[1]);
+  set_lane(group.normal, lane, facet.normal);
+  set_lane(group.opening_i, lane, opening_of(facet));
+  set_lane(group.opening_j, lane,
+           facet.kind == FacetKind::joint ? facet.opening_j : Vec3(Vec3::Zero()));
+  const Vec3 rounded = at_lane(group.arm, lane) - facet.arm_i;  // the same place from j
+  set_lane(group.arm_j, lane, facet.arm_j + rounded + memory_[f].ground().displacement);
+}
+
+void FacetNetwork::derive_facet(std::size_t f) {
+  const Facet facet = this->facet(f);
   const bool grounded = facet.kind != FacetKind::joint, smooth = facet.kind == FacetKind::mirror;
   const double depth_i = facet.normal.dot(facet.arm_i);
   const double depth_j = grounded ? 0.0 : -facet.normal.dot(facet.arm_j);
   const JointMaterial& joint = materials_.at(facet.joint_class);
   const FacetStiffness k = joint.facet_stiffness(depth_i + depth_j);
-  const double bulk_i = (grounded ? 1.0 : 0.5) * k.rock_share;
-  const double bulk_j = (grounded ? 0.0 : 0.5) * k.rock_share;
   const double shear = smooth ? 0.0 : k.shear, point_area = facet.area / kFacetPoints;
   const double d =
       kSharpening * (2.0 * material().lame_lambda() + material().shear_modulus()) / 6.0;  // [Pa]
   const double stiffness = facet.sharpened ? d * k.rock_share * (depth_i + depth_j) : 0.0;
 
-  Sides& sides = sides_[f];
-  sides.i = facet.i;
-  sides.j = facet.j;
-  sides.on_i.set(0, facet.arm_i);
-  sides.on_i.set(1, facet.half_axes[0]);
-  sides.on_i.set(2, facet.half_axes[1]);
-  sides.on_i.set(3, facet.normal);
-  sides.arm_j = facet.arm_j + memory_[f].ground().displacement;
-  bonds_[f] = {opening_of(facet),
-               facet.opening_j,
-               bulk_i * facet.area,
-               bulk_j * facet.area,
-               point_area,
-               shear,
-               k.normal - shear,
-               bulk_i,
-               bulk_j,
-               joint.parameters().tension,
-               joint.parameters().cohesion,
-               joint.tan_friction()};
-  contacts_[f] = {facet.weight,
-                  point_area,
-                  k.contact,
-                  shear,
-                  smooth ? 0.0 : joint.tan_residual_friction(),
-                  std::sqrt(facet.area / M_PI),
-                  1.0 / facet.half_axes[0].squaredNorm(),
-                  1.0 / facet.half_axes[1].squaredNorm()};
-  couplings_[f] = {facet.i, facet.j, stiffness * point_area * bonded_points_[f]};
+  FacetGroup& group = group_of(f);
+  const std::size_t lane = lane_of(f);
+  group.sharpening[lane] = stiffness * point_area * bonded_points_[f];
+  group.shear[lane] = shear;
+  group.normal_extra[lane] = k.normal - shear;
+  group.bulk[lane] = (grounded ? 1.0 : 0.5) * k.rock_share;
+  closed_stiffness_[f] = k.contact;
 }
 
 /// Distances of the facet from the two centres [m].
 std::pair<double, double> FacetNetwork::depths(std::size_t f) const {
-  const Sides& sides = sides_[f];
-  const Vec3 normal = sides.on_i.at(3);
+  const Vec3 normal = at_lane(group_of(f).normal, lane_of(f));
   const bool grounded = facets_[f].kind != FacetKind::joint;
-  return {normal.dot(sides.on_i.at(0)), grounded ? 0.0 : -normal.dot(sides.arm_j)};
+  return {normal.dot(at_lane(group_of(f).arm, lane_of(f))),
+          grounded ? 0.0 : -normal.dot(arm_j_of(f))};
 }
 
 void FacetNetwork::list_active() {
   active_.clear();
+  active_count_ = 0;
   bonded_.clear();
   for (std::size_t f = 0; f < states_.size(); ++f) {
-    if (!memory_[f].over()) active_.push_back(static_cast<std::uint32_t>(f));
-    if (bonded_points_[f] > 0) bonded_.push_back(static_cast<std::uint32_t>(f));
+    if (!memory_[f].over()) {
+      add_facet(active_, f);
+      ++active_count_;
+    }
+    if (bonded_points_[f] > 0) add_facet(bonded_, f);
   }
   changed_since_ = 0;
   list_working();
@@ -193,10 +199,10 @@ void FacetNetwork::list_active() {
 
 void FacetNetwork::list_working() {
   working_.clear();
-  for (const std::uint32_t f : active_) {
-    const auto i = static_cast<std::size_t>(sides_[f].i), j = static_cast<std::size_t>(sides_[f].j);
-    if (rests_[i] == 0 || rests_[j] == 0) working_.push_back(f);
-  }
+  each_facet(active_, [&](std::size_t f) {
+    const auto i = static_cast<std::size_t>(i_of(f)), j = static_cast<std::size_t>(j_of(f));
+    if (rests_[i] == 0 || rests_[j] == 0) add_facet(working_, f);
+  });
 }
 
 void FacetNetwork::wake_all() {
@@ -205,13 +211,13 @@ void FacetNetwork::wake_all() {
 }
 
 void FacetNetwork::mark_joined(std::span<const int> moves, std::span<int> disturbed) const {
-  for (std::size_t f : active_) {
-    if (states_[f] == FacetState::retired) continue;
-    const auto i = static_cast<std::size_t>(sides_[f].i), j = static_cast<std::size_t>(sides_[f].j);
+  each_facet(active_, [&](std::size_t f) {
+    if (states_[f] == FacetState::retired) return;
+    const auto i = static_cast<std::size_t>(i_of(f)), j = static_cast<std::size_t>(j_of(f));
     if (moves[i] != 0) disturbed[j] = 1;
     if (moves[j] != 0) disturbed[i] = 1;
-  }
-  for (std::size_t f : yielding_) disturbed[static_cast<std::size_t>(sides_[f].i)] = 1;
+  });
+  for (std::size_t f : yielding_) disturbed[static_cast<std::size_t>(i_of(f))] = 1;
 }
 
 void FacetNetwork::let_rest(std::span<const int> rests) {
@@ -226,22 +232,20 @@ void FacetNetwork::count_unbonded() {
     sums_[b].unbonded += face.area * face.normal.dot(face.arm) / blocks_[b].volume;
   }
   for (std::size_t f = 0; f < facets_.size(); ++f) {
-    const auto i = static_cast<std::size_t>(sides_[f].i), j = static_cast<std::size_t>(sides_[f].j);
+    const auto i = static_cast<std::size_t>(i_of(f)), j = static_cast<std::size_t>(j_of(f));
     const auto [depth_i, depth_j] = depths(f);
     for (bool broken : memory_[f].broken) {
       if (!broken) continue;
-      sums_[i].unbonded += contacts_[f].point_area * depth_i / blocks_[i].volume;
-      sums_[j].unbonded += contacts_[f].point_area * depth_j / blocks_[j].volume;
+      sums_[i].unbonded += area(f) / kFacetPoints * depth_i / blocks_[i].volume;
+      sums_[j].unbonded += area(f) / kFacetPoints * depth_j / blocks_[j].volume;
     }
   }
 }
 
 void FacetNetwork::dilatation(double dt) {
-  if (4 * changed_since_ > active_.size()) list_active();
+  if (4 * changed_since_ > active_count_) list_active();
   for (BlockSums& sums : sums_) sums.bonded = sums.loaded = sums.squeezed = 0.0;
-  for (std::size_t f : bonded_) {
-    if (bonded_points_[f] > 0) open_facet(f);
-  }
+  for (const LaneSet& set : bonded_) open_group(set);
   const double two_g = 2.0 * material().shear_modulus();
   for (const BoundaryFace& face : faces_) {
     if (face.pressure == 0.0) continue;
@@ -266,12 +270,14 @@ double FacetNetwork::theta_of(std::size_t b) const {
 
 void FacetNetwork::bulk_stresses() {
   for (BlockSums& sums : sums_) sums.uneven = 0.0;
-  for (std::size_t f : bonded_) {
-    const Coupling& coupling = couplings_[f];
-    const auto i = static_cast<std::size_t>(coupling.i), j = static_cast<std::size_t>(coupling.j);
-    const double part = coupling.sharpening * (theta_[i] - theta_[j]);
-    sums_[i].uneven += part;
-    sums_[j].uneven -= part;
+  for (const LaneSet& set : bonded_) {
+    const FacetGroup& group = groups_[set.group];
+    for (std::size_t k = 0; k < kGroup; ++k) {  // nothing of those that are not bonded
+      const auto i = static_cast<std::size_t>(group.i[k]), j = static_cast<std::size_t>(group.j[k]);
+      const double part = group.sharpening[k] * (theta_[i] - theta_[j]);
+      sums_[i].uneven += part;
+      sums_[j].uneven -= part;
+    }
   }
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     bulk_stress_[b] = material().lame_lambda() * theta_[b] +
@@ -295,8 +301,8 @@ double FacetNetwork::block_energy(std::size_t b) const {
 double FacetNetwork::facet_energy(std::size_t f) const {
   const Motion motion = motion_of(f);
   const LaneVec jumps = motion.jump();
-  const Bond& bond = bonds_[f];
-  const Coupling& coupling = couplings_[f];
+  const Bond bond = bond_of(f);
+  const Coupling coupling = coupling_of(f);
   const double uneven =
       theta_[static_cast<std::size_t>(coupling.i)] - theta_[static_cast<std::size_t>(coupling.j)];
   double stored = 0.0;
@@ -312,10 +318,10 @@ double FacetNetwork::facet_energy(std::size_t f) const {
 
 double FacetNetwork::elastic_energy() const {
   double energy = 0.0;
-  for (std::size_t f : active_) {
+  each_facet(active_, [&](std::size_t f) {
     if (states_[f] != FacetState::retired && !memory_[f].open)
-      energy += contacts_[f].weight * facet_energy(f);
-  }
+      energy += facets_[f].weight * facet_energy(f);
+  });
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (blocks_[b].owned) energy += block_energy(b);
   }
@@ -329,23 +335,23 @@ double FacetNetwork::broken_count() const {
   }
   for (std::size_t f = 0; f < facets_.size(); ++f) {
     if (facets_[f].kind == FacetKind::joint && states_[f] != FacetState::intact)
-      count += contacts_[f].weight;
+      count += facets_[f].weight;
   }
   return count;
 }
 
 double FacetNetwork::broken_area(bool all) const {
-  double area = 0.0;
+  double sum = 0.0;
   for (const BlockConstants& block : blocks_) {
-    if (block.owned) area += 0.5 * block.retired.area;
+    if (block.owned) sum += 0.5 * block.retired.area;
   }
   for (std::size_t f = 0; f < facets_.size(); ++f) {
     if (facets_[f].kind != FacetKind::joint) continue;
     for (bool broken : memory_[f].broken) {
-      if (broken || all) area += contacts_[f].weight * contacts_[f].point_area;
+      if (broken || all) sum += facets_[f].weight * area(f) / kFacetPoints;
     }
   }
-  return area;
+  return sum;
 }
 
 void FacetNetwork::soften(double factor, std::optional<double> damping) {
@@ -379,10 +385,13 @@ double FacetNetwork::memory_usage() const {
     return (static_cast<double>(table.capacity() * sizeof(table[0])) + ...);
   };
   double rare = 0.0;
-  for (const FacetMemory& memory : memory_) rare += memory.rare.exists() ? sizeof(RareMemory) : 0.0;
+  for (const FacetMemory& memory : memory_) {
+    rare += memory.rare.exists() ? sizeof(RareMemory) : 0.0;
+    rare += memory.contact.exists() ? sizeof(ContactMemory) : 0.0;
+  }
   return rare + bytes(blocks_, state_, sums_, theta_, bulk_stress_, force_, torque_, facets_,
-                      memory_, sides_, bonds_, contacts_, couplings_, states_, bonded_points_,
-                      bonded_, active_, asleep_, yielding_, faces_);
+                      memory_, groups_, closed_stiffness_, states_, bonded_points_, bonded_,
+                      active_, working_, asleep_, yielding_, faces_);
 }
 
 }  // namespace muckpile

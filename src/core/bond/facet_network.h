@@ -35,10 +35,10 @@
 #include <vector>
 
 #include "bond/cohesion.h"
+#include "bond/facet_group.h"
 #include "bond/joint_material.h"
 #include "bond/quiet_ground.h"
 #include "bond/rare.h"
-#include "math/four_vectors.h"
 #include "math/types.h"
 
 namespace muckpile {
@@ -107,11 +107,15 @@ struct RareMemory {
   GroundMemory ground;                            ///< of a support only
 };
 
-/// What every facet remembers.
-struct FacetTraces {
+/// What facets with a broken point remember of their contact.
+struct ContactMemory {
   std::array<Vec3, kFacetPoints> offset{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   ///< broken point: jump at zero force, along the normal, the first half axis and across [m]
   double fade = 1.0;  ///< 1 while the faces match, falls to 0 as they slide or turn away
+};
+
+/// What every facet remembers.
+struct FacetTraces {
   std::array<bool, kFacetPoints> broken{false, false, false};
   FacetState state = FacetState::intact;
   bool open = false;  ///< broken and so far open that its points were left alone last time
@@ -123,6 +127,7 @@ struct FacetTraces {
 
 /// What a facet remembers; all of it travels with the facet.
 struct FacetMemory : FacetTraces {
+  Rare<ContactMemory> contact;
   Rare<RareMemory> rare;
   [[nodiscard]] const GroundMemory& ground() const { return rare.get().ground; }
   [[nodiscard]] const std::array<Cohesion, kFacetPoints>& cohesion() const {
@@ -201,10 +206,8 @@ class FacetNetwork {
   [[nodiscard]] FacetList facets() const;
   /// As it was set; put together from what the loops use.
   [[nodiscard]] Facet facet(std::size_t f) const;
-  [[nodiscard]] FacetEnds ends(std::size_t f) const {
-    return {sides_[f].i, sides_[f].j, facets_[f].kind};
-  }
-  [[nodiscard]] double area(std::size_t f) const { return facets_[f].area; }  ///< [m2]
+  [[nodiscard]] FacetEnds ends(std::size_t f) const { return {i_of(f), j_of(f), facets_[f].kind}; }
+  [[nodiscard]] double area(std::size_t f) const { return group_of(f).area[lane_of(f)]; }  ///< [m2]
   [[nodiscard]] std::size_t facet_count() const { return facets_.size(); }
   [[nodiscard]] const std::vector<FacetMemory>& memory() const { return memory_; }
   [[nodiscard]] const std::vector<FacetState>& states() const { return states_; }
@@ -291,20 +294,18 @@ class FacetNetwork {
   void resume(const NetworkTotals& totals);
 
  private:
-  struct FacetName {  // what the passes do not read
-    int tag_i, tag_j, face;
+  struct FacetName {  // what the passes hardly read; the rest is in the facet's group
+    int face;
+    float weight;  // as in Facet
     FacetKind kind;
     std::uint8_t joint_class;
     bool sharpened;
-    double area;  // [m2]
   };
-  // What the passes read of a facet, contiguous; from the facet and materials_.
-  struct Sides {       // in the start
-    FourVectors on_i;  // centroid from the centre of block i, the half axes [m]; the normal [-]
-    Vec3 arm_j;        // centroid from the centre of block j [m]
-    int i, j;
+  struct Strength {                                        // of a joint class
+    double tension, cohesion, tan_friction, tan_residual;  // [Pa], [Pa], [-], [-]
   };
-  struct alignas(64) Bond {  // of the bonded points
+  // One facet's, put together when asked for.
+  struct Bond {  // of the bonded points
     Vec3 opening_i, opening_j;
     double area_i, area_j;  // area x share of the jump that strains the rock of block i and j [m2]
     double point_area;      // [m2]
@@ -312,10 +313,10 @@ class FacetNetwork {
     double bulk_i, bulk_j;                   // share of the two bulk stresses in the traction [-]
     double tension, cohesion, tan_friction;  // strength [Pa], [Pa], [-]
   };
-  struct alignas(64) Contact {  // of the broken points
-    double weight;              // as in Facet
-    double point_area;          // [m2]
-    double normal, shear;       // stiffness when closed [Pa/m]
+  struct Contact {         // of the broken points
+    double weight;         // as in Facet
+    double point_area;     // [m2]
+    double normal, shear;  // stiffness when closed [Pa/m]
     double tan_residual;
     double radius;                                  // of the circle of equal area [m]
     double per_half_1_squared, per_half_2_squared;  // of the half axes [1/m2]
@@ -327,9 +328,10 @@ class FacetNetwork {
   struct Openings {
     Vec3 i, j;
   };
-  struct Motion;  // how the two sides lie now, in lanes
-  struct Pull;    // tractions at the points, in lanes
-  struct Break;   // what a point carried as it broke
+  struct Motion;    // how the two sides lie now, in lanes
+  struct WidePose;  // of the facets of a group at once
+  struct Pull;      // tractions at the points, in lanes
+  struct Break;     // what a point carried as it broke
   struct BlockSums {
     double bonded = 0.0;    // sum of A m.u/2 [m3]
     double loaded = 0.0;    // sum of A t_n d/(2G) [m3]
@@ -340,9 +342,25 @@ class FacetNetwork {
     double unbonded_added = 0.0;
   };
 
+  // Tables, of facet f: facet_network.cpp.
+  [[nodiscard]] const FacetGroup& group_of(std::size_t f) const { return groups_[f / kGroup]; }
+  [[nodiscard]] FacetGroup& group_of(std::size_t f) { return groups_[f / kGroup]; }
+  [[nodiscard]] static std::size_t lane_of(std::size_t f) { return f % kGroup; }
+  [[nodiscard]] int i_of(std::size_t f) const { return group_of(f).i[lane_of(f)]; }
+  [[nodiscard]] int j_of(std::size_t f) const { return group_of(f).j[lane_of(f)]; }
+  [[nodiscard]] Bond bond_of(std::size_t f) const;
+  [[nodiscard]] Contact contact_of(std::size_t f) const;
+  [[nodiscard]] Coupling coupling_of(std::size_t f) const {
+    return {i_of(f), j_of(f), group_of(f).sharpening[lane_of(f)]};
+  }
+  [[nodiscard]] Vec3 arm_j_of(std::size_t f) const {
+    return at_lane(group_of(f).arm_j, lane_of(f));
+  }
+
   // Set-up and bookkeeping: facet_network.cpp.
   void derive();
-  void derive_facet(std::size_t f, const Facet& facet);
+  void place_facet(std::size_t f, const Facet& facet);
+  void derive_facet(std::size_t f);
   void count_unbonded();
   void list_anew();
   void list_active();
@@ -356,11 +374,18 @@ class FacetNetwork {
   [[nodiscard]] double block_potential(std::size_t b, const BlockSums& sums) const;
   [[nodiscard]] double block_energy(std::size_t b) const;
 
+  // Groups of facets that hold at every point: facet_groups.cpp.
+  [[nodiscard]] unsigned whole_lanes(std::size_t group) const;
+  [[nodiscard]] WidePose pose_of(const FacetGroup& group) const;
+  void open_group(const LaneSet& bonded);
+  void work_group(const LaneSet& working, double dt);
+  [[nodiscard]] unsigned hold_group(std::size_t g, unsigned lanes, WideForces& forces) const;
+  void add_forces(const FacetGroup& group, std::size_t k, const WideForces& forces);
+
   // Bonded points: facet_bond.cpp.
   void open_facet(std::size_t f);
   [[nodiscard]] Vec3 bulk_traction(std::size_t f, const Openings& openings) const;
   [[nodiscard]] Pull bonded_pull(std::size_t f, const Motion& motion) const;
-  bool hold_facet(std::size_t f);
   void work_facet(std::size_t f, double dt);
   void work_bonded(std::size_t f, const Motion& motion, Pull& pull, double dt);
   void break_point(std::size_t f, int p, const Break& broken, double dt);
@@ -409,19 +434,20 @@ class FacetNetwork {
   std::vector<Vec3> gas_force_, gas_torque_;
   std::vector<FacetName> facets_;
   std::vector<FacetMemory> memory_;
-  std::vector<Sides> sides_;
-  std::vector<Bond> bonds_;
-  std::vector<Contact> contacts_;
-  std::vector<Coupling> couplings_;
+  std::vector<FacetGroup> groups_;           // what the passes over bonded facets read
+  std::vector<double> closed_stiffness_;     // of broken points [Pa/m]
+  std::vector<Strength> strengths_;          // per joint class
   std::vector<FacetState> states_;           // as in memory_, packed
   std::vector<std::uint8_t> bonded_points_;  // how many of them
-  std::vector<std::uint32_t> bonded_;        // facets with a bonded point, and some without
-  std::vector<std::uint32_t> active_;        // facets that are not retired, and some that are
-  std::vector<std::uint32_t> working_;  // the active ones that have a block that is not at rest
-  std::vector<char> rests_;             // per block
-  std::size_t changed_since_ = 0;       // how many entries of the three are out of date
-  std::vector<std::int64_t> asleep_;  // call of tractions() up to which an open facet is left alone
-  std::int64_t calls_ = 0;            // of tractions()
+  std::vector<LaneSet> bonded_;              // facets with a bonded point, and some without
+  std::vector<LaneSet> active_;              // facets that are not retired, and some that are
+  std::vector<LaneSet> working_;   // the active ones that have a block that is not at rest
+  std::vector<char> rests_;        // per block
+  std::size_t changed_since_ = 0;  // how many facets of the three are out of date
+  std::size_t active_count_ = 0;   // facets in active_
+  std::vector<std::uint32_t>
+      asleep_;               // call of tractions() up to which an open facet is left alone
+  std::uint32_t calls_ = 0;  // of tractions(), since the lists were made
   std::vector<std::size_t> yielding_;  // supports whose ground yields, those of a block together
   QuietGround quiet_ground_;
   std::vector<BoundaryFace> faces_;

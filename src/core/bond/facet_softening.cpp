@@ -16,7 +16,7 @@ bool FacetNetwork::holds_at_its_rate(std::size_t f, const Vec3& normal, const Ve
   const double factor = rate_factor(rate.norm() / (depth_i + depth_j), material().parameters());
   const double along = normal.dot(traction);
   const double shear_squared = (traction - along * normal).squaredNorm();
-  const Bond& bond = bonds_[f];
+  const Bond bond = bond_of(f);
   return !joint_fails(along, shear_squared, factor * bond.tension, factor * bond.cohesion,
                       bond.tan_friction);
 }
@@ -29,7 +29,7 @@ bool FacetNetwork::holds_on(std::size_t f) const {
 /// as fracture.
 void FacetNetwork::add_cohesion(std::size_t f, const Motion& motion, Pull& pull, double dt) {
   if (!holds_on(f)) return;
-  const Contact& contact = contacts_[f];
+  const Contact contact = contact_of(f);
   const Mat3 axes = motion.axes();
   for (int p = 0; p < kFacetPoints; ++p) {
     Cohesion& c = memory_[f].rare.made().cohesion[static_cast<std::size_t>(p)];
@@ -57,7 +57,7 @@ double FacetNetwork::cohesion_energy(std::size_t f, const Motion& motion) const 
     const Cohesion& c = memory_[f].cohesion()[static_cast<std::size_t>(p)];
     if (c.holds()) stored += c.energy(c.parting(axes.transpose() * motion.jump().at(p)));
   }
-  return contacts_[f].point_area * stored;
+  return area(f) / kFacetPoints * stored;
 }
 
 }  // namespace muckpile

@@ -28,11 +28,11 @@ LinearNetwork::LinearNetwork(const FacetNetwork& network, BreakView view, double
 }
 
 void FacetNetwork::linearise(LinearNetwork& linear, BreakView view, double damping_rate) const {
-  for (std::size_t f : active_) {
-    if (states_[f] == FacetState::retired) continue;
-    const Bond& bond = bonds_[f];
-    const Contact& contact = contacts_[f];
-    const Sides& sides = sides_[f];
+  each_facet(active_, [&](std::size_t f) {
+    if (states_[f] == FacetState::retired) return;
+    const Bond bond = bond_of(f);
+    const Contact contact = contact_of(f);
+    const FacetEnds sides = ends(f);
     const Motion motion = motion_of(f);
     const LaneVec jump = motion.jump(), side = motion.side();
     const Openings openings = openings_of(f, motion.scale);
@@ -46,14 +46,14 @@ void FacetNetwork::linearise(LinearNetwork& linear, BreakView view, double dampi
     spring.pull_j = bond.point_area * bond.bulk_j;
     spring.strain_i = bond.area_i / kFacetPoints;
     spring.strain_j = bond.area_j / kFacetPoints;
-    if (view == BreakView::as_it_is) spring.sharpening = couplings_[f].sharpening;
+    if (view == BreakView::as_it_is) spring.sharpening = coupling_of(f).sharpening;
     const Vec3 between = state_[static_cast<std::size_t>(sides.i)].centre -
                          state_[static_cast<std::size_t>(sides.j)].centre;
     for (std::size_t p = 0; p < kFacetPoints; ++p) {
       spring.arm_i[p] = side.at(static_cast<int>(p)) + 0.5 * jump.at(static_cast<int>(p));
       spring.arm_j[p] = spring.arm_i[p] + between;
       const bool bonded = view == BreakView::as_it_is && !memory_[f].broken[p];
-      const double fade = bonded ? 1.0 : memory_[f].fade;
+      const double fade = bonded ? 1.0 : memory_[f].contact.get().fade;
       const double normal = bonded ? bond.shear + bond.normal_extra : contact.normal;
       const double dashpot = damping_rate * (bonded ? damping_ : contact_damping_);
       spring.bonded[p] = bonded;
@@ -62,7 +62,7 @@ void FacetNetwork::linearise(LinearNetwork& linear, BreakView view, double dampi
           bond.point_area * (fade * (normal - bond.shear) + (bonded ? 0.0 : fade * dashpot));
     }
     linear.springs_.push_back(spring);
-  }
+  });
   linear.lambda_ = material().lame_lambda();
   for (std::size_t b = 0; b + 1 < blocks_.size(); ++b)
     linear.volume_.push_back(blocks_[b].volume * stiffening(sums_[b]));

@@ -68,8 +68,7 @@ void FacetNetwork::yield_ground(double dt) {
   std::erase_if(yielding_, [&](std::size_t f) { return states_[f] != FacetState::intact; });
   for (std::size_t first = 0; first < yielding_.size();) {
     std::size_t last = first + 1;
-    while (last < yielding_.size() && sides_[yielding_[last]].i == sides_[yielding_[first]].i)
-      ++last;
+    while (last < yielding_.size() && i_of(yielding_[last]) == i_of(yielding_[first])) ++last;
     yield_block_ground(first, last, dt);
     first = last;
   }
@@ -107,7 +106,7 @@ FacetNetwork::GroundPlan FacetNetwork::plan_ground(std::size_t f, double dt) con
   plan.normal = n;
   plan.jump = motion.mean_jump();
   plan.opened = n.dot(plan.jump) + plan.normal_end - moved;
-  plan.yielding = 1.0 + (bonds_[f].shear + bonds_[f].normal_extra) * plan.normal_give;
+  plan.yielding = 1.0 + (bond_of(f).shear + bond_of(f).normal_extra) * plan.normal_give;
   return plan;
 }
 
@@ -120,16 +119,16 @@ FacetNetwork::GroundPlan FacetNetwork::plan_ground(std::size_t f, double dt) con
 ///     a).
 /// Beside fixed supports the bulk stress is lambda theta.
 void FacetNetwork::yield_block_ground(std::size_t first, std::size_t last, double dt) {
-  const auto b = static_cast<std::size_t>(sides_[yielding_[first]].i);
+  const auto b = static_cast<std::size_t>(i_of(yielding_[first]));
   const double lambda = material().lame_lambda();
   double opened = sums_[b].bonded + sums_[b].loaded;
   double volume = blocks_[b].volume * stiffening(sums_[b]);
   for (std::size_t y = first; y < last; ++y) {
     const std::size_t f = yielding_[y];
     const GroundPlan plan = plan_ground(f, dt);
-    const double area = bonds_[f].area_i;
+    const double area = bond_of(f).area_i;
     opened += area * (plan.opened / plan.yielding - plan.normal.dot(plan.jump));
-    volume += area * plan.normal_give * bonds_[f].bulk_i * lambda / plan.yielding;
+    volume += area * plan.normal_give * bond_of(f).bulk_i * lambda / plan.yielding;
   }
   for (std::size_t y = first; y < last; ++y)
     yield_support(yielding_[y], lambda * opened / volume, dt);
@@ -137,7 +136,7 @@ void FacetNetwork::yield_block_ground(std::size_t first, std::size_t last, doubl
 
 /// Moves the ground of one support to the end of the step, given the block's bulk stress there.
 void FacetNetwork::yield_support(std::size_t f, double bulk_stress, double dt) {
-  const Bond& bond = bonds_[f];
+  const Bond bond = bond_of(f);
   GroundMemory& memory = memory_[f].rare.made().ground;
   const GroundPlan plan = plan_ground(f, dt);
   const Vec3& n = plan.normal;
@@ -152,15 +151,15 @@ void FacetNetwork::yield_support(std::size_t f, double bulk_stress, double dt) {
   book_ground(f, step, 0.5 * (memory.traction + traction), dt);
   memory.displacement += step;
   memory.traction = traction;
-  sides_[f].arm_j += step;
-  sums_[static_cast<std::size_t>(sides_[f].i)].bonded += bonds_[f].area_i * n.dot(step);
+  set_lane(group_of(f).arm_j, lane_of(f), arm_j_of(f) + step);
+  sums_[static_cast<std::size_t>(i_of(f))].bonded += bond_of(f).area_i * n.dot(step);
 }
 
 void FacetNetwork::book_ground(std::size_t f, const Vec3& step, const Vec3& traction, double dt) {
   if (dt <= 0.0) return;
-  const double area = contacts_[f].weight * facets_[f].area, normal = motion_of(f).normal.dot(step);
-  losses_.quiet -= area * traction.dot(step);
-  losses_.radiated += area / dt *
+  const double booked = facets_[f].weight * area(f), normal = motion_of(f).normal.dot(step);
+  losses_.quiet -= booked * traction.dot(step);
+  losses_.radiated += booked / dt *
                       (quiet_ground_.normal_impedance * normal * normal +
                        quiet_ground_.shear_impedance * (step.squaredNorm() - normal * normal));
 }

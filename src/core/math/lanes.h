@@ -18,7 +18,8 @@ using Lanes =
     std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, kLanes>>;
 using LaneMask = Lanes::mask_type;
 
-[[nodiscard]] inline Lanes load(const std::array<double, kLanes>& values) {
+template <class T>
+[[nodiscard]] Lanes load(const std::array<T, kLanes>& values) {
   return {values.data(), std::experimental::element_aligned};
 }
 /// Where `mask` holds `yes`, elsewhere `no`.
@@ -28,14 +29,15 @@ using LaneMask = Lanes::mask_type;
 }
 [[nodiscard]] inline double sum(const Lanes& v) { return (v[0] + v[1]) + (v[2] + v[3]); }
 
-/// One vector per lane.
-struct LaneVec {
-  Lanes x = 0.0, y = 0.0, z = 0.0;
+/// One vector per lane of Number, a simd type.
+template <class Number>
+struct VectorOf {
+  Number x = 0.0, y = 0.0, z = 0.0;
 
-  LaneVec() = default;
-  LaneVec(const Lanes& ax, const Lanes& ay, const Lanes& az) : x(ax), y(ay), z(az) {}
-  explicit LaneVec(const Vec3& same) : x(same.x()), y(same.y()), z(same.z()) {}
-  explicit LaneVec(const FourVectors& v) : x(load(v.x)), y(load(v.y)), z(load(v.z)) {}
+  VectorOf() = default;
+  VectorOf(const Number& ax, const Number& ay, const Number& az) : x(ax), y(ay), z(az) {}
+  explicit VectorOf(const Vec3& same) : x(same.x()), y(same.y()), z(same.z()) {}
+  explicit VectorOf(const FourVectors& v) : x(load(v.x)), y(load(v.y)), z(load(v.z)) {}
 
   void store(FourVectors& to) const {
     x.copy_to(to.x.data(), std::experimental::element_aligned);
@@ -46,22 +48,29 @@ struct LaneVec {
     const auto k = static_cast<std::size_t>(lane);
     return {x[k], y[k], z[k]};
   }
-  LaneVec& operator+=(const LaneVec& o) { return *this = LaneVec(x + o.x, y + o.y, z + o.z); }
+  VectorOf& operator+=(const VectorOf& o) { return *this = VectorOf(x + o.x, y + o.y, z + o.z); }
 };
 
-[[nodiscard]] inline LaneVec operator+(const LaneVec& a, const LaneVec& b) {
+using LaneVec = VectorOf<Lanes>;
+
+template <class Number>
+[[nodiscard]] VectorOf<Number> operator+(const VectorOf<Number>& a, const VectorOf<Number>& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
-[[nodiscard]] inline LaneVec operator-(const LaneVec& a, const LaneVec& b) {
+template <class Number>
+[[nodiscard]] VectorOf<Number> operator-(const VectorOf<Number>& a, const VectorOf<Number>& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-[[nodiscard]] inline LaneVec operator*(const Lanes& s, const LaneVec& v) {
+template <class Number>
+[[nodiscard]] VectorOf<Number> operator*(const Number& s, const VectorOf<Number>& v) {
   return {s * v.x, s * v.y, s * v.z};
 }
-[[nodiscard]] inline Lanes dot(const LaneVec& a, const LaneVec& b) {
+template <class Number>
+[[nodiscard]] Number dot(const VectorOf<Number>& a, const VectorOf<Number>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
-[[nodiscard]] inline LaneVec cross(const LaneVec& a, const LaneVec& b) {
+template <class Number>
+[[nodiscard]] VectorOf<Number> cross(const VectorOf<Number>& a, const VectorOf<Number>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 [[nodiscard]] inline LaneVec rotated(const Mat3& r, const LaneVec& v) {
