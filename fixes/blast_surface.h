@@ -39,7 +39,8 @@ class BlastSurface {
   /// Pressure [Pa], one per loaded facet and positive when it pushes the block away from the hole,
   /// for the coming force computation. It stays until it is set again. The force on the block is -p
   /// A n at the face's centroid, n its outward normal, both turning with the block; the pressure
-  /// also enters the block's dilatation. Called in pre_force, used in post_force.
+  /// also enters the block's dilatation. A block that gas flows round feels a share of it, down to
+  /// nothing. Called in pre_force, used in post_force.
   /// wave_share, one per facet: of the pressure's work, booked as the wave's; the rest is the
   /// gas's.
   virtual void set_pressure(std::span<const double> pressure,

@@ -38,7 +38,7 @@ void FixMuckpileJoint::set_pressure(std::span<const double> pressure,
                                     std::span<const double> wave_share) {
   for (std::size_t k = 0; k < loaded_faces_.size(); ++k) {
     BoundaryFace& face = network_.faces()[loaded_faces_[k]];
-    face.pressure = pressure[k];
+    face.pressure = face.held * pressure[k];
     face.wave_share = wave_share[k];
   }
 }

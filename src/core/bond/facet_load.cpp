@@ -1,47 +1,112 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The facet network's free and loaded faces: pressure on them and the volume that they sweep.
-// Scope: see facet_network.h.
+// Scope: see facet_network.h. The gas of a crushed zone presses on the faces there until it flows
+// round their blocks; what it then presses behind them is not followed here (core/gas does).
+#include <algorithm>
+
 #include "bond/facet_network.h"
 
 namespace muckpile {
+namespace {
+
+constexpr double kRounding = 1e-5;  // normals of facets are kept in single precision
+
+}  // namespace
 
 void FacetNetwork::load_faces() {
   for (BoundaryFace& face : faces_) {
     if (face.hole < 0) continue;
-    sweep(face);
+    const double rigid = sweep(face);
     const auto b = static_cast<std::size_t>(face.block);
     const Vec3 force = -face.pressure * face.area * face.last_normal;
     force_[b] += force;
     torque_[b] += (face.last_centroid - state_[b].centre).cross(force);
-    const double swept = volume_swept(face);
+    const double squeezed_now = squeezed(face);
     if (blocks_[b].owned) {
-      const double work = 0.5 * (face.pressure + face.last_pressure) * (swept - face.last_swept);
+      const double work =
+          0.5 * (face.pressure + face.last_pressure) * (rigid + squeezed_now - face.last_squeezed);
       pressure_work_ += work;
       wave_work_ += face.wave_share * work;
     }
     face.last_pressure = face.pressure;
-    face.last_swept = swept;
+    face.last_squeezed = squeezed_now;
   }
+  hold_faces();
 }
 
-/// Adds the volume that the block's motion has swept since the last step: mean normal times the
-/// path of the centroid (a turn about the centroid sweeps nothing).
-void FacetNetwork::sweep(BoundaryFace& face) const {
+/// The volume that the block's motion has swept since the last step: mean normal times the path of
+/// the centroid (a turn about the centroid sweeps nothing). The gas fills the held share.
+double FacetNetwork::sweep(BoundaryFace& face) const {
   const BlockState& s = state_[static_cast<std::size_t>(face.block)];
   const Vec3 centroid = s.centre + s.rotation * face.arm;
   const Vec3 normal = s.rotation * face.normal;
-  face.rigid_swept -=
-      0.5 * face.area * (normal + face.last_normal).dot(centroid - face.last_centroid);
+  const double swept =
+      -0.5 * face.area * (normal + face.last_normal).dot(centroid - face.last_centroid);
+  face.rigid_swept += face.held * swept;
   face.last_centroid = centroid;
   face.last_normal = normal;
+  return swept;
+}
+
+/// By the face's own displacement [m3].
+double FacetNetwork::squeezed(const BoundaryFace& face) const {
+  const double two_g = 2.0 * material().shear_modulus();
+  const double bulk_stress = bulk_stress_[static_cast<std::size_t>(face.block)];
+  return face.area * (face.pressure + bulk_stress) * face.normal.dot(face.arm) / two_g;
 }
 
 double FacetNetwork::volume_swept(const BoundaryFace& face) const {
-  const double two_g = 2.0 * material().shear_modulus();
-  const double bulk_stress = bulk_stress_[static_cast<std::size_t>(face.block)];
-  const double squeezed = (-face.pressure - bulk_stress) * face.normal.dot(face.arm) /
-                          two_g;  // the face's own displacement
-  return face.rigid_swept - face.area * squeezed;
+  return face.rigid_swept + squeezed(face);
+}
+
+void FacetNetwork::list_wall() {
+  walls_.assign(blocks_.size(), Vec3::Zero());
+  backs_.assign(blocks_.size(), Vec3::Zero());
+  std::vector<char> loaded(blocks_.size(), 0);
+  for (const BoundaryFace& face : faces_) {
+    if (face.hole < 0) continue;
+    loaded[static_cast<std::size_t>(face.block)] = 1;
+    walls_[static_cast<std::size_t>(face.block)] += face.area * face.normal;
+  }
+  wall_.clear();
+  for (std::size_t f = 0; f < facets_.size(); ++f) {
+    if (loaded[static_cast<std::size_t>(i_of(f))] != 0 ||
+        loaded[static_cast<std::size_t>(j_of(f))] != 0)
+      wall_.push_back(static_cast<std::uint32_t>(f));
+  }
+  hold_faces();
+}
+
+/// Gas of one pressure p on the wall N of a block and on those of its faces that have come loose
+/// from their neighbours presses the block by p times the sum of A n of the others, as A n over a
+/// whole block adds up to nothing. Of that, what acts against the wall is
+///     held = -(sum of fade A n) . N / N^2.
+/// A facet has come loose once it is retired: open by a tenth of its radius, far more than gas
+/// needs to fill it. Free faces have the atmosphere. Facets are as they were cut, so no pose
+/// enters.
+void FacetNetwork::hold_faces() {
+  if (wall_.empty()) return;
+  for (const BoundaryFace& face : faces_) backs_[static_cast<std::size_t>(face.block)].setZero();
+  for (const BoundaryFace& face : faces_) {
+    if (face.hole < 0) backs_[static_cast<std::size_t>(face.block)] += face.area * face.normal;
+  }
+  for (const std::uint32_t f : wall_) {
+    if (states_[f] == FacetState::retired) continue;
+    const Vec3 part =
+        memory_[f].contact.get().fade * area(f) * at_lane(group_of(f).normal, lane_of(f));
+    backs_[static_cast<std::size_t>(i_of(f))] += part;
+    backs_[static_cast<std::size_t>(j_of(f))] -= part;
+  }
+  for (BoundaryFace& face : faces_) {
+    if (face.hole < 0) continue;
+    const auto b = static_cast<std::size_t>(face.block);
+    const double along = -backs_[b].dot(walls_[b]), whole = walls_[b].squaredNorm();
+    if (along > (1.0 - kRounding) * whole) {
+      face.held = 1.0;
+    } else {
+      face.held = std::max(0.0, along / whole);
+    }
+  }
 }
 
 }  // namespace muckpile

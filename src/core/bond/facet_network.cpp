@@ -83,6 +83,7 @@ void FacetNetwork::list_anew() {
 void FacetNetwork::set_faces(std::vector<BoundaryFace> faces) {
   faces_ = std::move(faces);
   count_unbonded();
+  list_wall();
 }
 
 void FacetNetwork::give_up(std::vector<Facet>& facets, std::vector<FacetMemory>& memory,

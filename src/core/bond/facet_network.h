@@ -86,10 +86,11 @@ struct BoundaryFace {
   double area = 0.0;           ///< [m2]
   double pressure = 0.0;       ///< on a face with a hole only [Pa]
   double wave_share = 0.0;     ///< of its work; the rest is the gas's [-]
+  double held = 1.0;           ///< share of the load that no gas around the block balances [-]
   // Of the step before; they follow the face through the run.
   double last_pressure = 0.0;  ///< [Pa]
-  double last_swept = 0.0;     ///< [m3]
-  double rigid_swept = 0.0;    ///< by the block's own motion since the start [m3]
+  double last_squeezed = 0.0;  ///< volume by the face's own displacement [m3]
+  double rigid_swept = 0.0;    ///< by the block's own motion since the start, held share [m3]
   Vec3 last_centroid = Vec3::Zero(), last_normal = Vec3::Zero();
 };
 
@@ -413,7 +414,10 @@ class FacetNetwork {
 
   // Pressure: facet_load.cpp.
   void load_faces();
-  void sweep(BoundaryFace& face) const;
+  double sweep(BoundaryFace& face) const;
+  [[nodiscard]] double squeezed(const BoundaryFace& face) const;
+  void list_wall();
+  void hold_faces();
 
   // Yielding supports: quiet_ground.cpp.
   void list_yielding();
@@ -451,6 +455,9 @@ class FacetNetwork {
   std::vector<std::size_t> yielding_;  // supports whose ground yields, those of a block together
   QuietGround quiet_ground_;
   std::vector<BoundaryFace> faces_;
+  std::vector<std::uint32_t> wall_;  // facets of blocks on a crushed zone
+  std::vector<Vec3> walls_,
+      backs_;  // per block: sum of A n of its loaded faces, of what holds them
   JointLosses losses_;
   bool softens_ = false, depends_on_rate_ = false, keeps_gas_ = false;
   double damping_ = 0.0, contact_damping_ = 0.0;  // [Pa s/m]
