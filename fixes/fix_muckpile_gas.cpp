@@ -32,11 +32,11 @@ constexpr double kSpentShare = 0.2;  // spent: nowhere more than that share abov
 const ArgTable& table() {
   static const ArgTable args =
       ArgTable("fix muckpile/gas")
-          .real("residual_aperture", "m", Range::positive(), 1e-4,
+          .real("residual_aperture", "m", Range::closed(1e-8, 0.1), 1e-4,
                 "of a broken joint that is closed; the opening comes on top")
-          .real("roughness", "m", Range::non_negative(), 1e-4,
+          .real("roughness", "m", Range::closed(0.0, 0.1), 1e-4,
                 "height of the asperities, for the friction of the flow")
-          .real("ambient_pressure", "Pa", Range::positive(), 101325.0, "of the atmosphere");
+          .real("ambient_pressure", "Pa", Range::closed(1e3, 1e7), 101325.0, "of the atmosphere");
   return args;
 }
 

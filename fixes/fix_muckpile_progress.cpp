@@ -38,19 +38,21 @@ constexpr const char* kHistoryHeader =
     "damping_J,wall_J,quiet_J,sleep_J,"
     "balance_error\n";
 
+Range time_range() { return Range::left_open(0.0, 1e30); }
+
 const ArgTable& table() {
   static const ArgTable args =
       engine::periodic_output_table("fix muckpile/progress", "between looks",
                                     "where history.csv and run.json go")
           .word("phase", {}, "run", "name of the phase that begins")
-          .real("time_end", "s", Range::positive(), 1e30,
+          .real("time_end", "s", time_range(), 1e30,
                 "physical time at which the phase ends at the latest; for the time left")
-          .real("still_speed", "m/s", Range::positive(), 0.1, "a block slower than this is at rest")
+          .real("still_speed", "m/s", Range::left_open(0.0, 1e3), 0.1, "a block slower than this is at rest")
           .real("still_share", "", Range::open(0.0, 1.0), 0.001,
                 "mass share that may still move in a pile called still")
-          .real("fastest_allowed", "m/s", Range::positive(), 2000.0,
+          .real("fastest_allowed", "m/s", Range::left_open(0.0, 1e5), 2000.0,
                 "a faster block stops the run as unstable")
-          .real("balance_allowed", "", Range::positive(), 0.5,
+          .real("balance_allowed", "", Range::left_open(0.0, 1e6), 0.5,
                 "a larger energy balance error stops the run as unstable")
           .word("scene", {}, "all",
                 "region; a block whose centre is outside has left, and no longer keeps the pile "
@@ -283,7 +285,7 @@ int FixMuckpileProgress::modify_param(int narg, char** arg) {
   if (key == "phase") phase_ = arg[1];
   if (key == "time_end") {
     time_end_ = engine::or_engine_error(
-        *lmp, [&] { return parse_real(where, key, arg[1], "s", Range::positive()); });
+        *lmp, [&] { return parse_real(where, key, arg[1], "s", time_range()); });
   }
   return 2;
 }

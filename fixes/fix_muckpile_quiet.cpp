@@ -28,14 +28,14 @@ const ArgTable& table() {
           .group("region", 1, 1, true,
                  "`fixed` supports of `create_blocks` with their centroid in this region yield; at "
                  "least one")
-          .real("rock_behind", "m", Range::at_least(1e-3), std::nullopt,
+          .real("rock_behind", "m", Range::closed(1e-3, 1e6), std::nullopt,
                 "thickness of the rock behind, on a rigid base, for lasting loads")
-          .real("until", "s", Range::non_negative(), 1e30,
+          .real("until", "s", Range::closed(0.0, 1e30), 1e30,
                 "time of the run from which on the ground stands still")
           .real("power_share", "", Range::right_open(0.0, 1.0), 0.0,
                 "the ground stands still once less than this share of the greatest radiated power "
                 "so far leaves; 0: never")
-          .integer("every", "steps", Range::at_least(1), 100,
+          .integer("every", "steps", engine::step_counts(), 100,
                    "between looks at time and power, which is the mean between two looks");
   return args;
 }

@@ -29,10 +29,10 @@ namespace {
 const ArgTable& table() {
   static const ArgTable args =
       ArgTable("fix muckpile/sleep")
-          .real("distance", "m", Range::positive(), std::nullopt,
+          .real("distance", "m", Range::left_open(0.0, 1.0), std::nullopt,
                 "a block that stays within this of one place may rest")
-          .real("time", "s", Range::positive(), 0.2, "for so long")
-          .real("speed", "m/s", Range::positive(), 0.1, "and is slower than this")
+          .real("time", "s", Range::left_open(0.0, 1e3), 0.2, "for so long")
+          .real("speed", "m/s", Range::left_open(0.0, 1e3), 0.1, "and is slower than this")
           .integer("every", "steps", Range::closed(1, 1000), 5, "between looks");
   return args;
 }

@@ -31,15 +31,15 @@ const ArgTable& table() {
   static const ArgTable args =
       ArgTable("fix muckpile/timestep")
           .real("fraction", "", Range::left_open(0.0, 1.0), 0.8, "of the longest stable step")
-          .integer("every", "steps", Range::at_least(1), 100, "between looks at the contacts")
-          .integer("joints_every", "looks", Range::at_least(0), 20,
+          .integer("every", "steps", engine::step_counts(), 100, "between looks at the contacts")
+          .integer("joints_every", "looks", Range::closed(0, 1000000), 20,
                    "between looks at the joints; 0: at the start of each run only")
           .word("breaking", {"possible", "none"}, "possible",
                 "whether joints may break between two looks: a closed broken one is stiffer")
           .flag("contact_dashpots", true,
                 "whether the dashpots of sphere contacts count, or their springs only")
-          .real("min", "s", Range::non_negative(), 0.0, "a step shorter than this stops the run")
-          .real("max", "s", Range::positive(), 1e30, "the step is never longer");
+          .real("min", "s", Range::closed(0.0, 1.0), 0.0, "a step shorter than this stops the run")
+          .real("max", "s", Range::left_open(0.0, 1e30), 1e30, "the step is never longer");
   return args;
 }
 
@@ -176,7 +176,7 @@ int FixMuckpileTimestep::modify_param(int narg, char** arg) {
   engine::or_engine_error(*lmp, [&] {
     if (key == "fraction")
       fraction_ = parse_real(where, key, arg[1], "", Range::left_open(0.0, 1.0));
-    if (key == "max") longest_ = parse_real(where, key, arg[1], "s", Range::positive());
+    if (key == "max") longest_ = parse_real(where, key, arg[1], "s", Range::left_open(0.0, 1e30));
     return 0;
   });
   return 2;

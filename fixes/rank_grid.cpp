@@ -21,8 +21,8 @@ constexpr const char* kStyle = "rank_grid";
 const ArgTable& table() {
   static const ArgTable args =
       ArgTable(kStyle)
-          .real("width_y", "m", Range::positive(), std::nullopt, "of the rock along y, the row")
-          .real("thinnest", "m", Range::positive(), std::nullopt,
+          .real("width_y", "m", Range::left_open(0.0, 1e6), std::nullopt, "of the rock along y, the row")
+          .real("thinnest", "m", Range::left_open(0.0, 1e6), std::nullopt,
                 "slab of rock along y that one rank may have");
   return args;
 }

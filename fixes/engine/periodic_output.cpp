@@ -9,23 +9,15 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <limits>
 
 #include "args/numbers.h"
 #include "engine/style_args.h"
 
 namespace muckpile::engine {
-namespace {
-
-/// The engine counts steps between outputs in an int.
-Range steps() { return Range::closed(1, std::numeric_limits<int>::max()); }
-
-}  // namespace
-
 ArgTable periodic_output_table(const std::string& style, const std::string& every_text,
                                const std::string& directory_text) {
   return ArgTable(style)
-      .integer("every", "steps", steps(), std::nullopt, every_text)
+      .integer("every", "steps", step_counts(), std::nullopt, every_text)
       .word("directory", {}, std::nullopt, directory_text);
 }
 
@@ -44,7 +36,7 @@ void make_output_folder(LAMMPS_NS::LAMMPS& lmp, const std::string& where,
 int read_every(LAMMPS_NS::LAMMPS& lmp, const std::string& where, int narg, char** arg) {
   if (narg < 2) stop(lmp, where + ": every needs a number of steps");
   return static_cast<int>(or_engine_error(
-      lmp, [&] { return parse_integer(where, "every", arg[1], "steps", steps()); }));
+      lmp, [&] { return parse_integer(where, "every", arg[1], "steps", step_counts()); }));
 }
 
 }  // namespace muckpile::engine

@@ -11,6 +11,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 
 namespace muckpile::engine {
 
@@ -28,6 +29,8 @@ ArgValues read_args(LAMMPS_NS::LAMMPS& lmp, const ArgTable& table, const std::st
     return values;
   });
 }
+
+Range step_counts() { return Range::closed(1, std::numeric_limits<int>::max()); }
 
 void print_once(LAMMPS_NS::LAMMPS& lmp, const std::string& text) {
   if (lmp.comm->me != 0) return;

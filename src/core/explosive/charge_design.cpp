@@ -36,11 +36,11 @@ Rock rock_of(const ArgValues& values, const std::string& where) {
   const auto number = [&](const char* name, const char* unit, Range range) {
     return optional_real(values, where, name, unit, range).value_or(0.0);
   };
-  return {number("youngs_modulus", "Pa", Range::positive()),
+  return {number("youngs_modulus", "Pa", Range::closed(1e5, 1e13)),
           number("poisson_ratio", "", Range::right_open(0.0, 0.5)),
-          number("rock_density", "kg/m3", Range::positive()),
-          number("ucs", "Pa", Range::positive()),
-          number("tensile_strength", "Pa", Range::positive())};
+          number("rock_density", "kg/m3", Range::closed(100.0, 30000.0)),
+          number("ucs", "Pa", Range::closed(1e4, 1e11)),
+          number("tensile_strength", "Pa", Range::closed(1e3, 1e11))};
 }
 
 CrushedZoneInput zone_input(const ChargeOptions& charge, const ArgValues& values,
@@ -125,14 +125,14 @@ ArgTable charge_design_table() {
   add_explosive_keywords(table);
   add_borehole_keywords(table);
   table
-      .real("hole_diameter", "m", Range::non_negative(), 0.0,
+      .real("hole_diameter", "m", Range::closed(0.0, 10.0), 0.0,
             "diameter of the hole; 0: no crushed zone is asked for")
       .word("crushed_zone", {kCrushedZones.begin(), kCrushedZones.end()}, "multiple",
             "formula for the crushed zone's radius")
       .real("crushed_ratio", "", Range::closed(1.0, 20.0), 3.0,
             "radius over hole radius, for `multiple`")
       .real("strain_rate", "1/s", Range::closed(1e2, 1e4), 1e3, "in the crushed zone, for `dai`");
-  table.real("breaking_strain", "", Range::positive(), 3e-4,
+  table.real("breaking_strain", "", Range::closed(1e-6, 1.0), 3e-4,
              "dynamic tensile strain at which rock cracks, for Harries' counting (2e-4 to 6e-4)");
   table.word("hole_table", {}, "none", "CSV file of a pattern");
   add_optional(table, "rock_density", "[kg/m3], > 0; needed by `dai`");

@@ -16,6 +16,7 @@ namespace {
 
 constexpr const char* kNotGiven = "auto";
 constexpr double kMPa = 1e6;
+constexpr double kAtOnce = 1e20;  // a detonation velocity that fires the whole charge in no time [m/s]
 
 const std::vector<std::string> kModels = {"explosion_state",       "explosion_state_fit",
                                           "explosion_state_gamma", "chapman_jouguet",
@@ -118,10 +119,10 @@ void add_explosive_keywords(ArgTable& table) {
   table.word("explosive_table", {}, "none",
              "CSV file with explosives of your own, in the columns of the shipped explosives.csv; "
              "its names win");
-  add_optional(table, "explosive_density", "density of the charge [kg/m3], > 0; auto: the table's");
-  add_optional(table, "vod", "detonation velocity along the column [m/s], > 0; auto: the table's");
+  add_optional(table, "explosive_density", "density of the charge [kg/m3], 10 to 1e4; auto: the table's");
+  add_optional(table, "vod", "detonation velocity along the column [m/s], >= 100 (1e20: all at once); auto: the table's");
   add_optional(table, "explosive_energy",
-               "energy per mass [J/kg], > 0; auto: the table's; for the energy report only");
+               "energy per mass [J/kg], 1e4 to 1e9; auto: the table's; for the energy report only");
   add_optional(table, "explosive_gamma",
                "exponent of the products at the Chapman-Jouguet point, > 1; auto: the table's");
   table.group("jwl", 6, 6, false,
@@ -130,27 +131,27 @@ void add_explosive_keywords(ArgTable& table) {
 
 void add_borehole_keywords(ArgTable& table) {
   table.word("borehole_model", kModels, "explosion_state", "formula for the borehole pressure P0");
-  add_optional(table, "borehole_pressure", "P0 itself [Pa], > 0; auto: from borehole_model");
+  add_optional(table, "borehole_pressure", "P0 itself [Pa], 1e5 to 1e12; auto: from borehole_model");
   add_optional(table, "rock_impedance",
-               "density times P-wave speed of the rock [Pa s/m], > 0; needed by impedance_matched "
+               "density times P-wave speed of the rock [Pa s/m], 1e3 to 1e9; needed by impedance_matched "
                "only");
 }
 
 void add_decoupling_keywords(ArgTable& table) {
   add_optional(table, "charge_diameter",
-               "diameter of the charge [m], > 0, at most hole_diameter; auto: it fills the hole");
+               "diameter of the charge [m], 1e-3 to 10, at most hole_diameter; auto: it fills the hole");
   add_optional(table, "charge_length",
-               "length of the charge [m], > 0, from its toe; what is left of the hole's axis is an "
+               "length of the charge [m], > 0 and <= 1000, from its toe; what is left of the hole's axis is an "
                "air deck; auto: the whole axis");
   table.word("coupling", {"air", "water", "stemming"}, "air",
              "what stands around a charge thinner than its hole");
   add_optional(table, "coupling_exponent",
-               "decay of the peak through water or stemming, >= 0; auto: 0.72 in water, the "
+               "decay of the peak through water or stemming, 0 to 10; auto: 0.72 in water, the "
                "attenuation exponent in stemming");
   table
       .word("decoupling", {"isentrope", "power"}, "isentrope",
             "fall of the pressure into an air gap: along the isentrope, or one power law")
-      .real("decoupling_exponent", "", Range::positive(), 3.0,
+      .real("decoupling_exponent", "", Range::left_open(0.0, 10.0), 3.0,
             "of the power law in volume: 3 is the usual sixth power of the diameters")
       .real("impact_factor", "", Range::closed(1.0, 11.0), 1.0,
             "shock of the products on the wall behind an air gap over their pressure; on the wave "
@@ -159,11 +160,11 @@ void add_decoupling_keywords(ArgTable& table) {
 
 void add_expansion_keywords(ArgTable& table) {
   table.word("expansion", {"two_stage", "jwl"}, "two_stage", "law by which the products expand")
-      .real("gas_switch_pressure", "Pa", Range::positive(), 200e6,
+      .real("gas_switch_pressure", "Pa", Range::closed(1e5, 1e12), 200e6,
             "pressure p_k at which the isentrope changes its exponent and the gas stage starts")
-      .real("gas_gamma_dense", "", Range::positive(), 3.0,
+      .real("gas_gamma_dense", "", Range::closed(1.0, 10.0), 3.0,
             "isentrope exponent above p_k (two_stage)")
-      .real("gas_gamma", "", Range::positive(), 1.4, "isentrope exponent below p_k (two_stage)");
+      .real("gas_gamma", "", Range::closed(1.0, 10.0), 1.4, "isentrope exponent below p_k (two_stage)");
 }
 
 void read_explosive(ChargeOptions& options, const ArgValues& values, const std::string& where) {
@@ -174,9 +175,9 @@ void read_explosive(ChargeOptions& options, const ArgValues& values, const std::
   const auto typed = [&](const char* name, const char* unit, Range range) {
     return optional_real(values, where, name, unit, range);
   };
-  const auto density = typed("explosive_density", "kg/m3", Range::positive());
-  const auto velocity = typed("vod", "m/s", Range::positive());
-  const auto energy = typed("explosive_energy", "J/kg", Range::positive());
+  const auto density = typed("explosive_density", "kg/m3", Range::closed(10.0, 1e4));
+  const auto velocity = typed("vod", "m/s", Range::closed(100.0, kAtOnce));
+  const auto energy = typed("explosive_energy", "J/kg", Range::closed(1e4, 1e9));
   if (!named && !(density && velocity)) {
     refuse(where, "needs explosive NAME, or explosive_density and vod");
   }
@@ -192,22 +193,22 @@ void read_explosive(ChargeOptions& options, const ArgValues& values, const std::
     explosive.jwl = typed_jwl(where, values.groups("jwl").front(), explosive);
   }
   options.typed_pressure =
-      optional_real(values, where, "borehole_pressure", "Pa", Range::positive());
+      optional_real(values, where, "borehole_pressure", "Pa", Range::closed(1e5, 1e12));
   if (options.typed_pressure && values.given("borehole_model")) {
     refuse(where, "borehole_pressure and borehole_model exclude each other");
   }
   options.rock_impedance =
-      optional_real(values, where, "rock_impedance", "Pa s/m", Range::positive());
+      optional_real(values, where, "rock_impedance", "Pa s/m", Range::closed(1e3, 1e9));
   const auto at = std::find(kModels.begin(), kModels.end(), values.word("borehole_model"));
   options.model = static_cast<BoreholeModel>(at - kModels.begin());
 }
 
 void read_decoupling(ChargeOptions& options, const ArgValues& values, const std::string& where) {
   if (const auto diameter =
-          optional_real(values, where, "charge_diameter", "m", Range::positive())) {
+          optional_real(values, where, "charge_diameter", "m", Range::closed(1e-3, 10.0))) {
     options.charge_radius = 0.5 * *diameter;
   }
-  options.charge_length = optional_real(values, where, "charge_length", "m", Range::positive());
+  options.charge_length = optional_real(values, where, "charge_length", "m", Range::left_open(0.0, 1e3));
   DecouplingRule& rule = options.decoupling;
   const std::string& coupling = values.word("coupling");
   rule.coupling = coupling == "air"     ? Coupling::air
@@ -217,7 +218,7 @@ void read_decoupling(ChargeOptions& options, const ArgValues& values, const std:
   rule.power_exponent = values.real("decoupling_exponent");
   rule.impact_factor = values.real("impact_factor");
   if (const auto exponent =
-          optional_real(values, where, "coupling_exponent", "", Range::non_negative())) {
+          optional_real(values, where, "coupling_exponent", "", Range::closed(0.0, 10.0))) {
     rule.coupling_exponent = *exponent;
     options.coupling_exponent_typed = true;
   }

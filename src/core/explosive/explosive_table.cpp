@@ -31,18 +31,19 @@ std::vector<std::string> known_columns() {
 }
 
 /// A field that may be empty or whose column may be missing.
-std::optional<double> positive_or_empty(const CsvTable& csv, size_t row, const std::string& name) {
+std::optional<double> in_range_or_empty(const CsvTable& csv, size_t row, const std::string& name,
+                                        Range range = Range::positive()) {
   const auto column = csv.find_column(name);
   if (!column || csv.word(row, *column).empty()) return std::nullopt;
   std::string where = csv.where(row);
   where.resize(where.size() - 2);  // parse_real() adds its own ": "
-  return parse_real(where, name, std::string(csv.word(row, *column)), "", Range::positive());
+  return parse_real(where, name, std::string(csv.word(row, *column)), "", range);
 }
 
-double positive(const CsvTable& csv, size_t row, const std::string& name) {
+double in_range(const CsvTable& csv, size_t row, const std::string& name, Range range) {
   (void)csv.column(name);
-  if (const auto value = positive_or_empty(csv, row, name)) return *value;
-  throw InputError(csv.where(row) + name + " must be > 0, got ''");
+  if (const auto value = in_range_or_empty(csv, row, name, range)) return *value;
+  throw InputError(csv.where(row) + name + " must be " + range.text() + ", got ''");
 }
 
 std::optional<JwlParameters> jwl(const CsvTable& csv, size_t row) {
@@ -52,7 +53,7 @@ std::optional<JwlParameters> jwl(const CsvTable& csv, size_t row) {
                                          &p.cj_pressure, &p.density, &p.detonation_velocity};
   std::size_t given = 0;
   for (std::size_t k = 0; k < places.size(); ++k) {
-    if (const auto value = positive_or_empty(csv, row, kJwlColumns[k])) {
+    if (const auto value = in_range_or_empty(csv, row, kJwlColumns[k])) {
       *places[k] = *value;
       ++given;
     }
@@ -73,10 +74,10 @@ NamedExplosive entry(const CsvTable& csv, size_t row) {
   NamedExplosive read;
   read.name = std::string(csv.word(row, csv.column("name")));
   if (read.name.empty()) throw InputError(csv.where(row) + "name is empty");
-  read.density = positive(csv, row, "density_kg_m3");
-  read.detonation_velocity = positive(csv, row, "vod_m_s");
-  read.energy = positive(csv, row, "energy_J_kg");
-  read.gamma = positive_or_empty(csv, row, "gamma");
+  read.density = in_range(csv, row, "density_kg_m3", Range::closed(10.0, 1e4));
+  read.detonation_velocity = in_range(csv, row, "vod_m_s", Range::closed(100.0, 1e5));
+  read.energy = in_range(csv, row, "energy_J_kg", Range::closed(1e4, 1e9));
+  read.gamma = in_range_or_empty(csv, row, "gamma", Range::left_open(1.0, 10.0));
   read.jwl = jwl(csv, row);
   if (const auto source = csv.find_column("source")) read.source = csv.word(row, *source);
   return read;

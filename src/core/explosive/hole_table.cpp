@@ -63,10 +63,14 @@ double required(const CsvTable& csv, size_t row, const std::string& name, Range 
 }
 
 Vec3 point(const CsvTable& csv, size_t row, const std::string& end) {
-  return {required(csv, row, end + "_x_m", Range::any()),
-          required(csv, row, end + "_y_m", Range::any()),
-          required(csv, row, end + "_z_m", Range::any())};
+  const Range place = Range::closed(-1e7, 1e7);  // map coordinates too
+  return {required(csv, row, end + "_x_m", place),
+          required(csv, row, end + "_y_m", place),
+          required(csv, row, end + "_z_m", place)};
 }
+
+/// Longer ones are not sold: such a number is meant in milliseconds.
+Range delay_range() { return Range::closed(0.0, 60.0); }
 
 /// The chamber's ends along the hole.
 void place_chamber(const CsvTable& csv, size_t row, Deck& deck) {
@@ -92,13 +96,13 @@ Deck deck_of(const CsvTable& csv, size_t row) {
   if (deck.hole.empty()) throw InputError(csv.where(row) + "hole is missing");
   deck.hole_collar = point(csv, row, "collar");
   deck.hole_toe = point(csv, row, "toe");
-  deck.diameter = required(csv, row, "diameter_m", Range::left_open(0.0, 2.0));
+  deck.diameter = required(csv, row, "diameter_m", Range::closed(1e-3, 2.0));
   place_chamber(csv, row, deck);
   if (const std::string name = text(csv, row, "explosive"); !name.empty()) deck.explosive = name;
-  deck.charge_diameter = number(csv, row, "charge_diameter_m", Range::positive());
-  deck.charge_length = number(csv, row, "charge_length_m", Range::positive());
+  deck.charge_diameter = number(csv, row, "charge_diameter_m", Range::closed(1e-3, 2.0));
+  deck.charge_length = number(csv, row, "charge_length_m", Range::left_open(0.0, 1e3));
   deck.primer = number(csv, row, "primer", Range::closed(0.0, 1.0));
-  deck.crushed_radius = number(csv, row, "crushed_radius_m", Range::positive());
+  deck.crushed_radius = number(csv, row, "crushed_radius_m", Range::left_open(0.0, 10.0));
   return deck;
 }
 
@@ -160,7 +164,7 @@ HoleTable::HoleTable(const CsvTable& csv) {
       if (before.hole == deck.hole) check_decks_of_one_hole(csv, row, before, deck);
     }
     const Signal signal{text(csv, row, "after"),
-                        number(csv, row, "surface_delay_s", Range::non_negative()).value_or(0.0),
+                        number(csv, row, "surface_delay_s", delay_range()).value_or(0.0),
                         row};
     const auto [place, first] = signals.emplace(deck.hole, signal);
     if (!first && (place->second.after != signal.after || place->second.delay != signal.delay)) {
@@ -174,7 +178,7 @@ HoleTable::HoleTable(const CsvTable& csv) {
   for (size_t row = 0; row < decks_.size(); ++row) {
     decks_[row].firing_time =
         times.at(decks_[row].hole) +
-        number(csv, row, "in_hole_delay_s", Range::non_negative()).value_or(0.0);
+        number(csv, row, "in_hole_delay_s", delay_range()).value_or(0.0);
   }
 }
 
