@@ -1,23 +1,24 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# run_case.sh LIGGGHTS_MUCKPILE MUCKPILE_POST INPUT REPORT EXPECTED.json: runs INPUT with the "vars" of EXPECTED.json,
-# lets muckpile-post make REPORT, and compares summary.json, or the last row of history.csv, with the "expected" lines.
+# run_case.sh LIGGGHTS_MUCKPILE MUCKPILE_POST INPUT REPORTS EXPECTED.json [RANKS]: runs INPUT with the "vars" of EXPECTED.json
+# on 2 ranks or RANKS, lets muckpile-post make the REPORTS, and compares summary.json, or the last row of history.csv, with the "expected" lines.
 # Scope: EXPECTED.json has one line per value: {"quantity": NAME, "value": V, "tolerance": T, "why": TEXT}.
 set -euo pipefail
-program=$1 post=$2 input=$3 report=$4 expected=$(readlink -f "$5")
+program=$1 post=$2 input=$3 expected=$(readlink -f "$5") ranks=${6:-2}
+read -ra reports <<<"$4"
 root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 cd "$root"
 
+grep -qE '^ *"vars": ".*",?$' "$expected" || { echo "$expected: no line with \"vars\""; exit 1; }
 read -ra vars < <(sed -nE 's/^ *"vars": "(.*)",?$/\1/p' "$expected")
-[[ ${#vars[@]} -gt 0 ]] || { echo "$expected: no line with \"vars\""; exit 1; }
 
 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1 \
   OMPI_MCA_btl_vader_single_copy_mechanism=none \
-  mpirun -np 2 --oversubscribe --bind-to none "$program" -in "$input" -log none \
+  mpirun -np "$ranks" --oversubscribe --bind-to none "$program" -in "$input" -log none \
   -var out "$out" "${vars[@]}" >"$out/screen" 2>&1 || { tail -n 30 "$out/screen"; exit 1; }
-"$post" "$report" "$out"
+for report in "${reports[@]}"; do "$post" "$report" "$out"; done
 
 value_of() {  # value_of QUANTITY: from summary.json, else the last row of history.csv, else nothing
   local found

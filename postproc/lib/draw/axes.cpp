@@ -15,14 +15,14 @@ constexpr double kTickSpace = 90.0;  // between ticks, about [px]
 constexpr Colour kGridLine{0.90F, 0.91F, 0.92F};
 
 // Share of the way from the low to the high end of a range.
-double share_of(double value, const Range& range, Scale scale) {
+double share_of(double value, const AxisRange& range, Scale scale) {
   return scale == Scale::kStraight ? (value - range.low) / (range.high - range.low)
                                    : std::log(value / range.low) / std::log(range.high / range.low);
 }
 
 }  // namespace
 
-std::vector<double> straight_ticks(Range range, int wanted) {
+std::vector<double> straight_ticks(AxisRange range, int wanted) {
   const double rough = (range.high - range.low) / std::max(1, wanted);
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
   double step = 10.0 * power;
@@ -37,7 +37,7 @@ std::vector<double> straight_ticks(Range range, int wanted) {
   return ticks;
 }
 
-std::vector<double> logarithmic_ticks(Range range) {
+std::vector<double> logarithmic_ticks(AxisRange range) {
   const bool is_wide = range.high > 20.0 * range.low;
   std::vector<double> ticks;
   for (double power = std::pow(10.0, std::floor(std::log10(range.low))); power <= range.high;
@@ -58,7 +58,8 @@ std::string spelled(double value, int digits) {
   return text;
 }
 
-Axes::Axes(Vec2 upper_left, Vec2 lower_right, Range x, Range y, Scale x_scale, Scale y_scale)
+Axes::Axes(Vec2 upper_left, Vec2 lower_right, AxisRange x, AxisRange y, Scale x_scale,
+           Scale y_scale)
     : upper_left_(std::move(upper_left)),
       lower_right_(std::move(lower_right)),
       x_(x),

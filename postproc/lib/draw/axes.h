@@ -10,7 +10,7 @@
 
 namespace muckpile {
 
-struct Range {
+struct AxisRange {
   double low, high;
 };
 
@@ -19,8 +19,8 @@ enum class Scale { kStraight, kLogarithmic };
 class Axes {
  public:
   // The plot area lies between two corners [px]; `x` and `y` are the data ranges.
-  Axes(Vec2 upper_left, Vec2 lower_right, Range x, Range y, Scale x_scale = Scale::kStraight,
-       Scale y_scale = Scale::kStraight);
+  Axes(Vec2 upper_left, Vec2 lower_right, AxisRange x, AxisRange y,
+       Scale x_scale = Scale::kStraight, Scale y_scale = Scale::kStraight);
 
   [[nodiscard]] Vec2 place(double x, double y) const;  // [px]
   [[nodiscard]] std::vector<Vec2> places(const std::vector<Vec2>& points) const;
@@ -33,15 +33,15 @@ class Axes {
   [[nodiscard]] std::vector<double> y_ticks() const;
 
   Vec2 upper_left_, lower_right_;
-  Range x_, y_;
+  AxisRange x_, y_;
   Scale x_scale_, y_scale_;
 };
 
 // Multiples of 1, 2 or 5 times a power of ten inside the range, about `wanted` of them.
-std::vector<double> straight_ticks(Range range, int wanted);
+std::vector<double> straight_ticks(AxisRange range, int wanted);
 // Whole multiples of powers of ten inside the range; 1, 2 and 5 times only where it is wider
 // than 20.
-std::vector<double> logarithmic_ticks(Range range);
+std::vector<double> logarithmic_ticks(AxisRange range);
 
 // The shortest usual spelling of a number: at most `digits` significant ones.
 std::string spelled(double value, int digits = 3);

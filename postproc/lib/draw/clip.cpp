@@ -24,7 +24,7 @@ void cut(std::vector<Vec2>& polygon, int axis, double limit, double sign) {
 
 }  // namespace
 
-std::vector<Vec2> clipped(std::vector<Vec2> polygon, const Range& x, const Range& y) {
+std::vector<Vec2> clipped(std::vector<Vec2> polygon, const AxisRange& x, const AxisRange& y) {
   cut(polygon, 0, x.low, -1.0);
   cut(polygon, 0, x.high, 1.0);
   cut(polygon, 1, y.low, -1.0);

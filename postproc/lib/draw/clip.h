@@ -10,6 +10,7 @@
 namespace muckpile {
 
 /// The part of a convex polygon inside the ranges, in the same sense; empty if there is none.
-[[nodiscard]] std::vector<Vec2> clipped(std::vector<Vec2> polygon, const Range& x, const Range& y);
+[[nodiscard]] std::vector<Vec2> clipped(std::vector<Vec2> polygon, const AxisRange& x,
+                                        const AxisRange& y);
 
 }  // namespace muckpile

@@ -18,7 +18,7 @@ constexpr double kTitleSize = 28.0, kKeySize = 20.0, kKeyLine = 30.0, kKeyStroke
 constexpr double kTop = 66.0;  // of the key [px]
 constexpr double kThickness = 3.0, kDash = 9.0, kPointSize = 5.0;
 
-Range range_of(const CurvePlot& plot, int axis, Scale scale) {
+AxisRange range_of(const CurvePlot& plot, int axis, Scale scale) {
   double low = 1e300, high = -1e300;
   for (const PlotCurve& curve : plot.curves) {
     for (const Vec2& p : curve.points) {
@@ -32,7 +32,7 @@ Range range_of(const CurvePlot& plot, int axis, Scale scale) {
   return {low - margin, high + margin};
 }
 
-bool is_inside(const Vec2& p, const Range& x, const Range& y) {
+bool is_inside(const Vec2& p, const AxisRange& x, const AxisRange& y) {
   return p.x() >= x.low && p.x() <= x.high && p.y() >= y.low && p.y() <= y.high;
 }
 
@@ -86,8 +86,8 @@ double lay_out_key(const CurvePlot& plot, Canvas* canvas) {
   return y + 0.7 * kKeyLine - kTop;
 }
 
-void draw_curve(Canvas& canvas, const Axes& axes, const PlotCurve& curve, const Range& x,
-                const Range& y) {
+void draw_curve(Canvas& canvas, const Axes& axes, const PlotCurve& curve, const AxisRange& x,
+                const AxisRange& y) {
   std::vector<Vec2> part;
   for (const Vec2& p : curve.points) {
     if (is_inside(p, x, y)) {
@@ -115,8 +115,8 @@ Colour colour_of_curve(int number) {
 }
 
 Canvas draw_curves(const CurvePlot& plot) {
-  const Range x = plot.x.value_or(range_of(plot, 0, plot.x_scale));
-  const Range y = plot.y.value_or(range_of(plot, 1, plot.y_scale));
+  const AxisRange x = plot.x.value_or(range_of(plot, 0, plot.x_scale));
+  const AxisRange y = plot.y.value_or(range_of(plot, 1, plot.y_scale));
   const double top = kTop + lay_out_key(plot, nullptr);
   Canvas canvas(kWidth, static_cast<int>(std::lround(top + kPlotHeight + kBelow)), kWhite);
   const Axes axes({kLeft, top}, {kWidth - kRight, top + kPlotHeight}, x, y, plot.x_scale,

@@ -24,7 +24,7 @@ struct PlotCurve {
 struct CurvePlot {
   std::string title, x_label, y_label;
   Scale x_scale = Scale::kStraight, y_scale = Scale::kStraight;
-  std::optional<Range> x, y;
+  std::optional<AxisRange> x, y;
   std::vector<PlotCurve> curves;
 };
 

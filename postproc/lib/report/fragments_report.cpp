@@ -44,7 +44,7 @@ void write_tables(const ResultFolder& folder, const std::vector<SizePoint>& curv
 }
 
 // A passing curve rises at each size by the mass of the pieces of that size.
-std::vector<Vec2> steps(const std::vector<SizePoint>& curve, const Range& x) {
+std::vector<Vec2> steps(const std::vector<SizePoint>& curve, const AxisRange& x) {
   std::vector<Vec2> points{{x.low, 0.0}};
   for (const SizePoint& p : curve) {
     points.emplace_back(p.size, points.back().y());
@@ -62,8 +62,8 @@ Canvas draw_curves(const std::vector<SizePoint>& fragments, const std::vector<Si
     canvas.text({105.0, 100.0}, "no rock was broken out", 22.0, kInk);
     return canvas;
   }
-  const Range x{0.8 * std::min(fragments.front().size, blocks.front().size),
-                1.25 * fragments.back().size};
+  const AxisRange x{0.8 * std::min(fragments.front().size, blocks.front().size),
+                    1.25 * fragments.back().size};
   const Axes axes({105.0, 120.0}, {kWidth - 30.0, kHeight - 85.0}, x, {0.0, 100.0},
                   Scale::kLogarithmic);
   axes.draw_grid(canvas);

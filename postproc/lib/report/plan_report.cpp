@@ -44,13 +44,13 @@ Plan plan_of(const HoleTable& table) {
 }
 
 // The holes with a margin of the mean distance between neighbours.
-std::pair<Range, Range> frame(const Plan& plan) {
+std::pair<AxisRange, AxisRange> frame(const Plan& plan) {
   const auto range = [&](Eigen::Index k) {
     const auto [low, high] =
         std::ranges::minmax_element(plan.places, {}, [k](const Vec2& p) { return p[k]; });
-    return Range{(*low)[k], (*high)[k]};
+    return AxisRange{(*low)[k], (*high)[k]};
   };
-  Range x = range(0), y = range(1);
+  AxisRange x = range(0), y = range(1);
   const double area = std::max(1.0, (x.high - x.low) * (y.high - y.low));
   const double margin = std::sqrt(area / static_cast<double>(plan.places.size()));
   return {{x.low - margin, x.high + margin}, {y.low - margin, y.high + margin}};

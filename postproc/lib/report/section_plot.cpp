@@ -19,7 +19,7 @@ constexpr double kTitleSize = 30.0, kTextSize = 20.0;
 
 // Widens one of the ranges so that the plot area keeps to its height limits; returns that height
 // [px].
-double fit_equal_scales(Range& x, Range& z) {
+double fit_equal_scales(AxisRange& x, AxisRange& z) {
   const double width = kWidth - kLeft - kRight;
   double height = width * (z.high - z.low) / (x.high - x.low);
   if (height > kMostHeight) {

@@ -29,7 +29,7 @@ struct SectionBar {  // e.g. charge or stemming
 
 struct SectionPlot {
   std::string title, subtitle, x_label;
-  Range x, z;  // [m]
+  AxisRange x, z;  // [m]
   std::vector<SectionPolygon> polygons;
   std::vector<char> moved;  // per block; blocks that stayed are grey
   BlockColours colours;

@@ -10,7 +10,7 @@ namespace {
 
 void add_charge_keywords(ArgTable& table) {
   add_explosive_keywords(table);
-  add_optional(table, "hole_diameter", "of all holes [m], > 0; needed without hole_table");
+  add_optional(table, "hole_diameter", "of all holes [m], 1e-3 to 10; needed without hole_table");
   table.word("hole_table", {}, "none",
              "CSV file of the pattern, as create_blocks has it: each hole's diameter, charge, "
              "explosive and firing time");
@@ -21,12 +21,14 @@ void add_charge_keywords(ArgTable& table) {
 
 void add_pulse_keywords(ArgTable& table) {
   table.flag("pulse", true, "stress-wave pulse on or off")
-      .real("rise_time", "s", Range::positive(), 1e-4, "time from arrival to peak; not of `table`")
+      .real("rise_time", "s", Range::left_open(0.0, 1.0), 1e-4,
+            "time from arrival to peak; not of `table`")
       .word("pulse_shape", {"starfield", "jong", "duvall", "triangular", "itasca", "table"},
             "starfield", "history of the pulse; jong is starfield with this rise time")
-      .real("pulse_ratio", "", Range::above(1.0), 2.0, "rates' ratio of `duvall`; 2 is starfield");
-  add_optional(table, "pulse_end", "end of `triangular` [s], > rise_time");
-  add_optional(table, "pulse_half_time", "of `itasca` after the peak [s], > 0");
+      .real("pulse_ratio", "", Range::left_open(1.0, 1e3), 2.0,
+            "rates' ratio of `duvall`; 2 is starfield");
+  add_optional(table, "pulse_end", "end of `triangular` [s], > rise_time and <= 10");
+  add_optional(table, "pulse_half_time", "of `itasca` after the peak [s], > 0 and <= 10");
   table.word("pulse_table", {}, "none", "CSV file of `table`: columns time_s, share of P1");
   add_optional(table, "poisson_ratio", "of the rock, >= 0 and < 0.5; needed by attenuation shock");
   table.word(
@@ -34,43 +36,48 @@ void add_pulse_keywords(ArgTable& table) {
       "exponent of the fall of the peak from hole wall to crushed-zone wall: of a shock, 2 + "
       "nu/(1 - nu), or 1.54 (c_p/D)^-0.33");
   add_optional(table, "rock_p_wave_speed",
-               "c_p of the rock [m/s], > 0; needed by attenuation liu_katsabanis only");
-  add_optional(table, "attenuation_exponent", "that exponent itself, >= 0; auto: from attenuation");
+               "c_p of the rock [m/s], 100 to 2e4; needed by attenuation liu_katsabanis only");
+  add_optional(table, "attenuation_exponent",
+               "that exponent itself, 0 to 10; auto: from attenuation");
   add_optional(table, "peak_pressure",
-               "P1 on the crushed-zone wall itself [Pa], >= 0; auto: P0 attenuated");
+               "P1 on the crushed-zone wall itself [Pa], 0 to 1e12; auto: P0 attenuated");
 }
 
 void add_gas_keywords(ArgTable& table) {
   table.flag("gas", true, "gas stage on or off");
   add_expansion_keywords(table);
-  add_optional(table, "vent_time",
-               "from firing to the start of venting [s], >= 0; needed with gas yes, about 3.3e-3 "
-               "per m of burden");
   add_optional(
-      table, "vent_decay",
-      "decay time of the gas once it vents [s], > 0; needed with gas yes, about 1.5e-3 per "
-      "m of burden");
+      table, "vent_time",
+      "from firing to the start of venting [s], 0 to 60; needed with gas yes, about 3.3e-3 "
+      "per m of burden");
+  add_optional(table, "vent_decay",
+               "decay time of the gas once it vents [s], > 0 and <= 60; needed with gas yes, about "
+               "1.5e-3 per "
+               "m of burden");
 }
 
 void add_venting_keywords(ArgTable& table) {
   table.word("venting", {"time", "flow"}, "time",
              "how the gas leaves: by the two times above, or by flow through collar and cracks");
-  add_optional(table, "stemming_length", "[m], >= 0; needed with venting flow");
-  table.real("stemming_density", "kg/m3", Range::positive(), 1800.0, "of the stemming, as it lies")
-      .real("stemming_shear", "Pa", Range::non_negative(), 0.0,
+  add_optional(table, "stemming_length", "[m], 0 to 1e6; needed with venting flow");
+  table
+      .real("stemming_density", "kg/m3", Range::closed(100.0, 30000.0), 1800.0,
+            "of the stemming, as it lies")
+      .real("stemming_shear", "Pa", Range::closed(0.0, 1e9), 0.0,
             "resistance of the stemming per area of the hole's wall")
       .real("collar_discharge", "", Range::closed(0.0, 1.0), 0.8,
             "share of the choked flow through the open collar");
-  add_optional(table, "crack_delay",
-               "from firing until cracks reach a free face [s], >= 0, about 1e-3 per m of burden; "
-               "needed with venting flow");
+  add_optional(
+      table, "crack_delay",
+      "from firing until cracks reach a free face [s], 0 to 60, about 1e-3 per m of burden; "
+      "needed with venting flow");
   table.real("crack_discharge", "", Range::closed(0.0, 1.0), 0.05,
              "share of the choked flow through the cracks at the wall");
 }
 
 void add_timing_keywords(ArgTable& table) {
   table
-      .real("interval", "s", Range::non_negative(), 0.0,
+      .real("interval", "s", delay_range(), 0.0,
             "between the firing of consecutive holes, the first at 0")
       .group("hole", 3, 3, true, "N delay SECONDS: this hole's own firing time");
 }
@@ -94,9 +101,9 @@ void read_attenuation(BlastOptions& options, const ArgValues& values) {
     return optional_real(values, options.where, name, unit, range);
   };
   options.poisson_ratio = number("poisson_ratio", "", Range::right_open(0.0, 0.5));
-  options.p_wave_speed = number("rock_p_wave_speed", "m/s", Range::positive());
-  options.typed_exponent = number("attenuation_exponent", "", Range::non_negative());
-  options.peak_pressure = number("peak_pressure", "Pa", Range::non_negative());
+  options.p_wave_speed = number("rock_p_wave_speed", "m/s", Range::closed(100.0, 2e4));
+  options.typed_exponent = number("attenuation_exponent", "", Range::closed(0.0, 10.0));
+  options.peak_pressure = number("peak_pressure", "Pa", Range::closed(0.0, 1e12));
   if (values.word("attenuation") == "liu_katsabanis") {
     options.attenuation = Attenuation::liu_katsabanis;
   }
@@ -125,15 +132,14 @@ double vent_word(const BlastOptions& options, const ArgValues& values, const std
 
 void read_venting(BlastOptions& options, const ArgValues& values) {
   options.vent_by_flow = values.word("venting") == "flow";
-  options.vent_time = vent_word(options, values, "vent_time", "s", Range::non_negative(), false,
+  options.vent_time = vent_word(options, values, "vent_time", "s", delay_range(), false,
                                 " (about 3.3e-3 s per metre of burden)");
-  options.vent_decay = vent_word(options, values, "vent_decay", "s", Range::positive(), false,
-                                 " (about 1.5e-3 s per metre of burden)");
+  options.vent_decay = vent_word(options, values, "vent_decay", "s", Range::left_open(0.0, 60.0),
+                                 false, " (about 1.5e-3 s per metre of burden)");
   options.flow.stemming_length = vent_word(options, values, "stemming_length", "m",
-                                           Range::non_negative(), true, " and venting flow");
-  options.flow.crack_delay =
-      vent_word(options, values, "crack_delay", "s", Range::non_negative(), true,
-                " and venting flow (about 1e-3 s per metre of burden)");
+                                           Range::closed(0.0, 1e6), true, " and venting flow");
+  options.flow.crack_delay = vent_word(options, values, "crack_delay", "s", delay_range(), true,
+                                       " and venting flow (about 1e-3 s per metre of burden)");
   options.flow.gamma = options.charge.isentrope.dilute_exponent;
   options.flow.stemming_density = values.real("stemming_density");
   options.flow.stemming_shear = values.real("stemming_shear");
@@ -151,7 +157,7 @@ void read_pulse(BlastOptions& options, const ArgValues& values) {
   pulse.rise_time = values.real("rise_time");
   pulse.ratio = values.real("pulse_ratio");
   const auto needed = [&](Kind kind, const char* name) {
-    const auto typed = optional_real(values, options.where, name, "s", Range::positive());
+    const auto typed = optional_real(values, options.where, name, "s", Range::left_open(0.0, 10.0));
     if (!typed && pulse.kind == kind) {
       refuse(options.where,
              std::string(name) + " [s] is needed with pulse_shape " + values.word("pulse_shape"));
@@ -170,7 +176,7 @@ void read_pulse(BlastOptions& options, const ArgValues& values) {
 
 void read_holes(BlastOptions& options, const ArgValues& values) {
   const auto diameter =
-      optional_real(values, options.where, "hole_diameter", "m", Range::positive());
+      optional_real(values, options.where, "hole_diameter", "m", Range::closed(1e-3, 10.0));
   const std::string& file = values.word("hole_table");
   if (file == "none") {
     if (!diameter) refuse(options.where, "needs hole_diameter [m] or hole_table");
@@ -192,7 +198,7 @@ std::map<long, double> own_delays(const std::string& where, const ArgValues& val
       refuse(where, "hole " + words[0] + " must be followed by delay, got '" + words[1] + "'");
     }
     const double delay =
-        parse_real(where, "hole " + words[0] + " delay", words[2], "s", Range::non_negative());
+        parse_real(where, "hole " + words[0] + " delay", words[2], "s", delay_range());
     if (!delays.emplace(number, delay).second) {
       refuse(where, "hole " + words[0] + " is given twice");
     }

@@ -63,14 +63,10 @@ double required(const CsvTable& csv, size_t row, const std::string& name, Range 
 }
 
 Vec3 point(const CsvTable& csv, size_t row, const std::string& end) {
-  const Range place = Range::closed(-1e7, 1e7);  // map coordinates too
-  return {required(csv, row, end + "_x_m", place),
-          required(csv, row, end + "_y_m", place),
+  const Range place = place_range();
+  return {required(csv, row, end + "_x_m", place), required(csv, row, end + "_y_m", place),
           required(csv, row, end + "_z_m", place)};
 }
-
-/// Longer ones are not sold: such a number is meant in milliseconds.
-Range delay_range() { return Range::closed(0.0, 60.0); }
 
 /// The chamber's ends along the hole.
 void place_chamber(const CsvTable& csv, size_t row, Deck& deck) {
@@ -155,6 +151,9 @@ class SignalTimes {
 
 }  // namespace
 
+Range delay_range() { return Range::closed(0.0, 60.0); }
+Range place_range() { return Range::closed(-1e7, 1e7); }
+
 HoleTable::HoleTable(const CsvTable& csv) {
   csv.require_known_columns(kColumns);
   std::map<std::string, Signal> signals;
@@ -164,8 +163,7 @@ HoleTable::HoleTable(const CsvTable& csv) {
       if (before.hole == deck.hole) check_decks_of_one_hole(csv, row, before, deck);
     }
     const Signal signal{text(csv, row, "after"),
-                        number(csv, row, "surface_delay_s", delay_range()).value_or(0.0),
-                        row};
+                        number(csv, row, "surface_delay_s", delay_range()).value_or(0.0), row};
     const auto [place, first] = signals.emplace(deck.hole, signal);
     if (!first && (place->second.after != signal.after || place->second.delay != signal.delay)) {
       throw InputError(csv.where(row) + "hole '" + deck.hole +
@@ -176,9 +174,8 @@ HoleTable::HoleTable(const CsvTable& csv) {
   if (decks_.empty()) throw InputError("hole table: no rows found");
   SignalTimes times(csv, signals);
   for (size_t row = 0; row < decks_.size(); ++row) {
-    decks_[row].firing_time =
-        times.at(decks_[row].hole) +
-        number(csv, row, "in_hole_delay_s", delay_range()).value_or(0.0);
+    decks_[row].firing_time = times.at(decks_[row].hole) +
+                              number(csv, row, "in_hole_delay_s", delay_range()).value_or(0.0);
   }
 }
 

@@ -9,9 +9,15 @@
 #include <vector>
 
 #include "args/csv_table.h"
+#include "args/range.h"
 #include "geometry/block_model.h"
 
 namespace muckpile {
+
+/// Of a delay in s: a number beyond is meant in milliseconds.
+[[nodiscard]] Range delay_range();
+/// Of a coordinate in m, also one of a map.
+[[nodiscard]] Range place_range();
 
 /// One charged chamber of a hole.
 struct Deck {

@@ -47,7 +47,7 @@ SizeLimits size_limits(const ArgValues& args) {
 
 /// Value k of `size LAW ...`.
 double size_value(const Words& words, std::size_t k, const char* unit) {
-  return real_of("size " + words[0], words[k], unit, Range::non_negative());
+  return real_of("size " + words[0], words[k], unit, Range::closed(0.0, 1e9));
 }
 
 /// Fails unless `size LAW` has so many values behind it.
@@ -91,7 +91,7 @@ SizeLaw size_law(const Words& words, const SizeLimits& limits) {
 
 SizeTarget size_target(const Words& words) {
   const auto number = [&](std::size_t k, const char* unit) {
-    return real_of("size target " + words[1], words[k], unit, Range::positive());
+    return real_of("size target " + words[1], words[k], unit, Range::left_open(0.0, 1e3));
   };
   if (words.size() == 4 && words[1] == "kuz_ram")
     return SizeTarget::kuz_ram(number(2, "m"), number(3, ""));
@@ -124,7 +124,8 @@ void read_size(CutOptions& options, const ArgValues& args) {
 Hole hole_of(const std::string& keyword, const Words& words, std::size_t first) {
   std::array<double, 7> v{};
   for (std::size_t k = 0; k < v.size(); ++k)
-    v[k] = real_of(keyword, words[first + k], "m", k < 6 ? Range::any() : Range::positive());
+    v[k] =
+        real_of(keyword, words[first + k], "m", k < 6 ? place_range() : Range::left_open(0.0, 1e3));
   return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, v[6]};
 }
 
@@ -132,7 +133,7 @@ void add_row(std::vector<Hole>& holes, const Words& words) {
   const long count = whole_of("hole_row", words[0], Range::closed(1, 100000));
   Vec3 shift;
   for (int c = 0; c < 3; ++c)
-    shift[c] = real_of("hole_row", words[static_cast<std::size_t>(c) + 1], "m", Range::any());
+    shift[c] = real_of("hole_row", words[static_cast<std::size_t>(c) + 1], "m", place_range());
   const Hole first = hole_of("hole_row", words, 4);
   for (long k = 0; k < count; ++k) {
     const Vec3 by = static_cast<double>(k) * shift;
@@ -158,12 +159,12 @@ JointPlane natural_joint(const Words& words) {
     return real_of("joint_plane", words[k], "m", range);
   };
   JointPlane plane;
-  plane.point = {metres(0, Range::any()), metres(1, Range::any()), metres(2, Range::any())};
+  plane.point = {metres(0, place_range()), metres(1, place_range()), metres(2, place_range())};
   plane.normal = normal_of_dip(radians_of("joint_plane", words[3], 90.0),
                                radians_of("joint_plane", words[4], 360.0));
   plane.joint_class =
       static_cast<std::uint8_t>(whole_of("joint_plane", words[5], Range::closed(0, 255)));
-  if (words.size() > 6) plane.radius = metres(6, Range::positive());
+  if (words.size() > 6) plane.radius = metres(6, Range::left_open(0.0, 1e7));
   return plane;
 }
 

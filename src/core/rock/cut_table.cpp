@@ -30,8 +30,8 @@ const ArgTable& cut_table() {
           .flag("superpose", false,
                 "with `size harries`: the cracks of all charges add up, not those of the nearest "
                 "alone")
-          .real("block_min", "m", Range::positive(), std::nullopt, "smallest block size")
-          .real("block_max", "m", Range::positive(), std::nullopt, "largest block size")
+          .real("block_min", "m", Range::closed(1e-5, 1e3), std::nullopt, "smallest block size")
+          .real("block_max", "m", Range::closed(1e-5, 1e3), std::nullopt, "largest block size")
           .group("hole", 7, 7, true,
                  "crushed zone of one charge: toe x y z, collar x y z, radius [m]; its rock is "
                  "removed")

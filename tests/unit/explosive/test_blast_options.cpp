@@ -164,11 +164,12 @@ struct WrongInput {
 
 TEST(BlastOptions, EachWrongWordIsNamedWithItsRule) {
   const std::vector<WrongInput> cases = {
-      {"rise_time 0", "rise_time must be > 0 s, got '0'"},
-      {"peak_pressure -1e6", "peak_pressure must be >= 0 Pa, got '-1e6'"},
-      {"gas_switch_pressure -2e8", "gas_switch_pressure must be > 0 Pa, got '-2e8'"},
-      {"interval -0.01", "interval must be >= 0 s, got '-0.01'"},
-      {"hole 1 delay -0.01", "hole 1 delay must be >= 0 s, got '-0.01'"},
+      {"rise_time 0", "rise_time must be > 0 and <= 1 s, got '0'"},
+      {"peak_pressure -1e6", "peak_pressure must be >= 0 and <= 1e+12 Pa, got '-1e6'"},
+      {"gas_switch_pressure -2e8",
+       "gas_switch_pressure must be >= 1e+05 and <= 1e+12 Pa, got '-2e8'"},
+      {"interval -0.01", "interval must be >= 0 and <= 60 s, got '-0.01'"},
+      {"hole 1 delay -0.01", "hole 1 delay must be >= 0 and <= 60 s, got '-0.01'"},
       {"hole 3 delay 0.01", "hole must be from 1 to 2, the holes of create_blocks, got '3'"},
       {"hole 0 delay 0.01", "hole must be from 1 to 2, the holes of create_blocks, got '0'"},
       {"hole 1 delay 0 hole 1 delay 0.1", "hole 1 is given twice"},
@@ -181,7 +182,7 @@ TEST(BlastOptions, EachWrongWordIsNamedWithItsRule) {
       {"pulse_shape triangular", "pulse_end [s] is needed with pulse_shape triangular"},
       {"pulse_shape triangular pulse_end 1e-5", "pulse_end must be > rise_time s, got '1e-05'"},
       {"pulse_shape itasca", "pulse_half_time [s] is needed with pulse_shape itasca"},
-      {"pulse_shape duvall pulse_ratio 1", "pulse_ratio must be > 1, got '1'"},
+      {"pulse_shape duvall pulse_ratio 1", "pulse_ratio must be > 1 and <= 1000, got '1'"},
       {"pulse_shape table", "none: cannot be opened"},
       {"venting flow", "stemming_length [m] is needed with gas yes and venting flow"},
       {"venting flow stemming_length 3",
@@ -214,9 +215,50 @@ TEST(BlastOptions, ChecksTheNumbersThatMayBeLeftOut) {
   EXPECT_EQ(message(bare + " poisson_ratio 0.5" + kGas),
             kWhere + ": poisson_ratio must be >= 0 and < 0.5, got '0.5'");
   EXPECT_EQ(message(kCharge + " vent_time 0.01 vent_decay 0"),
-            kWhere + ": vent_decay must be > 0 s, got '0'");
+            kWhere + ": vent_decay must be > 0 and <= 60 s, got '0'");
   EXPECT_EQ(message(kCharge + kGas + " borehole_pressure -1"),
-            kWhere + ": borehole_pressure must be > 0 Pa, got '-1'");
+            kWhere + ": borehole_pressure must be >= 1e+05 and <= 1e+12 Pa, got '-1'");
+}
+
+/// A slip of the unit or of a finger, not a charge.
+TEST(BlastOptions, RefusesNumbersFarOutOfRange) {
+  const std::string bare = "hole_diameter 0.09 poisson_ratio 0.25" + kGas;
+  for (const char* word : {"explosive_density",
+                           "vod",
+                           "explosive_energy",
+                           "explosive_gamma",
+                           "borehole_pressure",
+                           "rock_impedance",
+                           "charge_diameter",
+                           "charge_length",
+                           "coupling_exponent",
+                           "decoupling_exponent",
+                           "impact_factor",
+                           "rise_time",
+                           "pulse_ratio",
+                           "pulse_end",
+                           "pulse_half_time",
+                           "rock_p_wave_speed",
+                           "attenuation_exponent",
+                           "peak_pressure",
+                           "gas_switch_pressure",
+                           "gas_gamma_dense",
+                           "gas_gamma",
+                           "stemming_length",
+                           "stemming_density",
+                           "stemming_shear",
+                           "collar_discharge",
+                           "crack_delay",
+                           "crack_discharge",
+                           "interval",
+                           "hole 1 delay"}) {
+    const std::string text = message("explosive emulsion " + bare + " " + word + " 1e300");
+    EXPECT_NE(text.find(kWhere + ": " + word + " must be "), std::string::npos)
+        << word << ": " << text;
+    EXPECT_NE(text.find("got '1e300'"), std::string::npos) << word << ": " << text;
+  }
+  EXPECT_EQ(message("explosive emulsion " + bare + " borehole_pressure 2.78"),
+            kWhere + ": borehole_pressure must be >= 1e+05 and <= 1e+12 Pa, got '2.78'");
 }
 
 TEST(BlastOptions, SaysWhatIsMissing) {

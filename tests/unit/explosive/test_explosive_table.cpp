@@ -55,8 +55,10 @@ TEST(ExplosiveTable, EachFaultNamesFileLineAndColumn) {
   const auto fault = [](const std::string& text) {
     return input_error_of([&] { (void)from(text); });
   };
-  EXPECT_EQ(fault(head + "\na,0,5000,3e6\n"), "own.csv:2: density_kg_m3 must be > 0, got '0'");
-  EXPECT_EQ(fault(head + "\na,1000,,3e6\n"), "own.csv:2: vod_m_s must be > 0, got ''");
+  EXPECT_EQ(fault(head + "\na,0,5000,3e6\n"),
+            "own.csv:2: density_kg_m3 must be >= 10 and <= 10000, got '0'");
+  EXPECT_EQ(fault(head + "\na,1000,,3e6\n"),
+            "own.csv:2: vod_m_s must be >= 100 and <= 1e+05, got ''");
   EXPECT_EQ(fault(head + "\na,1,1,1\na,1,1,1\n"), "own.csv:3: explosive 'a' is given twice");
   EXPECT_EQ(fault("name,density_kg_m3\na,1\n"), "own.csv: has no column 'vod_m_s'");
   EXPECT_EQ(fault(head + ",gama\na,1,1,1,2\n"),

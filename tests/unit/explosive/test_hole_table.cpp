@@ -67,7 +67,7 @@ TEST(HoleTable, EachFaultIsNamedWithItsLine) {
   const std::string hole = "a,0,0,10,0,0,0,0.1";
   EXPECT_EQ(fault(",dely", hole + ",1\n"), "p.csv: unknown column 'dely'");
   EXPECT_EQ(fault("", "a,0,0,10,0,0,0,0\n"),
-            "p.csv:2: diameter_m must be > 0 and <= 2, got '0'");
+            "p.csv:2: diameter_m must be >= 0.001 and <= 2, got '0'");
   EXPECT_EQ(fault(",toe_x_m", hole + ",1\n"), "p.csv: column 'toe_x_m' is there twice");
   EXPECT_EQ(fault("", "a,0,0,10,0,0,,0.1\n"), "p.csv:2: toe_z_m is missing");
   EXPECT_EQ(fault("", "a,0,0,0,0,0,0,0.1\n"), "p.csv:2: collar and toe are the same point");
@@ -84,7 +84,7 @@ TEST(HoleTable, EachFaultIsNamedWithItsLine) {
   EXPECT_EQ(fault(",after,surface_delay_s", hole + ",b,0.1\nb,1,0,10,1,0,0,0.1,a,0.1\n"),
             "p.csv:2: the surface delays of hole 'a' lead back to itself");
   EXPECT_EQ(fault(",surface_delay_s", hole + ",-1\n"),
-            "p.csv:2: surface_delay_s must be >= 0, got '-1'");
+            "p.csv:2: surface_delay_s must be >= 0 and <= 60, got '-1'");
   EXPECT_EQ(fault(",from_m,to_m,surface_delay_s", hole + ",1,2,0.1\n" + hole + ",3,4,0.2\n"),
             "p.csv:3: hole 'a' must have the surface delay of its first row");
   EXPECT_EQ(fault("", ""), "hole table: no rows found");

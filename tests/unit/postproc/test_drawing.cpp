@@ -98,7 +98,7 @@ double area_of(const std::vector<Vec2>& polygon) {
 }
 
 TEST(Clip, KeepsThePartInsideTheFrame) {
-  const Range x{0.0, 4.0}, y{0.0, 3.0};
+  const AxisRange x{0.0, 4.0}, y{0.0, 3.0};
   const std::vector<Vec2> inside = {{1, 1}, {2, 1}, {2, 2}};
   EXPECT_EQ(clipped(inside, x, y), inside);
   EXPECT_TRUE(clipped({{5, 1}, {6, 1}, {6, 2}}, x, y).empty());

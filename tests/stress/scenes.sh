@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# scenes.sh LIGGGHTS_MUCKPILE MUCKPILE_POST LIST: runs every scene of LIST to its end. Each must end by itself with all its blocks,
+# finite figures, an energy balance within 1 % of the blast's work, and no block faster than five times the face.
+# Scope: LIST has a line per scene: name, ranks, input, -var NAME VALUE...; `#` starts a remark.
+set -euo pipefail
+program=$1 post=$2 list=$(readlink -f "$3")
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+out=$(mktemp -d)
+trap 'rm -rf "$out"' EXIT
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1 \
+  OMPI_MCA_btl_vader_single_copy_mechanism=none
+
+value() { sed -nE "s/^ *\"$1\": ([^,]+),?$/\1/p" "$out/summary.json" | head -n 1; }
+
+wrong=0 scenes=0
+while read -r name ranks input rest; do
+  [[ -n $name && $name != '#'* ]] || continue
+  scenes=$((scenes + 1))
+  rm -rf "${out:?}"/* && mkdir "$out/dump"
+  read -ra vars <<<"$rest"
+  status=0 report=profile
+  [[ $input != *crater* ]] || report=crater
+  timeout -k 5 900 mpirun -np "$ranks" --oversubscribe --bind-to none "$program" -in "$input" -log none -var out "$out" "${vars[@]}" \
+    >"$out/screen" 2>&1 </dev/null || status=$?
+  [[ $status -ne 0 ]] || "$post" "$report" "$out" >>"$out/screen" 2>&1 || status=$?
+  if [[ $status -ne 0 ]]; then
+    echo "$name: exit status $status: $(grep '^ERROR' "$out/screen" || tail -n 1 "$out/screen")"
+    wrong=1
+    continue
+  fi
+  verdict=$(awk -v fast="$(value fastest_block_m_s)" -v face="$(value face_velocity_m_s)" -v balance="$(value energy_balance_error_worst)" \
+    -v swell="$(value swell_factor)" -v report=$report 'BEGIN {
+      if (!(balance < 0.01)) print "ENERGY"
+      if (report == "profile" && !(fast < 5 * face)) print "FAST"
+      if (report == "profile" && !(swell >= 1)) print "SWELL" }' | paste -sd' ')
+  ! grep -qiE ': *-?(nan|inf)' "$out/summary.json" || verdict+=" NOT-A-NUMBER"
+  printf '%-22s ranks %d: %6s blocks, face %6s m/s, fastest %6s m/s, swell %6s, balance %9s, still %5s at %s s  %s\n' "$name" "$ranks" \
+    "$(value blocks)" "$(value face_velocity_m_s)" "$(value fastest_block_m_s)" "$(value swell_factor)" "$(value energy_balance_error_worst)" \
+    "$(value still)" "$(value physical_time_s)" "${verdict:-ok}"
+  [[ -z $verdict ]] || wrong=1
+done <"$list"
+[[ $scenes -gt 0 ]] || { echo "no scene in $list"; wrong=1; }
+exit $wrong
