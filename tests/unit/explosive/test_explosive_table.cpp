@@ -59,11 +59,12 @@ TEST(ExplosiveTable, EachFaultNamesFileLineAndColumn) {
             "own.csv:2: density_kg_m3 must be >= 10 and <= 10000, got '0'");
   EXPECT_EQ(fault(head + "\na,1000,,3e6\n"),
             "own.csv:2: vod_m_s must be >= 100 and <= 1e+05, got ''");
-  EXPECT_EQ(fault(head + "\na,1,1,1\na,1,1,1\n"), "own.csv:3: explosive 'a' is given twice");
-  EXPECT_EQ(fault("name,density_kg_m3\na,1\n"), "own.csv: has no column 'vod_m_s'");
-  EXPECT_EQ(fault(head + ",gama\na,1,1,1,2\n"),
+  EXPECT_EQ(fault(head + "\na,1000,5000,3e6\na,1000,5000,3e6\n"),
+            "own.csv:3: explosive 'a' is given twice");
+  EXPECT_EQ(fault("name,density_kg_m3\na,1000\n"), "own.csv: has no column 'vod_m_s'");
+  EXPECT_EQ(fault(head + ",gama\na,1000,5000,3e6,2\n"),
             "own.csv: unknown column 'gama'; did you mean 'gamma'?");
-  EXPECT_NE(fault(head + ",jwl_a_Pa\na,1,1,1,2\n").find("own.csv:2: needs all of jwl_a_Pa"),
+  EXPECT_NE(fault(head + ",jwl_a_Pa\na,1000,5000,3e6,2\n").find("own.csv:2: needs all of jwl_a_Pa"),
             std::string::npos);
 }
 
