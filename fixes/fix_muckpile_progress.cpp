@@ -47,7 +47,8 @@ const ArgTable& table() {
           .word("phase", {}, "run", "name of the phase that begins")
           .real("time_end", "s", time_range(), 1e30,
                 "physical time at which the phase ends at the latest; for the time left")
-          .real("still_speed", "m/s", Range::left_open(0.0, 1e3), 0.1, "a block slower than this is at rest")
+          .real("still_speed", "m/s", Range::left_open(0.0, 1e3), 0.1,
+                "a block slower than this is at rest")
           .real("still_share", "", Range::open(0.0, 1.0), 0.001,
                 "mass share that may still move in a pile called still")
           .real("fastest_allowed", "m/s", Range::left_open(0.0, 1e5), 2000.0,

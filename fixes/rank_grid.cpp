@@ -19,11 +19,11 @@ namespace {
 constexpr const char* kStyle = "rank_grid";
 
 const ArgTable& table() {
-  static const ArgTable args =
-      ArgTable(kStyle)
-          .real("width_y", "m", Range::left_open(0.0, 1e6), std::nullopt, "of the rock along y, the row")
-          .real("thinnest", "m", Range::left_open(0.0, 1e6), std::nullopt,
-                "slab of rock along y that one rank may have");
+  static const ArgTable args = ArgTable(kStyle)
+                                   .real("width_y", "m", Range::left_open(0.0, 1e6), std::nullopt,
+                                         "of the rock along y, the row")
+                                   .real("thinnest", "m", Range::left_open(0.0, 1e6), std::nullopt,
+                                         "slab of rock along y that one rank may have");
   return args;
 }
 

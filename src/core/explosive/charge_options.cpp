@@ -16,7 +16,8 @@ namespace {
 
 constexpr const char* kNotGiven = "auto";
 constexpr double kMPa = 1e6;
-constexpr double kAtOnce = 1e20;  // a detonation velocity that fires the whole charge in no time [m/s]
+constexpr double kAtOnce =
+    1e20;  // a detonation velocity that fires the whole charge in no time [m/s]
 
 const std::vector<std::string> kModels = {"explosion_state",       "explosion_state_fit",
                                           "explosion_state_gamma", "chapman_jouguet",
@@ -119,8 +120,11 @@ void add_explosive_keywords(ArgTable& table) {
   table.word("explosive_table", {}, "none",
              "CSV file with explosives of your own, in the columns of the shipped explosives.csv; "
              "its names win");
-  add_optional(table, "explosive_density", "density of the charge [kg/m3], 10 to 1e4; auto: the table's");
-  add_optional(table, "vod", "detonation velocity along the column [m/s], >= 100 (1e20: all at once); auto: the table's");
+  add_optional(table, "explosive_density",
+               "density of the charge [kg/m3], 10 to 1e4; auto: the table's");
+  add_optional(
+      table, "vod",
+      "detonation velocity along the column [m/s], >= 100 (1e20: all at once); auto: the table's");
   add_optional(table, "explosive_energy",
                "energy per mass [J/kg], 1e4 to 1e9; auto: the table's; for the energy report only");
   add_optional(table, "explosive_gamma",
@@ -131,17 +135,21 @@ void add_explosive_keywords(ArgTable& table) {
 
 void add_borehole_keywords(ArgTable& table) {
   table.word("borehole_model", kModels, "explosion_state", "formula for the borehole pressure P0");
-  add_optional(table, "borehole_pressure", "P0 itself [Pa], 1e5 to 1e12; auto: from borehole_model");
-  add_optional(table, "rock_impedance",
-               "density times P-wave speed of the rock [Pa s/m], 1e3 to 1e9; needed by impedance_matched "
-               "only");
+  add_optional(table, "borehole_pressure",
+               "P0 itself [Pa], 1e5 to 1e12; auto: from borehole_model");
+  add_optional(
+      table, "rock_impedance",
+      "density times P-wave speed of the rock [Pa s/m], 1e3 to 1e9; needed by impedance_matched "
+      "only");
 }
 
 void add_decoupling_keywords(ArgTable& table) {
-  add_optional(table, "charge_diameter",
-               "diameter of the charge [m], 1e-3 to 10, at most hole_diameter; auto: it fills the hole");
+  add_optional(
+      table, "charge_diameter",
+      "diameter of the charge [m], 1e-3 to 10, at most hole_diameter; auto: it fills the hole");
   add_optional(table, "charge_length",
-               "length of the charge [m], > 0 and <= 1000, from its toe; what is left of the hole's axis is an "
+               "length of the charge [m], > 0 and <= 1000, from its toe; what is left of the "
+               "hole's axis is an "
                "air deck; auto: the whole axis");
   table.word("coupling", {"air", "water", "stemming"}, "air",
              "what stands around a charge thinner than its hole");
@@ -164,7 +172,8 @@ void add_expansion_keywords(ArgTable& table) {
             "pressure p_k at which the isentrope changes its exponent and the gas stage starts")
       .real("gas_gamma_dense", "", Range::closed(1.0, 10.0), 3.0,
             "isentrope exponent above p_k (two_stage)")
-      .real("gas_gamma", "", Range::closed(1.0, 10.0), 1.4, "isentrope exponent below p_k (two_stage)");
+      .real("gas_gamma", "", Range::closed(1.0, 10.0), 1.4,
+            "isentrope exponent below p_k (two_stage)");
 }
 
 void read_explosive(ChargeOptions& options, const ArgValues& values, const std::string& where) {
@@ -208,7 +217,8 @@ void read_decoupling(ChargeOptions& options, const ArgValues& values, const std:
           optional_real(values, where, "charge_diameter", "m", Range::closed(1e-3, 10.0))) {
     options.charge_radius = 0.5 * *diameter;
   }
-  options.charge_length = optional_real(values, where, "charge_length", "m", Range::left_open(0.0, 1e3));
+  options.charge_length =
+      optional_real(values, where, "charge_length", "m", Range::left_open(0.0, 1e3));
   DecouplingRule& rule = options.decoupling;
   const std::string& coupling = values.word("coupling");
   rule.coupling = coupling == "air"     ? Coupling::air
