@@ -20,6 +20,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Of a joint alone [Pa/m]; 0 stands for rigid.
 Range stiffness_range() { return Range::closed(0.0, 1e15); }
 
+/// The upper end stands for rock that does not break.
+Range strength_range() { return Range::closed(0.0, 1e12); }
+
 const ArgTable& table() {
   static const ArgTable args =
       ArgTable("fix muckpile/joint")
@@ -27,11 +30,11 @@ const ArgTable& table() {
           .real("poisson_ratio", "", Range::right_open(0.0, 0.5), std::nullopt, "of the rock")
           .real("density", "kg/m3", Range::closed(100.0, 30000.0), std::nullopt,
                 "of the rock; sets the damping only")
-          .real("cohesion", "Pa", Range::non_negative(), std::nullopt,
+          .real("cohesion", "Pa", strength_range(), std::nullopt,
                 "shear strength without normal stress")
           .real("friction_angle", "deg", Range::right_open(0.0, 90.0), std::nullopt,
                 "of the unbroken joint")
-          .real("tension", "Pa", Range::non_negative(), std::nullopt, "tensile strength (cut-off)")
+          .real("tension", "Pa", strength_range(), std::nullopt, "tensile strength (cut-off)")
           .real("residual_friction_angle", "deg", Range::right_open(0.0, 90.0), 35.0,
                 "of the broken joint")
           .real("normal_stiffness", "Pa/m", stiffness_range(), 0.0,
@@ -46,13 +49,13 @@ const ArgTable& table() {
                  "natural joints of the planes that create_blocks gives this class: cohesion [Pa], "
                  "friction angle [deg], tension [Pa], residual friction angle [deg], normal and "
                  "shear stiffness [Pa/m; 0: rigid]; the first one is class 1, the next class 2")
-          .real("fracture_energy_tension", "J/m2", Range::non_negative(), 0.0,
+          .real("fracture_energy_tension", "J/m2", Range::closed(0.0, 1e9), 0.0,
                 "taken as tension falls to nothing, linearly with the opening; 0: at once")
-          .real("fracture_energy_shear", "J/m2", Range::non_negative(), 0.0,
+          .real("fracture_energy_shear", "J/m2", Range::closed(0.0, 1e9), 0.0,
                 "taken as cohesion falls to nothing, linearly with the slip; 0: at once")
           .real("rate_exponent", "", Range::closed(0.0, 1.0), 0.0,
                 "tension and cohesion grow with this power of the strain rate; 0: not")
-          .real("reference_rate", "1/s", Range::positive(), 1e-6,
+          .real("reference_rate", "1/s", Range::closed(1e-12, 1e6), 1e-6,
                 "strain rate up to which strength is that at rest")
           .integer(
               "open_sleep", "steps", Range::closed(0, 1000), 20,
@@ -68,7 +71,7 @@ std::vector<JointClass> joint_classes(const ArgValues& args, const std::string& 
     const auto number = [&](std::size_t k, const char* unit, const Range& range) {
       return parse_real(where, "joint_class", words[k], unit, range);
     };
-    const Range size = Range::non_negative(), angle = Range::right_open(0.0, 90.0);
+    const Range size = strength_range(), angle = Range::right_open(0.0, 90.0);
     JointClass joint;
     joint.cohesion = number(0, "Pa", size);
     joint.friction_angle = number(1, "deg", angle) * kDegree;
