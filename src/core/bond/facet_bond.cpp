@@ -34,7 +34,10 @@ void FacetNetwork::tractions(double dt) {
   std::fill(force_.begin(), force_.end(), Vec3::Zero());
   std::fill(torque_.begin(), torque_.end(), Vec3::Zero());
   newly_cracked_ = false;
-  for (const LaneSet& set : working_) work_group(set, dt);
+  for (std::size_t k = 0; k < working_.size(); ++k) {
+    if (k + 1 < working_.size()) fetch_contacts(working_[k + 1]);
+    work_group(working_[k], dt);
+  }
   ++calls_;
   load_faces();
   press_joints();

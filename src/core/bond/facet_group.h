@@ -34,6 +34,12 @@ struct alignas(64) FacetGroup {
   FacetRows<float> arm{}, half_1{}, half_2{};  ///< centroid from the centre of i; half axes [m]
   FacetRows<float> normal{};                   ///< [-]
   FacetRows<float> opening_i{}, opening_j{};   ///< m of the two blocks [-]
+
+  /// Asks for i, j and sharpening ahead of their use.
+  void fetch_couplings() const {
+    __builtin_prefetch(i.data());
+    __builtin_prefetch(sharpening.data());
+  }
 };
 
 /// Some facets of one group.

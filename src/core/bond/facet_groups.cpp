@@ -173,6 +173,14 @@ unsigned FacetNetwork::hold_group(std::size_t g, unsigned lanes, WideForces& for
   torque_[j] += at_lane(forces.torque_j, k);
 }
 
+/// What broken facets remember lies where they broke, not side by side: waiting for it took longer
+/// than working with it.
+void FacetNetwork::fetch_contacts(const LaneSet& working) const {
+  for (unsigned left = working.lanes; left != 0; left &= left - 1)
+    memory_[working.group * kGroup + static_cast<std::size_t>(std::countr_zero(left))]
+        .contact.fetch();
+}
+
 void FacetNetwork::work_group(const LaneSet& working, double dt) {
   WideForces forces;
   unsigned held = damping_ == 0.0 ? working.lanes & whole_lanes(working.group) : 0;

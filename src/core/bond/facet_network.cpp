@@ -15,6 +15,8 @@
 namespace muckpile {
 namespace {
 
+constexpr std::size_t kAhead = 4;  // groups fetched ahead of the one at work
+
 /// m of block i. A block may slide along a mirror, and the ground of a fixed support may yield.
 Vec3 opening_of(const Facet& facet) {
   if (facet.kind == FacetKind::joint) return facet.opening_i;
@@ -273,6 +275,7 @@ void FacetNetwork::bulk_stresses() {
   for (BlockSums& sums : sums_) sums.uneven = 0.0;
   for (const LaneSet& set : bonded_) {
     const FacetGroup& group = groups_[set.group];
+    if (set.group + kAhead < groups_.size()) groups_[set.group + kAhead].fetch_couplings();
     for (std::size_t k = 0; k < kGroup; ++k) {  // nothing of those that are not bonded
       const auto i = static_cast<std::size_t>(group.i[k]), j = static_cast<std::size_t>(group.j[k]);
       const double part = group.sharpening[k] * (theta_[i] - theta_[j]);

@@ -380,6 +380,7 @@ class FacetNetwork {
   [[nodiscard]] WidePose pose_of(const FacetGroup& group) const;
   void open_group(const LaneSet& bonded);
   void work_group(const LaneSet& working, double dt);
+  void fetch_contacts(const LaneSet& working) const;
   [[nodiscard]] unsigned hold_group(std::size_t g, unsigned lanes, WideForces& forces) const;
   void add_forces(const FacetGroup& group, std::size_t k, const WideForces& forces);
 

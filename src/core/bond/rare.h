@@ -3,6 +3,7 @@
 // Scope: copies are deep; reading a value that is not there gives the default one.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 
 namespace muckpile {
@@ -30,6 +31,13 @@ class Rare {
     return *value_;
   }
   void drop() { value_.reset(); }
+  /// Asks for the value, if there is one, ahead of its use.
+  void fetch() const {
+    constexpr std::size_t kLine = 64;
+    const auto* bytes = reinterpret_cast<const char*>(value_.get());
+    for (std::size_t k = 0; bytes != nullptr && k < sizeof(T); k += kLine)
+      __builtin_prefetch(bytes + k);
+  }
 
  private:
   std::unique_ptr<T> value_;
