@@ -86,14 +86,20 @@ void FacetNetwork::list_wall() {
 /// enters.
 void FacetNetwork::hold_faces() {
   if (wall_.empty()) return;
+  for (const std::uint32_t f : wall_) {
+    backs_[static_cast<std::size_t>(i_of(f))].setZero();
+    backs_[static_cast<std::size_t>(j_of(f))].setZero();
+  }
   for (const BoundaryFace& face : faces_) backs_[static_cast<std::size_t>(face.block)].setZero();
   for (const BoundaryFace& face : faces_) {
     if (face.hole < 0) backs_[static_cast<std::size_t>(face.block)] += face.area * face.normal;
   }
   for (const std::uint32_t f : wall_) {
-    if (states_[f] == FacetState::retired) continue;
-    const Vec3 part =
-        memory_[f].contact.get().fade * area(f) * at_lane(group_of(f).normal, lane_of(f));
+    // Gas in a joint is followed and presses by itself: there the load is not reduced.
+    const bool followed = memory_[f].gas;
+    if (states_[f] == FacetState::retired && !followed) continue;
+    const double share = followed ? 1.0 : memory_[f].contact.get().fade;
+    const Vec3 part = share * area(f) * at_lane(group_of(f).normal, lane_of(f));
     backs_[static_cast<std::size_t>(i_of(f))] += part;
     backs_[static_cast<std::size_t>(j_of(f))] -= part;
   }
@@ -101,7 +107,7 @@ void FacetNetwork::hold_faces() {
     if (face.hole < 0) continue;
     const auto b = static_cast<std::size_t>(face.block);
     const double along = -backs_[b].dot(walls_[b]), whole = walls_[b].squaredNorm();
-    if (along > (1.0 - kRounding) * whole) {
+    if (along >= (1.0 - kRounding) * whole) {  // also where walls cancel each other
       face.held = 1.0;
     } else {
       face.held = std::max(0.0, along / whole);

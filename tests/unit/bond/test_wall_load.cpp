@@ -83,6 +83,17 @@ TEST(WallLoad, EndsOnceTheBlockBehindHasGoneAhead) {
   EXPECT_EQ(wall.scene.network().volume_swept(wall.face()), filled);  // the gas is round it
 }
 
+TEST(WallLoad, IsNotReducedWhereTheGasBehindPressesByItself) {
+  Wall wall;
+  wall.scene.network().keep_gas_in_joints();
+  wall.put({1e-3, 0, 0});
+  wall.put({0.11 * kRadius, 0, 0});
+  EXPECT_DOUBLE_EQ(wall.face().held, 1.0);
+  wall.scene.network().release_gas(0);  // in the open: the gas is round the block
+  wall.put({0.11 * kRadius, 0, 0});
+  EXPECT_EQ(wall.face().held, 0.0);
+}
+
 TEST(WallLoad, WorkIsTheEnergyOfTheBlocksThroughTheChange) {
   // The wall pushes both blocks to 1e6 / (2 x 2600) m/s2 until block 1 is given 40 m/s more and
   // leaves block 0 behind; then block 0 keeps its speed.
