@@ -167,11 +167,13 @@ void BlockPlacement::count_atoms() {
   atom->map_set();
 }
 
-void BlockPlacement::create_spheres(const RigidBody& body, int tag, int first_atom_tag) {
+/// `displace`: of each sphere from the centre, in the body's axes [m].
+void BlockPlacement::create_spheres(const RigidBody& body, const std::vector<double*>& displace,
+                                    int tag, int first_atom_tag) {
   const auto count = static_cast<double>(body.spheres.size());
   for (std::size_t k = 0; k < body.spheres.size(); ++k) {
     const Sphere& sphere = body.spheres[k];
-    Vec3 at = sphere.centre, displace = body.axes.transpose() * (sphere.centre - body.centre);
+    Vec3 at = sphere.centre;
     atom->avec->create_atom(type_, at.data());
     const int m = atom->nlocal - 1;
     atom->tag[m] = first_atom_tag + static_cast<int>(k);
@@ -182,12 +184,11 @@ void BlockPlacement::create_spheres(const RigidBody& body, int tag, int first_at
     for (int f = 0; f < modify->nfix; ++f) {
       if (modify->fix[f]->create_attribute != 0) modify->fix[f]->set_arrays(m);
     }
-    multisphere_->set_body_displace(m, displace.data(), tag, 1.0 / count);
+    multisphere_->set_body_displace(m, displace[k], tag, 1.0 / count);
   }
 }
 
 void BlockPlacement::create_body(const RigidBody& body, int tag, int first_atom_tag) {
-  create_spheres(body, tag, first_atom_tag);
   double reach = 0.0;
   std::vector<Vec3> displace;
   std::vector<double*> rows;
@@ -197,6 +198,7 @@ void BlockPlacement::create_body(const RigidBody& body, int tag, int first_atom_
     rows.push_back(displace.back().data());
     reach = std::max(reach, displace.back().norm() + sphere.radius);
   }
+  create_spheres(body, rows, tag, first_atom_tag);
   Vec3 centre = body.centre, zero = Vec3::Zero(), inertia = body.inertia;
   Mat3 axes = body.axes;
   std::array<bool, 3> free{true, true, true};

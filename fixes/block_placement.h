@@ -31,7 +31,8 @@ class BlockPlacement : protected LAMMPS_NS::Pointers {
   [[nodiscard]] std::vector<char> hand_out(const RockModel& model) const;
   void create(const std::vector<char>& mine, const std::vector<Hole>& holes, int blocks);
   void create_body(const RigidBody& body, int tag, int first_atom_tag);
-  void create_spheres(const RigidBody& body, int tag, int first_atom_tag);
+  void create_spheres(const RigidBody& body, const std::vector<double*>& displace, int tag,
+                      int first_atom_tag);
   void count_atoms();
 
   LAMMPS_NS::FixMultisphere* multisphere_;

@@ -9,6 +9,7 @@
 #include <fix_multisphere.h>
 #include <multisphere.h>
 #include <region.h>
+#include <unistd.h>
 #include <update.h>
 
 #include <cstdint>
@@ -42,6 +43,12 @@ void on_rank_0(LAMMPS_NS::LAMMPS& lmp, const std::function<void()>& body) {
   engine::stop(lmp, in_create_blocks(fault));
 }
 
+/// Of this machine [bytes].
+std::size_t installed_memory() {
+  return static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) *
+         static_cast<std::size_t>(sysconf(_SC_PAGE_SIZE));
+}
+
 RegionQuery query(LAMMPS_NS::Region& rock) {
   RegionQuery region;
   region.inside = [&rock](const Vec3& p) { return rock.match(p.x(), p.y(), p.z()) != 0; };
@@ -70,7 +77,7 @@ void CreateBlocks::command(int narg, char** arg) {
   CutOptions options;
   SupportRule held;
   engine::or_engine_error(*lmp, [&] {
-    options = cut_options(args);
+    options = cut_options(args, installed_memory());
     bound(options.rock, rock);
     held = support(args);
     return 0;

@@ -13,4 +13,9 @@ class InputError : public std::runtime_error {
   explicit InputError(const std::string& message) : std::runtime_error(message) {}
 };
 
+/// `where` names style and id, as in every message.
+[[noreturn]] inline void refuse(const std::string& where, const std::string& text) {
+  throw InputError(where + ": " + text);
+}
+
 }  // namespace muckpile

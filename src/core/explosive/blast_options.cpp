@@ -82,10 +82,6 @@ void add_timing_keywords(ArgTable& table) {
       .group("hole", 3, 3, true, "N delay SECONDS: this hole's own firing time");
 }
 
-[[noreturn]] void refuse(const std::string& where, const std::string& text) {
-  throw InputError(where + ": " + text);
-}
-
 double primer_place(const std::string& where, const std::string& word) {
   if (word == "bottom") return 0.0;
   if (word == "top") return 1.0;

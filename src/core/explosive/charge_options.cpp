@@ -23,10 +23,6 @@ const std::vector<std::string> kModels = {"explosion_state",       "explosion_st
                                           "explosion_state_gamma", "chapman_jouguet",
                                           "impedance_matched",     "jwl"};
 
-[[noreturn]] void refuse(const std::string& where, const std::string& text) {
-  throw InputError(where + ": " + text);
-}
-
 JwlParameters typed_jwl(const std::string& where, const std::vector<std::string>& words,
                         const NamedExplosive& explosive) {
   std::array<double, 6> v{};

@@ -10,10 +10,6 @@
 namespace muckpile {
 namespace {
 
-[[noreturn]] void refuse(const std::string& where, const std::string& text) {
-  throw InputError(where + ": " + text);
-}
-
 /// What one row of the pattern says instead of the style's words.
 void apply_deck(LoadedHole& hole, const BlastOptions& options, const Deck& deck) {
   if (deck.explosive) {

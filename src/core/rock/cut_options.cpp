@@ -2,8 +2,6 @@
 // What the words of create_blocks ask for; see the header.
 #include "rock/cut_options.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,9 +17,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-[[noreturn]] void refuse(const std::string& text) {
-  throw InputError(std::string(kCreateBlocks) + ": " + text);
-}
+[[noreturn]] void refuse_cut(const std::string& text) { refuse(kCreateBlocks, text); }
 
 double real_of(const std::string& keyword, const std::string& word, const char* unit,
                const Range& range) {
@@ -39,8 +35,8 @@ double radians_of(const std::string& keyword, const std::string& word, double mo
 SizeLimits size_limits(const ArgValues& args) {
   const SizeLimits limits{args.real("block_min"), args.real("block_max")};
   if (limits.largest < limits.smallest) {
-    refuse("block_max must be >= block_min (" + number_text(limits.smallest) + " m), got '" +
-           number_text(limits.largest) + "'");
+    refuse_cut("block_max must be >= block_min (" + number_text(limits.smallest) + " m), got '" +
+               number_text(limits.largest) + "'");
   }
   return limits;
 }
@@ -53,12 +49,12 @@ double size_value(const Words& words, std::size_t k, const char* unit) {
 /// Fails unless `size LAW` has so many values behind it.
 void need_values(const Words& words, std::size_t count) {
   if (words.size() == count + 1) return;
-  refuse("size " + words[0] + " takes " + std::to_string(count) + " value(s), got " +
-         std::to_string(words.size() - 1));
+  refuse_cut("size " + words[0] + " takes " + std::to_string(count) + " value(s), got " +
+             std::to_string(words.size() - 1));
 }
 
 SizeLaw size_bands(const Words& words, const SizeLimits& limits) {
-  if (words.size() % 2 == 0) refuse("size bands takes pairs of a radius and a size");
+  if (words.size() % 2 == 0) refuse_cut("size bands takes pairs of a radius and a size");
   SizeBands bands;
   for (std::size_t k = 1; k + 1 < words.size(); k += 2)
     bands.bands.emplace_back(size_value(words, k, "m"), size_value(words, k + 1, "m"));
@@ -85,8 +81,8 @@ SizeLaw size_law(const Words& words, const SizeLimits& limits) {
     need_values(words, 1);
     return SizeLaw::uniform(number(1, "m"));
   }
-  refuse("size must be harries, power, table, bands, uniform, target or import, got '" + words[0] +
-         "'");
+  refuse_cut("size must be harries, power, table, bands, uniform, target or import, got '" +
+             words[0] + "'");
 }
 
 SizeTarget size_target(const Words& words) {
@@ -97,15 +93,16 @@ SizeTarget size_target(const Words& words) {
     return SizeTarget::kuz_ram(number(2, "m"), number(3, ""));
   if (words.size() == 5 && words[1] == "swebrec")
     return SizeTarget::swebrec(number(2, "m"), number(3, "m"), number(4, ""));
-  refuse("size target must be followed by 'kuz_ram x50 n' or 'swebrec x50 xmax b'");
+  refuse_cut("size target must be followed by 'kuz_ram x50 n' or 'swebrec x50 xmax b'");
 }
 
 void read_size(CutOptions& options, const ArgValues& args) {
-  if (!args.given("size")) refuse("keyword 'size' is required");
+  if (!args.given("size")) refuse_cut("keyword 'size' is required");
   const Words& words = args.groups("size").front();
   options.limits = size_limits(args);
   options.rock.superpose = args.flag("superpose");
-  if (options.rock.superpose && words[0] != "harries") refuse("superpose yes needs size harries");
+  if (options.rock.superpose && words[0] != "harries")
+    refuse_cut("superpose yes needs size harries");
   if (words[0] != "import" && words[0] != "target") {
     options.rock.size = size_law(words, options.limits);
     return;
@@ -184,26 +181,26 @@ void read_cut(CutOptions& options, const ArgValues& args) {
   if (args.word("cut") == "joint_sets") {
     options.joint_sets = joint_sets(args);
   } else if (args.given("joint_set") || args.given("sliver")) {
-    refuse("joint_set and sliver need 'cut joint_sets'");
+    refuse_cut("joint_set and sliver need 'cut joint_sets'");
   }
   if (options.joint_sets && options.target)
-    refuse("size target needs 'cut voronoi': joint sets halve block sizes in steps");
+    refuse_cut("size target needs 'cut voronoi': joint sets halve block sizes in steps");
   if (options.import_file && args.given("cut"))
-    refuse("size import leaves nothing to cut: no 'cut'");
+    refuse_cut("size import leaves nothing to cut: no 'cut'");
 }
 
-std::size_t most_blocks(const ArgValues& args) {
-  if (args.integer("max_blocks") > 0) return static_cast<std::size_t>(args.integer("max_blocks"));
-  // Measured peaks: 12 kB a block while cutting, 0.7 kB a sphere in LIGGGHTS and contact lists.
-  const double bytes_per_block =
-      12e3 + 0.7e3 * static_cast<double>(args.integer("spheres_per_block"));
-  const double installed =
-      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
-  return static_cast<std::size_t>(std::min(0.5 * installed / bytes_per_block, 5e6));
+/// As many as half of the memory [bytes] holds, at most 5 million. Measured peaks: 12 kB a block
+/// while cutting, 0.7 kB a sphere in LIGGGHTS and contact lists.
+std::size_t blocks_in_memory(std::size_t memory, int spheres_per_block) {
+  const double bytes_per_block = 12e3 + 0.7e3 * spheres_per_block;
+  return static_cast<std::size_t>(
+      std::min(0.5 * static_cast<double>(memory) / bytes_per_block, 5e6));
 }
 
-CutOptions read(const ArgValues& args) {
+CutOptions read(const ArgValues& args, std::size_t memory) {
   CutOptions options;
+  options.density = args.real("density");
+  options.spheres_per_block = static_cast<int>(args.integer("spheres_per_block"));
   read_size(options, args);
   read_cut(options, args);
   TessellationOptions& rock = options.rock;
@@ -214,18 +211,18 @@ CutOptions read(const ArgValues& args) {
     rock.planes.push_back({plane.point, plane.normal});
   rock.seed = static_cast<unsigned long>(args.integer("seed"));
   rock.sweeps = static_cast<int>(args.integer("sweeps"));
-  rock.max_blocks = most_blocks(args);
-  options.density = args.real("density");
-  options.spheres_per_block = static_cast<int>(args.integer("spheres_per_block"));
+  rock.max_blocks = args.integer("max_blocks") > 0
+                        ? static_cast<std::size_t>(args.integer("max_blocks"))
+                        : blocks_in_memory(memory, options.spheres_per_block);
   options.sphere_growth = args.real("sphere_growth");
   return options;
 }
 
 }  // namespace
 
-CutOptions cut_options(const ArgValues& args) {
+CutOptions cut_options(const ArgValues& args, std::size_t memory) {
   try {
-    return read(args);
+    return read(args, memory);
   } catch (const InputError& error) {
     throw InputError(in_create_blocks(error.what()));
   }

@@ -3,6 +3,7 @@
 // Scope: no engine; every fault in the words throws InputError that starts with the style's name.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,7 +32,8 @@ struct CutOptions {
 };
 
 /// Throws InputError where words contradict each other or one that is needed is missing, a value
-/// is outside its range, or a file cannot be read.
-[[nodiscard]] CutOptions cut_options(const ArgValues& args);
+/// is outside its range, or a file cannot be read. `memory` is the machine's [bytes]; it bounds the
+/// number of blocks where the user does not.
+[[nodiscard]] CutOptions cut_options(const ArgValues& args, std::size_t memory);
 
 }  // namespace muckpile

@@ -63,7 +63,8 @@ std::string describe_blocks(const RockModel& model, double seconds) {
        << quantile(ratios, 0.9) << " (10 and 90 %)\n"
        << "  volume " << std::setprecision(9) << volume << std::setprecision(4) << " m3 in blocks, "
        << model.rock.statistics.void_volume << " m3 removed; largest initial sphere overlap "
-       << model.largest_overlap << " of a radius; " << seconds << " s\n";
+       << model.largest_overlap << " of a radius; " << std::fixed << std::setprecision(2) << seconds
+       << " s\n";
   return text.str();
 }
 

@@ -2,6 +2,8 @@
 // The rock as the engine takes it; see the header.
 #include "rock/rock_model.h"
 
+#include <utility>
+
 #include "args/input_error.h"
 #include "geometry/block_import.h"
 

@@ -14,11 +14,13 @@ namespace {
 
 const std::string kRock = "density 2700 block_min 0.1 block_max 0.5 ";
 
+constexpr std::size_t kMemory = 8'000'000'000;  // [bytes]
+
 CutOptions read(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> words;
   for (std::string word; stream >> word;) words.push_back(word);
-  return cut_options(parse_args(cut_table(), kCreateBlocks, words));
+  return cut_options(parse_args(cut_table(), kCreateBlocks, words), kMemory);
 }
 
 std::string message(const std::string& text) {
@@ -70,6 +72,12 @@ TEST(CutOptions, OtherCutsAreNotPlain) {
   EXPECT_EQ(sets.joint_sets->sets[1].spacing, 2.0);
 }
 
+TEST(CutOptions, MemoryBoundsTheBlocksUnlessTheUserDoes) {
+  // half of 8 GB, 12 kB a block and 0.7 kB for each of 10 spheres
+  EXPECT_EQ(read(kRock + "size uniform 0.3 spheres_per_block 10").rock.max_blocks, 210526u);
+  EXPECT_EQ(read(kRock + "size uniform 0.3 max_blocks 77").rock.max_blocks, 77u);
+}
+
 TEST(CutOptions, RefusesWhatDoesNotFitTogether) {
   EXPECT_EQ(message("density 2700 block_min 0.5 block_max 0.1 size uniform 0.3"),
             "create_blocks: block_max must be >= block_min (0.5 m), got '0.1'");
@@ -86,6 +94,12 @@ TEST(CutOptions, RefusesWhatDoesNotFitTogether) {
             "create_blocks: joint_set and sliver need 'cut joint_sets'");
   EXPECT_EQ(message(kRock + "size import a.vtk cut voronoi"),
             "create_blocks: size import leaves nothing to cut: no 'cut'");
+  EXPECT_EQ(message(kRock + "size target kuz_ram 0.3 1 cut joint_sets joint_set 90 0"),
+            "create_blocks: size target needs 'cut voronoi': joint sets halve block sizes in "
+            "steps");
+  EXPECT_EQ(message(kRock + "size uniform 0.3 hole 0 0 0 0 0 5 0.2 hole 0.1 0 0 0.1 0 5 0.2")
+                .substr(0, 15),
+            "create_blocks: ");
   EXPECT_EQ(message(kRock + "size target kuz_ram 0.3"),
             "create_blocks: size target must be followed by 'kuz_ram x50 n' or 'swebrec x50 xmax "
             "b'");

@@ -20,7 +20,7 @@ CutOptions cube(const std::string& text) {
   std::istringstream stream("density 2500 block_min 0.3 block_max 0.6 " + text);
   std::vector<std::string> words;
   for (std::string word; stream >> word;) words.push_back(word);
-  CutOptions options = cut_options(parse_args(cut_table(), kCreateBlocks, words));
+  CutOptions options = cut_options(parse_args(cut_table(), kCreateBlocks, words), 8'000'000'000);
   options.rock.hi = Vec3::Constant(2.0);
   return options;
 }
@@ -36,6 +36,20 @@ TEST(RockModel, BodiesHoldAllOfTheRock) {
   for (const Facet& facet : model.facets.facets) lowest = std::min(lowest, facet.tag_i);
   EXPECT_EQ(lowest, 11);
   EXPECT_NE(describe(model, 0.0).find("volume 8 m3 in blocks"), std::string::npos);
+}
+
+TEST(RockModel, SupportsAndJointClassesReachTheFacets) {
+  const SupportRule floor = [](const Vec3& at) {
+    return at.z() < 1e-6 ? Support::fixed : Support::free;
+  };
+  const RockModel model = cut_rock(cube("size uniform 0.5 joint_plane 1 1 1 90 90 3"), 1, floor);
+  double held = 0.0, natural = 0.0;
+  for (const Facet& facet : model.facets.facets) {
+    if (facet.kind == FacetKind::fixed) held += facet.area;
+    if (facet.joint_class == 3) natural += facet.area;
+  }
+  EXPECT_NEAR(held, 4.0, 1e-9);
+  EXPECT_NEAR(natural, 4.0, 1e-9);
 }
 
 TEST(RockModel, ATargetIsReportedPointByPoint) {
