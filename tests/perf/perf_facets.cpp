@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // perf_facets: time of one force computation of the facet network per integration point, on one
 // core; prints JSON to standard output.
-// Scope: core only, no communication: three passes over intact rock, over rock whose facets are all
-// broken but closed, and over rock that has fallen apart.
+// Scope: core only, no communication: three passes over intact rock, without and with dashpots,
+// over rock whose facets are all broken but closed, and over rock that has fallen apart.
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -19,10 +19,11 @@ constexpr double kStep = 1e-6;  // [s]
 constexpr double kStrain = 1e-4;
 constexpr double kTarget = 8.0;  // per integration point [ns]
 
-test::BondScene cube(const std::vector<Block>& blocks, double strength) {
+test::BondScene cube(const std::vector<Block>& blocks, double strength, double damping = 0.0) {
   JointParameters rock = test::rock(0.25);
   rock.tension = rock.cohesion = strength;
   rock.residual_friction_angle = 0.6;
+  rock.damping = damping;
   rock.contact_damping = 0.05;
   rock.longest_sleep = 20.0;
   return {blocks, rock};
@@ -49,6 +50,10 @@ nlohmann::ordered_json measure() {
   result["bytes_per_facet"] = bytes / static_cast<double>(intact.network().facets().size());
   intact.deform(-kStrain * Mat3::Identity());
   result["intact"] = time_of(intact);
+
+  test::BondScene damped = cube(blocks, 1e30, 0.05);
+  damped.deform(-kStrain * Mat3::Identity());
+  result["intact_damped"] = time_of(damped);
 
   test::BondScene broken = cube(blocks, 0.0);
   broken.deform(kStrain * Mat3::Identity());

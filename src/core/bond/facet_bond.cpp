@@ -82,23 +82,25 @@ Vec3 FacetNetwork::mean_traction(std::size_t f) const {
 /// Forces of any facet: breaks points, and handles broken and damped ones.
 void FacetNetwork::work_facet(std::size_t f, double dt) {
   const Motion motion = motion_of(f);
+  const Contact contact = contact_of(f);
   const bool bonded = bonded_points_[f] > 0;
-  if (!bonded && !closes(f, motion, dt)) return;
+  if (!bonded && !closes(f, motion, contact, dt)) return;
   Pull pull = bonded ? bonded_pull(f, motion) : Pull(motion);
   const BlockState& si = state_[static_cast<std::size_t>(i_of(f))];
   const BlockState& sj = state_[static_cast<std::size_t>(j_of(f))];
   // The velocity that block j's rock would have at the centre of block i, less that of block i.
   const Vec3 slip = sj.velocity - si.velocity + sj.spin.cross(si.centre - sj.centre);
   pull.rate = LaneVec(slip) + cross(LaneVec(Vec3(sj.spin - si.spin)), pull.arm);
-  if (bonded) work_bonded(f, motion, pull, dt);
-  if (bonded_points_[f] < kFacetPoints) add_contact(f, motion, pull, dt);
+  if (bonded) work_bonded(f, motion, contact, pull, dt);
+  if (bonded_points_[f] < kFacetPoints) add_contact(f, motion, contact, pull, dt);
   if (softens_) add_cohesion(f, motion, pull, dt);
   apply(f, pull);
 }
 
 /// Breaks points that fail, damps the others; the traction of broken points is no longer true.
-void FacetNetwork::work_bonded(std::size_t f, const Motion& motion, Pull& pull, double dt) {
-  const bool torn = turned_away(f, motion);
+void FacetNetwork::work_bonded(std::size_t f, const Motion& motion, const Contact& contact,
+                               Pull& pull, double dt) {
+  const bool torn = turned_away(motion, contact);
   const LaneMask fails = torn ? is_point() : pull.failing(bond_of(f));
   for (int p = 0; p < kFacetPoints; ++p) {
     const auto q = static_cast<std::size_t>(p);
@@ -115,8 +117,7 @@ void FacetNetwork::work_bonded(std::size_t f, const Motion& motion, Pull& pull, 
   const LaneMask bonded = is_point() && !where_true(memory_[f].broken);
   const LaneVec rate = choose(bonded, Lanes(1.0), 0.0) * pull.rate;
   pull.traction += Lanes(damping_) * rate;
-  losses_.damping +=
-      facets_[f].weight * bond_of(f).point_area * damping_ * dt * sum(dot(rate, rate));
+  losses_.damping += contact.weight * contact.point_area * damping_ * dt * sum(dot(rate, rate));
 }
 
 void FacetNetwork::break_point(std::size_t f, int p, const Break& broken, double dt) {

@@ -27,8 +27,8 @@ double ramp_down(double x, double start, double end) {
 /// Tractions of the broken points: no tension, friction, a dashpot along the normal. Friction is
 /// booked as the work that leapfrog takes from the blocks, that of the mean of the forces before
 /// and after the step's path, less what the springs have gained.
-void FacetNetwork::add_contact(std::size_t f, const Motion& motion, Pull& pull, double dt) {
-  const Contact contact = contact_of(f);
+void FacetNetwork::add_contact(std::size_t f, const Motion& motion, const Contact& contact,
+                               Pull& pull, double dt) {
   FacetMemory& memory = memory_[f];
   ContactMemory& remembered = memory.contact.made();
   const double fade = remembered.fade;
@@ -76,52 +76,49 @@ void FacetNetwork::add_contact(std::size_t f, const Motion& motion, Pull& pull, 
 }
 
 /// A facet that has turned so far does not hold on by a last point, as by a hinge.
-bool FacetNetwork::turned_away(std::size_t f, const Motion& motion) const {
+bool FacetNetwork::turned_away(const Motion& motion, const Contact& contact) {
   const Lanes squares = dot(motion.apart, motion.apart);
-  return squares[1] * contact_of(f).per_half_1_squared +
-             squares[2] * contact_of(f).per_half_2_squared >
-         kTurnStart * kTurnStart;
+  return contact.turned(squares[1], squares[2], kTurnStart);
 }
 
 /// Lets a broken facet fade and retire; false if it carries nothing in this step.
-bool FacetNetwork::closes(std::size_t f, const Motion& motion, double dt) {
+bool FacetNetwork::closes(std::size_t f, const Motion& motion, const Contact& contact, double dt) {
   FacetMemory& memory = memory_[f];
-  const Contact contact = contact_of(f);
   const double opened = dot(LaneVec(motion.normal), motion.apart)[0];
   const Lanes squares = dot(motion.apart, motion.apart);  // of the jump, of how half axes differ
-  const double slid_squared =
-      std::max(squares[0] - opened * opened, 0.0) / (contact.radius * contact.radius);
-  const double turned_squared =  // angle between the blocks [rad2], while small
-      squares[1] * contact.per_half_1_squared + squares[2] * contact.per_half_2_squared;
-  if (slid_squared > kSlideStart * kSlideStart || turned_squared > kTurnStart * kTurnStart) {
+  const double slid = std::max(squares[0] - opened * opened, 0.0);  // [m2]
+  const auto turned_squared = [&] { return contact.turned_squared(squares[1], squares[2]); };
+  if (slid > kSlideStart * kSlideStart * contact.radius_squared ||
+      contact.turned(squares[1], squares[2], kTurnStart)) {
     fade(f, motion,
-         ramp_down(std::sqrt(slid_squared), kSlideStart, kSlideEnd) *
-             ramp_down(std::sqrt(turned_squared), kTurnStart, kTurnEnd));
+         ramp_down(std::sqrt(slid / contact.radius_squared), kSlideStart, kSlideEnd) *
+             ramp_down(std::sqrt(turned_squared()), kTurnStart, kTurnEnd));
   }
   if (softens_ && holds_on(f)) return true;
-  if (memory.contact.get().fade == 0.0 || opened > kOpened * contact.radius) {
+  if (memory.contact.get().fade == 0.0 || contact.longer(opened, kOpened)) {
     memory.state = states_[f] = FacetState::retired;
     if (!memory.gas) memory.contact.drop();
     ++changed_since_;
     return false;
   }
-  if (opened <= kSurelyOpen * contact.radius) return true;
+  if (!contact.longer(opened, kSurelyOpen)) return true;
   const Lanes lengths = sqrt(squares);
-  const double tilted = std::sqrt(slid_squared * turned_squared) + kSurelyOpen;
-  const double gap = opened - lengths[1] - lengths[2] - tilted * contact.radius;
+  const double radius = contact.radius();
+  const double tilted = std::sqrt(slid * turned_squared()) + kSurelyOpen * radius;
+  const double gap = opened - lengths[1] - lengths[2] - tilted;
   if (gap <= 0.0) return true;
   memory.open = true;
-  let_sleep(f, gap, dt);
+  let_sleep(f, gap, radius, dt);
   return false;
 }
 
 /// Leaves an open facet alone for as long as its gap lasts at twice the present speed of approach,
 /// for a bounded time, because other forces may change that speed.
-void FacetNetwork::let_sleep(std::size_t f, double gap, double dt) {
+void FacetNetwork::let_sleep(std::size_t f, double gap, double radius, double dt) {
   const BlockState& si = state_[static_cast<std::size_t>(i_of(f))];
   const BlockState& sj = state_[static_cast<std::size_t>(j_of(f))];
   const double reach =
-      at_lane(group_of(f).arm, lane_of(f)).norm() + depths(f).second + 3.0 * contact_of(f).radius;
+      at_lane(group_of(f).arm, lane_of(f)).norm() + depths(f).second + 3.0 * radius;
   const double speed =
       (sj.velocity - si.velocity).norm() + (si.spin.norm() + sj.spin.norm()) * reach;
   if (dt <= 0.0) return;

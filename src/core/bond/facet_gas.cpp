@@ -35,11 +35,10 @@ FacetNetwork::OpenJoint FacetNetwork::open_joint(std::size_t f) const {
     if (memory_[f].broken[p])
       opening += std::max(0.0, gaps[p] - memory_[f].contact.get().offset[p].x());
   }
-  const double radius = contact_of(f).radius;
+  const Contact contact = contact_of(f);
   const Lanes squares = dot(motion.apart, motion.apart);  // of the jump, of how half axes differ
-  const double turned_squared =
-      squares[1] * contact_of(f).per_half_1_squared + squares[2] * contact_of(f).per_half_2_squared;
-  const bool wide = squares[0] > kWide * kWide * radius * radius || turned_squared > kWide * kWide;
+  const bool wide = squares[0] > kWide * kWide * contact.radius_squared ||
+                    contact.turned(squares[1], squares[2], kWide);
   return {broken * area(f) / kFacetPoints, opening / broken, wide};
 }
 

@@ -79,6 +79,7 @@ void set_lane(FacetRows<T>& rows, std::size_t lane, const Vec3& value) {
 /// Of a group's facets on their blocks: force and torque on i, torque on j; force on j is opposite.
 struct WideForces {
   alignas(64) FacetRows<double> force, torque_i, torque_j;
+  FacetRow<double> damped;  ///< taken by dashpots in the step; only where there are some [J]
 };
 
 }  // namespace muckpile

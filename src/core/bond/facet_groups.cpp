@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The facet network where facets hold at every point: eight of them at once.
-// Scope: dilatations and forces of intact, undamped facets, as facet_bond.cpp works them out one by
+// Scope: dilatations and forces of intact facets, as facet_bond.cpp works them out one by
 // one. A facet takes this path or that by its own state alone, never by those beside it in its
 // group, and blocks get their parts in the order of the facets: both are the same on any ranks.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <experimental/simd>
@@ -64,6 +65,28 @@ struct WideMat {
   }
 };
 
+/// Where the states of a group's blocks lie, in numbers after that of the first block.
+class BlockPlaces {
+ public:
+  [[gnu::always_inline]] explicit BlockPlaces(const FacetRow<std::int32_t>& blocks) {
+    static_assert(sizeof(BlockState) % sizeof(double) == 0);
+    constexpr int kNumbers = sizeof(BlockState) / sizeof(double);
+    for (std::size_t k = 0; k < kGroup; ++k) at_[k] = kNumbers * blocks[k];
+  }
+  /// `first` is that of the first block.
+  [[gnu::always_inline]] WideVec vector(const Vec3& first) const { return vector(first.data()); }
+  [[gnu::always_inline]] WideMat matrix(const Mat3& first) const {
+    const double* from = first.data();
+    return {vector(from), vector(from + 3), vector(from + 6)};
+  }
+
+ private:
+  [[gnu::always_inline]] WideVec vector(const double* from) const {
+    return {gather(at_, from), gather(at_, from + 1), gather(at_, from + 2)};
+  }
+  alignas(64) FacetRow<std::int32_t> at_;
+};
+
 }  // namespace
 
 /// How the two sides of each facet of a group lie now.
@@ -71,8 +94,8 @@ struct FacetNetwork::WidePose {
   WideMat sum, difference;  // of the rotations of i and j; of j less that of i
   WideVec between;          // centre of j less that of i [m]
   WideVec near, jump;       // centroid from the centre of i; from the side of i to that of j [m]
-  WideVec both;             // sum of the normals of both sides
-  Wide scale;               // that makes it a unit vector
+  WideVec normal;           // unit, mean of both sides
+  Wide scale;               // that makes the sum of the normals of both sides a unit vector
 };
 
 unsigned FacetNetwork::whole_lanes(std::size_t group) const {
@@ -85,32 +108,18 @@ unsigned FacetNetwork::whole_lanes(std::size_t group) const {
 
 [[gnu::always_inline]] inline FacetNetwork::WidePose FacetNetwork::pose_of(
     const FacetGroup& group) const {
-  static_assert(sizeof(BlockState) % sizeof(double) == 0);
-  constexpr int kNumbers = sizeof(BlockState) / sizeof(double);
-  const auto places = [](const FacetRow<std::int32_t>& blocks) {
-    alignas(64) FacetRow<std::int32_t> at;
-    for (std::size_t k = 0; k < kGroup; ++k) at[k] = kNumbers * blocks[k];
-    return at;
-  };
-  alignas(64) const FacetRow<std::int32_t> at_i = places(group.i), at_j = places(group.j);
-  const auto vector = [](const FacetRow<std::int32_t>& at, const double* from) {
-    return WideVec(gather(at, from), gather(at, from + 1), gather(at, from + 2));
-  };
-  const auto rotation = [&](const FacetRow<std::int32_t>& at) {
-    const double* from = state_.front().rotation.data();
-    return WideMat{vector(at, from), vector(at, from + 3), vector(at, from + 6)};
-  };
-  const double* centre = state_.front().centre.data();
-  const WideMat ri = rotation(at_i), rj = rotation(at_j);
+  const BlockPlaces at_i(group.i), at_j(group.j);
+  const BlockState& first = state_.front();
+  const WideMat ri = at_i.matrix(first.rotation), rj = at_j.matrix(first.rotation);
   WidePose pose;
   pose.sum = {ri.x + rj.x, ri.y + rj.y, ri.z + rj.z};
   pose.difference = {rj.x - ri.x, rj.y - ri.y, rj.z - ri.z};
-  pose.between = vector(at_j, centre) - vector(at_i, centre);
+  pose.between = at_j.vector(first.centre) - at_i.vector(first.centre);
   pose.near = ri * wide(group.arm);
   pose.jump = rj * wide(group.arm_j) - pose.near + pose.between;
-  pose.both = pose.sum * wide(group.normal);
-  const Wide squared = dot(pose.both, pose.both);
-  pose.scale = 1.0 / sqrt(squared);
+  const WideVec both = pose.sum * wide(group.normal);
+  pose.scale = 1.0 / sqrt(dot(both, both));
+  pose.normal = pose.scale * both;
   return pose;
 }
 
@@ -138,23 +147,32 @@ void FacetNetwork::open_group(const LaneSet& bonded) {
   }
 }
 
-/// Forces of those of `lanes` of which no point fails; returns which.
-unsigned FacetNetwork::hold_group(std::size_t g, unsigned lanes, WideForces& forces) const {
-  const FacetGroup& group = groups_[g];
-  const WidePose pose = pose_of(group);
-  const WideVec normal = pose.scale * pose.both;
+/// A number that is linear over each facet: its mean, and what it gains along the half axes.
+struct FacetNetwork::WideField {
+  WideVec mean, along_1, along_2;
+
+  [[gnu::always_inline]] WideVec at(std::size_t p) const {
+    return mean + Wide(kOnFirst[p]) * along_1 + Wide(kOnSecond[p]) * along_2;
+  }
+};
+
+[[gnu::always_inline]] inline FacetNetwork::WideField FacetNetwork::pull_of(
+    const FacetGroup& group, const WidePose& pose) const {
   const Wide shear = wide(group.shear), extra = wide(group.normal_extra);
   const auto pull = [&](const WideVec& jump) {
-    return shear * jump + extra * dot(normal, jump) * normal;
+    return shear * jump + extra * dot(pose.normal, jump) * pose.normal;
   };
   const auto stress = [&](std::size_t b) { return bulk_stress_[b]; };
   const WideVec squeezed = gather(group.i, stress) * wide(group.opening_i) +
                            gather(group.j, stress) * wide(group.opening_j);
-  const WideVec mean = pull(pose.jump) + wide(group.bulk) * pose.scale * (pose.sum * squeezed);
-  // Both jump and arm are linear over the facet: their parts along the half axes.
-  const WideVec half_1 = wide(group.half_1), half_2 = wide(group.half_2);
-  const WideVec along_1 = pull(pose.difference * half_1), along_2 = pull(pose.difference * half_2);
+  return {pull(pose.jump) + wide(group.bulk) * pose.scale * (pose.sum * squeezed),
+          pull(pose.difference * wide(group.half_1)), pull(pose.difference * wide(group.half_2))};
+}
 
+/// Those of `lanes` of which no point fails.
+[[gnu::always_inline]] inline unsigned FacetNetwork::holding(std::size_t g, unsigned lanes,
+                                                             const WidePose& pose,
+                                                             const WideField& pull) const {
   FacetRow<double> tension{}, cohesion{}, tan_friction{};
   for (std::size_t k = 0; k < kGroup; ++k) {
     const std::size_t f = std::min(g * kGroup + k, facets_.size() - 1);
@@ -165,21 +183,64 @@ unsigned FacetNetwork::hold_group(std::size_t g, unsigned lanes, WideForces& for
   }
   typename Wide::mask_type fails(false);
   for (std::size_t p = 0; p < kFacetPoints; ++p) {
-    const WideVec traction = mean + Wide(kOnFirst[p]) * along_1 + Wide(kOnSecond[p]) * along_2;
-    const Wide across = dot(normal, traction);
+    const WideVec traction = pull.at(p);
+    const Wide across = dot(pose.normal, traction);
     fails = fails || joint_fails(across, Wide(dot(traction, traction) - across * across),
                                  wide(tension), wide(cohesion), wide(tan_friction));
   }
+  for (std::size_t k = 0; k < kGroup; ++k)
+    if (fails[k]) lanes &= ~(1u << k);
+  return lanes;
+}
+
+/// Adds the dashpots of the joints, and what they take to `forces`.
+[[gnu::always_inline]] inline void FacetNetwork::damp_group(std::size_t g, const WidePose& pose,
+                                                            WideField& pull, double dt,
+                                                            WideForces& forces) const {
+  const FacetGroup& group = groups_[g];
+  FacetRow<double> dashpot;
+  dashpot.fill(damping_);
+  if (!yielding_.empty()) {  // that ground has a dashpot itself
+    for (std::size_t k = 0, f = g * kGroup; k < kGroup && f < facets_.size(); ++k, ++f)
+      if (facets_[f].kind != FacetKind::joint && memory_[f].ground().yields) dashpot[k] = 0.0;
+  }
+  const BlockPlaces at_i(group.i), at_j(group.j);
+  const BlockState& first = state_.front();
+  const WideVec spin_j = at_j.vector(first.spin), spin = spin_j - at_i.vector(first.spin);
+  const WideVec slip = at_j.vector(first.velocity) - at_i.vector(first.velocity);
+  const WideVec arm = pose.near + Wide(0.5) * pose.jump;
+  const Wide half(0.5);
+  const WideField rate = {slip - cross(spin_j, pose.between) + cross(spin, arm),
+                          half * cross(spin, pose.sum * wide(group.half_1)),
+                          half * cross(spin, pose.sum * wide(group.half_2))};
+  const Wide c = wide(dashpot);
+  pull.mean += c * rate.mean;
+  pull.along_1 += c * rate.along_1;
+  pull.along_2 += c * rate.along_2;
+  // Of the squares of the weights of three points each half axis has 3/2, their products nothing.
+  const Wide squares = dot(rate.mean, rate.mean) +
+                       half * (dot(rate.along_1, rate.along_1) + dot(rate.along_2, rate.along_2));
+  (Wide(dt) * c * wide(group.area) * squares)
+      .copy_to(forces.damped.data(), std::experimental::element_aligned);
+}
+
+/// Forces of those of `lanes` of which no point fails; returns which.
+unsigned FacetNetwork::hold_group(std::size_t g, unsigned lanes, double dt,
+                                  WideForces& forces) const {
+  const FacetGroup& group = groups_[g];
+  const WidePose pose = pose_of(group);
+  WideField pull = pull_of(group, pose);
+  lanes = holding(g, lanes, pose, pull);
+  if (damping_ != 0.0) damp_group(g, pose, pull, dt, forces);
   const Wide area = wide(group.area);
   const WideVec arm = pose.near + Wide(0.5) * pose.jump;
-  const WideVec turning = cross(pose.sum * half_1, along_1) + cross(pose.sum * half_2, along_2);
-  const WideVec force = area * mean;
+  const WideVec turning = cross(pose.sum * wide(group.half_1), pull.along_1) +
+                          cross(pose.sum * wide(group.half_2), pull.along_2);
+  const WideVec force = area * pull.mean;
   const WideVec moment = cross(arm, force) + Wide(0.25) * area * turning;
   store(force, forces.force);
   store(moment, forces.torque_i);
   store(cross(pose.between, force) - moment, forces.torque_j);
-  for (std::size_t k = 0; k < kGroup; ++k)
-    if (fails[k]) lanes &= ~(1u << k);
   return lanes;
 }
 
@@ -204,13 +265,14 @@ void FacetNetwork::fetch_contacts(const LaneSet& working) const {
 
 void FacetNetwork::work_group(const LaneSet& working, double dt) {
   WideForces forces;
-  unsigned held = damping_ == 0.0 ? working.lanes & whole_lanes(working.group) : 0;
-  if (held != 0) held = hold_group(working.group, held, forces);
+  unsigned held = working.lanes & whole_lanes(working.group);
+  if (held != 0) held = hold_group(working.group, held, dt, forces);
   for (unsigned left = working.lanes; left != 0; left &= left - 1) {
     const auto k = static_cast<std::size_t>(std::countr_zero(left));
     const std::size_t f = working.group * kGroup + k;
     if ((held >> k & 1u) != 0) {
       add_forces(groups_[working.group], k, forces);
+      if (damping_ != 0.0) losses_.damping += facets_[f].weight * forces.damped[k];
     } else if (states_[f] != FacetState::retired && asleep_[f] <= calls_) {
       work_facet(f, dt);
     }

@@ -59,7 +59,7 @@ struct FacetNetwork::Motion {
     const Vec3 along = half - normal.dot(half) * normal;
     Mat3 columns;
     columns.col(0) = normal;
-    columns.col(1) = along / std::sqrt(along.squaredNorm());
+    columns.col(1) = 1.0 / std::sqrt(along.squaredNorm()) * along;
     columns.col(2) = normal.cross(Vec3(columns.col(1)));
     return columns;
   }
@@ -117,18 +117,18 @@ inline FacetNetwork::Bond FacetNetwork::bond_of(std::size_t f) const {
           strength.tan_friction};
 }
 
-inline FacetNetwork::Contact FacetNetwork::contact_of(std::size_t f) const {
+[[gnu::always_inline]] inline FacetNetwork::Contact FacetNetwork::contact_of(std::size_t f) const {
   const FacetName& name = facets_[f];
   const FacetGroup& group = group_of(f);
   const std::size_t k = lane_of(f);
   return {name.weight,
-          area(f) / kFacetPoints,
+          group.area[k] / kFacetPoints,
           closed_stiffness_[f],
           group.shear[k],
           name.kind == FacetKind::mirror ? 0.0 : strengths_[name.joint_class].tan_residual,
-          std::sqrt(area(f) / M_PI),
-          1.0 / at_lane(group.half_1, k).squaredNorm(),
-          1.0 / at_lane(group.half_2, k).squaredNorm()};
+          group.area[k] / M_PI,
+          at_lane(group.half_1, k).squaredNorm(),
+          at_lane(group.half_2, k).squaredNorm()};
 }
 
 /// m of the two blocks in the present pose.

@@ -60,7 +60,9 @@ void FacetNetwork::set_facets(std::vector<Facet> facets, std::vector<FacetMemory
     states_[f] = memory_[f].state;
     bonded_points_[f] = bonded_points(memory_[f]);
   }
-  groups_.assign((count + kGroup - 1) / kGroup, {});
+  FacetGroup empty;
+  empty.normal[0].fill(1.0f);  // lanes without a facet are worked on as well
+  groups_.assign((count + kGroup - 1) / kGroup, empty);
   closed_stiffness_.resize(count);
   for (std::size_t f = 0; f < count; ++f) {
     place_facet(f, facets[f]);

@@ -319,8 +319,23 @@ class FacetNetwork {
     double point_area;     // [m2]
     double normal, shear;  // stiffness when closed [Pa/m]
     double tan_residual;
-    double radius;                                  // of the circle of equal area [m]
-    double per_half_1_squared, per_half_2_squared;  // of the half axes [1/m2]
+    double radius_squared;                  // of the circle of equal area [m2]
+    double half_1_squared, half_2_squared;  // half axes [m2]
+
+    [[nodiscard]] double radius() const { return std::sqrt(radius_squared); }
+    [[nodiscard]] bool longer(double length, double radii) const {
+      return length > 0.0 && length * length > radii * radii * radius_squared;
+    }
+    /// Square of the angle between the blocks, while small [rad2], from the squares of by how much
+    /// the half axes of both sides differ [m2].
+    [[nodiscard]] double turned_squared(double apart_1, double apart_2) const {
+      return apart_1 / half_1_squared + apart_2 / half_2_squared;
+    }
+    /// Whether that is more than `angle`; without a division.
+    [[nodiscard]] bool turned(double apart_1, double apart_2, double angle) const {
+      return apart_1 * half_2_squared + apart_2 * half_1_squared >
+             angle * angle * half_1_squared * half_2_squared;
+    }
   };
   struct Coupling {  // of the dilatations of two blocks
     int i, j;
@@ -329,10 +344,11 @@ class FacetNetwork {
   struct Openings {
     Vec3 i, j;
   };
-  struct Motion;    // how the two sides lie now, in lanes
-  struct WidePose;  // of the facets of a group at once
-  struct Pull;      // tractions at the points, in lanes
-  struct Break;     // what a point carried as it broke
+  struct Motion;     // how the two sides lie now, in lanes
+  struct WidePose;   // of the facets of a group at once
+  struct WideField;  // over the facets of a group at once
+  struct Pull;       // tractions at the points, in lanes
+  struct Break;      // what a point carried as it broke
   struct BlockSums {
     double bonded = 0.0;    // sum of A m.u/2 [m3]
     double loaded = 0.0;    // sum of A t_n d/(2G) [m3]
@@ -381,7 +397,13 @@ class FacetNetwork {
   void open_group(const LaneSet& bonded);
   void work_group(const LaneSet& working, double dt);
   void fetch_contacts(const LaneSet& working) const;
-  [[nodiscard]] unsigned hold_group(std::size_t g, unsigned lanes, WideForces& forces) const;
+  [[nodiscard]] unsigned hold_group(std::size_t g, unsigned lanes, double dt,
+                                    WideForces& forces) const;
+  [[nodiscard]] WideField pull_of(const FacetGroup& group, const WidePose& pose) const;
+  [[nodiscard]] unsigned holding(std::size_t g, unsigned lanes, const WidePose& pose,
+                                 const WideField& pull) const;
+  void damp_group(std::size_t g, const WidePose& pose, WideField& pull, double dt,
+                  WideForces& forces) const;
   void add_forces(const FacetGroup& group, std::size_t k, const WideForces& forces);
 
   // Bonded points: facet_bond.cpp.
@@ -389,7 +411,8 @@ class FacetNetwork {
   [[nodiscard]] Vec3 bulk_traction(std::size_t f, const Openings& openings) const;
   [[nodiscard]] Pull bonded_pull(std::size_t f, const Motion& motion) const;
   void work_facet(std::size_t f, double dt);
-  void work_bonded(std::size_t f, const Motion& motion, Pull& pull, double dt);
+  void work_bonded(std::size_t f, const Motion& motion, const Contact& contact, Pull& pull,
+                   double dt);
   void break_point(std::size_t f, int p, const Break& broken, double dt);
   void drop_from_dilatation(std::size_t f, const Break& broken);
   void book_fracture();
@@ -397,12 +420,13 @@ class FacetNetwork {
   void apply(std::size_t f, const Pull& pull);
 
   // Broken points: facet_contact.cpp.
-  [[nodiscard]] bool turned_away(std::size_t f, const Motion& motion) const;
-  [[nodiscard]] bool closes(std::size_t f, const Motion& motion, double dt);
+  [[nodiscard]] static bool turned_away(const Motion& motion, const Contact& contact);
+  [[nodiscard]] bool closes(std::size_t f, const Motion& motion, const Contact& contact, double dt);
   void fade(std::size_t f, const Motion& motion, double matching);
-  void let_sleep(std::size_t f, double gap, double dt);
+  void let_sleep(std::size_t f, double gap, double radius, double dt);
   [[nodiscard]] double contact_energy(std::size_t f, const Motion& motion) const;
-  void add_contact(std::size_t f, const Motion& motion, Pull& pull, double dt);
+  void add_contact(std::size_t f, const Motion& motion, const Contact& contact, Pull& pull,
+                   double dt);
 
   void press_joints();  // gas in them: facet_gas.cpp
 

@@ -29,7 +29,7 @@ void expect_same(const Facet& a, const Facet& b) {
   EXPECT_EQ(a.area, b.area);
   EXPECT_EQ(a.sharpened, b.sharpened);
   EXPECT_EQ(a.weight, b.weight);
-  if (a.kind == FacetKind::joint) EXPECT_EQ(a.opening_i, b.opening_i);  // a support uses its part
+  EXPECT_EQ(a.opening_i, b.opening_i);
 }
 
 /// Rock on a fixed support that softens as it is stretched, so far that some of it has broken.
