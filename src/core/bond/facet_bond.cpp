@@ -69,9 +69,10 @@ Vec3 FacetNetwork::mean_traction(std::size_t f) const {
          bulk_traction(f, openings_of(f, motion.scale));
 }
 
-[[gnu::always_inline]] inline void FacetNetwork::apply(std::size_t f, const Pull& pull) {
+[[gnu::always_inline]] inline void FacetNetwork::apply(std::size_t f, double point_area,
+                                                       const Pull& pull) {
   const auto i = static_cast<std::size_t>(i_of(f)), j = static_cast<std::size_t>(j_of(f));
-  const LaneVec at_points = choose(is_point(), Lanes(area(f) / kFacetPoints), 0.0) * pull.traction;
+  const LaneVec at_points = choose(is_point(), Lanes(point_area), 0.0) * pull.traction;
   const Vec3 force = sum(at_points), moment = sum(cross(pull.arm, at_points));
   force_[i] += force;
   torque_[i] += moment;
@@ -94,13 +95,13 @@ void FacetNetwork::work_facet(std::size_t f, double dt) {
   if (bonded) work_bonded(f, motion, contact, pull, dt);
   if (bonded_points_[f] < kFacetPoints) add_contact(f, motion, contact, pull, dt);
   if (softens_) add_cohesion(f, motion, pull, dt);
-  apply(f, pull);
+  apply(f, contact.point_area, pull);
 }
 
 /// Breaks points that fail, damps the others; the traction of broken points is no longer true.
 void FacetNetwork::work_bonded(std::size_t f, const Motion& motion, const Contact& contact,
                                Pull& pull, double dt) {
-  const bool torn = turned_away(motion, contact);
+  const bool torn = motion.turned(kTurnStart);
   const LaneMask fails = torn ? is_point() : pull.failing(bond_of(f));
   for (int p = 0; p < kFacetPoints; ++p) {
     const auto q = static_cast<std::size_t>(p);

@@ -13,7 +13,7 @@ namespace {
 // A broken facet is a plane contact only while its two faces still match. It fades between these
 // shares of its radius slid, and of radians turned, and retires once it has opened that far.
 constexpr double kSlideStart = 0.1, kSlideEnd = 0.5;
-constexpr double kTurnStart = 0.1, kTurnEnd = 0.5;
+constexpr double kTurnEnd = 0.5;  // from kTurnStart
 constexpr double kOpened = 0.1;
 constexpr double kNearSlip = 0.99;    // below that share of the friction limit, squared, none slips
 constexpr double kSurelyOpen = 0.01;  // opened further than its rotation explains: no point closed
@@ -75,24 +75,16 @@ void FacetNetwork::add_contact(std::size_t f, const Motion& motion, const Contac
   losses_.friction += 0.5 * booked * fade * contact.shear * sum(slid + forgotten);
 }
 
-/// A facet that has turned so far does not hold on by a last point, as by a hinge.
-bool FacetNetwork::turned_away(const Motion& motion, const Contact& contact) {
-  const Lanes squares = dot(motion.apart, motion.apart);
-  return contact.turned(squares[1], squares[2], kTurnStart);
-}
-
 /// Lets a broken facet fade and retire; false if it carries nothing in this step.
 bool FacetNetwork::closes(std::size_t f, const Motion& motion, const Contact& contact, double dt) {
   FacetMemory& memory = memory_[f];
   const double opened = dot(LaneVec(motion.normal), motion.apart)[0];
   const Lanes squares = dot(motion.apart, motion.apart);  // of the jump, of how half axes differ
   const double slid = std::max(squares[0] - opened * opened, 0.0);  // [m2]
-  const auto turned_squared = [&] { return contact.turned_squared(squares[1], squares[2]); };
-  if (slid > kSlideStart * kSlideStart * contact.radius_squared ||
-      contact.turned(squares[1], squares[2], kTurnStart)) {
+  if (slid > kSlideStart * kSlideStart * contact.radius_squared || motion.turned(kTurnStart)) {
     fade(f, motion,
          ramp_down(std::sqrt(slid / contact.radius_squared), kSlideStart, kSlideEnd) *
-             ramp_down(std::sqrt(turned_squared()), kTurnStart, kTurnEnd));
+             ramp_down(std::sqrt(motion.turned_squared()), kTurnStart, kTurnEnd));
   }
   if (softens_ && holds_on(f)) return true;
   if (memory.contact.get().fade == 0.0 || contact.longer(opened, kOpened)) {
@@ -104,7 +96,7 @@ bool FacetNetwork::closes(std::size_t f, const Motion& motion, const Contact& co
   if (!contact.longer(opened, kSurelyOpen)) return true;
   const Lanes lengths = sqrt(squares);
   const double radius = contact.radius();
-  const double tilted = std::sqrt(slid * turned_squared()) + kSurelyOpen * radius;
+  const double tilted = std::sqrt(slid * motion.turned_squared()) + kSurelyOpen * radius;
   const double gap = opened - lengths[1] - lengths[2] - tilted;
   if (gap <= 0.0) return true;
   memory.open = true;

@@ -36,9 +36,8 @@ FacetNetwork::OpenJoint FacetNetwork::open_joint(std::size_t f) const {
       opening += std::max(0.0, gaps[p] - memory_[f].contact.get().offset[p].x());
   }
   const Contact contact = contact_of(f);
-  const Lanes squares = dot(motion.apart, motion.apart);  // of the jump, of how half axes differ
-  const bool wide = squares[0] > kWide * kWide * contact.radius_squared ||
-                    contact.turned(squares[1], squares[2], kWide);
+  const bool wide = motion.mean_jump().squaredNorm() > kWide * kWide * contact.radius_squared ||
+                    motion.turned(kWide);
   return {broken * area(f) / kFacetPoints, opening / broken, wide};
 }
 

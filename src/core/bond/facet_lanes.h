@@ -38,6 +38,10 @@ inline constexpr std::array<double, kLanes> kOnSecond = {0.0, kHalfSqrt3, -kHalf
   return {of(0), of(1), of(2)};
 }
 
+/// A facet that has turned so far begins to fade, and does not hold on by a last point, as by a
+/// hinge [rad].
+inline constexpr double kTurnStart = 0.1;
+
 /// How the two sides of a facet lie in the present pose. Lanes: the centroid, the two half axes,
 /// the normal.
 struct FacetNetwork::Motion {
@@ -49,6 +53,19 @@ struct FacetNetwork::Motion {
   [[nodiscard]] Vec3 mean_jump() const { return apart.at(0); }
   [[nodiscard]] LaneVec jump() const { return at_points(apart); }
   [[nodiscard]] LaneVec side() const { return at_points(near); }
+
+  /// Square of the angle between the two blocks, while small [rad2]: by how much the half axes of
+  /// both sides differ.
+  [[nodiscard]] double turned_squared() const {
+    const Lanes differ = dot(apart, apart), lengths = dot(near, near);
+    return differ[1] / lengths[1] + differ[2] / lengths[2];
+  }
+  /// Whether they have turned by more than `angle` [rad]; without a division.
+  [[nodiscard]] bool turned(double angle) const {
+    const Lanes differ = dot(apart, apart), lengths = dot(near, near);
+    return differ[1] * lengths[2] + differ[2] * lengths[1] >
+           angle * angle * lengths[1] * lengths[2];
+  }
 
   /// The facet's own axes, which turn with the mean of the two blocks, as the jump between points
   /// on both of them does: normal, along the first half axis, across. What broken points remember
@@ -126,9 +143,7 @@ inline FacetNetwork::Bond FacetNetwork::bond_of(std::size_t f) const {
           closed_stiffness_[f],
           group.shear[k],
           name.kind == FacetKind::mirror ? 0.0 : strengths_[name.joint_class].tan_residual,
-          group.area[k] / M_PI,
-          at_lane(group.half_1, k).squaredNorm(),
-          at_lane(group.half_2, k).squaredNorm()};
+          M_1_PI * group.area[k]};
 }
 
 /// m of the two blocks in the present pose.

@@ -319,22 +319,11 @@ class FacetNetwork {
     double point_area;     // [m2]
     double normal, shear;  // stiffness when closed [Pa/m]
     double tan_residual;
-    double radius_squared;                  // of the circle of equal area [m2]
-    double half_1_squared, half_2_squared;  // half axes [m2]
+    double radius_squared;  // of the circle of equal area [m2]
 
     [[nodiscard]] double radius() const { return std::sqrt(radius_squared); }
     [[nodiscard]] bool longer(double length, double radii) const {
       return length > 0.0 && length * length > radii * radii * radius_squared;
-    }
-    /// Square of the angle between the blocks, while small [rad2], from the squares of by how much
-    /// the half axes of both sides differ [m2].
-    [[nodiscard]] double turned_squared(double apart_1, double apart_2) const {
-      return apart_1 / half_1_squared + apart_2 / half_2_squared;
-    }
-    /// Whether that is more than `angle`; without a division.
-    [[nodiscard]] bool turned(double apart_1, double apart_2, double angle) const {
-      return apart_1 * half_2_squared + apart_2 * half_1_squared >
-             angle * angle * half_1_squared * half_2_squared;
     }
   };
   struct Coupling {  // of the dilatations of two blocks
@@ -417,10 +406,9 @@ class FacetNetwork {
   void drop_from_dilatation(std::size_t f, const Break& broken);
   void book_fracture();
   void book_sharpening(const std::vector<double>& theta_before);
-  void apply(std::size_t f, const Pull& pull);
+  void apply(std::size_t f, double point_area, const Pull& pull);
 
   // Broken points: facet_contact.cpp.
-  [[nodiscard]] static bool turned_away(const Motion& motion, const Contact& contact);
   [[nodiscard]] bool closes(std::size_t f, const Motion& motion, const Contact& contact, double dt);
   void fade(std::size_t f, const Motion& motion, double matching);
   void let_sleep(std::size_t f, double gap, double radius, double dt);
