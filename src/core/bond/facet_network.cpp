@@ -21,7 +21,11 @@ constexpr std::size_t kAhead = 4;  // groups fetched ahead of the one at work
 Vec3 opening_of(const Facet& facet) {
   if (facet.kind == FacetKind::joint) return facet.opening_i;
   if (facet.kind == FacetKind::fixed) return facet.normal;
-  return facet.normal.dot(facet.opening_i) * facet.normal;
+  const Vec3 part = facet.normal.dot(facet.opening_i) * facet.normal;
+  // What is that part already stays as it was rounded.
+  constexpr double kRounded = 1e-6;
+  const bool is_part = (facet.opening_i - part).norm() <= kRounded * part.norm();
+  return is_part ? facet.opening_i : part;
 }
 
 std::uint8_t bonded_points(const FacetMemory& memory) {
@@ -114,7 +118,8 @@ Facet FacetNetwork::facet(std::size_t f) const {
   facet.joint_class = name.joint_class;
   facet.normal = at_lane(group.normal, k);
   facet.arm_i = at_lane(group.arm, k);
-  facet.arm_j = at_lane(group.arm_j, k) - memory_[f].ground().displacement;
+  const GroundMemory& ground = memory_[f].ground();
+  facet.arm_j = ground.placed ? ground.arm_j : at_lane(group.arm_j, k);
   facet.opening_i = at_lane(group.opening_i, k);
   facet.opening_j = at_lane(group.opening_j, k);
   facet.half_axes = {at_lane(group.half_1, k), at_lane(group.half_2, k)};
@@ -155,7 +160,10 @@ void FacetNetwork::place_facet(std::size_t f, const Facet& facet) {
   set_lane(group.opening_j, lane,
            facet.kind == FacetKind::joint ? facet.opening_j : Vec3(Vec3::Zero()));
   const Vec3 rounded = at_lane(group.arm, lane) - facet.arm_i;  // the same place from j
-  set_lane(group.arm_j, lane, facet.arm_j + rounded + memory_[f].ground().displacement);
+  const Vec3 arm_j = facet.arm_j + rounded;
+  set_lane(group.arm_j, lane, arm_j + memory_[f].ground().displacement);
+  if (facet.kind != FacetKind::joint && memory_[f].rare.exists())
+    memory_[f].rare.made().ground.place(arm_j);
 }
 
 void FacetNetwork::derive_facet(std::size_t f) {

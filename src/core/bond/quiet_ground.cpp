@@ -37,7 +37,9 @@ int FacetNetwork::let_ground_yield(const QuietGround& ground,
     if (facets_[f].kind != FacetKind::fixed || states_[f] != FacetState::intact) continue;
     if (memory_[f].ground().yields) continue;
     if (!chosen(facet(f).arm_j)) continue;  // the ground's centre is the origin
+    const Vec3 arm_j = facet(f).arm_j;
     GroundMemory& memory = memory_[f].rare.made().ground;
+    memory.place(arm_j);
     const Vec3 n = motion_of(f).normal;
     const Vec3 at = memory.displacement, across = along(at, n);
     memory.yields = true;
@@ -151,7 +153,7 @@ void FacetNetwork::yield_support(std::size_t f, double bulk_stress, double dt) {
   book_ground(f, step, 0.5 * (memory.traction + traction), dt);
   memory.displacement += step;
   memory.traction = traction;
-  set_lane(group_of(f).arm_j, lane_of(f), arm_j_of(f) + step);
+  set_lane(group_of(f).arm_j, lane_of(f), memory.arm_j + memory.displacement);
   sums_[static_cast<std::size_t>(i_of(f))].bonded += bond_of(f).area_i * n.dot(step);
 }
 

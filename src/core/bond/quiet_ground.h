@@ -51,6 +51,14 @@ struct GroundMemory {
   Vec3 displacement = Vec3::Zero();  ///< of the ground since the start [m]
   Vec3 held = Vec3::Zero();          ///< traction carried without moving [Pa]
   Vec3 traction = Vec3::Zero();      ///< on the block, at the end of the last step [Pa]
+  /// As Facet::arm_j, before the ground moved; the network's own note, of the facet itself [m].
+  Vec3 arm_j = Vec3::Zero();
+  bool placed = false;  ///< arm_j is known
+
+  void place(const Vec3& arm) {
+    arm_j = arm;
+    placed = true;
+  }
 };
 
 }  // namespace muckpile
