@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The facet network as a whole: set-up, dilatations and bulk stresses, sums over it.
-// Scope: see the header; bonded facets are in facet_bond.cpp, broken ones in facet_contact.cpp,
-// what they still hold in
-// facet_softening.cpp, pressure in facet_load.cpp, gas in facet_gas.cpp, yielding supports in
-// quiet_ground.cpp.
+// Scope: see the header; intact facets are in facet_groups.cpp, bonded and breaking ones in
+// facet_bond.cpp, broken ones in facet_contact.cpp, what they still hold in facet_softening.cpp,
+// pressure in facet_load.cpp, gas in facet_gas.cpp, yielding supports in quiet_ground.cpp.
 #include "bond/facet_network.h"
 
 #include <algorithm>

@@ -205,7 +205,7 @@ class FacetNetwork {
   [[nodiscard]] std::size_t natural_classes() const { return materials_.size() - 1; }
   [[nodiscard]] const std::vector<BlockConstants>& blocks() const { return blocks_; }
   [[nodiscard]] FacetList facets() const;
-  /// As it was set; put together from what the loops use.
+  /// As it was set, but for what the tables round and supports leave out (place_facet()).
   [[nodiscard]] Facet facet(std::size_t f) const;
   [[nodiscard]] FacetEnds ends(std::size_t f) const { return {i_of(f), j_of(f), facets_[f].kind}; }
   [[nodiscard]] double area(std::size_t f) const { return group_of(f).area[lane_of(f)]; }  ///< [m2]

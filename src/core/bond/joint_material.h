@@ -84,10 +84,9 @@ class JointMaterial {
 
 /// Mohr-Coulomb with tension cut-off. `normal` is positive in tension [Pa]; the shear is asked for
 /// squared [Pa2], which spares the root. Real: double, or Lanes with a mask for the answer.
-template <class Real, class Strength>
-[[nodiscard]] auto joint_fails(const Real& normal, const Real& shear_squared,
-                               const Strength& tension, const Strength& cohesion,
-                               const Strength& tan_friction) {
+template <class Real, class Limit>
+[[nodiscard]] auto joint_fails(const Real& normal, const Real& shear_squared, const Limit& tension,
+                               const Limit& cohesion, const Limit& tan_friction) {
   using std::max;
   const Real strength = max(cohesion - normal * tan_friction, Real(0.0));
   return normal > Real(tension) || shear_squared > strength * strength;

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Four numbers, or four vectors, worked on at once: what is done at the integration points of a
 // facet is the same for each.
-// Scope: arithmetic for the inner loops of src/core; what is kept in memory is FourVectors.
+// Scope: arithmetic for the inner loops of src/core.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <experimental/simd>
 
-#include "math/four_vectors.h"
 #include "math/types.h"
 
 namespace muckpile {
+
+inline constexpr int kLanes = 4;
 
 /// One number per lane (std::simd of the Parallelism TS 2).
 using Lanes =
@@ -37,13 +38,6 @@ struct VectorOf {
   VectorOf() = default;
   VectorOf(const Number& ax, const Number& ay, const Number& az) : x(ax), y(ay), z(az) {}
   explicit VectorOf(const Vec3& same) : x(same.x()), y(same.y()), z(same.z()) {}
-  explicit VectorOf(const FourVectors& v) : x(load(v.x)), y(load(v.y)), z(load(v.z)) {}
-
-  void store(FourVectors& to) const {
-    x.copy_to(to.x.data(), std::experimental::element_aligned);
-    y.copy_to(to.y.data(), std::experimental::element_aligned);
-    z.copy_to(to.z.data(), std::experimental::element_aligned);
-  }
   [[nodiscard]] Vec3 at(int lane) const {
     const auto k = static_cast<std::size_t>(lane);
     return {x[k], y[k], z[k]};

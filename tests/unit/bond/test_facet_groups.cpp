@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Facets that are worked on eight at a time: forces are those of points summed one by one, and a
+// facet's are the same bits wherever it lies and whatever lies beside it.
+// Scope: pairs of blocks cut out of Voronoi rock, so that a facet's forces are all that its blocks
+// feel.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "bond_scene.h"
+
+namespace muckpile {
+namespace {
+
+constexpr double kStep = 1e-6;  // [s]
+
+/// Blocks of their own for every facet: 2 f and 2 f + 1 for facet f.
+class Pairs {
+ public:
+  /// `chosen`: for each facet, which one of the template's it copies.
+  Pairs(const std::vector<Facet>& of, const std::vector<std::size_t>& chosen, double damping,
+        std::vector<FacetMemory> memory = {})
+      : network_(material(damping)) {
+    std::vector<BlockConstants> blocks;
+    std::vector<Facet> facets;
+    for (std::size_t f = 0; f < chosen.size(); ++f) {
+      Facet facet = of[chosen[f]];
+      facet.i = static_cast<int>(2 * f);
+      facet.j = facet.i + 1;
+      facet.tag_i = facet.i + 1;
+      facet.tag_j = facet.j + 1;
+      facets.push_back(facet);
+      for (const int tag : {facet.tag_i, facet.tag_j})
+        blocks.push_back({tag, 1.0, 2600.0, true, {}});
+    }
+    network_.set_blocks(blocks);
+    network_.set_facets(facets, std::move(memory));
+    for (std::size_t f = 0; f < chosen.size(); ++f) pose(f, facets[f], chosen[f]);
+  }
+  void compute() {
+    network_.dilatation(kStep);
+    network_.bulk_stresses();
+    network_.tractions(kStep);
+  }
+  [[nodiscard]] FacetNetwork& network() { return network_; }
+  void expect_same(std::size_t f, const Pairs& other, std::size_t g) const {
+    for (std::size_t side = 0; side < 2; ++side) {
+      EXPECT_EQ(network_.force()[2 * f + side], other.network_.force()[2 * g + side]) << f;
+      EXPECT_EQ(network_.torque()[2 * f + side], other.network_.torque()[2 * g + side]) << f;
+    }
+  }
+
+ private:
+  static JointMaterial material(double damping) {
+    JointParameters rock = test::rock(0.25);
+    rock.residual_friction_angle = 0.6;
+    rock.damping = damping;
+    rock.contact_damping = 0.05;
+    return JointMaterial(rock);
+  }
+  /// Closed a little, turned and moving, by its number in the template.
+  void pose(std::size_t f, const Facet& facet, std::size_t number) {
+    const double a = 1.0 + static_cast<double>(number);
+    BlockState& i = network_.state()[2 * f];
+    BlockState& j = network_.state()[2 * f + 1];
+    i = {Vec3::Zero(), Vec3(0.1, 0.2, -0.1) * a, Vec3(0.3, -0.2, 0.1),
+         test::turn(Vec3(0.3, 0.1, a))};
+    j = {i.rotation * Vec3(facet.arm_i - facet.arm_j - 1e-5 * facet.normal), Vec3(0.2, -0.1, 0.1),
+         Vec3(-0.1, 0.4, 0.2), test::turn(Vec3(1e-5, -2e-5, 1e-5 * a)) * i.rotation};
+  }
+  FacetNetwork network_;
+};
+
+/// Joints of Voronoi rock.
+std::vector<Facet> joints() {
+  test::BondScene scene(test::voronoi_blocks(3.0, 2, 5), test::rock(0.25));
+  return scene.network().facets();
+}
+
+TEST(FacetGroups, AFacetHasTheSameForcesInEveryLaneAndBesideAnyNumberOfOthers) {
+  const std::vector<Facet> of = joints();
+  for (const double damping : {0.0, 0.05}) {
+    Pairs alone(of, {3}, damping);
+    alone.compute();
+    EXPECT_GT(alone.network().force()[0].norm(), 1.0);
+    for (const std::size_t count : {1u, 7u, 8u, 9u, 15u, 16u}) {
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        std::vector<std::size_t> chosen;
+        for (std::size_t f = 0; f < count; ++f) chosen.push_back(f == lane ? 3 : 4 + f % 7);
+        Pairs group(of, chosen, damping);
+        group.compute();
+        group.expect_same(lane, alone, 0);
+      }
+    }
+  }
+}
+
+/// Intact, with one and two points broken, all broken, retired, in turn.
+FacetMemory remembered(std::size_t f) {
+  FacetMemory memory;
+  const std::size_t broken = f % 5;
+  for (std::size_t p = 0; p < std::min<std::size_t>(broken, kFacetPoints); ++p)
+    memory.broken[p] = true;
+  if (broken > 0) {
+    memory.state = broken == 4 ? FacetState::retired : FacetState::cracked;
+    memory.contact.made().offset[0] = Vec3(1e-6, 2e-6, -1e-6);
+  }
+  return memory;
+}
+
+TEST(FacetGroups, IntactBrokenAndRetiredFacetsOfAGroupHaveTheForcesThatEachHasAlone) {
+  const std::vector<Facet> of = joints();
+  for (const double damping : {0.0, 0.05}) {
+    std::vector<std::size_t> chosen;
+    std::vector<FacetMemory> memory;
+    for (std::size_t f = 0; f < 21; ++f) {
+      chosen.push_back(f);
+      memory.push_back(remembered(f));
+    }
+    Pairs together(of, chosen, damping, memory);
+    together.compute();
+    for (std::size_t f = 0; f < chosen.size(); ++f) {
+      Pairs alone(of, {chosen[f]}, damping, {memory[f]});
+      alone.compute();
+      together.expect_same(f, alone, 0);
+      const bool retired = memory[f].state == FacetState::retired;
+      EXPECT_EQ(together.network().force()[2 * f].norm() > 0.0, !retired) << f;
+    }
+  }
+}
+
+/// The forces of one facet, point by point, and what its dashpots take [J]: the formulas of
+/// facet_network.h without lanes.
+struct OneByOne {
+  Vec3 force = Vec3::Zero(), torque_i = Vec3::Zero();
+  double damped = 0.0;
+
+  OneByOne(FacetNetwork& network, const Facet& facet) {
+    const auto& material = network.material();
+    const BlockState& i = network.state()[0];
+    const BlockState& j = network.state()[1];
+    const Vec3 n = (i.rotation * facet.normal + j.rotation * facet.normal).normalized();
+    const double depth = facet.normal.dot(facet.arm_i - facet.arm_j);
+    const FacetStiffness k = material.facet_stiffness(depth);
+    const double scale = 1.0 / (i.rotation * facet.normal + j.rotation * facet.normal).norm();
+    const auto turned = [&](const Vec3& m) {
+      return Vec3(scale * ((i.rotation + j.rotation) * m));
+    };
+
+    const Vec3 bulk = 0.5 * k.rock_share *
+                      (network.bulk_stress()[0] * turned(facet.opening_i) +
+                       network.bulk_stress()[1] * turned(facet.opening_j));
+    for (int p = 0; p < kFacetPoints; ++p) {
+      const double angle = 2.0 * M_PI * p / kFacetPoints;
+      const Vec3 at = std::cos(angle) * facet.half_axes[0] + std::sin(angle) * facet.half_axes[1];
+      const Vec3 on_i = i.rotation * Vec3(facet.arm_i + at);
+      const Vec3 jump = j.centre + j.rotation * Vec3(facet.arm_j + at) - i.centre - on_i;
+      const Vec3 arm = on_i + 0.5 * jump, place = i.centre + arm;
+      const Vec3 rate =
+          j.velocity + j.spin.cross(place - j.centre) - i.velocity - i.spin.cross(arm);
+      const double area = facet.area / kFacetPoints, c = material.damping_coefficient();
+      const Vec3 pull = k.shear * jump + (k.normal - k.shear) * n.dot(jump) * n + bulk + c * rate;
+      force += area * pull;
+      torque_i += area * arm.cross(pull);
+      damped += area * c * rate.squaredNorm() * kStep;
+    }
+  }
+};
+
+TEST(FacetGroups, ForcesAreThoseOfThePointsSummedOneByOne) {
+  const std::vector<Facet> of = joints();
+  for (const double damping : {0.0, 0.05}) {
+    Pairs pair(of, {5}, damping);
+    pair.compute();
+    FacetNetwork& network = pair.network();
+    const OneByOne expected(network, network.facet(0));
+    EXPECT_LT((network.force()[0] - expected.force).norm(), 1e-9 * expected.force.norm());
+    EXPECT_LT((network.torque()[0] - expected.torque_i).norm(), 1e-9 * expected.torque_i.norm());
+    EXPECT_NEAR(network.losses().damping, expected.damped, 1e-9 * expected.damped);
+    EXPECT_EQ(network.losses().damping > 0.0, damping > 0.0);
+  }
+}
+
+TEST(FacetGroups, ARetiredFacetGivesUpItsContact) {
+  const std::vector<Facet> of = joints();
+  Pairs pair(of, {5}, 0.0, {remembered(3)});
+  pair.compute();
+  EXPECT_TRUE(pair.network().memory()[0].contact.exists());
+  pair.network().state()[1].centre += 2.0 * pair.network().state()[0].rotation * of[5].normal;
+  pair.compute();
+  EXPECT_EQ(pair.network().states()[0], FacetState::retired);
+  EXPECT_FALSE(pair.network().memory()[0].contact.exists());
+}
+
+}  // namespace
+}  // namespace muckpile
