@@ -31,6 +31,7 @@ rows=$(wc -l <"$out/dump/history.csv")
 older=$out/dump/a.restart
 if [[ $out/dump/b.restart -ot $older ]]; then older=$out/dump/b.restart; fi
 cp "$older" "$out/from.restart"
+rm -f "$out/dump/run.json"
 run 2 "$@" -var go_on 1 -var from "$out/from.restart"
 grep -q 'read_restart\|Reading restart file' "$out/screen" || { echo "no restart file was read"; exit 1; }
 printf '%s\n' "blast work [J], broken share, blocks, time [s]" "in one run:    $whole" "from the file: $(end_of_run)"
@@ -38,7 +39,7 @@ echo "energy balance error from the file: $(of_run energy_balance_error); rows o
 # Ranks add up in another order: chaos shifts what breaks late. The blast's work is done by then. A run looks every 0.1 s
 # whether time_end is over.
 awk -v a="$whole" -v b="$(end_of_run)" -v balance="$(of_run energy_balance_error)" 'BEGIN {
-  split(a, x); split(b, y)
+  if (split(a, x) != 4 || split(b, y) != 4 || balance == "") { print "figures are missing"; exit 1 }
   off(x[1], y[1], 0.02 * x[1]); off(x[2], y[2], 0.02); off(x[3], y[3], 0); off(x[4], y[4], 0.11); off(balance, 0, 0.01)
   exit wrong }
   function off(p, q, most) { if (!(p - q <= most && q - p <= most)) { print p " and " q " differ by more than " most; wrong = 1 } }'

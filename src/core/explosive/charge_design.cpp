@@ -135,13 +135,16 @@ ArgTable charge_design_table() {
   table.real("breaking_strain", "", Range::closed(1e-6, 1.0), 3e-4,
              "dynamic tensile strain at which rock cracks, for Harries' counting (2e-4 to 6e-4)");
   table.word("hole_table", {}, "none", "CSV file of a pattern");
-  add_optional(table, "rock_density", "[kg/m3], > 0; needed by `dai`");
-  add_optional(table, "youngs_modulus", "of the rock [Pa], > 0; needed by `esen` and `dai`");
+  add_optional(table, "rock_density", "[kg/m3], 100 to 30000; needed by `dai`");
+  add_optional(table, "youngs_modulus",
+               "of the rock [Pa], 1e5 to 1e13; needed by `esen` and `dai`");
   add_optional(table, "poisson_ratio", "of the rock, >= 0 and < 0.5; auto: 0");
-  add_optional(table, "ucs",
-               "uniaxial compressive strength of the intact rock [Pa], > 0; needed by `esen`, "
-               "`kanchibotla` and `dai`");
-  add_optional(table, "tensile_strength", "of the intact rock [Pa], > 0; needed by `djordjevic`");
+  add_optional(
+      table, "ucs",
+      "uniaxial compressive strength of the intact rock [Pa], 1e4 to 1e11; needed by `esen`, "
+      "`kanchibotla` and `dai`");
+  add_optional(table, "tensile_strength",
+               "of the intact rock [Pa], 1e3 to 1e11; needed by `djordjevic`");
   return table;
 }
 

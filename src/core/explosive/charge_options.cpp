@@ -123,8 +123,9 @@ void add_explosive_keywords(ArgTable& table) {
       "detonation velocity along the column [m/s], >= 100 (1e20: all at once); auto: the table's");
   add_optional(table, "explosive_energy",
                "energy per mass [J/kg], 1e4 to 1e9; auto: the table's; for the energy report only");
-  add_optional(table, "explosive_gamma",
-               "exponent of the products at the Chapman-Jouguet point, > 1; auto: the table's");
+  add_optional(
+      table, "explosive_gamma",
+      "exponent of the products at the Chapman-Jouguet point, > 1 and <= 10; auto: the table's");
   table.group("jwl", 6, 6, false,
               "A [Pa] B [Pa] R1 R2 omega P_CJ [Pa] of an explosive of this density and VOD");
 }
