@@ -120,6 +120,10 @@ void FixMuckpileJoint::follow_blocks() {
   FacetLists lists = store_->hand_over();
   network_.set_facets(std::move(lists.facets), std::move(lists.memory));
   network_.set_faces(std::move(lists.faces));
+  const int mine = network_.slanted() ? 1 : 0;
+  int any = 0;
+  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+  slanted_ = any != 0;
 
   index_facets();
   loaded_.clear();
@@ -191,6 +195,10 @@ void FixMuckpileJoint::compute_bulk_stresses(double dt) {
   engine::BlockHalo& halo = store_->halo();
   network_.dilatation(dt);
   halo.forward(network_.theta().first(halo.size()), 1);
+  if (slanted_) {
+    halo.forward(network_.gradients(halo.size()), 9);
+    halo.forward(network_.slant_stresses(halo.size()), 9);
+  }
   network_.bulk_stresses();
   halo.forward(network_.bulk_stress().first(halo.size()), 1);
 }

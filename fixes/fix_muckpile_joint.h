@@ -118,6 +118,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   FixMuckpileBlocks* store_ = nullptr;
   JointPressure* gas_ = nullptr;  // looked up in every init(), nullptr if there is none
   std::uint64_t version_ = 0;
+  bool slanted_ = false;  // a joint of any rank is
   // For facet_between: lower tags in order, the first facet of each, the upper tag of every facet.
   std::vector<int> lower_tags_, upper_tags_;
   std::vector<std::size_t> first_of_;

@@ -9,23 +9,19 @@
 
 namespace muckpile {
 
-/// What a point carried as it broke.
-struct FacetNetwork::Break {
-  Vec3 normal, jump, traction, rate;  // [-], [m], [Pa], [m/s]
-  Openings openings;
-  Mat3 axes;  // of the facet
-};
+/// Mean over the facet of the jump where it is bonded [m].
+Vec3 FacetNetwork::bonded_jump(std::size_t f, const Motion& motion) const {
+  if (bonded_points_[f] == kFacetPoints) return motion.mean_jump();
+  const LaneMask holds = is_point() && !where_true(memory_[f].broken);
+  return sum(choose(holds, Lanes(1.0 / kFacetPoints), 0.0) * motion.jump());
+}
 
 /// The part of a facet in the dilatation of its blocks.
 void FacetNetwork::open_facet(std::size_t f) {
   const Bond bond = bond_of(f);
   const Motion motion = motion_of(f);
   const Openings openings = openings_of(f, motion.scale);
-  Vec3 bonded = motion.mean_jump();  // mean over the facet of the jump where it is bonded [m]
-  if (bonded_points_[f] < kFacetPoints) {
-    const LaneMask holds = is_point() && !where_true(memory_[f].broken);
-    bonded = sum(choose(holds, Lanes(1.0 / kFacetPoints), 0.0) * motion.jump());
-  }
+  const Vec3 bonded = bonded_jump(f, motion);
   sums_[static_cast<std::size_t>(i_of(f))].bonded += bond.area_i * openings.i.dot(bonded);
   sums_[static_cast<std::size_t>(j_of(f))].bonded += bond.area_j * openings.j.dot(bonded);
 }
@@ -34,6 +30,7 @@ void FacetNetwork::tractions(double dt) {
   std::fill(force_.begin(), force_.end(), Vec3::Zero());
   std::fill(torque_.begin(), torque_.end(), Vec3::Zero());
   newly_cracked_ = false;
+  if (slanted()) pull_slanted();
   for (std::size_t k = 0; k < working_.size(); ++k) {
     if (k + 1 < working_.size()) fetch_contacts(working_[k + 1]);
     work_group(working_[k], dt);
@@ -44,11 +41,12 @@ void FacetNetwork::tractions(double dt) {
   if (newly_cracked_) book_fracture();
 }
 
-/// Part of the traction that the bulk stresses of the two blocks make [Pa].
+/// Part of the traction that is the same at all points: of the bulk stresses and the slant [Pa].
 Vec3 FacetNetwork::bulk_traction(std::size_t f, const Openings& openings) const {
   const Bond bond = bond_of(f);
-  return bond.bulk_i * bulk_stress_[static_cast<std::size_t>(i_of(f))] * openings.i +
-         bond.bulk_j * bulk_stress_[static_cast<std::size_t>(j_of(f))] * openings.j;
+  const Vec3 bulk = bond.bulk_i * bulk_stress_[static_cast<std::size_t>(i_of(f))] * openings.i +
+                    bond.bulk_j * bulk_stress_[static_cast<std::size_t>(j_of(f))] * openings.j;
+  return slanted() ? Vec3(bulk + slant_traction_[f]) : bulk;
 }
 
 [[gnu::always_inline]] inline FacetNetwork::Pull FacetNetwork::bonded_pull(
@@ -188,6 +186,7 @@ void FacetNetwork::drop_from_dilatation(std::size_t f, const Break& broken) {
   const auto [depth_i, depth_j] = depths(f);
   drop(i_of(f), bond.area_i, broken.openings.i, depth_i);
   drop(j_of(f), bond.area_j, broken.openings.j, depth_j);
+  if (slanted()) drop_from_slant(f, broken);
 }
 
 void FacetNetwork::book_fracture() {
@@ -205,6 +204,7 @@ void FacetNetwork::book_fracture() {
     if (blocks_[b].owned) theta_[b] = theta_of(b);
   }
   book_sharpening(theta_before);
+  if (slanted()) book_slant();
   bulk_stresses();
 }
 

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "bond/facet_openings.h"
+
 namespace muckpile {
 namespace {
 
@@ -17,36 +19,6 @@ Facet facet_of(const FaceGeometry& face, const Vec3& centre_i, const Vec3& centr
                      std::sqrt(2.0) * face.radius2 * face.normal.cross(face.axis)};
   facet.area = face.area;
   return facet;
-}
-
-/// Half the way to the centre of the neighbour, its mirror image or, at other faces, all the way to
-/// the face.
-Vec3 half_way(const Facet& facet) {
-  if (facet.kind == FacetKind::mirror) return facet.normal.dot(facet.arm_i) * facet.normal;
-  return facet.kind == FacetKind::fixed ? facet.arm_i : 0.5 * (facet.arm_i - facet.arm_j);
-}
-
-/// The jump u of a facet adds A m.u/2 to the volume of its block. With m = n the sum is wrong in a
-/// homogeneous strain by the first moment of the facets about the lines between the centres; the
-/// inverse of the sum of A n (x) r / V takes that out.
-void set_openings(const std::vector<Block>& blocks, int first_tag, FacetSet& set) {
-  std::vector<Mat3> moment(blocks.size(), Mat3::Zero());
-  const auto number = [&](int tag) { return static_cast<std::size_t>(tag - first_tag); };
-  const auto add = [&](int tag, const Vec3& area, const Vec3& reach) {
-    moment[number(tag)] += area * reach.transpose() / blocks[number(tag)].mass.volume;
-  };
-  for (const Facet& facet : set.facets) {
-    const Vec3 area = facet.area * facet.normal, reach = half_way(facet);
-    add(facet.tag_i, area, reach);
-    if (facet.kind == FacetKind::joint) add(facet.tag_j, area, reach);
-  }
-  for (const BoundaryFace& face : set.faces) add(face.tag, face.area * face.normal, face.arm);
-  for (Facet& facet : set.facets) {
-    facet.opening_i = moment[number(facet.tag_i)].inverse() * facet.normal;
-    facet.opening_j = facet.kind == FacetKind::joint
-                          ? Vec3(moment[number(facet.tag_j)].inverse() * facet.normal)
-                          : Vec3::Zero();
-  }
 }
 
 /// The ground of a fixed support may yield, which is solved for its block alone: the block's bulk

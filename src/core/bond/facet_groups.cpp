@@ -230,6 +230,12 @@ unsigned FacetNetwork::hold_group(std::size_t g, unsigned lanes, double dt,
   const FacetGroup& group = groups_[g];
   const WidePose pose = pose_of(group);
   WideField pull = pull_of(group, pose);
+  if (slanted()) {
+    const auto slant = [&](Eigen::Index d) {
+      return Wide([&](auto lane) { return slant_traction_[g * kGroup + lane][d]; });
+    };
+    pull.mean += WideVec(slant(0), slant(1), slant(2));
+  }
   lanes = holding(g, lanes, pose, pull);
   if (damping_ != 0.0) damp_group(g, pose, pull, dt, forces);
   const Wide area = wide(group.area);

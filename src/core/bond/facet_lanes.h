@@ -157,6 +157,13 @@ inline FacetNetwork::Bond FacetNetwork::bond_of(std::size_t f) const {
   return {turned(at_lane(group.opening_i, k)), turned(at_lane(group.opening_j, k))};
 }
 
+/// What a point carried as it broke.
+struct FacetNetwork::Break {
+  Vec3 normal, jump, traction, rate;  // [-], [m], [Pa], [m/s]
+  Openings openings;
+  Mat3 axes;  // of the facet
+};
+
 /// Tractions on block i at the points of a facet; block j gets the opposite at the same places,
 /// midway between the two sides.
 struct FacetNetwork::Pull {

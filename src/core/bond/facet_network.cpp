@@ -71,6 +71,7 @@ void FacetNetwork::set_facets(std::vector<Facet> facets, std::vector<FacetMemory
     place_facet(f, facets[f]);
     derive_facet(f);
   }
+  derive_slants();
   list_anew();
 }
 
@@ -85,6 +86,7 @@ void FacetNetwork::list_anew() {
   list_active();
   list_yielding();
   count_unbonded();
+  count_slants();
 }
 
 void FacetNetwork::set_faces(std::vector<BoundaryFace> faces) {
@@ -100,7 +102,8 @@ void FacetNetwork::give_up(std::vector<Facet>& facets, std::vector<FacetMemory>&
   faces = std::move(faces_);
   const auto release = [](auto&... table) { ((table = std::decay_t<decltype(table)>()), ...); };
   release(facets_, memory_, groups_, closed_stiffness_, states_, bonded_points_, bonded_, active_,
-          working_, asleep_, yielding_, faces_);
+          working_, asleep_, yielding_, faces_, slants_, slant_traction_, block_slants_, gradients_,
+          slant_stresses_);
 }
 
 Facet FacetNetwork::facet(std::size_t f) const {
@@ -124,6 +127,7 @@ Facet FacetNetwork::facet(std::size_t f) const {
   facet.half_axes = {at_lane(group.half_1, k), at_lane(group.half_2, k)};
   facet.area = group.area[k];
   facet.sharpened = name.sharpened;
+  facet.slanted = name.slanted;
   facet.weight = facets_[f].weight;
   return facet;
 }
@@ -144,8 +148,9 @@ void FacetNetwork::derive() {
 /// Into the tables, rounded once and for all: what is derived of it is derived of the rounded
 /// values, so that it is the same after a restart or a change of ranks.
 void FacetNetwork::place_facet(std::size_t f, const Facet& facet) {
-  facets_[f] = {facet.face, static_cast<float>(facet.weight), facet.kind, facet.joint_class,
-                facet.sharpened};
+  facets_[f] = {facet.face,      static_cast<float>(facet.weight),
+                facet.kind,      facet.joint_class,
+                facet.sharpened, facet.slanted};
   FacetGroup& group = group_of(f);
   const std::size_t lane = lane_of(f);
   group.i[lane] = facet.i;
@@ -258,6 +263,7 @@ void FacetNetwork::dilatation(double dt) {
   if (4 * changed_since_ > active_count_) list_active();
   for (BlockSums& sums : sums_) sums.bonded = sums.loaded = sums.squeezed = 0.0;
   for (const LaneSet& set : bonded_) open_group(set);
+  if (slanted()) stretch_slanted();
   const double two_g = 2.0 * material().shear_modulus();
   for (const BoundaryFace& face : faces_) {
     if (face.pressure == 0.0) continue;
@@ -307,7 +313,7 @@ double FacetNetwork::block_potential(std::size_t b, const BlockSums& sums) const
 
 double FacetNetwork::block_energy(std::size_t b) const {
   const BlockSums& sums = sums_[b];
-  return block_potential(b, sums) - bulk_stress_[b] * sums.loaded + sums.squeezed;
+  return block_potential(b, sums) - bulk_stress_[b] * sums.loaded + sums.squeezed + slant_energy(b);
 }
 
 /// Of the joint, of its closed broken points and of the uneven dilatation on its sides [J].
@@ -404,7 +410,8 @@ double FacetNetwork::memory_usage() const {
   }
   return rare + bytes(blocks_, state_, sums_, theta_, bulk_stress_, force_, torque_, facets_,
                       memory_, groups_, closed_stiffness_, states_, bonded_points_, bonded_,
-                      active_, working_, asleep_, yielding_, faces_);
+                      active_, working_, asleep_, yielding_, faces_, slants_, slant_traction_,
+                      block_slants_, gradients_, slant_stresses_);
 }
 
 }  // namespace muckpile

@@ -19,6 +19,8 @@
 // [V s] keeps short waves from being slow: with p = lambda theta alone a block's dilatation spans
 // two block lengths, and the P wave is too slow by (kh)^2 (lambda + G/2)/(6 (lambda + 2G)) along a
 // cuboid's axis, 3/5 of that where facets face all directions. kSharpening of D stands between.
+// Cuts whose faces lean against the lines between the centres also have the terms of
+// facet_slant.cpp.
 // Fixed supports, whose ground may yield, have m = n, and their blocks p = lambda theta; of a
 // mirror only the part of m along n counts. A support whose ground yields (quiet_ground.h) is a
 // bonded facet whose far side moves.
@@ -65,7 +67,8 @@ struct Facet {
   std::array<Vec3, 2> half_axes;  ///< sqrt(2) x radii of gyration along the in-plane axes [m]
   double area = 0.0;              ///< [m2]
   bool sharpened = true;          ///< D counts; not at the blocks of fixed supports
-  double weight = 1.0;            ///< share of the facet's energy that this rank books [-]
+  std::array<bool, 2> slanted{false, false};  ///< blocks i and j have the terms of facet_slant.cpp
+  double weight = 1.0;  ///< share of the facet's energy that this rank books [-]
 };
 
 /// What a facet joins, by local index; j = ground() for a support.
@@ -217,6 +220,12 @@ class FacetNetwork {
   [[nodiscard]] std::span<BlockState> state() { return state_; }
   [[nodiscard]] std::span<double> theta() { return theta_; }
   [[nodiscard]] std::span<double> bulk_stress() { return bulk_stress_; }  ///< [Pa]
+  /// A facet of this rank is slanted. Where one of any rank is, gradients() and slant_stresses() of
+  /// copies are to be set after dilatation() too; nine numbers per block.
+  [[nodiscard]] bool slanted() const { return !slants_.empty(); }
+  /// Of so many blocks from the first; room is made for them where no facet is slanted.
+  [[nodiscard]] std::span<double> gradients(std::size_t blocks);
+  [[nodiscard]] std::span<double> slant_stresses(std::size_t blocks);  ///< [Pa]
   [[nodiscard]] std::span<const Vec3> force() const { return force_; }
   [[nodiscard]] std::span<const Vec3> torque() const { return torque_; }
 
@@ -301,6 +310,7 @@ class FacetNetwork {
     FacetKind kind;
     std::uint8_t joint_class;
     bool sharpened;
+    std::array<bool, 2> slanted;
   };
   struct Strength {                                        // of a joint class
     double tension, cohesion, tan_friction, tan_residual;  // [Pa], [Pa], [-], [-]
@@ -332,6 +342,15 @@ class FacetNetwork {
   };
   struct Openings {
     Vec3 i, j;
+  };
+  struct Slant {  // of a facet: d/h - m, how the line of centres d leaves m; in the start [-]
+    std::array<Vec3, 2> lean{Vec3::Zero(), Vec3::Zero()};
+  };
+  struct BlockSlant {  // sums over the bonded facets of a block that is slanted, over its volume
+    Mat3 excess = Mat3::Zero();  // A u (x) lean/2 [-]
+    Mat3 moment = Mat3::Zero();  // symmetric part of A d (x) lean/2, in the start [-]
+    Mat3 dropped_gradient = Mat3::Zero(), dropped_excess = Mat3::Zero(),
+         dropped_moment = Mat3::Zero();  // lost by breaking in this step
   };
   struct Motion;     // how the two sides lie now, in lanes
   struct WidePose;   // of the facets of a group at once
@@ -408,6 +427,20 @@ class FacetNetwork {
   void book_sharpening(const std::vector<double>& theta_before);
   void apply(std::size_t f, double point_area, const Pull& pull);
 
+  // Leaning faces: facet_slant.cpp.
+  void derive_slants();
+  void count_slants();
+  void stretch_slanted();
+  void pull_slanted();
+  [[nodiscard]] Vec3 bonded_jump(std::size_t f, const Motion& motion) const;
+  [[nodiscard]] Vec3 line_of_centres(std::size_t f) const;
+  [[nodiscard]] Vec3 turned(std::size_t f, const Vec3& start, double scale) const;
+  [[nodiscard]] Mat3 slant_moment(std::size_t f, int side) const;
+  [[nodiscard]] Mat3 slant_stress(std::size_t b) const;
+  [[nodiscard]] double slant_energy(std::size_t b) const;
+  void drop_from_slant(std::size_t f, const Break& broken);
+  void book_slant();
+
   // Broken points: facet_contact.cpp.
   [[nodiscard]] bool closes(std::size_t f, const Motion& motion, const Contact& contact, double dt);
   void fade(std::size_t f, const Motion& motion, double matching);
@@ -447,6 +480,11 @@ class FacetNetwork {
   std::vector<BlockSums> sums_;
   std::vector<double> theta_, bulk_stress_;
   std::vector<Vec3> force_, torque_;
+  std::vector<Slant> slants_;         // per facet; these five empty unless one is slanted
+  std::vector<Vec3> slant_traction_;  // per facet, to a whole group [Pa]
+  std::vector<BlockSlant> block_slants_;
+  std::vector<Mat3> gradients_;       // of displacement, per block [-]
+  std::vector<Mat3> slant_stresses_;  // per block [Pa]
   std::vector<double> gas_pressure_;  // empty until asked for
   std::vector<Vec3> gas_force_, gas_torque_;
   std::vector<FacetName> facets_;

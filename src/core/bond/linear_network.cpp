@@ -47,6 +47,13 @@ void FacetNetwork::linearise(LinearNetwork& linear, BreakView view, double dampi
     spring.strain_i = bond.area_i / kFacetPoints;
     spring.strain_j = bond.area_j / kFacetPoints;
     if (view == BreakView::as_it_is) spring.sharpening = coupling_of(f).sharpening;
+    spring.slanted = facets_[f].slanted;
+    spring.smooth = facets_[f].kind == FacetKind::mirror;
+    spring.lean = {Vec3::Zero(), Vec3::Zero()};
+    if (slanted()) {
+      for (std::size_t k = 0; k < 2; ++k)
+        spring.lean[k] = turned(f, slants_[f].lean[k], motion.scale);
+    }
     const Vec3 between = state_[static_cast<std::size_t>(sides.i)].centre -
                          state_[static_cast<std::size_t>(sides.j)].centre;
     for (std::size_t p = 0; p < kFacetPoints; ++p) {
@@ -66,6 +73,15 @@ void FacetNetwork::linearise(LinearNetwork& linear, BreakView view, double dampi
   linear.lambda_ = material().lame_lambda();
   for (std::size_t b = 0; b + 1 < blocks_.size(); ++b)
     linear.volume_.push_back(blocks_[b].volume * stiffening(sums_[b]));
+  linear.two_g_ = 2.0 * material().shear_modulus();
+  for (std::size_t b = 0; b + 1 < blocks_.size(); ++b) {
+    linear.rock_volume_.push_back(blocks_[b].volume);
+    const Mat3& r = state_[b].rotation;
+    linear.moment_.push_back(slanted() && view == BreakView::as_it_is
+                                 ? Mat3(r * block_slants_[b].moment * r.transpose())
+                                 : Mat3::Zero());
+  }
+  linear.slants_.resize(linear.volume_.size());
   linear.theta_.resize(linear.volume_.size());
   linear.bulk_.resize(linear.volume_.size());
 }
@@ -100,6 +116,47 @@ void LinearNetwork::bulk_stresses(std::span<const double> motion, const RankTeam
   team.fill_copies(bulk_, 1);
 }
 
+void LinearNetwork::slant_stresses(std::span<const double> motion, const RankTeam& team) {
+  if (!slanted_) {
+    const auto is_slanted = [](const Spring& s) { return s.slanted[0] || s.slanted[1]; };
+    slanted_ =
+        team.sum(std::any_of(springs_.begin(), springs_.end(), is_slanted) ? 1.0 : 0.0) > 0.0;
+  }
+  if (!*slanted_) return;
+  for (Slant& slant : slants_) slant = {Mat3::Zero(), Mat3::Zero(), Mat3::Zero()};
+  for (const Spring& s : springs_) {
+    for (std::size_t p = 0; p < kFacetPoints; ++p) {
+      if (!s.bonded[p]) continue;
+      Vec3 opened = jump(s, p, motion);
+      if (s.smooth) opened = (s.normal.dot(opened) * s.normal).eval();
+      const auto add = [&](int block, double strain, const Vec3& opening, const Vec3& lean) {
+        const auto b = static_cast<std::size_t>(block);
+        slants_[b].gradient += strain / rock_volume_[b] * opened * opening.transpose();
+        slants_[b].excess += strain / rock_volume_[b] * opened * lean.transpose();
+      };
+      if (s.slanted[0]) add(s.i, s.strain_i, s.opening_i, s.lean[0]);
+      if (s.slanted[1]) add(s.j, s.strain_j, s.opening_j, s.lean[1]);
+    }
+  }
+  for (std::size_t b = 0; b < slants_.size(); ++b)
+    slants_[b].stress = two_g_ * (slants_[b].gradient * moment_[b] - slants_[b].excess);
+  static_assert(sizeof(Slant) == 27 * sizeof(double));
+  team.fill_copies(
+      {slants_.empty() ? nullptr : slants_.front().gradient.data(), 27 * slants_.size()}, 27);
+}
+
+/// Force of a bonded point by the slant [N].
+Vec3 LinearNetwork::slant_pull(const Spring& s) const {
+  Vec3 pull = Vec3::Zero();
+  const auto add = [&](int block, double share, const Vec3& opening, const Vec3& lean) {
+    const Slant& slant = slants_[static_cast<std::size_t>(block)];
+    pull += share * (slant.stress * opening - two_g_ * (slant.gradient * lean));
+  };
+  if (s.slanted[0]) add(s.i, s.pull_i, s.opening_i, s.lean[0]);
+  if (s.slanted[1]) add(s.j, s.pull_j, s.opening_j, s.lean[1]);
+  return s.smooth ? Vec3(s.normal.dot(pull) * s.normal) : pull;
+}
+
 /// Force of a bonded point by the bulk stresses [N].
 Vec3 LinearNetwork::bulk_pull(const Spring& s) const {
   Vec3 pull = s.pull_i * bulk_[static_cast<std::size_t>(s.i)] * s.opening_i;
@@ -110,6 +167,7 @@ Vec3 LinearNetwork::bulk_pull(const Spring& s) const {
 void LinearNetwork::hold(std::span<double> motion, std::span<double> force, const RankTeam& team) {
   team.fill_copies(motion, 6);
   bulk_stresses(motion, team);
+  slant_stresses(motion, team);
   std::fill(force.begin(), force.end(), 0.0);
   const auto push = [&](int block, const Vec3& on_block, const Vec3& arm) {
     const auto at = 6 * static_cast<std::size_t>(block);
@@ -119,7 +177,7 @@ void LinearNetwork::hold(std::span<double> motion, std::span<double> force, cons
     six.tail<3>() += arm.cross(on_block);
   };
   for (const Spring& s : springs_) {
-    const Vec3 bulk = bulk_pull(s);
+    const Vec3 bulk = bulk_pull(s) + slant_pull(s);
     for (std::size_t p = 0; p < kFacetPoints; ++p) {
       const Vec3 opened = jump(s, p, motion);
       Vec3 pull = s.shear[p] * opened + s.extra[p] * s.normal.dot(opened) * s.normal;

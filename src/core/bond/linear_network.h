@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -43,6 +44,9 @@ class LinearNetwork {
   struct Spring {
     int i, j;  // -1: the ground
     Vec3 normal, opening_i, opening_j;
+    std::array<bool, 2> slanted;  // blocks i and j have the terms of facet_slant.cpp
+    std::array<Vec3, 2> lean;
+    bool smooth;                                    // of a mirror
     std::array<Vec3, kFacetPoints> arm_i, arm_j;    // of the points, from the centres [m]
     std::array<double, kFacetPoints> shear, extra;  // stiffness; normal less shear [N/m]
     double pull_i, pull_j;      // force of a bonded point per bulk stress of block i and j [m2]
@@ -56,8 +60,17 @@ class LinearNetwork {
                                  std::span<const double> motion);
   void bulk_stresses(std::span<const double> motion, const RankTeam& team);
   [[nodiscard]] Vec3 bulk_pull(const Spring& spring) const;
+  void slant_stresses(std::span<const double> motion, const RankTeam& team);
+  [[nodiscard]] Vec3 slant_pull(const Spring& spring) const;
 
-  double lambda_ = 0.0;               // [Pa]
+  double lambda_ = 0.0, two_g_ = 0.0;  // [Pa]
+  std::vector<Mat3> moment_;           // Q of facet_slant.cpp; empty where nothing is slanted
+  std::vector<double> rock_volume_;    // [m3]
+  struct Slant {
+    Mat3 gradient, stress, excess;
+  };
+  std::vector<Slant> slants_;         // of `motion`
+  std::optional<bool> slanted_;       // a spring of any rank is
   std::vector<double> volume_;        // V (1 + phi lambda/2G), per block [m3]
   std::vector<double> theta_, bulk_;  // dilatation [-] and bulk stress [Pa] of `motion`
 };

@@ -91,6 +91,7 @@ void BlockRun::make_networks(const std::vector<Block>& blocks,
     facet.tag_j = facet.j + 1;
     facet.arm_j = at - image;
     facet.opening_j = (wall == Wall::repeat ? 1.0 : -1.0) * map * facet.opening_i;
+    facet.slanted[1] = facet.slanted[0];
     facet.weight = 0.5;  // the other half belongs to the reflected rock
     constants.push_back({facet.tag_j, volume_[b], mass_[b], false, {}});
   }
@@ -144,6 +145,15 @@ void BlockRun::reflect_scalars(std::span<double> values) const {
   }
 }
 
+void BlockRun::reflect_tensors(std::span<double> values) const {
+  for (std::size_t k = 0; k < images_.size(); ++k) {
+    const Image& image = images_[k];
+    Eigen::Map<Mat3>(values.data() + 9 * (size() + k)) =
+        image.parity * image.map * Eigen::Map<const Mat3>(values.data() + 9 * image.of) *
+        image.map.transpose();
+  }
+}
+
 void BlockRun::compute(double dt) {
   for (std::size_t k = 0; k < images_.size(); ++k) reflect(k);
   std::fill(force_.begin(), force_.end(), Vec3::Zero());
@@ -152,6 +162,10 @@ void BlockRun::compute(double dt) {
     std::copy(state_.begin(), state_.end(), network.state().begin());
     network.dilatation(dt);
     reflect_scalars(network.theta());
+    if (network.slanted()) {
+      reflect_tensors(network.gradients(state_.size()));
+      reflect_tensors(network.slant_stresses(state_.size()));
+    }
     network.bulk_stresses();
     reflect_scalars(network.bulk_stress());
     network.tractions(dt);

@@ -78,6 +78,7 @@ class BlockRun {
                      const WallRule& walls, const NaturalJoints& natural);
   void reflect(std::size_t k);
   void reflect_scalars(std::span<double> values) const;
+  void reflect_tensors(std::span<double> values) const;  // nine numbers per block
   void kick(double dt);
   void drift(double dt);
 
