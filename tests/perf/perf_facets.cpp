@@ -2,7 +2,8 @@
 // perf_facets: time of one force computation of the facet network per integration point, on one
 // core; prints JSON to standard output.
 // Scope: core only, no communication: three passes over intact rock, without and with dashpots,
-// over rock whose facets are all broken but closed, and over rock that has fallen apart.
+// over rock cut by leaning joint sets, over rock whose facets are all broken but closed, and over
+// rock that has fallen apart.
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -19,14 +20,18 @@ constexpr double kStep = 1e-6;  // [s]
 constexpr double kStrain = 1e-4;
 constexpr double kTarget = 8.0;  // per integration point [ns]
 
-test::BondScene cube(const std::vector<Block>& blocks, double strength, double damping = 0.0) {
+JointParameters rock_of(double strength, double damping = 0.0) {
   JointParameters rock = test::rock(0.25);
   rock.tension = rock.cohesion = strength;
   rock.residual_friction_angle = 0.6;
   rock.damping = damping;
   rock.contact_damping = 0.05;
   rock.longest_sleep = 20.0;
-  return {blocks, rock};
+  return rock;
+}
+
+test::BondScene cube(const std::vector<Block>& blocks, double strength, double damping = 0.0) {
+  return {blocks, rock_of(strength, damping)};
 }
 
 nlohmann::ordered_json time_of(test::BondScene& scene) {
@@ -54,6 +59,10 @@ nlohmann::ordered_json measure() {
   test::BondScene damped = cube(blocks, 1e30, 0.05);
   damped.deform(-kStrain * Mat3::Identity());
   result["intact_damped"] = time_of(damped);
+
+  test::BondScene leaning = test::leaning_scene(kEdge, rock_of(1e30));
+  leaning.deform(-kStrain * Mat3::Identity());
+  result["leaning"] = time_of(leaning);
 
   test::BondScene broken = cube(blocks, 0.0);
   broken.deform(kStrain * Mat3::Identity());

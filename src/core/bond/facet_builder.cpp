@@ -38,7 +38,8 @@ void choose_sharpened(const std::vector<Block>& blocks, int first_tag, FacetSet&
 
 }  // namespace
 
-FacetSet build_facets(const std::vector<Block>& blocks, int first_tag, const SupportRule& support) {
+FacetSet build_facets(const std::vector<Block>& blocks, int first_tag, const SupportRule& support,
+                      Leaning leaning) {
   FacetSet set;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const Block& block = blocks[b];
@@ -74,7 +75,7 @@ FacetSet build_facets(const std::vector<Block>& blocks, int first_tag, const Sup
       }
     }
   }
-  set_openings(blocks, first_tag, set);
+  set_openings(blocks, first_tag, leaning, set);
   choose_sharpened(blocks, first_tag, set);
   return set;
 }

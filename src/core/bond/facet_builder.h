@@ -24,7 +24,11 @@ struct FacetSet {
 /// rounding and their h/area would only disturb the time step.
 inline constexpr double kSmallestFacetShare = 1e-6;
 
+/// How far lines between centres are from crossing faces at right angles: little in relaxed Voronoi
+/// cells; much where planes or joint sets cut, which takes the terms of facet_slant.cpp.
+enum class Leaning : std::uint8_t { little, much };
+
 [[nodiscard]] FacetSet build_facets(const std::vector<Block>& blocks, int first_tag,
-                                    const SupportRule& support);
+                                    const SupportRule& support, Leaning leaning = Leaning::little);
 
 }  // namespace muckpile

@@ -343,8 +343,15 @@ class FacetNetwork {
   struct Openings {
     Vec3 i, j;
   };
-  struct Slant {  // of a facet: d/h - m, how the line of centres d leaves m; in the start [-]
-    std::array<Vec3, 2> lean{Vec3::Zero(), Vec3::Zero()};
+  struct Slant {                                           // of a facet
+    std::array<Vec3, 2> lean{Vec3::Zero(), Vec3::Zero()};  // d/h - m of both blocks, in the start
+    double shear_share =
+        1.0;  // of the jump that strains rock over that along the normal; 0: mirror
+
+    /// The part of a jump that strains rock, over its share along the normal.
+    [[nodiscard]] Vec3 strained(const Vec3& jump, const Vec3& normal) const {
+      return shear_share * jump + (1.0 - shear_share) * normal.dot(jump) * normal;
+    }
   };
   struct BlockSlant {  // sums over the bonded facets of a block that is slanted, over its volume
     Mat3 excess = Mat3::Zero();  // A u (x) lean/2 [-]
@@ -438,6 +445,7 @@ class FacetNetwork {
   [[nodiscard]] Mat3 slant_moment(std::size_t f, int side) const;
   [[nodiscard]] Mat3 slant_stress(std::size_t b) const;
   [[nodiscard]] double slant_energy(std::size_t b) const;
+  [[nodiscard]] Vec3 moment_torque(std::size_t b) const;
   void drop_from_slant(std::size_t f, const Break& broken);
   void book_slant();
 

@@ -7,11 +7,9 @@
 // to the neighbour's centre. With m = n it is wrong by the first moment of the facets about the
 // lines between the centres. Two ways to take that out:
 //   of each block: m = K n, K the inverse of the sum of A n (x) r / V;
-//   balanced: m_i = 2 w n + s and m_j = 2 (1 - w) n - s, w the share of block i in h, with the s
-//   of least A h |s|^2 that makes all sums right (as nearly as walls allow). The mean of m_i and
-//   m_j is n, so a uniform stress is in balance too.
-// A cut counts as slanted if the springs alone would be wrong in an even strain by kSlantNoticed:
-// sound Voronoi cuts of some hundred blocks stay below, cuts by leaning joint sets are far above.
+//   balanced, where faces lean: m_i = 2 w n + s and m_j = 2 (1 - w) n - s, w the share of block i
+//   in h, with the s of least A h |s|^2 that makes all sums right (as nearly as walls allow). The
+//   mean of m_i and m_j is n, so a uniform stress is in balance too.
 #include "bond/facet_openings.h"
 
 #include <cmath>
@@ -19,8 +17,6 @@
 namespace muckpile {
 namespace {
 
-constexpr double kSlantNoticed =
-    0.0087;                          // half a per cent in all three directions: sqrt(3) x 0.005
 constexpr int kMostRounds = 40;      // of the conjugate gradients: moduli stand to 1e-5 then
 constexpr double kRoundOff = 1e-12;  // of the square of the gradient
 
@@ -44,20 +40,6 @@ class OpeningSearch {
       facet.opening_j =
           is_joint(facet) ? Vec3(sums[number(facet.tag_j)].inverse() * facet.normal) : Vec3::Zero();
     }
-  }
-
-  /// Mean over the rock of the moment Q of facet_slant.cpp: how far the springs alone are off.
-  [[nodiscard]] double slant() const {
-    Mat3 sum = Mat3::Zero();
-    double volume = 0.0;
-    for (const Block& block : blocks_) volume += block.mass.volume;
-    for (const Facet& facet : set_.facets) {
-      if (!is_joint(facet)) continue;
-      const Vec3 between = facet.arm_i - facet.arm_j;
-      const Vec3 along = between / facet.normal.dot(between);
-      sum += facet.area * between * (along - 0.5 * (facet.opening_i + facet.opening_j)).transpose();
-    }
-    return 0.5 * (sum + sum.transpose()).norm() / volume;
   }
 
   /// Conjugate gradients on the normal equations (Hestenes & Stiefel 1952), from s = 0, which gives
@@ -172,10 +154,9 @@ class OpeningSearch {
 
 }  // namespace
 
-void set_openings(const std::vector<Block>& blocks, int first_tag, FacetSet& set) {
+void set_openings(const std::vector<Block>& blocks, int first_tag, Leaning leaning, FacetSet& set) {
   OpeningSearch search(blocks, first_tag, set);
-  search.of_each_block();
-  if (search.slant() <= kSlantNoticed) return;
+  if (leaning == Leaning::little) return search.of_each_block();
   search.balanced();
   search.mark_slanted();
 }

@@ -9,7 +9,7 @@
 
 namespace muckpile {
 
-/// Sets the openings of all facets and says which are slanted.
-void set_openings(const std::vector<Block>& blocks, int first_tag, FacetSet& set);
+/// Sets the openings of all facets and says which are slanted: none where faces lean little.
+void set_openings(const std::vector<Block>& blocks, int first_tag, Leaning leaning, FacetSet& set);
 
 }  // namespace muckpile

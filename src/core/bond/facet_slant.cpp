@@ -21,11 +21,6 @@
 namespace muckpile {
 namespace {
 
-/// On a symmetry plane blocks slide: only what is along the normal counts.
-Vec3 held_part(const Vec3& v, const Vec3& normal, FacetKind kind) {
-  return kind == FacetKind::mirror ? Vec3(normal.dot(v) * normal) : v;
-}
-
 std::span<double> numbers_of(std::vector<Mat3>& tensors, std::size_t blocks) {
   if (tensors.size() < blocks) tensors.resize(blocks, Mat3::Zero());
   return {blocks > 0 ? tensors.front().data() : nullptr, 9 * blocks};
@@ -58,11 +53,16 @@ void FacetNetwork::derive_slants() {
   gradients_.assign(blocks_.size(), Mat3::Zero());
   slant_stresses_.assign(blocks_.size(), Mat3::Zero());
   for (std::size_t f = 0; f < facets_.size(); ++f) {
-    if (facets_[f].kind != FacetKind::joint) continue;
+    if (facets_[f].kind != FacetKind::joint) {
+      slants_[f].shear_share = facets_[f].kind == FacetKind::mirror ? 0.0 : 1.0;
+      continue;
+    }
     const Vec3 between = line_of_centres(f), normal = at_lane(group_of(f).normal, lane_of(f));
     const Vec3 along = between / normal.dot(between);
     const Bond bond = bond_of(f);
     slants_[f].lean = {along - bond.opening_i, along - bond.opening_j};
+    const double rock = 2.0 * material().shear_modulus() / normal.dot(between);
+    slants_[f].shear_share = bond.shear / rock / (bond.bulk_i + bond.bulk_j);
   }
 }
 
@@ -102,7 +102,7 @@ void FacetNetwork::stretch_slanted() {
     if (bonded_points_[f] == 0 || !(slanted[0] || slanted[1])) return;
     const Motion motion = motion_of(f);
     const Openings openings = openings_of(f, motion.scale);
-    const Vec3 jump = held_part(bonded_jump(f, motion), motion.normal, facets_[f].kind);
+    const Vec3 jump = slants_[f].strained(bonded_jump(f, motion), motion.normal);
     const auto add = [&](int block, double area, const Vec3& opening, const Vec3& lean) {
       const auto b = static_cast<std::size_t>(block);
       const Vec3 opened = area / blocks_[b].volume * jump;
@@ -132,6 +132,18 @@ double FacetNetwork::slant_energy(std::size_t b) const {
           material().shear_modulus() * gradients_[b].cwiseProduct(block_slants_[b].excess).sum());
 }
 
+/// On a block that turns its moment Q against its gradient [N m].
+Vec3 FacetNetwork::moment_torque(std::size_t b) const {
+  const Mat3& r = state_[b].rotation;
+  const Mat3 q = r * block_slants_[b].moment * r.transpose();
+  const Mat3 squared = gradients_[b].transpose() * gradients_[b];
+  const Mat3 swirl = q * squared - squared * q;
+  return 2.0 * blocks_[b].volume * material().shear_modulus() *
+         Vec3(swirl(2, 1), swirl(0, 2), swirl(1, 0));
+}
+
+/// Tractions by the slant, and what turns blocks beside them: u, m and g of one facet may turn
+/// without the block's other facets and its moment, which changes the energy.
 void FacetNetwork::pull_slanted() {
   const double two_g = 2.0 * material().shear_modulus();
   each_facet(working_, [&](std::size_t f) {
@@ -139,21 +151,30 @@ void FacetNetwork::pull_slanted() {
     if (bonded_points_[f] == 0 || !(slanted[0] || slanted[1])) return;
     const Motion motion = motion_of(f);
     const Openings openings = openings_of(f, motion.scale);
-    Vec3 traction = Vec3::Zero();
-    const auto add = [&](int block, double share, const Vec3& opening, const Vec3& lean) {
+    const Vec3 jump = slants_[f].strained(bonded_jump(f, motion), motion.normal);
+    Vec3 traction = Vec3::Zero(), turning = Vec3::Zero();
+    const auto add = [&](int block, double share, const Vec3& opening, const Vec3& start) {
       const auto b = static_cast<std::size_t>(block);
-      traction += share * (slant_stresses_[b] * opening -
-                           two_g * (gradients_[b] * turned(f, lean, motion.scale)));
+      const Mat3& stress = slant_stresses_[b];
+      const Mat3& gradient = gradients_[b];
+      const Vec3 lean = two_g * turned(f, start, motion.scale);
+      traction += share * (stress * opening - gradient * lean);
+      turning += share * (opening.cross(Vec3(stress.transpose() * jump)) -
+                          lean.cross(Vec3(gradient.transpose() * jump)));
     };
     if (slanted[0]) add(i_of(f), bond_of(f).bulk_i, openings.i, slants_[f].lean[0]);
     if (slanted[1]) add(j_of(f), bond_of(f).bulk_j, openings.j, slants_[f].lean[1]);
-    slant_traction_[f] = held_part(traction, motion.normal, facets_[f].kind);
+    slant_traction_[f] = slants_[f].strained(traction, motion.normal);
+    turning = (-0.5 * area(f) * (turning + jump.cross(traction))).eval();
+    torque_[static_cast<std::size_t>(i_of(f))] += turning;
+    torque_[static_cast<std::size_t>(j_of(f))] += turning;
   });
+  for (std::size_t b = 0; b < blocks_.size(); ++b) torque_[b] += moment_torque(b);
 }
 
 void FacetNetwork::drop_from_slant(std::size_t f, const Break& broken) {
   const double scale = motion_of(f).scale;
-  const Vec3 jump = held_part(broken.jump, broken.normal, facets_[f].kind);
+  const Vec3 jump = slants_[f].strained(broken.jump, broken.normal);
   const auto drop = [&](int side, int block, double area, const Vec3& opening) {
     if (!facets_[f].slanted[static_cast<std::size_t>(side)]) return;
     const auto b = static_cast<std::size_t>(block);
@@ -168,17 +189,20 @@ void FacetNetwork::drop_from_slant(std::size_t f, const Break& broken) {
   drop(1, j_of(f), bond_of(f).area_j, broken.openings.j);
 }
 
-/// Takes out what broke in this step and books what the slant's energy loses by it.
+/// Takes out what broke in this step and books what the slant's energy loses by it; what blocks of
+/// other ranks lose is booked there.
 void FacetNetwork::book_slant() {
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     BlockSlant& slant = block_slants_[b];
-    const double before = slant_energy(b);
-    gradients_[b] -= slant.dropped_gradient;
-    slant.excess -= slant.dropped_excess;
-    slant.moment -= slant.dropped_moment;
-    if (blocks_[b].owned) losses_.fracture += before - slant_energy(b);
+    if (blocks_[b].owned) {
+      const double before = slant_energy(b);
+      gradients_[b] -= slant.dropped_gradient;
+      slant.excess -= slant.dropped_excess;
+      slant.moment -= slant.dropped_moment;
+      losses_.fracture += before - slant_energy(b);
+      slant_stresses_[b] = slant_stress(b);
+    }
     slant.dropped_gradient = slant.dropped_excess = slant.dropped_moment = Mat3::Zero();
-    slant_stresses_[b] = slant_stress(b);
   }
 }
 

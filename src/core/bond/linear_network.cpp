@@ -48,9 +48,9 @@ void FacetNetwork::linearise(LinearNetwork& linear, BreakView view, double dampi
     spring.strain_j = bond.area_j / kFacetPoints;
     if (view == BreakView::as_it_is) spring.sharpening = coupling_of(f).sharpening;
     spring.slanted = facets_[f].slanted;
-    spring.smooth = facets_[f].kind == FacetKind::mirror;
     spring.lean = {Vec3::Zero(), Vec3::Zero()};
     if (slanted()) {
+      spring.shear_share = slants_[f].shear_share;
       for (std::size_t k = 0; k < 2; ++k)
         spring.lean[k] = turned(f, slants_[f].lean[k], motion.scale);
     }
@@ -127,8 +127,7 @@ void LinearNetwork::slant_stresses(std::span<const double> motion, const RankTea
   for (const Spring& s : springs_) {
     for (std::size_t p = 0; p < kFacetPoints; ++p) {
       if (!s.bonded[p]) continue;
-      Vec3 opened = jump(s, p, motion);
-      if (s.smooth) opened = (s.normal.dot(opened) * s.normal).eval();
+      const Vec3 opened = s.strained(jump(s, p, motion));
       const auto add = [&](int block, double strain, const Vec3& opening, const Vec3& lean) {
         const auto b = static_cast<std::size_t>(block);
         slants_[b].gradient += strain / rock_volume_[b] * opened * opening.transpose();
@@ -154,7 +153,7 @@ Vec3 LinearNetwork::slant_pull(const Spring& s) const {
   };
   if (s.slanted[0]) add(s.i, s.pull_i, s.opening_i, s.lean[0]);
   if (s.slanted[1]) add(s.j, s.pull_j, s.opening_j, s.lean[1]);
-  return s.smooth ? Vec3(s.normal.dot(pull) * s.normal) : pull;
+  return s.strained(pull);
 }
 
 /// Force of a bonded point by the bulk stresses [N].

@@ -46,13 +46,17 @@ class LinearNetwork {
     Vec3 normal, opening_i, opening_j;
     std::array<bool, 2> slanted;  // blocks i and j have the terms of facet_slant.cpp
     std::array<Vec3, 2> lean;
-    bool smooth;                                    // of a mirror
+    double shear_share;                             // see FacetNetwork::Slant
     std::array<Vec3, kFacetPoints> arm_i, arm_j;    // of the points, from the centres [m]
     std::array<double, kFacetPoints> shear, extra;  // stiffness; normal less shear [N/m]
     double pull_i, pull_j;      // force of a bonded point per bulk stress of block i and j [m2]
     double strain_i, strain_j;  // volume of block i and j per opening of a bonded point [m2]
     std::array<bool, kFacetPoints> bonded;
     double sharpening;  // of the bonded points, twice the energy per square of uneven theta [J]
+
+    [[nodiscard]] Vec3 strained(const Vec3& v) const {
+      return shear_share * v + (1.0 - shear_share) * normal.dot(v) * normal;
+    }
   };
 
   std::vector<Spring> springs_;
@@ -64,7 +68,7 @@ class LinearNetwork {
   [[nodiscard]] Vec3 slant_pull(const Spring& spring) const;
 
   double lambda_ = 0.0, two_g_ = 0.0;  // [Pa]
-  std::vector<Mat3> moment_;           // Q of facet_slant.cpp; empty where nothing is slanted
+  std::vector<Mat3> moment_;           // Q of facet_slant.cpp, per block [-]
   std::vector<double> rock_volume_;    // [m3]
   struct Slant {
     Mat3 gradient, stress, excess;

@@ -38,7 +38,8 @@ RockModel cut_rock(const CutOptions& options, int first_tag, const SupportRule& 
         rigid_body(block, options.density, options.spheres_per_block, options.sphere_growth));
   }
   model.largest_overlap = largest_overlap(blocks, model.bodies);
-  model.facets = build_facets(blocks, first_tag, support);
+  const bool leans = options.joint_sets.has_value() || !options.rock.planes.empty();
+  model.facets = build_facets(blocks, first_tag, support, leans ? Leaning::much : Leaning::little);
   assign_joint_classes(options.natural_joints, blocks, first_tag, model.facets.facets);
   return model;
 }

@@ -36,10 +36,12 @@ void add_laws(RockScene& scene, const std::string& strength) {
 }
 
 /// A lump that is pressed together on one side and spins to pieces.
-void make_breaking_lump(RockScene& scene, const std::string& strength) {
+void make_breaking_lump(RockScene& scene, const std::string& strength,
+                        const std::string& cut = "") {
   scene.cut("-1 1 -1 1 -1 1",
             "density 2600 size uniform 0.5 block_min 0.5 block_max 0.5 spheres_per_block 4 "
-            "sphere_growth 1.1 seed 3");
+            "sphere_growth 1.1 seed 3" +
+                cut);
   add_laws(scene, strength);
   scene.set_motion([](int, const Vec3& at) {
     const Vec3 spin(2.0, 5.0, 20.0), inward(at.x() > 0.0 ? -0.4 * at.x() : 0.0, 0.0, 0.0);
@@ -99,11 +101,11 @@ Bounds bounds() {
 
 /// `between` is for the first run only: what a restart has to know of it is in the file.
 void go_on_and_restart(const std::string& strength, const std::string& between = "",
-                       double books = 1e-3) {
+                       double books = 1e-3, const std::string& cut = "") {
   const ScratchFolder folder("restart");
   const std::string file = folder / "lump.restart";
   RockScene went_on(MPI_COMM_WORLD, "-4 4 -4 4 -4 4", "* * 1", "multisphere/muckpile");
-  make_breaking_lump(went_on, strength);
+  make_breaking_lump(went_on, strength, cut);
   went_on.run(kBefore, kStep);
   if (!between.empty()) went_on.command(between);
   const double broken = went_on.output("joint", 2);
@@ -128,6 +130,11 @@ void go_on_and_restart(const std::string& strength, const std::string& between =
 }
 
 TEST(Restart, BreakingRockOnRanksGoesOnAsIfNothingHadHappened) { go_on_and_restart(kStrength); }
+
+TEST(Restart, LeaningBlocksStaySlanted) {
+  go_on_and_restart(kStrength, "", 1e-3,
+                    " cut joint_sets joint_set 75 90 joint_set 85 0 joint_set 10 270");
+}
 
 TEST(Restart, CracksKeepWhatTheyHold) {
   go_on_and_restart(kStrength + " fracture_energy_tension 40 fracture_energy_shear 160", "", 5e-3);

@@ -3,7 +3,11 @@
 // Scope: see the header.
 #include "bond_scene.h"
 
+#include <algorithm>
+#include <numbers>
+
 #include "../geometry/shapes.h"
+#include "geometry/joint_set_cut.h"
 
 namespace muckpile::test {
 
@@ -40,13 +44,32 @@ std::vector<Block> voronoi_blocks(double edge, unsigned long seed, int sweeps) {
   return cube_of_blocks(edge, sweeps, seed).blocks;
 }
 
+std::vector<Block> leaning_blocks(double edge) {
+  TessellationOptions options;
+  options.lo = Vec3::Constant(-0.5 * edge);
+  options.hi = Vec3::Constant(0.5 * edge);
+  JointSetCut how;
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  for (const auto& [dip, direction] : {std::pair{75.0, 90.0}, {85.0, 0.0}, {10.0, 270.0}})
+    how.sets.push_back({normal_of_dip(dip * kDegree, direction * kDegree)});
+  return cut_by_joint_sets(options, how).blocks;
+}
+
+BondScene leaning_scene(double edge, const JointParameters& parameters) {
+  return {leaning_blocks(edge),
+          parameters,
+          [](const Vec3&) { return Support::free; },
+          {},
+          Leaning::much};
+}
+
 Mat3 turn(const Vec3& angle) {
   const double size = angle.norm();
   return size > 0.0 ? Mat3(Eigen::AngleAxisd(size, angle / size)) : Mat3(Mat3::Identity());
 }
 
 BondScene::BondScene(const std::vector<Block>& blocks, const JointParameters& parameters,
-                     const SupportRule& support, const NaturalJoints& natural)
+                     const SupportRule& support, const NaturalJoints& natural, Leaning leaning)
     : network_(JointMaterial(parameters), natural.classes),
       angular_momentum_(blocks.size(), Vec3::Zero()) {
   std::vector<BlockConstants> constants;
@@ -58,7 +81,7 @@ BondScene::BondScene(const std::vector<Block>& blocks, const JointParameters& pa
         {static_cast<int>(constants.size()) + 1, block.mass.volume, mass_.back(), true});
   }
   network_.set_blocks(constants);
-  FacetSet set = build_facets(blocks, 1, support);
+  FacetSet set = build_facets(blocks, 1, support, leaning);
   assign_joint_classes(natural.planes, blocks, 1, set.facets);
   for (Facet& facet : set.facets) {
     facet.i = facet.tag_i - 1;
@@ -163,6 +186,10 @@ Vec3 BondScene::facet_force(std::size_t f) {
   alone.dilatation();  // the facet's jump; its own bulk stresses are overwritten next
   std::copy(network_.bulk_stress().begin(), network_.bulk_stress().end(),
             alone.bulk_stress().begin());
+  if (network_.slanted()) {
+    std::ranges::copy(network_.gradients(size()), alone.gradients(size()).begin());
+    std::ranges::copy(network_.slant_stresses(size()), alone.slant_stresses(size()).begin());
+  }
   alone.tractions(0.0);
   return alone.force()[static_cast<std::size_t>(network_.facets()[f].i)];
 }

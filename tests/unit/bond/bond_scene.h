@@ -23,12 +23,16 @@ std::vector<Block> cuboids(int nx, int ny, int nz, const Vec3& edge = Vec3::Ones
 /// Cube of the given edge [m] cut into centroidal Voronoi blocks of about 1 m.
 std::vector<Block> voronoi_blocks(double edge, unsigned long seed, int sweeps = 30);
 
+/// Cube of the given edge [m] about the origin, cut into blocks of about 1 m by three sets whose
+/// faces lean against the lines between centres: dip and dip direction 75 90, 85 0, 10 270 degrees.
+std::vector<Block> leaning_blocks(double edge);
+
 class BondScene {
  public:
   BondScene(
       const std::vector<Block>& blocks, const JointParameters& parameters,
       const SupportRule& support = [](const Vec3&) { return Support::free; },
-      const NaturalJoints& natural = {});
+      const NaturalJoints& natural = {}, Leaning leaning = Leaning::little);
 
   [[nodiscard]] FacetNetwork& network() { return network_; }
   [[nodiscard]] std::size_t size() const { return mass_.size(); }
@@ -66,6 +70,9 @@ class BondScene {
   std::vector<Mat3> inertia_;  // in the start orientation [kg m2]
   std::vector<Vec3> angular_momentum_;
 };
+
+/// Free leaning blocks with the terms of facet_slant.cpp.
+BondScene leaning_scene(double edge, const JointParameters& parameters);
 
 /// Rotation by the vector's length about its direction.
 Mat3 turn(const Vec3& angle);

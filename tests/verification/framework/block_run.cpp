@@ -42,7 +42,7 @@ WallRule walls_with(const Vec3& parity, const Vec3& box) {
 }
 
 BlockRun::BlockRun(const std::vector<Block>& blocks, const std::vector<JointParameters>& networks,
-                   const WallRule& walls, const NaturalJoints& natural)
+                   const WallRule& walls, const NaturalJoints& natural, Leaning leaning)
     : angular_momentum_(blocks.size(), Vec3::Zero()) {
   const double density = networks.front().density;
   for (const Block& block : blocks) {
@@ -53,15 +53,16 @@ BlockRun::BlockRun(const std::vector<Block>& blocks, const std::vector<JointPara
     start_.push_back(block.mass.centroid);
     state_.push_back({block.mass.centroid, Vec3::Zero(), Vec3::Zero(), Mat3::Identity()});
   }
-  make_networks(blocks, networks, walls, natural);
+  make_networks(blocks, networks, walls, natural, leaning);
   force_.assign(state_.size(), Vec3::Zero());
   torque_.assign(state_.size(), Vec3::Zero());
 }
 
 void BlockRun::make_networks(const std::vector<Block>& blocks,
                              const std::vector<JointParameters>& networks, const WallRule& walls,
-                             const NaturalJoints& natural) {
-  FacetSet set = build_facets(blocks, 1, [&](const Vec3& at) { return support_of(walls(at)); });
+                             const NaturalJoints& natural, Leaning leaning) {
+  FacetSet set = build_facets(
+      blocks, 1, [&](const Vec3& at) { return support_of(walls(at)); }, leaning);
   assign_joint_classes(natural.planes, blocks, 1, set.facets);
   std::vector<BlockConstants> constants;
   for (std::size_t b = 0; b < size(); ++b) {

@@ -23,7 +23,7 @@ RockSample uniform_rock(const Vec3& box, const std::vector<CutPlane>& planes) {
   TessellationOptions options;
   options.hi = box;
   options.planes = planes;
-  return {tessellate(options).blocks, box, 1.0};
+  return {tessellate(options).blocks, box, 1.0, Leaning::much};
 }
 
 RockSample graded_rock(const Vec3& box, const std::pair<Vec3, Vec3>& line, const SizeLaw& size,
@@ -61,7 +61,7 @@ RockSample banded_rock(const Vec3& box, const std::vector<Vec2>& sets, bool grad
     const Vec2 radians = set * std::numbers::pi / 180.0;
     how.sets.push_back({normal_of_dip(radians.x(), radians.y())});
   }
-  return {cut_by_joint_sets(options, how).blocks, box, 1.0};
+  return {cut_by_joint_sets(options, how).blocks, box, 1.0, Leaning::much};
 }
 
 RockSample cuboid_rock(const Eigen::Vector3i& number, const Vec3& edge) {

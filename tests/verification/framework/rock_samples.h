@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "bond/facet_builder.h"
 #include "bond/joint_material.h"
 #include "geometry/block_model.h"
 #include "geometry/polygon.h"
@@ -22,6 +23,7 @@ struct RockSample {
   std::vector<Block> blocks;
   Vec3 box;     ///< [m]
   double size;  ///< edge of the largest blocks [m]
+  Leaning leaning = Leaning::little;
 };
 
 [[nodiscard]] RockSample uniform_rock(const Vec3& box, unsigned long seed = 1);
