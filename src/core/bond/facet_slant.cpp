@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The facet network where the lines between the centres do not cross the faces at right angles.
-// Scope: bonded facets of cuts that facet_openings.h finds slanted; see facet_network.h.
+// Scope: bonded facets of cuts with Leaning::much (facet_builder.h); see facet_network.h.
 //
 // The springs 2G/h hold the jump u = F d of a homogeneous gradient F with 2G F d/h, which is the
 // continuum's 2G F m only where the line of centres d has the direction of m. A block's own share
@@ -10,8 +10,10 @@
 //   G V (F:F Q - 2 F:E),   E = sum of A u (x) g/2 / V,   Q = sym sum of A d (x) g/2 / V:
 // nothing at all where g = 0. So t gets [T_i m_i - 2G F_i g_i + T_j m_j - 2G F_j g_j]/2 with
 // T = 2G (F Q - E) of each block. In a homogeneous strain the whole traction is then the
-// continuum's times the mean of m_i and m_j, which facet_openings.cpp makes n. Kin: the stabilised
-// correspondence models of peridynamics (Silling 2017).
+// continuum's times the mean of m_i and m_j, which facet_openings.cpp makes n. Of a compliant joint
+// only the part of u that strains rock counts, so that the energy stays above 0. m and g turn with
+// the mean of the two blocks, Q with its block. Kin: the stabilised correspondence models of
+// peridynamics (Silling 2017).
 #include <algorithm>
 #include <cmath>
 
