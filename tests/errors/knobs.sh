@@ -28,7 +28,7 @@ refuses() {  # refuses KNOB VALUE [-var NAME VALUE]...
   tried=$((tried + 1))
   # The first -var of a name counts.
   timeout -k 5 60 "$program" -in "$input" -log none -var out "$out" -var "$knob" "$value" "$@" >"$out/screen" 2>&1 || status=$?
-  if [[ $status -eq 1 ]] && grep '^ERROR' "$out/screen" | grep -qwF -- "$knob" && ! grep -qE '^ *Step |^Loop time' "$out/screen"; then
+  if [[ $status -eq 1 ]] && grep '^ERROR' "$out/screen" | grep -qE "(^|[^A-Za-z0-9_])$knob([^A-Za-z0-9_]|_$value|$)" && ! grep -qE '^ *Step |^Loop time' "$out/screen"; then
     return
   fi
   echo "$knob $value: exit status $status, $(grep '^ERROR' "$out/screen" || tail -n 1 "$out/screen")"

@@ -169,6 +169,16 @@ struct FacetNetwork::WideField {
           pull(pose.difference * wide(group.half_1)), pull(pose.difference * wide(group.half_2))};
 }
 
+/// Lanes that have turned so far that they do not hold on by a last point (Motion::turned).
+[[gnu::always_inline]] inline auto FacetNetwork::torn(const FacetGroup& group,
+                                                      const WidePose& pose) {
+  const WideVec half_1 = wide(group.half_1), half_2 = wide(group.half_2);
+  const WideVec apart_1 = pose.difference * half_1, apart_2 = pose.difference * half_2;
+  const Wide length_1 = dot(half_1, half_1), length_2 = dot(half_2, half_2);
+  return dot(apart_1, apart_1) * length_2 + dot(apart_2, apart_2) * length_1 >
+         Wide(kTurnStart * kTurnStart) * length_1 * length_2;
+}
+
 /// Those of `lanes` of which no point fails.
 [[gnu::always_inline]] inline unsigned FacetNetwork::holding(std::size_t g, unsigned lanes,
                                                              const WidePose& pose,
@@ -181,7 +191,7 @@ struct FacetNetwork::WideField {
     cohesion[k] = strength.cohesion;
     tan_friction[k] = strength.tan_friction;
   }
-  typename Wide::mask_type fails(false);
+  typename Wide::mask_type fails = torn(groups_[g], pose);
   for (std::size_t p = 0; p < kFacetPoints; ++p) {
     const WideVec traction = pull.at(p);
     const Wide across = dot(pose.normal, traction);

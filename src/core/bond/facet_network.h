@@ -415,6 +415,7 @@ class FacetNetwork {
   [[nodiscard]] unsigned hold_group(std::size_t g, unsigned lanes, double dt,
                                     WideForces& forces) const;
   [[nodiscard]] WideField pull_of(const FacetGroup& group, const WidePose& pose) const;
+  [[nodiscard]] static auto torn(const FacetGroup& group, const WidePose& pose);
   [[nodiscard]] unsigned holding(std::size_t g, unsigned lanes, const WidePose& pose,
                                  const WideField& pull) const;
   void damp_group(std::size_t g, const WidePose& pose, WideField& pull, double dt,
