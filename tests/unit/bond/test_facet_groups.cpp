@@ -131,6 +131,23 @@ TEST(FacetGroups, IntactBrokenAndRetiredFacetsOfAGroupHaveTheForcesThatEachHasAl
   }
 }
 
+// However strong: a soft joint would follow a turn that its forces do not know.
+TEST(FacetGroups, AnIntactFacetLetsGoOnceItHasTurnedTooFar) {
+  const std::vector<Facet> of = joints();
+  const Facet& facet = of[5];
+  for (const double damping : {0.0, 0.05}) {
+    for (const double angle : {0.09, 0.11}) {
+      Pairs pair(of, {5}, damping);
+      const Mat3 turned = test::turn(angle * facet.half_axes[0].normalized());
+      const Vec3 still = Vec3::Zero();
+      pair.network().state()[0] = {still, still, still, Mat3::Identity()};
+      pair.network().state()[1] = {facet.arm_i - turned * facet.arm_j, still, still, turned};
+      pair.compute();
+      EXPECT_EQ(pair.network().broken_count() > 0.0, angle > 0.1) << angle;
+    }
+  }
+}
+
 /// The forces of one facet, point by point, and what its dashpots take [J]: the formulas of
 /// facet_network.h without lanes.
 struct OneByOne {
