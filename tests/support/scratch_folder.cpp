@@ -27,6 +27,12 @@ ScratchFolder::~ScratchFolder() {
   if (rank == 0) std::filesystem::remove_all(path_, ignored);
 }
 
+std::filesystem::path ScratchFolder::own(const std::string& name) const {
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  return path_ / ("rank" + std::to_string(rank) + '_' + name);
+}
+
 std::string content(const std::filesystem::path& path) {
   std::ostringstream all;
   all << std::ifstream(path).rdbuf();

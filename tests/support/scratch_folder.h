@@ -18,6 +18,8 @@ class ScratchFolder {
   [[nodiscard]] std::filesystem::path operator/(const std::string& name) const {
     return path_ / name;
   }
+  /// As operator/, another one on each rank: for scenes that each rank runs on its own.
+  [[nodiscard]] std::filesystem::path own(const std::string& name) const;
 
  private:
   std::filesystem::path path_;

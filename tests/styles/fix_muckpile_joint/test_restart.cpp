@@ -256,7 +256,7 @@ TEST(Restart, FileThatIsWrittenAgainBeforeARunKeepsTheGas) {
 
 TEST(Restart, JointsCanBeTakenOffAndGivenAgainAfterwards) {
   const ScratchFolder folder("restart");
-  const std::string file = folder / "lump.restart";
+  const std::string file = folder.own("lump.restart");
   RockScene scene(MPI_COMM_SELF, "-4 4 -4 4 -4 4", "* * 1", "multisphere/muckpile");
   make_breaking_lump(scene, kStrength);
   scene.run(kBefore, kStep);
@@ -273,7 +273,7 @@ TEST(Restart, JointsCanBeTakenOffAndGivenAgainAfterwards) {
 
 TEST(Restart, LaterSnapshotsGoAndOtherFilesStay) {
   const ScratchFolder folder("restart");
-  const std::string file = folder / "lump.restart", out = folder / "out";
+  const std::string file = folder.own("lump.restart"), out = folder.own("out");
   RockScene scene(MPI_COMM_SELF, "-4 4 -4 4 -4 4", "* * 1", "multisphere/muckpile");
   make_breaking_lump(scene, kStrength);
   scene.run(1, kStep);
@@ -336,7 +336,7 @@ TEST(Restart, WhatIsNotGivenAgainEnds) {
 /// fix muckpile/progress stops a run that loses blocks; the one that goes on does without them.
 TEST(Restart, BlocksLostBeforeAreNotMissed) {
   const ScratchFolder folder("restart");
-  const std::string file = folder / "lost.restart";
+  const std::string file = folder.own("lost.restart");
   RockScene scene(MPI_COMM_SELF, "-4 4 -4 4 -4 4", "* * 1", "multisphere/muckpile");
   make_breaking_lump(scene, " cohesion 1e3 friction_angle 50 tension 1e3");
   const std::size_t before = scene.blocks().size();
@@ -353,7 +353,7 @@ TEST(Restart, BlocksLostBeforeAreNotMissed) {
   add_laws(restarted, " cohesion 1e3 friction_angle 50 tension 1e3");
   restarted.command("fix ledger all muckpile/ledger");
   restarted.command("fix progress all muckpile/progress every 10 directory " +
-                    (folder / "out").string());
+                    folder.own("out").string());
   restarted.run(100, kStep);  // an engine that stops ends the program
   EXPECT_EQ(restarted.blocks().size(), left);
 }
