@@ -3,13 +3,17 @@
 // Scope: see facet_network.h. The gas of a crushed zone presses on the faces there until it flows
 // round their blocks; what it then presses behind them is not followed here (core/gas does).
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "bond/facet_network.h"
 
 namespace muckpile {
 namespace {
 
-constexpr double kRounding = 1e-5;  // normals of facets are kept in single precision
+// Normals of facets are kept in single precision: of a block's surface, what their sum is off at
+// most.
+constexpr double kRounding = 1e-6;
 
 }  // namespace
 
@@ -60,30 +64,43 @@ double FacetNetwork::volume_swept(const BoundaryFace& face) const {
 }
 
 void FacetNetwork::list_wall() {
-  walls_.assign(blocks_.size(), Vec3::Zero());
-  backs_.assign(blocks_.size(), Vec3::Zero());
-  std::vector<char> loaded(blocks_.size(), 0);
+  std::map<std::pair<int, int>, Vec3> of;  // by block and hole
+  std::map<int, double> surface;           // of blocks that have a wall [m2]
   for (const BoundaryFace& face : faces_) {
     if (face.hole < 0) continue;
-    loaded[static_cast<std::size_t>(face.block)] = 1;
-    walls_[static_cast<std::size_t>(face.block)] += face.area * face.normal;
+    of.try_emplace({face.block, face.hole}, Vec3::Zero()).first->second += face.area * face.normal;
+    surface.try_emplace(face.block, 0.0);
   }
+  const auto add = [&surface](int block, double area) {
+    const auto found = surface.find(block);
+    if (found != surface.end()) found->second += area;
+    return found != surface.end();
+  };
   wall_.clear();
   for (std::size_t f = 0; f < facets_.size(); ++f) {
-    if (loaded[static_cast<std::size_t>(i_of(f))] != 0 ||
-        loaded[static_cast<std::size_t>(j_of(f))] != 0)
-      wall_.push_back(static_cast<std::uint32_t>(f));
+    const bool at_i = add(i_of(f), area(f)), at_j = add(j_of(f), area(f));
+    if (at_i || at_j) wall_.push_back(static_cast<std::uint32_t>(f));
   }
+  for (const BoundaryFace& face : faces_) add(face.block, face.area);
+  walls_.assign(faces_.size(), {});
+  for (std::size_t k = 0; k < faces_.size(); ++k) {
+    const BoundaryFace& face = faces_[k];
+    if (face.hole < 0) continue;
+    const Vec3& wall = of.at({face.block, face.hole});
+    walls_[k] = {wall, kRounding * surface.at(face.block) * wall.norm()};
+  }
+  backs_.assign(blocks_.size(), Vec3::Zero());
   hold_faces();
 }
 
-/// Gas of one pressure p on the wall N of a block and on those of its faces that have come loose
-/// from their neighbours presses the block by p times the sum of A n of the others, as A n over a
-/// whole block adds up to nothing. Of that, what acts against the wall is
-///     held = -(sum of fade A n) . N / N^2.
+/// Gas of one pressure p on the wall N that a block has to a crushed zone, and on those of its
+/// faces that have come loose from their neighbours, presses the block by p times the sum of A n of
+/// all its other faces, as A n over a whole block adds up to nothing. Of that, what acts against
+/// the wall is
+///     held = -(sum of fade A n of the others) . N / N^2 = 1 - (sum of fade A n of all) . N / N^2.
 /// A facet has come loose once it is retired: open by a tenth of its radius, far more than gas
-/// needs to fill it. Free faces have the atmosphere. Facets are as they were cut, so no pose
-/// enters.
+/// needs to fill it. Free faces have the atmosphere, walls to other crushed zones the gas there.
+/// Facets are as they were cut, so no pose enters.
 void FacetNetwork::hold_faces() {
   if (wall_.empty()) return;
   for (const std::uint32_t f : wall_) {
@@ -91,9 +108,8 @@ void FacetNetwork::hold_faces() {
     backs_[static_cast<std::size_t>(j_of(f))].setZero();
   }
   for (const BoundaryFace& face : faces_) backs_[static_cast<std::size_t>(face.block)].setZero();
-  for (const BoundaryFace& face : faces_) {
-    if (face.hole < 0) backs_[static_cast<std::size_t>(face.block)] += face.area * face.normal;
-  }
+  for (const BoundaryFace& face : faces_)
+    backs_[static_cast<std::size_t>(face.block)] += face.area * face.normal;
   for (const std::uint32_t f : wall_) {
     // Gas in a joint is followed and presses by itself: there the load is not reduced.
     const bool followed = memory_[f].gas;
@@ -103,15 +119,12 @@ void FacetNetwork::hold_faces() {
     backs_[static_cast<std::size_t>(i_of(f))] += part;
     backs_[static_cast<std::size_t>(j_of(f))] -= part;
   }
-  for (BoundaryFace& face : faces_) {
+  for (std::size_t k = 0; k < faces_.size(); ++k) {
+    BoundaryFace& face = faces_[k];
     if (face.hole < 0) continue;
-    const auto b = static_cast<std::size_t>(face.block);
-    const double along = -backs_[b].dot(walls_[b]), whole = walls_[b].squaredNorm();
-    if (along >= (1.0 - kRounding) * whole) {  // also where walls cancel each other
-      face.held = 1.0;
-    } else {
-      face.held = std::max(0.0, along / whole);
-    }
+    const Vec3& wall = walls_[k].sum;
+    const double lost = backs_[static_cast<std::size_t>(face.block)].dot(wall);
+    face.held = lost <= walls_[k].rounding ? 1.0 : std::max(0.0, 1.0 - lost / wall.squaredNorm());
   }
 }
 

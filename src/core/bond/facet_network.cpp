@@ -102,8 +102,8 @@ void FacetNetwork::give_up(std::vector<Facet>& facets, std::vector<FacetMemory>&
   faces = std::move(faces_);
   const auto release = [](auto&... table) { ((table = std::decay_t<decltype(table)>()), ...); };
   release(facets_, memory_, groups_, closed_stiffness_, states_, bonded_points_, bonded_, active_,
-          working_, asleep_, yielding_, faces_, slants_, slant_traction_, block_slants_, gradients_,
-          slant_stresses_);
+          working_, asleep_, yielding_, faces_, wall_, walls_, backs_, slants_, slant_traction_,
+          block_slants_, gradients_, slant_stresses_);
 }
 
 Facet FacetNetwork::facet(std::size_t f) const {
@@ -410,8 +410,8 @@ double FacetNetwork::memory_usage() const {
   }
   return rare + bytes(blocks_, state_, sums_, theta_, bulk_stress_, force_, torque_, facets_,
                       memory_, groups_, closed_stiffness_, states_, bonded_points_, bonded_,
-                      active_, working_, asleep_, yielding_, faces_, slants_, slant_traction_,
-                      block_slants_, gradients_, slant_stresses_);
+                      active_, working_, asleep_, yielding_, faces_, wall_, walls_, backs_, slants_,
+                      slant_traction_, block_slants_, gradients_, slant_stresses_);
 }
 
 }  // namespace muckpile

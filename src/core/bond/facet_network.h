@@ -516,8 +516,12 @@ class FacetNetwork {
   QuietGround quiet_ground_;
   std::vector<BoundaryFace> faces_;
   std::vector<std::uint32_t> wall_;  // facets of blocks on a crushed zone
-  std::vector<Vec3> walls_,
-      backs_;  // per block: sum of A n of its loaded faces, of what holds them
+  struct Wall {                      // of a block to one crushed zone
+    Vec3 sum = Vec3::Zero();         // of A n [m2]
+    double rounding = 0.0;           // of the block's sum of A n, along `sum` [m4]
+  };
+  std::vector<Wall> walls_;  // per face with a hole: that to which it belongs
+  std::vector<Vec3> backs_;  // per block: sum of A n of all faces through which no gas passes [m2]
   JointLosses losses_;
   bool softens_ = false, depends_on_rate_ = false, keeps_gas_ = false;
   double damping_ = 0.0, contact_damping_ = 0.0;  // [Pa s/m]

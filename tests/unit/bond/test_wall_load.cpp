@@ -4,7 +4,10 @@
 // Scope: two unit cubes along x, the face x = 0 of block 0 on the chamber; its area is 1 m2.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "bond_scene.h"
 
@@ -92,6 +95,50 @@ TEST(WallLoad, IsNotReducedWhereTheGasBehindPressesByItself) {
   wall.scene.network().release_gas(0);  // in the open: the gas is round the block
   wall.put({0.11 * kRadius, 0, 0});
   EXPECT_EQ(wall.face().held, 0.0);
+}
+
+/// Block 0 has y = 0 on another chamber: N0 = (-1, 0, 0), N1 = (0, -1, 0) m2. Once block 1 has gone
+/// ahead the gas of the first is round the block, and along N1 nothing has changed.
+TEST(WallLoad, OfOneChamberIsNotThatOfAnother) {
+  Wall wall;
+  FacetNetwork& network = wall.scene.network();
+  std::vector<BoundaryFace> faces = network.faces();
+  for (BoundaryFace& face : faces) {
+    if (face.block == 0 && face.normal.y() < -0.5) face.hole = 1;
+  }
+  network.set_faces(std::move(faces));
+  const auto held = [&](int hole) {
+    const auto found = std::find_if(network.faces().begin(), network.faces().end(),
+                                    [hole](const BoundaryFace& f) { return f.hole == hole; });
+    return found->held;
+  };
+  wall.scene.compute();
+  EXPECT_DOUBLE_EQ(held(0), 1.0);
+  EXPECT_DOUBLE_EQ(held(1), 1.0);
+  wall.put({1e-3, 0, 0});
+  wall.put({0.11 * kRadius, 0, 0});
+  EXPECT_NEAR(held(0), 0.0, 1e-6);
+  EXPECT_DOUBLE_EQ(held(1), 1.0);
+}
+
+/// A wall of 1e-4 m2 on a block of 6 m2: the sum of A n of the whole block is nothing to 1e-7 m2,
+/// 1e-3 of the wall.
+TEST(WallLoad, OfATinyFaceIsWholeWhileTheBlockIsHeld) {
+  Wall wall;
+  FacetNetwork& network = wall.scene.network();
+  std::vector<BoundaryFace> faces = network.faces();
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    if (faces[k].hole != 0) continue;
+    BoundaryFace rest = faces[k];
+    rest.hole = -1;
+    rest.area -= 1e-4 - 1e-7;  // as if single precision had rounded so
+    faces[k].area = 1e-4;
+    faces.push_back(rest);
+    break;
+  }
+  network.set_faces(std::move(faces));
+  wall.scene.compute();
+  EXPECT_DOUBLE_EQ(wall.face().held, 1.0);
 }
 
 TEST(WallLoad, WorkIsTheEnergyOfTheBlocksThroughTheChange) {
