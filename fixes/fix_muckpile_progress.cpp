@@ -53,7 +53,7 @@ const ArgTable& table() {
                 "mass share that may still move in a pile called still")
           .real("fastest_allowed", "m/s", Range::left_open(0.0, 1e5), 2000.0,
                 "a faster block stops the run as unstable")
-          .real("balance_allowed", "", Range::left_open(0.0, 1e6), 0.5,
+          .real("balance_allowed", "", Range::left_open(0.0, 1e6), 0.1,
                 "a larger energy balance error stops the run as unstable")
           .word("scene", {}, "all",
                 "region; a block whose centre is outside has left, and no longer keeps the pile "

@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # run_case.sh LIGGGHTS_MUCKPILE MUCKPILE_POST INPUT REPORTS EXPECTED.json [RANKS]: runs INPUT with the "vars" of EXPECTED.json
 # on 2 ranks or RANKS, lets muckpile-post make the REPORTS, and compares summary.json, or the last row of history.csv, with the "expected" lines.
+# What a failed run has written stays, and its place is printed.
 # Scope: EXPECTED.json has one line per value: {"quantity": NAME, "value": V, "tolerance": T, "why": TEXT}.
 set -euo pipefail
 program=$1 post=$2 input=$3 expected=$(readlink -f "$5") ranks=${6:-2}
 read -ra reports <<<"$4"
 root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
 out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
+trap 'if [[ $? -eq 0 ]]; then rm -rf "$out"; else echo "kept: $out"; fi' EXIT
 cd "$root"
 
 grep -qE '^ *"vars": ".*",?$' "$expected" || { echo "$expected: no line with \"vars\""; exit 1; }
