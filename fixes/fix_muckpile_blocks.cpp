@@ -45,7 +45,7 @@ FixMuckpileBlocks::FixMuckpileBlocks(LAMMPS_NS::LAMMPS* engine, int narg, char**
   if (multisphere_ == nullptr) {
     engine::stop(*lmp, "fix muckpile/blocks needs a fix multisphere defined before it");
   }
-  restart_global = 1;
+  restart_global = restart_file = 1;
 }
 
 FixMuckpileBlocks::~FixMuckpileBlocks() {

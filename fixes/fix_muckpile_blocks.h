@@ -64,6 +64,7 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   void pre_neighbor() override { synchronise(); }
   double memory_usage() override;
   void write_restart(FILE* file) override;
+  void write_restart_file(char* file) override;  ///< once LIGGGHTS has closed it
   void restart(char* state) override;
 
   /// The store of this run, nullptr before create_blocks.

@@ -16,6 +16,7 @@
 #include "engine/bodies.h"
 #include "engine/exchange.h"
 #include "engine/restart_file.h"
+#include "engine/restart_seal.h"
 #include "engine/style_args.h"
 #include "fix_muckpile_blocks.h"
 
@@ -59,6 +60,8 @@ void FixMuckpileBlocks::write_restart(FILE* file) {
   all.put(facets_created_);
   engine::write_state(*lmp, style, file, all, mine);
 }
+
+void FixMuckpileBlocks::write_restart_file(char* file) { engine::seal_restart(*lmp, file); }
 
 void FixMuckpileBlocks::restart(char* state) {
   engine::ByteReader reader = engine::read_state(state);

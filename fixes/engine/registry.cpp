@@ -31,6 +31,7 @@
 #include "fix_multisphere_muckpile.h"
 #include "pair_muckpile_block.h"
 #include "rank_grid.h"
+#include "read_sealed_restart.h"
 #include "require.h"
 
 namespace muckpile::engine {
@@ -89,6 +90,13 @@ const std::map<std::string, CommandCreator>& commands() {
   };
   return table;
 }
+/// In place of commands of the engine.
+const std::map<std::string, CommandCreator>& replaced_commands() {
+  static const std::map<std::string, CommandCreator> table = {
+      {"read_restart", &run_command<ReadSealedRestart>},
+  };
+  return table;
+}
 const std::map<std::string, FixCreator>& fixes() {
   static const std::map<std::string, FixCreator> table = {
       {"multisphere/muckpile", &create_fix<FixMultisphereMuckpile>},
@@ -140,7 +148,10 @@ std::vector<StyleName> style_names() {
 }
 
 void register_styles(LAMMPS& lmp) {
-  add_all(lmp, lmp.input->*private_member(CommandMap{}), commands(), "command");
+  auto* engine_commands = lmp.input->*private_member(CommandMap{});
+  add_all(lmp, engine_commands, commands(), "command");
+  for (const auto& [name, creator] : replaced_commands())
+    engine_commands->insert_or_assign(name, creator);
   add_all(lmp, lmp.modify->*private_member(FixMap{}), fixes(), "fix");
   add_all(lmp, lmp.force->pair_map, pairs(), "pair");
 }
