@@ -168,9 +168,11 @@ void FixMuckpileProgress::stop_if_wrong(const Look& now) {
                       "; shorten the time step");
   }
   if (!ledger_->balanced(balance_allowed_)) {
+    const bool softened = joint_ != nullptr && joint_->network().totals().softened < 1.0;
     stop_with_restart("the energy balance error is " + number_text(now.balance) + at +
                       ", more than balance_allowed " + number_text(balance_allowed_) +
-                      "; shorten the time step");
+                      "; shorten the time step" +
+                      (softened ? ", or soften the joints less: they bear what gas is left" : ""));
   }
 }
 

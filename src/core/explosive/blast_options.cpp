@@ -40,7 +40,7 @@ void add_pulse_keywords(ArgTable& table) {
   add_optional(table, "attenuation_exponent",
                "that exponent itself, 0 to 10; auto: from attenuation");
   add_optional(table, "peak_pressure",
-               "P1 on the crushed-zone wall itself [Pa], 0 to 1e12; auto: P0 attenuated");
+               "P1 on the crushed-zone wall itself [Pa], 1e5 to 1e12; auto: P0 attenuated");
 }
 
 void add_gas_keywords(ArgTable& table) {
@@ -99,7 +99,7 @@ void read_attenuation(BlastOptions& options, const ArgValues& values) {
   options.poisson_ratio = number("poisson_ratio", "", Range::right_open(0.0, 0.5));
   options.p_wave_speed = number("rock_p_wave_speed", "m/s", Range::closed(100.0, 2e4));
   options.typed_exponent = number("attenuation_exponent", "", Range::closed(0.0, 10.0));
-  options.peak_pressure = number("peak_pressure", "Pa", Range::closed(0.0, 1e12));
+  options.peak_pressure = number("peak_pressure", "Pa", Range::closed(1e5, 1e12));
   if (values.word("attenuation") == "liu_katsabanis") {
     options.attenuation = Attenuation::liu_katsabanis;
   }

@@ -25,10 +25,22 @@ const std::vector<std::string> kModels = {"explosion_state",       "explosion_st
 
 JwlParameters typed_jwl(const std::string& where, const std::vector<std::string>& words,
                         const NamedExplosive& explosive) {
+  struct Word {
+    const char *name, *unit;
+    Range range;
+  };
+  // Around all sets of explosives that detonate: A of 4e10 to 1e12 Pa, B of 1e8 to 1e11 Pa, R1 of 3
+  // to 8, R2 of 0.5 to 2, omega of 0.1 to 0.6 (Dobratz and Crawford 1985); values in GPa are far
+  // outside.
+  static const std::array<Word, 6> kWords{{{"jwl A", "Pa", Range::closed(1e8, 1e13)},
+                                           {"jwl B", "Pa", Range::closed(0.0, 1e12)},
+                                           {"jwl R1", "", Range::closed(0.5, 20.0)},
+                                           {"jwl R2", "", Range::closed(0.0, 10.0)},
+                                           {"jwl omega", "", Range::closed(0.01, 2.0)},
+                                           {"jwl P_CJ", "Pa", Range::closed(1e8, 1e12)}}};
   std::array<double, 6> v{};
-  for (std::size_t k = 0; k < v.size(); ++k) {
-    v[k] = parse_real(where, "jwl", words[k], "", Range::non_negative());
-  }
+  for (std::size_t k = 0; k < v.size(); ++k)
+    v[k] = parse_real(where, kWords[k].name, words[k], kWords[k].unit, kWords[k].range);
   return {.a = v[0],
           .b = v[1],
           .r1 = v[2],
