@@ -11,6 +11,7 @@
 
 #include "args/input_error.h"
 #include "args/numbers.h"
+#include "args/suggestion.h"
 #include "engine/style_args.h"
 
 namespace muckpile {
@@ -19,8 +20,8 @@ namespace {
 constexpr const char* kStyle = "require";
 
 bool starts_a_rule(const std::string& word) {
-  constexpr std::array<const char*, 7> kWords{"above", "at_least", "below", "at_most",
-                                              "or",    "whole",    "unit"};
+  constexpr std::array<const char*, 8> kWords{"above", "at_least", "below", "at_most",
+                                              "or",    "whole",    "unit",  "one_of"};
   return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }
 
@@ -57,7 +58,7 @@ Rule read_rule(const std::vector<std::string>& words) {
       rule.exception = number;
     } else {
       throw InputError(std::string(kStyle) + ": unknown keyword '" + word +
-                       "' (known: above, at_least, below, at_most, or, whole, unit)");
+                       "' (known: above, at_least, below, at_most, or, whole, unit, one_of)");
     }
   }
   return rule;
@@ -82,6 +83,14 @@ void check(const std::string& name, const std::string& text, const Rule& rule) {
   }
 }
 
+void check_word(const std::string& name, const std::string& word,
+                const std::vector<std::string>& allowed) {
+  if (allowed.empty()) throw InputError(std::string(kStyle) + ": nothing follows 'one_of'");
+  if (std::find(allowed.begin(), allowed.end(), word) != allowed.end()) return;
+  throw InputError("input: " + name + " must be one of " + joined(allowed) + ", got '" + word +
+                   "'" + did_you_mean(word, allowed));
+}
+
 }  // namespace
 
 void Require::command(int narg, char** arg) {
@@ -89,7 +98,10 @@ void Require::command(int narg, char** arg) {
     if (narg < 2) throw InputError(std::string(kStyle) + ": needs a name, its value and a rule");
     // An empty variable leaves no word: its rule has taken the value's place.
     if (starts_a_rule(arg[1])) throw InputError(std::string("input: ") + arg[0] + " has no value");
-    check(arg[0], arg[1], read_rule({arg + 2, arg + narg}));
+    if (narg > 2 && std::string(arg[2]) == "one_of")
+      check_word(arg[0], arg[1], {arg + 3, arg + narg});
+    else
+      check(arg[0], arg[1], read_rule({arg + 2, arg + narg}));
     return 0;
   });
 }
