@@ -57,6 +57,10 @@ const ArgTable& table() {
                 "tension and cohesion grow with this power of the strain rate; 0: not")
           .real("reference_rate", "1/s", Range::closed(1e-12, 1e6), 1e-6,
                 "strain rate up to which strength is that at rest")
+          .real("weakening_speed", "m/s", Range::closed(0.0, 1e3), 0.0,
+                "speed of slip above which friction of broken joints falls; 0: it does not")
+          .real("weakened_friction_angle", "deg", Range::right_open(0.0, 90.0), 11.3,
+                "towards which it then falls")
           .integer(
               "open_sleep", "steps", Range::closed(0, 1000), 20,
               "longest time that a broken, open facet is left alone while its gap lasts; 0: never");
@@ -105,6 +109,8 @@ FacetNetwork network_from_arguments(LAMMPS_NS::LAMMPS& lmp, const std::string& w
   p.fracture_energy_shear = args.real("fracture_energy_shear");
   p.rate_exponent = args.real("rate_exponent");
   p.reference_rate = args.real("reference_rate");
+  p.weakening_speed = args.real("weakening_speed");
+  p.weakened_friction_angle = args.real("weakened_friction_angle") * kDegree;
   p.longest_sleep = static_cast<double>(args.integer("open_sleep"));
   return engine::or_engine_error(
       lmp, [&] { return FacetNetwork(JointMaterial(p), joint_classes(args, where)); });

@@ -24,6 +24,12 @@ double ramp_down(double x, double start, double end) {
 
 }  // namespace
 
+/// Of the broken points, whose sides slip by `slip` [m/s].
+Lanes FacetNetwork::friction_of(const Contact& contact, const LaneVec& slip) const {
+  if (slip_weakening_.speed == 0.0) return contact.tan_residual;
+  return sliding_friction(contact.tan_residual, dot(slip, slip), slip_weakening_);
+}
+
 /// Tractions of the broken points: no tension, friction, a dashpot along the normal. Friction is
 /// booked as the work that leapfrog takes from the blocks, that of the mean of the forces before
 /// and after the step's path, less what the springs have gained.
@@ -50,7 +56,8 @@ void FacetNetwork::add_contact(std::size_t f, const Motion& motion, const Contac
   const LaneVec sheared = spring - gap * pull.normal;
   const LaneVec stuck = choose(closed && !forgets, Lanes(1.0), 0.0) * sheared;
   const LaneVec shear = Lanes(fade * contact.shear) * stuck;
-  const Lanes squared = dot(shear, shear), limit = -contact.tan_residual * normal;
+  const Lanes squared = dot(shear, shear);
+  const Lanes limit = -friction_of(contact, pull.rate - rate * pull.normal) * normal;
   LaneMask slips(false);
   Lanes kept = 1.0;
   if (any_of(squared > kNearSlip * limit * limit)) {  // the root takes long

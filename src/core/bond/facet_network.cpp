@@ -142,6 +142,7 @@ void FacetNetwork::derive() {
                           joint.tan_friction(), joint.tan_residual_friction()});
   damping_ = material().damping_coefficient();
   contact_damping_ = material().contact_damping_coefficient();
+  slip_weakening_ = {parameters.weakening_speed, std::tan(parameters.weakened_friction_angle)};
   for (std::size_t f = 0; f < facets_.size(); ++f) derive_facet(f);
 }
 

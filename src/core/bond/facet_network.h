@@ -41,6 +41,7 @@
 #include "bond/joint_material.h"
 #include "bond/quiet_ground.h"
 #include "bond/rare.h"
+#include "bond/slip_friction.h"
 #include "math/types.h"
 
 namespace muckpile {
@@ -455,6 +456,7 @@ class FacetNetwork {
   void fade(std::size_t f, const Motion& motion, double matching);
   void let_sleep(std::size_t f, double gap, double radius, double dt);
   [[nodiscard]] double contact_energy(std::size_t f, const Motion& motion) const;
+  [[nodiscard]] Lanes friction_of(const Contact& contact, const LaneVec& slip) const;
   void add_contact(std::size_t f, const Motion& motion, const Contact& contact, Pull& pull,
                    double dt);
 
@@ -525,6 +527,7 @@ class FacetNetwork {
   JointLosses losses_;
   bool softens_ = false, depends_on_rate_ = false, keeps_gas_ = false;
   double damping_ = 0.0, contact_damping_ = 0.0;  // [Pa s/m]
+  SlipWeakening slip_weakening_;
   double pressure_work_ = 0.0, wave_work_ = 0.0, softened_ = 1.0;
   std::optional<double> damping_given_;
   bool newly_cracked_ = false;

@@ -34,14 +34,13 @@ class Pair {
   explicit Pair(double nu = 0.25) : Pair(weak_rock(nu)) {}
   explicit Pair(const JointParameters& p) : scene(cuboids(2, 1, 1), p) {}
 
-  /// Force on block 0 once block 1 has moved to `jump` [m]: traction of the facet, tension
-  /// positive.
-  Vec3 at(const Vec3& jump) {
-    constexpr double kTime = 1e-6;  // [s]
+  /// Force on block 0 once block 1 has moved to `jump` [m] in that time [s]: traction of the facet,
+  /// tension positive.
+  Vec3 at(const Vec3& jump, double time = 1e-6) {
     const Vec3 path = scene.start(1) + jump - scene.block(1).centre;
     scene.block(1).centre += path;
-    scene.block(1).velocity = path / kTime;
-    scene.compute(kTime);
+    scene.block(1).velocity = path / time;
+    scene.compute(time);
     scene.block(1).velocity.setZero();
     return scene.network().force()[0];
   }
@@ -171,6 +170,38 @@ TEST(FacetNetwork, FrictionTakesForceTimesPath) {
   const double expected = 5e7 * std::tan(kResidual) * 1e-2;
   EXPECT_NEAR((pair.scene.network().losses().friction - start) / expected, 1.0,
               1e-9);  // rounding of jumps
+}
+
+/// Shear over normal traction of a broken facet that slips at that speed [m/s], and what friction
+/// has taken over 10 mm against the limit times the path.
+std::pair<double, double> friction_at(double speed, double residual_angle = kResidual) {
+  JointParameters p = weak_rock(0.0);
+  p.residual_friction_angle = residual_angle;
+  p.weakening_speed = 0.1;
+  p.weakened_friction_angle = std::atan(0.2);
+  Pair pair(p);
+  pair.at({-1e-3, 0.02, 0});
+  constexpr double kStep = 1e-5;  // [m]
+  Vec3 last = Vec3::Zero();
+  double start = 0.0;
+  for (int k = 1; k <= 1100; ++k) {
+    last = pair.at({-1e-3, 0.02 + kStep * k, 0}, kStep / speed);
+    if (k == 100) start = pair.scene.network().losses().friction;  // what the break left has gone
+  }
+  const double ratio = shear_of(last) / -last.x();
+  const double taken = pair.scene.network().losses().friction - start;
+  return {ratio, taken / (ratio * -last.x() * 1000 * kStep)};
+}
+
+TEST(FacetNetwork, FrictionFallsWithTheSpeedOfSlip) {
+  const double slow = std::tan(kResidual);  // 0.70
+  for (const double speed : {0.01, 0.0999, 0.2, 1.0, 10.0}) {
+    const double expected = speed < 0.1 ? slow : 0.2 + (slow - 0.2) * 0.1 / speed;
+    const auto [ratio, share] = friction_at(speed);
+    EXPECT_NEAR(ratio / expected, 1.0, 1e-9) << speed;  // rounding of jumps of 1 mm at 1 m
+    EXPECT_NEAR(share, 1.0, 1e-9) << speed;             // what it takes is force times path
+  }
+  EXPECT_NEAR(friction_at(10.0, 0.1).first / std::tan(0.1), 1.0, 1e-9);  // never raised
 }
 
 TEST(FacetNetwork, FacetThatHasSlidStoresTheWorkOfATilt) {

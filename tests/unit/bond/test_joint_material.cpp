@@ -109,6 +109,8 @@ TEST(JointMaterial, RefusesWhatIsOutOfRange) {
       [](JointParameters& p) { p.fracture_energy_shear = -1.0; },
       [](JointParameters& p) { p.rate_exponent = -0.1; },
       [](JointParameters& p) { p.reference_rate = 0.0; },
+      [](JointParameters& p) { p.weakening_speed = -0.1; },
+      [](JointParameters& p) { p.weakened_friction_angle = 1.5708; },
       [](JointParameters& p) { p.youngs_modulus = std::numeric_limits<double>::quiet_NaN(); },
   };
   for (std::size_t k = 0; k < faults.size(); ++k) {
