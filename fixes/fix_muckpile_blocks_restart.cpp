@@ -116,6 +116,11 @@ void FixMuckpileBlocks::check_bodies() {
                            " blocks have a position or velocity that is not a number; go on from "
                            "a file written before that (command restart)");
   }
+  if (all[0] == 0 && blocks_created_ > 0) {
+    engine::stop(*lmp, "read_restart: all " + std::to_string(blocks_created_) +
+                           " blocks had left the simulation box; go on from a file written before "
+                           "that (command restart)");
+  }
   lost_before_ = std::max(blocks_created_ - all[0], 0);
   engine::print_once(*lmp, "read_restart: " + std::to_string(all[0]) +
                                " blocks at t = " + number_text(update->atime) + " s" +

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # damaged_restart.sh LIGGGHTS_MUCKPILE: writes a restart file of the rock of joined_rock.in, and reads it whole, with other bytes here and there,
 # cut short at many lengths, and in place of it a file that is none. Only the whole one may be read; each other must be refused
-# by its name, without a crash.
+# by its name, without a crash. So must a file without a block be, of a run that has burst.
 set -euo pipefail
 program=$1
 here=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")")
@@ -16,9 +16,10 @@ variable dir index $here
 variable bodies index multisphere/muckpile
 include $here/joined_rock.in
 fix load all muckpile/blast explosive_density 850 vod 5000 hole_diameter 0.09 poisson_ratio 0.25 vent_time 0.01 vent_decay 0.005
-timestep 1e-6
-run 2
-write_restart whole.restart
+thermo_modify lost ignore
+timestep \${step}
+run \${steps}
+write_restart \${file}
 END
 cat >read.in <<END
 atom_style granular
@@ -36,7 +37,10 @@ fix load all muckpile/blast explosive_density 850 vod 5000 hole_diameter 0.09 po
 timestep 1e-6
 run 2
 END
-"$program" -in write.in -log none >screen || { tail -n 5 screen; exit 1; }
+write_file() {  # write_file FILE STEP STEPS
+  "$program" -in write.in -log none -var file "$1" -var step "$2" -var steps "$3" >screen || { tail -n 5 screen; exit 1; }
+}
+write_file whole.restart 1e-6 2
 
 read_file() {  # read_file FILE
   status=0
@@ -71,5 +75,9 @@ rm spoilt.restart
 refused "no file"
 mkdir spoilt.restart
 refused "a folder"
+write_file empty.restart 1e-3 50
+read_file empty.restart
+[[ $status -eq 1 ]] && grep -q '^ERROR: read_restart: all .* blocks had left the simulation box' screen ||
+  { echo "no block: exit status $status, $(grep '^ERROR' screen || tail -n 1 screen)"; wrong=1; }
 echo "$tried spoilt files"
 exit $wrong

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # step_stress.sh LIGGGHTS_MUCKPILE [NP]: runs in.step at 0.1 to 1.5 of the longest stable step. Up to 1 it must end well
-# with its energy balanced; above, it must stop with the message of fix muckpile/progress and leave a restart file.
+# with its energy balanced; above, it must stop with the message of fix muckpile/progress and leave a restart file,
+# which the next run must refuse by that message.
 set -euo pipefail
 program=$1 ranks=${2:-1}
 here=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")")
@@ -29,6 +30,11 @@ try() {  # try SHARE ends|stops [variables]
     [[ $status -ne 0 ]] || fail "must stop"
     [[ $said == *"the time step"* ]] || fail "must say that the time step is too long"
     [[ -s $out/dump/stopped.restart ]] || fail "must leave stopped.restart"
+    status=0
+    mpirun -np "$ranks" --oversubscribe --bind-to none "$program" -in "$here/in.step" -log none -var out "$out" \
+      -var go_on 1 -var share 0.1 "$@" >"$out/screen" 2>&1 || status=$?
+    [[ $status -ne 0 ]] && grep -qE "^ERROR: .*(It is so in the restart file that was read|not a number; go on from)" "$out/screen" ||
+      fail "stopped.restart must be refused"
   fi
 }
 

@@ -237,6 +237,39 @@ TEST(Restart, BlastGoesOnWithItsGasItsGroundAndItsBooks) {
   EXPECT_LT(restarted.output("ledger", 0), 0.01);
 }
 
+/// A blast that is over stays so, and its walls are not looked for where their blocks have left.
+TEST(Restart, BlastThatIsOverIsNotFiredAgain) {
+  constexpr int kOver = 6;  // entry of fix muckpile/blast
+  const ScratchFolder folder("restart");
+  const std::string file = folder / "over.restart";
+  const auto add = [](RockScene& scene) {
+    add_laws(scene, kStrength);
+    scene.command("thermo_modify lost ignore");
+    scene.command(
+        "fix load all muckpile/blast explosive_density 1100 vod 4500 hole_diameter 0.1 "
+        "poisson_ratio 0.25 rise_time 2e-5 vent_time 1e-4 vent_decay 1e-5");
+  };
+  RockScene scene(MPI_COMM_WORLD, "-6 6 -6 6 -6 6", "* * 1", "multisphere/muckpile");
+  scene.cut("-0.9 0.9 -0.9 0.9 -0.9 0.9",
+            "density 2600 size uniform 0.3 block_min 0.3 block_max 0.3 spheres_per_block 3 "
+            "sweeps 5 seed 3 hole 0 0 -0.4 0 0 0.4 0.15");
+  add(scene);
+  scene.run(300, kBlastStep);
+  EXPECT_EQ(scene.output("load", kOver), 1.0);
+  const std::size_t before = scene.blocks().size();
+  scene.set_motion([](int, const Vec3& at) {
+    return Motion{Vec3(at.x() > -0.3 ? 2000.0 : 0.0, 0.0, 0.0), Vec3::Zero()};
+  });
+  scene.run(800, kBlastStep);
+  EXPECT_LT(scene.blocks().size(), before);
+  scene.command("write_restart " + file);
+  RockScene restarted = RockScene::restarted(MPI_COMM_WORLD, file, "* * 1");
+  add(restarted);
+  restarted.run(1, kBlastStep);  // an engine that stops ends the program
+  EXPECT_EQ(restarted.output("load", kOver), 1.0);
+  EXPECT_EQ(restarted.output("load", 1), 0.0);  // [Pa] on any wall
+}
+
 /// As when the command restart is followed by a second start before anything has moved.
 TEST(Restart, FileThatIsWrittenAgainBeforeARunKeepsTheGas) {
   const ScratchFolder folder("restart");
