@@ -68,6 +68,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
     return static_cast<double>(network_.yielding_supports());
   }
   [[nodiscard]] StepBound stable_step(Breaking breaking, double guess) const override;
+  [[nodiscard]] int stiffness_changes() const override { return softenings_; }
 
   void mark_joined(std::span<const char> moves, std::span<char> disturbed) override;
   void let_rest(std::span<const char> rests) override;
@@ -128,6 +129,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   std::vector<double> poses_;
   std::vector<int> of_blocks_;  // work space of mark_joined() and let_rest()
   bool cracked_since_build_ = false;
+  int softenings_ = 0;
   bool goes_on_ = false;  ///< after a restart file: what does not go on has ended
 };
 

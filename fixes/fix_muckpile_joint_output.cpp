@@ -63,6 +63,7 @@ int FixMuckpileJoint::modify_param(int narg, char** arg) {
     gather_state();
     compute_bulk_stresses(0.0);
     network_.soften(factor, damping);
+    ++softenings_;
     return 0;
   });
   return damps ? 4 : 2;

@@ -25,7 +25,16 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kWorthAChange = 1.01;  // a longer step than now by less is not taken
 
-enum Output { kJointStep, kContactStep, kStep, kChanges, kProducts, kOutputCount };
+enum Output {
+  kJointStep,
+  kContactStep,
+  kStep,
+  kChanges,
+  kProducts,
+  kDashpotStep,
+  kCollisionStep,
+  kOutputCount
+};
 
 const ArgTable& table() {
   static const ArgTable args =
@@ -33,11 +42,13 @@ const ArgTable& table() {
           .real("fraction", "", Range::left_open(0.0, 1.0), 0.8, "of the longest stable step")
           .integer("every", "steps", engine::step_counts(), 100, "between looks at the contacts")
           .integer("joints_every", "looks", Range::closed(0, 1000000), 20,
-                   "between looks at the joints; 0: at the start of each run only")
+                   "between looks at the joints; 0: at the start of each run and never within")
           .word("breaking", {"possible", "none"}, "possible",
                 "whether joints may break between two looks: a closed broken one is stiffer")
-          .flag("contact_dashpots", true,
-                "whether the dashpots of sphere contacts count, or their springs only")
+          .real("dashpot_fraction", "", Range::left_open(0.0, 4.0), 0.8,
+                "of the longest stable step with the dashpots of sphere contacts")
+          .real("collision", "s", Range::left_open(0.0, 1e30), 1e30,
+                "step that resolves a collision of blocks; without: as pair muckpile/block says")
           .real("min", "s", Range::closed(0.0, 1.0), 0.0, "a step shorter than this stops the run")
           .real("max", "s", Range::left_open(0.0, 1e30), 1e30, "the step is never longer");
   return args;
@@ -49,22 +60,28 @@ double three_digits(double step) {
   return std::floor(step / unit * (1.0 + 1e-9)) * unit;
 }
 
+/// Joints and contacts act on the same block at worst: their stiffnesses, 1/step^2, add.
+double acting_together(double joints, double contacts) {
+  return 1.0 / std::sqrt(1.0 / (joints * joints) + 1.0 / (contacts * contacts));
+}
+
 }  // namespace
 
 FixMuckpileTimestep::FixMuckpileTimestep(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg),
       where_(std::string("fix muckpile/timestep '") + (narg > 0 ? arg[0] : "") + "'"),
-      joint_step_(kInfinity),
-      contact_step_(kInfinity) {
+      joint_step_(kInfinity) {
+  contact_steps_.fill(kInfinity);
   engine::refuse_second_fix(*lmp, where_, "muckpile/timestep");
   const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
   fraction_ = args.real("fraction");
+  collision_ = args.real("collision");
   shortest_ = args.real("min");
   longest_ = args.real("max");
   if (shortest_ > longest_) engine::stop(*lmp, where_ + ": min must be <= max");
   joints_every_ = static_cast<int>(args.integer("joints_every"));
   breaking_ = args.word("breaking") == "none" ? Breaking::none : Breaking::possible;
-  contact_dashpots_ = args.flag("contact_dashpots");
+  dashpot_fraction_ = args.real("dashpot_fraction");
   nevery = static_cast<int>(args.integer("every"));
   time_depend = 1;  // the engine's clock counts steps of equal length otherwise
   scalar_flag = vector_flag = 1;
@@ -93,21 +110,23 @@ void FixMuckpileTimestep::init() {
 
 /// Forces are up to date here, so poses and contacts are.
 void FixMuckpileTimestep::setup(int) {
-  looks_ = 0;
-  look_at_joints();
+  if (joints_ != nullptr && joints_->stiffness_changes() != known_changes_) looks_ = joints_every_;
+  if (looks_ >= joints_every_) look_at_joints();
   look_at_contacts();
   choose();
 }
 
 void FixMuckpileTimestep::end_of_step() {
   ++looks_;
-  if (joints_every_ > 0 && looks_ % joints_every_ == 0) look_at_joints();
+  if (joints_every_ > 0 && looks_ >= joints_every_) look_at_joints();
   look_at_contacts();
   choose();
 }
 
 void FixMuckpileTimestep::look_at_joints() {
+  looks_ = 0;
   if (joints_ == nullptr) return;
+  known_changes_ = joints_->stiffness_changes();
   const StepBound bound = joints_->stable_step(breaking_, joint_step_);
   joint_step_ = bound.seconds;
   products_ += bound.products;
@@ -115,28 +134,37 @@ void FixMuckpileTimestep::look_at_joints() {
 
 void FixMuckpileTimestep::look_at_contacts() {
   int dimension = 0;
-  const void* found =
-      force->pair == nullptr
-          ? nullptr
-          : force->pair->extract(contact_dashpots_ ? "stable_step_s" : "spring_step_s", dimension);
-  const double mine = found == nullptr ? kInfinity : *static_cast<const double*>(found);
-  MPI_Allreduce(&mine, &contact_step_, 1, MPI_DOUBLE, MPI_MIN, world);
+  const void* found = force->pair == nullptr ? nullptr : force->pair->extract("steps_s", dimension);
+  std::array<double, kContactSteps> mine{};
+  mine.fill(kInfinity);
+  if (found != nullptr) std::copy_n(static_cast<const double*>(found), mine.size(), mine.begin());
+  MPI_Allreduce(mine.data(), contact_steps_.data(), kContactSteps, MPI_DOUBLE, MPI_MIN, world);
 }
 
-/// Both act on the same block at worst: their stiffnesses add.
-double FixMuckpileTimestep::longest_stable() const {
-  return 1.0 / std::sqrt(1.0 / (joint_step_ * joint_step_) + 1.0 / (contact_step_ * contact_step_));
+double FixMuckpileTimestep::longest_stable(ContactStep of) const {
+  return acting_together(joint_step_, contact_steps_[of]);
+}
+
+/// Contacts that come between two looks do not know of the joints of their blocks: those add to
+/// what a collision needs as they do to what the present contacts bear.
+double FixMuckpileTimestep::longest_resolving() const {
+  const double collision = collision_ < 1e30 ? collision_ : contact_steps_[kCollisions];
+  return acting_together(fraction_ * joint_step_,
+                         std::min(fraction_ * contact_steps_[kStableSprings], collision));
 }
 
 void FixMuckpileTimestep::choose() {
-  const double wanted = std::min(fraction_ * longest_stable(), longest_);
+  const double wanted = std::min(
+      {longest_resolving(), dashpot_fraction_ * longest_stable(kStableContacts), longest_});
   if (wanted > 1e29) return;  // nothing holds it: as it is
   const double step = three_digits(wanted);
   if (!(step >= shortest_)) {
     engine::stop(*lmp, where_ + ": the step must be " + number_text(step) + " s at step " +
                            std::to_string(update->ntimestep) + ", shorter than min " +
                            number_text(shortest_) + " s (joints bear " + number_text(joint_step_) +
-                           " s, contacts " + number_text(contact_step_) + " s)");
+                           " s, contacts " + number_text(contact_steps_[kStableSprings]) +
+                           " s, with dashpots " + number_text(contact_steps_[kStableContacts]) +
+                           " s)");
   }
   if (step < update->dt || step > kWorthAChange * update->dt) set_step(step);
 }
@@ -149,20 +177,24 @@ void FixMuckpileTimestep::set_step(double step) {
   for (int i = 0; i < modify->nfix; ++i) modify->fix[i]->reset_dt();
 }
 
-double FixMuckpileTimestep::compute_scalar() { return longest_stable() / update->dt; }
+double FixMuckpileTimestep::compute_scalar() { return longest_stable(kStableSprings) / update->dt; }
 
 double FixMuckpileTimestep::compute_vector(int n) {
   switch (n) {
     case kJointStep:
       return joint_step_;
     case kContactStep:
-      return contact_step_;
+      return contact_steps_[kStableSprings];
     case kStep:
       return update->dt;
     case kChanges:
       return changes_;
     case kProducts:
       return products_;
+    case kDashpotStep:
+      return contact_steps_[kStableContacts];
+    case kCollisionStep:
+      return contact_steps_[kCollisions];
     default:
       return 0.0;
   }
@@ -171,11 +203,13 @@ double FixMuckpileTimestep::compute_vector(int n) {
 int FixMuckpileTimestep::modify_param(int narg, char** arg) {
   const std::string where = std::string("fix_modify ") + id;
   const std::string key = arg[0];
-  if (key != "fraction" && key != "max") return 0;
+  if (key != "fraction" && key != "max" && key != "collision") return 0;
   if (narg < 2) engine::stop(*lmp, where + ": " + key + " needs a value");
   engine::or_engine_error(*lmp, [&] {
     if (key == "fraction")
       fraction_ = parse_real(where, key, arg[1], "", Range::left_open(0.0, 1.0));
+    if (key == "collision")
+      collision_ = parse_real(where, key, arg[1], "s", Range::left_open(0.0, 1e30));
     if (key == "max") longest_ = parse_real(where, key, arg[1], "s", Range::left_open(0.0, 1e30));
     return 0;
   });

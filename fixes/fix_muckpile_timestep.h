@@ -5,9 +5,11 @@
 
 #include <fix.h>
 
+#include <array>
 #include <string>
 
 #include "bond/stable_step.h"
+#include "contact_steps.h"
 #include "step_limit.h"
 
 namespace muckpile {
@@ -29,16 +31,20 @@ class FixMuckpileTimestep : public LAMMPS_NS::Fix {
   void look_at_contacts();
   void choose();
   void set_step(double step);
-  [[nodiscard]] double longest_stable() const;
+  [[nodiscard]] double longest_stable(ContactStep of) const;
+  [[nodiscard]] double longest_resolving() const;
 
   std::string where_;
-  double fraction_, shortest_, longest_;  // [-], [s], [s]
-  int joints_every_;                      // looks between two looks at the joints, 0: never again
+  double fraction_, dashpot_fraction_;     // [-]
+  double collision_, shortest_, longest_;  // [s]
+  int joints_every_;                       // looks between two looks at the joints, 0: never again
   Breaking breaking_;
-  bool contact_dashpots_;
-  StepLimit* joints_ = nullptr;       // looked up in every init(); null: no joints
-  double joint_step_, contact_step_;  // of the last looks [s]
-  int looks_ = 0, changes_ = 0, products_ = 0;
+  StepLimit* joints_ = nullptr;                      // looked up in every init(); null: no joints
+  double joint_step_;                                // of the last look [s]
+  std::array<double, kContactSteps> contact_steps_;  // of the last look [s]
+  int looks_ = 0;                                    // since that at the joints
+  int known_changes_ = -1;  // of the joints' stiffness at the last look at them
+  int changes_ = 0, products_ = 0;
 };
 
 }  // namespace muckpile

@@ -14,6 +14,7 @@
 #include "block_neighbours.h"
 #include "contact/block_contact_list.h"
 #include "contact/contact_law.h"
+#include "contact_steps.h"
 #include "fix_muckpile_contact_history.h"
 #include "joint_view.h"
 #include "resting_blocks.h"
@@ -47,8 +48,8 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public N
   /// Values of this rank, to be summed over ranks (largest for max_overlap_ratio, smallest for
   /// the steps); a contact between two ranks counts half on each. Pointers to double:
   /// "elastic_J", "power_W", "contacts", "max_overlap_ratio" of the last step;
-  /// "friction_J", "damping_J" since the start; "stable_step_s", and "spring_step_s", which leaves
-  /// the dashpots out, worked out when asked for; "rebuild_s", "rebuilds".
+  /// "friction_J", "damping_J" since the start; "steps_s", see ContactStep, worked out when asked
+  /// for; "rebuild_s", "rebuilds".
   void* extract(const char* name, int& dim) override;
 
   void store_contacts(FixMuckpileContactHistory& history) override;
@@ -61,7 +62,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public N
     double all_elastic_J = 0.0;  ///< worked out when asked for
     // Of the last step, without what is left alone.
     double elastic_J = 0.0, power_W = 0.0, contacts = 0.0, max_overlap_ratio = 0.0;
-    double stable_step_s = 0.0, spring_step_s = 0.0;
+    std::array<double, kContactSteps> steps_s{};
     double rebuild_s = 0.0, rebuilds = 0.0;
   };
   /// The engine's arrays, as the loop over contacts needs them.

@@ -84,13 +84,11 @@ void* PairMuckpileBlock::extract(const char* name, int& dim) {
   if (key == "power_W") return &ledger_.power_W;
   if (key == "contacts") return &ledger_.contacts;
   if (key == "max_overlap_ratio") return &ledger_.max_overlap_ratio;
-  if (key == "stable_step_s") {
-    ledger_.stable_step_s = std::min(step_of_light_contacts(), present_contacts().step());
-    return &ledger_.stable_step_s;
-  }
-  if (key == "spring_step_s") {
-    ledger_.spring_step_s = std::min(step_of_light_contacts(), present_contacts().spring_step());
-    return &ledger_.spring_step_s;
+  if (key == "steps_s") {
+    dim = 1;
+    const ContactStepBound present = present_contacts();
+    ledger_.steps_s = {present.step(), present.spring_step(), step_of_light_contacts()};
+    return ledger_.steps_s.data();
   }
   if (key == "rebuild_s") return &ledger_.rebuild_s;
   if (key == "rebuilds") return &ledger_.rebuilds;

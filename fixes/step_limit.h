@@ -13,6 +13,8 @@ class StepLimit {
   /// Longest step that the joints bear about the pose of the last force computation, all ranks
   /// together. `guess` [s]: an earlier result, saves work; 0: none. Collective.
   [[nodiscard]] virtual StepBound stable_step(Breaking breaking, double guess) const = 0;
+  /// How often commands have changed their stiffness or dashpots so far.
+  [[nodiscard]] virtual int stiffness_changes() const = 0;
 };
 
 }  // namespace muckpile

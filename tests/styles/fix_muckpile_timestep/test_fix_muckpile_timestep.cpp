@@ -7,13 +7,23 @@
 
 #include <cmath>
 #include <string>
+#include <tuple>
 
 #include "rock_scene.h"
 
 namespace muckpile::test {
 namespace {
 
-enum Timestep { margin = 0, joint_step = 1, contact_step = 2, step = 3, changes = 4, products = 5 };
+enum Timestep {
+  margin = 0,
+  joint_step = 1,
+  spring_step = 2,
+  step = 3,
+  changes = 4,
+  products = 5,
+  dashpot_step = 6,
+  collision_step = 7
+};
 
 const std::string kRock = " youngs_modulus 50e9 poisson_ratio 0.25 density 2600 friction_angle 45 ";
 const std::string kUnbreakable = kRock + "cohesion 1e12 tension 1e12";
@@ -114,17 +124,45 @@ TEST(FixMuckpileTimestep, StepGrowsWithinARunAsJointsRetire) {
   }
 }
 
+/// Blocks without joints that fly at each other and touch: springs, dashpots and what a collision
+/// needs each hold the step where the others are left out.
 TEST(FixMuckpileTimestep, CountsContacts) {
+  for (const auto& [words, share, held_by] :
+       {std::tuple("fraction 0.1 dashpot_fraction 4", 0.1, spring_step),
+        std::tuple("fraction 1 dashpot_fraction 0.2", 0.2, dashpot_step),
+        std::tuple("fraction 1 dashpot_fraction 4", 1.0, collision_step)}) {
+    RockScene scene = engine(MPI_COMM_WORLD);
+    scene.command("pair_style muckpile/block youngs_modulus 1e8 restitution 0.2");
+    scene.command("pair_coeff * *");
+    scene.cut("-1 1 -1 1 -0.8 0.8",
+              "density 2600 size power 0.5 1 block_min 0.15 block_max 0.5 hole 0 0 -0.3 0 0 0.3 "
+              "0.1 spheres_per_block 2 seed 3 sweeps 5");
+    scene.set_motion([](int, const Vec3& at) { return Motion{-1.0 * at, Vec3::Zero()}; });
+    scene.command(std::string("fix dt all muckpile/timestep every 1 ") + words);
+    scene.run(200, 1e-9);
+    EXPECT_TRUE(std::isinf(scene.output("dt", joint_step)));
+    EXPECT_LT(scene.output("dt", dashpot_step), 0.9 * scene.output("dt", spring_step));
+    EXPECT_NEAR(scene.output("dt", step) / (share * scene.output("dt", held_by)), 1.0, 0.02)
+        << words;
+    EXPECT_DOUBLE_EQ(scene.output("dt", margin),
+                     scene.output("dt", spring_step) / scene.output("dt", step));
+  }
+}
+
+/// A look at the joints is dear: a run that goes on where the last one ended needs none, one after
+/// softening does.
+TEST(FixMuckpileTimestep, LooksAtJointsAgainWhenTheyHaveChanged) {
   RockScene scene = engine(MPI_COMM_WORLD);
-  scene.command("pair_style muckpile/block youngs_modulus 1e9");
-  scene.command("pair_coeff * *");
   graded(scene, kUnbreakable);
   scene.command("fix dt all muckpile/timestep");
   scene.run(0, 1e-9);
-  const double joints = scene.output("dt", joint_step), contacts = scene.output("dt", contact_step);
-  EXPECT_TRUE(std::isfinite(contacts));
-  const double both = 1.0 / std::sqrt(1.0 / (joints * joints) + 1.0 / (contacts * contacts));
-  EXPECT_NEAR(scene.output("dt", step) / (0.8 * both), 1.0, 0.01);
+  const double looked = scene.output("dt", products), before = scene.output("dt", step);
+  scene.run(0, before);
+  EXPECT_EQ(scene.output("dt", products), looked);
+  scene.command("fix_modify joint soften 0.01");
+  scene.run(0, before);
+  EXPECT_GT(scene.output("dt", products), looked);
+  EXPECT_NEAR(scene.output("dt", step) / (10.0 * before), 1.0, 0.02);
 }
 
 }  // namespace
