@@ -50,6 +50,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
 
   [[nodiscard]] int facet_between(int block_tag_a, int block_tag_b) const override;
   [[nodiscard]] const FacetState* facet_states() const override { return network_.states().data(); }
+  void held_pairs(const std::vector<int>& blocks, std::vector<double>& tags) const override;
   [[nodiscard]] bool enclosed(int block_tag) const override;
 
   [[nodiscard]] int hole_count() const override;

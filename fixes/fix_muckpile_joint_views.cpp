@@ -21,6 +21,16 @@ int FixMuckpileJoint::facet_between(int block_tag_a, int block_tag_b) const {
   return -1;
 }
 
+void FixMuckpileJoint::held_pairs(const std::vector<int>& blocks, std::vector<double>& tags) const {
+  const auto asked = [&](int tag) { return std::binary_search(blocks.begin(), blocks.end(), tag); };
+  for (std::size_t k = 0; k < lower_tags_.size(); ++k)
+    for (std::size_t f = first_of_[k]; f < first_of_[k + 1]; ++f) {
+      if (upper_tags_[f] == kGroundTag || facet_states()[f] >= FacetState::fading) continue;
+      if (asked(lower_tags_[k]) || asked(upper_tags_[f]))
+        tags.insert(tags.end(), {1.0 * lower_tags_[k], 1.0 * upper_tags_[f]});
+    }
+}
+
 bool FixMuckpileJoint::enclosed(int block_tag) const {
   return std::binary_search(enclosed_tags_.begin(), enclosed_tags_.end(), block_tag);
 }

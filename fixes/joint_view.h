@@ -3,6 +3,8 @@
 // Scope: an interface only; fix muckpile/joint implements it, pair muckpile/block reads it.
 #pragma once
 
+#include <vector>
+
 #include "bond/facet_network.h"
 
 namespace muckpile {
@@ -15,6 +17,9 @@ class JointView {
   [[nodiscard]] virtual int facet_between(int block_tag_a, int block_tag_b) const = 0;
   /// States of all facets known to this rank, indexed as above; re-read the pointer every step.
   [[nodiscard]] virtual const FacetState* facet_states() const = 0;
+  /// Adds the two tags of every facet that is whole or cracked and joins one of `blocks` (in rising
+  /// order) to another block, of those that this rank knows.
+  virtual void held_pairs(const std::vector<int>& blocks, std::vector<double>& tags) const = 0;
   /// True for a block whose facets are all intact and none of which lies on a free face or a
   /// crushed zone: nothing outside can touch it.
   [[nodiscard]] virtual bool enclosed(int block_tag) const = 0;

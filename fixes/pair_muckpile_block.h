@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "block_neighbours.h"
@@ -80,6 +81,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public N
   void rebuild();
   void list_pairs();
   void share_enclosed();
+  void share_held_pairs();
   void number_blocks();
   int block_of(int body_tag, int sphere);
   int add_block(int body_tag, int sphere);
@@ -128,6 +130,8 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public N
   bool list_is_stale_ = true;    ///< atoms were exchanged since the list was built
   bool contacts_moved_ = false;  ///< forces were computed since the contacts were stored
 
+  /// Of tags, the lower first, in order, the same on all ranks: see share_held_pairs().
+  std::vector<std::pair<int, int>> held_pairs_;
   std::vector<char> enclosed_;               ///< per sphere; empty without joints
   std::vector<int> atom_block_;              ///< per atom, -1: takes no part
   std::vector<int> block_tag_;               ///< per block: its body tag

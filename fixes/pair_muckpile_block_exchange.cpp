@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/exchange.h"
 #include "pair_muckpile_block.h"
 
 namespace muckpile {
@@ -30,6 +31,32 @@ void PairMuckpileBlock::share_enclosed() {
   }
   comm->reverse_comm_pair(this);
   comm->forward_comm_pair(this);
+}
+
+/// A sphere may lie on a rank that does not move its block, and meet there a block that this rank
+/// does not move either: it does not know of a facet between the two. Pairs that a facet holds and
+/// that may be met so are left out by all ranks alike until the next reneighbouring.
+void PairMuckpileBlock::share_held_pairs() {
+  held_pairs_.clear();
+  if (joints_ == nullptr || comm->nprocs == 1) return;
+  std::vector<double> guests, held;
+  for (int k = 0; k < atom->nlocal; ++k) {
+    const int tag = bodies_->belongs_to(k);
+    if (tag >= 0 && bodies_->data().map(tag) < 0) guests.push_back(tag);
+  }
+  const auto sort_out = [](auto& values) {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+  };
+  sort_out(guests);
+  const std::vector<double> of_all = engine::gather_all(guests, world);
+  std::vector<int> away(of_all.begin(), of_all.end());
+  sort_out(away);
+  joints_->held_pairs(away, held);
+  const std::vector<double> tags = engine::gather_all(held, world);
+  for (std::size_t k = 0; k < tags.size(); k += 2)
+    held_pairs_.emplace_back(static_cast<int>(tags[k]), static_cast<int>(tags[k + 1]));
+  sort_out(held_pairs_);
 }
 
 int PairMuckpileBlock::pack_comm(int n, int* spheres_sent, double* buffer, int, int*) {

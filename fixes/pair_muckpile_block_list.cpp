@@ -66,7 +66,8 @@ void PairMuckpileBlock::number_blocks() {
     if (enclosed_[k] != 0) atom_block_[k] = -1;
 }
 
-// A pair whose facet is cracked stays, muted.
+// A pair whose facet is cracked stays, muted; but not one that some rank works on without knowing
+// the facet.
 void PairMuckpileBlock::drop_intact_pairs(std::vector<BlockPair>& pairs) const {
   const FacetState* states = joints_ != nullptr ? joints_->facet_states() : nullptr;
   std::erase_if(pairs, [&](BlockPair& pair) {
@@ -74,6 +75,9 @@ void PairMuckpileBlock::drop_intact_pairs(std::vector<BlockPair>& pairs) const {
     const int second = block_tag_[static_cast<std::size_t>(pair.second)];
     if (first == second) return true;  // periodic images of one body
     if (joints_ == nullptr) return false;
+    if (std::binary_search(held_pairs_.begin(), held_pairs_.end(),
+                           std::pair<int, int>(std::minmax(first, second))))
+      return true;
     pair.facet = joints_->facet_between(first, second);
     return pair.facet >= 0 && states[pair.facet] == FacetState::intact;
   });
@@ -158,6 +162,7 @@ void PairMuckpileBlock::list_pairs() {
 
 void PairMuckpileBlock::rebuild() {
   share_enclosed();
+  share_held_pairs();
   list_pairs();
   int bad = list_.skipped_blocks(), all_bad = 0;
   MPI_Allreduce(&bad, &all_bad, 1, MPI_INT, MPI_SUM, world);
