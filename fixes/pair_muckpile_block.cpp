@@ -134,12 +134,12 @@ void PairMuckpileBlock::compute(int eflag, int vflag) {
     rebuild();
   } else if (atom->nlocal + atom->nghost > 0) {
     list_.follow(atom->x[0], atom->omega[0], update->dt);
-    if (list_.outgrown()) {
+    if (list_.outgrown() && !add_pairs()) {
       store_contacts(*history_);
       list_pairs();
     }
   }
-  if (resting_ != nullptr && resting_->rests_version() != rests_version_) list_working_pairs();
+  if (resting_ != nullptr && resting_->rests_version() != rests_version_) list_working_pairs(0);
   step_contacts();
   contacts_moved_ = true;
   if (eflag_global) eng_vdwl += ledger_.elastic_J + resting_energy();

@@ -80,22 +80,25 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public N
 
   void rebuild();
   void list_pairs();
+  /// Those of blocks that have moved far, where few have; false: nothing done.
+  [[nodiscard]] bool add_pairs();
   void share_enclosed();
   void share_held_pairs();
   void number_blocks();
   int block_of(int body_tag, int sphere);
   int add_block(int body_tag, int sphere);
-  void drop_intact_pairs(std::vector<BlockPair>& pairs) const;
+  /// From pair `first` on.
+  void drop_intact_pairs(std::vector<BlockPair>& pairs, std::size_t first) const;
   void recall_contacts();
   [[nodiscard]] SphereSet spheres() const;
   [[nodiscard]] std::span<SpherePair> near_spheres(const BlockPair& pair) {
     return {list_.sphere_pairs(pair), static_cast<std::size_t>(pair.count)};
   }
   /// A pair whose facet still acts itself has no sphere contact.
-  void mute_pairs();
+  void mute_pairs(std::size_t first);
   void hear_pairs();
   /// Pairs of blocks that both rest are left alone, with their contacts as they are.
-  void list_working_pairs();
+  void list_working_pairs(std::size_t first);
   /// Of the contacts left alone, to be added to those of the last step.
   [[nodiscard]] double resting_energy();
 

@@ -68,9 +68,11 @@ void PairMuckpileBlock::number_blocks() {
 
 // A pair whose facet is cracked stays, muted; but not one that some rank works on without knowing
 // the facet.
-void PairMuckpileBlock::drop_intact_pairs(std::vector<BlockPair>& pairs) const {
+void PairMuckpileBlock::drop_intact_pairs(std::vector<BlockPair>& pairs,
+                                          std::size_t first_pair) const {
   const FacetState* states = joints_ != nullptr ? joints_->facet_states() : nullptr;
-  std::erase_if(pairs, [&](BlockPair& pair) {
+  const auto from = pairs.begin() + static_cast<std::ptrdiff_t>(first_pair);
+  const auto kept = std::remove_if(from, pairs.end(), [&](BlockPair& pair) {
     const int first = block_tag_[static_cast<std::size_t>(pair.first)];
     const int second = block_tag_[static_cast<std::size_t>(pair.second)];
     if (first == second) return true;  // periodic images of one body
@@ -81,6 +83,7 @@ void PairMuckpileBlock::drop_intact_pairs(std::vector<BlockPair>& pairs) const {
     pair.facet = joints_->facet_between(first, second);
     return pair.facet >= 0 && states[pair.facet] == FacetState::intact;
   });
+  pairs.erase(kept, pairs.end());
 }
 
 SphereSet PairMuckpileBlock::spheres() const {
@@ -94,11 +97,11 @@ SphereSet PairMuckpileBlock::spheres() const {
 }
 
 /// Facets that are whole or cracked carry what contact their two blocks have.
-void PairMuckpileBlock::mute_pairs() {
-  muted_.clear();
+void PairMuckpileBlock::mute_pairs(std::size_t first) {
+  if (first == 0) muted_.clear();
   const FacetState* states = joints_ != nullptr ? joints_->facet_states() : nullptr;
   const std::vector<BlockPair>& pairs = list_.block_pairs();
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
+  for (std::size_t k = first; k < pairs.size(); ++k) {
     if (pairs[k].facet < 0 || states[pairs[k].facet] >= FacetState::fading) continue;
     list_.mute(k);
     muted_.push_back({k, pairs[k].facet});
@@ -114,16 +117,18 @@ void PairMuckpileBlock::hear_pairs() {
   });
 }
 
-void PairMuckpileBlock::list_working_pairs() {
-  working_.clear();
-  left_alone_.clear();
+void PairMuckpileBlock::list_working_pairs(std::size_t first) {
+  if (first == 0) {
+    working_.clear();
+    left_alone_.clear();
+  }
   const bool any = resting_ != nullptr && resting_->any_rests();
   const std::span<const char> resting = any ? resting_->resting_spheres() : std::span<const char>();
   const auto rests = [&](int block) {
     const int sphere = first_sphere_[static_cast<std::size_t>(block)];
     return any && resting[static_cast<std::size_t>(sphere)] != 0;
   };
-  for (std::size_t k = 0; k < list_.block_pairs().size(); ++k) {
+  for (std::size_t k = first; k < list_.block_pairs().size(); ++k) {
     const BlockPair& pair = list_.block_pairs()[k];
     (rests(pair.first) && rests(pair.second) ? left_alone_ : working_).push_back(k);
   }
@@ -149,15 +154,28 @@ void PairMuckpileBlock::list_pairs() {
   list_.group(spheres(), static_cast<int>(block_tag_.size()));
   const bool any = atom->nlocal + atom->nghost > 0;
   drop_intact_pairs(list_.find_block_pairs(0.5 * neighbor->skin, any ? atom->v[0] : nullptr,
-                                           any ? atom->omega[0] : nullptr));
-  mute_pairs();
+                                           any ? atom->omega[0] : nullptr),
+                    0);
+  mute_pairs(0);
   listed_tags_.assign(atom->tag, atom->tag + atom->nlocal + atom->nghost);
   listed_owned_ = atom->nlocal;
   recall_contacts();
-  list_working_pairs();
+  list_working_pairs(0);
   list_is_stale_ = false;
   ledger_.rebuild_s += MPI_Wtime() - started;
   ledger_.rebuilds += 1.0;
+}
+
+/// Pairs that could not meet before have no contacts yet.
+bool PairMuckpileBlock::add_pairs() {
+  const double started = MPI_Wtime();
+  const std::size_t first = list_.block_pairs().size();
+  if (!list_.add_block_pairs(spheres(), atom->v[0], atom->omega[0])) return false;
+  drop_intact_pairs(list_.block_pairs(), first);
+  mute_pairs(first);
+  list_working_pairs(first);
+  ledger_.rebuild_s += MPI_Wtime() - started;
+  return true;
 }
 
 void PairMuckpileBlock::rebuild() {

@@ -20,8 +20,9 @@ Vec3 position(const double* positions, int sphere) {
 
 }  // namespace
 
-/// The reference is the sphere nearest to the middle of the block's box: its arm is short.
-void BlockContactList::bound_block(const SphereSet& spheres, std::size_t block) {
+/// About the middle of the block's box. Where a sphere is nowhere its radius is not finite either:
+/// the grid leaves the block out and counts it.
+BoundingSphere BlockContactList::bound_of(const SphereSet& spheres, std::size_t block) const {
   const auto begin = members_.begin() + start_[block], end = members_.begin() + start_[block + 1];
   const auto centre = [&](const Member& m) { return position(spheres.positions, m.sphere); };
   Vec3 low = centre(*begin), high = low;
@@ -30,17 +31,27 @@ void BlockContactList::bound_block(const SphereSet& spheres, std::size_t block) 
     high = high.cwiseMax((centre(*m).array() + m->radius).matrix());
   }
   BoundingSphere bound{0.5 * (low + high), 0.0};
-  const Member* nearest = &*begin;
   for (auto m = begin; m != end; ++m) {
     const double distance = (centre(*m) - bound.centre).norm();
-    if (distance < (centre(*nearest) - bound.centre).norm()) nearest = &*m;
     bound.radius = std::max(bound.radius, distance + m->radius);
     if (!std::isfinite(distance)) {
-      bound.radius = distance;  // the grid leaves the block out and counts it
+      bound.radius = distance;
       break;
     }
   }
-  items_.push_back(bound);
+  return bound;
+}
+
+/// The reference is the sphere nearest to the middle of the block's box: its arm is short.
+void BlockContactList::place_block(const SphereSet& spheres, std::size_t block,
+                                   const BoundingSphere& bound) {
+  const auto begin = members_.begin() + start_[block], end = members_.begin() + start_[block + 1];
+  const auto centre = [&](const Member& m) { return position(spheres.positions, m.sphere); };
+  const Member* nearest = &*begin;
+  for (auto m = begin; m != end; ++m) {
+    if ((centre(*m) - bound.centre).norm() < (centre(*nearest) - bound.centre).norm())
+      nearest = &*m;
+  }
   reference_[block] = nearest->sphere;
   places_[block] = {centre(*nearest), 0.0, centre(*nearest)};
   arm_[block] = extent_[block] = 0.0;
@@ -54,7 +65,7 @@ void BlockContactList::bound_block(const SphereSet& spheres, std::size_t block) 
 void BlockContactList::group(const SphereSet& spheres, int blocks) {
   const auto n_blocks = static_cast<std::size_t>(blocks);
   drift_ = 0.0;
-  outgrown_ = false;
+  outgrown_.clear();
   start_.assign(n_blocks + 1, 0);
   has_owned_.assign(n_blocks, 0);
   for (int k = 0; k < spheres.count; ++k) {
@@ -78,35 +89,48 @@ void BlockContactList::group(const SphereSet& spheres, int blocks) {
   arm_.resize(n_blocks);
   extent_.resize(n_blocks);
   places_.resize(n_blocks);
+  block_item_.resize(n_blocks);
   item_block_.clear();
   items_.clear();
   for (int b = 0; b < blocks; ++b) {
     const auto k = static_cast<std::size_t>(b);
     if (start_[k] == start_[k + 1]) continue;
-    bound_block(spheres, k);
+    block_item_[k] = static_cast<int>(item_block_.size());
+    items_.push_back(bound_of(spheres, k));
+    place_block(spheres, k, items_.back());
     item_block_.push_back(b);
   }
 }
 
 std::vector<BlockPair>& BlockContactList::find_block_pairs(double range) {
+  most_range_ = range;
+  fastest_ = 0.0;
   for (const int block : item_block_) places_[static_cast<std::size_t>(block)].range = range;
   pair_up();
   return block_pairs_;
 }
 
+double BlockContactList::speed_of(std::size_t block, const double* velocities,
+                                  const double* spins) const {
+  return position(velocities, reference_[block]).norm() +
+         arm_[block] * position(spins, reference_[block]).norm();
+}
+
+double BlockContactList::range_of(std::size_t block, const double* velocities,
+                                  const double* spins) const {
+  const double share = fastest_ > 0.0 ? speed_of(block, velocities, spins) / fastest_ : 1.0;
+  return most_range_ * std::clamp(share, kLeastShare, 1.0);
+}
+
 std::vector<BlockPair>& BlockContactList::find_block_pairs(double range, const double* velocities,
                                                            const double* spins) {
-  const auto speed = [&](std::size_t b) {
-    return position(velocities, reference_[b]).norm() +
-           arm_[b] * position(spins, reference_[b]).norm();
-  };
-  double fastest = 0.0;
+  most_range_ = range;
+  fastest_ = 0.0;
   for (const int block : item_block_)
-    fastest = std::max(fastest, speed(static_cast<std::size_t>(block)));
+    fastest_ = std::max(fastest_, speed_of(static_cast<std::size_t>(block), velocities, spins));
   for (const int block : item_block_) {
     const auto b = static_cast<std::size_t>(block);
-    const double share = fastest > 0.0 ? speed(b) / fastest : 1.0;
-    places_[b].range = range * std::max(share, kLeastShare);
+    places_[b].range = range_of(b, velocities, spins);
   }
   pair_up();
   return block_pairs_;
@@ -116,18 +140,79 @@ void BlockContactList::pair_up() {
   block_pairs_.clear();
   sphere_pairs_.clear();
   rest_.clear();
+  added_.clear();
+  added_at_.assign(reference_.size(), -1);
+  added_pairs_.clear();
   swept_ = items_;
   for (std::size_t k = 0; k < swept_.size(); ++k)
     swept_[k].radius += places_[static_cast<std::size_t>(item_block_[k])].range;
-  for (const IndexPair& found : grid_.find_pairs(swept_, 0.0)) {
-    BlockPair pair;
-    pair.first = item_block_[static_cast<std::size_t>(found.first)];
-    pair.second = item_block_[static_cast<std::size_t>(found.second)];
-    if (has_owned_[static_cast<std::size_t>(pair.first)] ||
-        has_owned_[static_cast<std::size_t>(pair.second)])
-      block_pairs_.push_back(pair);
-  }
+  for (const IndexPair& found : grid_.find_pairs(swept_, 0.0))
+    list_pair(item_block_[static_cast<std::size_t>(found.first)],
+              item_block_[static_cast<std::size_t>(found.second)]);
   skipped_blocks_ = grid_.skipped();
+}
+
+void BlockContactList::list_pair(int first, int second) {
+  if (!has_owned_[static_cast<std::size_t>(first)] && !has_owned_[static_cast<std::size_t>(second)])
+    return;
+  BlockPair pair;
+  pair.first = first;
+  pair.second = second;
+  block_pairs_.push_back(pair);
+}
+
+bool BlockContactList::add_block_pairs(const SphereSet& spheres, const double* velocities,
+                                       const double* spins) {
+  const auto most = kMostAdded * static_cast<double>(item_block_.size());
+  if (static_cast<double>(added_.size() + outgrown_.size()) > most) return false;
+  const auto usable = [&](int block) {
+    const auto b = static_cast<std::size_t>(block);
+    return places_[b].reference.allFinite() && std::isfinite(range_of(b, velocities, spins));
+  };
+  if (!std::all_of(outgrown_.begin(), outgrown_.end(), usable)) return false;
+  for (const int block : outgrown_)
+    give_range(spheres, block, range_of(static_cast<std::size_t>(block), velocities, spins));
+  for (const int block : outgrown_) add_partners(block);
+  outgrown_.clear();
+  return true;
+}
+
+void BlockContactList::give_range(const SphereSet& spheres, int block, double range) {
+  const auto b = static_cast<std::size_t>(block);
+  Place& place = places_[b];
+  place.start = place.reference;
+  place.travel_then = place.travel;
+  place.range = range;
+  if (added_at_[b] < 0) {
+    added_at_[b] = static_cast<int>(added_.size());
+    added_.push_back({});
+  }
+  BoundingSphere swept = bound_of(spheres, b);
+  swept.radius += range;
+  added_[static_cast<std::size_t>(added_at_[b])] = {swept, block};
+}
+
+/// Pairs of which both blocks could meet as they were in the search for all are listed already.
+void BlockContactList::add_partners(int block) {
+  const auto b = static_cast<std::size_t>(block);
+  const BoundingSphere& swept = added_[static_cast<std::size_t>(added_at_[b])].swept;
+  const BoundingSphere& before = swept_[static_cast<std::size_t>(block_item_[b])];
+  const auto add = [&](int other) {
+    const auto o = static_cast<std::size_t>(other);
+    if (other == block || within(before, swept_[static_cast<std::size_t>(block_item_[o])], 0.0))
+      return;
+    const auto [first, second] = std::minmax(block, other);
+    const auto key = static_cast<std::uint64_t>(first) << 32 | static_cast<std::uint32_t>(second);
+    if (added_pairs_.insert(key).second) list_pair(first, second);
+  };
+  partners_.clear();
+  grid_.find_partners(swept_, swept, partners_);
+  for (const int item : partners_) {
+    const int other = item_block_[static_cast<std::size_t>(item)];
+    if (added_at_[static_cast<std::size_t>(other)] < 0) add(other);
+  }
+  for (const Added& other : added_)
+    if (within(swept, other.swept, 0.0)) add(other.block);
 }
 
 void BlockContactList::follow(const double* positions, const double* spins, double time_step) {
@@ -144,8 +229,9 @@ void BlockContactList::follow(const double* positions, const double* spins, doub
     least = least.cwiseMin(step);
     most = most.cwiseMax(step);
     turned = std::max(turned, turn);
-    const double left = place.range - place.travel;
-    if (left < 0.0 || (now - place.start).squaredNorm() > left * left) outgrown_ = true;
+    const double left = place.range - (place.travel - place.travel_then);
+    if (left < 0.0 || (now - place.start).squaredNorm() > left * left)
+      outgrown_.push_back(static_cast<int>(b));
   }
   if (least.x() <= most.x()) drift_ += (most - least).norm() + 2.0 * turned;
 }

@@ -6,8 +6,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <span>
+#include <unordered_set>
 #include <vector>
 
 #include "contact/hierarchical_grid.h"
@@ -45,7 +47,8 @@ struct BlockPair {
 
 /// Candidate list. Deterministic; buffers are kept, no allocation once they have grown.
 /// Use: group(), find_block_pairs(); then per step follow() once, and for each block pair look_up()
-/// if moved(), and its sphere pairs. Once a block is outgrown(): group() and find_block_pairs().
+/// if moved(), and its sphere pairs. Once a block is outgrown(): add_block_pairs(), or group() and
+/// find_block_pairs().
 class BlockContactList {
  public:
   /// Sorts the spheres by block and bounds each block's present spheres. Blocks that have no
@@ -61,8 +64,13 @@ class BlockContactList {
   /// sphere.
   std::vector<BlockPair>& find_block_pairs(double range, const double* velocities,
                                            const double* spins);
-  /// True if a block has moved further since group() than find_block_pairs() allowed for.
-  [[nodiscard]] bool outgrown() const { return outgrown_; }
+  /// True if a block has moved further than its pairs allow for.
+  [[nodiscard]] bool outgrown() const { return !outgrown_.empty(); }
+  /// Gives blocks that are outgrown() a range about their present place, and appends the pairs that
+  /// they can now be in; the others stay as they are. False, and nothing done, if so many blocks
+  /// have been outgrown since find_block_pairs() that all are better looked for anew.
+  [[nodiscard]] bool add_block_pairs(const SphereSet& spheres, const double* velocities,
+                                     const double* spins);
 
   /// Takes over where the blocks are after a step. `spins`: angular velocity of each sphere's
   /// block, three per sphere [rad/s].
@@ -106,6 +114,8 @@ class BlockContactList {
   static constexpr double kMargin = 0.1;
   /// A larger share means more block pairs, a smaller one more searches.
   static constexpr double kLeastShare = 0.1;
+  /// Of the blocks, that pairs are added for between two searches for all.
+  static constexpr double kMostAdded = 0.25;
 
  private:
   static constexpr double kAwake = -1.0;
@@ -122,12 +132,26 @@ class BlockContactList {
   struct Place {
     Vec3 reference;       ///< centre of the block's reference sphere [m]
     double travel = 0.0;  ///< path of its farthest sphere about the reference, by turning [m]
-    Vec3 start;           ///< reference at group() [m]
+    Vec3 start;           ///< reference when the range was given [m]
     double range = std::numeric_limits<double>::infinity();  ///< that a sphere may move from there
+    double travel_then = 0.0;                                ///< travel when the range was given
+  };
+  /// A block that has a new range.
+  struct Added {
+    BoundingSphere swept;  ///< what it may reach from there
+    int block;
   };
 
-  void bound_block(const SphereSet& spheres, std::size_t block);
+  [[nodiscard]] BoundingSphere bound_of(const SphereSet& spheres, std::size_t block) const;
+  void place_block(const SphereSet& spheres, std::size_t block, const BoundingSphere& bound);
+  [[nodiscard]] double speed_of(std::size_t block, const double* velocities,
+                                const double* spins) const;
+  [[nodiscard]] double range_of(std::size_t block, const double* velocities,
+                                const double* spins) const;
   void pair_up();
+  void list_pair(int first, int second);
+  void give_range(const SphereSet& spheres, int block, double range);
+  void add_partners(int block);
   void list_near(const BlockPair& pair, const SphereSet& spheres, double margin, double& slack);
   void keep_contacts(BlockPair& pair, std::vector<int>& dropped);
 
@@ -138,16 +162,22 @@ class BlockContactList {
   std::vector<double> extent_;   ///< per block: farthest point from the reference [m]
   std::vector<Place> places_;    ///< per block
   std::vector<int> item_block_;  ///< blocks that have spheres, as items of the grid
+  std::vector<int> block_item_;  ///< per block: its item, or that of another
   std::vector<BoundingSphere> items_;
-  std::vector<BoundingSphere> swept_;  ///< what they may reach
-  std::vector<char> has_owned_;        ///< per block
+  std::vector<BoundingSphere> swept_;  ///< what they may reach, as in the last search for all
+  std::vector<Added> added_;           ///< blocks that have another range by now
+  std::vector<int> added_at_;          ///< per block: its place in added_, -1: none
+  std::unordered_set<std::uint64_t> added_pairs_;  ///< by their two blocks
+  std::vector<int> partners_;                      ///< work space of add_partners
+  std::vector<char> has_owned_;                    ///< per block
   std::vector<BlockPair> block_pairs_;
   std::vector<SpherePair> sphere_pairs_;
   std::vector<SpherePair> near_;  ///< work space of look_up
   HierarchicalGrid grid_;
   int skipped_blocks_ = 0;
-  std::vector<double> rest_;  ///< per block pair: drift before which it is idle [m]
-  bool outgrown_ = false;
+  std::vector<double> rest_;                 ///< per block pair: drift before which it is idle [m]
+  std::vector<int> outgrown_;                ///< blocks
+  double most_range_ = 0.0, fastest_ = 0.0;  ///< of the last search for all [m], [m/s]
   double drift_ = 0.0;  ///< no two blocks have come closer since group() than this [m]
 };
 

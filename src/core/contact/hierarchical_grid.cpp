@@ -97,42 +97,66 @@ void HierarchicalGrid::fill_cells(std::span<const BoundingSphere> items) {
   }
 }
 
-void HierarchicalGrid::query(std::span<const BoundingSphere> items, int item, int level_number,
-                             double gap) {
-  const Level& level = levels_[static_cast<std::size_t>(level_number)];
-  const BoundingSphere& me = items[static_cast<std::size_t>(item)];
-  const bool own_level = level_of_[static_cast<std::size_t>(item)] == level_number;
-  const double reach = me.radius + level.max_radius + gap;  // [m]
+/// Items of a level in the cells that may hold a partner of `sphere`.
+template <class Visit>
+void HierarchicalGrid::each_in_reach(const Level& level, const BoundingSphere& sphere,
+                                     const Visit& visit) const {
+  const double reach = sphere.radius + level.max_radius + gap_;  // [m]
   std::int64_t low[3], high[3];
   for (int d = 0; d < 3; ++d) {
-    low[d] = cell_index(me.centre[d] - reach, level.inverse_width);
-    high[d] = cell_index(me.centre[d] + reach, level.inverse_width);
+    low[d] = cell_index(sphere.centre[d] - reach, level.inverse_width);
+    high[d] = cell_index(sphere.centre[d] + reach, level.inverse_width);
   }
   for (std::int64_t x = low[0]; x <= high[0]; ++x)
     for (std::int64_t y = low[1]; y <= high[1]; ++y)
       for (std::int64_t z = low[2]; z <= high[2]; ++z)
         for (int other = cells_[slot_of(level, x, y, z)].first; other != kNone;
-             other = next_[static_cast<std::size_t>(other)]) {
-          if (own_level && other <= item) continue;  // counted by the other one
-          const BoundingSphere& you = items[static_cast<std::size_t>(other)];
-          const double limit = me.radius + you.radius + gap;
-          if ((you.centre - me.centre).squaredNorm() < limit * limit)
-            pairs_.push_back(IndexPair{std::min(item, other), std::max(item, other)});
-        }
+             other = next_[static_cast<std::size_t>(other)])
+          visit(other);
+}
+
+void HierarchicalGrid::query(std::span<const BoundingSphere> items, int item, int level_number) {
+  const BoundingSphere& me = items[static_cast<std::size_t>(item)];
+  const bool own_level = level_of_[static_cast<std::size_t>(item)] == level_number;
+  each_in_reach(levels_[static_cast<std::size_t>(level_number)], me, [&](int other) {
+    if (own_level && other <= item) return;  // counted by the other one
+    if (within(me, items[static_cast<std::size_t>(other)], gap_))
+      pairs_.push_back(IndexPair{std::min(item, other), std::max(item, other)});
+  });
 }
 
 const std::vector<IndexPair>& HierarchicalGrid::find_pairs(std::span<const BoundingSphere> items,
                                                            double gap) {
   pairs_.clear();
+  gap_ = gap;
   assign_levels(items, gap);
   fill_cells(items);
   for (std::size_t k = 0; k < items.size(); ++k) {
     if (level_of_[k] == kNone) continue;
     for (int level = level_of_[k]; level <= kMaxLevels; ++level)
       if (levels_[static_cast<std::size_t>(level)].count > 0)
-        query(items, static_cast<int>(k), level, gap);
+        query(items, static_cast<int>(k), level);
   }
   return pairs_;
+}
+
+void HierarchicalGrid::find_partners(std::span<const BoundingSphere> items,
+                                     const BoundingSphere& sphere, std::vector<int>& found) const {
+  const auto visit = [&](int other) {
+    if (within(sphere, items[static_cast<std::size_t>(other)], gap_)) found.push_back(other);
+  };
+  for (std::size_t number = 0; number < levels_.size(); ++number) {
+    const Level& level = levels_[number];
+    if (level.count == 0) continue;
+    const double across =
+        2.0 * (sphere.radius + level.max_radius + gap_) * level.inverse_width + 1.0;
+    if (across * across * across < static_cast<double>(items.size())) {
+      each_in_reach(level, sphere, visit);
+      continue;
+    }
+    for (std::size_t k = 0; k < items.size(); ++k)  // a large sphere among many small cells
+      if (level_of_[k] == static_cast<int>(number)) visit(static_cast<int>(k));
+  }
 }
 
 }  // namespace muckpile

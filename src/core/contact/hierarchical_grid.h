@@ -13,9 +13,15 @@
 namespace muckpile {
 
 struct BoundingSphere {
-  Vec3 centre;    ///< [m]
-  double radius;  ///< [m]
+  Vec3 centre = Vec3::Zero();  ///< [m]
+  double radius = 0.0;         ///< [m]
 };
+
+/// Whether the surfaces of two spheres are less than `gap` [m] apart; the same from both sides.
+[[nodiscard]] inline bool within(const BoundingSphere& a, const BoundingSphere& b, double gap) {
+  const double limit = a.radius + b.radius + gap;
+  return (b.centre - a.centre).squaredNorm() < limit * limit;
+}
 
 struct IndexPair {
   int first, second;  ///< first < second
@@ -33,6 +39,11 @@ class HierarchicalGrid {
   /// Items with a negative radius, or a number that is not finite, are left out (see skipped()).
   /// The reference is valid until the next call.
   const std::vector<IndexPair>& find_pairs(std::span<const BoundingSphere> items, double gap);
+
+  /// Appends to `found` the items of the last find_pairs() whose surfaces are less than its `gap`
+  /// from that of `sphere`, which need not be one of them. `items` are as they were then.
+  void find_partners(std::span<const BoundingSphere> items, const BoundingSphere& sphere,
+                     std::vector<int>& found) const;
 
   /// Items left out of the last search.
   [[nodiscard]] int skipped() const { return skipped_; }
@@ -53,13 +64,16 @@ class HierarchicalGrid {
   void fill_cells(std::span<const BoundingSphere> items);
   [[nodiscard]] std::size_t slot_of(const Level& level, std::int64_t x, std::int64_t y,
                                     std::int64_t z) const;
-  void query(std::span<const BoundingSphere> items, int item, int level, double gap);
+  void query(std::span<const BoundingSphere> items, int item, int level);
+  template <class Visit>
+  void each_in_reach(const Level& level, const BoundingSphere& sphere, const Visit& visit) const;
 
   std::vector<Level> levels_;
   std::vector<int> level_of_;  ///< per item, kNone if skipped
   std::vector<int> next_;      ///< per item: next item in the same cell
   std::vector<Cell> cells_;    ///< the hash tables of all levels, one behind the other
   std::vector<IndexPair> pairs_;
+  double gap_ = 0.0;  ///< of the last search [m]
   int skipped_ = 0;
 };
 

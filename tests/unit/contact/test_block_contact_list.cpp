@@ -173,6 +173,77 @@ TEST(BlockContactList, MissesNoTouchWhileBlocksMoveAndTurnAndSparesMostLooks) {
   EXPECT_GT(touches, 10000u);
 }
 
+/// Velocity and spin of each sphere's block, as the list reads them.
+std::pair<std::vector<double>, std::vector<double>> rates_of(const Motion& motion,
+                                                             const Scene& scene) {
+  std::pair<std::vector<double>, std::vector<double>> rates;
+  for (const int block : scene.blocks) {
+    const auto b = static_cast<std::size_t>(block);
+    for (int d = 0; d < 3; ++d) {
+      rates.first.push_back(motion.velocity[b][d]);
+      rates.second.push_back(motion.spin[b][d]);
+    }
+  }
+  return rates;
+}
+
+// Slow blocks are hit one after the other and fly through the others: only their own pairs are
+// looked for again, some of them over and over.
+TEST(BlockContactList, MissesNoTouchWhilePairsOfFewBlocksAreAddedAndListsNoPairTwice) {
+  Scene scene = random_scene(200, 11);
+  constexpr double kRange = 0.1, kStep = 1e-3;
+  Motion motion(scene, 0.005, 12);
+  auto rates = rates_of(motion, scene);
+  std::vector<Vec3> centres = mean_positions(scene);
+  BlockContactList list;
+  list.group(scene.view(), scene.block_count);
+  const std::size_t at_first =
+      list.find_block_pairs(kRange, rates.first.data(), rates.second.data()).size();
+  std::vector<int> dropped;
+  std::size_t added = 0, touches = 0;
+  for (int step = 0; step < 150; ++step) {
+    if (step % 5 == 0) {
+      const double way = step % 2 == 0 ? 1.0 : -1.0;
+      motion.velocity[static_cast<std::size_t>(step / 5)] = way * Vec3(6.0, -3.0, 4.5);
+      rates = rates_of(motion, scene);
+    }
+    for (BlockPair& pair : list.block_pairs())
+      if (list.moved(pair)) list.look_up(pair, scene.view(), dropped);
+    const TagPairs touching = brute_force(scene, 0.0), found = tags_of(list, scene);
+    touches += touching.size();
+    ASSERT_TRUE(std::includes(found.begin(), found.end(), touching.begin(), touching.end()))
+        << "step " << step;
+    motion.step(scene, centres, kStep);
+    list.follow(scene.positions.data(), rates.second.data(), kStep);
+    if (!list.outgrown()) continue;
+    ++added;
+    ASSERT_TRUE(list.add_block_pairs(scene.view(), rates.first.data(), rates.second.data()));
+    EXPECT_FALSE(list.outgrown());
+  }
+  std::printf("%zu pairs, %zu in the end, added %zu times; %zu touches\n", at_first,
+              list.block_pairs().size(), added, touches);
+  EXPECT_GT(added, 15u);
+  EXPECT_GT(list.block_pairs().size(), at_first + 100);
+  std::set<std::pair<int, int>> pairs;
+  for (const BlockPair& pair : list.block_pairs())
+    EXPECT_TRUE(pairs.insert({pair.first, pair.second}).second);
+}
+
+TEST(BlockContactList, WhereManyBlocksAreOutgrownAllAreToBeLookedForAnew) {
+  Scene scene = random_scene(100, 13);
+  Motion motion(scene, 0.5, 14);
+  const auto rates = rates_of(motion, scene);
+  std::vector<Vec3> centres = mean_positions(scene);
+  BlockContactList list;
+  list.group(scene.view(), scene.block_count);
+  const std::size_t pairs = list.find_block_pairs(0.01).size();
+  motion.step(scene, centres, 0.5);
+  list.follow(scene.positions.data(), rates.second.data(), 0.5);
+  ASSERT_TRUE(list.outgrown());
+  EXPECT_FALSE(list.add_block_pairs(scene.view(), rates.first.data(), rates.second.data()));
+  EXPECT_EQ(list.block_pairs().size(), pairs);
+}
+
 // What find_block_pairs() leaves out cannot touch before outgrown() says so.
 TEST(BlockContactList, SlowBlocksHaveFewerPairsAndNoTouchIsMissedBeforeOneIsOutgrown) {
   Scene scene = random_scene(150, 8);
@@ -183,14 +254,7 @@ TEST(BlockContactList, SlowBlocksHaveFewerPairsAndNoTouchIsMissedBeforeOneIsOutg
     motion.velocity[b] *= 0.02;
     motion.spin[b] *= 0.02;
   }
-  std::vector<double> velocities, spins;
-  for (int block : scene.blocks) {
-    const auto b = static_cast<std::size_t>(block);
-    for (int d = 0; d < 3; ++d) {
-      velocities.push_back(motion.velocity[b][d]);
-      spins.push_back(motion.spin[b][d]);
-    }
-  }
+  const auto [velocities, spins] = rates_of(motion, scene);
   std::vector<Vec3> centres = mean_positions(scene);
   BlockContactList list;
   list.group(scene.view(), scene.block_count);
