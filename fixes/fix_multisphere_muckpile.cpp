@@ -220,6 +220,10 @@ void FixMultisphereMuckpile::sum_forces() {
   engine::Bodies bodies(*this);
   for (std::size_t m = 0; m < members_.size();) {
     const int body = members_[m].body;
+    if (any_rests_ && rests(body)) {  // held, whatever they are
+      while (m < members_.size() && members_[m].body == body) ++m;
+      continue;
+    }
     const Mat3 axes = bodies.axes(body);
     Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
     for (; m < members_.size() && members_[m].body == body; ++m) {

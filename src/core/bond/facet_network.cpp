@@ -133,6 +133,7 @@ Facet FacetNetwork::facet(std::size_t f) const {
 }
 
 void FacetNetwork::derive() {
+  held_known_ = false;
   const JointParameters& parameters = material().parameters();
   softens_ = parameters.fracture_energy_tension > 0.0 || parameters.fracture_energy_shear > 0.0;
   depends_on_rate_ = parameters.rate_exponent > 0.0;
@@ -221,6 +222,31 @@ void FacetNetwork::list_working() {
     const auto i = static_cast<std::size_t>(i_of(f)), j = static_cast<std::size_t>(j_of(f));
     if (rests_[i] == 0 || rests_[j] == 0) add_facet(working_, f);
   });
+  list_stirred();
+}
+
+/// Blocks at rest stay where they are, and what their facets add to their dilatations stays too.
+/// Slanted facets are not told apart; all is worked out while ground yields, too.
+void FacetNetwork::list_stirred() {
+  held_known_ = false;
+  any_rests_ = !slanted() && std::count(rests_.begin(), rests_.end() - 1, 1) > 0;
+  if (!any_rests_) return;
+  stirred_.assign(blocks_.size(), 0);
+  opening_.clear();
+  coupled_.clear();
+  each_facet(bonded_, [&](std::size_t f) {
+    const auto i = static_cast<std::size_t>(i_of(f)), j = static_cast<std::size_t>(j_of(f));
+    if (rests_[i] != 0 && rests_[j] != 0) return;
+    add_facet(opening_, f);
+    stirred_[i] = stirred_[j] = 1;
+  });
+  for (const BoundaryFace& face : faces_)
+    if (face.hole >= 0) stirred_[static_cast<std::size_t>(face.block)] = 1;
+  stirred_.back() = 0;  // the ground
+  each_facet(bonded_, [&](std::size_t f) {
+    const auto i = static_cast<std::size_t>(i_of(f)), j = static_cast<std::size_t>(j_of(f));
+    if (stirred_[i] != 0 || stirred_[j] != 0) add_facet(coupled_, f);
+  });
 }
 
 void FacetNetwork::wake_all() {
@@ -262,8 +288,13 @@ void FacetNetwork::count_unbonded() {
 
 void FacetNetwork::dilatation(double dt) {
   if (4 * changed_since_ > active_count_) list_active();
-  for (BlockSums& sums : sums_) sums.bonded = sums.loaded = sums.squeezed = 0.0;
-  for (const LaneSet& set : bonded_) open_group(set);
+  const bool some = leaves_resting();
+  if (some && !held_known_) open_resting();
+  for (std::size_t b = 0; b < sums_.size(); ++b) {
+    sums_[b].bonded = some ? held_[b] : 0.0;
+    sums_[b].loaded = sums_[b].squeezed = 0.0;
+  }
+  for (const LaneSet& set : some ? opening_ : bonded_) open_group(set);
   if (slanted()) stretch_slanted();
   const double two_g = 2.0 * material().shear_modulus();
   for (const BoundaryFace& face : faces_) {
@@ -278,6 +309,19 @@ void FacetNetwork::dilatation(double dt) {
   theta_.back() = 0.0;  // the ground
 }
 
+/// The parts of facets of which both blocks rest.
+void FacetNetwork::open_resting() {
+  for (BlockSums& sums : sums_) sums.bonded = 0.0;
+  auto moves = opening_.begin();
+  for (LaneSet set : bonded_) {
+    while (moves != opening_.end() && moves->group < set.group) ++moves;
+    if (moves != opening_.end() && moves->group == set.group) set.lanes &= ~moves->lanes;
+    if (set.lanes != 0) open_group(set);
+  }
+  held_.resize(sums_.size());
+  for (std::size_t b = 0; b < sums_.size(); ++b) held_[b] = sums_[b].bonded;
+}
+
 /// s of the header.
 double FacetNetwork::stiffening(const BlockSums& sums) const {
   return 1.0 + sums.unbonded * material().lame_lambda() / (2.0 * material().shear_modulus());
@@ -288,8 +332,10 @@ double FacetNetwork::theta_of(std::size_t b) const {
 }
 
 void FacetNetwork::bulk_stresses() {
+  const bool all = !leaves_resting() || !held_known_;
+  held_known_ = leaves_resting();
   for (BlockSums& sums : sums_) sums.uneven = 0.0;
-  for (const LaneSet& set : bonded_) {
+  for (const LaneSet& set : all ? bonded_ : coupled_) {
     const FacetGroup& group = groups_[set.group];
     if (set.group + kAhead < groups_.size()) groups_[set.group + kAhead].fetch_couplings();
     for (std::size_t k = 0; k < kGroup; ++k) {  // nothing of those that are not bonded
@@ -300,6 +346,7 @@ void FacetNetwork::bulk_stresses() {
     }
   }
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (!all && stirred_[b] == 0) continue;  // nobody asks for it
     bulk_stress_[b] = material().lame_lambda() * theta_[b] +
                       sums_[b].uneven / (blocks_[b].volume * stiffening(sums_[b]));
   }
@@ -412,7 +459,8 @@ double FacetNetwork::memory_usage() const {
   return rare + bytes(blocks_, state_, sums_, theta_, bulk_stress_, force_, torque_, facets_,
                       memory_, groups_, closed_stiffness_, states_, bonded_points_, bonded_,
                       active_, working_, asleep_, yielding_, faces_, wall_, walls_, backs_, slants_,
-                      slant_traction_, block_slants_, gradients_, slant_stresses_);
+                      slant_traction_, block_slants_, gradients_, slant_stresses_, opening_,
+                      coupled_, stirred_, held_);
 }
 
 }  // namespace muckpile

@@ -398,6 +398,9 @@ class FacetNetwork {
   void list_anew();
   void list_active();
   void list_working();
+  void list_stirred();
+  [[nodiscard]] bool leaves_resting() const { return any_rests_ && yielding_.empty(); }
+  void open_resting();
   [[nodiscard]] double stiffening(const BlockSums& sums) const;
   [[nodiscard]] double theta_of(std::size_t b) const;
   [[nodiscard]] std::pair<double, double> depths(std::size_t f) const;
@@ -507,8 +510,15 @@ class FacetNetwork {
   std::vector<std::uint8_t> bonded_points_;  // how many of them
   std::vector<LaneSet> bonded_;              // facets with a bonded point, and some without
   std::vector<LaneSet> active_;              // facets that are not retired, and some that are
-  std::vector<LaneSet> working_;   // the active ones that have a block that is not at rest
-  std::vector<char> rests_;        // per block
+  std::vector<LaneSet> working_;  // the active ones that have a block that is not at rest
+  std::vector<char> rests_;       // per block
+  // Where blocks rest: bonded facets that have a block that does not, and those that have a block
+  // that is stirred: it does not rest, or shares a bonded facet with one that does not.
+  std::vector<LaneSet> opening_, coupled_;
+  std::vector<char> stirred_;  // per block
+  std::vector<double> held_;   // per block: `bonded` of the facets not in opening_ [m3]
+  bool held_known_ = false;    // held_ and all bulk stresses are those of the blocks at rest
+  bool any_rests_ = false;
   std::size_t changed_since_ = 0;  // how many facets of the three are out of date
   std::size_t active_count_ = 0;   // facets in active_
   std::vector<std::uint32_t>

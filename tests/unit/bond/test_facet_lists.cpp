@@ -4,6 +4,7 @@
 // Scope: broken, softening and supported facets.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "bond_scene.h"
@@ -160,6 +161,79 @@ TEST(Rare, CopiesAreDeepAndWhatIsNotThereReadsAsTheDefault) {
   copy = Rare<RareMemory>();
   EXPECT_FALSE(copy.exists());
   EXPECT_TRUE(one.exists());
+}
+
+/// Half of a cube, on a fixed support, that is squeezed and shaken; some of its joints break.
+class HalfAtRest {
+ public:
+  HalfAtRest()
+      : scene_(test::voronoi_blocks(5.0, 4, 5), rock(),
+               [](const Vec3& at) { return at.z() < 1e-6 ? Support::fixed : Support::free; }) {
+    scene_.deform(-1e-4 * Mat3::Identity());
+    compute();
+  }
+  void let_half_rest() {
+    std::vector<int> rests(scene_.size() + 1, 1);
+    for (std::size_t b = 0; b < scene_.size(); ++b) rests[b] = low(b) ? 1 : 0;
+    scene_.network().let_rest(rests);
+  }
+  /// The upper half moves on, the lower stays.
+  void shake(unsigned seed) {
+    const std::vector<BlockState> before(scene_.network().state().begin(),
+                                         scene_.network().state().end());
+    scene_.shake(4e-4, 4e-4, seed);
+    for (std::size_t b = 0; b < scene_.size(); ++b)
+      if (low(b)) scene_.block(b) = before[b];
+  }
+  void compute() { scene_.compute(1e-6); }
+  BondScene& scene() { return scene_; }
+  [[nodiscard]] bool low(std::size_t b) const { return scene_.start(b).z() < 2.5; }
+
+ private:
+  static JointParameters rock() {
+    JointParameters rock = test::rock(0.25);
+    rock.tension = rock.cohesion = 1e6;
+    return rock;
+  }
+  BondScene scene_;
+};
+
+// Forces of sums in another order differ by 1e-16 of the parts.
+void expect_alike(HalfAtRest& some, HalfAtRest& all, const char* when) {
+  double largest = 0.0;
+  for (const Vec3& force : all.scene().network().force()) largest = std::max(largest, force.norm());
+  for (std::size_t b = 0; b < all.scene().size(); ++b) {
+    EXPECT_NEAR(some.scene().network().theta()[b], all.scene().network().theta()[b], 1e-16)
+        << when << b;
+    if (all.low(b)) continue;
+    const Vec3 apart = some.scene().network().force()[b] - all.scene().network().force()[b];
+    EXPECT_LT(apart.norm(), 1e-11 * largest) << when << b;
+  }
+  const double energy = all.scene().network().elastic_energy();
+  EXPECT_NEAR(some.scene().network().elastic_energy(), energy, 1e-11 * energy) << when;
+  EXPECT_EQ(some.scene().network().broken_count(), all.scene().network().broken_count()) << when;
+}
+
+TEST(FacetLists, BlocksThatMoveFeelTheSameWhetherWhatRestsIsWorkedOutAgainOrNot) {
+  HalfAtRest some, all;
+  const double whole = all.scene().network().broken_count();
+  some.let_half_rest();
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    some.shake(seed);
+    all.shake(seed);
+    some.compute();
+    all.compute();
+    expect_alike(some, all, "shaken ");
+  }
+  EXPECT_GT(all.scene().network().broken_count(), whole + 10.0);
+  for (HalfAtRest* scene : {&some, &all}) {
+    scene->scene().network().soften(0.1);
+    scene->compute();
+  }
+  expect_alike(some, all, "softened ");
+  some.scene().network().wake_all();
+  some.compute();
+  expect_alike(some, all, "woken ");
 }
 
 }  // namespace
