@@ -164,6 +164,7 @@ void FixMuckpileTimestep::choose() {
                            number_text(shortest_) + " s (joints bear " + number_text(joint_step_) +
                            " s, contacts " + number_text(contact_steps_[kStableSprings]) +
                            " s, with dashpots " + number_text(contact_steps_[kStableContacts]) +
+                           " s, collisions are resolved at " + number_text(longest_resolving()) +
                            " s)");
   }
   if (step < update->dt || step > kWorthAChange * update->dt) set_step(step);

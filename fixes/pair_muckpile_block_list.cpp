@@ -132,7 +132,8 @@ void PairMuckpileBlock::list_working_pairs(std::size_t first) {
     const BlockPair& pair = list_.block_pairs()[k];
     (rests(pair.first) && rests(pair.second) ? left_alone_ : working_).push_back(k);
   }
-  if (resting_ != nullptr) rests_version_ = resting_->rests_version();
+  // Pairs from before `first` are still sorted as they were: compute() sees that by the version.
+  if (first == 0 && resting_ != nullptr) rests_version_ = resting_->rests_version();
 }
 
 void PairMuckpileBlock::mark_near(std::span<const char> from, std::span<char> to) const {

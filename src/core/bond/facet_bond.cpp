@@ -29,7 +29,7 @@ void FacetNetwork::open_facet(std::size_t f) {
 void FacetNetwork::tractions(double dt) {
   std::fill(force_.begin(), force_.end(), Vec3::Zero());
   std::fill(torque_.begin(), torque_.end(), Vec3::Zero());
-  newly_cracked_ = false;
+  newly_cracked_ = newly_let_go_ = false;
   if (slanted()) pull_slanted();
   for (std::size_t k = 0; k < working_.size(); ++k) {
     if (k + 1 < working_.size()) fetch_contacts(working_[k + 1]);

@@ -95,6 +95,7 @@ bool FacetNetwork::closes(std::size_t f, const Motion& motion, const Contact& co
   }
   if (softens_ && holds_on(f)) return true;
   if (memory.contact.get().fade == 0.0 || contact.longer(opened, kOpened)) {
+    newly_let_go_ = newly_let_go_ || memory.state == FacetState::cracked;
     memory.state = states_[f] = FacetState::retired;
     if (!memory.gas) memory.contact.drop();
     ++changed_since_;
@@ -133,6 +134,7 @@ void FacetNetwork::fade(std::size_t f, const Motion& motion, double matching) {
   if (matching >= before) return;
   losses_.friction += facets_[f].weight * (1.0 - matching / before) * contact_energy(f, motion);
   memory.contact.made().fade = matching;
+  newly_let_go_ = newly_let_go_ || memory.state == FacetState::cracked;
   memory.state = states_[f] = FacetState::fading;
 }
 

@@ -229,7 +229,7 @@ void FacetNetwork::list_working() {
 /// Slanted facets are not told apart; all is worked out while ground yields, too.
 void FacetNetwork::list_stirred() {
   held_known_ = false;
-  any_rests_ = !slanted() && std::count(rests_.begin(), rests_.end() - 1, 1) > 0;
+  any_rests_ = !slanted() && !rests_.empty() && std::count(rests_.begin(), rests_.end() - 1, 1) > 0;
   if (!any_rests_) return;
   stirred_.assign(blocks_.size(), 0);
   opening_.clear();
@@ -288,6 +288,7 @@ void FacetNetwork::count_unbonded() {
 
 void FacetNetwork::dilatation(double dt) {
   if (4 * changed_since_ > active_count_) list_active();
+  std::erase_if(yielding_, [&](std::size_t f) { return states_[f] != FacetState::intact; });
   const bool some = leaves_resting();
   if (some && !held_known_) open_resting();
   for (std::size_t b = 0; b < sums_.size(); ++b) {

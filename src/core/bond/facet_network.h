@@ -233,7 +233,8 @@ class FacetNetwork {
   /// Theta of every block from the poses, right for owned blocks; yielding supports give way over
   /// the step dt [s] that led here.
   void dilatation(double dt = 0.0);
-  void bulk_stresses();       ///< of every block from all theta; right for owned blocks
+  void bulk_stresses();  ///< of every block from all theta; right for owned blocks that tractions()
+                         ///< looks at
   void tractions(double dt);  ///< forces, torques, breaking, losses over a step dt [s]
 
   /// The ground behind the intact `fixed` supports that `chosen` accepts by their centroid in the
@@ -282,6 +283,9 @@ class FacetNetwork {
   [[nodiscard]] bool newly_cracked() const {
     return newly_cracked_;
   }  ///< a facet cracked in the last call
+  [[nodiscard]] bool newly_let_go() const {
+    return newly_let_go_;
+  }  ///< a cracked facet began to fade or retired in the last call
   [[nodiscard]] double broken_area(
       bool all) const;                        ///< booked by this rank, `all`: of all joints [m2]
   [[nodiscard]] double broken_count() const;  ///< facets with a broken point, booked share
@@ -519,7 +523,7 @@ class FacetNetwork {
   std::vector<double> held_;   // per block: `bonded` of the facets not in opening_ [m3]
   bool held_known_ = false;    // held_ and all bulk stresses are those of the blocks at rest
   bool any_rests_ = false;
-  std::size_t changed_since_ = 0;  // how many facets of the three are out of date
+  std::size_t changed_since_ = 0;  // facets that the lists have wrong
   std::size_t active_count_ = 0;   // facets in active_
   std::vector<std::uint32_t>
       asleep_;               // call of tractions() up to which an open facet is left alone
@@ -540,7 +544,7 @@ class FacetNetwork {
   SlipWeakening slip_weakening_;
   double pressure_work_ = 0.0, wave_work_ = 0.0, softened_ = 1.0;
   std::optional<double> damping_given_;
-  bool newly_cracked_ = false;
+  bool newly_cracked_ = false, newly_let_go_ = false;
 };
 
 /// The facets of a network in their order, each put together when it is asked for.

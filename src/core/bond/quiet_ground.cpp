@@ -67,7 +67,6 @@ void FacetNetwork::list_yielding() {
 }
 
 void FacetNetwork::yield_ground(double dt) {
-  std::erase_if(yielding_, [&](std::size_t f) { return states_[f] != FacetState::intact; });
   for (std::size_t first = 0; first < yielding_.size();) {
     std::size_t last = first + 1;
     while (last < yielding_.size() && i_of(yielding_[last]) == i_of(yielding_[first])) ++last;

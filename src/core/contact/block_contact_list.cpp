@@ -302,7 +302,8 @@ double BlockContactList::bytes() const {
   };
   return size(start_) + size(members_) + size(reference_) + size(arm_) + size(extent_) +
          size(places_) + size(items_) + size(swept_) + size(block_pairs_) + size(rest_) +
-         size(sphere_pairs_);
+         size(sphere_pairs_) + size(block_item_) + size(item_block_) + size(added_) +
+         size(added_at_) + size(partners_) + size(outgrown_);
 }
 
 }  // namespace muckpile

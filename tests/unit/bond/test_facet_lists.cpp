@@ -50,6 +50,13 @@ BondScene torn_rock() {
   return scene;
 }
 
+/// As when fix muckpile/sleep is taken off before the first run.
+TEST(FacetLists, WakingBeforeThereAreBlocksChangesNothing) {
+  FacetNetwork network(JointMaterial(test::rock(0.25)));
+  network.wake_all();
+  EXPECT_TRUE(network.facets().empty());
+}
+
 TEST(FacetLists, AreGivenUpAsTheyWereSet) {
   BondScene scene = torn_rock();
   const std::vector<Facet> before = scene.network().facets();
