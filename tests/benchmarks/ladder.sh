@@ -43,6 +43,7 @@ ladder=(
   "sleep_off|shortcut off|sleep 0|$(sizes 1) -var sleep 0"
   "open_sleep_off|shortcut off|open_sleep 0|$(sizes 1) -var open_sleep 0"
   "quiet_off|shortcut off|quiet 0|$(sizes 1) -var quiet 0"
+  "gas_wait|shortcut off|gas_rest 1e-9|$(sizes 1) -var gas_rest 1e-9"
   "accuracy_quick|accuracy|quick|-var accuracy quick -var fragment_x50 0.455 -var block_min 0.19"
   "accuracy_fine|accuracy|fine|-var accuracy fine -var fragment_x50 0.28"
 )
