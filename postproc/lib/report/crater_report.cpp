@@ -25,12 +25,12 @@ void write_rings(const std::vector<CraterRing>& rings, const std::filesystem::pa
 nlohmann::ordered_json crater_keys(const CraterShape& apparent, const CraterShape& whole,
                                    const Ejecta& ejecta) {
   nlohmann::ordered_json keys;
-  keys["crater_radius_m"] = apparent.radius;
-  keys["crater_depth_m"] = apparent.depth;
-  keys["crater_volume_m3"] = apparent.volume;
-  keys["true_crater_radius_m"] = whole.radius;
-  keys["true_crater_depth_m"] = whole.depth;
-  keys["true_crater_volume_m3"] = whole.volume;
+  keys["crater_radius_m"] = whole.radius;
+  keys["crater_depth_m"] = whole.depth;
+  keys["crater_volume_m3"] = whole.volume;
+  keys["apparent_crater_radius_m"] = apparent.radius;
+  keys["apparent_crater_depth_m"] = apparent.depth;
+  keys["apparent_crater_volume_m3"] = apparent.volume;
   keys["ejecta_mass_kg"] = ejecta.mass;
   keys["ejecta_p50_m"] = ejecta.p50;
   keys["ejecta_p90_m"] = ejecta.p90;
@@ -73,7 +73,7 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run,
     return spelled(shape.radius) + " m radius, " + spelled(shape.depth) + " m deep, " +
            spelled(shape.volume) + " m³";
   };
-  plot.subtitle = "apparent: " + dimensions(apparent) + " · true: " + dimensions(whole);
+  plot.subtitle = "dug out: " + dimensions(whole) + " · apparent: " + dimensions(apparent);
   plot.lines = {
       {{{-reach, 0.0}, {reach, 0.0}}, kBench, 2.5, true, "surface before"},
       {both_sides(rings, &CraterRing::surface), kSignal, 3.0, false,

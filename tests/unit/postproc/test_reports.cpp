@@ -153,8 +153,8 @@ TEST(CraterReport, WritesItsKeysTableAndPicture) {
   EXPECT_THROW(report_profile(folder, {}, {}), InputError);
   report_crater(folder, {}, {});
   const auto keys = read_json_object(temporary.path() / "summary.json");
-  EXPECT_NEAR(keys["true_crater_radius_m"], 4.0, 0.5 * kCube);  // the rim is ragged by half a cube
-  EXPECT_NEAR(keys["crater_depth_m"], 2.0, 1e-6);
+  EXPECT_NEAR(keys["crater_radius_m"], 4.0, 0.5 * kCube);  // the rim is ragged by half a cube
+  EXPECT_NEAR(keys["apparent_crater_depth_m"], 2.0, 1e-6);
   EXPECT_TRUE(keys["crater_volume_m3"].is_number());
   EXPECT_TRUE(keys["ejecta_p50_m"].is_number());
   EXPECT_GT(CsvTable::read(folder.file("crater.csv")).rows(), 10U);
