@@ -40,7 +40,8 @@ void add_colour(CLI::App* command, std::string& colour) {
 void add_measure(CLI::App* command, MeasureOptions& options) {
   command
       ->add_option("--moved", options.least_move,
-                   "a block that moved less than this stayed [m] (default: mean block size)")
+                   "a block that moved less than this stayed [m] (default: mean block size; of a "
+                   "crater: 0, its own size alone counts)")
       ->check(CLI::NonNegativeNumber);
   command
       ->add_option("--cell", options.cell,

@@ -94,7 +94,11 @@ void report_crater(const ResultFolder& folder, const MeasureOptions& measure,
   if (folder.scene_word("case") == "bench") {
     throw InputError("crater: the run must be a crater, got 'bench'; use the sub-command profile");
   }
-  const RunData run(folder, measure);
+  // The rock of a crater is graded from fine at the charge to coarse far away: a block that has
+  // moved by its own size is loose, whatever the mean of all is.
+  MeasureOptions own = measure;
+  own.least_move = measure.least_move.value_or(0.0);
+  const RunData run(folder, own);
   const std::vector<CraterRing> rings =
       crater_rings(run.blocks, run.last, run.moved, run.cell, run.block_size);
   const CraterShape apparent = apparent_crater(rings), whole = true_crater(rings);

@@ -11,8 +11,8 @@ namespace muckpile {
 enum class ColourBy { kStartHeight, kStartDepth, kFragment, kSize, kSpeed, kDisplacement };
 
 struct MeasureOptions {
-  std::optional<double>
-      least_move;  // a block that moved less stayed [m]; default: the run's mean block size
+  std::optional<double> least_move;  // a block that moved less stayed [m]; default: the run's mean
+                                     // block size, 0 in a crater
   std::optional<double> cell;  // columns [m]; default: a quarter of the run's mean block size
 };
 
