@@ -70,10 +70,11 @@ void FixMultisphereMuckpile::init() {
   FixMultisphere::init();
   resting_ = dynamic_cast<const RestingBlocks*>(modify->find_fix_style_strict("muckpile/sleep", 0));
   const auto ours = [](std::string_view name) { return name.starts_with("muckpile/"); };
-  read_every_step_ = fix_heat_ != nullptr;
+  readers_.clear();
+  if (fix_heat_ != nullptr) readers_.push_back(1);
   for (int f = 0; f < modify->nfix; ++f) {
     const bool at_end = (modify->fmask[f] & LAMMPS_NS::FixConst::END_OF_STEP) != 0;
-    if (at_end && !ours(modify->fix[f]->style)) read_every_step_ = true;
+    if (at_end && !ours(modify->fix[f]->style)) readers_.push_back(modify->fix[f]->nevery);
   }
   plain_ = fix_heat_ == nullptr && !do_modify_body_forces_torques_ &&
            CAdd_ * fluidDensity_ == 0.0 && atom->quaternion == nullptr &&
@@ -105,7 +106,8 @@ void FixMultisphereMuckpile::pre_neighbor() {
 }
 
 bool FixMultisphereMuckpile::velocities_are_read() const {
-  return read_every_step_ || output->next == update->ntimestep;
+  const auto reads = [now = update->ntimestep](int every) { return now % every == 0; };
+  return output->next == update->ntimestep || std::ranges::any_of(readers_, reads);
 }
 
 /// Spheres, ghosts among them, whose body this rank moves; they stay the same until neighbours are

@@ -49,10 +49,10 @@ class FixMultisphereMuckpile : public LAMMPS_NS::FixMultisphere {
   void hold_resting();
 
   const RestingBlocks* resting_ = nullptr;  ///< looked up in every init(); null: none rests
-  bool read_every_step_ = true;             ///< a fix of LIGGGHTS works at the end of each step
-  bool plain_ = false;                      ///< nothing that only the base class does
-  bool any_rests_ = false;                  ///< in this step
-  std::uint64_t placed_version_ = 0;        ///< of resting_, when the resting were last placed
+  std::vector<int> readers_;  ///< per fix of LIGGGHTS at the end of steps: it works every so many
+  bool plain_ = false;        ///< nothing that only the base class does
+  bool any_rests_ = false;    ///< in this step
+  std::uint64_t placed_version_ = 0;  ///< of resting_, when the resting were last placed
   bool members_known_ = false;
   std::vector<Member> members_;
   bool own_messages_ = false;  ///< border_ instead of LIGGGHTS' messages about all ghosts
