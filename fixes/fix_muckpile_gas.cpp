@@ -25,7 +25,7 @@ namespace {
 
 enum Output { kInJoints, kTaken, kVented, kWork, kGreatest, kBlocks, kSpent, kOutputCount };
 
-constexpr int kCellWidth = 4;                  // mass, entropy, volume, links
+constexpr int kCellWidth = 4;                  // mass, entropy, volume, ways
 constexpr LAMMPS_NS::bigint kLookEvery = 100;  // steps between looks whether the gas is spent
 constexpr double kSpentShare = 0.2;  // spent: nowhere more than that share above the atmosphere
 
@@ -194,7 +194,7 @@ void FixMuckpileGas::fill_joints(FacetNetwork& network, engine::BlockHalo& halo)
   for (std::size_t b = 0; b < halo.owned(); ++b) {
     const GasCell& cell = cells[b];
     const std::array<double, kCellWidth> row = {cell.content.mass, cell.content.entropy,
-                                                cell.volume, cell.links};
+                                                cell.volume, cell.ways};
     std::copy(row.begin(), row.end(), numbers_.data() + b * kCellWidth);
   }
   halo.forward(numbers_, kCellWidth);
@@ -240,17 +240,17 @@ void FixMuckpileGas::book_work() {
 }
 
 /// Of the pose that measure() saw.
-void FixMuckpileGas::count_chamber_links() {
+void FixMuckpileGas::count_chamber_ways() {
   if (std::none_of(fed_.begin(), fed_.end(), [](char hole) { return hole != 0; })) return;
-  links_.assign(chambers_.size(), 0.0);
-  std::ranges::copy(gas_.chamber_links(), links_.begin());
-  MPI_Allreduce(MPI_IN_PLACE, links_.data(), static_cast<int>(links_.size()), MPI_DOUBLE, MPI_SUM,
+  ways_.assign(chambers_.size(), 0.0);
+  std::ranges::copy(gas_.chamber_ways(), ways_.begin());
+  MPI_Allreduce(MPI_IN_PLACE, ways_.data(), static_cast<int>(ways_.size()), MPI_DOUBLE, MPI_SUM,
                 world);
-  for (std::size_t hole = 0; hole < links_.size(); ++hole) chambers_[hole].links = links_[hole];
+  for (std::size_t hole = 0; hole < ways_.size(); ++hole) chambers_[hole].ways = ways_[hole];
 }
 
 void FixMuckpileGas::flow() {
-  count_chamber_links();
+  count_chamber_ways();
   const JointGas::Flows flows = gas_.flow(joint_->joints_for_gas(), chambers_, update->dt);
   std::vector<double> sums = flows.from_hole;
   sums.push_back(flows.vented + lost_);

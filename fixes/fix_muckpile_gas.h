@@ -44,7 +44,7 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure {
   [[nodiscard]] std::unordered_map<int, GasContent> contents_here(const std::vector<int>& tags);
   void read_chambers();
   void book_work();
-  void count_chamber_links();
+  void count_chamber_ways();
   void flow();
   void let_go_of_softened_joints();
   void end_of_gas(const std::string& how);
@@ -63,7 +63,7 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure {
   std::vector<char> fed_;              // per hole
   std::vector<GasChamber> chambers_;   // per hole
   std::vector<double> numbers_;        // of the cells, for messages
-  std::vector<double> links_;          // of the chambers, for sums
+  std::vector<double> ways_;           // of the chambers, for sums
   double shear_modulus_ = 0.0;         // of the joints in the last init() [Pa]
   double taken_ = 0.0, vented_ = 0.0;  // all ranks, so far [kg]
   double lost_ = 0.0;                  // with blocks that left the box, not yet in vented_ [kg]

@@ -25,13 +25,15 @@ CrackFlow::Fall CrackFlow::fall(double upstream_pressure, double downstream_pres
   return {ratio, ratio > 0.0 ? std::pow(ratio, 1.0 / p_.gamma) : 0.0};
 }
 
-double CrackFlow::flux(const GasPoint& upstream, const Fall& fall, double aperture,
-                       double length) const {
+double CrackFlow::passage(double aperture, double length) const {
+  return 1.0 / std::sqrt(1.0 + friction_factor(aperture) * length / (2.0 * aperture));
+}
+
+double CrackFlow::flux(const GasPoint& upstream, const Fall& fall, double passage) const {
   if (!(fall.ratio < 1.0)) return 0.0;
-  const double resistance = 1.0 + friction_factor(aperture) * length / (2.0 * aperture);
-  const double share =
-      2.0 * p_.gamma / (p_.gamma + 1.0) * (1.0 - fall.ratio * fall.thinning) / resistance;
-  return std::sqrt(upstream.pressure * upstream.density) * std::min(std::sqrt(share), choked_);
+  const double share = 2.0 * p_.gamma / (p_.gamma + 1.0) * (1.0 - fall.ratio * fall.thinning);
+  return std::sqrt(upstream.pressure * upstream.density) *
+         std::min(std::sqrt(share) * passage, choked_);
 }
 
 }  // namespace muckpile

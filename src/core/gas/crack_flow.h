@@ -29,14 +29,15 @@ class CrackFlow {
   };
   [[nodiscard]] Fall fall(double upstream_pressure, double downstream_pressure) const;
 
-  /// Mass flow per area of the crack [kg/(m2 s)] from `upstream` over
-  /// `length` [m] of a crack of that aperture w [m], without inertia:
-  ///     G^2/2 (1 + f L/(2w)) = integral of rho dp = gamma/(gamma + 1) p rho [1 - x^(gamma + 1)],
-  /// x of the fall, and never above the choked flux. The 1 is the gas coming up to
-  /// speed, 2w the hydraulic diameter, f = 0.143 (k/w)^(1/3) (Gauckler, Manning and Strickler; Tsai
-  /// & Rice 2010, quoted from memory).
-  [[nodiscard]] double flux(const GasPoint& upstream, const Fall& fall, double aperture,
-                            double length) const;
+  /// Mass flow per area of the crack [kg/(m2 s)] from `upstream`, without inertia:
+  ///     G^2/(2 s^2) = integral of rho dp = gamma/(gamma + 1) p rho [1 - x^(gamma + 1)],
+  /// s the passage, x of the fall; never above the choked flux.
+  [[nodiscard]] double flux(const GasPoint& upstream, const Fall& fall, double passage) const;
+  /// Share of the flow without friction that `length` L [m] of a crack of that aperture w [m] lets
+  /// through: (1 + f L/(2w))^(-1/2). The 1 is the gas coming up to speed, 2w the hydraulic
+  /// diameter, f = 0.143 (k/w)^(1/3) (Gauckler, Manning and Strickler; Tsai & Rice 2010, quoted
+  /// from memory).
+  [[nodiscard]] double passage(double aperture, double length) const;
   /// Darcy's f at an aperture [m].
   [[nodiscard]] double friction_factor(double aperture) const;
   [[nodiscard]] double gamma() const { return p_.gamma; }

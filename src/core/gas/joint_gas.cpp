@@ -41,6 +41,7 @@ JointGas::Crack JointGas::crack_of(const FacetNetwork& network, std::size_t f) c
   const bool joint = facet.kind == FacetKind::joint;
   const int hole_i = touches_[i] / 2 - 1, hole_j = touches_[j] / 2 - 1;
   const double aperture = p_.residual_aperture + open.opening;
+  const double width = 2.0 * std::sqrt(open.area / M_PI);
   return {.facet = f,
           .i = i,
           .j = j,
@@ -48,8 +49,8 @@ JointGas::Crack JointGas::crack_of(const FacetNetwork& network, std::size_t f) c
           .wide = open.wide,
           .hole = joint && hole_i == hole_j ? hole_i : -1,
           .surfaces = joint && (touches_[i] & touches_[j] & 1) != 0,
-          .aperture = aperture,
-          .width = 2.0 * std::sqrt(open.area / M_PI),
+          .passage = flow_.passage(aperture, width),
+          .area = aperture * width,
           .volume = (joint ? 0.5 : 1.0) * open.area * aperture};
 }
 
@@ -79,8 +80,8 @@ void JointGas::measure(const FacetNetwork& network, const std::vector<char>& fed
       open_to_gas_.push_back(f);
   }
   mark_reached(network, fed);
-  for (GasCell& cell : cells_) cell.volume = cell.links = 0.0;
-  chamber_links_.assign(fed.size(), 0.0);
+  for (GasCell& cell : cells_) cell.volume = cell.ways = 0.0;
+  chamber_ways_.assign(fed.size(), 0.0);
   cracks_.clear();
   for (const std::size_t f : open_to_gas_) {
     const FacetEnds facet = network.ends(f);
@@ -91,13 +92,14 @@ void JointGas::measure(const FacetNetwork& network, const std::vector<char>& fed
     }
     const Crack crack = crack_of(network, f);
     cracks_.push_back(crack);
-    const double links =
-        (joint ? 1.0 : 0.0) + (crack.hole >= 0 ? 1.0 : 0.0) + (crack.surfaces ? 1.0 : 0.0);
+    const double ways = (joint ? crack.way() : 0.0) + (crack.hole >= 0 ? crack.end() : 0.0) +
+                        (crack.surfaces ? crack.end() : 0.0);
     for (std::size_t b : {crack.i, crack.j}) {
       if (b == crack.j && !joint) continue;
       cells_[b].volume += crack.volume;
-      cells_[b].links += links;
-      if (crack.hole >= 0 && owned(b)) chamber_links_[static_cast<std::size_t>(crack.hole)] += 1.0;
+      cells_[b].ways += ways;
+      if (crack.hole >= 0 && owned(b))
+        chamber_ways_[static_cast<std::size_t>(crack.hole)] += crack.end();
     }
   }
 }
@@ -139,10 +141,10 @@ void JointGas::exchange(const Crack& crack, double dt) {
   const GasCell &source = cells_[from], &sink = cells_[to];
   if (!(donor.pressure > points_[to].pressure) || !(sink.volume > 0.0)) return;
   const CrackFlow::Fall fall = flow_.fall(donor.pressure, points_[to].pressure);
-  const double flux = flow_.flux(donor, fall, crack.aperture, crack.width);
-  const double mass = std::min(flux * crack.aperture * crack.width * dt,
-                               equalising_mass(donor, source.volume / (1.0 + source.links),
-                                               fall.thinning, sink.volume / (1.0 + sink.links)));
+  const double way = crack.way();
+  const double mass = std::min(flow_.flux(donor, fall, crack.passage) * crack.area * dt,
+                               equalising_mass(donor, source.volume * way / source.ways,
+                                               fall.thinning, sink.volume * way / sink.ways));
   const double entropy = source.content.entropy / source.content.mass;
   move(from, -mass, entropy);
   move(to, mass, entropy);
@@ -156,11 +158,11 @@ double JointGas::feed(std::size_t b, const Crack& crack, const GasChamber& chamb
   const bool in = chamber.gas.pressure > gas.pressure;
   const GasPoint& donor = in ? chamber.gas : gas;
   const CrackFlow::Fall fall = flow_.fall(donor.pressure, in ? gas.pressure : chamber.gas.pressure);
-  const double room = chamber.mass / chamber.gas.density / (1.0 + chamber.links);
-  const double most = equalising_mass(donor, room, fall.thinning, cell.volume / (1.0 + cell.links));
-  const double area = 0.5 * crack.aperture * crack.width;
+  const double room = chamber.mass / chamber.gas.density * crack.end() / chamber.ways;
+  const double most =
+      equalising_mass(donor, room, fall.thinning, cell.volume * crack.end() / cell.ways);
   const double mass =
-      std::min(flow_.flux(donor, fall, crack.aperture, crack.width) * area * dt, most);
+      std::min(flow_.flux(donor, fall, crack.passage) * 0.5 * crack.area * dt, most);
   const double entropy = in ? donor.pressure / std::pow(donor.density, flow_.gamma())
                             : cell.content.entropy / cell.content.mass;
   move(b, in ? mass : -mass, entropy);
@@ -173,9 +175,9 @@ double JointGas::vent(std::size_t b, const Crack& crack, double dt) {
   const GasCell& cell = cells_[b];
   if (!(gas.pressure > p_.ambient)) return 0.0;
   const CrackFlow::Fall fall = flow_.fall(gas.pressure, p_.ambient);
-  const double area = 0.5 * crack.aperture * crack.width;
-  const double mass = std::min(flow_.flux(gas, fall, crack.aperture, crack.width) * area * dt,
-                               cell.content.mass * (1.0 - fall.thinning) / (1.0 + cell.links));
+  const double share = cell.content.mass * crack.end() / cell.ways;
+  const double mass = std::min(flow_.flux(gas, fall, crack.passage) * 0.5 * crack.area * dt,
+                               share * (1.0 - fall.thinning));
   move(b, -mass, cell.content.entropy / cell.content.mass);
   return mass;
 }

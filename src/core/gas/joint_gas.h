@@ -31,14 +31,14 @@ struct GasContent {
 struct GasCell {
   GasContent content;
   double volume = 0.0;  ///< of its broken joints [m3]
-  double links = 0.0;   ///< broken joints, and their ends on a crushed zone or a free face
+  double ways = 0.0;    ///< conductance of its broken joints and of their ends [m2]
 };
 
 /// Gas in a crushed zone.
 struct GasChamber {
-  GasPoint gas;        ///< pressure 0: nothing flows out or in
-  double mass = 0.0;   ///< [kg]
-  double links = 0.0;  ///< joints that end in it, each counted for both blocks; of all ranks
+  GasPoint gas;       ///< pressure 0: nothing flows out or in
+  double mass = 0.0;  ///< [kg]
+  double ways = 0.0;  ///< conductance of the joints that end in it [m2]; of all ranks
 };
 
 class JointGas {
@@ -63,8 +63,8 @@ class JointGas {
   /// Volumes of the owned blocks that gas can reach in this step, in the pose of the network; a
   /// hole whose `fed` is false lets no gas out.
   void measure(const FacetNetwork& network, const std::vector<char>& fed);
-  /// Per hole, what measure() found: the part of GasChamber::links of owned blocks.
-  [[nodiscard]] std::span<const double> chamber_links() const { return chamber_links_; }
+  /// Per hole, what measure() found: the part of GasChamber::ways of owned blocks.
+  [[nodiscard]] std::span<const double> chamber_ways() const { return chamber_ways_; }
   /// Tells the network what the gas presses beyond the atmosphere [Pa].
   void press(FacetNetwork& network);
 
@@ -72,9 +72,10 @@ class JointGas {
     std::vector<double> from_hole;  ///< what owned blocks took from each chamber [kg]
     double vented = 0.0;            ///< what they let into the atmosphere [kg]
   };
-  /// One step [s]. Joints that measure() found wide lose their share to the atmosphere. A block or
-  /// chamber with n links gives each the share 1/(n + 1) of its volume, and no flow is larger than
-  /// what would make the two shares at a link equal: pressures never cross, none is emptied.
+  /// One step [s]. Joints that measure() found wide lose their share to the atmosphere. Each way
+  /// out of a block or chamber has a share of its volume, in proportion to its conductance, and no
+  /// flow is larger than what would make the two shares at a way equal: pressures never cross, none
+  /// is emptied.
   [[nodiscard]] Flows flow(FacetNetwork& network, std::span<const GasChamber> chambers, double dt);
 
   [[nodiscard]] double pressure(const GasCell& cell) const;  ///< absolute; 0 if empty [Pa]
@@ -87,9 +88,12 @@ class JointGas {
     std::size_t facet;
     std::size_t i, j;
     bool joint, wide;
-    int hole;       // that it ends in, -1: none
-    bool surfaces;  // ends on a free face
-    double aperture, width, volume;
+    int hole;              // that it ends in, -1: none
+    bool surfaces;         // ends on a free face
+    double passage, area;  // of the crack's section [-], [m2]
+    double volume;         // on either side of its middle [m3]
+    [[nodiscard]] double way() const { return passage * area; }
+    [[nodiscard]] double end() const { return 0.5 * way(); }  // each block has half the aperture
   };
   struct Change {
     double mass = 0.0, entropy = 0.0, lost_volume = 0.0;
@@ -115,7 +119,7 @@ class JointGas {
   std::vector<std::size_t> open_to_gas_;  // broken facets
   std::vector<Crack> cracks_;             // those of them that gas can reach
   std::vector<Change> changes_;
-  std::vector<double> chamber_links_;
+  std::vector<double> chamber_ways_;
   std::vector<GasPoint> points_;  // per block, as press() found them
 };
 
