@@ -92,6 +92,7 @@ void FixMuckpileBlast::init() {
   described_ = true;
   swept_.resize(blasts_.size(), 0.0);
   gas_.resize(blasts_.size(), 0.0);
+  limit_.resize(blasts_.size(), 0.0);
   states_.resize(blasts_.size());
   hole_over_.resize(blasts_.size(), 0);
   check_timestep();
@@ -223,13 +224,16 @@ void FixMuckpileBlast::load_faces(double time) {
     gas_[hole] = std::max(0.0, blast.gas_pressure(swept_[hole], time, states_[hole]) - ambient_);
     if (blast.over(time, gas_[hole])) hole_over_[hole] = 1;
     if (hole_over_[hole]) gas_[hole] = 0.0;
+    limit_[hole] = blast.pulse_limit(swept_[hole], time, states_[hole]) - ambient_;
     if (!hole_over_[hole] && time >= blast.firing_time()) ++active_holes_;
   }
   const std::span<const LoadedFacet> faces = surface_->loaded_facets();
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const auto hole = static_cast<std::size_t>(faces[i].hole);
-    pressures_[i] = hole_over_[hole] ? 0.0 : blasts_[hole].pressure(arrivals_[i], time, gas_[hole]);
-    wave_share_[i] = blasts_[hole].load().wave_share(time - arrivals_[i], gas_[hole]);
+    const HoleBlast& blast = blasts_[hole];
+    pressures_[i] =
+        hole_over_[hole] ? 0.0 : blast.pressure(arrivals_[i], time, gas_[hole], limit_[hole]);
+    wave_share_[i] = blast.load().wave_share(time - arrivals_[i], gas_[hole], limit_[hole]);
   }
   surface_->set_pressure(pressures_, wave_share_);
 }
@@ -246,7 +250,7 @@ GasChamber FixMuckpileBlast::chamber(std::size_t hole) const {
   if (hole_over_[hole]) return {};
   const double pressure = blast.gas_pressure(swept_[hole], clock(), states_[hole]);
   const double mass = states_[hole].mass_left * charges_[hole].mass;
-  return {{pressure, mass / (blast.load().start_volume() + swept_[hole])}, mass};
+  return {{pressure, mass / blast.gas_volume(swept_[hole], states_[hole])}, mass};
 }
 
 void FixMuckpileBlast::let_gas_go() { hole_over_.assign(hole_over_.size(), 1); }

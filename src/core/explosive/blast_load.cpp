@@ -34,13 +34,24 @@ BlastLoad::BlastLoad(const Parameters& parameters)
   explosive_detail::require_positive("free volume ratio", "", parameters.free_volume_ratio);
   start_volume_ =
       std::max(expansion_.switch_ratio(), parameters.free_volume_ratio) * charge_volume_;
+  explosive_detail::require_positive("volume ratio of the pulse", "",
+                                     parameters.pulse_volume_ratio);
+  pulse_volume_ =
+      std::min(parameters.pulse_volume_ratio, parameters.free_volume_ratio) * charge_volume_;
+}
+
+double BlastLoad::products_pressure(double volume, double time, const GasState& state) const {
+  const double ratio = volume / charge_volume_;
+  if (vent_) return expansion_.pressure(ratio / state.mass_left);
+  return expansion_.pressure(ratio) * vent_factor(time, vent_time_, vent_decay_);
 }
 
 double BlastLoad::gas_pressure(double swept_volume, double time, const GasState& state) const {
-  if (!gas_) return 0.0;
-  const double volume = (start_volume_ + swept_volume) / charge_volume_;
-  if (vent_) return expansion_.pressure(volume / state.mass_left);
-  return expansion_.pressure(volume) * vent_factor(time, vent_time_, vent_decay_);
+  return gas_ ? products_pressure(start_volume_ + swept_volume, time, state) : 0.0;
+}
+
+double BlastLoad::pulse_limit(double swept_volume, double time, const GasState& state) const {
+  return gas_ ? products_pressure(pulse_volume_ + swept_volume, time, state) : kNoLimit;
 }
 
 void BlastLoad::advance(GasState& state, double swept_volume, double time, double dt) const {
@@ -53,14 +64,15 @@ void BlastLoad::advance(GasState& state, double swept_volume, double time, doubl
   vent_->advance(state, chamber, dt);
 }
 
-double BlastLoad::pressure(double tau, double gas_pressure) const {
+double BlastLoad::pressure(double tau, double gas_pressure, double pulse_limit) const {
   if (tau <= 0.0) return 0.0;
-  return std::max(wave_peak_ * pulse_.shape(tau), gas_pressure * pulse_.ramp(tau));
+  return std::max(std::min(wave_peak_ * pulse_.shape(tau), pulse_limit),
+                  gas_pressure * pulse_.ramp(tau));
 }
 
-double BlastLoad::wave_share(double tau, double gas_pressure) const {
-  const double load = pressure(tau, gas_pressure);
-  return load > 0.0 ? wave_peak_ * pulse_.shape(tau) / load : 0.0;
+double BlastLoad::wave_share(double tau, double gas_pressure, double pulse_limit) const {
+  const double load = pressure(tau, gas_pressure, pulse_limit);
+  return load > 0.0 ? std::min(wave_peak_ * pulse_.shape(tau), pulse_limit) / load : 0.0;
 }
 
 double BlastLoad::bound(double tau, double gas_pressure) const {

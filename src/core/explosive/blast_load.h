@@ -4,6 +4,7 @@
 // sweeps; it leaks by a time law, or by flow through collar and cracks (gas_vent.h).
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "explosive/gas_vent.h"
@@ -17,12 +18,16 @@ namespace muckpile {
 [[nodiscard]] double vent_factor(double time, double vent_time, double vent_decay);
 
 /// Load at a wall point, tau = time since the detonation arrived there:
-///     p = max( P1 f(tau), p_gas(V, t) g(tau) )
+///     p = max( min[P1 f(tau), p_limit], p_gas(V, t) g(tau) )
 /// P1 peak wave pressure at the wall, f the pulse's shape, g = f until the peak (of a table its
 /// greatest so far) and 1 after. So before the peak p is the pulse alone wherever P1 >= p_gas, and
 /// afterwards the greater of both: the maximum, not the sum, because the pulse is the first part of
 /// the same expansion. If P1 < p_gas the gas comes up along the pulse's own rise. Either way the
-/// load never jumps.
+/// load never jumps. Where the wall gives way the pulse is held to what the products' isentrope
+/// gives from the volume Vp in which they start, V0 or the room of a decoupled charge:
+///     p_limit = p((Vp + swept volume)/V0) s(t).
+/// As Vg >= Vp, p_gas is never above p_limit: pulse and gas together do no more work than the
+/// products' expansion from Vp.
 ///     p_gas = p(V/V0) s(t),  V = Vg + swept volume,  V0 charge volume,
 /// p(V/V0) the isentrope's and Vg its Vk, or the room that a decoupled charge has if that is more:
 /// With flow instead of s(t) the gas that is left, a share m of the mass, fills the chamber alone:
@@ -39,6 +44,7 @@ class BlastLoad {
     std::optional<JwlParameters> jwl{};         ///< in its place; see ProductExpansion
     double charge_volume;                       ///< V0 [m3]
     double free_volume_ratio = 1.0;             ///< chamber that the products fill over V0 [-]
+    double pulse_volume_ratio = 1.0;            ///< Vp/V0, at most free_volume_ratio [-]
     double vent_time;                           ///< since the primer fired [s]
     double vent_decay;                          ///< [s]
     std::optional<GasVent::Parameters> flow{};  ///< in place of those two times
@@ -50,10 +56,15 @@ class BlastLoad {
   /// Gas pressure [Pa] at a swept volume [m3] and a time [s] since the primer fired; 0 without gas.
   [[nodiscard]] double gas_pressure(double swept_volume, double time,
                                     const GasState& state = {}) const;
+  /// What the products can press at most while the pulse acts [Pa]; without gas, whose isentrope it
+  /// is, there is no limit: the pulse is as given.
+  [[nodiscard]] double pulse_limit(double swept_volume, double time,
+                                   const GasState& state = {}) const;
   /// The gas that flows out and the stemming that moves in one step [s].
   void advance(GasState& state, double swept_volume, double time, double dt) const;
   /// Load [Pa] at a point that the detonation reached tau seconds ago, under that gas pressure.
-  [[nodiscard]] double pressure(double tau, double gas_pressure) const;
+  [[nodiscard]] double pressure(double tau, double gas_pressure,
+                                double pulse_limit = kNoLimit) const;
   /// Bound on pressure() at tau and later if the gas pressure does not rise above the given one;
   /// P1 or the gas pressure before the peak.
   [[nodiscard]] double bound(double tau, double gas_pressure) const;
@@ -62,17 +73,23 @@ class BlastLoad {
   [[nodiscard]] double start_volume() const { return start_volume_; }    ///< Vg [m3], 0 without gas
   [[nodiscard]] double charge_volume() const { return charge_volume_; }  ///< V0 [m3]
   /// Part of pressure() that the pulse alone would make; the gas adds the rest [-].
-  [[nodiscard]] double wave_share(double tau, double gas_pressure) const;
+  [[nodiscard]] double wave_share(double tau, double gas_pressure,
+                                  double pulse_limit = kNoLimit) const;
   /// The greatest load that can occur on a wall that only moves outward [Pa].
   [[nodiscard]] double greatest_pressure() const;
 
+  static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
  private:
+  [[nodiscard]] double products_pressure(double volume, double time, const GasState& state) const;
+
   double wave_peak_;
   PulseShape pulse_;
   bool gas_;
   ProductExpansion expansion_;
   double charge_volume_;
   double start_volume_ = 0.0;
+  double pulse_volume_ = 0.0;  // Vp [m3]
   double vent_time_;
   double vent_decay_;
   double products_mass_ = 0.0;  // [kg], with flow

@@ -48,4 +48,12 @@ double wall_pressure(double initial_pressure, const ProductExpansion& expansion,
   return pressure * std::pow(shape.charge_radius / shape.hole_radius, rule.coupling_exponent);
 }
 
+double pulse_volume_ratio(double wall_share, const ProductExpansion& expansion,
+                          const ChargeShape& shape, const DecouplingRule& rule) {
+  constexpr double kRounding = 1e-9;
+  const double ratio = free_volume_ratio(shape, rule);
+  const double isentrope = expansion.pressure(ratio) / expansion.pressure(1.0);
+  return wall_share <= isentrope * (1.0 + kRounding) ? ratio : 1.0;
+}
+
 }  // namespace muckpile

@@ -46,4 +46,10 @@ void check_shape(const ChargeShape& shape);
 [[nodiscard]] double wall_pressure(double initial_pressure, const ProductExpansion& expansion,
                                    const ChargeShape& shape, const DecouplingRule& rule);
 
+/// Volume over that of the charge from which the products' work through the wall is counted, given
+/// the wall's peak over P0. It is the room that they fill without work; but a peak chosen above
+/// their isentrope's there (impact_factor, one power law) has energy from that filling, so then 1.
+[[nodiscard]] double pulse_volume_ratio(double wall_share, const ProductExpansion& expansion,
+                                        const ChargeShape& shape, const DecouplingRule& rule);
+
 }  // namespace muckpile

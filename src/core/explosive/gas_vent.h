@@ -10,6 +10,7 @@ struct GasState {
   double mass_left = 1.0;       ///< share of the products still in the chamber
   double stemming_path = 0.0;   ///< way that the stemming has gone towards the collar [m]
   double stemming_speed = 0.0;  ///< [m/s]
+  double closed_before = 0.0;  ///< swept volume at firing if the wall had moved inward, else 0 [m3]
 };
 
 /// Chamber at one instant.

@@ -18,11 +18,20 @@ class HoleBlast {
   /// Pressure of the gas in the whole hole [Pa] at a swept volume [m3]; 0 before the hole fires.
   [[nodiscard]] double gas_pressure(double swept_volume, double time,
                                     const GasState& state = {}) const;
-  /// What the gas and the stemming do in one step [s]; nothing before the hole fires.
+  /// What the products can press at most while the pulse acts [Pa]; see BlastLoad.
+  [[nodiscard]] double pulse_limit(double swept_volume, double time, const GasState& state) const;
+  /// Room of the gas [m3].
+  [[nodiscard]] double gas_volume(double swept_volume, const GasState& state) const {
+    return load_.start_volume() + swept_volume - state.closed_before;
+  }
+  /// What the gas and the stemming do in one step [s]. Before the hole fires there is no gas, and a
+  /// wall that other holes push inward compresses none: the products start from their own volume
+  /// wherever the wall stands by then. (A wall that has opened leaves them more room.)
   void advance(GasState& state, double swept_volume, double time, double dt) const;
   /// Load [Pa] on a wall point of that arrival time.
-  [[nodiscard]] double pressure(double arrival_time, double time, double gas_pressure) const {
-    return load_.pressure(time - arrival_time, gas_pressure);
+  [[nodiscard]] double pressure(double arrival_time, double time, double gas_pressure,
+                                double pulse_limit = BlastLoad::kNoLimit) const {
+    return load_.pressure(time - arrival_time, gas_pressure, pulse_limit);
   }
   /// True once the detonation has run the whole column and no load above kNegligible times the
   /// greatest is left.

@@ -37,6 +37,11 @@ BlastLoad blast_load(const BlastOptions& options, const LoadedHole& hole, const 
       hole.initial_pressure > 0.0 ? hole.initial_pressure : parameters.isentrope.switch_pressure;
   if (options.charge.jwl) parameters.jwl = hole.explosive.jwl;
   parameters.free_volume_ratio = free_volume_ratio(hole.shape, hole.decoupling);
+  if (hole.initial_pressure > 0.0) {
+    parameters.pulse_volume_ratio = pulse_volume_ratio(
+        hole.wall_pressure / hole.initial_pressure,
+        product_expansion(options.charge, hole.explosive), hole.shape, hole.decoupling);
+  }
   if (options.vent_by_flow) {
     parameters.flow = options.flow;
     parameters.flow->hole_radius = hole.shape.hole_radius;

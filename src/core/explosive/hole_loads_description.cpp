@@ -63,6 +63,11 @@ std::string describe(const BlastOptions& options, const std::vector<Hole>& crush
   describe_pressures(text, options, hole);
   describe_wave(text, options, hole, zone);
   if (options.gas) {
+    const double limit = load.pulse_limit(0.0, 0.0);
+    if (load.wave_peak() > limit) {
+      text << "  the pulse is held to what the products can press, " << limit / kMPa
+           << " MPa on a wall at rest\n";
+    }
     text << "  gas from " << load.gas_pressure(0.0, 0.0) / kMPa
          << " MPa at Vg = " << load.start_volume()
          << " m3, charge volume V0 = " << load.charge_volume() << " m3, ";

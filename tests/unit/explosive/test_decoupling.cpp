@@ -50,6 +50,25 @@ TEST(Decoupling, PowerLawHasTheUsualSixthAndThirdPowers) {
   EXPECT_NEAR(wall(shape(2.0), rule), kP0 / std::pow(4.0, 1.3), 1.0);
 }
 
+TEST(Decoupling, WorkCountsFromTheRoomThatIsFilledWithoutAny) {
+  DecouplingRule rule;
+  const auto ratio = [&rule](const ChargeShape& charge) {
+    return pulse_volume_ratio(wall(charge, rule) / kP0, two_stage(), charge, rule);
+  };
+  EXPECT_DOUBLE_EQ(ratio(shape(1.0)), 1.0);
+  EXPECT_DOUBLE_EQ(ratio(shape(1.5, 0.5)), 4.5);  // 1.5^2 / 0.5
+  rule.power_law = true;                          // the sixth power is the isentrope's at 1.5,
+  EXPECT_DOUBLE_EQ(ratio(shape(1.5)), 2.25);
+  rule.power_exponent = 1.3;  // this one is 970 instead of 244 MPa
+  EXPECT_DOUBLE_EQ(ratio(shape(1.5)), 1.0);
+  rule = {};
+  rule.impact_factor = 8.0;
+  EXPECT_DOUBLE_EQ(ratio(shape(1.5)), 1.0);
+  rule = {};
+  rule.coupling = Coupling::water;  // no room
+  EXPECT_DOUBLE_EQ(ratio(shape(1.5)), 1.0);
+}
+
 TEST(Decoupling, ImpactFactorRaisesTheWaveBehindAnAirGapOnly) {
   DecouplingRule rule;
   rule.impact_factor = 8.0;
