@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Flow of gas along a rough crack: quasi-steady, turbulent, never above the choked flow.
 // Scope: one crack of even aperture; ideal gas on an isentrope p = K rho^gamma; no heat loss, no
-// inertia of the gas.
+// inertia of the gas. What depends on the gas alone and on the crack alone is worked out once for
+// each (GasHead, ease()): there are many cracks to a body of gas, and several steps to a crack.
 #pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/powers.h"
 
 namespace muckpile {
 
@@ -10,6 +16,14 @@ namespace muckpile {
 struct GasPoint {
   double pressure = 0.0;  ///< [Pa]
   double density = 0.0;   ///< [kg/m3]
+};
+
+/// What drives a gas through a crack.
+struct GasHead {
+  double pressure = 0.0;   ///< [Pa]
+  double root = 0.0;       ///< p^(1/gamma): density, but for a factor, on any one isentrope
+  double potential = 0.0;  ///< p^(1 + 1/gamma): integral of rho dp, but for a factor
+  double speed = 0.0;      ///< (p rho)^(1/2) [kg/(m2 s)]
 };
 
 class CrackFlow {
@@ -22,29 +36,42 @@ class CrackFlow {
   /// InputError on a value out of range.
   explicit CrackFlow(const Parameters& parameters);
 
-  /// How far the pressure falls along a crack.
-  struct Fall {
-    double ratio;     ///< downstream over upstream pressure [-]
-    double thinning;  ///< x = ratio^(1/gamma), downstream over upstream density [-]
-  };
-  [[nodiscard]] Fall fall(double upstream_pressure, double downstream_pressure) const;
+  [[nodiscard]] double root_of(double pressure) const {
+    return pressure > 0.0 ? power_of(pressure, 1.0 / p_.gamma) : 0.0;
+  }
+  [[nodiscard]] static GasHead head(const GasPoint& gas, double root) {
+    return {gas.pressure, root, gas.pressure * root, std::sqrt(gas.pressure * gas.density)};
+  }
+  [[nodiscard]] GasHead head(const GasPoint& gas) const { return head(gas, root_of(gas.pressure)); }
+  /// Downstream over upstream density, x = (p_down/p_up)^(1/gamma) [-].
+  [[nodiscard]] static double thinning(const GasHead& upstream, const GasHead& downstream) {
+    return downstream.root / upstream.root;
+  }
 
-  /// Mass flow per area of the crack [kg/(m2 s)] from `upstream`, without inertia:
+  /// Mass flow per area of the crack [kg/(m2 s)], without inertia:
   ///     G^2/(2 s^2) = integral of rho dp = gamma/(gamma + 1) p rho [1 - x^(gamma + 1)],
-  /// s the passage, x of the fall; never above the choked flux.
-  [[nodiscard]] double flux(const GasPoint& upstream, const Fall& fall, double passage) const;
+  /// s the passage; never above the choked flux; 0 uphill.
+  [[nodiscard]] double flux(const GasHead& upstream, const GasHead& downstream,
+                            double passage) const {
+    const double fall = std::max(0.0, 1.0 - downstream.potential / upstream.potential);
+    return upstream.speed * std::min(drive_ * std::sqrt(fall) * passage, choked_);
+  }
   /// Share of the flow without friction that `length` L [m] of a crack of that aperture w [m] lets
   /// through: (1 + f L/(2w))^(-1/2). The 1 is the gas coming up to speed, 2w the hydraulic
   /// diameter, f = 0.143 (k/w)^(1/3) (Gauckler, Manning and Strickler; Tsai & Rice 2010, quoted
   /// from memory).
-  [[nodiscard]] double passage(double aperture, double length) const;
+  [[nodiscard]] double passage(double aperture, double length) const {
+    return 1.0 / std::sqrt(1.0 + 0.5 * friction_ * length * power_of(aperture, -4.0 / 3.0));
+  }
   /// Darcy's f at an aperture [m].
   [[nodiscard]] double friction_factor(double aperture) const;
   [[nodiscard]] double gamma() const { return p_.gamma; }
 
  private:
   Parameters p_;
-  double choked_;  // choked flux over (p rho)^(1/2)
+  double choked_;    // choked flux over (p rho)^(1/2)
+  double drive_;     // flux into nothing without friction over that
+  double friction_;  // f w^(1/3) [m^(1/3)]
 };
 
 }  // namespace muckpile

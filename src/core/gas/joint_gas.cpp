@@ -8,8 +8,21 @@
 #include "explosive/require.h"
 
 namespace muckpile {
+namespace {
 
-JointGas::JointGas(const Parameters& parameters) : p_(parameters), flow_(parameters.flow) {
+/// to[k] = of(a[k], b[k]), in a form that the compiler vectorises.
+template <class Of>
+void transform_all(const std::vector<double>& a, const std::vector<double>& b,
+                   std::vector<double>& to, const Of& of) {
+  const double *from = a.data(), *and_from = b.data();
+  double* const __restrict into = to.data();
+  for (std::size_t k = 0, count = to.size(); k < count; ++k) into[k] = of(from[k], and_from[k]);
+}
+
+}  // namespace
+
+JointGas::JointGas(const Parameters& parameters)
+    : p_(parameters), flow_(parameters.flow), outside_(flow_.head({parameters.ambient, 0.0})) {
   explosive_detail::require_positive("residual_aperture", "m", p_.residual_aperture);
   explosive_detail::require_not_negative("ambient_pressure", "Pa", p_.ambient);
 }
@@ -18,9 +31,17 @@ void JointGas::set_network(const FacetNetwork& network) {
   const std::size_t count = network.blocks().size();
   cells_.assign(count, {});
   reached_.assign(count, 0);
+  holds_.assign(count, 0);
   changes_.assign(count, {});
-  points_.assign(count, {});
+  reservoirs_.assign(count, {});
+  for (auto* numbers : {&density_, &entropy_per_mass_, &pressure_, &root_})
+    numbers->assign(count, 0.0);
   cracks_.clear();
+  ending_.clear();
+  wide_.clear();
+  ends_.clear();
+  keeps_.assign(network.facet_count(), Keeps::unknown);
+  listed_ = false;
   owned_.resize(count);
   for (std::size_t b = 0; b < count; ++b) owned_[b] = network.blocks()[b].owned ? 1 : 0;
   touches_.assign(count, 0);
@@ -34,99 +55,150 @@ void JointGas::set_network(const FacetNetwork& network) {
   }
 }
 
-JointGas::Crack JointGas::crack_of(const FacetNetwork& network, std::size_t f) const {
+JointGas::End JointGas::end_of(const FacetNetwork& network, std::size_t f) const {
   const FacetEnds facet = network.ends(f);
-  const FacetNetwork::OpenJoint open = network.open_joint(f);
   const auto i = static_cast<std::size_t>(facet.i), j = static_cast<std::size_t>(facet.j);
   const bool joint = facet.kind == FacetKind::joint;
   const int hole_i = touches_[i] / 2 - 1, hole_j = touches_[j] / 2 - 1;
-  const double aperture = p_.residual_aperture + open.opening;
-  const double width = 2.0 * std::sqrt(open.area / M_PI);
-  return {.facet = f,
-          .i = i,
-          .j = j,
-          .joint = joint,
-          .wide = open.wide,
+  return {.i = static_cast<std::uint32_t>(i),
+          .j = static_cast<std::uint32_t>(j),
           .hole = joint && hole_i == hole_j ? hole_i : -1,
-          .surfaces = joint && (touches_[i] & touches_[j] & 1) != 0,
-          .passage = flow_.passage(aperture, width),
-          .area = aperture * width,
-          .volume = (joint ? 0.5 : 1.0) * open.area * aperture};
+          .joint = joint,
+          .surfaces = joint && (touches_[i] & touches_[j] & 1) != 0};
 }
 
-/// Blocks with gas, those beside them, and those on a chamber. Copies may have got gas on their own
-/// rank, which is not known here yet: all of them count.
-void JointGas::mark_reached(const FacetNetwork& network, const std::vector<char>& fed) {
-  const auto holds = [&](std::size_t b) {
+/// Whether cracks_ is still right. A list depends on which facets are broken, and on which blocks
+/// have gas, or are copies, which may have got gas on their own rank, or lie on a chamber.
+bool JointGas::list_holds(const FacetNetwork& network, const std::vector<char>& fed) {
+  const auto intact = static_cast<std::size_t>(
+      std::count(network.states().begin(), network.states().end(), FacetState::intact));
+  bool same = listed_ && intact == intact_ && fed == fed_;
+  for (std::size_t b = 0; b < cells_.size(); ++b) {
     const int hole = touches_[b] / 2 - 1;
-    return !owned(b) || cells_[b].content.mass > 0.0 ||
-           (hole >= 0 && fed[static_cast<std::size_t>(hole)] != 0);
-  };
-  std::fill(reached_.begin(), reached_.end(), 0);
-  for (const std::size_t f : open_to_gas_) {
-    const FacetEnds facet = network.ends(f);
-    const auto i = static_cast<std::size_t>(facet.i), j = static_cast<std::size_t>(facet.j);
-    const bool joint = facet.kind == FacetKind::joint;
-    const bool any = holds(i) || (joint && holds(j));
-    if (any) reached_[i] = 1;
-    if (any && joint) reached_[j] = 1;
+    const bool holds = !owned(b) || cells_[b].content.mass > 0.0 ||
+                       (hole >= 0 && fed[static_cast<std::size_t>(hole)] != 0);
+    same = same && holds == (holds_[b] != 0);
+    holds_[b] = holds ? 1 : 0;
   }
+  intact_ = intact;
+  fed_ = fed;
+  return same;
+}
+
+/// Blocks with gas and those beside them.
+void JointGas::mark_reached(const FacetNetwork& network) {
+  open_to_gas_.clear();
+  for (std::size_t f = 0; f < network.facet_count(); ++f) {
+    if (network.states()[f] == FacetState::intact) continue;
+    if (keeps_[f] == Keeps::unknown)
+      keeps_[f] = network.memory()[f].gas ? Keeps::gas : Keeps::nothing;
+    if (keeps_[f] == Keeps::gas) open_to_gas_.push_back(static_cast<std::uint32_t>(f));
+  }
+  std::fill(reached_.begin(), reached_.end(), 0);
+  for (const std::uint32_t f : open_to_gas_) {
+    const End& end = ends_[f];
+    if (holds_[end.i] == 0 && (!end.joint || holds_[end.j] == 0)) continue;
+    reached_[end.i] = 1;
+    if (end.joint) reached_[end.j] = 1;
+  }
+}
+
+void JointGas::list_cracks(const FacetNetwork& network) {
+  if (ends_.empty()) {
+    ends_.reserve(network.facet_count());
+    for (std::size_t f = 0; f < network.facet_count(); ++f) ends_.push_back(end_of(network, f));
+  }
+  mark_reached(network);
+  cracks_.clear();
+  ending_.clear();
+  for (const std::uint32_t f : open_to_gas_) {
+    const End& end = ends_[f];
+    if (reached_[end.i] == 0 && (!end.joint || reached_[end.j] == 0)) continue;
+    if (end.hole >= 0 || end.surfaces)
+      ending_.push_back(static_cast<std::uint32_t>(cracks_.size()));
+    cracks_.push_back({end, f, -1.0, 0.0, 0.0, 0.0});
+  }
+  aperture_.resize(cracks_.size());
+  width_.resize(cracks_.size());
+  passage_.resize(cracks_.size());
+  listed_ = true;
+}
+
+void JointGas::measure_crack(const FacetNetwork& network, std::size_t c) {
+  Crack& crack = cracks_[c];
+  const FacetNetwork::OpenJoint open = network.open_joint(crack.facet);
+  aperture_[c] = p_.residual_aperture + open.opening;
+  if (open.area != crack.broken) {  // another point has broken
+    crack.broken = open.area;
+    width_[c] = 2.0 * std::sqrt(open.area / M_PI);
+  }
+  crack.area = aperture_[c] * width_[c];
+  crack.volume = (crack.joint ? 0.5 : 1.0) * open.area * aperture_[c];
+  if (open.wide) wide_.push_back(static_cast<std::uint32_t>(c));
+}
+
+/// To the volumes and ways of its blocks, and to the ways out of its hole.
+void JointGas::count_crack(const Crack& crack) {
+  const double ways = (crack.joint ? crack.way : 0.0) + (crack.hole >= 0 ? crack.end() : 0.0) +
+                      (crack.surfaces ? crack.end() : 0.0);
+  each_block(crack, [&](std::size_t b) {
+    cells_[b].volume += crack.volume;
+    cells_[b].ways += ways;
+    if (crack.hole >= 0 && owned(b))
+      chamber_ways_[static_cast<std::size_t>(crack.hole)] += crack.end();
+  });
 }
 
 void JointGas::measure(const FacetNetwork& network, const std::vector<char>& fed) {
-  open_to_gas_.clear();
-  for (std::size_t f = 0; f < network.facet_count(); ++f) {
-    if (network.states()[f] != FacetState::intact && network.memory()[f].gas)
-      open_to_gas_.push_back(f);
-  }
-  mark_reached(network, fed);
+  if (!list_holds(network, fed)) list_cracks(network);
+  wide_.clear();
+  for (std::size_t c = 0; c < cracks_.size(); ++c) measure_crack(network, c);
+  transform_all(aperture_, width_, passage_,
+                [flow = flow_](double w, double length) { return flow.passage(w, length); });
   for (GasCell& cell : cells_) cell.volume = cell.ways = 0.0;
   chamber_ways_.assign(fed.size(), 0.0);
-  cracks_.clear();
-  for (const std::size_t f : open_to_gas_) {
-    const FacetEnds facet = network.ends(f);
-    const bool joint = facet.kind == FacetKind::joint;
-    if (reached_[static_cast<std::size_t>(facet.i)] == 0 &&
-        (!joint || reached_[static_cast<std::size_t>(facet.j)] == 0)) {
-      continue;
-    }
-    const Crack crack = crack_of(network, f);
-    cracks_.push_back(crack);
-    const double ways = (joint ? crack.way() : 0.0) + (crack.hole >= 0 ? crack.end() : 0.0) +
-                        (crack.surfaces ? crack.end() : 0.0);
-    for (std::size_t b : {crack.i, crack.j}) {
-      if (b == crack.j && !joint) continue;
-      cells_[b].volume += crack.volume;
-      cells_[b].ways += ways;
-      if (crack.hole >= 0 && owned(b))
-        chamber_ways_[static_cast<std::size_t>(crack.hole)] += crack.end();
-    }
+  for (std::size_t c = 0; c < cracks_.size(); ++c) {
+    cracks_[c].way = cracks_[c].area * passage_[c];
+    count_crack(cracks_[c]);
   }
 }
 
 double JointGas::pressure(const GasCell& cell) const {
   if (!(cell.content.mass > 0.0) || !(cell.volume > 0.0)) return 0.0;
   return cell.content.entropy / cell.content.mass *
-         std::pow(cell.content.mass / cell.volume, flow_.gamma());
+         power_of(cell.content.mass / cell.volume, flow_.gamma());
 }
 
 void JointGas::press(FacetNetwork& network) {
+  find_pressures();
   const std::span<double> pressure_of = network.gas_pressure();
   for (std::size_t b = 0; b < cells_.size(); ++b) {
-    points_[b] = point(b);
-    pressure_of[b] = std::max(0.0, points_[b].pressure - p_.ambient);
+    const GasPoint gas{pressure_[b], pressure_[b] > 0.0 ? density_[b] : 0.0};
+    reservoirs_[b] = {CrackFlow::head(gas, root_[b]), gas.density,
+                      cells_[b].ways > 0.0 ? cells_[b].volume / cells_[b].ways : 0.0,
+                      entropy_per_mass_[b]};
+    pressure_of[b] = std::max(0.0, gas.pressure - p_.ambient);
   }
 }
 
-GasPoint JointGas::point(std::size_t b) const {
-  const GasCell& cell = cells_[b];
-  return {pressure(cell), cell.volume > 0.0 ? cell.content.mass / cell.volume : 0.0};
+/// Number by number, so that powers are vectorised.
+void JointGas::find_pressures() {
+  const CrackFlow flow = flow_;  // which no store can change
+  for (std::size_t b = 0; b < cells_.size(); ++b) {
+    const GasCell& cell = cells_[b];
+    const bool holds = cell.content.mass > 0.0 && cell.volume > 0.0;
+    density_[b] = holds ? cell.content.mass / cell.volume : 1.0;
+    entropy_per_mass_[b] = holds ? cell.content.entropy / cell.content.mass : 0.0;
+  }
+  transform_all(density_, entropy_per_mass_, pressure_,
+                [flow](double rho, double k) { return k * power_of(rho, flow.gamma()); });
+  transform_all(pressure_, density_, root_, [flow](double p, double) { return flow.root_of(p); });
 }
 
-/// What would have to flow for the pressure of both to be the same [kg].
-double JointGas::equalising_mass(const GasPoint& from, double from_volume, double thinning,
-                                 double to_volume) {
-  return from.density * (1.0 - thinning) * from_volume * to_volume / (from_volume + to_volume);
+/// What would have to flow through a way of conductance 1 for the pressure of both its shares to be
+/// the same [kg/m2].
+double JointGas::equalising_mass(double density, double room, double thinning, double other_room) {
+  return density * std::max(0.0, 1.0 - thinning) * room * other_room / (room + other_room);
 }
 
 void JointGas::move(std::size_t b, double mass, double entropy_per_mass) {
@@ -134,51 +206,51 @@ void JointGas::move(std::size_t b, double mass, double entropy_per_mass) {
   changes_[b].entropy += mass * entropy_per_mass;
 }
 
-void JointGas::exchange(const Crack& crack, double dt) {
+void JointGas::exchange(std::size_t c, double dt) {
+  const Crack& crack = cracks_[c];
   std::size_t from = crack.i, to = crack.j;
-  if (points_[to].pressure > points_[from].pressure) std::swap(from, to);
-  const GasPoint& donor = points_[from];
-  const GasCell &source = cells_[from], &sink = cells_[to];
-  if (!(donor.pressure > points_[to].pressure) || !(sink.volume > 0.0)) return;
-  const CrackFlow::Fall fall = flow_.fall(donor.pressure, points_[to].pressure);
-  const double way = crack.way();
-  const double mass = std::min(flow_.flux(donor, fall, crack.passage) * crack.area * dt,
-                               equalising_mass(donor, source.volume * way / source.ways,
-                                               fall.thinning, sink.volume * way / sink.ways));
-  const double entropy = source.content.entropy / source.content.mass;
-  move(from, -mass, entropy);
-  move(to, mass, entropy);
+  if (reservoirs_[to].head.pressure > reservoirs_[from].head.pressure) std::swap(from, to);
+  const Reservoir &donor = reservoirs_[from], &taker = reservoirs_[to];
+  if (!(donor.head.pressure > taker.head.pressure)) return;
+  const double flux = flow_.flux(donor.head, taker.head, passage_[c]);
+  const double thinning = CrackFlow::thinning(donor.head, taker.head);
+  const double most = crack.way * equalising_mass(donor.density, donor.room, thinning, taker.room);
+  const double mass = std::min(flux * crack.area * dt, most);
+  move(from, -mass, donor.entropy_per_mass);
+  move(to, mass, donor.entropy_per_mass);
+}
+
+JointGas::Reservoir JointGas::inlet_of(const GasChamber& chamber) const {
+  if (!(chamber.gas.pressure > 0.0)) return {};
+  return {flow_.head(chamber.gas), chamber.gas.density,
+          chamber.mass / chamber.gas.density / chamber.ways,
+          chamber.gas.pressure / std::pow(chamber.gas.density, flow_.gamma())};
 }
 
 /// From the chamber into block b, or back; returns the mass.
-double JointGas::feed(std::size_t b, const Crack& crack, const GasChamber& chamber, double dt) {
-  const GasPoint& gas = points_[b];
-  const GasCell& cell = cells_[b];
-  if (!(chamber.gas.pressure > 0.0) || !(cell.volume > 0.0)) return 0.0;
-  const bool in = chamber.gas.pressure > gas.pressure;
-  const GasPoint& donor = in ? chamber.gas : gas;
-  const CrackFlow::Fall fall = flow_.fall(donor.pressure, in ? gas.pressure : chamber.gas.pressure);
-  const double room = chamber.mass / chamber.gas.density * crack.end() / chamber.ways;
+double JointGas::feed(std::size_t b, std::size_t c, const Reservoir& inlet, double dt) {
+  const Reservoir& gas = reservoirs_[b];
+  if (!(inlet.head.pressure > 0.0) || !(gas.room > 0.0)) return 0.0;
+  const bool in = inlet.head.pressure > gas.head.pressure;
+  const GasHead &up = in ? inlet.head : gas.head, &down = in ? gas.head : inlet.head;
   const double most =
-      equalising_mass(donor, room, fall.thinning, cell.volume * crack.end() / cell.ways);
+      cracks_[c].end() * equalising_mass(in ? inlet.density : gas.density, inlet.room,
+                                         CrackFlow::thinning(up, down), gas.room);
   const double mass =
-      std::min(flow_.flux(donor, fall, crack.passage) * 0.5 * crack.area * dt, most);
-  const double entropy = in ? donor.pressure / std::pow(donor.density, flow_.gamma())
-                            : cell.content.entropy / cell.content.mass;
-  move(b, in ? mass : -mass, entropy);
+      std::min(flow_.flux(up, down, passage_[c]) * 0.5 * cracks_[c].area * dt, most);
+  move(b, in ? mass : -mass, in ? inlet.entropy_per_mass : gas.entropy_per_mass);
   return in ? mass : -mass;
 }
 
 /// From block b into the atmosphere; returns the mass.
-double JointGas::vent(std::size_t b, const Crack& crack, double dt) {
-  const GasPoint& gas = points_[b];
-  const GasCell& cell = cells_[b];
-  if (!(gas.pressure > p_.ambient)) return 0.0;
-  const CrackFlow::Fall fall = flow_.fall(gas.pressure, p_.ambient);
-  const double share = cell.content.mass * crack.end() / cell.ways;
-  const double mass = std::min(flow_.flux(gas, fall, crack.passage) * 0.5 * crack.area * dt,
-                               share * (1.0 - fall.thinning));
-  move(b, -mass, cell.content.entropy / cell.content.mass);
+double JointGas::vent(std::size_t b, std::size_t c, double dt) {
+  const Reservoir& gas = reservoirs_[b];
+  if (!(gas.head.pressure > p_.ambient)) return 0.0;
+  const double most =
+      cracks_[c].end() * gas.density * gas.room * (1.0 - CrackFlow::thinning(gas.head, outside_));
+  const double mass =
+      std::min(flow_.flux(gas.head, outside_, passage_[c]) * 0.5 * cracks_[c].area * dt, most);
+  move(b, -mass, gas.entropy_per_mass);
   return mass;
 }
 
@@ -186,19 +258,35 @@ JointGas::Flows JointGas::flow(FacetNetwork& network, std::span<const GasChamber
                                double dt) {
   Flows flows{std::vector<double>(chambers.size(), 0.0), 0.0};
   std::fill(changes_.begin(), changes_.end(), Change{});
-  for (const Crack& crack : cracks_) {
-    if (crack.joint) exchange(crack, dt);
-    if (crack.wide) network.release_gas(crack.facet);
-    for (std::size_t b : {crack.i, crack.j}) {
-      if (!owned(b)) continue;  // the ground neither
+  for (std::size_t c = 0; c < cracks_.size(); ++c) {
+    if (cracks_[c].joint) exchange(c, dt);
+  }
+  std::vector<Reservoir> inlets;
+  for (const GasChamber& chamber : chambers) inlets.push_back(inlet_of(chamber));
+  for (const std::uint32_t c : ending_) {
+    const Crack& crack = cracks_[c];
+    each_block(crack, [&](std::size_t b) {
+      if (!owned(b)) return;
       if (crack.hole >= 0) {
         const auto hole = static_cast<std::size_t>(crack.hole);
-        flows.from_hole[hole] += feed(b, crack, chambers[hole], dt);
+        flows.from_hole[hole] += feed(b, c, inlets[hole], dt);
       }
-      if (crack.surfaces) flows.vented += vent(b, crack, dt);
-      if (crack.wide) changes_[b].lost_volume += crack.volume;
-    }
+      if (crack.surfaces) flows.vented += vent(b, c, dt);
+    });
   }
+  for (const std::uint32_t c : wide_) {
+    network.relpassage_gas(cracks_[c].facet);
+    keeps_[cracks_[c].facet] = Keeps::nothing;
+    listed_ = false;
+    each_block(cracks_[c], [&](std::size_t b) { changes_[b].lost_volume += cracks_[c].volume; });
+  }
+  flows.vented += settle();
+  return flows;
+}
+
+/// Adds up what moved in owned blocks; returns what wide joints let into the atmosphere [kg].
+double JointGas::settle() {
+  double vented = 0.0;
   for (std::size_t b = 0; b < cells_.size(); ++b) {
     if (!owned(b)) continue;
     GasContent& content = cells_[b].content;
@@ -209,10 +297,10 @@ JointGas::Flows JointGas::flow(FacetNetwork& network, std::span<const GasChamber
     // The last joint takes all: no rounding is left behind.
     const GasContent rest =
         kept < 1e-12 ? GasContent{} : GasContent{kept * content.mass, kept * content.entropy};
-    flows.vented += content.mass - rest.mass;
+    vented += content.mass - rest.mass;
     content = rest;
   }
-  return flows;
+  return vented;
 }
 
 double JointGas::mass() const {

@@ -13,6 +13,7 @@
 // from the same numbers, so mass is kept to rounding.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -56,7 +57,11 @@ class JointGas {
   void set_network(const FacetNetwork& network);
   /// Code of what each block touches: 2 (hole + 1) + (1 if it has a free face). Right for owned
   /// blocks after set_network(); the caller fills in the copies.
-  [[nodiscard]] std::span<int> touches() { return touches_; }
+  [[nodiscard]] std::span<int> touches() {
+    ends_.clear();
+    listed_ = false;
+    return touches_;
+  }
   [[nodiscard]] std::span<GasCell> cells() { return cells_; }
   [[nodiscard]] std::span<const GasCell> cells() const { return cells_; }
 
@@ -84,43 +89,77 @@ class JointGas {
   [[nodiscard]] double blocks_with_gas() const;              ///< owned ones
 
  private:
-  struct Crack {  // a broken facet that gas can reach
-    std::size_t facet;
-    std::size_t i, j;
-    bool joint, wide;
-    int hole;              // that it ends in, -1: none
-    bool surfaces;         // ends on a free face
-    double passage, area;  // of the crack's section [-], [m2]
-    double volume;         // on either side of its middle [m3]
-    [[nodiscard]] double way() const { return passage * area; }
-    [[nodiscard]] double end() const { return 0.5 * way(); }  // each block has half the aperture
+  struct End {  // of a facet; the same until the network changes
+    std::uint32_t i, j;
+    int hole;  // that it ends in, -1: none
+    bool joint;
+    bool surfaces;  // ends on a free face
+  };
+  enum class Keeps : std::uint8_t { unknown, gas, nothing };  // of a broken facet
+  struct Crack : End {                                        // a broken facet that gas can reach
+    std::uint32_t facet;
+    double broken;                                          // area of its broken points [m2]
+    double volume;                                          // for each of its blocks [m3]
+    double area;                                            // across the flow [m2]
+    double way;                                             // conductance: area x passage [m2]
+    [[nodiscard]] double end() const { return 0.5 * way; }  // each block has half the aperture
+  };
+  struct Reservoir {  // gas of a block or a chamber, for the flow
+    GasHead head;
+    double density;           // [kg/m3]
+    double room;              // volume for a way of that conductance [m]
+    double entropy_per_mass;  // K
   };
   struct Change {
     double mass = 0.0, entropy = 0.0, lost_volume = 0.0;
   };
 
   [[nodiscard]] bool owned(std::size_t b) const { return owned_[b] != 0; }
-  [[nodiscard]] Crack crack_of(const FacetNetwork& network, std::size_t f) const;
-  void mark_reached(const FacetNetwork& network, const std::vector<char>& fed);
-  [[nodiscard]] static double equalising_mass(const GasPoint& from, double from_volume,
-                                              double thinning, double to_volume);
-  void exchange(const Crack& crack, double dt);
-  [[nodiscard]] double feed(std::size_t b, const Crack& crack, const GasChamber& chamber,
-                            double dt);
-  [[nodiscard]] double vent(std::size_t b, const Crack& crack, double dt);
+  [[nodiscard]] End end_of(const FacetNetwork& network, std::size_t f) const;
+  [[nodiscard]] bool list_holds(const FacetNetwork& network, const std::vector<char>& fed);
+  void mark_reached(const FacetNetwork& network);
+  void list_cracks(const FacetNetwork& network);
+  void find_pressures();
+  void measure_crack(const FacetNetwork& network, std::size_t c);
+  void count_crack(const Crack& crack);
+  template <class Act>
+  void each_block(const Crack& crack, const Act& act) const {
+    act(std::size_t{crack.i});
+    if (crack.joint) act(std::size_t{crack.j});
+  }
+  [[nodiscard]] static double equalising_mass(double density, double room, double thinning,
+                                              double other_room);
+  void exchange(std::size_t c, double dt);
+  [[nodiscard]] Reservoir inlet_of(const GasChamber& chamber) const;
+  [[nodiscard]] double feed(std::size_t b, std::size_t c, const Reservoir& inlet, double dt);
+  [[nodiscard]] double vent(std::size_t b, std::size_t c, double dt);
   void move(std::size_t b, double mass, double entropy_per_mass);
-  [[nodiscard]] GasPoint point(std::size_t b) const;
+  [[nodiscard]] double settle();
 
   Parameters p_;
   CrackFlow flow_;
+  GasHead outside_;  // of the atmosphere, but for its density
   std::vector<int> touches_;
   std::vector<GasCell> cells_;
-  std::vector<char> owned_, reached_;
-  std::vector<std::size_t> open_to_gas_;  // broken facets
-  std::vector<Crack> cracks_;             // those of them that gas can reach
+  std::vector<char> owned_;
+
+  // What cracks_ was listed from; it stays right while none of these changes.
+  std::size_t intact_ = 0;  // facets
+  std::vector<char> fed_, holds_;
+  bool listed_ = false;
+
+  std::vector<End> ends_;                           // per facet
+  std::vector<Keeps> keeps_;                        // per facet
+  std::vector<std::uint32_t> open_to_gas_;          // broken facets
+  std::vector<char> reached_;                       // per block: gas is in it or beside it
+  std::vector<Crack> cracks_;                       // those of them that gas can reach
+  std::vector<double> aperture_, width_, passage_;  // of cracks_ [m], [m], [-]
+  std::vector<std::uint32_t> ending_, wide_;        // of cracks_: in a hole or at a surface; wide
   std::vector<Change> changes_;
   std::vector<double> chamber_ways_;
-  std::vector<GasPoint> points_;  // per block, as press() found them
+  // Per block, as press() found them.
+  std::vector<double> density_, entropy_per_mass_, pressure_, root_;
+  std::vector<Reservoir> reservoirs_;
 };
 
 }  // namespace muckpile
