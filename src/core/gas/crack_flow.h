@@ -2,7 +2,7 @@
 // Flow of gas along a rough crack: quasi-steady, turbulent, never above the choked flow.
 // Scope: one crack of even aperture; ideal gas on an isentrope p = K rho^gamma; no heat loss, no
 // inertia of the gas. What depends on the gas alone and on the crack alone is worked out once for
-// each (GasHead, ease()): there are many cracks to a body of gas, and several steps to a crack.
+// each (GasHead, passage()): there are many cracks to a body of gas.
 #pragma once
 
 #include <algorithm>

@@ -275,7 +275,7 @@ JointGas::Flows JointGas::flow(FacetNetwork& network, std::span<const GasChamber
     });
   }
   for (const std::uint32_t c : wide_) {
-    network.relpassage_gas(cracks_[c].facet);
+    network.release_gas(cracks_[c].facet);
     keeps_[cracks_[c].facet] = Keeps::nothing;
     listed_ = false;
     each_block(cracks_[c], [&](std::size_t b) { changes_[b].lost_volume += cracks_[c].volume; });
