@@ -26,6 +26,7 @@ namespace {
 enum Output { kInJoints, kTaken, kVented, kWork, kGreatest, kBlocks, kSpent, kOutputCount };
 
 constexpr int kCellWidth = 4;                  // mass, entropy, volume, ways
+constexpr int kContentWidth = 2;               // mass, entropy
 constexpr LAMMPS_NS::bigint kLookEvery = 100;  // steps between looks whether the gas is spent
 constexpr double kSpentShare = 0.2;  // spent: nowhere more than that share above the atmosphere
 
@@ -36,6 +37,7 @@ const ArgTable& table() {
                 "of a broken joint that is closed; the opening comes on top")
           .real("roughness", "m", Range::closed(0.0, 0.1), 1e-4,
                 "height of the asperities, for the friction of the flow")
+          .integer("substeps", "-", Range::closed(1, 1000), 2, "of the flow in a step")
           .real("ambient_pressure", "Pa", Range::closed(1e3, 1e7), 101325.0, "of the atmosphere");
   return args;
 }
@@ -62,6 +64,7 @@ FixMuckpileGas::FixMuckpileGas(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
   FixMuckpileBlast* blast = find_blast();
   if (blast == nullptr) engine::stop(*lmp, where_ + ": needs a fix muckpile/blast before it");
   ambient_ = args.real("ambient_pressure");
+  substeps_ = static_cast<int>(args.integer("substeps"));
   engine::or_engine_error(*lmp, [&] {
     blast->let_gas_into_joints(ambient_);
     return 0;
@@ -213,7 +216,12 @@ void FixMuckpileGas::end_of_step() {
     return;
   }
   book_work();
-  flow();
+  count_chamber_ways();
+  for (int k = 0; k < substeps_; ++k) {
+    if (k > 0) refresh();
+    flow(update->dt / substeps_);
+  }
+  lost_ += gas_.open_wide(joint_->joints_for_gas());
   if (update->ntimestep % kLookEvery == 0) look_whether_spent();
 }
 
@@ -249,9 +257,27 @@ void FixMuckpileGas::count_chamber_ways() {
   for (std::size_t hole = 0; hole < ways_.size(); ++hole) chambers_[hole].ways = ways_[hole];
 }
 
-void FixMuckpileGas::flow() {
-  count_chamber_ways();
-  const JointGas::Flows flows = gas_.flow(joint_->joints_for_gas(), chambers_, update->dt);
+/// What the flow of the last substep has left in blocks and chambers.
+void FixMuckpileGas::refresh() {
+  const std::vector<GasChamber> before = chambers_;
+  read_chambers();
+  for (std::size_t hole = 0; hole < chambers_.size(); ++hole)
+    chambers_[hole].ways = before[hole].ways;
+  engine::BlockHalo& halo = joint_->blocks().halo();
+  contents_.resize(halo.size() * kContentWidth);
+  const std::span<GasCell> cells = gas_.cells();
+  for (std::size_t b = 0; b < halo.owned(); ++b) {
+    contents_[b * kContentWidth] = cells[b].content.mass;
+    contents_[b * kContentWidth + 1] = cells[b].content.entropy;
+  }
+  halo.forward(contents_, kContentWidth);
+  for (std::size_t b = halo.owned(); b < halo.size(); ++b)
+    cells[b].content = {contents_[b * kContentWidth], contents_[b * kContentWidth + 1]};
+  gas_.refresh();
+}
+
+void FixMuckpileGas::flow(double dt) {
+  const JointGas::Flows flows = gas_.flow(chambers_, dt);
   std::vector<double> sums = flows.from_hole;
   sums.push_back(flows.vented + lost_);
   lost_ = 0.0;

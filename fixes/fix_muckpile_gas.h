@@ -45,7 +45,8 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure {
   void read_chambers();
   void book_work();
   void count_chamber_ways();
-  void flow();
+  void refresh();
+  void flow(double dt);
   void let_go_of_softened_joints();
   void end_of_gas(const std::string& how);
   void look_whether_spent();
@@ -54,20 +55,21 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure {
   std::string where_;
   JointGas gas_;
   double ambient_;                     // [Pa]
+  int substeps_;                       // of the flow in a step
   FixMuckpileBlast* blast_ = nullptr;  // looked up in every init()
   FixMuckpileJoint* joint_ = nullptr;
   std::uint64_t version_ = 0;
   std::vector<int> tags_;  // of the owned blocks, in the order of their cells
   std::unordered_map<int, GasContent> restored_;  // by tag, until the first follow_blocks()
   bool active_ = false, spent_ = false;
-  std::vector<char> fed_;              // per hole
-  std::vector<GasChamber> chambers_;   // per hole
-  std::vector<double> numbers_;        // of the cells, for messages
-  std::vector<double> ways_;           // of the chambers, for sums
-  double shear_modulus_ = 0.0;         // of the joints in the last init() [Pa]
-  double taken_ = 0.0, vented_ = 0.0;  // all ranks, so far [kg]
-  double lost_ = 0.0;                  // with blocks that left the box, not yet in vented_ [kg]
-  double work_ = 0.0;                  // on the blocks of this rank, so far [J]
+  std::vector<char> fed_;                   // per hole
+  std::vector<GasChamber> chambers_;        // per hole
+  std::vector<double> numbers_, contents_;  // of the cells, for messages
+  std::vector<double> ways_;                // of the chambers, for sums
+  double shear_modulus_ = 0.0;              // of the joints in the last init() [Pa]
+  double taken_ = 0.0, vented_ = 0.0;       // all ranks, so far [kg]
+  double lost_ = 0.0;  // with blocks that left the box, not yet in vented_ [kg]
+  double work_ = 0.0;  // on the blocks of this rank, so far [J]
 };
 
 }  // namespace muckpile

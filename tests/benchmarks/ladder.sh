@@ -24,7 +24,7 @@ sizes() {
 
 # name|knob|setting|variables; the knob groups the points of a plot. The finest run is the longest, so it starts first.
 ladder=(
-  "finest|finest|blocks x 0.7, 8 spheres, half the step, 4 x stiffer|$(sizes 0.7) -var spheres_per_block 8 -var stable_share 0.35 -var steps_per_contact 30 -var contact_modulus 1e8 -var softening 1.5e-3 -var open_sleep 0 -var sleep 0"
+  "finest|finest|blocks x 0.7, 8 spheres, half the step, 4 x stiffer|$(sizes 0.7) -var spheres_per_block 8 -var wave_share 0.45 -var gas_substeps 8 -var steps_per_contact 30 -var contact_modulus 1e8 -var softening 1.5e-3 -var open_sleep 0 -var sleep 0"
   "size_0.7|block size|x 0.7|$(sizes 0.7)"
   "size_0.85|block size|x 0.85|$(sizes 0.85)"
   "standard|standard|seed 1|$(sizes 1)"
@@ -34,8 +34,8 @@ ladder=(
   "seed_3|standard|seed 3|$(sizes 1) -var seed 3"
   "spheres_3|spheres per block|3|$(sizes 1) -var spheres_per_block 3"
   "spheres_8|spheres per block|8|$(sizes 1) -var spheres_per_block 8"
-  "share_0.35|step over the stable one|0.35|$(sizes 1) -var stable_share 0.35"
-  "share_0.95|step over the stable one|0.95|$(sizes 1) -var stable_share 0.95"
+  "share_0.35|first phase: step over the stable one|0.35|$(sizes 1) -var wave_share 0.35"
+  "gas_substeps_8|substeps of the gas|8|$(sizes 1) -var gas_substeps 8"
   "steps_8|steps per contact|8|$(sizes 1) -var steps_per_contact 8"
   "steps_30|steps per contact|30|$(sizes 1) -var steps_per_contact 30"
   "softening_low|softening|9.4e-5|$(sizes 1) -var softening 9.4e-5"

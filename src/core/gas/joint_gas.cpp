@@ -170,14 +170,19 @@ double JointGas::pressure(const GasCell& cell) const {
 }
 
 void JointGas::press(FacetNetwork& network) {
-  find_pressures();
+  refresh();
   const std::span<double> pressure_of = network.gas_pressure();
+  for (std::size_t b = 0; b < cells_.size(); ++b)
+    pressure_of[b] = std::max(0.0, reservoirs_[b].head.pressure - p_.ambient);
+}
+
+void JointGas::refresh() {
+  find_pressures();
   for (std::size_t b = 0; b < cells_.size(); ++b) {
     const GasPoint gas{pressure_[b], pressure_[b] > 0.0 ? density_[b] : 0.0};
     reservoirs_[b] = {CrackFlow::head(gas, root_[b]), gas.density,
                       cells_[b].ways > 0.0 ? cells_[b].volume / cells_[b].ways : 0.0,
                       entropy_per_mass_[b]};
-    pressure_of[b] = std::max(0.0, gas.pressure - p_.ambient);
   }
 }
 
@@ -254,8 +259,7 @@ double JointGas::vent(std::size_t b, std::size_t c, double dt) {
   return mass;
 }
 
-JointGas::Flows JointGas::flow(FacetNetwork& network, std::span<const GasChamber> chambers,
-                               double dt) {
+JointGas::Flows JointGas::flow(std::span<const GasChamber> chambers, double dt) {
   Flows flows{std::vector<double>(chambers.size(), 0.0), 0.0};
   std::fill(changes_.begin(), changes_.end(), Change{});
   for (std::size_t c = 0; c < cracks_.size(); ++c) {
@@ -274,26 +278,28 @@ JointGas::Flows JointGas::flow(FacetNetwork& network, std::span<const GasChamber
       if (crack.surfaces) flows.vented += vent(b, c, dt);
     });
   }
+  for (std::size_t b = 0; b < cells_.size(); ++b) {
+    if (!owned(b)) continue;
+    cells_[b].content.mass += changes_[b].mass;
+    cells_[b].content.entropy += changes_[b].entropy;
+  }
+  return flows;
+}
+
+double JointGas::open_wide(FacetNetwork& network) {
+  if (wide_.empty()) return 0.0;
+  std::vector<double> lost_volume(cells_.size(), 0.0);
   for (const std::uint32_t c : wide_) {
     network.release_gas(cracks_[c].facet);
     keeps_[cracks_[c].facet] = Keeps::nothing;
     listed_ = false;
-    each_block(cracks_[c], [&](std::size_t b) { changes_[b].lost_volume += cracks_[c].volume; });
+    each_block(cracks_[c], [&](std::size_t b) { lost_volume[b] += cracks_[c].volume; });
   }
-  flows.vented += settle();
-  return flows;
-}
-
-/// Adds up what moved in owned blocks; returns what wide joints let into the atmosphere [kg].
-double JointGas::settle() {
   double vented = 0.0;
   for (std::size_t b = 0; b < cells_.size(); ++b) {
-    if (!owned(b)) continue;
+    if (!owned(b) || lost_volume[b] == 0.0) continue;
     GasContent& content = cells_[b].content;
-    content.mass += changes_[b].mass;
-    content.entropy += changes_[b].entropy;
-    if (changes_[b].lost_volume == 0.0) continue;
-    const double kept = std::max(0.0, 1.0 - changes_[b].lost_volume / cells_[b].volume);
+    const double kept = std::max(0.0, 1.0 - lost_volume[b] / cells_[b].volume);
     // The last joint takes all: no rounding is left behind.
     const GasContent rest =
         kept < 1e-12 ? GasContent{} : GasContent{kept * content.mass, kept * content.entropy};

@@ -77,11 +77,15 @@ class JointGas {
     std::vector<double> from_hole;  ///< what owned blocks took from each chamber [kg]
     double vented = 0.0;            ///< what they let into the atmosphere [kg]
   };
-  /// One step [s]. Joints that measure() found wide lose their share to the atmosphere. Each way
-  /// out of a block or chamber has a share of its volume, in proportion to its conductance, and no
-  /// flow is larger than what would make the two shares at a way equal: pressures never cross, none
-  /// is emptied.
-  [[nodiscard]] Flows flow(FacetNetwork& network, std::span<const GasChamber> chambers, double dt);
+  /// Contents have changed since press(), here or on another rank.
+  void refresh();
+  /// For a time dt [s]. Each way out of a block or chamber has a share of its volume, in proportion
+  /// to its conductance, and no flow is larger than what would make the two shares at a way equal:
+  /// pressures never cross, none is emptied.
+  [[nodiscard]] Flows flow(std::span<const GasChamber> chambers, double dt);
+  /// Joints that measure() found wide lose what they hold and hold nothing from now on. Returns
+  /// what owned blocks let into the atmosphere so [kg].
+  [[nodiscard]] double open_wide(FacetNetwork& network);
 
   [[nodiscard]] double pressure(const GasCell& cell) const;  ///< absolute; 0 if empty [Pa]
   [[nodiscard]] double mass() const;                         ///< in owned blocks [kg]
@@ -111,7 +115,7 @@ class JointGas {
     double entropy_per_mass;  // K
   };
   struct Change {
-    double mass = 0.0, entropy = 0.0, lost_volume = 0.0;
+    double mass = 0.0, entropy = 0.0;
   };
 
   [[nodiscard]] bool owned(std::size_t b) const { return owned_[b] != 0; }
@@ -134,7 +138,6 @@ class JointGas {
   [[nodiscard]] double feed(std::size_t b, std::size_t c, const Reservoir& inlet, double dt);
   [[nodiscard]] double vent(std::size_t b, std::size_t c, double dt);
   void move(std::size_t b, double mass, double entropy_per_mass);
-  [[nodiscard]] double settle();
 
   Parameters p_;
   CrackFlow flow_;
@@ -157,7 +160,7 @@ class JointGas {
   std::vector<std::uint32_t> ending_, wide_;        // of cracks_: in a hole or at a surface; wide
   std::vector<Change> changes_;
   std::vector<double> chamber_ways_;
-  // Per block, as press() found them.
+  // Per block, as refresh() found them.
   std::vector<double> density_, entropy_per_mass_, pressure_, root_;
   std::vector<Reservoir> reservoirs_;
 };
