@@ -20,10 +20,9 @@ struct GasPoint {
 
 /// What drives a gas through a crack.
 struct GasHead {
-  double pressure = 0.0;   ///< [Pa]
-  double root = 0.0;       ///< p^(1/gamma): density, but for a factor, on any one isentrope
-  double potential = 0.0;  ///< p^(1 + 1/gamma): integral of rho dp, but for a factor
-  double speed = 0.0;      ///< (p rho)^(1/2) [kg/(m2 s)]
+  double pressure = 0.0, inverse_pressure = 0.0;  ///< [Pa], [1/Pa]; 0 if empty
+  double root = 0.0, inverse_root = 0.0;  ///< p^(1/gamma): on any one isentrope as the density
+  double speed = 0.0;                     ///< (p rho)^(1/2) [kg/(m2 s)]
 };
 
 class CrackFlow {
@@ -40,12 +39,14 @@ class CrackFlow {
     return pressure > 0.0 ? power_of(pressure, 1.0 / p_.gamma) : 0.0;
   }
   [[nodiscard]] static GasHead head(const GasPoint& gas, double root) {
-    return {gas.pressure, root, gas.pressure * root, std::sqrt(gas.pressure * gas.density)};
+    if (!(gas.pressure > 0.0)) return {};
+    return {gas.pressure, 1.0 / gas.pressure, root, 1.0 / root,
+            std::sqrt(gas.pressure * gas.density)};
   }
   [[nodiscard]] GasHead head(const GasPoint& gas) const { return head(gas, root_of(gas.pressure)); }
   /// Downstream over upstream density, x = (p_down/p_up)^(1/gamma) [-].
   [[nodiscard]] static double thinning(const GasHead& upstream, const GasHead& downstream) {
-    return downstream.root / upstream.root;
+    return downstream.root * upstream.inverse_root;
   }
 
   /// Mass flow per area of the crack [kg/(m2 s)], without inertia:
@@ -53,7 +54,9 @@ class CrackFlow {
   /// s the passage; never above the choked flux; 0 uphill.
   [[nodiscard]] double flux(const GasHead& upstream, const GasHead& downstream,
                             double passage) const {
-    const double fall = std::max(0.0, 1.0 - downstream.potential / upstream.potential);
+    if (!(downstream.pressure < upstream.pressure)) return 0.0;
+    const double left = downstream.pressure * upstream.inverse_pressure;
+    const double fall = std::max(0.0, 1.0 - left * thinning(upstream, downstream));
     return upstream.speed * std::min(drive_ * std::sqrt(fall) * passage, choked_);
   }
   /// Share of the flow without friction that `length` L [m] of a crack of that aperture w [m] lets

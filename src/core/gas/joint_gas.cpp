@@ -200,17 +200,6 @@ void JointGas::find_pressures() {
   transform_all(pressure_, density_, root_, [flow](double p, double) { return flow.root_of(p); });
 }
 
-/// What would have to flow through a way of conductance 1 for the pressure of both its shares to be
-/// the same [kg/m2].
-double JointGas::equalising_mass(double density, double room, double thinning, double other_room) {
-  return density * std::max(0.0, 1.0 - thinning) * room * other_room / (room + other_room);
-}
-
-void JointGas::move(std::size_t b, double mass, double entropy_per_mass) {
-  changes_[b].mass += mass;
-  changes_[b].entropy += mass * entropy_per_mass;
-}
-
 void JointGas::exchange(std::size_t c, double dt) {
   const Crack& crack = cracks_[c];
   std::size_t from = crack.i, to = crack.j;

@@ -108,7 +108,7 @@ class JointGas {
     double way;                                             // conductance: area x passage [m2]
     [[nodiscard]] double end() const { return 0.5 * way; }  // each block has half the aperture
   };
-  struct Reservoir {  // gas of a block or a chamber, for the flow
+  struct alignas(64) Reservoir {  // gas of a block or a chamber, for the flow
     GasHead head;
     double density;           // [kg/m3]
     double room;              // volume for a way of that conductance [m]
@@ -131,13 +131,20 @@ class JointGas {
     act(std::size_t{crack.i});
     if (crack.joint) act(std::size_t{crack.j});
   }
+  /// What would have to flow through a way of conductance 1 for the pressure of both its shares to
+  /// be the same [kg/m2].
   [[nodiscard]] static double equalising_mass(double density, double room, double thinning,
-                                              double other_room);
+                                              double other_room) {
+    return density * std::max(0.0, 1.0 - thinning) * room * other_room / (room + other_room);
+  }
   void exchange(std::size_t c, double dt);
   [[nodiscard]] Reservoir inlet_of(const GasChamber& chamber) const;
   [[nodiscard]] double feed(std::size_t b, std::size_t c, const Reservoir& inlet, double dt);
   [[nodiscard]] double vent(std::size_t b, std::size_t c, double dt);
-  void move(std::size_t b, double mass, double entropy_per_mass);
+  void move(std::size_t b, double mass, double entropy_per_mass) {
+    changes_[b].mass += mass;
+    changes_[b].entropy += mass * entropy_per_mass;
+  }
 
   Parameters p_;
   CrackFlow flow_;

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// perf_gas: time of one step of the gas in joints per joint, on one core; prints JSON to standard
+// output.
+// Scope: core only, no communication: rock whose joints are all broken and open, half of the blocks
+// full of gas; what the blocks do with its pressure is not in it.
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "bond_scene.h"
+#include "gas/joint_gas.h"
+#include "timing.h"
+
+namespace muckpile::perf {
+namespace {
+
+constexpr double kEdge = 20.0;  // of the cube [m]; its blocks are of 1 m
+constexpr int kSweeps = 5;
+constexpr int kSteps = 100;
+constexpr double kStep = 1e-8;     // so short that the gas stays where it is [s]
+constexpr double kOpening = 1e-3;  // strain that opens the joints
+
+JointParameters weak_rock() {
+  JointParameters rock = test::rock(0.25);
+  rock.tension = rock.cohesion = 0.0;
+  return rock;
+}
+
+/// Two thirds of the pressure range apart, so that gas flows through most joints.
+void fill(JointGas& gas) {
+  constexpr double kDensity = 100.0, kEntropy = 37900.0;  // [kg/m3]; p = K rho^1.4 of the emulsion
+  for (std::size_t b = 0; b < gas.cells().size(); b += 2) {
+    const double mass = kDensity * (1.0 + static_cast<double>(b % 7) / 7.0) * kOpening;
+    gas.cells()[b].content = {mass, mass * kEntropy};
+  }
+}
+
+nlohmann::ordered_json measure() {
+  test::BondScene scene(test::voronoi_blocks(kEdge, 1, kSweeps), weak_rock());
+  FacetNetwork& network = scene.network();
+  network.keep_gas_in_joints();
+  scene.deform(kOpening * Mat3::Identity());
+  scene.compute();
+  JointGas gas({});
+  gas.set_network(network);
+  fill(gas);
+  const auto nanoseconds = [&](const std::function<void()>& body) {
+    return 1e9 * least_time(body, kSteps) / static_cast<double>(network.facet_count());
+  };
+  nlohmann::ordered_json result;
+  result["what"] = "cube of Voronoi blocks, all joints broken, half of the blocks full of gas";
+  result["processor"] = processor();
+  result["joints"] = network.facet_count();
+  result["opening_of_joints"]["ns_per_joint"] = nanoseconds([&] {
+    double sum = 0.0;
+    for (std::size_t f = 0; f < network.facet_count(); ++f) sum += network.open_joint(f).opening;
+    if (sum < 0.0) std::cerr << sum;
+  });
+  result["measure"]["ns_per_joint"] = nanoseconds([&] { gas.measure(network, {}); });
+  result["pressures"]["ns_per_joint"] = nanoseconds([&] { gas.press(network); });
+  result["flow"]["ns_per_joint"] =
+      nanoseconds([&] { static_cast<void>(gas.flow({}, kStep)); });
+  return result;
+}
+
+}  // namespace
+}  // namespace muckpile::perf
+
+int main() {
+  std::cout << muckpile::perf::measure().dump(2) << '\n';
+  return 0;
+}
