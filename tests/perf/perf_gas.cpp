@@ -57,8 +57,7 @@ nlohmann::ordered_json measure() {
   });
   result["measure"]["ns_per_joint"] = nanoseconds([&] { gas.measure(network, {}); });
   result["pressures"]["ns_per_joint"] = nanoseconds([&] { gas.press(network); });
-  result["flow"]["ns_per_joint"] =
-      nanoseconds([&] { static_cast<void>(gas.flow({}, kStep)); });
+  result["flow"]["ns_per_joint"] = nanoseconds([&] { static_cast<void>(gas.flow({}, kStep)); });
   return result;
 }
 
