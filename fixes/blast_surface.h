@@ -52,6 +52,9 @@ class BlastSurface {
   /// and before the next reneighbouring.
   virtual void swept_volume(std::span<double> per_hole) const = 0;
 
+  /// Whether set_pressure() will be called again: when not, faces without pressure cost nothing.
+  virtual void expect_pressure(bool expected) = 0;
+
   /// Work done by the pressure so far on this rank's faces [J].
   [[nodiscard]] virtual double pressure_work() const = 0;
   /// Of that, what the wave did [J].

@@ -95,6 +95,7 @@ void FixMuckpileBlast::init() {
   limit_.resize(blasts_.size(), 0.0);
   states_.resize(blasts_.size());
   hole_over_.resize(blasts_.size(), 0);
+  surface_->expect_pressure(!over_);
   check_timestep();
 }
 
@@ -120,6 +121,7 @@ void FixMuckpileBlast::pre_delete(bool unfixflag) {
   const std::size_t count = surface->loaded_facets().size();
   const std::vector<double> none(count, 0.0);
   surface->set_pressure(none, none);
+  surface->expect_pressure(false);
 }
 
 void FixMuckpileBlast::check_timestep() const {
@@ -263,6 +265,7 @@ void FixMuckpileBlast::take_gas(std::span<const double> per_hole) {
 /// The last load has just been set to zero on every face; nothing is left to do.
 void FixMuckpileBlast::finish() {
   over_ = true;
+  surface_->expect_pressure(false);
   engine::print_once(*lmp, where_ + ": all holes are over at " + std::to_string(clock()) + " s\n");
 }
 

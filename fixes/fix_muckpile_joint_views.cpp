@@ -53,6 +53,8 @@ void FixMuckpileJoint::set_pressure(std::span<const double> pressure,
   }
 }
 
+void FixMuckpileJoint::expect_pressure(bool expected) { network_.expect_pressure(expected); }
+
 void FixMuckpileJoint::swept_volume(std::span<double> per_hole) const {
   std::fill(per_hole.begin(), per_hole.end(), 0.0);
   for (std::size_t k : loaded_faces_) {

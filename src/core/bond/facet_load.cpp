@@ -17,7 +17,20 @@ constexpr double kRounding = 1e-6;
 
 }  // namespace
 
+void FacetNetwork::expect_pressure(bool expected) {
+  pressure_expected_ = expected;
+  if (!expected || !unloaded_) return;
+  unloaded_ = false;
+  for (BoundaryFace& face : faces_) {  // what it moved meanwhile is not swept
+    const double swept = face.rigid_swept;
+    sweep(face);
+    face.rigid_swept = swept;
+  }
+}
+
 void FacetNetwork::load_faces() {
+  if (unloaded_) return;
+  unloaded_ = !pressure_expected_;
   for (BoundaryFace& face : faces_) {
     if (face.hole < 0) continue;
     const double rigid = sweep(face);
@@ -32,6 +45,7 @@ void FacetNetwork::load_faces() {
       pressure_work_ += work;
       wave_work_ += face.wave_share * work;
     }
+    if (face.pressure != 0.0) unloaded_ = false;
     face.last_pressure = face.pressure;
     face.last_squeezed = squeezed_now;
   }

@@ -275,6 +275,9 @@ class FacetNetwork {
   [[nodiscard]] Vec3 mean_traction(std::size_t f) const;
   [[nodiscard]] double elastic_energy() const;  ///< of joints, rock and closed broken facets [J]
   [[nodiscard]] double volume_swept(const BoundaryFace& face) const;  ///< by a loaded face [m3]
+  /// Whether faces will be under pressure again. While none is expected nor there, they sweep
+  /// nothing.
+  void expect_pressure(bool expected);
   [[nodiscard]] double pressure_work() const {
     return pressure_work_;
   }                                                              ///< on owned blocks so far [J]
@@ -539,6 +542,7 @@ class FacetNetwork {
   std::vector<Wall> walls_;  // per face with a hole: that to which it belongs
   std::vector<Vec3> backs_;  // per block: sum of A n of all faces through which no gas passes [m2]
   JointLosses losses_;
+  bool pressure_expected_ = true, unloaded_ = false;
   bool softens_ = false, depends_on_rate_ = false, keeps_gas_ = false;
   double damping_ = 0.0, contact_damping_ = 0.0;  // [Pa s/m]
   SlipWeakening slip_weakening_;

@@ -141,6 +141,30 @@ TEST(WallLoad, OfATinyFaceIsWholeWhileTheBlockIsHeld) {
   EXPECT_DOUBLE_EQ(wall.face().held, 1.0);
 }
 
+TEST(WallLoad, NothingIsSweptWhileNoPressureIsThereNorExpected) {
+  Wall wall;
+  const auto push_on = [&](double by) {
+    wall.scene.block(0).centre.x() += by;
+    wall.scene.block(1).centre.x() += by;
+    wall.scene.compute(1e-6);
+  };
+  const auto swept = [&] { return wall.scene.network().volume_swept(wall.face()); };
+  wall.load(kPressure);
+  wall.scene.network().expect_pressure(false);
+  const double start = swept();
+  push_on(1e-3);                             // still under pressure
+  EXPECT_NEAR(swept() - start, 1e-3, 1e-6);  // less what the wall itself gives way
+  wall.load(0.0);
+  push_on(1e-3);  // the last one
+  const double end = swept();
+  EXPECT_NEAR(end - start, 2e-3, 1e-4);  // the wall no longer gives way
+  push_on(0.5);
+  EXPECT_EQ(swept(), end);
+  wall.scene.network().expect_pressure(true);
+  push_on(1e-3);
+  EXPECT_NEAR(swept() - end, 1e-3, 1e-12);
+}
+
 TEST(WallLoad, WorkIsTheEnergyOfTheBlocksThroughTheChange) {
   // The wall pushes both blocks to 1e6 / (2 x 2600) m/s2 until block 1 is given 40 m/s more and
   // leaves block 0 behind; then block 0 keeps its speed.
