@@ -3,9 +3,11 @@
 // pressure.
 // Scope: see facet_network.h; how much gas is where is gas/joint_gas.h.
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
 
-#include "bond/facet_lanes.h"
-#include "bond/facet_network.h"
+#include "bond/facet_wide.h"
 
 namespace muckpile {
 namespace {
@@ -25,20 +27,46 @@ std::span<double> FacetNetwork::gas_pressure() {
   return gas_pressure_;
 }
 
-FacetNetwork::OpenJoint FacetNetwork::open_joint(std::size_t f) const {
-  const int broken = kFacetPoints - bonded_points_[f];
-  if (broken == 0) return {};
-  const Motion motion = motion_of(f);
-  const Lanes gaps = dot(LaneVec(motion.normal), motion.jump());
-  double opening = 0.0;
-  for (std::size_t p = 0; p < kFacetPoints; ++p) {
-    if (memory_[f].broken[p])
-      opening += std::max(0.0, gaps[p] - memory_[f].contact.get().offset[p].x());
+void FacetNetwork::open_joints(std::span<const std::size_t> facets,
+                               std::vector<OpenJoint>& open) const {
+  open.clear();
+  for (auto from = facets.begin(); from != facets.end();) {
+    const std::size_t group = *from / kGroup;
+    LaneSet set{static_cast<std::uint32_t>(group), 0};
+    for (; from != facets.end() && *from / kGroup == group; ++from)
+      set.lanes |= 1u << lane_of(*from);
+    open_group_of_joints(set, open);
   }
-  const Contact contact = contact_of(f);
-  const bool wide = motion.mean_jump().squaredNorm() > kWide * kWide * contact.radius_squared ||
-                    motion.turned(kWide);
-  return {broken * area(f) / kFacetPoints, opening / broken, wide};
+}
+
+/// How far each broken point has opened since it broke, by what it remembers of that.
+void FacetNetwork::open_group_of_joints(const LaneSet& set, std::vector<OpenJoint>& open) const {
+  const FacetGroup& group = groups_[set.group];
+  FacetRows<double> start;  // per point; further than a bonded one opens
+  for (FacetRow<double>& row : start) row.fill(std::numeric_limits<double>::max());
+  for (unsigned left = set.lanes; left != 0; left &= left - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(left));
+    const FacetMemory& memory = memory_[set.group * kGroup + k];
+    const ContactMemory& contact = memory.contact.get();
+    for (std::size_t p = 0; p < kFacetPoints; ++p)
+      if (memory.broken[p]) start[p][k] = contact.offset[p].x();
+  }
+  const WidePose pose = pose_of(group);
+  const WideField jump = {pose.jump, pose.difference * wide(group.half_1),
+                          pose.difference * wide(group.half_2)};
+  Wide opening = 0.0;
+  for (std::size_t p = 0; p < kFacetPoints; ++p)
+    opening += max(Wide(0.0), dot(pose.normal, jump.at(p)) - wide(start[p]));
+  const Wide radius_squared = M_1_PI * wide(group.area);
+  const WideMask wide_open = dot(pose.jump, pose.jump) > kWide * kWide * radius_squared ||
+                             turn_of(group, pose).exceeds(kWide);
+  for (unsigned left = set.lanes; left != 0; left &= left - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(left));
+    const int broken = kFacetPoints - bonded_points_[set.group * kGroup + k];
+    open.push_back(broken == 0 ? OpenJoint{}
+                               : OpenJoint{broken * group.area[k] / kFacetPoints,
+                                           opening[k] / broken, wide_open[k]});
+  }
 }
 
 void FacetNetwork::release_gas() {
@@ -47,28 +75,64 @@ void FacetNetwork::release_gas() {
   for (FacetMemory& memory : memory_) memory.gas = false;
 }
 
-/// The gas pushes the two blocks apart at every broken point; its forces are kept for its work. It
-/// does not enter the dilatations, as the contact of broken points does not.
+/// Those of a group's facets in which gas presses, and how hard [Pa]: one of the ground has that of
+/// its block.
+unsigned FacetNetwork::pressed_lanes(const LaneSet& active, FacetRow<double>& pressure) const {
+  const FacetGroup& group = groups_[active.group];
+  unsigned lanes = 0;
+  for (unsigned left = active.lanes; left != 0; left &= left - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(left));
+    const std::size_t f = active.group * kGroup + k;
+    if (bonded_points_[f] == kFacetPoints) continue;
+    const double of_i = gas_pressure_[static_cast<std::size_t>(group.i[k])];
+    const double of_j =
+        group.j[k] == ground() ? of_i : gas_pressure_[static_cast<std::size_t>(group.j[k])];
+    pressure[k] = 0.5 * (of_i + of_j);
+    if (pressure[k] == 0.0 || memory_[f].over()) continue;
+    lanes |= 1u << k;
+  }
+  return lanes;
+}
+
+/// The gas pushes the two sides of each facet apart at its broken points.
+void FacetNetwork::press_group(std::size_t g, unsigned lanes, const FacetRow<double>& pressure) {
+  const FacetGroup& group = groups_[g];
+  FacetRows<double> points{};  // of the broken ones: how many, their shares of the half axes
+  for (unsigned left = lanes; left != 0; left &= left - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(left));
+    for (std::size_t p = 0; p < kFacetPoints; ++p) {
+      if (!memory_[g * kGroup + k].broken[p]) continue;
+      points[0][k] += 1.0;
+      points[1][k] += kOnFirst[p];
+      points[2][k] += kOnSecond[p];
+    }
+  }
+  const WidePose pose = pose_of(group);
+  const WideVec arms = wide(points[0]) * pose.arm() +
+                       Wide(0.5) * (wide(points[1]) * (pose.sum * wide(group.half_1)) +
+                                    wide(points[2]) * (pose.sum * wide(group.half_2)));
+  const WideVec at_point = -1.0 / kFacetPoints * wide(group.area) * wide(pressure) * pose.normal;
+  const WideVec force = wide(points[0]) * at_point, moment = cross(arms, at_point);
+  WideForces forces;
+  store(force, forces.force);
+  store(moment, forces.torque_i);
+  store(cross(pose.between, force) - moment, forces.torque_j);
+  for (unsigned left = lanes; left != 0; left &= left - 1)
+    add_forces(group, static_cast<std::size_t>(std::countr_zero(left)), forces, gas_force_,
+               gas_torque_);
+}
+
+/// Its forces are kept for the gas's work. It does not enter the dilatations, as the contact of
+/// broken points does not.
 void FacetNetwork::press_joints() {
   if (gas_pressure_.size() != blocks_.size()) return;
   std::fill(gas_force_.begin(), gas_force_.end(), Vec3::Zero());
   std::fill(gas_torque_.begin(), gas_torque_.end(), Vec3::Zero());
-  each_facet(active_, [&](std::size_t f) {
-    if (bonded_points_[f] == kFacetPoints || memory_[f].over()) return;
-    const auto i = static_cast<std::size_t>(i_of(f)), j = static_cast<std::size_t>(j_of(f));
-    const bool joint = facets_[f].kind == FacetKind::joint;
-    const double pressure = joint ? 0.5 * (gas_pressure_[i] + gas_pressure_[j]) : gas_pressure_[i];
-    if (pressure == 0.0) return;
-    const Pull pull(motion_of(f));
-    const LaneMask broken = bonded_points_[f] == 0 ? is_point() : where_true(memory_[f].broken);
-    const LaneVec at_points =
-        choose(broken, Lanes(-pressure * area(f) / kFacetPoints), 0.0) * pull.normal;
-    const Vec3 force = sum(at_points), moment = sum(cross(pull.arm, at_points));
-    gas_force_[i] += force;
-    gas_torque_[i] += moment;
-    gas_force_[j] -= force;
-    gas_torque_[j] -= moment + (state_[i].centre - state_[j].centre).cross(force);
-  });
+  for (const LaneSet& active : active_) {
+    FacetRow<double> pressure{};
+    const unsigned lanes = pressed_lanes(active, pressure);
+    if (lanes != 0) press_group(active.group, lanes, pressure);
+  }
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     force_[b] += gas_force_[b];
     torque_[b] += gas_torque_[b];

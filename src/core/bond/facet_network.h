@@ -260,7 +260,8 @@ class FacetNetwork {
     double opening = 0.0;  ///< mean over them [m]
     bool wide = false;     ///< so far open, slid or turned that it is no joint for gas either
   };
-  [[nodiscard]] OpenJoint open_joint(std::size_t f) const;
+  /// Of each of `facets`, which are in order.
+  void open_joints(std::span<const std::size_t> facets, std::vector<OpenJoint>& open) const;
 
   /// Facets between two blocks that rest are left alone by tractions() from now on: their forces
   /// are missing, and their blocks must be held where they are. One entry per block, ground last.
@@ -370,6 +371,7 @@ class FacetNetwork {
   struct Motion;     // how the two sides lie now, in lanes
   struct WidePose;   // of the facets of a group at once
   struct WideField;  // over the facets of a group at once
+  struct WideTurn;   // of the two sides of the facets of a group against each other
   struct Pull;       // tractions at the points, in lanes
   struct Break;      // what a point carried as it broke
   struct BlockSums {
@@ -426,12 +428,12 @@ class FacetNetwork {
   [[nodiscard]] unsigned hold_group(std::size_t g, unsigned lanes, double dt,
                                     WideForces& forces) const;
   [[nodiscard]] WideField pull_of(const FacetGroup& group, const WidePose& pose) const;
-  [[nodiscard]] static auto torn(const FacetGroup& group, const WidePose& pose);
+  [[nodiscard]] WideField rate_of(const FacetGroup& group, const WidePose& pose) const;
+  [[nodiscard]] static WideTurn turn_of(const FacetGroup& group, const WidePose& pose);
   [[nodiscard]] unsigned holding(std::size_t g, unsigned lanes, const WidePose& pose,
                                  const WideField& pull) const;
   void damp_group(std::size_t g, const WidePose& pose, WideField& pull, double dt,
                   WideForces& forces) const;
-  void add_forces(const FacetGroup& group, std::size_t k, const WideForces& forces);
 
   // Bonded points: facet_bond.cpp.
   void open_facet(std::size_t f);
@@ -470,7 +472,11 @@ class FacetNetwork {
   void add_contact(std::size_t f, const Motion& motion, const Contact& contact, Pull& pull,
                    double dt);
 
-  void press_joints();  // gas in them: facet_gas.cpp
+  // Gas in broken joints: facet_gas.cpp.
+  void open_group_of_joints(const LaneSet& set, std::vector<OpenJoint>& open) const;
+  void press_joints();
+  [[nodiscard]] unsigned pressed_lanes(const LaneSet& active, FacetRow<double>& pressure) const;
+  void press_group(std::size_t g, unsigned lanes, const FacetRow<double>& pressure);
 
   // What broken points still hold: facet_softening.cpp.
   [[nodiscard]] bool holds_at_its_rate(std::size_t f, const Vec3& normal, const Vec3& traction,

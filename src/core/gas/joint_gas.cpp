@@ -37,6 +37,7 @@ void JointGas::set_network(const FacetNetwork& network) {
   for (auto* numbers : {&density_, &entropy_per_mass_, &pressure_, &root_})
     numbers->assign(count, 0.0);
   cracks_.clear();
+  crack_facets_.clear();
   ending_.clear();
   wide_.clear();
   ends_.clear();
@@ -110,6 +111,7 @@ void JointGas::list_cracks(const FacetNetwork& network) {
   }
   mark_reached(network);
   cracks_.clear();
+  crack_facets_.clear();
   ending_.clear();
   for (const std::uint32_t f : open_to_gas_) {
     const End& end = ends_[f];
@@ -117,6 +119,7 @@ void JointGas::list_cracks(const FacetNetwork& network) {
     if (end.hole >= 0 || end.surfaces)
       ending_.push_back(static_cast<std::uint32_t>(cracks_.size()));
     cracks_.push_back({end, f, -1.0, 0.0, 0.0, 0.0});
+    crack_facets_.push_back(f);
   }
   aperture_.resize(cracks_.size());
   width_.resize(cracks_.size());
@@ -124,9 +127,8 @@ void JointGas::list_cracks(const FacetNetwork& network) {
   listed_ = true;
 }
 
-void JointGas::measure_crack(const FacetNetwork& network, std::size_t c) {
+void JointGas::measure_crack(std::size_t c, const FacetNetwork::OpenJoint& open) {
   Crack& crack = cracks_[c];
-  const FacetNetwork::OpenJoint open = network.open_joint(crack.facet);
   aperture_[c] = p_.residual_aperture + open.opening;
   if (open.area != crack.broken) {  // another point has broken
     crack.broken = open.area;
@@ -152,7 +154,8 @@ void JointGas::count_crack(const Crack& crack) {
 void JointGas::measure(const FacetNetwork& network, const std::vector<char>& fed) {
   if (!list_holds(network, fed)) list_cracks(network);
   wide_.clear();
-  for (std::size_t c = 0; c < cracks_.size(); ++c) measure_crack(network, c);
+  network.open_joints(crack_facets_, openings_);
+  for (std::size_t c = 0; c < cracks_.size(); ++c) measure_crack(c, openings_[c]);
   transform_all(aperture_, width_, passage_,
                 [flow = flow_](double w, double length) { return flow.passage(w, length); });
   for (GasCell& cell : cells_) cell.volume = cell.ways = 0.0;

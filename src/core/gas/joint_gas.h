@@ -124,7 +124,7 @@ class JointGas {
   void mark_reached(const FacetNetwork& network);
   void list_cracks(const FacetNetwork& network);
   void find_pressures();
-  void measure_crack(const FacetNetwork& network, std::size_t c);
+  void measure_crack(std::size_t c, const FacetNetwork::OpenJoint& open);
   void count_crack(const Crack& crack);
   template <class Act>
   void each_block(const Crack& crack, const Act& act) const {
@@ -163,6 +163,8 @@ class JointGas {
   std::vector<std::uint32_t> open_to_gas_;          // broken facets
   std::vector<char> reached_;                       // per block: gas is in it or beside it
   std::vector<Crack> cracks_;                       // those of them that gas can reach
+  std::vector<std::uint32_t> crack_facets_;         // of cracks_
+  std::vector<FacetNetwork::OpenJoint> openings_;   // of cracks_
   std::vector<double> aperture_, width_, passage_;  // of cracks_ [m], [m], [-]
   std::vector<std::uint32_t> ending_, wide_;        // of cracks_: in a hole or at a surface; wide
   std::vector<Change> changes_;

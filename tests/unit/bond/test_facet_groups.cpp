@@ -200,6 +200,79 @@ TEST(FacetGroups, ForcesAreThoseOfThePointsSummedOneByOne) {
   }
 }
 
+/// Gas in one facet, point by point: how far the broken ones are open, and what it presses.
+struct GasOneByOne {
+  double opening = 0.0;
+  Vec3 force = Vec3::Zero(), torque_i = Vec3::Zero(), torque_j = Vec3::Zero();
+
+  GasOneByOne(FacetNetwork& network, std::size_t f, double pressure) {
+    const Facet facet = network.facet(f);
+    const FacetMemory& memory = network.memory()[f];
+    const BlockState& i = network.state()[2 * f];
+    const BlockState& j = network.state()[2 * f + 1];
+    const Vec3 n = ((i.rotation + j.rotation) * facet.normal).normalized();
+    int broken = 0;
+    for (int p = 0; p < kFacetPoints; ++p) {
+      const auto q = static_cast<std::size_t>(p);
+      if (!memory.broken[q]) continue;
+      ++broken;
+      const double angle = 2.0 * M_PI * p / kFacetPoints;
+      const Vec3 at = std::cos(angle) * facet.half_axes[0] + std::sin(angle) * facet.half_axes[1];
+      const Vec3 on_i = i.rotation * Vec3(facet.arm_i + at);
+      const Vec3 jump = j.centre + j.rotation * Vec3(facet.arm_j + at) - i.centre - on_i;
+      opening += std::max(0.0, n.dot(jump) - memory.contact.get().offset[q].x());
+      const Vec3 push = -pressure * facet.area / kFacetPoints * n, arm = on_i + 0.5 * jump;
+      force += push;
+      torque_i += arm.cross(push);
+      torque_j -= (arm + i.centre - j.centre).cross(push);
+    }
+    opening /= std::max(broken, 1);
+  }
+};
+
+TEST(FacetGroups, GasPressesOnTheBrokenPointsOfEachFacetAndFindsThemAsFarOpenAsTheyAre) {
+  constexpr double kPressure = 3e6;  // in one of the two blocks of every facet [Pa]
+  const std::vector<Facet> of = joints();
+  std::vector<std::size_t> chosen;
+  std::vector<FacetMemory> memory;
+  for (std::size_t f = 0; f < 21; ++f) {
+    chosen.push_back(f);
+    memory.push_back(remembered(f));
+    memory[f].gas = f != 9;  // that one has retired and let its gas go
+    if (f % 5 == 0) continue;
+    for (std::size_t p = 0; p < kFacetPoints; ++p)  // the faces are 1e-5 m closer than at first
+      memory[f].contact.made().offset[p].x() =
+          p == 1 ? 1e-5 : -3e-5 - 1e-6 * static_cast<double>(p);
+  }
+  Pairs pairs(of, chosen, 0.0, memory);
+  FacetNetwork& network = pairs.network();
+  for (std::size_t f = 0; f < chosen.size(); ++f)
+    network.gas_pressure()[2 * f + f % 2] = f == 11 ? 0.0 : 2.0 * kPressure;
+  pairs.compute();
+  std::vector<FacetNetwork::OpenJoint> open;
+  const std::vector<std::size_t> asked = {1, 2, 3, 5, 7, 8, 13, 16, 20};
+  network.open_joints(asked, open);
+  ASSERT_EQ(open.size(), asked.size());
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    const std::size_t f = asked[k], broken = std::min<std::size_t>(f % 5, kFacetPoints);
+    const GasOneByOne expected(network, f, kPressure);
+    EXPECT_NEAR(open[k].area, static_cast<double>(broken) / 3.0 * network.area(f), 1e-12) << f;
+    EXPECT_NEAR(open[k].opening, expected.opening, 1e-12) << f;  // rounding of centres metres away
+    EXPECT_EQ(open[k].opening > 1e-6, broken > 0) << f;
+    EXPECT_FALSE(open[k].wide) << f;
+  }
+  for (std::size_t f = 0; f < chosen.size(); ++f) {
+    const bool none = f % 5 == 0 || f == 9 || f == 11;
+    const GasOneByOne expected(network, f, none ? 0.0 : kPressure);
+    const double rounding = 1e-12 * kPressure;  // of areas and arms of the order of one
+    EXPECT_LT((network.gas_force()[2 * f] - expected.force).norm(), rounding) << f;
+    EXPECT_LT((network.gas_force()[2 * f + 1] + expected.force).norm(), rounding) << f;
+    EXPECT_LT((network.gas_torque()[2 * f] - expected.torque_i).norm(), rounding) << f;
+    EXPECT_LT((network.gas_torque()[2 * f + 1] - expected.torque_j).norm(), rounding) << f;
+    EXPECT_EQ(network.gas_force()[2 * f].norm() > 1.0, !none) << f;
+  }
+}
+
 TEST(FacetGroups, ARetiredFacetGivesUpItsContact) {
   const std::vector<Facet> of = joints();
   Pairs pair(of, {5}, 0.0, {remembered(3)});

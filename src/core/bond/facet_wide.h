@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the facet network works out of the eight facets of a group at once: one facet per lane.
+// Scope: inside FacetNetwork. A facet takes this path or that by its own state alone, never by
+// those beside it in its group, and blocks get their parts in the order of the facets: both are the
+// same on any ranks.
+#pragma once
+
+#include <array>
+#include <experimental/simd>
+#if defined(__AVX512F__)
+#include <immintrin.h>
+#endif
+
+#include "bond/facet_lanes.h"
+#include "bond/facet_network.h"
+
+namespace muckpile {
+
+using Wide = std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, kGroup>>;
+using WideMask = Wide::mask_type;
+using WideVec = VectorOf<Wide>;
+
+template <class T>
+[[gnu::always_inline]] inline Wide wide(const FacetRow<T>& row) {
+  return {row.data(), std::experimental::element_aligned};
+}
+template <class T>
+[[gnu::always_inline]] inline WideVec wide(const FacetRows<T>& rows) {
+  return {wide(rows[0]), wide(rows[1]), wide(rows[2])};
+}
+[[gnu::always_inline]] inline void store(const Wide& v, FacetRow<double>& to) {
+  v.copy_to(to.data(), std::experimental::element_aligned);
+}
+[[gnu::always_inline]] inline void store(const WideVec& v, FacetRows<double>& to) {
+  store(v.x, to[0]);
+  store(v.y, to[1]);
+  store(v.z, to[2]);
+}
+
+/// from[place] of each facet. GCC 12 does not make the processor's own gather of it: 10 % of a
+/// pass.
+[[gnu::always_inline]] inline Wide gather(const FacetRow<std::int32_t>& places,
+                                          const double* from) {
+#if defined(__AVX512F__) && defined(__AVX512VL__)
+  if constexpr (sizeof(Wide) == sizeof(__m512d)) {
+    const __m256i at = _mm256_load_si256(reinterpret_cast<const __m256i*>(places.data()));
+    return Wide(_mm512_i32gather_pd(at, from, sizeof(double)));
+  }
+#endif
+  return Wide([&](auto lane) { return from[places[lane]]; });
+}
+
+struct WideMat {
+  WideVec x, y, z;  // columns
+
+  [[gnu::always_inline]] WideVec operator*(const WideVec& v) const {
+    return v.x * x + v.y * y + v.z * z;
+  }
+  /// Of the transposed matrix.
+  [[gnu::always_inline]] WideVec back(const WideVec& v) const {
+    return {dot(x, v), dot(y, v), dot(z, v)};
+  }
+};
+
+/// Where the states of a group's blocks lie, in numbers after that of the first block.
+class BlockPlaces {
+ public:
+  [[gnu::always_inline]] explicit BlockPlaces(const FacetRow<std::int32_t>& blocks) {
+    static_assert(sizeof(BlockState) % sizeof(double) == 0);
+    constexpr int kNumbers = sizeof(BlockState) / sizeof(double);
+    for (std::size_t k = 0; k < kGroup; ++k) at_[k] = kNumbers * blocks[k];
+  }
+  /// `first` is that of the first block.
+  [[gnu::always_inline]] WideVec vector(const Vec3& first) const { return vector(first.data()); }
+  [[gnu::always_inline]] WideMat matrix(const Mat3& first) const {
+    const double* from = first.data();
+    return {vector(from), vector(from + 3), vector(from + 6)};
+  }
+
+ private:
+  [[gnu::always_inline]] WideVec vector(const double* from) const {
+    return {gather(at_, from), gather(at_, from + 1), gather(at_, from + 2)};
+  }
+  alignas(64) FacetRow<std::int32_t> at_;
+};
+
+/// How the two sides of each facet of a group lie now.
+struct FacetNetwork::WidePose {
+  WideMat sum, difference;  // of the rotations of i and j; of j less that of i
+  WideVec between;          // centre of j less that of i [m]
+  WideVec near, jump;       // centroid from the centre of i; from the side of i to that of j [m]
+  WideVec normal;           // unit, mean of both sides
+  Wide scale;               // that makes the sum of the normals of both sides a unit vector
+
+  /// Midway between the two sides, from the centre of block i [m].
+  [[nodiscard, gnu::always_inline]] WideVec arm() const { return near + Wide(0.5) * jump; }
+};
+
+/// A number that is linear over each facet: its mean, and what it gains along the half axes.
+struct FacetNetwork::WideField {
+  WideVec mean, along_1, along_2;
+
+  [[nodiscard, gnu::always_inline]] WideVec at(std::size_t p) const {
+    return mean + Wide(kOnFirst[p]) * along_1 + Wide(kOnSecond[p]) * along_2;
+  }
+};
+
+[[gnu::always_inline]] inline FacetNetwork::WidePose FacetNetwork::pose_of(
+    const FacetGroup& group) const {
+  const BlockPlaces at_i(group.i), at_j(group.j);
+  const BlockState& first = state_.front();
+  const WideMat ri = at_i.matrix(first.rotation), rj = at_j.matrix(first.rotation);
+  WidePose pose;
+  pose.sum = {ri.x + rj.x, ri.y + rj.y, ri.z + rj.z};
+  pose.difference = {rj.x - ri.x, rj.y - ri.y, rj.z - ri.z};
+  pose.between = at_j.vector(first.centre) - at_i.vector(first.centre);
+  pose.near = ri * wide(group.arm);
+  pose.jump = rj * wide(group.arm_j) - pose.near + pose.between;
+  const WideVec both = pose.sum * wide(group.normal);
+  pose.scale = 1.0 / sqrt(dot(both, both));
+  pose.normal = pose.scale * both;
+  return pose;
+}
+
+/// Motion of block j's side against block i's [m/s].
+[[gnu::always_inline]] inline FacetNetwork::WideField FacetNetwork::rate_of(
+    const FacetGroup& group, const WidePose& pose) const {
+  const BlockPlaces at_i(group.i), at_j(group.j);
+  const BlockState& first = state_.front();
+  const WideVec spin_j = at_j.vector(first.spin), spin = spin_j - at_i.vector(first.spin);
+  const WideVec slip = at_j.vector(first.velocity) - at_i.vector(first.velocity);
+  const Wide half(0.5);
+  return {slip - cross(spin_j, pose.between) + cross(spin, pose.arm()),
+          half * cross(spin, pose.sum * wide(group.half_1)),
+          half * cross(spin, pose.sum * wide(group.half_2))};
+}
+
+/// By how much the half axes of the two sides of each facet differ: squares, and those of the half
+/// axes [m2].
+struct FacetNetwork::WideTurn {
+  Wide apart_1, apart_2, length_1, length_2;
+
+  /// Motion::turned.
+  [[nodiscard, gnu::always_inline]] WideMask exceeds(double angle) const {
+    return apart_1 * length_2 + apart_2 * length_1 > Wide(angle * angle) * length_1 * length_2;
+  }
+  /// Motion::turned_squared [rad2].
+  [[nodiscard, gnu::always_inline]] Wide squared() const {
+    return apart_1 / length_1 + apart_2 / length_2;
+  }
+};
+
+[[gnu::always_inline]] inline FacetNetwork::WideTurn FacetNetwork::turn_of(const FacetGroup& group,
+                                                                           const WidePose& pose) {
+  const WideVec half_1 = wide(group.half_1), half_2 = wide(group.half_2);
+  const WideVec apart_1 = pose.difference * half_1, apart_2 = pose.difference * half_2;
+  return {dot(apart_1, apart_1), dot(apart_2, apart_2), dot(half_1, half_1), dot(half_2, half_2)};
+}
+
+/// Adds those of lane k to its two blocks.
+[[gnu::always_inline]] inline void add_forces(const FacetGroup& group, std::size_t k,
+                                              const WideForces& forces, std::vector<Vec3>& force,
+                                              std::vector<Vec3>& torque) {
+  const auto i = static_cast<std::size_t>(group.i[k]), j = static_cast<std::size_t>(group.j[k]);
+  const Vec3 on_i = at_lane(forces.force, k);
+  force[i] += on_i;
+  torque[i] += at_lane(forces.torque_i, k);
+  force[j] -= on_i;
+  torque[j] += at_lane(forces.torque_j, k);
+}
+
+}  // namespace muckpile
