@@ -6,80 +6,32 @@
 
 #include "bond/facet_lanes.h"
 #include "bond/facet_network.h"
+#include "bond/plane_contact.h"
 
 namespace muckpile {
-namespace {
 
-// A broken facet is a plane contact only while its two faces still match. It fades between these
-// shares of its radius slid, and of radians turned, and retires once it has opened that far.
-constexpr double kSlideStart = 0.1, kSlideEnd = 0.5;
-constexpr double kTurnEnd = 0.5;  // from kTurnStart
-constexpr double kOpened = 0.1;
-constexpr double kNearSlip = 0.99;    // below that share of the friction limit, squared, none slips
-constexpr double kSurelyOpen = 0.01;  // opened further than its rotation explains: no point closed
-
-double ramp_down(double x, double start, double end) {
-  return std::clamp((end - x) / (end - start), 0.0, 1.0);
-}
-
-}  // namespace
-
-/// Of the broken points, whose sides slip by `slip` [m/s].
-Lanes FacetNetwork::friction_of(const Contact& contact, const LaneVec& slip) const {
-  if (slip_weakening_.speed == 0.0) return contact.tan_residual;
-  return sliding_friction(contact.tan_residual, dot(slip, slip), slip_weakening_);
-}
-
-/// Tractions of the broken points: no tension, friction, a dashpot along the normal. Friction is
-/// booked as the work that leapfrog takes from the blocks, that of the mean of the forces before
-/// and after the step's path, less what the springs have gained.
+/// Tractions of the broken points.
 void FacetNetwork::add_contact(std::size_t f, const Motion& motion, const Contact& contact,
                                Pull& pull, double dt) {
   FacetMemory& memory = memory_[f];
   ContactMemory& remembered = memory.contact.made();
-  const double fade = remembered.fade;
+  const double fade = remembered.fade, shear = fade * contact.shear;
   const Mat3 axes = motion.axes();
   const LaneMask broken = bonded_points_[f] == 0 ? is_point() : where_true(memory.broken);
-  const bool fresh = memory.open;  // open until now: friction forgets where it stuck
+  const LaneVec spring = pull.jump - rotated(axes, lanes_of(remembered.offset));
+  const auto at_points =
+      plane_pull<Lanes>({fade * contact.normal, shear, fade * contact_damping_,
+                         contact.tan_residual, slip_weakening_},
+                        {pull.normal, spring, pull.rate, broken, LaneMask(memory.open)}, dt);
   memory.open = false;
-
-  const LaneVec offset = lanes_of(remembered.offset);
-  const LaneVec spring = pull.jump - rotated(axes, offset);
-  const Lanes gap = dot(pull.normal, spring);
-  const LaneMask closed = broken && gap < 0.0;
-  const LaneMask forgets = fresh ? broken : broken && !closed;
-  const Lanes rate = dot(pull.normal, pull.rate);
-  const Lanes elastic = choose(closed, fade * contact.normal * gap, 0.0);
-  const Lanes damped = elastic + fade * contact_damping_ * rate;
-  const Lanes normal = choose(closed, min(damped, Lanes(0.0)), 0.0);
-
-  const LaneVec sheared = spring - gap * pull.normal;
-  const LaneVec stuck = choose(closed && !forgets, Lanes(1.0), 0.0) * sheared;
-  const LaneVec shear = Lanes(fade * contact.shear) * stuck;
-  const Lanes squared = dot(shear, shear);
-  const Lanes limit = -friction_of(contact, pull.rate - rate * pull.normal) * normal;
-  LaneMask slips(false);
-  Lanes kept = 1.0;
-  if (any_of(squared > kNearSlip * limit * limit)) {  // the root takes long
-    const Lanes size = sqrt(squared);
-    slips = size > limit;
-    kept = choose(slips, limit / choose(slips, size, 1.0), 1.0);
-  }
-  const LaneVec traction = normal * pull.normal + kept * shear;
-  pull.traction = choose(broken, traction, pull.traction);
-
+  pull.traction = choose(broken, at_points.traction, pull.traction);
   const double booked = contact.weight * contact.point_area;
-  losses_.damping += booked * dt * sum((normal - elastic) * rate);
-  if (none_of(slips || forgets)) return;
-  const LaneVec sticks_at = rotated_back(axes, pull.jump - gap * pull.normal - kept * stuck);
-  for (std::size_t p = 0; p < kFacetPoints; ++p) {
-    if (slips[p] || forgets[p]) remembered.offset[p] = sticks_at.at(static_cast<int>(p));
-  }
-  const Lanes slid = (1.0 - kept) * dot(stuck, (1.0 + kept) * stuck - Lanes(dt) * pull.rate);
-  const LaneMask opens = forgets && !closed && gap < dt * rate;
-  const Lanes forgotten =
-      fresh ? Lanes(0.0) : choose(opens, dot(sheared, sheared - Lanes(dt) * pull.rate), 0.0);
-  losses_.friction += 0.5 * booked * fade * contact.shear * sum(slid + forgotten);
+  losses_.damping += booked * dt * sum(at_points.damped);
+  losses_.friction += 0.5 * booked * shear * sum(at_points.rubbed);
+  if (none_of(at_points.rests)) return;
+  const LaneVec offset = rotated_back(axes, pull.jump - at_points.resting);
+  for (std::size_t p = 0; p < kFacetPoints; ++p)
+    if (at_points.rests[p]) remembered.offset[p] = offset.at(static_cast<int>(p));
 }
 
 /// Lets a broken facet fade and retire; false if it carries nothing in this step.
@@ -90,15 +42,12 @@ bool FacetNetwork::closes(std::size_t f, const Motion& motion, const Contact& co
   const double slid = std::max(squares[0] - opened * opened, 0.0);  // [m2]
   if (slid > kSlideStart * kSlideStart * contact.radius_squared || motion.turned(kTurnStart)) {
     fade(f, motion,
-         ramp_down(std::sqrt(slid / contact.radius_squared), kSlideStart, kSlideEnd) *
-             ramp_down(std::sqrt(motion.turned_squared()), kTurnStart, kTurnEnd));
+         matching_faces(std::sqrt(slid / contact.radius_squared),
+                        std::sqrt(motion.turned_squared())));
   }
   if (softens_ && holds_on(f)) return true;
   if (memory.contact.get().fade == 0.0 || contact.longer(opened, kOpened)) {
-    newly_let_go_ = newly_let_go_ || memory.state == FacetState::cracked;
-    memory.state = states_[f] = FacetState::retired;
-    if (!memory.gas) memory.contact.drop();
-    ++changed_since_;
+    retire(f);
     return false;
   }
   if (!contact.longer(opened, kSurelyOpen)) return true;
@@ -110,6 +59,14 @@ bool FacetNetwork::closes(std::size_t f, const Motion& motion, const Contact& co
   memory.open = true;
   let_sleep(f, gap, radius, dt);
   return false;
+}
+
+void FacetNetwork::retire(std::size_t f) {
+  FacetMemory& memory = memory_[f];
+  newly_let_go_ = newly_let_go_ || memory.state == FacetState::cracked;
+  memory.state = states_[f] = FacetState::retired;
+  if (!memory.gas) memory.contact.drop();
+  ++changed_since_;
 }
 
 /// Leaves an open facet alone for as long as its gap lasts at twice the present speed of approach,

@@ -3,7 +3,6 @@
 // pressure.
 // Scope: see facet_network.h; how much gas is where is gas/joint_gas.h.
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -44,29 +43,26 @@ void FacetNetwork::open_group_of_joints(const LaneSet& set, std::vector<OpenJoin
   const FacetGroup& group = groups_[set.group];
   FacetRows<double> start;  // per point; further than a bonded one opens
   for (FacetRow<double>& row : start) row.fill(std::numeric_limits<double>::max());
-  for (unsigned left = set.lanes; left != 0; left &= left - 1) {
-    const auto k = static_cast<std::size_t>(std::countr_zero(left));
+  each_lane(set.lanes, [&](std::size_t k) {
     const FacetMemory& memory = memory_[set.group * kGroup + k];
     const ContactMemory& contact = memory.contact.get();
     for (std::size_t p = 0; p < kFacetPoints; ++p)
       if (memory.broken[p]) start[p][k] = contact.offset[p].x();
-  }
+  });
   const WidePose pose = pose_of(group);
-  const WideField jump = {pose.jump, pose.difference * wide(group.half_1),
-                          pose.difference * wide(group.half_2)};
+  const WideField jump = jump_of(group, pose);
   Wide opening = 0.0;
   for (std::size_t p = 0; p < kFacetPoints; ++p)
     opening += max(Wide(0.0), dot(pose.normal, jump.at(p)) - wide(start[p]));
   const Wide radius_squared = M_1_PI * wide(group.area);
   const WideMask wide_open = dot(pose.jump, pose.jump) > kWide * kWide * radius_squared ||
                              turn_of(group, pose).exceeds(kWide);
-  for (unsigned left = set.lanes; left != 0; left &= left - 1) {
-    const auto k = static_cast<std::size_t>(std::countr_zero(left));
+  each_lane(set.lanes, [&](std::size_t k) {
     const int broken = kFacetPoints - bonded_points_[set.group * kGroup + k];
     open.push_back(broken == 0 ? OpenJoint{}
                                : OpenJoint{broken * group.area[k] / kFacetPoints,
                                            opening[k] / broken, wide_open[k]});
-  }
+  });
 }
 
 void FacetNetwork::release_gas() {
@@ -80,17 +76,15 @@ void FacetNetwork::release_gas() {
 unsigned FacetNetwork::pressed_lanes(const LaneSet& active, FacetRow<double>& pressure) const {
   const FacetGroup& group = groups_[active.group];
   unsigned lanes = 0;
-  for (unsigned left = active.lanes; left != 0; left &= left - 1) {
-    const auto k = static_cast<std::size_t>(std::countr_zero(left));
+  each_lane(active.lanes, [&](std::size_t k) {
     const std::size_t f = active.group * kGroup + k;
-    if (bonded_points_[f] == kFacetPoints) continue;
+    if (bonded_points_[f] == kFacetPoints) return;
     const double of_i = gas_pressure_[static_cast<std::size_t>(group.i[k])];
     const double of_j =
         group.j[k] == ground() ? of_i : gas_pressure_[static_cast<std::size_t>(group.j[k])];
     pressure[k] = 0.5 * (of_i + of_j);
-    if (pressure[k] == 0.0 || memory_[f].over()) continue;
-    lanes |= 1u << k;
-  }
+    if (pressure[k] != 0.0 && !memory_[f].over()) lanes |= 1u << k;
+  });
   return lanes;
 }
 
@@ -98,15 +92,14 @@ unsigned FacetNetwork::pressed_lanes(const LaneSet& active, FacetRow<double>& pr
 void FacetNetwork::press_group(std::size_t g, unsigned lanes, const FacetRow<double>& pressure) {
   const FacetGroup& group = groups_[g];
   FacetRows<double> points{};  // of the broken ones: how many, their shares of the half axes
-  for (unsigned left = lanes; left != 0; left &= left - 1) {
-    const auto k = static_cast<std::size_t>(std::countr_zero(left));
+  each_lane(lanes, [&](std::size_t k) {
     for (std::size_t p = 0; p < kFacetPoints; ++p) {
       if (!memory_[g * kGroup + k].broken[p]) continue;
       points[0][k] += 1.0;
       points[1][k] += kOnFirst[p];
       points[2][k] += kOnSecond[p];
     }
-  }
+  });
   const WidePose pose = pose_of(group);
   const WideVec arms = wide(points[0]) * pose.arm() +
                        Wide(0.5) * (wide(points[1]) * (pose.sum * wide(group.half_1)) +
@@ -114,12 +107,8 @@ void FacetNetwork::press_group(std::size_t g, unsigned lanes, const FacetRow<dou
   const WideVec at_point = -1.0 / kFacetPoints * wide(group.area) * wide(pressure) * pose.normal;
   const WideVec force = wide(points[0]) * at_point, moment = cross(arms, at_point);
   WideForces forces;
-  store(force, forces.force);
-  store(moment, forces.torque_i);
-  store(cross(pose.between, force) - moment, forces.torque_j);
-  for (unsigned left = lanes; left != 0; left &= left - 1)
-    add_forces(group, static_cast<std::size_t>(std::countr_zero(left)), forces, gas_force_,
-               gas_torque_);
+  store(force, moment, pose.between, forces);
+  each_lane(lanes, [&](std::size_t k) { add_forces(group, k, forces, gas_force_, gas_torque_); });
 }
 
 /// Its forces are kept for the gas's work. It does not enter the dilatations, as the contact of

@@ -50,12 +50,18 @@ struct LaneSet {
   [[nodiscard]] bool has(std::size_t lane) const { return (lanes >> lane & 1u) != 0; }
 };
 
+/// Calls `of` with each of `lanes`, in order.
+template <class Of>
+void each_lane(unsigned lanes, const Of& of) {
+  for (unsigned left = lanes; left != 0; left &= left - 1)
+    of(static_cast<std::size_t>(std::countr_zero(left)));
+}
+
 /// Calls `of` with the number of each facet, in order.
 template <class Of>
 void each_facet(const std::vector<LaneSet>& sets, const Of& of) {
   for (const LaneSet& set : sets)
-    for (unsigned left = set.lanes; left != 0; left &= left - 1)
-      of(set.group * kGroup + static_cast<std::size_t>(std::countr_zero(left)));
+    each_lane(set.lanes, [&](std::size_t k) { of(set.group * kGroup + k); });
 }
 
 /// Adds facet `f`, which is not before any that is in already.

@@ -112,10 +112,9 @@ void FacetNetwork::open_group(const LaneSet& bonded) {
 }
 
 /// Forces of those of `lanes` of which no point fails; returns which.
-unsigned FacetNetwork::hold_group(std::size_t g, unsigned lanes, double dt,
+unsigned FacetNetwork::hold_group(std::size_t g, unsigned lanes, const WidePose& pose, double dt,
                                   WideForces& forces) const {
   const FacetGroup& group = groups_[g];
-  const WidePose pose = pose_of(group);
   WideField pull = pull_of(group, pose);
   if (slanted()) {
     const auto slant = [&](Eigen::Index d) {
@@ -131,35 +130,41 @@ unsigned FacetNetwork::hold_group(std::size_t g, unsigned lanes, double dt,
                           cross(pose.sum * wide(group.half_2), pull.along_2);
   const WideVec force = area * pull.mean;
   const WideVec moment = cross(arm, force) + Wide(0.25) * area * turning;
-  store(force, forces.force);
-  store(moment, forces.torque_i);
-  store(cross(pose.between, force) - moment, forces.torque_j);
+  store(force, moment, pose.between, forces);
   return lanes;
 }
 
 /// What broken facets remember lies where they broke, not side by side: waiting for it took longer
 /// than working with it.
 void FacetNetwork::fetch_contacts(const LaneSet& working) const {
-  for (unsigned left = working.lanes; left != 0; left &= left - 1) {
-    const std::size_t f = working.group * kGroup + static_cast<std::size_t>(std::countr_zero(left));
+  each_lane(working.lanes, [&](std::size_t k) {
+    const std::size_t f = working.group * kGroup + k;
     if (asleep_[f] <= calls_) memory_[f].contact.fetch();
-  }
+  });
 }
 
 void FacetNetwork::work_group(const LaneSet& working, double dt) {
-  WideForces forces;
-  unsigned held = working.lanes & whole_lanes(working.group);
-  if (held != 0) held = hold_group(working.group, held, dt, forces);
-  for (unsigned left = working.lanes; left != 0; left &= left - 1) {
-    const auto k = static_cast<std::size_t>(std::countr_zero(left));
-    const std::size_t f = working.group * kGroup + k;
-    if ((held >> k & 1u) != 0) {
-      add_forces(groups_[working.group], k, forces, force_, torque_);
-      if (damping_ != 0.0) losses_.damping += facets_[f].weight * forces.damped[k];
+  const std::size_t g = working.group;
+  const FacetGroup& group = groups_[g];
+  const unsigned whole = working.lanes & whole_lanes(g), apart = apart_lanes(working);
+  unsigned held = 0, touching = 0;
+  WideForces held_forces, touching_forces;
+  if ((whole | apart) != 0) {
+    const WidePose pose = pose_of(group);
+    if (whole != 0) held = hold_group(g, whole, pose, dt, held_forces);
+    if (apart != 0) touching = close_group(g, apart, pose, dt, touching_forces);
+  }
+  each_lane(working.lanes & ~(apart & ~touching), [&](std::size_t k) {
+    const std::size_t f = g * kGroup + k;
+    if ((touching >> k & 1u) != 0) {
+      add_forces(group, k, touching_forces, force_, torque_);
+    } else if ((held >> k & 1u) != 0) {
+      add_forces(group, k, held_forces, force_, torque_);
+      if (damping_ != 0.0) losses_.damping += facets_[f].weight * held_forces.damped[k];
     } else if (states_[f] != FacetState::retired && asleep_[f] <= calls_) {
       work_facet(f, dt);
     }
-  }
+  });
 }
 
 }  // namespace muckpile

@@ -3,6 +3,7 @@
 // Scope: inside FacetNetwork. Points are the first kFacetPoints lanes, the last has no meaning.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -41,6 +42,21 @@ inline constexpr std::array<double, kLanes> kOnSecond = {0.0, kHalfSqrt3, -kHalf
 /// A facet that has turned so far begins to fade, and does not hold on by a last point, as by a
 /// hinge [rad].
 inline constexpr double kTurnStart = 0.1;
+
+// A broken facet is a plane contact only while its two faces still match. It fades between these
+// shares of its radius slid, and of radians turned, and retires once it has opened that far.
+inline constexpr double kSlideStart = 0.1, kSlideEnd = 0.5;
+inline constexpr double kTurnEnd = 0.5;  // from kTurnStart
+inline constexpr double kOpened = 0.1;
+inline constexpr double kSurelyOpen = 0.01;  // further than its rotation explains: no point closed
+
+/// How far the faces match: 1 to 0. `slid` in radii, `turned` in radians.
+[[nodiscard]] inline double matching_faces(double slid, double turned) {
+  const auto ramp_down = [](double x, double start, double end) {
+    return std::clamp((end - x) / (end - start), 0.0, 1.0);
+  };
+  return ramp_down(slid, kSlideStart, kSlideEnd) * ramp_down(turned, kTurnStart, kTurnEnd);
+}
 
 /// How the two sides of a facet lie in the present pose. Lanes: the centroid, the two half axes,
 /// the normal.
@@ -140,7 +156,7 @@ inline FacetNetwork::Bond FacetNetwork::bond_of(std::size_t f) const {
   const std::size_t k = lane_of(f);
   return {name.weight,
           group.area[k] / kFacetPoints,
-          closed_stiffness_[f],
+          closed_stiffness_[f / kGroup][k],
           group.shear[k],
           name.kind == FacetKind::mirror ? 0.0 : strengths_[name.joint_class].tan_residual,
           M_1_PI * group.area[k]};

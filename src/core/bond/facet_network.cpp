@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The facet network as a whole: set-up, dilatations and bulk stresses, sums over it.
 // Scope: see the header; intact facets are in facet_groups.cpp, bonded and breaking ones in
-// facet_bond.cpp, broken ones in facet_contact.cpp, what they still hold in facet_softening.cpp,
-// pressure in facet_load.cpp, gas in facet_gas.cpp, yielding supports in quiet_ground.cpp.
+// facet_bond.cpp, broken ones in facet_contact.cpp and facet_contact_groups.cpp, what they still
+// hold in facet_softening.cpp, pressure in facet_load.cpp, gas in facet_gas.cpp, yielding supports
+// in quiet_ground.cpp.
 #include "bond/facet_network.h"
 
 #include <algorithm>
@@ -66,7 +67,7 @@ void FacetNetwork::set_facets(std::vector<Facet> facets, std::vector<FacetMemory
   FacetGroup empty;
   empty.normal[0].fill(1.0f);  // lanes without a facet are worked on as well
   groups_.assign((count + kGroup - 1) / kGroup, empty);
-  closed_stiffness_.resize(count);
+  closed_stiffness_.assign(groups_.size(), {});
   for (std::size_t f = 0; f < count; ++f) {
     place_facet(f, facets[f]);
     derive_facet(f);
@@ -190,7 +191,7 @@ void FacetNetwork::derive_facet(std::size_t f) {
   group.shear[lane] = shear;
   group.normal_extra[lane] = k.normal - shear;
   group.bulk[lane] = (grounded ? 1.0 : 0.5) * k.rock_share;
-  closed_stiffness_[f] = k.contact;
+  closed_stiffness_[f / kGroup][lane] = k.contact;
 }
 
 /// Distances of the facet from the two centres [m].

@@ -368,12 +368,14 @@ class FacetNetwork {
     Mat3 dropped_gradient = Mat3::Zero(), dropped_excess = Mat3::Zero(),
          dropped_moment = Mat3::Zero();  // lost by breaking in this step
   };
-  struct Motion;     // how the two sides lie now, in lanes
-  struct WidePose;   // of the facets of a group at once
-  struct WideField;  // over the facets of a group at once
-  struct WideTurn;   // of the two sides of the facets of a group against each other
-  struct Pull;       // tractions at the points, in lanes
-  struct Break;      // what a point carried as it broke
+  struct Motion;       // how the two sides lie now, in lanes
+  struct WidePose;     // of the facets of a group at once
+  struct WideField;    // over the facets of a group at once
+  struct WideParting;  // how far they have opened, slid and turned
+  struct WideContact;  // what broken facets of a group remember
+  struct WideTurn;     // of the two sides of the facets of a group against each other
+  struct Pull;         // tractions at the points, in lanes
+  struct Break;        // what a point carried as it broke
   struct BlockSums {
     double bonded = 0.0;    // sum of A m.u/2 [m3]
     double loaded = 0.0;    // sum of A t_n d/(2G) [m3]
@@ -425,9 +427,10 @@ class FacetNetwork {
   void open_group(const LaneSet& bonded);
   void work_group(const LaneSet& working, double dt);
   void fetch_contacts(const LaneSet& working) const;
-  [[nodiscard]] unsigned hold_group(std::size_t g, unsigned lanes, double dt,
+  [[nodiscard]] unsigned hold_group(std::size_t g, unsigned lanes, const WidePose& pose, double dt,
                                     WideForces& forces) const;
   [[nodiscard]] WideField pull_of(const FacetGroup& group, const WidePose& pose) const;
+  [[nodiscard]] static WideField jump_of(const FacetGroup& group, const WidePose& pose);
   [[nodiscard]] WideField rate_of(const FacetGroup& group, const WidePose& pose) const;
   [[nodiscard]] static WideTurn turn_of(const FacetGroup& group, const WidePose& pose);
   [[nodiscard]] unsigned holding(std::size_t g, unsigned lanes, const WidePose& pose,
@@ -468,9 +471,21 @@ class FacetNetwork {
   void fade(std::size_t f, const Motion& motion, double matching);
   void let_sleep(std::size_t f, double gap, double radius, double dt);
   [[nodiscard]] double contact_energy(std::size_t f, const Motion& motion) const;
-  [[nodiscard]] Lanes friction_of(const Contact& contact, const LaneVec& slip) const;
+  void retire(std::size_t f);
   void add_contact(std::size_t f, const Motion& motion, const Contact& contact, Pull& pull,
                    double dt);
+
+  // Groups of facets that hold at no point: facet_contact_groups.cpp.
+  [[nodiscard]] unsigned apart_lanes(const LaneSet& working) const;
+  [[nodiscard]] WideContact remembered(std::size_t g, unsigned lanes);
+  [[nodiscard]] unsigned closing(std::size_t g, unsigned lanes, const WidePose& pose,
+                                 WideContact& contact, double dt);
+  void fade_group(std::size_t g, unsigned lanes, const WideParting& parting, WideContact& contact);
+  [[nodiscard]] static WideParting parting_of(const FacetGroup& group, const WidePose& pose);
+  void touch_group(std::size_t g, unsigned lanes, const WidePose& pose, const WideContact& contact,
+                   double dt, WideForces& forces);
+  [[nodiscard]] unsigned close_group(std::size_t g, unsigned lanes, const WidePose& pose, double dt,
+                                     WideForces& forces);
 
   // Gas in broken joints: facet_gas.cpp.
   void open_group_of_joints(const LaneSet& set, std::vector<OpenJoint>& open) const;
@@ -516,13 +531,13 @@ class FacetNetwork {
   std::vector<Vec3> gas_force_, gas_torque_;
   std::vector<FacetName> facets_;
   std::vector<FacetMemory> memory_;
-  std::vector<FacetGroup> groups_;           // what the passes over bonded facets read
-  std::vector<double> closed_stiffness_;     // of broken points [Pa/m]
-  std::vector<Strength> strengths_;          // per joint class
-  std::vector<FacetState> states_;           // as in memory_, packed
-  std::vector<std::uint8_t> bonded_points_;  // how many of them
-  std::vector<LaneSet> bonded_;              // facets with a bonded point, and some without
-  std::vector<LaneSet> active_;              // facets that are not retired, and some that are
+  std::vector<FacetGroup> groups_;                  // what the passes over bonded facets read
+  std::vector<FacetRow<double>> closed_stiffness_;  // of broken points [Pa/m]
+  std::vector<Strength> strengths_;                 // per joint class
+  std::vector<FacetState> states_;                  // as in memory_, packed
+  std::vector<std::uint8_t> bonded_points_;         // how many of them
+  std::vector<LaneSet> bonded_;                     // facets with a bonded point, and some without
+  std::vector<LaneSet> active_;   // facets that are not retired, and some that are
   std::vector<LaneSet> working_;  // the active ones that have a block that is not at rest
   std::vector<char> rests_;       // per block
   // Where blocks rest: bonded facets that have a block that does not, and those that have a block

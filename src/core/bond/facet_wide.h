@@ -50,6 +50,12 @@ template <class T>
   return Wide([&](auto lane) { return from[places[lane]]; });
 }
 
+[[gnu::always_inline]] inline unsigned bits(const WideMask& mask) {
+  unsigned lanes = 0;
+  for (std::size_t k = 0; k < kGroup; ++k) lanes |= (mask[k] ? 1u : 0u) << k;
+  return lanes;
+}
+
 struct WideMat {
   WideVec x, y, z;  // columns
 
@@ -122,6 +128,19 @@ struct FacetNetwork::WideField {
   return pose;
 }
 
+/// Of the points, from the side of i to that of j [m].
+[[gnu::always_inline]] inline FacetNetwork::WideField FacetNetwork::jump_of(const FacetGroup& group,
+                                                                            const WidePose& pose) {
+  return {pose.jump, pose.difference * wide(group.half_1), pose.difference * wide(group.half_2)};
+}
+
+/// As Motion::axes. `half`: first half axis of both sides together.
+[[gnu::always_inline]] inline WideMat axes_of(const WideVec& normal, const WideVec& half) {
+  const WideVec along = half - dot(normal, half) * normal;
+  const WideVec unit = 1.0 / sqrt(dot(along, along)) * along;
+  return {normal, unit, cross(normal, unit)};
+}
+
 /// Motion of block j's side against block i's [m/s].
 [[gnu::always_inline]] inline FacetNetwork::WideField FacetNetwork::rate_of(
     const FacetGroup& group, const WidePose& pose) const {
@@ -155,6 +174,14 @@ struct FacetNetwork::WideTurn {
   const WideVec half_1 = wide(group.half_1), half_2 = wide(group.half_2);
   const WideVec apart_1 = pose.difference * half_1, apart_2 = pose.difference * half_2;
   return {dot(apart_1, apart_1), dot(apart_2, apart_2), dot(half_1, half_1), dot(half_2, half_2)};
+}
+
+/// `force` and `moment` are those on block i, `between` leads from its centre to that of block j.
+[[gnu::always_inline]] inline void store(const WideVec& force, const WideVec& moment,
+                                         const WideVec& between, WideForces& forces) {
+  store(force, forces.force);
+  store(moment, forces.torque_i);
+  store(cross(between, force) - moment, forces.torque_j);
 }
 
 /// Adds those of lane k to its two blocks.

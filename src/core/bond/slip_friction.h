@@ -15,12 +15,15 @@ struct SlipWeakening {
 };
 
 /// f_w + (f - f_w) V_w/v above V_w, f below; f where that is not above f_w anyway.
-[[nodiscard]] inline Lanes sliding_friction(double tan_slow, const Lanes& speed_squared,
-                                            const SlipWeakening& weakening) {
-  const double falls = tan_slow - weakening.tan_weakened, start = weakening.speed;
-  const LaneMask fast = speed_squared > start * start;
-  if (falls <= 0.0 || none_of(fast)) return tan_slow;
-  const Lanes speed = sqrt(choose(fast, speed_squared, 1.0));
+template <class Number>
+[[nodiscard]] Number sliding_friction(const Number& tan_slow, const Number& speed_squared,
+                                      const SlipWeakening& weakening) {
+  if (weakening.speed == 0.0) return tan_slow;
+  const Number falls = tan_slow - weakening.tan_weakened;
+  const double start = weakening.speed;
+  const auto fast = speed_squared > start * start && falls > 0.0;
+  if (none_of(fast)) return tan_slow;
+  const Number speed = sqrt(choose(fast, speed_squared, 1.0));
   return choose(fast, weakening.tan_weakened + falls * start / speed, tan_slow);
 }
 

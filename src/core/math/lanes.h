@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <experimental/simd>
+#include <type_traits>
 
 #include "math/types.h"
 
@@ -24,7 +25,10 @@ template <class T>
   return {values.data(), std::experimental::element_aligned};
 }
 /// Where `mask` holds `yes`, elsewhere `no`.
-[[nodiscard]] inline Lanes choose(const LaneMask& mask, const Lanes& yes, Lanes no) {
+template <class Number>
+[[nodiscard, gnu::always_inline]] inline Number choose(const typename Number::mask_type& mask,
+                                                       const Number& yes,
+                                                       std::type_identity_t<Number> no) {
   where(mask, no) = yes;
   return no;
 }

@@ -132,6 +132,56 @@ TEST(FacetGroups, IntactBrokenAndRetiredFacetsOfAGroupHaveTheForcesThatEachHasAl
 }
 
 // However strong: a soft joint would follow a turn that its forces do not know.
+/// Broken at all points: closed and stuck, closed and slipping, open, asleep until now, faded a
+/// little, slid far enough to fade.
+FacetMemory broken_in_one_way(std::size_t f) {
+  FacetMemory memory;
+  memory.broken = {true, true, true};
+  memory.state = f % 6 == 4 ? FacetState::fading : FacetState::cracked;
+  memory.open = f % 6 == 3;
+  ContactMemory& contact = memory.contact.made();
+  const double away[] = {1e-7, 3e-3, -5e-5, 1e-6, 1e-6, 0.1};
+  for (std::size_t p = 0; p < kFacetPoints; ++p)
+    contact.offset[p] = Vec3(f % 6 == 2 ? -5e-5 : 1e-6 * static_cast<double>(p), away[f % 6], 0.0);
+  if (f % 6 == 4) contact.fade = 0.7;
+  return memory;
+}
+
+TEST(FacetGroups, BrokenFacetsHaveTheForcesAndLossesOfFacetsWorkedOnOneByOne) {
+  const std::vector<Facet> of = joints();
+  int rub = 0, push = 0;
+  for (std::size_t f = 0; f < 24; ++f) {
+    FacetMemory memory = broken_in_one_way(f);
+    Pairs together(of, {f}, 0.0, {memory});
+    memory.rare.made() = {};  // facets that soften are worked on one by one
+    Pairs alone(of, {f}, 0.0, {memory});
+    for (int step = 0; step < 3; ++step) {
+      for (Pairs* pairs : {&together, &alone}) {
+        pairs->network().state()[1].centre += Vec3(2e-6, -1e-6, 3e-6);
+        pairs->compute();
+      }
+      const FacetNetwork &a = together.network(), &b = alone.network();
+      const double rounding = 1e-10 * (1.0 + b.force()[0].norm());
+      for (std::size_t side = 0; side < 2; ++side) {
+        EXPECT_LT((a.force()[side] - b.force()[side]).norm(), rounding) << f;
+        EXPECT_LT((a.torque()[side] - b.torque()[side]).norm(), rounding) << f;
+      }
+      EXPECT_EQ(a.states()[0], b.states()[0]) << f;
+      EXPECT_EQ(a.memory()[0].open, b.memory()[0].open) << f;
+      EXPECT_NEAR(a.losses().friction, b.losses().friction, 1e-12 + 1e-10 * b.losses().friction);
+      EXPECT_NEAR(a.losses().damping, b.losses().damping, 1e-12 + 1e-10 * b.losses().damping);
+      const ContactMemory &kept = a.memory()[0].contact.get(), &other = b.memory()[0].contact.get();
+      EXPECT_EQ(kept.fade, other.fade) << f;
+      for (std::size_t p = 0; p < kFacetPoints; ++p)
+        EXPECT_LT((kept.offset[p] - other.offset[p]).norm(), 1e-14) << f;
+    }
+    rub += together.network().losses().friction > 0.0 ? 1 : 0;
+    push += together.network().force()[0].norm() > 1.0 ? 1 : 0;
+  }
+  EXPECT_GE(rub, 12);
+  EXPECT_GE(push, 12);  // the others are open, or open as they move
+}
+
 TEST(FacetGroups, AnIntactFacetLetsGoOnceItHasTurnedTooFar) {
   const std::vector<Facet> of = joints();
   const Facet& facet = of[5];
