@@ -26,20 +26,26 @@ std::span<double> FacetNetwork::gas_pressure() {
   return gas_pressure_;
 }
 
-void FacetNetwork::open_joints(std::span<const std::size_t> facets,
+void FacetNetwork::open_joints(std::span<const std::uint32_t> facets,
                                std::vector<OpenJoint>& open) const {
   open.clear();
-  for (auto from = facets.begin(); from != facets.end();) {
-    const std::size_t group = *from / kGroup;
-    LaneSet set{static_cast<std::uint32_t>(group), 0};
-    for (; from != facets.end() && *from / kGroup == group; ++from)
-      set.lanes |= 1u << lane_of(*from);
-    open_group_of_joints(set, open);
+  LaneSet before, set;
+  for (const std::uint32_t f : facets) {
+    if (set.group != f / kGroup) {
+      fetch_contacts(set);  // of one group while the one before it is at work
+      open_group_of_joints(before, open);
+      before = set;
+      set = {static_cast<std::uint32_t>(f / kGroup), 0};
+    }
+    set.lanes |= 1u << lane_of(f);
   }
+  open_group_of_joints(before, open);
+  open_group_of_joints(set, open);
 }
 
 /// How far each broken point has opened since it broke, by what it remembers of that.
 void FacetNetwork::open_group_of_joints(const LaneSet& set, std::vector<OpenJoint>& open) const {
+  if (set.lanes == 0) return;
   const FacetGroup& group = groups_[set.group];
   FacetRows<double> start;  // per point; further than a bonded one opens
   for (FacetRow<double>& row : start) row.fill(std::numeric_limits<double>::max());

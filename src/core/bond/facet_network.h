@@ -261,7 +261,7 @@ class FacetNetwork {
     bool wide = false;     ///< so far open, slid or turned that it is no joint for gas either
   };
   /// Of each of `facets`, which are in order.
-  void open_joints(std::span<const std::size_t> facets, std::vector<OpenJoint>& open) const;
+  void open_joints(std::span<const std::uint32_t> facets, std::vector<OpenJoint>& open) const;
 
   /// Facets between two blocks that rest are left alone by tractions() from now on: their forces
   /// are missing, and their blocks must be held where they are. One entry per block, ground last.

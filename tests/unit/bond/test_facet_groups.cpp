@@ -300,7 +300,7 @@ TEST(FacetGroups, GasPressesOnTheBrokenPointsOfEachFacetAndFindsThemAsFarOpenAsT
     network.gas_pressure()[2 * f + f % 2] = f == 11 ? 0.0 : 2.0 * kPressure;
   pairs.compute();
   std::vector<FacetNetwork::OpenJoint> open;
-  const std::vector<std::size_t> asked = {1, 2, 3, 5, 7, 8, 13, 16, 20};
+  const std::vector<std::uint32_t> asked = {1, 2, 3, 5, 7, 8, 13, 16, 20};
   network.open_joints(asked, open);
   ASSERT_EQ(open.size(), asked.size());
   for (std::size_t k = 0; k < asked.size(); ++k) {
