@@ -32,7 +32,7 @@ void FacetNetwork::tractions(double dt) {
   newly_cracked_ = newly_let_go_ = false;
   if (slanted()) pull_slanted();
   for (std::size_t k = 0; k < working_.size(); ++k) {
-    if (k + 1 < working_.size()) fetch_contacts(working_[k + 1]);
+    if (k + kContactsAhead < working_.size()) fetch_contacts(working_[k + kContactsAhead]);
     work_group(working_[k], dt);
   }
   ++calls_;

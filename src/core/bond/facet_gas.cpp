@@ -29,23 +29,16 @@ std::span<double> FacetNetwork::gas_pressure() {
 void FacetNetwork::open_joints(std::span<const std::uint32_t> facets,
                                std::vector<OpenJoint>& open) const {
   open.clear();
-  LaneSet before, set;
-  for (const std::uint32_t f : facets) {
-    if (set.group != f / kGroup) {
-      fetch_contacts(set);  // of one group while the one before it is at work
-      open_group_of_joints(before, open);
-      before = set;
-      set = {static_cast<std::uint32_t>(f / kGroup), 0};
-    }
-    set.lanes |= 1u << lane_of(f);
+  std::vector<LaneSet> sets;
+  for (const std::uint32_t f : facets) add_facet(sets, f);
+  for (std::size_t k = 0; k < sets.size(); ++k) {
+    if (k + kContactsAhead < sets.size()) fetch_contacts(sets[k + kContactsAhead]);
+    open_group_of_joints(sets[k], open);
   }
-  open_group_of_joints(before, open);
-  open_group_of_joints(set, open);
 }
 
 /// How far each broken point has opened since it broke, by what it remembers of that.
 void FacetNetwork::open_group_of_joints(const LaneSet& set, std::vector<OpenJoint>& open) const {
-  if (set.lanes == 0) return;
   const FacetGroup& group = groups_[set.group];
   FacetRows<double> start;  // per point; further than a bonded one opens
   for (FacetRow<double>& row : start) row.fill(std::numeric_limits<double>::max());

@@ -39,6 +39,9 @@ inline constexpr std::array<double, kLanes> kOnSecond = {0.0, kHalfSqrt3, -kHalf
   return {of(0), of(1), of(2)};
 }
 
+/// By how many groups what broken facets remember is asked for ahead of its use.
+inline constexpr std::size_t kContactsAhead = 4;
+
 /// A facet that has turned so far begins to fade, and does not hold on by a last point, as by a
 /// hinge [rad].
 inline constexpr double kTurnStart = 0.1;
