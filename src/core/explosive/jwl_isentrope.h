@@ -15,8 +15,9 @@ struct JwlParameters {
   double energy = 0.0;               ///< E0 per volume of charge, 0 if not known [J/m3]
 };
 
-/// p(V) = A exp(-R1 V) + B exp(-R2 V) + C V^-(1 + omega), V volume over that of the charge (Lee,
-/// Hornig and Kury 1968, quoted from memory). C makes the curve pass the Chapman-Jouguet point
+/// p(V) = A exp(-R1 V) + B exp(-R2 V) + C V^-(1 + omega), V volume over that of the charge: the
+/// isentropes of p(V, e) of Lee, Hornig and Kury (1968) as R. Menikoff (2017), JWL Equation of
+/// State, Los Alamos LA-UR-15-29536, eq. 1 has it. C makes the curve pass the Chapman-Jouguet point
 /// V = 1 - P_CJ/(rho D^2).
 class JwlIsentrope {
  public:

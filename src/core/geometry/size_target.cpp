@@ -63,18 +63,22 @@ std::vector<double> rock_distances(const TessellationOptions& options) {
   return distances;
 }
 
-constexpr int kNodes = 64;  // of the law, evenly in mass share
+constexpr std::size_t kNodes = 64;  // of the law, evenly in mass share
 
-double node_share(int node) { return (node + 0.5) / kNodes; }
+double node_share(std::size_t node) { return (static_cast<double>(node) + 0.5) / kNodes; }
+
+double node_distance(const std::vector<double>& distances, std::size_t node) {
+  const auto place =
+      static_cast<std::size_t>(node_share(node) * static_cast<double>(distances.size()));
+  return distances[std::min(place, distances.size() - 1)];
+}
 
 /// Size at each node to a table of distance; sizes are made not to fall, equal distances merged.
 SizeTable table_of(const std::vector<double>& sizes, const std::vector<double>& distances) {
   SizeTable table;
-  for (int node = 0; node < kNodes; ++node) {
-    const auto place =
-        static_cast<std::size_t>(node_share(node) * static_cast<double>(distances.size()));
-    const double distance = distances[std::min(place, distances.size() - 1)];
-    double size = sizes[static_cast<std::size_t>(node)];
+  for (std::size_t node = 0; node < kNodes; ++node) {
+    const double distance = node_distance(distances, node);
+    double size = sizes[node];
     if (!table.empty()) size = std::max(size, table.back().second);
     if (!table.empty() && distance <= table.back().first) continue;
     table.emplace_back(distance, size);
@@ -82,24 +86,28 @@ SizeTable table_of(const std::vector<double>& sizes, const std::vector<double>& 
   return table;
 }
 
-/// Every size times target over achieved size, smoothed over a few nodes: single blocks at the
-/// coarse end are a whole node's mass, and would otherwise throw the law about.
+/// Every size times target over achieved size, as a mean over the nodes within half a block of
+/// that size: blocks average the law over themselves, so that a finer correction comes back as
+/// clumps of equal blocks, and the rounds swing instead of settling.
 void correct(std::vector<double>& sizes, const SizeTarget& target,
-             const std::vector<std::pair<double, double>>& curve) {
-  constexpr int kReach = 2;      // nodes on each side
-  constexpr double kPart = 0.8;  // of the correction
-  std::vector<double> log_ratio(kNodes);
-  for (int node = 0; node < kNodes; ++node) {
+             const std::vector<std::pair<double, double>>& curve,
+             const std::vector<double>& distances) {
+  std::vector<double> log_ratio(kNodes), factor(kNodes);
+  for (std::size_t node = 0; node < kNodes; ++node) {
     const double share = node_share(node);
-    log_ratio[static_cast<std::size_t>(node)] =
-        std::log(target.size_at(share) / size_below(curve, share));
+    log_ratio[node] = std::log(target.size_at(share) / size_below(curve, share));
   }
-  for (int node = 0; node < kNodes; ++node) {
-    const int first = std::max(0, node - kReach), last = std::min(kNodes - 1, node + kReach);
-    double sum = 0.0;
-    for (int k = first; k <= last; ++k) sum += log_ratio[static_cast<std::size_t>(k)];
-    sizes[static_cast<std::size_t>(node)] *= std::exp(kPart * sum / (last - first + 1));
+  for (std::size_t node = 0; node < kNodes; ++node) {
+    const double here = node_distance(distances, node);
+    double sum = 0.0, count = 0.0;
+    for (std::size_t other = 0; other < kNodes; ++other) {
+      if (std::abs(node_distance(distances, other) - here) > 0.5 * sizes[node]) continue;
+      sum += log_ratio[other];
+      count += 1.0;
+    }
+    factor[node] = std::exp(sum / count);
   }
+  for (std::size_t node = 0; node < kNodes; ++node) sizes[node] *= factor[node];
 }
 
 /// 1 where P20, P50, P80 or the curve is as far off as good() allows.
@@ -194,9 +202,7 @@ FittedCut tessellate_to_target(TessellationOptions options, const SizeTarget& ta
   }
   const std::vector<double> distances = rock_distances(options);
   std::vector<double> sizes(kNodes);
-  for (int node = 0; node < kNodes; ++node) {
-    sizes[static_cast<std::size_t>(node)] = target.size_at(node_share(node));
-  }
+  for (std::size_t node = 0; node < kNodes; ++node) sizes[node] = target.size_at(node_share(node));
   FittedCut best;
   for (int round = 1; round <= most_rounds; ++round) {
     for (double& size : sizes) size = std::clamp(size, limits.smallest, limits.largest);
@@ -210,7 +216,7 @@ FittedCut tessellate_to_target(TessellationOptions options, const SizeTarget& ta
     }
     constexpr double kComfortable = 0.8;  // of what is allowed, so that rounding cannot undo it
     if (deviation(best.comparison) <= kComfortable) break;
-    correct(sizes, target, curve);
+    correct(sizes, target, curve, distances);
   }
   best.why_missed = why_missed(best.comparison, target, limits, best.cut.statistics.block_volume);
   return best;

@@ -16,7 +16,7 @@ class SizeTarget {
  public:
   /// 1 - 2^-(x/x50)^n, Rosin and Rammler with Kuznetsov's x50 and Cunningham's n (Kuz-Ram).
   [[nodiscard]] static SizeTarget kuz_ram(double x50, double n);
-  /// 1 / (1 + [ln(xmax/x)/ln(xmax/x50)]^b), Swebrec (Ouchterlony 2005, quoted from memory).
+  /// 1 / (1 + [ln(xmax/x)/ln(xmax/x50)]^b), Swebrec (Ouchterlony 2005).
   [[nodiscard]] static SizeTarget swebrec(double x50, double xmax, double b);
 
   [[nodiscard]] double passing(double size) const;   ///< 0 at size 0
@@ -60,11 +60,11 @@ struct FittedCut {
 
 /// Cuts with the law s(r) that gives the rock at distance r from the nearest charge the target's
 /// size of the mass share that lies nearer: the finest at the holes. Voronoi cells scatter about
-/// what the law asks for, so the law is corrected by target over achieved size, share by share, and
-/// the rock cut again, until the comparison is well within good() or `most_rounds` are done; the
-/// best is kept. options.size is not used. InputError as tessellate(), or without a hole or fine
-/// axis.
+/// what the law asks for, so the law is corrected by target over achieved size, as a mean over a
+/// block's width, and the rock cut again, until the comparison is well within good() or
+/// `most_rounds` are done; the best is kept. options.size is not used. InputError as tessellate(),
+/// or without a hole or fine axis.
 [[nodiscard]] FittedCut tessellate_to_target(TessellationOptions options, const SizeTarget& target,
-                                             const SizeLimits& limits, int most_rounds = 6);
+                                             const SizeLimits& limits, int most_rounds = 8);
 
 }  // namespace muckpile
