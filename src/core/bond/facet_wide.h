@@ -109,7 +109,8 @@ class BlockPlaces {
             odd(xz, more_xz)};
   }
   [[gnu::always_inline]] WideMat matrix(const double* from) const {
-    std::array<__m512d, kGroup / 2> first, second;  // numbers 1, 3, 5, 7 and 2, 4, 6, 8 of pairs
+    // Numbers 1, 3, 5, 7 and 2, 4, 6, 8 of pairs; std::array would drop the alignment.
+    __m512d first[kGroup / 2], second[kGroup / 2];
     for (std::size_t k = 0; k < kGroup; k += 2) {
       const __m512d a = _mm512_loadu_pd(from + 1 + at_[k]),
                     b = _mm512_loadu_pd(from + 1 + at_[k + 1]);
