@@ -62,6 +62,26 @@ class ShearBox {
   double work_ = 0.0;
 };
 
+/// A row of four cubes is squeezed to 20 MPa, then its halves slide against each other until the
+/// joint between them breaks: what the outer joints' compression changes in that, over it.
+double jump_beside_a_slip(const JointParameters& rock) {
+  BlockRun run(cuboid_rock({1, 1, 4}, Vec3::Ones()).blocks, {rock},
+               [](const Vec3&) { return Wall::free; });
+  const auto outer_joint = [&](double squeeze, double slide) {  // compression [Pa]
+    for (std::size_t b = 0; b < 4; ++b) {
+      const double z = static_cast<double>(b);
+      run.place(b, {b < 2 ? 0.0 : slide, 0.0, -squeeze * z}, Vec3::Zero());
+    }
+    run.compute(0.0);
+    return -run.force(0).z();
+  };
+  const double squeeze = 20e6 * 1e-6 / outer_joint(1e-6, 0.0);  // [m] per joint
+  const double start = outer_joint(squeeze, 0.0);
+  double slide = 0.0;
+  while (run.network().broken_count() == 0.0) outer_joint(squeeze, slide += 1e-5);
+  return std::abs(outer_joint(squeeze, slide) / start - 1.0);  // with what broke in the last one
+}
+
 const PlotFrame kTorn{"softening", "Fracture energy of a bar torn apart in the middle",
                       "block size [m]", "taken by fracture [J/m2]"};
 
@@ -113,6 +133,9 @@ void shear_box(Report& report) {
                   "shear displacement [mm]", "shear stress [MPa]"},
                  path);
   }
+  report.at_most({"row of four cubes, -20 MPa",
+                  "jump of the outer joints' compression as the middle slips, over it", "", "0"},
+                 jump_beside_a_slip(p), 1e-6);
   PlotCurve law{"cohesion and friction, given", CurveStyle::kDashed, 0, {}},
       friction{"residual friction, given", CurveStyle::kDashed, 1, {}};
   for (const double normal : {-1.0, 0.0, 20.0}) {

@@ -9,11 +9,19 @@
 
 namespace muckpile {
 
-/// Mean over the facet of the jump where it is bonded [m].
+/// Jumps at the points, less what they have slipped [m].
+LaneVec FacetNetwork::elastic_jump(std::size_t f, const Motion& motion) const {
+  const FacetMemory& memory = memory_[f];
+  if (memory.slipping == 0) return motion.jump();
+  const LaneVec slipped = rotated(motion.axes(), lanes_of(memory.contact.get().offset));
+  return motion.jump() - choose(where_slipping(memory), Lanes(1.0), 0.0) * slipped;
+}
+
+/// Mean over the facet of the elastic jump where it is in the dilatations [m].
 Vec3 FacetNetwork::bonded_jump(std::size_t f, const Motion& motion) const {
-  if (bonded_points_[f] == kFacetPoints) return motion.mean_jump();
-  const LaneMask holds = is_point() && !where_true(memory_[f].broken);
-  return sum(choose(holds, Lanes(1.0 / kFacetPoints), 0.0) * motion.jump());
+  if (states_[f] == FacetState::intact) return motion.mean_jump();
+  const LaneMask holds = is_point() && !where_contact(memory_[f]);
+  return sum(choose(holds, Lanes(1.0 / kFacetPoints), 0.0) * elastic_jump(f, motion));
 }
 
 /// The part of a facet in the dilatation of its blocks.
@@ -53,8 +61,9 @@ Vec3 FacetNetwork::bulk_traction(std::size_t f, const Openings& openings) const 
     std::size_t f, const Motion& motion) const {
   const Bond bond = bond_of(f);
   Pull pull(motion);
-  pull.traction = Lanes(bond.shear) * pull.jump +
-                  bond.normal_extra * dot(pull.normal, pull.jump) * pull.normal +
+  const LaneVec jump = elastic_jump(f, motion);
+  pull.traction = Lanes(bond.shear) * jump +
+                  bond.normal_extra * dot(pull.normal, jump) * pull.normal +
                   LaneVec(bulk_traction(f, openings_of(f, motion.scale)));
   return pull;
 }
@@ -90,110 +99,171 @@ void FacetNetwork::work_facet(std::size_t f, double dt) {
   // The velocity that block j's rock would have at the centre of block i, less that of block i.
   const Vec3 slip = sj.velocity - si.velocity + sj.spin.cross(si.centre - sj.centre);
   pull.rate = LaneVec(slip) + cross(LaneVec(Vec3(sj.spin - si.spin)), pull.arm);
-  if (bonded) work_bonded(f, motion, contact, pull, dt);
+  if (bonded) {
+    work_bonded(f, motion, contact, pull, dt);
+    if (bonded_points_[f] == 0 && !closes(f, motion, contact, dt)) return;
+  }
   if (bonded_points_[f] < kFacetPoints) add_contact(f, motion, contact, pull, dt);
   if (softens_) add_cohesion(f, motion, pull, dt);
   apply(f, contact.point_area, pull);
 }
 
-/// Breaks points that fail, damps the others; the traction of broken points is no longer true.
+/// Breaks points that fail, damps the others; the traction of points that have left the dilatations
+/// is no longer true.
 void FacetNetwork::work_bonded(std::size_t f, const Motion& motion, const Contact& contact,
                                Pull& pull, double dt) {
   const bool torn = motion.turned(kTurnStart);
-  const LaneMask fails = torn ? is_point() : pull.failing(bond_of(f));
+  const FacetMemory& memory = memory_[f];
+  const bool away = memory.slipping != 0 && slid_away(motion, contact);
+  const LaneMask slipping = where_slipping(memory);
+  const LaneMask fails =
+      torn ? is_point() : pull.failing(bond_of(f), slipping) || (slipping && LaneMask(away));
   for (int p = 0; p < kFacetPoints; ++p) {
     const auto q = static_cast<std::size_t>(p);
-    if (memory_[f].broken[q] || !fails[q]) continue;
+    if (memory.is_contact(q) || !fails[q]) continue;
     const Vec3 traction = pull.traction.at(p);
-    if (depends_on_rate_ && !torn && holds_at_its_rate(f, motion.normal, traction, pull.rate.at(p)))
+    if (depends_on_rate_ && !torn && !memory.broken[q] &&
+        holds_at_its_rate(f, motion.normal, traction, pull.rate.at(p)))
       continue;
-    break_point(f, p,
-                {motion.normal, pull.jump.at(p), traction, pull.rate.at(p),
-                 openings_of(f, motion.scale), motion.axes()},
-                dt);
+    const Break broken = {motion.normal,
+                          pull.jump.at(p),
+                          elastic_jump(f, motion).at(p),
+                          traction,
+                          pull.rate.at(p),
+                          openings_of(f, motion.scale),
+                          motion.axes(),
+                          torn};
+    pull.add(p, -break_point(f, p, broken, dt));
   }
-  if (damping_ == 0.0 || memory_[f].ground().yields) return;  // that ground has a dashpot itself
-  const LaneMask bonded = is_point() && !where_true(memory_[f].broken);
-  const LaneVec rate = choose(bonded, Lanes(1.0), 0.0) * pull.rate;
-  pull.traction += Lanes(damping_) * rate;
-  losses_.damping += contact.weight * contact.point_area * damping_ * dt * sum(dot(rate, rate));
+  if (damping_ != 0.0 && !memory.ground().yields) {  // that ground has a dashpot itself
+    const LaneMask bonded = is_point() && !where_broken(memory);
+    const LaneVec rate = choose(bonded, Lanes(1.0), 0.0) * pull.rate;
+    pull.traction += Lanes(damping_) * rate;
+    losses_.damping += contact.weight * contact.point_area * damping_ * dt * sum(dot(rate, rate));
+  }
+  if (memory.slipping != 0) rub(f, motion, contact, pull, dt);
 }
 
-void FacetNetwork::break_point(std::size_t f, int p, const Break& broken, double dt) {
+/// Friction is limited by the spring of the facet alone. Where shear also works through the blocks,
+/// by the part of m in the facet's plane or as faces lean, that would overshoot: unstable in cuts
+/// by leaning joint sets.
+bool FacetNetwork::may_slip(std::size_t f) const {
+  constexpr double kHardly = 0.1;  // of the spring; 2 is the limit of stability
+  if (facets_[f].slanted[0] || facets_[f].slanted[1]) return false;
   const Bond bond = bond_of(f);
+  const Vec3 normal = at_lane(group_of(f).normal, lane_of(f));
+  const auto through = [&](int block, double area, const Vec3& opening) {
+    return area * area * (opening - normal.dot(opening) * normal).squaredNorm() /
+           blocks_[static_cast<std::size_t>(block)].volume;
+  };
+  const double stiffness =
+      material().lame_lambda() * (through(i_of(f), bond.area_i, bond.opening_i) +
+                                  through(j_of(f), bond.area_j, bond.opening_j));
+  return stiffness < kHardly * bond.shear * area(f);
+}
+
+/// A point that fails in shear while it is closed slips from then on: its traction stays that of
+/// the bonded point, with the shear that friction holds. Once it opens, slides away or turns it
+/// becomes a contact, as all others do that break.
+FacetNetwork::Remnant FacetNetwork::remnant_of(std::size_t f, int p, const Break& broken) const {
   const Contact contact = contact_of(f);
   const Vec3& n = broken.normal;
+  const bool first = !memory_[f].broken[static_cast<std::size_t>(p)];
   const double normal = n.dot(broken.traction);
-  const double held = std::min(normal, 0.0);
   const Vec3 shear = broken.traction - normal * n;
-  const double limit = contact.tan_residual * -held;
-  const double shear_size = shear.norm();
-  const double kept = shear_size > limit ? limit / shear_size : 1.0;
-  const Vec3 dropped = broken.traction - held * n - kept * shear;
-  FacetMemory& memory = memory_[f];
-  Cohesion cohesion;
-  if (softens_) {
+  Remnant left{};
+  left.held = std::min(normal, 0.0);
+  const double limit = contact.tan_residual * -left.held, size = shear.norm();
+  left.shear = (size > limit ? limit / size : 1.0) * shear;
+  left.dropped = broken.traction - left.held * n - left.shear;
+  if (softens_ && first) {
     const Mat3 to_axes = broken.axes.transpose();
-    cohesion = cohesion_after(to_axes * dropped, to_axes * broken.jump, contact.normal,
-                              contact.shear, material().parameters());
-    if (cohesion.holds()) memory.rare.made().cohesion[static_cast<std::size_t>(p)] = cohesion;
+    left.cohesion = cohesion_after(to_axes * left.dropped, to_axes * broken.jump, contact.normal,
+                                   contact.shear, material().parameters());
   }
-  // The contact starts with the compression that the joint carried and the shear that friction can;
-  // open by what a point that softens has parted.
-  Vec3 spring = (held / contact.normal + cohesion.first * cohesion.direction.x()) * n;
-  if (contact.shear > 0.0) spring += kept / contact.shear * shear;
+  left.slips = first && normal < 0.0 && !broken.torn && may_slip(f);
+  left.lost = left.slips ? Vec3(left.dropped / contact.shear) : broken.elastic;
+  return left;
+}
 
-  memory.contact.made().offset[static_cast<std::size_t>(p)] =
-      broken.axes.transpose() * (broken.jump - spring);
-  memory.broken[static_cast<std::size_t>(p)] = true;
+/// Returns what the point no longer carries [Pa].
+Vec3 FacetNetwork::break_point(std::size_t f, int p, const Break& broken, double dt) {
+  const auto q = static_cast<std::size_t>(p);
+  const Contact contact = contact_of(f);
+  const Remnant left = remnant_of(f, p, broken);
+  FacetMemory& memory = memory_[f];
+  if (left.cohesion.holds()) memory.rare.made().cohesion[q] = left.cohesion;
+  // The contact starts with the compression that the joint carried and the shear that friction can;
+  // open by what a point that softens has parted, or one that slipped since its force was none.
+  const double normal = memory.broken[q] ? broken.normal.dot(broken.traction) : left.held;
+  Vec3 spring =
+      (normal / contact.normal + left.cohesion.first * left.cohesion.direction.x()) * broken.normal;
+  if (contact.shear > 0.0) spring += left.shear / contact.shear;
+  const Vec3 rests_at = left.slips ? left.lost : Vec3(broken.jump - spring);
+  memory.contact.made().offset[q] = broken.axes.transpose() * rests_at;
+  memory.broken[q] = true;
+  memory.slipping =
+      static_cast<std::uint8_t>((memory.slipping & ~(1u << q)) | (left.slips ? 1u : 0u) << q);
   if (memory.state == FacetState::intact) memory.state = states_[f] = FacetState::cracked;
   memory.gas = keeps_gas_;
   newly_cracked_ = true;
+  book_break(f, broken, left, dt);
+  drop_from_dilatation(f, broken, left);
+  return left.dropped;
+}
 
-  const double normal_jump = n.dot(broken.jump);
-  const double before =
-      bond.shear * broken.jump.squaredNorm() + bond.normal_extra * normal_jump * normal_jump;
-  double after = held * held / contact.normal;
-  if (contact.shear > 0.0) after += kept * kept * shear_size * shear_size / contact.shear;
+void FacetNetwork::book_break(std::size_t f, const Break& broken, const Remnant& left, double dt) {
+  const Bond bond = bond_of(f);
+  const Contact contact = contact_of(f);
+  const auto bonded_energy = [&](const Vec3& jump) {  // twice, per area [J/m2]
+    const double along = broken.normal.dot(jump);
+    return bond.shear * jump.squaredNorm() + bond.normal_extra * along * along;
+  };
+  double after = left.slips ? bonded_energy(broken.elastic - left.lost)
+                            : left.held * left.held / contact.normal;
+  if (!left.slips && contact.shear > 0.0) after += left.shear.squaredNorm() / contact.shear;
   // The half kick to the present step used the traction before, the one from it uses that after:
   // the blocks did the work of their mean over the step's path, the springs' account assumes the
   // first.
-  const double undone = cohesion.holds() ? 0.0 : dropped.dot(broken.rate) * dt;
-  if (cohesion.holds()) {
+  const bool softens = left.cohesion.holds();
+  const double undone = softens ? 0.0 : left.dropped.dot(broken.rate) * dt;
+  if (softens) {
     // The sides have parted by `first` beside the stretch of the spring that friction holds.
-    const double rubbed = kept * shear.dot(dropped) / contact.shear;
+    const double rubbed = left.shear.dot(left.dropped) / contact.shear;
     losses_.friction += contact.weight * bond.point_area * rubbed;
-    after += 2.0 * (cohesion.energy(cohesion.first) + rubbed);
+    after += 2.0 * (left.cohesion.energy(left.cohesion.first) + rubbed);
   }
+  losses_.fracture +=
+      0.5 * contact.weight * bond.point_area * (bonded_energy(broken.elastic) - after - undone);
+  if (left.slips) return;
   const Coupling coupling = coupling_of(f);
   const double uneven =
       theta_[static_cast<std::size_t>(coupling.i)] - theta_[static_cast<std::size_t>(coupling.j)];
   const double uncoupled = coupling.sharpening / bonded_points_[f];
-  losses_.fracture += 0.5 * contact.weight *
-                      (bond.point_area * (before - after - undone) + uncoupled * uneven * uneven);
+  losses_.fracture += 0.5 * contact.weight * uncoupled * uneven * uneven;
   group_of(f).sharpening[lane_of(f)] = coupling.sharpening - uncoupled;
   if (--bonded_points_[f] == 0) ++changed_since_;
-  drop_from_dilatation(f, broken);
 }
 
-void FacetNetwork::drop_from_dilatation(std::size_t f, const Break& broken) {
+void FacetNetwork::drop_from_dilatation(std::size_t f, const Break& broken, const Remnant& left) {
   const Bond bond = bond_of(f);
   const auto drop = [&](int block, double area_share, const Vec3& opening, double depth) {
     const auto b = static_cast<std::size_t>(block);
-    sums_[b].dropped += area_share * opening.dot(broken.jump) / kFacetPoints;
-    sums_[b].unbonded_added += bond.point_area * depth / blocks_[b].volume;
+    sums_[b].dropped += area_share * opening.dot(left.lost) / kFacetPoints;
+    if (!left.slips) sums_[b].unbonded_added += bond.point_area * depth / blocks_[b].volume;
+    sums_[b].breaks = true;
   };
   const auto [depth_i, depth_j] = depths(f);
   drop(i_of(f), bond.area_i, broken.openings.i, depth_i);
   drop(j_of(f), bond.area_j, broken.openings.j, depth_j);
-  if (slanted()) drop_from_slant(f, broken);
+  if (slanted()) drop_from_slant(f, broken, left);
 }
 
 void FacetNetwork::book_fracture() {
   const std::vector<double> theta_before = theta_;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     BlockSums& sums = sums_[b];
-    if (sums.unbonded_added == 0.0) continue;
+    if (!sums.breaks) continue;
     BlockSums after = sums;
     after.bonded -= sums.dropped;
     after.unbonded += sums.unbonded_added;
@@ -201,6 +271,7 @@ void FacetNetwork::book_fracture() {
     sums.bonded = after.bonded;
     sums.unbonded = after.unbonded;
     sums.dropped = sums.unbonded_added = 0.0;
+    sums.breaks = false;
     if (blocks_[b].owned) theta_[b] = theta_of(b);
   }
   book_sharpening(theta_before);

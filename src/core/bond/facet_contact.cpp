@@ -9,15 +9,24 @@
 #include "bond/plane_contact.h"
 
 namespace muckpile {
+namespace {
 
-/// Tractions of the broken points.
+/// Square of the mean slide of a facet's sides [m2].
+double slid_squared(const LaneVec& apart, const Vec3& normal) {
+  const double opened = dot(LaneVec(normal), apart)[0];
+  return std::max(dot(apart, apart)[0] - opened * opened, 0.0);
+}
+
+}  // namespace
+
+/// Tractions of the points that have left the dilatations.
 void FacetNetwork::add_contact(std::size_t f, const Motion& motion, const Contact& contact,
                                Pull& pull, double dt) {
   FacetMemory& memory = memory_[f];
   ContactMemory& remembered = memory.contact.made();
   const double fade = remembered.fade, shear = fade * contact.shear;
   const Mat3 axes = motion.axes();
-  const LaneMask broken = bonded_points_[f] == 0 ? is_point() : where_true(memory.broken);
+  const LaneMask broken = bonded_points_[f] == 0 ? is_point() : where_contact(memory);
   const LaneVec spring = pull.jump - rotated(axes, lanes_of(remembered.offset));
   const auto at_points =
       plane_pull<Lanes>({fade * contact.normal, shear, fade * contact_damping_,
@@ -34,12 +43,44 @@ void FacetNetwork::add_contact(std::size_t f, const Motion& motion, const Contac
     if (at_points.rests[p]) remembered.offset[p] = offset.at(static_cast<int>(p));
 }
 
+/// Friction and the dashpot of the points that slip, which stay in the dilatations: their normal
+/// law is that of the bonded point. Losses as those of plane_pull().
+void FacetNetwork::rub(std::size_t f, const Motion& motion, const Contact& contact, Pull& pull,
+                       double dt) {
+  FacetMemory& memory = memory_[f];
+  const LaneMask slipping = where_slipping(memory);
+  const Lanes rate = dot(pull.normal, pull.rate);
+  const Lanes elastic = choose(slipping, dot(pull.normal, pull.traction), 0.0);
+  const Lanes normal = min(elastic + choose(slipping, contact_damping_ * rate, 0.0), Lanes(0.0));
+  const LaneVec shear = choose(slipping, Lanes(1.0), 0.0) * pull.traction - elastic * pull.normal;
+  const LaneVec slip = pull.rate - rate * pull.normal;
+  const Lanes tan = sliding_friction(Lanes(contact.tan_residual), dot(slip, slip), slip_weakening_);
+  const auto [slips, kept] = Slide<Lanes>(shear, -tan * normal);
+  pull.traction = choose(slipping, normal * pull.normal + kept * shear, pull.traction);
+
+  const double booked = contact.weight * contact.point_area;
+  losses_.damping += booked * dt * sum((normal - elastic) * rate);
+  if (none_of(slips)) return;
+  const LaneVec slid = (1.0 - kept) / contact.shear * shear;
+  const LaneVec in_axes = rotated_back(motion.axes(), slid);
+  for (std::size_t p = 0; p < kFacetPoints; ++p)
+    if (slips[p]) memory.contact.made().offset[p] += in_axes.at(static_cast<int>(p));
+  losses_.friction +=
+      0.5 * booked * sum(dot(slid, (1.0 + kept) * shear - Lanes(contact.shear * dt) * pull.rate));
+}
+
+/// Whether a facet has slid so far that it begins to fade.
+bool FacetNetwork::slid_away(const Motion& motion, const Contact& contact) {
+  return slid_squared(motion.apart, motion.normal) >
+         kSlideStart * kSlideStart * contact.radius_squared;
+}
+
 /// Lets a broken facet fade and retire; false if it carries nothing in this step.
 bool FacetNetwork::closes(std::size_t f, const Motion& motion, const Contact& contact, double dt) {
   FacetMemory& memory = memory_[f];
   const double opened = dot(LaneVec(motion.normal), motion.apart)[0];
   const Lanes squares = dot(motion.apart, motion.apart);  // of the jump, of how half axes differ
-  const double slid = std::max(squares[0] - opened * opened, 0.0);  // [m2]
+  const double slid = slid_squared(motion.apart, motion.normal);
   if (slid > kSlideStart * kSlideStart * contact.radius_squared || motion.turned(kTurnStart)) {
     fade(f, motion,
          matching_faces(std::sqrt(slid / contact.radius_squared),
@@ -104,7 +145,7 @@ double FacetNetwork::contact_energy(std::size_t f, const Motion& motion) const {
   double stored = 0.0;
   for (int p = 0; p < kFacetPoints; ++p) {
     const auto q = static_cast<std::size_t>(p);
-    if (!memory_[f].broken[q]) continue;
+    if (!memory_[f].is_contact(q)) continue;
     const Vec3 spring = jump.at(p) - axes * memory.offset[q];
     const double closed = motion.normal.dot(spring);
     if (closed >= 0.0) continue;

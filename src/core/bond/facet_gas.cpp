@@ -40,13 +40,16 @@ void FacetNetwork::open_joints(std::span<const std::uint32_t> facets,
 /// How far each broken point has opened since it broke, by what it remembers of that.
 void FacetNetwork::open_group_of_joints(const LaneSet& set, std::vector<OpenJoint>& open) const {
   const FacetGroup& group = groups_[set.group];
-  FacetRows<double> start;  // per point; further than a bonded one opens
+  FacetRows<double> start;    // per point; further than one in the dilatations opens
+  FacetRow<double> broken{};  // points
   for (FacetRow<double>& row : start) row.fill(std::numeric_limits<double>::max());
   each_lane(set.lanes, [&](std::size_t k) {
     const FacetMemory& memory = memory_[set.group * kGroup + k];
     const ContactMemory& contact = memory.contact.get();
-    for (std::size_t p = 0; p < kFacetPoints; ++p)
-      if (memory.broken[p]) start[p][k] = contact.offset[p].x();
+    for (std::size_t p = 0; p < kFacetPoints; ++p) {
+      broken[k] += memory.broken[p] ? 1.0 : 0.0;
+      if (memory.is_contact(p)) start[p][k] = contact.offset[p].x();
+    }
   });
   const WidePose pose = pose_of(group);
   const WideField jump = jump_of(group, pose);
@@ -57,10 +60,9 @@ void FacetNetwork::open_group_of_joints(const LaneSet& set, std::vector<OpenJoin
   const WideMask wide_open = dot(pose.jump, pose.jump) > kWide * kWide * radius_squared ||
                              turn_of(group, pose).exceeds(kWide);
   each_lane(set.lanes, [&](std::size_t k) {
-    const int broken = kFacetPoints - bonded_points_[set.group * kGroup + k];
-    open.push_back(broken == 0 ? OpenJoint{}
-                               : OpenJoint{broken * group.area[k] / kFacetPoints,
-                                           opening[k] / broken, wide_open[k]});
+    open.push_back(broken[k] == 0.0 ? OpenJoint{}
+                                    : OpenJoint{broken[k] * group.area[k] / kFacetPoints,
+                                                opening[k] / broken[k], wide_open[k]});
   });
 }
 
@@ -77,7 +79,7 @@ unsigned FacetNetwork::pressed_lanes(const LaneSet& active, FacetRow<double>& pr
   unsigned lanes = 0;
   each_lane(active.lanes, [&](std::size_t k) {
     const std::size_t f = active.group * kGroup + k;
-    if (bonded_points_[f] == kFacetPoints) return;
+    if (states_[f] == FacetState::intact) return;
     const double of_i = gas_pressure_[static_cast<std::size_t>(group.i[k])];
     const double of_j =
         group.j[k] == ground() ? of_i : gas_pressure_[static_cast<std::size_t>(group.j[k])];

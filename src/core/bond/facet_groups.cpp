@@ -21,8 +21,8 @@ template <class Of>
 unsigned FacetNetwork::whole_lanes(std::size_t group) const {
   const std::size_t first = group * kGroup;
   unsigned lanes = 0;
-  for (std::size_t k = 0; k < kGroup && first + k < bonded_points_.size(); ++k)
-    lanes |= (bonded_points_[first + k] == kFacetPoints ? 1u : 0u) << k;
+  for (std::size_t k = 0; k < kGroup && first + k < states_.size(); ++k)
+    lanes |= (states_[first + k] == FacetState::intact ? 1u : 0u) << k;
   return lanes;
 }
 

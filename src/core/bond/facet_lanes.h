@@ -24,11 +24,22 @@ inline constexpr std::array<double, kLanes> kOnSecond = {0.0, kHalfSqrt3, -kHalf
   return Lanes([](auto lane) { return lane < kFacetPoints ? 1.0 : 0.0; }) > 0.5;
 }
 
-[[nodiscard]] inline LaneMask where_true(const std::array<bool, kFacetPoints>& at_point) {
+/// Points for which `is` holds.
+template <class Is>
+[[nodiscard]] LaneMask where(const Is& is) {
   const auto value = [&](auto lane) {
-    return lane < kFacetPoints && at_point[lane % kFacetPoints] ? 1.0 : 0.0;
+    return lane < kFacetPoints && is(std::size_t{lane % kFacetPoints}) ? 1.0 : 0.0;
   };
   return Lanes(value) > 0.5;
+}
+[[nodiscard]] inline LaneMask where_broken(const FacetTraces& memory) {
+  return where([&](std::size_t p) { return memory.broken[p]; });
+}
+[[nodiscard]] inline LaneMask where_contact(const FacetTraces& memory) {
+  return where([&](std::size_t p) { return memory.is_contact(p); });
+}
+[[nodiscard]] inline LaneMask where_slipping(const FacetTraces& memory) {
+  return where([&](std::size_t p) { return memory.slips(p); });
 }
 
 /// A vector of each point.
@@ -178,9 +189,20 @@ inline FacetNetwork::Bond FacetNetwork::bond_of(std::size_t f) const {
 
 /// What a point carried as it broke.
 struct FacetNetwork::Break {
-  Vec3 normal, jump, traction, rate;  // [-], [m], [Pa], [m/s]
+  Vec3 normal, jump, elastic, traction, rate;  // [-], [m], less what it slipped, [Pa], [m/s]
   Openings openings;
   Mat3 axes;  // of the facet
+  bool torn;  // turned too far, or slid
+};
+
+/// What a point that broke still carries.
+struct FacetNetwork::Remnant {
+  double held;        // along the normal, not positive [Pa]
+  Vec3 shear;         // [Pa]
+  Vec3 dropped;       // the rest [Pa]
+  Vec3 lost;          // jump that leaves the dilatations [m]
+  Cohesion cohesion;  // of a point that softens
+  bool slips;         // stays in the dilatations
 };
 
 /// Tractions on block i at the points of a facet; block j gets the opposite at the same places,
@@ -200,12 +222,13 @@ struct FacetNetwork::Pull {
     traction.z[k] += t.z();
   }
 
-  /// Which points fail if they are bonded.
-  [[nodiscard]] LaneMask failing(const Bond& bond) const {
+  /// Which points fail if they are bonded; those that slip as they open.
+  [[nodiscard]] LaneMask failing(const Bond& bond, const LaneMask& slipping) const {
     const Lanes along = dot(normal, traction);
     const Lanes shear_squared = dot(traction, traction) - along * along;
-    return is_point() &&
-           joint_fails(along, shear_squared, bond.tension, bond.cohesion, bond.tan_friction);
+    return is_point() && joint_fails(along, choose(slipping, Lanes(0.0), shear_squared),
+                                     choose(slipping, Lanes(0.0), bond.tension),
+                                     Lanes(bond.cohesion), Lanes(bond.tan_friction));
   }
 };
 

@@ -29,7 +29,9 @@ Vec3 opening_of(const Facet& facet) {
 }
 
 std::uint8_t bonded_points(const FacetMemory& memory) {
-  return static_cast<std::uint8_t>(std::count(memory.broken.begin(), memory.broken.end(), false));
+  int count = 0;
+  for (std::size_t p = 0; p < kFacetPoints; ++p) count += memory.is_contact(p) ? 0 : 1;
+  return static_cast<std::uint8_t>(count);
 }
 
 }  // namespace
@@ -279,8 +281,8 @@ void FacetNetwork::count_unbonded() {
   for (std::size_t f = 0; f < facets_.size(); ++f) {
     const auto i = static_cast<std::size_t>(i_of(f)), j = static_cast<std::size_t>(j_of(f));
     const auto [depth_i, depth_j] = depths(f);
-    for (bool broken : memory_[f].broken) {
-      if (!broken) continue;
+    for (std::size_t p = 0; p < kFacetPoints; ++p) {
+      if (!memory_[f].is_contact(p)) continue;
       sums_[i].unbonded += area(f) / kFacetPoints * depth_i / blocks_[i].volume;
       sums_[j].unbonded += area(f) / kFacetPoints * depth_j / blocks_[j].volume;
     }
@@ -369,14 +371,14 @@ double FacetNetwork::block_energy(std::size_t b) const {
 /// Of the joint, of its closed broken points and of the uneven dilatation on its sides [J].
 double FacetNetwork::facet_energy(std::size_t f) const {
   const Motion motion = motion_of(f);
-  const LaneVec jumps = motion.jump();
+  const LaneVec jumps = elastic_jump(f, motion);
   const Bond bond = bond_of(f);
   const Coupling coupling = coupling_of(f);
   const double uneven =
       theta_[static_cast<std::size_t>(coupling.i)] - theta_[static_cast<std::size_t>(coupling.j)];
   double stored = 0.0;
   for (int p = 0; p < kFacetPoints; ++p) {
-    if (memory_[f].broken[static_cast<std::size_t>(p)]) continue;
+    if (memory_[f].is_contact(static_cast<std::size_t>(p))) continue;
     const Vec3 jump = jumps.at(p);
     const double normal = motion.normal.dot(jump);
     stored += bond.shear * jump.squaredNorm() + bond.normal_extra * normal * normal;

@@ -115,7 +115,8 @@ struct RareMemory {
 /// What facets with a broken point remember of their contact.
 struct ContactMemory {
   std::array<Vec3, kFacetPoints> offset{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  ///< broken point: jump at zero force, along the normal, the first half axis and across [m]
+  ///< broken point: jump at zero force, along the normal, the first half axis and across [m]; of
+  ///< one that slips, what it has slipped
   double fade = 1.0;  ///< 1 while the faces match, falls to 0 as they slide or turn away
 };
 
@@ -123,8 +124,13 @@ struct ContactMemory {
 struct FacetTraces {
   std::array<bool, kFacetPoints> broken{false, false, false};
   FacetState state = FacetState::intact;
-  bool open = false;  ///< broken and so far open that its points were left alone last time
-  bool gas = false;   ///< broken, and not yet so wide that gas in it is in the open
+  bool open = false;          ///< broken and so far open that its points were left alone last time
+  bool gas = false;           ///< broken, and not yet so wide that gas in it is in the open
+  std::uint8_t slipping = 0;  ///< bit per point: broken, but closed and still in the dilatations
+
+  [[nodiscard]] bool slips(std::size_t p) const { return (slipping >> p & 1u) != 0; }
+  /// Broken, and out of the dilatations.
+  [[nodiscard]] bool is_contact(std::size_t p) const { return broken[p] && !slips(p); }
 
   /// Nothing acts through it any more.
   [[nodiscard]] bool over() const { return state == FacetState::retired && !gas; }
@@ -376,6 +382,7 @@ class FacetNetwork {
   struct WideTurn;     // of the two sides of the facets of a group against each other
   struct Pull;         // tractions at the points, in lanes
   struct Break;        // what a point carried as it broke
+  struct Remnant;      // and what it still carries
   struct BlockSums {
     double bonded = 0.0;    // sum of A m.u/2 [m3]
     double loaded = 0.0;    // sum of A t_n d/(2G) [m3]
@@ -384,6 +391,7 @@ class FacetNetwork {
     double uneven = 0.0;    // sum of D A h (theta - theta of the neighbour) [J]
     double dropped = 0.0;   // bonded sum lost by breaking in this step
     double unbonded_added = 0.0;
+    bool breaks = false;  // a facet of the block, in this step
   };
 
   // Tables, of facet f: facet_network.cpp.
@@ -445,8 +453,12 @@ class FacetNetwork {
   void work_facet(std::size_t f, double dt);
   void work_bonded(std::size_t f, const Motion& motion, const Contact& contact, Pull& pull,
                    double dt);
-  void break_point(std::size_t f, int p, const Break& broken, double dt);
-  void drop_from_dilatation(std::size_t f, const Break& broken);
+  [[nodiscard]] LaneVec elastic_jump(std::size_t f, const Motion& motion) const;
+  Vec3 break_point(std::size_t f, int p, const Break& broken, double dt);
+  [[nodiscard]] bool may_slip(std::size_t f) const;
+  [[nodiscard]] Remnant remnant_of(std::size_t f, int p, const Break& broken) const;
+  void book_break(std::size_t f, const Break& broken, const Remnant& left, double dt);
+  void drop_from_dilatation(std::size_t f, const Break& broken, const Remnant& left);
   void book_fracture();
   void book_sharpening(const std::vector<double>& theta_before);
   void apply(std::size_t f, double point_area, const Pull& pull);
@@ -463,17 +475,19 @@ class FacetNetwork {
   [[nodiscard]] Mat3 slant_stress(std::size_t b) const;
   [[nodiscard]] double slant_energy(std::size_t b) const;
   [[nodiscard]] Vec3 moment_torque(std::size_t b) const;
-  void drop_from_slant(std::size_t f, const Break& broken);
+  void drop_from_slant(std::size_t f, const Break& broken, const Remnant& left);
   void book_slant();
 
   // Broken points: facet_contact.cpp.
   [[nodiscard]] bool closes(std::size_t f, const Motion& motion, const Contact& contact, double dt);
+  [[nodiscard]] static bool slid_away(const Motion& motion, const Contact& contact);
   void fade(std::size_t f, const Motion& motion, double matching);
   void let_sleep(std::size_t f, double gap, double radius, double dt);
   [[nodiscard]] double contact_energy(std::size_t f, const Motion& motion) const;
   void retire(std::size_t f);
   void add_contact(std::size_t f, const Motion& motion, const Contact& contact, Pull& pull,
                    double dt);
+  void rub(std::size_t f, const Motion& motion, const Contact& contact, Pull& pull, double dt);
 
   // Groups of facets that hold at no point: facet_contact_groups.cpp.
   [[nodiscard]] unsigned apart_lanes(const LaneSet& working) const;
@@ -535,7 +549,7 @@ class FacetNetwork {
   std::vector<FacetRow<double>> closed_stiffness_;  // of broken points [Pa/m]
   std::vector<Strength> strengths_;                 // per joint class
   std::vector<FacetState> states_;                  // as in memory_, packed
-  std::vector<std::uint8_t> bonded_points_;         // how many of them
+  std::vector<std::uint8_t> bonded_points_;         // how many are in the dilatations
   std::vector<LaneSet> bonded_;                     // facets with a bonded point, and some without
   std::vector<LaneSet> active_;   // facets that are not retired, and some that are
   std::vector<LaneSet> working_;  // the active ones that have a block that is not at rest

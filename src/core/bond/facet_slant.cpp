@@ -174,9 +174,9 @@ void FacetNetwork::pull_slanted() {
   for (std::size_t b = 0; b < blocks_.size(); ++b) torque_[b] += moment_torque(b);
 }
 
-void FacetNetwork::drop_from_slant(std::size_t f, const Break& broken) {
+void FacetNetwork::drop_from_slant(std::size_t f, const Break& broken, const Remnant& left) {
   const double scale = motion_of(f).scale;
-  const Vec3 jump = slants_[f].strained(broken.jump, broken.normal);
+  const Vec3 jump = slants_[f].strained(left.lost, broken.normal);
   const auto drop = [&](int side, int block, double area, const Vec3& opening) {
     if (!facets_[f].slanted[static_cast<std::size_t>(side)]) return;
     const auto b = static_cast<std::size_t>(block);
@@ -184,7 +184,7 @@ void FacetNetwork::drop_from_slant(std::size_t f, const Break& broken) {
     const Vec3 lean = turned(f, slants_[f].lean[static_cast<std::size_t>(side)], scale);
     block_slants_[b].dropped_gradient += opened * opening.transpose();
     block_slants_[b].dropped_excess += opened * lean.transpose();
-    if (facets_[f].kind == FacetKind::joint)
+    if (facets_[f].kind == FacetKind::joint && !left.slips)
       block_slants_[b].dropped_moment += slant_moment(f, side) / blocks_[b].volume;
   };
   drop(0, i_of(f), bond_of(f).area_i, broken.openings.i);

@@ -59,14 +59,15 @@ void FacetNetwork::linearise(LinearNetwork& linear, BreakView view, double dampi
     for (std::size_t p = 0; p < kFacetPoints; ++p) {
       spring.arm_i[p] = side.at(static_cast<int>(p)) + 0.5 * jump.at(static_cast<int>(p));
       spring.arm_j[p] = spring.arm_i[p] + between;
-      const bool bonded = view == BreakView::as_it_is && !memory_[f].broken[p];
+      const bool bonded = view == BreakView::as_it_is && !memory_[f].is_contact(p);
+      const bool rubs = bonded && memory_[f].slips(p);
       const double fade = bonded ? 1.0 : memory_[f].contact.get().fade;
       const double normal = bonded ? bond.shear + bond.normal_extra : contact.normal;
-      const double dashpot = damping_rate * (bonded ? damping_ : contact_damping_);
+      const double dashpot = damping_rate * (bonded && !rubs ? damping_ : contact_damping_);
       spring.bonded[p] = bonded;
-      spring.shear[p] = bond.point_area * (fade * bond.shear + (bonded ? dashpot : 0.0));
-      spring.extra[p] =
-          bond.point_area * (fade * (normal - bond.shear) + (bonded ? 0.0 : fade * dashpot));
+      spring.shear[p] = bond.point_area * (fade * bond.shear + (bonded && !rubs ? dashpot : 0.0));
+      spring.extra[p] = bond.point_area *
+                        (fade * (normal - bond.shear) + (bonded && !rubs ? 0.0 : fade * dashpot));
     }
     linear.springs_.push_back(spring);
   });

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <numeric>
 
@@ -138,6 +139,93 @@ TEST(FacetNetwork, NormalForceDoesNotJumpWhenAJointShearsUnderCompression) {
   }
 }
 
+/// What changes as the first facet of a squeezed body breaks that is sheared more and more; all
+/// over the mean compression.
+struct BesideABreak {
+  double normal = 0.0, any = 0.0;          ///< on intact facets of its two blocks: most of all
+  double own_normal = 0.0, dropped = 0.0;  ///< on itself: along the normal, in all
+};
+
+BesideABreak beside_a_break(const std::function<BondScene()>& make) {
+  Mat3 shear = Mat3::Zero();
+  shear(1, 0) = 1.0;
+  const auto breaks = [&](BondScene& scene, double amount) {
+    scene.deform(-4e-4 * Mat3::Identity() + amount * shear);
+    scene.compute();
+    return scene.network().broken_count() > 0.0;
+  };
+  double low = 0.0, high = 1e-1;
+  for (int k = 0; k < 50; ++k) {
+    const double middle = 0.5 * (low + high);
+    BondScene scene = make();
+    (breaks(scene, middle) ? high : low) = middle;
+  }
+  BondScene before = make(), after = make();
+  EXPECT_FALSE(breaks(before, low));
+  EXPECT_TRUE(breaks(after, high));
+  const FacetNetwork& network = after.network();
+  std::size_t broken = 0;
+  while (network.states()[broken] == FacetState::intact) ++broken;
+  const FacetEnds ends = network.ends(broken);
+  const auto beside = [&](int b) { return b == ends.i || b == ends.j; };
+  BesideABreak out;
+  double compression = 0.0, area = 0.0;
+  for (std::size_t f = 0; f < network.facet_count(); ++f) {
+    const Facet facet = network.facet(f);
+    const Vec3 was = before.facet_force(f), change = (after.facet_force(f) - was) / facet.area;
+    const double along = std::abs(facet.normal.dot(change));
+    compression -= facet.normal.dot(was);
+    area += facet.area;
+    if (f == broken) {
+      out.own_normal = along;
+      out.dropped = change.norm();
+    } else if (network.states()[f] == FacetState::intact && (beside(facet.i) || beside(facet.j))) {
+      out.normal = std::max(out.normal, along);
+      out.any = std::max(out.any, change.norm());
+    }
+  }
+  for (double* value : {&out.normal, &out.any, &out.own_normal, &out.dropped})
+    *value *= area / compression;
+  return out;
+}
+
+TEST(FacetNetwork, NeighboursOfAFacetThatSlipsFeelOnlyTheShearThatItDrops) {
+  const JointParameters p = weak_rock(0.25);
+  for (const auto& blocks : {cuboids(4, 1, 1), cuboids(3, 3, 3)}) {
+    const BesideABreak b = beside_a_break([&] { return BondScene(blocks, p); });
+    EXPECT_GT(b.dropped, 0.5);
+    EXPECT_LT(b.own_normal, 1e-9);  // rounding of jumps
+    EXPECT_LT(b.any, 1e-9);         // were it to leave the dilatations: 0.07 and 0.10
+  }
+  // m is up to some per cent off n, so the dilatations feel the shear.
+  const std::vector<Block> blocks = voronoi_blocks(4.0, 5);
+  const BesideABreak cells = beside_a_break([&] { return BondScene(blocks, p); });
+  EXPECT_LT(cells.any / cells.dropped, 0.01);  // 0.007; left: 0.22
+  EXPECT_LT(cells.own_normal / cells.dropped, 0.003);
+}
+
+TEST(FacetNetwork, NeighboursOfAFacetThatSlippedDoNotFeelItOpen) {
+  BondScene row(cuboids(4, 1, 1), weak_rock(0.25));
+  const auto at = [&](double squeeze, double shift) {
+    for (std::size_t b = 0; b < 4; ++b)
+      row.block(b).centre = row.start(b) - Vec3(squeeze * row.start(b).x(), b < 2 ? shift : 0.0, 0);
+    row.compute();
+    return row.facet_force(0).x();
+  };
+  double last = at(4e-4, 0.0), most = 0.0;
+  const double start = last;
+  at(4e-4, 3e-3);
+  ASSERT_EQ(row.network().memory()[1].slipping, 7u);
+  constexpr int kSteps = 1000;
+  for (int k = 1; k <= kSteps + 10; ++k) {
+    const double now = at(4e-4 * (1.0 - 1.0 * k / kSteps), 3e-3);
+    most = std::max(most, std::abs(now - last));
+    last = now;
+  }
+  EXPECT_EQ(row.network().memory()[1].slipping, 0u);
+  EXPECT_LT(most * kSteps / -start, 1.0 + 1e-6) << start;  // never more than its share of the way
+}
+
 TEST(FacetNetwork, FrictionOfABrokenFacetIsCappedOnEveryPath) {
   Pair pair;
   pair.at({-1e-3, 0.02, 0});
@@ -266,6 +354,7 @@ double rebound(double longest_sleep) {
   Pair pair(p);
   pair.at({-1e-5, 0.004, 0});
   EXPECT_TRUE(pair.cracked());
+  pair.at({1e-6, 0.004, 0});            // opens, as in a run: by far less than the gap in a step
   pair.at({0.08 * kRadius, 0.004, 0});  // a gap of 45 mm: 9 ms
   pair.scene.block(1).velocity.x() = -5.0;
   pair.scene.compute(1e-5);

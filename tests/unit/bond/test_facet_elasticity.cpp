@@ -4,6 +4,7 @@
 // Scope: a few dozen blocks; poses are set by hand or by leapfrog.
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <iostream>
 #include <limits>
@@ -226,6 +227,29 @@ TEST(FacetNetwork, ForcesOfLeaningFacetsAreTheGradientOfTheEnergy) {
     EXPECT_LT(error.force, 1e-7) << shear_stiffness;  // as above
     EXPECT_LT(error.torque, 1e-7) << shear_stiffness;
   }
+}
+
+TEST(FacetNetwork, ForcesOfPointsThatHaveSlippedAreTheGradientOfTheEnergy) {
+  JointParameters p = rock(0.3);
+  p.cohesion = 2e5;
+  p.friction_angle = p.residual_friction_angle = 0.5;
+  BondScene scene(voronoi_blocks(3.0, 5), p);
+  scene.deform(-1e-4 * Mat3::Identity());
+  scene.shake(5e-5, 5e-5, 1);
+  scene.compute();
+  int slipping = 0;
+  for (const FacetMemory& memory : scene.network().memory())
+    slipping += std::popcount(memory.slipping);
+  EXPECT_GT(slipping, 15);
+  // Squeezed further, all that slipped stick.
+  for (std::size_t b = 0; b < scene.size(); ++b) scene.block(b).centre -= 1e-3 * scene.start(b);
+  const JointLosses lost = scene.network().losses();
+  scene.move_rigidly({0.6, -0.5, 0.7}, {3, -2, 1});
+  const GradientError error = gradient_error(scene, 1e-6);
+  EXPECT_EQ(scene.network().losses().friction, lost.friction);
+  EXPECT_EQ(scene.network().losses().fracture, lost.fracture);
+  EXPECT_LT(error.force, 1e-7);  // as above
+  EXPECT_LT(error.torque, 1e-7);
 }
 
 TEST(FacetNetwork, ForcesAreTheGradientOfTheEnergyWithLoadedFaces) {
