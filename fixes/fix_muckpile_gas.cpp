@@ -129,7 +129,8 @@ void FixMuckpileGas::let_go_of_softened_joints() {
 
 /// What is in the joints goes into the air.
 void FixMuckpileGas::end_of_gas(const std::string& how) {
-  vented_ += over_ranks(gas_.mass());
+  vented_ += over_ranks(gas_.mass() + lost_);
+  lost_ = 0.0;
   spent_ = true;
   active_ = false;
   joint_->joints_for_gas().release_gas();
@@ -347,7 +348,7 @@ double FixMuckpileGas::compute_vector(int n) {
     case kTaken:
       return taken_;
     case kVented:
-      return vented_;
+      return vented_ + over_ranks(lost_);
     case kWork:
       return over_ranks(work_);
     case kGreatest:

@@ -21,15 +21,23 @@ void FacetNetwork::expect_pressure(bool expected) {
   pressure_expected_ = expected;
   if (!expected || !unloaded_) return;
   unloaded_ = false;
-  for (BoundaryFace& face : faces_) {  // what it moved meanwhile is not swept
+  moved_unseen_ = true;
+}
+
+/// What faces have moved while no pressure was expected is not swept.
+void FacetNetwork::look_at_faces_anew() {
+  moved_unseen_ = false;
+  for (BoundaryFace& face : faces_) {
     const double swept = face.rigid_swept;
     sweep(face);
     face.rigid_swept = swept;
+    face.last_squeezed = squeezed(face);
   }
 }
 
 void FacetNetwork::load_faces() {
   if (unloaded_) return;
+  if (moved_unseen_) look_at_faces_anew();
   unloaded_ = !pressure_expected_;
   for (BoundaryFace& face : faces_) {
     if (face.hole < 0) continue;

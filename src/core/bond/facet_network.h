@@ -516,6 +516,7 @@ class FacetNetwork {
 
   // Pressure: facet_load.cpp.
   void load_faces();
+  void look_at_faces_anew();
   double sweep(BoundaryFace& face) const;
   [[nodiscard]] double squeezed(const BoundaryFace& face) const;
   void list_wall();
@@ -577,7 +578,7 @@ class FacetNetwork {
   std::vector<Wall> walls_;  // per face with a hole: that to which it belongs
   std::vector<Vec3> backs_;  // per block: sum of A n of all faces through which no gas passes [m2]
   JointLosses losses_;
-  bool pressure_expected_ = true, unloaded_ = false;
+  bool pressure_expected_ = true, unloaded_ = false, moved_unseen_ = false;
   bool softens_ = false, depends_on_rate_ = false, keeps_gas_ = false;
   double damping_ = 0.0, contact_damping_ = 0.0;  // [Pa s/m]
   SlipWeakening slip_weakening_;

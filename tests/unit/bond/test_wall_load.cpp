@@ -161,6 +161,8 @@ TEST(WallLoad, NothingIsSweptWhileNoPressureIsThereNorExpected) {
   push_on(0.5);
   EXPECT_EQ(swept(), end);
   wall.scene.network().expect_pressure(true);
+  push_on(0.0);
+  EXPECT_NEAR(swept(), end, 1e-12);
   push_on(1e-3);
   EXPECT_NEAR(swept() - end, 1e-3, 1e-12);
 }
