@@ -12,7 +12,9 @@
 #include <functional>
 #include <vector>
 
-#include "bond/facet_network.h"
+#include "bond/facet.h"
+#include "bond/facet_memory.h"
+#include "bond/network_block.h"
 #include "engine/block_halo.h"
 #include "engine/exchange.h"
 #include "geometry/block_model.h"

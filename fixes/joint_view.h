@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "bond/facet_network.h"
+#include "bond/facet_memory.h"
 
 namespace muckpile {
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "bond/facet_network.h"
+#include "bond/facet.h"
 #include "geometry/block_model.h"
 
 namespace muckpile {

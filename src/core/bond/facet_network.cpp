@@ -109,6 +109,10 @@ void FacetNetwork::give_up(std::vector<Facet>& facets, std::vector<FacetMemory>&
           block_slants_, gradients_, slant_stresses_);
 }
 
+std::size_t FacetList::size() const { return network_->facet_count(); }
+Facet FacetList::operator[](std::size_t f) const { return network_->facet(f); }
+Facet FacetList::Iterator::operator*() const { return network_->facet(f_); }
+
 Facet FacetNetwork::facet(std::size_t f) const {
   const FacetName& name = facets_[f];
   const FacetGroup& group = group_of(f);

@@ -30,149 +30,24 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <iterator>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "bond/cohesion.h"
+#include "bond/facet.h"
 #include "bond/facet_group.h"
+#include "bond/facet_list.h"
+#include "bond/facet_memory.h"
 #include "bond/joint_material.h"
+#include "bond/network_block.h"
 #include "bond/quiet_ground.h"
-#include "bond/rare.h"
 #include "bond/slip_friction.h"
 #include "math/types.h"
 
 namespace muckpile {
 
-inline constexpr int kFacetPoints = 3;  ///< per facet: area, centroid and second moments exact
 inline constexpr double kSharpening = 2.0 / 3.0;  ///< see above: 1 for cuboids, 3/5 on average
-inline constexpr int kGroundTag = 0;  ///< "block" on the far side of a supported boundary face
-
-/// What a facet joins its block `i` to. `fixed` and `mirror` join it to the ground: rock that does
-/// not move, and the mirror image behind a symmetry plane (no shear).
-enum class FacetKind : std::uint8_t { joint, fixed, mirror };
-
-/// Facet in the start configuration. Blocks are named by tag; `i`, `j` are indices into the
-/// network's blocks and are set by the caller whenever those change. (tag_i, face) is unique.
-struct Facet {
-  int tag_i = 0, tag_j = 0;  ///< tag_i < tag_j, or tag_j = kGroundTag
-  int face = 0;              ///< number of the face in block i's polyhedron
-  int i = -1, j = -1;        ///< local indices; j = ground() for a support
-  FacetKind kind = FacetKind::joint;
-  std::uint8_t joint_class = 0;   ///< 0: made by the cut alone; from 1: natural joints
-  Vec3 normal;                    ///< unit, from i to j
-  Vec3 arm_i, arm_j;              ///< facet centroid minus block centre (ground: the origin) [m]
-  Vec3 opening_i, opening_j;      ///< m of blocks i and j: how the jump dilates them [-]
-  std::array<Vec3, 2> half_axes;  ///< sqrt(2) x radii of gyration along the in-plane axes [m]
-  double area = 0.0;              ///< [m2]
-  bool sharpened = true;          ///< D counts; not at the blocks of fixed supports
-  std::array<bool, 2> slanted{false, false};  ///< blocks i and j have the terms of facet_slant.cpp
-  double weight = 1.0;  ///< share of the facet's energy that this rank books [-]
-};
-
-/// What a facet joins, by local index; j = ground() for a support.
-struct FacetEnds {
-  int i, j;
-  FacetKind kind;
-};
-
-/// Face of one block that is free or faces a crushed zone.
-struct BoundaryFace {
-  int tag = 0;
-  int face = 0;                ///< number of the face in the block's polyhedron
-  int block = -1;              ///< local index
-  int hole = -1;               ///< index of the crushed zone that it faces, -1 if none
-  Vec3 normal = Vec3::Zero();  ///< unit, outward
-  Vec3 arm = Vec3::Zero();     ///< centroid minus block centre [m]
-  Vec3 start = Vec3::Zero();   ///< centroid in the start configuration [m]
-  double area = 0.0;           ///< [m2]
-  double pressure = 0.0;       ///< on a face with a hole only [Pa]
-  double wave_share = 0.0;     ///< of its work; the rest is the gas's [-]
-  double held = 1.0;           ///< share of the load that no gas around the block balances [-]
-  // Of the step before; they follow the face through the run.
-  double last_pressure = 0.0;  ///< [Pa]
-  double last_squeezed = 0.0;  ///< volume by the face's own displacement [m3]
-  double rigid_swept = 0.0;    ///< by the block's own motion since the start, held share [m3]
-  Vec3 last_centroid = Vec3::Zero(), last_normal = Vec3::Zero();
-};
-
-/// State of a facet; it only ever moves down this list.
-enum class FacetState : std::uint8_t {
-  intact,   ///< every integration point holds
-  cracked,  ///< at least one point broke; the facet itself carries what contact there is
-  fading,   ///< slid or turned so far that sphere contact acts beside the fading facet
-  retired   ///< the facet carries nothing any more
-};
-
-/// What few facets remember: those that soften, and supports whose ground has moved.
-struct RareMemory {
-  std::array<Cohesion, kFacetPoints> cohesion{};  ///< broken point: what it still holds
-  GroundMemory ground;                            ///< of a support only
-};
-
-/// What facets with a broken point remember of their contact.
-struct ContactMemory {
-  std::array<Vec3, kFacetPoints> offset{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  ///< broken point: jump at zero force, along the normal, the first half axis and across [m]; of
-  ///< one that slips, what it has slipped
-  double fade = 1.0;  ///< 1 while the faces match, falls to 0 as they slide or turn away
-};
-
-/// What every facet remembers.
-struct FacetTraces {
-  std::array<bool, kFacetPoints> broken{false, false, false};
-  FacetState state = FacetState::intact;
-  bool open = false;          ///< broken and so far open that its points were left alone last time
-  bool gas = false;           ///< broken, and not yet so wide that gas in it is in the open
-  std::uint8_t slipping = 0;  ///< bit per point: broken, but closed and still in the dilatations
-
-  [[nodiscard]] bool slips(std::size_t p) const { return (slipping >> p & 1u) != 0; }
-  /// Broken, and out of the dilatations.
-  [[nodiscard]] bool is_contact(std::size_t p) const { return broken[p] && !slips(p); }
-
-  /// Nothing acts through it any more.
-  [[nodiscard]] bool over() const { return state == FacetState::retired && !gas; }
-};
-
-/// What a facet remembers; all of it travels with the facet.
-struct FacetMemory : FacetTraces {
-  Rare<ContactMemory> contact;
-  Rare<RareMemory> rare;
-  [[nodiscard]] const GroundMemory& ground() const { return rare.get().ground; }
-  [[nodiscard]] const std::array<Cohesion, kFacetPoints>& cohesion() const {
-    return rare.get().cohesion;
-  }
-};
-
-/// What is left to know of a block's retired facets once they are no longer kept.
-struct RetiredFacets {
-  double unbonded = 0.0;  ///< their part of phi [-]
-  double area = 0.0;      ///< of joints [m2]
-  double count = 0.0;     ///< of joints [-]
-
-  /// `arm` is the facet's centroid less the centre of the block, `volume` the block's.
-  void add(const Facet& facet, const Vec3& arm, double volume) {
-    unbonded += facet.area * std::abs(facet.normal.dot(arm)) / volume;
-    if (facet.kind != FacetKind::joint) return;
-    area += facet.area;
-    count += 1.0;
-  }
-};
-
-struct BlockConstants {
-  int tag = 0;
-  double volume = 0.0;  ///< [m3]
-  double mass = 0.0;    ///< [kg]
-  bool owned = true;    ///< false for a copy of another rank's block
-  RetiredFacets retired{};
-};
-
-struct BlockState {
-  Vec3 centre, velocity, spin;  ///< [m], [m/s], [rad/s]
-  Mat3 rotation;                ///< from the start orientation
-};
 
 /// Cumulative losses of this rank [J].
 struct JointLosses {
@@ -193,7 +68,6 @@ struct NetworkTotals {
 };
 
 enum class BreakView : std::uint8_t;
-class FacetList;
 class LinearNetwork;
 
 class FacetNetwork {
@@ -214,7 +88,7 @@ class FacetNetwork {
   [[nodiscard]] const JointMaterial& material() const { return materials_.front(); }
   [[nodiscard]] std::size_t natural_classes() const { return materials_.size() - 1; }
   [[nodiscard]] const std::vector<BlockConstants>& blocks() const { return blocks_; }
-  [[nodiscard]] FacetList facets() const;
+  [[nodiscard]] FacetList facets() const { return FacetList(*this); }
   /// As it was set, but for what the tables round and supports leave out (place_facet()).
   [[nodiscard]] Facet facet(std::size_t f) const;
   [[nodiscard]] FacetEnds ends(std::size_t f) const { return {i_of(f), j_of(f), facets_[f].kind}; }
@@ -586,43 +460,5 @@ class FacetNetwork {
   std::optional<double> damping_given_;
   bool newly_cracked_ = false, newly_let_go_ = false;
 };
-
-/// The facets of a network in their order, each put together when it is asked for.
-class FacetList {
- public:
-  explicit FacetList(const FacetNetwork& network) : network_(&network) {}
-  [[nodiscard]] std::size_t size() const { return network_->facet_count(); }
-  [[nodiscard]] bool empty() const { return size() == 0; }
-  [[nodiscard]] Facet operator[](std::size_t f) const { return network_->facet(f); }
-  operator std::vector<Facet>() const { return {begin(), end()}; }
-
-  class Iterator {
-   public:
-    using iterator_category = std::input_iterator_tag;
-    using value_type = Facet;
-    using difference_type = std::ptrdiff_t;
-    using pointer = void;
-    using reference = Facet;
-    Iterator(const FacetNetwork* network, std::size_t f) : network_(network), f_(f) {}
-    Facet operator*() const { return network_->facet(f_); }
-    Iterator& operator++() {
-      ++f_;
-      return *this;
-    }
-    Iterator operator++(int) { return {network_, f_++}; }
-    bool operator==(const Iterator& other) const = default;
-
-   private:
-    const FacetNetwork* network_;
-    std::size_t f_;
-  };
-  [[nodiscard]] Iterator begin() const { return {network_, 0}; }
-  [[nodiscard]] Iterator end() const { return {network_, size()}; }
-
- private:
-  const FacetNetwork* network_;
-};
-
-inline FacetList FacetNetwork::facets() const { return FacetList(*this); }
 
 }  // namespace muckpile

@@ -7,7 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "bond/facet_network.h"
+#include "bond/facet.h"
+#include "bond/joint_material.h"
 #include "geometry/block_model.h"
 
 namespace muckpile {
