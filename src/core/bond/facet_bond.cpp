@@ -144,22 +144,29 @@ void FacetNetwork::work_bonded(std::size_t f, const Motion& motion, const Contac
   if (memory.slipping != 0) rub(f, motion, contact, pull, dt);
 }
 
-/// Friction is limited by the spring of the facet alone. Where shear also works through the blocks,
-/// by the part of m in the facet's plane or as faces lean, that would overshoot: unstable in cuts
-/// by leaning joint sets.
-bool FacetNetwork::may_slip(std::size_t f) const {
-  constexpr double kHardly = 0.1;  // of the spring; 2 is the limit of stability
-  if (facets_[f].slanted[0] || facets_[f].slanted[1]) return false;
+/// How stiff a facet is against slip through its blocks, by the part of m in its plane and where
+/// faces lean (facet_slant.cpp; at most), over its spring [-].
+double FacetNetwork::slip_through_blocks(std::size_t f) const {
   const Bond bond = bond_of(f);
   const Vec3 normal = at_lane(group_of(f).normal, lane_of(f));
-  const auto through = [&](int block, double area, const Vec3& opening) {
-    return area * area * (opening - normal.dot(opening) * normal).squaredNorm() /
-           blocks_[static_cast<std::size_t>(block)].volume;
+  const auto through = [&](std::size_t side, int block, double area, const Vec3& opening) {
+    const Vec3 in_plane = opening - normal.dot(opening) * normal;
+    double stiffness = material().lame_lambda() * in_plane.squaredNorm();
+    if (facets_[f].slanted[side]) {
+      const double m = opening.norm(), g = slants_[f].lean[side].norm();
+      stiffness += 2.0 * material().shear_modulus() * m * (m + 2.0 * g);
+    }
+    return stiffness * area * area / blocks_[static_cast<std::size_t>(block)].volume;
   };
-  const double stiffness =
-      material().lame_lambda() * (through(i_of(f), bond.area_i, bond.opening_i) +
-                                  through(j_of(f), bond.area_j, bond.opening_j));
-  return stiffness < kHardly * bond.shear * area(f);
+  return (through(0, i_of(f), bond.area_i, bond.opening_i) +
+          through(1, j_of(f), bond.area_j, bond.opening_j)) /
+         (bond.shear * area(f));
+}
+
+/// Slivers beside large blocks may not: friction would take too many steps to catch up with them.
+bool FacetNetwork::may_slip(std::size_t f) const {
+  constexpr double kMost = 3.0;  // [-]
+  return facets_[f].kind == FacetKind::joint && slip_through_blocks(f) < kMost;
 }
 
 /// A point that fails in shear while it is closed slips from then on: its traction stays that of

@@ -61,12 +61,30 @@ void FacetNetwork::rub(std::size_t f, const Motion& motion, const Contact& conta
   const double booked = contact.weight * contact.point_area;
   losses_.damping += booked * dt * sum((normal - elastic) * rate);
   if (none_of(slips)) return;
-  const LaneVec slid = (1.0 - kept) / contact.shear * shear;
+  const LaneVec over = (1.0 - kept) * shear;
+  const LaneVec slid =
+      slip_share(f, contact, over, pull.rate, dt) * (1.0 - kept) / contact.shear * shear;
   const LaneVec in_axes = rotated_back(motion.axes(), slid);
   for (std::size_t p = 0; p < kFacetPoints; ++p)
     if (slips[p]) memory.contact.made().offset[p] += in_axes.at(static_cast<int>(p));
-  losses_.friction +=
-      0.5 * booked * sum(dot(slid, (1.0 + kept) * shear - Lanes(contact.shear * dt) * pull.rate));
+  const LaneVec mean = over - Lanes(0.5 * contact.shear) * slid;
+  losses_.friction += booked * sum(dot(slid, kept * shear + mean) - dt * dot(mean, pull.rate));
+}
+
+/// How much of the slip by which the spring alone would shed what friction cannot hold (`over`) is
+/// taken in this step: all, but where shear works through the blocks, too. There the facets of a
+/// block that slip would overshoot together. So all that the sides have moved in the step, which
+/// leaves the traction as it is, and of the rest what is stable if three facets do so at once, one
+/// in each direction.
+Lanes FacetNetwork::slip_share(std::size_t f, const Contact& contact, const LaneVec& over,
+                               const LaneVec& rate, double dt) const {
+  constexpr double kHardly = 0.1, kAtOnce = 3.0;  // [-]
+  const double through = slip_through_blocks(f);
+  if (through < kHardly) return 1.0;
+  const double eased = 1.0 / (1.0 + kAtOnce * through);
+  const Lanes moved = contact.shear * dt * dot(over, rate);
+  const Lanes whole = max(dot(over, over), Lanes(1e-300));  // 0 at points that stick
+  return eased + (1.0 - eased) * min(max(moved / whole, Lanes(0.0)), Lanes(1.0));
 }
 
 /// Whether a facet has slid so far that it begins to fade.

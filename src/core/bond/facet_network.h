@@ -329,6 +329,7 @@ class FacetNetwork {
                    double dt);
   [[nodiscard]] LaneVec elastic_jump(std::size_t f, const Motion& motion) const;
   Vec3 break_point(std::size_t f, int p, const Break& broken, double dt);
+  [[nodiscard]] double slip_through_blocks(std::size_t f) const;
   [[nodiscard]] bool may_slip(std::size_t f) const;
   [[nodiscard]] Remnant remnant_of(std::size_t f, int p, const Break& broken) const;
   void book_break(std::size_t f, const Break& broken, const Remnant& left, double dt);
@@ -362,6 +363,8 @@ class FacetNetwork {
   void add_contact(std::size_t f, const Motion& motion, const Contact& contact, Pull& pull,
                    double dt);
   void rub(std::size_t f, const Motion& motion, const Contact& contact, Pull& pull, double dt);
+  [[nodiscard]] Lanes slip_share(std::size_t f, const Contact& contact, const LaneVec& over,
+                                 const LaneVec& rate, double dt) const;
 
   // Groups of facets that hold at no point: facet_contact_groups.cpp.
   [[nodiscard]] unsigned apart_lanes(const LaneSet& working) const;

@@ -277,6 +277,27 @@ TEST(FixMuckpileJoint, RanksShareABodyWhoseStrengthGrowsWithItsRate) {
   EXPECT_NE(broken_on_ranks(kRate), broken_alone(kStrength));
 }
 
+// How slip is taken depends on the volumes of both blocks, also of those of other ranks.
+TEST(FixMuckpileJoint, RanksShareALeaningBodyThatSlipsUnderPressure) {
+  RockScene alone(MPI_COMM_SELF, "-4 4 -4 4 -4 4"),
+      shared(MPI_COMM_WORLD, "-4 4 -4 4 -4 4", "* * 1");
+  for (RockScene* scene : {&alone, &shared}) {
+    make_lump(*scene, "cohesion 1e5 friction_angle 40 residual_friction_angle 20 tension 1e12",
+              kLeaning);
+    scene->set_motion([](int, const Vec3& at) {
+      return Motion{-20.0 * at + Vec3(0.0, 20.0 * at.z(), 0.0), Vec3::Zero()};
+    });
+    scene->run(60, 1e-5);
+  }
+  EXPECT_GT(alone.output("joint", broken), 20.0);
+  EXPECT_EQ(alone.output("joint", broken), shared.output("joint", broken));
+  const double rubbed = alone.output("joint", friction);
+  EXPECT_GT(rubbed, 0.01 * alone.kinetic_energy());
+  // Sums in another order; with a wrong volume on the other rank 1e-3 and 7e-5.
+  EXPECT_NEAR(shared.output("joint", friction) / rubbed, 1.0, 1e-9);
+  EXPECT_LT(largest_difference(alone, shared), 1e-10);
+}
+
 void fly_from_rank_to_rank(const std::string& strength, const std::string& cut = "") {
   const std::string box = "-4 4 -3 3 -3 3";
   RockScene alone(MPI_COMM_SELF, box), shared(MPI_COMM_WORLD, box);
