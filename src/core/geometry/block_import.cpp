@@ -85,9 +85,11 @@ void read_header(std::istream& in, const std::string& name) {
 
 std::vector<Vec3> read_points(Words& words) {
   words.expect("POINTS");
-  std::vector<Vec3> points(words.count("number of points"));
+  std::vector<Vec3> points;  // grows as they come: a count says nothing about the file's length
+  std::size_t left = words.count("number of points");
   (void)words.next<std::string>("type of the points");
-  for (Vec3& p : points) {
+  for (; left > 0; --left) {
+    Vec3& p = points.emplace_back();
     for (int c = 0; c < 3; ++c) p[c] = words.next<double>("a coordinate");
   }
   return points;
@@ -96,11 +98,13 @@ std::vector<Vec3> read_points(Words& words) {
 /// The numbers of a CELLS line, the count before them left out.
 std::vector<std::vector<int>> read_lists(Words& words) {
   words.expect("CELLS");
-  std::vector<std::vector<int>> lists(words.count("number of cells"));
+  std::vector<std::vector<int>> lists;
+  std::size_t left = words.count("number of cells");
   (void)words.count("number of words of all cells");
-  for (std::vector<int>& list : lists) {
-    list.resize(words.count("number of words of a cell"));
-    for (int& number : list) number = words.next<int>("a number of a cell");
+  for (; left > 0; --left) {
+    std::vector<int>& list = lists.emplace_back();
+    for (std::size_t numbers = words.count("number of words of a cell"); numbers > 0; --numbers)
+      list.push_back(words.next<int>("a number of a cell"));
   }
   return lists;
 }
