@@ -449,6 +449,7 @@ void FacetNetwork::resume(const NetworkTotals& totals) {
   softened_ = totals.softened;
   damping_given_ = totals.damping;
   quiet_ground_ = totals.quiet_ground;
+  moved_unseen_ = totals.moved_unseen;
   if (softened_ == 1.0 && !totals.damping) return;
   for (JointMaterial& material : materials_)
     material = material.softened(softened_, totals.damping);

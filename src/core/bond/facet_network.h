@@ -65,6 +65,7 @@ struct NetworkTotals {
   double softened = 1.0;                        ///< product of all factors of soften() [-]
   std::optional<double> damping;                ///< the last one given to soften() [-]
   QuietGround quiet_ground;
+  bool moved_unseen = false;  ///< faces have moved while no pressure was there nor expected
 };
 
 enum class BreakView : std::uint8_t;
@@ -184,7 +185,13 @@ class FacetNetwork {
   void soften(double factor, std::optional<double> damping = {});
 
   [[nodiscard]] NetworkTotals totals() const {
-    return {losses_, pressure_work_, wave_work_, softened_, damping_given_, quiet_ground_};
+    return {losses_,
+            pressure_work_,
+            wave_work_,
+            softened_,
+            damping_given_,
+            quiet_ground_,
+            unloaded_ || moved_unseen_};
   }
   /// What breaking changes bit by bit is worked out from the facets again, as in a network that
   /// gets them from a restart file: the two then agree to the last bit.

@@ -268,6 +268,50 @@ TEST(Restart, BlastThatIsOverIsNotFiredAgain) {
   EXPECT_EQ(restarted.output("load", 1), 0.0);  // [Pa] on any wall
 }
 
+/// A wall that flies after a blast sweeps nothing for the next one, whether the flight was read
+/// from a file or not, and whether the first blast was given again before.
+TEST(Restart, SecondBlastSweepsNoFlight) {
+  constexpr int kSwept = 3, kOver = 6;  // entries of fix muckpile/blast
+  const ScratchFolder folder("restart");
+  const std::string file = folder / "flight.restart";
+  const auto load = [](RockScene& scene) {
+    scene.command(
+        "fix load all muckpile/blast explosive_density 1100 vod 4500 hole_diameter 0.1 "
+        "poisson_ratio 0.25 rise_time 2e-5 vent_time 1e-4 vent_decay 1e-5");
+  };
+  const auto fire_again = [&](RockScene& scene) {
+    scene.command("unfix load");
+    load(scene);
+    scene.run(20, kBlastStep);
+    return scene.output("load", kSwept);
+  };
+  RockScene went_on(MPI_COMM_WORLD, "-6 6 -6 6 -6 6", "* * 1", "multisphere/muckpile");
+  went_on.cut("-0.9 0.9 -0.9 0.9 -0.9 0.9",
+              "density 2600 size uniform 0.3 block_min 0.3 block_max 0.3 spheres_per_block 3 "
+              "sweeps 5 seed 3 hole 0 0 -0.4 0 0 0.4 0.15");
+  add_laws(went_on, kStrength);
+  load(went_on);
+  went_on.run(300, kBlastStep);
+  EXPECT_EQ(went_on.output("load", kOver), 1.0);
+  went_on.set_motion([](int, const Vec3& at) {
+    return Motion{20.0 * Vec3(at.x(), at.y(), 0.0), Vec3::Zero()};
+  });
+  went_on.run(200, kBlastStep);  // 1 ms: walls fly 2 % of their distance
+  went_on.command("write_restart " + file);
+  RockScene given_again = RockScene::restarted(MPI_COMM_WORLD, file, "* * 1");
+  add_laws(given_again, kStrength);
+  load(given_again);
+  RockScene left_out = RockScene::restarted(MPI_COMM_WORLD, file, "* * 1");
+  add_laws(left_out, kStrength);
+  for (RockScene* scene : {&went_on, &given_again, &left_out}) scene->run(200, kBlastStep);
+  load(left_out);
+  const double swept = fire_again(went_on);
+  EXPECT_GT(swept, 1e-5);
+  EXPECT_NEAR(fire_again(given_again), swept,
+              1e-6 * swept);                               // the books of the first blast are not
+  EXPECT_NEAR(fire_again(left_out), swept, 1e-6 * swept);  // those of the second
+}
+
 /// As when the command restart is followed by a second start before anything has moved.
 TEST(Restart, FileThatIsWrittenAgainBeforeARunKeepsTheGas) {
   const ScratchFolder folder("restart");
