@@ -5,13 +5,22 @@
 
 #include <read_restart.h>
 
+#include <array>
+#include <string>
+
+#include "engine/restart_name.h"
 #include "engine/restart_seal.h"
+#include "engine/style_args.h"
 
 namespace muckpile {
 
 void ReadSealedRestart::command(int narg, char** arg) {
-  if (narg == 1) engine::require_whole_restart(*lmp, arg[0]);
-  LAMMPS_NS::ReadRestart(lmp).command(narg, arg);
+  if (narg != 1)
+    engine::stop(*lmp, "read_restart: needs one word, the file, got " + std::to_string(narg));
+  std::string file = engine::latest_restart(*lmp, arg[0]);
+  engine::require_whole_restart(*lmp, file);
+  std::array<char*, 1> name{file.data()};
+  LAMMPS_NS::ReadRestart(lmp).command(1, name.data());
 }
 
 }  // namespace muckpile

@@ -72,6 +72,14 @@ std::vector<double> gather_all(const std::vector<double>& mine, MPI_Comm world) 
   return all;
 }
 
+std::string of_first_rank(std::string text, MPI_Comm world) {
+  std::uint64_t length = text.size();
+  MPI_Bcast(&length, 1, MPI_UINT64_T, 0, world);
+  text.resize(length);
+  MPI_Bcast(text.data(), static_cast<int>(length), MPI_CHAR, 0, world);
+  return text;
+}
+
 std::vector<std::vector<char>> exchange_bytes(const std::vector<std::vector<char>>& outgoing,
                                               MPI_Comm world, std::size_t most_at_once) {
   const std::size_t ranks = outgoing.size();

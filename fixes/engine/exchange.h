@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstring>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -70,6 +71,9 @@ class ByteReader {
 
 /// What each rank has given, one after the other, on every rank. Collective.
 [[nodiscard]] std::vector<double> gather_all(const std::vector<double>& mine, MPI_Comm world);
+
+/// What the first rank has, on every rank. Collective.
+[[nodiscard]] std::string of_first_rank(std::string text, MPI_Comm world);
 
 /// Sends outgoing[r] to rank r and returns what each rank sent here. Collective. Goes in rounds of
 /// at most `most_at_once` bytes (below 2 GiB) to or from a rank, or, with more ranks than that, one

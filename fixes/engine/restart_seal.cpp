@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/exchange.h"
 #include "engine/style_args.h"
 
 namespace muckpile::engine {
@@ -79,7 +80,7 @@ std::string fault_of(const std::string& file) {
   return "'" + file + "' is damaged: it is not as it was written; go on from another";
 }
 
-bool in_parts(const std::string& file) { return file.find_first_of("%*") != std::string::npos; }
+bool in_parts(const std::string& file) { return file.find('%') != std::string::npos; }
 
 }  // namespace
 
@@ -102,12 +103,7 @@ void seal_restart(LAMMPS_NS::LAMMPS& lmp, const std::string& file) {
 
 void require_whole_restart(LAMMPS_NS::LAMMPS& lmp, const std::string& file) {
   if (in_parts(file)) return;
-  std::string fault;
-  if (lmp.comm->me == 0) fault = fault_of(file);
-  std::size_t length = fault.size();
-  MPI_Bcast(&length, sizeof(length), MPI_BYTE, 0, lmp.world);
-  fault.resize(length);
-  MPI_Bcast(fault.data(), static_cast<int>(length), MPI_CHAR, 0, lmp.world);
+  const std::string fault = of_first_rank(lmp.comm->me == 0 ? fault_of(file) : "", lmp.world);
   if (!fault.empty()) stop(lmp, "read_restart: " + fault);
 }
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # damaged_restart.sh LIGGGHTS_MUCKPILE: writes a restart file of the rock of joined_rock.in, and reads it whole, with other bytes here and there,
 # cut short at many lengths, and in place of it a file that is none. Only the whole one may be read; each other must be refused
-# by its name, without a crash. So must a file without a block be, of a run that has burst.
+# by its name, without a crash. So must a file without a block be, of a run that has burst. A name with * means the file of the latest step.
 set -euo pipefail
 program=$1
 here=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")")
@@ -75,6 +75,17 @@ rm spoilt.restart
 refused "no file"
 mkdir spoilt.restart
 refused "a folder"
+rmdir spoilt.restart
+read_file 'spoilt.*.restart'
+[[ $status -eq 1 ]] && grep -qF "ERROR: read_restart: there is no file 'spoilt.*.restart'" screen ||
+  { echo "no file fits the *: exit status $status, $(grep '^ERROR' screen || tail -n 1 screen)"; wrong=1; }
+cp whole.restart spoilt.7.restart && cp whole.restart spoilt.900.restart && cp read.in spoilt.1000.restart.old && cp read.in spoilt.last.restart
+read_file 'spoilt.*.restart'
+[[ $status -eq 0 ]] || { echo "the latest of whole files: exit status $status, $(grep '^ERROR' screen || tail -n 1 screen)"; wrong=1; }
+printf '\377\001\377' | dd of=spoilt.900.restart bs=1 seek=900 conv=notrunc status=none
+read_file 'spoilt.*.restart'
+[[ $status -eq 1 ]] && grep -q "^ERROR: read_restart: 'spoilt.900.restart' is damaged" screen ||
+  { echo "the latest is damaged: exit status $status, $(grep '^ERROR' screen || tail -n 1 screen)"; wrong=1; }
 write_file empty.restart 1e-3 50
 read_file empty.restart
 [[ $status -eq 1 ]] && grep -q '^ERROR: read_restart: all .* blocks had left the simulation box' screen ||

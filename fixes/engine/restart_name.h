@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The restart file that a name with `*` means: the one of the latest step.
+// Scope: LIGGGHTS' own search takes words for the step 0 and a longer name for the shorter; this
+// one knows files by all of their name.
+#pragma once
+
+#include <string>
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace muckpile::engine {
+
+/// `name` with the greatest number that a file has in place of its `*`; of files in parts (`%`) the
+/// base counts. A name without `*` is itself. Collective; stops the run if there is no such file.
+[[nodiscard]] std::string latest_restart(LAMMPS_NS::LAMMPS& lmp, const std::string& name);
+
+}  // namespace muckpile::engine
