@@ -1,74 +1,69 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The blocks in their start configuration, from a run's dump/blocks.vtk.
-// Scope: VTK parses the file; this turns cells into polyhedra and checks them.
+// Scope: strict, as files may be cut short or damaged: VTK's own reader believes every number of a
+// cell.
 #include "io/blocks_file.h"
-
-#include <vtkCallbackCommand.h>
-#include <vtkCellData.h>
-#include <vtkCellType.h>
-#include <vtkCommand.h>
-#include <vtkDataArray.h>
-#include <vtkIdList.h>
-#include <vtkNew.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkUnstructuredGridReader.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <limits>
+#include <map>
 #include <string>
-#include <unordered_map>
 
 #include "args/input_error.h"
+#include "geometry/block_import.h"
 
 namespace muckpile {
 namespace {
 
-void keep_message(vtkObject*, unsigned long, void* client, void* text) {
-  *static_cast<std::string*>(client) = static_cast<const char*>(text);
-}
+using CellData = std::map<std::string, std::vector<double>>;
 
-void read_grid(vtkUnstructuredGridReader& reader, const std::filesystem::path& path) {
-  if (!std::filesystem::is_regular_file(path)) throw InputError(path.string() + ": is not a file");
-  std::string message;
-  vtkNew<vtkCallbackCommand> on_error;
-  on_error->SetCallback(keep_message);
-  on_error->SetClientData(&message);
-  reader.AddObserver(vtkCommand::ErrorEvent, on_error);
-  reader.SetFileName(path.c_str());
-  reader.ReadAllScalarsOn();
-  reader.Update();
-  if (!message.empty()) throw InputError(path.string() + ": VTK cannot read it: " + message);
-  if (reader.GetOutput()->GetNumberOfCells() == 0)
-    throw InputError(path.string() + ": holds no cells");
-}
-
-vtkDataArray& cell_array(vtkUnstructuredGrid& grid, const char* name, const std::string& file) {
-  vtkDataArray* array = grid.GetCellData()->GetArray(name);
-  if (array == nullptr) throw InputError(file + ": has no cell data '" + std::string(name) + "'");
-  return *array;
-}
-
-// The face stream of VTK is: faces, then per face its vertex count and its vertices' numbers in the
-// grid.
-Polyhedron polyhedron_of_cell(vtkUnstructuredGrid& grid, vtkIdType cell) {
-  vtkNew<vtkIdList> stream;
-  grid.GetFaceStream(cell, stream);
-  Polyhedron shape;
-  std::unordered_map<vtkIdType, int> local;
-  vtkIdType at = 0;
-  const vtkIdType faces = stream->GetId(at++);
-  for (vtkIdType f = 0; f < faces; ++f) {
-    std::vector<int> face(static_cast<size_t>(stream->GetId(at++)));
-    for (int& vertex : face) {
-      const vtkIdType point = stream->GetId(at++);
-      const auto [found, is_new] =
-          local.try_emplace(point, static_cast<int>(shape.vertices.size()));
-      if (is_new) shape.vertices.emplace_back(Vec3::Map(grid.GetPoint(point)));
-      vertex = found->second;
+std::vector<double> read_scalars(std::istream& in, size_t cells, const std::string& where) {
+  std::string type, table, name;
+  std::getline(in, type);  // and the number of components, which may be left out
+  if (!(in >> table >> name) || table != "LOOKUP_TABLE")
+    throw InputError(where + "LOOKUP_TABLE expected, got '" + table + "'");
+  std::vector<double> values;
+  while (values.size() < cells) {
+    if (!(in >> values.emplace_back())) {
+      throw InputError(where + "must have a number for each of " + std::to_string(cells) +
+                       " cells, got " + std::to_string(values.size() - 1));
     }
-    shape.faces.push_back(std::move(face));
   }
-  return shape;
+  return values;
+}
+
+// What stands behind the cells.
+CellData read_cell_data(std::istream& in, size_t cells, const std::string& file) {
+  std::string word;
+  size_t count = 0;
+  if (!(in >> word >> count) || word != "CELL_DATA" || count != cells)
+    throw InputError(file + ": 'CELL_DATA " + std::to_string(cells) +
+                     "' expected behind the cells");
+  CellData data;
+  while (in >> word) {
+    std::string name;
+    if (word != "SCALARS" || !(in >> name))
+      throw InputError(file + ": 'SCALARS' and a name expected, got '" + word + "'");
+    data[name] = read_scalars(in, cells, file + ": " + name + ": ");
+  }
+  return data;
+}
+
+const std::vector<double>& cell_array(const CellData& data, const char* name,
+                                      const std::string& file) {
+  const auto found = data.find(name);
+  if (found == data.end())
+    throw InputError(file + ": has no cell data '" + std::string(name) + "'");
+  return found->second;
+}
+
+int whole_id(double value, const std::string& file) {
+  if (!(value >= 1.0 && value <= std::numeric_limits<int>::max()) || value != std::floor(value))
+    throw InputError(file + ": id must be a whole number >= 1, got '" + std::to_string(value) +
+                     "'");
+  return static_cast<int>(value);
 }
 
 // Text with six digits moves a vertex of a 0.1 m block at 50 m by 1e-4 m, which is 0.3 % of its
@@ -81,6 +76,10 @@ void check(const StartBlock& block, double measured, const std::string& file) {
                      ": volume_m3 must be its polyhedron's " + std::to_string(measured) +
                      " m3, got '" + std::to_string(block.volume) + "'");
   }
+  if (!(block.size > 0.0)) {
+    throw InputError(file + ": block " + std::to_string(block.id) +
+                     ": size_m must be > 0 m, got '" + std::to_string(block.size) + "'");
+  }
   if (!(block.mass > 0.0)) {
     throw InputError(file + ": block " + std::to_string(block.id) +
                      ": mass_kg must be > 0 kg, got '" + std::to_string(block.mass) + "'");
@@ -90,32 +89,24 @@ void check(const StartBlock& block, double measured, const std::string& file) {
 }  // namespace
 
 std::vector<StartBlock> read_blocks(const std::filesystem::path& path) {
-  vtkNew<vtkUnstructuredGridReader> reader;
-  read_grid(*reader, path);
-  vtkUnstructuredGrid& grid = *reader->GetOutput();
   const std::string file = path.string();
-  vtkDataArray& id = cell_array(grid, "id", file);
-  vtkDataArray& volume = cell_array(grid, "volume_m3", file);
-  vtkDataArray& size = cell_array(grid, "size_m", file);
-  vtkDataArray& mass = cell_array(grid, "mass_kg", file);
-  vtkDataArray& free_face = cell_array(grid, "on_free_face", file);
+  if (!std::filesystem::is_regular_file(path)) throw InputError(file + ": is not a file");
+  std::ifstream in(path);
+  if (!in) throw InputError(file + ": cannot be opened");
+  std::vector<Polyhedron> cells = read_cells(in, file);
+  const CellData data = read_cell_data(in, cells.size(), file);
+  const auto& id = cell_array(data, "id", file);
+  const auto& volume = cell_array(data, "volume_m3", file);
+  const auto& size = cell_array(data, "size_m", file);
+  const auto& mass = cell_array(data, "mass_kg", file);
+  const auto& free_face = cell_array(data, "on_free_face", file);
 
   std::vector<StartBlock> blocks;
-  blocks.reserve(static_cast<size_t>(grid.GetNumberOfCells()));
-  for (vtkIdType c = 0; c < grid.GetNumberOfCells(); ++c) {
-    const int number = static_cast<int>(id.GetComponent(c, 0));
-    if (grid.GetCellType(c) != VTK_POLYHEDRON) {
-      throw InputError(file + ": block " + std::to_string(number) +
-                       " must be a polyhedron (VTK type 42), got '" +
-                       std::to_string(grid.GetCellType(c)) + "'");
-    }
-    StartBlock block{number,
-                     polyhedron_of_cell(grid, c),
-                     Vec3::Zero(),
-                     volume.GetComponent(c, 0),
-                     size.GetComponent(c, 0),
-                     mass.GetComponent(c, 0),
-                     free_face.GetComponent(c, 0) != 0.0};
+  blocks.reserve(cells.size());
+  for (size_t c = 0; c < cells.size(); ++c) {
+    StartBlock block{
+        whole_id(id[c], file), std::move(cells[c]), Vec3::Zero(), volume[c], size[c], mass[c],
+        free_face[c] != 0.0};
     const MassProperties exact = mass_properties(block.shape);
     block.centroid = exact.centroid;
     check(block, exact.volume, file);

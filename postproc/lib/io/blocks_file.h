@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The blocks in their start configuration, from a run's dump/blocks.vtk.
-// Scope: legacy VTK unstructured grid of polyhedra with the cell data that the engine writes;
-// nothing is repaired.
+// Scope: legacy VTK unstructured grid of convex cells with the cell data that the engine writes;
+// faces are turned outwards, else nothing is repaired.
 #pragma once
 
 #include <filesystem>
@@ -22,9 +22,9 @@ struct StartBlock {
   bool on_free_face;
 };
 
-// All blocks, in ascending order of id. Throws InputError, naming the file, if a cell is no
-// polyhedron, an array is missing, an id occurs twice, or a polyhedron's volume is not the
-// volume_m3 that the file states.
+// All blocks, in ascending order of id. Throws InputError, naming the file, if the file
+// is cut short or damaged, an array is missing, an id occurs twice, or a polyhedron's volume is not
+// the volume_m3 that the file states.
 std::vector<StartBlock> read_blocks(const std::filesystem::path& path);
 
 }  // namespace muckpile

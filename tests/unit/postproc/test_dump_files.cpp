@@ -165,18 +165,42 @@ TEST_F(DumpFiles, BlocksFileWithAWrongVolumeIsRefused) {
                   "volume_m3 must be its polyhedron's 0.125");
 }
 
-TEST_F(DumpFiles, BlocksFileWithFacesInsideOutIsRefused) {
+TEST_F(DumpFiles, FacesInsideOutAreTurned) {
   auto shapes = bench_run().shapes;
   for (auto& face : shapes[0].shape.faces) std::reverse(face.begin(), face.end());
   write_blocks(dump("blocks.vtk").string(), shapes, 1, kDensity);
-  expect_contains(message_of([&] { read_blocks(dump("blocks.vtk")); }),
-                  "block 1: volume_m3 must be");
+  EXPECT_NEAR(mass_properties(read_blocks(dump("blocks.vtk"))[0].shape).volume, 0.125, 1e-12);
 }
 
 TEST_F(DumpFiles, BrokenVtkFileIsRefused) {
   write_text(dump("blocks.vtk"), "not a VTK file\n");
   expect_contains(message_of([&] { read_blocks(dump("blocks.vtk")); }),
-                  "blocks.vtk: VTK cannot read it");
+                  "blocks.vtk' is no legacy VTK file");
+}
+
+// In a line of its own each, with what is wrong: no crash, no number made up.
+TEST_F(DumpFiles, DamagedBlocksAreRefused) {
+  const std::string whole = text_of(dump("blocks.vtk"));
+  const struct {
+    const char *from, *to, *message;
+  } cases[] = {{" 6 4 0 ", " 6 4 2147483647 ", "cell 1 has a point that is not in the file"},
+               {" 6 4 0 ", " 6 99 0 ", "the faces of cell 1 are cut short"},
+               {" 6 4 0 ", " 99 4 0 ", "the faces of cell 1 are cut short"},
+               {"CELL_DATA ", "CELL_DATA 9", "expected behind the cells"},
+               {"SCALARS size_m", "VECTORS size_m", "'SCALARS' and a name expected, got 'VECTORS'"},
+               {"default\n1\n2\n", "default\n1\nnan\n", "id: must have a number for each of "},
+               {"default\n1\n2\n", "default\n1\n2.5\n", "id must be a whole number >= 1, got '2.5"},
+               {"default\n1\n2\n", "default\n1\n1\n", "id 1 occurs twice"}};
+  for (const auto& [from, to, message] : cases) {
+    write_text(dump("blocks.vtk"), whole);
+    edit("blocks.vtk", from, to);
+    expect_contains(message_of([&] { read_blocks(dump("blocks.vtk")); }), message);
+  }
+  for (const double share : {0.1, 0.4, 0.7, 0.95, 0.999}) {
+    write_text(dump("blocks.vtk"),
+               whole.substr(0, static_cast<size_t>(share * static_cast<double>(whole.size()))));
+    expect_contains(message_of([&] { read_blocks(dump("blocks.vtk")); }), "blocks.vtk");
+  }
 }
 
 TEST_F(DumpFiles, FolderWithoutDumpIsRefused) {
