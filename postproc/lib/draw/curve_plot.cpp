@@ -36,14 +36,16 @@ bool is_inside(const Vec2& p, const AxisRange& x, const AxisRange& y) {
   return p.x() >= x.low && p.x() <= x.high && p.y() >= y.low && p.y() <= y.high;
 }
 
-void draw_point(Canvas& canvas, const Vec2& at, Colour colour) {
-  constexpr int kCorners = 16;
-  std::vector<Vec2> disc;
-  for (int k = 0; k < kCorners; ++k) {
-    const double angle = 2.0 * M_PI * k / kCorners;
-    disc.push_back(at + kPointSize * Vec2(std::cos(angle), std::sin(angle)));
+// Of the same area, so that none looks heavier than the others.
+void draw_marker(Canvas& canvas, const Vec2& at, int corners, Colour colour) {
+  const double sector = 2.0 * M_PI / corners;
+  const double radius = kPointSize * std::sqrt(sector / std::sin(sector));
+  std::vector<Vec2> polygon;
+  for (int k = 0; k < corners; ++k) {
+    const double angle = sector * k - 0.5 * M_PI;  // the first corner is the highest
+    polygon.push_back(at + radius * Vec2(std::cos(angle), std::sin(angle)));
   }
-  canvas.fill(disc, colour);
+  canvas.fill(polygon, colour);
 }
 
 void draw_stroke(Canvas& canvas, const std::vector<Vec2>& points, const PlotCurve& curve) {
@@ -56,7 +58,7 @@ void draw_stroke(Canvas& canvas, const std::vector<Vec2>& points, const PlotCurv
       canvas.dashes(points, kThickness, kDash, colour);
       break;
     case CurveStyle::kPoints:
-      for (const Vec2& p : points) draw_point(canvas, p, colour);
+      for (const Vec2& p : points) draw_marker(canvas, p, marker_corners(curve.colour), colour);
       break;
   }
 }
@@ -103,15 +105,20 @@ void draw_curve(Canvas& canvas, const Axes& axes, const PlotCurve& curve, const 
 }  // namespace
 
 Colour colour_of_curve(int number) {
-  constexpr std::array<Colour, 8> kColours{{{0.00F, 0.45F, 0.70F},
-                                            {0.84F, 0.37F, 0.00F},
-                                            {0.00F, 0.62F, 0.45F},
-                                            {0.80F, 0.47F, 0.65F},
-                                            {0.90F, 0.62F, 0.00F},
-                                            {0.34F, 0.71F, 0.91F},
-                                            {0.45F, 0.45F, 0.45F},
-                                            {0.13F, 0.14F, 0.16F}}};
+  constexpr std::array<Colour, kCurveColours> kColours{{{0.00F, 0.45F, 0.70F},
+                                                        {0.84F, 0.37F, 0.00F},
+                                                        {0.00F, 0.62F, 0.45F},
+                                                        {0.80F, 0.47F, 0.65F},
+                                                        {0.90F, 0.62F, 0.00F},
+                                                        {0.34F, 0.71F, 0.91F},
+                                                        {0.45F, 0.45F, 0.45F},
+                                                        {0.13F, 0.14F, 0.16F}}};
   return kColours[static_cast<size_t>(number) % kColours.size()];
+}
+
+int marker_corners(int number) {
+  constexpr std::array kCorners{16, 4, 3};  // disc, diamond, triangle
+  return kCorners[static_cast<size_t>(number) / kCurveColours % kCorners.size()];
 }
 
 Canvas draw_curves(const CurvePlot& plot) {

@@ -17,7 +17,7 @@ enum class CurveStyle { kLine, kDashed, kPoints };
 struct PlotCurve {
   std::string label;  // in the key; an empty one is left out of it
   CurveStyle style = CurveStyle::kLine;
-  int colour = 0;  // of colour_of_curve
+  int colour = 0;  // number of the curve: its colour and, for points, its marker
   std::vector<Vec2> points;
 };
 
@@ -28,8 +28,13 @@ struct CurvePlot {
   std::vector<PlotCurve> curves;
 };
 
-// Eight colours that differ in print and for most eyes (after Okabe and Ito); they repeat.
+// Colours that differ in print and for most eyes (after Okabe and Ito); they repeat.
+inline constexpr size_t kCurveColours = 8;
 Colour colour_of_curve(int number);
+
+// Corners of a point's marker. It changes each time the colours begin anew, so that 24 sets of
+// points are told apart.
+int marker_corners(int number);
 
 // 1200 px wide. What lies outside a given range is left out. A logarithmic axis needs values > 0.
 Canvas draw_curves(const CurvePlot& plot);

@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
+#include <tuple>
 
 #include "draw/axes.h"
 #include "draw/camera.h"
 #include "draw/canvas.h"
 #include "draw/clip.h"
+#include "draw/curve_plot.h"
 #include "draw/scene.h"
 #include "draw/text.h"
 #include "report/section_plot.h"
@@ -34,6 +37,15 @@ TEST(Canvas, FillsTheWholePixelsInsideAndHalfTheRim) {
   EXPECT_EQ(pixel(canvas, 9, 9).red, 0);
   EXPECT_EQ(pixel(canvas, 10, 9).red, 255);
   EXPECT_EQ(pixel(canvas, 9, 10).red, 170);  // a third is covered
+}
+
+TEST(CurvePlot, TellsTwentyFourSetsOfPointsApart) {
+  std::set<std::tuple<float, float, float, int>> looks;
+  for (int number = 0; number < 24; ++number) {
+    const Colour colour = colour_of_curve(number);
+    looks.insert({colour.red, colour.green, colour.blue, marker_corners(number)});
+  }
+  EXPECT_EQ(looks.size(), 24U);
 }
 
 TEST(Canvas, BlendsByOpacity) {
