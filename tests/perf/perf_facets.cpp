@@ -4,17 +4,15 @@
 // Scope: core only, no communication: three passes over intact rock, without and with dashpots,
 // over rock cut by leaning joint sets, over rock whose facets are all broken but closed, and over
 // rock that has fallen apart.
-#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "bond_scene.h"
+#include "measurement.h"
 #include "timing.h"
 
 namespace muckpile::perf {
 namespace {
 
-constexpr double kEdge = 20.0;  // of the cube [m]; its blocks are of 1 m
-constexpr int kSweeps = 5;
 constexpr int kSteps = 200;
 constexpr double kStep = 1e-6;  // [s]
 constexpr double kStrain = 1e-4;
@@ -40,11 +38,12 @@ nlohmann::ordered_json time_of(test::BondScene& scene) {
   return {{"step_s", step}, {"ns_per_point", 1e9 * step / (facets * kFacetPoints)}};
 }
 
+}  // namespace
+
 nlohmann::ordered_json measure() {
-  const std::vector<Block> blocks = test::voronoi_blocks(kEdge, 1, kSweeps);
+  const std::vector<Block> blocks = test::voronoi_blocks(kCubeEdge, 1, kCubeSweeps);
   nlohmann::ordered_json result;
   result["what"] = "cube of Voronoi blocks, three points per facet";
-  result["processor"] = processor();
   result["blocks"] = blocks.size();
   result["target_ns_per_point"] = kTarget;
 
@@ -60,7 +59,7 @@ nlohmann::ordered_json measure() {
   damped.deform(-kStrain * Mat3::Identity());
   result["intact_damped"] = time_of(damped);
 
-  test::BondScene leaning = test::leaning_scene(kEdge, rock_of(1e30));
+  test::BondScene leaning = test::leaning_scene(kCubeEdge, rock_of(1e30));
   leaning.deform(-kStrain * Mat3::Identity());
   result["leaning"] = time_of(leaning);
 
@@ -77,10 +76,4 @@ nlohmann::ordered_json measure() {
   return result;
 }
 
-}  // namespace
 }  // namespace muckpile::perf
-
-int main() {
-  std::cout << muckpile::perf::measure().dump(2) << '\n';
-  return 0;
-}

@@ -4,20 +4,18 @@
 // Scope: core only, no communication: rock whose joints are all broken and open, half of the blocks
 // full of gas; what the blocks do with its pressure is not in it.
 #include <cstdint>
-#include <iostream>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <vector>
 
 #include "bond_scene.h"
 #include "gas/joint_gas.h"
+#include "measurement.h"
 #include "timing.h"
 
 namespace muckpile::perf {
 namespace {
 
-constexpr double kEdge = 20.0;  // of the cube [m]; its blocks are of 1 m
-constexpr int kSweeps = 5;
 constexpr int kSteps = 100;
 constexpr double kStep = 1e-8;     // so short that the gas stays where it is [s]
 constexpr double kOpening = 1e-3;  // strain that opens the joints
@@ -37,8 +35,10 @@ void fill(JointGas& gas) {
   }
 }
 
+}  // namespace
+
 nlohmann::ordered_json measure() {
-  test::BondScene scene(test::voronoi_blocks(kEdge, 1, kSweeps), weak_rock());
+  test::BondScene scene(test::voronoi_blocks(kCubeEdge, 1, kCubeSweeps), weak_rock());
   FacetNetwork& network = scene.network();
   network.keep_gas_in_joints();
   scene.deform(kOpening * Mat3::Identity());
@@ -51,7 +51,6 @@ nlohmann::ordered_json measure() {
   };
   nlohmann::ordered_json result;
   result["what"] = "cube of Voronoi blocks, all joints broken, half of the blocks full of gas";
-  result["processor"] = processor();
   result["joints"] = network.facet_count();
   std::vector<std::uint32_t> joints(network.facet_count());
   std::iota(joints.begin(), joints.end(), 0u);
@@ -64,10 +63,4 @@ nlohmann::ordered_json measure() {
   return result;
 }
 
-}  // namespace
 }  // namespace muckpile::perf
-
-int main() {
-  std::cout << muckpile::perf::measure().dump(2) << '\n';
-  return 0;
-}
