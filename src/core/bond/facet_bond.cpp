@@ -211,8 +211,10 @@ Vec3 FacetNetwork::break_point(std::size_t f, int p, const Break& broken, double
   memory.broken[q] = true;
   memory.slipping =
       static_cast<std::uint8_t>((memory.slipping & ~(1u << q)) | (left.slips ? 1u : 0u) << q);
-  if (memory.state == FacetState::intact) memory.state = states_[f] = FacetState::cracked;
-  memory.gas = keeps_gas_;
+  if (memory.state == FacetState::intact) {
+    memory.state = states_[f] = FacetState::cracked;
+    memory.gas = keeps_gas_;  // let go, it stays so when further points break
+  }
   newly_cracked_ = true;
   book_break(f, broken, left, dt);
   drop_from_dilatation(f, broken, left);

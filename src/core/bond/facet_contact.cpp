@@ -81,6 +81,7 @@ Lanes FacetNetwork::slip_share(std::size_t f, const Contact& contact, const Lane
   constexpr double kHardly = 0.1, kAtOnce = 3.0;  // [-]
   const double through = slip_through_blocks(f);
   if (through < kHardly) return 1.0;
+  if (dt == 0.0) return 0.0;  // the pose of the last step, looked at again as a run goes on
   const double eased = 1.0 / (1.0 + kAtOnce * through);
   const Lanes moved = contact.shear * dt * dot(over, rate);
   const Lanes whole = max(dot(over, over), Lanes(1e-300));  // 0 at points that stick
