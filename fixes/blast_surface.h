@@ -41,8 +41,8 @@ class BlastSurface {
   /// A n at the face's centroid, n its outward normal, both turning with the block; the pressure
   /// also enters the block's dilatation. A block that gas flows round feels a share of it, down to
   /// nothing. Called in pre_force, used in post_force.
-  /// wave_share, one per facet: of the pressure's work, booked as the wave's; the rest is the
-  /// gas's.
+  /// wave_share, one per facet: share of the pressure's work that counts as the wave's; the rest
+  /// counts as the gas's.
   virtual void set_pressure(std::span<const double> pressure,
                             std::span<const double> wave_share) = 0;
 
@@ -52,12 +52,12 @@ class BlastSurface {
   /// and before the next reneighbouring.
   virtual void swept_volume(std::span<double> per_hole) const = 0;
 
-  /// Whether set_pressure() will be called again: when not, faces without pressure cost nothing.
+  /// Says whether set_pressure() will be called again. If not, faces without pressure cost nothing.
   virtual void expect_pressure(bool expected) = 0;
 
   /// Work done by the pressure so far on this rank's faces [J].
   [[nodiscard]] virtual double pressure_work() const = 0;
-  /// Of that, what the wave did [J].
+  /// The wave's part of pressure_work() [J].
   [[nodiscard]] virtual double wave_work() const = 0;
 };
 

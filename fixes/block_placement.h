@@ -21,7 +21,7 @@ class BlockPlacement : protected LAMMPS_NS::Pointers {
   /// Spheres get this atom type and density [kg/m3].
   BlockPlacement(LAMMPS_NS::LAMMPS* engine, int type, double density);
 
-  /// Of the first new block.
+  /// Tag of the first new block.
   [[nodiscard]] int first_tag() const { return first_tag_; }
   /// `model` counts on rank 0 only.
   void place(const RockModel& model, const std::vector<Hole>& holes);

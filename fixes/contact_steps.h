@@ -8,7 +8,7 @@ namespace muckpile {
 enum ContactStep {
   kStableContacts,  ///< bound of the present contacts with their dashpots
   kStableSprings,   ///< the same without the dashpots
-  kCollisions,      ///< resolves a light collision that may come; no matter of stability
+  kCollisions,      ///< resolves a light collision that may come; does not concern stability
   kContactSteps
 };
 

@@ -33,22 +33,22 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix {
 
   /// The fix of this run, nullptr if there is none.
   [[nodiscard]] static FixMuckpileBlast* find(LAMMPS_NS::LAMMPS& lmp);
-  /// Where the explosive's energy went so far [J]. Collective.
+  /// Energy of the explosive, and what it has done to the blocks so far [J]. Collective.
   struct Energies {
     double explosive = 0.0;        ///< of all charges, fired or not; 0 if not known
     double wave = 0.0, gas = 0.0;  ///< work on the blocks
   };
   [[nodiscard]] Energies energies() const;
 
-  /// The gas leaves into joints by a flow that someone else works out, in place of crack_discharge,
-  /// and presses on the walls by what it has above `ambient` [Pa]. To be called before the first
-  /// run. InputError without gas that vents by flow.
+  /// For fix muckpile/gas, before the first run: from now on it computes the flow of gas into
+  /// joints, in place of crack_discharge, and gas presses on the walls by its excess over `ambient`
+  /// [Pa]. InputError unless the gas vents by flow.
   void let_gas_into_joints(double ambient);
   [[nodiscard]] double gas_gamma() const { return options_.flow.gamma; }
   /// The gas in a crushed zone; pressure 0 before its hole fires and after it is over.
   [[nodiscard]] GasChamber chamber(std::size_t hole) const;
-  void let_gas_go();  ///< all holes are over from now on; what they hold presses no more
-  void take_gas(std::span<const double> per_hole);  ///< [kg], the same on all ranks
+  void let_gas_go();  ///< ends all holes; the gas that they hold does not press any more
+  void take_gas(std::span<const double> per_hole);  ///< removes [kg] from each; same on all ranks
   [[nodiscard]] bool over() const { return over_; }
 
  private:

@@ -35,8 +35,8 @@ struct BlockRecord {
   RetiredFacets retired{};
 };
 
-/// The facets of a rank, what they remember, and the boundary faces. They are large, so that there
-/// is one copy: with the store while blocks migrate, else with whoever computes with them.
+/// The facets of a rank, what they remember, and the boundary faces. They are large, so there is
+/// only one copy: in fix muckpile/blocks while blocks migrate, otherwise with the FacetKeeper.
 struct FacetLists {
   std::vector<Facet> facets;
   std::vector<FacetMemory> memory;
@@ -47,13 +47,13 @@ struct FacetLists {
 void put(engine::ByteWriter& out, const Facet& facet, const FacetMemory& memory);
 [[nodiscard]] std::pair<Facet, FacetMemory> get_facet(engine::ByteReader& in);
 
-/// Whoever computes with the facets; has to give them back before blocks migrate.
+/// Computes with the facets (fix muckpile/joint) and gives them back before blocks migrate.
 class FacetKeeper {
  public:
   virtual ~FacetKeeper() = default;
   [[nodiscard]] virtual FacetLists copy() const = 0;
   [[nodiscard]] virtual FacetLists hand_back() = 0;
-  virtual void store_is_gone() = 0;  ///< the engine deletes fixes in any order
+  virtual void store_is_gone() = 0;  ///< called when fix muckpile/blocks is deleted first
 };
 
 class FixMuckpileBlocks : public LAMMPS_NS::Fix {
@@ -72,7 +72,7 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   /// The store of this run, nullptr before create_blocks.
   [[nodiscard]] static FixMuckpileBlocks* find(LAMMPS_NS::LAMMPS& lmp);
   static FixMuckpileBlocks& find_or_make(LAMMPS_NS::LAMMPS& lmp);
-  /// Came from a restart file.
+  /// True if the blocks came from a restart file.
   [[nodiscard]] bool restored() const { return restored_; }
 
   /// Takes the blocks that this rank creates, with every facet that one of them has.
@@ -80,7 +80,7 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
            const std::vector<BoundaryFace>& faces, const std::vector<Hole>& holes, int blocks_all);
 
   void set_keeper(FacetKeeper* keeper);
-  /// For the keeper: the store has them no longer.
+  /// Moves the facets to the keeper.
   [[nodiscard]] FacetLists hand_over();
 
   /// Grows whenever positions, facets or faces changed.
@@ -94,7 +94,7 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   [[nodiscard]] const std::vector<int>& copy_tags() const { return copy_tags_; }
   [[nodiscard]] engine::BlockHalo& halo() { return halo_; }
   [[nodiscard]] int blocks_created() const { return blocks_created_; }
-  /// Of those, the ones that were no longer there when the restart file was written.
+  /// Blocks among blocks_created() that were lost before the restart file was written.
   [[nodiscard]] int blocks_lost_before() const { return lost_before_; }
   [[nodiscard]] int facets_created() const { return facets_created_; }
   [[nodiscard]] LAMMPS_NS::FixMultisphere& multisphere() { return *multisphere_; }

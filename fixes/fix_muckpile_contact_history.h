@@ -14,13 +14,13 @@ namespace muckpile {
 
 class FixMuckpileContactHistory;
 
-/// Whoever owns the live contacts.
+/// Owns the contacts while they are computed with (pair muckpile/block).
 class ContactSource {
  public:
   virtual ~ContactSource() = default;
   /// Called before atoms are exchanged: put every live contact into `history`.
   virtual void store_contacts(FixMuckpileContactHistory& history) = 0;
-  /// Lost in contacts so far, for a run that goes on. [J]
+  /// Energy lost in contacts so far, kept in restart files [J].
   struct Losses {
     double friction = 0.0, damping = 0.0;
   };

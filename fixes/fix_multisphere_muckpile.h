@@ -23,7 +23,7 @@ class FixMultisphereMuckpile : public LAMMPS_NS::FixMultisphere {
 
   void post_create() override;  ///< with the blocks of a restart file, if there is one
   void init() override;
-  void reset_dt() override;  ///< LIGGGHTS' own takes a time step over at the start of a run only
+  void reset_dt() override;  ///< fix multisphere takes over a new time step only as a run starts
   double extend_cut_ghost() override;
   void pre_neighbor() override;
   void initial_integrate(int vflag) override;
@@ -32,7 +32,7 @@ class FixMultisphereMuckpile : public LAMMPS_NS::FixMultisphere {
   void calc_force(bool setupflag) override;
 
  private:
-  /// A sphere of a body of this rank; itself may be a ghost.
+  /// A sphere of a body of this rank. The sphere may be a ghost, owned by another rank.
   struct Member {
     int sphere, body;
     Vec3 displacement;  ///< from the body's centre, along its axes [m]
@@ -49,8 +49,8 @@ class FixMultisphereMuckpile : public LAMMPS_NS::FixMultisphere {
   void hold_resting();
 
   const RestingBlocks* resting_ = nullptr;  ///< looked up in every init(); null: none rests
-  std::vector<int> readers_;  ///< per fix of LIGGGHTS at the end of steps: it works every so many
-  bool plain_ = false;        ///< nothing that only the base class does
+  std::vector<int> readers_;  ///< `nevery` of each fix of LIGGGHTS that works at the end of steps
+  bool plain_ = false;        ///< this step needs nothing that only the base class does
   bool any_rests_ = false;    ///< in this step
   std::uint64_t placed_version_ = 0;  ///< of resting_, when the resting were last placed
   bool members_known_ = false;

@@ -14,7 +14,7 @@ class RestingBlocks {
   virtual ~RestingBlocks() = default;
   /// True if any block of this rank's bodies or spheres rests.
   [[nodiscard]] virtual bool any_rests() const = 0;
-  /// Of a body, by its index in fix multisphere on this rank.
+  /// True if a body rests; `body` is its index in fix multisphere on this rank.
   [[nodiscard]] virtual bool body_rests(int body) const = 0;
   /// Per sphere, owned ones and ghosts: 1 if its block rests.
   [[nodiscard]] virtual std::span<const char> resting_spheres() const = 0;

@@ -23,7 +23,7 @@ class YieldingSupports {
   };
   virtual Chosen let_ground_yield(const std::function<bool(const Vec3&)>& chosen,
                                   double rock_behind) = 0;
-  /// Every ground stays where it is from now on: a fixed support again.
+  /// From now on every ground stays where it is, as a fixed support does.
   virtual void stop_ground() = 0;
 
   [[nodiscard]] virtual double supports_yielding() const = 0;

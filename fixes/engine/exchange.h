@@ -66,13 +66,13 @@ class ByteReader {
   const char* end_;
 };
 
-/// The buffers of writers, which are left empty.
+/// Moves the buffers out of the writers.
 [[nodiscard]] std::vector<std::vector<char>> bytes_of(std::vector<ByteWriter>& writers);
 
-/// What each rank has given, one after the other, on every rank. Collective.
+/// The values of all ranks, in the order of ranks, on every rank. Collective.
 [[nodiscard]] std::vector<double> gather_all(const std::vector<double>& mine, MPI_Comm world);
 
-/// What the first rank has, on every rank. Collective.
+/// The text of the first rank, on every rank. Collective.
 [[nodiscard]] std::string of_first_rank(std::string text, MPI_Comm world);
 
 /// Sends outgoing[r] to rank r and returns what each rank sent here. Collective. Goes in rounds of

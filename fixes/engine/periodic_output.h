@@ -13,7 +13,7 @@ class LAMMPS;
 
 namespace muckpile::engine {
 
-/// A table that begins with `every` [steps] and `directory`; the texts say what for.
+/// A table that begins with `every` [steps] and `directory`; the texts are their meanings.
 [[nodiscard]] ArgTable periodic_output_table(const std::string& style,
                                              const std::string& every_text,
                                              const std::string& directory_text);

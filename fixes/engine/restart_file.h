@@ -21,12 +21,12 @@ void write_state(LAMMPS_NS::LAMMPS& lmp, const std::string& style, std::FILE* fi
 void write_state(LAMMPS_NS::LAMMPS& lmp, const std::string& style, std::FILE* file,
                  ByteWriter& common);
 
-/// Of what write_state() wrote and the engine hands to Fix::restart().
+/// Reader of what write_state() wrote; `state` is what the engine hands to Fix::restart().
 [[nodiscard]] ByteReader read_state(const char* state);
 
 /// Sum over ranks. Collective.
 [[nodiscard]] double total(LAMMPS_NS::LAMMPS& lmp, double mine);
-/// A sum over ranks goes on from rank 0.
+/// This rank's part of a sum over ranks read from a file: all of it on rank 0, 0 elsewhere.
 [[nodiscard]] double share_of_total(LAMMPS_NS::LAMMPS& lmp, double all);
 
 }  // namespace muckpile::engine

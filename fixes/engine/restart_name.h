@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The restart file that a name with `*` means: the one of the latest step.
-// Scope: LIGGGHTS' own search takes words for the step 0 and a longer name for the shorter; this
-// one knows files by all of their name.
+// Scope: compares whole names. LIGGGHTS' own search takes a word in place of the `*` for step 0,
+// and accepts files whose names only begin alike.
 #pragma once
 
 #include <string>

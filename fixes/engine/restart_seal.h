@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The seal at the end of a restart file: how long the file was when it was written, and a hash of
-// its bytes. Scope: LIGGGHTS believes whatever it reads, down to the lengths of its own buffers;
-// the seal shows damage and a missing end before that. It stands behind what LIGGGHTS reads. Files
-// in parts (with % in their name) have none.
+// its bytes. Scope: LIGGGHTS trusts all that it reads, even the lengths of its own buffers; the
+// seal shows damage and a missing end before LIGGGHTS reads the file. It stands behind LIGGGHTS'
+// data. Files in parts (with % in their name) have none.
 #pragma once
 
 #include <string>

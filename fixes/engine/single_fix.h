@@ -18,8 +18,8 @@ namespace muckpile::engine {
 void refuse_second_fix(LAMMPS_NS::LAMMPS& lmp, const std::string& where, const std::string& style);
 
 /// Stops the run, with a message that begins with `where`, if the restart file that has been read
-/// holds the state of a fix of this style, but not under this ID: the fix would begin anew, without
-/// a word. Nothing is known of the file any more once a run has begun.
+/// holds the state of a fix of this style under another ID: the fix would silently begin anew. To
+/// be called before the first run; the engine forgets the file then.
 void require_id_of_restart(LAMMPS_NS::LAMMPS& lmp, const std::string& where, LAMMPS_NS::Fix& fix);
 
 }  // namespace muckpile::engine

@@ -32,7 +32,7 @@ void print_once(LAMMPS_NS::LAMMPS& lmp, const std::string& text);
 /// Stops the run with an error message; to be called by all ranks.
 [[noreturn]] void stop(LAMMPS_NS::LAMMPS& lmp, const std::string& message);
 
-/// How often a fix can be told to act: the engine counts the steps between in an int.
+/// Allowed numbers of steps between two actions of a fix: the engine counts them in an int.
 [[nodiscard]] Range step_counts();
 
 /// Result of `body`; an InputError in it, which must be the same on all ranks, stops the run.

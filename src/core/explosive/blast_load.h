@@ -19,27 +19,29 @@ namespace muckpile {
 
 /// Load at a wall point, tau = time since the detonation arrived there:
 ///     p = max( min[P1 f(tau), p_limit], p_gas(V, t) g(tau) )
-/// P1 peak wave pressure at the wall, f the pulse's shape, g = f until the peak (of a table its
-/// greatest so far) and 1 after. So before the peak p is the pulse alone wherever P1 >= p_gas, and
-/// afterwards the greater of both: the maximum, not the sum, because the pulse is the first part of
-/// the same expansion. If P1 < p_gas the gas comes up along the pulse's own rise. Either way the
-/// load never jumps. Where the wall gives way the pulse is held to what the products' isentrope
-/// gives from the volume Vp in which they start, V0 or the room of a decoupled charge:
-///     p_limit = p((Vp + swept volume)/V0) s(t).
+/// P1 is the peak wave pressure at the wall, f the pulse's shape, and g = f until the peak (of a
+/// table its greatest so far) and 1 after. The load is the maximum, not the sum, because the pulse
+/// is the first part of the same expansion. Before the peak it is the pulse alone wherever P1 >=
+/// p_gas; if P1 < p_gas the gas comes up along the pulse's own rise. Either way it never jumps.
+///
+/// Gas:
+///     p_gas = p(V/V0) s(t),  V = Vg + swept volume
+/// V0 is the charge volume, p(V/V0) the isentrope, s the vent factor. Vg is the isentrope's Vk, or
+/// the room of a decoupled charge if that is more. For the two-stage law p_gas is pk (Vk/V)^gamma2
+/// s(t) as long as the wall has not moved inward. With flow in place of s(t) the gas that is left,
+/// a share m of the mass, fills the chamber alone: p_gas = p(V/(m V0)).
+///
+/// Limit where the wall gives way: the pulse presses no more than the isentrope gives from the
+/// volume Vp in which the products start, V0 or the room of a decoupled charge:
+///     p_limit = p((Vp + swept volume)/V0) s(t)
 /// As Vg >= Vp, p_gas is never above p_limit: pulse and gas together do no more work than the
 /// products' expansion from Vp.
-///     p_gas = p(V/V0) s(t),  V = Vg + swept volume,  V0 charge volume,
-/// p(V/V0) the isentrope's and Vg its Vk, or the room that a decoupled charge has if that is more:
-/// With flow instead of s(t) the gas that is left, a share m of the mass, fills the chamber alone:
-/// p_gas = p(V/(m V0)). Either way that is, while all of it is there,
-/// pk (Vk/V)^gamma2 s(t) for the two-stage law as long as the wall has not moved inward, s the vent
-/// factor.
 class BlastLoad {
  public:
   struct Parameters {
     double wave_peak;                           ///< P1 [Pa], 0 for no pulse
     PulseParameters pulse{};                    ///< its shape
-    bool gas;                                   ///< false: pulse only, the four below are not used
+    bool gas;                                   ///< false: pulse only; all below is then unused
     TwoStageIsentrope::Parameters isentrope;    ///< of the products
     std::optional<JwlParameters> jwl{};         ///< in its place; see ProductExpansion
     double charge_volume;                       ///< V0 [m3]
@@ -56,8 +58,7 @@ class BlastLoad {
   /// Gas pressure [Pa] at a swept volume [m3] and a time [s] since the primer fired; 0 without gas.
   [[nodiscard]] double gas_pressure(double swept_volume, double time,
                                     const GasState& state = {}) const;
-  /// What the products can press at most while the pulse acts [Pa]; without gas, whose isentrope it
-  /// is, there is no limit: the pulse is as given.
+  /// p_limit [Pa]. Infinite without gas: then there is no isentrope, and the pulse is as given.
   [[nodiscard]] double pulse_limit(double swept_volume, double time,
                                    const GasState& state = {}) const;
   /// The gas that flows out and the stemming that moves in one step [s].

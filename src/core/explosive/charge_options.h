@@ -50,10 +50,10 @@ void add_borehole_keywords(ArgTable& table);
 void add_decoupling_keywords(ArgTable& table);
 void add_expansion_keywords(ArgTable& table);
 
-/// Explosive, its numbers and the borehole pressure; for a table that has the words of the first
-/// two. InputError where words contradict each other or one that is needed is missing.
+/// Fill in `options` from the words that the functions above have added to the table. InputError
+/// where words contradict each other or one that is needed is missing. read_explosive() reads those
+/// of the explosive and of the borehole pressure.
 void read_explosive(ChargeOptions& options, const ArgValues& values, const std::string& where);
-/// The rest.
 void read_decoupling(ChargeOptions& options, const ArgValues& values, const std::string& where);
 void read_expansion(ChargeOptions& options, const ArgValues& values, const std::string& where);
 

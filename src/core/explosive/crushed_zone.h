@@ -26,8 +26,7 @@ struct CrushedZoneInput {
 
 /// Radius [m], never below the hole's. InputError names what is out of range.
 ///   multiple     ratio x r_b (3 is what particle models load; Yan et al. 2016)
-///   esen         r_b 0.812 CZI^0.219, CZI = P_b^3 (1 + nu)/(E sigma_c^2), no crushing below
-///   CZI 2.6
+///   esen         r_b 0.812 CZI^0.219, CZI = P_b^3 (1 + nu)/(E sigma_c^2), r_b below CZI 2.6
 ///                (Esen, Onederra and Bilgin 2003)
 ///   djordjevic   r_b / sqrt(24 sigma_t / P_b) (Djordjevic 1999, Griffith's criterion)
 ///   kanchibotla  r_b sqrt(P_CJ / sigma_c) (Kanchibotla et al. 1999)

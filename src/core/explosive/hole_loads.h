@@ -12,7 +12,7 @@
 
 namespace muckpile {
 
-/// One charge in its hole, all that its load needs.
+/// A charge in its hole, with all that its load needs.
 struct LoadedHole {
   NamedExplosive explosive;
   ChargeShape shape;
@@ -40,7 +40,7 @@ struct LoadedHole {
 [[nodiscard]] std::vector<HoleBlast> hole_blasts(const BlastOptions& options,
                                                  const std::vector<Hole>& crushed_zones);
 
-/// Of one hole's explosive.
+/// Mass and energy of one hole's explosive.
 struct ChargeEnergy {
   double mass = 0.0;    ///< [kg]
   double energy = 0.0;  ///< 0 if the explosive's is not known [J]
@@ -48,8 +48,8 @@ struct ChargeEnergy {
 [[nodiscard]] std::vector<ChargeEnergy> charge_energies(const BlastOptions& options,
                                                         const std::vector<Hole>& crushed_zones);
 
-/// What was understood, for the log: the pressures chosen and the alternatives beside them, for the
-/// first hole, and the firing time of each.
+/// For the log: the pressures of the first hole with the alternatives beside them, and the firing
+/// time of each hole.
 [[nodiscard]] std::string describe(const BlastOptions& options,
                                    const std::vector<Hole>& crushed_zones,
                                    const std::vector<HoleBlast>& blasts);

@@ -14,9 +14,9 @@
 
 namespace muckpile {
 
-/// Of a delay in s: a number beyond is meant in milliseconds.
+/// Allowed delays [s]; a number beyond is probably in milliseconds.
 [[nodiscard]] Range delay_range();
-/// Of a coordinate in m, also one of a map.
+/// Allowed coordinates [m], those of map grids included.
 [[nodiscard]] Range place_range();
 
 /// One charged chamber of a hole.
@@ -38,11 +38,11 @@ struct Deck {
 
 /// Columns, lengths in m and times in s; those in brackets may be left out, or empty:
 ///   hole, collar_x_m, collar_y_m, collar_z_m, toe_x_m, toe_y_m, toe_z_m, diameter_m,
-///   [from_m], [to_m]     the charged chamber, depths below the collar along the hole; else all of
-///   it [explosive], [charge_diameter_m], [charge_length_m], [primer], [crushed_radius_m] [after],
-///   [surface_delay_s]   the signal reaches the hole that long after the hole `after`, or
-///                                after time 0
-///   [in_hole_delay_s]            the deck fires that long after the signal
+///   [from_m], [to_m]: the charged chamber, depths below the collar along the hole; else all of it
+///   [explosive], [charge_diameter_m], [charge_length_m], [primer], [crushed_radius_m]
+///   [after], [surface_delay_s]: the signal reaches the hole that long after the hole `after`, or
+///       after time 0
+///   [in_hole_delay_s]: the deck fires that long after the signal
 /// Several rows of one hole are its decks: same ends, diameter and signal, chambers apart.
 class HoleTable {
  public:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Blocks that someone else has cut, from a VTK file: read, checked, and their shared faces found.
-// Scope: legacy ASCII files up to version 4 with convex cells (polyhedra, tetrahedra, hexahedra,
-// wedges, pyramids), as write_blocks() makes them; lengths in metres.
+// Blocks that another program has cut, from a VTK file: read, checked, and their shared faces
+// found. Scope: legacy ASCII files up to version 4 with convex cells (polyhedra, tetrahedra,
+// hexahedra, wedges, pyramids), as write_blocks() makes them; lengths in metres.
 #pragma once
 
 #include <istream>
@@ -21,9 +21,9 @@ namespace muckpile {
 /// overlap.
 [[nodiscard]] std::vector<Block> joined_blocks(std::vector<Polyhedron> cells);
 
-/// Both. A face that looks into a void of the region within four radii of a hole's axis belongs to
-/// that hole. Throws InputError for a cell whose size is not within the limits of `rock.size`, or
-/// whose centroid is not in the region.
+/// Reads and joins the cells of a file. A face that looks into a void of the region within four
+/// radii of a hole's axis belongs to that hole. Throws InputError for a cell whose size is not
+/// within the limits of `rock.size`, or whose centroid is not in the region.
 [[nodiscard]] Tessellation import_blocks(const std::string& path, const TessellationOptions& rock);
 
 }  // namespace muckpile
