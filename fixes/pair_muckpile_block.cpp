@@ -142,7 +142,7 @@ void PairMuckpileBlock::compute(int eflag, int vflag) {
   if (resting_ != nullptr && resting_->rests_version() != rests_version_) list_working_pairs(0);
   step_contacts();
   contacts_moved_ = true;
-  if (eflag_global) eng_vdwl += ledger_.elastic_J + resting_energy();
+  if (eflag_global) eng_vdwl += last_.elastic + resting_energy();
 }
 
 }  // namespace muckpile

@@ -14,6 +14,7 @@
 
 #include "block_neighbours.h"
 #include "contact/block_contact_list.h"
+#include "contact/contact_forces.h"
 #include "contact/contact_law.h"
 #include "contact_steps.h"
 #include "fix_muckpile_contact_history.h"
@@ -61,21 +62,13 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public N
  private:
   struct Ledger {
     double all_elastic_J = 0.0;  ///< worked out when asked for
-    // Of the last step, without what is left alone.
-    double elastic_J = 0.0, power_W = 0.0, contacts = 0.0, max_overlap_ratio = 0.0;
     std::array<double, kContactSteps> steps_s{};
     double rebuild_s = 0.0, rebuilds = 0.0;
   };
-  /// The engine's arrays, as the loop over contacts needs them.
-  struct AtomArrays {
-    double *x, *v, *omega, *f, *torque;  ///< three per atom
-    const double *radius, *mass;
-    int owned;
-  };
-
   void require_engine_settings();
   void find_partners();
   [[nodiscard]] double step_of_light_contacts() const;
+  [[nodiscard]] ContactMotion held_still(const SpherePair& pair) const;
   [[nodiscard]] ContactStepBound present_contacts();
 
   void rebuild();
@@ -102,15 +95,8 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public N
   /// Of the contacts left alone, to be added to those of the last step.
   [[nodiscard]] double resting_energy();
 
-  [[nodiscard]] AtomArrays arrays() const;
+  [[nodiscard]] MovingSpheres moving_spheres() const;
   void step_contacts();
-  void step_block_pair(const BlockPair& pair, const AtomArrays& atoms, double history_step);
-  [[nodiscard]] ContactMotion motion_of(const SpherePair& pair, const Vec3& to_second,
-                                        double distance, const AtomArrays& atoms) const;
-  void touch(SpherePair& pair, const Vec3& to_second, double distance, const AtomArrays& atoms,
-             double history_step);
-  void apply(const AtomArrays& atoms, int atom, const Vec3& force, const Vec3& torque);
-  [[nodiscard]] int new_contact(const ContactState& state);
 
   std::optional<ContactLaw> law_;
   double largest_radius_ = 0.0;  ///< of all spheres on all ranks [m]
@@ -127,9 +113,10 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public N
   BlockContactList list_;
   std::vector<MutedPair> muted_;
   std::vector<std::size_t> working_, left_alone_;  ///< of list_.block_pairs()
+  std::vector<std::size_t> awake_;                 ///< of working_, with candidates in this step
   std::uint64_t rests_version_ = 0;                ///< that the two are made for
-  std::vector<ContactState> contacts_;
-  std::vector<int> free_contacts_;
+  ContactStates contacts_;
+  ContactForces forces_;
   bool list_is_stale_ = true;    ///< atoms were exchanged since the list was built
   bool contacts_moved_ = false;  ///< forces were computed since the contacts were stored
 
@@ -147,6 +134,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public N
 
   std::vector<int> record_owners_;  ///< work space of store_contacts
   std::vector<FixMuckpileContactHistory::Record> records_;
+  ContactSums last_;  ///< of the last step, without what is left alone
   Ledger ledger_;
   Losses losses_;
 };

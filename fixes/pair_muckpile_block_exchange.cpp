@@ -82,17 +82,16 @@ void PairMuckpileBlock::unpack_reverse_comm(int n, int* spheres_sent, double* bu
 // A muted pair has no contacts; its spheres are looked up when it is heard again.
 void PairMuckpileBlock::recall_contacts() {
   contacts_.clear();
-  free_contacts_.clear();
   for (std::size_t k = 0; k < list_.block_pairs().size(); ++k) {
-    if (list_.idle(k)) continue;
+    if (list_.muted(k)) continue;
     BlockPair& block_pair = list_.block_pairs()[k];
-    list_.look_up(block_pair, spheres(), free_contacts_);
+    list_.look_up(block_pair, spheres(), contacts_.free());
     for (SpherePair& pair : near_spheres(block_pair)) {
       const bool first_is_owned = pair.first < atom->nlocal;
       const int owner = first_is_owned ? pair.first : pair.second;
       const int partner = first_is_owned ? pair.second : pair.first;
       if (const ContactState* state = history_->find(owner, atom->tag[partner]))
-        pair.contact = new_contact(*state);
+        pair.contact = contacts_.add(*state);
     }
   }
 }
@@ -122,7 +121,7 @@ void PairMuckpileBlock::store_contacts(FixMuckpileContactHistory& history) {
   for (const BlockPair& block_pair : list_.block_pairs())
     for (const SpherePair& pair : near_spheres(block_pair)) {
       if (pair.contact < 0) continue;
-      const ContactState& state = contacts_[static_cast<std::size_t>(pair.contact)];
+      const ContactState& state = contacts_[pair.contact];
       for (const auto& [owner, partner] :
            {std::pair(pair.first, pair.second), std::pair(pair.second, pair.first)})
         if (const int now = index_now(owner); now >= 0) {
@@ -131,17 +130,6 @@ void PairMuckpileBlock::store_contacts(FixMuckpileContactHistory& history) {
         }
     }
   history.store(record_owners_, records_);
-}
-
-int PairMuckpileBlock::new_contact(const ContactState& state) {
-  if (free_contacts_.empty()) {
-    contacts_.push_back(state);
-    return static_cast<int>(contacts_.size()) - 1;
-  }
-  const int contact = free_contacts_.back();
-  free_contacts_.pop_back();
-  contacts_[static_cast<std::size_t>(contact)] = state;
-  return contact;
 }
 
 }  // namespace muckpile

@@ -24,23 +24,31 @@ double PairMuckpileBlock::step_of_light_contacts() const {
   return step;
 }
 
+/// Two spheres as if they did not move.
+ContactMotion PairMuckpileBlock::held_still(const SpherePair& pair) const {
+  const Vec3 between =
+      engine::vector_of(atom->x[0], pair.second) - engine::vector_of(atom->x[0], pair.first);
+  const double distance = between.norm();
+  const double m1 = atom->rmass[pair.first], m2 = atom->rmass[pair.second];
+  return {distance > 0.0 ? Vec3(between / distance) : Vec3::UnitX(),
+          pair.reach - distance,
+          atom->radius[pair.first],
+          atom->radius[pair.second],
+          m1 * m2 / (m1 + m2),
+          Vec3::Zero(),
+          Vec3::Zero()};
+}
+
 ContactStepBound PairMuckpileBlock::present_contacts() {
   const engine::Bodies bodies(*bodies_);
   ContactStepBound bound;
   for (const BlockPair& block_pair : list_.block_pairs())
     for (const SpherePair& pair : near_spheres(block_pair)) {
       if (pair.contact < 0) continue;
-      const Vec3 first = engine::vector_of(atom->x[0], pair.first);
-      const Vec3 between = engine::vector_of(atom->x[0], pair.second) - first;
-      ContactMotion motion{};
-      motion.overlap = pair.reach - between.norm();
-      motion.radius_first = atom->radius[pair.first];
-      motion.radius_second = atom->radius[pair.second];
-      const double m1 = atom->rmass[pair.first], m2 = atom->rmass[pair.second];
-      motion.reduced_mass = m1 * m2 / (m1 + m2);
-      const ContactResistance resistance =
-          law_->resistance(motion, contacts_[static_cast<std::size_t>(pair.contact)]);
-      const Vec3 point = first + (motion.radius_first / pair.reach) * between;
+      const ContactMotion motion = held_still(pair);
+      const ContactResistance resistance = law_->resistance(motion, contacts_[pair.contact]);
+      const double inside = motion.radius_first * (1.0 - motion.overlap / pair.reach);
+      const Vec3 point = engine::vector_of(atom->x[0], pair.first) + inside * motion.normal;
       for (const bool second : {false, true}) {
         const int body =
             bodies_->data().map(bodies_->belongs_to(second ? pair.second : pair.first));
@@ -49,7 +57,7 @@ ContactStepBound PairMuckpileBlock::present_contacts() {
         domain->minimum_image(arm.x(), arm.y(), arm.z());
         bound.add(static_cast<std::size_t>(body),
                   {bodies.mass(body), bodies.inertia_in_space(body)}, resistance,
-                  between.normalized(), arm, second ? m1 : m2);
+                  motion.normal, arm, atom->rmass[second ? pair.first : pair.second]);
       }
     }
   return bound;
@@ -57,17 +65,13 @@ ContactStepBound PairMuckpileBlock::present_contacts() {
 
 double PairMuckpileBlock::resting_energy() {
   double energy = 0.0;
-  const AtomArrays atoms = arrays();
   for (const std::size_t k : left_alone_)
     for (const SpherePair& pair : near_spheres(list_.block_pairs()[k])) {
       if (pair.contact < 0) continue;
-      const Vec3 to_second =
-          engine::vector_of(atoms.x, pair.second) - engine::vector_of(atoms.x, pair.first);
-      ContactState state = contacts_[static_cast<std::size_t>(pair.contact)];
-      const double share = pair.first < atoms.owned && pair.second < atoms.owned ? 1.0 : 0.5;
-      energy +=
-          share * law_->evaluate(motion_of(pair, to_second, to_second.norm(), atoms), 0.0, state)
-                      .elastic_energy;
+      ContactState state = contacts_[pair.contact];
+      const bool shared = pair.first >= atom->nlocal || pair.second >= atom->nlocal;
+      energy += (shared ? 0.5 : 1.0) *
+                law_->evaluate(held_still(pair), 0.0, state).elastic_energy;
     }
   return energy;
 }
@@ -76,14 +80,14 @@ void* PairMuckpileBlock::extract(const char* name, int& dim) {
   dim = 0;
   const std::string_view key(name);
   if (key == "elastic_J") {
-    ledger_.all_elastic_J = ledger_.elastic_J + resting_energy();
+    ledger_.all_elastic_J = last_.elastic + resting_energy();
     return &ledger_.all_elastic_J;
   }
   if (key == "friction_J") return &losses_.friction;
   if (key == "damping_J") return &losses_.damping;
-  if (key == "power_W") return &ledger_.power_W;
-  if (key == "contacts") return &ledger_.contacts;
-  if (key == "max_overlap_ratio") return &ledger_.max_overlap_ratio;
+  if (key == "power_W") return &last_.power;
+  if (key == "contacts") return &last_.contacts;
+  if (key == "max_overlap_ratio") return &last_.largest_overlap_ratio;
   if (key == "steps_s") {
     dim = 1;
     const ContactStepBound present = present_contacts();
@@ -96,7 +100,7 @@ void* PairMuckpileBlock::extract(const char* name, int& dim) {
 }
 
 double PairMuckpileBlock::memory_usage() {
-  return list_.bytes() + static_cast<double>(contacts_.capacity() * sizeof(ContactState));
+  return list_.bytes() + contacts_.bytes();
 }
 
 }  // namespace muckpile

@@ -64,7 +64,6 @@ void BlockContactList::place_block(const SphereSet& spheres, std::size_t block,
 
 void BlockContactList::group(const SphereSet& spheres, int blocks) {
   const auto n_blocks = static_cast<std::size_t>(blocks);
-  drift_ = 0.0;
   outgrown_.clear();
   start_.assign(n_blocks + 1, 0);
   has_owned_.assign(n_blocks, 0);
@@ -89,6 +88,7 @@ void BlockContactList::group(const SphereSet& spheres, int blocks) {
   arm_.resize(n_blocks);
   extent_.resize(n_blocks);
   places_.resize(n_blocks);
+  path_.assign(n_blocks, 0.0);
   block_item_.resize(n_blocks);
   item_block_.clear();
   items_.clear();
@@ -139,7 +139,7 @@ std::vector<BlockPair>& BlockContactList::find_block_pairs(double range, const d
 void BlockContactList::pair_up() {
   block_pairs_.clear();
   sphere_pairs_.clear();
-  rest_.clear();
+  gates_.clear();
   added_.clear();
   added_at_.assign(reference_.size(), -1);
   added_pairs_.clear();
@@ -216,25 +216,57 @@ void BlockContactList::add_partners(int block) {
 }
 
 void BlockContactList::follow(const double* positions, const double* spins, double time_step) {
-  Vec3 least = Vec3::Constant(std::numeric_limits<double>::infinity()), most = -least;
-  double turned = 0.0;
   for (std::size_t b = 0; b < places_.size(); ++b) {
     if (reference_[b] < 0) continue;
     Place& place = places_[b];
     const Vec3 now = position(positions, reference_[b]);
-    const Vec3 step = now - place.reference;
     const double turn = kTurnSafety * time_step * arm_[b] * position(spins, reference_[b]).norm();
+    path_[b] += (now - place.reference).norm() + turn;
     place.reference = now;
     place.travel += turn;
-    least = least.cwiseMin(step);
-    most = most.cwiseMax(step);
-    turned = std::max(turned, turn);
     const double left = place.range - (place.travel - place.travel_then);
     if (left < 0.0 || (now - place.start).squaredNorm() > left * left)
       outgrown_.push_back(static_cast<int>(b));
   }
-  if (least.x() <= most.x()) drift_ += (most - least).norm() + 2.0 * turned;
 }
+
+void BlockContactList::make_gates() {
+  for (std::size_t k = gates_.size(); k < block_pairs_.size(); ++k) {
+    Gate gate;
+    gate.first = block_pairs_[k].first;
+    gate.second = block_pairs_[k].second;
+    gates_.push_back(gate);
+  }
+}
+
+void BlockContactList::open(std::size_t k, const SphereSet& spheres, std::vector<int>& dropped) {
+  BlockPair& pair = block_pairs_[k];
+  if (moved(pair)) look_up(pair, spheres, dropped);
+  Gate& gate = gates_[k];
+  gate.due = pair.due;
+  gate.begin = pair.begin;
+  gate.count = pair.count;
+}
+
+void BlockContactList::rest(std::size_t k, const double* positions) {
+  double gap = std::numeric_limits<double>::infinity();
+  for (const SpherePair& pair : candidates(k)) {
+    const Vec3 between = position(positions, pair.second) - position(positions, pair.first);
+    gap = std::min(gap, between.norm() - pair.reach);
+  }
+  Gate& gate = gates_[k];
+  if (!(gap > 0.0)) return;
+  gate.due = std::min(gate.due, path_of(gate.first, gate.second) + gap);
+  gate.count = 0;
+}
+
+void BlockContactList::mute(std::size_t k) {
+  make_gates();
+  gates_[k].due = std::numeric_limits<double>::infinity();
+  gates_[k].count = 0;
+}
+
+void BlockContactList::hear(std::size_t k) { gates_[k].due = Gate{}.due; }
 
 void BlockContactList::look_up(BlockPair& pair, const SphereSet& spheres,
                                std::vector<int>& dropped) {
@@ -244,8 +276,8 @@ void BlockContactList::look_up(BlockPair& pair, const SphereSet& spheres,
   pair.slack = pair.offset.norm() - extent_[a] - extent_[b];
   const double margin = kMargin * std::min(extent_[a], extent_[b]);
   near_.clear();
-  pair.due = drift_;
   if (pair.slack <= margin) list_near(pair, spheres, margin, pair.slack);
+  pair.due = path_of(pair.first, pair.second) + pair.slack;
   keep_contacts(pair, dropped);
 }
 
@@ -301,7 +333,7 @@ double BlockContactList::bytes() const {
     return static_cast<double>(list.capacity() * sizeof(list[0]));
   };
   return size(start_) + size(members_) + size(reference_) + size(arm_) + size(extent_) +
-         size(places_) + size(items_) + size(swept_) + size(block_pairs_) + size(rest_) +
+         size(places_) + size(items_) + size(swept_) + size(block_pairs_) + size(gates_) + size(path_) +
          size(sphere_pairs_) + size(block_item_) + size(item_block_) + size(added_) +
          size(added_at_) + size(partners_) + size(outgrown_);
 }

@@ -35,7 +35,7 @@ struct SpherePair {
 
 /// Two blocks, and the sphere pairs of theirs that are near each other since the last look_up().
 struct BlockPair {
-  double due = 0.0;            ///< drift() before which moved() is false [m]
+  double due = 0.0;            ///< path of both blocks before which moved() is false [m]
   int facet = -1;              ///< free for the user
   int begin = 0, count = 0;    ///< its sphere pairs
   int room = 0;                ///< sphere pairs that fit in its place
@@ -46,8 +46,8 @@ struct BlockPair {
 };
 
 /// Candidate list. Deterministic; buffers are kept, no allocation once they have grown.
-/// Use: group(), find_block_pairs(); then per step follow() once, and for each block pair look_up()
-/// if moved(), and its sphere pairs. Once a block is outgrown(): add_block_pairs(), or group() and
+/// Use: group(), find_block_pairs(); then per step follow() once, wake() each block pair, work on the
+/// candidates() of those that may touch, and let those rest() of which none does. Once a block is outgrown(): add_block_pairs(), or group() and
 /// find_block_pairs().
 class BlockContactList {
  public:
@@ -78,23 +78,38 @@ class BlockContactList {
 
   /// True if the blocks have moved against each other so far that spheres may be near which are
   /// not listed. Exact up to the difference between a turn and the path of its angle.
-  [[nodiscard]] bool moved(BlockPair& pair) {
-    if (drift_ < pair.due) return false;
+  [[nodiscard]] bool moved(BlockPair& pair) const {
+    const double path = path_of(pair.first, pair.second);
+    if (path < pair.due) return false;
     const Place& a = places_[static_cast<std::size_t>(pair.first)];
     const Place& b = places_[static_cast<std::size_t>(pair.second)];
     const double left = pair.slack - (a.travel + b.travel - pair.travel) -
                         (b.reference - a.reference - pair.offset).norm();
-    pair.due = drift_ + left;
-    if (pair.count == 0 && left > 0.0)
-      rest_until(static_cast<std::size_t>(&pair - block_pairs_.data()), pair.due);
+    pair.due = path + left;
     return left < 0.0;
   }
-  /// True if there is nothing to do for block pair k: it has no sphere pairs and moved() is false,
-  /// or it was muted. Looks at neither pair nor blocks.
-  [[nodiscard]] bool idle(std::size_t k) const { return k < rest_.size() && drift_ < rest_[k]; }
-  /// Block pair k is idle until it is heard again.
-  void mute(std::size_t k) { rest_until(k, std::numeric_limits<double>::infinity()); }
-  void hear(std::size_t k) { rest_until(k, kAwake); }
+  /// Whether spheres of block pair k may touch in this step; looks them up first if they moved().
+  /// Of a pair that cannot touch yet only the paths of its blocks are read.
+  [[nodiscard]] bool wake(std::size_t k, const SphereSet& spheres, std::vector<int>& dropped) {
+    if (k >= gates_.size()) make_gates();
+    const Gate& gate = gates_[k];
+    if (path_of(gate.first, gate.second) >= gate.due) open(k, spheres, dropped);
+    return gate.count > 0;
+  }
+  /// Of a pair that wake() has let through, until the next look_up() or wake() of any.
+  [[nodiscard]] std::span<SpherePair> candidates(std::size_t k) {
+    return std::span(sphere_pairs_)
+        .subspan(static_cast<std::size_t>(gates_[k].begin),
+                 static_cast<std::size_t>(gates_[k].count));
+  }
+  /// None of the candidates of block pair k touches: wake() holds it back until one can.
+  void rest(std::size_t k, const double* positions);
+  /// Holds block pair k back until it is heard again.
+  void mute(std::size_t k);
+  void hear(std::size_t k);
+  [[nodiscard]] bool muted(std::size_t k) const {
+    return k < gates_.size() && gates_[k].due == std::numeric_limits<double>::infinity();
+  }
 
   /// Lists the pair's spheres (at least one of the two owned) that are less than the margin apart:
   /// kMargin times the bounding radius of the smaller block. Spheres listed before keep their
@@ -118,12 +133,18 @@ class BlockContactList {
   static constexpr double kMostAdded = 0.25;
 
  private:
-  static constexpr double kAwake = -1.0;
+  /// What wake() needs of a block pair.
+  struct Gate {
+    double due = -1.0;  ///< path of both blocks from which on the pair must be looked at [m]
+    int first, second;  ///< blocks
+    int begin = 0, count = 0;  ///< sphere pairs to be worked on before
+  };
 
-  void rest_until(std::size_t k, double drift) {
-    if (rest_.size() < block_pairs_.size()) rest_.resize(block_pairs_.size(), kAwake);
-    rest_[k] = drift;
+  [[nodiscard]] double path_of(int first, int second) const {
+    return path_[static_cast<std::size_t>(first)] + path_[static_cast<std::size_t>(second)];
   }
+  void make_gates();
+  void open(std::size_t k, const SphereSet& spheres, std::vector<int>& dropped);
 
   struct Member {
     double radius;  ///< [m]
@@ -175,10 +196,10 @@ class BlockContactList {
   std::vector<SpherePair> near_;  ///< work space of look_up
   HierarchicalGrid grid_;
   int skipped_blocks_ = 0;
-  std::vector<double> rest_;                 ///< per block pair: drift before which it is idle [m]
+  std::vector<Gate> gates_;                  ///< per block pair; those behind have none yet
+  std::vector<double> path_;                 ///< per block: no point of it went further [m]
   std::vector<int> outgrown_;                ///< blocks
   double most_range_ = 0.0, fastest_ = 0.0;  ///< of the last search for all [m], [m/s]
-  double drift_ = 0.0;  ///< no two blocks have come closer since group() than this [m]
 };
 
 }  // namespace muckpile

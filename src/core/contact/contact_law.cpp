@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Constants of the contact law: checks, elastic moduli, damping ratio from restitution.
-// Scope: the per-contact functions are inline in the header.
+// Scope: the functions of many contacts at once are inline in the header.
 #include "contact/contact_law.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "args/input_error.h"
@@ -12,6 +14,15 @@ namespace muckpile {
 namespace {
 
 constexpr double kLeastRestitution = 0.05;  // below, the dashpot alone would limit the time step
+
+using One = std::experimental::simd<double, std::experimental::simd_abi::scalar>;
+
+ContactMotionOf<One> lane_of(const ContactMotion& m) {
+  return {VectorOf<One>(m.normal), m.overlap,
+          m.radius_first,          m.radius_second,
+          m.reduced_mass,          VectorOf<One>(m.relative_velocity),
+          VectorOf<One>(m.relative_spin)};
+}
 
 void require(bool holds, const char* rule, double got) {
   if (!holds)
@@ -59,31 +70,47 @@ ContactLaw::ContactLaw(const ContactParameters& p)
   tangential_ratio_ = 2.0 * (1.0 - nu) / (2.0 - nu);
 }
 
+ContactState ContactLaw::begin_contact(const ContactMotion& motion, double time_step) {
+  ContactState state;
+  state.overlap_offset = first_offset(lane_of(motion), time_step)[0];
+  return state;
+}
+
+ContactResponse ContactLaw::evaluate(const ContactMotion& motion, double time_step,
+                                     ContactState& state) const {
+  ContactStateOf<One> lane{VectorOf<One>(state.slide), VectorOf<One>(state.roll),
+                           state.overlap_offset, state.tangential_stiffness};
+  const ContactResponseOf<One> response = evaluate(lane_of(motion), time_step, lane);
+  state = {lane.slide.at(0), lane.roll.at(0), lane.overlap_offset[0], lane.tangential_stiffness[0]};
+  return {response.force_on_first.at(0), response.torque_on_first.at(0), response.elastic_energy[0],
+          response.friction_loss[0], response.damping_loss[0]};
+}
+
 double ContactLaw::normal_stiffness(double radius_first, double radius_second,
                                     double overlap) const {
-  if (model_ == NormalModel::linear) return linear_stiffness(radius_first, radius_second);
+  if (model_ == NormalModel::linear)
+    return linear_stiffness(One(radius_first), One(radius_second))[0];
   const double reduced_radius = radius_first * radius_second / (radius_first + radius_second);
   return 2.0 * young_star_ * std::sqrt(reduced_radius * overlap);
 }
 
 ContactResistance ContactLaw::resistance(const ContactMotion& motion,
                                          const ContactState& state) const {
-  constexpr double kTsuji = 1.8257418583505538;  // 2 sqrt(5/6), as in evaluate()
   const double reduced_radius =
       motion.radius_first * motion.radius_second / (motion.radius_first + motion.radius_second);
   const double overlap = std::max(motion.overlap - state.overlap_offset, 0.0);
-  const Normal normal = normal_part(motion, reduced_radius, overlap);
-  const double tangential = normal.tangential_stiffness;
+  const Normal<One> normal = normal_part(lane_of(motion), One(reduced_radius), One(overlap));
+  const double tangential = normal.tangential_stiffness[0];
   return {normal_stiffness(motion.radius_first, motion.radius_second, overlap), tangential,
-          tangential * reduced_radius * reduced_radius, normal.damping,
-          kTsuji * damping_ratio_ * std::sqrt(tangential * motion.reduced_mass)};
+          tangential * reduced_radius * reduced_radius, normal.damping[0],
+          normal.tangential_damping[0]};
 }
 
 double ContactLaw::stable_time_step(double mass, double radius) const {
   constexpr double kOverlapRatio = 0.05, kShareOfPeriod = 0.2;
   // Against a plane: Hertz with R* = radius; the linear model with two equal spheres at most.
   const double stiffness = model_ == NormalModel::linear
-                               ? linear_stiffness(radius, radius)
+                               ? linear_stiffness(One(radius), One(radius))[0]
                                : 2.0 * young_star_ * std::sqrt(kOverlapRatio) * radius;
   return kShareOfPeriod * std::sqrt(mass / stiffness);
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Force between two touching spheres: normal (Hertz or linear), friction with history, rolling.
-// Scope: pure functions of the motion at one contact and its stored state; SI units. No cohesion.
+// Scope: pure functions of the motion at one contact, or at one in each lane, and its stored state;
+// SI units. No cohesion.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
+#include <experimental/simd>
 
 #include "contact/contact_step_bound.h"
+#include "math/lanes.h"
 #include "math/types.h"
 
 namespace muckpile {
@@ -23,32 +24,50 @@ struct ContactParameters {
   double rolling_friction = 0.1;  ///< [-], >= 0: limit torque / (reduced radius * normal force)
 };
 
-/// What the contact law needs to know of the motion. `first` and `second` are the two spheres;
-/// the caller orders them by atom tag, so that both ranks of a shared contact compute the same.
-struct ContactMotion {
-  Vec3 normal;             ///< unit vector from the first to the second centre
-  double overlap;          ///< radius sum minus distance of the centres [m]
-  double radius_first;     ///< [m]
-  double radius_second;    ///< [m]
-  double reduced_mass;     ///< m1 m2 / (m1 + m2) of the two BLOCKS [kg]
-  Vec3 relative_velocity;  ///< of the first against the second at the contact point [m/s]
-  Vec3 relative_spin;      ///< angular velocity of the first minus that of the second [rad/s]
+/// What the contact law needs to know of the motion, one contact per lane of Number. `first` and
+/// `second` are the two spheres; the caller orders them by atom tag, so that both ranks of a shared
+/// contact compute the same.
+template <class Number>
+struct ContactMotionOf {
+  VectorOf<Number> normal;             ///< unit vector from the first to the second centre
+  Number overlap;                      ///< radius sum minus distance of the centres [m]
+  Number radius_first, radius_second;  ///< [m]
+  Number reduced_mass;                 ///< m1 m2 / (m1 + m2) of the two BLOCKS [kg]
+  VectorOf<Number> relative_velocity;  ///< of the first against the second at the point [m/s]
+  VectorOf<Number> relative_spin;      ///< that of the first minus that of the second [rad/s]
 };
 
 /// What a contact remembers from step to step.
-struct ContactState {
-  Vec3 slide = Vec3::Zero();          ///< elongation of the tangential spring [m]
-  Vec3 roll = Vec3::Zero();           ///< angle of the rolling spring [rad]
-  double overlap_offset = 0.0;        ///< overlap that carries no force [m]
-  double tangential_stiffness = 0.0;  ///< of the last step [N/m]; 0 for a new contact
+template <class Number>
+struct ContactStateOf {
+  VectorOf<Number> slide;             ///< elongation of the tangential spring [m]
+  VectorOf<Number> roll;              ///< angle of the rolling spring [rad]
+  Number overlap_offset = 0.0;        ///< overlap that carries no force [m]
+  Number tangential_stiffness = 0.0;  ///< of the last step [N/m]; 0 for a new contact
 };
 
+template <class Number>
+struct ContactResponseOf {
+  VectorOf<Number> force_on_first;   ///< [N]; the second gets the opposite, at the same point
+  VectorOf<Number> torque_on_first;  ///< of the rolling spring only [N m]; the second: the opposite
+  Number elastic_energy;             ///< stored in the three springs [J]
+  Number friction_loss;              ///< by sliding and rolling in this step [J]
+  Number damping_loss;               ///< by the dashpots in this step [J]
+};
+
+// The same of one contact.
+struct ContactMotion {
+  Vec3 normal;
+  double overlap, radius_first, radius_second, reduced_mass;
+  Vec3 relative_velocity, relative_spin;
+};
+struct ContactState {
+  Vec3 slide = Vec3::Zero(), roll = Vec3::Zero();
+  double overlap_offset = 0.0, tangential_stiffness = 0.0;
+};
 struct ContactResponse {
-  Vec3 force_on_first;    ///< [N]; the second gets the opposite, at the same point
-  Vec3 torque_on_first;   ///< of the rolling spring only [N m]; the second gets the opposite
-  double elastic_energy;  ///< stored in the three springs [J]
-  double friction_loss;   ///< by sliding and rolling in this step [J]
-  double damping_loss;    ///< by the dashpots in this step [J]
+  Vec3 force_on_first, torque_on_first;
+  double elastic_energy, friction_loss, damping_loss;
 };
 
 class ContactLaw {
@@ -59,6 +78,10 @@ class ContactLaw {
   /// Force of this step; `state` is taken to the end of the step. `time_step` [s] may be 0
   /// (forces of an unchanged state). A contact seen for the first time must pass through
   /// `begin_contact` before.
+  template <class Number>
+  [[nodiscard]] ContactResponseOf<Number> evaluate(const ContactMotionOf<Number>& motion,
+                                                   double time_step,
+                                                   ContactStateOf<Number>& state) const;
   [[nodiscard]] ContactResponse evaluate(const ContactMotion& motion, double time_step,
                                          ContactState& state) const;
 
@@ -66,6 +89,10 @@ class ContactLaw {
   /// two blocks has just been retired, or they were created so), the overlap is stored as offset:
   /// the contact starts without force and no energy is injected. `time_step` [s] as of the run.
   [[nodiscard]] static ContactState begin_contact(const ContactMotion& motion, double time_step);
+  /// Of that state, all of which but this is zero [m].
+  template <class Number>
+  [[nodiscard]] static Number first_offset(const ContactMotionOf<Number>& motion,
+                                           double time_step);
 
   /// Slope of the elastic normal force at an overlap [N/m].
   [[nodiscard]] double normal_stiffness(double radius_first, double radius_second,
@@ -83,15 +110,31 @@ class ContactLaw {
   [[nodiscard]] double stable_time_step(double mass, double radius) const;
 
  private:
+  template <class Number>
   struct Normal {
-    double elastic_force;         ///< [N]
-    double energy;                ///< [J]
-    double damping;               ///< [N s/m]
-    double tangential_stiffness;  ///< [N/m]
+    Number elastic_force;         ///< [N]
+    Number energy;                ///< [J]
+    Number damping;               ///< [N s/m]
+    Number tangential_stiffness;  ///< [N/m]
+    Number tangential_damping;    ///< [N s/m]
   };
-  [[nodiscard]] Normal normal_part(const ContactMotion& motion, double reduced_radius,
-                                   double overlap) const;
-  [[nodiscard]] double linear_stiffness(double radius_first, double radius_second) const;
+  template <class Number>
+  struct Spring {
+    VectorOf<Number> stretch;  ///< [m] or [rad]
+    VectorOf<Number> pull;     ///< [N] or [N m]
+    typename Number::mask_type slips;
+    Number lost;  ///< [J]
+  };
+  template <class Number>
+  [[nodiscard]] Normal<Number> normal_part(const ContactMotionOf<Number>& motion,
+                                           const Number& reduced_radius,
+                                           const Number& overlap) const;
+  template <class Number>
+  [[nodiscard]] Number linear_stiffness(const Number& radius_first,
+                                        const Number& radius_second) const;
+  template <class Number>
+  [[nodiscard]] static Spring<Number> limited(const VectorOf<Number>& stretch,
+                                              const Number& stiffness, const Number& limit);
 
   NormalModel model_;
   double young_star_;        ///< E / (2 (1 - nu^2)) [Pa]
@@ -113,113 +156,116 @@ class ContactLaw {
 /// Inverse of restitution_of for 0.05 <= restitution <= 1.
 [[nodiscard]] double damping_ratio_for(double restitution);
 
-/// Springs follow the tangent plane as it turns: the normal part is removed, the length kept.
-[[nodiscard]] inline Vec3 turned_into_plane(const Vec3& spring, const Vec3& normal) {
-  const double before = spring.squaredNorm();
-  if (before == 0.0) return spring;
-  const Vec3 in_plane = spring - spring.dot(normal) * normal;
-  const double after = in_plane.squaredNorm();
-  if (after <= 1e-12 * before) return Vec3::Zero();  // along the normal: no direction left
-  return in_plane * std::sqrt(before / after);
+/// Springs follow the tangent plane as it turns: the normal part is removed, the length kept; of one
+/// along the normal nothing is left.
+template <class Number>
+[[nodiscard, gnu::always_inline]] inline VectorOf<Number> turned_into_plane(
+    const VectorOf<Number>& spring, const VectorOf<Number>& normal) {
+  const VectorOf<Number> in_plane = spring - dot(spring, normal) * normal;
+  const Number before = dot(spring, spring), after = dot(in_plane, in_plane);
+  return choose(after > 1e-12 * before, sqrt(before / after), 0.0) * in_plane;
 }
 
-inline ContactState ContactLaw::begin_contact(const ContactMotion& motion, double time_step) {
-  ContactState state;
-  const double one_step_ago =
-      motion.overlap - time_step * motion.relative_velocity.dot(motion.normal);
-  if (one_step_ago > 0.0) state.overlap_offset = motion.overlap;
-  return state;
+template <class Number>
+[[gnu::always_inline]] inline Number ContactLaw::first_offset(const ContactMotionOf<Number>& motion,
+                                                              double time_step) {
+  const Number one_step_ago =
+      motion.overlap - time_step * dot(motion.relative_velocity, motion.normal);
+  return choose(one_step_ago > 0.0, motion.overlap, 0.0);
 }
 
-inline double ContactLaw::linear_stiffness(double radius_first, double radius_second) const {
+template <class Number>
+[[gnu::always_inline]] inline Number ContactLaw::linear_stiffness(
+    const Number& radius_first, const Number& radius_second) const {
   constexpr double kPi = 3.14159265358979323846;
-  const double least = std::min(radius_first, radius_second);
+  const Number least = min(radius_first, radius_second);
   return youngs_modulus_ * kPi * least * least / (radius_first + radius_second);
 }
 
-inline ContactLaw::Normal ContactLaw::normal_part(const ContactMotion& motion,
-                                                  double reduced_radius, double overlap) const {
+template <class Number>
+[[gnu::always_inline]] inline ContactLaw::Normal<Number> ContactLaw::normal_part(
+    const ContactMotionOf<Number>& motion, const Number& reduced_radius,
+    const Number& overlap) const {
+  constexpr double kTsuji = 1.8257418583505538;  // 2 sqrt(5/6)
   if (model_ == NormalModel::linear) {
-    const double stiffness = linear_stiffness(motion.radius_first, motion.radius_second);
+    const Number stiffness = linear_stiffness(motion.radius_first, motion.radius_second);
+    const Number critical = sqrt(stiffness * motion.reduced_mass);
     return {stiffness * overlap, 0.5 * stiffness * overlap * overlap,
-            2.0 * damping_ratio_ * std::sqrt(stiffness * motion.reduced_mass),
-            tangential_ratio_ * stiffness};
+            2.0 * damping_ratio_ * critical, tangential_ratio_ * stiffness,
+            kTsuji * damping_ratio_ * std::sqrt(tangential_ratio_) * critical};
   }
-  const double contact_radius = std::sqrt(reduced_radius * overlap);  // [m]
-  const double slope = 2.0 * young_star_ * contact_radius;            // dF/d(overlap) [N/m]
-  constexpr double kTsuji = 1.8257418583505538;                       // 2 sqrt(5/6)
-  return {(2.0 / 3.0) * slope * overlap, (4.0 / 15.0) * slope * overlap * overlap,
-          kTsuji * damping_ratio_ * std::sqrt(slope * motion.reduced_mass),
-          8.0 * shear_star_ * contact_radius};
+  const Number contact_radius = sqrt(reduced_radius * overlap);  // [m]
+  const Number slope = 2.0 * young_star_ * contact_radius;       // dF/d(overlap) [N/m]
+  const Number damping = kTsuji * damping_ratio_ * sqrt(slope * motion.reduced_mass);
+  const double tangential = 4.0 * shear_star_ / young_star_;  // over the normal slope
+  return {(2.0 / 3.0) * slope * overlap, (4.0 / 15.0) * slope * overlap * overlap, damping,
+          tangential * slope, std::sqrt(tangential) * damping};
 }
 
-inline ContactResponse ContactLaw::evaluate(const ContactMotion& motion, double time_step,
-                                            ContactState& state) const {
-  const double reduced_radius =
+/// A spring that bears no more than the limit: what it cannot take is lost.
+template <class Number>
+[[gnu::always_inline]] inline ContactLaw::Spring<Number> ContactLaw::limited(
+    const VectorOf<Number>& stretch, const Number& stiffness, const Number& limit) {
+  const Number length = sqrt(dot(stretch, stretch)), trial = stiffness * length;
+  const auto slips = trial > limit;
+  const Number keep = choose(slips, limit / trial, 1.0);
+  const VectorOf<Number> kept = keep * stretch;
+  return {kept, -stiffness * kept, slips, choose(slips, limit * (1.0 - keep) * length, 0.0)};
+}
+
+template <class Number>
+[[gnu::always_inline]] inline ContactResponseOf<Number> ContactLaw::evaluate(
+    const ContactMotionOf<Number>& motion, double time_step, ContactStateOf<Number>& state) const {
+  using Vector = VectorOf<Number>;
+  const Number dt = time_step;
+  const Number reduced_radius =
       motion.radius_first * motion.radius_second / (motion.radius_first + motion.radius_second);
-  state.overlap_offset = std::min(state.overlap_offset, motion.overlap);
-  const Normal normal = normal_part(motion, reduced_radius, motion.overlap - state.overlap_offset);
-  const double closing_speed = motion.relative_velocity.dot(motion.normal);
+  state.overlap_offset = min(state.overlap_offset, motion.overlap);
+  const Normal<Number> normal =
+      normal_part(motion, reduced_radius, motion.overlap - state.overlap_offset);
+  const Number closing_speed = dot(motion.relative_velocity, motion.normal);
   // Rock does not stick: the dashpot may cancel the spring, never pull.
-  const double normal_force = std::max(0.0, normal.elastic_force + normal.damping * closing_speed);
+  const Number normal_force =
+      max(Number(0.0), normal.elastic_force + normal.damping * closing_speed);
 
   // A spring whose stiffness grows keeps its force, one whose stiffness falls keeps its length:
   // either way its energy only falls (Elata and Berryman, Mech. Mater. 24 (1996) 229).
-  const double stiffness = normal.tangential_stiffness;
-  const double before = state.tangential_stiffness;
-  const double shrink = stiffness > before && before > 0.0 ? before / stiffness : 1.0;
-  const double rolling_stiffness = stiffness * reduced_radius * reduced_radius;
-  const double old_energy =
+  const Number stiffness = normal.tangential_stiffness;
+  const Number before = state.tangential_stiffness;
+  const Number shrink = choose(stiffness > before && before > 0.0, before / stiffness, 1.0);
+  const Number squared_radius = reduced_radius * reduced_radius;
+  const Number rolling_stiffness = stiffness * squared_radius;
+  const Number old_energy =
       0.5 * before *
-      (state.slide.squaredNorm() + reduced_radius * reduced_radius * state.roll.squaredNorm());
-  Vec3 slide = shrink * turned_into_plane(state.slide, motion.normal);
-  Vec3 roll = shrink * turned_into_plane(state.roll, motion.normal);
-  double friction_loss = old_energy - 0.5 * stiffness * slide.squaredNorm() -
-                         0.5 * rolling_stiffness * roll.squaredNorm();
+      (dot(state.slide, state.slide) + squared_radius * dot(state.roll, state.roll));
+  const Vector slide = shrink * turned_into_plane(state.slide, motion.normal);
+  const Vector roll = shrink * turned_into_plane(state.roll, motion.normal);
+  const Number forgotten = old_energy - 0.5 * stiffness * dot(slide, slide) -
+                           0.5 * rolling_stiffness * dot(roll, roll);
 
-  const Vec3 sliding = motion.relative_velocity - closing_speed * motion.normal;
-  slide += time_step * sliding;
-  const double limit = friction_ * normal_force;
-  Vec3 tangential = -stiffness * slide;
-  const double trial = tangential.norm();
-  double damping_loss = (normal_force - normal.elastic_force) * closing_speed * time_step;
-  if (trial > limit) {  // slips: what the spring cannot take is lost
-    const double keep = limit / trial;
-    friction_loss += limit * (1.0 - keep) * slide.norm();
-    slide *= keep;
-    tangential *= keep;
-  } else {
-    constexpr double kTsuji = 1.8257418583505538;
-    const double damping = kTsuji * damping_ratio_ * std::sqrt(stiffness * motion.reduced_mass);
-    Vec3 damped = tangential - damping * sliding;
-    const double size = damped.norm();
-    if (size > limit) damped *= limit / size;
-    damping_loss += (tangential - damped).dot(sliding) * time_step;
-    tangential = damped;
-  }
+  const Vector sliding = motion.relative_velocity - closing_speed * motion.normal;
+  const Number limit = friction_ * normal_force;
+  const Spring<Number> shear = limited(slide + dt * sliding, stiffness, limit);
+  const Vector damped = shear.pull - normal.tangential_damping * sliding;
+  const Number size = sqrt(dot(damped, damped));
+  const Number share = choose(size > limit, limit / size, 1.0);
+  const Vector tangential = choose(shear.slips, shear.pull, share * damped);
+  const Number damping_loss = ((normal_force - normal.elastic_force) * closing_speed +
+                               dot(shear.pull - tangential, sliding)) *
+                              dt;
 
   // Elastic-plastic rolling spring, stiffness k_t R*^2: Ai et al., Powder Technology 206 (2011)
   // 269, model C; Wensrich and Katterfeld, Powder Technology 217 (2012) 409.
-  const Vec3 rolling =
-      motion.relative_spin - motion.relative_spin.dot(motion.normal) * motion.normal;
-  roll += time_step * rolling;
-  Vec3 torque = -rolling_stiffness * roll;
-  const double torque_limit = rolling_friction_ * reduced_radius * normal_force;
-  const double trial_torque = torque.norm();
-  if (trial_torque > torque_limit) {
-    const double keep = torque_limit / trial_torque;
-    friction_loss += torque_limit * (1.0 - keep) * roll.norm();
-    roll *= keep;
-    torque *= keep;
-  }
+  const Vector rolling =
+      motion.relative_spin - dot(motion.relative_spin, motion.normal) * motion.normal;
+  const Spring<Number> turn = limited(roll + dt * rolling, rolling_stiffness,
+                                      rolling_friction_ * reduced_radius * normal_force);
 
-  state.slide = slide;
-  state.roll = roll;
-  state.tangential_stiffness = stiffness;
-  return {tangential - normal_force * motion.normal, torque,
-          normal.energy + 0.5 * stiffness * slide.squaredNorm() +
-              0.5 * rolling_stiffness * roll.squaredNorm(),
-          friction_loss, damping_loss};
+  state = {shear.stretch, turn.stretch, state.overlap_offset, stiffness};
+  return {tangential - normal_force * motion.normal, turn.pull,
+          normal.energy + 0.5 * stiffness * dot(shear.stretch, shear.stretch) +
+              0.5 * rolling_stiffness * dot(turn.stretch, turn.stretch),
+          forgotten + shear.lost + turn.lost, damping_loss};
 }
 
 }  // namespace muckpile

@@ -82,7 +82,10 @@ template <class Number>
           r(0, 1) * v.x + r(1, 1) * v.y + r(2, 1) * v.z,
           r(0, 2) * v.x + r(1, 2) * v.y + r(2, 2) * v.z};
 }
-[[nodiscard]] inline LaneVec choose(const LaneMask& mask, const LaneVec& yes, const LaneVec& no) {
+template <class Number>
+[[nodiscard, gnu::always_inline]] inline VectorOf<Number> choose(
+    const typename Number::mask_type& mask, const VectorOf<Number>& yes,
+    const VectorOf<Number>& no) {
   return {choose(mask, yes.x, no.x), choose(mask, yes.y, no.y), choose(mask, yes.z, no.z)};
 }
 [[nodiscard]] inline Vec3 sum(const LaneVec& v) { return {sum(v.x), sum(v.y), sum(v.z)}; }

@@ -15,6 +15,7 @@ namespace {
 constexpr double kMass = 3.0;    // of each of two equal blocks [kg]
 constexpr double kRadius = 0.1;  // of each of two equal spheres [m]
 const Vec3 kNormal(1, 0, 0);
+using One = VectorOf<std::experimental::simd<double, std::experimental::simd_abi::scalar>>;
 
 ContactMotion motion_of(double overlap, const Vec3& relative_velocity,
                         const Vec3& relative_spin = Vec3::Zero()) {
@@ -266,10 +267,12 @@ TEST(ContactLaw, SpinAboutTheNormalMeetsNoResistance) {
 TEST(ContactLaw, SpringsTurnWithTheTangentPlaneAndKeepTheirLength) {
   const Vec3 spring(0.0, 3e-6, 4e-6);
   const Vec3 normal = Vec3(1.0, 0.2, -0.1).normalized();
-  const Vec3 turned = turned_into_plane(spring, normal);
+  const auto turn = [&](const Vec3& v) { return turned_into_plane(One(v), One(normal)).at(0); };
+  const Vec3 turned = turn(spring);
   EXPECT_NEAR(turned.dot(normal), 0.0, 1e-20);
   EXPECT_NEAR(turned.norm(), 5e-6, 1e-18);
-  EXPECT_EQ(turned_into_plane(2e-6 * normal, normal).norm(), 0.0);
+  EXPECT_EQ(turn(2e-6 * normal).norm(), 0.0);
+  EXPECT_EQ(turn(Vec3::Zero()).norm(), 0.0);
 }
 
 TEST(ContactLaw, RefusesValuesOutOfRange) {
