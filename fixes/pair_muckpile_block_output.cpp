@@ -56,8 +56,8 @@ ContactStepBound PairMuckpileBlock::present_contacts() {
         Vec3 arm = point - bodies.centre(body);
         domain->minimum_image(arm.x(), arm.y(), arm.z());
         bound.add(static_cast<std::size_t>(body),
-                  {bodies.mass(body), bodies.inertia_in_space(body)}, resistance,
-                  motion.normal, arm, atom->rmass[second ? pair.first : pair.second]);
+                  {bodies.mass(body), bodies.inertia_in_space(body)}, resistance, motion.normal,
+                  arm, atom->rmass[second ? pair.first : pair.second]);
       }
     }
   return bound;
@@ -70,8 +70,7 @@ double PairMuckpileBlock::resting_energy() {
       if (pair.contact < 0) continue;
       ContactState state = contacts_[pair.contact];
       const bool shared = pair.first >= atom->nlocal || pair.second >= atom->nlocal;
-      energy += (shared ? 0.5 : 1.0) *
-                law_->evaluate(held_still(pair), 0.0, state).elastic_energy;
+      energy += (shared ? 0.5 : 1.0) * law_->evaluate(held_still(pair), 0.0, state).elastic_energy;
     }
   return energy;
 }
@@ -99,8 +98,6 @@ void* PairMuckpileBlock::extract(const char* name, int& dim) {
   return nullptr;
 }
 
-double PairMuckpileBlock::memory_usage() {
-  return list_.bytes() + contacts_.bytes();
-}
+double PairMuckpileBlock::memory_usage() { return list_.bytes() + contacts_.bytes(); }
 
 }  // namespace muckpile

@@ -206,7 +206,7 @@ void BlockContactList::add_partners(int block) {
     if (added_pairs_.insert(key).second) list_pair(first, second);
   };
   partners_.clear();
-  grid_.find_partners(swept_, swept, partners_);
+  grid_.find_partners(swept, partners_);
   for (const int item : partners_) {
     const int other = item_block_[static_cast<std::size_t>(item)];
     if (added_at_[static_cast<std::size_t>(other)] < 0) add(other);
@@ -333,8 +333,8 @@ double BlockContactList::bytes() const {
     return static_cast<double>(list.capacity() * sizeof(list[0]));
   };
   return size(start_) + size(members_) + size(reference_) + size(arm_) + size(extent_) +
-         size(places_) + size(items_) + size(swept_) + size(block_pairs_) + size(gates_) + size(path_) +
-         size(sphere_pairs_) + size(block_item_) + size(item_block_) + size(added_) +
+         size(places_) + size(items_) + size(swept_) + size(block_pairs_) + size(gates_) +
+         size(path_) + size(sphere_pairs_) + size(block_item_) + size(item_block_) + size(added_) +
          size(added_at_) + size(partners_) + size(outgrown_);
 }
 

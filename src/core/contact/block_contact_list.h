@@ -46,9 +46,9 @@ struct BlockPair {
 };
 
 /// Candidate list. Deterministic; buffers are kept, no allocation once they have grown.
-/// Use: group(), find_block_pairs(); then per step follow() once, wake() each block pair, work on the
-/// candidates() of those that may touch, and let those rest() of which none does. Once a block is outgrown(): add_block_pairs(), or group() and
-/// find_block_pairs().
+/// Use: group(), find_block_pairs(); then per step follow() once, wake() each block pair, work on
+/// the candidates() of those that may touch, and let those rest() of which none does. Once a block
+/// is outgrown(): add_block_pairs(), or group() and find_block_pairs().
 class BlockContactList {
  public:
   /// Sorts the spheres by block and bounds each block's present spheres. Blocks that have no
@@ -135,8 +135,8 @@ class BlockContactList {
  private:
   /// What wake() needs of a block pair.
   struct Gate {
-    double due = -1.0;  ///< path of both blocks from which on the pair must be looked at [m]
-    int first, second;  ///< blocks
+    double due = -1.0;         ///< path of both blocks from which on the pair must be looked at [m]
+    int first, second;         ///< blocks
     int begin = 0, count = 0;  ///< sphere pairs to be worked on before
   };
 

@@ -217,7 +217,7 @@ void ContactForces::scatter() {
       add(at(torque_[1], k), spheres_.torques, touch.second);
     }
     (*contacts_)[touch.contact] = {at(slide_, k), at(roll_, k), offset_.values[k],
-                                 stiffness_.values[k]};
+                                   stiffness_.values[k]};
   }
 }
 

@@ -27,10 +27,10 @@ struct MovingSpheres {
 /// Of a step. A contact between two ranks counts half on each, largest_overlap apart.
 struct ContactSums {
   double contacts = 0.0;
-  double elastic = 0.0;            ///< stored [J]
-  double friction = 0.0;           ///< lost in the step [J]
-  double damping = 0.0;            ///< lost in the step [J]
-  double power = 0.0;              ///< done on own spheres [W]
+  double elastic = 0.0;                ///< stored [J]
+  double friction = 0.0;               ///< lost in the step [J]
+  double damping = 0.0;                ///< lost in the step [J]
+  double power = 0.0;                  ///< done on own spheres [W]
   double largest_overlap_ratio = 0.0;  ///< over the smaller radius [-]
 };
 
@@ -75,7 +75,8 @@ class ContactForces {
  private:
   static constexpr std::size_t kLanes = 8;
   static constexpr std::size_t kRoom = 64;  ///< contacts, whose numbers the fastest cache holds
-  using Lanes = std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, kLanes>>;
+  using Lanes =
+      std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, kLanes>>;
   using Vectors = VectorOf<Lanes>;
   struct Row {
     alignas(64) std::array<double, kRoom> values;

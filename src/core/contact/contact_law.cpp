@@ -18,9 +18,12 @@ constexpr double kLeastRestitution = 0.05;  // below, the dashpot alone would li
 using One = std::experimental::simd<double, std::experimental::simd_abi::scalar>;
 
 ContactMotionOf<One> lane_of(const ContactMotion& m) {
-  return {VectorOf<One>(m.normal), m.overlap,
-          m.radius_first,          m.radius_second,
-          m.reduced_mass,          VectorOf<One>(m.relative_velocity),
+  return {VectorOf<One>(m.normal),
+          m.overlap,
+          m.radius_first,
+          m.radius_second,
+          m.reduced_mass,
+          VectorOf<One>(m.relative_velocity),
           VectorOf<One>(m.relative_spin)};
 }
 

@@ -91,8 +91,7 @@ class ContactLaw {
   [[nodiscard]] static ContactState begin_contact(const ContactMotion& motion, double time_step);
   /// Of that state, all of which but this is zero [m].
   template <class Number>
-  [[nodiscard]] static Number first_offset(const ContactMotionOf<Number>& motion,
-                                           double time_step);
+  [[nodiscard]] static Number first_offset(const ContactMotionOf<Number>& motion, double time_step);
 
   /// Slope of the elastic normal force at an overlap [N/m].
   [[nodiscard]] double normal_stiffness(double radius_first, double radius_second,
@@ -156,8 +155,8 @@ class ContactLaw {
 /// Inverse of restitution_of for 0.05 <= restitution <= 1.
 [[nodiscard]] double damping_ratio_for(double restitution);
 
-/// Springs follow the tangent plane as it turns: the normal part is removed, the length kept; of one
-/// along the normal nothing is left.
+/// Springs follow the tangent plane as it turns: the normal part is removed, the length kept; of
+/// one along the normal nothing is left.
 template <class Number>
 [[nodiscard, gnu::always_inline]] inline VectorOf<Number> turned_into_plane(
     const VectorOf<Number>& spring, const VectorOf<Number>& normal) {
@@ -236,12 +235,11 @@ template <class Number>
   const Number squared_radius = reduced_radius * reduced_radius;
   const Number rolling_stiffness = stiffness * squared_radius;
   const Number old_energy =
-      0.5 * before *
-      (dot(state.slide, state.slide) + squared_radius * dot(state.roll, state.roll));
+      0.5 * before * (dot(state.slide, state.slide) + squared_radius * dot(state.roll, state.roll));
   const Vector slide = shrink * turned_into_plane(state.slide, motion.normal);
   const Vector roll = shrink * turned_into_plane(state.roll, motion.normal);
-  const Number forgotten = old_energy - 0.5 * stiffness * dot(slide, slide) -
-                           0.5 * rolling_stiffness * dot(roll, roll);
+  const Number forgotten =
+      old_energy - 0.5 * stiffness * dot(slide, slide) - 0.5 * rolling_stiffness * dot(roll, roll);
 
   const Vector sliding = motion.relative_velocity - closing_speed * motion.normal;
   const Number limit = friction_ * normal_force;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Hashed grids by size class: filling and search.
+// Hashed columns by size class: filling and search.
 // Scope: see the header. Open addressing, tables at most half full.
 #include "contact/hierarchical_grid.h"
 
@@ -41,8 +41,8 @@ void HierarchicalGrid::assign_levels(std::span<const BoundingSphere> items, doub
   const double base =
       std::max(smallest, std::ldexp(largest, 1 - kMaxLevels));  // width of the finest cells [m]
 
-  levels_.assign(kMaxLevels + 1, Level{0.0, 0.0, 0, 0, 0});
-  level_of_.assign(items.size(), kNone);
+  levels_.assign(kMaxLevels + 1, Level{});
+  item_level_.assign(items.size(), kNone);
   skipped_ = 0;
   for (std::size_t k = 0; k < items.size(); ++k) {
     if (!is_usable(items[k])) {
@@ -51,7 +51,7 @@ void HierarchicalGrid::assign_levels(std::span<const BoundingSphere> items, doub
     }
     const double ratio = (2.0 * items[k].radius + gap) / base;
     const int level = ratio <= 1.0 ? 0 : std::min(kMaxLevels, std::ilogb(ratio) + 1);
-    level_of_[k] = level;
+    item_level_[k] = level;
     Level& l = levels_[static_cast<std::size_t>(level)];
     ++l.count;
     l.max_radius = std::max(l.max_radius, items[k].radius);
@@ -59,69 +59,124 @@ void HierarchicalGrid::assign_levels(std::span<const BoundingSphere> items, doub
   }
 }
 
-std::size_t HierarchicalGrid::slot_of(const Level& level, std::int64_t x, std::int64_t y,
-                                      std::int64_t z) const {
+std::size_t HierarchicalGrid::slot_of(int level, std::int64_t x, std::int64_t y) const {
   std::uint64_t h = static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15ULL;
   h = (h ^ static_cast<std::uint64_t>(y)) * 0xC2B2AE3D27D4EB4FULL;
-  h = (h ^ static_cast<std::uint64_t>(z)) * 0x165667B19E3779F9ULL;
+  h = (h ^ static_cast<std::uint64_t>(level)) * 0x165667B19E3779F9ULL;
   h ^= h >> 32;
-  std::size_t slot = static_cast<std::size_t>(h) & level.slot_mask;
-  for (;;) {
-    const Cell& c = cells_[level.slot_begin + slot];
-    if (c.first == kNone || (c.x == x && c.y == y && c.z == z)) return level.slot_begin + slot;
-    slot = (slot + 1) & level.slot_mask;
+  const std::size_t mask = slots_.size() - 1;
+  for (std::size_t slot = static_cast<std::size_t>(h) & mask;; slot = (slot + 1) & mask) {
+    if (slots_[slot] == kNone) return slot;
+    const Column& c = columns_[static_cast<std::size_t>(slots_[slot])];
+    if (c.x == x && c.y == y && c.level == level) return slot;
   }
 }
 
-void HierarchicalGrid::fill_cells(std::span<const BoundingSphere> items) {
-  std::size_t slots = 0;
-  for (Level& level : levels_) {
-    if (level.count == 0) continue;
-    const std::size_t size = std::bit_ceil(2 * static_cast<std::size_t>(level.count));
-    level.slot_begin = slots;
-    level.slot_mask = size - 1;
-    slots += size;
+int HierarchicalGrid::column_of(int level, const Vec3& centre) {
+  const double inverse_width = levels_[static_cast<std::size_t>(level)].inverse_width;
+  const std::int64_t x = cell_index(centre.x(), inverse_width);
+  const std::int64_t y = cell_index(centre.y(), inverse_width);
+  const std::size_t slot = slot_of(level, x, y);
+  if (slots_[slot] == kNone) {
+    slots_[slot] = static_cast<int>(columns_.size());
+    columns_.push_back({x, y, level, 0, 0, centre.x(), centre.x(), centre.y(), centre.y()});
   }
-  cells_.assign(slots, Cell{0, 0, 0, kNone});
-  next_.assign(items.size(), kNone);
-  for (std::size_t k = items.size(); k-- > 0;) {  // backwards: chains then run in rising order
-    if (level_of_[k] == kNone) continue;
-    const Level& level = levels_[static_cast<std::size_t>(level_of_[k])];
-    const Vec3& c = items[k].centre;
-    const std::int64_t x = cell_index(c.x(), level.inverse_width);
-    const std::int64_t y = cell_index(c.y(), level.inverse_width);
-    const std::int64_t z = cell_index(c.z(), level.inverse_width);
-    Cell& cell = cells_[slot_of(level, x, y, z)];
-    next_[k] = cell.first;
-    cell = Cell{x, y, z, static_cast<int>(k)};
-  }
+  return slots_[slot];
 }
 
-/// Items of a level in the cells that may hold a partner of `sphere`.
+void HierarchicalGrid::fill_columns(std::span<const BoundingSphere> items) {
+  slots_.assign(std::bit_ceil(2 * items.size() + 1), kNone);
+  columns_.clear();
+  item_column_.assign(items.size(), kNone);
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    if (item_level_[k] == kNone) continue;
+    const Vec3& centre = items[k].centre;
+    item_column_[k] = column_of(item_level_[k], centre);
+    Column& column = columns_[static_cast<std::size_t>(item_column_[k])];
+    ++column.end;
+    column.low_x = std::min(column.low_x, centre.x());
+    column.high_x = std::max(column.high_x, centre.x());
+    column.low_y = std::min(column.low_y, centre.y());
+    column.high_y = std::max(column.high_y, centre.y());
+  }
+  int begin = 0;
+  for (Column& column : columns_) {
+    column.begin = begin;
+    begin += column.end;
+    column.end = column.begin;
+  }
+  members_.resize(static_cast<std::size_t>(begin));
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    if (item_level_[k] == kNone) continue;
+    Column& column = columns_[static_cast<std::size_t>(item_column_[k])];
+    members_[static_cast<std::size_t>(column.end++)] = {items[k], static_cast<int>(k)};
+  }
+  for (const Column& column : columns_)
+    std::sort(members_.begin() + column.begin, members_.begin() + column.end,
+              [](const Member& a, const Member& b) {
+                const double z_a = a.sphere.centre.z(), z_b = b.sphere.centre.z();
+                return z_a < z_b || (z_a == z_b && a.item < b.item);
+              });
+}
+
+/// Cells within `reach` [m] of a rectangle, a little more for rounding.
+HierarchicalGrid::Area HierarchicalGrid::area_about(const Column& column, double reach,
+                                                    double inverse_width) {
+  const double wide = 1.000000001 * reach;
+  return {cell_index(column.low_x - wide, inverse_width),
+          cell_index(column.high_x + wide, inverse_width),
+          cell_index(column.low_y - wide, inverse_width),
+          cell_index(column.high_y + wide, inverse_width)};
+}
+
+/// The columns of a level in an area, which may be larger than all of them.
 template <class Visit>
-void HierarchicalGrid::each_in_reach(const Level& level, const BoundingSphere& sphere,
-                                     const Visit& visit) const {
-  const double reach = sphere.radius + level.max_radius + gap_;  // [m]
-  std::int64_t low[3], high[3];
-  for (int d = 0; d < 3; ++d) {
-    low[d] = cell_index(sphere.centre[d] - reach, level.inverse_width);
-    high[d] = cell_index(sphere.centre[d] + reach, level.inverse_width);
+void HierarchicalGrid::each_column(int level, const Area& area, const Visit& visit) const {
+  const double cells = (static_cast<double>(area.high_x - area.low_x) + 1.0) *
+                       (static_cast<double>(area.high_y - area.low_y) + 1.0);
+  if (cells > static_cast<double>(columns_.size())) {
+    for (const Column& c : columns_)
+      if (c.level == level && area.low_x <= c.x && c.x <= area.high_x && area.low_y <= c.y &&
+          c.y <= area.high_y)
+        visit(c);
+    return;
   }
-  for (std::int64_t x = low[0]; x <= high[0]; ++x)
-    for (std::int64_t y = low[1]; y <= high[1]; ++y)
-      for (std::int64_t z = low[2]; z <= high[2]; ++z)
-        for (int other = cells_[slot_of(level, x, y, z)].first; other != kNone;
-             other = next_[static_cast<std::size_t>(other)])
-          visit(other);
+  for (std::int64_t x = area.low_x; x <= area.high_x; ++x)
+    for (std::int64_t y = area.low_y; y <= area.high_y; ++y)
+      if (const int found = slots_[slot_of(level, x, y)]; found != kNone)
+        visit(columns_[static_cast<std::size_t>(found)]);
 }
 
-void HierarchicalGrid::query(std::span<const BoundingSphere> items, int item, int level_number) {
-  const BoundingSphere& me = items[static_cast<std::size_t>(item)];
-  const bool own_level = level_of_[static_cast<std::size_t>(item)] == level_number;
-  each_in_reach(levels_[static_cast<std::size_t>(level_number)], me, [&](int other) {
-    if (own_level && other <= item) return;  // counted by the other one
-    if (within(me, items[static_cast<std::size_t>(other)], gap_))
-      pairs_.push_back(IndexPair{std::min(item, other), std::max(item, other)});
+void HierarchicalGrid::add_pair(const Member& a, const Member& b) {
+  if (within(a.sphere, b.sphere, gap_))
+    pairs_.push_back({std::min(a.item, b.item), std::max(a.item, b.item)});
+}
+
+/// Of two columns, or of one with itself. `reach`: no pair of theirs lies further apart.
+void HierarchicalGrid::sweep(const Column& a, const Column& b, double reach) {
+  int from = b.begin;
+  for (int i = a.begin; i < a.end; ++i) {
+    const Member& me = members_[static_cast<std::size_t>(i)];
+    const auto above = [&](int j) {
+      return members_[static_cast<std::size_t>(j)].sphere.centre.z() - me.sphere.centre.z();
+    };
+    if (&a == &b)
+      from = i + 1;
+    else
+      while (from < b.end && above(from) < -reach) ++from;
+    for (int j = from; j < b.end && above(j) <= reach; ++j)
+      add_pair(me, members_[static_cast<std::size_t>(j)]);
+  }
+}
+
+/// With columns of its own level, each two of them once, or with those of a coarser one.
+void HierarchicalGrid::pair_up(const Column& column, int level) {
+  const Level& other = levels_[static_cast<std::size_t>(level)];
+  const double reach =
+      levels_[static_cast<std::size_t>(column.level)].max_radius + other.max_radius + gap_;
+  each_column(level, area_about(column, reach, other.inverse_width), [&](const Column& c) {
+    if (level == column.level && std::pair(c.x, c.y) < std::pair(column.x, column.y)) return;
+    sweep(column, c, reach);
   });
 }
 
@@ -130,32 +185,29 @@ const std::vector<IndexPair>& HierarchicalGrid::find_pairs(std::span<const Bound
   pairs_.clear();
   gap_ = gap;
   assign_levels(items, gap);
-  fill_cells(items);
-  for (std::size_t k = 0; k < items.size(); ++k) {
-    if (level_of_[k] == kNone) continue;
-    for (int level = level_of_[k]; level <= kMaxLevels; ++level)
-      if (levels_[static_cast<std::size_t>(level)].count > 0)
-        query(items, static_cast<int>(k), level);
-  }
+  fill_columns(items);
+  for (const Column& column : columns_)
+    for (int level = column.level; level <= kMaxLevels; ++level)
+      if (levels_[static_cast<std::size_t>(level)].count > 0) pair_up(column, level);
   return pairs_;
 }
 
-void HierarchicalGrid::find_partners(std::span<const BoundingSphere> items,
-                                     const BoundingSphere& sphere, std::vector<int>& found) const {
-  const auto visit = [&](int other) {
-    if (within(sphere, items[static_cast<std::size_t>(other)], gap_)) found.push_back(other);
-  };
-  for (std::size_t number = 0; number < levels_.size(); ++number) {
-    const Level& level = levels_[number];
+void HierarchicalGrid::find_partners(const BoundingSphere& sphere, std::vector<int>& found) const {
+  const Vec3& centre = sphere.centre;
+  const Column at{0, 0, 0, 0, 0, centre.x(), centre.x(), centre.y(), centre.y()};
+  for (int number = 0; number < static_cast<int>(levels_.size()); ++number) {
+    const Level& level = levels_[static_cast<std::size_t>(number)];
     if (level.count == 0) continue;
-    const double across =
-        2.0 * (sphere.radius + level.max_radius + gap_) * level.inverse_width + 1.0;
-    if (across * across * across < static_cast<double>(items.size())) {
-      each_in_reach(level, sphere, visit);
-      continue;
-    }
-    for (std::size_t k = 0; k < items.size(); ++k)  // a large sphere among many small cells
-      if (level_of_[k] == static_cast<int>(number)) visit(static_cast<int>(k));
+    const double reach = sphere.radius + level.max_radius + gap_;
+    const auto visit = [&](const Column& c) {
+      const auto begin = members_.begin() + c.begin, end = members_.begin() + c.end;
+      auto m = std::partition_point(begin, end, [&](const Member& member) {
+        return member.sphere.centre.z() - centre.z() < -reach;
+      });
+      for (; m != end && m->sphere.centre.z() - centre.z() <= reach; ++m)
+        if (within(sphere, m->sphere, gap_)) found.push_back(m->item);
+    };
+    each_column(number, area_about(at, reach, level.inverse_width), visit);
   }
 }
 

@@ -27,12 +27,15 @@ struct IndexPair {
   int first, second;  ///< first < second
 };
 
-/// Size-aware broad phase, after Ericson, Real-Time Collision Detection (2005), section 7.2.
+/// Size-aware broad phase, after Ericson, Real-Time Collision Detection (2005), section 7.2, with
+/// columns instead of cells.
 ///
-/// A sphere lives in the cell of its centre, on the level whose cells are one to two times as wide
-/// as it is. It looks for partners on its own and on coarser levels only, so the cost per sphere is
-/// a few cells per level, whatever the size range. Buffers are kept between calls: no allocation
-/// once they have grown. The order of the result depends on the order of the items only.
+/// A sphere lives in the column of its centre, on the level whose columns are one to two times as
+/// wide as it is. Columns are sorted by height; those of the same level that lie beside each other,
+/// and each with those of coarser levels that it reaches, are swept upwards together, so the cost
+/// per sphere is a few columns per level, whatever the size range. Buffers are kept between calls:
+/// no allocation once they have grown. The order of the result depends on the order of the items
+/// only.
 class HierarchicalGrid {
  public:
   /// All pairs whose surfaces are less than `gap` [m] apart, each once.
@@ -41,37 +44,50 @@ class HierarchicalGrid {
   const std::vector<IndexPair>& find_pairs(std::span<const BoundingSphere> items, double gap);
 
   /// Appends to `found` the items of the last find_pairs() whose surfaces are less than its `gap`
-  /// from that of `sphere`, which need not be one of them. `items` are as they were then.
-  void find_partners(std::span<const BoundingSphere> items, const BoundingSphere& sphere,
-                     std::vector<int>& found) const;
+  /// from that of `sphere`, which need not be one of them. All are as they were then.
+  void find_partners(const BoundingSphere& sphere, std::vector<int>& found) const;
 
   /// Items left out of the last search.
   [[nodiscard]] int skipped() const { return skipped_; }
 
  private:
-  struct Cell {
-    std::int64_t x, y, z;
-    int first;  ///< head of the chain of items, kNone if the slot is empty
+  struct Column {
+    std::int64_t x, y;  ///< cell of its level
+    int level;
+    int begin, end;                       ///< of members_
+    double low_x, high_x, low_y, high_y;  ///< of its members' centres [m]
+  };
+  struct Member {
+    BoundingSphere sphere;
+    int item;
   };
   struct Level {
-    double inverse_width;  ///< [1/m]
-    double max_radius;     ///< of the items that live here [m]
-    std::size_t slot_begin, slot_mask;
-    int count;
+    double inverse_width = 0.0;  ///< [1/m]
+    double max_radius = 0.0;     ///< of the items that live here [m]
+    int count = 0;
+  };
+  /// Cells of a level.
+  struct Area {
+    std::int64_t low_x, high_x, low_y, high_y;
   };
 
   void assign_levels(std::span<const BoundingSphere> items, double gap);
-  void fill_cells(std::span<const BoundingSphere> items);
-  [[nodiscard]] std::size_t slot_of(const Level& level, std::int64_t x, std::int64_t y,
-                                    std::int64_t z) const;
-  void query(std::span<const BoundingSphere> items, int item, int level);
+  void fill_columns(std::span<const BoundingSphere> items);
+  [[nodiscard]] std::size_t slot_of(int level, std::int64_t x, std::int64_t y) const;
+  [[nodiscard]] int column_of(int level, const Vec3& centre);
+  [[nodiscard]] static Area area_about(const Column& column, double reach, double inverse_width);
   template <class Visit>
-  void each_in_reach(const Level& level, const BoundingSphere& sphere, const Visit& visit) const;
+  void each_column(int level, const Area& area, const Visit& visit) const;
+  void pair_up(const Column& column, int level);
+  void sweep(const Column& a, const Column& b, double reach);
+  void add_pair(const Member& a, const Member& b);
 
   std::vector<Level> levels_;
-  std::vector<int> level_of_;  ///< per item, kNone if skipped
-  std::vector<int> next_;      ///< per item: next item in the same cell
-  std::vector<Cell> cells_;    ///< the hash tables of all levels, one behind the other
+  std::vector<int> item_column_;  ///< per item, -1 if skipped
+  std::vector<int> item_level_;   ///< the same of levels
+  std::vector<Column> columns_;   ///< in the order of their first items
+  std::vector<Member> members_;   ///< column by column, from low to high
+  std::vector<int> slots_;        ///< hash table of columns
   std::vector<IndexPair> pairs_;
   double gap_ = 0.0;  ///< of the last search [m]
   int skipped_ = 0;

@@ -16,8 +16,8 @@
 namespace muckpile {
 namespace {
 
-constexpr double kStep = 1e-4;        // [s]
-constexpr double kRounding = 1e-11;   // of sums of some 10 contacts' forces, over the largest
+constexpr double kStep = 1e-4;       // [s]
+constexpr double kRounding = 1e-11;  // of sums of some 10 contacts' forces, over the largest
 
 /// Spheres in a box, of which the last quarter is another rank's; each turns and moves on its own.
 struct Cloud {
@@ -54,8 +54,8 @@ struct Cloud {
     const int count = static_cast<int>(radii.size());
     for (int i = 0; i < owned; ++i)
       for (int j = i + 1; j < count; ++j)
-        all.push_back({i, j, -1,
-                       radii[static_cast<std::size_t>(i)] + radii[static_cast<std::size_t>(j)]});
+        all.push_back(
+            {i, j, -1, radii[static_cast<std::size_t>(i)] + radii[static_cast<std::size_t>(j)]});
     return all;
   }
   [[nodiscard]] Vec3 vector(const std::vector<double>& of, int k) const {
