@@ -173,6 +173,64 @@ TEST(BlockContactList, MissesNoTouchWhileBlocksMoveAndTurnAndSparesMostLooks) {
   EXPECT_GT(touches, 10000u);
 }
 
+bool touch(const Scene& scene, const SpherePair& pair) {
+  const auto centre = [&](int k) { return Eigen::Map<const Vec3>(scene.positions.data() + 3 * k); };
+  return (centre(pair.second) - centre(pair.first)).norm() < pair.reach;
+}
+
+TEST(BlockContactList, MissesNoTouchWhilePairsThatCannotTouchYetAreHeldBack) {
+  Scene scene = random_scene(150, 6);
+  constexpr double kGap = 0.2, kStep = 1e-3;
+  Motion motion(scene, 0.1, 7);
+  for (std::size_t b = 0; b < 5; ++b) motion.velocity[b] *= 5.0;  // 100 steps: within kGap / 2
+  std::vector<Vec3> centres = mean_positions(scene);
+  BlockContactList list = listed(scene, kGap);
+  list.mute(3);
+  list.hear(3);
+  std::vector<int> dropped;
+  std::size_t woken = 0, chances = 0, touches = 0;
+  for (int step = 0; step < 100; ++step) {
+    motion.step(scene, centres, kStep);
+    list.follow(scene.positions.data(), motion.spins.data(), kStep);
+    TagPairs found;
+    for (std::size_t k = 0; k < list.block_pairs().size(); ++k) {
+      ++chances;
+      if (!list.wake(k, scene.view(), dropped)) continue;
+      ++woken;
+      bool any = false;
+      for (const SpherePair& pair : list.candidates(k)) {
+        if (!touch(scene, pair)) continue;
+        any = true;
+        found.insert({scene.tags[static_cast<std::size_t>(pair.first)],
+                      scene.tags[static_cast<std::size_t>(pair.second)]});
+      }
+      if (!any) list.rest(k, scene.positions.data());
+    }
+    ASSERT_EQ(found, brute_force(scene, 0.0)) << "step " << step;
+    touches += found.size();
+  }
+  std::printf("woke %zu of %zu times, %zu touches\n", woken, chances, touches);
+  EXPECT_LT(2 * woken, chances);
+  EXPECT_GT(touches, 10000u);
+}
+
+TEST(BlockContactList, AMutedBlockPairIsHeldBackUntilItIsHeard) {
+  const Scene scene = random_scene(60, 3);
+  BlockContactList list = listed(scene, 0.03);
+  std::size_t k = 0;
+  while (list.block_pairs()[k].count == 0) ++k;
+  std::vector<int> dropped;
+  EXPECT_FALSE(list.muted(k));
+  EXPECT_TRUE(list.wake(k, scene.view(), dropped));
+  list.mute(k);
+  EXPECT_TRUE(list.muted(k));
+  EXPECT_FALSE(list.wake(k, scene.view(), dropped));
+  list.hear(k);
+  EXPECT_FALSE(list.muted(k));
+  EXPECT_TRUE(list.wake(k, scene.view(), dropped));
+  EXPECT_EQ(list.candidates(k).size(), static_cast<std::size_t>(list.block_pairs()[k].count));
+}
+
 /// Velocity and spin of each sphere's block, as the list reads them.
 std::pair<std::vector<double>, std::vector<double>> rates_of(const Motion& motion,
                                                              const Scene& scene) {
