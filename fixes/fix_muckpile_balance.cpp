@@ -36,7 +36,7 @@ std::vector<double> block_costs(LAMMPS_NS::LAMMPS& lmp, int blocks) {
   if (joint == nullptr) return costs;
   const FacetNetwork& network = joint->network();
   for (std::size_t f = 0; f < network.facet_count(); ++f) {
-    if (network.states()[f] == FacetState::retired || network.memory()[f].open) continue;
+    if (network.states()[f] == FacetState::retired || network.traces()[f].open) continue;
     const FacetEnds ends = network.ends(f);
     for (const int block : {ends.i, ends.j})
       if (block < blocks) costs[static_cast<std::size_t>(block)] += kJointCost;

@@ -68,7 +68,7 @@ YieldingSupports::Chosen FixMuckpileJoint::let_ground_yield(
   network_.let_ground_yield(QuietGround(network_.material(), rock_behind), chosen);
   Chosen yielding;
   for (std::size_t f = 0; f < network_.facet_count(); ++f) {
-    if (!network_.memory()[f].ground().yields) continue;
+    if (!network_.ground_memory(f).yields) continue;
     yielding.count += 1.0;
     yielding.area += network_.area(f);
   }

@@ -30,7 +30,7 @@ class UnionFind {
   std::vector<std::size_t> parent_;
 };
 
-bool holds(const FacetMemory& m) { return !(m.broken[0] && m.broken[1] && m.broken[2]); }
+bool holds(const FacetTraces& m) { return !(m.broken[0] && m.broken[1] && m.broken[2]); }
 
 }  // namespace
 
@@ -40,7 +40,7 @@ std::vector<int> fragment_ids(const FixMuckpileJoint& joint, MPI_Comm world) {
   UnionFind sets(network.blocks().size());
   for (std::size_t f = 0; f < network.facet_count(); ++f) {
     const FacetEnds facet = network.ends(f);
-    if (facet.kind == FacetKind::joint && holds(network.memory()[f])) {
+    if (facet.kind == FacetKind::joint && holds(network.traces()[f])) {
       sets.join(static_cast<std::size_t>(facet.i), static_cast<std::size_t>(facet.j));
     }
   }
@@ -73,7 +73,7 @@ std::vector<double> broken_share(const FixMuckpileJoint& joint) {
   for (std::size_t f = 0; f < network.facet_count(); ++f) {
     const FacetEnds facet = network.ends(f);
     if (facet.kind != FacetKind::joint) continue;
-    const auto& points = network.memory()[f].broken;
+    const auto& points = network.traces()[f].broken;
     const double gone = network.area(f) *
                         static_cast<double>(std::count(points.begin(), points.end(), true)) /
                         kFacetPoints;

@@ -11,16 +11,16 @@ namespace muckpile {
 
 /// Jumps at the points, less what they have slipped [m].
 LaneVec FacetNetwork::elastic_jump(std::size_t f, const Motion& motion) const {
-  const FacetMemory& memory = memory_[f];
+  const FacetTraces& memory = traces_[f];
   if (memory.slipping == 0) return motion.jump();
-  const LaneVec slipped = rotated(motion.axes(), lanes_of(memory.contact.get().offset));
+  const LaneVec slipped = rotated(motion.axes(), lanes_of(contacts_.get(f).offset));
   return motion.jump() - choose(where_slipping(memory), Lanes(1.0), 0.0) * slipped;
 }
 
 /// Mean over the facet of the elastic jump where it is in the dilatations [m].
 Vec3 FacetNetwork::bonded_jump(std::size_t f, const Motion& motion) const {
   if (states_[f] == FacetState::intact) return motion.mean_jump();
-  const LaneMask holds = is_point() && !where_contact(memory_[f]);
+  const LaneMask holds = is_point() && !where_contact(traces_[f]);
   return sum(choose(holds, Lanes(1.0 / kFacetPoints), 0.0) * elastic_jump(f, motion));
 }
 
@@ -113,7 +113,7 @@ void FacetNetwork::work_facet(std::size_t f, double dt) {
 void FacetNetwork::work_bonded(std::size_t f, const Motion& motion, const Contact& contact,
                                Pull& pull, double dt) {
   const bool torn = motion.turned(kTurnStart);
-  const FacetMemory& memory = memory_[f];
+  const FacetTraces& memory = traces_[f];
   const bool away = memory.slipping != 0 && slid_away(motion, contact);
   const LaneMask slipping = where_slipping(memory);
   const LaneMask fails =
@@ -135,7 +135,7 @@ void FacetNetwork::work_bonded(std::size_t f, const Motion& motion, const Contac
                           torn};
     pull.add(p, -break_point(f, p, broken, dt));
   }
-  if (damping_ != 0.0 && !memory.ground().yields) {  // that ground has a dashpot itself
+  if (damping_ != 0.0 && !ground_memory(f).yields) {  // that ground has a dashpot itself
     const LaneMask bonded = is_point() && !where_broken(memory);
     const LaneVec rate = choose(bonded, Lanes(1.0), 0.0) * pull.rate;
     pull.traction += Lanes(damping_) * rate;
@@ -175,7 +175,7 @@ bool FacetNetwork::may_slip(std::size_t f) const {
 FacetNetwork::Remnant FacetNetwork::remnant_of(std::size_t f, int p, const Break& broken) const {
   const Contact contact = contact_of(f);
   const Vec3& n = broken.normal;
-  const bool first = !memory_[f].broken[static_cast<std::size_t>(p)];
+  const bool first = !traces_[f].broken[static_cast<std::size_t>(p)];
   const double normal = n.dot(broken.traction);
   const Vec3 shear = broken.traction - normal * n;
   Remnant left{};
@@ -198,8 +198,8 @@ Vec3 FacetNetwork::break_point(std::size_t f, int p, const Break& broken, double
   const auto q = static_cast<std::size_t>(p);
   const Contact contact = contact_of(f);
   const Remnant left = remnant_of(f, p, broken);
-  FacetMemory& memory = memory_[f];
-  if (left.cohesion.holds()) memory.rare.made().cohesion[q] = left.cohesion;
+  FacetTraces& memory = traces_[f];
+  if (left.cohesion.holds()) rare_.made(f).cohesion[q] = left.cohesion;
   // The contact starts with the compression that the joint carried and the shear that friction can;
   // open by what a point that softens has parted, or one that slipped since its force was none.
   const double normal = memory.broken[q] ? broken.normal.dot(broken.traction) : left.held;
@@ -207,7 +207,7 @@ Vec3 FacetNetwork::break_point(std::size_t f, int p, const Break& broken, double
       (normal / contact.normal + left.cohesion.first * left.cohesion.direction.x()) * broken.normal;
   if (contact.shear > 0.0) spring += left.shear / contact.shear;
   const Vec3 rests_at = left.slips ? left.lost : Vec3(broken.jump - spring);
-  memory.contact.made().offset[q] = broken.axes.transpose() * rests_at;
+  contacts_.set_offset(f, q, broken.axes.transpose() * rests_at);
   memory.broken[q] = true;
   memory.slipping =
       static_cast<std::uint8_t>((memory.slipping & ~(1u << q)) | (left.slips ? 1u : 0u) << q);

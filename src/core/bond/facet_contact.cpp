@@ -22,12 +22,11 @@ double slid_squared(const LaneVec& apart, const Vec3& normal) {
 /// Tractions of the points that have left the dilatations.
 void FacetNetwork::add_contact(std::size_t f, const Motion& motion, const Contact& contact,
                                Pull& pull, double dt) {
-  FacetMemory& memory = memory_[f];
-  ContactMemory& remembered = memory.contact.made();
-  const double fade = remembered.fade, shear = fade * contact.shear;
+  FacetTraces& memory = traces_[f];
+  const double fade = contacts_.fade(f), shear = fade * contact.shear;
   const Mat3 axes = motion.axes();
   const LaneMask broken = bonded_points_[f] == 0 ? is_point() : where_contact(memory);
-  const LaneVec spring = pull.jump - rotated(axes, lanes_of(remembered.offset));
+  const LaneVec spring = pull.jump - rotated(axes, lanes_of(contacts_.get(f).offset));
   const auto at_points =
       plane_pull<Lanes>({fade * contact.normal, shear, fade * contact_damping_,
                          contact.tan_residual, slip_weakening_},
@@ -40,14 +39,14 @@ void FacetNetwork::add_contact(std::size_t f, const Motion& motion, const Contac
   if (none_of(at_points.rests)) return;
   const LaneVec offset = rotated_back(axes, pull.jump - at_points.resting);
   for (std::size_t p = 0; p < kFacetPoints; ++p)
-    if (at_points.rests[p]) remembered.offset[p] = offset.at(static_cast<int>(p));
+    if (at_points.rests[p]) contacts_.set_offset(f, p, offset.at(static_cast<int>(p)));
 }
 
 /// Friction and the dashpot of the points that slip, which stay in the dilatations: their normal
 /// law is that of the bonded point. Losses as those of plane_pull().
 void FacetNetwork::rub(std::size_t f, const Motion& motion, const Contact& contact, Pull& pull,
                        double dt) {
-  FacetMemory& memory = memory_[f];
+  const FacetTraces& memory = traces_[f];
   const LaneMask slipping = where_slipping(memory);
   const Lanes rate = dot(pull.normal, pull.rate);
   const Lanes elastic = choose(slipping, dot(pull.normal, pull.traction), 0.0);
@@ -66,7 +65,8 @@ void FacetNetwork::rub(std::size_t f, const Motion& motion, const Contact& conta
       slip_share(f, contact, over, pull.rate, dt) * (1.0 - kept) / contact.shear * shear;
   const LaneVec in_axes = rotated_back(motion.axes(), slid);
   for (std::size_t p = 0; p < kFacetPoints; ++p)
-    if (slips[p]) memory.contact.made().offset[p] += in_axes.at(static_cast<int>(p));
+    if (slips[p])
+      contacts_.set_offset(f, p, contacts_.offset(f, p) + in_axes.at(static_cast<int>(p)));
   const LaneVec mean = over - Lanes(0.5 * contact.shear) * slid;
   losses_.friction += booked * sum(dot(slid, kept * shear + mean) - dt * dot(mean, pull.rate));
 }
@@ -96,7 +96,7 @@ bool FacetNetwork::slid_away(const Motion& motion, const Contact& contact) {
 
 /// Lets a broken facet fade and retire; false if it carries nothing in this step.
 bool FacetNetwork::closes(std::size_t f, const Motion& motion, const Contact& contact, double dt) {
-  FacetMemory& memory = memory_[f];
+  FacetTraces& memory = traces_[f];
   const double opened = dot(LaneVec(motion.normal), motion.apart)[0];
   const Lanes squares = dot(motion.apart, motion.apart);  // of the jump, of how half axes differ
   const double slid = slid_squared(motion.apart, motion.normal);
@@ -106,7 +106,7 @@ bool FacetNetwork::closes(std::size_t f, const Motion& motion, const Contact& co
                         std::sqrt(motion.turned_squared())));
   }
   if (softens_ && holds_on(f)) return true;
-  if (memory.contact.get().fade == 0.0 || contact.longer(opened, kOpened)) {
+  if (contacts_.fade(f) == 0.0 || contact.longer(opened, kOpened)) {
     retire(f);
     return false;
   }
@@ -122,10 +122,10 @@ bool FacetNetwork::closes(std::size_t f, const Motion& motion, const Contact& co
 }
 
 void FacetNetwork::retire(std::size_t f) {
-  FacetMemory& memory = memory_[f];
+  FacetTraces& memory = traces_[f];
   newly_let_go_ = newly_let_go_ || memory.state == FacetState::cracked;
   memory.state = states_[f] = FacetState::retired;
-  if (!memory.gas) memory.contact.drop();
+  if (!memory.gas) contacts_.drop(f);
   ++changed_since_;
 }
 
@@ -146,11 +146,11 @@ void FacetNetwork::let_sleep(std::size_t f, double gap, double radius, double dt
 
 /// A facet whose faces match less than before gives up spring energy, which is booked as friction.
 void FacetNetwork::fade(std::size_t f, const Motion& motion, double matching) {
-  FacetMemory& memory = memory_[f];
-  const double before = memory.contact.get().fade;
+  FacetTraces& memory = traces_[f];
+  const double before = contacts_.fade(f);
   if (matching >= before) return;
   losses_.friction += facets_[f].weight * (1.0 - matching / before) * contact_energy(f, motion);
-  memory.contact.made().fade = matching;
+  contacts_.set_fade(f, matching);
   newly_let_go_ = newly_let_go_ || memory.state == FacetState::cracked;
   memory.state = states_[f] = FacetState::fading;
 }
@@ -158,13 +158,13 @@ void FacetNetwork::fade(std::size_t f, const Motion& motion, double matching) {
 /// Of the closed broken points [J].
 double FacetNetwork::contact_energy(std::size_t f, const Motion& motion) const {
   const Contact contact = contact_of(f);
-  const ContactMemory& memory = memory_[f].contact.get();
+  const ContactMemory memory = contacts_.get(f);
   const Mat3 axes = motion.axes();
   const LaneVec jump = motion.jump();
   double stored = 0.0;
   for (int p = 0; p < kFacetPoints; ++p) {
     const auto q = static_cast<std::size_t>(p);
-    if (!memory_[f].is_contact(q)) continue;
+    if (!traces_[f].is_contact(q)) continue;
     const Vec3 spring = jump.at(p) - axes * memory.offset[q];
     const double closed = motion.normal.dot(spring);
     if (closed >= 0.0) continue;

@@ -12,23 +12,8 @@ namespace muckpile {
 
 /// What the contact of a group's facets remembers, and what else its law needs.
 struct FacetNetwork::WideContact {
-  std::array<ContactMemory*, kGroup> of{};
-  FacetRow<double> fade{}, fresh{}, tan_residual{}, weight{};
-
-  [[nodiscard, gnu::always_inline]] WideVec offset(std::size_t p) const {
-    static ContactMemory none;
-    const auto part = [&](Eigen::Index d) {
-      return Wide(
-          [&](auto lane) { return (of[lane] != nullptr ? of[lane] : &none)->offset[p][d]; });
-    };
-    return {part(0), part(1), part(2)};
-  }
-  /// Point p of `lanes` carries nothing at so much jump in the facet's axes from now on [m].
-  void rest_at(unsigned lanes, std::size_t p, const WideVec& jump) const {
-    FacetRows<double> rows;
-    store(jump, rows);
-    each_lane(lanes, [&](std::size_t k) { of[k]->offset[p] = at_lane(rows, k); });
-  }
+  ContactGroup* memory;
+  FacetRow<double> fresh{}, tan_residual{}, weight{};
 };
 
 /// How far the two sides of each facet have parted.
@@ -62,21 +47,18 @@ unsigned FacetNetwork::apart_lanes(const LaneSet& working) const {
   each_lane(working.lanes, [&](std::size_t k) {
     const std::size_t f = working.group * kGroup + k;
     if (bonded_points_[f] == 0 && states_[f] != FacetState::retired && asleep_[f] <= calls_ &&
-        !memory_[f].rare.exists())
+        !rare_.exists(f))
       lanes |= 1u << k;
   });
   return lanes;
 }
 
 FacetNetwork::WideContact FacetNetwork::remembered(std::size_t g, unsigned lanes) {
-  WideContact contact;
+  WideContact contact{&contacts_.made(g, lanes)};
   each_lane(lanes, [&](std::size_t k) {
     const std::size_t f = g * kGroup + k;
-    FacetMemory& memory = memory_[f];
     const FacetName& name = facets_[f];
-    contact.of[k] = &memory.contact.made();
-    contact.fade[k] = contact.of[k]->fade;
-    contact.fresh[k] = memory.open ? 1.0 : 0.0;
+    contact.fresh[k] = traces_[f].open ? 1.0 : 0.0;
     contact.weight[k] = name.weight;
     contact.tan_residual[k] =
         name.kind == FacetKind::mirror ? 0.0 : strengths_[name.joint_class].tan_residual;
@@ -86,32 +68,31 @@ FacetNetwork::WideContact FacetNetwork::remembered(std::size_t g, unsigned lanes
 
 /// Lets facets fade whose sides match less than before.
 void FacetNetwork::fade_group(std::size_t g, unsigned lanes, const WideParting& parting,
-                              WideContact& contact) {
+                              const ContactGroup& memory) {
   const Wide slid = sqrt(parting.slid / parting.radius_squared);
   const Wide turned = sqrt(parting.turn.squared());
   each_lane(lanes, [&](std::size_t k) {
     const double matching = matching_faces(slid[k], turned[k]);
-    if (matching >= contact.fade[k]) return;
+    if (matching >= memory.fade[k]) return;
     const std::size_t f = g * kGroup + k;
     fade(f, motion_of(f), matching);
-    contact.fade[k] = matching;
   });
 }
 
 /// Those of `lanes` that touch; the others fall asleep or retire.
 unsigned FacetNetwork::closing(std::size_t g, unsigned lanes, const WidePose& pose,
-                               WideContact& contact, double dt) {
+                               const ContactGroup& memory, double dt) {
   const WideParting parting = parting_of(groups_[g], pose);
   const unsigned fading = lanes & parting.begins_to_fade();
-  if (fading != 0) fade_group(g, fading, parting, contact);
-  const unsigned gone = lanes & (parting.open_by(kOpened) | bits(wide(contact.fade) == 0.0));
+  if (fading != 0) fade_group(g, fading, parting, memory);
+  const unsigned gone = lanes & (parting.open_by(kOpened) | bits(wide(memory.fade) == 0.0));
   each_lane(gone, [&](std::size_t k) { retire(g * kGroup + k); });
   unsigned open = lanes & ~gone & parting.open_by(kSurelyOpen);
   if (open == 0) return lanes & ~gone;
   const Wide gap = parting.gap(), radius = sqrt(parting.radius_squared);
   open &= bits(gap > 0.0);
   each_lane(open, [&](std::size_t k) {
-    memory_[g * kGroup + k].open = true;
+    traces_[g * kGroup + k].open = true;
     let_sleep(g * kGroup + k, gap[k], radius[k], dt);
   });
   return lanes & ~gone & ~open;
@@ -125,28 +106,30 @@ void FacetNetwork::touch_group(std::size_t g, unsigned lanes, const WidePose& po
   const WideVec half_1 = pose.sum * wide(group.half_1), half_2 = pose.sum * wide(group.half_2);
   const WideField arm = {pose.arm(), Wide(0.5) * half_1, Wide(0.5) * half_2};
   const WideMat axes = axes_of(pose.normal, half_1);
-  const Wide fade = wide(contact.fade), shear = fade * wide(group.shear);
+  const ContactGroup& memory = *contact.memory;
+  const Wide fade = choose(mask_of(lanes), wide(memory.fade), 0.0),
+             shear = fade * wide(group.shear);
   const PlaneContact<Wide> law = {fade * wide(closed_stiffness_[g]), shear, fade * contact_damping_,
                                   wide(contact.tan_residual), slip_weakening_};
   const WideMask broken = fade > 0.0, fresh = wide(contact.fresh) > 0.0;
   WideVec traction, moment;
   Wide damped = 0.0, rubbed = 0.0;
   for (std::size_t p = 0; p < kFacetPoints; ++p) {
-    const WideVec at = jump.at(p), spring = at - axes * contact.offset(p);
+    const WideVec at = jump.at(p), spring = at - axes * wide(memory.offset[p]);
     const auto pull = plane_pull<Wide>(law, {pose.normal, spring, rate.at(p), broken, fresh}, dt);
     traction += pull.traction;
     moment += cross(arm.at(p), pull.traction);
     damped += pull.damped;
     rubbed += pull.rubbed;
     const unsigned rests = lanes & bits(pull.rests);
-    if (rests != 0) contact.rest_at(rests, p, axes.back(at - pull.resting));
+    if (rests != 0) store(axes.back(at - pull.resting), rests, contact.memory->offset[p]);
   }
   const Wide point_area = 1.0 / kFacetPoints * wide(group.area);
   store(point_area * traction, point_area * moment, pose.between, forces);
   const Wide booked = point_area * wide(contact.weight);
   const Wide by_dashpots = dt * booked * damped, by_friction = 0.5 * booked * shear * rubbed;
   each_lane(lanes, [&](std::size_t k) {
-    memory_[g * kGroup + k].open = false;
+    traces_[g * kGroup + k].open = false;
     losses_.damping += by_dashpots[k];
     losses_.friction += by_friction[k];
   });
@@ -155,8 +138,8 @@ void FacetNetwork::touch_group(std::size_t g, unsigned lanes, const WidePose& po
 /// Forces of those of `lanes` that touch; returns which.
 unsigned FacetNetwork::close_group(std::size_t g, unsigned lanes, const WidePose& pose, double dt,
                                    WideForces& forces) {
-  WideContact contact = remembered(g, lanes);
-  lanes = closing(g, lanes, pose, contact, dt);
+  const WideContact contact = remembered(g, lanes);
+  lanes = closing(g, lanes, pose, *contact.memory, dt);
   if (lanes != 0) touch_group(g, lanes, pose, contact, dt, forces);
   return lanes;
 }

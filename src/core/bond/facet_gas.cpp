@@ -42,13 +42,13 @@ void FacetNetwork::open_group_of_joints(const LaneSet& set, std::vector<OpenJoin
   const FacetGroup& group = groups_[set.group];
   FacetRows<double> start;    // per point; further than one in the dilatations opens
   FacetRow<double> broken{};  // points
+  const ContactGroup& contact = contacts_.of(set.group);
   for (FacetRow<double>& row : start) row.fill(std::numeric_limits<double>::max());
   each_lane(set.lanes, [&](std::size_t k) {
-    const FacetMemory& memory = memory_[set.group * kGroup + k];
-    const ContactMemory& contact = memory.contact.get();
+    const FacetTraces& memory = traces_[set.group * kGroup + k];
     for (std::size_t p = 0; p < kFacetPoints; ++p) {
       broken[k] += memory.broken[p] ? 1.0 : 0.0;
-      if (memory.is_contact(p)) start[p][k] = contact.offset[p].x();
+      if (memory.is_contact(p)) start[p][k] = contact.offset[p][0][k];
     }
   });
   const WidePose pose = pose_of(group);
@@ -69,7 +69,7 @@ void FacetNetwork::open_group_of_joints(const LaneSet& set, std::vector<OpenJoin
 void FacetNetwork::release_gas() {
   gas_pressure_.clear();
   keeps_gas_ = false;
-  for (FacetMemory& memory : memory_) memory.gas = false;
+  for (FacetTraces& memory : traces_) memory.gas = false;
 }
 
 /// Those of a group's facets in which gas presses, and how hard [Pa]: one of the ground has that of
@@ -84,7 +84,7 @@ unsigned FacetNetwork::pressed_lanes(const LaneSet& active, FacetRow<double>& pr
     const double of_j =
         group.j[k] == ground() ? of_i : gas_pressure_[static_cast<std::size_t>(group.j[k])];
     pressure[k] = 0.5 * (of_i + of_j);
-    if (pressure[k] != 0.0 && !memory_[f].over()) lanes |= 1u << k;
+    if (pressure[k] != 0.0 && !traces_[f].over()) lanes |= 1u << k;
   });
   return lanes;
 }
@@ -95,7 +95,7 @@ void FacetNetwork::press_group(std::size_t g, unsigned lanes, const FacetRow<dou
   FacetRows<double> points{};  // of the broken ones: how many, their shares of the half axes
   each_lane(lanes, [&](std::size_t k) {
     for (std::size_t p = 0; p < kFacetPoints; ++p) {
-      if (!memory_[g * kGroup + k].broken[p]) continue;
+      if (!traces_[g * kGroup + k].broken[p]) continue;
       points[0][k] += 1.0;
       points[1][k] += kOnFirst[p];
       points[2][k] += kOnSecond[p];

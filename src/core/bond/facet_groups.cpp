@@ -96,7 +96,7 @@ void FacetNetwork::open_group(const LaneSet& bonded) {
   dashpot.fill(damping_);
   if (!yielding_.empty()) {  // that ground has a dashpot itself
     for (std::size_t k = 0, f = g * kGroup; k < kGroup && f < facets_.size(); ++k, ++f)
-      if (facets_[f].kind != FacetKind::joint && memory_[f].ground().yields) dashpot[k] = 0.0;
+      if (facets_[f].kind != FacetKind::joint && ground_memory(f).yields) dashpot[k] = 0.0;
   }
   const WideField rate = rate_of(group, pose);
   const Wide half(0.5);
@@ -134,13 +134,13 @@ unsigned FacetNetwork::hold_group(std::size_t g, unsigned lanes, const WidePose&
   return lanes;
 }
 
-/// What broken facets remember lies where they broke, not side by side: waiting for it took longer
-/// than working with it.
+/// Waiting for what broken facets remember took longer than working with it.
 void FacetNetwork::fetch_contacts(const LaneSet& working) const {
+  unsigned awake = 0;
   each_lane(working.lanes, [&](std::size_t k) {
-    const std::size_t f = working.group * kGroup + k;
-    if (asleep_[f] <= calls_) memory_[f].contact.fetch();
+    awake |= (asleep_[working.group * kGroup + k] <= calls_ ? 1u : 0u) << k;
   });
+  contacts_.fetch(working.group, awake);
 }
 
 void FacetNetwork::work_group(const LaneSet& working, double dt) {

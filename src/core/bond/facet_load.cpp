@@ -134,9 +134,9 @@ void FacetNetwork::hold_faces() {
     backs_[static_cast<std::size_t>(face.block)] += face.area * face.normal;
   for (const std::uint32_t f : wall_) {
     // Gas in a joint is followed and presses by itself: there the load is not reduced.
-    const bool followed = memory_[f].gas;
+    const bool followed = traces_[f].gas;
     if (states_[f] == FacetState::retired && !followed) continue;
-    const double share = followed ? 1.0 : memory_[f].contact.get().fade;
+    const double share = followed ? 1.0 : contacts_.fade(f);
     const Vec3 part = share * area(f) * at_lane(group_of(f).normal, lane_of(f));
     backs_[static_cast<std::size_t>(i_of(f))] += part;
     backs_[static_cast<std::size_t>(j_of(f))] -= part;

@@ -28,7 +28,7 @@ Vec3 opening_of(const Facet& facet) {
   return is_part ? facet.opening_i : part;
 }
 
-std::uint8_t bonded_points(const FacetMemory& memory) {
+std::uint8_t bonded_points(const FacetTraces& memory) {
   int count = 0;
   for (std::size_t p = 0; p < kFacetPoints; ++p) count += memory.is_contact(p) ? 0 : 1;
   return static_cast<std::uint8_t>(count);
@@ -57,20 +57,19 @@ void FacetNetwork::set_blocks(std::vector<BlockConstants> blocks) {
 
 void FacetNetwork::set_facets(std::vector<Facet> facets, std::vector<FacetMemory> memory) {
   const std::size_t count = facets.size();
-  memory_ = std::move(memory);
-  memory_.resize(count);
   facets_.resize(count);
-  states_.resize(count);
-  bonded_points_.resize(count);
-  for (std::size_t f = 0; f < count; ++f) {
-    states_[f] = memory_[f].state;
-    bonded_points_[f] = bonded_points(memory_[f]);
-  }
   FacetGroup empty;
   empty.normal[0].fill(1.0f);  // lanes without a facet are worked on as well
   groups_.assign((count + kGroup - 1) / kGroup, empty);
   closed_stiffness_.assign(groups_.size(), {});
+  traces_.assign(count, {});
+  contacts_.reset(groups_.size());
+  rare_.reset(count);
+  states_.resize(count);
+  bonded_points_.resize(count);
+  memory.resize(count);
   for (std::size_t f = 0; f < count; ++f) {
+    place_memory(f, memory[f]);
     place_facet(f, facets[f]);
     derive_facet(f);
   }
@@ -101,12 +100,12 @@ void FacetNetwork::set_faces(std::vector<BoundaryFace> faces) {
 void FacetNetwork::give_up(std::vector<Facet>& facets, std::vector<FacetMemory>& memory,
                            std::vector<BoundaryFace>& faces) {
   facets = this->facets();
-  memory = std::move(memory_);
+  memory = this->memory();
   faces = std::move(faces_);
   const auto release = [](auto&... table) { ((table = std::decay_t<decltype(table)>()), ...); };
-  release(facets_, memory_, groups_, closed_stiffness_, states_, bonded_points_, bonded_, active_,
-          working_, asleep_, yielding_, faces_, wall_, walls_, backs_, slants_, slant_traction_,
-          block_slants_, gradients_, slant_stresses_);
+  release(facets_, traces_, contacts_, rare_, groups_, closed_stiffness_, states_, bonded_points_,
+          bonded_, active_, working_, asleep_, yielding_, faces_, wall_, walls_, backs_, slants_,
+          slant_traction_, block_slants_, gradients_, slant_stresses_);
 }
 
 std::size_t FacetList::size() const { return network_->facet_count(); }
@@ -127,7 +126,7 @@ Facet FacetNetwork::facet(std::size_t f) const {
   facet.joint_class = name.joint_class;
   facet.normal = at_lane(group.normal, k);
   facet.arm_i = at_lane(group.arm, k);
-  const GroundMemory& ground = memory_[f].ground();
+  const GroundMemory& ground = ground_memory(f);
   facet.arm_j = ground.placed ? ground.arm_j : at_lane(group.arm_j, k);
   facet.opening_i = at_lane(group.opening_i, k);
   facet.opening_j = at_lane(group.opening_j, k);
@@ -174,9 +173,30 @@ void FacetNetwork::place_facet(std::size_t f, const Facet& facet) {
            facet.kind == FacetKind::joint ? facet.opening_j : Vec3(Vec3::Zero()));
   const Vec3 rounded = at_lane(group.arm, lane) - facet.arm_i;  // the same place from j
   const Vec3 arm_j = facet.arm_j + rounded;
-  set_lane(group.arm_j, lane, arm_j + memory_[f].ground().displacement);
-  if (facet.kind != FacetKind::joint && memory_[f].rare.exists())
-    memory_[f].rare.made().ground.place(arm_j);
+  set_lane(group.arm_j, lane, arm_j + ground_memory(f).displacement);
+  if (facet.kind != FacetKind::joint && rare_.exists(f)) rare_.made(f).ground.place(arm_j);
+}
+
+void FacetNetwork::place_memory(std::size_t f, const FacetMemory& memory) {
+  traces_[f] = memory;
+  states_[f] = memory.state;
+  bonded_points_[f] = bonded_points(memory);
+  if (memory.contact.exists()) contacts_.set(f, memory.contact.get());
+  if (memory.rare.exists()) rare_.made(f) = memory.rare.get();
+}
+
+FacetMemory FacetNetwork::memory(std::size_t f) const {
+  FacetMemory memory{traces_[f], {}, {}};
+  if (contacts_.exists(f)) memory.contact.made() = contacts_.get(f);
+  if (rare_.exists(f)) memory.rare.made() = rare_.get(f);
+  return memory;
+}
+
+std::vector<FacetMemory> FacetNetwork::memory() const {
+  std::vector<FacetMemory> all;
+  all.reserve(facets_.size());
+  for (std::size_t f = 0; f < facets_.size(); ++f) all.push_back(memory(f));
+  return all;
 }
 
 void FacetNetwork::derive_facet(std::size_t f) {
@@ -213,7 +233,7 @@ void FacetNetwork::list_active() {
   active_count_ = 0;
   bonded_.clear();
   for (std::size_t f = 0; f < states_.size(); ++f) {
-    if (!memory_[f].over()) {
+    if (!traces_[f].over()) {
       add_facet(active_, f);
       ++active_count_;
     }
@@ -286,7 +306,7 @@ void FacetNetwork::count_unbonded() {
     const auto i = static_cast<std::size_t>(i_of(f)), j = static_cast<std::size_t>(j_of(f));
     const auto [depth_i, depth_j] = depths(f);
     for (std::size_t p = 0; p < kFacetPoints; ++p) {
-      if (!memory_[f].is_contact(p)) continue;
+      if (!traces_[f].is_contact(p)) continue;
       sums_[i].unbonded += area(f) / kFacetPoints * depth_i / blocks_[i].volume;
       sums_[j].unbonded += area(f) / kFacetPoints * depth_j / blocks_[j].volume;
     }
@@ -382,7 +402,7 @@ double FacetNetwork::facet_energy(std::size_t f) const {
       theta_[static_cast<std::size_t>(coupling.i)] - theta_[static_cast<std::size_t>(coupling.j)];
   double stored = 0.0;
   for (int p = 0; p < kFacetPoints; ++p) {
-    if (memory_[f].is_contact(static_cast<std::size_t>(p))) continue;
+    if (traces_[f].is_contact(static_cast<std::size_t>(p))) continue;
     const Vec3 jump = jumps.at(p);
     const double normal = motion.normal.dot(jump);
     stored += bond.shear * jump.squaredNorm() + bond.normal_extra * normal * normal;
@@ -394,7 +414,7 @@ double FacetNetwork::facet_energy(std::size_t f) const {
 double FacetNetwork::elastic_energy() const {
   double energy = 0.0;
   each_facet(active_, [&](std::size_t f) {
-    if (states_[f] != FacetState::retired && !memory_[f].open)
+    if (states_[f] != FacetState::retired && !traces_[f].open)
       energy += facets_[f].weight * facet_energy(f);
   });
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -422,7 +442,7 @@ double FacetNetwork::broken_area(bool all) const {
   }
   for (std::size_t f = 0; f < facets_.size(); ++f) {
     if (facets_[f].kind != FacetKind::joint) continue;
-    for (bool broken : memory_[f].broken) {
+    for (bool broken : traces_[f].broken) {
       if (broken || all) sum += facets_[f].weight * area(f) / kFacetPoints;
     }
   }
@@ -432,10 +452,9 @@ double FacetNetwork::broken_area(bool all) const {
 void FacetNetwork::soften(double factor, std::optional<double> damping) {
   stop_ground();  // what is behind is not softened, and no wave is left to let out
   losses_.fracture += (1.0 - factor) * elastic_energy();
-  for (FacetMemory& memory : memory_) {
-    if (!memory.rare.exists()) continue;
-    for (Cohesion& cohesion : memory.rare.made().cohesion) cohesion.strength *= factor;
-  }
+  rare_.each([&](RareMemory& memory) {
+    for (Cohesion& cohesion : memory.cohesion) cohesion.strength *= factor;
+  });
   for (JointMaterial& material : materials_) material = material.softened(factor, damping);
   softened_ *= factor;
   if (damping) damping_given_ = damping;
@@ -460,16 +479,11 @@ double FacetNetwork::memory_usage() const {
   const auto bytes = [](const auto&... table) {
     return (static_cast<double>(table.capacity() * sizeof(table[0])) + ...);
   };
-  double rare = 0.0;
-  for (const FacetMemory& memory : memory_) {
-    rare += memory.rare.exists() ? sizeof(RareMemory) : 0.0;
-    rare += memory.contact.exists() ? sizeof(ContactMemory) : 0.0;
-  }
-  return rare + bytes(blocks_, state_, sums_, theta_, bulk_stress_, force_, torque_, facets_,
-                      memory_, groups_, closed_stiffness_, states_, bonded_points_, bonded_,
-                      active_, working_, asleep_, yielding_, faces_, wall_, walls_, backs_, slants_,
-                      slant_traction_, block_slants_, gradients_, slant_stresses_, opening_,
-                      coupled_, stirred_, held_);
+  return contacts_.memory_usage() + rare_.memory_usage() +
+         bytes(blocks_, state_, sums_, theta_, bulk_stress_, force_, torque_, facets_, traces_,
+               groups_, closed_stiffness_, states_, bonded_points_, bonded_, active_, working_,
+               asleep_, yielding_, faces_, wall_, walls_, backs_, slants_, slant_traction_,
+               block_slants_, gradients_, slant_stresses_, opening_, coupled_, stirred_, held_);
 }
 
 }  // namespace muckpile

@@ -35,6 +35,7 @@
 #include <utility>
 #include <vector>
 
+#include "bond/contact_rows.h"
 #include "bond/facet.h"
 #include "bond/facet_group.h"
 #include "bond/facet_list.h"
@@ -95,7 +96,13 @@ class FacetNetwork {
   [[nodiscard]] FacetEnds ends(std::size_t f) const { return {i_of(f), j_of(f), facets_[f].kind}; }
   [[nodiscard]] double area(std::size_t f) const { return group_of(f).area[lane_of(f)]; }  ///< [m2]
   [[nodiscard]] std::size_t facet_count() const { return facets_.size(); }
-  [[nodiscard]] const std::vector<FacetMemory>& memory() const { return memory_; }
+  [[nodiscard]] const std::vector<FacetTraces>& traces() const { return traces_; }
+  [[nodiscard]] const GroundMemory& ground_memory(std::size_t f) const {
+    return rare_.get(f).ground;
+  }
+  /// All that a facet remembers, put together.
+  [[nodiscard]] FacetMemory memory(std::size_t f) const;
+  [[nodiscard]] std::vector<FacetMemory> memory() const;
   [[nodiscard]] const std::vector<FacetState>& states() const { return states_; }
   [[nodiscard]] std::vector<BoundaryFace>& faces() { return faces_; }
   [[nodiscard]] const std::vector<BoundaryFace>& faces() const { return faces_; }
@@ -132,7 +139,7 @@ class FacetNetwork {
   [[nodiscard]] std::span<const Vec3> gas_torque() const { return gas_torque_; }
   /// From now on joints that break keep gas even when retired, until they are wide.
   void keep_gas_in_joints() { keeps_gas_ = true; }
-  void release_gas(std::size_t f) { memory_[f].gas = false; }
+  void release_gas(std::size_t f) { traces_[f].gas = false; }
   void release_gas();  ///< all of it, for good
   /// Work of the gas on owned blocks [J], to be part of pressure_work().
   void book_gas_work(double joules) { pressure_work_ += joules; }
@@ -293,6 +300,7 @@ class FacetNetwork {
   // Set-up and bookkeeping: facet_network.cpp.
   void derive();
   void place_facet(std::size_t f, const Facet& facet);
+  void place_memory(std::size_t f, const FacetMemory& memory);
   void derive_facet(std::size_t f);
   void count_unbonded();
   void list_anew();
@@ -377,8 +385,9 @@ class FacetNetwork {
   [[nodiscard]] unsigned apart_lanes(const LaneSet& working) const;
   [[nodiscard]] WideContact remembered(std::size_t g, unsigned lanes);
   [[nodiscard]] unsigned closing(std::size_t g, unsigned lanes, const WidePose& pose,
-                                 WideContact& contact, double dt);
-  void fade_group(std::size_t g, unsigned lanes, const WideParting& parting, WideContact& contact);
+                                 const ContactGroup& memory, double dt);
+  void fade_group(std::size_t g, unsigned lanes, const WideParting& parting,
+                  const ContactGroup& memory);
   [[nodiscard]] static WideParting parting_of(const FacetGroup& group, const WidePose& pose);
   void touch_group(std::size_t g, unsigned lanes, const WidePose& pose, const WideContact& contact,
                    double dt, WideForces& forces);
@@ -429,11 +438,13 @@ class FacetNetwork {
   std::vector<double> gas_pressure_;  // empty until asked for
   std::vector<Vec3> gas_force_, gas_torque_;
   std::vector<FacetName> facets_;
-  std::vector<FacetMemory> memory_;
+  std::vector<FacetTraces> traces_;
+  ContactRows contacts_;
+  RareTable<RareMemory> rare_;
   std::vector<FacetGroup> groups_;                  // what the passes over bonded facets read
   std::vector<FacetRow<double>> closed_stiffness_;  // of broken points [Pa/m]
   std::vector<Strength> strengths_;                 // per joint class
-  std::vector<FacetState> states_;                  // as in memory_, packed
+  std::vector<FacetState> states_;                  // as in traces_, packed
   std::vector<std::uint8_t> bonded_points_;         // how many are in the dilatations
   std::vector<LaneSet> bonded_;                     // facets with a bonded point, and some without
   std::vector<LaneSet> active_;   // facets that are not retired, and some that are

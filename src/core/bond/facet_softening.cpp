@@ -22,7 +22,7 @@ bool FacetNetwork::holds_at_its_rate(std::size_t f, const Vec3& normal, const Ve
 }
 
 bool FacetNetwork::holds_on(std::size_t f) const {
-  return std::ranges::any_of(memory_[f].cohesion(), &Cohesion::holds);
+  return std::ranges::any_of(rare_.get(f).cohesion, &Cohesion::holds);
 }
 
 /// Adds what broken points still hold. The work that leapfrog takes, less what is stored, is booked
@@ -32,7 +32,7 @@ void FacetNetwork::add_cohesion(std::size_t f, const Motion& motion, Pull& pull,
   const Contact contact = contact_of(f);
   const Mat3 axes = motion.axes();
   for (int p = 0; p < kFacetPoints; ++p) {
-    Cohesion& c = memory_[f].rare.made().cohesion[static_cast<std::size_t>(p)];
+    Cohesion& c = rare_.made(f).cohesion[static_cast<std::size_t>(p)];
     if (!c.holds()) continue;
     const Vec3 direction = axes * c.direction;
     const double path = direction.dot(pull.rate.at(p)) * dt;
@@ -45,7 +45,7 @@ void FacetNetwork::add_cohesion(std::size_t f, const Motion& motion, Pull& pull,
     pull.add(p, traction * direction);
     if (c.worst >= c.end) c = {};
   }
-  if (!holds_on(f) && facets_[f].kind == FacetKind::joint) memory_[f].rare.drop();
+  if (!holds_on(f) && facets_[f].kind == FacetKind::joint) rare_.drop(f);
 }
 
 /// Of the points that soften [J].
@@ -54,7 +54,7 @@ double FacetNetwork::cohesion_energy(std::size_t f, const Motion& motion) const 
   const Mat3 axes = motion.axes();
   double stored = 0.0;
   for (int p = 0; p < kFacetPoints; ++p) {
-    const Cohesion& c = memory_[f].cohesion()[static_cast<std::size_t>(p)];
+    const Cohesion& c = rare_.get(f).cohesion[static_cast<std::size_t>(p)];
     if (c.holds()) stored += c.energy(c.parting(axes.transpose() * motion.jump().at(p)));
   }
   return area(f) / kFacetPoints * stored;

@@ -56,6 +56,18 @@ template <class T>
   return lanes;
 }
 
+/// Of so many lanes, bit per lane.
+[[gnu::always_inline]] inline WideMask mask_of(unsigned lanes) {
+  return Wide([&](auto lane) { return (lanes >> lane & 1u) != 0 ? 1.0 : 0.0; }) > 0.0;
+}
+/// Into `lanes` of the rows alone.
+[[gnu::always_inline]] inline void store(const WideVec& v, unsigned lanes, FacetRows<double>& to) {
+  const WideMask mask = mask_of(lanes);
+  store(WideVec(choose(mask, v.x, wide(to[0])), choose(mask, v.y, wide(to[1])),
+                choose(mask, v.z, wide(to[2]))),
+        to);
+}
+
 struct WideMat {
   WideVec x, y, z;  // columns
 

@@ -35,10 +35,10 @@ int FacetNetwork::let_ground_yield(const QuietGround& ground,
   int more = 0;
   for (std::size_t f = 0; f < facets_.size(); ++f) {
     if (facets_[f].kind != FacetKind::fixed || states_[f] != FacetState::intact) continue;
-    if (memory_[f].ground().yields) continue;
+    if (ground_memory(f).yields) continue;
     if (!chosen(facet(f).arm_j)) continue;  // the ground's centre is the origin
     const Vec3 arm_j = facet(f).arm_j;
-    GroundMemory& memory = memory_[f].rare.made().ground;
+    GroundMemory& memory = rare_.made(f).ground;
     memory.place(arm_j);
     const Vec3 n = motion_of(f).normal;
     const Vec3 at = memory.displacement, across = along(at, n);
@@ -53,8 +53,7 @@ int FacetNetwork::let_ground_yield(const QuietGround& ground,
 }
 
 void FacetNetwork::stop_ground() {
-  for (FacetMemory& memory : memory_)
-    if (memory.rare.exists()) memory.rare.made().ground.yields = false;
+  rare_.each([](RareMemory& memory) { memory.ground.yields = false; });
   yielding_.clear();
 }
 
@@ -62,7 +61,7 @@ void FacetNetwork::stop_ground() {
 void FacetNetwork::list_yielding() {
   yielding_.clear();
   for (std::size_t f = 0; f < facets_.size(); ++f) {
-    if (memory_[f].ground().yields && states_[f] == FacetState::intact) yielding_.push_back(f);
+    if (ground_memory(f).yields && states_[f] == FacetState::intact) yielding_.push_back(f);
   }
 }
 
@@ -86,7 +85,7 @@ struct FacetNetwork::GroundPlan {
 };
 
 FacetNetwork::GroundPlan FacetNetwork::plan_ground(std::size_t f, double dt) const {
-  const GroundMemory& memory = memory_[f].ground();
+  const GroundMemory& memory = ground_memory(f);
   const QuietGround& q = quiet_ground_;
   const Motion motion = motion_of(f);
   const Vec3& n = motion.normal;
@@ -138,7 +137,7 @@ void FacetNetwork::yield_block_ground(std::size_t first, std::size_t last, doubl
 /// Moves the ground of one support to the end of the step, given the block's bulk stress there.
 void FacetNetwork::yield_support(std::size_t f, double bulk_stress, double dt) {
   const Bond bond = bond_of(f);
-  GroundMemory& memory = memory_[f].rare.made().ground;
+  GroundMemory& memory = rare_.made(f).ground;
   const GroundPlan plan = plan_ground(f, dt);
   const Vec3& n = plan.normal;
   const double pull =

@@ -3,8 +3,10 @@
 // Scope: copies are deep; reading a value that is not there gives the default one.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 namespace muckpile {
 
@@ -41,6 +43,47 @@ class Rare {
 
  private:
   std::unique_ptr<T> value_;
+};
+
+/// Rare values of many objects by their number: one byte each where there is none in their row.
+template <class T>
+class RareTable {
+ public:
+  void reset(std::size_t count) {
+    rows_.clear();
+    rows_.resize((count + kRow - 1) / kRow);
+  }
+  [[nodiscard]] bool exists(std::size_t k) const { return at(k).exists(); }
+  [[nodiscard]] const T& get(std::size_t k) const { return at(k).get(); }
+  [[nodiscard]] T& made(std::size_t k) { return rows_[k / kRow].made()[k % kRow].made(); }
+  void drop(std::size_t k) {
+    if (exists(k)) rows_[k / kRow].made()[k % kRow].drop();
+  }
+  /// Calls `of` with each value that there is, in order.
+  template <class Of>
+  void each(const Of& of) {
+    for (Rare<Row>& row : rows_) {
+      if (!row.exists()) continue;
+      for (Rare<T>& value : row.made())
+        if (value.exists()) of(value.made());
+    }
+  }
+  [[nodiscard]] double memory_usage() const {  // [bytes]
+    auto bytes = static_cast<double>(rows_.capacity() * sizeof(rows_[0]));
+    for (const Rare<Row>& row : rows_) {
+      if (!row.exists()) continue;
+      bytes += sizeof(Row);
+      for (const Rare<T>& value : row.get()) bytes += value.exists() ? sizeof(T) : 0.0;
+    }
+    return bytes;
+  }
+
+ private:
+  static constexpr std::size_t kRow = 8;
+  using Row = std::array<Rare<T>, kRow>;
+  [[nodiscard]] const Rare<T>& at(std::size_t k) const { return rows_[k / kRow].get()[k % kRow]; }
+
+  std::vector<Rare<Row>> rows_;
 };
 
 }  // namespace muckpile

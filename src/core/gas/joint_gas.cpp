@@ -92,7 +92,7 @@ void JointGas::mark_reached(const FacetNetwork& network) {
   for (std::size_t f = 0; f < network.facet_count(); ++f) {
     if (network.states()[f] == FacetState::intact) continue;
     if (keeps_[f] == Keeps::unknown)
-      keeps_[f] = network.memory()[f].gas ? Keeps::gas : Keeps::nothing;
+      keeps_[f] = network.traces()[f].gas ? Keeps::gas : Keeps::nothing;
     if (keeps_[f] == Keeps::gas) open_to_gas_.push_back(static_cast<std::uint32_t>(f));
   }
   std::fill(reached_.begin(), reached_.end(), 0);

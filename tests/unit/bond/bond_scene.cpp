@@ -181,7 +181,7 @@ Vec3 BondScene::facet_force(std::size_t f) {
   std::vector<BlockConstants> blocks = network_.blocks();
   blocks.pop_back();  // the ground, which set_blocks appends
   alone.set_blocks(blocks);
-  alone.set_facets({network_.facets()[f]}, {network_.memory()[f]});
+  alone.set_facets({network_.facets()[f]}, {network_.memory(f)});
   for (std::size_t b = 0; b < size(); ++b) alone.state()[b] = block(b);
   alone.dilatation();  // the facet's jump; its own bulk stresses are overwritten next
   std::copy(network_.bulk_stress().begin(), network_.bulk_stress().end(),

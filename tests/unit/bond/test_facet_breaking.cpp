@@ -219,14 +219,14 @@ TEST(FacetNetwork, NeighboursOfAFacetThatSlippedDoNotFeelItOpen) {
   double last = at(4e-4, 0.0), most = 0.0;
   const double start = last;
   at(4e-4, 3e-3);
-  ASSERT_EQ(row.network().memory()[1].slipping, 7u);
+  ASSERT_EQ(row.network().traces()[1].slipping, 7u);
   constexpr int kSteps = 1000;
   for (int k = 1; k <= kSteps + 10; ++k) {
     const double now = at(4e-4 * (1.0 - 1.0 * k / kSteps), 3e-3);
     most = std::max(most, std::abs(now - last));
     last = now;
   }
-  EXPECT_EQ(row.network().memory()[1].slipping, 0u);
+  EXPECT_EQ(row.network().traces()[1].slipping, 0u);
   EXPECT_LT(most * kSteps / -start, 1.0 + 1e-6) << start;  // never more than its share of the way
 }
 

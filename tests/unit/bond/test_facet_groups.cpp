@@ -167,10 +167,10 @@ TEST(FacetGroups, BrokenFacetsHaveTheForcesAndLossesOfFacetsWorkedOnOneByOne) {
         EXPECT_LT((a.torque()[side] - b.torque()[side]).norm(), rounding) << f;
       }
       EXPECT_EQ(a.states()[0], b.states()[0]) << f;
-      EXPECT_EQ(a.memory()[0].open, b.memory()[0].open) << f;
+      EXPECT_EQ(a.traces()[0].open, b.traces()[0].open) << f;
       EXPECT_NEAR(a.losses().friction, b.losses().friction, 1e-12 + 1e-10 * b.losses().friction);
       EXPECT_NEAR(a.losses().damping, b.losses().damping, 1e-12 + 1e-10 * b.losses().damping);
-      const ContactMemory &kept = a.memory()[0].contact.get(), &other = b.memory()[0].contact.get();
+      const ContactMemory kept = a.memory(0).contact.get(), other = b.memory(0).contact.get();
       EXPECT_EQ(kept.fade, other.fade) << f;
       for (std::size_t p = 0; p < kFacetPoints; ++p)
         EXPECT_LT((kept.offset[p] - other.offset[p]).norm(), 1e-14) << f;
@@ -257,7 +257,7 @@ struct GasOneByOne {
 
   GasOneByOne(FacetNetwork& network, std::size_t f, double pressure) {
     const Facet facet = network.facet(f);
-    const FacetMemory& memory = network.memory()[f];
+    const FacetMemory memory = network.memory(f);
     const BlockState& i = network.state()[2 * f];
     const BlockState& j = network.state()[2 * f + 1];
     const Vec3 n = ((i.rotation + j.rotation) * facet.normal).normalized();
@@ -327,11 +327,11 @@ TEST(FacetGroups, ARetiredFacetGivesUpItsContact) {
   const std::vector<Facet> of = joints();
   Pairs pair(of, {5}, 0.0, {remembered(3)});
   pair.compute();
-  EXPECT_TRUE(pair.network().memory()[0].contact.exists());
+  EXPECT_TRUE(pair.network().memory(0).contact.exists());
   pair.network().state()[1].centre += 2.0 * pair.network().state()[0].rotation * of[5].normal;
   pair.compute();
   EXPECT_EQ(pair.network().states()[0], FacetState::retired);
-  EXPECT_FALSE(pair.network().memory()[0].contact.exists());
+  EXPECT_FALSE(pair.network().memory(0).contact.exists());
 }
 
 }  // namespace
