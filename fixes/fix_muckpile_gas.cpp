@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix muckpile/gas: words, messages, and the books; the laws are in core/gas.
+// fix muckpile/gas: words, messages, and totals of mass and work; the laws are in core/gas.
 #include "fix_muckpile_gas.h"
 
 #include <comm.h>
@@ -121,7 +121,7 @@ void FixMuckpileGas::let_go_of_softened_joints() {
   double left = 0.0;
   for (const GasChamber& chamber : chambers_) left += chamber.mass;
   blast_->let_gas_go();
-  // What unloading the walls would give back is part of what softening has booked as lost.
+  // What unloading the walls would give back is part of what softening has counted as lost.
   for (BoundaryFace& face : joint_->joints_for_gas().faces()) face.last_pressure = 0.0;
   end_of_gas("is let go, as the joints have been softened, with up to " + number_text(pressure) +
              " Pa in them and " + number_text(left) + " kg in the holes,");

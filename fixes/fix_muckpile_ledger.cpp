@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix muckpile/ledger: sums the energies that the other styles keep, and the work of walls.
 // Scope: walls are found by difference: the work of all forces on spheres less what the pair style
-// says it stored and lost. A fault in the pair's own books therefore shows up as wall work.
+// says it stored and lost. A fault in the pair's own energies therefore shows up as wall work.
 #include "fix_muckpile_ledger.h"
 
 #include <atom.h>

@@ -82,8 +82,7 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run,
   const double half =
       folder.scene_has("hole_diameter_m") ? 0.5 * folder.scene_number("hole_diameter_m") : 0.1;
   plot.bars = {{{-half, -burial - half}, {half, -burial + half}, kSignal, "charge before"}};
-  plot.note = "section at y = " + spelled(y) + " m, t = " + spelled(run.last.time) +
-              " s; rock that stayed is grey";
+  plot.note = section_note(y, run.last.time);
   return plot;
 }
 

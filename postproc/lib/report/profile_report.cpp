@@ -170,9 +170,11 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run, const Pil
                 "stemming before"}};
   const auto beyond = std::ranges::count_if(
       run.last.states, [&](const BlockState& s) { return s.centre.x() > plot.x.high; });
-  plot.note = "section at y = " + spelled(y) + " m, t = " + spelled(run.last.time) +
-              " s; rock that stayed is grey";
-  if (beyond > 0) plot.note += "; " + std::to_string(beyond) + " blocks lie beyond the picture";
+  plot.note = section_note(y, run.last.time);
+  if (beyond > 0) {
+    plot.note += "; " + std::to_string(beyond) + (beyond == 1 ? " block lies" : " blocks lie") +
+                 " beyond the picture";
+  }
   return plot;
 }
 

@@ -13,7 +13,7 @@ namespace muckpile {
 namespace {
 
 constexpr int kWidth = 1600;
-constexpr double kLeft = 105.0, kRight = 30.0, kAbove = 185.0, kBelow = 85.0;  // margins [px]
+constexpr double kLeft = 105.0, kRight = 30.0, kAbove = 185.0, kBelow = 97.0;  // margins [px]
 constexpr double kMostHeight = 900.0, kLeastHeight = 260.0;  // of the plot area [px]
 constexpr double kTitleSize = 30.0, kTextSize = 20.0;
 
@@ -100,6 +100,11 @@ void draw_key(const SectionPlot& plot, Canvas& canvas) {
 }
 
 }  // namespace
+
+std::string section_note(double y, double time) {
+  return "section at y = " + spelled(y) + " m, t = " + spelled(time) +
+         " s; rock that stayed is grey";
+}
 
 Canvas draw_section(SectionPlot plot) {
   const double height = fit_equal_scales(plot.x, plot.z);

@@ -38,6 +38,9 @@ struct SectionPlot {
   std::string note;  // at the lower right, may be empty
 };
 
+// Where and when a section is cut [m], [s].
+std::string section_note(double y, double time);
+
 Canvas draw_section(SectionPlot plot);
 
 }  // namespace muckpile
