@@ -73,6 +73,10 @@ must_refuse "computes 'step' itself" run inputs/demo/in.demo -var step 2
 must_refuse "-var from FILE needs -var go_on 1" run inputs/demo/in.demo -var from a.restart
 must_refuse "use -out DIR" run inputs/demo/in.demo -var out here
 must_refuse "splits names at blanks" run inputs/demo/in.demo -out 'a b'
+must_refuse "% and * mean something else" run inputs/demo/in.demo -out 'a%b'
+must_refuse "-var bench_height is given twice" run inputs/demo/in.demo -var bench_height 10 -var patience 2 -var bench_height 12
+must_refuse "-np must be at most" run inputs/demo/in.demo -np 99999
+must_refuse "-np must be at most" run inputs/demo/in.demo -np 99999999999999999999
 
 must_work help
 must_work run inputs/demo/in.demo -np 1 -var bench_height 10 -var rock_density 2.6e3
@@ -90,6 +94,20 @@ touch results/demo/dump/blocks_000000009.csv
 must_work run inputs/demo/in.demo -var go_on 1 -var from a.restart -var patience 8
 called '-var go_on 1 -var from a.restart -var patience 8$'
 [[ -e results/demo/dump/blocks_000000009.csv ]] || problem "a run that goes on lost what was there"
+
+(
+  flock 9
+  must_refuse "another run writes to 'results/demo'" run inputs/demo/in.demo
+) 9>results/demo/.lock
+must_work run inputs/demo/in.demo
+must_work run inputs/demo/in.demo -out -x
+called '-var out ./-x$'
+
+fake bin/mpirun 'touch restart_forced_liggghts_77.data; exit 1'
+touch -d '1 hour ago' restart_forced_liggghts_5.data
+call run inputs/demo/in.demo
+grep -qF -- '-var from results/demo/dump/interrupted.restart goes on' <<<"$output" || problem "where the state of an interrupted run is is not told"
+[[ -e results/demo/dump/interrupted.restart && -e restart_forced_liggghts_5.data ]] || problem "the state of an interrupted run is not kept"
 
 fake bin/mpirun 'exit 3'
 call run inputs/demo/in.demo
