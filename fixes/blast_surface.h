@@ -55,6 +55,12 @@ class BlastSurface {
   /// Says whether set_pressure() will be called again. If not, faces without pressure cost nothing.
   virtual void expect_pressure(bool expected) = 0;
 
+  /// Of the rock as soft as it is now [Pa].
+  [[nodiscard]] virtual double shear_modulus() const = 0;
+  /// Takes all pressure off softened rock: what unloading would give back is part of what softening
+  /// has counted as lost.
+  virtual void unload_softened() = 0;
+
   /// Work done by the pressure so far on this rank's faces [J].
   [[nodiscard]] virtual double pressure_work() const = 0;
   /// The wave's part of pressure_work() [J].

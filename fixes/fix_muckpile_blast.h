@@ -55,7 +55,10 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix {
   [[nodiscard]] BlastSurface* find_surface() const;  // nullptr if there is none
   void check_timestep() const;
   void check_walls() const;
-  [[nodiscard]] double clock() const;  // since the first run with this fix [s]
+  void require_fired(double bearable) const;
+  void let_go_of_softened_walls();
+  [[nodiscard]] double greatest_pressure() const;  // on a wall, of all ranks [Pa]
+  [[nodiscard]] double clock() const;              // since the first run with this fix [s]
   void refresh_arrivals();
   [[nodiscard]] bool fired(double time) const;
   void sum_swept_volumes();
@@ -67,6 +70,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix {
   BlastOptions options_;
   double ambient_ = 0.0;             // that the gas in the holes works against [Pa]
   BlastSurface* surface_ = nullptr;  // looked up in every init()
+  double shear_modulus_ = 0.0;       // of the rock in the last init() [Pa]
   std::vector<HoleBlast> blasts_;    // per hole
   bool described_ = false;
 

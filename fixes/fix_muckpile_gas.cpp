@@ -113,7 +113,7 @@ void FixMuckpileGas::init() {
 /// Softening takes all tractions to a small share; gas that stayed would push with all of its
 /// pressure, and the displacement that pressure squeezes out of a loaded face would grow at once.
 void FixMuckpileGas::let_go_of_softened_joints() {
-  const double modulus = joint_->network().material().shear_modulus();
+  const double modulus = joint_->shear_modulus();
   const bool softened = modulus < shear_modulus_;
   shear_modulus_ = modulus;
   if (!softened || !active_) return;
@@ -121,8 +121,7 @@ void FixMuckpileGas::let_go_of_softened_joints() {
   double left = 0.0;
   for (const GasChamber& chamber : chambers_) left += chamber.mass;
   blast_->let_gas_go();
-  // What unloading the walls would give back is part of what softening has counted as lost.
-  for (BoundaryFace& face : joint_->joints_for_gas().faces()) face.last_pressure = 0.0;
+  joint_->unload_softened();
   end_of_gas("is let go, as the joints have been softened, with up to " + number_text(pressure) +
              " Pa in them and " + number_text(left) + " kg in the holes,");
 }

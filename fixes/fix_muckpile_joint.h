@@ -59,6 +59,8 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   [[nodiscard]] std::uint64_t loaded_facets_version() const override { return version_; }
   void set_pressure(std::span<const double> pressure, std::span<const double> wave_share) override;
   void expect_pressure(bool expected) override;
+  [[nodiscard]] double shear_modulus() const override;
+  void unload_softened() override;
   void swept_volume(std::span<double> per_hole) const override;
   [[nodiscard]] double pressure_work() const override { return network_.pressure_work(); }
   [[nodiscard]] double wave_work() const override { return network_.wave_work(); }

@@ -55,6 +55,12 @@ void FixMuckpileJoint::set_pressure(std::span<const double> pressure,
 
 void FixMuckpileJoint::expect_pressure(bool expected) { network_.expect_pressure(expected); }
 
+double FixMuckpileJoint::shear_modulus() const { return network_.material().shear_modulus(); }
+
+void FixMuckpileJoint::unload_softened() {
+  for (BoundaryFace& face : network_.faces()) face.pressure = face.last_pressure = 0.0;
+}
+
 void FixMuckpileJoint::swept_volume(std::span<double> per_hole) const {
   std::fill(per_hole.begin(), per_hole.end(), 0.0);
   for (std::size_t k : loaded_faces_) {
