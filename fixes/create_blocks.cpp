@@ -43,7 +43,7 @@ void on_rank_0(LAMMPS_NS::LAMMPS& lmp, const std::function<void()>& body) {
   engine::stop(lmp, in_create_blocks(fault));
 }
 
-/// Of this machine [bytes].
+/// Memory of this machine [bytes].
 std::size_t installed_memory() {
   return static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) *
          static_cast<std::size_t>(sysconf(_SC_PAGE_SIZE));
@@ -169,8 +169,8 @@ SupportRule CreateBlocks::support(const ArgValues& args) const {
   };
 }
 
-/// Rank 0 sweeps later, as it cuts: nothing collective may come in between. What goes wrong it
-/// reports.
+/// The other ranks take part in the sweeps that rank 0 makes later, as it cuts: nothing collective
+/// may come in between. Rank 0 reports what goes wrong.
 void CreateBlocks::share_sweeps_of_rank_0(TessellationOptions& what) const {
   what.team.rank = comm->me;
   what.team.ranks = comm->nprocs;

@@ -155,8 +155,8 @@ BlastSurface* FixMuckpileBlast::find_surface() const {
   return nullptr;
 }
 
-/// An unfix in the middle of the blast takes the pressure off; the engine's own end does not
-/// matter.
+/// An unfix in the middle of the blast takes the pressure off; at the end of the program there is
+/// nothing to do.
 void FixMuckpileBlast::pre_delete(bool unfixflag) {
   BlastSurface* surface = unfixflag ? find_surface() : nullptr;
   if (surface == nullptr) return;
@@ -178,17 +178,17 @@ void FixMuckpileBlast::check_timestep() const {
 double FixMuckpileBlast::clock() const { return update->get_cur_time() - clock_zero_; }
 
 void FixMuckpileBlast::setup_pre_force(int vflag) {
-  // Whatever the engine's time is when the run begins, the clock starts at 0 or goes on.
+  // The clock starts at 0, or goes on from a restart file, whatever the engine's time is.
   if (!clock_started_) clock_zero_ = update->get_cur_time() - clock_restarted_;
   clock_started_ = true;
-  // Of a blast that goes on, blocks at the walls may have left since.
+  // Once only: in a blast that goes on from a file, blocks may have left the walls.
   if (!walls_checked_) check_walls();
   walls_checked_ = true;
   pre_force(vflag);
 }
 
-/// Half a wall, as of a hole on a symmetry plane, would sweep half the volume against a whole
-/// charge.
+/// Refuses a hole that lies in part outside the rock, as on a symmetry plane: half a wall would
+/// sweep half the volume, but with the gas of a whole charge.
 void FixMuckpileBlast::check_walls() const {
   constexpr double kLeastShare =
       0.75;                      // of the cylinder; its wall is a prism of six sides at least

@@ -113,7 +113,7 @@ void FixMuckpileBlocks::synchronise() {
   ++version_;
 }
 
-/// Gets the facets back from whoever computes with them.
+/// Gets the facets back from the keeper.
 void FixMuckpileBlocks::take_back() {
   if (!handed_over_) return;
   FacetLists lists = keeper_->hand_back();
@@ -133,7 +133,7 @@ FacetLists FixMuckpileBlocks::hand_over() {
   return lists;
 }
 
-/// What the keeper before had goes back to the store first.
+/// The facets of the former keeper come back first.
 void FixMuckpileBlocks::set_keeper(FacetKeeper* keeper) {
   take_back();
   keeper_ = keeper;

@@ -23,10 +23,10 @@
 namespace muckpile {
 namespace {
 
-/// To be raised whenever a fix of ours writes other things, or in another order.
+/// To be raised whenever what one of our fixes writes changes, or its order.
 constexpr std::size_t kFormat = 4;
 
-/// Another program lays out its data otherwise.
+/// Sizes of what is written as bytes: another build may lay it out differently.
 using Layout = std::array<std::size_t, 8>;
 constexpr Layout kLayout{kFormat,
                          sizeof(BlockRecord),
@@ -39,7 +39,7 @@ constexpr Layout kLayout{kFormat,
 
 }  // namespace
 
-/// What a keeper computes with is copied, not taken back.
+/// Copies the keeper's facets: it goes on computing with them.
 void FixMuckpileBlocks::write_restart(FILE* file) {
   const FacetLists lists = handed_over_ ? keeper_->copy() : FacetLists{facets_, memory_, faces_};
   engine::ByteWriter mine;
@@ -101,7 +101,8 @@ void FixMuckpileBlocks::read_lists(engine::ByteReader& reader) {
   add_facets(std::move(facets));
 }
 
-/// fix muckpile/progress leaves a file behind when a run has gone wrong.
+/// Refuses bodies whose numbers are not finite, as in a file that fix muckpile/progress left when a
+/// run had gone wrong.
 void FixMuckpileBlocks::check_bodies() {
   const engine::Bodies bodies(*multisphere_);
   std::array<int, 2> mine{bodies.count(), 0}, all{};

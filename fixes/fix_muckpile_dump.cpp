@@ -63,7 +63,8 @@ void FixMuckpileDump::setup(int) {
   if (last_ < 0) write();
 }
 
-/// Snapshots that the run before wrote after its restart file; what they show did not happen.
+/// Removes the snapshots of steps after the restart file, which the former run wrote: this run
+/// takes these steps anew.
 void FixMuckpileDump::remove_later() const {
   std::error_code fault, unheeded;
   std::filesystem::directory_iterator entry(folder_, fault);

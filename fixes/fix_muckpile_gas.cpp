@@ -88,7 +88,7 @@ FixMuckpileJoint* FixMuckpileGas::find_joint() const {
   return dynamic_cast<FixMuckpileJoint*>(modify->find_fix_style_strict("muckpile/joint", 0));
 }
 
-/// An unfix lets all gas go; the engine's own end does not matter.
+/// An unfix lets all gas go; at the end of the program there is nothing to do.
 void FixMuckpileGas::pre_delete(bool unfixflag) {
   FixMuckpileJoint* joint = unfixflag ? find_joint() : nullptr;
   if (joint != nullptr) joint->joints_for_gas().release_gas();
@@ -126,7 +126,7 @@ void FixMuckpileGas::let_go_of_softened_joints() {
              " Pa in them and " + number_text(left) + " kg in the holes,");
 }
 
-/// What is in the joints goes into the air.
+/// The gas in the joints goes into the atmosphere.
 void FixMuckpileGas::end_of_gas(const std::string& how) {
   vented_ += over_ranks(gas_.mass() + lost_);
   lost_ = 0.0;
@@ -158,7 +158,7 @@ void FixMuckpileGas::follow_blocks() {
   }
 }
 
-/// What the blocks of these tags, now on this rank, hold. Collective.
+/// The gas of the blocks with these tags, which are on this rank now. Collective.
 std::unordered_map<int, GasContent> FixMuckpileGas::contents_here(const std::vector<int>& tags) {
   const engine::BlockDirectory directory(tags, world);
   std::vector<int> with_gas;
@@ -232,7 +232,8 @@ void FixMuckpileGas::read_chambers() {
   }
 }
 
-/// With full-step velocities force x velocity x dt is what the integrator makes of the force.
+/// With full-step velocities force x velocity x dt is exactly the work that the integrator lets the
+/// force do.
 void FixMuckpileGas::book_work() {
   const engine::Bodies bodies(joint_->blocks().multisphere());
   const FacetNetwork& network = joint_->network();
@@ -247,7 +248,7 @@ void FixMuckpileGas::book_work() {
   joint_->joints_for_gas().book_gas_work(rate * update->dt);
 }
 
-/// Of the pose that measure() saw.
+/// Sums the conductance of the ways out of each chamber over ranks, in the pose that measure() saw.
 void FixMuckpileGas::count_chamber_ways() {
   if (std::none_of(fed_.begin(), fed_.end(), [](char hole) { return hole != 0; })) return;
   ways_.assign(chambers_.size(), 0.0);
@@ -257,7 +258,7 @@ void FixMuckpileGas::count_chamber_ways() {
   for (std::size_t hole = 0; hole < ways_.size(); ++hole) chambers_[hole].ways = ways_[hole];
 }
 
-/// What the flow of the last substep has left in blocks and chambers.
+/// Pressures of blocks and chambers after a substep of the flow, for the next one.
 void FixMuckpileGas::refresh() {
   const std::vector<GasChamber> before = chambers_;
   read_chambers();
@@ -309,7 +310,7 @@ void FixMuckpileGas::write_restart(FILE* file) {
     mine.put(tags_[b]);
     mine.put(gas_.cells()[b].content);
   }
-  // Before the first run after read_restart every rank has all.
+  // Between read_restart and the first run every rank has the gas of all blocks.
   for (const auto& [tag, content] : restored_) {
     if (comm->me != 0) break;
     mine.put(tag);

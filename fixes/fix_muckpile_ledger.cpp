@@ -80,9 +80,9 @@ void FixMuckpileLedger::setup(int) {
 
 void FixMuckpileLedger::end_of_step() { sphere_work_ += work_rate_of_spheres() * update->dt; }
 
-/// Of the force on each body that neither gravity nor the joints put there. Full-step velocities:
-/// with them force x velocity x dt is the change of kinetic energy between half steps, exactly as
-/// the integrator makes it.
+/// Work rate of the forces on bodies other than gravity and joints. Taken at full-step velocities:
+/// with them force x velocity x dt is exactly the integrator's change of kinetic energy between
+/// half steps.
 double FixMuckpileLedger::work_rate_of_spheres() const {
   const engine::Bodies bodies(*multisphere_);
   Vec3 g = Vec3::Zero();

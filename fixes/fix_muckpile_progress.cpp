@@ -217,8 +217,8 @@ void FixMuckpileProgress::restart(char* state) {
   read_at_ = update->ntimestep;
 }
 
-/// The history of the run before, up to now; what it did later did not happen. False if there is
-/// none in this folder.
+/// Keeps the history of the run before up to the present step and drops its later lines. False if
+/// there is none in this folder.
 bool FixMuckpileProgress::keep_history() const {
   std::ifstream in(folder_ + "/history.csv");
   std::string line, kept = kHistoryHeader;

@@ -70,7 +70,7 @@ YieldingSupports* FixMuckpileQuiet::find_supports() const {
   return nullptr;
 }
 
-/// An unfix makes fixed supports of them again; the engine's own end does not matter.
+/// An unfix makes them fixed supports again; at the end of the program there is nothing to do.
 void FixMuckpileQuiet::pre_delete(bool unfixflag) {
   YieldingSupports* supports = unfixflag ? find_supports() : nullptr;
   if (supports != nullptr) supports->stop_ground();
@@ -86,7 +86,7 @@ void FixMuckpileQuiet::init() {
   for (const std::string& region : regions_) engine::require_region(*lmp, where_, region);
 }
 
-/// Forces are up to date here: what the supports carry now is what they hold.
+/// Forces are up to date here, so what the supports carry now is known and can be held.
 void FixMuckpileQuiet::setup(int) {
   last_time_ = update->get_cur_time();
   if (begun_) return;
@@ -135,7 +135,7 @@ void FixMuckpileQuiet::stop(const std::string& why) {
                                number_text(update->get_cur_time()) + " s on: " + why + "\n");
 }
 
-/// What the ground remembers is with the joints.
+/// The motion of the ground is in the state of the joints.
 void FixMuckpileQuiet::write_restart(FILE* file) {
   engine::ByteWriter state;
   state.put(begun_);

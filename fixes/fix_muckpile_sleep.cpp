@@ -61,7 +61,7 @@ int FixMuckpileSleep::setmask() {
   return LAMMPS_NS::FixConst::PRE_NEIGHBOR | LAMMPS_NS::FixConst::END_OF_STEP;
 }
 
-/// An unfix wakes all; the engine's own end does not matter.
+/// An unfix wakes all; at the end of the program there is nothing to do.
 void FixMuckpileSleep::pre_delete(bool unfixflag) {
   if (!unfixflag) return;
   auto* joined = dynamic_cast<JoinedBlocks*>(modify->find_fix_style_strict("muckpile/joint", 0));
@@ -76,7 +76,7 @@ void FixMuckpileSleep::init() {
     engine::stop(*lmp, where_ + ": must be defined after fix muckpile/joint");
 }
 
-/// Bodies have changed their places in the lists, or their rank: those that arrive stay awake.
+/// After bodies have changed places in the lists or ranks; those that arrive are awake.
 void FixMuckpileSleep::follow_bodies() {
   const engine::Bodies bodies(*multisphere_);
   std::unordered_map<int, std::size_t> places;
@@ -98,7 +98,7 @@ void FixMuckpileSleep::follow_bodies() {
   tell();
 }
 
-/// The start of a run sums forces anew, without those between resting blocks.
+/// The start of a run sums forces anew, without those between resting blocks: hold these again.
 void FixMuckpileSleep::setup(int) {
   engine::Bodies bodies(*multisphere_);
   for (int b = 0; b < bodies.count(); ++b) {
@@ -176,7 +176,7 @@ void FixMuckpileSleep::tell() {
   if (joined_ != nullptr) joined_->let_rest(rests_);
 }
 
-/// From one flag per body to one per sphere, ghosts included.
+/// One flag per sphere, ghosts included, from one per body.
 std::vector<char> FixMuckpileSleep::on_spheres(const std::vector<char>& of_bodies) {
   sent_.assign(static_cast<std::size_t>(atom->nlocal + atom->nghost), 0);
   for (std::size_t k = 0; k < sent_.size(); ++k) {
@@ -187,7 +187,8 @@ std::vector<char> FixMuckpileSleep::on_spheres(const std::vector<char>& of_bodie
   return sent_;
 }
 
-/// A body's rank may know some of its spheres as ghosts only: what one rank has marked, all mark.
+/// A sphere marked by one rank gets marked by all: a body's rank may know some of its spheres as
+/// ghosts only.
 void FixMuckpileSleep::share_sent() {
   comm->reverse_comm_fix(this);
   comm->forward_comm_fix(this);
@@ -226,7 +227,7 @@ void FixMuckpileSleep::write_restart(FILE* file) {
   engine::write_state(*lmp, style, file, common, mine);
 }
 
-/// Of all blocks, until follow_bodies() picks those of this rank.
+/// Reads the states of all blocks; follow_bodies() then picks those of this rank.
 void FixMuckpileSleep::restart(char* state) {
   engine::ByteReader reader = engine::read_state(state);
   taken_ = engine::share_of_total(*lmp, reader.get<double>());

@@ -54,13 +54,15 @@ const ArgTable& table() {
   return args;
 }
 
-/// The same on any number of ranks, where the bound differs by rounding: cut to three digits.
+/// Cut to three digits, so that the step is the same on any number of ranks although the bound
+/// differs by rounding.
 double three_digits(double step) {
   const double unit = std::pow(10.0, std::floor(std::log10(step)) - 2.0);
   return std::floor(step / unit * (1.0 + 1e-9)) * unit;
 }
 
-/// Joints and contacts act on the same block at worst: their stiffnesses, 1/step^2, add.
+/// At worst joints and contacts act on the same block: their stiffnesses, which go with 1/step^2,
+/// add.
 double acting_together(double joints, double contacts) {
   return 1.0 / std::sqrt(1.0 / (joints * joints) + 1.0 / (contacts * contacts));
 }
@@ -108,7 +110,7 @@ void FixMuckpileTimestep::init() {
   }
 }
 
-/// Forces are up to date here, so poses and contacts are.
+/// Forces are up to date here, and with them poses and contacts.
 void FixMuckpileTimestep::setup(int) {
   if (joints_ != nullptr && joints_->stiffness_changes() != known_changes_) looks_ = joints_every_;
   if (looks_ >= joints_every_) look_at_joints();
@@ -145,8 +147,8 @@ double FixMuckpileTimestep::longest_stable(ContactStep of) const {
   return acting_together(joint_step_, contact_steps_[of]);
 }
 
-/// Contacts that come between two looks do not know of the joints of their blocks: those add to
-/// what a collision needs as they do to what the present contacts bear.
+/// Step that resolves a collision between two looks. The joints of its blocks add to the stiffness
+/// of the collision as they add to that of the present contacts.
 double FixMuckpileTimestep::longest_resolving() const {
   const double collision = collision_ < 1e30 ? collision_ : contact_steps_[kCollisions];
   return acting_together(fraction_ * joint_step_,

@@ -88,8 +88,8 @@ void FixMultisphereMuckpile::reset_dt() {
   dtq = 0.5 * update->dt;
 }
 
-/// LIGGGHTS asks for two bounding radii. A rank must know the spheres of its bodies and what its
-/// spheres can touch, for which the pair style asks; ghosts are chosen by their surface.
+/// A rank must know the spheres of its bodies; what its spheres can touch, the pair style asks for.
+/// Ghosts are chosen by their surface, so less than LIGGGHTS' two bounding radii is enough.
 double FixMultisphereMuckpile::extend_cut_ghost() {
   if (atom->radius == nullptr || !atom->radius_flag) return FixMultisphere::extend_cut_ghost();
   double mine = 0.0, farthest = 0.0;  // sphere's surface nearest to its body's centre [m]
@@ -176,7 +176,8 @@ void FixMultisphereMuckpile::move_bodies() {
   }
 }
 
-/// Resting bodies' spheres are where they were; once after they came to rest they are told to stop.
+/// Spheres of resting bodies stay where they are. They are placed once more after their body came
+/// to rest, so that their velocities are 0.
 void FixMultisphereMuckpile::place_spheres() {
   const bool all = !any_rests_ || !shifts_.empty() || resting_->rests_version() != placed_version_;
   if (any_rests_) placed_version_ = resting_->rests_version();
@@ -208,7 +209,7 @@ void FixMultisphereMuckpile::place_spheres() {
   }
 }
 
-/// Resting bodies are held before anybody makes velocities of their incomplete forces.
+/// Resting bodies are held before their forces, which are incomplete, can become velocities.
 void FixMultisphereMuckpile::calc_force(bool setupflag) {
   if (plain_)
     sum_forces();
@@ -244,7 +245,7 @@ void FixMultisphereMuckpile::sum_forces() {
   for (int b = 0; b < bodies.count(); ++b) bodies.force(b) += bodies.mass(b) * gravity;
 }
 
-/// The forces on spheres of other ranks that this rank's bodies have.
+/// Brings the forces on spheres that other ranks own to the ranks of their bodies.
 void FixMultisphereMuckpile::pre_final_integrate() {
   if (plain_ && !members_known_) list_members();
   if (plain_ && own_messages_)
@@ -275,7 +276,7 @@ void FixMultisphereMuckpile::kick_bodies() {
   }
 }
 
-/// What was left out between resting blocks makes the forces on them incomplete.
+/// The forces on resting blocks are incomplete, since those between two of them are left out.
 void FixMultisphereMuckpile::hold_resting() {
   engine::Bodies bodies(*this);
   for (int b = 0; b < bodies.count(); ++b) {

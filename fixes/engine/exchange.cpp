@@ -16,7 +16,7 @@ std::vector<int> offsets(const std::vector<int>& counts) {
   return first;
 }
 
-/// How many bytes each rank has for each.
+/// Numbers of bytes that each rank will send here.
 std::vector<std::int64_t> sizes_to_come(const std::vector<std::vector<char>>& outgoing,
                                         MPI_Comm world) {
   std::vector<std::int64_t> sent, received(outgoing.size());
@@ -30,7 +30,7 @@ int share_of(std::size_t size, std::size_t begin, std::size_t most) {
   return size > begin ? static_cast<int>(std::min(most, size - begin)) : 0;
 }
 
-/// Bytes `begin` and on of every buffer, `most` of each.
+/// Exchanges at most `most` bytes of every buffer, from byte `begin` on.
 void exchange_round(const std::vector<std::vector<char>>& outgoing, std::size_t begin,
                     std::size_t most, std::vector<std::vector<char>>& incoming, MPI_Comm world) {
   std::vector<int> sent, received;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The state of a fix as bytes of LIGGGHTS' restart file.
-// Scope: the engine keeps the length to itself when it reads, so it stands in the bytes once more.
+// Scope: the engine does not tell the length when it reads, so the length is part of the bytes.
 #include "engine/restart_file.h"
 
 #include <comm.h>
