@@ -111,8 +111,8 @@ Heap heap_of(const std::map<int, Pose>& start, const fs::path& folder) {
                            Vec3::Zero(), id, 1.0});
     square += end.velocity.squaredNorm();
   }
-  const PileProfile profile =
-      pile_profile(blocks, last, std::vector<char>(blocks.size(), 1), 0.25 * kEdge);
+  const std::vector<char> all(blocks.size(), 1);
+  const PileProfile profile = pile_profile(blocks, last, all, 0.25 * kEdge, all);
   const PileShape shape = pile_shape(profile, 0.0, kEdge);
   return {mean_height(filled), mean_height(rest), shape.toe_98,
           shape.rest_angle * 180.0 / std::numbers::pi,

@@ -18,6 +18,13 @@ std::vector<char> broken_out(const std::vector<StartBlock>& blocks,
   return moved;
 }
 
+std::vector<char> on_the_move(const std::vector<BlockState>& states) {
+  constexpr double kFast = 1.0;  // [m/s]; a block that falls has this speed after 5 cm
+  std::vector<char> moves;
+  for (const BlockState& state : states) moves.push_back(state.velocity.norm() > kFast ? 1 : 0);
+  return moves;
+}
+
 double mean_block_size(const std::vector<StartBlock>& blocks, const std::vector<char>& chosen) {
   double volume = 0.0, count = 0.0;
   for (size_t b = 0; b < blocks.size(); ++b) {

@@ -15,6 +15,9 @@ namespace muckpile {
 std::vector<char> broken_out(const std::vector<StartBlock>& blocks,
                              const std::vector<BlockState>& states, double least_move);
 
+// 1 for a block faster than 1 m/s: it flies or rolls, and is no part of any surface yet.
+std::vector<char> on_the_move(const std::vector<BlockState>& states);
+
 // (mean volume)^(1/3) [m] of the chosen blocks; 0 if there is none.
 double mean_block_size(const std::vector<StartBlock>& blocks, const std::vector<char>& chosen);
 

@@ -85,17 +85,17 @@ CraterShape shape_within(double radius, const std::vector<CraterRing>& rings,
 }  // namespace
 
 std::vector<CraterRing> crater_rings(const std::vector<StartBlock>& blocks, const Snapshot& last,
-                                     const std::vector<char>& moved, double cell,
-                                     double ring_width) {
+                                     const std::vector<char>& moved, double cell, double ring_width,
+                                     const std::vector<char>& lies) {
   const Snapshot start = start_snapshot(blocks);
   const Extent extent = extent_of(blocks, start.states);
   const ColumnGrid grid =
       column_grid(extent.low.x(), extent.high.x(), extent.low.y(), extent.high.y(), cell);
   std::vector<char> stayed(moved);
-  for (char& m : stayed) m = m == 0;
+  for (size_t b = 0; b < moved.size(); ++b) stayed[b] = moved[b] == 0 && lies[b] != 0;
   const std::vector<char> all(blocks.size(), 1);
   const Columns before = columns_through(grid, blocks, start.states, all);
-  const Columns after = columns_through(grid, blocks, last.states, all);
+  const Columns after = columns_through(grid, blocks, last.states, lies);
   const Columns in_place = columns_through(grid, blocks, last.states, stayed);
   RingSums sums(before, after, in_place, moved, ring_width);
   for (int j = 0; j < grid.ny; ++j) {

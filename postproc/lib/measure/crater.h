@@ -20,8 +20,8 @@ struct CraterRing {
 };
 
 std::vector<CraterRing> crater_rings(const std::vector<StartBlock>& blocks, const Snapshot& last,
-                                     const std::vector<char>& moved, double cell,
-                                     double ring_width);
+                                     const std::vector<char>& moved, double cell, double ring_width,
+                                     const std::vector<char>& lies);
 
 struct CraterShape {
   double radius, depth, volume;  // [m], [m], [m3]; all 0 where there is no crater

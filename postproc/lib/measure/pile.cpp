@@ -126,17 +126,21 @@ double rest_slope(const PileProfile& p, double burden, double block_size, double
 }  // namespace
 
 PileProfile pile_profile(const std::vector<StartBlock>& blocks, const Snapshot& last,
-                         const std::vector<char>& moved, double cell) {
+                         const std::vector<char>& moved, double cell,
+                         const std::vector<char>& lies) {
   const Snapshot start = start_snapshot(blocks);
   const Extent before = extent_of(blocks, start.states), after = extent_of(blocks, last.states);
   const ColumnGrid grid =
       column_grid(std::min(before.low.x(), after.low.x()), std::max(after.high.x(), 0.0) + cell,
                   before.low.y(), before.high.y(), cell);
   const std::vector<char> all(blocks.size(), 1);
-  std::vector<char> stayed(moved);
-  for (char& m : stayed) m = m == 0;
-  const Columns rock = columns_through(grid, blocks, last.states, all);
-  const Columns pile = columns_through(grid, blocks, last.states, moved);
+  std::vector<char> stayed(moved), broken(moved);
+  for (size_t b = 0; b < moved.size(); ++b) {
+    stayed[b] = moved[b] == 0 && lies[b] != 0;
+    broken[b] = moved[b] != 0 && lies[b] != 0;
+  }
+  const Columns rock = columns_through(grid, blocks, last.states, lies);
+  const Columns pile = columns_through(grid, blocks, last.states, broken);
   PileProfile profile;
   for (int i = 0; i < grid.nx; ++i) profile.x.push_back(grid.x(i));
   profile.before = mean_top(columns_through(grid, blocks, start.states, all));

@@ -30,8 +30,10 @@ struct PileProfile {
   double width;  // along y [m]
 };
 
+// Blocks that `lies` leaves out are in no surface after.
 PileProfile pile_profile(const std::vector<StartBlock>& blocks, const Snapshot& last,
-                         const std::vector<char>& moved, double cell);
+                         const std::vector<char>& moved, double cell,
+                         const std::vector<char>& lies);
 
 struct PileShape {
   double height, height_x;  // highest point of `pile` and where [m]

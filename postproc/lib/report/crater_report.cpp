@@ -99,7 +99,7 @@ void report_crater(const ResultFolder& folder, const MeasureOptions& measure,
   own.least_move = measure.least_move.value_or(0.0);
   const RunData run(folder, own);
   const std::vector<CraterRing> rings =
-      crater_rings(run.blocks, run.last, run.moved, run.cell, run.block_size);
+      crater_rings(run.blocks, run.last, run.moved, run.cell, run.block_size, run.lies);
   const CraterShape apparent = apparent_crater(rings), whole = true_crater(rings);
   const Ejecta ejecta =
       ejecta_beyond(std::max(apparent.radius, whole.radius), run.blocks, run.last, run.moved);
@@ -108,6 +108,7 @@ void report_crater(const ResultFolder& folder, const MeasureOptions& measure,
             folder.file("crater.png"));
   nlohmann::ordered_json keys = common_keys(folder);
   keys.update(crater_keys(apparent, whole, ejecta));
+  keys["blocks_on_the_move"] = std::ranges::count(run.lies, 0);
   folder.merge_into_summary(keys);
 }
 

@@ -68,7 +68,7 @@ void report_heap(const ResultFolder& folder, const MeasureOptions& measure,
     throw InputError("heap: the run must be a heap, got '" + scene + "'");
   const RunData run(folder, measure);
   const std::vector<char> all(run.blocks.size(), 1);  // a heap is loose rock throughout
-  const PileProfile profile = pile_profile(run.blocks, run.last, all, run.cell);
+  const PileProfile profile = pile_profile(run.blocks, run.last, all, run.cell, run.lies);
   const PileShape shape = pile_shape(profile, 0.0, run.block_size);
   if (std::isnan(shape.rest_angle)) throw InputError("heap: no heap at x > 0 in the last snapshot");
   write_surface(profile, folder.file("heap.csv"));

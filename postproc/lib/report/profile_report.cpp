@@ -188,7 +188,7 @@ void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
   const RunData run(folder, measure);
   const Hole hole = hole_of(folder);
   const FaceSpeed face_speed = face_speed_of(folder, run.blocks, hole);
-  const PileProfile profile = pile_profile(run.blocks, run.last, run.moved, run.cell);
+  const PileProfile profile = pile_profile(run.blocks, run.last, run.moved, run.cell, run.lies);
   const PileShape shape = pile_shape(profile, -hole.x, mean_block_size(run.blocks, run.moved));
   const Throw thrown = throw_of(run.blocks, run.last, -hole.x);
   write_profile(profile, folder.file("profile.csv"));
@@ -197,6 +197,7 @@ void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
   write_png(draw_section(std::move(plot)), folder.file("profile.png"));
   nlohmann::ordered_json keys = common_keys(folder);
   keys.update(pile_keys(shape, thrown, face_speed, run.cell));
+  keys["blocks_on_the_move"] = std::ranges::count(run.lies, 0);
   folder.merge_into_summary(keys);
 }
 

@@ -17,13 +17,20 @@ struct RunData {
         last(read_snapshot(folder.snapshots().back(), blocks)),
         block_size(mean_block_size(blocks, std::vector<char>(blocks.size(), 1))),
         cell(options.cell.value_or(0.25 * block_size)),
-        moved(broken_out(blocks, last.states, options.least_move.value_or(block_size))) {}
+        moved(broken_out(blocks, last.states, options.least_move.value_or(block_size))),
+        lies(blocks.size(), 1) {
+    // At the end of a run that is not still nearly all may move: then the surface is that of all.
+    const nlohmann::ordered_json run = read_json_object(folder.dump("run.json"));
+    if (!run.contains("still") || run["still"] != true) return;
+    for (char& each : lies = on_the_move(last.states)) each = each == 0;
+  }
 
   std::vector<StartBlock> blocks;
   Snapshot last;
   double block_size;  // mean over all blocks [m]
   double cell;        // of columns [m]
   std::vector<char> moved;
+  std::vector<char> lies;  // 0: still on the move as the pile had come to rest
 };
 
 }  // namespace muckpile

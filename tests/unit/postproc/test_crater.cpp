@@ -22,7 +22,8 @@ double moved_volume(const BenchRun& run, const std::vector<char>& moved) {
 }
 
 std::vector<CraterRing> rings_of(const BenchRun& run, const std::vector<char>& moved) {
-  return crater_rings(run.blocks, run.last, moved, 0.125, kCube);
+  return crater_rings(run.blocks, run.last, moved, 0.125, kCube,
+                      std::vector<char>(run.blocks.size(), 1));
 }
 
 TEST(Crater, TrueAndApparentAgreeWhenNothingFallsBack) {

@@ -18,10 +18,12 @@ using namespace testing;
 
 constexpr double kCell = 0.125;  // four to a cube's edge, so columns miss no cube
 
+std::vector<char> all_of(const BenchRun& run) { return std::vector<char>(run.blocks.size(), 1); }
+
 struct MeasuredBench {
   BenchRun run = bench_run();
   std::vector<char> moved = broken_out(run.blocks, run.last.states, kCube);
-  PileProfile profile = pile_profile(run.blocks, run.last, moved, kCell);
+  PileProfile profile = pile_profile(run.blocks, run.last, moved, kCell, all_of(run));
   PileShape shape = pile_shape(profile, kBurden, mean_block_size(run.blocks, moved));
   Throw thrown = throw_of(run.blocks, run.last, kBurden);
 };
@@ -157,7 +159,7 @@ TEST(PileShape, HasNoSlopeOrToeWithoutAPile) {
   run.last = start_snapshot(run.blocks);
   const std::vector<char> moved = broken_out(run.blocks, run.last.states, kCube);
   const PileShape shape =
-      pile_shape(pile_profile(run.blocks, run.last, moved, kCell), kBurden, 0.0);
+      pile_shape(pile_profile(run.blocks, run.last, moved, kCell, all_of(run)), kBurden, 0.0);
   EXPECT_TRUE(std::isnan(shape.height));
   EXPECT_TRUE(std::isnan(shape.toe));
   EXPECT_TRUE(std::isnan(shape.swell));

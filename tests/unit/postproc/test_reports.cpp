@@ -10,10 +10,13 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <sstream>
 
-#include "args/input_error.h"
 #include "args/csv_table.h"
+#include "args/input_error.h"
 #include "io/vtk_series.h"
 #include "report/reports.h"
 #include "synthetic_run.h"
@@ -22,6 +25,12 @@ namespace muckpile {
 namespace {
 
 using namespace testing;
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
 
 // Width and height, and whether the picture holds more than a few colours.
 struct PictureFacts {
@@ -72,6 +81,28 @@ TEST_F(BenchReports, ProfileWritesItsKeysTableAndPicture) {
   const PictureFacts picture = facts_of(folder.file("profile.png"));
   EXPECT_EQ(picture.width, 1600);
   EXPECT_TRUE(picture.has_drawing);
+}
+
+// A block 60 m up as the pile rests, which falls at 20 m/s: no part of the pile. Of a run that is
+// not still it is.
+TEST_F(BenchReports, BlockInTheAirIsNoPartOfAPileAtRest) {
+  const ResultFolder folder(temporary_.path());
+  BenchRun run = bench_run();
+  const auto block = static_cast<size_t>(
+      std::ranges::max_element(run.last.states, {},
+                               [](const BlockState& s) { return s.centre.x(); }) -
+      run.last.states.begin());
+  run.last.states[block].centre += Vec3(-6.0, 0.0, 60.0);
+  run.last.states[block].velocity = Vec3(0.0, 0.0, -20.0);
+  write_snapshot(folder.dump("blocks_000002000.csv"), run.blocks, run.last);
+  report_profile(folder, {kCube, 0.125}, {});
+  EXPECT_NEAR(summary()["pile_height_m"], kSteps * kLayer, 1e-7);
+  EXPECT_EQ(summary()["blocks_on_the_move"], 1);
+  std::string text = text_of(folder.dump("run.json"));
+  write_text(folder.dump("run.json"), text.replace(text.find("true"), 4, "false"));
+  report_profile(folder, {kCube, 0.125}, {});
+  EXPECT_GT(summary()["pile_height_m"], 12.0);  // mean over a width of four cubes
+  EXPECT_EQ(summary()["blocks_on_the_move"], 0);
 }
 
 TEST_F(BenchReports, FragmentsCountOnlyTheBrokenOutRock) {
