@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "blast_surface.h"
 #include "explosive/hole_loads.h"
 #include "gas/joint_gas.h"
+#include "interfaces/blast_surface.h"
 
 namespace muckpile {
 

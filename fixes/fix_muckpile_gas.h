@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "gas/joint_gas.h"
-#include "joint_pressure.h"
+#include "interfaces/joint_pressure.h"
 
 namespace muckpile {
 

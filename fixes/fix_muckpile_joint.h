@@ -10,14 +10,14 @@
 #include <memory>
 #include <vector>
 
-#include "blast_surface.h"
-#include "block_neighbours.h"
 #include "bond/facet_network.h"
 #include "fix_muckpile_blocks.h"
-#include "joint_pressure.h"
-#include "joint_view.h"
-#include "step_limit.h"
-#include "yielding_supports.h"
+#include "interfaces/blast_surface.h"
+#include "interfaces/block_neighbours.h"
+#include "interfaces/joint_pressure.h"
+#include "interfaces/joint_view.h"
+#include "interfaces/step_limit.h"
+#include "interfaces/yielding_supports.h"
 
 namespace muckpile {
 

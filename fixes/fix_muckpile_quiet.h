@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "interfaces/yielding_supports.h"
 #include "math/types.h"
-#include "yielding_supports.h"
 
 namespace muckpile {
 

@@ -21,7 +21,7 @@
 #include "engine/single_fix.h"
 #include "engine/style_args.h"
 #include "fix_muckpile_blast.h"
-#include "joint_pressure.h"
+#include "interfaces/joint_pressure.h"
 
 namespace muckpile {
 namespace {

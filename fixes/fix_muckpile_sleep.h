@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "block_neighbours.h"
+#include "interfaces/block_neighbours.h"
+#include "interfaces/resting_blocks.h"
 #include "rest/stillness.h"
-#include "resting_blocks.h"
 
 namespace LAMMPS_NS {
 class FixMultisphere;

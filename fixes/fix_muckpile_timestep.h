@@ -9,8 +9,8 @@
 #include <string>
 
 #include "bond/stable_step.h"
-#include "contact_steps.h"
-#include "step_limit.h"
+#include "interfaces/contact_steps.h"
+#include "interfaces/step_limit.h"
 
 namespace muckpile {
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "engine/border_spheres.h"
+#include "interfaces/resting_blocks.h"
 #include "math/types.h"
-#include "resting_blocks.h"
 
 namespace muckpile {
 

@@ -12,14 +12,14 @@
 #include <utility>
 #include <vector>
 
-#include "block_neighbours.h"
 #include "contact/block_contact_list.h"
 #include "contact/contact_forces.h"
 #include "contact/contact_law.h"
-#include "contact_steps.h"
 #include "fix_muckpile_contact_history.h"
-#include "joint_view.h"
-#include "resting_blocks.h"
+#include "interfaces/block_neighbours.h"
+#include "interfaces/contact_steps.h"
+#include "interfaces/joint_view.h"
+#include "interfaces/resting_blocks.h"
 
 namespace LAMMPS_NS {
 class FixMultisphere;

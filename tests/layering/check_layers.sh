@@ -37,8 +37,8 @@ check() {  # check LAYER FORBIDDEN_REGEX ENGINE_ALLOWED
   done < <(includes_of "$layer")
 }
 
-check src/core '^(mpi\.h|vtk|iostream$|cstdio$|stdio\.h|engine/|fixes/|postproc/|fix_|pair_)' no
-check postproc '^(mpi\.h|engine/|fixes/|fix_|pair_)' no
+check src/core '^(mpi\.h|vtk|iostream$|cstdio$|stdio\.h|engine/|interfaces/|fixes/|postproc/|fix_|pair_)' no
+check postproc '^(mpi\.h|engine/|interfaces/|fixes/|fix_|pair_)' no
 check fixes '^(vtk|postproc/)' yes
 check src/app '^(vtk|postproc/)' yes
 [[ $faults -eq 0 ]]
