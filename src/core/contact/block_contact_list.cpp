@@ -13,6 +13,8 @@ namespace {
 
 // A step turns a block by its mid-step spin, which the spin at hand meets to second order only.
 constexpr double kTurnSafety = 1.1;
+// Sphere pairs that a block pair has room for beyond those it has: little, as all are read in turn.
+constexpr int kSpare = 1;
 
 Vec3 position(const double* positions, int sphere) {
   return Vec3::Map(positions + 3 * static_cast<std::ptrdiff_t>(sphere));
@@ -321,7 +323,7 @@ void BlockContactList::keep_contacts(BlockPair& pair, std::vector<int>& dropped)
   }
   pair.count = static_cast<int>(near_.size());
   if (pair.count > pair.room) {
-    pair.room = 2 * pair.count;
+    pair.room = pair.count + kSpare;
     pair.begin = static_cast<int>(sphere_pairs_.size());
     sphere_pairs_.resize(sphere_pairs_.size() + static_cast<std::size_t>(pair.room));
   }

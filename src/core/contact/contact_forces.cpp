@@ -5,11 +5,6 @@
 
 #include <algorithm>
 
-// GCC 12 takes its own AVX-512 intrinsics under sqrt for uninitialized (GCC bug 105593).
-#if defined(__GNUC__) && __GNUC__ < 13
-#pragma GCC diagnostic ignored "-Wuninitialized"
-#endif
-
 namespace muckpile {
 namespace {
 
@@ -151,8 +146,7 @@ void ContactForces::work_on(std::size_t at) {
     keep(lanes.z, rows[2]);
   };
   const Side &a = side_[0], &b = side_[1];
-  const Lanes distance = sqrt(one(squared_));
-  const Lanes inverse = 1.0 / distance;
+  const Lanes inverse = inverse_root(one(squared_)), distance = one(squared_) * inverse;
   const Vectors between = three(to_second_);
   const Vectors normal = choose(distance > 0.0, inverse * between, Vectors(Vec3::UnitX()));
   const Lanes radius_a = one(a.radius), radius_b = one(b.radius);

