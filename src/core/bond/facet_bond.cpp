@@ -152,7 +152,7 @@ double FacetNetwork::slip_through_blocks(std::size_t f) const {
   const auto through = [&](std::size_t side, int block, double area, const Vec3& opening) {
     const Vec3 in_plane = opening - normal.dot(opening) * normal;
     double stiffness = material().lame_lambda() * in_plane.squaredNorm();
-    if (facets_[f].slanted[side]) {
+    if (facets_[f].slanted()[side]) {
       const double m = opening.norm(), g = slants_[f].lean[side].norm();
       stiffness += 2.0 * material().shear_modulus() * m * (m + 2.0 * g);
     }

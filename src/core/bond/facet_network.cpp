@@ -133,7 +133,7 @@ Facet FacetNetwork::facet(std::size_t f) const {
   facet.half_axes = {at_lane(group.half_1, k), at_lane(group.half_2, k)};
   facet.area = group.area[k];
   facet.sharpened = name.sharpened;
-  facet.slanted = name.slanted;
+  facet.slanted = name.slanted();
   facet.weight = facets_[f].weight;
   return facet;
 }
@@ -156,9 +156,14 @@ void FacetNetwork::derive() {
 /// Into the tables, rounded once and for all: what is derived of it is derived of the rounded
 /// values, so that it is the same after a restart or a change of ranks.
 void FacetNetwork::place_facet(std::size_t f, const Facet& facet) {
-  facets_[f] = {facet.face,      static_cast<float>(facet.weight),
-                facet.kind,      facet.joint_class,
-                facet.sharpened, facet.slanted};
+  FacetName& name = facets_[f];
+  name.weight = static_cast<float>(facet.weight);
+  name.face = static_cast<std::uint16_t>(facet.face);
+  name.joint_class = facet.joint_class;
+  name.kind = facet.kind;
+  name.sharpened = facet.sharpened;
+  name.slanted_i = facet.slanted[0];
+  name.slanted_j = facet.slanted[1];
   FacetGroup& group = group_of(f);
   const std::size_t lane = lane_of(f);
   group.i[lane] = facet.i;

@@ -207,14 +207,16 @@ class FacetNetwork {
   void resume(const NetworkTotals& totals);
 
  private:
-  struct FacetName {  // what the passes hardly read; the rest is in the facet's group
-    int face;
-    float weight;  // as in Facet
-    FacetKind kind;
+  struct FacetName {     // what the passes hardly read; the rest is in the facet's group
+    float weight;        // as in Facet
+    std::uint16_t face;  // no polyhedron has as many
     std::uint8_t joint_class;
-    bool sharpened;
-    std::array<bool, 2> slanted;
+    FacetKind kind : 2;
+    bool sharpened : 1, slanted_i : 1, slanted_j : 1;
+
+    [[nodiscard]] std::array<bool, 2> slanted() const { return {slanted_i, slanted_j}; }
   };
+  static_assert(sizeof(FacetName) == 8);
   struct Strength {                                        // of a joint class
     double tension, cohesion, tan_friction, tan_residual;  // [Pa], [Pa], [-], [-]
   };

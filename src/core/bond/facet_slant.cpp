@@ -46,9 +46,7 @@ Vec3 FacetNetwork::line_of_centres(std::size_t f) const {
 void FacetNetwork::derive_slants() {
   slants_.clear();
   slant_traction_.clear();
-  const auto is_slanted = [](const FacetName& facet) {
-    return facet.slanted[0] || facet.slanted[1];
-  };
+  const auto is_slanted = [](const FacetName& facet) { return facet.slanted_i || facet.slanted_j; };
   if (std::none_of(facets_.begin(), facets_.end(), is_slanted)) return;
   slants_.resize(facets_.size());
   slant_traction_.assign(groups_.size() * kGroup, Vec3::Zero());
@@ -82,9 +80,9 @@ void FacetNetwork::count_slants() {
     if (facets_[f].kind != FacetKind::joint) continue;
     const auto i = static_cast<std::size_t>(i_of(f)), j = static_cast<std::size_t>(j_of(f));
     const double points = bonded_points_[f];
-    if (facets_[f].slanted[0])
+    if (facets_[f].slanted_i)
       block_slants_[i].moment += points / blocks_[i].volume * slant_moment(f, 0);
-    if (facets_[f].slanted[1])
+    if (facets_[f].slanted_j)
       block_slants_[j].moment += points / blocks_[j].volume * slant_moment(f, 1);
   }
 }
@@ -100,7 +98,7 @@ void FacetNetwork::stretch_slanted() {
   std::fill(gradients_.begin(), gradients_.end(), Mat3::Zero());
   for (BlockSlant& block : block_slants_) block.excess.setZero();
   each_facet(bonded_, [&](std::size_t f) {
-    const auto& slanted = facets_[f].slanted;
+    const std::array<bool, 2> slanted = facets_[f].slanted();
     if (bonded_points_[f] == 0 || !(slanted[0] || slanted[1])) return;
     const Motion motion = motion_of(f);
     const Openings openings = openings_of(f, motion.scale);
@@ -149,7 +147,7 @@ Vec3 FacetNetwork::moment_torque(std::size_t b) const {
 void FacetNetwork::pull_slanted() {
   const double two_g = 2.0 * material().shear_modulus();
   each_facet(working_, [&](std::size_t f) {
-    const auto& slanted = facets_[f].slanted;
+    const std::array<bool, 2> slanted = facets_[f].slanted();
     if (bonded_points_[f] == 0 || !(slanted[0] || slanted[1])) return;
     const Motion motion = motion_of(f);
     const Openings openings = openings_of(f, motion.scale);
@@ -178,7 +176,7 @@ void FacetNetwork::drop_from_slant(std::size_t f, const Break& broken, const Rem
   const double scale = motion_of(f).scale;
   const Vec3 jump = slants_[f].strained(left.lost, broken.normal);
   const auto drop = [&](int side, int block, double area, const Vec3& opening) {
-    if (!facets_[f].slanted[static_cast<std::size_t>(side)]) return;
+    if (!facets_[f].slanted()[static_cast<std::size_t>(side)]) return;
     const auto b = static_cast<std::size_t>(block);
     const Vec3 opened = area / (kFacetPoints * blocks_[b].volume) * jump;
     const Vec3 lean = turned(f, slants_[f].lean[static_cast<std::size_t>(side)], scale);

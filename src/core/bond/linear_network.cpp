@@ -47,7 +47,7 @@ void FacetNetwork::linearise(LinearNetwork& linear, BreakView view, double dampi
     spring.strain_i = bond.area_i / kFacetPoints;
     spring.strain_j = bond.area_j / kFacetPoints;
     if (view == BreakView::as_it_is) spring.sharpening = coupling_of(f).sharpening;
-    spring.slanted = facets_[f].slanted;
+    spring.slanted = facets_[f].slanted();
     spring.lean = {Vec3::Zero(), Vec3::Zero()};
     if (slanted()) {
       spring.shear_share = slants_[f].shear_share;
