@@ -277,12 +277,11 @@ Tear torn(PulseColumn& column, const Vec3& box) {
 }
 
 /// `allowed` in blocks.
-void spall(Report& report, const std::string& cut, const RockSample& sample,
+void spall(Report& report, const std::string& cut, const RockSample& sample, double rise,
            double Tear::*thickness, double allowed) {
-  constexpr double kRise = 12.0;  // [m]
   for (const double share : {0.4, 0.6, 0.8}) {
-    PulseColumn column(sample, kRise, share * PulseColumn::kPeak);
-    const double found = torn(column, sample.box).*thickness, exact = exact_spall(kRise, share);
+    PulseColumn column(sample, rise, share * PulseColumn::kPeak);
+    const double found = torn(column, sample.box).*thickness, exact = exact_spall(rise, share);
     const std::string name = cut + ", strength " + spelled(share) + " of the peak";
     report.relative({name, "thickness of the spall", "m", "d'Alembert"}, found, exact,
                     allowed * sample.size / exact);
@@ -291,11 +290,14 @@ void spall(Report& report, const std::string& cut, const RockSample& sample,
 
 void spalls(Report& report) {
   // The joint that breaks first is one of the two beside the place, or the next one: a block.
-  spall(report, "cuboids of 1 m", cuboid_rock({120, 1, 1}, Vec3::Ones()), &Tear::nearest, 1.0);
-  spall(report, "cuboids of 0.5 m", cuboid_rock({240, 1, 1}, 0.5 * Vec3::Ones()), &Tear::nearest,
+  spall(report, "cuboids of 1 m", cuboid_rock({120, 1, 1}, Vec3::Ones()), 12.0, &Tear::nearest,
         1.0);
+  spall(report, "cuboids of 0.5 m", cuboid_rock({240, 1, 1}, 0.5 * Vec3::Ones()), 12.0,
+        &Tear::nearest, 1.0);
   // Facets of a layer zigzag by a block, and the next layer breaks as the peak goes on.
-  spall(report, "Voronoi blocks of 1 m", uniform_rock({120.0, 3.0, 3.0}), &Tear::mean, 2.0);
+  spall(report, "Voronoi blocks of 1 m", uniform_rock({120.0, 3.0, 3.0}), 12.0, &Tear::mean, 2.0);
+  spall(report, "Voronoi blocks of 1 m, rise of 24 m", uniform_rock({240.0, 3.0, 3.0}), 24.0,
+        &Tear::mean, 2.0);
 }
 
 const Cases kCases = {{"bar", bar},

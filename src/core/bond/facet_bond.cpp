@@ -144,29 +144,30 @@ void FacetNetwork::work_bonded(std::size_t f, const Motion& motion, const Contac
   if (memory.slipping != 0) rub(f, motion, contact, pull, dt);
 }
 
-/// How stiff a facet is against slip through its blocks, by the part of m in its plane and where
-/// faces lean (facet_slant.cpp; at most), over its spring [-].
-double FacetNetwork::slip_through_blocks(std::size_t f) const {
+/// How stiff a facet is against slip through its blocks, over its spring [-].
+FacetNetwork::ThroughBlocks FacetNetwork::slip_through_blocks(std::size_t f) const {
   const Bond bond = bond_of(f);
   const Vec3 normal = at_lane(group_of(f).normal, lane_of(f));
-  const auto through = [&](std::size_t side, int block, double area, const Vec3& opening) {
+  ThroughBlocks sum{0.0, 0.0};
+  const auto add = [&](std::size_t side, int block, double area, const Vec3& opening) {
+    const double share =
+        area * area /
+        (blocks_[static_cast<std::size_t>(block)].volume * bond.shear * this->area(f));
     const Vec3 in_plane = opening - normal.dot(opening) * normal;
-    double stiffness = material().lame_lambda() * in_plane.squaredNorm();
-    if (facets_[f].slanted()[side]) {
-      const double m = opening.norm(), g = slants_[f].lean[side].norm();
-      stiffness += 2.0 * material().shear_modulus() * m * (m + 2.0 * g);
-    }
-    return stiffness * area * area / blocks_[static_cast<std::size_t>(block)].volume;
+    sum.dilatations += share * material().lame_lambda() * in_plane.squaredNorm();
+    if (!facets_[f].slanted()[side]) return;
+    const double m = opening.norm(), g = slants_[f].lean[side].norm();
+    sum.slant += share * 2.0 * material().shear_modulus() * m * (m + 2.0 * g);
   };
-  return (through(0, i_of(f), bond.area_i, bond.opening_i) +
-          through(1, j_of(f), bond.area_j, bond.opening_j)) /
-         (bond.shear * area(f));
+  add(0, i_of(f), bond.area_i, bond.opening_i);
+  add(1, j_of(f), bond.area_j, bond.opening_j);
+  return sum;
 }
 
 /// Slivers beside large blocks may not: friction would take too many steps to catch up with them.
 bool FacetNetwork::may_slip(std::size_t f) const {
   constexpr double kMost = 3.0;  // [-]
-  return facets_[f].kind == FacetKind::joint && slip_through_blocks(f) < kMost;
+  return facets_[f].kind == FacetKind::joint && slip_through_blocks(f).most() < kMost;
 }
 
 /// A point that fails in shear while it is closed slips from then on: its traction stays that of
@@ -189,7 +190,9 @@ FacetNetwork::Remnant FacetNetwork::remnant_of(std::size_t f, int p, const Break
                                    contact.shear, material().parameters());
   }
   left.slips = first && normal < 0.0 && !broken.torn && may_slip(f);
-  left.lost = left.slips ? Vec3(left.dropped / contact.shear) : broken.elastic;
+  left.lost = broken.elastic;
+  if (left.slips)
+    left.lost = left.dropped / (contact.shear * (1.0 + slip_through_blocks(f).dilatations));
   return left;
 }
 
@@ -233,9 +236,10 @@ void FacetNetwork::book_break(std::size_t f, const Break& broken, const Remnant&
   if (!left.slips && contact.shear > 0.0) after += left.shear.squaredNorm() / contact.shear;
   // The half kick to the present step used the traction before, the one from it uses that after:
   // the blocks did the work of their mean over the step's path, the springs' account assumes the
-  // first.
+  // first. What slips may have shed less than its force has lost, for the path after, too.
   const bool softens = left.cohesion.holds();
-  const double undone = softens ? 0.0 : left.dropped.dot(broken.rate) * dt;
+  const Vec3 ahead = left.slips ? Vec3(left.dropped - contact.shear * left.lost) : Vec3::Zero();
+  const double undone = softens ? 0.0 : (left.dropped + ahead).dot(broken.rate) * dt;
   if (softens) {
     // The sides have parted by `first` beside the stretch of the spring that friction holds.
     const double rubbed = left.shear.dot(left.dropped) / contact.shear;

@@ -43,7 +43,8 @@ void FacetNetwork::add_contact(std::size_t f, const Motion& motion, const Contac
 }
 
 /// Friction and the dashpot of the points that slip, which stay in the dilatations: their normal
-/// law is that of the bonded point. Losses as those of plane_pull().
+/// law is that of the bonded point. Losses as those of plane_pull(), of a spring as stiff as the
+/// facet and its dilatations.
 void FacetNetwork::rub(std::size_t f, const Motion& motion, const Contact& contact, Pull& pull,
                        double dt) {
   const FacetTraces& memory = traces_[f];
@@ -67,7 +68,8 @@ void FacetNetwork::rub(std::size_t f, const Motion& motion, const Contact& conta
   for (std::size_t p = 0; p < kFacetPoints; ++p)
     if (slips[p])
       contacts_.set_offset(f, p, contacts_.offset(f, p) + in_axes.at(static_cast<int>(p)));
-  const LaneVec mean = over - Lanes(0.5 * contact.shear) * slid;
+  const double stiffness = contact.shear * (1.0 + slip_through_blocks(f).dilatations);
+  const LaneVec mean = over - Lanes(0.5 * stiffness) * slid;
   losses_.friction += booked * sum(dot(slid, kept * shear + mean) - dt * dot(mean, pull.rate));
 }
 
@@ -79,7 +81,7 @@ void FacetNetwork::rub(std::size_t f, const Motion& motion, const Contact& conta
 Lanes FacetNetwork::slip_share(std::size_t f, const Contact& contact, const LaneVec& over,
                                const LaneVec& rate, double dt) const {
   constexpr double kHardly = 0.1, kAtOnce = 3.0;  // [-]
-  const double through = slip_through_blocks(f);
+  const double through = slip_through_blocks(f).most();
   if (through < kHardly) return 1.0;
   if (dt == 0.0) return 0.0;  // the pose of the last step, looked at again as a run goes on
   const double eased = 1.0 / (1.0 + kAtOnce * through);

@@ -209,7 +209,7 @@ class FacetNetwork {
  private:
   struct FacetName {     // what the passes hardly read; the rest is in the facet's group
     float weight;        // as in Facet
-    std::uint16_t face;  // no polyhedron has as many
+    std::uint16_t face;  // cells from files have at most so many, cut ones far fewer
     std::uint8_t joint_class;
     FacetKind kind : 2;
     bool sharpened : 1, slanted_i : 1, slanted_j : 1;
@@ -346,7 +346,12 @@ class FacetNetwork {
                    double dt);
   [[nodiscard]] LaneVec elastic_jump(std::size_t f, const Motion& motion) const;
   Vec3 break_point(std::size_t f, int p, const Break& broken, double dt);
-  [[nodiscard]] double slip_through_blocks(std::size_t f) const;
+  struct ThroughBlocks {
+    double dilatations;  // by the part of m in the facet's plane
+    double slant;        // where faces lean (facet_slant.cpp), at most
+    [[nodiscard]] double most() const { return dilatations + slant; }
+  };
+  [[nodiscard]] ThroughBlocks slip_through_blocks(std::size_t f) const;
   [[nodiscard]] bool may_slip(std::size_t f) const;
   [[nodiscard]] Remnant remnant_of(std::size_t f, int p, const Break& broken) const;
   void book_break(std::size_t f, const Break& broken, const Remnant& left, double dt);

@@ -22,6 +22,7 @@
 namespace muckpile {
 namespace {
 
+constexpr int kMostFaces = 65535;  // what the numbers of joints' faces hold
 constexpr double kShape = 1e-6;  // of the cell's size: plane, convex and closed to this
 
 template <class... Words>
@@ -112,6 +113,8 @@ std::vector<std::vector<int>> read_lists(Words& words) {
 FaceList faces_of(const std::vector<int>& list, int type, std::size_t cell) {
   FaceList faces;
   if (type == kPolyhedron) {
+    if (!list.empty() && list[0] > kMostFaces)
+      fail("cell ", cell, " must have at most ", kMostFaces, " faces, got '", list[0], "'");
     std::size_t at = 1;
     for (int f = 0; !list.empty() && f < list[0]; ++f) {
       const std::size_t count = at < list.size() ? static_cast<std::size_t>(list[at]) : 0;

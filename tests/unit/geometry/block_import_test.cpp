@@ -129,6 +129,8 @@ TEST(BlockImport, NamesWhatIsWrong) {
   EXPECT_EQ(refusal(tetra + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n5\n"),
             "block import: cell 1 must be a polyhedron, tetrahedron, hexahedron, wedge or pyramid, "
             "got type '5'");
+  EXPECT_EQ(refusal(tetra + "CELLS 1 5\n4 65536 3 0 1\nCELL_TYPES 1\n42\n"),
+            "block import: cell 1 must have at most 65535 faces, got '65536'");
   EXPECT_EQ(refusal(tetra + "CELLS 1 14\n13 3 3 0 2 1 3 0 1 3 3 0 3 2\nCELL_TYPES 1\n42\n"),
             "block import: cell 1 is not closed");
   // the slanted face pushed in to the point 4
