@@ -4,6 +4,7 @@
 // Scope: read by the program that wrote it, on any number of ranks. LIGGGHTS gives the whole of a
 // fix's data to every rank, at most 2 GiB of it.
 #include <modify.h>
+#include <signal_handling.h>
 #include <update.h>
 
 #include <algorithm>
@@ -61,7 +62,14 @@ void FixMuckpileBlocks::write_restart(FILE* file) {
   engine::write_state(*lmp, style, file, all, mine);
 }
 
-void FixMuckpileBlocks::write_restart_file(char* file) { engine::seal_restart(*lmp, file); }
+/// At an interruption the engine chooses the name: the log tells whose file it is, and that it is
+/// whole.
+void FixMuckpileBlocks::write_restart_file(char* file) {
+  engine::seal_restart(*lmp, file);
+  namespace signals = LAMMPS_NS::SignalHandler;
+  if (signals::request_quit && signals::request_write_restart)
+    engine::print_once(*lmp, std::string("interrupted: the state is in '") + file + "'\n");
+}
 
 void FixMuckpileBlocks::restart(char* state) {
   engine::ByteReader reader = engine::read_state(state);

@@ -47,6 +47,8 @@ void install_signal_handlers() {
   action.sa_handler = LAMMPS_NS::SignalHandler::int_handler;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  // mpirun hands this one on as it is; after a SIGINT it kills.
+  sigaction(SIGUSR2, &action, nullptr);
   action.sa_handler = LAMMPS_NS::SignalHandler::usr1_handler;
   sigaction(SIGUSR1, &action, nullptr);
 }

@@ -103,11 +103,51 @@ must_work run inputs/demo/in.demo
 must_work run inputs/demo/in.demo -out -x
 called '-var out ./-x$'
 
-fake bin/mpirun 'touch restart_forced_liggghts_77.data; exit 1'
-touch -d '1 hour ago' restart_forced_liggghts_5.data
+# 5 is another run's; the seal stands in the last 24 bytes.
+interrupt() {  # interrupt END: the engine writes 77, ending so, and stops
+  rm -rf results/demo
+  fake bin/mpirun "printf 'state%s$1%016d' '' 0 >restart_forced_liggghts_77.data
+    echo \"interrupted: the state is in 'restart_forced_liggghts_77.data'\" >results/demo/log.liggghts"
+}
+told() { grep -qF -- "$1" <<<"$output" || problem "not told: $1"; }
+touch -d '1 hour' restart_forced_liggghts_5.data
+interrupt MuckSeal
 call run inputs/demo/in.demo
-grep -qF -- '-var from results/demo/dump/interrupted.restart goes on' <<<"$output" || problem "where the state of an interrupted run is is not told"
-[[ -e results/demo/dump/interrupted.restart && -e restart_forced_liggghts_5.data ]] || problem "the state of an interrupted run is not kept"
+told '-var go_on 1 -var from results/demo/dump/interrupted.restart goes on'
+[[ -s results/demo/dump/interrupted.restart && -e restart_forced_liggghts_5.data ]] || problem "the state of an interrupted run is not kept"
+interrupt MuckSeal
+call run inputs/demo/in.demo -var go_on 1 -var from a.restart
+told '-var from results/demo/dump/interrupted.restart in place of those given goes on'
+printf 'variable out index x\n' >inputs/demo/in.once
+interrupt MuckSeal
+call run inputs/demo/in.once
+told 'its state is in results/demo/dump/interrupted.restart'
+! grep -qF 'go_on' <<<"$output" || problem "an input that cannot go on is said to"
+interrupt other
+call run inputs/demo/in.demo
+told 'has lost its end'
+! grep -q '^muckpile-post' calls || problem "an interrupted run was post-processed"
+[[ ! -e results/demo/dump/interrupted.restart ]] || problem "a file cut short is kept"
+
+# What a run before left in its log is not this one's; restart_forced_liggghts_5.data may be another's.
+echo "interrupted: the state is in 'restart_forced_liggghts_5.data'" >results/demo/log.liggghts
+fake bin/mpirun 'exit 1'
+call run inputs/demo/in.demo
+! grep -qF 'interrupted' <<<"$output" || problem "a run that failed is called interrupted"
+[[ -e restart_forced_liggghts_5.data ]] || problem "the state of another run is taken"
+
+# A signal to the script reaches mpirun as one that it hands on; TERM, as INT may be ignored here.
+fake bin/mpirun "trap 'echo asked >>calls; exit 0' USR2; kill -TERM \$PPID; for ((k = 0; k < 50; ++k)); do sleep 0.1; done; $engine_ok"
+call run inputs/demo/in.demo
+called '^asked$'
+[[ $status -ne 0 ]] || problem "an interrupted run passed"
+! grep -q '^muckpile-post' calls || problem "an interrupted run was post-processed"
+
+mkdir -p results/demo/dump
+rm -f results/demo/.lock
+mkdir results/demo/.lock  # root writes to any folder, but not to this
+must_refuse "cannot write to 'results/demo'" run inputs/demo/in.demo
+rmdir results/demo/.lock
 
 fake bin/mpirun 'exit 3'
 call run inputs/demo/in.demo
