@@ -96,25 +96,24 @@ void FixMuckpileBlast::init() {
   limit_.resize(blasts_.size(), 0.0);
   states_.resize(blasts_.size());
   hole_over_.resize(blasts_.size(), 0);
-  let_go_of_softened_walls();
   surface_->expect_pressure(!over_);
   check_timestep();
 }
 
 /// A wall gives way to pressure by that over its stiffness: on joints softened to next to nothing
 /// the gas would fill a crushed zone many times as large, without any block having moved. With gas
-/// in joints fix muckpile/gas lets all of it go.
+/// in joints fix muckpile/gas lets all of it go. The walls have their pressures of this moment.
 void FixMuckpileBlast::let_go_of_softened_walls() {
   constexpr double kBearable = 0.1;  // pressure over shear modulus; strains of some per cent
-  const double modulus = surface_->shear_modulus();
-  const bool softened = modulus < shear_modulus_;
-  shear_modulus_ = modulus;
-  if (!softened || over_) return;
+  const double modulus = surface_->shear_modulus(), before = softened_;
+  softened_ = surface_->softened();
+  if (softened_ >= before || over_) return;
   require_fired(kBearable * modulus);
   const double pressure = greatest_pressure();
   if (ambient_ > 0.0 || pressure <= kBearable * modulus) return;
   let_gas_go();
   surface_->unload_softened();
+  load_faces(clock());
   engine::print_once(*lmp,
                      where_ + ": the gas in the holes is let go, as joints of a shear modulus of " +
                          number_text(modulus) + " Pa do not bear the " + number_text(pressure) +
@@ -124,7 +123,7 @@ void FixMuckpileBlast::let_go_of_softened_walls() {
 void FixMuckpileBlast::require_fired(double bearable) const {
   for (std::size_t hole = 0; hole < blasts_.size(); ++hole) {
     const double load = blasts_[hole].load().greatest_pressure();
-    if (clock() >= blasts_[hole].firing_time() || load <= bearable) continue;
+    if (clock() > blasts_[hole].firing_time() || load <= bearable) continue;
     engine::stop(*lmp, where_ +
                            ": joints are to be softened after the last hole has fired, got hole " +
                            std::to_string(hole + 1) + " to fire at " +
@@ -185,6 +184,7 @@ void FixMuckpileBlast::setup_pre_force(int vflag) {
   if (!walls_checked_) check_walls();
   walls_checked_ = true;
   pre_force(vflag);
+  let_go_of_softened_walls();
 }
 
 /// Refuses a hole that lies in part outside the rock, as on a symmetry plane: half a wall would
@@ -361,6 +361,7 @@ void FixMuckpileBlast::write_restart(FILE* file) {
   state.put_all(hole_over_);
   state.put(over_);
   state.put(walls_checked_);
+  state.put(softened_);
   engine::write_state(*lmp, style, file, state);
 }
 
@@ -372,6 +373,7 @@ void FixMuckpileBlast::restart(char* state) {
   hole_over_ = reader.get_all<char>();
   over_ = reader.get<bool>();
   walls_checked_ = reader.get<bool>();
+  softened_ = reader.get<double>();
 }
 
 }  // namespace muckpile

@@ -70,7 +70,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix {
   BlastOptions options_;
   double ambient_ = 0.0;             // that the gas in the holes works against [Pa]
   BlastSurface* surface_ = nullptr;  // looked up in every init()
-  double shear_modulus_ = 0.0;       // of the rock in the last init() [Pa]
+  double softened_ = 1.0;            // what the walls have been looked at for [-]
   std::vector<HoleBlast> blasts_;    // per hole
   bool described_ = false;
 

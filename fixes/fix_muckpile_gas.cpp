@@ -107,16 +107,21 @@ void FixMuckpileGas::init() {
   const auto holes = static_cast<std::size_t>(joint_->hole_count());
   fed_.resize(holes, 0);
   chambers_.resize(holes);
+}
+
+/// After a restart file the gas has come to its blocks here, not in init().
+void FixMuckpileGas::setup_pre_neighbor() {
+  follow_blocks();
   let_go_of_softened_joints();
 }
 
 /// Softening takes all tractions to a small share; gas that stayed would push with all of its
 /// pressure, and the displacement that pressure squeezes out of a loaded face would grow at once.
 void FixMuckpileGas::let_go_of_softened_joints() {
-  const double modulus = joint_->shear_modulus();
-  const bool softened = modulus < shear_modulus_;
-  shear_modulus_ = modulus;
-  if (!softened || !active_) return;
+  const double before = softened_;
+  softened_ = joint_->softened();
+  if (softened_ >= before || !active_) return;
+  read_chambers();
   const double pressure = over_ranks(gas_.greatest_pressure(), true);
   double left = 0.0;
   for (const GasChamber& chamber : chambers_) left += chamber.mass;
@@ -306,6 +311,7 @@ void FixMuckpileGas::write_restart(FILE* file) {
   common.put(vented_);
   common.put(over_ranks(lost_));
   common.put(over_ranks(work_));
+  common.put(softened_);
   for (std::size_t b = 0; b < tags_.size(); ++b) {
     mine.put(tags_[b]);
     mine.put(gas_.cells()[b].content);
@@ -329,6 +335,7 @@ void FixMuckpileGas::restart(char* state) {
   vented_ = reader.get<double>();
   lost_ = engine::share_of_total(*lmp, reader.get<double>());
   work_ = engine::share_of_total(*lmp, reader.get<double>());
+  softened_ = reader.get<double>();
   while (!reader.empty()) {
     const int tag = reader.get<int>();
     restored_[tag] = reader.get<GasContent>();

@@ -27,7 +27,7 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure {
   int setmask() override;
   void pre_delete(bool unfixflag) override;
   void init() override;
-  void setup_pre_neighbor() override { follow_blocks(); }
+  void setup_pre_neighbor() override;
   void pre_neighbor() override { follow_blocks(); }
   void end_of_step() override;
   double compute_vector(int n) override;
@@ -66,7 +66,7 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure {
   std::vector<GasChamber> chambers_;        // per hole
   std::vector<double> numbers_, contents_;  // of the cells, for messages
   std::vector<double> ways_;                // of the chambers, for sums
-  double shear_modulus_ = 0.0;              // of the joints in the last init() [Pa]
+  double softened_ = 1.0;                   // stiffness of the joints that the gas has seen [-]
   double taken_ = 0.0, vented_ = 0.0;       // all ranks, so far [kg]
   double lost_ = 0.0;  // with blocks that left the box, not yet in vented_ [kg]
   double work_ = 0.0;  // on the blocks of this rank, so far [J]

@@ -60,6 +60,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   void set_pressure(std::span<const double> pressure, std::span<const double> wave_share) override;
   void expect_pressure(bool expected) override;
   [[nodiscard]] double shear_modulus() const override;
+  [[nodiscard]] double softened() const override { return network_.totals().softened; }
   void unload_softened() override;
   void swept_volume(std::span<double> per_hole) const override;
   [[nodiscard]] double pressure_work() const override { return network_.pressure_work(); }

@@ -57,6 +57,8 @@ class BlastSurface {
 
   /// Of the rock as soft as it is now [Pa].
   [[nodiscard]] virtual double shear_modulus() const = 0;
+  /// Its stiffness over that at the start [-].
+  [[nodiscard]] virtual double softened() const = 0;
   /// Takes all pressure off softened rock: what unloading would give back is part of what softening
   /// has counted as lost.
   virtual void unload_softened() = 0;

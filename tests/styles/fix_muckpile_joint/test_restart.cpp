@@ -312,6 +312,53 @@ TEST(Restart, SecondBlastSweepsNoFlight) {
   EXPECT_NEAR(fire_again(left_out), swept, 1e-6 * swept);  // those of the second
 }
 
+/// Rock softened between a restart file and the first run that goes on from it: neither the fixes
+/// nor the walls have seen a step.
+void soften_after_restart(const std::string& charge, bool gas) {
+  constexpr int kWall = 1, kOver = 6;                         // entries of fix muckpile/blast
+  constexpr int kHeld = 1, kTaken = 2, kAway = 3, kGone = 7;  // of fix muckpile/gas
+  const ScratchFolder folder("restart");
+  const std::string file = folder / "hard.restart", other = folder / "other.restart";
+  const auto load = [&](RockScene& scene) {
+    scene.command(
+        "fix load all muckpile/blast explosive_density 1100 vod 4500 hole_diameter 0.1 "
+        "poisson_ratio 0.25 " +
+        charge);
+    if (gas) scene.command("fix gas all muckpile/gas");
+  };
+  RockScene scene(MPI_COMM_WORLD, "-6 6 -6 6 -6 6", "* * 1", "multisphere/muckpile");
+  scene.cut("-0.9 0.9 -0.9 0.9 -0.9 0.9",
+            "density 2600 size uniform 0.3 block_min 0.3 block_max 0.3 spheres_per_block 3 "
+            "sweeps 5 seed 3 hole 0 0 -0.4 0 0 0.4 0.15");
+  add_laws(scene, kStrength);
+  load(scene);
+  scene.run(50, kBlastStep);
+  EXPECT_GT(scene.output("load", kWall), 1e7);  // [Pa]
+  scene.command("write_restart " + file);
+
+  RockScene restarted = RockScene::restarted(MPI_COMM_WORLD, file, "* * 1");
+  add_laws(restarted, kStrength);
+  load(restarted);
+  restarted.command("write_restart " + other);  // sets up the joints as a run does
+  restarted.command("fix_modify joint soften 1e-6");
+  restarted.run(20, kBlastStep);
+  EXPECT_EQ(restarted.output("load", kOver), 1.0);
+  EXPECT_EQ(restarted.output("load", kWall), 0.0);
+  if (!gas) return;
+  EXPECT_EQ(restarted.output("gas", kGone), 1.0);
+  EXPECT_EQ(restarted.output("gas", kHeld), 0.0);
+  EXPECT_GT(restarted.output("gas", kAway), 0.01);  // [kg]
+  EXPECT_NEAR(restarted.output("gas", kAway) / restarted.output("gas", kTaken), 1.0, 1e-9);
+}
+
+TEST(Restart, JointsSoftenedBeforeTheFirstStepLetTheGasOfHolesGo) {
+  soften_after_restart("rise_time 2e-5 vent_time 0.01 vent_decay 0.01", false);
+}
+
+TEST(Restart, JointsSoftenedBeforeTheFirstStepLetTheirGasGo) {
+  soften_after_restart("venting flow stemming_length 100 crack_delay 0", true);
+}
+
 /// As when the command restart is followed by a second start before anything has moved.
 TEST(Restart, FileThatIsWrittenAgainBeforeARunKeepsTheGas) {
   const ScratchFolder folder("restart");
