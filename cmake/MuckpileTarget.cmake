@@ -13,7 +13,8 @@ function(muckpile_target target)
     $<$<BOOL:${MUCKPILE_WARNINGS_AS_ERRORS}>:-Werror>
     $<$<BOOL:${MUCKPILE_NATIVE}>:-march=native>)
   if(MUCKPILE_SANITIZE)
-    target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-omit-frame-pointer)
+    target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all
+                           -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=address,undefined)
   endif()
 endfunction()
