@@ -62,13 +62,14 @@ void FacetNetwork::rub(std::size_t f, const Motion& motion, const Contact& conta
   losses_.damping += booked * dt * sum((normal - elastic) * rate);
   if (none_of(slips)) return;
   const LaneVec over = (1.0 - kept) * shear;
-  const LaneVec slid =
-      slip_share(f, contact, over, pull.rate, dt) * (1.0 - kept) / contact.shear * shear;
+  const ThroughBlocks through = slip_through_blocks(f);
+  const LaneVec slid = slip_share(through.most(), contact, over, pull.rate, dt) * (1.0 - kept) /
+                       contact.shear * shear;
   const LaneVec in_axes = rotated_back(motion.axes(), slid);
   for (std::size_t p = 0; p < kFacetPoints; ++p)
     if (slips[p])
       contacts_.set_offset(f, p, contacts_.offset(f, p) + in_axes.at(static_cast<int>(p)));
-  const double stiffness = contact.shear * (1.0 + slip_through_blocks(f).dilatations);
+  const double stiffness = contact.shear * (1.0 + through.dilatations);
   const LaneVec mean = over - Lanes(0.5 * stiffness) * slid;
   losses_.friction += booked * sum(dot(slid, kept * shear + mean) - dt * dot(mean, pull.rate));
 }
@@ -78,10 +79,9 @@ void FacetNetwork::rub(std::size_t f, const Motion& motion, const Contact& conta
 /// block that slip would overshoot together. So all that the sides have moved in the step, which
 /// leaves the traction as it is, and of the rest what is stable if three facets do so at once, one
 /// in each direction.
-Lanes FacetNetwork::slip_share(std::size_t f, const Contact& contact, const LaneVec& over,
-                               const LaneVec& rate, double dt) const {
+Lanes FacetNetwork::slip_share(double through, const Contact& contact, const LaneVec& over,
+                               const LaneVec& rate, double dt) {
   constexpr double kHardly = 0.1, kAtOnce = 3.0;  // [-]
-  const double through = slip_through_blocks(f).most();
   if (through < kHardly) return 1.0;
   if (dt == 0.0) return 0.0;  // the pose of the last step, looked at again as a run goes on
   const double eased = 1.0 / (1.0 + kAtOnce * through);

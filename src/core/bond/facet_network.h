@@ -385,8 +385,8 @@ class FacetNetwork {
   void add_contact(std::size_t f, const Motion& motion, const Contact& contact, Pull& pull,
                    double dt);
   void rub(std::size_t f, const Motion& motion, const Contact& contact, Pull& pull, double dt);
-  [[nodiscard]] Lanes slip_share(std::size_t f, const Contact& contact, const LaneVec& over,
-                                 const LaneVec& rate, double dt) const;
+  [[nodiscard]] static Lanes slip_share(double through, const Contact& contact, const LaneVec& over,
+                                        const LaneVec& rate, double dt);
 
   // Groups of facets that hold at no point: facet_contact_groups.cpp.
   [[nodiscard]] unsigned apart_lanes(const LaneSet& working) const;

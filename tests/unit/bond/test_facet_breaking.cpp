@@ -417,6 +417,17 @@ TEST(FacetNetwork, ElasticEnergyInTheStepOfBreakingIsThatAfterIt) {
   expect_energy_told_at_once(leaning_scene(3.0, weak_rock(0.25)));
 }
 
+/// Largest change of the energy account within `duration` [s], in joules.
+double worst_account(BondScene& scene, double duration, double share_of_step) {
+  const double start = scene.energy_account(), dt = share_of_step * scene.stable_step();
+  double worst = 0.0;
+  for (double t = 0.0; t < duration; t += dt) {
+    scene.step(dt);
+    worst = std::max(worst, std::abs(scene.energy_account() - start));
+  }
+  return worst;
+}
+
 /// A cube whose halves fly apart: worst change of the energy account over the start energy.
 double torn_apart(BondScene scene, double share_of_step) {
   for (std::size_t b = 0; b < scene.size(); ++b) {
@@ -424,12 +435,8 @@ double torn_apart(BondScene scene, double share_of_step) {
     scene.block(b).spin = Vec3(0, 0.6, 0);
   }
   scene.compute();
-  const double start = scene.energy_account(), dt = share_of_step * scene.stable_step();
-  double worst = 0.0;
-  for (double t = 0.0; t < 0.05; t += dt) {
-    scene.step(dt);
-    worst = std::max(worst, std::abs(scene.energy_account() - start));
-  }
+  const double start = scene.energy_account();
+  const double worst = worst_account(scene, 0.05, share_of_step);
   const JointLosses& lost = scene.network().losses();
   EXPECT_GT(lost.fracture, 0.05 * start);
   return worst / start;
@@ -458,12 +465,8 @@ double wrung_under_pressure(BondScene scene, double share_of_step) {
   for (std::size_t b = 0; b < scene.size(); ++b)
     scene.block(b).velocity = Vec3(0.0, 8.0 * scene.start(b).x(), 0.0);
   scene.compute();
-  const double start = scene.energy_account(), dt = share_of_step * scene.stable_step();
-  double worst = 0.0;
-  for (double t = 0.0; t < 0.01; t += dt) {
-    scene.step(dt);
-    worst = std::max(worst, std::abs(scene.energy_account() - start));
-  }
+  const double start = scene.energy_account();
+  const double worst = worst_account(scene, 0.01, share_of_step);
   const auto slips = [](const FacetMemory& memory) { return memory.slipping != 0; };
   const auto& memory = scene.network().memory();
   EXPECT_GT(std::count_if(memory.begin(), memory.end(), slips),
