@@ -115,16 +115,20 @@ void FixMuckpileGas::setup_pre_neighbor() {
   let_go_of_softened_joints();
 }
 
-/// Softening takes all tractions to a small share; gas that stayed would push with all of its
-/// pressure, and the displacement that pressure squeezes out of a loaded face would grow at once.
+/// Softening takes all tractions to a small share, but gas that stays pushes with all of its
+/// pressure. Joints that are far stiffer than the gas that they hold bear that.
 void FixMuckpileGas::let_go_of_softened_joints() {
+  constexpr double kBearable = 0.01;  // pressure over shear modulus: strains of less than that
   const double before = softened_;
   softened_ = joint_->softened();
   if (softened_ >= before || !active_) return;
   read_chambers();
-  const double pressure = over_ranks(gas_.greatest_pressure(), true);
-  double left = 0.0;
-  for (const GasChamber& chamber : chambers_) left += chamber.mass;
+  double pressure = over_ranks(gas_.greatest_pressure(), true), left = 0.0;
+  for (const GasChamber& chamber : chambers_) {
+    pressure = std::max(pressure, chamber.gas.pressure);
+    left += chamber.mass;
+  }
+  if (pressure <= kBearable * joint_->shear_modulus()) return;
   blast_->let_gas_go();
   joint_->unload_softened();
   end_of_gas("is let go, as the joints have been softened, with up to " + number_text(pressure) +

@@ -47,6 +47,7 @@ void FacetNetwork::load_faces() {
     force_[b] += force;
     torque_[b] += (face.last_centroid - state_[b].centre).cross(force);
     const double squeezed_now = squeezed(face);
+    if (softer_since_) keep_swept_volume(face, squeezed_now);
     if (blocks_[b].owned) {
       const double work =
           0.5 * (face.pressure + face.last_pressure) * (rigid + squeezed_now - face.last_squeezed);
@@ -57,7 +58,14 @@ void FacetNetwork::load_faces() {
     face.last_pressure = face.pressure;
     face.last_squeezed = squeezed_now;
   }
+  softer_since_ = false;
   hold_faces();
+}
+
+/// Softer rock gives way to a pressure by more. The gas neither gets that volume nor works for it.
+void FacetNetwork::keep_swept_volume(BoundaryFace& face, double squeezed_now) {
+  face.rigid_swept += face.last_squeezed - squeezed_now;
+  face.last_squeezed = squeezed_now;
 }
 
 /// The volume that the block's motion has swept since the last step: mean normal times the path of

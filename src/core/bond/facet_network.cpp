@@ -462,6 +462,7 @@ void FacetNetwork::soften(double factor, std::optional<double> damping) {
   });
   for (JointMaterial& material : materials_) material = material.softened(factor, damping);
   softened_ *= factor;
+  softer_since_ = true;
   if (damping) damping_given_ = damping;
   derive();
 }

@@ -418,6 +418,7 @@ class FacetNetwork {
   void load_faces();
   void look_at_faces_anew();
   double sweep(BoundaryFace& face) const;
+  static void keep_swept_volume(BoundaryFace& face, double squeezed_now);
   [[nodiscard]] double squeezed(const BoundaryFace& face) const;
   void list_wall();
   void hold_faces();
@@ -481,6 +482,7 @@ class FacetNetwork {
   std::vector<Vec3> backs_;  // per block: sum of A n of all faces through which no gas passes [m2]
   JointLosses losses_;
   bool pressure_expected_ = true, unloaded_ = false, moved_unseen_ = false;
+  bool softer_since_ = false;  ///< than in the last call of load_faces()
   bool softens_ = false, depends_on_rate_ = false, keeps_gas_ = false;
   double damping_ = 0.0, contact_damping_ = 0.0;  // [Pa s/m]
   SlipWeakening slip_weakening_;
