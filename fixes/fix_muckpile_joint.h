@@ -52,6 +52,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   [[nodiscard]] const FacetState* facet_states() const override { return network_.states().data(); }
   void held_pairs(const std::vector<int>& blocks, std::vector<double>& tags) const override;
   [[nodiscard]] bool enclosed(int block_tag) const override;
+  void mark_joined_bodies(std::span<char> joined) const override { network_.mark_held(joined); }
 
   [[nodiscard]] int hole_count() const override;
   [[nodiscard]] const Hole& hole(int index) const override;

@@ -33,6 +33,7 @@ enum Output {
   kProducts,
   kDashpotStep,
   kCollisionStep,
+  kJoinedSpringStep,
   kOutputCount
 };
 
@@ -49,6 +50,8 @@ const ArgTable& table() {
                 "of the longest stable step with the dashpots of sphere contacts")
           .real("collision", "s", Range::left_open(0.0, 1e30), 1e30,
                 "step that resolves a collision of blocks; without: as pair muckpile/block says")
+          .real("collision_speed", "m/s", Range::closed(0.0, 1e4), 0.0,
+                "of that collision; it follows the fastest block at each look. 0: it does not")
           .real("min", "s", Range::closed(0.0, 1.0), 0.0, "a step shorter than this stops the run")
           .real("max", "s", Range::left_open(0.0, 1e30), 1e30, "the step is never longer");
   return args;
@@ -78,6 +81,7 @@ FixMuckpileTimestep::FixMuckpileTimestep(LAMMPS_NS::LAMMPS* engine, int narg, ch
   const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
   fraction_ = args.real("fraction");
   collision_ = args.real("collision");
+  collision_speed_ = args.real("collision_speed");
   shortest_ = args.real("min");
   longest_ = args.real("max");
   if (shortest_ > longest_) engine::stop(*lmp, where_ + ": min must be <= max");
@@ -100,6 +104,8 @@ void FixMuckpileTimestep::init() {
                            ": needs fix multisphere/muckpile; LIGGGHTS' own fix multisphere "
                            "keeps the step that a run began with");
   }
+  if (collision_speed_ > 0.0 && collision_ >= 1e30)
+    engine::stop(*lmp, where_ + ": collision_speed needs collision, the step at that speed");
   joints_ = nullptr;
   for (int i = 0; i < modify->nfix; ++i) {
     auto* joints = dynamic_cast<StepLimit*>(modify->fix[i]);
@@ -141,31 +147,49 @@ void FixMuckpileTimestep::look_at_contacts() {
   mine.fill(kInfinity);
   if (found != nullptr) std::copy_n(static_cast<const double*>(found), mine.size(), mine.begin());
   MPI_Allreduce(mine.data(), contact_steps_.data(), kContactSteps, MPI_DOUBLE, MPI_MIN, world);
+  if (collision_speed_ > 0.0) look_for_fastest_block();
 }
 
-double FixMuckpileTimestep::longest_stable(ContactStep of) const {
-  return acting_together(joint_step_, contact_steps_[of]);
+void FixMuckpileTimestep::look_for_fastest_block() {
+  const engine::Bodies bodies(*engine::find_multisphere(*lmp));
+  double fastest = 0.0;
+  for (int b = 0; b < bodies.count(); ++b) fastest = std::max(fastest, bodies.velocity(b).norm());
+  MPI_Allreduce(&fastest, &fastest_, 1, MPI_DOUBLE, MPI_MAX, world);
 }
 
-/// Step that resolves a collision between two looks. The joints of its blocks add to the stiffness
-/// of the collision as they add to that of the present contacts.
+/// Blocks without joints have their contacts alone. At worst a joined block has the stiffest
+/// contacts and the stiffest joints: the two stiffnesses, which go with 1/step^2, add.
+double FixMuckpileTimestep::longest_stable(ContactStep free, ContactStep joined) const {
+  return std::min(contact_steps_[free], acting_together(joint_step_, contact_steps_[joined]));
+}
+
+double FixMuckpileTimestep::springs_bear() const {
+  return longest_stable(kFreeSprings, kJoinedSprings);
+}
+
+double FixMuckpileTimestep::dashpots_bear() const {
+  return longest_stable(kFreeContacts, kJoinedContacts);
+}
+
+/// Resolves a collision; that is a matter of accuracy, so neither joints nor a share come on top.
+/// It lasts the longer the slower it is, by Hertz with speed^(-1/5).
 double FixMuckpileTimestep::longest_resolving() const {
-  const double collision = collision_ < 1e30 ? collision_ : contact_steps_[kCollisions];
-  return acting_together(fraction_ * joint_step_,
-                         std::min(fraction_ * contact_steps_[kStableSprings], collision));
+  if (collision_ >= 1e30) return contact_steps_[kCollisions];
+  if (collision_speed_ == 0.0) return collision_;
+  return fastest_ > 0.0 ? collision_ * std::pow(collision_speed_ / fastest_, 0.2) : kInfinity;
 }
 
 void FixMuckpileTimestep::choose() {
-  const double wanted = std::min(
-      {longest_resolving(), dashpot_fraction_ * longest_stable(kStableContacts), longest_});
+  const double wanted = std::min({fraction_ * springs_bear(), dashpot_fraction_ * dashpots_bear(),
+                                  longest_resolving(), longest_});
   if (wanted > 1e29) return;  // nothing holds it: as it is
   const double step = three_digits(wanted);
   if (!(step >= shortest_)) {
     engine::stop(*lmp, where_ + ": the step must be " + number_text(step) + " s at step " +
                            std::to_string(update->ntimestep) + ", shorter than min " +
                            number_text(shortest_) + " s (joints bear " + number_text(joint_step_) +
-                           " s, contacts " + number_text(contact_steps_[kStableSprings]) +
-                           " s, with dashpots " + number_text(contact_steps_[kStableContacts]) +
+                           " s, with contacts " + number_text(springs_bear()) +
+                           " s, with their dashpots " + number_text(dashpots_bear()) +
                            " s, collisions are resolved at " + number_text(longest_resolving()) +
                            " s)");
   }
@@ -180,14 +204,14 @@ void FixMuckpileTimestep::set_step(double step) {
   for (int i = 0; i < modify->nfix; ++i) modify->fix[i]->reset_dt();
 }
 
-double FixMuckpileTimestep::compute_scalar() { return longest_stable(kStableSprings) / update->dt; }
+double FixMuckpileTimestep::compute_scalar() { return springs_bear() / update->dt; }
 
 double FixMuckpileTimestep::compute_vector(int n) {
   switch (n) {
     case kJointStep:
       return joint_step_;
     case kContactStep:
-      return contact_steps_[kStableSprings];
+      return std::min(contact_steps_[kFreeSprings], contact_steps_[kJoinedSprings]);
     case kStep:
       return update->dt;
     case kChanges:
@@ -195,9 +219,11 @@ double FixMuckpileTimestep::compute_vector(int n) {
     case kProducts:
       return products_;
     case kDashpotStep:
-      return contact_steps_[kStableContacts];
+      return std::min(contact_steps_[kFreeContacts], contact_steps_[kJoinedContacts]);
     case kCollisionStep:
       return contact_steps_[kCollisions];
+    case kJoinedSpringStep:
+      return contact_steps_[kJoinedSprings];
     default:
       return 0.0;
   }
@@ -206,13 +232,15 @@ double FixMuckpileTimestep::compute_vector(int n) {
 int FixMuckpileTimestep::modify_param(int narg, char** arg) {
   const std::string where = std::string("fix_modify ") + id;
   const std::string key = arg[0];
-  if (key != "fraction" && key != "max" && key != "collision") return 0;
+  if (key != "fraction" && key != "max" && key != "collision" && key != "collision_speed") return 0;
   if (narg < 2) engine::stop(*lmp, where + ": " + key + " needs a value");
   engine::or_engine_error(*lmp, [&] {
     if (key == "fraction")
       fraction_ = parse_real(where, key, arg[1], "", Range::left_open(0.0, 1.0));
     if (key == "collision")
       collision_ = parse_real(where, key, arg[1], "s", Range::left_open(0.0, 1e30));
+    if (key == "collision_speed")
+      collision_speed_ = parse_real(where, key, arg[1], "m/s", Range::closed(0.0, 1e4));
     if (key == "max") longest_ = parse_real(where, key, arg[1], "s", Range::left_open(0.0, 1e30));
     return 0;
   });

@@ -29,14 +29,19 @@ class FixMuckpileTimestep : public LAMMPS_NS::Fix {
  private:
   void look_at_joints();
   void look_at_contacts();
+  void look_for_fastest_block();
   void choose();
   void set_step(double step);
-  [[nodiscard]] double longest_stable(ContactStep of) const;
+  [[nodiscard]] double longest_stable(ContactStep free, ContactStep joined) const;
+  [[nodiscard]] double springs_bear() const;
+  [[nodiscard]] double dashpots_bear() const;
   [[nodiscard]] double longest_resolving() const;
 
   std::string where_;
   double fraction_, dashpot_fraction_;     // [-]
   double collision_, shortest_, longest_;  // [s]
+  double collision_speed_;                 // [m/s], 0: whatever the speed
+  double fastest_ = 0.0;                   // block at the last look [m/s]
   int joints_every_;                       // looks between two looks at the joints, 0: never again
   Breaking breaking_;
   StepLimit* joints_ = nullptr;                      // looked up in every init(); null: no joints

@@ -69,7 +69,11 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public N
   void find_partners();
   [[nodiscard]] double step_of_light_contacts() const;
   [[nodiscard]] ContactMotion held_still(const SpherePair& pair) const;
-  [[nodiscard]] ContactStepBound present_contacts();
+  /// A contact between a joined block and a free one counts for both.
+  struct PresentContacts {
+    ContactStepBound free, joined;  ///< of blocks without and with joints
+  };
+  [[nodiscard]] PresentContacts present_contacts();
 
   void rebuild();
   void list_pairs();

@@ -39,9 +39,11 @@ ContactMotion PairMuckpileBlock::held_still(const SpherePair& pair) const {
           Vec3::Zero()};
 }
 
-ContactStepBound PairMuckpileBlock::present_contacts() {
+PairMuckpileBlock::PresentContacts PairMuckpileBlock::present_contacts() {
   const engine::Bodies bodies(*bodies_);
-  ContactStepBound bound;
+  PresentContacts bounds;
+  std::vector<char> joined(static_cast<std::size_t>(bodies.count()), 0);
+  if (joints_ != nullptr) joints_->mark_joined_bodies(joined);
   for (const BlockPair& block_pair : list_.block_pairs())
     for (const SpherePair& pair : near_spheres(block_pair)) {
       if (pair.contact < 0) continue;
@@ -55,12 +57,14 @@ ContactStepBound PairMuckpileBlock::present_contacts() {
         if (body < 0) continue;  // the other rank's
         Vec3 arm = point - bodies.centre(body);
         domain->minimum_image(arm.x(), arm.y(), arm.z());
+        ContactStepBound& bound =
+            joined[static_cast<std::size_t>(body)] != 0 ? bounds.joined : bounds.free;
         bound.add(static_cast<std::size_t>(body),
                   {bodies.mass(body), bodies.inertia_in_space(body)}, resistance, motion.normal,
                   arm, atom->rmass[second ? pair.first : pair.second]);
       }
     }
-  return bound;
+  return bounds;
 }
 
 double PairMuckpileBlock::resting_energy() {
@@ -89,8 +93,9 @@ void* PairMuckpileBlock::extract(const char* name, int& dim) {
   if (key == "max_overlap_ratio") return &last_.largest_overlap_ratio;
   if (key == "steps_s") {
     dim = 1;
-    const ContactStepBound present = present_contacts();
-    ledger_.steps_s = {present.step(), present.spring_step(), step_of_light_contacts()};
+    const PresentContacts present = present_contacts();
+    ledger_.steps_s = {present.free.step(), present.free.spring_step(), present.joined.step(),
+                       present.joined.spring_step(), step_of_light_contacts()};
     return ledger_.steps_s.data();
   }
   if (key == "rebuild_s") return &ledger_.rebuild_s;

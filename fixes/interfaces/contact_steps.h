@@ -5,9 +5,12 @@
 
 namespace muckpile {
 
+/// A block is joined while a facet that may act holds it, to another block or to the ground.
 enum ContactStep {
-  kStableContacts,  ///< bound of the present contacts with their dashpots
-  kStableSprings,   ///< the same without the dashpots
+  kFreeContacts,    ///< bound of the present contacts of blocks without joints, with their dashpots
+  kFreeSprings,     ///< the same without the dashpots
+  kJoinedContacts,  ///< bound of those of joined blocks, with their dashpots
+  kJoinedSprings,   ///< the same without the dashpots
   kCollisions,      ///< resolves a light collision that may come; does not concern stability
   kContactSteps
 };

@@ -3,6 +3,7 @@
 // Scope: an interface only; fix muckpile/joint implements it, pair muckpile/block reads it.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "bond/facet_memory.h"
@@ -23,6 +24,9 @@ class JointView {
   /// True for a block whose facets are all intact and none of which lies on a free face or a
   /// crushed zone: nothing outside can touch it.
   [[nodiscard]] virtual bool enclosed(int block_tag) const = 0;
+  /// Marks with 1 every body of this rank that a facet holds, to another one or to the ground, or
+  /// may hold again: one that is not retired.
+  virtual void mark_joined_bodies(std::span<char> joined) const = 0;
 };
 
 }  // namespace muckpile

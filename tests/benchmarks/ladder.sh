@@ -36,7 +36,7 @@ ladder=(
   "spheres_8|spheres per block|8|$(sizes 1) -var spheres_per_block 8"
   "share_0.35|first phase: step over the stable one|0.35|$(sizes 1) -var wave_share 0.35"
   "gas_substeps_8|substeps of the gas|8|$(sizes 1) -var gas_substeps 8"
-  "steps_8|steps per contact|8|$(sizes 1) -var steps_per_contact 8"
+  "steps_15|steps per contact|15|$(sizes 1) -var steps_per_contact 15"
   "steps_30|steps per contact|30|$(sizes 1) -var steps_per_contact 30"
   "softening_low|softening|9.4e-5|$(sizes 1) -var softening 9.4e-5"
   "softening_high|softening|1.5e-3|$(sizes 1) -var softening 1.5e-3"

@@ -296,6 +296,18 @@ void FacetNetwork::mark_joined(std::span<const int> moves, std::span<int> distur
   for (std::size_t f : yielding_) disturbed[static_cast<std::size_t>(i_of(f))] = 1;
 }
 
+void FacetNetwork::mark_held(std::span<char> held) const {
+  const auto mark = [&](int block) {
+    const auto b = static_cast<std::size_t>(block);
+    if (b < held.size()) held[b] = 1;
+  };
+  each_facet(active_, [&](std::size_t f) {
+    if (states_[f] == FacetState::retired) return;
+    mark(i_of(f));
+    mark(j_of(f));
+  });
+}
+
 void FacetNetwork::let_rest(std::span<const int> rests) {
   for (std::size_t b = 0; b < rests_.size(); ++b) rests_[b] = rests[b] != 0 ? 1 : 0;
   list_working();

@@ -159,6 +159,8 @@ class FacetNetwork {
   /// Sets `disturbed` of every block that shares an acting facet with one of `moves`, or lies on
   /// ground that yields. One entry per block, ground last.
   void mark_joined(std::span<const int> moves, std::span<int> disturbed) const;
+  /// Sets `held` of every block that has an acting facet, of as many as it has entries.
+  void mark_held(std::span<char> held) const;
 
   /// Of an intact facet on its block i, as the last passes left it [Pa].
   [[nodiscard]] Vec3 mean_traction(std::size_t f) const;

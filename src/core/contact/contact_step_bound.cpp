@@ -44,9 +44,10 @@ double ContactStepBound::shortest(bool damped) const {
 /// mass. The step s that solves s = 2/sqrt(largest eigenvalue of K + (2/s) C) is approached from
 /// above.
 double ContactStepBound::limit(const Mat6& stiffness, const Mat6& damping, double shorter_than) {
-  // The traces are upper bounds of the eigenvalues, and show most bodies to be no limit.
+  // The root of the sum of squares is an upper bound of the eigenvalues, and shows most bodies to
+  // be no limit.
   const double s = shorter_than;
-  if (s * (s * stiffness.trace() + 2.0 * damping.trace()) <= 4.0) return shorter_than;
+  if (s * (s * stiffness.norm() + 2.0 * damping.norm()) <= 4.0) return shorter_than;
   constexpr int kMostRounds = 200;
   constexpr double kSettled = 1e-4;
   double step = shorter_than;

@@ -5,7 +5,9 @@
 // tests/unit/bond.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <tuple>
 
@@ -22,7 +24,8 @@ enum Timestep {
   changes = 4,
   products = 5,
   dashpot_step = 6,
-  collision_step = 7
+  collision_step = 7,
+  joined_spring_step = 8
 };
 
 const std::string kRock = " youngs_modulus 50e9 poisson_ratio 0.25 density 2600 friction_angle 45 ";
@@ -147,6 +150,73 @@ TEST(FixMuckpileTimestep, CountsContacts) {
     EXPECT_DOUBLE_EQ(scene.output("dt", margin),
                      scene.output("dt", spring_step) / scene.output("dt", step));
   }
+}
+
+/// To resolve a collision is a matter of accuracy, not of stability: neither the joints nor a share
+/// come on top.
+TEST(FixMuckpileTimestep, CollisionsAreResolvedBesideTheJoints) {
+  RockScene scene = engine(MPI_COMM_WORLD);
+  graded(scene, kUnbreakable);
+  scene.command("fix dt all muckpile/timestep fraction 0.5");
+  scene.run(0, 1e-9);
+  const double taken = scene.output("dt", step);
+  for (const double share : {0.97, 1.1}) {
+    scene.command("fix_modify dt collision " + std::to_string(1e9 * share * taken) + "e-9");
+    scene.run(0, taken);
+    EXPECT_NEAR(scene.output("dt", step) / (std::min(share, 1.0) * taken), 1.0, 0.011) << share;
+  }
+}
+
+/// By Hertz a collision lasts the longer the slower it is, with speed^(-1/5).
+TEST(FixMuckpileTimestep, CollisionsFollowTheFastestBlockOnAnyRanks) {
+  for (const double speed : {40.0, 20.0, 0.625}) {
+    RockScene scene = engine(MPI_COMM_WORLD);
+    scene.cut("-1 1 -1 1 -0.8 0.8", "density 2600 size power 0.5 1 block_min 0.3 block_max 0.5");
+    scene.set_motion([&](int tag, const Vec3&) {
+      return Motion{Vec3(0, tag == 3 ? -speed : 0.5 * speed, 0), Vec3::Zero()};
+    });
+    scene.command("fix dt all muckpile/timestep collision 1e-5 collision_speed 20");
+    scene.run(1, 1e-9);
+    EXPECT_NEAR(scene.output("dt", step), 1e-5 * std::pow(20.0 / speed, 0.2), 1.1e-8 * 2) << speed;
+    scene.command("fix_modify dt collision_speed 0");
+    scene.run(0, 1e-9);
+    EXPECT_NEAR(scene.output("dt", step), 1e-5, 1e-12);
+  }
+}
+
+/// Rubble beside rock: the joints of the rock do not make the contacts of the rubble any stiffer.
+TEST(FixMuckpileTimestep, ContactsAddToTheJointsOfTheirOwnBlocksOnly) {
+  RockScene scene = engine(MPI_COMM_WORLD);
+  scene.command("pair_style muckpile/block youngs_modulus 2e9 restitution 0.9");
+  scene.command("pair_coeff * *");
+  graded(scene, kRock + "cohesion 0 tension 0");
+  scene.command(
+      "fix dt all muckpile/timestep fraction 0.5 dashpot_fraction 4 every 5 joints_every 0 max "
+      "2e-5");
+  const auto lump = [](const Vec3& at) { return at.x() < 0.0; };
+  scene.set_motion([&](int, const Vec3& at) {
+    return Motion{lump(at) ? Vec3::Zero() : Vec3(2.0 * at), Vec3::Zero()};
+  });
+  scene.run(4000, 1e-5);
+  // What has come loose flies back; the nearest of it meets before it meets the rock.
+  scene.set_motion([&](int, const Vec3& at) {
+    return Motion{lump(at) ? Vec3::Zero() : Vec3(1.0, -4.0 * at.y(), -4.0 * at.z()), Vec3::Zero()};
+  });
+  int alone = 0, together = 0;
+  for (int round = 0; round < 60; ++round) {
+    scene.run(50, scene.output("dt", step));
+    const double joints = scene.output("dt", joint_step), all = scene.output("dt", spring_step),
+                 joined = scene.output("dt", joined_spring_step);
+    ASSERT_TRUE(std::isfinite(joints));
+    const double bound =
+        std::min(all, 1.0 / std::sqrt(1.0 / (joints * joints) + 1.0 / (joined * joined)));
+    EXPECT_NEAR(scene.output("dt", margin) * scene.output("dt", step) / bound, 1.0, 1e-12);
+    EXPECT_LE(scene.output("dt", step), 0.5 * bound);
+    if (all < joined && std::isfinite(joined)) ++together;
+    if (std::isfinite(all) && std::isinf(joined)) ++alone;
+  }
+  std::printf("%d of 60 looks saw rubble alone in contact, %d rock too\n", alone, together);
+  EXPECT_GT(alone + together, 5);
 }
 
 /// A look at the joints is dear: a run that goes on where the last one ended needs none, one after

@@ -549,11 +549,17 @@ TEST(FacetNetwork, MarksBlocksBesideOneThatMovesUnlessTheirFacetHasRetired) {
   std::vector<int> disturbed(3, 0);
   pair.scene.network().mark_joined(std::vector<int>{1, 0, 0}, disturbed);
   EXPECT_EQ(disturbed, (std::vector<int>{0, 1, 0}));
+  std::vector<char> held(2, 0);
+  pair.scene.network().mark_held(held);
+  EXPECT_EQ(held, (std::vector<char>{1, 1}));
   for (const double apart : {0.01, 0.1, 1.0}) pair.at(Vec3(apart, 0.0, 0.0));
   ASSERT_EQ(pair.scene.network().states()[0], FacetState::retired);
   std::fill(disturbed.begin(), disturbed.end(), 0);
   pair.scene.network().mark_joined(std::vector<int>{1, 0, 0}, disturbed);
   EXPECT_EQ(disturbed, (std::vector<int>{0, 0, 0}));
+  std::fill(held.begin(), held.end(), 0);
+  pair.scene.network().mark_held(held);
+  EXPECT_EQ(held, (std::vector<char>{0, 0}));
 }
 
 }  // namespace
