@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix multisphere/muckpile: the step of the bodies, their spheres, and the forces on them.
-// Scope: see the header. Leapfrog and Richardson's rotation as in the base class.
+// Scope: see the header. Leapfrog as in the base class; src/core/motion does the work.
 #include "fix_multisphere_muckpile.h"
 
 #include <atom.h>
@@ -14,6 +14,7 @@
 #include <update.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -27,26 +28,10 @@
 namespace muckpile {
 namespace {
 
-using Flags = LAMMPS_NS::VectorContainer<bool, 3>;
-
-/// Half a step's change of velocity and angular momentum.
-class Kick {
- public:
-  Kick(LAMMPS_NS::Multisphere& data, double half_step)
-      : moves_(data.prop().getElementProperty<Flags>("fflag")->begin()),
-        turns_(data.prop().getElementProperty<Flags>("tflag")->begin()),
-        half_step_(half_step) {}
-  void operator()(engine::Bodies& bodies, int b) const {
-    for (int d = 0; d < 3; ++d) {
-      if (moves_[b][d]) bodies.velocity(b)[d] += half_step_ / bodies.mass(b) * bodies.force(b)[d];
-      if (turns_[b][d]) bodies.angular_momentum(b)[d] += half_step_ * bodies.torque(b)[d];
-    }
-  }
-
- private:
-  bool **moves_, **turns_;
-  double half_step_;
-};
+/// Along x, y and z, whether each body moves or turns.
+const bool* const* flags(LAMMPS_NS::Multisphere& data, const char* name) {
+  return data.prop().getElementProperty<LAMMPS_NS::VectorContainer<bool, 3>>(name)->begin();
+}
 
 }  // namespace
 
@@ -79,7 +64,7 @@ void FixMultisphereMuckpile::init() {
   plain_ = fix_heat_ == nullptr && !do_modify_body_forces_torques_ &&
            CAdd_ * fluidDensity_ == 0.0 && atom->quaternion == nullptr &&
            modify->n_fixes_style("insert/stream") == 0 && modify->n_fixes_style("couple/cfd") == 0;
-  members_known_ = any_rests_ = false;
+  members_known_ = false;
 }
 
 void FixMultisphereMuckpile::reset_dt() {
@@ -110,41 +95,84 @@ bool FixMultisphereMuckpile::velocities_are_read() const {
   return output->next == update->ntimestep || std::ranges::any_of(readers_, reads);
 }
 
-/// Spheres, ghosts among them, whose body this rank moves; they stay the same until neighbours are
-/// looked for again.
+/// They stay the same until neighbours are looked for again.
 void FixMultisphereMuckpile::list_members() {
   members_known_ = true;
-  placed_version_ = 0;
-  members_.clear();
-  counts_.clear();
-  shifts_.clear();
-  const bool periodic = domain->xperiodic + domain->yperiodic + domain->zperiodic > 0;
+  placed_version_ = held_version_ = 0;
+  const std::vector<BodySphere> spheres = members();
+  motion_ = BodyMotion(constants(), spheres);
+  own_messages_ = !periodic() && comm->nprocs > 1;
+  if (own_messages_) list_border_spheres(spheres);
+}
+
+bool FixMultisphereMuckpile::periodic() const {
+  return domain->xperiodic + domain->yperiodic + domain->zperiodic > 0;
+}
+
+/// Spheres, ghosts among them, whose body this rank moves.
+std::vector<BodySphere> FixMultisphereMuckpile::members() {
+  std::vector<BodySphere> spheres;
+  spheres.reserve(static_cast<std::size_t>(atom->nlocal + atom->nghost));
   const Vec3 box(domain->xprd, domain->yprd, domain->zprd);
   for (int k = 0; k < atom->nlocal + atom->nghost; ++k) {
     const int body = body_[k] < 0 ? -1 : map(body_[k]);
     if (body < 0) continue;
-    members_.push_back({k, body, Vec3(displace_[k][0], displace_[k][1], displace_[k][2])});
-    counts_.push_back(domain->is_owned_or_first_ghost(k) ? 1 : 0);
-    if (!periodic) continue;
-    const auto image = atom->image[k];
-    const Vec3 images(static_cast<double>((image & IMGMASK) - IMGMAX),
-                      static_cast<double>((image >> IMGBITS & IMGMASK) - IMGMAX),
-                      static_cast<double>((image >> IMG2BITS) - IMGMAX));
-    shifts_.push_back(-images.cwiseProduct(box));
+    BodySphere sphere{body, k, Vec3::Map(displace_[k])};
+    sphere.counts = domain->is_owned_or_first_ghost(k);
+    if (periodic()) {
+      const auto image = atom->image[k];
+      const Vec3 images(static_cast<double>((image & IMGMASK) - IMGMAX),
+                        static_cast<double>((image >> IMGBITS & IMGMASK) - IMGMAX),
+                        static_cast<double>((image >> IMG2BITS) - IMGMAX));
+      sphere.image = -images.cwiseProduct(box);
+    }
+    spheres.push_back(sphere);
   }
-  own_messages_ = !periodic && comm->nprocs > 1;
-  if (own_messages_) list_border_spheres();
+  return spheres;
 }
 
-void FixMultisphereMuckpile::list_border_spheres() {
+std::vector<BodyConstants> FixMultisphereMuckpile::constants() {
+  const engine::Bodies bodies(*this);
+  const auto three = [](const bool* flags) { return std::array{flags[0], flags[1], flags[2]}; };
+  const auto moves = flags(multisphere_, "fflag"), turns = flags(multisphere_, "tflag");
+  std::vector<BodyConstants> all(static_cast<std::size_t>(bodies.count()));
+  for (int b = 0; b < bodies.count(); ++b) {
+    all[static_cast<std::size_t>(b)] = {bodies.mass(b), bodies.inertia(b), three(moves[b]),
+                                        three(turns[b])};
+  }
+  return all;
+}
+
+void FixMultisphereMuckpile::list_border_spheres(const std::vector<BodySphere>& members) {
   std::vector<int> lent, strange;
-  for (const Member& member : members_) {
+  for (const BodySphere& member : members) {
     if (member.sphere >= atom->nlocal) lent.push_back(member.sphere);
   }
   for (int k = 0; k < atom->nlocal; ++k) {
     if (body_[k] >= 0 && map(body_[k]) < 0) strange.push_back(k);
   }
   border_ = engine::BorderSpheres(std::move(lent), std::move(strange), atom->tag, world);
+}
+
+SphereRows FixMultisphereMuckpile::sphere_rows() const {
+  return {*atom->x, *atom->v, *atom->omega, *atom->f, *atom->torque};
+}
+
+Vec3 FixMultisphereMuckpile::gravity() const {
+  Vec3 pull = Vec3::Zero();
+  if (fix_gravity_ != nullptr) fix_gravity_->get_gravity(pull.data());
+  return pull;
+}
+
+/// Which bodies rest changes seldom.
+void FixMultisphereMuckpile::follow_rests() {
+  const std::uint64_t version = any_rests() ? resting_->rests_version() : 0;
+  if (version == held_version_) return;
+  held_version_ = version;
+  std::vector<char> held(any_rests() ? static_cast<std::size_t>(multisphere_.n_body()) : 0);
+  for (std::size_t b = 0; b < held.size(); ++b)
+    held[b] = resting_->body_rests(static_cast<int>(b)) ? 1 : 0;
+  motion_.hold(held);
 }
 
 void FixMultisphereMuckpile::initial_integrate(int vflag) {
@@ -154,9 +182,12 @@ void FixMultisphereMuckpile::initial_integrate(int vflag) {
   }
   evflag = 0;
   if (!members_known_) list_members();
-  any_rests_ = resting_ != nullptr && resting_->any_rests();
-  move_bodies();
-  place_spheres();
+  follow_rests();
+  // Spheres of resting bodies stay where they are. They are placed once more after their body came
+  // to rest, so that their velocities are 0.
+  const bool place_held = placed_version_ != held_version_;
+  placed_version_ = held_version_;
+  motion_.advance(engine::Bodies(*this).rows(), sphere_rows(), {dtv, dtf}, place_held);
   if (own_messages_) {
     border_.to_spheres({atom->x, atom->v, atom->omega});
   } else {
@@ -165,84 +196,15 @@ void FixMultisphereMuckpile::initial_integrate(int vflag) {
   }
 }
 
-void FixMultisphereMuckpile::move_bodies() {
-  const Kick kick(multisphere_, dtf);
-  engine::Bodies bodies(*this);
-  for (int b = 0; b < bodies.count(); ++b) {
-    if (rests(b)) continue;
-    kick(bodies, b);
-    bodies.centre(b) += dtv * bodies.velocity(b);
-    bodies.turn(b, dtq);
-  }
-}
-
-/// Spheres of resting bodies stay where they are. They are placed once more after their body came
-/// to rest, so that their velocities are 0.
-void FixMultisphereMuckpile::place_spheres() {
-  const bool all = !any_rests_ || !shifts_.empty() || resting_->rests_version() != placed_version_;
-  if (any_rests_) placed_version_ = resting_->rests_version();
-  const engine::Bodies bodies(*this);
-  double** const x = atom->x;
-  double** const v = atom->v;
-  double** const omega = atom->omega;
-  int last = -1;
-  bool held = false;
-  Mat3 axes = Mat3::Identity();
-  Vec3 centre = Vec3::Zero(), velocity = Vec3::Zero(), spin = Vec3::Zero();
-  for (std::size_t m = 0; m < members_.size(); ++m) {
-    const Member& member = members_[m];
-    if (member.body != last) {
-      last = member.body;
-      held = !all && rests(last);
-      if (held) continue;
-      axes = bodies.axes(last);
-      centre = bodies.centre(last);
-      velocity = bodies.velocity(last);
-      spin = bodies.spin(last);
-    }
-    if (held) continue;
-    const Vec3 arm = axes * member.displacement;
-    Vec3::Map(x[member.sphere]) = centre + arm;
-    Vec3::Map(v[member.sphere]) = velocity + spin.cross(arm);
-    Vec3::Map(omega[member.sphere]) = spin;
-    if (!shifts_.empty()) Vec3::Map(x[member.sphere]) += shifts_[m];
-  }
-}
-
 /// Resting bodies are held before their forces, which are incomplete, can become velocities.
 void FixMultisphereMuckpile::calc_force(bool setupflag) {
-  if (plain_)
-    sum_forces();
-  else
+  if (plain_) {
+    if (!members_known_) list_members();
+    motion_.sum_forces(engine::Bodies(*this).rows(), sphere_rows(), gravity());
+  } else {
     FixMultisphere::calc_force(setupflag);
-  if (any_rests_) hold_resting();
-}
-
-void FixMultisphereMuckpile::sum_forces() {
-  if (!members_known_) list_members();
-  engine::Bodies bodies(*this);
-  for (std::size_t m = 0; m < members_.size();) {
-    const int body = members_[m].body;
-    if (any_rests_ && rests(body)) {  // held, whatever they are
-      while (m < members_.size() && members_[m].body == body) ++m;
-      continue;
-    }
-    const Mat3 axes = bodies.axes(body);
-    Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
-    for (; m < members_.size() && members_[m].body == body; ++m) {
-      if (counts_[m] == 0) continue;
-      const Vec3 pull = Vec3::Map(atom->f[members_[m].sphere]);
-      sum += pull;
-      moment += (axes * members_[m].displacement).cross(pull) +
-                Vec3::Map(atom->torque[members_[m].sphere]);
-    }
-    bodies.force(body) += sum;
-    bodies.torque(body) += moment;
   }
-  if (fix_gravity_ == nullptr) return;
-  Vec3 gravity;
-  fix_gravity_->get_gravity(gravity.data());
-  for (int b = 0; b < bodies.count(); ++b) bodies.force(b) += bodies.mass(b) * gravity;
+  if (any_rests()) hold_resting();
 }
 
 /// Brings the forces on spheres that other ranks own to the ranks of their bodies.
@@ -255,32 +217,20 @@ void FixMultisphereMuckpile::pre_final_integrate() {
 }
 
 void FixMultisphereMuckpile::final_integrate() {
-  any_rests_ = resting_ != nullptr && resting_->any_rests();
-  if (velocities_are_read()) {
+  if (plain_) follow_rests();
+  if (!plain_ || velocities_are_read()) {
     FixMultisphere::final_integrate();
-  } else {
-    calc_force(false);
-    kick_bodies();
+    return;
   }
-}
-
-void FixMultisphereMuckpile::kick_bodies() {
-  const Kick kick(multisphere_, dtf);
-  engine::Bodies bodies(*this);
-  for (int b = 0; b < bodies.count(); ++b) {
-    if (rests(b)) continue;
-    kick(bodies, b);
-    const Mat3 axes = bodies.axes(b);
-    const Vec3 in_body = axes.transpose() * bodies.angular_momentum(b);
-    bodies.spin(b) = axes * in_body.cwiseQuotient(bodies.inertia(b));
-  }
+  motion_.finish(engine::Bodies(*this).rows(), sphere_rows(), gravity(), {dtv, dtf});
+  if (any_rests()) hold_resting();
 }
 
 /// The forces on resting blocks are incomplete, since those between two of them are left out.
 void FixMultisphereMuckpile::hold_resting() {
   engine::Bodies bodies(*this);
   for (int b = 0; b < bodies.count(); ++b) {
-    if (rests(b)) bodies.hold(b);
+    if (resting_->body_rests(b)) bodies.hold(b);
   }
 }
 

@@ -14,6 +14,7 @@
 #include "engine/border_spheres.h"
 #include "interfaces/resting_blocks.h"
 #include "math/types.h"
+#include "motion/body_motion.h"
 
 namespace muckpile {
 
@@ -32,33 +33,27 @@ class FixMultisphereMuckpile : public LAMMPS_NS::FixMultisphere {
   void calc_force(bool setupflag) override;
 
  private:
-  /// A sphere of a body of this rank. The sphere may be a ghost, owned by another rank.
-  struct Member {
-    int sphere, body;
-    Vec3 displacement;  ///< from the body's centre, along its axes [m]
-  };
-
   [[nodiscard]] bool velocities_are_read() const;
-  [[nodiscard]] bool rests(int body) const { return any_rests_ && resting_->body_rests(body); }
+  [[nodiscard]] bool any_rests() const { return resting_ != nullptr && resting_->any_rests(); }
+  [[nodiscard]] bool periodic() const;
+  [[nodiscard]] std::vector<BodySphere> members();
+  [[nodiscard]] std::vector<BodyConstants> constants();
+  [[nodiscard]] SphereRows sphere_rows() const;
+  [[nodiscard]] Vec3 gravity() const;
   void list_members();
-  void list_border_spheres();
-  void move_bodies();
-  void place_spheres();
-  void sum_forces();
-  void kick_bodies();
+  void list_border_spheres(const std::vector<BodySphere>& members);
+  void follow_rests();
   void hold_resting();
 
   const RestingBlocks* resting_ = nullptr;  ///< looked up in every init(); null: none rests
   std::vector<int> readers_;  ///< `nevery` of each fix of LIGGGHTS that works at the end of steps
   bool plain_ = false;        ///< this step needs nothing that only the base class does
-  bool any_rests_ = false;    ///< in this step
+  std::uint64_t held_version_ = 0;    ///< of resting_, as motion_ knows it; 0: none is held
   std::uint64_t placed_version_ = 0;  ///< of resting_, when the resting were last placed
   bool members_known_ = false;
-  std::vector<Member> members_;
+  BodyMotion motion_;          ///< of this rank's bodies and their spheres, ghosts among them
   bool own_messages_ = false;  ///< border_ instead of LIGGGHTS' messages about all ghosts
   engine::BorderSpheres border_;
-  std::vector<char> counts_;  ///< per member: the one image of its sphere whose force is taken
-  std::vector<Vec3> shifts_;  ///< per member: of its periodic image [m]; empty without any
 };
 
 }  // namespace muckpile

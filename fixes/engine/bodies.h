@@ -7,13 +7,13 @@
 #include <error.h>
 #include <fix_multisphere.h>
 #include <lammps.h>
-#include <math_extra.h>
 #include <modify.h>
 #include <multisphere.h>
 
 #include <Eigen/Core>
 
 #include "math/types.h"
+#include "motion/body_motion.h"
 
 namespace muckpile::engine {
 
@@ -69,11 +69,10 @@ class Bodies {
     const Mat3 turned = axes(b);
     return turned * inertia(b).asDiagonal() * turned.transpose();
   }
-  /// Turns the body by a whole step at its angular momentum, Richardson's way; sets its spin.
-  void turn(int b, double half_step) {
-    MathExtra::angmom_to_omega(momentum_[b], ex_[b], ey_[b], ez_[b], inertia_[b], spin_[b]);
-    MathExtra::richardson(quaternion_[b], momentum_[b], spin_[b], inertia_[b], half_step);
-    MathExtra::q_to_exyz(quaternion_[b], ex_[b], ey_[b], ez_[b]);
+  /// LIGGGHTS keeps the rows of an array one behind the other.
+  [[nodiscard]] BodyRows rows() const {
+    return {*centre_, *velocity_, *force_, *momentum_, *torque_,
+            *spin_,   *ex_,       *ey_,    *ez_,       *quaternion_};
   }
   /// Stops the body, and takes away the forces that would set it going.
   void hold(int b) {

@@ -19,6 +19,7 @@ namespace muckpile {
 using Wide = std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, kGroup>>;
 using WideMask = Wide::mask_type;
 using WideVec = VectorOf<Wide>;
+using WideMat = MatrixOf<Wide>;
 
 template <class T>
 [[gnu::always_inline]] inline Wide wide(const FacetRow<T>& row) {
@@ -67,18 +68,6 @@ template <class T>
                 choose(mask, v.z, wide(to[2]))),
         to);
 }
-
-struct WideMat {
-  WideVec x, y, z;  // columns
-
-  [[gnu::always_inline]] WideVec operator*(const WideVec& v) const {
-    return v.x * x + v.y * y + v.z * z;
-  }
-  /// Of the transposed matrix.
-  [[gnu::always_inline]] WideVec back(const WideVec& v) const {
-    return {dot(x, v), dot(y, v), dot(z, v)};
-  }
-};
 
 /// Where the states of a group's blocks lie, in numbers after that of the first block. With AVX-512
 /// the numbers of a block are loaded together and transposed: 5 % of all passes less than with the

@@ -94,6 +94,21 @@ template <class Number>
 [[nodiscard]] VectorOf<Number> cross(const VectorOf<Number>& a, const VectorOf<Number>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+
+/// One matrix per lane.
+template <class Number>
+struct MatrixOf {
+  VectorOf<Number> x, y, z;  // columns
+
+  [[gnu::always_inline]] VectorOf<Number> operator*(const VectorOf<Number>& v) const {
+    return v.x * x + v.y * y + v.z * z;
+  }
+  /// Of the transposed matrix.
+  [[gnu::always_inline]] VectorOf<Number> back(const VectorOf<Number>& v) const {
+    return {dot(x, v), dot(y, v), dot(z, v)};
+  }
+};
+
 [[nodiscard]] inline LaneVec rotated(const Mat3& r, const LaneVec& v) {
   return {r(0, 0) * v.x + r(0, 1) * v.y + r(0, 2) * v.z,
           r(1, 0) * v.x + r(1, 1) * v.y + r(1, 2) * v.z,
