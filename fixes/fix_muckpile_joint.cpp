@@ -114,13 +114,13 @@ void FixMuckpileJoint::follow_blocks() {
   version_ = store_->version();
   std::vector<BlockConstants> blocks;
   for (const BlockRecord& r : store_->records())
-    blocks.push_back({r.tag, std::max(r.volume, 1e-300), r.mass, true, r.retired});
+    blocks.push_back({r.tag, true, std::max(r.volume, 1e-300), r.mass, r.retired});
   // Both ranks that know a facet ask for the volumes of its two blocks when it breaks.
   std::vector<double> volumes(store_->halo().size(), 1.0);
   for (std::size_t b = 0; b < blocks.size(); ++b) volumes[b] = blocks[b].volume;
   store_->halo().forward(volumes, 1);
   for (int tag : store_->copy_tags())
-    blocks.push_back({tag, volumes[blocks.size()], 1.0, false, {}});
+    blocks.push_back({tag, false, volumes[blocks.size()], 1.0, {}});
   network_.set_blocks(std::move(blocks));
   FacetLists lists = store_->hand_over();
   network_.set_facets(std::move(lists.facets), std::move(lists.memory));

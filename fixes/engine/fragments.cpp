@@ -30,7 +30,7 @@ class UnionFind {
   std::vector<std::size_t> parent_;
 };
 
-bool holds(const FacetTraces& m) { return !(m.broken[0] && m.broken[1] && m.broken[2]); }
+bool holds(const FacetTraces& m) { return m.broken.count() < kFacetPoints; }
 
 }  // namespace
 
@@ -73,10 +73,7 @@ std::vector<double> broken_share(const FixMuckpileJoint& joint) {
   for (std::size_t f = 0; f < network.facet_count(); ++f) {
     const FacetEnds facet = network.ends(f);
     if (facet.kind != FacetKind::joint) continue;
-    const auto& points = network.traces()[f].broken;
-    const double gone = network.area(f) *
-                        static_cast<double>(std::count(points.begin(), points.end(), true)) /
-                        kFacetPoints;
+    const double gone = network.area(f) * network.traces()[f].broken.count() / kFacetPoints;
     for (int b : {facet.i, facet.j}) {
       broken[static_cast<std::size_t>(b)] += gone;
       all[static_cast<std::size_t>(b)] += network.area(f);

@@ -52,6 +52,9 @@ nlohmann::ordered_json measure() {
   const double bytes = intact.network().memory_usage();
   result["bytes_per_block"] = bytes / static_cast<double>(blocks.size());
   result["bytes_per_facet"] = bytes / static_cast<double>(intact.network().facets().size());
+  for (const FacetNetwork::TableSize& size : intact.network().table_sizes())
+    result["bytes_per_block_by_table"][size.table] =
+        size.bytes / static_cast<double>(blocks.size());
   intact.deform(-kStrain * Mat3::Identity());
   result["intact"] = time_of(intact);
 

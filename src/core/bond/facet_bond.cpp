@@ -12,7 +12,7 @@ namespace muckpile {
 /// Jumps at the points, less what they have slipped [m].
 LaneVec FacetNetwork::elastic_jump(std::size_t f, const Motion& motion) const {
   const FacetTraces& memory = traces_[f];
-  if (memory.slipping == 0) return motion.jump();
+  if (!memory.slipping.any()) return motion.jump();
   const LaneVec slipped = rotated(motion.axes(), lanes_of(contacts_.get(f).offset));
   return motion.jump() - choose(where_slipping(memory), Lanes(1.0), 0.0) * slipped;
 }
@@ -114,7 +114,7 @@ void FacetNetwork::work_bonded(std::size_t f, const Motion& motion, const Contac
                                Pull& pull, double dt) {
   const bool torn = motion.turned(kTurnStart);
   const FacetTraces& memory = traces_[f];
-  const bool away = memory.slipping != 0 && slid_away(motion, contact);
+  const bool away = memory.slipping.any() && slid_away(motion, contact);
   const LaneMask slipping = where_slipping(memory);
   const LaneMask fails =
       torn ? is_point() : pull.failing(bond_of(f), slipping) || (slipping && LaneMask(away));
@@ -141,7 +141,7 @@ void FacetNetwork::work_bonded(std::size_t f, const Motion& motion, const Contac
     pull.traction += Lanes(damping_) * rate;
     losses_.damping += contact.weight * contact.point_area * damping_ * dt * sum(dot(rate, rate));
   }
-  if (memory.slipping != 0) rub(f, motion, contact, pull, dt);
+  if (memory.slipping.any()) rub(f, motion, contact, pull, dt);
 }
 
 /// How stiff a facet is against slip through its blocks, over its spring [-].
@@ -211,9 +211,8 @@ Vec3 FacetNetwork::break_point(std::size_t f, int p, const Break& broken, double
   if (contact.shear > 0.0) spring += left.shear / contact.shear;
   const Vec3 rests_at = left.slips ? left.lost : Vec3(broken.jump - spring);
   contacts_.set_offset(f, q, broken.axes.transpose() * rests_at);
-  memory.broken[q] = true;
-  memory.slipping =
-      static_cast<std::uint8_t>((memory.slipping & ~(1u << q)) | (left.slips ? 1u : 0u) << q);
+  memory.broken.set(q);
+  memory.slipping.set(q, left.slips);
   if (memory.state == FacetState::intact) {
     memory.state = states_[f] = FacetState::cracked;
     memory.gas = keeps_gas_;  // let go, it stays so when further points break
@@ -262,9 +261,8 @@ void FacetNetwork::drop_from_dilatation(std::size_t f, const Break& broken, cons
   const Bond bond = bond_of(f);
   const auto drop = [&](int block, double area_share, const Vec3& opening, double depth) {
     const auto b = static_cast<std::size_t>(block);
-    sums_[b].dropped += area_share * opening.dot(left.lost) / kFacetPoints;
-    if (!left.slips) sums_[b].unbonded_added += bond.point_area * depth / blocks_[b].volume;
-    sums_[b].breaks = true;
+    dropped_.push_back({b, area_share * opening.dot(left.lost) / kFacetPoints,
+                        left.slips ? 0.0 : bond.point_area * depth / blocks_[b].volume});
   };
   const auto [depth_i, depth_j] = depths(f);
   drop(i_of(f), bond.area_i, broken.openings.i, depth_i);
@@ -274,19 +272,22 @@ void FacetNetwork::drop_from_dilatation(std::size_t f, const Break& broken, cons
 
 void FacetNetwork::book_fracture() {
   const std::vector<double> theta_before = theta_;
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    BlockSums& sums = sums_[b];
-    if (!sums.breaks) continue;
-    BlockSums after = sums;
-    after.bonded -= sums.dropped;
-    after.unbonded += sums.unbonded_added;
-    if (blocks_[b].owned) losses_.fracture += block_potential(b, sums) - block_potential(b, after);
-    sums.bonded = after.bonded;
-    sums.unbonded = after.unbonded;
-    sums.dropped = sums.unbonded_added = 0.0;
-    sums.breaks = false;
-    if (blocks_[b].owned) theta_[b] = theta_of(b);
+  std::ranges::stable_sort(dropped_, {}, &Dropped::block);
+  for (auto part = dropped_.begin(); part != dropped_.end();) {
+    const std::size_t b = part->block;
+    double bonded = 0.0, unbonded = 0.0;
+    for (; part != dropped_.end() && part->block == b; ++part) {
+      bonded += part->bonded;
+      unbonded += part->unbonded;
+    }
+    const BlockSums before = sums_[b];
+    sums_[b].bonded -= bonded;
+    sums_[b].unbonded += unbonded;
+    if (!blocks_[b].owned) continue;
+    losses_.fracture += block_potential(b, before) - block_potential(b, sums_[b]);
+    theta_[b] = theta_of(b);
   }
+  dropped_.clear();
   book_sharpening(theta_before);
   if (slanted()) book_slant();
   bulk_stresses();

@@ -13,7 +13,7 @@ namespace muckpile {
 /// What the contact of a group's facets remembers, and what else its law needs.
 struct FacetNetwork::WideContact {
   ContactGroup* memory;
-  FacetRow<double> fresh{}, tan_residual{}, weight{};
+  FacetRow<double> fresh{}, tan_residual{}, weight{}, rock_share{};
 };
 
 /// How far the two sides of each facet have parted.
@@ -60,6 +60,7 @@ FacetNetwork::WideContact FacetNetwork::remembered(std::size_t g, unsigned lanes
     const FacetName& name = facets_[f];
     contact.fresh[k] = traces_[f].open ? 1.0 : 0.0;
     contact.weight[k] = name.weight;
+    contact.rock_share[k] = rock_share(f);
     contact.tan_residual[k] =
         name.kind == FacetKind::mirror ? 0.0 : strengths_[name.joint_class].tan_residual;
   });
@@ -109,7 +110,9 @@ void FacetNetwork::touch_group(std::size_t g, unsigned lanes, const WidePose& po
   const ContactGroup& memory = *contact.memory;
   const Wide fade = choose(mask_of(lanes), wide(memory.fade), 0.0),
              shear = fade * wide(group.shear);
-  const PlaneContact<Wide> law = {fade * wide(closed_stiffness_[g]), shear, fade * contact_damping_,
+  const Wide closed = closed_stiffness<Wide>(wide(group.shear) + wide(group.normal_extra),
+                                             wide(contact.rock_share));
+  const PlaneContact<Wide> law = {fade * closed, shear, fade * contact_damping_,
                                   wide(contact.tan_residual), slip_weakening_};
   const WideMask broken = fade > 0.0, fresh = wide(contact.fresh) > 0.0;
   WideVec traction, moment;

@@ -39,7 +39,7 @@ template <class Is>
   return where([&](std::size_t p) { return memory.is_contact(p); });
 }
 [[nodiscard]] inline LaneMask where_slipping(const FacetTraces& memory) {
-  return where([&](std::size_t p) { return memory.slips(p); });
+  return where([&](std::size_t p) { return memory.slipping[p]; });
 }
 
 /// A vector of each point.
@@ -164,13 +164,22 @@ inline FacetNetwork::Bond FacetNetwork::bond_of(std::size_t f) const {
           strength.tan_friction};
 }
 
+/// FacetStiffness::contact from the other numbers of facet_stiffness(). With U = (lambda + 2G)/h,
+/// s the share of the rock and k the joint's own stiffness it is c = s U = (1 - s) k, and
+///     normal = 2G/h s^2 + k (1 - s)^2 = c (s 2G/(lambda + 2G) + 1 - s).
+template <class Number>
+[[gnu::always_inline]] inline Number FacetNetwork::closed_stiffness(
+    const Number& normal, const Number& rock_share) const {
+  return normal / (1.0 - rock_share * (1.0 - shear_over_p_wave_));
+}
+
 [[gnu::always_inline]] inline FacetNetwork::Contact FacetNetwork::contact_of(std::size_t f) const {
   const FacetName& name = facets_[f];
   const FacetGroup& group = group_of(f);
   const std::size_t k = lane_of(f);
   return {name.weight,
           group.area[k] / kFacetPoints,
-          closed_stiffness_[f / kGroup][k],
+          closed_stiffness(group.shear[k] + group.normal_extra[k], rock_share(f)),
           group.shear[k],
           name.kind == FacetKind::mirror ? 0.0 : strengths_[name.joint_class].tan_residual,
           M_1_PI * group.area[k]};

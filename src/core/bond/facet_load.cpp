@@ -112,7 +112,10 @@ void FacetNetwork::list_wall() {
     if (at_i || at_j) wall_.push_back(static_cast<std::uint32_t>(f));
   }
   for (const BoundaryFace& face : faces_) add(face.block, face.area);
-  walls_.assign(faces_.size(), {});
+  walls_.clear();
+  backs_.clear();
+  if (wall_.empty()) return;
+  walls_.resize(faces_.size());
   for (std::size_t k = 0; k < faces_.size(); ++k) {
     const BoundaryFace& face = faces_[k];
     if (face.hole < 0) continue;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -37,17 +38,38 @@ struct ContactMemory {
   double fade = 1.0;  ///< 1 while the faces match, falls to 0 as they slide or turn away
 };
 
+/// Some points of a facet.
+class PointSet {
+ public:
+  PointSet() = default;
+  [[nodiscard]] static PointSet all() { return PointSet((1u << kFacetPoints) - 1u); }
+
+  [[nodiscard]] bool operator[](std::size_t p) const { return (bits_ >> p & 1u) != 0; }
+  void set(std::size_t p, bool in = true) {
+    bits_ = static_cast<std::uint8_t>((bits_ & ~(1u << p)) | (in ? 1u : 0u) << p);
+  }
+  [[nodiscard]] int count() const { return std::popcount(bits_); }
+  [[nodiscard]] bool any() const { return bits_ != 0; }
+  [[nodiscard]] unsigned bits() const { return bits_; }  ///< bit per point
+  [[nodiscard]] PointSet without(PointSet others) const {
+    return PointSet(bits() & ~others.bits());
+  }
+
+ private:
+  explicit PointSet(unsigned bits) : bits_(static_cast<std::uint8_t>(bits)) {}
+  std::uint8_t bits_ = 0;
+};
+
 /// What every facet remembers.
 struct FacetTraces {
-  std::array<bool, kFacetPoints> broken{false, false, false};
+  PointSet broken, slipping;  ///< slipping: broken, but closed and still in the dilatations
   FacetState state = FacetState::intact;
-  bool open = false;          ///< broken and so far open that its points were left alone last time
-  bool gas = false;           ///< broken, and not yet so wide that gas in it is in the open
-  std::uint8_t slipping = 0;  ///< bit per point: broken, but closed and still in the dilatations
+  bool open : 1 = false;  ///< broken and so far open that its points were left alone last time
+  bool gas : 1 = false;   ///< broken, and not yet so wide that gas in it is in the open
 
-  [[nodiscard]] bool slips(std::size_t p) const { return (slipping >> p & 1u) != 0; }
   /// Broken, and out of the dilatations.
-  [[nodiscard]] bool is_contact(std::size_t p) const { return broken[p] && !slips(p); }
+  [[nodiscard]] PointSet contact() const { return broken.without(slipping); }
+  [[nodiscard]] bool is_contact(std::size_t p) const { return contact()[p]; }
 
   /// Nothing acts through it any more.
   [[nodiscard]] bool over() const { return state == FacetState::retired && !gas; }

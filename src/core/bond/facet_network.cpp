@@ -29,9 +29,7 @@ Vec3 opening_of(const Facet& facet) {
 }
 
 std::uint8_t bonded_points(const FacetTraces& memory) {
-  int count = 0;
-  for (std::size_t p = 0; p < kFacetPoints; ++p) count += memory.is_contact(p) ? 0 : 1;
-  return static_cast<std::uint8_t>(count);
+  return static_cast<std::uint8_t>(kFacetPoints - memory.contact().count());
 }
 
 }  // namespace
@@ -44,7 +42,8 @@ FacetNetwork::FacetNetwork(const JointMaterial& material, const std::vector<Join
 
 void FacetNetwork::set_blocks(std::vector<BlockConstants> blocks) {
   blocks_ = std::move(blocks);
-  blocks_.push_back({kGroundTag, 1.0, 1.0, false, {}});
+  blocks_.reserve(blocks_.size() + 1);
+  blocks_.push_back({kGroundTag, false, 1.0, 1.0, {}});
   state_.assign(blocks_.size(), {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Mat3::Identity()});
   sums_.assign(blocks_.size(), {});
   theta_.assign(blocks_.size(), 0.0);
@@ -61,7 +60,6 @@ void FacetNetwork::set_facets(std::vector<Facet> facets, std::vector<FacetMemory
   FacetGroup empty;
   empty.normal[0].fill(1.0f);  // lanes without a facet are worked on as well
   groups_.assign((count + kGroup - 1) / kGroup, empty);
-  closed_stiffness_.assign(groups_.size(), {});
   traces_.assign(count, {});
   contacts_.reset(groups_.size());
   rare_.reset(count);
@@ -93,6 +91,7 @@ void FacetNetwork::list_anew() {
 
 void FacetNetwork::set_faces(std::vector<BoundaryFace> faces) {
   faces_ = std::move(faces);
+  faces_.shrink_to_fit();
   count_unbonded();
   list_wall();
 }
@@ -103,9 +102,9 @@ void FacetNetwork::give_up(std::vector<Facet>& facets, std::vector<FacetMemory>&
   memory = this->memory();
   faces = std::move(faces_);
   const auto release = [](auto&... table) { ((table = std::decay_t<decltype(table)>()), ...); };
-  release(facets_, traces_, contacts_, rare_, groups_, closed_stiffness_, states_, bonded_points_,
-          bonded_, active_, working_, asleep_, yielding_, faces_, wall_, walls_, backs_, slants_,
-          slant_traction_, block_slants_, gradients_, slant_stresses_);
+  release(facets_, traces_, contacts_, rare_, groups_, states_, bonded_points_, bonded_, active_,
+          working_, asleep_, yielding_, faces_, wall_, walls_, backs_, slants_, slant_traction_,
+          block_slants_, gradients_, slant_stresses_);
 }
 
 std::size_t FacetList::size() const { return network_->facet_count(); }
@@ -149,6 +148,7 @@ void FacetNetwork::derive() {
                           joint.tan_friction(), joint.tan_residual_friction()});
   damping_ = material().damping_coefficient();
   contact_damping_ = material().contact_damping_coefficient();
+  shear_over_p_wave_ = 2.0 * material().shear_modulus() / material().p_wave_modulus();
   slip_weakening_ = {parameters.weakening_speed, std::tan(parameters.weakened_friction_angle)};
   for (std::size_t f = 0; f < facets_.size(); ++f) derive_facet(f);
 }
@@ -222,7 +222,6 @@ void FacetNetwork::derive_facet(std::size_t f) {
   group.shear[lane] = shear;
   group.normal_extra[lane] = k.normal - shear;
   group.bulk[lane] = (grounded ? 1.0 : 0.5) * k.rock_share;
-  closed_stiffness_[f / kGroup][lane] = k.contact;
 }
 
 /// Distances of the facet from the two centres [m].
@@ -234,9 +233,11 @@ std::pair<double, double> FacetNetwork::depths(std::size_t f) const {
 }
 
 void FacetNetwork::list_active() {
-  active_.clear();
+  for (auto* sets : {&active_, &bonded_, &working_}) {
+    sets->clear();
+    sets->reserve(groups_.size());
+  }
   active_count_ = 0;
-  bonded_.clear();
   for (std::size_t f = 0; f < states_.size(); ++f) {
     if (!traces_[f].over()) {
       add_facet(active_, f);
@@ -337,17 +338,18 @@ void FacetNetwork::dilatation(double dt) {
   if (some && !held_known_) open_resting();
   for (std::size_t b = 0; b < sums_.size(); ++b) {
     sums_[b].bonded = some ? held_[b] : 0.0;
-    sums_[b].loaded = sums_[b].squeezed = 0.0;
+    sums_[b].loaded = 0.0;
   }
+  squeezed_ = 0.0;
   for (const LaneSet& set : some ? opening_ : bonded_) open_group(set);
   if (slanted()) stretch_slanted();
   const double two_g = 2.0 * material().shear_modulus();
   for (const BoundaryFace& face : faces_) {
     if (face.pressure == 0.0) continue;
-    BlockSums& sums = sums_[static_cast<std::size_t>(face.block)];
+    const auto b = static_cast<std::size_t>(face.block);
     const double squeezed = face.area * face.pressure * face.normal.dot(face.arm) / two_g;
-    sums.loaded -= squeezed;
-    sums.squeezed += 0.5 * squeezed * face.pressure;
+    sums_[b].loaded -= squeezed;
+    if (blocks_[b].owned) squeezed_ += 0.5 * squeezed * face.pressure;
   }
   if (!yielding_.empty()) yield_ground(dt);
   for (std::size_t b = 0; b < blocks_.size(); ++b) theta_[b] = theta_of(b);
@@ -404,9 +406,10 @@ double FacetNetwork::block_potential(std::size_t b, const BlockSums& sums) const
   return 0.5 * material().lame_lambda() * opened * opened / (blocks_[b].volume * stiffening(sums));
 }
 
+/// But for squeezed_.
 double FacetNetwork::block_energy(std::size_t b) const {
   const BlockSums& sums = sums_[b];
-  return block_potential(b, sums) - bulk_stress_[b] * sums.loaded + sums.squeezed + slant_energy(b);
+  return block_potential(b, sums) - bulk_stress_[b] * sums.loaded + slant_energy(b);
 }
 
 /// Of the joint, of its closed broken points and of the uneven dilatation on its sides [J].
@@ -429,7 +432,7 @@ double FacetNetwork::facet_energy(std::size_t f) const {
 }
 
 double FacetNetwork::elastic_energy() const {
-  double energy = 0.0;
+  double energy = squeezed_;
   each_facet(active_, [&](std::size_t f) {
     if (states_[f] != FacetState::retired && !traces_[f].open)
       energy += facets_[f].weight * facet_energy(f);
@@ -459,9 +462,8 @@ double FacetNetwork::broken_area(bool all) const {
   }
   for (std::size_t f = 0; f < facets_.size(); ++f) {
     if (facets_[f].kind != FacetKind::joint) continue;
-    for (bool broken : traces_[f].broken) {
-      if (broken || all) sum += facets_[f].weight * area(f) / kFacetPoints;
-    }
+    const double share = all ? 1.0 : traces_[f].broken.count() / double{kFacetPoints};
+    sum += share * facets_[f].weight * area(f);
   }
   return sum;
 }
@@ -493,15 +495,32 @@ void FacetNetwork::resume(const NetworkTotals& totals) {
   derive();
 }
 
-double FacetNetwork::memory_usage() const {
+std::vector<FacetNetwork::TableSize> FacetNetwork::table_sizes() const {
   const auto bytes = [](const auto&... table) {
     return (static_cast<double>(table.capacity() * sizeof(table[0])) + ...);
   };
-  return contacts_.memory_usage() + rare_.memory_usage() +
-         bytes(blocks_, state_, sums_, theta_, bulk_stress_, force_, torque_, facets_, traces_,
-               groups_, closed_stiffness_, states_, bonded_points_, bonded_, active_, working_,
-               asleep_, yielding_, faces_, wall_, walls_, backs_, slants_, slant_traction_,
-               block_slants_, gradients_, slant_stresses_, opening_, coupled_, stirred_, held_);
+  return {{"facet_groups", bytes(groups_)},
+          {"facet_names", bytes(facets_)},
+          {"facet_traces", bytes(traces_, states_, bonded_points_)},
+          {"facet_sleep", bytes(asleep_)},
+          {"facet_lists", bytes(bonded_, active_, working_, opening_, coupled_, yielding_)},
+          {"contact", contacts_.memory_usage()},
+          {"softening_and_ground", rare_.memory_usage()},
+          {"slant", bytes(slants_, slant_traction_, block_slants_, gradients_, slant_stresses_)},
+          {"block_constants", bytes(blocks_)},
+          {"block_states", bytes(state_)},
+          {"block_sums", bytes(sums_, theta_, bulk_stress_, dropped_)},
+          {"block_forces", bytes(force_, torque_)},
+          {"block_rest", bytes(rests_, stirred_, held_)},
+          {"gas", bytes(gas_pressure_, gas_force_, gas_torque_)},
+          {"faces", bytes(faces_)},
+          {"walls", bytes(wall_, walls_, backs_)}};
+}
+
+double FacetNetwork::memory_usage() const {
+  double bytes = 0.0;
+  for (const TableSize& size : table_sizes()) bytes += size.bytes;
+  return bytes;
 }
 
 }  // namespace muckpile

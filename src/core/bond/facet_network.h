@@ -183,6 +183,11 @@ class FacetNetwork {
   [[nodiscard]] double broken_area(
       bool all) const;                        ///< booked by this rank, `all`: of all joints [m2]
   [[nodiscard]] double broken_count() const;  ///< facets with a broken point, booked share
+  struct TableSize {
+    const char* table;
+    double bytes;
+  };
+  [[nodiscard]] std::vector<TableSize> table_sizes() const;
   [[nodiscard]] double memory_usage() const;  ///< of its tables [bytes]
 
   /// Springs about the pose of the last force computation, for LinearNetwork.
@@ -278,12 +283,12 @@ class FacetNetwork {
   struct BlockSums {
     double bonded = 0.0;    // sum of A m.u/2 [m3]
     double loaded = 0.0;    // sum of A t_n d/(2G) [m3]
-    double squeezed = 0.0;  // sum of A d t_n^2/(4G) [J]
     double unbonded = 0.0;  // phi, faces and broken facets [-]
     double uneven = 0.0;    // sum of D A h (theta - theta of the neighbour) [J]
-    double dropped = 0.0;   // bonded sum lost by breaking in this step
-    double unbonded_added = 0.0;
-    bool breaks = false;  // a facet of the block, in this step
+  };
+  struct Dropped {  // by a point that broke in this step, from the sums of one of its blocks
+    std::size_t block;
+    double bonded, unbonded;
   };
 
   // Tables, of facet f: facet_network.cpp.
@@ -294,6 +299,11 @@ class FacetNetwork {
   [[nodiscard]] int j_of(std::size_t f) const { return group_of(f).j[lane_of(f)]; }
   [[nodiscard]] Bond bond_of(std::size_t f) const;
   [[nodiscard]] Contact contact_of(std::size_t f) const;
+  template <class Number>
+  [[nodiscard]] Number closed_stiffness(const Number& normal, const Number& rock_share) const;
+  [[nodiscard]] double rock_share(std::size_t f) const {
+    return (facets_[f].kind == FacetKind::joint ? 2.0 : 1.0) * group_of(f).bulk[lane_of(f)];
+  }
   [[nodiscard]] Coupling coupling_of(std::size_t f) const {
     return {i_of(f), j_of(f), group_of(f).sharpening[lane_of(f)]};
   }
@@ -438,6 +448,8 @@ class FacetNetwork {
   std::vector<BlockConstants> blocks_;
   std::vector<BlockState> state_;
   std::vector<BlockSums> sums_;
+  double squeezed_ = 0.0;         // sum of A d t_n^2/(4G) of owned blocks [J]
+  std::vector<Dropped> dropped_;  // in the order of breaking
   std::vector<double> theta_, bulk_stress_;
   std::vector<Vec3> force_, torque_;
   std::vector<Slant> slants_;         // per facet; these five empty unless one is slanted
@@ -451,13 +463,12 @@ class FacetNetwork {
   std::vector<FacetTraces> traces_;
   ContactRows contacts_;
   RareTable<RareMemory> rare_;
-  std::vector<FacetGroup> groups_;                  // what the passes over bonded facets read
-  std::vector<FacetRow<double>> closed_stiffness_;  // of broken points [Pa/m]
-  std::vector<Strength> strengths_;                 // per joint class
-  std::vector<FacetState> states_;                  // as in traces_, packed
-  std::vector<std::uint8_t> bonded_points_;         // how many are in the dilatations
-  std::vector<LaneSet> bonded_;                     // facets with a bonded point, and some without
-  std::vector<LaneSet> active_;   // facets that are not retired, and some that are
+  std::vector<FacetGroup> groups_;           // what the passes over bonded facets read
+  std::vector<Strength> strengths_;          // per joint class
+  std::vector<FacetState> states_;           // as in traces_, packed
+  std::vector<std::uint8_t> bonded_points_;  // how many are in the dilatations
+  std::vector<LaneSet> bonded_;              // facets with a bonded point, and some without
+  std::vector<LaneSet> active_;              // facets that are not retired, and some that are
   std::vector<LaneSet> working_;  // the active ones that have a block that is not at rest
   std::vector<char> rests_;       // per block
   // Where blocks rest: bonded facets that have a block that does not, and those that have a block
@@ -480,6 +491,7 @@ class FacetNetwork {
     Vec3 sum = Vec3::Zero();         // of A n [m2]
     double rounding = 0.0;           // of the block's sum of A n, along `sum` [m4]
   };
+  // These two are empty where there is no wall.
   std::vector<Wall> walls_;  // per face with a hole: that to which it belongs
   std::vector<Vec3> backs_;  // per block: sum of A n of all faces through which no gas passes [m2]
   JointLosses losses_;
@@ -487,6 +499,7 @@ class FacetNetwork {
   bool softer_since_ = false;  ///< than in the last call of load_faces()
   bool softens_ = false, depends_on_rate_ = false, keeps_gas_ = false;
   double damping_ = 0.0, contact_damping_ = 0.0;  // [Pa s/m]
+  double shear_over_p_wave_ = 1.0;                // 2G/(lambda + 2G) [-]
   SlipWeakening slip_weakening_;
   double pressure_work_ = 0.0, wave_work_ = 0.0, softened_ = 1.0;
   std::optional<double> damping_given_;

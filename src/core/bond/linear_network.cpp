@@ -60,7 +60,7 @@ void FacetNetwork::linearise(LinearNetwork& linear, BreakView view, double dampi
       spring.arm_i[p] = side.at(static_cast<int>(p)) + 0.5 * jump.at(static_cast<int>(p));
       spring.arm_j[p] = spring.arm_i[p] + between;
       const bool bonded = view == BreakView::as_it_is && !traces_[f].is_contact(p);
-      const bool rubs = bonded && traces_[f].slips(p);
+      const bool rubs = bonded && traces_[f].slipping[p];
       const double fade = bonded ? 1.0 : contacts_.fade(f);
       const double normal = bonded ? bond.shear + bond.normal_extra : contact.normal;
       const double dashpot = damping_rate * (bonded && !rubs ? damping_ : contact_damping_);

@@ -27,9 +27,9 @@ struct RetiredFacets {
 
 struct BlockConstants {
   int tag = 0;
+  bool owned = true;    ///< false for a copy of another rank's block
   double volume = 0.0;  ///< [m3]
   double mass = 0.0;    ///< [kg]
-  bool owned = true;    ///< false for a copy of another rank's block
   RetiredFacets retired{};
 };
 

@@ -78,7 +78,7 @@ BondScene::BondScene(const std::vector<Block>& blocks, const JointParameters& pa
     inertia_.push_back(parameters.density * block.mass.inertia);
     start_.push_back(block.mass.centroid);
     constants.push_back(
-        {static_cast<int>(constants.size()) + 1, block.mass.volume, mass_.back(), true});
+        {static_cast<int>(constants.size()) + 1, true, block.mass.volume, mass_.back()});
   }
   network_.set_blocks(constants);
   FacetSet set = build_facets(blocks, 1, support, leaning);

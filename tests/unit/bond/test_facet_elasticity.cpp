@@ -238,8 +238,7 @@ TEST(FacetNetwork, ForcesOfPointsThatHaveSlippedAreTheGradientOfTheEnergy) {
   scene.shake(5e-5, 5e-5, 1);
   scene.compute();
   int slipping = 0;
-  for (const FacetMemory& memory : scene.network().memory())
-    slipping += std::popcount(memory.slipping);
+  for (const FacetMemory& memory : scene.network().memory()) slipping += memory.slipping.count();
   EXPECT_GT(slipping, 15);
   // Squeezed further, all that slipped stick.
   for (std::size_t b = 0; b < scene.size(); ++b) scene.block(b).centre -= 1e-3 * scene.start(b);

@@ -33,7 +33,7 @@ class Pairs {
       facet.tag_j = facet.j + 1;
       facets.push_back(facet);
       for (const int tag : {facet.tag_i, facet.tag_j})
-        blocks.push_back({tag, 1.0, 2600.0, true, {}});
+        blocks.push_back({tag, true, 1.0, 2600.0, {}});
     }
     network_.set_blocks(blocks);
     network_.set_facets(facets, std::move(memory));
@@ -102,7 +102,7 @@ FacetMemory remembered(std::size_t f) {
   FacetMemory memory;
   const std::size_t broken = f % 5;
   for (std::size_t p = 0; p < std::min<std::size_t>(broken, kFacetPoints); ++p)
-    memory.broken[p] = true;
+    memory.broken.set(p);
   if (broken > 0) {
     memory.state = broken == 4 ? FacetState::retired : FacetState::cracked;
     memory.contact.made().offset[0] = Vec3(1e-6, 2e-6, -1e-6);
@@ -136,7 +136,7 @@ TEST(FacetGroups, IntactBrokenAndRetiredFacetsOfAGroupHaveTheForcesThatEachHasAl
 /// little, slid far enough to fade.
 FacetMemory broken_in_one_way(std::size_t f) {
   FacetMemory memory;
-  memory.broken = {true, true, true};
+  memory.broken = PointSet::all();
   memory.state = f % 6 == 4 ? FacetState::fading : FacetState::cracked;
   memory.open = f % 6 == 3;
   ContactMemory& contact = memory.contact.made();

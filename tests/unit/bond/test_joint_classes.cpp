@@ -126,6 +126,38 @@ TEST(JointClasses, ResidualFrictionIsThatOfTheClass) {
   EXPECT_NEAR(std::abs(force.y() / force.x()) / std::tan(0.5), 1.0, kRounding);
 }
 
+/// Of the facet between blocks 0 and 1, or that of block 0 to its support, once it is broken, from
+/// the force on the block that closes it; per area [Pa/m].
+double closed_stiffness(const NaturalJoints& natural, const SupportRule& support) {
+  JointParameters p = strong_rock();
+  p.tension = 0.0;
+  NaturalJoints weak = natural;
+  for (JointClass& joint : weak.classes) joint.tension = 0.0;
+  const bool supported = support(Vec3::Zero()) != Support::free;
+  BondScene scene(cuboids(supported ? 1 : 2, 1, 1), p, support, weak);
+  const std::size_t moved = supported ? 0 : 1;
+  const double opened = 1e-9, squeeze = 1e-5;  // [m]; it carries nothing where it broke
+  scene.block(moved).centre.x() += opened;
+  scene.compute(1e-6);
+  scene.block(moved).centre.x() -= squeeze;
+  scene.compute(1e-6);
+  EXPECT_EQ(scene.network().broken_count(), supported ? 0.0 : 1.0);
+  return scene.network().force()[moved].x() / squeeze;
+}
+
+TEST(JointClasses, ClosedBrokenFacetsAreAsStiffAsRockAndJointInSeries) {
+  const auto free = [](const Vec3&) { return Support::free; };
+  const JointPlane plane{Vec3(1, 0, 0), Vec3::UnitX(), 1};
+  // (lambda + 2G)/h = 60e9 Pa over 1 m, and 4e10 Pa/m of the joint: 60 x 40/(60 + 40) = 24.
+  EXPECT_NEAR(closed_stiffness({}, free) / 60e9, 1.0, kRounding);
+  EXPECT_NEAR(closed_stiffness({{weak_joint()}, {plane}}, free) / 24e9, 1.0, kRounding);
+  // Supports are half a block away.
+  for (const Support held : {Support::fixed, Support::mirror}) {
+    const auto at_x = [held](const Vec3& at) { return at.x() < 1e-6 ? held : Support::free; };
+    EXPECT_NEAR(closed_stiffness({}, at_x) / 120e9, 1.0, kRounding);
+  }
+}
+
 TEST(JointClasses, UnknownClassAndBadValuesAreRefused) {
   NaturalJoints natural = second_facet();
   natural.planes.front().joint_class = 2;

@@ -138,8 +138,8 @@ void expect_covers_mixtures(BondScene scene) {
   for (const double share : {0.1, 0.5, 0.9}) {
     std::vector<FacetMemory> memory = scene.network().memory();
     for (FacetMemory& m : memory) {
-      for (bool& broken : m.broken) broken = unit(random) < share;
-      if (m.broken[0] || m.broken[1] || m.broken[2]) m.state = FacetState::cracked;
+      for (std::size_t p = 0; p < kFacetPoints; ++p) m.broken.set(p, unit(random) < share);
+      if (m.broken.any()) m.state = FacetState::cracked;
     }
     BondScene mixed = scene;
     mixed.network().set_facets(scene.network().facets(), memory);

@@ -66,7 +66,7 @@ void BlockRun::make_networks(const std::vector<Block>& blocks,
   assign_joint_classes(natural.planes, blocks, 1, set.facets);
   std::vector<BlockConstants> constants;
   for (std::size_t b = 0; b < size(); ++b) {
-    constants.push_back({static_cast<int>(b) + 1, volume_[b], mass_[b], true, {}});
+    constants.push_back({static_cast<int>(b) + 1, true, volume_[b], mass_[b], {}});
   }
   std::vector<Facet*> grounded;
   for (Facet& facet : set.facets) {
@@ -94,7 +94,7 @@ void BlockRun::make_networks(const std::vector<Block>& blocks,
     facet.opening_j = (wall == Wall::repeat ? 1.0 : -1.0) * map * facet.opening_i;
     facet.slanted[1] = facet.slanted[0];
     facet.weight = 0.5;  // the other half belongs to the reflected rock
-    constants.push_back({facet.tag_j, volume_[b], mass_[b], false, {}});
+    constants.push_back({facet.tag_j, false, volume_[b], mass_[b], {}});
   }
   for (BoundaryFace& face : set.faces) face.block = face.tag - 1;
   for (Facet* facet : grounded) facet->j = static_cast<int>(constants.size());
