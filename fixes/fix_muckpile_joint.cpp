@@ -232,8 +232,8 @@ void FixMuckpileJoint::gather_state() {
   halo.forward(poses_, kPoseWidth);
   for (std::size_t b = halo.owned(); b < halo.size(); ++b) {
     const double* from = poses_.data() + b * kPoseWidth;
-    state[b] = {Eigen::Map<const Vec3>(from), Eigen::Map<const Vec3>(from + 3),
-                Eigen::Map<const Vec3>(from + 6), Eigen::Map<const Mat3>(from + 9)};
+    state[b] = {Eigen::Map<const Mat3>(from + 9), Eigen::Map<const Vec3>(from),
+                Eigen::Map<const Vec3>(from + 3), Eigen::Map<const Vec3>(from + 6)};
   }
 }
 

@@ -3,9 +3,7 @@
 // output.
 // Scope: core only, no communication: rock whose joints are all broken and open, half of the blocks
 // full of gas; what the blocks do with its pressure is not in it.
-#include <cstdint>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <vector>
 
 #include "bond_scene.h"
@@ -52,8 +50,8 @@ nlohmann::ordered_json measure() {
   nlohmann::ordered_json result;
   result["what"] = "cube of Voronoi blocks, all joints broken, half of the blocks full of gas";
   result["joints"] = network.facet_count();
-  std::vector<std::uint32_t> joints(network.facet_count());
-  std::iota(joints.begin(), joints.end(), 0u);
+  std::vector<LaneSet> joints;
+  for (std::size_t f = 0; f < network.facet_count(); ++f) add_facet(joints, f);
   std::vector<FacetNetwork::OpenJoint> open;
   result["opening_of_joints"]["ns_per_joint"] =
       nanoseconds([&] { network.open_joints(joints, open); });

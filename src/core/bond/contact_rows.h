@@ -39,6 +39,12 @@ class ContactRows {
     if ((known_[group] & lanes) != 0) rows_[group].fetch();
   }
 
+  /// Asks for how far the points of a group were open as they broke, ahead of its use.
+  void fetch_openings(std::size_t group) const {
+    if (known_[group] == 0) return;
+    for (const FacetRows<double>& offset : of(group).offset) __builtin_prefetch(offset[0].data());
+  }
+
   // Of one facet.
   [[nodiscard]] double fade(std::size_t f) const { return of(f / kGroup).fade[f % kGroup]; }
   void set_fade(std::size_t f, double fade) { made(f).fade[f % kGroup] = fade; }

@@ -39,13 +39,10 @@ void FacetNetwork::tractions(double dt) {
   std::fill(torque_.begin(), torque_.end(), Vec3::Zero());
   newly_cracked_ = newly_let_go_ = false;
   if (slanted()) pull_slanted();
-  for (std::size_t k = 0; k < working_.size(); ++k) {
-    if (k + kContactsAhead < working_.size()) fetch_contacts(working_[k + kContactsAhead]);
-    work_group(working_[k], dt);
-  }
+  work_groups(dt);
   ++calls_;
   load_faces();
-  press_joints();
+  if (has_gas()) add_gas_forces();
   if (newly_cracked_) book_fracture();
 }
 

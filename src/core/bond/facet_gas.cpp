@@ -26,43 +26,54 @@ std::span<double> FacetNetwork::gas_pressure() {
   return gas_pressure_;
 }
 
-void FacetNetwork::open_joints(std::span<const std::uint32_t> facets,
+void FacetNetwork::open_joints(std::span<const LaneSet> facets,
                                std::vector<OpenJoint>& open) const {
   open.clear();
-  std::vector<LaneSet> sets;
-  for (const std::uint32_t f : facets) add_facet(sets, f);
-  for (std::size_t k = 0; k < sets.size(); ++k) {
-    if (k + kContactsAhead < sets.size()) fetch_contacts(sets[k + kContactsAhead]);
-    open_group_of_joints(sets[k], open);
+  for (std::size_t k = 0; k < facets.size(); ++k) {
+    if (k + kContactsAhead < facets.size())
+      contacts_.fetch_openings(facets[k + kContactsAhead].group);
+    open_group_of_joints(facets[k], open);
   }
+}
+
+/// Per point, those of some facets of a group of which `of` has it.
+template <class Of>
+FacetNetwork::PointLanes FacetNetwork::lanes_with(const LaneSet& set, const Of& of) const {
+  PointLanes lanes{};
+  each_lane(set.lanes, [&](std::size_t k) {
+    const PointSet points = of(traces_[set.group * kGroup + k]);
+    for (std::size_t p = 0; p < kFacetPoints; ++p) lanes[p] |= (points[p] ? 1u : 0u) << k;
+  });
+  return lanes;
 }
 
 /// How far each broken point has opened since it broke, by what it remembers of that.
 void FacetNetwork::open_group_of_joints(const LaneSet& set, std::vector<OpenJoint>& open) const {
+  constexpr double kNever = std::numeric_limits<double>::max();  // a point in the dilatations
   const FacetGroup& group = groups_[set.group];
-  FacetRows<double> start;    // per point; further than one in the dilatations opens
-  FacetRow<double> broken{};  // points
   const ContactGroup& contact = contacts_.of(set.group);
-  for (FacetRow<double>& row : start) row.fill(std::numeric_limits<double>::max());
-  each_lane(set.lanes, [&](std::size_t k) {
-    const FacetTraces& memory = traces_[set.group * kGroup + k];
-    for (std::size_t p = 0; p < kFacetPoints; ++p) {
-      broken[k] += memory.broken[p] ? 1.0 : 0.0;
-      if (memory.is_contact(p)) start[p][k] = contact.offset[p][0][k];
-    }
-  });
+  const PointLanes broken = lanes_with(set, [](const FacetTraces& m) { return m.broken; });
+  const PointLanes parted = lanes_with(set, [](const FacetTraces& m) { return m.contact(); });
   const WidePose pose = pose_of(group);
   const WideField jump = jump_of(group, pose);
-  Wide opening = 0.0;
-  for (std::size_t p = 0; p < kFacetPoints; ++p)
-    opening += max(Wide(0.0), dot(pose.normal, jump.at(p)) - wide(start[p]));
+  const Wide mean = dot(pose.normal, jump.mean), along_1 = dot(pose.normal, jump.along_1),
+             along_2 = dot(pose.normal, jump.along_2);
+  Wide opening = 0.0, points = 0.0;
+  for (std::size_t p = 0; p < kFacetPoints; ++p) {
+    const Wide start = choose(mask_of(parted[p]), wide(contact.offset[p][0]), kNever);
+    const Wide now = mean + kOnFirst[p] * along_1 + kOnSecond[p] * along_2;
+    opening += max(Wide(0.0), now - start);
+    points += choose(mask_of(broken[p]), Wide(1.0), 0.0);
+  }
   const Wide radius_squared = M_1_PI * wide(group.area);
-  const WideMask wide_open = dot(pose.jump, pose.jump) > kWide * kWide * radius_squared ||
-                             turn_of(group, pose).exceeds(kWide);
+  const unsigned wide_open =
+      bits(points > 0.0 && (dot(pose.jump, pose.jump) > kWide * kWide * radius_squared ||
+                            turn_of(group, pose).exceeds(kWide)));
+  alignas(64) FacetRow<double> area, opened;
+  store(points * wide(group.area) / Wide(kFacetPoints), area);
+  store(opening / max(points, Wide(1.0)), opened);
   each_lane(set.lanes, [&](std::size_t k) {
-    open.push_back(broken[k] == 0.0 ? OpenJoint{}
-                                    : OpenJoint{broken[k] * group.area[k] / kFacetPoints,
-                                                opening[k] / broken[k], wide_open[k]});
+    open.push_back({area[k], opened[k], (wide_open >> k & 1u) != 0});
   });
 }
 
@@ -75,11 +86,11 @@ void FacetNetwork::release_gas() {
 /// Those of a group's facets in which gas presses, and how hard [Pa]: one of the ground has that of
 /// its block.
 unsigned FacetNetwork::pressed_lanes(const LaneSet& active, FacetRow<double>& pressure) const {
+  if (!has_gas()) return 0;
   const FacetGroup& group = groups_[active.group];
   unsigned lanes = 0;
-  each_lane(active.lanes, [&](std::size_t k) {
+  each_lane(active.lanes & ~whole_lanes(active.group), [&](std::size_t k) {
     const std::size_t f = active.group * kGroup + k;
-    if (states_[f] == FacetState::intact) return;
     const double of_i = gas_pressure_[static_cast<std::size_t>(group.i[k])];
     const double of_j =
         group.j[k] == ground() ? of_i : gas_pressure_[static_cast<std::size_t>(group.j[k])];
@@ -90,40 +101,32 @@ unsigned FacetNetwork::pressed_lanes(const LaneSet& active, FacetRow<double>& pr
 }
 
 /// The gas pushes the two sides of each facet apart at its broken points.
-void FacetNetwork::press_group(std::size_t g, unsigned lanes, const FacetRow<double>& pressure) {
-  const FacetGroup& group = groups_[g];
-  FacetRows<double> points{};  // of the broken ones: how many, their shares of the half axes
-  each_lane(lanes, [&](std::size_t k) {
-    for (std::size_t p = 0; p < kFacetPoints; ++p) {
-      if (!traces_[g * kGroup + k].broken[p]) continue;
-      points[0][k] += 1.0;
-      points[1][k] += kOnFirst[p];
-      points[2][k] += kOnSecond[p];
-    }
-  });
-  const WidePose pose = pose_of(group);
-  const WideVec arms = wide(points[0]) * pose.arm() +
-                       Wide(0.5) * (wide(points[1]) * (pose.sum * wide(group.half_1)) +
-                                    wide(points[2]) * (pose.sum * wide(group.half_2)));
+void FacetNetwork::press_group(const LaneSet& pressed, const FacetRow<double>& pressure,
+                               const WidePose& pose) {
+  const FacetGroup& group = groups_[pressed.group];
+  const PointLanes broken = lanes_with(pressed, [](const FacetTraces& m) { return m.broken; });
+  Wide points = 0.0, on_first = 0.0, on_second = 0.0;  // of the broken ones
+  for (std::size_t p = 0; p < kFacetPoints; ++p) {
+    const Wide is = choose(mask_of(broken[p]), Wide(1.0), 0.0);
+    points += is;
+    on_first += kOnFirst[p] * is;
+    on_second += kOnSecond[p] * is;
+  }
+  const WideVec arms =
+      points * pose.arm() + Wide(0.5) * (on_first * (pose.sum * wide(group.half_1)) +
+                                         on_second * (pose.sum * wide(group.half_2)));
   const WideVec at_point = -1.0 / kFacetPoints * wide(group.area) * wide(pressure) * pose.normal;
-  const WideVec force = wide(points[0]) * at_point, moment = cross(arms, at_point);
+  const WideVec force = points * at_point, moment = cross(arms, at_point);
   WideForces forces;
   store(force, moment, pose.between, forces);
-  each_lane(lanes, [&](std::size_t k) { add_forces(group, k, forces, gas_force_, gas_torque_); });
+  each_lane(pressed.lanes,
+            [&](std::size_t k) { add_forces(group, k, forces, gas_force_, gas_torque_); });
 }
 
 /// Its forces are kept for the gas's work. It does not enter the dilatations, as the contact of
 /// broken points does not.
-void FacetNetwork::press_joints() {
-  if (gas_pressure_.size() != blocks_.size()) return;
-  std::fill(gas_force_.begin(), gas_force_.end(), Vec3::Zero());
-  std::fill(gas_torque_.begin(), gas_torque_.end(), Vec3::Zero());
-  for (const LaneSet& active : active_) {
-    FacetRow<double> pressure{};
-    const unsigned lanes = pressed_lanes(active, pressure);
-    if (lanes != 0) press_group(active.group, lanes, pressure);
-  }
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+void FacetNetwork::add_gas_forces() {
+  for (std::size_t b = 0; b < gas_force_.size(); ++b) {
     force_[b] += gas_force_[b];
     torque_[b] += gas_torque_[b];
   }

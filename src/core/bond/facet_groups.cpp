@@ -143,28 +143,50 @@ void FacetNetwork::fetch_contacts(const LaneSet& working) const {
   contacts_.fetch(working.group, awake);
 }
 
-void FacetNetwork::work_group(const LaneSet& working, double dt) {
+/// Gas presses between blocks at rest, too.
+void FacetNetwork::work_groups(double dt) {
+  std::fill(gas_force_.begin(), gas_force_.end(), Vec3::Zero());
+  std::fill(gas_torque_.begin(), gas_torque_.end(), Vec3::Zero());
+  std::size_t k = 0;
+  for (const LaneSet& active : has_gas() ? active_ : working_) {
+    LaneSet working{active.group, 0};
+    if (k < working_.size() && working_[k].group == active.group) {
+      working = working_[k];
+      if (++k + kContactsAhead <= working_.size()) fetch_contacts(working_[k + kContactsAhead - 1]);
+    }
+    work_group(working, active, dt);
+  }
+}
+
+/// Forces of those that work, and of the gas in all that are active.
+void FacetNetwork::work_group(const LaneSet& working, const LaneSet& active, double dt) {
   const std::size_t g = working.group;
   const FacetGroup& group = groups_[g];
   const unsigned whole = working.lanes & whole_lanes(g), apart = apart_lanes(working);
   unsigned held = 0, touching = 0;
   WideForces held_forces, touching_forces;
-  if ((whole | apart) != 0) {
-    const WidePose pose = pose_of(group);
-    if (whole != 0) held = hold_group(g, whole, pose, dt, held_forces);
-    if (apart != 0) touching = close_group(g, apart, pose, dt, touching_forces);
-  }
-  each_lane(working.lanes & ~(apart & ~touching), [&](std::size_t k) {
-    const std::size_t f = g * kGroup + k;
-    if ((touching >> k & 1u) != 0) {
-      add_forces(group, k, touching_forces, force_, torque_);
-    } else if ((held >> k & 1u) != 0) {
-      add_forces(group, k, held_forces, force_, torque_);
-      if (damping_ != 0.0) losses_.damping += facets_[f].weight * held_forces.damped[k];
-    } else if (states_[f] != FacetState::retired && asleep_[f] <= calls_) {
-      work_facet(f, dt);
-    }
-  });
+  const auto add = [&] {
+    each_lane(working.lanes & ~(apart & ~touching), [&](std::size_t k) {
+      const std::size_t f = g * kGroup + k;
+      if ((touching >> k & 1u) != 0) {
+        add_forces(group, k, touching_forces, force_, torque_);
+      } else if ((held >> k & 1u) != 0) {
+        add_forces(group, k, held_forces, force_, torque_);
+        if (damping_ != 0.0) losses_.damping += facets_[f].weight * held_forces.damped[k];
+      } else if (states_[f] != FacetState::retired && asleep_[f] <= calls_) {
+        work_facet(f, dt);
+      }
+    });
+  };
+  FacetRow<double> pressure{};
+  if ((whole | apart) == 0 && pressed_lanes(active, pressure) == 0) return add();
+  const WidePose pose = pose_of(group);
+  if (whole != 0) held = hold_group(g, whole, pose, dt, held_forces);
+  if (apart != 0) touching = close_group(g, apart, pose, dt, touching_forces);
+  add();
+  const LaneSet pressed{active.group,
+                        pressed_lanes(active, pressure)};  // of those just broken, too
+  if (pressed.lanes != 0) press_group(pressed, pressure, pose);
 }
 
 }  // namespace muckpile

@@ -44,7 +44,7 @@ void FacetNetwork::set_blocks(std::vector<BlockConstants> blocks) {
   blocks_ = std::move(blocks);
   blocks_.reserve(blocks_.size() + 1);
   blocks_.push_back({kGroundTag, false, 1.0, 1.0, {}});
-  state_.assign(blocks_.size(), {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Mat3::Identity()});
+  state_.assign(blocks_.size(), {Mat3::Identity(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
   sums_.assign(blocks_.size(), {});
   theta_.assign(blocks_.size(), 0.0);
   bulk_stress_.assign(blocks_.size(), 0.0);

@@ -148,8 +148,8 @@ class FacetNetwork {
     double opening = 0.0;  ///< mean over them [m]
     bool wide = false;     ///< so far open, slid or turned that it is no joint for gas either
   };
-  /// Of each of `facets`, which are in order.
-  void open_joints(std::span<const std::uint32_t> facets, std::vector<OpenJoint>& open) const;
+  /// Of each of `facets`, in order.
+  void open_joints(std::span<const LaneSet> facets, std::vector<OpenJoint>& open) const;
 
   /// Facets between two blocks that rest are left alone by tractions() from now on: their forces
   /// are missing, and their blocks must be held where they are. One entry per block, ground last.
@@ -336,7 +336,8 @@ class FacetNetwork {
   [[nodiscard]] unsigned whole_lanes(std::size_t group) const;
   [[nodiscard]] WidePose pose_of(const FacetGroup& group) const;
   void open_group(const LaneSet& bonded);
-  void work_group(const LaneSet& working, double dt);
+  void work_groups(double dt);
+  void work_group(const LaneSet& working, const LaneSet& active, double dt);
   void fetch_contacts(const LaneSet& working) const;
   [[nodiscard]] unsigned hold_group(std::size_t g, unsigned lanes, const WidePose& pose, double dt,
                                     WideForces& forces) const;
@@ -415,9 +416,13 @@ class FacetNetwork {
 
   // Gas in broken joints: facet_gas.cpp.
   void open_group_of_joints(const LaneSet& set, std::vector<OpenJoint>& open) const;
-  void press_joints();
+  using PointLanes = std::array<unsigned, kFacetPoints>;  // bit per facet of a group
+  template <class Of>
+  [[nodiscard]] PointLanes lanes_with(const LaneSet& set, const Of& of) const;
+  [[nodiscard]] bool has_gas() const { return gas_pressure_.size() == blocks_.size(); }
   [[nodiscard]] unsigned pressed_lanes(const LaneSet& active, FacetRow<double>& pressure) const;
-  void press_group(std::size_t g, unsigned lanes, const FacetRow<double>& pressure);
+  void press_group(const LaneSet& pressed, const FacetRow<double>& pressure, const WidePose& pose);
+  void add_gas_forces();
 
   // What broken points still hold: facet_softening.cpp.
   [[nodiscard]] bool holds_at_its_rate(std::size_t f, const Vec3& normal, const Vec3& traction,

@@ -59,6 +59,10 @@ template <class T>
 
 /// Of so many lanes, bit per lane.
 [[gnu::always_inline]] inline WideMask mask_of(unsigned lanes) {
+#if defined(__AVX512F__)
+  if constexpr (sizeof(Wide) == sizeof(__m512d))  // GCC 12 branches for every lane
+    return Wide(_mm512_maskz_mov_pd(static_cast<__mmask8>(lanes), _mm512_set1_pd(1.0))) > 0.0;
+#endif
   return Wide([&](auto lane) { return (lanes >> lane & 1u) != 0 ? 1.0 : 0.0; }) > 0.0;
 }
 /// Into `lanes` of the rows alone.
@@ -68,6 +72,16 @@ template <class T>
                 choose(mask, v.z, wide(to[2]))),
         to);
 }
+
+struct WideFour {
+  Wide n0, n1, n2, n3;
+  [[gnu::always_inline]] WideVec vector() const { return {n1, n2, n3}; }
+};
+
+struct WidePlace {
+  WideMat rotation;
+  WideVec centre;  // [m]
+};
 
 /// Where the states of a group's blocks lie, in numbers after that of the first block. With AVX-512
 /// the numbers of a block are loaded together and transposed: 5 % of all passes less than with the
@@ -79,9 +93,11 @@ class BlockPlaces {
     constexpr int kNumbers = sizeof(BlockState) / sizeof(double);
     for (std::size_t k = 0; k < kGroup; ++k) at_[k] = kNumbers * blocks[k];
   }
-  /// `first` is that of the first block. A number behind the vector is read as well.
-  [[gnu::always_inline]] WideVec vector(const Vec3& first) const { return vector(first.data()); }
-  [[gnu::always_inline]] WideMat matrix(const Mat3& first) const { return matrix(first.data()); }
+  /// `first` is that of the first block. A number before the vector is read as well.
+  [[gnu::always_inline]] WideVec vector(const Vec3& first) const {
+    return rows_of_four(first.data() - 1).vector();
+  }
+  [[gnu::always_inline]] WidePlace place(const BlockState& first) const;
 
  private:
 #if defined(__AVX512F__) && defined(__AVX512VL__)
@@ -103,39 +119,45 @@ class BlockPlaces {
     return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(from + at_[k])),
                               _mm256_loadu_pd(from + at_[k + 2]), 1);
   }
-  [[gnu::always_inline]] WideVec vector(const double* from) const {
+  [[gnu::always_inline]] WideFour rows_of_four(const double* from) const {
     const __m512d a = fours(from, 0), b = fours(from, 1), c = fours(from, 4), d = fours(from, 5);
-    const __m512d xz = _mm512_unpacklo_pd(a, b), more_xz = _mm512_unpacklo_pd(c, d);
-    return {even(xz, more_xz), even(_mm512_unpackhi_pd(a, b), _mm512_unpackhi_pd(c, d)),
-            odd(xz, more_xz)};
-  }
-  [[gnu::always_inline]] WideMat matrix(const double* from) const {
-    // Numbers 1, 3, 5, 7 and 2, 4, 6, 8 of pairs; std::array would drop the alignment.
-    __m512d first[kGroup / 2], second[kGroup / 2];
-    for (std::size_t k = 0; k < kGroup; k += 2) {
-      const __m512d a = _mm512_loadu_pd(from + 1 + at_[k]),
-                    b = _mm512_loadu_pd(from + 1 + at_[k + 1]);
-      first[k / 2] = _mm512_unpacklo_pd(a, b);
-      second[k / 2] = _mm512_unpackhi_pd(a, b);
-    }
-    const __m512d n13 = low(first[0], first[1]), more_n13 = low(first[2], first[3]);
-    const __m512d n57 = high(first[0], first[1]), more_n57 = high(first[2], first[3]);
-    const __m512d n24 = low(second[0], second[1]), more_n24 = low(second[2], second[3]);
-    const __m512d n68 = high(second[0], second[1]), more_n68 = high(second[2], second[3]);
-    return {{gather(at_, from), even(n13, more_n13), even(n24, more_n24)},
-            {odd(n13, more_n13), odd(n24, more_n24), even(n57, more_n57)},
-            {even(n68, more_n68), odd(n57, more_n57), odd(n68, more_n68)}};
+    const __m512d n02 = _mm512_unpacklo_pd(a, b), more_n02 = _mm512_unpacklo_pd(c, d);
+    const __m512d n13 = _mm512_unpackhi_pd(a, b), more_n13 = _mm512_unpackhi_pd(c, d);
+    return {even(n02, more_n02), even(n13, more_n13), odd(n02, more_n02), odd(n13, more_n13)};
   }
 #else
-  [[gnu::always_inline]] WideVec vector(const double* from) const {
-    return {gather(at_, from), gather(at_, from + 1), gather(at_, from + 2)};
-  }
-  [[gnu::always_inline]] WideMat matrix(const double* from) const {
-    return {vector(from), vector(from + 3), vector(from + 6)};
+  [[gnu::always_inline]] WideFour rows_of_four(const double* from) const {
+    return {gather(at_, from), gather(at_, from + 1), gather(at_, from + 2), gather(at_, from + 3)};
   }
 #endif
   alignas(64) FacetRow<std::int32_t> at_;
 };
+
+[[gnu::always_inline]] inline WidePlace BlockPlaces::place(const BlockState& first) const {
+  static_assert(offsetof(BlockState, centre) == 9 * sizeof(double));
+  const double* from = first.rotation.data();
+#if defined(__AVX512F__) && defined(__AVX512VL__)
+  // Numbers 0, 2, 4, 6 and 1, 3, 5, 7 of pairs; std::array would drop the alignment.
+  __m512d first_of[kGroup / 2], second_of[kGroup / 2];
+  for (std::size_t k = 0; k < kGroup; k += 2) {
+    const __m512d a = _mm512_loadu_pd(from + at_[k]), b = _mm512_loadu_pd(from + at_[k + 1]);
+    first_of[k / 2] = _mm512_unpacklo_pd(a, b);
+    second_of[k / 2] = _mm512_unpackhi_pd(a, b);
+  }
+  const __m512d n02 = low(first_of[0], first_of[1]), more_n02 = low(first_of[2], first_of[3]);
+  const __m512d n46 = high(first_of[0], first_of[1]), more_n46 = high(first_of[2], first_of[3]);
+  const __m512d n13 = low(second_of[0], second_of[1]), more_n13 = low(second_of[2], second_of[3]);
+  const __m512d n57 = high(second_of[0], second_of[1]), more_n57 = high(second_of[2], second_of[3]);
+  const WideFour last = rows_of_four(from + 8);
+  return {{{even(n02, more_n02), even(n13, more_n13), odd(n02, more_n02)},
+           {odd(n13, more_n13), even(n46, more_n46), even(n57, more_n57)},
+           {odd(n46, more_n46), odd(n57, more_n57), last.n0}},
+          last.vector()};
+#else
+  const WideFour a = rows_of_four(from), b = rows_of_four(from + 4), c = rows_of_four(from + 8);
+  return {{{a.n0, a.n1, a.n2}, {a.n3, b.n0, b.n1}, {b.n2, b.n3, c.n0}}, c.vector()};
+#endif
+}
 
 /// How the two sides of each facet of a group lie now.
 struct FacetNetwork::WidePose {
@@ -162,11 +184,12 @@ struct FacetNetwork::WideField {
     const FacetGroup& group) const {
   const BlockPlaces at_i(group.i), at_j(group.j);
   const BlockState& first = state_.front();
-  const WideMat ri = at_i.matrix(first.rotation), rj = at_j.matrix(first.rotation);
+  const auto [ri, centre_i] = at_i.place(first);
+  const auto [rj, centre_j] = at_j.place(first);
   WidePose pose;
   pose.sum = {ri.x + rj.x, ri.y + rj.y, ri.z + rj.z};
   pose.difference = {rj.x - ri.x, rj.y - ri.y, rj.z - ri.z};
-  pose.between = at_j.vector(first.centre) - at_i.vector(first.centre);
+  pose.between = centre_j - centre_i;
   pose.near = ri * wide(group.arm);
   pose.jump = rj * wide(group.arm_j) - pose.near + pose.between;
   const WideVec both = pose.sum * wide(group.normal);

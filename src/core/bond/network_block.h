@@ -34,8 +34,8 @@ struct BlockConstants {
 };
 
 struct BlockState {
-  Vec3 centre, velocity, spin;  ///< [m], [m/s], [rad/s]
   Mat3 rotation;                ///< from the start orientation
+  Vec3 centre, velocity, spin;  ///< [m], [m/s], [rad/s]
 };
 
 }  // namespace muckpile

@@ -119,7 +119,7 @@ void JointGas::list_cracks(const FacetNetwork& network) {
     if (end.hole >= 0 || end.surfaces)
       ending_.push_back(static_cast<std::uint32_t>(cracks_.size()));
     cracks_.push_back({end, f, -1.0, 0.0, 0.0, 0.0});
-    crack_facets_.push_back(f);
+    add_facet(crack_facets_, f);
   }
   aperture_.resize(cracks_.size());
   width_.resize(cracks_.size());

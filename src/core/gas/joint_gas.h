@@ -163,7 +163,7 @@ class JointGas {
   std::vector<std::uint32_t> open_to_gas_;          // broken facets
   std::vector<char> reached_;                       // per block: gas is in it or beside it
   std::vector<Crack> cracks_;                       // those of them that gas can reach
-  std::vector<std::uint32_t> crack_facets_;         // of cracks_
+  std::vector<LaneSet> crack_facets_;               // of cracks_
   std::vector<FacetNetwork::OpenJoint> openings_;   // of cracks_
   std::vector<double> aperture_, width_, passage_;  // of cracks_ [m], [m], [-]
   std::vector<std::uint32_t> ending_, wide_;        // of cracks_: in a hole or at a surface; wide

@@ -65,10 +65,11 @@ class Pairs {
     const double a = 1.0 + static_cast<double>(number);
     BlockState& i = network_.state()[2 * f];
     BlockState& j = network_.state()[2 * f + 1];
-    i = {Vec3::Zero(), Vec3(0.1, 0.2, -0.1) * a, Vec3(0.3, -0.2, 0.1),
-         test::turn(Vec3(0.3, 0.1, a))};
-    j = {i.rotation * Vec3(facet.arm_i - facet.arm_j - 1e-5 * facet.normal), Vec3(0.2, -0.1, 0.1),
-         Vec3(-0.1, 0.4, 0.2), test::turn(Vec3(1e-5, -2e-5, 1e-5 * a)) * i.rotation};
+    i = {test::turn(Vec3(0.3, 0.1, a)), Vec3::Zero(), Vec3(0.1, 0.2, -0.1) * a,
+         Vec3(0.3, -0.2, 0.1)};
+    j = {test::turn(Vec3(1e-5, -2e-5, 1e-5 * a)) * i.rotation,
+         i.rotation * Vec3(facet.arm_i - facet.arm_j - 1e-5 * facet.normal), Vec3(0.2, -0.1, 0.1),
+         Vec3(-0.1, 0.4, 0.2)};
   }
   FacetNetwork network_;
 };
@@ -190,8 +191,8 @@ TEST(FacetGroups, AnIntactFacetLetsGoOnceItHasTurnedTooFar) {
       Pairs pair(of, {5}, damping);
       const Mat3 turned = test::turn(angle * facet.half_axes[0].normalized());
       const Vec3 still = Vec3::Zero();
-      pair.network().state()[0] = {still, still, still, Mat3::Identity()};
-      pair.network().state()[1] = {facet.arm_i - turned * facet.arm_j, still, still, turned};
+      pair.network().state()[0] = {Mat3::Identity(), still, still, still};
+      pair.network().state()[1] = {turned, facet.arm_i - turned * facet.arm_j, still, still};
       pair.compute();
       EXPECT_EQ(pair.network().broken_count() > 0.0, angle > 0.1) << angle;
     }
@@ -300,8 +301,10 @@ TEST(FacetGroups, GasPressesOnTheBrokenPointsOfEachFacetAndFindsThemAsFarOpenAsT
     network.gas_pressure()[2 * f + f % 2] = f == 11 ? 0.0 : 2.0 * kPressure;
   pairs.compute();
   std::vector<FacetNetwork::OpenJoint> open;
-  const std::vector<std::uint32_t> asked = {1, 2, 3, 5, 7, 8, 13, 16, 20};
-  network.open_joints(asked, open);
+  const std::vector<std::size_t> asked = {1, 2, 3, 5, 7, 8, 13, 16, 20};
+  std::vector<LaneSet> sets;
+  for (const std::size_t f : asked) add_facet(sets, f);
+  network.open_joints(sets, open);
   ASSERT_EQ(open.size(), asked.size());
   for (std::size_t k = 0; k < asked.size(); ++k) {
     const std::size_t f = asked[k], broken = std::min<std::size_t>(f % 5, kFacetPoints);
@@ -321,6 +324,11 @@ TEST(FacetGroups, GasPressesOnTheBrokenPointsOfEachFacetAndFindsThemAsFarOpenAsT
     EXPECT_LT((network.gas_torque()[2 * f + 1] - expected.torque_j).norm(), rounding) << f;
     EXPECT_EQ(network.gas_force()[2 * f].norm() > 1.0, !none) << f;
   }
+  // Between blocks at rest, too.
+  const std::vector<Vec3> before(network.gas_force().begin(), network.gas_force().end());
+  network.let_rest(std::vector<int>(network.blocks().size(), 1));
+  pairs.compute();
+  EXPECT_TRUE(std::ranges::equal(network.gas_force(), before));
 }
 
 TEST(FacetGroups, ARetiredFacetGivesUpItsContact) {

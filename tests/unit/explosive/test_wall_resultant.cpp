@@ -53,10 +53,10 @@ FacetNetwork ring(double turn) {
   for (int i = 0; i < kSides; ++i) {
     const Vec3 outward(std::cos(angle_of(i)), std::sin(angle_of(i)), 0.0);
     network.state()[static_cast<std::size_t>(i)] = {
+        .rotation = rotation,
         .centre = rotation * ((apothem() + 0.5 * kDepth) * outward),
         .velocity = Vec3::Zero(),
-        .spin = Vec3::Zero(),
-        .rotation = rotation};
+        .spin = Vec3::Zero()};
   }
   return network;
 }

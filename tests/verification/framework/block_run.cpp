@@ -51,7 +51,7 @@ BlockRun::BlockRun(const std::vector<Block>& blocks, const std::vector<JointPara
     inertia_.push_back(density * block.mass.inertia);
     inverse_inertia_.push_back(inertia_.back().inverse());
     start_.push_back(block.mass.centroid);
-    state_.push_back({block.mass.centroid, Vec3::Zero(), Vec3::Zero(), Mat3::Identity()});
+    state_.push_back({Mat3::Identity(), block.mass.centroid, Vec3::Zero(), Vec3::Zero()});
   }
   make_networks(blocks, networks, walls, natural, leaning);
   force_.assign(state_.size(), Vec3::Zero());
@@ -85,7 +85,7 @@ void BlockRun::make_networks(const std::vector<Block>& blocks,
     const Vec3 image = start_[b] + 2.0 * facet.normal.dot(facet.arm_i) * facet.normal;
     const Mat3 map = wall == Wall::repeat ? Mat3::Identity() : reflection(facet.normal);
     images_.push_back({b, facet.normal, plane, image, wall == Wall::odd ? -1.0 : 1.0, map});
-    state_.push_back({image, Vec3::Zero(), Vec3::Zero(), Mat3::Identity()});
+    state_.push_back({Mat3::Identity(), image, Vec3::Zero(), Vec3::Zero()});
     facet.kind = FacetKind::joint;
     facet.joint_class = static_cast<std::uint8_t>(natural.classes.size() + 1);
     facet.j = static_cast<int>(constants.size());
