@@ -102,7 +102,7 @@ void FixMuckpileBlast::init() {
 
 /// A wall gives way to pressure by that over its stiffness: on joints softened to next to nothing
 /// the gas would fill a crushed zone many times as large, without any block having moved. With gas
-/// in joints fix muckpile/gas lets all of it go. The walls have their pressures of this moment.
+/// in joints fix muckpile/gas decides. The walls have their pressures of this moment.
 void FixMuckpileBlast::let_go_of_softened_walls() {
   constexpr double kBearable = 0.1;  // pressure over shear modulus; strains of some per cent
   const double modulus = surface_->shear_modulus(), before = softened_;
@@ -165,10 +165,11 @@ void FixMuckpileBlast::pre_delete(bool unfixflag) {
   surface->expect_pressure(false);
 }
 
-void FixMuckpileBlast::check_timestep() const {
+void FixMuckpileBlast::check_timestep() {
   constexpr double kStepsPerRise = 10.0;  // the sampled peak is then within 0.1 % of P1
-  if (comm->me != 0 || over_ || update->dt * kStepsPerRise <= options_.pulse_shape.rise_time)
-    return;
+  if (warned_ || over_ || update->dt * kStepsPerRise <= options_.pulse_shape.rise_time) return;
+  warned_ = true;
+  if (comm->me != 0) return;
   error->warning(FLERR, (where_ + ": the time step is longer than a tenth of rise_time; the pulse "
                                   "is cut into few steps")
                             .c_str());

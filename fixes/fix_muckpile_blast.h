@@ -53,7 +53,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix {
 
  private:
   [[nodiscard]] BlastSurface* find_surface() const;  // nullptr if there is none
-  void check_timestep() const;
+  void check_timestep();
   void check_walls() const;
   void require_fired(double bearable) const;
   void let_go_of_softened_walls();
@@ -92,6 +92,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix {
   std::vector<ChargeEnergy> charges_;  // per hole
   std::vector<char> hole_over_;        // per hole; never turns back
   bool over_ = false;
+  bool warned_ = false;  // of a step too long for the pulse
   int active_holes_ = 0;
 };
 

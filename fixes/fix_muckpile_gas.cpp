@@ -111,19 +111,27 @@ void FixMuckpileGas::init() {
 
 /// After a restart file the gas has come to its blocks here, not in init().
 void FixMuckpileGas::setup_pre_neighbor() {
+  // Blocks that have just come to a rank have no volume for their gas until the next step.
+  const double pressure = greatest_pressure();
   follow_blocks();
-  let_go_of_softened_joints();
+  let_go_of_softened_joints(pressure);
+}
+
+/// In joints, of the last step [Pa]; before the first one after a restart file, that of the file.
+/// Collective.
+double FixMuckpileGas::greatest_pressure() const {
+  return std::max(over_ranks(gas_.greatest_pressure(), true), restored_pressure_);
 }
 
 /// Softening takes all tractions to a small share, but gas that stays pushes with all of its
 /// pressure. Joints that are far stiffer than the gas that they hold bear that.
-void FixMuckpileGas::let_go_of_softened_joints() {
+void FixMuckpileGas::let_go_of_softened_joints(double in_joints) {
   constexpr double kBearable = 0.01;  // pressure over shear modulus: strains of less than that
   const double before = softened_;
   softened_ = joint_->softened();
   if (softened_ >= before || !active_) return;
   read_chambers();
-  double pressure = over_ranks(gas_.greatest_pressure(), true), left = 0.0;
+  double pressure = in_joints, left = 0.0;
   for (const GasChamber& chamber : chambers_) {
     pressure = std::max(pressure, chamber.gas.pressure);
     left += chamber.mass;
@@ -219,6 +227,7 @@ void FixMuckpileGas::fill_joints(FacetNetwork& network, engine::BlockHalo& halo)
 
 void FixMuckpileGas::end_of_step() {
   if (spent_) return;
+  restored_pressure_ = 0.0;
   read_chambers();
   if (!active_) {  // the gas flows from the step after the first hole fires
     active_ = std::any_of(fed_.begin(), fed_.end(), [](char fed) { return fed != 0; });
@@ -316,6 +325,7 @@ void FixMuckpileGas::write_restart(FILE* file) {
   common.put(over_ranks(lost_));
   common.put(over_ranks(work_));
   common.put(softened_);
+  common.put(greatest_pressure());
   for (std::size_t b = 0; b < tags_.size(); ++b) {
     mine.put(tags_[b]);
     mine.put(gas_.cells()[b].content);
@@ -340,6 +350,7 @@ void FixMuckpileGas::restart(char* state) {
   lost_ = engine::share_of_total(*lmp, reader.get<double>());
   work_ = engine::share_of_total(*lmp, reader.get<double>());
   softened_ = reader.get<double>();
+  restored_pressure_ = reader.get<double>();
   while (!reader.empty()) {
     const int tag = reader.get<int>();
     restored_[tag] = reader.get<GasContent>();

@@ -489,6 +489,7 @@ void FacetNetwork::resume(const NetworkTotals& totals) {
   damping_given_ = totals.damping;
   quiet_ground_ = totals.quiet_ground;
   moved_unseen_ = totals.moved_unseen;
+  softer_since_ = totals.softer_since;
   if (softened_ == 1.0 && !totals.damping) return;
   for (JointMaterial& material : materials_)
     material = material.softened(softened_, totals.damping);

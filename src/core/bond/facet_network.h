@@ -67,6 +67,7 @@ struct NetworkTotals {
   std::optional<double> damping;                ///< the last one given to soften() [-]
   QuietGround quiet_ground;
   bool moved_unseen = false;  ///< faces have moved while no pressure was there nor expected
+  bool softer_since = false;  ///< than as the faces were loaded last
 };
 
 enum class BreakView : std::uint8_t;
@@ -205,7 +206,8 @@ class FacetNetwork {
             softened_,
             damping_given_,
             quiet_ground_,
-            unloaded_ || moved_unseen_};
+            unloaded_ || moved_unseen_,
+            softer_since_};
   }
   /// What breaking changes bit by bit is worked out from the facets again, as in a network that
   /// gets them from a restart file: the two then agree to the last bit.
