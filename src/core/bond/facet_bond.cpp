@@ -109,9 +109,10 @@ void FacetNetwork::work_facet(std::size_t f, double dt) {
 /// is no longer true.
 void FacetNetwork::work_bonded(std::size_t f, const Motion& motion, const Contact& contact,
                                Pull& pull, double dt) {
-  const bool torn = motion.turned(kTurnStart);
   const FacetTraces& memory = traces_[f];
-  const bool away = memory.slipping.any() && slid_away(motion, contact);
+  const bool smooth = contact.shear == 0.0;  // a mirror: see slid_along()
+  const bool away = (smooth || memory.slipping.any()) && slid_away(motion, contact);
+  const bool torn = motion.turned(kTurnStart) || (smooth && away);
   const LaneMask slipping = where_slipping(memory);
   const LaneMask fails =
       torn ? is_point() : pull.failing(bond_of(f), slipping) || (slipping && LaneMask(away));

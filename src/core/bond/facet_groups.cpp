@@ -63,6 +63,17 @@ void FacetNetwork::open_group(const LaneSet& bonded) {
           pull(pose.difference * wide(group.half_1)), pull(pose.difference * wide(group.half_2))};
 }
 
+/// A mirror has no shear that would stop a block that slides along it, so its facet lets go where
+/// broken ones begin to fade: the point at which it acts would stay behind.
+[[gnu::always_inline]] inline unsigned FacetNetwork::slid_along(const FacetGroup& group,
+                                                                const WidePose& pose) {
+  const WideMask smooth = wide(group.shear) == 0.0;
+  if (none_of(smooth)) return 0;
+  const Wide opened = dot(pose.normal, pose.jump);
+  const Wide slid = dot(pose.jump, pose.jump) - opened * opened;
+  return bits(smooth && slid > kSlideStart * kSlideStart * M_1_PI * wide(group.area));
+}
+
 /// Those of `lanes` of which no point fails.
 [[gnu::always_inline]] inline unsigned FacetNetwork::holding(std::size_t g, unsigned lanes,
                                                              const WidePose& pose,
@@ -84,7 +95,7 @@ void FacetNetwork::open_group(const LaneSet& bonded) {
   }
   for (std::size_t k = 0; k < kGroup; ++k)
     if (fails[k]) lanes &= ~(1u << k);
-  return lanes;
+  return lanes & ~slid_along(groups_[g], pose);
 }
 
 /// Adds the dashpots of the joints, and what they take to `forces`.

@@ -347,6 +347,7 @@ class FacetNetwork {
   [[nodiscard]] static WideField jump_of(const FacetGroup& group, const WidePose& pose);
   [[nodiscard]] WideField rate_of(const FacetGroup& group, const WidePose& pose) const;
   [[nodiscard]] static WideTurn turn_of(const FacetGroup& group, const WidePose& pose);
+  [[nodiscard]] static unsigned slid_along(const FacetGroup& group, const WidePose& pose);
   [[nodiscard]] unsigned holding(std::size_t g, unsigned lanes, const WidePose& pose,
                                  const WideField& pull) const;
   void damp_group(std::size_t g, const WidePose& pose, WideField& pull, double dt,

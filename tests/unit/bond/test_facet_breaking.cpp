@@ -341,6 +341,26 @@ TEST(FacetNetwork, ContactOfABrokenFacetFadesWithItsSlideAndRetires) {
   }
 }
 
+/// A unit cube pressed onto a mirror at y = 0. Its facet has a radius of 1/sqrt(pi) = 0.564 m.
+TEST(FacetNetwork, IntactMirrorLetsGoOfABlockThatSlidesAlongIt) {
+  BondScene scene(cuboids(1, 1, 1), rock(0.25),
+                  [](const Vec3& at) { return at.y() < 1e-6 ? Support::mirror : Support::free; });
+  const Vec3 start = scene.block(0).centre;
+  const auto force_at = [&](double slide) {
+    scene.block(0).centre = start + Vec3(slide, -1e-6, 0.0);
+    scene.compute();
+    return scene.network().force()[0].y();
+  };
+  const double held = force_at(0.0);
+  EXPECT_GT(held, 0.0);
+  EXPECT_NEAR(force_at(0.05) / held, 1.0, 1e-9);  // 0.09 radii
+  // At 0.35 radii it is a contact that fades, with the compression that the joint carried.
+  const double fading = (0.5 - 0.2 * std::sqrt(M_PI)) / 0.4;
+  EXPECT_NEAR(force_at(0.2) / (fading * held), 1.0, 1e-6);
+  EXPECT_EQ(force_at(0.3), 0.0);  // 0.53 radii
+  EXPECT_EQ(scene.network().torque()[0].norm(), 0.0);
+}
+
 TEST(FacetNetwork, BrokenFacetRetiresOnceItHasOpenedATenthOfItsRadius) {
   for (const double opened : {0.09, 0.11}) {
     Pair pair;
