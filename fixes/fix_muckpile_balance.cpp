@@ -18,7 +18,6 @@
 #include "engine/bodies.h"
 #include "engine/style_args.h"
 #include "fix_muckpile_joint.h"
-#include "fix_muckpile_neighbours.h"
 #include "partition/even_cuts.h"
 
 namespace muckpile {
@@ -124,20 +123,11 @@ void FixMuckpileBalance::cut_axis(int axis, std::span<const Load> loads, Reach r
   MPI_Allreduce(mine.data(), all.data(), kBins, MPI_DOUBLE, MPI_SUM, world);
   const std::span<double> now = splits(axis);
   std::vector<double> cuts = even_cuts(all, comm->procgrid[axis]);
-  cuts = widened_cuts(std::move(cuts), thinnest_part(axis) / length);
+  // A part thinner than what it must know of its neighbours would talk to ranks farther away.
+  const double halo = halo_known_ ? std::max(comm->cutghost[axis], neighbor->skin) : neighbor->skin;
+  cuts = widened_cuts(std::move(cuts), halo / length);
   if (reach == Reach::neighbours) cuts = neighbourly_cuts(now, cuts);
   std::copy(cuts.begin(), cuts.end(), now.begin());
-}
-
-/// A part thinner than what it must know of its neighbours would talk to ranks farther away [m].
-double FixMuckpileBalance::thinnest_part(int axis) const {
-  double largest = 0.0, smallest = 0.0;
-  modify->max_min_rad(largest, smallest);
-  const double from_radius = 2.0 * largest + neighbor->skin;
-  if (!halo_known_) return from_radius;
-  const FixMuckpileNeighbours* neighbours = FixMuckpileNeighbours::find(*lmp);
-  const double left_out = neighbours != nullptr ? neighbours->thinner_by() : 0.0;
-  return std::max(comm->cutghost[axis] + left_out, neighbor->skin);
 }
 
 /// The engine leaves its ghost layer's thickness uninitialised until a run is set up.

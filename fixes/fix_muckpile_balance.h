@@ -36,7 +36,6 @@ class FixMuckpileBalance : public LAMMPS_NS::Fix {
   void cut(std::span<const Load> loads, Reach reach);
   void cut_axis(int axis, std::span<const Load> loads, Reach reach);
   [[nodiscard]] std::span<double> splits(int axis);
-  [[nodiscard]] double thinnest_part(int axis) const;
 
   bool halo_known_ = false;
 };

@@ -24,7 +24,6 @@
 #include "engine/single_fix.h"
 #include "engine/style_args.h"
 #include "fix_muckpile_blocks.h"
-#include "fix_muckpile_neighbours.h"
 
 namespace muckpile {
 namespace {
@@ -83,9 +82,7 @@ double FixMultisphereMuckpile::extend_cut_ghost() {
     if (body_[k] >= 0) mine = std::max(mine, Vec3::Map(displace_[k]).norm() - atom->radius[k]);
   }
   MPI_Allreduce(&mine, &farthest, 1, MPI_DOUBLE, MPI_MAX, world);
-  if (const FixMuckpileNeighbours* neighbours = FixMuckpileNeighbours::find(*lmp))
-    farthest -= neighbours->thinner_by();
-  return 2.0 * farthest;  // LIGGGHTS takes half of it, and the skin
+  return 2.0 * farthest;  // LIGGGHTS takes half of it
 }
 
 void FixMultisphereMuckpile::pre_neighbor() {

@@ -12,12 +12,10 @@
 #include <neighbor.h>
 #include <update.h>
 
-#include <algorithm>
 #include <cstring>
 
 #include "args/arg_table.h"
 #include "engine/style_args.h"
-#include "fix_muckpile_neighbours.h"
 
 namespace muckpile {
 
@@ -125,13 +123,7 @@ void PairMuckpileBlock::init_style() {
   modify->max_min_rad(largest_radius_, smallest);  // over all ranks, with particle templates
 }
 
-/// Of it LIGGGHTS takes half, and the whole skin, for the layer of spheres that a rank knows of
-/// others; without a range it leaves the skin out, too.
-double PairMuckpileBlock::init_one(int /*i*/, int /*j*/) {
-  const FixMuckpileNeighbours* neighbours = FixMuckpileNeighbours::find(*lmp);
-  const double thinner_by = neighbours != nullptr ? neighbours->thinner_by() : 0.0;
-  return 2.0 * std::max(largest_radius_ - thinner_by, 1e-3 * largest_radius_);
-}
+double PairMuckpileBlock::init_one(int /*i*/, int /*j*/) { return 2.0 * largest_radius_; }
 
 void PairMuckpileBlock::compute(int eflag, int vflag) {
   if (eflag || vflag)

@@ -76,7 +76,6 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public N
   [[nodiscard]] PresentContacts present_contacts();
 
   void rebuild();
-  [[nodiscard]] double longest_range() const;  ///< of a block until it has new pairs [m]
   void list_pairs();
   /// Those of blocks that have moved far, where few have; false: nothing done.
   [[nodiscard]] bool add_pairs();

@@ -14,7 +14,6 @@
 #include <string>
 
 #include "engine/style_args.h"
-#include "fix_muckpile_neighbours.h"
 #include "pair_muckpile_block.h"
 
 namespace muckpile {
@@ -149,18 +148,13 @@ void PairMuckpileBlock::mark_near(std::span<const char> from, std::span<char> to
   }
 }
 
-/// Of the fastest block. A longer one means more pairs, a shorter one more searches.
-double PairMuckpileBlock::longest_range() const {
-  const FixMuckpileNeighbours* neighbours = FixMuckpileNeighbours::find(*lmp);
-  return 0.5 * (neighbor->skin - (neighbours != nullptr ? neighbours->thinner_by() : 0.0));
-}
-
+/// The engine builds its lists anew before any sphere has moved by half the skin.
 void PairMuckpileBlock::list_pairs() {
   const double started = MPI_Wtime();
   number_blocks();
   list_.group(spheres(), static_cast<int>(block_tag_.size()));
   const bool any = atom->nlocal + atom->nghost > 0;
-  drop_intact_pairs(list_.find_block_pairs(longest_range(), any ? atom->v[0] : nullptr,
+  drop_intact_pairs(list_.find_block_pairs(0.5 * neighbor->skin, any ? atom->v[0] : nullptr,
                                            any ? atom->omega[0] : nullptr),
                     0);
   mute_pairs(0);

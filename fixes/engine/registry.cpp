@@ -24,7 +24,6 @@
 #include "fix_muckpile_gas.h"
 #include "fix_muckpile_joint.h"
 #include "fix_muckpile_ledger.h"
-#include "fix_muckpile_neighbours.h"
 #include "fix_muckpile_progress.h"
 #include "fix_muckpile_quiet.h"
 #include "fix_muckpile_sleep.h"
@@ -109,7 +108,6 @@ const std::map<std::string, FixCreator>& fixes() {
       {"muckpile/gas", &create_fix<FixMuckpileGas>},
       {"muckpile/joint", &create_fix<FixMuckpileJoint>},
       {"muckpile/ledger", &create_fix<FixMuckpileLedger>},
-      {"muckpile/neighbours", &create_fix<FixMuckpileNeighbours>},
       {"muckpile/progress", &create_fix<FixMuckpileProgress>},
       {"muckpile/quiet", &create_fix<FixMuckpileQuiet>},
       {"muckpile/sleep", &create_fix<FixMuckpileSleep>},
