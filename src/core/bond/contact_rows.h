@@ -17,7 +17,13 @@ namespace muckpile {
 /// ContactMemory of the facets of a group; its default for those that remember nothing.
 struct alignas(64) ContactGroup {
   std::array<FacetRows<double>, kFacetPoints> offset{};
-  FacetRow<double> fade{1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
+  FacetRow<double> fade = all(1.0);
+
+  [[nodiscard]] static constexpr FacetRow<double> all(double value) {
+    FacetRow<double> row{};
+    row.fill(value);
+    return row;
+  }
 };
 
 /// ContactMemory of all facets of a network.

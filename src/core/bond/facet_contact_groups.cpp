@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The facet network where facets hold at no point: eight of them at once.
+// The facet network where facets hold at no point: a group of them at once.
 // Scope: as facet_contact.cpp works them out one by one; what happens once to a facet (fading,
 // falling asleep, retiring) is done there.
 #include <array>

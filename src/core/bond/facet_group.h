@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the passes over bonded facets read, eight facets side by side: each number of the eight lies
+// What the passes over bonded facets read, some facets side by side: each number of theirs lies
 // in a row, so that one vector instruction works on all.
 // Scope: storage. Directions and lengths of the shape are in single precision: 6e-8 of a facet's
 // size, the same on both of its sides and on every rank. But the two arms fit each other to the
@@ -12,11 +12,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "math/lanes.h"
 #include "math/types.h"
 
 namespace muckpile {
 
-inline constexpr std::size_t kGroup = 8;  ///< facets
+inline constexpr std::size_t kGroup = kNativeLanes;  ///< facets
 
 template <class T>
 using FacetRow = std::array<T, kGroup>;

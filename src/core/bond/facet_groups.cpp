@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The facet network where facets hold at every point: eight of them at once.
+// The facet network where facets hold at every point: a group of them at once.
 // Scope: dilatations and forces of intact facets, as facet_bond.cpp works them out one by one.
 #include <algorithm>
 #include <array>

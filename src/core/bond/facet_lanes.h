@@ -51,7 +51,7 @@ template <class Is>
 }
 
 /// By how many groups what broken facets remember is asked for ahead of its use.
-inline constexpr std::size_t kContactsAhead = 4;
+inline constexpr std::size_t kContactsAhead = 32 / kGroup;
 
 /// A facet that has turned so far begins to fade, and does not hold on by a last point, as by a
 /// hinge [rad].

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the facet network works out of the eight facets of a group at once: one facet per lane.
+// What the facet network works out of the facets of a group at once: one facet per lane.
 // Scope: inside FacetNetwork. A facet takes this path or that by its own state alone, never by
 // those beside it in its group, and blocks get their parts in the order of the facets: both are the
 // same on any ranks.
@@ -7,12 +7,13 @@
 
 #include <array>
 #include <experimental/simd>
-#if defined(__AVX512F__)
+#if defined(__AVX2__)
 #include <immintrin.h>
 #endif
 
 #include "bond/facet_lanes.h"
 #include "bond/facet_network.h"
+#include "math/transpose.h"
 
 namespace muckpile {
 
@@ -52,6 +53,12 @@ template <class T>
 }
 
 [[gnu::always_inline]] inline unsigned bits(const WideMask& mask) {
+#if defined(__AVX2__)
+  if constexpr (sizeof(Wide) == sizeof(__m256d)) {  // GCC 12 cannot make a register of the mask
+    const Wide signs = choose(mask, Wide(-1.0), 0.0);
+    return static_cast<unsigned>(_mm256_movemask_pd(static_cast<__m256d>(signs)));
+  }
+#endif
   unsigned lanes = 0;
   for (std::size_t k = 0; k < kGroup; ++k) lanes |= (mask[k] ? 1u : 0u) << k;
   return lanes;
@@ -62,6 +69,12 @@ template <class T>
 #if defined(__AVX512F__)
   if constexpr (sizeof(Wide) == sizeof(__m512d))  // GCC 12 branches for every lane
     return Wide(_mm512_maskz_mov_pd(static_cast<__mmask8>(lanes), _mm512_set1_pd(1.0))) > 0.0;
+#elif defined(__AVX2__)
+  if constexpr (sizeof(Wide) == sizeof(__m256d)) {
+    const __m256i own = _mm256_setr_epi64x(1, 2, 4, 8), all = _mm256_set1_epi64x(lanes);
+    const __m256i in = _mm256_cmpeq_epi64(_mm256_and_si256(all, own), own);
+    return Wide(_mm256_and_pd(_mm256_castsi256_pd(in), _mm256_set1_pd(1.0))) > 0.0;
+  }
 #endif
   return Wide([&](auto lane) { return (lanes >> lane & 1u) != 0 ? 1.0 : 0.0; }) > 0.0;
 }
@@ -83,9 +96,9 @@ struct WidePlace {
   WideVec centre;  // [m]
 };
 
-/// Where the states of a group's blocks lie, in numbers after that of the first block. With AVX-512
-/// the numbers of a block are loaded together and transposed: 5 % of all passes less than with the
-/// processor's gather, which is much slower on those that guard it against snooping.
+/// Where the states of a group's blocks lie, in numbers after that of the first block. The numbers
+/// of a block are loaded together and transposed: 5 % of all passes less than with the processor's
+/// gather, which is much slower on those that guard it against snooping.
 class BlockPlaces {
  public:
   [[gnu::always_inline]] explicit BlockPlaces(const FacetRow<std::int32_t>& blocks) {
@@ -124,6 +137,13 @@ class BlockPlaces {
     const __m512d n02 = _mm512_unpacklo_pd(a, b), more_n02 = _mm512_unpacklo_pd(c, d);
     const __m512d n13 = _mm512_unpackhi_pd(a, b), more_n13 = _mm512_unpackhi_pd(c, d);
     return {even(n02, more_n02), even(n13, more_n13), odd(n02, more_n02), odd(n13, more_n13)};
+  }
+#elif defined(__AVX2__)
+  static_assert(sizeof(Wide) == sizeof(__m256d));
+  [[gnu::always_inline]] WideFour rows_of_four(const double* from) const {
+    const auto row = [&](std::size_t k) { return _mm256_loadu_pd(from + at_[k]); };
+    const auto [n0, n1, n2, n3] = transposed(row(0), row(1), row(2), row(3));
+    return {Wide(n0), Wide(n1), Wide(n2), Wide(n3)};
   }
 #else
   [[gnu::always_inline]] WideFour rows_of_four(const double* from) const {

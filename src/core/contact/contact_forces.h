@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Forces of a step between the spheres of near blocks: candidates are sifted, and those that touch
-// are worked on eight at a time.
+// are worked on side by side.
 // Scope: one rank's spheres; SI units. Forces are added in the order of the candidates, and those
 // of a contact do not depend on what shares its vector instructions.
 #pragma once
@@ -73,7 +73,7 @@ class ContactForces {
   [[nodiscard]] ContactSums finish();
 
  private:
-  static constexpr std::size_t kLanes = 8;
+  static constexpr std::size_t kLanes = kNativeLanes;
   static constexpr std::size_t kRoom = 64;  ///< contacts, whose numbers the fastest cache holds
   using Lanes =
       std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, kLanes>>;

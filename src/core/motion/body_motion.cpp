@@ -52,7 +52,7 @@ BodyRows behind(const BodyRows& bodies, std::size_t first) {
   return at;
 }
 
-/// Copies of the rows of eight bodies, for groups of which not all may be written.
+/// Copies of the rows of a group of bodies, for groups of which not all may be written.
 class Copies {
  public:
   Copies(const BodyRows& originals, std::size_t count) : originals_(originals) {

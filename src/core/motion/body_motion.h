@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The step of rigid bodies made of spheres: forces of the spheres summed, bodies kicked, moved and
-// turned eight at a time, spheres placed.
+// turned side by side, spheres placed.
 // Scope: one rank's bodies in rows of numbers as LIGGGHTS has them. What becomes of a body does not
 // depend on those beside it. Leapfrog: half a kick, move and turn, forces, half a kick.
 #pragma once
@@ -75,7 +75,7 @@ class BodyMotion {
   static constexpr std::size_t kStretch = 4;
   using Row = std::array<double, kBodyLanes>;
   using Bits = std::uint8_t;  ///< one per body of a group
-  /// Eight bodies. Lanes behind the last body weigh something and do not move.
+  /// As many bodies as a vector has lanes. Lanes behind the last body weigh something and do not move.
   struct Group {
     alignas(64) Row mass;
     std::array<Row, 3> inverse_inertia;
@@ -90,7 +90,7 @@ class BodyMotion {
   struct Part {
     std::uint32_t first, uncounted;
   };
-  /// Of the spheres of eight bodies, four numbers a row: force, torque about their own centres, and
+  /// Of the spheres of a group of bodies, four numbers a row: force, torque about their own centres, and
   /// the force times their displacement along each axis of their body.
   struct Sums {
     alignas(64) std::array<double, 4 * kBodyLanes> force, own_torque;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Rows of three or four numbers per body or sphere, and the same numbers in lanes.
-// Scope: eight bodies at once (one per lane), or one sphere (its three numbers in four lanes).
+// Scope: some bodies at once (one per lane), or one sphere (its three numbers in four lanes).
 #pragma once
 
 #include <array>
@@ -11,10 +11,11 @@
 #endif
 
 #include "math/lanes.h"
+#include "math/transpose.h"
 
 namespace muckpile {
 
-inline constexpr std::size_t kBodyLanes = 8;
+inline constexpr std::size_t kBodyLanes = kNativeLanes;
 using BodyLanes =
     std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, kBodyLanes>>;
 using BodyVectors = VectorOf<BodyLanes>;
@@ -32,7 +33,7 @@ inline constexpr __mmask8 kAll = 0xFF;
 }  // namespace rows_detail
 #endif
 
-/// Eight rows of three numbers, one behind the other.
+/// A row of three numbers for each lane, one behind the other.
 [[nodiscard, gnu::always_inline]] inline BodyVectors load_threes(const double* from) {
 #if defined(__AVX512F__)
   if constexpr (sizeof(BodyLanes) == sizeof(__m512d)) {
@@ -47,6 +48,16 @@ inline constexpr __mmask8 kAll = 0xFF;
     return {BodyLanes(pick(x, c, _mm512_setr_epi64(0, 1, 2, 3, 4, 5, 10, 13))),
             BodyLanes(pick(y, c, _mm512_setr_epi64(0, 1, 2, 3, 4, 8, 11, 14))),
             BodyLanes(pick(z, c, _mm512_setr_epi64(0, 1, 2, 3, 4, 9, 12, 15)))};
+  }
+#elif defined(__AVX2__)
+  if constexpr (sizeof(BodyLanes) == sizeof(__m256d)) {
+    const auto pairs = [from](std::size_t k) {
+      return _mm256_loadu2_m128d(from + k + 6, from + k);
+    };
+    const __m256d xy = pairs(0), zx = pairs(2), yz = pairs(4);
+    return {BodyLanes(_mm256_blend_pd(xy, zx, 0b1010)),
+            BodyLanes(_mm256_shuffle_pd(xy, yz, 0b0101)),
+            BodyLanes(_mm256_blend_pd(zx, yz, 0b1010))};
   }
 #endif
   const auto each = [from](std::size_t d) {
@@ -70,6 +81,15 @@ inline constexpr __mmask8 kAll = 0xFF;
     _mm512_storeu_pd(to + 16, pick(c, z, _mm512_setr_epi64(0, 13, 2, 3, 14, 5, 6, 15)));
     return;
   }
+#elif defined(__AVX2__)
+  if constexpr (sizeof(BodyLanes) == sizeof(__m256d)) {
+    const auto x = static_cast<__m256d>(v.x), y = static_cast<__m256d>(v.y),
+               z = static_cast<__m256d>(v.z);
+    _mm256_storeu2_m128d(to + 6, to, _mm256_unpacklo_pd(x, y));
+    _mm256_storeu2_m128d(to + 8, to + 2, _mm256_shuffle_pd(z, x, 0b1010));
+    _mm256_storeu2_m128d(to + 10, to + 4, _mm256_unpackhi_pd(y, z));
+    return;
+  }
 #endif
   for (std::size_t k = 0; k < kBodyLanes; ++k) {
     to[3 * k] = v.x[k];
@@ -78,7 +98,7 @@ inline constexpr __mmask8 kAll = 0xFF;
   }
 }
 
-/// Eight rows of four numbers, one behind the other.
+/// A row of four numbers for each lane, one behind the other.
 [[nodiscard, gnu::always_inline]] inline std::array<BodyLanes, 4> load_fours(const double* from) {
 #if defined(__AVX512F__)
   if constexpr (sizeof(BodyLanes) == sizeof(__m512d)) {
@@ -96,6 +116,12 @@ inline constexpr __mmask8 kAll = 0xFF;
             BodyLanes(_mm512_maskz_shuffle_f64x2(kAll, first_13, last_13, 0x88)),
             BodyLanes(_mm512_maskz_shuffle_f64x2(kAll, first_02, last_02, 0xDD)),
             BodyLanes(_mm512_maskz_shuffle_f64x2(kAll, first_13, last_13, 0xDD))};
+  }
+#elif defined(__AVX2__)
+  if constexpr (sizeof(BodyLanes) == sizeof(__m256d)) {
+    const auto row = [from](std::size_t k) { return _mm256_loadu_pd(from + 4 * k); };
+    const auto [n0, n1, n2, n3] = transposed(row(0), row(1), row(2), row(3));
+    return {BodyLanes(n0), BodyLanes(n1), BodyLanes(n2), BodyLanes(n3)};
   }
 #endif
   const auto each = [from](std::size_t d) {
@@ -125,6 +151,16 @@ inline constexpr __mmask8 kAll = 0xFF;
     _mm512_storeu_pd(to + 24, _mm512_maskz_shuffle_f64x2(kAll, rows_26, rows_37, 0xEE));
     return;
   }
+#elif defined(__AVX2__)
+  if constexpr (sizeof(BodyLanes) == sizeof(__m256d)) {
+    const auto column = [&v](std::size_t d) { return static_cast<__m256d>(v[d]); };
+    const auto [n0, n1, n2, n3] = transposed(column(0), column(1), column(2), column(3));
+    _mm256_storeu_pd(to, n0);
+    _mm256_storeu_pd(to + 4, n1);
+    _mm256_storeu_pd(to + 8, n2);
+    _mm256_storeu_pd(to + 12, n3);
+    return;
+  }
 #endif
   for (std::size_t k = 0; k < kBodyLanes; ++k)
     for (std::size_t d = 0; d < 4; ++d) to[4 * k + d] = v[d][k];
@@ -134,6 +170,9 @@ inline constexpr __mmask8 kAll = 0xFF;
 [[nodiscard, gnu::always_inline]] inline Lanes load_three(const double* from) {
 #if defined(__AVX512VL__)
   if constexpr (sizeof(Lanes) == sizeof(__m256d)) return Lanes(_mm256_maskz_loadu_pd(0x7, from));
+#elif defined(__AVX2__)
+  if constexpr (sizeof(Lanes) == sizeof(__m256d))
+    return Lanes(_mm256_set_m128d(_mm_load_sd(from + 2), _mm_loadu_pd(from)));
 #endif
   return Lanes([from](auto lane) { return lane < 3 ? from[lane] : 0.0; });
 }
@@ -142,6 +181,13 @@ inline constexpr __mmask8 kAll = 0xFF;
   if constexpr (sizeof(Lanes) == sizeof(__m256d)) {
     const auto four = static_cast<__m256d>(v);
     _mm256_mask_storeu_pd(to, 0x7, four);
+    return;
+  }
+#elif defined(__AVX2__)  // AMD's masked store is slow
+  if constexpr (sizeof(Lanes) == sizeof(__m256d)) {
+    const auto four = static_cast<__m256d>(v);
+    _mm_storeu_pd(to, _mm256_castpd256_pd128(four));
+    _mm_store_sd(to + 2, _mm256_extractf128_pd(four, 1));
     return;
   }
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Facets that are worked on eight at a time: forces are those of points summed one by one, and a
+// Facets that are worked on side by side: forces are those of points summed one by one, and a
 // facet's are the same bits wherever it lies and whatever lies beside it.
 // Scope: pairs of blocks cut out of Voronoi rock, so that a facet's forces are all that its blocks
 // feel.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Contacts worked on eight at a time are those of the law one by one, whatever shares their vector
+// Contacts worked on side by side are those of the law one by one, whatever shares their vector
 // instructions.
 // Scope: random spheres that come and go; compared with the law of one contact to rounding.
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Bodies worked on eight at a time against the same laws body by body; what becomes of a body does
+// Bodies worked on side by side against the same laws body by body; what becomes of a body does
 // not depend on those beside it.
 // Scope: motion/body_motion.h.
 #include <gtest/gtest.h>
