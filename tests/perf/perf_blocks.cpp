@@ -9,6 +9,7 @@
 
 #include "measurement.h"
 #include "motion/body_motion.h"
+#include "motion_rows.h"
 #include "timing.h"
 
 namespace muckpile::perf {
@@ -21,47 +22,39 @@ constexpr std::size_t kBodySteps = 2'000'000;  // of a measurement: some 0.1 s
 class Blocks {
  public:
   Blocks(std::size_t blocks, std::size_t spheres_each) : spheres_(blocks * spheres_each) {
-    for (std::vector<double>& row : vectors_) row.assign(3 * blocks, 0.0);
-    for (std::vector<double>& row : of_spheres_) row.assign(3 * spheres_, 0.0);
-    quaternions_.assign(4 * blocks, 0.0);
+    for (std::vector<double>& row : rows_.bodies) row.assign(3 * blocks, 0.0);
+    for (std::vector<double>& row : rows_.spheres) row.assign(3 * spheres_, 0.0);
+    rows_.quaternions.assign(4 * blocks, 0.0);
     std::vector<BodyConstants> constants(blocks);
     std::vector<BodySphere> spheres(spheres_);
     for (std::size_t b = 0; b < blocks; ++b) {
       const double size = 1.0 + 0.1 * static_cast<double>(b % 7);
       constants[b] = {size, Vec3(0.1, 0.2, 0.25) * size};
-      quaternions_[4 * b] = vectors_[6][3 * b] = vectors_[7][3 * b + 1] = vectors_[8][3 * b + 2] =
-          1.0;
-      for (std::size_t d = 0; d < 3; ++d) vectors_[3][3 * b + d] = 0.1 * static_cast<double>(d + 1);
+      rows_.quaternions[4 * b] = rows_.bodies[6][3 * b] = rows_.bodies[7][3 * b + 1] =
+          rows_.bodies[8][3 * b + 2] = 1.0;
+      for (std::size_t d = 0; d < 3; ++d)
+        rows_.bodies[3][3 * b + d] = 0.1 * static_cast<double>(d + 1);
     }
     for (std::size_t s = 0; s < spheres_; ++s) {
       spheres[s] = {static_cast<int>(s / spheres_each), static_cast<int>(s),
                     Vec3(0.3, 0.1 * static_cast<double>(s % spheres_each), -0.2)};
-      of_spheres_[3][3 * s] = 1.0 + static_cast<double>(s % 3);
+      rows_.spheres[3][3 * s] = 1.0 + static_cast<double>(s % 3);
     }
     motion_ = BodyMotion(constants, spheres);
   }
   [[nodiscard]] std::size_t spheres() const { return spheres_; }
 
-  void advance() { motion_.advance(rows(), sphere_rows(), {kStep, 0.5 * kStep}, false); }
+  void advance() {
+    motion_.advance(rows_.body_rows(), rows_.sphere_rows(), {kStep, 0.5 * kStep}, false);
+  }
   void finish() {
-    motion_.finish(rows(), sphere_rows(), Vec3(0.0, 0.0, -9.81), {kStep, 0.5 * kStep});
+    motion_.finish(rows_.body_rows(), rows_.sphere_rows(), Vec3(0.0, 0.0, -9.81),
+                   {kStep, 0.5 * kStep});
   }
 
  private:
-  [[nodiscard]] BodyRows rows() {
-    auto& v = vectors_;
-    return {v[0].data(), v[1].data(), v[2].data(), v[3].data(), v[4].data(),
-            v[5].data(), v[6].data(), v[7].data(), v[8].data(), quaternions_.data()};
-  }
-  [[nodiscard]] SphereRows sphere_rows() {
-    auto& v = of_spheres_;
-    return {v[0].data(), v[1].data(), v[2].data(), v[3].data(), v[4].data()};
-  }
-
   std::size_t spheres_;
-  std::array<std::vector<double>, 9> vectors_;
-  std::array<std::vector<double>, 5> of_spheres_;
-  std::vector<double> quaternions_;
+  MotionRows rows_;
   BodyMotion motion_;
 };
 

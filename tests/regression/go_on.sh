@@ -6,39 +6,30 @@
 set -euo pipefail
 program=$1 input=$2 every=$3
 shift 3
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1 \
-  OMPI_MCA_btl_vader_single_copy_mechanism=none
+source "$(dirname "${BASH_SOURCE[0]}")/runs.sh"
+readonly dump=$out/run/dump
 
-run() {  # run RANKS [-var NAME VALUE]...
-  local ranks=$1
-  shift
-  mkdir -p "$out/dump"
-  mpirun -np "$ranks" --oversubscribe --bind-to none "$program" -in "$input" -log none -var out "$out" "$@" >"$out/screen" 2>&1 ||
-    { tail -n 20 "$out/screen"; exit 1; }
+last() { awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i } END { print $c }' "$dump/history.csv"; }
+end_of_run() {
+  echo "$(last blast_work_J) $(of_run run joints_broken_fraction) $(of_run run blocks) $(of_run run physical_time_s)"
 }
 
-last() { awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i } END { print $c }' "$out/dump/history.csv"; }
-of_run() { sed -nE "s/^ *\"$1\": ([-0-9.eE+]+),?$/\1/p" "$out/dump/run.json"; }
-end_of_run() { echo "$(last blast_work_J) $(of_run joints_broken_fraction) $(of_run blocks) $(of_run physical_time_s)"; }
-
-run 1 "$@" -var restart_every "$every"
+run_input run 1 "$input" "$@" -var restart_every "$every"
 whole=$(end_of_run)
-rows=$(wc -l <"$out/dump/history.csv")
-[[ -s $out/dump/a.restart && -s $out/dump/b.restart ]] || { echo "no two restart files"; exit 1; }
-older=$out/dump/a.restart
-if [[ $out/dump/b.restart -ot $older ]]; then older=$out/dump/b.restart; fi
+rows=$(wc -l <"$dump/history.csv")
+[[ -s $dump/a.restart && -s $dump/b.restart ]] || { echo "no two restart files"; exit 1; }
+older=$dump/a.restart
+if [[ $dump/b.restart -ot $older ]]; then older=$dump/b.restart; fi
 cp "$older" "$out/from.restart"
-rm -f "$out/dump/run.json"
-run 2 "$@" -var go_on 1 -var from "$out/from.restart"
-grep -q 'read_restart\|Reading restart file' "$out/screen" || { echo "no restart file was read"; exit 1; }
+rm -f "$dump/run.json"
+run_input run 2 "$input" "$@" -var go_on 1 -var from "$out/from.restart"
+grep -q 'read_restart\|Reading restart file' "$out/run/screen" || { echo "no restart file was read"; exit 1; }
+balance=$(of_run run energy_balance_error)
 printf '%s\n' "blast work [J], broken share, blocks, time [s]" "in one run:    $whole" "from the file: $(end_of_run)"
-echo "energy balance error from the file: $(of_run energy_balance_error); rows of the history: $rows, $(wc -l <"$out/dump/history.csv")"
+echo "energy balance error from the file: $balance; rows of the history: $rows, $(wc -l <"$dump/history.csv")"
 # Ranks add up in another order: chaos shifts what breaks late. The blast's work is done by then. A run looks every 0.1 s
 # whether time_end is over.
-awk -v a="$whole" -v b="$(end_of_run)" -v balance="$(of_run energy_balance_error)" 'BEGIN {
+awk -v a="$whole" -v b="$(end_of_run)" -v balance="$balance" 'BEGIN {
   if (split(a, x) != 4 || split(b, y) != 4 || balance == "") { print "figures are missing"; exit 1 }
   off(x[1], y[1], 0.02 * x[1]); off(x[2], y[2], 0.02); off(x[3], y[3], 0); off(x[4], y[4], 0.11); off(balance, 0, 0.01)
   exit wrong }

@@ -2,30 +2,23 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # run_case.sh LIGGGHTS_MUCKPILE MUCKPILE_POST INPUT REPORTS EXPECTED.json [RANKS]: runs INPUT with the "vars" of EXPECTED.json
 # on 2 ranks or RANKS, lets muckpile-post make the REPORTS, and compares summary.json, or the last row of history.csv, with the "expected" lines.
-# What a failed run has written stays, and its place is printed.
 # Scope: EXPECTED.json has one line per value: {"quantity": NAME, "value": V, "tolerance": T, "why": TEXT}.
 set -euo pipefail
 program=$1 post=$2 input=$3 expected=$(readlink -f "$5") ranks=${6:-2}
 read -ra reports <<<"$4"
-root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
-out=$(mktemp -d)
-trap 'if [[ $? -eq 0 ]]; then rm -rf "$out"; else echo "kept: $out"; fi' EXIT
-cd "$root"
+source "$(dirname "${BASH_SOURCE[0]}")/runs.sh"
 
 grep -qE '^ *"vars": ".*",?$' "$expected" || { echo "$expected: no line with \"vars\""; exit 1; }
 read -ra vars < <(sed -nE 's/^ *"vars": "(.*)",?$/\1/p' "$expected")
 
-OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1 \
-  OMPI_MCA_btl_vader_single_copy_mechanism=none \
-  mpirun -np "$ranks" --oversubscribe --bind-to none "$program" -in "$input" -log none \
-  -var out "$out" "${vars[@]}" >"$out/screen" 2>&1 || { tail -n 30 "$out/screen"; exit 1; }
-for report in "${reports[@]}"; do "$post" "$report" "$out"; done
+run_input run "$ranks" "$input" "${vars[@]}"
+for report in "${reports[@]}"; do "$post" "$report" "$out/run"; done
 
 value_of() {  # value_of QUANTITY: from summary.json, else the last row of history.csv, else nothing
   local found
-  found=$(sed -nE "s/^ *\"$1\": ([-0-9.eE+]+),?$/\1/p" "$out/summary.json")
+  found=$(sed -nE "s/^ *\"$1\": ([-0-9.eE+]+),?$/\1/p" "$out/run/summary.json")
   [[ -n $found ]] || found=$(awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) column = i }
-    END { if (column) print $column }' "$out/dump/history.csv")
+    END { if (column) print $column }' "$out/run/dump/history.csv")
   printf '%s' "$found"
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "motion/body_motion.h"
+#include "motion_rows.h"
 
 namespace muckpile {
 namespace {
@@ -74,34 +75,34 @@ class Rows {
       const std::array<Vec3, 9> threes = {body.centre,   body.velocity, body.force,
                                           body.momentum, body.torque,   body.spin,
                                           axes.col(0),   axes.col(1),   axes.col(2)};
-      for (std::size_t k = 0; k < threes.size(); ++k) append(threes[k], vectors_[k]);
-      quaternions_.push_back(body.pose.w());
-      append(body.pose.vec(), quaternions_);
+      for (std::size_t k = 0; k < threes.size(); ++k) append(threes[k], rows_.bodies[k]);
+      rows_.quaternions.push_back(body.pose.w());
+      append(body.pose.vec(), rows_.quaternions);
     }
     std::vector<BodySphere> spheres;
     for (const Sphere& sphere : scene.spheres) {
       spheres.push_back(sphere.of);
       const std::array<Vec3, 5> threes = {sphere.position, sphere.velocity, sphere.spin,
                                           sphere.force, sphere.torque};
-      for (std::size_t k = 0; k < threes.size(); ++k) append(threes[k], of_spheres_[k]);
+      for (std::size_t k = 0; k < threes.size(); ++k) append(threes[k], rows_.spheres[k]);
     }
     motion_ = BodyMotion(constants, spheres);
     motion_.hold(held);
   }
   void advance(bool place_held = false) {
-    motion_.advance(rows(), sphere_rows(), kStep, place_held);
+    motion_.advance(rows_.body_rows(), rows_.sphere_rows(), kStep, place_held);
   }
-  void sum_forces() { motion_.sum_forces(rows(), sphere_rows(), kGravity); }
-  void finish() { motion_.finish(rows(), sphere_rows(), kGravity, kStep); }
+  void sum_forces() { motion_.sum_forces(rows_.body_rows(), rows_.sphere_rows(), kGravity); }
+  void finish() { motion_.finish(rows_.body_rows(), rows_.sphere_rows(), kGravity, kStep); }
 
   [[nodiscard]] Vec3 body(std::size_t what, std::size_t b) const {
-    return Vec3::Map(vectors_[what].data() + 3 * b);
+    return Vec3::Map(rows_.bodies[what].data() + 3 * b);
   }
   [[nodiscard]] Vec3 sphere(std::size_t what, std::size_t s) const {
-    return Vec3::Map(of_spheres_[what].data() + 3 * s);
+    return Vec3::Map(rows_.spheres[what].data() + 3 * s);
   }
   [[nodiscard]] Quat pose(std::size_t b) const {
-    const double* q = quaternions_.data() + 4 * b;
+    const double* q = rows_.quaternions.data() + 4 * b;
     return {q[0], q[1], q[2], q[3]};
   }
 
@@ -109,19 +110,7 @@ class Rows {
   static void append(const Vec3& v, std::vector<double>& to) {
     to.insert(to.end(), v.data(), v.data() + 3);
   }
-  [[nodiscard]] BodyRows rows() {
-    auto& v = vectors_;
-    return {v[0].data(), v[1].data(), v[2].data(), v[3].data(), v[4].data(),
-            v[5].data(), v[6].data(), v[7].data(), v[8].data(), quaternions_.data()};
-  }
-  [[nodiscard]] SphereRows sphere_rows() {
-    auto& v = of_spheres_;
-    return {v[0].data(), v[1].data(), v[2].data(), v[3].data(), v[4].data()};
-  }
-
-  std::array<std::vector<double>, 9> vectors_;
-  std::array<std::vector<double>, 5> of_spheres_;
-  std::vector<double> quaternions_;
+  MotionRows rows_;
   BodyMotion motion_;
 };
 

@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# ranks.sh LIGGGHTS_MUCKPILE "RANKS..." BOUND INPUT [-var NAME VALUE]...: runs INPUT on one rank and on each of RANKS, and compares how they end:
+# blocks not at all, work of the wave and of the gas and broken joints by BOUND at most (a share). Energy balances to a hundredth.
+# Scope: thin slabs. Eight ranks on a row as wide as a dozen blocks have to know blocks of ranks beyond their neighbours.
+set -euo pipefail
+program=$1 bound=$3 input=$4
+read -ra all_ranks <<<"$2"
+shift 4
+source "$(dirname "${BASH_SOURCE[0]}")/runs.sh"
+
+run_input 1 1 "$input" "$@"
+for ranks in "${all_ranks[@]}"; do
+  echo "$ranks ranks"
+  run_input "$ranks" "$ranks" "$input" "$@"
+  compare "blocks" "$(of_run "$ranks" blocks)" "$(of_run 1 blocks)" 0
+  for quantity in wave_work_J gas_work_J joints_broken_fraction; do
+    compare "$quantity" "$(of_run "$ranks" $quantity)" "$(of_run 1 $quantity)" "$bound"
+  done
+  compare energy_balance_error "$(of_run "$ranks" energy_balance_error)" 0 0.01
+done

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# shellcheck shell=bash disable=SC2154
+# What the scripts beside it share: runs of an input in folders of $out, and their figures. What a failed script has written stays,
+# and its place is printed.
+# Scope: to be sourced, once $program is set. It goes to the root of the project.
+cd "$(dirname "${BASH_SOURCE[0]}")/../.." || exit
+out=$(mktemp -d)
+trap 'if [[ $? -eq 0 ]]; then rm -rf "$out"; else echo "kept: $out"; fi' EXIT
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1 \
+  OMPI_MCA_btl_vader_single_copy_mechanism=none
+
+run_input() {  # run_input FOLDER RANKS INPUT [-var NAME VALUE]...: to $out/FOLDER
+  local to=$out/$1 ranks=$2 input=$3
+  shift 3
+  mkdir -p "$to/dump"
+  mpirun -np "$ranks" --oversubscribe --bind-to none "$program" -in "$input" -log none -var out "$to" "$@" >"$to/screen" 2>&1 ||
+    { tail -n 30 "$to/screen"; exit 1; }
+}
+
+of_run() { sed -nE "s/^ *\"$2\": ([-0-9.eE+]+),?$/\1/p" "$out/$1/dump/run.json"; }  # of_run FOLDER QUANTITY
+
+compare() {  # compare QUANTITY VALUE REFERENCE BOUND: BOUND is a share of REFERENCE
+  awk -v name="$1" -v value="$2" -v reference="$3" -v bound="$4" 'BEGIN {
+    share = reference == 0 ? value - reference : value / reference - 1
+    printf "%s: %s, should be %s, difference %.2g, allowed %s\n", name, value, reference, share, bound
+    exit !(value != "" && reference != "" && share <= bound && -share <= bound) }'
+}
