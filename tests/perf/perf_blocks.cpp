@@ -84,6 +84,7 @@ nlohmann::ordered_json measure_blocks(std::size_t blocks, std::size_t spheres_ea
 nlohmann::ordered_json measure() {
   nlohmann::ordered_json result;
   result["what"] = "blocks that spin: sums of forces, kicks, moves, turns, places of spheres";
+  result["target_ns_per_sphere"] = 10.0;
   // In the cache of a core, of the default bench, and behind all caches.
   for (const std::size_t blocks : {200, 10'634, 200'000})
     for (const std::size_t spheres_each : {5, 9})
