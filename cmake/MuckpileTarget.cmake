@@ -10,8 +10,9 @@ function(muckpile_target target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow ${muckpile_false_warnings}
     -fno-math-errno -fno-trapping-math
     "-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/="
-    $<$<BOOL:${MUCKPILE_WARNINGS_AS_ERRORS}>:-Werror>
-    $<$<BOOL:${MUCKPILE_NATIVE}>:-march=native>)
+    $<$<BOOL:${MUCKPILE_WARNINGS_AS_ERRORS}>:-Werror>)
+  # Of its users, too: headers and Eigen lay out data by the width of the processor's vectors.
+  target_compile_options(${target} PUBLIC $<$<BOOL:${MUCKPILE_NATIVE}>:-march=native>)
   if(MUCKPILE_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all
                            -fno-omit-frame-pointer)

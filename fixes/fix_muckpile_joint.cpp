@@ -147,12 +147,16 @@ void FixMuckpileJoint::index_facets() {
   lower_tags_.clear();
   first_of_.clear();
   upper_tags_.clear();
-  for (const Facet& facet : network_.facets()) {
-    if (lower_tags_.empty() || lower_tags_.back() != facet.tag_i) {
-      lower_tags_.push_back(facet.tag_i);
+  const auto tag = [&](int block) {
+    return network_.blocks()[static_cast<std::size_t>(block)].tag;
+  };
+  for (std::size_t f = 0; f < network_.facet_count(); ++f) {
+    const FacetEnds ends = network_.ends(f);
+    if (lower_tags_.empty() || lower_tags_.back() != tag(ends.i)) {
+      lower_tags_.push_back(tag(ends.i));
       first_of_.push_back(upper_tags_.size());
     }
-    upper_tags_.push_back(facet.kind == FacetKind::joint ? facet.tag_j : kGroundTag);
+    upper_tags_.push_back(ends.kind == FacetKind::joint ? tag(ends.j) : kGroundTag);
   }
   first_of_.push_back(upper_tags_.size());
 }

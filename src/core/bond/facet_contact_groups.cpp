@@ -23,10 +23,11 @@ struct FacetNetwork::WideParting {
   WideTurn turn;
 
   [[nodiscard]] unsigned begins_to_fade() const {
-    return bits(slid > kSlideStart * kSlideStart * radius_squared || turn.exceeds(kTurnStart));
+    return bits_of<Wide>(slid > kSlideStart * kSlideStart * radius_squared ||
+                         turn.exceeds(kTurnStart));
   }
   [[nodiscard]] unsigned open_by(double radii) const {
-    return bits(opened > 0.0 && opened * opened > radii * radii * radius_squared);
+    return bits_of<Wide>(opened > 0.0 && opened * opened > radii * radii * radius_squared);
   }
   /// Between the points that are closest, at least [m].
   [[nodiscard]] Wide gap() const {
@@ -86,12 +87,13 @@ unsigned FacetNetwork::closing(std::size_t g, unsigned lanes, const WidePose& po
   const WideParting parting = parting_of(groups_[g], pose);
   const unsigned fading = lanes & parting.begins_to_fade();
   if (fading != 0) fade_group(g, fading, parting, memory);
-  const unsigned gone = lanes & (parting.open_by(kOpened) | bits(wide(memory.fade) == 0.0));
+  const unsigned gone =
+      lanes & (parting.open_by(kOpened) | bits_of<Wide>(wide(memory.fade) == 0.0));
   each_lane(gone, [&](std::size_t k) { retire(g * kGroup + k); });
   unsigned open = lanes & ~gone & parting.open_by(kSurelyOpen);
   if (open == 0) return lanes & ~gone;
   const Wide gap = parting.gap(), radius = sqrt(parting.radius_squared);
-  open &= bits(gap > 0.0);
+  open &= bits_of<Wide>(gap > 0.0);
   each_lane(open, [&](std::size_t k) {
     traces_[g * kGroup + k].open = true;
     let_sleep(g * kGroup + k, gap[k], radius[k], dt);
@@ -108,7 +110,7 @@ void FacetNetwork::touch_group(std::size_t g, unsigned lanes, const WidePose& po
   const WideField arm = {pose.arm(), Wide(0.5) * half_1, Wide(0.5) * half_2};
   const WideMat axes = axes_of(pose.normal, half_1);
   const ContactGroup& memory = *contact.memory;
-  const Wide fade = choose(mask_of(lanes), wide(memory.fade), 0.0),
+  const Wide fade = choose(mask_of<Wide>(lanes), wide(memory.fade), 0.0),
              shear = fade * wide(group.shear);
   const Wide closed = closed_stiffness<Wide>(wide(group.shear) + wide(group.normal_extra),
                                              wide(contact.rock_share));
@@ -124,7 +126,7 @@ void FacetNetwork::touch_group(std::size_t g, unsigned lanes, const WidePose& po
     moment += cross(arm.at(p), pull.traction);
     damped += pull.damped;
     rubbed += pull.rubbed;
-    const unsigned rests = lanes & bits(pull.rests);
+    const unsigned rests = lanes & bits_of<Wide>(pull.rests);
     if (rests != 0) store(axes.back(at - pull.resting), rests, contact.memory->offset[p]);
   }
   const Wide point_area = 1.0 / kFacetPoints * wide(group.area);

@@ -60,15 +60,15 @@ void FacetNetwork::open_group_of_joints(const LaneSet& set, std::vector<OpenJoin
              along_2 = dot(pose.normal, jump.along_2);
   Wide opening = 0.0, points = 0.0;
   for (std::size_t p = 0; p < kFacetPoints; ++p) {
-    const Wide start = choose(mask_of(parted[p]), wide(contact.offset[p][0]), kNever);
+    const Wide start = choose(mask_of<Wide>(parted[p]), wide(contact.offset[p][0]), kNever);
     const Wide now = mean + kOnFirst[p] * along_1 + kOnSecond[p] * along_2;
     opening += max(Wide(0.0), now - start);
-    points += choose(mask_of(broken[p]), Wide(1.0), 0.0);
+    points += choose(mask_of<Wide>(broken[p]), Wide(1.0), 0.0);
   }
   const Wide radius_squared = M_1_PI * wide(group.area);
   const unsigned wide_open =
-      bits(points > 0.0 && (dot(pose.jump, pose.jump) > kWide * kWide * radius_squared ||
-                            turn_of(group, pose).exceeds(kWide)));
+      bits_of<Wide>(points > 0.0 && (dot(pose.jump, pose.jump) > kWide * kWide * radius_squared ||
+                                     turn_of(group, pose).exceeds(kWide)));
   alignas(64) FacetRow<double> area, opened;
   store(points * wide(group.area) / Wide(kFacetPoints), area);
   store(opening / max(points, Wide(1.0)), opened);
@@ -107,7 +107,7 @@ void FacetNetwork::press_group(const LaneSet& pressed, const FacetRow<double>& p
   const PointLanes broken = lanes_with(pressed, [](const FacetTraces& m) { return m.broken; });
   Wide points = 0.0, on_first = 0.0, on_second = 0.0;  // of the broken ones
   for (std::size_t p = 0; p < kFacetPoints; ++p) {
-    const Wide is = choose(mask_of(broken[p]), Wide(1.0), 0.0);
+    const Wide is = choose(mask_of<Wide>(broken[p]), Wide(1.0), 0.0);
     points += is;
     on_first += kOnFirst[p] * is;
     on_second += kOnSecond[p] * is;

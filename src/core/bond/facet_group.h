@@ -39,7 +39,7 @@ struct alignas(64) FacetGroup {
   /// Asks for i, j and sharpening ahead of their use.
   void fetch_couplings() const {
     __builtin_prefetch(i.data());
-    __builtin_prefetch(sharpening.data());
+    if constexpr (sizeof(i) + sizeof(j) >= 64) __builtin_prefetch(sharpening.data());
   }
 };
 

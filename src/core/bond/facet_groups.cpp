@@ -71,7 +71,7 @@ void FacetNetwork::open_group(const LaneSet& bonded) {
   if (none_of(smooth)) return 0;
   const Wide opened = dot(pose.normal, pose.jump);
   const Wide slid = dot(pose.jump, pose.jump) - opened * opened;
-  return bits(smooth && slid > kSlideStart * kSlideStart * M_1_PI * wide(group.area));
+  return bits_of<Wide>(smooth && slid > kSlideStart * kSlideStart * M_1_PI * wide(group.area));
 }
 
 /// Those of `lanes` of which no point fails.
@@ -93,9 +93,7 @@ void FacetNetwork::open_group(const LaneSet& bonded) {
     fails = fails || joint_fails(across, Wide(dot(traction, traction) - across * across),
                                  wide(tension), wide(cohesion), wide(tan_friction));
   }
-  for (std::size_t k = 0; k < kGroup; ++k)
-    if (fails[k]) lanes &= ~(1u << k);
-  return lanes & ~slid_along(groups_[g], pose);
+  return lanes & ~bits_of<Wide>(fails) & ~slid_along(groups_[g], pose);
 }
 
 /// Adds the dashpots of the joints, and what they take to `forces`.

@@ -15,7 +15,7 @@
 namespace muckpile {
 namespace {
 
-constexpr std::size_t kAhead = 4;  // groups fetched ahead of the one at work
+constexpr std::size_t kAhead = 32 / kGroup;  // groups fetched ahead of the one at work
 
 /// m of block i. A block may slide along a mirror, and the ground of a fixed support may yield.
 Vec3 opening_of(const Facet& facet) {

@@ -52,35 +52,9 @@ template <class T>
   return Wide([&](auto lane) { return from[places[lane]]; });
 }
 
-[[gnu::always_inline]] inline unsigned bits(const WideMask& mask) {
-#if defined(__AVX2__)
-  if constexpr (sizeof(Wide) == sizeof(__m256d)) {  // GCC 12 cannot make a register of the mask
-    const Wide signs = choose(mask, Wide(-1.0), 0.0);
-    return static_cast<unsigned>(_mm256_movemask_pd(static_cast<__m256d>(signs)));
-  }
-#endif
-  unsigned lanes = 0;
-  for (std::size_t k = 0; k < kGroup; ++k) lanes |= (mask[k] ? 1u : 0u) << k;
-  return lanes;
-}
-
-/// Of so many lanes, bit per lane.
-[[gnu::always_inline]] inline WideMask mask_of(unsigned lanes) {
-#if defined(__AVX512F__)
-  if constexpr (sizeof(Wide) == sizeof(__m512d))  // GCC 12 branches for every lane
-    return Wide(_mm512_maskz_mov_pd(static_cast<__mmask8>(lanes), _mm512_set1_pd(1.0))) > 0.0;
-#elif defined(__AVX2__)
-  if constexpr (sizeof(Wide) == sizeof(__m256d)) {
-    const __m256i own = _mm256_setr_epi64x(1, 2, 4, 8), all = _mm256_set1_epi64x(lanes);
-    const __m256i in = _mm256_cmpeq_epi64(_mm256_and_si256(all, own), own);
-    return Wide(_mm256_and_pd(_mm256_castsi256_pd(in), _mm256_set1_pd(1.0))) > 0.0;
-  }
-#endif
-  return Wide([&](auto lane) { return (lanes >> lane & 1u) != 0 ? 1.0 : 0.0; }) > 0.0;
-}
 /// Into `lanes` of the rows alone.
 [[gnu::always_inline]] inline void store(const WideVec& v, unsigned lanes, FacetRows<double>& to) {
-  const WideMask mask = mask_of(lanes);
+  const WideMask mask = mask_of<Wide>(lanes);
   store(WideVec(choose(mask, v.x, wide(to[0])), choose(mask, v.y, wide(to[1])),
                 choose(mask, v.z, wide(to[2]))),
         to);
@@ -138,7 +112,7 @@ class BlockPlaces {
     const __m512d n13 = _mm512_unpackhi_pd(a, b), more_n13 = _mm512_unpackhi_pd(c, d);
     return {even(n02, more_n02), even(n13, more_n13), odd(n02, more_n02), odd(n13, more_n13)};
   }
-#elif defined(__AVX2__)
+#elif defined(__AVX2__) && !defined(__AVX512F__)
   static_assert(sizeof(Wide) == sizeof(__m256d));
   [[gnu::always_inline]] WideFour rows_of_four(const double* from) const {
     const auto row = [&](std::size_t k) { return _mm256_loadu_pd(from + at_[k]); };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The contact of broken points while the two faces still match: no tension, friction, a dashpot
 // along the normal.
-// Scope: a pure function of a point, one per lane: the points of one facet, or one of each of a group's
-// facets. Formulas are in docs/styles/fix_muckpile_joint.md.
+// Scope: a pure function of a point, one per lane: the points of one facet, or one of each of a
+// group's facets. Formulas are in docs/styles/fix_muckpile_joint.md.
 #pragma once
 
 #include "bond/slip_friction.h"

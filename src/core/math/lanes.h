@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Four numbers, or four vectors, worked on at once: what is done at the integration points of a
-// facet is the same for each.
-// Scope: arithmetic for the inner loops of src/core.
+// Numbers, or vectors, worked on at once: the points of a facet, or facets, blocks and contacts
+// side by side. Scope: arithmetic for the inner loops of src/core.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <experimental/simd>
 #include <type_traits>
-#if defined(__AVX512F__)
+#if defined(__AVX2__)
 #include <immintrin.h>
 #endif
 
@@ -20,7 +19,7 @@ inline constexpr int kLanes = 4;
 
 /// Numbers that the processor this is built for works on with one instruction: 8 with AVX-512, 4
 /// with AVX2. The passes over facets, blocks and contacts take as many at once: vectors of two
-/// registers go through memory (GCC 12), five times slower.
+/// registers go through memory (GCC 12), up to three times slower.
 inline constexpr std::size_t kNativeLanes = std::experimental::native_simd<double>::size();
 
 /// One number per lane (std::simd of the Parallelism TS 2).
@@ -39,6 +38,34 @@ template <class Number>
                                                        std::type_identity_t<Number> no) {
   where(mask, no) = yes;
   return no;
+}
+/// Of so many lanes, bit per lane.
+template <class Number>
+[[nodiscard, gnu::always_inline]] inline typename Number::mask_type mask_of(unsigned lanes) {
+#if defined(__AVX512F__)
+  if constexpr (sizeof(Number) == sizeof(__m512d))  // GCC 12 branches for every lane
+    return Number(_mm512_maskz_mov_pd(static_cast<__mmask8>(lanes), _mm512_set1_pd(1.0))) > 0.0;
+#elif defined(__AVX2__)
+  if constexpr (sizeof(Number) == sizeof(__m256d)) {
+    const __m256i own = _mm256_setr_epi64x(1, 2, 4, 8), all = _mm256_set1_epi64x(lanes);
+    const __m256i in = _mm256_cmpeq_epi64(_mm256_and_si256(all, own), own);
+    return Number(_mm256_and_pd(_mm256_castsi256_pd(in), _mm256_set1_pd(1.0))) > 0.0;
+  }
+#endif
+  return Number([&](auto lane) { return (lanes >> lane & 1u) != 0 ? 1.0 : 0.0; }) > 0.0;
+}
+/// Bit per lane of a mask of Number.
+template <class Number>
+[[nodiscard, gnu::always_inline]] inline unsigned bits_of(const typename Number::mask_type& mask) {
+#if defined(__AVX2__)
+  if constexpr (sizeof(Number) == sizeof(__m256d)) {  // GCC 12 cannot make a register of the mask
+    const Number signs = choose(mask, Number(-1.0), 0.0);
+    return static_cast<unsigned>(_mm256_movemask_pd(static_cast<__m256d>(signs)));
+  }
+#endif
+  unsigned lanes = 0;
+  for (std::size_t k = 0; k < Number::size(); ++k) lanes |= (mask[k] ? 1u : 0u) << k;
+  return lanes;
 }
 /// 1 / sqrt(x) to a few units of the last place, of x >= 0; finite at 0. Two of Newton's steps
 /// after the processor's first guess: a third of the time of its root and its division.

@@ -20,8 +20,7 @@ using Constants = std::array<double, kBodyLanes>;
 /// `changed` where the bit is 1.
 [[gnu::always_inline]] inline void keep_where(unsigned bits, BodyLanes& number,
                                               const BodyLanes& changed) {
-  const BodyLanes chosen([bits](auto lane) { return (bits >> lane & 1u) != 0 ? 1.0 : 0.0; });
-  where(chosen > 0.0, number) = changed;
+  where(mask_of<BodyLanes>(bits), number) = changed;
 }
 void keep_where(const std::array<std::uint8_t, 3>& bits, BodyVectors& vector,
                 const BodyVectors& changed) {

@@ -72,10 +72,11 @@ class BodyMotion {
  private:
   /// Groups moved before their spheres are placed: what was written one by one number is not yet in
   /// the cache when it is read in other pieces right away, and so many the fastest cache holds.
-  static constexpr std::size_t kStretch = 4;
+  static constexpr std::size_t kStretch = 32 / kBodyLanes;
   using Row = std::array<double, kBodyLanes>;
   using Bits = std::uint8_t;  ///< one per body of a group
-  /// As many bodies as a vector has lanes. Lanes behind the last body weigh something and do not move.
+  /// As many bodies as a vector has lanes. Lanes behind the last body weigh something and do not
+  /// move.
   struct Group {
     alignas(64) Row mass;
     std::array<Row, 3> inverse_inertia;
@@ -90,8 +91,8 @@ class BodyMotion {
   struct Part {
     std::uint32_t first, uncounted;
   };
-  /// Of the spheres of a group of bodies, four numbers a row: force, torque about their own centres, and
-  /// the force times their displacement along each axis of their body.
+  /// Of the spheres of a group of bodies, four numbers a row: force, torque about their own
+  /// centres, and the force times their displacement along each axis of their body.
   struct Sums {
     alignas(64) std::array<double, 4 * kBodyLanes> force, own_torque;
     std::array<std::array<double, 4 * kBodyLanes>, 3> along;

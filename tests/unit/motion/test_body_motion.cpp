@@ -196,7 +196,7 @@ void expect_same(const Rows& rows, const Scene& scene) {
   }
 }
 
-TEST(BodyMotion, DoesToEightBodiesWhatTheLawDoesToOne) {
+TEST(BodyMotion, DoesToBodiesSideBySideWhatTheLawDoesToOne) {
   Scene scene = make_scene();
   Rows rows(scene);
   for (int step = 0; step < 2; ++step) {
