@@ -15,6 +15,7 @@
 #include "contact/block_contact_list.h"
 #include "contact/contact_forces.h"
 #include "contact/contact_law.h"
+#include "contact/contact_step_bound.h"
 #include "fix_muckpile_contact_history.h"
 #include "interfaces/block_neighbours.h"
 #include "interfaces/contact_steps.h"
@@ -69,11 +70,9 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public N
   void find_partners();
   [[nodiscard]] double step_of_light_contacts() const;
   [[nodiscard]] ContactMotion held_still(const SpherePair& pair) const;
+  [[nodiscard]] ContactStepBound bodies_without_contacts() const;
   /// A contact between a joined block and a free one counts for both.
-  struct PresentContacts {
-    ContactStepBound free, joined;  ///< of blocks without and with joints
-  };
-  [[nodiscard]] PresentContacts present_contacts();
+  [[nodiscard]] ContactStepBound present_contacts();
 
   void rebuild();
   void list_pairs();

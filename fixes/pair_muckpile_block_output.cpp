@@ -8,13 +8,18 @@
 #include <algorithm>
 #include <limits>
 #include <string_view>
+#include <utility>
 
-#include "contact/contact_step_bound.h"
 #include "engine/bodies.h"
 #include "engine/particle_vectors.h"
 #include "pair_muckpile_block.h"
 
 namespace muckpile {
+namespace {
+
+enum Group { kFree, kJoined };  // blocks without and with joints
+
+}  // namespace
 
 /// Of contacts that may come: one, with a small overlap, per sphere.
 double PairMuckpileBlock::step_of_light_contacts() const {
@@ -39,11 +44,24 @@ ContactMotion PairMuckpileBlock::held_still(const SpherePair& pair) const {
           Vec3::Zero()};
 }
 
-PairMuckpileBlock::PresentContacts PairMuckpileBlock::present_contacts() {
+ContactStepBound PairMuckpileBlock::bodies_without_contacts() const {
   const engine::Bodies bodies(*bodies_);
-  PresentContacts bounds;
   std::vector<char> joined(static_cast<std::size_t>(bodies.count()), 0);
   if (joints_ != nullptr) joints_->mark_joined_bodies(joined);
+  std::vector<ContactStepBound::Body> all;
+  all.reserve(joined.size());
+  for (int b = 0; b < bodies.count(); ++b)
+    all.push_back({bodies.mass(b), bodies.inertia(b), bodies.axes(b),
+                   joined[static_cast<std::size_t>(b)] != 0 ? kJoined : kFree});
+  return ContactStepBound(std::move(all));
+}
+
+ContactStepBound PairMuckpileBlock::present_contacts() {
+  const engine::Bodies bodies(*bodies_);
+  ContactStepBound bound = bodies_without_contacts();
+  const auto body_of = [this](int sphere) {
+    return bodies_->data().map(bodies_->belongs_to(sphere));
+  };
   for (const BlockPair& block_pair : list_.block_pairs())
     for (const SpherePair& pair : near_spheres(block_pair)) {
       if (pair.contact < 0) continue;
@@ -52,19 +70,15 @@ PairMuckpileBlock::PresentContacts PairMuckpileBlock::present_contacts() {
       const double inside = motion.radius_first * (1.0 - motion.overlap / pair.reach);
       const Vec3 point = engine::vector_of(atom->x[0], pair.first) + inside * motion.normal;
       for (const bool second : {false, true}) {
-        const int body =
-            bodies_->data().map(bodies_->belongs_to(second ? pair.second : pair.first));
+        const int body = body_of(second ? pair.second : pair.first);
         if (body < 0) continue;  // the other rank's
         Vec3 arm = point - bodies.centre(body);
         domain->minimum_image(arm.x(), arm.y(), arm.z());
-        ContactStepBound& bound =
-            joined[static_cast<std::size_t>(body)] != 0 ? bounds.joined : bounds.free;
-        bound.add(static_cast<std::size_t>(body),
-                  {bodies.mass(body), bodies.inertia_in_space(body)}, resistance, motion.normal,
-                  arm, atom->rmass[second ? pair.first : pair.second]);
+        bound.add(static_cast<std::size_t>(body), resistance, motion.normal, arm,
+                  atom->rmass[second ? pair.first : pair.second]);
       }
     }
-  return bounds;
+  return bound;
 }
 
 double PairMuckpileBlock::resting_energy() {
@@ -93,9 +107,10 @@ void* PairMuckpileBlock::extract(const char* name, int& dim) {
   if (key == "max_overlap_ratio") return &last_.largest_overlap_ratio;
   if (key == "steps_s") {
     dim = 1;
-    const PresentContacts present = present_contacts();
-    ledger_.steps_s = {present.free.step(), present.free.spring_step(), present.joined.step(),
-                       present.joined.spring_step(), step_of_light_contacts()};
+    const ContactStepBound bound = present_contacts();
+    const ContactStepBound::Steps free = bound.steps(kFree), joined = bound.steps(kJoined);
+    ledger_.steps_s = {free.with_dashpots, free.springs, joined.with_dashpots, joined.springs,
+                       step_of_light_contacts()};
     return ledger_.steps_s.data();
   }
   if (key == "rebuild_s") return &ledger_.rebuild_s;

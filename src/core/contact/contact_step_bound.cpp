@@ -5,49 +5,111 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace muckpile {
+namespace {
 
-void ContactStepBound::add(std::size_t number, const Body& body, const ContactResistance& contact,
-                           const Vec3& normal, const Vec3& arm, double other_mass) {
-  Sum& sum = sums_[number];
-  if (sum.slim.isZero()) {
-    sum.slim.topLeftCorner<3, 3>() = Mat3::Identity() / std::sqrt(body.mass);
-    sum.slim.bottomRightCorner<3, 3>() =
-        Eigen::SelfAdjointEigenSolver<Mat3>(body.inertia).operatorInverseSqrt();
-  }
-  // Displacement of the point: shift + turn x arm.
-  Eigen::Matrix<double, 3, 6> moved;
-  moved << Mat3::Identity(), Mat3::Zero();
-  for (int k = 0; k < 3; ++k) moved.col(3 + k) = Vec3::Unit(k).cross(arm);
-  const Mat3 across = normal * normal.transpose(), along = Mat3::Identity() - across;
-  const double weight = 1.0 + std::sqrt(body.mass / other_mass);
-  const Mat3 spring = contact.normal_stiffness * across + contact.tangential_stiffness * along;
-  const Mat3 dashpot = contact.normal_damping * across + contact.tangential_damping * along;
-  sum.stiffness += weight * (moved.transpose() * spring * moved);
-  sum.stiffness.bottomRightCorner<3, 3>() += weight * contact.rolling_stiffness * along;
-  sum.damping += weight * (moved.transpose() * dashpot * moved);
+/// No limit shorter than `step`, as no eigenvalue is above these.
+bool bears(double step, double stiffness, double damping) {
+  return std::isinf(step) ? stiffness == 0.0 && damping == 0.0
+                          : step * (step * stiffness + 2.0 * damping) <= 4.0;
 }
 
-double ContactStepBound::shortest(bool damped) const {
-  double step = std::numeric_limits<double>::infinity();
-  for (const auto& [number, sum] : sums_) {
-    const Mat6 stiffness = sum.slim * sum.stiffness * sum.slim;
-    const Mat6 damping = damped ? Mat6(sum.slim * sum.damping * sum.slim) : Mat6(Mat6::Zero());
-    step = limit(stiffness, damping, step);
+/// r x of a vector.
+Mat3 cross_with(const Vec3& r) {
+  Mat3 matrix;
+  matrix << 0.0, -r.z(), r.y(), r.z(), 0.0, -r.x(), -r.y(), r.x(), 0.0;
+  return matrix;
+}
+
+}  // namespace
+
+ContactStepBound::ContactStepBound(std::vector<Body> bodies)
+    : bodies_(std::move(bodies)), sums_(bodies_.size()) {}
+
+/// The point is displaced by s + t x arm; tangential (|s + t x arm|^2) + the rest of the normal.
+void ContactStepBound::Form::add(double normal, double tangential, const Vec3& direction,
+                                 const Vec3& arm) {
+  const double rest = normal - tangential;
+  const Vec3 lever = arm.cross(direction);
+  ss.diagonal().array() += tangential;
+  ss.noalias() += rest * direction * direction.transpose();
+  st -= tangential * cross_with(arm);
+  st.noalias() += rest * direction * lever.transpose();
+  tt.diagonal().array() += tangential * arm.squaredNorm();
+  tt.noalias() -= tangential * arm * arm.transpose();
+  tt.noalias() += rest * lever * lever.transpose();
+}
+
+void ContactStepBound::add(std::size_t body, const ContactResistance& contact, const Vec3& normal,
+                           const Vec3& arm, double other_mass) {
+  Sum& sum = sums_[body];
+  const double weight = 1.0 + std::sqrt(bodies_[body].mass / other_mass);
+  sum.stiffness.add(weight * contact.normal_stiffness, weight * contact.tangential_stiffness,
+                    normal, arm);
+  sum.damping.add(weight * contact.normal_damping, weight * contact.tangential_damping, normal,
+                  arm);
+  const double rolling = weight * contact.rolling_stiffness;
+  sum.stiffness.tt.diagonal().array() += rolling;
+  sum.stiffness.tt.noalias() -= rolling * normal * normal.transpose();
+}
+
+double ContactStepBound::trace_over_mass(const Form& form, const Body& body) {
+  const Mat3 turned = form.tt * body.axes;
+  double trace = form.ss.trace() / body.mass;
+  for (int k = 0; k < 3; ++k) trace += body.axes.col(k).dot(turned.col(k)) / body.inertia[k];
+  return trace;
+}
+
+/// Along the body's axes.
+ContactStepBound::Mat6 ContactStepBound::over_mass(const Form& form, const Body& body) {
+  const double slim = 1.0 / std::sqrt(body.mass);
+  const Mat3 turn = body.axes * body.inertia.cwiseSqrt().cwiseInverse().asDiagonal();
+  Mat6 matrix;
+  matrix.topLeftCorner<3, 3>() = slim * slim * form.ss;
+  matrix.topRightCorner<3, 3>() = slim * form.st * turn;
+  matrix.bottomLeftCorner<3, 3>() = matrix.topRightCorner<3, 3>().transpose();
+  matrix.bottomRightCorner<3, 3>() = turn.transpose() * form.tt * turn;
+  return matrix;
+}
+
+/// The sum of the eigenvalues shows most bodies to be no limit, once one that is among the
+/// stiffest is known.
+ContactStepBound::Steps ContactStepBound::steps(int group) const {
+  std::vector<std::pair<std::size_t, Traces>> candidates;
+  std::size_t stiffest = 0;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    if (bodies_[b].group != group) continue;
+    const Traces traces{trace_over_mass(sums_[b].stiffness, bodies_[b]),
+                        trace_over_mass(sums_[b].damping, bodies_[b])};
+    if (traces.stiffness == 0.0 && traces.damping == 0.0) continue;
+    candidates.emplace_back(b, traces);
+    if (traces.stiffness > candidates[stiffest].second.stiffness) stiffest = candidates.size() - 1;
   }
-  return step;
+  Steps steps;
+  if (candidates.empty()) return steps;
+  std::swap(candidates.front(), candidates[stiffest]);
+  for (const auto& [body, traces] : candidates) {
+    if (!bears(steps.springs, traces.stiffness, 0.0) ||
+        !bears(steps.with_dashpots, traces.stiffness, traces.damping))
+      steps = shorten(steps, body);
+  }
+  return steps;
+}
+
+ContactStepBound::Steps ContactStepBound::shorten(Steps steps, std::size_t body) const {
+  const Mat6 stiffness = over_mass(sums_[body].stiffness, bodies_[body]);
+  return {limit(stiffness, Mat6::Zero(), steps.springs),
+          limit(stiffness, over_mass(sums_[body].damping, bodies_[body]), steps.with_dashpots)};
 }
 
 /// A body's limit if that is shorter, else `shorter_than`; stiffness and damping are scaled by its
 /// mass. The step s that solves s = 2/sqrt(largest eigenvalue of K + (2/s) C) is approached from
 /// above.
 double ContactStepBound::limit(const Mat6& stiffness, const Mat6& damping, double shorter_than) {
-  // The root of the sum of squares is an upper bound of the eigenvalues, and shows most bodies to
-  // be no limit.
-  const double s = shorter_than;
-  if (s * (s * stiffness.norm() + 2.0 * damping.norm()) <= 4.0) return shorter_than;
+  // The root of the sum of squares is an upper bound of the eigenvalues, too.
+  if (bears(shorter_than, stiffness.norm(), damping.norm())) return shorter_than;
   constexpr int kMostRounds = 200;
   constexpr double kSettled = 1e-4;
   double step = shorter_than;

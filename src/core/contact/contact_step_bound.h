@@ -11,7 +11,8 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
+#include <limits>
+#include <vector>
 
 #include "math/types.h"
 
@@ -28,29 +29,49 @@ class ContactStepBound {
  public:
   struct Body {
     double mass;   ///< [kg]
-    Mat3 inertia;  ///< in space, about the centre [kg m2]
+    Vec3 inertia;  ///< principal moments [kg m2]
+    Mat3 axes;     ///< columns: the principal axes in space
+    int group = 0;
+  };
+  /// Longest stable steps [s]; infinity without contacts.
+  struct Steps {
+    double springs = std::numeric_limits<double>::infinity();
+    double with_dashpots = std::numeric_limits<double>::infinity();
   };
 
-  /// One contact of body `number`, at `arm` [m] from its centre, with a body of mass `other_mass`.
-  void add(std::size_t number, const Body& body, const ContactResistance& contact,
-           const Vec3& normal, const Vec3& arm, double other_mass);
+  explicit ContactStepBound(std::vector<Body> bodies);
 
-  /// Longest stable step [s]; infinity without contacts.
-  [[nodiscard]] double step() const { return shortest(true); }
-  /// The same without the dashpots.
-  [[nodiscard]] double spring_step() const { return shortest(false); }
+  [[nodiscard]] const Body& body(std::size_t number) const { return bodies_[number]; }
+
+  /// One contact of a body, at `arm` [m] from its centre, with a body of mass `other_mass`.
+  void add(std::size_t body, const ContactResistance& contact, const Vec3& normal, const Vec3& arm,
+           double other_mass);
+
+  /// Of the bodies of one group.
+  [[nodiscard]] Steps steps(int group) const;
 
  private:
   using Mat6 = Eigen::Matrix<double, 6, 6>;
-  struct Sum {
-    Mat6 stiffness = Mat6::Zero(), damping = Mat6::Zero();
-    Mat6 slim = Mat6::Zero();  // M^(-1/2)
+  /// Of shift s and turn t: s.ss s + 2 s.st t + t.tt t.
+  struct Form {
+    Mat3 ss = Mat3::Zero(), st = Mat3::Zero(), tt = Mat3::Zero();
+
+    void add(double normal, double tangential, const Vec3& direction, const Vec3& arm);
   };
-  [[nodiscard]] double shortest(bool damped) const;
+  struct Sum {
+    Form stiffness, damping;
+  };
+  struct Traces {
+    double stiffness, damping;  // of the forms over the mass [1/s2], [1/s]
+  };
+  [[nodiscard]] static double trace_over_mass(const Form& form, const Body& body);
+  [[nodiscard]] static Mat6 over_mass(const Form& form, const Body& body);
+  [[nodiscard]] Steps shorten(Steps steps, std::size_t body) const;
   [[nodiscard]] static double limit(const Mat6& stiffness, const Mat6& damping,
                                     double shorter_than);
 
-  std::map<std::size_t, Sum> sums_;
+  std::vector<Body> bodies_;
+  std::vector<Sum> sums_;  // per body
 };
 
 }  // namespace muckpile
