@@ -10,11 +10,13 @@
 #include <update.h>
 
 #include <array>
+#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include "engine/bodies.h"
@@ -34,6 +36,18 @@ const ArgTable& table() {
   static const ArgTable args = engine::periodic_output_table(
       "fix muckpile/dump", "between snapshots", "where blocks_<step>.csv go");
   return args;
+}
+
+/// Each number behind a comma, to so many digits.
+template <class Numbers>
+void append(std::string& text, const Numbers& numbers, int digits) {
+  std::array<char, 32> word{};
+  for (const double number : numbers) {
+    const auto end =
+        std::to_chars(word.begin(), word.end(), number, std::chars_format::general, digits);
+    text += ',';
+    text.append(word.begin(), end.ptr);
+  }
 }
 
 }  // namespace
@@ -99,19 +113,19 @@ std::string FixMuckpileDump::rows() const {
     broken = engine::broken_share(*joint_);
   }
   std::string text;
-  std::array<char, 512> line{};
   for (int b = 0; b < bodies.count(); ++b) {
     const auto k = static_cast<std::size_t>(b);
     const BlockRecord& record = store_->records()[k];
     if (record.mass == 0.0) continue;  // not made by create_blocks
     const Quat q(Mat3(bodies.axes(b) * record.start_axes.transpose()));
-    const Vec3 x = bodies.centre(b), v = bodies.velocity(b), w = bodies.spin(b);
-    const int length = std::snprintf(
-        line.data(), line.size(),
-        "%d,%.10g,%.10g,%.10g,%.9g,%.9g,%.9g,%.9g,%.7g,%.7g,%.7g,%.7g,%.7g,%.7g,%d,%.5g\n",
-        record.tag, x.x(), x.y(), x.z(), q.w(), q.x(), q.y(), q.z(), v.x(), v.y(), v.z(), w.x(),
-        w.y(), w.z(), fragment.empty() ? record.tag : fragment[k], broken[k]);
-    text.append(line.data(), static_cast<std::size_t>(length));
+    text += std::to_string(record.tag);
+    append(text, bodies.centre(b), 10);
+    append(text, Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()), 9);
+    append(text, bodies.velocity(b), 7);
+    append(text, bodies.spin(b), 7);
+    text += ',' + std::to_string(fragment.empty() ? record.tag : fragment[k]);
+    append(text, Eigen::Matrix<double, 1, 1>(broken[k]), 5);
+    text += '\n';
   }
   return text;
 }

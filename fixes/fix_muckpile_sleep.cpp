@@ -95,7 +95,16 @@ void FixMuckpileSleep::follow_bodies() {
   tags_ = std::move(tags);
   stays_ = std::move(stays);
   rests_ = std::move(rests);
+  list_bodies_of_spheres();
   tell();
+}
+
+void FixMuckpileSleep::list_bodies_of_spheres() {
+  body_of_.resize(static_cast<std::size_t>(atom->nlocal + atom->nghost));
+  for (std::size_t k = 0; k < body_of_.size(); ++k) {
+    const int tag = multisphere_->belongs_to(static_cast<int>(k));
+    body_of_[k] = tag < 0 ? -1 : multisphere_->data().map(tag);
+  }
 }
 
 /// The start of a run sums forces anew, without those between resting blocks: hold these again.
@@ -145,9 +154,7 @@ void FixMuckpileSleep::mark_near(const std::vector<char>& moving, std::vector<ch
   near_->mark_near(from, sent_);
   share_sent();
   for (std::size_t k = 0; k < sent_.size(); ++k) {
-    if (sent_[k] == 0) continue;
-    const int body = body_of(static_cast<int>(k));
-    if (body >= 0) disturbed[static_cast<std::size_t>(body)] = 1;
+    if (sent_[k] != 0 && body_of_[k] >= 0) disturbed[static_cast<std::size_t>(body_of_[k])] = 1;
   }
 }
 
@@ -178,10 +185,9 @@ void FixMuckpileSleep::tell() {
 
 /// One flag per sphere, ghosts included, from one per body.
 std::vector<char> FixMuckpileSleep::on_spheres(const std::vector<char>& of_bodies) {
-  sent_.assign(static_cast<std::size_t>(atom->nlocal + atom->nghost), 0);
+  sent_.assign(body_of_.size(), 0);
   for (std::size_t k = 0; k < sent_.size(); ++k) {
-    const int body = body_of(static_cast<int>(k));
-    if (body >= 0) sent_[k] = of_bodies[static_cast<std::size_t>(body)];
+    if (body_of_[k] >= 0) sent_[k] = of_bodies[static_cast<std::size_t>(body_of_[k])];
   }
   share_sent();
   return sent_;
@@ -192,11 +198,6 @@ std::vector<char> FixMuckpileSleep::on_spheres(const std::vector<char>& of_bodie
 void FixMuckpileSleep::share_sent() {
   comm->reverse_comm_fix(this);
   comm->forward_comm_fix(this);
-}
-
-int FixMuckpileSleep::body_of(int sphere) const {
-  const int tag = multisphere_->belongs_to(sphere);
-  return tag < 0 ? -1 : multisphere_->data().map(tag);
 }
 
 int FixMuckpileSleep::pack_comm(int n, int* list, double* buffer, int, int*) {

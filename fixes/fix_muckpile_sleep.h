@@ -54,6 +54,7 @@ class FixMuckpileSleep : public LAMMPS_NS::Fix, public RestingBlocks {
 
  private:
   void follow_bodies();
+  void list_bodies_of_spheres();
   [[nodiscard]] bool blast_is_on() const;
   [[nodiscard]] std::vector<char> moving_bodies();
   void mark_near(const std::vector<char>& moving, std::vector<char>& disturbed);
@@ -61,7 +62,6 @@ class FixMuckpileSleep : public LAMMPS_NS::Fix, public RestingBlocks {
   void tell();
   void share_sent();
   [[nodiscard]] std::vector<char> on_spheres(const std::vector<char>& of_bodies);
-  [[nodiscard]] int body_of(int sphere) const;
 
   std::string where_;
   StillnessLimits limits_;
@@ -71,6 +71,7 @@ class FixMuckpileSleep : public LAMMPS_NS::Fix, public RestingBlocks {
   std::vector<int> tags_;         // per body, as of follow_bodies()
   std::vector<Stillness> stays_;  // per body
   std::vector<char> rests_;       // per body
+  std::vector<int> body_of_;      // per sphere with ghosts, -1: of another rank or none
   std::vector<char> of_spheres_;  // per sphere with ghosts: its block rests
   std::vector<char> sent_;        // per sphere with ghosts: what share_sent() sends
   int resting_ = 0;               // bodies of this rank

@@ -59,8 +59,11 @@ ContactStepBound PairMuckpileBlock::bodies_without_contacts() const {
 ContactStepBound PairMuckpileBlock::present_contacts() {
   const engine::Bodies bodies(*bodies_);
   ContactStepBound bound = bodies_without_contacts();
-  const auto body_of = [this](int sphere) {
-    return bodies_->data().map(bodies_->belongs_to(sphere));
+  std::vector<int> body_of_block;
+  body_of_block.reserve(block_tag_.size());
+  for (const int tag : block_tag_) body_of_block.push_back(bodies_->data().map(tag));
+  const auto body_of = [&](int sphere) {
+    return body_of_block[static_cast<std::size_t>(atom_block_[static_cast<std::size_t>(sphere)])];
   };
   for (const BlockPair& block_pair : list_.block_pairs())
     for (const SpherePair& pair : near_spheres(block_pair)) {
