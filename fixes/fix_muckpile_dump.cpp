@@ -56,7 +56,8 @@ FixMuckpileDump::FixMuckpileDump(LAMMPS_NS::LAMMPS* engine, int narg, char** arg
     : Fix(engine, narg, arg) {
   const std::string where = std::string("fix muckpile/dump '") + id + "'";
   const ArgValues args = engine::read_args(*lmp, table(), where, narg, arg, 3);
-  nevery = static_cast<int>(args.integer("every"));
+  every_ = static_cast<int>(args.integer("every"));
+  nevery = 1;
   folder_ = args.word("directory");
   engine::make_output_folder(*lmp, where, folder_);
 }
@@ -95,12 +96,12 @@ void FixMuckpileDump::remove_later() const {
 void FixMuckpileDump::post_run() { write(); }
 
 void FixMuckpileDump::end_of_step() {
-  if (update->ntimestep % nevery == 0) write();
+  if (update->ntimestep % every_ == 0) write();
 }
 
 int FixMuckpileDump::modify_param(int narg, char** arg) {
   if (std::strcmp(arg[0], "every") != 0) return 0;
-  nevery = engine::read_every(*lmp, std::string("fix_modify ") + id, narg, arg);
+  every_ = engine::read_every(*lmp, std::string("fix_modify ") + id, narg, arg);
   return 2;
 }
 
@@ -124,7 +125,7 @@ std::string FixMuckpileDump::rows() const {
     append(text, bodies.velocity(b), 7);
     append(text, bodies.spin(b), 7);
     text += ',' + std::to_string(fragment.empty() ? record.tag : fragment[k]);
-    append(text, Eigen::Matrix<double, 1, 1>(broken[k]), 5);
+    append(text, std::array{broken[k]}, 5);
     text += '\n';
   }
   return text;

@@ -31,6 +31,7 @@ class FixMuckpileDump : public LAMMPS_NS::Fix {
   FixMuckpileBlocks* store_ = nullptr;
   FixMuckpileJoint* joint_ = nullptr;
   std::string folder_;
+  int every_;  // the engine looks up `nevery` only when a run is set up
   LAMMPS_NS::bigint last_ = -1;
 };
 

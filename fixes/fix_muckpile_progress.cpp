@@ -68,7 +68,8 @@ FixMuckpileProgress::FixMuckpileProgress(LAMMPS_NS::LAMMPS* engine, int narg, ch
       where_(std::string("fix muckpile/progress '") + id + "'"),
       wall_start_(MPI_Wtime()) {
   const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
-  nevery = static_cast<int>(args.integer("every"));
+  every_ = static_cast<int>(args.integer("every"));
+  nevery = 1;
   folder_ = args.word("directory");
   phase_ = args.word("phase");
   time_end_ = args.real("time_end");
@@ -103,7 +104,7 @@ void FixMuckpileProgress::setup(int) {
 }
 
 void FixMuckpileProgress::end_of_step() {
-  if (update->ntimestep % nevery != 0 || last_ == update->ntimestep) return;
+  if (update->ntimestep % every_ != 0 || last_ == update->ntimestep) return;
   last_ = update->ntimestep;
   const Look now = look();
   stop_if_wrong(now);
@@ -281,7 +282,7 @@ int FixMuckpileProgress::modify_param(int narg, char** arg) {
   const std::string key = arg[0];
   if (key != "phase" && key != "time_end" && key != "every") return 0;
   if (key == "every") {
-    nevery = engine::read_every(*lmp, where, narg, arg);
+    every_ = engine::read_every(*lmp, where, narg, arg);
     return 2;
   }
   if (narg < 2) engine::stop(*lmp, where + ": " + key + " needs a value");

@@ -56,6 +56,7 @@ class FixMuckpileProgress : public LAMMPS_NS::Fix {
   FixMuckpileBlocks* store_ = nullptr;
   std::string where_, folder_, phase_;
   std::string scene_;  // region, empty for all space
+  int every_;          // the engine looks up `nevery` only when a run is set up
   double time_end_, still_speed_, still_share_, fastest_allowed_, balance_allowed_;
   double wall_start_, phase_wall_start_ = 0.0, phase_time_start_ = 0.0;
   bool history_begun_ = false;

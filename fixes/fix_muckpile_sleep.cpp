@@ -251,7 +251,8 @@ int FixMuckpileSleep::modify_param(int, char** arg) {
   ++version_;
   of_spheres_.assign(of_spheres_.size(), 0);
   any_ = false;
-  return 1;  // the joints are told at the start of the next run
+  if (joined_ != nullptr) joined_->wake_all();
+  return 1;
 }
 
 double FixMuckpileSleep::compute_scalar() {

@@ -15,12 +15,6 @@
 #include "pair_muckpile_block.h"
 
 namespace muckpile {
-namespace {
-
-enum Group { kFree, kJoined };  // blocks without and with joints
-
-}  // namespace
-
 /// Of contacts that may come: one, with a small overlap, per sphere.
 double PairMuckpileBlock::step_of_light_contacts() const {
   double step = std::numeric_limits<double>::infinity();
@@ -52,7 +46,7 @@ ContactStepBound PairMuckpileBlock::bodies_without_contacts() const {
   all.reserve(joined.size());
   for (int b = 0; b < bodies.count(); ++b)
     all.push_back({bodies.mass(b), bodies.inertia(b), bodies.axes(b),
-                   joined[static_cast<std::size_t>(b)] != 0 ? kJoined : kFree});
+                   joined[static_cast<std::size_t>(b)] != 0});
   return ContactStepBound(std::move(all));
 }
 
@@ -111,7 +105,7 @@ void* PairMuckpileBlock::extract(const char* name, int& dim) {
   if (key == "steps_s") {
     dim = 1;
     const ContactStepBound bound = present_contacts();
-    const ContactStepBound::Steps free = bound.steps(kFree), joined = bound.steps(kJoined);
+    const ContactStepBound::Steps free = bound.steps(false), joined = bound.steps(true);
     ledger_.steps_s = {free.with_dashpots, free.springs, joined.with_dashpots, joined.springs,
                        step_of_light_contacts()};
     return ledger_.steps_s.data();

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <numbers>
 #include <set>
@@ -13,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "cpu_time.h"
 #include "framework/frequency_fit.h"
 #include "framework/report.h"
 #include "math/types.h"
@@ -208,13 +210,15 @@ double frequency(const Vibration& vibration, const std::vector<Frame>& frames) {
   return fitted_frequency(samples_of(vibration, frames), 0.7 * guess, 1.3 * guess) / (2.0 * kPi);
 }
 
-void compare(const Shape& shape, const std::string& ours, const std::string& theirs,
+std::string name_of(const Shape& shape) {
+  return "bar of " + std::to_string(shape.cells) + " x " + std::to_string(shape.across) + " x " +
+         std::to_string(shape.across) + " cubes";
+}
+
+void compare(const Shape& shape, const std::vector<Frame>& here, const std::vector<Frame>& there,
              Report& report) {
   constexpr double kAllowed = 0.01;
-  const std::vector<Frame> here = frames_of(shape, ours), there = frames_of(shape, theirs);
-  const std::string bar = "bar of " + std::to_string(shape.cells) + " x " +
-                          std::to_string(shape.across) + " x " + std::to_string(shape.across) +
-                          " cubes, ";
+  const std::string bar = name_of(shape) + ", ";
   for (const Vibration& vibration : vibrations(shape)) {
     const double found = frequency(vibration, here);
     report.relative({bar + vibration.name, "Muckpile against LAMMPS", "Hz", "LAMMPS"}, found,
@@ -223,6 +227,24 @@ void compare(const Shape& shape, const std::string& ours, const std::string& the
       report.relative({bar + vibration.name, "Muckpile against n c / 2 L", "Hz", "bar wave"}, found,
                       vibration.expected, kAllowed);
   }
+}
+
+/// Errors grow with the square of the cubes' edge, and the cost of a bar with its inverse fourth
+/// power: three for the cubes, one for the steps.
+void compare_cost(const Shape& shape, const std::vector<Frame>& here,
+                  const std::vector<Frame>& there, double seconds_here, double seconds_there,
+                  Report& report) {
+  const double ratio = seconds_there / seconds_here;
+  report.measured({name_of(shape), "CPU time of the run, Muckpile", "s", ""}, seconds_here);
+  report.measured({name_of(shape), "CPU time of the run, LAMMPS over Muckpile", "-", ""}, ratio);
+  if (shape.across == 1) return;
+  const Vibration axial_3 = vibrations(shape)[2];
+  const auto error = [&](const std::vector<Frame>& frames) {
+    return std::abs(frequency(axial_3, frames) / axial_3.expected - 1.0);
+  };
+  report.measured(
+      {name_of(shape), "the same with so many cubes that axial 3 is equally wrong", "-", ""},
+      ratio * std::pow(error(there) / error(here), 2));
 }
 
 int run(const std::vector<std::string>& words) {
@@ -240,7 +262,12 @@ int run(const std::vector<std::string>& words) {
     return 0;
   }
   Report report("crosscheck.bar_" + words[2]);
-  compare(shape, words[3], words[4], report);
+  const std::vector<Frame> here = frames_of(shape, words[3]), there = frames_of(shape, words[4]);
+  const auto seconds = [](const std::filesystem::path& frames) {
+    return cpu_seconds(frames.parent_path());
+  };
+  compare(shape, here, there, report);
+  compare_cost(shape, here, there, seconds(words[3]), seconds(words[4]), report);
   report.write(words[5], std::stod(words[6]));
   return report.acceptable() ? 0 : 1;
 }

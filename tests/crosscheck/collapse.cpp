@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "cpu_time.h"
 #include "framework/report.h"
 #include "measure/pile.h"
 #include "text_dump.h"
@@ -179,11 +180,13 @@ void run(const fs::path& folder, Report& report) {
   for (const auto& entry : fs::directory_iterator(folder)) seeds.insert(entry.path());
   if (seeds.size() < 2) throw std::runtime_error(folder.string() + ": fewer than two seeds");
   std::map<std::string, std::vector<Heap>> heaps;
+  std::map<std::string, double> seconds;
   for (const fs::path& seed : seeds) {
     const std::map<int, Pose> start = poses(seed / "muckpile" / "start.txt");
     for (const std::string code : {"muckpile", "lammps"}) {
       const Heap heap = heap_of(start, seed / code);
       heaps[code].push_back(heap);
+      seconds[code] += cpu_seconds(seed / code);
       std::printf(
           "%s %-8s %zu clumps, mass centre %.4f m, then %.4f m, run-out %.4f m, rest angle "
           "%.3f degrees, speed left %.1e m/s\n",
@@ -202,6 +205,9 @@ void run(const fs::path& folder, Report& report) {
     list(what, "Muckpile", here, report);
     list(what, "LAMMPS", there, report);
   }
+  report.measured({scene(here), "CPU time of all runs, Muckpile", "s", ""}, seconds["muckpile"]);
+  report.measured({scene(here), "CPU time of all runs, LAMMPS over Muckpile", "-", ""},
+                  seconds["lammps"] / seconds["muckpile"]);
   plot("Muckpile", 0, here, report);
   plot("LAMMPS", 1, there, report);
 }

@@ -18,11 +18,12 @@ if ! command -v lmp >/dev/null; then
 fi
 rm -rf "$runs"
 
-run() {  # run FOLDER COMMAND...: the words go on as they are; output into FOLDER/log
-  local folder=$1
+# run FOLDER COMMAND...: the words go on as they are; output into FOLDER/log, CPU seconds (user, system) into FOLDER/cpu_s
+run() {
+  local folder=$1 TIMEFORMAT='%U %S'
   shift
   mkdir -p "$folder"
-  "$@" -log none -var out "$folder" >"$folder/log" 2>&1 </dev/null || {
+  { time "$@" -log none -var out "$folder" >"$folder/log" 2>&1 </dev/null; } 2>"$folder/cpu_s" || {
     tail -n 15 "$folder/log"
     printf '%s\n' "crosscheck: error: this failed: $*"
     exit 1

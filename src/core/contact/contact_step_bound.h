@@ -28,10 +28,10 @@ struct ContactResistance {
 class ContactStepBound {
  public:
   struct Body {
-    double mass;   ///< [kg]
-    Vec3 inertia;  ///< principal moments [kg m2]
-    Mat3 axes;     ///< columns: the principal axes in space
-    int group = 0;
+    double mass;          ///< [kg]
+    Vec3 inertia;         ///< principal moments [kg m2]
+    Mat3 axes;            ///< columns: the principal axes in space
+    bool joined = false;  ///< to be asked for apart from the others
   };
   /// Longest stable steps [s]; infinity without contacts.
   struct Steps {
@@ -41,14 +41,12 @@ class ContactStepBound {
 
   explicit ContactStepBound(std::vector<Body> bodies);
 
-  [[nodiscard]] const Body& body(std::size_t number) const { return bodies_[number]; }
-
   /// One contact of a body, at `arm` [m] from its centre, with a body of mass `other_mass`.
   void add(std::size_t body, const ContactResistance& contact, const Vec3& normal, const Vec3& arm,
            double other_mass);
 
-  /// Of the bodies of one group.
-  [[nodiscard]] Steps steps(int group) const;
+  /// Of the bodies that are joined, or of the others.
+  [[nodiscard]] Steps steps(bool joined) const;
 
  private:
   using Mat6 = Eigen::Matrix<double, 6, 6>;

@@ -67,5 +67,26 @@ TEST(FixMuckpileProgress, WithoutASceneABlockMovesWhereverItIs) {
   EXPECT_EQ(scene.output("progress", kGone), 0.0);
 }
 
+/// The engine looks up how often a fix works only when it sets a run up.
+TEST(FixMuckpileProgress, AnotherIntervalActsInARunThatIsNotSetUp) {
+  const ScratchFolder folder("progress_every");
+  RockScene scene(MPI_COMM_WORLD, "-4 4 -2 2 -2 2");
+  let_one_fly(scene, folder, "");
+  scene.command("fix snapshots all muckpile/dump every 1000000 directory " +
+                (folder / "").string());
+  scene.run(0, kStep);
+  scene.command("fix_modify snapshots every 5");
+  scene.command("fix_modify progress every 4");
+  scene.command("run 9 pre no");
+  for (const int step : {0, 5, 9}) {  // every run ends with one
+    const std::string name = "blocks_00000000" + std::to_string(step) + ".csv";
+    EXPECT_NE(content(folder / name).find("# step=" + std::to_string(step)), std::string::npos);
+  }
+  std::istringstream history(content(folder / "history.csv"));
+  std::string line, steps;
+  while (std::getline(history, line)) steps += line.substr(0, line.find(',')) + ' ';
+  EXPECT_EQ(steps, "step 0 4 8 ");
+}
+
 }  // namespace
 }  // namespace muckpile::test
