@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix muckpile/balance: moves the borders between ranks so that all have the same work.
-// Scope: at the start of each run, along the axes that the processor grid cuts.
+// Scope: at the start of each run that is set up, along the axes that the processor grid cuts.
 #pragma once
 
 #include <fix.h>

@@ -43,7 +43,7 @@ const ArgTable& table() {
           .real("fraction", "", Range::left_open(0.0, 1.0), 0.8, "of the longest stable step")
           .integer("every", "steps", engine::step_counts(), 100, "between looks at the contacts")
           .integer("joints_every", "looks", Range::closed(0, 1000000), 20,
-                   "between looks at the joints; 0: at the start of each run and never within")
+                   "between looks at the joints; 0: as a run is set up and never within")
           .word("breaking", {"possible", "none"}, "possible",
                 "whether joints may break between two looks: a closed broken one is stiffer")
           .real("dashpot_fraction", "", Range::left_open(0.0, 4.0), 0.8,
