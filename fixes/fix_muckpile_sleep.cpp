@@ -63,7 +63,11 @@ int FixMuckpileSleep::setmask() {
 
 /// An unfix wakes all; at the end of the program there is nothing to do.
 void FixMuckpileSleep::pre_delete(bool unfixflag) {
-  if (!unfixflag) return;
+  if (unfixflag) wake_joints();
+}
+
+/// fix muckpile/joint may have gone since init().
+void FixMuckpileSleep::wake_joints() {
   auto* joined = dynamic_cast<JoinedBlocks*>(modify->find_fix_style_strict("muckpile/joint", 0));
   if (joined != nullptr) joined->wake_all();
 }
@@ -251,7 +255,7 @@ int FixMuckpileSleep::modify_param(int, char** arg) {
   ++version_;
   of_spheres_.assign(of_spheres_.size(), 0);
   any_ = false;
-  if (joined_ != nullptr) joined_->wake_all();
+  wake_joints();
   return 1;
 }
 

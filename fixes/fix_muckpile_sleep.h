@@ -60,6 +60,7 @@ class FixMuckpileSleep : public LAMMPS_NS::Fix, public RestingBlocks {
   void mark_near(const std::vector<char>& moving, std::vector<char>& disturbed);
   void lay_to_rest(const std::vector<char>& disturbed);
   void tell();
+  void wake_joints();
   void share_sent();
   [[nodiscard]] std::vector<char> on_spheres(const std::vector<char>& of_bodies);
 

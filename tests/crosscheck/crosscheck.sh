@@ -7,7 +7,7 @@ case_name=$1 program=$2 comparer=$3 results=$4
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 readonly runs=$results/crosscheck/$case_name reports=$results/cases
 mkdir -p "$reports"
-export OMP_NUM_THREADS=1
+export OMP_NUM_THREADS=1 LC_ALL=C
 
 if ! command -v lmp >/dev/null; then
   why="LAMMPS (lmp) is not installed; on Debian: apt-get install lammps"
@@ -25,6 +25,7 @@ run() {
   mkdir -p "$folder"
   { time "$@" -log none -var out "$folder" >"$folder/log" 2>&1 </dev/null; } 2>"$folder/cpu_s" || {
     tail -n 15 "$folder/log"
+    cat "$folder/cpu_s"
     printf '%s\n' "crosscheck: error: this failed: $*"
     exit 1
   }

@@ -187,6 +187,13 @@ TEST(FixMuckpileSleep, SpheresOfRestingBlocksStandStill) {
   EXPECT_NEAR(still / static_cast<double>(spheres.size()), scene.resting_share(), 1e-9);
 }
 
+int sunk_blocks(const std::map<int, BlockNow>& before, const std::map<int, BlockNow>& now) {
+  int sunk = 0;
+  for (const auto& [tag, block] : now)
+    sunk += block.centre.z() < before.at(tag).centre.z() - 0.02 ? 1 : 0;
+  return sunk;
+}
+
 TEST(FixMuckpileSleep, UnfixWakesAll) {
   LooseBlocks scene(MPI_COMM_WORLD, kSleep);
   scene.run_to(0.9);
@@ -194,10 +201,18 @@ TEST(FixMuckpileSleep, UnfixWakesAll) {
   const auto before = scene.blocks();
   scene.command("unfix sleep");
   scene.run_to(1.1);
-  int sunk = 0;
-  for (const auto& [tag, block] : scene.blocks())
-    sunk += block.centre.z() < before.at(tag).centre.z() - 0.02 ? 1 : 0;
-  EXPECT_LE(sunk, 1) << "all but the flying block are still carried by what is below them";
+  EXPECT_LE(sunk_blocks(before, scene.blocks()), 1)
+      << "all but the flying block are still carried by what is below them";
+}
+
+TEST(FixMuckpileSleep, WokenBlocksAreCarriedInARunWithoutSetUp) {
+  LooseBlocks scene(MPI_COMM_WORLD, kSleep);
+  scene.run_to(0.9);
+  ASSERT_GT(scene.resting_share(), 0.8);
+  const auto before = scene.blocks();
+  scene.command("fix_modify sleep wake");
+  scene.command("run " + std::to_string(static_cast<int>(0.1 / kStep)) + " pre no");
+  EXPECT_LE(sunk_blocks(before, scene.blocks()), 1);
 }
 
 TEST(FixMuckpileSleep, RanksAgree) {

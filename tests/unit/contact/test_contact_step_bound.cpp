@@ -180,6 +180,14 @@ TEST(ContactStepBound, IsThatOfAllBodiesWorkedOutOneByOne) {
   }
 }
 
+TEST(ContactStepBound, DashpotsAlone) {
+  // 2 dt C <= 4 M with twice the dashpot, as for a pair of equal masses.
+  ContactStepBound bound({kMassPoint});
+  bound.add(0, {0.0, 0.0, 0.0, 300.0, 0.0}, Vec3::UnitX(), Vec3::Zero(), kMass);
+  EXPECT_NEAR(bound.steps(false).with_dashpots / (2.0 * kMass / (2.0 * 300.0)), 1.0, 1e-12);
+  EXPECT_TRUE(std::isinf(bound.steps(false).springs));
+}
+
 TEST(ContactStepBound, GroupsAreToldApart) {
   std::vector<ContactStepBound::Body> bodies{kMassPoint, kMassPoint};
   bodies[1].joined = true;
