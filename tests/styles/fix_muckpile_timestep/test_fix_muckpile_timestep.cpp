@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "rock_scene.h"
+#include "scratch_folder.h"
 
 namespace muckpile::test {
 namespace {
@@ -100,9 +101,11 @@ TEST(FixMuckpileTimestep, BoundIsWhereVibrationsGrow) {
   }
 }
 
+const std::string kLoose = kRock + "cohesion 0 tension 0";
+
 /// Blocks that fly apart: their joints break in the first step and retire when they have opened.
 void scatter(RockScene& scene) {
-  graded(scene, kRock + "cohesion 0 tension 0");
+  graded(scene, kLoose);
   scene.set_motion([](int, const Vec3& at) { return Motion{2.0 * at, Vec3::Zero()}; });
 }
 
@@ -234,6 +237,59 @@ TEST(FixMuckpileTimestep, LooksAtJointsAgainWhenTheyHaveChanged) {
   scene.run(0, before);
   EXPECT_GT(scene.output("dt", products), looked);
   EXPECT_NEAR(scene.output("dt", step) / (10.0 * before), 1.0, 0.02);
+}
+
+const std::string kLooks =
+    "fix dt all muckpile/timestep every 7 joints_every 11 collision 2e-5 collision_speed 5 max 4e-5";
+
+void contacts(RockScene& scene) {
+  scene.command("pair_style muckpile/block youngs_modulus 1e8 restitution 0.5");
+  scene.command("pair_coeff * *");
+}
+
+/// Every step of the run, "step length" in a line each, to a file.
+void tell_steps(RockScene& scene, const std::string& file) {
+  scene.command("variable number equal step");
+  scene.command("variable length equal dt");
+  scene.command("fix told all print 1 \"${number} ${length}\" file " + file + " screen no");
+}
+
+std::string from_step(const std::string& file, const std::string& step) {
+  const std::string all = content(file);
+  return all.substr(all.find('\n' + step + ' '));
+}
+
+/// Rock that comes apart and collides. LIGGGHTS writes one restart file within a run, between two
+/// looks, and one between two runs.
+TEST(FixMuckpileTimestep, RunThatGoesOnTakesTheSameStepsOnItsRanks) {
+  const ScratchFolder folder("timestep_restart");
+  const std::string whole = (folder / "whole").string();
+  {
+    RockScene scene = engine(MPI_COMM_WORLD);
+    contacts(scene);
+    scatter(scene);
+    scene.command(kLooks);
+    tell_steps(scene, whole);
+    scene.command("restart 500 " + (folder / "at.*").string());
+    scene.run(800, 1e-9);
+    scene.command("write_restart " + (folder / "at.800").string());
+    scene.command("run 400");
+    EXPECT_GT(scene.output("dt", changes), 10.0);
+  }
+  for (const std::string step : {"500", "800"}) {
+    const std::string part = (folder / ("from" + step)).string();
+    RockScene scene = RockScene::restarted(MPI_COMM_WORLD, (folder / ("at." + step)).string());
+    contacts(scene);
+    scene.command("fix joint all muckpile/joint" + kLoose);
+    scene.command(kLooks);
+    tell_steps(scene, part);
+    scene.command("run 0");  // as a script may do to have outputs
+    scene.command(step == "500" ? "run 300" : "run 400");
+    if (step == "500") scene.command("run 400");
+    const std::string next = std::to_string(std::stoi(step) + 1);
+    EXPECT_EQ(from_step(part, next), from_step(whole, next));
+    EXPECT_GT(from_step(part, next).size(), 4000u);
+  }
 }
 
 }  // namespace
