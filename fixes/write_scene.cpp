@@ -56,7 +56,8 @@ Words read_words(const std::vector<std::string>& words) {
     throw InputError(std::string(kStyle) +
                      ": needs a file, the word 'case' and the name of the case, got '" +
                      (words.size() < 2 ? "" : words[1]) + "'");
-  Words read{words[0]};
+  Words read;
+  read.file = words[0];
   for (std::size_t k = 1; k < words.size(); k += 2) {
     if (words[k] == kMayChange) {
       read.may_change.assign(words.begin() + static_cast<std::ptrdiff_t>(k) + 1, words.end());
@@ -72,7 +73,7 @@ Words read_words(const std::vector<std::string>& words) {
 }
 
 /// In quotes where a shell would split or change it.
-std::string quoted(const std::string& word) {
+std::string as_shell_word(const std::string& word) {
   constexpr std::string_view kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,/:@%^";
   if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
@@ -86,7 +87,7 @@ std::string command_line() {
   std::ifstream in("/proc/self/cmdline", std::ios::binary);
   std::string line;
   for (std::string word; std::getline(in, word, '\0');)
-    line += (line.empty() ? "" : " ") + quoted(word);
+    line += std::string(line.empty() ? "" : " ") + as_shell_word(word);
   return line.empty() ? "unknown" : line;
 }
 
