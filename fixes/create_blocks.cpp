@@ -7,6 +7,7 @@
 #include <comm.h>
 #include <domain.h>
 #include <fix_multisphere.h>
+#include <modify.h>
 #include <multisphere.h>
 #include <region.h>
 #include <unistd.h>
@@ -118,6 +119,11 @@ void CreateBlocks::check_engine() const {
   }
   if (engine::find_multisphere(*lmp) == nullptr) {
     engine::stop(*lmp, "create_blocks: needs 'fix ID all multisphere' before it");
+  }
+  if (modify->nfix_restart_peratom > 0) {
+    engine::stop(*lmp,
+                 "create_blocks: must not stand between read_restart and the first run ('run 0' is "
+                 "enough): until then LIGGGHTS keeps data of the file that new particles lack");
   }
 }
 

@@ -63,8 +63,9 @@ long long step_of(const std::string& name) {
 /// The id in the first line of a snapshot, "" if there is none.
 std::string run_of(const std::filesystem::path& snapshot) {
   std::ifstream in(snapshot);
-  std::string line;
-  std::getline(in, line);
+  std::array<char, 200> begin{};  // of whatever file has such a name
+  in.getline(begin.data(), begin.size());
+  const std::string line(begin.data());
   const std::size_t at = line.find(" run=");
   return at == std::string::npos ? "" : line.substr(at + 5);
 }

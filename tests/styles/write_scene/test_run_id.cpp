@@ -20,7 +20,7 @@ namespace {
 constexpr double kStep = 1e-4;  // [s]
 
 struct Settings {
-  std::string burden = "3", seed = "4", out;
+  std::string burden = "3", seed = "4", out = "";
 };
 
 void contacts(RockScene& scene) {
@@ -42,7 +42,7 @@ RockScene fresh(const Settings& is) {
   scene.command("variable floor string ${out}/floor.stl");
   scene.cut("-0.5 0.5 -0.5 0.5 -0.5 0.5",
             "density 2600 size uniform 0.5 block_min 0.5 block_max 0.5 spheres_per_block 1 seed " +
-                is.seed + " hole 0.1 0.2 -0.3 0.1 0.2 0.3 0.05 file ${out}/blocks.vtk");
+                is.seed + " hole 0.1 0 -0.3 0.1 0 0.3 0.26 file ${out}/blocks.vtk");
   scene.command("write_scene ${out}/scene.json case bench");
   outputs(scene, is.out);
   return scene;
@@ -87,9 +87,9 @@ TEST(RunId, StandsInEveryFile) {
             (std::vector<std::string>{"run_id", id, id, id}));
   const nlohmann::json run = nlohmann::json::parse(content(folder / "run.json"));
   EXPECT_EQ(run.at("run_id"), id);
-  EXPECT_EQ(run.at("holes"), nlohmann::json::array({{{"toe_m", {0.1, 0.2, -0.3}},
-                                                     {"collar_m", {0.1, 0.2, 0.3}},
-                                                     {"radius_m", 0.05}}}));
+  EXPECT_EQ(run.at("holes"), nlohmann::json::array({{{"toe_m", {0.1, 0, -0.3}},
+                                                     {"collar_m", {0.1, 0, 0.3}},
+                                                     {"radius_m", 0.26}}}));
 }
 
 TEST(RunId, IsThatOfTheRunAndNotOfItsFolder) {
