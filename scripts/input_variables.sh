@@ -28,7 +28,7 @@ check_word() {  # check_word INPUT NAME VALUE
   while read -r pattern; do
     before=${pattern%%"\${$2}"*} after=${pattern#*"\${$2}"}
     [[ $pattern == "$before\${$2}$after" && $before$after != *'$'* ]] || continue
-    words=$(compgen -G "$before*$after") || continue
+    words=$(compgen -G "$before*$after" | sort) || continue
     words=${words//"$before"/}
     words=${words//"$after"/}
     grep -qxF -- "$3" <<<"$words" || die "-var $2 must be one of $(paste -sd' ' <<<"$words"), got '$3'"

@@ -53,11 +53,12 @@ dumped() {  # dumped OUT [PATTERN]: files of OUT/dump
 steps_in() { dumped "$1" history.csv && dumped "$1" 'blocks_*.csv'; }  # steps_in OUT
 
 move_results() {  # move_results FROM TO
-  local file
+  local inside files
   mkdir -p "$2"/{dump,vtk} || die "cannot make a folder in '$2'"
-  while read -r file; do
-    mv -f -- "$1/$file" "$2/$file" || die "cannot move '$1/$file' to '$2'"
-  done < <(results_in "$1")
+  for inside in '' dump/ vtk/; do
+    mapfile -t files < <(results_in "$1" | grep "^${inside}[^/]*\$")
+    [[ ${#files[@]} -eq 0 ]] || mv -f -t "$2/$inside" -- "${files[@]/#/$1/}" || die "cannot move results from '$1' to '$2'"
+  done
 }
 
 # Results in OUT that a new run reads: those that a value, or a word of the input's files, names.
