@@ -115,6 +115,6 @@ recover_previous() {  # recover_previous OUT
 # What a full disk leaves of a file.
 refuse_empty_files() {  # refuse_empty_files OUT
   local empty
-  empty=$(find "$1/dump" -type f -empty | sort | paste -sd' ')
-  [[ -z $empty ]] || die "the run left files with nothing in them; is the disk full? $empty"
+  mapfile -t empty < <(find "$1/dump" -type f -empty | sort)
+  ((${#empty[@]} == 0)) || die "the run left ${#empty[@]} files with nothing in them, as '${empty[0]}'; is the disk full?"
 }
