@@ -145,6 +145,10 @@ call run inputs/demo/in.demo
 results=(dump/{a.restart,b.restart,blocks.vtk,blocks_000000000.csv,blocks_000000100.csv,history.csv,run.json,scene.json,floor.stl,gas.csv,holes.csv}
   vtk/{blocks.pvd,blocks_0.vtu} {profile,crater,heap,fragments}.{csv,png} fragments_list.csv energy.png plan.png pile3d.png pile3d_0001.png
   summary.json log.liggghts)
+# Whatever muckpile-post writes must be known to the script.
+mapfile -t reported < <(grep -rhoE '[.>]file\("[a-z0-9_.]+"\)' "$(dirname "$script")/postproc/lib" | sed -E 's/.*"(.*)".*/\1/; /\.part$/d' | sort -u)
+[[ ${#reported[@]} -ge 10 ]] || problem "muckpile-post's files are not found"
+results+=("${reported[@]}")
 old_results() {  # in results/demo, and a file that is not the run's
   local file
   rm -rf results/demo
