@@ -146,7 +146,7 @@ results=(dump/{a.restart,b.restart,blocks.vtk,blocks_000000000.csv,blocks_000000
   vtk/{blocks.pvd,blocks_0.vtu} {profile,crater,heap,fragments}.{csv,png} fragments_list.csv energy.png plan.png pile3d.png pile3d_0001.png
   summary.json log.liggghts)
 # Whatever muckpile-post writes must be known to the script.
-mapfile -t reported < <(grep -rhoE '[.>]file\("[a-z0-9_.]+"\)' "$(dirname "$script")/postproc/lib" | sed -E 's/.*"(.*)".*/\1/; /\.part$/d' | sort -u)
+mapfile -t reported < <(grep -rhoE '[.>]file\("[a-z0-9_]+\.[a-z]+"\)' "$(dirname "$script")/postproc/lib" | sed -E 's/.*"(.*)".*/\1/' | sort -u)
 [[ ${#reported[@]} -ge 10 ]] || problem "muckpile-post's files are not found"
 results+=("${reported[@]}")
 old_results() {  # in results/demo, and a file that is not the run's
