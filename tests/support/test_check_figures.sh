@@ -35,7 +35,10 @@ expected() {  # expected ROW...: expected.json with these
 row() { printf '{"quantity": "%s", "value": %s, "tolerance": %s, "why": "so"}' "$@"; }  # row QUANTITY VALUE TOLERANCE
 
 echo '{"blocks": 10, "throw_m": 8.5, "rest_deg": null, "word": "12", "still": true}' >summary.json
-printf 'time_s,work_J,balance,run_id\n0,0,0,1e99999999999999\n1,2.5e6,-0.001,1e99999999999999\n' >history.csv
+printf 'time_s,phase,work_J,balance,run_id\n0,wave,0,0,1e99999999999999\n1,throw,2.5e6,-0.001,1e99999999999999\n' >history.csv
+printf 'time_s,work_J\n0,nan\n' >nan_first.csv
+printf 'time_s,work_J\n0,\n' >gap_first.csv
+printf 'time_s,work_J\n0,1\n1,abc\n' >word.csv
 printf 'time_s,work_J\n0,0\n1,nan\n' >nan.csv
 printf 'time_s,work_J\n0,0\n1,inf\n' >inf.csv
 printf 'time_s,work_J\n0,0\n1\n' >ragged.csv
@@ -137,6 +140,10 @@ fails 2 "cannot be opened" finite history.csv none.csv
 holds finite history.csv
 fails 2 'nan.csv:3' finite history.csv nan.csv
 fails 2 'gap.csv:3' finite gap.csv
+fails 2 'nan_first.csv:2' finite nan_first.csv
+fails 2 'gap_first.csv:2' finite gap_first.csv
+fails 2 'word.csv:3' finite word.csv
+fails 2 'has no row' finite no_rows.csv
 fails 2 'rest_deg must have a value, got null' finite summary.json
 fails 2 'nan.json' finite nan.json
 

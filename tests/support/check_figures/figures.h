@@ -29,8 +29,8 @@ class FigureFile {
   [[nodiscard]] std::optional<double> find(const std::string& quantity) const;
   /// The same, but the quantity must be there.
   [[nodiscard]] double get(const std::string& quantity) const;
-  /// Throws unless every number in it is finite and no value is empty or null; run_id of a table is
-  /// a word.
+  /// Throws unless every number in it is finite and no value is null or empty. A column that begins
+  /// with a word is one of words.
   void require_finite() const;
 
  private:
