@@ -9,7 +9,7 @@ script=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../../muckpile")
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
 cp "$script" "$tree/muckpile"
-cp -r "$(dirname "$script")/scripts" "$tree/scripts"
+mkdir -p "$tree/src/app" && cp -r "$(dirname "$script")/src/app/run" "$tree/src/app/run"
 mkdir -p "$tree"/{bin,inputs/demo,inputs/common,build/release/postproc/tools}
 touch "$tree/build/release/build.ninja"
 cd "$tree"
