@@ -67,8 +67,7 @@ std::string id_in_rock(const ScratchFolder& folder) {
 std::vector<std::string> last_columns(const std::filesystem::path& history) {
   std::istringstream in(content(history));
   std::vector<std::string> words;
-  for (std::string text; std::getline(in, text);)
-    words.push_back(text.substr(text.rfind(',') + 1));
+  for (std::string text; std::getline(in, text);) words.push_back(text.substr(text.rfind(',') + 1));
   return words;
 }
 
@@ -83,13 +82,12 @@ TEST(RunId, StandsInEveryFile) {
   for (const char* name : {"blocks_000000000.csv", "blocks_000000005.csv", "blocks_000000006.csv"})
     EXPECT_EQ(after(line(folder / name, 1), " run="), id) << name;
   // Looks at steps 0 and 4, and the end of the run.
-  EXPECT_EQ(last_columns(folder / "history.csv"),
-            (std::vector<std::string>{"run_id", id, id, id}));
+  EXPECT_EQ(last_columns(folder / "history.csv"), (std::vector<std::string>{"run_id", id, id, id}));
   const nlohmann::json run = nlohmann::json::parse(content(folder / "run.json"));
   EXPECT_EQ(run.at("run_id"), id);
-  EXPECT_EQ(run.at("holes"), nlohmann::json::array({{{"toe_m", {0.1, 0, -0.3}},
-                                                     {"collar_m", {0.1, 0, 0.3}},
-                                                     {"radius_m", 0.26}}}));
+  EXPECT_EQ(run.at("holes"),
+            nlohmann::json::array(
+                {{{"toe_m", {0.1, 0, -0.3}}, {"collar_m", {0.1, 0, 0.3}}, {"radius_m", 0.26}}}));
 }
 
 TEST(RunId, IsThatOfTheRunAndNotOfItsFolder) {
@@ -136,7 +134,8 @@ TEST(RunId, RunThatGoesOnKeepsIt) {
     contacts(scene);
     scene.cut("-0.5 0.5 -0.5 0.5 -0.5 0.5",
               "density 2600 size uniform 0.5 block_min 0.5 block_max 0.5 spheres_per_block 1 "
-              "file " + is.out + "/blocks.vtk");
+              "file " +
+                  is.out + "/blocks.vtk");
     outputs(scene, is.out);
     scene.run(6, kStep);
     scene.command("write_restart " + file);

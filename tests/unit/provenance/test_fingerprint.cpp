@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The hash of seals and run ids: known values, and what makes it differ.
 // Scope: FNV-1a of 64 bits.
-#include "provenance/fingerprint.h"
-
 #include <gtest/gtest.h>
+
+#include "provenance/fingerprint.h"
 
 namespace muckpile {
 namespace {

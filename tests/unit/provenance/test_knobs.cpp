@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Knobs of two runs: what counts as the same value, and what is told of the others.
 // Scope: texts; the engine's variables are tested in tests/styles/write_scene.
-#include "provenance/knobs.h"
-
 #include <gtest/gtest.h>
+
+#include "provenance/knobs.h"
 
 namespace muckpile {
 namespace {
