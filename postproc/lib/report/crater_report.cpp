@@ -9,6 +9,7 @@
 #include "io/csv_writer.h"
 #include "measure/columns.h"
 #include "measure/crater.h"
+#include "report/notes.h"
 #include "report/reports.h"
 #include "report/run_data.h"
 #include "report/section_plot.h"
@@ -65,7 +66,8 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run,
                    block_colours(options.colour_by, run.blocks, run.last),
                    {},
                    {},
-                   ""};
+                   "",
+                   motion_warning(run.still)};
   if (folder.scene_has("charge_mass_kg"))
     plot.title += ": charge " + spelled(folder.scene_number("charge_mass_kg")) + " kg";
   plot.title += ", burial depth " + spelled(burial) + " m";
@@ -101,8 +103,10 @@ void report_crater(const ResultFolder& folder, const MeasureOptions& measure,
   const std::vector<CraterRing> rings =
       crater_rings(run.blocks, run.last, run.moved, run.cell, run.block_size, run.lies);
   const CraterShape apparent = apparent_crater(rings), whole = true_crater(rings);
-  const Ejecta ejecta =
+  Ejecta ejecta =
       ejecta_beyond(std::max(apparent.radius, whole.radius), run.blocks, run.last, run.moved);
+  // What flies has not landed.
+  if (!run.still) ejecta.p50 = ejecta.p90 = ejecta.max = std::nan("");
   write_rings(rings, folder.file("crater.csv"));
   write_png(draw_section(section_of(folder, run, rings, apparent, whole, section)),
             folder.file("crater.png"));

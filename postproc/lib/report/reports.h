@@ -9,7 +9,8 @@
 
 namespace muckpile {
 
-// Bench only: profile.csv, profile.png and the pile's keys.
+// Bench only: profile.csv, profile.png and the pile's keys. Throws NotMeasurable for a bench that
+// the measures are not made for, and takes back what an earlier call has left.
 void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
                     const SectionOptions& section);
 // fragments.csv, fragments_list.csv, fragments.png and the size keys.
