@@ -30,10 +30,10 @@ while read -r name ranks bound input rest; do
     continue
   fi
   verdict=$(awk -v fast="$(value fastest_block_m_s)" -v face="$(value face_velocity_m_s)" -v balance="$(value energy_balance_error_worst)" \
-    -v swell="$(value swell_factor)" -v bound="$bound" -v report=$report 'BEGIN {
+    -v swell="$(value swell_factor)" -v still="$(value still)" -v bound="$bound" -v report=$report 'BEGIN {
       if (balance == "" || !(balance + 0 < 0.01 * bound)) print "ENERGY"
       if (report == "profile" && (fast == "" || face == "" || !(fast + 0 < 5 * face))) print "FAST"
-      if (report == "profile" && !(swell + 0 >= 1)) print "SWELL" }' | paste -sd' ')
+      if (report == "profile" && still == "true" && !(swell + 0 >= 1)) print "SWELL" }' | paste -sd' ')
   ! grep -qiE ': *-?(nan|inf)' "$out/summary.json" || verdict+=" NOT-A-NUMBER"
   printf '%-22s ranks %d: %6s blocks, face %6s m/s, fastest %6s m/s, swell %6s, balance %9s, still %5s at %s s  %s\n' "$name" "$ranks" \
     "$(value blocks)" "$(value face_velocity_m_s)" "$(value fastest_block_m_s)" "$(value swell_factor)" "$(value energy_balance_error_worst)" \
