@@ -191,8 +191,9 @@ constexpr const char* kRefusal = "profile_refused";
 void take_back(const ResultFolder& folder, const RunData& run, const char* why) {
   std::filesystem::remove(folder.file("profile.csv"));
   std::filesystem::remove(folder.file("profile.png"));
+  const nlohmann::ordered_json own = keys_of({}, run);
   std::vector<std::string> names;
-  for (const auto& [name, value] : keys_of({}, run).items()) names.push_back(name);
+  for (const auto& [name, value] : own.items()) names.push_back(name);
   nlohmann::ordered_json keys = common_keys(folder);
   keys[kRefusal] = why;
   folder.merge_into_summary(keys, names);

@@ -35,8 +35,8 @@ struct SectionPlot {
   BlockColours colours;
   std::vector<SectionLine> lines;
   std::vector<SectionBar> bars;
-  std::string note;     // at the lower right, may be empty
-  std::string warning;  // behind the title, may be empty
+  std::string note;       // at the lower right, may be empty
+  std::string warning{};  // behind the title, may be empty
 };
 
 // Where and when a section is cut [m], [s].
