@@ -30,6 +30,8 @@ constexpr const char* kInstead =
   throw NotMeasurable("profile: " + what + kInstead);
 }
 
+std::string to_mm(double metres) { return spelled(1e-3 * std::round(1e3 * metres)); }
+
 void require_vertical_face(const std::vector<StartBlock>& blocks) {
   const double size = mean_block_size(blocks, std::vector<char>(blocks.size(), 1));
   const FreeFace face = free_face(blocks, kFaceOff * size);
@@ -37,8 +39,8 @@ void require_vertical_face(const std::vector<StartBlock>& blocks) {
   refuse(
       "the free face must be the plane x = 0 from the floor z = 0 to the top, got rock that "
       "begins between x = " +
-      spelled(face.x_low) + " and " + spelled(face.x_high) + " m and leans by " +
-      spelled(degrees(face.slope)) + "° from the horizontal");
+      to_mm(face.x_low) + " and " + to_mm(face.x_high) + " m and stands at " +
+      spelled(degrees(face.slope)) + "° to the horizontal");
 }
 
 double middle_x(const Charge& charge) { return 0.5 * (charge.toe.x() + charge.collar.x()); }

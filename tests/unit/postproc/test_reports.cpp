@@ -136,7 +136,10 @@ TEST_F(BenchReports, RunThatIsNotStillHasNoPileAndSaysSo) {
     report_profile(folder, {kCube, 0.125}, {});
     report_fragments(folder, {kCube, {}});
     report_energy(folder);
-    report_picture(folder, {});
+    PictureOptions small;
+    small.width = 640;
+    small.height = 360;
+    report_picture(folder, small);
   };
   report_all();
   for (const char* name : pictures) EXPECT_EQ(red_in_title(folder.file(name)), 0) << name;
