@@ -131,22 +131,19 @@ int red_in_title(const std::filesystem::path& path) {
 
 TEST_F(BenchReports, RunThatIsNotStillHasNoPileAndSaysSo) {
   const ResultFolder folder(temporary_.path());
-  const char* const pictures[] = {"profile.png", "fragments.png", "energy.png", "pile3d.png"};
-  const auto report_all = [&] {
-    report_profile(folder, {kCube, 0.125}, {});
-    report_fragments(folder, {kCube, {}});
-    report_energy(folder);
-    PictureOptions small;
-    small.width = 640;
-    small.height = 360;
-    report_picture(folder, small);
-  };
-  report_all();
-  for (const char* name : pictures) EXPECT_EQ(red_in_title(folder.file(name)), 0) << name;
+  report_profile(folder, {kCube, 0.125}, {});
+  EXPECT_EQ(red_in_title(folder.file("profile.png")), 0);
   std::string text = text_of(folder.dump("run.json"));
   write_text(folder.dump("run.json"), text.replace(text.find("true"), 4, "false"));
-  report_all();
-  for (const char* name : pictures) EXPECT_GT(red_in_title(folder.file(name)), 200) << name;
+  report_profile(folder, {kCube, 0.125}, {});
+  report_fragments(folder, {kCube, {}});
+  report_energy(folder);
+  PictureOptions small;
+  small.width = 400;
+  small.height = 200;
+  report_picture(folder, small);
+  for (const char* name : {"profile.png", "fragments.png", "energy.png", "pile3d.png"})
+    EXPECT_GT(red_in_title(folder.file(name)), 200) << name;
   const auto keys = summary();
   for (const char* key :
        {"repose_angle_deg", "front_slope_deg", "swell_factor", "pile_bulk_volume_m3",
