@@ -185,25 +185,11 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run, const Pil
   return plot;
 }
 
-constexpr const char* kRefusal = "profile_refused";
-
-// What an earlier command may have left must not pass for this run's.
-void take_back(const ResultFolder& folder, const RunData& run, const char* why) {
-  std::filesystem::remove(folder.file("profile.csv"));
-  std::filesystem::remove(folder.file("profile.png"));
-  const nlohmann::ordered_json own = keys_of({}, run);
-  std::vector<std::string> names;
-  for (const auto& [name, value] : own.items()) names.push_back(name);
-  nlohmann::ordered_json keys = common_keys(folder);
-  keys[kRefusal] = why;
-  folder.merge_into_summary(keys, names);
-}
-
 BenchScene bench_or_take_back(const ResultFolder& folder, const RunData& run) {
   try {
     return bench_scene(folder, run.blocks);
   } catch (const NotMeasurable& refusal) {
-    take_back(folder, run, refusal.what());
+    take_back(folder, "profile", keys_of({}, run), refusal);
     throw;
   }
 }
@@ -225,7 +211,7 @@ void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
   write_png(draw_section(std::move(plot)), folder.file("profile.png"));
   nlohmann::ordered_json keys = common_keys(folder);
   keys.update(keys_of(figures, run));
-  folder.merge_into_summary(keys, {kRefusal});
+  folder.merge_into_summary(keys, {refusal_key("profile")});
 }
 
 }  // namespace muckpile

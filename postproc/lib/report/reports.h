@@ -15,7 +15,8 @@ void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
                     const SectionOptions& section);
 // fragments.csv, fragments_list.csv, fragments.png and the size keys.
 void report_fragments(const ResultFolder& folder, const MeasureOptions& measure);
-// Crater only: crater.csv, crater.png and the crater's keys.
+// Crater only: crater.csv, crater.png and the crater's keys. Throws NotMeasurable, as
+// report_profile does, for a charge beside the z axis.
 void report_crater(const ResultFolder& folder, const MeasureOptions& measure,
                    const SectionOptions& section);
 // Heap only: heap.csv, heap.png and the angle of repose.

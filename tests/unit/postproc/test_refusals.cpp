@@ -144,6 +144,28 @@ TEST_F(Refusals, SectionShowsTheHolesThatItCutsAndNoOther) {
   EXPECT_DOUBLE_EQ(back[2].low.y(), 8.0);
 }
 
+TEST(CraterRefusal, OfAChargeBesideTheAxisTakesTheFiguresBack) {
+  TemporaryFolder temporary;
+  write_crater(temporary.path());
+  const ResultFolder folder(temporary.path());
+  report_crater(folder, {}, {});
+  const std::string text = text_of(folder.dump("run.json"));
+  const auto set_charge = [&](const std::string& x) {
+    const std::string end = "[" + x + ", 0, -2]";
+    write_text(folder.dump("run.json"), "{\"holes\": [{\"toe_m\": " + end + ", \"collar_m\": " +
+                                            end + ", \"radius_m\": 0.1}], " + text.substr(1));
+  };
+  set_charge("0.5");
+  EXPECT_THROW(report_crater(folder, {}, {}), NotMeasurable);
+  EXPECT_FALSE(std::filesystem::exists(folder.file("crater.csv")));
+  const auto refused = read_json_object(folder.file("summary.json"));
+  EXPECT_FALSE(refused.contains("crater_radius_m"));
+  EXPECT_TRUE(refused.contains("crater_refused"));
+  set_charge("0.05");  // of 2 m burial depth: a fortieth
+  report_crater(folder, {}, {});
+  EXPECT_FALSE(read_json_object(folder.file("summary.json")).contains("crater_refused"));
+}
+
 TEST_F(Refusals, PlanOfATableOfAnotherRunIsNotDrawn) {
   set_holes("[{\"toe_m\": [-5, 0, -1], \"collar_m\": [-5, 0, 8], \"radius_m\": 0.15}]");
   const std::string head =
