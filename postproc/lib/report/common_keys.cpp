@@ -3,6 +3,7 @@
 // times. Scope: copied from dump/run.json, or totals of dump/history.csv.
 #include "args/input_error.h"
 #include "io/history.h"
+#include "report/notes.h"
 #include "report/reports.h"
 
 namespace muckpile {
@@ -26,6 +27,8 @@ nlohmann::ordered_json common_keys(const ResultFolder& folder) {
                           "mass_left_scene_kg", "ranks", "still"}) {
     if (run.contains(key)) keys[key] = run[key];
   }
+  keys["still_note"] = nullptr;
+  if (!folder.is_still()) keys["still_note"] = motion_note(run["physical_time_s"].get<double>());
   return keys;
 }
 
