@@ -16,10 +16,15 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "args/numbers.h"
 #include "engine/bodies.h"
+#include "engine/json_text.h"
+#include "engine/output_file.h"
 #include "engine/periodic_output.h"
 #include "engine/region.h"
 #include "engine/restart_file.h"
@@ -36,7 +41,7 @@ constexpr const char* kHistoryHeader =
     "contact_elastic_J,"
     "gravity_J,blast_work_J,fracture_J,joint_friction_J,joint_damping_J,contact_friction_J,contact_"
     "damping_J,wall_J,quiet_J,sleep_J,"
-    "balance_error\n";
+    "balance_error,run_id\n";
 
 Range time_range() { return Range::left_open(0.0, 1e30); }
 
@@ -59,6 +64,19 @@ const ArgTable& table() {
                 "region; a block whose centre is outside has left, and no longer keeps the pile "
                 "from being still");
   return args;
+}
+
+/// The cylinders of rock that the charges crush, one per hole.
+nlohmann::ordered_json crushed_zones(const FixMuckpileBlocks& store) {
+  const auto three = [](const Vec3& p) {
+    return nlohmann::ordered_json::array({p.x(), p.y(), p.z()});
+  };
+  auto zones = nlohmann::ordered_json::array();
+  for (const Hole& hole : store.holes()) {
+    zones.push_back(
+        {{"toe_m", three(hole.toe)}, {"collar_m", three(hole.collar)}, {"radius_m", hole.radius}});
+  }
+  return zones;
 }
 
 }  // namespace
@@ -98,6 +116,7 @@ void FixMuckpileProgress::init() {
 }
 
 void FixMuckpileProgress::setup(int) {
+  if (!history_begun_) remove_own_run();
   phase_wall_start_ = MPI_Wtime();
   phase_time_start_ = update->get_cur_time();
   end_of_step();
@@ -105,7 +124,6 @@ void FixMuckpileProgress::setup(int) {
 
 void FixMuckpileProgress::end_of_step() {
   if (update->ntimestep % every_ != 0 || last_ == update->ntimestep) return;
-  last_ = update->ntimestep;
   const Look now = look();
   stop_if_wrong(now);
   write_history(now);
@@ -115,6 +133,7 @@ void FixMuckpileProgress::end_of_step() {
 void FixMuckpileProgress::post_run() {
   const Look now = look();
   stop_if_wrong(now);
+  if (last_ != update->ntimestep) write_history(now);
   write_run(now);
 }
 
@@ -218,26 +237,32 @@ void FixMuckpileProgress::restart(char* state) {
   read_at_ = update->ntimestep;
 }
 
-/// Keeps the history of the run before up to the present step and drops its later lines. False if
-/// there is none in this folder.
-bool FixMuckpileProgress::keep_history() const {
+/// The rows that this run wrote before it went on from a restart file, up to that file's step.
+std::string FixMuckpileProgress::rows_before() const {
   std::ifstream in(folder_ + "/history.csv");
-  std::string line, kept = kHistoryHeader;
-  if (!std::getline(in, line) || line + '\n' != kHistoryHeader) return false;
-  while (std::getline(in, line) && std::atoll(line.c_str()) < update->ntimestep)
+  std::string line, kept;
+  if (!std::getline(in, line) || line + '\n' != kHistoryHeader) return "";
+  const auto end = std::min(read_at_ + 1, update->ntimestep);
+  while (std::getline(in, line) && std::atoll(line.c_str()) < end) {
+    if (!line.ends_with(',' + store_->record().id())) return "";
     kept += line + '\n';
-  in.close();
-  std::ofstream(folder_ + "/history.csv") << kept;
-  return true;
+  }
+  return kept;
 }
 
 void FixMuckpileProgress::write_history(const Look& now) {
-  const EnergyLedger& e = ledger_->ledger();
-  if (comm->me != 0) return;
-  if (!history_begun_ && read_at_ >= 0) history_begun_ = keep_history();
-  std::ofstream out(folder_ + "/history.csv", history_begun_ ? std::ios::app : std::ios::trunc);
-  if (!history_begun_) out << kHistoryHeader;
+  last_ = update->ntimestep;
+  const std::string file = folder_ + "/history.csv", new_row = row(now);
+  if (history_begun_) return engine::append_to_file(*lmp, where_, file, new_row);
   history_begun_ = true;
+  const bool goes_on = read_at_ >= 0 && comm->me == 0;
+  engine::write_file(*lmp, where_, file,
+                     kHistoryHeader + (goes_on ? rows_before() : std::string()) + new_row);
+}
+
+std::string FixMuckpileProgress::row(const Look& now) const {
+  const EnergyLedger& e = ledger_->ledger();
+  std::ostringstream out;
   out.precision(10);
   out << update->ntimestep << ',' << now.time << ',' << update->dt << ',' << phase_ << ','
       << now.joints << ',' << now.broken << ',' << now.fastest;
@@ -246,28 +271,44 @@ void FixMuckpileProgress::write_history(const Look& now) {
                         e.contact_damping, e.walls, e.quiet, e.sleep, now.balance}) {
     out << ',' << energy;
   }
-  out << '\n';
+  out << ',' << store_->record().id() << '\n';
+  return out.str();
+}
+
+/// What an earlier start of this run left does not hold until this one ends.
+void FixMuckpileProgress::remove_own_run() const {
+  if (comm->me != 0) return;
+  const std::string file = folder_ + "/run.json";
+  std::ifstream in(file);
+  const auto run = nlohmann::json::parse(in, nullptr, false);
+  std::error_code unheeded;
+  if (run.is_object() && run.value("run_id", nlohmann::json()) == store_->record().id())
+    std::filesystem::remove(file, unheeded);
 }
 
 void FixMuckpileProgress::write_run(const Look& now) const {
   const FixMuckpileBlast* blast = FixMuckpileBlast::find(*lmp);
   const auto energies = blast != nullptr ? blast->energies() : FixMuckpileBlast::Energies{};
-  if (comm->me != 0) return;
-  std::ofstream out(folder_ + "/run.json");
-  if (!out)
-    error->warning(FLERR, ("fix muckpile/progress: cannot write to '" + folder_ + "'").c_str());
-  out.precision(10);
-  out << "{\n  \"blocks\": " << store_->blocks_created() << ",\n  \"spheres\": " << atom->natoms
-      << ",\n  \"joints\": " << store_->facets_created()
-      << ",\n  \"joints_broken_fraction\": " << (now.joints > 0.0 ? now.broken / now.joints : 0.0)
-      << ",\n  \"steps\": " << update->ntimestep << ",\n  \"physical_time_s\": " << now.time
-      << ",\n  \"wall_time_s\": " << MPI_Wtime() - wall_start_ << ",\n  \"ranks\": " << comm->nprocs
-      << ",\n  \"energy_balance_error\": " << now.balance
-      << ",\n  \"explosive_energy_J\": " << energies.explosive
-      << ",\n  \"wave_work_J\": " << energies.wave << ",\n  \"gas_work_J\": " << energies.gas
-      << ",\n  \"blocks_left_scene\": " << now.gone
-      << ",\n  \"mass_left_scene_kg\": " << now.gone_mass << ",\n  \"version\": \""
-      << MUCKPILE_VERSION << "\",\n  \"still\": " << (still(now) ? "true" : "false") << "\n}\n";
+  nlohmann::ordered_json run;
+  run["blocks"] = store_->blocks_created();
+  run["spheres"] = atom->natoms;
+  run["joints"] = store_->facets_created();
+  run["joints_broken_fraction"] = now.joints > 0.0 ? now.broken / now.joints : 0.0;
+  run["steps"] = update->ntimestep;
+  run["physical_time_s"] = now.time;
+  run["wall_time_s"] = MPI_Wtime() - wall_start_;
+  run["ranks"] = comm->nprocs;
+  run["energy_balance_error"] = now.balance;
+  run["explosive_energy_J"] = energies.explosive;
+  run["wave_work_J"] = energies.wave;
+  run["gas_work_J"] = energies.gas;
+  run["blocks_left_scene"] = std::lround(now.gone);
+  run["mass_left_scene_kg"] = now.gone_mass;
+  run["version"] = MUCKPILE_VERSION;
+  run["still"] = still(now);
+  run["run_id"] = store_->record().id();
+  run["holes"] = crushed_zones(*store_);
+  engine::write_file(*lmp, where_, folder_ + "/run.json", engine::json_text(run));
 }
 
 double FixMuckpileProgress::compute_scalar() { return still(look()) ? 1.0 : 0.0; }

@@ -45,8 +45,10 @@ class FixMuckpileProgress : public LAMMPS_NS::Fix {
   void look_at_blocks(Look& now) const;
   void say(const Look& now) const;
   void write_history(const Look& now);
-  [[nodiscard]] bool keep_history() const;
+  [[nodiscard]] std::string rows_before() const;
+  [[nodiscard]] std::string row(const Look& now) const;
   void write_run(const Look& now) const;
+  void remove_own_run() const;
   void stop_if_wrong(const Look& now);
   [[nodiscard]] bool still(const Look& now) const;
   [[noreturn]] void stop_with_restart(const std::string& why);
@@ -61,7 +63,7 @@ class FixMuckpileProgress : public LAMMPS_NS::Fix {
   double wall_start_, phase_wall_start_ = 0.0, phase_time_start_ = 0.0;
   bool history_begun_ = false;
   LAMMPS_NS::bigint read_at_ = -1;  // step of the restart file from which the run goes on
-  LAMMPS_NS::bigint last_ = -1;
+  LAMMPS_NS::bigint last_ = -1;     // step of the last row of the history
 };
 
 }  // namespace muckpile

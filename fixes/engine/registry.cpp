@@ -33,6 +33,7 @@
 #include "rank_grid.h"
 #include "read_sealed_restart.h"
 #include "require.h"
+#include "write_scene.h"
 
 namespace muckpile::engine {
 namespace {
@@ -87,6 +88,7 @@ const std::map<std::string, CommandCreator>& commands() {
       {"muckpile_styles", &register_again},
       {"rank_grid", &run_command<RankGridCommand>},
       {"require", &run_command<Require>},
+      {"write_scene", &run_command<WriteScene>},
   };
   return table;
 }
