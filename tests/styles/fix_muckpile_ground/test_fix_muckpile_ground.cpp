@@ -44,10 +44,9 @@ std::string words(int spheres, double growth) {
          std::to_string(spheres) + " sphere_growth " + std::to_string(growth);
 }
 
-/// A scene with that floor, whose blocks are still to be cut.
-RockScene scene_above_floor(const std::string& wall, const ScratchFolder& folder,
-                            double restitution) {
-  RockScene scene(MPI_COMM_WORLD, "-2 8 -4 4 -4 6", "* * 1", "multisphere/muckpile");
+/// Contacts and that floor.
+void add_floor(RockScene& scene, const std::string& wall, const ScratchFolder& folder,
+               double restitution) {
   const std::string bounce = std::to_string(restitution);
   scene.command("pair_style muckpile/block youngs_modulus 2.5e7 restitution " + bounce);
   scene.command("pair_coeff * *");
@@ -59,7 +58,32 @@ RockScene scene_above_floor(const std::string& wall, const ScratchFolder& folder
   scene.command("fix floor all mesh/surface file " + (folder / "floor.stl").string() + " type 1");
   scene.command("fix ground all " + wall +
                 " model hertz tangential history mesh n_meshes 1 meshes floor");
+}
+
+/// A scene with that floor, whose blocks are still to be cut.
+RockScene scene_above_floor(const std::string& wall, const ScratchFolder& folder,
+                            double restitution) {
+  RockScene scene(MPI_COMM_WORLD, "-2 8 -4 4 -4 6", "* * 1", "multisphere/muckpile");
+  add_floor(scene, wall, folder, restitution);
   return scene;
+}
+
+/// Some blocks of five spheres just above the floor, which go down at `speed` and turn.
+RockScene thrown_blocks(const std::string& wall, const ScratchFolder& folder, double speed) {
+  RockScene scene = scene_above_floor(wall, folder, 0.5);
+  scene.cut("2 3.5 -0.75 0.75 0.2 1.7", words(5, 1.19));
+  scene.set_motion([speed](int tag, const Vec3&) {
+    return Motion{Vec3(5.0, tag % 3 - 1.0, -speed), Vec3(3, tag % 5, -2)};
+  });
+  return scene;
+}
+
+double farthest_apart(const RockScene& one, const RockScene& other) {
+  double apart = 0.0;
+  const auto others = other.blocks();
+  for (const auto& [tag, block] : one.blocks())
+    apart = std::max(apart, (block.centre - others.at(tag).centre).norm());
+  return apart;
 }
 
 double lowest_centre(const RockScene& scene) {
@@ -105,15 +129,11 @@ TEST(FixMuckpileGround, LiggghtsOwnWallLetsThatSphereThrough) {
   EXPECT_LT(lowest_centre(scene), -0.5);
 }
 
-/// Blocks of five spheres, thrown together: some land on others.
+/// Some land on others.
 TEST(FixMuckpileGround, BlocksThrownAtTheFloorStayAboveIt) {
   const ScratchFolder folder("one_sided_blocks");
-  RockScene scene = scene_above_floor("muckpile/ground", folder, 0.5);
-  scene.cut("2 3.5 -0.75 0.75 0.2 1.7", words(5, 1.19));
+  RockScene scene = thrown_blocks("muckpile/ground", folder, 45.0);
   ASSERT_GE(scene.blocks().size(), 20u);
-  scene.set_motion([](int tag, const Vec3&) {
-    return Motion{Vec3(5.0, tag % 3 - 1.0, -45.0), Vec3(3, tag % 5, -2)};
-  });
   const double brought = scene.kinetic_energy();
   double lowest = 1.0;
   for (int look = 0; look < 50; ++look) {
@@ -122,6 +142,34 @@ TEST(FixMuckpileGround, BlocksThrownAtTheFloorStayAboveIt) {
   }
   EXPECT_GT(lowest, 0.0);
   EXPECT_LT(scene.kinetic_energy(), brought);
+}
+
+TEST(FixMuckpileGround, BlocksThatAreNotPressedThroughMoveAsOnLiggghtsOwnWall) {
+  const ScratchFolder one("one_sided_slow"), two("two_sided_slow");
+  RockScene ours = thrown_blocks("muckpile/ground", one, 5.0);
+  const double start = ours.kinetic_energy();
+  ours.run(2500, 2.0 * kStep);
+  RockScene theirs = thrown_blocks("wall/gran", two, 5.0);
+  theirs.run(2500, 2.0 * kStep);
+  EXPECT_LT(ours.kinetic_energy(), 0.8 * start) << "they hit";
+  EXPECT_EQ(farthest_apart(ours, theirs), 0.0);
+}
+
+TEST(FixMuckpileGround, RestartWithSpheresBehindTheFaceGoesOnAsWithout) {
+  const ScratchFolder folder("one_sided_restart");
+  const std::string file = (folder / "deep.restart").string();
+  RockScene went_on = thrown_blocks("muckpile/ground", folder, 45.0);
+  went_on.run(850, kStep);
+  double lowest = 1.0;
+  for (const auto& [tag, sphere] : went_on.all_spheres())
+    lowest = std::min(lowest, sphere.centre.z());
+  ASSERT_LT(lowest, -0.01);
+  went_on.command("write_restart " + file);
+  RockScene restarted = RockScene::restarted(MPI_COMM_WORLD, file, "* * 1");
+  add_floor(restarted, "muckpile/ground", folder, 0.5);
+  went_on.run(300, kStep);
+  restarted.run(300, kStep);
+  EXPECT_LT(farthest_apart(went_on, restarted), 1e-9);
 }
 
 /// In front of the step rock lies deeper than the floor; the step holds it.
