@@ -177,11 +177,13 @@ void FixMuckpileProgress::warn_of_solid(const Look& now) {
     if (has_entered_solid(bodies, b)) mine = std::min(mine, bodies.tag(b));
   MPI_Allreduce(&mine, &first, 1, MPI_INT, MPI_MIN, world);
   if (comm->me != 0) return;
-  error->warning(FLERR, (where_ + ": " + number_text(now.in_solid) +
-                         " blocks are where no rock can be (region '" + solid_ + "'), block " +
-                         std::to_string(first) + " among them, at t = " + number_text(now.time) +
-                         " s. Walls did not hold them: leave them out of what you measure")
-                            .c_str());
+  error->warning(
+      FLERR, (where_ + ": blocks in region '" + solid_ +
+              "', where no rock can be: " + number_text(now.in_solid) + ", block " +
+              std::to_string(first) + " first, at t = " + number_text(now.time) +
+              " s. No wall held them, and they spoil what is measured of the pile; hold them with "
+              "fix muckpile/ground, or with a larger contact modulus")
+                 .c_str());
 }
 
 bool FixMuckpileProgress::still(const Look& now) const { return now.moving_share < still_share_; }

@@ -29,7 +29,7 @@ run 10
 run 30
 END
 mpirun -np 2 --oversubscribe --bind-to none "$program" -in fall.in -log none >screen 2>&1 || fail "the run failed"
-warnings=$(grep -c "WARNING.*are where no rock can be (region 'ground')" screen || true)
+warnings=$(grep -c "WARNING.*blocks in region 'ground', where no rock can be: [1-9]" screen || true)
 [[ $warnings -eq 1 ]] || fail "$warnings warnings instead of one"
 first=$(grep '^\[run\]' screen | head -n 1)
 last=$(grep '^\[run\]' screen | tail -n 1)
