@@ -342,7 +342,7 @@ void FixMuckpileProgress::write_run(const Look& now) const {
   run["gas_work_J"] = energies.gas;
   run["blocks_left_scene"] = std::lround(now.gone);
   run["mass_left_scene_kg"] = now.gone_mass;
-  run["blocks_in_solid"] = now.in_solid;
+  run["blocks_in_solid"] = std::lround(now.in_solid);
   run["version"] = MUCKPILE_VERSION;
   run["still"] = still(now);
   run["run_id"] = store_->record().id();
