@@ -18,6 +18,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -62,7 +63,10 @@ const ArgTable& table() {
                 "a larger energy balance error stops the run as unstable")
           .word("scene", {}, "all",
                 "region; a block whose centre is outside has left, and no longer keeps the pile "
-                "from being still");
+                "from being still")
+          .word("solid", {}, "none",
+                "region where no rock can come to be, such as the ground under a floor; a block "
+                "whose centre is inside, but was not at the start, is counted and warned about");
   return args;
 }
 
@@ -96,9 +100,10 @@ FixMuckpileProgress::FixMuckpileProgress(LAMMPS_NS::LAMMPS* engine, int narg, ch
   fastest_allowed_ = args.real("fastest_allowed");
   balance_allowed_ = args.real("balance_allowed");
   if (args.word("scene") != "all") scene_ = args.word("scene");
+  if (args.word("solid") != "none") solid_ = args.word("solid");
   engine::make_output_folder(*lmp, where_, folder_);
   scalar_flag = vector_flag = 1;
-  size_vector = 3;
+  size_vector = 4;
   global_freq = 1;
   extscalar = extvector = 0;
   restart_global = 1;
@@ -113,6 +118,7 @@ void FixMuckpileProgress::init() {
   if (ledger_ == nullptr) engine::stop(*lmp, where_ + ": needs a fix muckpile/ledger");
   if (store_ == nullptr) engine::stop(*lmp, where_ + ": needs create_blocks before the first run");
   if (!scene_.empty()) engine::require_region(*lmp, where_, scene_);
+  if (!solid_.empty()) engine::require_region(*lmp, where_, solid_);
 }
 
 void FixMuckpileProgress::setup(int) {
@@ -127,6 +133,7 @@ void FixMuckpileProgress::end_of_step() {
   const Look now = look();
   stop_if_wrong(now);
   write_history(now);
+  warn_of_solid(now);
   if (comm->me == 0) say(now);
 }
 
@@ -134,6 +141,7 @@ void FixMuckpileProgress::post_run() {
   const Look now = look();
   stop_if_wrong(now);
   if (last_ != update->ntimestep) write_history(now);
+  warn_of_solid(now);
   write_run(now);
 }
 
@@ -153,10 +161,11 @@ FixMuckpileProgress::Look FixMuckpileProgress::look() {
 
 void FixMuckpileProgress::look_at_blocks(Look& now) const {
   const engine::Bodies bodies(store_->multisphere());
-  std::array<double, 4> mine{}, all{};
-  auto& [moving, mass, gone, gone_mass] = mine;
+  std::array<double, 5> mine{}, all{};
+  auto& [moving, mass, gone, gone_mass, in_solid] = mine;
   for (int b = 0; b < bodies.count(); ++b) {
     mass += bodies.mass(b);
+    if (has_entered_solid(bodies, b)) in_solid += 1.0;
     if (!scene_.empty() && !engine::in_region(*lmp, scene_, bodies.centre(b))) {
       gone += 1.0;
       gone_mass += bodies.mass(b);
@@ -168,6 +177,32 @@ void FixMuckpileProgress::look_at_blocks(Look& now) const {
   now.moving_share = all[1] > 0.0 ? all[0] / all[1] : 0.0;
   now.gone = all[2];
   now.gone_mass = all[3];
+  now.in_solid = all[4];
+}
+
+bool FixMuckpileProgress::has_entered_solid(const engine::Bodies& bodies, int b) const {
+  if (solid_.empty() || !engine::in_region(*lmp, solid_, bodies.centre(b))) return false;
+  const BlockRecord& record = store_->records()[static_cast<std::size_t>(b)];
+  return record.mass == 0.0 || !engine::in_region(*lmp, solid_, record.start);
+}
+
+/// The count is the same on all ranks.
+void FixMuckpileProgress::warn_of_solid(const Look& now) {
+  if (now.in_solid == 0.0 || warned_of_solid_) return;
+  warned_of_solid_ = true;
+  const engine::Bodies bodies(store_->multisphere());
+  int mine = std::numeric_limits<int>::max(), first = 0;
+  for (int b = 0; b < bodies.count(); ++b)
+    if (has_entered_solid(bodies, b)) mine = std::min(mine, bodies.tag(b));
+  MPI_Allreduce(&mine, &first, 1, MPI_INT, MPI_MIN, world);
+  if (comm->me != 0) return;
+  error->warning(
+      FLERR, (where_ + ": blocks in region '" + solid_ +
+              "', where no rock can be: " + number_text(now.in_solid) + ", block " +
+              std::to_string(first) + " first, at t = " + number_text(now.time) +
+              " s. No wall held them, and they spoil what is measured of the pile; hold them with "
+              "fix muckpile/ground, or with a larger contact modulus")
+                 .c_str());
 }
 
 bool FixMuckpileProgress::still(const Look& now) const { return now.moving_share < still_share_; }
@@ -215,13 +250,16 @@ void FixMuckpileProgress::say(const Look& now) const {
   if (left >= 0.0) std::snprintf(remaining, sizeof remaining, " | at most %.0f s left", left);
   char gone[64] = "";
   if (now.gone > 0.0) std::snprintf(gone, sizeof gone, " | %.0f blocks left the scene", now.gone);
-  char text[320];
+  char buried[64] = "";
+  if (now.in_solid > 0.0)
+    std::snprintf(buried, sizeof buried, " | %.0f blocks in the solid", now.in_solid);
+  char text[384];
   std::snprintf(text, sizeof text,
                 "[%s] t = %.4g s | step %lld of %.2g s | joints broken %.1f %% | fastest %.3g m/s "
-                "| moving %.1f %%%s%s\n",
+                "| moving %.1f %%%s%s%s\n",
                 phase_.c_str(), now.time, static_cast<long long>(update->ntimestep), update->dt,
                 now.joints > 0.0 ? 100.0 * now.broken / now.joints : 0.0, now.fastest,
-                100.0 * now.moving_share, gone, remaining);
+                100.0 * now.moving_share, gone, buried, remaining);
   engine::print_once(*lmp, text);
   if (screen != nullptr) std::fflush(screen);
 }
@@ -304,6 +342,7 @@ void FixMuckpileProgress::write_run(const Look& now) const {
   run["gas_work_J"] = energies.gas;
   run["blocks_left_scene"] = std::lround(now.gone);
   run["mass_left_scene_kg"] = now.gone_mass;
+  run["blocks_in_solid"] = std::lround(now.in_solid);
   run["version"] = MUCKPILE_VERSION;
   run["still"] = still(now);
   run["run_id"] = store_->record().id();
@@ -315,7 +354,8 @@ double FixMuckpileProgress::compute_scalar() { return still(look()) ? 1.0 : 0.0;
 
 double FixMuckpileProgress::compute_vector(int n) {
   const Look now = look();
-  return n == 0 ? now.fastest : n == 1 ? now.moving_share : now.gone;
+  return std::array{now.fastest, now.moving_share, now.gone,
+                    now.in_solid}[static_cast<std::size_t>(n)];
 }
 
 int FixMuckpileProgress::modify_param(int narg, char** arg) {

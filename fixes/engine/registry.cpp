@@ -22,6 +22,7 @@
 #include "fix_muckpile_contact_history.h"
 #include "fix_muckpile_dump.h"
 #include "fix_muckpile_gas.h"
+#include "fix_muckpile_ground.h"
 #include "fix_muckpile_joint.h"
 #include "fix_muckpile_ledger.h"
 #include "fix_muckpile_progress.h"
@@ -108,6 +109,7 @@ const std::map<std::string, FixCreator>& fixes() {
       {"muckpile/contact/history", &create_fix<FixMuckpileContactHistory>},
       {"muckpile/dump", &create_fix<FixMuckpileDump>},
       {"muckpile/gas", &create_fix<FixMuckpileGas>},
+      {"muckpile/ground", &create_fix<FixMuckpileGround>},
       {"muckpile/joint", &create_fix<FixMuckpileJoint>},
       {"muckpile/ledger", &create_fix<FixMuckpileLedger>},
       {"muckpile/progress", &create_fix<FixMuckpileProgress>},
@@ -147,6 +149,13 @@ std::vector<StyleName> style_names() {
   for (const auto& entry : fixes()) names.push_back({"fix", entry.first});
   for (const auto& entry : pairs()) names.push_back({"pair", entry.first});
   return names;
+}
+
+std::unique_ptr<Fix> make_fix(LAMMPS& lmp, const std::string& style, std::vector<char*> arg) {
+  std::string name = style;
+  arg.at(2) = name.data();
+  const auto& known = *(lmp.modify->*private_member(FixMap{}));
+  return std::unique_ptr<Fix>(known.at(style)(&lmp, static_cast<int>(arg.size()), arg.data()));
 }
 
 void register_styles(LAMMPS& lmp) {
