@@ -62,6 +62,7 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   ~FixMuckpileBlocks() override;
 
   int setmask() override;
+  void init() override;
   void setup_pre_neighbor() override { synchronise(); }
   void pre_neighbor() override { synchronise(); }
   double memory_usage() override;
@@ -129,7 +130,7 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   std::vector<int> tags_, copy_tags_;
   engine::BlockHalo halo_;
   std::uint64_t version_ = 0;
-  bool handed_over_ = false, restored_ = false;
+  bool handed_over_ = false, restored_ = false, contact_warned_ = false;
   int blocks_created_ = 0, lost_before_ = 0, facets_created_ = 0, highest_joint_class_ = 0;
 };
 

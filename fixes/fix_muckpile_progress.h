@@ -8,13 +8,15 @@
 #include <array>
 #include <string>
 
+#include "interfaces/state_writer.h"
+
 namespace muckpile {
 
 class FixMuckpileBlocks;
 class FixMuckpileJoint;
 class FixMuckpileLedger;
 
-class FixMuckpileProgress : public LAMMPS_NS::Fix {
+class FixMuckpileProgress : public LAMMPS_NS::Fix, public StateWriter {
  public:
   FixMuckpileProgress(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
@@ -28,6 +30,7 @@ class FixMuckpileProgress : public LAMMPS_NS::Fix {
   void write_restart(FILE* file) override;
   void restart(char* state) override;
   int modify_param(int narg, char** arg) override;
+  std::string write_state() override;
 
  private:
   struct Look {

@@ -30,6 +30,12 @@ void spell_as_liggghts_does(int argc, char** argv) {
     if (std::strcmp(argv[i], "--help") == 0) argv[i] = help;
 }
 
+/// LIGGGHTS' mesh reader prints without asking whether there is a screen. With -screen none, and on
+/// all ranks but the first with -screen FILE, there is none.
+void give_screen(LAMMPS_NS::LAMMPS& lmp) {
+  if (lmp.screen == nullptr) lmp.screen = std::fopen("/dev/null", "w");
+}
+
 void warn(const std::vector<std::string>& lines) {
   for (const std::string& line : lines) std::printf("WARNING: %s\n", line.c_str());
 }
@@ -72,6 +78,7 @@ int main(int argc, char** argv) {
 
   auto* lmp = new LAMMPS_NS::LAMMPS(argc, argv,
                                     MPI_COMM_WORLD);  // prints LIGGGHTS' help and exits on -help
+  give_screen(*lmp);
   muckpile::engine::register_styles(*lmp);
   warn(unused);
   lmp->input->file();

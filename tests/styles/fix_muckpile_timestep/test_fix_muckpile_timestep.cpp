@@ -81,7 +81,7 @@ TEST(FixMuckpileTimestep, RanksTakeTheSameStep) {
 TEST(FixMuckpileTimestep, BoundIsWhereVibrationsGrow) {
   for (const double share : {1.0, 1.04}) {
     RockScene scene = engine(MPI_COMM_WORLD);
-    graded(scene, kUnbreakable);
+    graded(scene, kUnbreakable + " step_check 0");  // beyond the bound on purpose
     scene.command("fix dt all muckpile/timestep breaking none");
     scene.run(0, 1e-9);
     const double dt = share * scene.output("dt", joint_step);
