@@ -43,9 +43,13 @@ Rule read_rule(const std::vector<std::string>& words) {
     }
     if (k == words.size())
       throw InputError(std::string(kStyle) + ": nothing follows '" + word + "'");
+    if (word == "advice") {  // whatever follows: LIGGGHTS puts no variables into quoted text
+      while (k < words.size()) rule.advice += (rule.advice.empty() ? "" : " ") + words[k++];
+      break;
+    }
     const std::string& value = words[k++];
-    if (word == "unit" || word == "advice") {
-      (word == "unit" ? rule.unit : rule.advice) = value;
+    if (word == "unit") {
+      rule.unit = value;
       continue;
     }
     const double number = parse_real(kStyle, word, value, "", Range::any());

@@ -21,6 +21,7 @@ EOF
 cat >in.mesh <<'EOF'
 units si
 atom_style granular
+atom_modify map array sort 0 0
 boundary f f f
 newton off
 communicate single vel yes

@@ -26,6 +26,7 @@ too_long="WARNING: fix muckpile/joint 'joints': the time step must be <= "
 try "no contact law" 0 <<'END'
 include ${dir}/joined_rock.in
 pair_style none
+atom_modify sort 0 0
 timestep 1e-6
 run 2
 run 2
@@ -36,6 +37,7 @@ says "no contact law" 0 "$too_long"
 try "loose blocks without contact law" 0 <<'END'
 include ${dir}/rock.in
 pair_style none
+atom_modify sort 0 0
 run 0
 END
 says "loose blocks without contact law" 1 "$no_law"
