@@ -76,4 +76,22 @@ timestep 1e-3
 run 60
 END
 says "unstable on purpose" 0 "$too_long"
+
+# The pulse is to be cut into five steps at least while it rises, and into any number once it has passed (8.6 rise times).
+few_steps="WARNING: fix muckpile/blast 'anfo': the time step, 3e-05 s, is longer than a fifth of rise_time"
+blast() {  # blast STEP LATER: runs until 1.2 ms, and on from there with another step
+  try "blast $1 $2" 0 <<END
+include \${dir}/joined_rock.in
+fix anfo all muckpile/blast explosive_density 850 vod 5000 hole_diameter 0.09 poisson_ratio 0.25 vent_time 0.01 vent_decay 0.005 rise_time 1e-4
+timestep $1
+variable steps equal ceil(1.2e-3/$1)
+run \${steps}
+timestep $2
+run 3
+END
+}
+blast 2e-5 3e-5
+says "steps of a fifth" 0 "is longer than a fifth of rise_time"
+blast 3e-5 2e-5
+says "steps of a third" 1 "$few_steps"
 exit $wrong
