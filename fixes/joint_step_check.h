@@ -26,7 +26,7 @@ class JointStepCheck {
  private:
   void look(LAMMPS_NS::LAMMPS& lmp, const StepLimit& joints);
   [[nodiscard]] bool above_bound(const LAMMPS_NS::LAMMPS& lmp) const;
-  [[nodiscard]] std::string fault(const LAMMPS_NS::LAMMPS& lmp) const;
+  [[nodiscard]] std::string fault(const LAMMPS_NS::LAMMPS& lmp, const std::string& when = "") const;
 
   int every_;
   std::string where_;
