@@ -55,7 +55,7 @@ FixMuckpileBlocks::~FixMuckpileBlocks() {
 
 int FixMuckpileBlocks::setmask() { return LAMMPS_NS::FixConst::PRE_NEIGHBOR; }
 
-void FixMuckpileBlocks::init() {
+void FixMuckpileBlocks::setup(int /*vflag*/) {
   if (!contact_warned_) engine::warn_without_contact_law(*lmp);
   contact_warned_ = true;
 }

@@ -62,9 +62,9 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   ~FixMuckpileBlocks() override;
 
   int setmask() override;
-  void init() override;
   void setup_pre_neighbor() override { synchronise(); }
   void pre_neighbor() override { synchronise(); }
+  void setup(int vflag) override;
   double memory_usage() override;
   void write_restart(FILE* file) override;
   void write_restart_file(char* file) override;  ///< once LIGGGHTS has closed it
