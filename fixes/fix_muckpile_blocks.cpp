@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/bodies.h"
+#include "engine/contact_law.h"
 #include "engine/exchange.h"
 #include "engine/style_args.h"
 
@@ -53,6 +54,11 @@ FixMuckpileBlocks::~FixMuckpileBlocks() {
 }
 
 int FixMuckpileBlocks::setmask() { return LAMMPS_NS::FixConst::PRE_NEIGHBOR; }
+
+void FixMuckpileBlocks::setup(int /*vflag*/) {
+  if (!contact_warned_) engine::warn_without_contact_law(*lmp);
+  contact_warned_ = true;
+}
 
 FixMuckpileBlocks* FixMuckpileBlocks::find(LAMMPS_NS::LAMMPS& lmp) {
   return dynamic_cast<FixMuckpileBlocks*>(lmp.modify->find_fix_style_strict("muckpile/blocks", 0));

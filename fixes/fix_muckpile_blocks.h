@@ -66,6 +66,7 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   void init() override { record_.check_all(*lmp); }
   void setup_pre_neighbor() override { synchronise(); }
   void pre_neighbor() override { synchronise(); }
+  void setup(int vflag) override;
   double memory_usage() override;
   void write_restart(FILE* file) override;
   void write_restart_file(char* file) override;  ///< once LIGGGHTS has closed it
@@ -133,7 +134,7 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   std::vector<int> tags_, copy_tags_;
   engine::BlockHalo halo_;
   std::uint64_t version_ = 0;
-  bool handed_over_ = false, restored_ = false;
+  bool handed_over_ = false, restored_ = false, contact_warned_ = false;
   int blocks_created_ = 0, lost_before_ = 0, facets_created_ = 0, highest_joint_class_ = 0;
 };
 

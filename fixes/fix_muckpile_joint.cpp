@@ -13,7 +13,9 @@
 #include <string>
 
 #include "engine/bodies.h"
+#include "engine/contact_law.h"
 #include "engine/single_fix.h"
+#include "engine/stop_with_state.h"
 #include "engine/style_args.h"
 #include "fix_muckpile_joint_arguments.h"
 
@@ -30,8 +32,15 @@ std::string name_of(int narg, char** arg) {
 }  // namespace
 
 FixMuckpileJoint::FixMuckpileJoint(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
+    : FixMuckpileJoint(engine, narg, arg, joint_arguments(*engine, name_of(narg, arg), narg, arg)) {
+}
+
+FixMuckpileJoint::FixMuckpileJoint(LAMMPS_NS::LAMMPS* engine, int narg, char** arg,
+                                   JointArguments arguments)
     : Fix(engine, narg, arg),
-      network_(network_from_arguments(*engine, name_of(narg, arg), narg, arg)) {
+      network_(std::move(arguments.network)),
+      step_check_(arguments.step_check, name_of(narg, arg)),
+      contact_check_(arguments.contact_check) {
   engine::refuse_second_fix(*lmp, name_of(narg, arg), "muckpile/joint");
   engine::require_id_of_restart(*lmp, name_of(narg, arg), *this);
   if (engine::find_multisphere(*lmp) == nullptr) {
@@ -52,6 +61,7 @@ FixMuckpileJoint::FixMuckpileJoint(LAMMPS_NS::LAMMPS* engine, int narg, char** a
   size_vector = static_cast<int>(Output::count);
   global_freq = 1;
   extvector = 0;
+  nevery = 1;
   force_reneighbor = 1;
   next_reneighbor = -1;
   restart_global = 1;
@@ -62,7 +72,8 @@ FixMuckpileJoint::~FixMuckpileJoint() {
 }
 
 int FixMuckpileJoint::setmask() {
-  return LAMMPS_NS::FixConst::PRE_NEIGHBOR | LAMMPS_NS::FixConst::POST_FORCE;
+  return LAMMPS_NS::FixConst::PRE_NEIGHBOR | LAMMPS_NS::FixConst::POST_FORCE |
+         LAMMPS_NS::FixConst::END_OF_STEP;
 }
 
 void FixMuckpileJoint::init() {
@@ -184,12 +195,25 @@ void FixMuckpileJoint::refresh_enclosed() {
 }
 
 void FixMuckpileJoint::setup(int) {
-  add_forces(0.0);
-}  // no time passes: nothing is lost in dashpots
+  add_forces(0.0);  // no time passes: nothing is lost in dashpots
+  step_check_.at_setup(*lmp, *this, store_->facets_created());
+}
 
 void FixMuckpileJoint::post_force(int) {
   add_forces(update->dt);
   ask_for_neighbours();
+}
+
+/// Poses and velocities are of one time here, so what is written on a stop can be looked at.
+void FixMuckpileJoint::end_of_step() {
+  if (contact_missed_) {
+    engine::stop_with_state(
+        *lmp, std::string("fix muckpile/joint '") + id + "': a joint has let go" +
+                  engine::at_present(*lmp) +
+                  ", and there is no pair_style: its blocks would pass through others; give "
+                  "'pair_style muckpile/block' and 'pair_coeff * *'");
+  }
+  step_check_.at_end_of_step(*lmp, *this);
 }
 
 void FixMuckpileJoint::add_forces(double dt) {
@@ -256,9 +280,22 @@ void FixMuckpileJoint::ask_for_neighbours() {
   cracked_since_build_ = cracked_since_build_ || network_.newly_cracked() ||
                          (comm->nprocs > 1 && network_.newly_let_go());
   if (update->ntimestep % kCheckEvery != 0) return;
-  int mine = cracked_since_build_ ? 1 : 0, any = 0;
+  const bool unguarded = contact_check_ && !engine::has_contact_law(*lmp);
+  int mine = unguarded && joint_let_go() ? 2 : cracked_since_build_ ? 1 : 0, any = 0;
   MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
   next_reneighbor = any != 0 ? update->ntimestep + 1 : -1;
+  contact_missed_ = any == 2;
+}
+
+/// Two blocks that were joined may from now on meet without their facet.
+bool FixMuckpileJoint::joint_let_go() const {
+  for (const BlockConstants& block : network_.blocks())
+    if (block.retired.count > 0.0) return true;
+  for (std::size_t f = 0; f < network_.facet_count(); ++f) {
+    if (network_.states()[f] >= FacetState::fading && network_.ends(f).kind == FacetKind::joint)
+      return true;
+  }
+  return false;
 }
 
 }  // namespace muckpile

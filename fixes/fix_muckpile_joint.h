@@ -18,8 +18,11 @@
 #include "interfaces/joint_view.h"
 #include "interfaces/step_limit.h"
 #include "interfaces/yielding_supports.h"
+#include "joint_step_check.h"
 
 namespace muckpile {
+
+struct JointArguments;
 
 class FixMuckpileJoint : public LAMMPS_NS::Fix,
                          public FacetKeeper,
@@ -38,6 +41,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   void pre_neighbor() override { follow_blocks(); }
   void setup(int vflag) override;
   void post_force(int vflag) override;
+  void end_of_step() override;
   double compute_vector(int n) override;
   int modify_param(int narg, char** arg) override;
   double memory_usage() override;
@@ -93,6 +97,8 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   [[nodiscard]] FixMuckpileBlocks& blocks() const { return *store_; }
 
  private:
+  FixMuckpileJoint(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg, JointArguments arguments);
+
   /// What compute_vector() gives.
   enum class Output {
     joints,
@@ -118,10 +124,13 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   void index_facets();
   void refresh_enclosed();
   void ask_for_neighbours();
+  [[nodiscard]] bool joint_let_go() const;
   void gather_flags(std::span<const char> of_bodies);
   [[nodiscard]] double sum(double mine) const;
 
   FacetNetwork network_;
+  JointStepCheck step_check_;
+  bool contact_check_;
   FixMuckpileBlocks* store_ = nullptr;
   JointPressure* gas_ = nullptr;  // looked up in every init(), nullptr if there is none
   std::uint64_t version_ = 0;
@@ -136,7 +145,8 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   std::vector<int> of_blocks_;  // work space of mark_joined() and let_rest()
   bool cracked_since_build_ = false;
   int softenings_ = 0;
-  bool goes_on_ = false;  ///< after a restart file: what does not go on has ended
+  bool contact_missed_ = false;  ///< a joint has let go, and there is no contact law
+  bool goes_on_ = false;         ///< after a restart file: what does not go on has ended
 };
 
 }  // namespace muckpile

@@ -63,7 +63,13 @@ const ArgTable& table() {
                 "towards which it then falls")
           .integer(
               "open_sleep", "steps", Range::closed(0, 1000), 20,
-              "longest time that a broken, open facet is left alone while its gap lasts; 0: never");
+              "longest time that a broken, open facet is left alone while its gap lasts; 0: never")
+          .integer("step_check", "steps", Range::closed(0, 1000000), 2500,
+                   "between looks whether the joints bear the time step, in a run without fix "
+                   "muckpile/timestep; 0: none, for runs that are to become unstable")
+          .word("contact_check", {"yes", "no"}, "yes",
+                "whether a joint that lets go stops a run without pair_style; no: for blocks that "
+                "never meet again");
   return args;
 }
 
@@ -90,8 +96,8 @@ std::vector<JointClass> joint_classes(const ArgValues& args, const std::string& 
 
 }  // namespace
 
-FacetNetwork network_from_arguments(LAMMPS_NS::LAMMPS& lmp, const std::string& where, int narg,
-                                    char** arg) {
+JointArguments joint_arguments(LAMMPS_NS::LAMMPS& lmp, const std::string& where, int narg,
+                               char** arg) {
   const ArgValues args = engine::read_args(lmp, table(), where, narg, arg, 3);
   JointParameters p;
   p.youngs_modulus = args.real("youngs_modulus");
@@ -112,8 +118,11 @@ FacetNetwork network_from_arguments(LAMMPS_NS::LAMMPS& lmp, const std::string& w
   p.weakening_speed = args.real("weakening_speed");
   p.weakened_friction_angle = args.real("weakened_friction_angle") * kDegree;
   p.longest_sleep = static_cast<double>(args.integer("open_sleep"));
-  return engine::or_engine_error(
-      lmp, [&] { return FacetNetwork(JointMaterial(p), joint_classes(args, where)); });
+  return engine::or_engine_error(lmp, [&] {
+    return JointArguments{FacetNetwork(JointMaterial(p), joint_classes(args, where)),
+                          static_cast<int>(args.integer("step_check")),
+                          args.word("contact_check") == "yes"};
+  });
 }
 
 }  // namespace muckpile

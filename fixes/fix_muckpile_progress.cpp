@@ -236,9 +236,13 @@ void FixMuckpileProgress::stop_with_restart(const std::string& why) {
     engine::stop(*lmp, where_ + ": " + why +
                            ". It is so in the restart file that was read; go on " +
                            "from an earlier one (command restart)");
+  engine::stop(*lmp, where_ + ": " + why + ". State written to " + write_state());
+}
+
+std::string FixMuckpileProgress::write_state() {
   std::string file = folder_ + "/stopped.restart";
   LAMMPS_NS::WriteRestart(lmp).write(file.data());
-  engine::stop(*lmp, where_ + ": " + why + ". State written to " + file);
+  return file;
 }
 
 void FixMuckpileProgress::say(const Look& now) const {

@@ -8,6 +8,8 @@
 #include <array>
 #include <string>
 
+#include "interfaces/state_writer.h"
+
 namespace muckpile {
 
 namespace engine {
@@ -17,7 +19,7 @@ class FixMuckpileBlocks;
 class FixMuckpileJoint;
 class FixMuckpileLedger;
 
-class FixMuckpileProgress : public LAMMPS_NS::Fix {
+class FixMuckpileProgress : public LAMMPS_NS::Fix, public StateWriter {
  public:
   FixMuckpileProgress(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
@@ -31,6 +33,7 @@ class FixMuckpileProgress : public LAMMPS_NS::Fix {
   void write_restart(FILE* file) override;
   void restart(char* state) override;
   int modify_param(int narg, char** arg) override;
+  std::string write_state() override;
 
  private:
   struct Look {

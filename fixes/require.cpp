@@ -20,8 +20,8 @@ namespace {
 constexpr const char* kStyle = "require";
 
 bool starts_a_rule(const std::string& word) {
-  constexpr std::array<const char*, 8> kWords{"above", "at_least", "below", "at_most",
-                                              "or",    "whole",    "unit",  "one_of"};
+  constexpr std::array<const char*, 9> kWords{"above", "at_least", "below",  "at_most", "or",
+                                              "whole", "unit",     "one_of", "advice"};
   return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }
 
@@ -29,6 +29,7 @@ struct Rule {
   Range range;
   bool whole = false;
   std::string unit;
+  std::string advice;               ///< what to do, behind the message
   std::optional<double> exception;  ///< allowed although outside the range
 };
 
@@ -42,6 +43,10 @@ Rule read_rule(const std::vector<std::string>& words) {
     }
     if (k == words.size())
       throw InputError(std::string(kStyle) + ": nothing follows '" + word + "'");
+    if (word == "advice") {  // whatever follows: LIGGGHTS puts no variables into quoted text
+      while (k < words.size()) rule.advice += (rule.advice.empty() ? "" : " ") + words[k++];
+      break;
+    }
     const std::string& value = words[k++];
     if (word == "unit") {
       rule.unit = value;
@@ -57,8 +62,9 @@ Rule read_rule(const std::vector<std::string>& words) {
     } else if (word == "or") {
       rule.exception = number;
     } else {
-      throw InputError(std::string(kStyle) + ": unknown keyword '" + word +
-                       "' (known: above, at_least, below, at_most, or, whole, unit, one_of)");
+      throw InputError(
+          std::string(kStyle) + ": unknown keyword '" + word +
+          "' (known: above, at_least, below, at_most, or, whole, unit, advice, one_of)");
     }
   }
   return rule;
@@ -72,7 +78,7 @@ void check_range(const std::string& name, const std::string& text, const Rule& r
     (void)parse_real(where, name, text, rule.unit, rule.range);
 }
 
-void check(const std::string& name, const std::string& text, const Rule& rule) {
+void check_number(const std::string& name, const std::string& text, const Rule& rule) {
   if (!rule.exception) return check_range(name, text, rule);
   if (parse_real("input", name, text, rule.unit, Range::any()) == *rule.exception) return;
   try {
@@ -80,6 +86,15 @@ void check(const std::string& name, const std::string& text, const Rule& rule) {
   } catch (const InputError& refused) {
     throw InputError(std::string(refused.what()) + "; " + number_text(*rule.exception) +
                      " is allowed too");
+  }
+}
+
+void check(const std::string& name, const std::string& text, const Rule& rule) {
+  try {
+    check_number(name, text, rule);
+  } catch (const InputError& refused) {
+    if (rule.advice.empty()) throw;
+    throw InputError(std::string(refused.what()) + "; " + rule.advice);
   }
 }
 

@@ -31,12 +31,16 @@ void spell_as_liggghts_does(int argc, char** argv) {
     if (std::strcmp(argv[i], "--help") == 0) argv[i] = help;
 }
 
-/// LIGGGHTS leaves its help with status 1, which is that of an error.
-void leave_with_success() {
-  std::atexit([] {
-    std::fflush(nullptr);
-    std::_Exit(0);
-  });
+/// LIGGGHTS leaves its help with status 1, as if that were an error.
+void end_help_well() {
+  std::fflush(nullptr);
+  std::_Exit(0);
+}
+
+/// LIGGGHTS' mesh reader prints without asking whether there is a screen. With -screen none, and on
+/// all ranks but the first with -screen FILE, there is none.
+void give_screen(LAMMPS_NS::LAMMPS& lmp) {
+  if (lmp.screen == nullptr) lmp.screen = std::fopen("/dev/null", "w");
 }
 
 void warn(const std::vector<std::string>& lines) {
@@ -77,13 +81,14 @@ int main(int argc, char** argv) {
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   if (is_given("-h", argc, argv) || is_given("-help", argc, argv)) {
     if (rank == 0) print_styles();
-    leave_with_success();
+    std::atexit(end_help_well);
   }
   std::vector<std::string> unused;
   if (rank == 0) unused = muckpile::unused_variables({argv + 1, argv + argc});
 
   auto* lmp = new LAMMPS_NS::LAMMPS(argc, argv,
                                     MPI_COMM_WORLD);  // prints LIGGGHTS' help and exits on -help
+  give_screen(*lmp);
   muckpile::engine::register_styles(*lmp);
   warn(unused);
   lmp->input->file();

@@ -37,8 +37,8 @@ fix load all muckpile/blast explosive_density 850 vod 5000 hole_diameter 0.09 po
 timestep 1e-6
 run 2
 END
-write_file() {  # write_file FILE STEP STEPS
-  "$program" -in write.in -log none -var file "$1" -var step "$2" -var steps "$3" >screen || { tail -n 5 screen; exit 1; }
+write_file() {  # write_file FILE STEP STEPS [STEP_CHECK]
+  "$program" -in write.in -log none -var file "$1" -var step "$2" -var steps "$3" -var step_check "${4:-2500}" >screen || { tail -n 5 screen; exit 1; }
 }
 write_file whole.restart 1e-6 2
 
@@ -86,7 +86,7 @@ printf '\377\001\377' | dd of=spoilt.900.restart bs=1 seek=900 conv=notrunc stat
 read_file 'spoilt.*.restart'
 [[ $status -eq 1 ]] && grep -q "^ERROR: read_restart: 'spoilt.900.restart' is damaged" screen ||
   { echo "the latest is damaged: exit status $status, $(grep '^ERROR' screen || tail -n 1 screen)"; wrong=1; }
-write_file empty.restart 1e-3 50
+write_file empty.restart 1e-3 50 0
 read_file empty.restart
 [[ $status -eq 1 ]] && grep -q '^ERROR: read_restart: all .* blocks had left the simulation box' screen ||
   { echo "no block: exit status $status, $(grep '^ERROR' screen || tail -n 1 screen)"; wrong=1; }

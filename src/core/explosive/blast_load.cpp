@@ -79,6 +79,10 @@ double BlastLoad::bound(double tau, double gas_pressure) const {
   return std::max(wave_peak_ * pulse_.bound(tau), gas_pressure);
 }
 
+bool BlastLoad::pulse_over(double tau) const {
+  return tau > pulse_.rise_time() && pulse_.bound(tau) <= kPulseLeft;
+}
+
 double BlastLoad::greatest_pressure() const { return std::max(wave_peak_, gas_pressure(0.0, 0.0)); }
 
 }  // namespace muckpile

@@ -70,6 +70,9 @@ class BlastLoad {
   /// P1 or the gas pressure before the peak.
   [[nodiscard]] double bound(double tau, double gas_pressure) const;
 
+  /// True once less than kPulseLeft of the pulse's peak is to come, tau and later.
+  [[nodiscard]] bool pulse_over(double tau) const;
+
   [[nodiscard]] double wave_peak() const { return wave_peak_; }          ///< P1 [Pa]
   [[nodiscard]] double start_volume() const { return start_volume_; }    ///< Vg [m3], 0 without gas
   [[nodiscard]] double charge_volume() const { return charge_volume_; }  ///< V0 [m3]
@@ -80,6 +83,7 @@ class BlastLoad {
   [[nodiscard]] double greatest_pressure() const;
 
   static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+  static constexpr double kPulseLeft = 0.01;
 
  private:
   [[nodiscard]] double products_pressure(double volume, double time, const GasState& state) const;

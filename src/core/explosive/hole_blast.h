@@ -37,6 +37,11 @@ class HoleBlast {
   /// greatest is left.
   [[nodiscard]] bool over(double time, double gas_pressure) const;
 
+  /// True once the pulse has all but passed every point of the wall (BlastLoad::pulse_over).
+  [[nodiscard]] bool pulse_over(double time) const {
+    return load_.pulse_over(time - front_.last_arrival_time());
+  }
+
   [[nodiscard]] const BlastLoad& load() const { return load_; }
   [[nodiscard]] const DetonationFront& front() const { return front_; }
 

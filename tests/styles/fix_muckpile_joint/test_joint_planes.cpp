@@ -22,7 +22,7 @@ void stand_on_plane(RockScene& scene, double friction_deg) {
   const std::string friction = std::to_string(friction_deg);
   scene.command(
       "fix joint all muckpile/joint youngs_modulus 5e9 poisson_ratio 0.25 density 2600 cohesion "
-      "1e12 friction_angle 45 tension 1e12 damping 0.05 joint_class 0 " +
+      "1e12 friction_angle 45 tension 1e12 damping 0.05 contact_check no joint_class 0 " +
       friction + " 0 " + friction + " 0 0");
   scene.command("fix weight all gravity 9.81 vector 0 0 -1");
 }

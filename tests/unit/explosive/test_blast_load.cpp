@@ -56,6 +56,14 @@ TEST(StarfieldPulse, RisesMonotonicallyFromZero) {
   }
 }
 
+TEST(BlastLoad, PulseIsOverWhenAHundredthIsLeft) {
+  const BlastLoad load(emulsion());
+  EXPECT_FALSE(load.pulse_over(0.0));  // nothing yet, but all of it to come
+  // x - x^2 = 1/400: x = (1 - sqrt(0.99))/2 = 2.50628e-3; t/tr = -log2 x = 8.6402
+  EXPECT_FALSE(load.pulse_over(8.63 * kRise));
+  EXPECT_TRUE(load.pulse_over(8.65 * kRise));
+}
+
 TEST(StarfieldPulse, FallsToOneHalfAt2Point77RiseTimes) {
   // x - x^2 = 1/8: x = (1 - sqrt(1/2))/2 = 0.1464466, t/tr = -log2 x = 2.771553
   EXPECT_NEAR(StarfieldPulse(kRise).shape(2.771553 * kRise), 0.5, 1e-6);

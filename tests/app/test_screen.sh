@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# test_screen.sh PROGRAM: a run that reads a mesh ends well whatever -screen says, and prints nothing with `-screen none`.
+set -euo pipefail
+program=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+
+cat >floor.stl <<'EOF'
+solid floor
+facet normal 0 0 1
+outer loop
+vertex -1 -1 0
+vertex 1 -1 0
+vertex 0 1 0
+endloop
+endfacet
+endsolid floor
+EOF
+cat >in.mesh <<'EOF'
+units si
+atom_style granular
+atom_modify map array sort 0 0
+boundary f f f
+newton off
+communicate single vel yes
+region box block -2 2 -2 2 -2 2 units box
+create_box 1 box
+neighbor 0.1 bin
+fix floor all mesh/surface file floor.stl type 1
+run 0
+print "it has run" file ran.txt
+EOF
+
+run() {  # run OPTION...: what the program prints
+  rm -f ran.txt
+  output=$("$program" -in in.mesh -log none "$@" 2>&1 </dev/null) || fail "$*: exit status $?"
+  [[ -s ran.txt ]] || fail "$*: not run to the end"
+}
+fail() {
+  printf '%s\n' "test_screen: $*" "--- output:" "${output-}"
+  exit 1
+}
+
+run -screen none
+[[ -z $output ]] || fail "-screen none prints"
+run -screen out.txt
+grep -q 'Reading STL file' out.txt || fail "-screen FILE lacks the output"

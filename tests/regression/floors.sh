@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# floors.sh LIGGGHTS_MUCKPILE: LIGGGHTS takes the floor of inputs/common/pit_floor.in for benches of any shape: narrow and long, a wide row, a deep
+# step. Its panels cover floor and step once, and none is more than 8 times as long as wide.
+set -euo pipefail
+program=$1
+out=$(mktemp -d)
+trap 'rm -rf "$out"' EXIT
+mkdir "$out/dump"
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+
+cat >"$out/in.floor" <<'END'
+units si
+atom_style granular
+atom_modify map array sort 0 0
+boundary f f f
+newton off
+communicate single vel yes
+region box block -1 2001 -200 200 -50 50 units box
+create_box 1 box
+neighbor 0.1 bin
+neigh_modify binsize 20
+include inputs/common/pit_floor.in
+fix floor all mesh/surface file ${out}/dump/floor.stl type 1
+run 0
+END
+
+wrong=0
+floor() {  # floor LENGTH HALF_WIDTH DEPTH: from x = 0.05 m on
+  rm -f "$out/dump/floor.stl"
+  "$program" -in "$out/in.floor" -log none -var out "$out" -var floor_start 0.05 -var floor_length "$1" -var floor_half_width "$2" \
+    -var floor_depth "$3" >"$out/screen" 2>&1 </dev/null || { echo "$*: refused: $(grep ERROR "$out/screen")"; wrong=1; return; }
+  local measured expected
+  measured=$(awk '
+    $1 == "vertex" { n++; x[n] = $2; y[n] = $3; z[n] = $4 }
+    function side(a, b) { return sqrt((x[a]-x[b])^2 + (y[a]-y[b])^2 + (z[a]-z[b])^2) }
+    $1 == "endfacet" {
+      a = side(1, 2); b = side(2, 3); c = side(3, 1)
+      diagonal = a > b ? a : b; if (c > diagonal) diagonal = c
+      least = a < b ? a : b; if (c < least) least = c
+      area += a * b * c / diagonal / 2
+      long = (a + b + c - diagonal - least) / least
+      if (long > longest) longest = long
+      n = 0
+    }
+    END { printf "%.5g %s", area, (longest <= 8.001 && longest >= 1 ? "stout" : "slender " longest) }' "$out/dump/floor.stl")
+  expected=$(awk -v l="$1" -v w="$2" -v d="$3" 'BEGIN { printf "%.5g stout", 2 * w * (l - 0.05 + d) }')
+  [[ $measured == "$expected" ]] || { echo "$*: $measured, not $expected"; wrong=1; }
+}
+
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+floor 200 2.775 2.4    # in.bench
+floor 1000 2.15 1.6    # -var bench_height 50 -var burden 2
+floor 2000 0.915 0.04  # bench_height 100, holes 0.03 m apart, burden 0.05 m
+floor 2 32 40          # bench_height 0.1, burden 50
+floor 200 188.4 2.4    # -var holes 100
+floor 300 160 4        # in.pattern
+exit $wrong
