@@ -107,6 +107,8 @@ void ContactForces::gather() {
     near_[k] = near_[count_ - 1];
     is_new_.values[k] = is_new_.values[count_ - 1];
   }
+  for (std::size_t k = 0; spheres_.loads != nullptr && k < end; ++k)
+    put(of(spheres_.positions, near_[k].pair->first), first_, k);
   for (std::size_t k = 0; k < end; ++k) {
     const Near& near = near_[k];
     to_second_[0].values[k] = near.x;
@@ -166,7 +168,10 @@ void ContactForces::work_on(std::size_t at) {
   ContactStateOf<Lanes> state{three(slide_), three(roll_), one(offset_), one(stiffness_)};
   state.overlap_offset = choose(one(is_new_) > 0.0, ContactLaw::first_offset(motion, time_step_),
                                 state.overlap_offset);
-  const ContactResponseOf<Lanes> response = law_->evaluate(motion, memory_step_, state);
+  ContactResponseOf<Lanes> response = law_->evaluate(motion, memory_step_, state);
+  const Lanes factor(factor_);
+  response.force_on_first = factor * response.force_on_first;
+  response.torque_on_first = factor * response.torque_on_first;
   keep_three(state.slide, slide_);
   keep_three(state.roll, roll_);
   keep(state.overlap_offset, offset_);
@@ -185,11 +190,27 @@ void ContactForces::work_on(std::size_t at) {
   sums_.elastic += reduce(share * response.elastic_energy);
   sums_.friction += reduce(share * response.friction_loss);
   sums_.damping += reduce(share * response.damping_loss);
-  sums_.power +=
-      reduce(owned_a * (dot(response.force_on_first, velocity_a) + dot(torque_a, spin_a)) +
-             owned_b * (dot(torque_b, spin_b) - dot(response.force_on_first, velocity_b)));
   sums_.largest_overlap_ratio =
       std::max(sums_.largest_overlap_ratio, hmax(overlap / min(radius_a, radius_b)));
+  if (spheres_.loads != nullptr) keep_load(at, response, normal, arm_a);
+}
+
+/// Force and torque at the point of contact, as seen from the origin.
+void ContactForces::keep_load(std::size_t at, const ContactResponseOf<Lanes>& response,
+                              const Vectors& normal, const Lanes& arm) {
+  const auto one = [at](const Row& row) {
+    return Lanes(row.values.data() + at, std::experimental::vector_aligned);
+  };
+  const auto keep = [&](const Vectors& lanes, std::size_t row) {
+    lanes.x.copy_to(load_[row].values.data() + at, std::experimental::vector_aligned);
+    lanes.y.copy_to(load_[row + 1].values.data() + at, std::experimental::vector_aligned);
+    lanes.z.copy_to(load_[row + 2].values.data() + at, std::experimental::vector_aligned);
+  };
+  const Vectors point = Vectors(one(first_[0]), one(first_[1]), one(first_[2])) + arm * normal;
+  keep(response.force_on_first, 0);
+  keep(cross(point, response.force_on_first) + response.torque_on_first, 3);
+  keep(response.dashpot_on_first, 6);
+  keep(cross(point, response.dashpot_on_first), 9);
 }
 
 void ContactForces::scatter() {
@@ -212,6 +233,20 @@ void ContactForces::scatter() {
     }
     (*contacts_)[touch.contact] = {at(slide_, k), at(roll_, k), offset_.values[k],
                                    stiffness_.values[k]};
+    if (spheres_.loads != nullptr) add_load(k, touch);
+  }
+}
+
+void ContactForces::add_load(std::size_t k, const SpherePair& touch) const {
+  std::array<double, 12> load;
+  for (std::size_t d = 0; d < load.size(); ++d) load[d] = load_[d].values[k];
+  if (touch.first < spheres_.owned) {
+    auto& first = spheres_.loads[spheres_.blocks[touch.first]].numbers;
+    for (std::size_t d = 0; d < load.size(); ++d) first[d] += load[d];
+  }
+  if (touch.second < spheres_.owned) {
+    auto& second = spheres_.loads[spheres_.blocks[touch.second]].numbers;
+    for (std::size_t d = 0; d < load.size(); ++d) second[d] -= load[d];
   }
 }
 

@@ -53,6 +53,7 @@ struct ContactResponseOf {
   Number elastic_energy;             ///< stored in the three springs [J]
   Number friction_loss;              ///< by sliding and rolling in this step [J]
   Number damping_loss;               ///< by the dashpots in this step [J]
+  VectorOf<Number> dashpot_on_first;  ///< part of the force that the dashpots make [N]
 };
 
 // The same of one contact.
@@ -68,6 +69,7 @@ struct ContactState {
 struct ContactResponse {
   Vec3 force_on_first, torque_on_first;
   double elastic_energy, friction_loss, damping_loss;
+  Vec3 dashpot_on_first;
 };
 
 class ContactLaw {
@@ -247,9 +249,8 @@ template <class Number>
   const Vector damped = shear.pull - normal.tangential_damping * sliding;
   const Number share = min(limit * inverse_root(dot(damped, damped)), Number(1.0));
   const Vector tangential = choose(shear.slips, shear.pull, share * damped);
-  const Number damping_loss = ((normal_force - normal.elastic_force) * closing_speed +
-                               dot(shear.pull - tangential, sliding)) *
-                              dt;
+  const Vector dashpots =
+      (tangential - shear.pull) + (normal.elastic_force - normal_force) * motion.normal;
 
   // Elastic-plastic rolling spring, stiffness k_t R*^2: Ai et al., Powder Technology 206 (2011)
   // 269, model C; Wensrich and Katterfeld, Powder Technology 217 (2012) 409.
@@ -259,10 +260,13 @@ template <class Number>
                                       rolling_friction_ * reduced_radius * normal_force);
 
   state = {shear.stretch, turn.stretch, state.overlap_offset, stiffness};
-  return {tangential - normal_force * motion.normal, turn.pull,
+  return {tangential - normal_force * motion.normal,
+          turn.pull,
           normal.energy + 0.5 * stiffness * dot(shear.stretch, shear.stretch) +
               0.5 * rolling_stiffness * dot(turn.stretch, turn.stretch),
-          forgotten + shear.lost + turn.lost, damping_loss};
+          forgotten + shear.lost + turn.lost,
+          -dt * dot(dashpots, motion.relative_velocity),
+          dashpots};
 }
 
 }  // namespace muckpile
