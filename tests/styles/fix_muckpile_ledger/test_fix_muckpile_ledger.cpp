@@ -179,7 +179,7 @@ Collapse collapse(double spoilt_share) {
   scene.spoil_contacts(spoilt_share);
   double worst = 0.0;
   for (int part = 0; part < 40; ++part) {
-    scene.run(100, 2e-4);
+    scene.run(200, 1e-4);
     worst = std::max(worst, scene.output("ledger", 0));
   }
   const double lost =
@@ -192,8 +192,8 @@ TEST(FixMuckpileLedger, ContactForceOnePercentWrongShows) {
   std::cout << "balance error: " << right.error << "; contact forces 1 % too large: " << wrong.error
             << "; lost in contacts: " << right.lost << '\n';
   EXPECT_GT(right.lost, 0.2);
-  EXPECT_LT(right.error, 0.001);
-  EXPECT_GT(wrong.error, 0.002);
+  EXPECT_LT(right.error, 0.002);  // 0.0007: steps across the beginning of contacts
+  EXPECT_GT(wrong.error, 0.004);  // 0.0055
 }
 
 /// Blocks thrown at each other long after the start of the account.
@@ -209,7 +209,7 @@ double error_of_collisions(double step) {
   scene.command("block_motion left velocity 1 0 0");
   double worst = 0.0;
   for (int part = 0; part < 10; ++part) {
-    scene.run(static_cast<int>(0.01 / step), step);
+    scene.run(std::max(1, static_cast<int>(0.03 / step)), step);
     worst = std::max(worst, scene.output("ledger", 0));
   }
   return worst;
@@ -217,7 +217,7 @@ double error_of_collisions(double step) {
 
 TEST(FixMuckpileLedger, EnergyOutOfNothingShowsWithoutABlast) {
   EXPECT_LT(error_of_collisions(1e-4), 0.01);
-  EXPECT_GT(error_of_collisions(5e-3), 0.5);
+  EXPECT_GT(error_of_collisions(3e-2), 0.5);
 }
 
 TEST(FixMuckpileLedger, WallAtRestThatGivesEnergyShows) {
