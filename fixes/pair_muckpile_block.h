@@ -113,7 +113,6 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
   void step_contacts();
 
   void begin_loads();
-  void mark_loaded(const BlockPair& pair);
   void renumber_loads();
   [[nodiscard]] std::optional<engine::BodyState> state_of(const engine::Bodies& bodies,
                                                           int block) const;
@@ -154,8 +153,6 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
 
   bool watched_ = false;            ///< somebody asks what the contacts do to the blocks
   std::vector<ContactLoad> loads_;  ///< per block, of the last step; empty: nobody watches
-  std::vector<char> is_loaded_;     ///< per block: some contact of it may have a load
-  std::vector<int> loaded_;         ///< those blocks
   engine::StrangeBodies strange_;   ///< of several ranks
 
   std::vector<int> record_owners_;  ///< work space of store_contacts

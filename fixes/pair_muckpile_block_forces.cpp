@@ -29,12 +29,8 @@ void PairMuckpileBlock::step_contacts() {
   for (const std::size_t k : working_)
     if (list_.wake(k, all, contacts_.free())) awake_.push_back(k);
   // Only now, as a look moves the lists of spheres.
-  for (const std::size_t k : awake_) {
-    if (!forces_.add(list_.candidates(k)))
-      list_.rest(k, all.positions);
-    else if (watched_)
-      mark_loaded(list_.block_pairs()[k]);
-  }
+  for (const std::size_t k : awake_)
+    if (!forces_.add(list_.candidates(k))) list_.rest(k, all.positions);
   last_ = forces_.finish();
   if (memory_step > 0.0) {
     losses_.friction += last_.friction;

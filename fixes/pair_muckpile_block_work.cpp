@@ -17,25 +17,14 @@ namespace muckpile {
 
 /// The loads of the step before are forgotten.
 void PairMuckpileBlock::begin_loads() {
-  for (const int block : loaded_) loads_[static_cast<std::size_t>(block)] = {};
-  for (const int block : loaded_) is_loaded_[static_cast<std::size_t>(block)] = 0;
-  loaded_.clear();
-}
-
-void PairMuckpileBlock::mark_loaded(const BlockPair& pair) {
-  for (const int block : {pair.first, pair.second}) {
-    char& marked = is_loaded_[static_cast<std::size_t>(block)];
-    if (marked == 0) loaded_.push_back(block);
-    marked = 1;
-  }
+  for (const int block : forces_.loaded()) loads_[static_cast<std::size_t>(block)] = {};
+  forces_.forget_loads();
 }
 
 /// Blocks have got other numbers.
 void PairMuckpileBlock::renumber_loads() {
-  loaded_.clear();
-  if (!watched_) return;
-  loads_.assign(block_tag_.size(), {});
-  is_loaded_.assign(block_tag_.size(), 0);
+  forces_.forget_loads();
+  if (watched_) loads_.assign(block_tag_.size(), {});
 }
 
 /// Of a block, in the periodic image that it is; nullopt: no sphere of it is this rank's.
@@ -62,7 +51,7 @@ double PairMuckpileBlock::end_step(double time_step) {
   if (comm->nprocs > 1) strange_.update(*bodies_);
   const engine::Bodies bodies(*bodies_);
   double all = 0.0, dashpots = 0.0;  // [W]
-  for (const int block : loaded_) {
+  for (const int block : forces_.loaded()) {
     const std::optional<engine::BodyState> state = state_of(bodies, block);
     if (!state) continue;
     const ContactLoad& load = loads_[static_cast<std::size_t>(block)];

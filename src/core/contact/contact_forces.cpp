@@ -59,6 +59,17 @@ bool ContactForces::add(std::span<SpherePair> candidates) {
   return any;
 }
 
+/// Notes the blocks of contact k, and calls for what is added to.
+void ContactForces::call_loads(std::size_t k) {
+  for (const std::size_t side : {0, 1}) {
+    const SpherePair& touch = *near_[k].pair;
+    const int block = spheres_.blocks[side == 0 ? touch.first : touch.second];
+    block_[side][k] = block;
+    __builtin_prefetch(&spheres_.loads[block], 1);
+    __builtin_prefetch(spheres_.loads[block].numbers.data() + 8, 1);
+  }
+}
+
 /// Leaves in near_ those that touch, each with its contact, and calls for what is needed of them.
 void ContactForces::admit() {
   std::size_t touching = 0;
@@ -72,7 +83,9 @@ void ContactForces::admit() {
     }
     is_new_.values[touching] = pair.contact < 0 ? 1.0 : 0.0;
     if (pair.contact < 0) pair.contact = contacts_->add({});
-    near_[touching++] = n;
+    near_[touching] = n;
+    if (spheres_.loads != nullptr) call_loads(touching);
+    ++touching;
     __builtin_prefetch(&(*contacts_)[pair.contact], 1);
     for (const int sphere : {pair.first, pair.second}) {
       __builtin_prefetch(of(spheres_.velocities, sphere));
@@ -233,20 +246,34 @@ void ContactForces::scatter() {
     }
     (*contacts_)[touch.contact] = {at(slide_, k), at(roll_, k), offset_.values[k],
                                    stiffness_.values[k]};
-    if (spheres_.loads != nullptr) add_load(k, touch);
   }
+  if (spheres_.loads != nullptr) scatter_loads();
 }
 
-void ContactForces::add_load(std::size_t k, const SpherePair& touch) const {
-  std::array<double, 12> load;
-  for (std::size_t d = 0; d < load.size(); ++d) load[d] = load_[d].values[k];
-  if (touch.first < spheres_.owned) {
-    auto& first = spheres_.loads[spheres_.blocks[touch.first]].numbers;
-    for (std::size_t d = 0; d < load.size(); ++d) first[d] += load[d];
-  }
-  if (touch.second < spheres_.owned) {
-    auto& second = spheres_.loads[spheres_.blocks[touch.second]].numbers;
-    for (std::size_t d = 0; d < load.size(); ++d) second[d] -= load[d];
+/// The blocks that contact k loads; those whose sphere is another rank's it does not: -1.
+std::array<int, 2> ContactForces::load_key(std::size_t k) const {
+  const SpherePair& touch = *near_[k].pair;
+  return {touch.first < spheres_.owned ? block_[0][k] : -1,
+          touch.second < spheres_.owned ? block_[1][k] : -1};
+}
+
+/// Contacts of the same two blocks follow each other: they are summed before they are added.
+void ContactForces::scatter_loads() {
+  std::array<double, 12> sum;
+  const auto add = [&](int block, double sign) {
+    if (block < 0) return;
+    ContactLoad& load = spheres_.loads[block];
+    for (std::size_t d = 0; d < sum.size(); ++d) load.numbers[d] += sign * sum[d];
+    if (!load.listed) loaded_.push_back(block);
+    load.listed = true;
+  };
+  for (std::size_t k = 0; k < count_;) {
+    const std::array<int, 2> blocks = load_key(k);
+    sum.fill(0.0);
+    for (; k < count_ && load_key(k) == blocks; ++k)
+      for (std::size_t d = 0; d < sum.size(); ++d) sum[d] += load_[d].values[k];
+    add(blocks[0], 1.0);
+    add(blocks[1], -1.0);
   }
 }
 

@@ -17,8 +17,9 @@ namespace muckpile {
 
 /// What the contacts of a block's own spheres do to it; moments about the origin. The second half
 /// is the part of the dashpots.
-struct ContactLoad {
+struct alignas(64) ContactLoad {
   std::array<double, 12> numbers{};
+  bool listed = false;  ///< among ContactForces::loaded()
 
   [[nodiscard]] Vec3 force() const { return Vec3(numbers.data()); }               ///< [N]
   [[nodiscard]] Vec3 moment() const { return Vec3(numbers.data() + 3); }          ///< [N m]
@@ -83,6 +84,9 @@ class ContactForces {
   /// finish(). False: none touches, and none did.
   bool add(std::span<SpherePair> candidates);
   [[nodiscard]] ContactSums finish();
+  /// Blocks whose load is no longer zero, since the last forget_loads().
+  [[nodiscard]] const std::vector<int>& loaded() const { return loaded_; }
+  void forget_loads() { loaded_.clear(); }
 
   /// For tests of the energy account: from now on forces are too large by this share, while
   /// energies and losses stay those of the law.
@@ -112,13 +116,15 @@ class ContactForces {
   };
 
   void admit();
+  void call_loads(std::size_t k);
   void work();
   void gather();
   void work_on(std::size_t at);
   void keep_load(std::size_t at, const ContactResponseOf<Lanes>& response, const Vectors& normal,
                  const Lanes& arm);
   void scatter();
-  void add_load(std::size_t k, const SpherePair& touch) const;
+  void scatter_loads();
+  [[nodiscard]] std::array<int, 2> load_key(std::size_t k) const;
 
   const ContactLaw* law_ = nullptr;
   ContactStates* contacts_ = nullptr;
@@ -132,7 +138,9 @@ class ContactForces {
   std::array<Side, 2> side_;
   Rows to_second_, slide_, roll_;
   Row squared_, is_new_, offset_, stiffness_;
-  Rows first_;                  ///< centre of the first sphere; only for loads
+  Rows first_;                                   ///< centre of the first sphere; only for loads
+  std::array<std::array<int, kRoom>, 2> block_;  ///< of its two spheres; only for loads
+  std::vector<int> loaded_;
   std::array<Row, 12> load_;    ///< on the first sphere's block, see ContactLoad
   Rows force_;                  ///< on the first sphere
   std::array<Rows, 2> torque_;  ///< on either
