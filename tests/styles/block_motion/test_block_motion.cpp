@@ -9,6 +9,7 @@
 #include <string>
 
 #include "rock_scene.h"
+#include "scratch_folder.h"
 
 namespace muckpile::test {
 namespace {
@@ -112,6 +113,30 @@ TEST(BlockMotion, BetweenRunsItIsBooked) {
     scene.command("run 100 pre no");
     EXPECT_LT(scene.output("ledger", 0), 1e-9) << "without set-up";
   }
+}
+
+// What was given, and the largest energy seen, go with the restart file.
+TEST(BlockMotion, IsBookedAcrossARestart) {
+  const ScratchFolder folder("block_motion_restart");
+  const std::string file = (folder / "a.restart").string();
+  RockScene scene = loose_blocks();
+  scene.command("fix ledger all muckpile/ledger");
+  scene.run(10, kStep);
+  scene.command("block_motion all velocity 5 0 0");
+  scene.run(10, kStep);
+  const double given = scene.output("ledger", kGiven);
+  scene.command("block_motion all velocity 0.1 0 0");
+  scene.run(10, kStep);
+  scene.command("write_restart " + file);
+  RockScene again = RockScene::restarted(MPI_COMM_WORLD, file);
+  again.command("pair_style muckpile/block youngs_modulus 1e7");
+  again.command("pair_coeff * *");
+  again.command("fix ledger all muckpile/ledger");
+  again.command("block_motion all velocity 0 0 0");
+  again.run(10, kStep);
+  EXPECT_GT(given, 0.0);
+  EXPECT_LT(std::abs(again.output("ledger", kGiven)), 1e-9 * given);
+  EXPECT_LT(again.output("ledger", 0), 1e-9);
 }
 
 TEST(BlockMotion, WakesBlocksThatSleep) {

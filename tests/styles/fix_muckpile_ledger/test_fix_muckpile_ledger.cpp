@@ -245,5 +245,13 @@ TEST(FixMuckpileLedger, WallThatMovesMayGiveEnergy) {
   EXPECT_LT(scene.output("ledger", 0), 0.01);
 }
 
+// Without a weight and without a blast there is only what rounding makes.
+TEST(FixMuckpileLedger, RoundingOfRockAtRestIsNoError) {
+  RockScene scene(MPI_COMM_WORLD, "40 48 40 48 -4 4");
+  cut_weak_rock(scene, "43 45 43 45 -1 1");
+  scene.run(500, 2e-5);
+  EXPECT_LT(scene.output("ledger", 0), 1e-3);
+}
+
 }  // namespace
 }  // namespace muckpile::test
