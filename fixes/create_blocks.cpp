@@ -7,6 +7,7 @@
 #include <comm.h>
 #include <domain.h>
 #include <fix_multisphere.h>
+#include <modify.h>
 #include <multisphere.h>
 #include <region.h>
 #include <unistd.h>
@@ -19,6 +20,7 @@
 #include "block_placement.h"
 #include "engine/bodies.h"
 #include "engine/exchange.h"
+#include "fix_muckpile_blocks.h"
 #include "geometry/block_file.h"
 #include "rock/cut_table.h"
 
@@ -85,14 +87,24 @@ void CreateBlocks::command(int narg, char** arg) {
   BlockPlacement placement(lmp, type, options.density);
   if (comm->nprocs > 1 && options.is_plain_voronoi()) share_sweeps_of_rank_0(options.rock);
   RockModel model;
+  on_rank_0(*lmp, [&] { model = cut_rock(options, placement.first_tag(), held); });
+  const std::string run = run_id(engine::words_of(narg, arg, 0), model);
   on_rank_0(*lmp, [&] {
-    model = cut_rock(options, placement.first_tag(), held);
     const std::string& file = args.word("file");
     if (file != "none")
-      write_blocks(file, model.rock.blocks, placement.first_tag(), options.density);
+      write_blocks(file, model.rock.blocks, placement.first_tag(), options.density, run);
   });
   placement.place(model, options.rock.holes);
+  FixMuckpileBlocks::find(*lmp)->record().begin(run);
   if (comm->me == 0) engine::print_once(*lmp, describe(model, MPI_Wtime() - start));
+}
+
+/// All rock of a run has the id that comes with the first.
+std::string CreateBlocks::run_id(const std::vector<std::string>& words,
+                                 const RockModel& model) const {
+  FixMuckpileBlocks* store = FixMuckpileBlocks::find(*lmp);
+  const std::string known = store == nullptr ? "" : store->record().id();
+  return known.empty() ? make_run_id(*lmp, words, model) : known;
 }
 
 void CreateBlocks::check_engine() const {
@@ -107,6 +119,11 @@ void CreateBlocks::check_engine() const {
   }
   if (engine::find_multisphere(*lmp) == nullptr) {
     engine::stop(*lmp, "create_blocks: needs 'fix ID all multisphere' before it");
+  }
+  if (modify->nfix_restart_peratom > 0) {
+    engine::stop(*lmp,
+                 "create_blocks: must not stand between read_restart and the first run ('run 0' is "
+                 "enough): until then LIGGGHTS keeps data of the file that new particles lack");
   }
 }
 

@@ -8,6 +8,7 @@
 #include <pointers.h>
 
 #include <string>
+#include <vector>
 
 #include "engine/style_args.h"
 #include "rock/rock_model.h"
@@ -24,6 +25,8 @@ class CreateBlocks : protected LAMMPS_NS::Pointers {
   void command(int narg, char** arg);
 
  private:
+  [[nodiscard]] std::string run_id(const std::vector<std::string>& words,
+                                   const RockModel& model) const;
   void check_engine() const;
   [[nodiscard]] int checked_type(const ArgValues& args) const;
   [[nodiscard]] LAMMPS_NS::Region& region(const std::string& id) const;

@@ -18,6 +18,7 @@
 #include "engine/block_halo.h"
 #include "engine/exchange.h"
 #include "geometry/block_model.h"
+#include "run_record.h"
 
 namespace LAMMPS_NS {
 class FixMultisphere;
@@ -62,6 +63,7 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   ~FixMuckpileBlocks() override;
 
   int setmask() override;
+  void init() override { record_.check_all(*lmp); }
   void setup_pre_neighbor() override { synchronise(); }
   void pre_neighbor() override { synchronise(); }
   double memory_usage() override;
@@ -74,6 +76,7 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   static FixMuckpileBlocks& find_or_make(LAMMPS_NS::LAMMPS& lmp);
   /// True if the blocks came from a restart file.
   [[nodiscard]] bool restored() const { return restored_; }
+  [[nodiscard]] RunRecord& record() { return record_; }
 
   /// Takes the blocks that this rank creates, with every facet that one of them has.
   void add(const std::vector<BlockRecord>& records, const std::vector<Facet>& facets,
@@ -126,6 +129,7 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   std::vector<FacetMemory> memory_;
   std::vector<BoundaryFace> faces_;
   std::vector<Hole> holes_;
+  RunRecord record_;
   std::vector<int> tags_, copy_tags_;
   engine::BlockHalo halo_;
   std::uint64_t version_ = 0;

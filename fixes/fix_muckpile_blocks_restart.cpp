@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix muckpile/blocks in restart files: all blocks, facets with their memory, faces and holes, and
-// the engine's time, which LIGGGHTS does not keep.
-// Scope: read by the program that wrote it, on any number of ranks. LIGGGHTS gives the whole of a
-// fix's data to every rank, at most 2 GiB of it.
+// fix muckpile/blocks in restart files: all blocks, facets with their memory, faces, holes, what
+// run it is, and the engine's time, which LIGGGHTS does not keep. Scope: read by the program that
+// wrote it, on any number of ranks. LIGGGHTS gives the whole of a fix's data to every rank, at most
+// 2 GiB of it.
 #include <modify.h>
 #include <signal_handling.h>
 #include <update.h>
@@ -25,7 +25,7 @@ namespace muckpile {
 namespace {
 
 /// To be raised whenever what one of our fixes writes changes, or its order.
-constexpr std::size_t kFormat = 6;
+constexpr std::size_t kFormat = 7;
 
 /// Sizes of what is written as bytes: another build may lay it out differently.
 using Layout = std::array<std::size_t, 8>;
@@ -59,6 +59,7 @@ void FixMuckpileBlocks::write_restart(FILE* file) {
   all.put_all(holes_);
   all.put(blocks_created_);
   all.put(facets_created_);
+  record_.write(*lmp, all);
   engine::write_state(*lmp, style, file, all, mine);
 }
 
@@ -81,6 +82,7 @@ void FixMuckpileBlocks::restart(char* state) {
   holes_ = reader.get_all<Hole>();
   blocks_created_ = reader.get<int>();
   facets_created_ = reader.get<int>();
+  record_.read(reader);
   check_bodies();
   read_lists(reader);
   restored_ = true;

@@ -16,11 +16,13 @@
 #include <filesystem>
 #include <fstream>
 #include <numeric>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "engine/bodies.h"
 #include "engine/fragments.h"
+#include "engine/output_file.h"
 #include "engine/periodic_output.h"
 #include "engine/style_args.h"
 #include "fix_muckpile_joint.h"
@@ -50,16 +52,33 @@ void append(std::string& text, const Numbers& numbers, int digits) {
   }
 }
 
+/// Of a snapshot by the name of its file; -1 for other files.
+long long step_of(const std::string& name) {
+  long long step = -1;
+  int length = 0;  // stays 0 if the name ends or goes on otherwise after the number
+  std::sscanf(name.c_str(), "blocks_%lld.csv%n", &step, &length);
+  return static_cast<std::size_t>(length) == name.size() ? step : -1;
+}
+
+/// The id in the first line of a snapshot, "" if there is none.
+std::string run_of(const std::filesystem::path& snapshot) {
+  std::ifstream in(snapshot);
+  std::array<char, 200> begin{};  // of whatever file has such a name
+  in.getline(begin.data(), begin.size());
+  const std::string line(begin.data());
+  const std::size_t at = line.find(" run=");
+  return at == std::string::npos ? "" : line.substr(at + 5);
+}
+
 }  // namespace
 
 FixMuckpileDump::FixMuckpileDump(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
-    : Fix(engine, narg, arg) {
-  const std::string where = std::string("fix muckpile/dump '") + id + "'";
-  const ArgValues args = engine::read_args(*lmp, table(), where, narg, arg, 3);
+    : Fix(engine, narg, arg), where_(std::string("fix muckpile/dump '") + id + "'") {
+  const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
   every_ = static_cast<int>(args.integer("every"));
   nevery = 1;
   folder_ = args.word("directory");
-  engine::make_output_folder(*lmp, where, folder_);
+  engine::make_output_folder(*lmp, where_, folder_);
 }
 
 int FixMuckpileDump::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
@@ -67,30 +86,33 @@ int FixMuckpileDump::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
 void FixMuckpileDump::init() {
   store_ = FixMuckpileBlocks::find(*lmp);
   joint_ = dynamic_cast<FixMuckpileJoint*>(modify->find_fix_style_strict("muckpile/joint", 0));
-  if (store_ == nullptr) {
-    engine::stop(*lmp, std::string("fix muckpile/dump '") + id +
-                           "': needs create_blocks before the first run");
-  }
+  if (store_ == nullptr) engine::stop(*lmp, where_ + ": needs create_blocks before the first run");
 }
 
 void FixMuckpileDump::setup(int) {
-  if (last_ < 0 && store_->restored() && comm->me == 0) remove_later();
+  if (last_ < 0 && comm->me == 0) clear_folder();
   if (last_ < 0) write();
 }
 
-/// Removes the snapshots of steps after the restart file, which the former run wrote: this run
-/// takes these steps anew.
-void FixMuckpileDump::remove_later() const {
+/// Removes the snapshots of this run that it takes anew: all of them, or those of steps after the
+/// restart file. Those of other runs stay, and are told of.
+void FixMuckpileDump::clear_folder() const {
   std::error_code fault, unheeded;
+  int strangers = 0;
   std::filesystem::directory_iterator entry(folder_, fault);
   for (; !fault && entry != std::filesystem::directory_iterator(); entry.increment(fault)) {
-    long long step = 0;
-    int length = 0;  // stays 0 if the name ends or goes on otherwise after the number
-    const std::string name = entry->path().filename().string();
-    std::sscanf(name.c_str(), "blocks_%lld.csv%n", &step, &length);
-    if (static_cast<std::size_t>(length) == name.size() && step > update->ntimestep)
+    const long long step = step_of(entry->path().filename().string());
+    if (step < 0) continue;
+    if (run_of(entry->path()) != store_->record().id())
+      ++strangers;
+    else if (!store_->restored() || step > update->ntimestep)
       std::filesystem::remove(entry->path(), unheeded);
   }
+  if (strangers == 0) return;
+  error->warning(FLERR, (where_ + ": '" + folder_ + "' holds " + std::to_string(strangers) +
+                         " snapshots of other runs; muckpile-post refuses to measure a folder with "
+                         "files of several runs. Remove them, or choose another folder")
+                            .c_str());
 }
 
 void FixMuckpileDump::post_run() { write(); }
@@ -143,16 +165,15 @@ void FixMuckpileDump::write() {
                   '\0');
   MPI_Gatherv(mine.data(), length, MPI_CHAR, all.data(), lengths.data(), first.data(), MPI_CHAR, 0,
               world);
-  if (comm->me != 0) return;
   std::array<char, 64> name{};
   std::snprintf(name.data(), name.size(), "/blocks_%09lld.csv",
                 static_cast<long long>(update->ntimestep));
-  std::ofstream out(folder_ + name.data());
-  out.precision(12);
-  out << "# step=" << update->ntimestep << " time_s=" << update->get_cur_time() << '\n'
-      << kHeader << all;
-  if (!out.flush())
-    error->warning(FLERR, ("fix muckpile/dump: cannot write to '" + folder_ + "'").c_str());
+  std::ostringstream head;
+  head.precision(12);
+  head << "# step=" << update->ntimestep << " time_s=" << update->get_cur_time()
+       << " run=" << store_->record().id() << '\n'
+       << kHeader;
+  engine::write_file(*lmp, where_, folder_ + name.data(), head.str() + all);
 }
 
 }  // namespace muckpile

@@ -24,13 +24,13 @@ class FixMuckpileDump : public LAMMPS_NS::Fix {
   int modify_param(int narg, char** arg) override;
 
  private:
-  void remove_later() const;
+  void clear_folder() const;
   void write();
   [[nodiscard]] std::string rows() const;
 
   FixMuckpileBlocks* store_ = nullptr;
   FixMuckpileJoint* joint_ = nullptr;
-  std::string folder_;
+  std::string where_, folder_;
   int every_;  // the engine looks up `nevery` only when a run is set up
   LAMMPS_NS::bigint last_ = -1;
 };

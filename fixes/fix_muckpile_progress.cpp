@@ -16,10 +16,16 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "args/numbers.h"
 #include "engine/bodies.h"
+#include "engine/json_text.h"
+#include "engine/output_file.h"
 #include "engine/periodic_output.h"
 #include "engine/region.h"
 #include "engine/restart_file.h"
@@ -36,7 +42,7 @@ constexpr const char* kHistoryHeader =
     "contact_elastic_J,"
     "gravity_J,blast_work_J,fracture_J,joint_friction_J,joint_damping_J,contact_friction_J,contact_"
     "damping_J,wall_J,quiet_J,sleep_J,given_J,"
-    "balance_error\n";
+    "balance_error,run_id\n";
 
 Range time_range() { return Range::left_open(0.0, 1e30); }
 
@@ -57,8 +63,24 @@ const ArgTable& table() {
                 "a larger energy balance error stops the run as unstable")
           .word("scene", {}, "all",
                 "region; a block whose centre is outside has left, and no longer keeps the pile "
-                "from being still");
+                "from being still")
+          .word("solid", {}, "none",
+                "region where no rock can come to be, such as the ground under a floor; a block "
+                "whose centre is inside, but was not at the start, is counted and warned about");
   return args;
+}
+
+/// The cylinders of rock that the charges crush, one per hole.
+nlohmann::ordered_json crushed_zones(const FixMuckpileBlocks& store) {
+  const auto three = [](const Vec3& p) {
+    return nlohmann::ordered_json::array({p.x(), p.y(), p.z()});
+  };
+  auto zones = nlohmann::ordered_json::array();
+  for (const Hole& hole : store.holes()) {
+    zones.push_back(
+        {{"toe_m", three(hole.toe)}, {"collar_m", three(hole.collar)}, {"radius_m", hole.radius}});
+  }
+  return zones;
 }
 
 }  // namespace
@@ -78,9 +100,10 @@ FixMuckpileProgress::FixMuckpileProgress(LAMMPS_NS::LAMMPS* engine, int narg, ch
   fastest_allowed_ = args.real("fastest_allowed");
   balance_allowed_ = args.real("balance_allowed");
   if (args.word("scene") != "all") scene_ = args.word("scene");
+  if (args.word("solid") != "none") solid_ = args.word("solid");
   engine::make_output_folder(*lmp, where_, folder_);
   scalar_flag = vector_flag = 1;
-  size_vector = 3;
+  size_vector = 4;
   global_freq = 1;
   extscalar = extvector = 0;
   restart_global = 1;
@@ -95,9 +118,11 @@ void FixMuckpileProgress::init() {
   if (ledger_ == nullptr) engine::stop(*lmp, where_ + ": needs a fix muckpile/ledger");
   if (store_ == nullptr) engine::stop(*lmp, where_ + ": needs create_blocks before the first run");
   if (!scene_.empty()) engine::require_region(*lmp, where_, scene_);
+  if (!solid_.empty()) engine::require_region(*lmp, where_, solid_);
 }
 
 void FixMuckpileProgress::setup(int) {
+  if (!history_begun_) remove_own_run();
   phase_wall_start_ = MPI_Wtime();
   phase_time_start_ = update->get_cur_time();
   end_of_step();
@@ -105,16 +130,18 @@ void FixMuckpileProgress::setup(int) {
 
 void FixMuckpileProgress::end_of_step() {
   if (update->ntimestep % every_ != 0 || last_ == update->ntimestep) return;
-  last_ = update->ntimestep;
   const Look now = look();
   stop_if_wrong(now);
   write_history(now);
+  warn_of_solid(now);
   if (comm->me == 0) say(now);
 }
 
 void FixMuckpileProgress::post_run() {
   const Look now = look();
   stop_if_wrong(now);
+  if (last_ != update->ntimestep) write_history(now);
+  warn_of_solid(now);
   write_run(now);
 }
 
@@ -134,10 +161,11 @@ FixMuckpileProgress::Look FixMuckpileProgress::look() {
 
 void FixMuckpileProgress::look_at_blocks(Look& now) const {
   const engine::Bodies bodies(store_->multisphere());
-  std::array<double, 4> mine{}, all{};
-  auto& [moving, mass, gone, gone_mass] = mine;
+  std::array<double, 5> mine{}, all{};
+  auto& [moving, mass, gone, gone_mass, in_solid] = mine;
   for (int b = 0; b < bodies.count(); ++b) {
     mass += bodies.mass(b);
+    if (has_entered_solid(bodies, b)) in_solid += 1.0;
     if (!scene_.empty() && !engine::in_region(*lmp, scene_, bodies.centre(b))) {
       gone += 1.0;
       gone_mass += bodies.mass(b);
@@ -149,6 +177,32 @@ void FixMuckpileProgress::look_at_blocks(Look& now) const {
   now.moving_share = all[1] > 0.0 ? all[0] / all[1] : 0.0;
   now.gone = all[2];
   now.gone_mass = all[3];
+  now.in_solid = all[4];
+}
+
+bool FixMuckpileProgress::has_entered_solid(const engine::Bodies& bodies, int b) const {
+  if (solid_.empty() || !engine::in_region(*lmp, solid_, bodies.centre(b))) return false;
+  const BlockRecord& record = store_->records()[static_cast<std::size_t>(b)];
+  return record.mass == 0.0 || !engine::in_region(*lmp, solid_, record.start);
+}
+
+/// The count is the same on all ranks.
+void FixMuckpileProgress::warn_of_solid(const Look& now) {
+  if (now.in_solid == 0.0 || warned_of_solid_) return;
+  warned_of_solid_ = true;
+  const engine::Bodies bodies(store_->multisphere());
+  int mine = std::numeric_limits<int>::max(), first = 0;
+  for (int b = 0; b < bodies.count(); ++b)
+    if (has_entered_solid(bodies, b)) mine = std::min(mine, bodies.tag(b));
+  MPI_Allreduce(&mine, &first, 1, MPI_INT, MPI_MIN, world);
+  if (comm->me != 0) return;
+  error->warning(
+      FLERR, (where_ + ": blocks in region '" + solid_ +
+              "', where no rock can be: " + number_text(now.in_solid) + ", block " +
+              std::to_string(first) + " first, at t = " + number_text(now.time) +
+              " s. No wall held them, and they spoil what is measured of the pile; hold them with "
+              "fix muckpile/ground, or with a larger contact modulus")
+                 .c_str());
 }
 
 bool FixMuckpileProgress::still(const Look& now) const { return now.moving_share < still_share_; }
@@ -196,13 +250,16 @@ void FixMuckpileProgress::say(const Look& now) const {
   if (left >= 0.0) std::snprintf(remaining, sizeof remaining, " | at most %.0f s left", left);
   char gone[64] = "";
   if (now.gone > 0.0) std::snprintf(gone, sizeof gone, " | %.0f blocks left the scene", now.gone);
-  char text[320];
+  char buried[64] = "";
+  if (now.in_solid > 0.0)
+    std::snprintf(buried, sizeof buried, " | %.0f blocks in the solid", now.in_solid);
+  char text[384];
   std::snprintf(text, sizeof text,
                 "[%s] t = %.4g s | step %lld of %.2g s | joints broken %.1f %% | fastest %.3g m/s "
-                "| moving %.1f %%%s%s\n",
+                "| moving %.1f %%%s%s%s\n",
                 phase_.c_str(), now.time, static_cast<long long>(update->ntimestep), update->dt,
                 now.joints > 0.0 ? 100.0 * now.broken / now.joints : 0.0, now.fastest,
-                100.0 * now.moving_share, gone, remaining);
+                100.0 * now.moving_share, gone, buried, remaining);
   engine::print_once(*lmp, text);
   if (screen != nullptr) std::fflush(screen);
 }
@@ -218,26 +275,32 @@ void FixMuckpileProgress::restart(char* state) {
   read_at_ = update->ntimestep;
 }
 
-/// Keeps the history of the run before up to the present step and drops its later lines. False if
-/// there is none in this folder.
-bool FixMuckpileProgress::keep_history() const {
+/// The rows that this run wrote before it went on from a restart file, up to that file's step.
+std::string FixMuckpileProgress::rows_before() const {
   std::ifstream in(folder_ + "/history.csv");
-  std::string line, kept = kHistoryHeader;
-  if (!std::getline(in, line) || line + '\n' != kHistoryHeader) return false;
-  while (std::getline(in, line) && std::atoll(line.c_str()) < update->ntimestep)
+  std::string line, kept;
+  if (!std::getline(in, line) || line + '\n' != kHistoryHeader) return "";
+  const auto end = std::min(read_at_ + 1, update->ntimestep);
+  while (std::getline(in, line) && std::atoll(line.c_str()) < end) {
+    if (!line.ends_with(',' + store_->record().id())) return "";
     kept += line + '\n';
-  in.close();
-  std::ofstream(folder_ + "/history.csv") << kept;
-  return true;
+  }
+  return kept;
 }
 
 void FixMuckpileProgress::write_history(const Look& now) {
-  const EnergyLedger& e = ledger_->ledger();
-  if (comm->me != 0) return;
-  if (!history_begun_ && read_at_ >= 0) history_begun_ = keep_history();
-  std::ofstream out(folder_ + "/history.csv", history_begun_ ? std::ios::app : std::ios::trunc);
-  if (!history_begun_) out << kHistoryHeader;
+  last_ = update->ntimestep;
+  const std::string file = folder_ + "/history.csv", new_row = row(now);
+  if (history_begun_) return engine::append_to_file(*lmp, where_, file, new_row);
   history_begun_ = true;
+  const bool goes_on = read_at_ >= 0 && comm->me == 0;
+  engine::write_file(*lmp, where_, file,
+                     kHistoryHeader + (goes_on ? rows_before() : std::string()) + new_row);
+}
+
+std::string FixMuckpileProgress::row(const Look& now) const {
+  const EnergyLedger& e = ledger_->ledger();
+  std::ostringstream out;
   out.precision(10);
   out << update->ntimestep << ',' << now.time << ',' << update->dt << ',' << phase_ << ','
       << now.joints << ',' << now.broken << ',' << now.fastest;
@@ -246,35 +309,53 @@ void FixMuckpileProgress::write_history(const Look& now) {
                         e.contact_damping, e.walls, e.quiet, e.sleep, e.given, now.balance}) {
     out << ',' << energy;
   }
-  out << '\n';
+  out << ',' << store_->record().id() << '\n';
+  return out.str();
+}
+
+/// What an earlier start of this run left does not hold until this one ends.
+void FixMuckpileProgress::remove_own_run() const {
+  if (comm->me != 0) return;
+  const std::string file = folder_ + "/run.json";
+  std::ifstream in(file);
+  const auto run = nlohmann::json::parse(in, nullptr, false);
+  std::error_code unheeded;
+  if (run.is_object() && run.value("run_id", nlohmann::json()) == store_->record().id())
+    std::filesystem::remove(file, unheeded);
 }
 
 void FixMuckpileProgress::write_run(const Look& now) const {
   const FixMuckpileBlast* blast = FixMuckpileBlast::find(*lmp);
   const auto energies = blast != nullptr ? blast->energies() : FixMuckpileBlast::Energies{};
-  if (comm->me != 0) return;
-  std::ofstream out(folder_ + "/run.json");
-  if (!out)
-    error->warning(FLERR, ("fix muckpile/progress: cannot write to '" + folder_ + "'").c_str());
-  out.precision(10);
-  out << "{\n  \"blocks\": " << store_->blocks_created() << ",\n  \"spheres\": " << atom->natoms
-      << ",\n  \"joints\": " << store_->facets_created()
-      << ",\n  \"joints_broken_fraction\": " << (now.joints > 0.0 ? now.broken / now.joints : 0.0)
-      << ",\n  \"steps\": " << update->ntimestep << ",\n  \"physical_time_s\": " << now.time
-      << ",\n  \"wall_time_s\": " << MPI_Wtime() - wall_start_ << ",\n  \"ranks\": " << comm->nprocs
-      << ",\n  \"energy_balance_error\": " << now.balance
-      << ",\n  \"explosive_energy_J\": " << energies.explosive
-      << ",\n  \"wave_work_J\": " << energies.wave << ",\n  \"gas_work_J\": " << energies.gas
-      << ",\n  \"blocks_left_scene\": " << now.gone
-      << ",\n  \"mass_left_scene_kg\": " << now.gone_mass << ",\n  \"version\": \""
-      << MUCKPILE_VERSION << "\",\n  \"still\": " << (still(now) ? "true" : "false") << "\n}\n";
+  nlohmann::ordered_json run;
+  run["blocks"] = store_->blocks_created();
+  run["spheres"] = atom->natoms;
+  run["joints"] = store_->facets_created();
+  run["joints_broken_fraction"] = now.joints > 0.0 ? now.broken / now.joints : 0.0;
+  run["steps"] = update->ntimestep;
+  run["physical_time_s"] = now.time;
+  run["wall_time_s"] = MPI_Wtime() - wall_start_;
+  run["ranks"] = comm->nprocs;
+  run["energy_balance_error"] = now.balance;
+  run["explosive_energy_J"] = energies.explosive;
+  run["wave_work_J"] = energies.wave;
+  run["gas_work_J"] = energies.gas;
+  run["blocks_left_scene"] = std::lround(now.gone);
+  run["mass_left_scene_kg"] = now.gone_mass;
+  run["blocks_in_solid"] = std::lround(now.in_solid);
+  run["version"] = MUCKPILE_VERSION;
+  run["still"] = still(now);
+  run["run_id"] = store_->record().id();
+  run["holes"] = crushed_zones(*store_);
+  engine::write_file(*lmp, where_, folder_ + "/run.json", engine::json_text(run));
 }
 
 double FixMuckpileProgress::compute_scalar() { return still(look()) ? 1.0 : 0.0; }
 
 double FixMuckpileProgress::compute_vector(int n) {
   const Look now = look();
-  return n == 0 ? now.fastest : n == 1 ? now.moving_share : now.gone;
+  return std::array{now.fastest, now.moving_share, now.gone,
+                    now.in_solid}[static_cast<std::size_t>(n)];
 }
 
 int FixMuckpileProgress::modify_param(int narg, char** arg) {

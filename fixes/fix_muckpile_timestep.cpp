@@ -15,6 +15,7 @@
 
 #include "args/numbers.h"
 #include "engine/bodies.h"
+#include "engine/restart_file.h"
 #include "engine/single_fix.h"
 #include "engine/style_args.h"
 #include "fix_multisphere_muckpile.h"
@@ -23,6 +24,7 @@ namespace muckpile {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = 1e29;     // s, a longer step is none
 constexpr double kWorthAChange = 1.01;  // a longer step than now by less is not taken
 
 enum Output {
@@ -74,21 +76,23 @@ double acting_together(double joints, double contacts) {
 
 FixMuckpileTimestep::FixMuckpileTimestep(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg),
-      where_(std::string("fix muckpile/timestep '") + (narg > 0 ? arg[0] : "") + "'"),
-      joint_step_(kInfinity) {
-  contact_steps_.fill(kInfinity);
+      where_(std::string("fix muckpile/timestep '") + (narg > 0 ? arg[0] : "") + "'") {
+  look_.joint_step = kInfinity;
+  look_.contact_steps.fill(kInfinity);
   engine::refuse_second_fix(*lmp, where_, "muckpile/timestep");
+  engine::require_id_of_restart(*lmp, where_, *this);
   const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
-  fraction_ = args.real("fraction");
-  collision_ = args.real("collision");
-  collision_speed_ = args.real("collision_speed");
-  shortest_ = args.real("min");
-  longest_ = args.real("max");
-  if (shortest_ > longest_) engine::stop(*lmp, where_ + ": min must be <= max");
-  joints_every_ = static_cast<int>(args.integer("joints_every"));
-  breaking_ = args.word("breaking") == "none" ? Breaking::none : Breaking::possible;
-  dashpot_fraction_ = args.real("dashpot_fraction");
-  nevery = static_cast<int>(args.integer("every"));
+  settings_.fraction = args.real("fraction");
+  settings_.collision = args.real("collision");
+  settings_.collision_speed = args.real("collision_speed");
+  settings_.shortest = args.real("min");
+  settings_.longest = args.real("max");
+  if (settings_.shortest > settings_.longest) engine::stop(*lmp, where_ + ": min must be <= max");
+  settings_.joints_every = static_cast<int>(args.integer("joints_every"));
+  settings_.breaking = args.word("breaking") == "none" ? Breaking::none : Breaking::possible;
+  settings_.dashpot_fraction = args.real("dashpot_fraction");
+  nevery = settings_.every = static_cast<int>(args.integer("every"));
+  restart_global = 1;
   time_depend = 1;  // the engine's clock counts steps of equal length otherwise
   scalar_flag = vector_flag = 1;
   size_vector = kOutputCount;
@@ -104,39 +108,53 @@ void FixMuckpileTimestep::init() {
                            ": needs fix multisphere/muckpile; LIGGGHTS' own fix multisphere "
                            "keeps the step that a run began with");
   }
-  if (collision_speed_ > 0.0 && collision_ >= 1e30)
+  if (settings_.collision_speed > 0.0 && settings_.collision >= 1e30)
     engine::stop(*lmp, where_ + ": collision_speed needs collision, the step at that speed");
+  const int place = find_joints();
+  if (place > modify->find_fix(id))
+    engine::stop(*lmp, where_ + ": must be defined after fix muckpile/joint");
+}
+
+/// Their place among the fixes, -1 without.
+int FixMuckpileTimestep::find_joints() {
   joints_ = nullptr;
+  int place = -1;
   for (int i = 0; i < modify->nfix; ++i) {
     auto* joints = dynamic_cast<StepLimit*>(modify->fix[i]);
     if (joints == nullptr) continue;
     joints_ = joints;
-    if (i > modify->find_fix(id))
-      engine::stop(*lmp, where_ + ": must be defined after fix muckpile/joint");
+    place = i;
   }
+  return place;
 }
 
 /// Forces are up to date here, and with them poses and contacts.
 void FixMuckpileTimestep::setup(int) {
-  if (joints_ != nullptr && joints_->stiffness_changes() != known_changes_) looks_ = joints_every_;
-  if (looks_ >= joints_every_) look_at_joints();
+  if (goes_on_unchanged()) {
+    if (wanted() <= kUnbounded && update->dt != then_.step) set_step(then_.step);
+    if (then_.within_run) return;
+  }
+  read_at_ = -1;
+  if (joints_ != nullptr && joints_->stiffness_changes() != known_changes_)
+    look_.since_joints = settings_.joints_every;
+  if (look_.since_joints >= settings_.joints_every) look_at_joints();
   look_at_contacts();
   choose();
 }
 
 void FixMuckpileTimestep::end_of_step() {
-  ++looks_;
-  if (joints_every_ > 0 && looks_ >= joints_every_) look_at_joints();
+  ++look_.since_joints;
+  if (settings_.joints_every > 0 && look_.since_joints >= settings_.joints_every) look_at_joints();
   look_at_contacts();
   choose();
 }
 
 void FixMuckpileTimestep::look_at_joints() {
-  looks_ = 0;
+  look_.since_joints = 0;
   if (joints_ == nullptr) return;
   known_changes_ = joints_->stiffness_changes();
-  const StepBound bound = joints_->stable_step(breaking_, joint_step_);
-  joint_step_ = bound.seconds;
+  const StepBound bound = joints_->stable_step(settings_.breaking, look_.joint_step);
+  look_.joint_step = bound.seconds;
   products_ += bound.products;
 }
 
@@ -146,21 +164,22 @@ void FixMuckpileTimestep::look_at_contacts() {
   std::array<double, kContactSteps> mine{};
   mine.fill(kInfinity);
   if (found != nullptr) std::copy_n(static_cast<const double*>(found), mine.size(), mine.begin());
-  MPI_Allreduce(mine.data(), contact_steps_.data(), kContactSteps, MPI_DOUBLE, MPI_MIN, world);
-  if (collision_speed_ > 0.0) look_for_fastest_block();
+  MPI_Allreduce(mine.data(), look_.contact_steps.data(), kContactSteps, MPI_DOUBLE, MPI_MIN, world);
+  if (settings_.collision_speed > 0.0) look_for_fastest_block();
 }
 
 void FixMuckpileTimestep::look_for_fastest_block() {
   const engine::Bodies bodies(*engine::find_multisphere(*lmp));
   double fastest = 0.0;
   for (int b = 0; b < bodies.count(); ++b) fastest = std::max(fastest, bodies.velocity(b).norm());
-  MPI_Allreduce(&fastest, &fastest_, 1, MPI_DOUBLE, MPI_MAX, world);
+  MPI_Allreduce(&fastest, &look_.fastest, 1, MPI_DOUBLE, MPI_MAX, world);
 }
 
 /// Blocks without joints have their contacts alone. At worst a joined block has the stiffest
 /// contacts and the stiffest joints: the two stiffnesses, which go with 1/step^2, add.
 double FixMuckpileTimestep::longest_stable(ContactStep free, ContactStep joined) const {
-  return std::min(contact_steps_[free], acting_together(joint_step_, contact_steps_[joined]));
+  return std::min(look_.contact_steps[free],
+                  acting_together(look_.joint_step, look_.contact_steps[joined]));
 }
 
 double FixMuckpileTimestep::springs_bear() const {
@@ -174,24 +193,30 @@ double FixMuckpileTimestep::dashpots_bear() const {
 /// Resolves a collision; that is a matter of accuracy, so neither joints nor a share come on top.
 /// It lasts the longer the slower it is, by Hertz with speed^(-1/5).
 double FixMuckpileTimestep::longest_resolving() const {
-  if (collision_ >= 1e30) return contact_steps_[kCollisions];
-  if (collision_speed_ == 0.0) return collision_;
-  return fastest_ > 0.0 ? collision_ * std::pow(collision_speed_ / fastest_, 0.2) : kInfinity;
+  if (settings_.collision >= 1e30) return look_.contact_steps[kCollisions];
+  if (settings_.collision_speed == 0.0) return settings_.collision;
+  return look_.fastest > 0.0
+             ? settings_.collision * std::pow(settings_.collision_speed / look_.fastest, 0.2)
+             : kInfinity;
+}
+
+double FixMuckpileTimestep::wanted() const {
+  return std::min({settings_.fraction * springs_bear(),
+                   settings_.dashpot_fraction * dashpots_bear(), longest_resolving(),
+                   settings_.longest});
 }
 
 void FixMuckpileTimestep::choose() {
-  const double wanted = std::min({fraction_ * springs_bear(), dashpot_fraction_ * dashpots_bear(),
-                                  longest_resolving(), longest_});
-  if (wanted > 1e29) return;  // nothing holds it: as it is
-  const double step = three_digits(wanted);
-  if (!(step >= shortest_)) {
+  if (wanted() > kUnbounded) return;  // nothing holds it: as it is
+  const double step = three_digits(wanted());
+  if (!(step >= settings_.shortest)) {
     engine::stop(*lmp, where_ + ": the step must be " + number_text(step) + " s at step " +
                            std::to_string(update->ntimestep) + ", shorter than min " +
-                           number_text(shortest_) + " s (joints bear " + number_text(joint_step_) +
-                           " s, with contacts " + number_text(springs_bear()) +
-                           " s, with their dashpots " + number_text(dashpots_bear()) +
-                           " s, collisions are resolved at " + number_text(longest_resolving()) +
-                           " s)");
+                           number_text(settings_.shortest) + " s (joints bear " +
+                           number_text(look_.joint_step) + " s, with contacts " +
+                           number_text(springs_bear()) + " s, with their dashpots " +
+                           number_text(dashpots_bear()) + " s, collisions are resolved at " +
+                           number_text(longest_resolving()) + " s)");
   }
   if (step < update->dt || step > kWorthAChange * update->dt) set_step(step);
 }
@@ -209,9 +234,9 @@ double FixMuckpileTimestep::compute_scalar() { return springs_bear() / update->d
 double FixMuckpileTimestep::compute_vector(int n) {
   switch (n) {
     case kJointStep:
-      return joint_step_;
+      return look_.joint_step;
     case kContactStep:
-      return std::min(contact_steps_[kFreeSprings], contact_steps_[kJoinedSprings]);
+      return std::min(look_.contact_steps[kFreeSprings], look_.contact_steps[kJoinedSprings]);
     case kStep:
       return update->dt;
     case kChanges:
@@ -219,11 +244,11 @@ double FixMuckpileTimestep::compute_vector(int n) {
     case kProducts:
       return products_;
     case kDashpotStep:
-      return std::min(contact_steps_[kFreeContacts], contact_steps_[kJoinedContacts]);
+      return std::min(look_.contact_steps[kFreeContacts], look_.contact_steps[kJoinedContacts]);
     case kCollisionStep:
-      return contact_steps_[kCollisions];
+      return look_.contact_steps[kCollisions];
     case kJoinedSpringStep:
-      return contact_steps_[kJoinedSprings];
+      return look_.contact_steps[kJoinedSprings];
     default:
       return 0.0;
   }
@@ -236,15 +261,45 @@ int FixMuckpileTimestep::modify_param(int narg, char** arg) {
   if (narg < 2) engine::stop(*lmp, where + ": " + key + " needs a value");
   engine::or_engine_error(*lmp, [&] {
     if (key == "fraction")
-      fraction_ = parse_real(where, key, arg[1], "", Range::left_open(0.0, 1.0));
+      settings_.fraction = parse_real(where, key, arg[1], "", Range::left_open(0.0, 1.0));
     if (key == "collision")
-      collision_ = parse_real(where, key, arg[1], "s", Range::left_open(0.0, 1e30));
+      settings_.collision = parse_real(where, key, arg[1], "s", Range::left_open(0.0, 1e30));
     if (key == "collision_speed")
-      collision_speed_ = parse_real(where, key, arg[1], "m/s", Range::closed(0.0, 1e4));
-    if (key == "max") longest_ = parse_real(where, key, arg[1], "s", Range::left_open(0.0, 1e30));
+      settings_.collision_speed = parse_real(where, key, arg[1], "m/s", Range::closed(0.0, 1e4));
+    if (key == "max")
+      settings_.longest = parse_real(where, key, arg[1], "s", Range::left_open(0.0, 1e30));
     return 0;
   });
   return 2;
+}
+
+void FixMuckpileTimestep::write_restart(FILE* file) {
+  engine::ByteWriter state;
+  state.put(Then{settings_, update->dt, update->whichflag != 0});
+  state.put(look_);
+  state.put(changes_);
+  state.put(products_);
+  engine::write_state(*lmp, style, file, state);
+}
+
+/// The joints have been read before: what changes their stiffness from here on is new.
+void FixMuckpileTimestep::restart(char* state) {
+  engine::ByteReader in = engine::read_state(state);
+  then_ = in.get<Then>();
+  look_ = in.get<Look>();
+  changes_ = in.get<int>();
+  products_ = in.get<int>();
+  read_at_ = update->ntimestep;
+  update->dt = then_.step;
+  find_joints();
+  if (joints_ != nullptr) known_changes_ = joints_->stiffness_changes();
+}
+
+/// Then the step is that of the restart file, and if that was written within a run, so are the
+/// looks: that run did not look once more.
+bool FixMuckpileTimestep::goes_on_unchanged() const {
+  return update->ntimestep == read_at_ && settings_ == then_.settings &&
+         (joints_ == nullptr || joints_->stiffness_changes() == known_changes_);
 }
 
 }  // namespace muckpile

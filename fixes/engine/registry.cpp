@@ -23,6 +23,7 @@
 #include "fix_muckpile_contact_history.h"
 #include "fix_muckpile_dump.h"
 #include "fix_muckpile_gas.h"
+#include "fix_muckpile_ground.h"
 #include "fix_muckpile_joint.h"
 #include "fix_muckpile_ledger.h"
 #include "fix_muckpile_progress.h"
@@ -35,6 +36,7 @@
 #include "read_sealed_restart.h"
 #include "require.h"
 #include "sphere_commands.h"
+#include "write_scene.h"
 
 namespace muckpile::engine {
 namespace {
@@ -94,6 +96,7 @@ const std::map<std::string, CommandCreator>& commands() {
       {"muckpile_styles", &register_again},
       {"rank_grid", &run_command<RankGridCommand>},
       {"require", &run_command<Require>},
+      {"write_scene", &run_command<WriteScene>},
   };
   return table;
 }
@@ -116,6 +119,7 @@ const std::map<std::string, FixCreator>& fixes() {
       {"muckpile/contact/history", &create_fix<FixMuckpileContactHistory>},
       {"muckpile/dump", &create_fix<FixMuckpileDump>},
       {"muckpile/gas", &create_fix<FixMuckpileGas>},
+      {"muckpile/ground", &create_fix<FixMuckpileGround>},
       {"muckpile/joint", &create_fix<FixMuckpileJoint>},
       {"muckpile/ledger", &create_fix<FixMuckpileLedger>},
       {"muckpile/progress", &create_fix<FixMuckpileProgress>},
@@ -155,6 +159,13 @@ std::vector<StyleName> style_names() {
   for (const auto& entry : fixes()) names.push_back({"fix", entry.first});
   for (const auto& entry : pairs()) names.push_back({"pair", entry.first});
   return names;
+}
+
+std::unique_ptr<Fix> make_fix(LAMMPS& lmp, const std::string& style, std::vector<char*> arg) {
+  std::string name = style;
+  arg.at(2) = name.data();
+  const auto& known = *(lmp.modify->*private_member(FixMap{}));
+  return std::unique_ptr<Fix>(known.at(style)(&lmp, static_cast<int>(arg.size()), arg.data()));
 }
 
 void register_styles(LAMMPS& lmp) {

@@ -4,12 +4,14 @@
 // `muckpile_styles` puts ours back.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace LAMMPS_NS {
+class Fix;
 class LAMMPS;
-}
+}  // namespace LAMMPS_NS
 
 namespace muckpile::engine {
 
@@ -23,5 +25,11 @@ struct StyleName {
 
 /// Makes the styles known to `lmp`; stops the run if the engine already has one of that name.
 void register_styles(LAMMPS_NS::LAMMPS& lmp);
+
+/// A fix of LIGGGHTS made from the words of a fix command, with `style` in place of theirs. It is
+/// no part of the run: the caller owns it and passes on what the engine asks for.
+[[nodiscard]] std::unique_ptr<LAMMPS_NS::Fix> make_fix(LAMMPS_NS::LAMMPS& lmp,
+                                                       const std::string& style,
+                                                       std::vector<char*> arg);
 
 }  // namespace muckpile::engine

@@ -19,6 +19,7 @@
 
 #include "engine/exchange.h"
 #include "engine/style_args.h"
+#include "provenance/fingerprint.h"
 
 namespace muckpile::engine {
 namespace {
@@ -34,15 +35,8 @@ constexpr std::string_view kEngine = "LIGGGHTS";      // in the version that beg
 constexpr std::size_t kShortest = 600;  // bytes; LIGGGHTS' file of an empty box has 602
 constexpr std::size_t kHead = 256;      // bytes within which that stands
 
-/// FNV-1a of 64 bits (Fowler, Noll & Vo 1991). Each step is one-to-one: no single changed byte goes
-/// unseen.
 std::uint64_t hash_of(const char* first, std::size_t count) {
-  std::uint64_t hash = 14695981039346656037ull;
-  for (std::size_t k = 0; k < count; ++k) {
-    hash ^= static_cast<unsigned char>(first[k]);
-    hash *= 1099511628211ull;
-  }
-  return hash;
+  return Fingerprint().add_bytes(first, count).value();
 }
 
 /// False if it cannot be read.

@@ -15,16 +15,15 @@
 namespace muckpile::engine {
 namespace {
 
-bool stands_still(LAMMPS_NS::FixWallGran& wall) {
-  if (wall.is_moving() != 0) return false;
-  for (int m = 0; wall.is_mesh_wall() && m < wall.n_meshes(); ++m)
-    if (wall.mesh_list()[m]->surfaceVel()) return false;
-  return true;
+bool moves(LAMMPS_NS::Fix* fix) {
+  if (auto* const wall = dynamic_cast<LAMMPS_NS::FixWallGran*>(fix)) return wall->is_moving() != 0;
+  auto* const mesh = dynamic_cast<LAMMPS_NS::FixMesh*>(fix);
+  return mesh != nullptr && (mesh->mesh()->isMoving() || mesh->surfaceVel());
 }
 
 bool is_known(std::string_view style) {
-  return style == "gravity" || style.find("muckpile") != style.npos ||
-         style.substr(0, 11) == "multisphere";
+  return style == "gravity" || style.substr(0, 9) == "wall/gran" ||
+         style.find("muckpile") != style.npos || style.substr(0, 11) == "multisphere";
 }
 
 }  // namespace
@@ -32,10 +31,8 @@ bool is_known(std::string_view style) {
 bool walls_stand_still(LAMMPS_NS::LAMMPS& lmp) {
   const LAMMPS_NS::Modify& modify = *lmp.modify;
   for (int f = 0; f < modify.nfix; ++f) {
-    auto* const wall = dynamic_cast<LAMMPS_NS::FixWallGran*>(modify.fix[f]);
     const bool pushes = (modify.fmask[f] & LAMMPS_NS::FixConst::POST_FORCE) != 0;
-    if (wall != nullptr ? !stands_still(*wall) : pushes && !is_known(modify.fix[f]->style))
-      return false;
+    if (moves(modify.fix[f]) || (pushes && !is_known(modify.fix[f]->style))) return false;
   }
   return true;
 }

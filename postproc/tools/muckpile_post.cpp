@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // muckpile-post: measures and draws what a run of Muckpile dumped.
 // Scope: command line only; report/ does the work. Exit code 1 on faulty input, with one line of
-// explanation.
+// explanation; 3 where a report has no measures for the scene of a sound run.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/vtk_series.h"
+#include "report/not_measurable.h"
 #include "report/plan_report.h"
 #include "report/reports.h"
 
@@ -147,6 +148,9 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error);
+  } catch (const NotMeasurable& refusal) {
+    std::fprintf(stderr, "muckpile-post: %s\n", refusal.what());
+    return kNotMeasurableExitCode;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "muckpile-post: %s\n", error.what());
     return 1;

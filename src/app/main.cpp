@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -28,6 +29,14 @@ void spell_as_liggghts_does(int argc, char** argv) {
   static char help[] = "-help";
   for (int i = 1; i < argc; ++i)
     if (std::strcmp(argv[i], "--help") == 0) argv[i] = help;
+}
+
+/// LIGGGHTS leaves its help with status 1, which is that of an error.
+void leave_with_success() {
+  std::atexit([] {
+    std::fflush(nullptr);
+    std::_Exit(0);
+  });
 }
 
 void warn(const std::vector<std::string>& lines) {
@@ -66,7 +75,10 @@ int main(int argc, char** argv) {
   MPI_Init(&argc, &argv);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  if (rank == 0 && (is_given("-h", argc, argv) || is_given("-help", argc, argv))) print_styles();
+  if (is_given("-h", argc, argv) || is_given("-help", argc, argv)) {
+    if (rank == 0) print_styles();
+    leave_with_success();
+  }
   std::vector<std::string> unused;
   if (rank == 0) unused = muckpile::unused_variables({argv + 1, argv + argc});
 

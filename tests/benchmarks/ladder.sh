@@ -11,7 +11,7 @@ root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
 bench="-var bench_height 5 -var burden 2 -var hole_diameter 0.064 -var time_end 3.0"
 [[ $quick != quick ]] || bench=${bench/time_end 3.0/time_end 0.2}
 readonly bench
-readonly quantities=(face_velocity_m_s throw_cg_m swell_factor joints_broken_fraction)
+readonly quantities=(face_velocity_m_s throw_cg_m beyond_toe_fraction joints_broken_fraction)
 export OMPI_MCA_btl_vader_single_copy_mechanism=none
 
 # The sizes of the standard blocks (median, smallest, largest) times a factor. At the wall of the crushed zone, 0.192 m wide here,
@@ -108,7 +108,7 @@ write_table() {
     { row[++n] = $0 }
     function far(value, i) { return sprintf("%.4g (%+.1f %%)", value, 100 * (value / finest[i] - 1)) }
     END {
-      print "| knob | setting | blocks | steps | CPU s | face velocity, m/s | throw of the mass centre, m | swell | joints broken |"
+      print "| knob | setting | blocks | steps | CPU s | face velocity, m/s | throw of the mass centre, m | share beyond the old toe | joints broken |"
       print "|---|---|---|---|---|---|---|---|---|"
       for (k = 1; k <= n; k++) {
         split(row[k], c, ",")

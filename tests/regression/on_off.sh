@@ -11,13 +11,12 @@ source "$(dirname "${BASH_SOURCE[0]}")/runs.sh"
 
 mean_throw_speed() {  # of all blocks in the last snapshot, along x
   local snapshots=("$out/$1"/dump/blocks_*.csv)
-  awk -F, 'NR == 2 { for (i = 1; i <= NF; i++) if ($i == "vx_m_s") c = i } NR > 2 { sum += $c } END { print sum / (NR - 2) }' "${snapshots[-1]}"
+  check_figures print "${snapshots[-1]}:mean(vx_m_s)"
 }
 
 run_input with 2 "$input" "$@"
 run_input without 2 "$input" "$@" "${off[@]}"
 compare "work of the gas [J]" "$(of_run with gas_work_J)" "$(of_run without gas_work_J)" "$bound"
 compare "mean speed of throw [m/s]" "$(mean_throw_speed with)" "$(mean_throw_speed without)" "$bound"
-steps_with=$(of_run with steps) steps_without=$(of_run without steps)
-echo "steps: with $steps_with, without $steps_without"
-((10 * steps_with <= 9 * steps_without)) || { echo "less than a tenth of the steps was saved"; exit 1; }
+check_figures bounds steps "$out/with/dump/run.json:steps" --at-most "$out/without/dump/run.json:steps" --times 0.9 ||
+  { echo "less than a tenth of the steps was saved"; exit 1; }

@@ -18,5 +18,5 @@ for ranks in "${all_ranks[@]}"; do
   for quantity in wave_work_J gas_work_J joints_broken_fraction; do
     compare "$quantity" "$(of_run "$ranks" $quantity)" "$(of_run 1 $quantity)" "$bound"
   done
-  compare energy_balance_error "$(of_run "$ranks" energy_balance_error)" 0 0.01
+  check_figures near energy_balance_error "$out/$ranks/dump/run.json:energy_balance_error" 0 0.01
 done

@@ -3,6 +3,7 @@
 # What the scripts beside it share: runs of an input in folders of $out, and their figures. What a failed script has written stays,
 # and its place is printed.
 # Scope: to be sourced, once $program is set. It goes to the root of the project.
+source "$(dirname "${BASH_SOURCE[0]}")/../support/check_figures.sh"
 cd "$(dirname "${BASH_SOURCE[0]}")/../.." || exit
 out=$(mktemp -d)
 trap 'if [[ $? -eq 0 ]]; then rm -rf "$out"; else echo "kept: $out"; fi' EXIT
@@ -17,11 +18,6 @@ run_input() {  # run_input FOLDER RANKS INPUT [-var NAME VALUE]...: to $out/FOLD
     { tail -n 30 "$to/screen"; exit 1; }
 }
 
-of_run() { sed -nE "s/^ *\"$2\": ([-0-9.eE+]+),?$/\1/p" "$out/$1/dump/run.json"; }  # of_run FOLDER QUANTITY
+of_run() { check_figures print "$out/$1/dump/run.json:$2"; }  # of_run FOLDER QUANTITY
 
-compare() {  # compare QUANTITY VALUE REFERENCE BOUND: BOUND is a share of REFERENCE
-  awk -v name="$1" -v value="$2" -v reference="$3" -v bound="$4" 'BEGIN {
-    share = reference == 0 ? value - reference : value / reference - 1
-    printf "%s: %s, should be %s, difference %.2g, allowed %s\n", name, value, reference, share, bound
-    exit !(value != "" && reference != "" && share <= bound && -share <= bound) }'
-}
+compare() { check_figures near "$@" --share; }  # compare QUANTITY VALUE REFERENCE BOUND: BOUND is a share of REFERENCE

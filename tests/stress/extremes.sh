@@ -7,6 +7,7 @@
 set -euo pipefail
 program=$1 input=$2 seconds=$3
 shift 3
+source "$(dirname "${BASH_SOURCE[0]}")/../support/check_figures.sh"
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 readonly kLarge=' bench_height=100 burden=50 holes=10000 spacing=50 half_width=500 rock_below=500 subdrill=50 fragment_x50=1e-3 block_min=1e-3 go_on=1 time_end=1000 charge_mass=1e5 hole_diameter=0.005 '
 out=$(mktemp -d)
@@ -45,8 +46,7 @@ try() {  # try KNOB VALUE [-var NAME VALUE]...: the first -var of a name counts
   timeout -k 5 "$seconds" "$program" -in "$input" -log none -var out "$out" -var "$knob" "$value" "$@" >"$out/screen" 2>&1 || status=$?
   if [[ $status -eq 0 ]]; then
     ran=$((ran + 1))
-    [[ -s $out/dump/run.json ]] || fault='no run.json'
-    ! grep -qiE '[:,] *-?(nan|inf)' "$out/dump/run.json" "$out/dump/history.csv" || fault='a number that is none'
+    fault=$(check_figures finite "$out/dump/run.json" "$out/dump/history.csv" 2>&1) || fault=${fault:-no figures}
   elif [[ $status -ne 1 ]] || ! grep -qE '^ERROR: (input|create_blocks|charge_design|fix muckpile/[a-z]+)[: ]' "$out/screen"; then
     fault="exit status $status, $(tail -n 1 "$out/screen")"
   fi

@@ -5,6 +5,7 @@
 # Scope: LIST has a line per scene: name, ranks, bound of the balance in % of the blast's work, input, -var NAME VALUE...; `#` starts a remark.
 set -euo pipefail
 program=$1 post=$2 list=$(readlink -f "$3")
+source "$(dirname "${BASH_SOURCE[0]}")/../support/check_figures.sh"
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
@@ -12,6 +13,21 @@ export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yi
   OMPI_MCA_btl_vader_single_copy_mechanism=none
 
 value() { sed -nE "s/^ *\"$1\": ([^,]+),?$/\1/p" "$out/summary.json" | head -n 1; }
+
+keeps() {  # keeps CHECK...: prints what is wrong
+  local said
+  said=$(check_figures "$@" 2>&1) || printf '%s\n' "${said:-check_figures $* failed}"
+}
+
+faults_of() {  # faults_of REPORT BOUND
+  local summary=$out/summary.json
+  keeps finite "$out/dump/run.json" "$out/dump/history.csv"
+  keeps bounds "energy balance error" "$summary:energy_balance_error_worst" --below 0.01 --times "$2"
+  if [[ $1 == profile ]]; then
+    keeps bounds "fastest block [m/s]" "$summary:fastest_block_m_s" --below "$summary:face_velocity_m_s" --times 5
+    if grep -q '"still": true' "$summary"; then keeps bounds "swell" "$summary:swell_factor" --at-least 1; fi
+  fi
+}
 
 wrong=0 scenes=0
 while read -r name ranks bound input rest; do
@@ -29,12 +45,7 @@ while read -r name ranks bound input rest; do
     wrong=1
     continue
   fi
-  verdict=$(awk -v fast="$(value fastest_block_m_s)" -v face="$(value face_velocity_m_s)" -v balance="$(value energy_balance_error_worst)" \
-    -v swell="$(value swell_factor)" -v bound="$bound" -v report=$report 'BEGIN {
-      if (balance == "" || !(balance + 0 < 0.01 * bound)) print "ENERGY"
-      if (report == "profile" && (fast == "" || face == "" || !(fast + 0 < 5 * face))) print "FAST"
-      if (report == "profile" && !(swell + 0 >= 1)) print "SWELL" }' | paste -sd' ')
-  ! grep -qiE ': *-?(nan|inf)' "$out/summary.json" || verdict+=" NOT-A-NUMBER"
+  verdict=$(faults_of "$report" "$bound")
   printf '%-22s ranks %d: %6s blocks, face %6s m/s, fastest %6s m/s, swell %6s, balance %9s, still %5s at %s s  %s\n' "$name" "$ranks" \
     "$(value blocks)" "$(value face_velocity_m_s)" "$(value fastest_block_m_s)" "$(value swell_factor)" "$(value energy_balance_error_worst)" \
     "$(value still)" "$(value physical_time_s)" "${verdict:-ok}"

@@ -5,6 +5,7 @@
 # which the next run must refuse by that message.
 set -euo pipefail
 program=$1 ranks=${2:-1}
+source "$(dirname "${BASH_SOURCE[0]}")/../support/check_figures.sh"
 here=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")")
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
@@ -17,7 +18,7 @@ fail() { echo "  WRONG: $1"; tail -n 5 "$out/screen"; wrong=1; }
 try() {  # try SHARE ends|stops [variables]
   local share=$1 expected=$2 status=0
   shift 2
-  rm -rf "$out/dump" "$out/screen"
+  rm -rf "$out/dump" "$out/screen" "$out/figures.json"
   mpirun -np "$ranks" --oversubscribe --bind-to none "$program" -in "$here/in.step" -log none -var out "$out" \
     -var share "$share" "$@" >"$out/screen" 2>&1 || status=$?
   local said
@@ -25,7 +26,7 @@ try() {  # try SHARE ends|stops [variables]
   echo "share $share $*: status $status, ${said:-nothing said}"
   if [[ $expected == ends ]]; then
     [[ $status -eq 0 ]] || fail "must end well"
-    awk '/^step_stress: energy balance/ { ok = $4 < 0.01 } END { exit !ok }' "$out/screen" || fail "energy is not balanced"
+    check_figures near "energy balance" "$out/figures.json:energy_balance" 0 0.01 || fail "energy is not balanced"
   else
     [[ $status -ne 0 ]] || fail "must stop"
     [[ $said == *"the time step"* ]] || fail "must say that the time step is too long"

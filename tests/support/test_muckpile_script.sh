@@ -9,13 +9,14 @@ script=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../../muckpile")
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
 cp "$script" "$tree/muckpile"
+mkdir -p "$tree/src/app" && cp -r "$(dirname "$script")/src/app/run" "$tree/src/app/run"
 mkdir -p "$tree"/{bin,inputs/demo,inputs/common,build/release/postproc/tools}
 touch "$tree/build/release/build.ninja"
 cd "$tree"
 
 printf 'include inputs/common/rock.in\nvariable bench_height index 12 # m\nvariable out index x\n' \
   >inputs/demo/in.demo
-printf 'variable rock_density index 2700 # kg/m3\nvariable step equal 1\ninclude inputs/common/mode_${mode}.in\n' >inputs/common/rock.in
+printf 'variable mode index slow\nvariable rock_density index 2700 # kg/m3\nvariable step equal 1\ninclude inputs/common/mode_${mode}.in\n' >inputs/common/rock.in
 printf 'variable patience index 4\nvariable go_on index 0\nvariable from index none\n' >inputs/common/mode_slow.in
 
 fake() {  # fake NAME BODY
@@ -66,7 +67,7 @@ must_refuse "-np must be a whole number >= 1, got ''" run inputs/demo/in.demo -n
 must_refuse "unknown option '-n'" run inputs/demo/in.demo -n 2
 must_refuse "run takes one input" run inputs/demo/in.demo 12
 must_refuse "-var needs a name and a value" run inputs/demo/in.demo -var bench_height
-must_refuse "has no variable 'bench_heigth'; did you mean 'bench_height'? (it has: bench_height from go_on patience rock_density)" \
+must_refuse "has no variable 'bench_heigth'; did you mean 'bench_height'? (it has: bench_height from go_on mode patience rock_density)" \
   run inputs/demo/in.demo -var bench_heigth 10
 must_refuse "-var bench_height needs one value" run inputs/demo/in.demo -var bench_height ''
 must_refuse "computes 'step' itself" run inputs/demo/in.demo -var step 2
@@ -78,7 +79,15 @@ must_refuse "-var bench_height is given twice" run inputs/demo/in.demo -var benc
 must_refuse "-np must be at most" run inputs/demo/in.demo -np 99999
 must_refuse "-np must be at most" run inputs/demo/in.demo -np 99999999999999999999
 
+must_refuse "-var mode must be one of slow, got 'fast'" run inputs/demo/in.demo -var mode fast
+
 must_work help
+for words in help -h --help 'run --help' 'run inputs/demo/in.demo -np 1 -h' 'test --help' 'build -help' 'verify --help' 'benchmark -h' 'install-deps --help'; do
+  read -ra words <<<"$words"
+  must_work "${words[@]}"
+  grep -qF './muckpile run INPUT' <<<"$output" || problem "no help by: ${words[*]}"
+  [[ ! -e calls ]] || problem "more than help by: ${words[*]}"
+done
 must_work run inputs/demo/in.demo -np 1 -var bench_height 10 -var rock_density 2.6e3
 called '^mpirun -np 1 .*-in inputs/demo/in.demo .*-var out results/demo -var bench_height 10 -var rock_density 2.6e3$'
 called '^muckpile-post profile results/demo$'
@@ -86,11 +95,7 @@ called '^muckpile-post profile results/demo$'
 grep -qE 'throw_cg_m +8.5' <<<"$output" || problem "the key figures are not shown"
 grep -qF 'results/demo/profile.png' <<<"$output" || problem "the picture is not named"
 
-touch results/demo/dump/blocks_000000009.csv
-must_work run inputs/demo/in.demo
-[[ ! -e results/demo/dump/blocks_000000009.csv ]] || problem "a block file of an older run stayed"
-
-touch results/demo/dump/blocks_000000009.csv
+echo old >results/demo/dump/blocks_000000009.csv
 must_work run inputs/demo/in.demo -var go_on 1 -var from a.restart -var patience 8
 called '-var go_on 1 -var from a.restart -var patience 8$'
 [[ -e results/demo/dump/blocks_000000009.csv ]] || problem "a run that goes on lost what was there"
@@ -135,6 +140,136 @@ fake bin/mpirun 'exit 1'
 call run inputs/demo/in.demo
 ! grep -qF 'interrupted' <<<"$output" || problem "a run that failed is called interrupted"
 [[ -e restart_forced_liggghts_5.data ]] || problem "the state of another run is taken"
+
+# Old results: replaced when the new run has started, else as they were.
+results=(dump/{a.restart,b.restart,blocks.vtk,blocks_000000000.csv,blocks_000000100.csv,history.csv,run.json,scene.json,floor.stl,gas.csv,holes.csv}
+  vtk/{blocks.pvd,blocks_0.vtu} {profile,crater,heap,fragments}.{csv,png} fragments_list.csv energy.png plan.png pile3d.png pile3d_0001.png
+  summary.json log.liggghts)
+# Whatever muckpile-post writes must be known to the script.
+mapfile -t reported < <(grep -rhoE '[.>]file\("[a-z0-9_]+\.[a-z]+"\)' "$(dirname "$script")/postproc/lib" | sed -E 's/.*"(.*)".*/\1/' | sort -u)
+[[ ${#reported[@]} -ge 10 ]] || problem "muckpile-post's files are not found"
+results+=("${reported[@]}")
+old_results() {  # in results/demo, and a file that is not the run's
+  local file
+  rm -rf results/demo
+  mkdir -p results/demo/{dump,vtk}
+  for file in "${results[@]}"; do echo "old $file" >"results/demo/$file"; done
+  echo mine >results/demo/notes.txt
+}
+contents() { (cd results/demo && find . -type f ! -name .lock -print0 | sort -z | xargs -0 grep -H ''); }
+must_be_whole() { [[ $(contents) == "$whole" ]] || problem "old results are not whole: $1"$'\n'"$(diff <(contents) <(echo "$whole"))"; }
+old_results
+whole=$(contents)
+writes='echo new >results/demo/dump/'  # writes FILE: a body of a fake
+
+healthy
+old_results
+call run inputs/demo/in.demo -var bench_height 3,x -np 99999
+must_be_whole "refused by the script"
+fake bin/mpirun "${writes}scene.json; ${writes}stray.csv; echo ERROR >results/demo/log.liggghts; exit 1"
+call run inputs/demo/in.demo -var bench_height 3,x
+[[ $status -eq 1 ]] || problem "a refused run must end with status 1"
+told "before its first step; see the message above; what 'results/demo' held is back in its place"
+must_be_whole "refused by the engine"
+fake bin/mpirun 'echo asked >>calls; ls results/demo results/demo/* >>calls; exit 1'
+call run inputs/demo/in.demo
+! grep -qE 'history.csv|profile|restart' calls || problem "the engine finds old results in its folder"
+must_be_whole "refused by the engine"
+
+fake bin/mpirun "$engine_ok; ${writes}history.csv"
+must_work run inputs/demo/in.demo
+[[ $(contents | grep -v '^./profile.png' | grep old) == '' ]] || problem "old results stay beside new ones: $(contents)"
+[[ $(cat results/demo/notes.txt) == mine && ! -e results/demo/.previous ]] || problem "what is not of a run must stay, .previous go"
+old_results
+fake bin/mpirun "$engine_ok"  # ends well, without a snapshot
+must_work run inputs/demo/in.demo
+! contents | grep -q old || problem "old results stay beside new ones"
+old_results
+fake bin/mpirun "${writes}blocks_000000000.csv; exit 1"
+call run inputs/demo/in.demo
+told 'see the message above or results/demo/log.liggghts'
+! contents | grep -q old || problem "old results stay beside those of a run that stopped"
+
+old_results
+fake bin/mpirun 'cat results/demo/dump/holes.csv results/demo/dump/gas.csv >>calls; exit 1'
+printf 'variable table index none\nvariable out index x\nread "results/demo/dump/gas.csv"  # results/demo/dump/a.restart\n' >inputs/demo/in.table
+call run inputs/demo/in.table -var table results/demo/dump/holes.csv
+called '^old dump/holes.csv$'
+called '^old dump/gas.csv$'
+must_be_whole "of which a refused run read some"
+fake bin/mpirun "test ! -e results/demo/dump/a.restart && ${writes}history.csv && $engine_ok"
+must_work run inputs/demo/in.table -var table results/demo/dump/holes.csv
+[[ $(cat results/demo/dump/holes.csv) == 'old dump/holes.csv' ]] || problem "a file that the new run read is gone"
+
+# A script that is killed leaves old results set aside: all of them, or some.
+old_results
+fake bin/mpirun 'kill -KILL $PPID; sleep 0.2; exit 1'
+call run inputs/demo/in.demo
+[[ -d results/demo/.previous && ! -e results/demo/dump/history.csv ]] || problem "old results must wait in .previous"
+fake bin/mpirun 'exit 1'
+call run inputs/demo/in.demo
+must_be_whole "after a killed script"
+old_results
+mkdir -p results/demo/.previous.part/{dump,vtk}
+mv results/demo/dump/{a.restart,history.csv} results/demo/.previous.part/dump
+call run inputs/demo/in.demo -var go_on 1 -var from results/demo/dump/a.restart
+[[ -e results/demo/dump/a.restart && ! -e results/demo/.previous.part ]] || problem "half of a move is not undone"
+old_results
+fake bin/mpirun "${writes}history.csv; kill -KILL \$PPID; sleep 0.2"
+call run inputs/demo/in.demo
+fake bin/mpirun 'exit 1'
+call run inputs/demo/in.demo
+[[ $(contents | grep -c 'new') -eq 1 && ! -e results/demo/.previous ]] || problem "results of a killed script's run are not kept"
+
+# Ctrl-C before the first step.
+old_results
+fake bin/mpirun "trap 'exit 1' USR2; kill -TERM \$PPID; for ((k = 0; k < 50; ++k)); do sleep 0.1; done"
+call run inputs/demo/in.demo
+[[ $status -eq 130 ]] || problem "a run interrupted in its set-up must end with status 130"
+told 'interrupted before the first step; nothing was changed'
+! grep -qF 'see the message' <<<"$output" || problem "there is no message above"
+must_be_whole "of a run interrupted in its set-up"
+fake bin/mpirun "${writes}history.csv; trap 'exit 1' USR2; kill -TERM \$PPID; for ((k = 0; k < 50; ++k)); do sleep 0.1; done"
+call run inputs/demo/in.demo
+[[ $status -eq 130 ]] || problem "an interrupted run must end with status 130"
+told 'interrupted; there is no state to go on from'
+
+# A full disk.
+healthy
+old_results
+fake bin/mpirun ''
+printf 'variable out index x\ndump ${out}/dump\n' >inputs/demo/in.dumps
+must_be_told() { call "${@:2}"; [[ $status -ne 0 ]] || problem "passed"; told "$1"; }
+must_be_told 'the run left nothing in' run inputs/demo/in.dumps
+must_be_whole "of a run that left nothing"
+fake bin/mpirun "$engine_ok; : >results/demo/dump/history.csv"
+must_be_told 'results/demo/dump/history.csv' run inputs/demo/in.dumps
+! grep -q '^muckpile-post' calls || problem "an empty file was post-processed"
+fake bin/mpirun ''
+must_work run inputs/demo/in.once
+told 'nothing to extract'
+
+# Files are taken from the caller's folder.
+healthy
+rm -rf results/demo
+mkdir -p elsewhere/files
+echo 1 >elsewhere/files/a.restart
+cp elsewhere/files/a.restart elsewhere/holes.csv
+cp elsewhere/files/a.restart elsewhere/3
+cp inputs/demo/in.demo elsewhere/in.copy
+from_elsewhere() {
+  rm -f calls
+  status=0
+  output=$(cd elsewhere && PATH="$tree/bin:$PATH" ../muckpile "$@" 2>&1) || status=$?
+}
+printf 'variable table index none\n' >>inputs/demo/in.demo
+from_elsewhere run ../inputs/demo/in.demo -var go_on 1 -var from files/a.restart -var table ./holes.csv -var bench_height 3 -out ../results/demo
+called '-var out results/demo -var go_on 1 -var from elsewhere/files/a.restart -var table elsewhere/holes.csv -var bench_height 3$'
+from_elsewhere run ../inputs/demo/in.demo -var go_on 1 -var from 'files/*.restart' -var table inputs/demo/in.demo -out ../results/demo
+called '-var from elsewhere/files/\*.restart -var table inputs/demo/in.demo$'
+from_elsewhere run in.copy -var patience 8 -var mode slow
+called '-in elsewhere/in.copy .*-var patience 8 -var mode slow$'
+must_refuse "-var mode must be one of slow, got 'x'" run elsewhere/in.copy -var mode x
 
 # A signal to the script reaches mpirun as one that it hands on; TERM, as INT may be ignored here.
 fake bin/mpirun "trap 'echo asked >>calls; exit 0' USR2; kill -TERM \$PPID; for ((k = 0; k < 50; ++k)); do sleep 0.1; done; $engine_ok"

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "draw/text.h"
+#include "draw/title.h"
 
 namespace muckpile {
 namespace {
@@ -131,7 +132,7 @@ Canvas draw_curves(const CurvePlot& plot) {
   axes.draw_grid(canvas);
   for (const PlotCurve& curve : plot.curves) draw_curve(canvas, axes, curve, x, y);
   axes.draw_frame(canvas, plot.x_label, plot.y_label);
-  canvas.text({kLeft, 42.0}, plot.title, kTitleSize, kInk);
+  draw_title({kLeft, 42.0}, plot.title, plot.warning, kTitleSize, canvas);
   lay_out_key(plot, &canvas);
   return canvas;
 }

@@ -26,6 +26,7 @@ struct CurvePlot {
   Scale x_scale = Scale::kStraight, y_scale = Scale::kStraight;
   std::optional<AxisRange> x, y;
   std::vector<PlotCurve> curves;
+  std::string warning{};  // behind the title, may be empty
 };
 
 // Colours that differ in print and for most eyes (after Okabe and Ito); they repeat.

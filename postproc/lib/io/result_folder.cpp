@@ -3,29 +3,13 @@
 // Scope: the summary is written to a second file and renamed, so a reader never sees half of it.
 #include "io/result_folder.h"
 
-#include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <utility>
 
 #include "args/input_error.h"
+#include "io/run_id.h"
 
 namespace muckpile {
-namespace {
-
-// The step in "blocks_000001000.csv", or -1 for any other name.
-long step_of(const std::string& name) {
-  constexpr std::string_view kBefore = "blocks_", kAfter = ".csv";
-  if (!name.starts_with(kBefore) || !name.ends_with(kAfter)) return -1;
-  const char* begin = name.data() + kBefore.size();
-  const char* end = name.data() + name.size() - kAfter.size();
-  long step = -1;
-  const auto [stop, error] = std::from_chars(begin, end, step);
-  return error == std::errc() && stop == end ? step : -1;
-}
-
-}  // namespace
-
 nlohmann::ordered_json read_json_object(const std::filesystem::path& path) {
   std::ifstream in(path);
   if (!in) throw InputError(path.string() + ": cannot be opened");
@@ -44,19 +28,19 @@ ResultFolder::ResultFolder(std::filesystem::path folder) : folder_(std::move(fol
     throw InputError(folder_.string() + ": has no folder dump/; give the folder that a run wrote");
   }
   scene_ = read_json_object(dump("scene.json"));
+  run_id_ = run_id_of(folder_ / "dump");
+}
+
+bool ResultFolder::is_still() const {
+  const nlohmann::ordered_json run = read_json_object(dump("run.json"));
+  const auto still = run.find("still");
+  return still != run.end() && *still == true;
 }
 
 std::vector<std::filesystem::path> ResultFolder::snapshots() const {
-  std::vector<std::pair<long, std::filesystem::path>> found;
-  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "dump")) {
-    const long step = step_of(entry.path().filename().string());
-    if (step >= 0) found.emplace_back(step, entry.path());
-  }
-  if (found.empty()) throw InputError(dump("").string() + ": holds no blocks_<step>.csv");
-  std::ranges::sort(found);
-  std::vector<std::filesystem::path> paths;
-  for (auto& [step, path] : found) paths.push_back(std::move(path));
-  return paths;
+  std::vector<std::filesystem::path> files = snapshot_files(folder_ / "dump");
+  if (files.empty()) throw InputError(dump("").string() + ": holds no blocks_<step>.csv");
+  return files;
 }
 
 std::string ResultFolder::scene_word(const std::string& key) const {
@@ -72,10 +56,14 @@ double ResultFolder::scene_number(const std::string& key) const {
   return found->get<double>();
 }
 
-void ResultFolder::merge_into_summary(const nlohmann::ordered_json& keys) const {
+void ResultFolder::merge_into_summary(const nlohmann::ordered_json& keys,
+                                      const std::vector<std::string>& dropped) const {
   const std::filesystem::path path = file("summary.json");
   nlohmann::ordered_json summary =
       std::filesystem::exists(path) ? read_json_object(path) : nlohmann::ordered_json::object();
+  if (summary.value("run_id", std::string()) != run_id_) summary = nlohmann::ordered_json::object();
+  if (!run_id_.empty()) summary["run_id"] = run_id_;
+  for (const std::string& key : dropped) summary.erase(key);
   for (const auto& [key, value] : keys.items()) summary[key] = value;
   const std::filesystem::path draft = file("summary.json.part");
   {

@@ -16,7 +16,8 @@ namespace muckpile {
 
 class ResultFolder {
  public:
-  // Reads dump/scene.json. Throws InputError if the folder or the scene is absent or malformed.
+  // Reads dump/scene.json. Throws InputError if the folder or the scene is absent or malformed, or
+  // if the files of dump/ are not all of one run (io/run_id.h).
   explicit ResultFolder(std::filesystem::path folder);
 
   [[nodiscard]] std::filesystem::path file(const std::string& name) const { return folder_ / name; }
@@ -33,13 +34,18 @@ class ResultFolder {
   // Throws InputError if the scene lacks the key or it is no number.
   [[nodiscard]] double scene_number(const std::string& key) const;
 
-  // Adds or replaces these keys of summary.json and keeps its other keys. A number that is not
-  // finite becomes null.
-  void merge_into_summary(const nlohmann::ordered_json& keys) const;
+  // Whether the run ended because the rock had come to rest. False where run.json does not say.
+  [[nodiscard]] bool is_still() const;
+
+  // Takes the `dropped` keys out of summary.json, adds or replaces `keys` and keeps its other ones,
+  // unless they are another run's. A number that is not finite becomes null.
+  void merge_into_summary(const nlohmann::ordered_json& keys,
+                          const std::vector<std::string>& dropped = {}) const;
 
  private:
   std::filesystem::path folder_;
   nlohmann::ordered_json scene_;
+  std::string run_id_;  // "" where no file of the run has one
 };
 
 // A JSON object from a file. Throws InputError, naming the file and the place, if it is absent or

@@ -26,6 +26,9 @@ struct Snapshot {
   std::vector<BlockState> states;  // in the order of the start blocks
 };
 
+// The files blocks_<step>.csv of a dump folder in order of step; none is no error.
+std::vector<std::filesystem::path> snapshot_files(const std::filesystem::path& dump);
+
 // Throws InputError, naming file and line, on a malformed row, an unknown or repeated id, or a
 // missing block.
 Snapshot read_snapshot(const std::filesystem::path& path, const std::vector<StartBlock>& blocks);

@@ -38,6 +38,16 @@ std::vector<Fragment> fragments_of(const std::vector<StartBlock>& blocks, const 
   return fragments;
 }
 
+double single_block_share(const std::vector<Fragment>& fragments) {
+  double single = 0.0, all = 0.0;
+  for (const Fragment& f : fragments) {
+    if (!f.in_pile) continue;
+    all += f.mass;
+    if (f.blocks == 1) single += f.mass;
+  }
+  return all > 0.0 ? single / all : std::numeric_limits<double>::quiet_NaN();
+}
+
 std::vector<SizePoint> passing_curve(std::vector<Piece> pieces) {
   std::ranges::sort(pieces, {}, &Piece::size);
   std::vector<SizePoint> curve;

@@ -24,6 +24,9 @@ struct Fragment {
 std::vector<Fragment> fragments_of(const std::vector<StartBlock>& blocks, const Snapshot& last,
                                    const std::vector<char>& moved);
 
+// Share of the pile's mass that single blocks have; NaN without a pile.
+double single_block_share(const std::vector<Fragment>& fragments);
+
 struct SizePoint {
   double size;     // [m]
   double passing;  // fraction of the mass in pieces of this size or smaller

@@ -71,10 +71,10 @@ std::vector<double> centre_top(const Columns& columns) {
 }
 
 // Highest sample beyond the holes, x.size() where there is no pile.
-size_t index_of_peak(const std::vector<double>& x, const std::vector<double>& top, double burden) {
+size_t index_of_peak(const std::vector<double>& x, const std::vector<double>& top, double depth) {
   size_t peak = x.size();
   for (size_t i = 0; i < x.size(); ++i) {
-    if (x[i] > -burden && top[i] > 0.0 && (peak == x.size() || top[i] > top[peak])) peak = i;
+    if (x[i] > -depth && top[i] > 0.0 && (peak == x.size() || top[i] > top[peak])) peak = i;
   }
   return peak;
 }
@@ -108,11 +108,11 @@ double place_of_share(const PileProfile& p, double share) {
 
 // Sections, because a front that is not straight across the width has a flatter mean; a length as
 // long as the pile is high, because a shorter one, or one found by its fall, follows single blocks.
-double rest_slope(const PileProfile& p, double burden, double block_size, double stretch) {
+double rest_slope(const PileProfile& p, double depth, double block_size, double stretch) {
   double sum = 0.0;
   int sections = 0;
   for (const std::vector<double>& top : p.sections) {
-    const size_t peak = index_of_peak(p.x, top, burden);
+    const size_t peak = index_of_peak(p.x, top, depth);
     if (peak == p.x.size()) continue;
     const double slope =
         steepest_slope(p.x, top, peak, index_of_toe(top, peak, block_size) + 1, stretch);
@@ -157,9 +157,11 @@ PileProfile pile_profile(const std::vector<StartBlock>& blocks, const Snapshot& 
   return profile;
 }
 
-PileShape pile_shape(const PileProfile& p, double burden, double block_size) {
+PileShape PileShape::none() { return {kNan, kNan, kNan, kNan, kNan, kNan, kNan, kNan, kNan}; }
+
+PileShape pile_shape(const PileProfile& p, double depth, double block_size) {
   PileShape shape{kNan, kNan, kNan, place_of_share(p, 0.98), kNan, 0.0, 0.0, kNan, kNan};
-  const size_t peak = index_of_peak(p.x, p.pile, burden);
+  const size_t peak = index_of_peak(p.x, p.pile, depth);
   if (peak == p.x.size()) return shape;
   const size_t toe = index_of_toe(p.pile, peak, block_size);
   shape.height = p.pile[peak];
@@ -173,24 +175,25 @@ PileShape pile_shape(const PileProfile& p, double burden, double block_size) {
   if (shape.solid_volume > 0.0) shape.swell = shape.bulk_volume / shape.solid_volume;
   const double low = 0.2 * shape.height, high = 0.8 * shape.height;
   shape.front_angle = std::atan(slope_between_heights(p.x, p.pile, peak, toe + 1, low, high));
-  shape.rest_angle = std::atan(rest_slope(p, burden, block_size, shape.height));
+  shape.rest_angle = std::atan(rest_slope(p, depth, block_size, shape.height));
   return shape;
 }
 
 Throw throw_of(const std::vector<StartBlock>& blocks, const Snapshot& last, double burden) {
-  Throw result{0.0, 0.0, 0.0, 0.0};
+  Throw result{};
   for (size_t b = 0; b < blocks.size(); ++b) {
     const double moved = last.states[b].centre.x() - blocks[b].centroid.x();
     result.largest = std::max(result.largest, moved);
     const Vec3& start = blocks[b].centroid;
     if (!(start.x() > -burden && start.x() < 0.0 && start.z() > 0.0)) continue;
     result.prism_mass += blocks[b].mass;
+    result.prism_volume += blocks[b].volume;
     result.centre_of_mass += blocks[b].mass * moved;
-    if (last.states[b].centre.x() > 0.0) result.cast_fraction += blocks[b].mass;
+    if (last.states[b].centre.x() > 0.0) result.beyond_toe += blocks[b].mass;
   }
   const double mass = result.prism_mass > 0.0 ? result.prism_mass : kNan;
   result.centre_of_mass /= mass;
-  result.cast_fraction /= mass;
+  result.beyond_toe /= mass;
   return result;
 }
 

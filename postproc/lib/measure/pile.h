@@ -36,6 +36,8 @@ PileProfile pile_profile(const std::vector<StartBlock>& blocks, const Snapshot& 
                          const std::vector<char>& lies);
 
 struct PileShape {
+  static PileShape none();  // no measure has a meaning
+
   double height, height_x;  // highest point of `pile` and where [m]
   double toe;               // where the pile becomes thinner than one mean block for good [m]
   double toe_98;            // 98 % of the pile's rock beyond the face lies behind [m]
@@ -46,14 +48,16 @@ struct PileShape {
                        // sections [rad]
 };
 
-// NaN where a measure has no meaning, e.g. a slope without a pile. `burden` and `block_size` in m.
-PileShape pile_shape(const PileProfile& profile, double burden, double block_size);
+// NaN where a measure has no meaning, e.g. a slope without a pile. `depth` is the distance of the
+// last row of holes behind the face, `block_size` that of the pile [m].
+PileShape pile_shape(const PileProfile& profile, double depth, double block_size);
 
 struct Throw {
   double prism_mass;      // of the burden prism: blocks that start at -burden < x < 0, z > 0 [kg]
+  double prism_volume;    // [m3]
   double centre_of_mass;  // mean displacement of the prism along x [m]
   double largest;         // largest displacement along x of one block [m]
-  double cast_fraction;   // of the prism's mass that ends beyond the face
+  double beyond_toe;      // share of the prism's mass that ends at x > 0, beyond the bench's toe
 };
 
 Throw throw_of(const std::vector<StartBlock>& blocks, const Snapshot& last, double burden);

@@ -33,7 +33,7 @@ const char* label_of(ColourBy by) {
     case ColourBy::kStartHeight:
       return "height before the blast [m]";
     case ColourBy::kStartDepth:
-      return "distance behind the face before the blast [m]";
+      return "distance behind x = 0 before the blast [m]";
     case ColourBy::kSize:
       return "block size [m]";
     case ColourBy::kSpeed:

@@ -3,6 +3,7 @@
 // times. Scope: copied from dump/run.json, or totals of dump/history.csv.
 #include "args/input_error.h"
 #include "io/history.h"
+#include "report/notes.h"
 #include "report/reports.h"
 
 namespace muckpile {
@@ -23,9 +24,11 @@ nlohmann::ordered_json common_keys(const ResultFolder& folder) {
   keys["fastest_block_m_s"] = history.fastest_block;
   keys["energy_balance_error_worst"] = history.worst_balance_error;
   for (const char* key : {"explosive_energy_J", "wave_work_J", "gas_work_J", "blocks_left_scene",
-                          "mass_left_scene_kg", "ranks", "still"}) {
+                          "mass_left_scene_kg", "blocks_in_solid", "ranks", "still"}) {
     if (run.contains(key)) keys[key] = run[key];
   }
+  keys["still_note"] = nullptr;
+  if (!folder.is_still()) keys["still_note"] = motion_note(run["physical_time_s"].get<double>());
   return keys;
 }
 

@@ -6,9 +6,12 @@
 
 #include "args/input_error.h"
 #include "draw/png_file.h"
+#include "io/charges.h"
 #include "io/csv_writer.h"
 #include "measure/columns.h"
 #include "measure/crater.h"
+#include "report/not_measurable.h"
+#include "report/notes.h"
 #include "report/reports.h"
 #include "report/run_data.h"
 #include "report/section_plot.h"
@@ -65,7 +68,8 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run,
                    block_colours(options.colour_by, run.blocks, run.last),
                    {},
                    {},
-                   ""};
+                   "",
+                   motion_warning(run.still)};
   if (folder.scene_has("charge_mass_kg"))
     plot.title += ": charge " + spelled(folder.scene_number("charge_mass_kg")) + " kg";
   plot.title += ", burial depth " + spelled(burial) + " m";
@@ -86,6 +90,23 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run,
   return plot;
 }
 
+// Rings about the z axis are those of a charge on it.
+void require_charge_on_axis(const ResultFolder& folder) {
+  constexpr double kOff = 0.05;  // of the burial depth
+  for (const Charge& charge : charges_of_run(folder)) {
+    for (const Vec3& end : {charge.toe, charge.collar}) {
+      if (end.head<2>().norm() <= kOff * folder.scene_number("burial_depth_m")) continue;
+      const NotMeasurable refusal(
+          "crater: the charge must stand on the z axis, got one through x = " + spelled(end.x()) +
+          ", y = " + spelled(end.y()) + " m; the crater is not measured");
+      nlohmann::ordered_json own = crater_keys({}, {}, {});
+      own["blocks_on_the_move"] = nullptr;
+      take_back(folder, "crater", own, refusal);
+      throw refusal;
+    }
+  }
+}
+
 }  // namespace
 
 void report_crater(const ResultFolder& folder, const MeasureOptions& measure,
@@ -93,6 +114,7 @@ void report_crater(const ResultFolder& folder, const MeasureOptions& measure,
   if (folder.scene_word("case") == "bench") {
     throw InputError("crater: the run must be a crater, got 'bench'; use the sub-command profile");
   }
+  require_charge_on_axis(folder);
   // The rock of a crater is graded from fine at the charge to coarse far away: a block that has
   // moved by its own size is loose, whatever the mean of all is.
   MeasureOptions own = measure;
@@ -101,15 +123,17 @@ void report_crater(const ResultFolder& folder, const MeasureOptions& measure,
   const std::vector<CraterRing> rings =
       crater_rings(run.blocks, run.last, run.moved, run.cell, run.block_size, run.lies);
   const CraterShape apparent = apparent_crater(rings), whole = true_crater(rings);
-  const Ejecta ejecta =
+  Ejecta ejecta =
       ejecta_beyond(std::max(apparent.radius, whole.radius), run.blocks, run.last, run.moved);
+  // What flies has not landed.
+  if (!run.still) ejecta.p50 = ejecta.p90 = ejecta.max = std::nan("");
   write_rings(rings, folder.file("crater.csv"));
   write_png(draw_section(section_of(folder, run, rings, apparent, whole, section)),
             folder.file("crater.png"));
   nlohmann::ordered_json keys = common_keys(folder);
   keys.update(crater_keys(apparent, whole, ejecta));
   keys["blocks_on_the_move"] = std::ranges::count(run.lies, 0);
-  folder.merge_into_summary(keys);
+  folder.merge_into_summary(keys, {refusal_key("crater")});
 }
 
 }  // namespace muckpile

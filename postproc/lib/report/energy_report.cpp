@@ -8,6 +8,7 @@
 #include "draw/curve_plot.h"
 #include "draw/png_file.h"
 #include "io/energy_history.h"
+#include "report/notes.h"
 #include "report/reports.h"
 
 namespace muckpile {
@@ -70,7 +71,9 @@ void report_energy(const ResultFolder& folder) {
   const auto after_start = [](double time) { return time > 0.0; };
   if (std::ranges::count_if(history.time, after_start) < 2)
     throw InputError(folder.dump("history.csv").string() + ": needs two rows after time 0");
-  write_png(draw_curves(plot_of(history)), folder.file("energy.png"));
+  CurvePlot plot = plot_of(history);
+  plot.warning = motion_warning(folder.is_still());
+  write_png(draw_curves(plot), folder.file("energy.png"));
   folder.merge_into_summary(common_keys(folder));
 }
 

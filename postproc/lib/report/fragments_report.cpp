@@ -6,8 +6,10 @@
 
 #include "draw/axes.h"
 #include "draw/png_file.h"
+#include "draw/title.h"
 #include "io/csv_writer.h"
 #include "measure/fragments.h"
+#include "report/notes.h"
 #include "report/reports.h"
 #include "report/run_data.h"
 
@@ -54,10 +56,16 @@ std::vector<Vec2> steps(const std::vector<SizePoint>& curve, const AxisRange& x)
   return points;
 }
 
-Canvas draw_curves(const std::vector<SizePoint>& fragments, const std::vector<SizePoint>& blocks) {
+std::string title_of(double single_share) {
+  return is_the_input(single_share) ? std::string("Broken-out rock, ") + kBlockSizesNote
+                                    : "Size of the broken-out rock";
+}
+
+Canvas draw_curves(const std::vector<SizePoint>& fragments, const std::vector<SizePoint>& blocks,
+                   const std::string& title, const std::string& warning) {
   constexpr int kWidth = 1200, kHeight = 760;
   Canvas canvas(kWidth, kHeight, kWhite);
-  canvas.text({105.0, 48.0}, "Size of the broken-out rock", 30.0, kInk);
+  draw_title({105.0, 48.0}, title, warning, 30.0, canvas);
   if (fragments.empty()) {
     canvas.text({105.0, 100.0}, "no rock was broken out", 22.0, kInk);
     return canvas;
@@ -94,7 +102,9 @@ void report_fragments(const ResultFolder& folder, const MeasureOptions& measure)
   const std::vector<Fragment> fragments = fragments_of(run.blocks, run.last, run.moved);
   const std::vector<SizePoint> curve = pile_curve(fragments), blocks = block_curve(run);
   write_tables(folder, curve, fragments);
-  write_png(draw_curves(curve, blocks), folder.file("fragments.png"));
+  const double single = single_block_share(fragments);
+  write_png(draw_curves(curve, blocks, title_of(single), motion_warning(run.still)),
+            folder.file("fragments.png"));
   double mass = 0.0;
   for (const Fragment& f : fragments) mass += f.in_pile ? f.mass : 0.0;
   nlohmann::ordered_json keys = common_keys(folder);
@@ -103,6 +113,9 @@ void report_fragments(const ResultFolder& folder, const MeasureOptions& measure)
   keys["fragment_p80_m"] = size_at(curve, 0.8);
   keys["fragment_largest_m"] = size_at(curve, 1.0);
   keys["block_p50_m"] = size_at(blocks, 0.5);
+  keys["fragments_single_block_share"] = single;
+  keys["fragments_note"] = nullptr;
+  if (is_the_input(single)) keys["fragments_note"] = kBlockSizesNote;
   keys["fragments_in_pile"] = std::ranges::count_if(fragments, &Fragment::in_pile);
   keys["pile_mass_kg"] = mass;
   folder.merge_into_summary(keys);

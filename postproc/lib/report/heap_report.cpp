@@ -8,6 +8,7 @@
 #include "io/csv_writer.h"
 #include "measure/pile.h"
 #include "report/degrees.h"
+#include "report/notes.h"
 #include "report/reports.h"
 #include "report/run_data.h"
 #include "report/section_plot.h"
@@ -41,10 +42,11 @@ nlohmann::ordered_json heap_keys(const PileShape& shape, double cell) {
 SectionPlot section_of(const RunData& run, const PileProfile& p, const PileShape& shape,
                        const SectionOptions& options) {
   const double y = options.y.value_or(0.0);
+  const std::string figures = "rest angle " + spelled(degrees(shape.rest_angle)) + "° · height " +
+                              spelled(shape.height) + " m · toe " + spelled(shape.toe) +
+                              " m · swell " + spelled(shape.swell);
   SectionPlot plot{"Heap",
-                   "rest angle " + spelled(degrees(shape.rest_angle)) + "° · height " +
-                       spelled(shape.height) + " m · toe " + spelled(shape.toe) + " m · swell " +
-                       spelled(shape.swell),
+                   run.still ? figures : "",
                    "distance from the symmetry plane [m]",
                    {-0.5, 1.3 * shape.toe},
                    {-0.5, 1.15 * shape.height},
@@ -53,7 +55,8 @@ SectionPlot section_of(const RunData& run, const PileProfile& p, const PileShape
                    block_colours(options.colour_by, run.blocks, run.last),
                    {},
                    {},
-                   ""};
+                   "",
+                   motion_warning(run.still)};
   plot.lines = {{surface_of(p, p.before), kBench, 2.5, true, "rock before"},
                 {surface_of(p, p.mean), kSignal, 3.0, false, "surface after, mean over the width"}};
   plot.note = "section at y = " + spelled(y) + " m, t = " + spelled(run.last.time) + " s";
@@ -74,7 +77,7 @@ void report_heap(const ResultFolder& folder, const MeasureOptions& measure,
   write_surface(profile, folder.file("heap.csv"));
   write_png(draw_section(section_of(run, profile, shape, section)), folder.file("heap.png"));
   nlohmann::ordered_json keys = common_keys(folder);
-  keys.update(heap_keys(shape, run.cell));
+  keys.update(heap_keys(run.still ? shape : PileShape::none(), run.cell));
   folder.merge_into_summary(keys);
 }
 

@@ -10,9 +10,11 @@
 #include "draw/axes.h"
 #include "draw/png_file.h"
 #include "draw/scene.h"
+#include "draw/title.h"
 #include "measure/columns.h"
 #include "measure/fragments.h"
 #include "report/block_colours.h"
+#include "report/notes.h"
 #include "report/reports.h"
 
 namespace muckpile {
@@ -69,7 +71,7 @@ void add_ground(const Extent& rock, double x_high, double margin, Scene& scene) 
   add(x2, y1, x3, y2);
 }
 
-// Edges of the rock before the blast, above the floor for a bench.
+// Edges of the box around the rock before the blast, above the floor for a bench.
 std::vector<SceneLine> ghost_of(const Extent& rock) {
   const double low = rock.high.z() > 0.0 ? std::max(0.0, rock.low.z()) : rock.low.z();
   const auto corner = [&](int k) {
@@ -144,7 +146,7 @@ class Picture {
     }
   }
 
-  void write(const Snapshot& snapshot, std::optional<double> fastest,
+  void write(const Snapshot& snapshot, const std::string& warning, std::optional<double> fastest,
              const std::filesystem::path& path) const {
     Canvas canvas(options_.width, options_.height, kWhite);
     const BlockColours colours = block_colours(options_.colour_by, blocks_, snapshot, fastest);
@@ -159,7 +161,7 @@ class Picture {
     scene.haze = 12.0 * length;
     scene.ghost_lines = ghost_of(whole_);
     draw_scene(scene, framing_camera(framed_, options_, canvas), canvas);
-    draw_words(snapshot, colours, canvas);
+    draw_words(snapshot, warning, colours, canvas);
     write_png(canvas, path);
   }
 
@@ -170,11 +172,13 @@ class Picture {
     return sum / static_cast<double>(blocks_.size());
   }
 
-  void draw_words(const Snapshot& snapshot, const BlockColours& colours, Canvas& canvas) const {
+  void draw_words(const Snapshot& snapshot, const std::string& warning, const BlockColours& colours,
+                  Canvas& canvas) const {
     char time[64];
     std::snprintf(time, sizeof time, "t = %.3f s", snapshot.time);
-    canvas.text({28.0, 46.0}, time, 28.0, kInk);
-    std::string words = std::to_string(blocks_.size()) + " blocks; blue: outline before the blast";
+    draw_title({28.0, 46.0}, time, warning, 28.0, canvas);
+    std::string words =
+        std::to_string(blocks_.size()) + " blocks; blue: box around the rock before the blast";
     if (options_.mirror > 0) words += "; model repeated by mirror images at its symmetry planes";
     canvas.text({28.0, options_.height - 20.0}, words, 18.0, kInk);
     draw_legend(colours, {options_.width - 340.0, 18.0}, canvas);
@@ -206,7 +210,8 @@ void report_picture(const ResultFolder& folder, const PictureOptions& options) {
   const Snapshot last = read_snapshot(snapshots.back(), blocks);
   const Picture picture(blocks, last, options);
   const std::optional<double> fastest = fastest_of(folder, blocks, options);
-  picture.write(last, fastest, folder.file("pile3d.png"));
+  const std::string warning = motion_warning(folder.is_still());
+  picture.write(last, warning, fastest, folder.file("pile3d.png"));
   for (int frame = 0; frame < options.frames; ++frame) {
     const double share =
         options.frames > 1 ? static_cast<double>(frame) / (options.frames - 1) : 1.0;
@@ -214,7 +219,9 @@ void report_picture(const ResultFolder& folder, const PictureOptions& options) {
         static_cast<size_t>(std::lround(share * static_cast<double>(snapshots.size() - 1)));
     char name[32];
     std::snprintf(name, sizeof name, "pile3d_%04d.png", frame);
-    picture.write(read_snapshot(snapshots[which], blocks), fastest, folder.file(name));
+    const bool at_the_end = which + 1 == snapshots.size();
+    picture.write(read_snapshot(snapshots[which], blocks), at_the_end ? warning : "", fastest,
+                  folder.file(name));
   }
   folder.merge_into_summary(common_keys(folder));
 }

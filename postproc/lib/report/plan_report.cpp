@@ -7,9 +7,11 @@
 #include <cmath>
 #include <map>
 
+#include "args/input_error.h"
 #include "draw/axes.h"
 #include "draw/png_file.h"
 #include "explosive/hole_table.h"
+#include "io/charges.h"
 #include "measure/contours.h"
 #include "report/block_colours.h"
 #include "report/reports.h"
@@ -125,6 +127,22 @@ size_t most_decks_together(const HoleTable& table) {
   return most;
 }
 
+// The table may be one that another run has left, or have been changed since.
+void require_same_charges(const ResultFolder& folder, const HoleTable& table) {
+  const std::vector<Charge> charges = charges_of_run(folder);
+  if (charges.empty()) return;
+  for (const Deck& deck : table.decks()) {
+    const double near = 0.01 * (deck.collar - deck.toe).norm();
+    const bool found = std::ranges::any_of(charges, [&](const Charge& charge) {
+      return (charge.toe - deck.toe).norm() <= near && (charge.collar - deck.collar).norm() <= near;
+    });
+    if (found) continue;
+    throw InputError(folder.dump("holes.csv").string() + ": hole '" + deck.hole +
+                     "' is not where " + folder.dump("run.json").string() +
+                     " has a charge; give the folder the table that the run has read");
+  }
+}
+
 }  // namespace
 
 void report_plan(const std::filesystem::path& what) {
@@ -135,6 +153,7 @@ void report_plan(const std::filesystem::path& what) {
   }
   const ResultFolder folder(what);
   const HoleTable table = HoleTable::read(folder.dump("holes.csv").string());
+  require_same_charges(folder, table);
   write_png(draw(table), folder.file("plan.png"));
   const auto firing = [](const Deck& deck) { return deck.firing_time; };
   nlohmann::ordered_json keys;

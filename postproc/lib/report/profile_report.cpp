@@ -7,35 +7,19 @@
 #include "args/input_error.h"
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
+#include "measure/collapse.h"
 #include "measure/face_velocity.h"
 #include "measure/pile.h"
+#include "report/bench_scene.h"
 #include "report/degrees.h"
+#include "report/not_measurable.h"
+#include "report/notes.h"
 #include "report/reports.h"
 #include "report/run_data.h"
 #include "report/section_plot.h"
 
 namespace muckpile {
 namespace {
-
-struct Hole {
-  double x, top, bottom;             // [m]
-  double charge_top, charge_bottom;  // [m]
-  double radius;                     // [m]
-};
-
-Hole hole_of(const ResultFolder& folder) {
-  const double height = folder.scene_number("bench_height_m");
-  const double charge_top = height - folder.scene_number("stemming_m");
-  const double charge_bottom = charge_top - folder.scene_number("charge_length_m");
-  const double bottom =
-      folder.scene_has("subdrill_m") ? -folder.scene_number("subdrill_m") : charge_bottom;
-  return {-folder.scene_number("burden_m"),
-          height,
-          std::min(bottom, charge_bottom),
-          charge_top,
-          charge_bottom,
-          0.5 * folder.scene_number("hole_diameter_m")};
-}
 
 struct FaceSpeed {
   double peak = std::nan("");  // of the fastest band of height [m/s]
@@ -46,14 +30,14 @@ constexpr int kFaceBands = 10;  // bands of height, as a velocity profile of a f
 
 // Peaks over the snapshots. Only the charge above the pit floor drives the face.
 FaceSpeed face_speed_of(const ResultFolder& folder, const std::vector<StartBlock>& blocks,
-                        const Hole& hole) {
-  const double low = std::max(hole.charge_bottom, 0.0), quarter = 0.25 * (hole.charge_top - low);
+                        const BenchScene& bench) {
+  const double low = std::max(bench.charge_bottom, 0.0), quarter = 0.25 * (bench.charge_top - low);
   const std::vector<size_t> middle =
-      face_layer(blocks, -hole.x, low + quarter, hole.charge_top - quarter);
+      face_layer(blocks, bench.burden, low + quarter, bench.charge_top - quarter);
   std::vector<std::vector<size_t>> bands;
   for (int k = 0; k < kFaceBands; ++k) {
-    const double step = hole.top / kFaceBands;
-    bands.push_back(face_layer(blocks, -hole.x, k * step, (k + 1) * step));
+    const double step = bench.height / kFaceBands;
+    bands.push_back(face_layer(blocks, bench.burden, k * step, (k + 1) * step));
   }
   FaceSpeed speed;
   for (const auto& path : folder.snapshots()) {
@@ -78,24 +62,53 @@ void write_profile(const PileProfile& p, const std::filesystem::path& path) {
   }
 }
 
-nlohmann::ordered_json pile_keys(const PileShape& shape, const Throw& thrown,
-                                 const FaceSpeed& face_speed, double cell) {
+// What the run has measured, the pile's shape only if it lies still.
+struct BenchFigures {
+  FaceSpeed face;
+  Throw thrown;
+  PileShape pile;
+  double collapse;  // beyond the old toe without any throw, share of the burden prism
+};
+
+// Of one row: rock of further rows would slump over the first one's.
+double collapse_of(const BenchScene& bench, const Throw& thrown, const PileShape& pile,
+                   double width) {
+  if (!bench.one_row) return std::nan("");
+  return collapsed_beyond_toe(
+      {bench.height, bench.burden, thrown.prism_volume / width, pile.swell, pile.rest_angle});
+}
+
+BenchFigures figures_of(const ResultFolder& folder, const RunData& run, const BenchScene& bench,
+                        const PileProfile& profile) {
+  BenchFigures figures{face_speed_of(folder, run.blocks, bench),
+                       throw_of(run.blocks, run.last, bench.burden), PileShape::none(), 0.0};
+  if (run.still)
+    figures.pile = pile_shape(profile, bench.depth, mean_block_size(run.blocks, run.moved));
+  figures.collapse = collapse_of(bench, figures.thrown, figures.pile, profile.width);
+  return figures;
+}
+
+nlohmann::ordered_json keys_of(const BenchFigures& figures, const RunData& run) {
+  const auto& [face, thrown, pile, collapse] = figures;
   nlohmann::ordered_json keys;
-  keys["face_velocity_m_s"] = face_speed.peak;
-  keys["face_velocity_mean_m_s"] = face_speed.mean;
+  keys["face_velocity_m_s"] = face.peak;
+  keys["face_velocity_mean_m_s"] = face.mean;
   keys["throw_cg_m"] = thrown.centre_of_mass;
   keys["throw_max_m"] = thrown.largest;
-  keys["cast_fraction"] = thrown.cast_fraction;
-  keys["pile_height_m"] = shape.height;
-  keys["pile_height_x_m"] = shape.height_x;
-  keys["pile_toe_m"] = shape.toe;
-  keys["pile_toe_98_m"] = shape.toe_98;
-  keys["swell_factor"] = shape.swell;
-  keys["pile_bulk_volume_m3"] = shape.bulk_volume;
-  keys["pile_solid_volume_m3"] = shape.solid_volume;
-  keys["repose_angle_deg"] = degrees(shape.rest_angle);
-  keys["front_slope_deg"] = degrees(shape.front_angle);
-  keys["profile_cell_m"] = cell;
+  keys["throw_max_note"] = kLargestThrowNote;
+  keys["beyond_toe_fraction"] = thrown.beyond_toe;
+  keys["beyond_toe_fraction_collapse"] = collapse;
+  keys["pile_height_m"] = pile.height;
+  keys["pile_height_x_m"] = pile.height_x;
+  keys["pile_toe_m"] = pile.toe;
+  keys["pile_toe_98_m"] = pile.toe_98;
+  keys["swell_factor"] = pile.swell;
+  keys["pile_bulk_volume_m3"] = pile.bulk_volume;
+  keys["pile_solid_volume_m3"] = pile.solid_volume;
+  keys["repose_angle_deg"] = degrees(pile.rest_angle);
+  keys["front_slope_deg"] = degrees(pile.front_angle);
+  keys["profile_cell_m"] = run.cell;
+  keys["blocks_on_the_move"] = std::ranges::count(run.lies, 0);
   return keys;
 }
 
@@ -103,12 +116,6 @@ std::vector<Vec2> line_over(const std::vector<double>& x, const std::vector<doub
   std::vector<Vec2> points;
   for (size_t i = 0; i < x.size(); ++i) points.emplace_back(x[i], z[i]);
   return points;
-}
-
-// Through the middle of the row if a hole is there, else through the hole next to it.
-double y_of_hole(const ResultFolder& folder) {
-  const bool even = folder.scene_has("holes") && std::lround(folder.scene_number("holes")) % 2 == 0;
-  return even ? 0.5 * folder.scene_number("spacing_m") : 0.0;
 }
 
 std::string title_of(const ResultFolder& folder) {
@@ -119,16 +126,19 @@ std::string title_of(const ResultFolder& folder) {
   return title;
 }
 
-std::string subtitle_of(const PileShape& s, const Throw& t, double face_speed) {
+std::string subtitle_of(const BenchScene& bench, const BenchFigures& figures) {
+  const PileShape& pile = figures.pile;
   const struct {
     const char *name, *unit;
     double value;
-  } facts[] = {{"throw of the mass centre ", " m", t.centre_of_mass},
-               {"height ", " m", s.height},
-               {"toe ", " m", s.toe},
-               {"swell ", "", s.swell},
-               {"rest angle ", "°", degrees(s.rest_angle)},
-               {"face ", " m/s", face_speed}};
+  } facts[] = {
+      {bench.one_row ? "throw of the mass centre " : "throw of the front row's mass centre ", " m",
+       figures.thrown.centre_of_mass},
+      {"height ", " m", pile.height},
+      {"toe ", " m", pile.toe},
+      {"swell ", "", pile.swell},
+      {"rest angle ", "°", degrees(pile.rest_angle)},
+      {"face ", " m/s", figures.face.peak}};
   std::string text;
   for (const auto& [name, unit, value] : facts) {
     if (std::isnan(value)) continue;
@@ -137,37 +147,34 @@ std::string subtitle_of(const PileShape& s, const Throw& t, double face_speed) {
   return text;
 }
 
-// Shows the pile to a fifth beyond its toe; a few blocks that flew farther would shrink all the
-// rest.
+// A fifth beyond the toe, which in a run that is not still is that of the rock in flight; a few
+// blocks that flew farther would shrink all the rest.
+double reach_of(const PileProfile& profile, const BenchScene& bench, const RunData& run) {
+  const PileShape all = pile_shape(profile, bench.depth, mean_block_size(run.blocks, run.moved));
+  if (std::isnan(all.toe)) return bench.burden;
+  return std::max(1.2 * std::max(all.toe, all.toe_98), bench.burden);
+}
+
 SectionPlot section_of(const ResultFolder& folder, const RunData& run, const PileProfile& p,
-                       const PileShape& shape, const Hole& hole, const SectionOptions& options) {
-  const double y = options.y.value_or(y_of_hole(folder));
-  const double reach =
-      std::isnan(shape.toe) ? -hole.x : std::max(1.2 * std::max(shape.toe, shape.toe_98), -hole.x);
+                       const BenchScene& bench, const SectionOptions& options) {
+  const double y = options.y.value_or(y_of_middle_hole(bench, run.blocks));
   const Extent before = extent_of(run.blocks, start_snapshot(run.blocks).states);
-  const double top = std::max(hole.top, *std::ranges::max_element(p.mean));
+  const double top = std::max(bench.height, *std::ranges::max_element(p.mean));
   SectionPlot plot{title_of(folder),
                    "",
                    "distance from the free face, along the throw [m]",
-                   {before.low.x() - 1.0, reach + 1.0},
-                   {before.low.z() - 0.5, top + 0.12 * hole.top},
+                   {before.low.x() - 1.0, reach_of(p, bench, run) + 1.0},
+                   {before.low.z() - 0.5, top + 0.12 * bench.height},
                    section_at(y, run.blocks, run.last.states),
                    run.moved,
                    block_colours(options.colour_by, run.blocks, run.last),
                    {},
-                   {},
-                   ""};
+                   hole_bars(bench, y),
+                   "",
+                   motion_warning(run.still)};
   plot.lines = {
       {line_over(p.x, p.before), kBench, 2.5, true, "bench before"},
       {line_over(p.x, p.mean), kSignal, 3.0, false, "surface after, mean over the width"}};
-  plot.bars = {{{hole.x - hole.radius, hole.charge_bottom},
-                {hole.x + hole.radius, hole.charge_top},
-                kSignal,
-                "charge before"},
-               {{hole.x - hole.radius, hole.charge_top},
-                {hole.x + hole.radius, hole.top},
-                kGrey,
-                "stemming before"}};
   const auto beyond = std::ranges::count_if(
       run.last.states, [&](const BlockState& s) { return s.centre.x() > plot.x.high; });
   plot.note = section_note(y, run.last.time);
@@ -178,6 +185,15 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run, const Pil
   return plot;
 }
 
+BenchScene bench_or_take_back(const ResultFolder& folder, const RunData& run) {
+  try {
+    return bench_scene(folder, run.blocks);
+  } catch (const NotMeasurable& refusal) {
+    take_back(folder, "profile", keys_of({}, run), refusal);
+    throw;
+  }
+}
+
 }  // namespace
 
 void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
@@ -186,19 +202,16 @@ void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
     throw InputError("profile: the run must be a bench, got 'crater'; use the sub-command crater");
   }
   const RunData run(folder, measure);
-  const Hole hole = hole_of(folder);
-  const FaceSpeed face_speed = face_speed_of(folder, run.blocks, hole);
+  const BenchScene bench = bench_or_take_back(folder, run);
   const PileProfile profile = pile_profile(run.blocks, run.last, run.moved, run.cell, run.lies);
-  const PileShape shape = pile_shape(profile, -hole.x, mean_block_size(run.blocks, run.moved));
-  const Throw thrown = throw_of(run.blocks, run.last, -hole.x);
+  const BenchFigures figures = figures_of(folder, run, bench, profile);
   write_profile(profile, folder.file("profile.csv"));
-  SectionPlot plot = section_of(folder, run, profile, shape, hole, section);
-  plot.subtitle = subtitle_of(shape, thrown, face_speed.peak);
+  SectionPlot plot = section_of(folder, run, profile, bench, section);
+  plot.subtitle = subtitle_of(bench, figures);
   write_png(draw_section(std::move(plot)), folder.file("profile.png"));
   nlohmann::ordered_json keys = common_keys(folder);
-  keys.update(pile_keys(shape, thrown, face_speed, run.cell));
-  keys["blocks_on_the_move"] = std::ranges::count(run.lies, 0);
-  folder.merge_into_summary(keys);
+  keys.update(keys_of(figures, run));
+  folder.merge_into_summary(keys, {refusal_key("profile")});
 }
 
 }  // namespace muckpile

@@ -9,12 +9,14 @@
 
 namespace muckpile {
 
-// Bench only: profile.csv, profile.png and the pile's keys.
+// Bench only: profile.csv, profile.png and the pile's keys. Throws NotMeasurable for a bench that
+// the measures are not made for, and takes back what an earlier call has left.
 void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
                     const SectionOptions& section);
 // fragments.csv, fragments_list.csv, fragments.png and the size keys.
 void report_fragments(const ResultFolder& folder, const MeasureOptions& measure);
-// Crater only: crater.csv, crater.png and the crater's keys.
+// Crater only: crater.csv, crater.png and the crater's keys. Throws NotMeasurable, as
+// report_profile does, for a charge beside the z axis.
 void report_crater(const ResultFolder& folder, const MeasureOptions& measure,
                    const SectionOptions& section);
 // Heap only: heap.csv, heap.png and the angle of repose.

@@ -18,10 +18,10 @@ struct RunData {
         block_size(mean_block_size(blocks, std::vector<char>(blocks.size(), 1))),
         cell(options.cell.value_or(0.25 * block_size)),
         moved(broken_out(blocks, last.states, options.least_move.value_or(block_size))),
-        lies(blocks.size(), 1) {
+        lies(blocks.size(), 1),
+        still(folder.is_still()) {
     // At the end of a run that is not still nearly all may move: then the surface is that of all.
-    const nlohmann::ordered_json run = read_json_object(folder.dump("run.json"));
-    if (!run.contains("still") || run["still"] != true) return;
+    if (!still) return;
     for (char& each : lies = on_the_move(last.states)) each = each == 0;
   }
 
@@ -31,6 +31,7 @@ struct RunData {
   double cell;        // of columns [m]
   std::vector<char> moved;
   std::vector<char> lies;  // 0: still on the move as the pile had come to rest
+  bool still;              // the run ended at rest
 };
 
 }  // namespace muckpile

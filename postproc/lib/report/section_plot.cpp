@@ -8,6 +8,7 @@
 
 #include "draw/clip.h"
 #include "draw/text.h"
+#include "draw/title.h"
 
 namespace muckpile {
 namespace {
@@ -94,6 +95,7 @@ void draw_key(const SectionPlot& plot, Canvas& canvas) {
     label(line.name);
   }
   for (const SectionBar& bar : plot.bars) {
+    if (bar.name.empty()) continue;
     canvas.rectangle({x, kY - 5.0}, {x + kStroke, kY + 5.0}, bar.colour);
     label(bar.name);
   }
@@ -115,7 +117,7 @@ Canvas draw_section(SectionPlot plot) {
   draw_lines(plot, axes, canvas);
   draw_bars(plot, axes, canvas);
   axes.draw_frame(canvas, plot.x_label, "height [m]");
-  canvas.text({kLeft, 48.0}, plot.title, kTitleSize, kInk);
+  draw_title({kLeft, 48.0}, plot.title, plot.warning, kTitleSize, canvas);
   canvas.text({kLeft, 88.0}, plot.subtitle, kTextSize + 2.0, kInk);
   draw_key(plot, canvas);
   draw_legend(plot.colours, {kWidth - kRight - 310.0, 22.0}, canvas);

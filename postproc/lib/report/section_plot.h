@@ -24,7 +24,7 @@ struct SectionLine {
 struct SectionBar {  // e.g. charge or stemming
   Vec2 low, high;    // corners (x, z) [m]
   Colour colour;
-  std::string name;
+  std::string name;  // in the legend; an empty one is left out of it
 };
 
 struct SectionPlot {
@@ -35,7 +35,8 @@ struct SectionPlot {
   BlockColours colours;
   std::vector<SectionLine> lines;
   std::vector<SectionBar> bars;
-  std::string note;  // at the lower right, may be empty
+  std::string note;       // at the lower right, may be empty
+  std::string warning{};  // behind the title, may be empty
 };
 
 // Where and when a section is cut [m], [s].

@@ -4,7 +4,9 @@
 #include "geometry/block_file.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -49,7 +51,7 @@ void write_scalars(std::ofstream& out, const char* name, const char* type, std::
 }  // namespace
 
 void write_blocks(const std::string& path, const std::vector<Block>& blocks, int first_id,
-                  double density) {
+                  double density, const std::string& run_id) {
   std::error_code ignored;
   const auto folder = std::filesystem::path(path).parent_path();
   if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
@@ -57,8 +59,8 @@ void write_blocks(const std::string& path, const std::vector<Block>& blocks, int
   out.precision(17);
   std::size_t points = 0;
   for (const Block& block : blocks) points += block.shape.vertices.size();
-  out << "# vtk DataFile Version 3.0\nMuckpile blocks, start configuration\nASCII\nDATASET "
-         "UNSTRUCTURED_GRID\n";
+  out << "# vtk DataFile Version 3.0\nMuckpile blocks, start configuration"
+      << (run_id.empty() ? "" : " run=" + run_id) << "\nASCII\nDATASET UNSTRUCTURED_GRID\n";
   out << "POINTS " << points << " double\n";
   for (const Block& block : blocks) {
     for (const Vec3& p : block.shape.vertices) out << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
@@ -77,7 +79,7 @@ void write_blocks(const std::string& path, const std::vector<Block>& blocks, int
     const auto& n = blocks[b].neighbour;
     return std::count(n.begin(), n.end(), kFreeFace) > 0 ? 1 : 0;
   });
-  if (!out.flush()) throw InputError("cannot write '" + path + "'");
+  if (!out.flush()) throw InputError("cannot write '" + path + "': " + std::strerror(errno));
 }
 
 }  // namespace muckpile

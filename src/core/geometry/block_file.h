@@ -11,8 +11,9 @@
 namespace muckpile {
 
 /// Cell data: id = first_id + block number, volume_m3, size_m = V^(1/3), mass_kg, on_free_face.
-/// Makes the folder if needed; throws InputError if the file cannot be written.
+/// The title line ends with run=`run_id`, if there is one. Makes the folder if needed; throws
+/// InputError if the file cannot be written.
 void write_blocks(const std::string& path, const std::vector<Block>& blocks, int first_id,
-                  double density);
+                  double density, const std::string& run_id = "");
 
 }  // namespace muckpile

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <fstream>
 #include <numbers>
+#include <sstream>
 
 #include "geometry/block_file.h"
 
@@ -122,6 +123,36 @@ BenchRun crater_run() {
       run.last.states[b].centre = {start.x() + 20.0, start.y(), 0.25};
   }
   return run;
+}
+
+void shear(std::vector<Block>& blocks, double degrees) {
+  const double back = 1.0 / std::tan(degrees * std::numbers::pi / 180.0);
+  for (Block& block : blocks) {
+    for (Vec3& p : block.shape.vertices) p.x() -= back * p.z();
+    block.mass = mass_properties(block.shape);
+  }
+}
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+void mark_with_run(const std::filesystem::path& path, const std::string& id) {
+  std::istringstream in(text_of(path));
+  std::string text, line;
+  for (int number = 1; std::getline(in, line); ++number) {
+    if (path.extension() == ".json" && number == 1) {
+      line.insert(line.find('{') + 1, "\"run_id\": \"" + id + "\", ");
+    } else if (path.filename() == "history.csv") {
+      line += number == 1 ? ",run_id" : "," + id;
+    } else if (number == (path.extension() == ".vtk" ? 2 : 1)) {
+      line += " run=" + id;
+    }
+    text += line + '\n';
+  }
+  write_text(path, text);
 }
 
 void write_text(const std::filesystem::path& path, const std::string& text) {

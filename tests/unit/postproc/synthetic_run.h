@@ -54,7 +54,14 @@ BenchRun bench_run();
 // have been thrown 20 m along x.
 BenchRun crater_run();
 
+// Leans the rock: rows shift towards -x with height, so that a face x = 0 stands at this angle.
+void shear(std::vector<Block>& blocks, double degrees);
+
+std::string text_of(const std::filesystem::path& path);
 void write_text(const std::filesystem::path& path, const std::string& text);
+// Puts the id of a run where the engine puts it: the title of blocks.vtk, the first line of a
+// snapshot, the last column of history.csv, a key of run.json and scene.json.
+void mark_with_run(const std::filesystem::path& path, const std::string& id);
 void write_snapshot(const std::filesystem::path& path, const std::vector<StartBlock>& blocks,
                     const Snapshot& snapshot);
 // The dump/ folder of a bench: blocks, scene, history, run and three snapshots; in the middle one

@@ -52,6 +52,16 @@ TEST(Fragments, GroupBlocksByTheirFragmentNumber) {
   EXPECT_FALSE(fragments[2].in_pile);
 }
 
+TEST(Fragments, OfOneBlockHaveAShareOfThePilesMass) {
+  const auto blocks = as_start_blocks(
+      {cube_at({0, 0, 0}), cube_at({1, 0, 0}), cube_at({2, 0, 0}), cube_at({3, 0, 0})});
+  Snapshot s = start_snapshot(blocks);
+  s.states[1].fragment = 1;
+  // Two blocks hold together, one is single, one stayed: a third of the pile.
+  EXPECT_NEAR(single_block_share(fragments_of(blocks, s, {1, 1, 1, 0})), 1.0 / 3.0, 1e-12);
+  EXPECT_TRUE(std::isnan(single_block_share(fragments_of(blocks, s, {0, 0, 0, 0}))));
+}
+
 TEST(Fragments, AreInThePileWhenMostOfTheirMassMoved) {
   const auto blocks = as_start_blocks({cube_at({0, 0, 0}), cube_at({1, 0, 0}), cube_at({2, 0, 0})});
   Snapshot s = start_snapshot(blocks);

@@ -179,11 +179,12 @@ TEST(Throw, IsTheMeanDisplacementOfTheBurdenPrism) {
   // Mean x of the pile: sum over k of k (29 - 2k) / 2 over 105 = 507.5/105; the prism's was -2.5 m.
   EXPECT_NEAR(m.thrown.centre_of_mass, 507.5 / 105.0 + 2.5, 1e-9);
   EXPECT_NEAR(m.thrown.prism_mass, 840 * 0.125 * kDensity, 1e-6);
-  EXPECT_DOUBLE_EQ(m.thrown.cast_fraction, 1.0);
+  EXPECT_NEAR(m.thrown.prism_volume, 840 * 0.125, 1e-9);
+  EXPECT_DOUBLE_EQ(m.thrown.beyond_toe, 1.0);
   EXPECT_GT(m.thrown.largest, m.thrown.centre_of_mass);
 }
 
-TEST(Throw, CastsOnlyWhatEndsBeyondTheFace) {
+TEST(Throw, CountsAsBeyondTheToeOnlyWhatEndsThere) {
   const auto blocks = as_start_blocks(
       {cube_at({-1.0, 0.0, 1.0}), cube_at({-2.0, 0.0, 1.0}), cube_at({-9.0, 0.0, 1.0})});
   Snapshot s = start_snapshot(blocks);
@@ -192,7 +193,7 @@ TEST(Throw, CastsOnlyWhatEndsBeyondTheFace) {
   s.states[2].centre.x() = 9.0;    // behind the burden: not of the prism
   const Throw t = throw_of(blocks, s, kBurden);
   EXPECT_NEAR(t.centre_of_mass, 2.5, 1e-12);
-  EXPECT_NEAR(t.cast_fraction, 0.5, 1e-12);
+  EXPECT_NEAR(t.beyond_toe, 0.5, 1e-12);
   EXPECT_NEAR(t.largest, 17.75, 1e-12);
 }
 

@@ -12,12 +12,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "args/csv_table.h"
 #include "args/input_error.h"
 #include "io/vtk_series.h"
+#include "measure/broken_out.h"
 #include "report/reports.h"
 #include "synthetic_run.h"
 
@@ -25,12 +24,6 @@ namespace muckpile {
 namespace {
 
 using namespace testing;
-
-std::string text_of(const std::filesystem::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
 
 // Width and height, and whether the picture holds more than a few colours.
 struct PictureFacts {
@@ -65,13 +58,21 @@ TEST_F(BenchReports, ProfileWritesItsKeysTableAndPicture) {
   for (const char* key :
        {"blocks", "spheres", "joints", "joints_broken_fraction", "face_velocity_m_s",
         "fastest_block_m_s", "throw_cg_m", "throw_max_m", "pile_height_m", "pile_toe_m",
-        "cast_fraction", "swell_factor", "repose_angle_deg", "energy_balance_error",
-        "physical_time_s", "wall_time_s", "steps"}) {
+        "beyond_toe_fraction", "beyond_toe_fraction_collapse", "swell_factor", "repose_angle_deg",
+        "energy_balance_error", "physical_time_s", "wall_time_s", "steps"}) {
     ASSERT_TRUE(keys.contains(key)) << key;
     EXPECT_TRUE(keys[key].is_number()) << key;
   }
   EXPECT_NEAR(keys["throw_cg_m"], 507.5 / 105.0 + 2.5, 1e-7);
   EXPECT_NEAR(keys["swell_factor"], 1.3, 1e-7);
+  // The burden, 5 m x 10.5 m swollen by 1.3, slumped to a triangle of that slope on the wall behind
+  // it: what lies beyond the toe is as its base is to the whole one, squared.
+  const double slope = std::tan(keys["repose_angle_deg"].get<double>() * M_PI / 180.0);
+  const double base = std::sqrt(2.0 * 5.0 * 10.5 * 1.3 / slope);
+  EXPECT_NEAR(keys["beyond_toe_fraction_collapse"], std::pow(1.0 - 5.0 / base, 2), 1e-9);
+  EXPECT_EQ(keys["beyond_toe_fraction"], 1.0);
+  EXPECT_EQ(keys["throw_max_note"].get<std::string>().rfind("no clearance distance", 0), 0U);
+  EXPECT_TRUE(keys["still_note"].is_null());
   // Charge from -1 to 8 m, above the floor 0 to 8, its middle half 2 to 6 m; the face layer moves
   // at 14 m/s.
   EXPECT_NEAR(keys["face_velocity_m_s"], 14.0, 1e-9);
@@ -101,8 +102,78 @@ TEST_F(BenchReports, BlockInTheAirIsNoPartOfAPileAtRest) {
   std::string text = text_of(folder.dump("run.json"));
   write_text(folder.dump("run.json"), text.replace(text.find("true"), 4, "false"));
   report_profile(folder, {kCube, 0.125}, {});
-  EXPECT_GT(summary()["pile_height_m"], 12.0);  // mean over a width of four cubes
+  EXPECT_TRUE(summary()["pile_height_m"].is_null());
+  const CsvTable table = CsvTable::read(folder.file("profile.csv"));
+  double highest = 0.0;
+  for (size_t row = 0; row < table.rows(); ++row)
+    highest = std::max(highest, table.number(row, table.column("broken_rock_m")));
+  EXPECT_GT(highest, 12.0);  // mean over a width of four cubes
   EXPECT_EQ(summary()["blocks_on_the_move"], 0);
+}
+
+// Pixels of the warning's colour in the line of the title.
+int red_in_title(const std::filesystem::path& path) {
+  constexpr int kTitle = 66;  // [px]
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  const int* size = reader->GetOutput()->GetDimensions();
+  const auto level = [&](int x, int y, int c) {
+    return std::lround(reader->GetOutput()->GetScalarComponentAsDouble(x, y, 0, c));
+  };
+  int red = 0;
+  for (int y = size[1] - kTitle; y < size[1]; ++y) {  // VTK counts from below
+    for (int x = 0; x < size[0]; ++x)
+      red += level(x, y, 0) == 204 && level(x, y, 1) == 33 && level(x, y, 2) == 33;
+  }
+  return red;
+}
+
+TEST_F(BenchReports, RunThatIsNotStillHasNoPileAndSaysSo) {
+  const ResultFolder folder(temporary_.path());
+  report_profile(folder, {kCube, 0.125}, {});
+  EXPECT_EQ(red_in_title(folder.file("profile.png")), 0);
+  std::string text = text_of(folder.dump("run.json"));
+  write_text(folder.dump("run.json"), text.replace(text.find("true"), 4, "false"));
+  report_profile(folder, {kCube, 0.125}, {});
+  report_fragments(folder, {kCube, {}});
+  report_energy(folder);
+  PictureOptions small;
+  small.width = 400;
+  small.height = 200;
+  report_picture(folder, small);
+  for (const char* name : {"profile.png", "fragments.png", "energy.png", "pile3d.png"})
+    EXPECT_GT(red_in_title(folder.file(name)), 200) << name;
+  const auto keys = summary();
+  for (const char* key :
+       {"repose_angle_deg", "front_slope_deg", "swell_factor", "pile_bulk_volume_m3",
+        "pile_solid_volume_m3", "pile_toe_m", "pile_toe_98_m", "pile_height_m", "pile_height_x_m",
+        "beyond_toe_fraction_collapse"}) {
+    ASSERT_TRUE(keys.contains(key)) << key;
+    EXPECT_TRUE(keys[key].is_null()) << key;
+  }
+  EXPECT_TRUE(keys["throw_cg_m"].is_number());
+  EXPECT_EQ(keys["still_note"].get<std::string>().rfind("STILL MOVING at 4.5 s: ", 0), 0U);
+}
+
+// Half of the pile's rock holds together in one piece, then every block is for itself.
+TEST_F(BenchReports, FragmentsSayWhenTheyAreTheBlocks) {
+  const ResultFolder folder(temporary_.path());
+  report_fragments(folder, {kCube, {}});
+  EXPECT_DOUBLE_EQ(summary()["fragments_single_block_share"], 1.0);
+  EXPECT_EQ(summary()["fragments_note"], "block sizes: the input, not a prediction");
+  BenchRun run = bench_run();
+  const std::vector<char> moved = broken_out(run.blocks, run.last.states, kCube);
+  int joined = 0;
+  for (size_t b = 0; b < run.blocks.size() && joined < 420; ++b) {
+    if (moved[b] == 0) continue;
+    run.last.states[b].fragment = 1473;
+    ++joined;
+  }
+  write_snapshot(folder.dump("blocks_000002000.csv"), run.blocks, run.last);
+  report_fragments(folder, {kCube, {}});
+  EXPECT_NEAR(summary()["fragments_single_block_share"], 0.5, 1e-9);
+  EXPECT_TRUE(summary()["fragments_note"].is_null());
 }
 
 TEST_F(BenchReports, FragmentsCountOnlyTheBrokenOutRock) {
@@ -205,6 +276,18 @@ TEST(HeapReport, WritesItsKeysTableAndPicture) {
               kLayer * (81.0 - 1.0) / (81.0 - 1.0 / 64.0), 1e-7);
   EXPECT_EQ(CsvTable::read(folder.file("heap.csv")).number(0, 4), 0.0);
   EXPECT_TRUE(facts_of(folder.file("heap.png")).has_drawing);
+}
+
+TEST(HeapReport, OfAHeapInMotionHasNoAngle) {
+  TemporaryFolder temporary;
+  write_heap(temporary.path());
+  const ResultFolder folder(temporary.path());
+  std::string text = text_of(folder.dump("run.json"));
+  write_text(folder.dump("run.json"), text.replace(text.find("true"), 4, "false"));
+  report_heap(folder, {kCube, 0.125}, {});
+  const auto keys = read_json_object(temporary.path() / "summary.json");
+  for (const char* key : {"repose_angle_deg", "front_slope_deg", "pile_toe_m", "swell_factor"})
+    EXPECT_TRUE(keys[key].is_null()) << key;
 }
 
 TEST_F(BenchReports, HeapRefusesABench) {

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Text files of results.
+// Scope: see the header.
+#include "engine/output_file.h"
+
+#include <comm.h>
+#include <lammps.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "engine/exchange.h"
+#include "engine/style_args.h"
+
+namespace muckpile::engine {
+namespace {
+
+/// What went wrong, or nothing.
+std::string put(const std::string& file, const char* mode, const std::string& text) {
+  std::FILE* out = std::fopen(file.c_str(), mode);
+  if (out == nullptr) return std::strerror(errno);
+  const bool whole = std::fwrite(text.data(), 1, text.size(), out) == text.size();
+  const int fault = whole && std::fflush(out) == 0 ? 0 : errno;
+  // A network's file system may tell only now.
+  if (std::fclose(out) != 0 && fault == 0) return std::strerror(errno);
+  return fault == 0 ? "" : std::strerror(fault);
+}
+
+void put_or_stop(LAMMPS_NS::LAMMPS& lmp, const std::string& where, const std::string& file,
+                 const char* mode, const std::string& text) {
+  const std::string fault =
+      of_first_rank(lmp.comm->me == 0 ? put(file, mode, text) : "", lmp.world);
+  if (fault.empty()) return;
+  stop(lmp,
+       where + ": '" + file + "' cannot be written: " + fault +
+           "; make room or choose another folder, and go on from a restart file or start anew");
+}
+
+}  // namespace
+
+void write_file(LAMMPS_NS::LAMMPS& lmp, const std::string& where, const std::string& file,
+                const std::string& text) {
+  put_or_stop(lmp, where, file, "w", text);
+}
+
+void append_to_file(LAMMPS_NS::LAMMPS& lmp, const std::string& where, const std::string& file,
+                    const std::string& text) {
+  put_or_stop(lmp, where, file, "a", text);
+}
+
+}  // namespace muckpile::engine

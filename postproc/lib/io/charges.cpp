@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Where the charges of a run were.
+// Scope: see the header.
+#include "io/charges.h"
+
+#include <cmath>
+
+#include "args/input_error.h"
+#include "explosive/hole_table.h"
+
+namespace muckpile {
+namespace {
+
+Vec3 point_of(const nlohmann::ordered_json& hole, const char* key) {
+  const auto numbers = hole.at(key).get<std::vector<double>>();
+  return {numbers.at(0), numbers.at(1), numbers.at(2)};
+}
+
+std::vector<Charge> charges_of_table(const std::filesystem::path& path) {
+  std::vector<Charge> charges;
+  const HoleTable table = HoleTable::read(path.string());
+  for (const Deck& deck : table.decks())
+    charges.push_back({deck.toe, deck.collar, deck.crushed_radius.value_or(0.5 * deck.diameter)});
+  return charges;
+}
+
+// One row at x = -burden, about y = 0.
+std::vector<Charge> charges_of_scene(const ResultFolder& folder) {
+  const long holes = folder.scene_has("holes") ? std::lround(folder.scene_number("holes")) : 1;
+  const double spacing = holes > 1 ? folder.scene_number("spacing_m") : 0.0;
+  const double top = folder.scene_number("bench_height_m") - folder.scene_number("stemming_m");
+  const double bottom = top - folder.scene_number("charge_length_m");
+  const double radius = folder.scene_has("crushed_radius_m")
+                            ? folder.scene_number("crushed_radius_m")
+                            : 0.5 * folder.scene_number("hole_diameter_m");
+  std::vector<Charge> charges;
+  for (long k = 0; k < holes; ++k) {
+    const double x = -folder.scene_number("burden_m");
+    const double y = (static_cast<double>(k) - 0.5 * static_cast<double>(holes - 1)) * spacing;
+    charges.push_back({{x, y, bottom}, {x, y, top}, radius});
+  }
+  return charges;
+}
+
+}  // namespace
+
+std::vector<Charge> charges_of_run(const ResultFolder& folder) {
+  const std::filesystem::path path = folder.dump("run.json");
+  if (!std::filesystem::exists(path)) return {};
+  const nlohmann::ordered_json run = read_json_object(path);
+  std::vector<Charge> charges;
+  if (!run.contains("holes")) return charges;
+  try {
+    for (const auto& hole : run["holes"]) {
+      charges.push_back(
+          {point_of(hole, "toe_m"), point_of(hole, "collar_m"), hole.at("radius_m").get<double>()});
+    }
+  } catch (const std::exception& error) {  // of the JSON library, or too few numbers of a point
+    throw InputError(
+        path.string() +
+        ": holes must be a list of toe_m [x, y, z], collar_m [x, y, z], radius_m: " + error.what());
+  }
+  return charges;
+}
+
+std::vector<Charge> charges_of(const ResultFolder& folder) {
+  std::vector<Charge> charges = charges_of_run(folder);
+  if (!charges.empty()) return charges;
+  const std::filesystem::path table = folder.dump("holes.csv");
+  return std::filesystem::exists(table) ? charges_of_table(table) : charges_of_scene(folder);
+}
+
+}  // namespace muckpile

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Which run wrote the files of a dump folder.
+// Scope: of blocks.vtk and the snapshots only the first lines are read.
+#include "io/run_id.h"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+#include "args/csv_table.h"
+#include "args/input_error.h"
+#include "io/result_folder.h"
+#include "io/snapshot.h"
+
+namespace muckpile {
+namespace {
+
+struct Origin {
+  std::string file;
+  std::string run;  // "" if the file has no id
+};
+
+bool is_id(std::string_view text) {
+  constexpr size_t kDigits = 16;
+  return text.size() == kDigits &&
+         text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+// The id behind "run=" among the words of line `number`, counted from 1. VTK lets the title of a
+// file be any words.
+std::string id_in_line(const std::filesystem::path& path, int number) {
+  std::ifstream in(path);
+  std::string line, word;
+  for (int k = 0; k < number; ++k) std::getline(in, line);
+  for (std::istringstream words(line); words >> word;) {
+    constexpr std::string_view kKey = "run=";
+    if (word.starts_with(kKey) && is_id(word.substr(kKey.size()))) return word.substr(kKey.size());
+  }
+  return {};
+}
+
+std::string id_in_json(const std::filesystem::path& path) {
+  const nlohmann::ordered_json object = read_json_object(path);
+  const auto found = object.find("run_id");
+  if (found == object.end() || !found->is_string()) return {};
+  const auto id = found->get<std::string>();
+  return is_id(id) ? id : std::string();
+}
+
+// One for each id that the rows have: a second run may have gone on writing at the end.
+void add_history(const std::filesystem::path& path, std::vector<Origin>& origins) {
+  const CsvTable table = CsvTable::read(path);
+  const auto column = table.find_column("run_id");
+  if (!column) {
+    origins.push_back({path.string(), {}});
+    return;
+  }
+  std::string before = "none";
+  for (size_t row = 0; row < table.rows(); ++row) {
+    const std::string_view word = table.word(row, *column);
+    const std::string id(is_id(word) ? word : std::string_view());
+    if (id == before) continue;
+    const std::string where = table.where(row);  // ends in ": "
+    origins.push_back({row == 0 ? path.string() : where.substr(0, where.size() - 2), id});
+    before = id;
+  }
+}
+
+std::vector<Origin> origins_in(const std::filesystem::path& dump) {
+  std::vector<Origin> origins;
+  const auto add = [&](const std::filesystem::path& path, auto&& id_of) {
+    if (std::filesystem::exists(path)) origins.push_back({path.string(), id_of(path)});
+  };
+  add(dump / "blocks.vtk", [](const auto& path) { return id_in_line(path, 2); });
+  add(dump / "run.json", id_in_json);
+  // A script that prints this file by itself gives it no id.
+  if (std::filesystem::exists(dump / "scene.json") && !id_in_json(dump / "scene.json").empty())
+    add(dump / "scene.json", id_in_json);
+  if (std::filesystem::exists(dump / "history.csv")) add_history(dump / "history.csv", origins);
+  for (const auto& path : snapshot_files(dump))
+    add(path, [](const auto& snapshot) { return id_in_line(snapshot, 1); });
+  return origins;
+}
+
+std::string words_for(const Origin& origin) {
+  return origin.file + (origin.run.empty() ? " has no run id" : " is of run " + origin.run);
+}
+
+}  // namespace
+
+std::string run_id_of(const std::filesystem::path& dump) {
+  const std::vector<Origin> origins = origins_in(dump);
+  const auto known = std::ranges::find_if(origins, [](const Origin& o) { return !o.run.empty(); });
+  if (known == origins.end()) return {};
+  for (const Origin& origin : origins) {
+    if (origin.run == known->run) continue;
+    throw InputError(
+        words_for(origin) + ", but " + words_for(*known) +
+        ": files of two runs lie in one folder; run the input again into a folder "
+        "that is empty, or take away what the other run has left");
+  }
+  return known->run;
+}
+
+}  // namespace muckpile

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The free face of a bench before the blast.
+// Scope: columns_through on rock that has been turned, so that its free face is its top.
+#include "measure/free_face.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "measure/broken_out.h"
+#include "measure/columns.h"
+
+namespace muckpile {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kLinesPerBlock = 4.0;
+
+// Half a turn about the bisector of x and z: (x, y, z) becomes (z, -y, x).
+std::vector<BlockState> turned(const std::vector<StartBlock>& blocks) {
+  const Quat turn(Eigen::AngleAxisd(std::numbers::pi, Vec3(1.0, 0.0, 1.0).normalized()));
+  std::vector<BlockState> states = start_snapshot(blocks).states;
+  for (BlockState& state : states) {
+    state.centre = {state.centre.z(), -state.centre.y(), state.centre.x()};
+    state.rotation = turn;
+  }
+  return states;
+}
+
+// Least squares of the face's x over height; upright for fewer than two heights.
+class Plane {
+ public:
+  void add(double x, double z) { ++n_, x_ += x, z_ += z, zz_ += z * z, xz_ += x * z; }
+  [[nodiscard]] double slope() const {
+    const double spread = n_ * zz_ - z_ * z_;
+    return std::atan2(1.0, spread > 0.0 ? -(n_ * xz_ - x_ * z_) / spread : 0.0);
+  }
+
+ private:
+  double n_ = 0.0, x_ = 0.0, z_ = 0.0, zz_ = 0.0, xz_ = 0.0;
+};
+
+}  // namespace
+
+FreeFace free_face(const std::vector<StartBlock>& blocks, double tolerance) {
+  const std::vector<char> all(blocks.size(), 1);
+  const std::vector<BlockState> states = turned(blocks);
+  const Extent extent = extent_of(blocks, states);
+  FreeFace face{kNan, kNan, kNan, 1.0};
+  const double top = extent.high.x(), cell = mean_block_size(blocks, all) / kLinesPerBlock;
+  if (!(top > cell)) return face;
+  // Whole cells only: the centre of a last one might lie above the rock.
+  const double rows = std::floor(top / cell);
+  const Columns lines = columns_through(
+      column_grid(0.0, rows * cell * (1.0 - 1e-9), extent.low.y(), extent.high.y(), cell), blocks,
+      states, all);
+  Plane plane;
+  double off = 0.0;
+  for (int j = 0; j < lines.grid.ny; ++j) {
+    for (int i = 0; i < lines.grid.nx; ++i) {
+      const double x = lines.top[lines.grid.at(i, j)];
+      if (!(std::abs(x) <= tolerance)) off += 1.0;
+      if (x == kNoRock) continue;
+      plane.add(x, lines.grid.x(i));
+      face.x_low = std::fmin(face.x_low, x);
+      face.x_high = std::fmax(face.x_high, x);
+    }
+  }
+  face.slope = plane.slope();
+  face.off_plane = off / static_cast<double>(lines.grid.cells());
+  return face;
+}
+
+}  // namespace muckpile

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The bench that the measures of `profile` are made for, and whether a run is one.
+// Scope: see the header; docs/muckpile-post.md gives the tolerances.
+#include "report/bench_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "draw/axes.h"
+#include "measure/broken_out.h"
+#include "measure/columns.h"
+#include "measure/free_face.h"
+#include "report/degrees.h"
+#include "report/not_measurable.h"
+
+namespace muckpile {
+namespace {
+
+// Far above what rounding leaves of a cut along x = 0, far below what a face must lean for the
+// measures to feel it.
+constexpr double kFaceOff = 0.05;    // from the plane, of the mean block size
+constexpr double kFaceShare = 0.01;  // of the face's area that may lie farther off
+constexpr double kHoleOff = 0.05;    // of a hole from where it is taken to be, of the burden
+
+constexpr const char* kInstead =
+    "; throw, face velocity, swell and the section are not measured (fragments, energy, render and "
+    "series hold for any bench)";
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw NotMeasurable("profile: " + what + kInstead);
+}
+
+std::string to_mm(double metres) { return spelled(1e-3 * std::round(1e3 * metres)); }
+
+void require_vertical_face(const std::vector<StartBlock>& blocks) {
+  const double size = mean_block_size(blocks, std::vector<char>(blocks.size(), 1));
+  const FreeFace face = free_face(blocks, kFaceOff * size);
+  if (face.off_plane <= kFaceShare) return;
+  refuse(
+      "the free face must be the plane x = 0 from the floor z = 0 to the top, got rock that "
+      "begins between x = " +
+      to_mm(face.x_low) + " and " + to_mm(face.x_high) + " m and stands at " +
+      spelled(degrees(face.slope)) + "° to the horizontal");
+}
+
+double middle_x(const Charge& charge) { return 0.5 * (charge.toe.x() + charge.collar.x()); }
+
+void require_vertical_holes(const BenchScene& bench) {
+  for (const Charge& charge : bench.charges) {
+    const Vec3 along = charge.collar - charge.toe;
+    const double off = along.head<2>().norm();
+    if (off <= kHoleOff * bench.burden) continue;
+    refuse("holes must be vertical, got one that leans by " +
+           spelled(degrees(std::atan2(off, std::abs(along.z())))) +
+           "° from the vertical, from x = " + spelled(charge.toe.x()) +
+           " m at its toe to x = " + spelled(charge.collar.x()) + " m at its upper end");
+  }
+}
+
+}  // namespace
+
+BenchScene bench_scene(const ResultFolder& folder, const std::vector<StartBlock>& blocks) {
+  require_vertical_face(blocks);
+  BenchScene bench{};
+  bench.height = folder.scene_number("bench_height_m");
+  bench.burden = folder.scene_number("burden_m");
+  bench.charge_top = bench.height - folder.scene_number("stemming_m");
+  bench.charge_bottom = bench.charge_top - folder.scene_number("charge_length_m");
+  bench.hole_radius = 0.5 * folder.scene_number("hole_diameter_m");
+  bench.charges = charges_of(folder);
+  require_vertical_holes(bench);
+  const auto [last, front] = std::ranges::minmax(bench.charges, {}, middle_x);
+  bench.depth = -middle_x(last);
+  if (!(std::abs(middle_x(front) + bench.burden) <= kHoleOff * bench.burden)) {
+    refuse("the front row of holes must stand at x = " + spelled(-bench.burden) +
+           " m, the burden_m of scene.json, got x = " + spelled(middle_x(front)) + " m");
+  }
+  bench.one_row = bench.depth < 1.5 * bench.burden;
+  return bench;
+}
+
+double y_of_middle_hole(const BenchScene& bench, const std::vector<StartBlock>& blocks) {
+  const Extent rock = extent_of(blocks, start_snapshot(blocks).states);
+  const double middle = 0.5 * (rock.low.y() + rock.high.y());
+  double nearest = std::nan("");
+  for (const Charge& charge : bench.charges) {
+    if (middle_x(charge) < -1.5 * bench.burden) continue;
+    const double y = charge.toe.y();
+    // Of two that are as near the one at the larger y.
+    const double nearer = std::abs(nearest - middle) - std::abs(y - middle);
+    if (std::isnan(nearest) || nearer > 1e-9 || (nearer > -1e-9 && y > nearest)) nearest = y;
+  }
+  return nearest;
+}
+
+std::vector<SectionBar> hole_bars(const BenchScene& bench, double y) {
+  std::vector<SectionBar> charges, stemming;
+  for (const Charge& charge : bench.charges) {
+    if (std::abs(charge.toe.y() - y) > charge.radius) continue;
+    const Vec2 half(bench.hole_radius, 0.0), toe(charge.toe.x(), charge.toe.z()),
+        collar(charge.collar.x(), charge.collar.z());
+    charges.push_back({toe - half, collar + half, kSignal, charges.empty() ? "charge before" : ""});
+    const bool highest = std::ranges::none_of(bench.charges, [&](const Charge& other) {
+      return (other.collar - charge.collar).head<2>().norm() < charge.radius &&
+             other.collar.z() > charge.collar.z();
+    });
+    if (!highest || collar.y() >= bench.height) continue;
+    stemming.push_back({collar - half, Vec2(collar.x(), bench.height) + half, kGrey,
+                        stemming.empty() ? "stemming before" : ""});
+  }
+  charges.insert(charges.end(), stemming.begin(), stemming.end());
+  return charges;
+}
+
+}  // namespace muckpile

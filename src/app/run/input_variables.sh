@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# shellcheck shell=bash
+# Variables of an input, and whether -var NAME VALUE fits one of them.
+# Scope: sourced by muckpile, whose die() it uses; names of files are as the engine sees them, from the project's root.
+
+# An input and the files that it includes, from the project's root; of a name with a variable in it, all that fit.
+files_of() {
+  local pattern included
+  printf '%s\n' "$1"
+  while read -r pattern; do
+    while read -r included; do
+      if [[ -f $included ]]; then files_of "$included"; fi
+    done < <(compgen -G "$(sed -E 's/\$\{[^}]*\}/*/g' <<<"$pattern")")
+  done < <(included_by "$1")
+}
+
+included_by() { sed -nE 's/^[[:space:]]*include[[:space:]]+([^[:space:]]+).*/\1/p' "$@"; }  # included_by FILE...: names as written
+
+# "NAME STYLE" of every variable that an input and the files that it includes define.
+variables_of() {
+  files_of "$1" | xargs -d '\n' sed -nE 's/^[[:space:]]*variable[[:space:]]+([A-Za-z0-9_]+)[[:space:]]+([a-z]+).*/\1 \2/p'
+}
+
+# A variable in the name of an included file has the values for which there is such a file.
+check_word() {  # check_word INPUT NAME VALUE
+  local files pattern before after words
+  mapfile -t files < <(files_of "$1")
+  while read -r pattern; do
+    before=${pattern%%"\${$2}"*} after=${pattern#*"\${$2}"}
+    [[ $pattern == "$before\${$2}$after" && $before$after != *'$'* ]] || continue
+    words=$(compgen -G "$before*$after" | sort) || continue
+    words=${words//"$before"/}
+    words=${words//"$after"/}
+    grep -qxF -- "$3" <<<"$words" || die "-var $2 must be one of $(paste -sd' ' <<<"$words"), got '$3'"
+  done < <(included_by "${files[@]}")
+}
+
+# The name on standard input nearest to $1 in edits (at most a third of its length), or nothing.
+closest_name() {
+  awk -v word="$1" '
+    function least(a, b) { return a < b ? a : b }
+    function edits(a, b,   i, j, d) {
+      for (i = 0; i <= length(a); i++) d[i, 0] = i
+      for (j = 0; j <= length(b); j++) d[0, j] = j
+      for (i = 1; i <= length(a); i++)
+        for (j = 1; j <= length(b); j++)
+          d[i, j] = least(least(d[i-1, j], d[i, j-1]) + 1,
+                          d[i-1, j-1] + (substr(a, i, 1) != substr(b, j, 1)))
+      return d[length(a), length(b)]
+    }
+    { n = edits(word, $1); if (n <= length($1) / 3 && (best == "" || n < fewest)) { best = $1; fewest = n } }
+    END { print best }'
+}
+
+check_variable() {  # check_variable INPUT NAME VALUE
+  local input=$1 name=$2 value=$3 known style near
+  [[ -n $value && $value != *[[:space:]]* ]] ||
+    die "-var $name needs one value without blanks, got '$value'"
+  [[ $name != out ]] || die "use -out DIR for the results folder, not -var out"
+  known=$(variables_of "$input" | sort -u)
+  style=$(awk -v name="$name" '$1 == name { print $2; exit }' <<<"$known")
+  if [[ $style == index ]]; then
+    check_word "$input" "$name" "$value"
+    return
+  fi
+  [[ -z $style ]] ||
+    die "$input computes '$name' itself (variable $name $style); -var sets 'index' variables only"
+  known=$(awk '$2 == "index" && $1 != "out" { print $1 }' <<<"$known")
+  near=$(closest_name "$name" <<<"$known")
+  [[ -z $near ]] || near="; did you mean '$near'?"
+  die "$input has no variable '$name'$near (it has: $(paste -sd' ' <<<"$known"))"
+}
+
+value_of() {  # value_of NAME [-var NAME VALUE]...
+  local name=$1 value=''
+  shift
+  while [[ $# -gt 0 ]]; do
+    [[ $2 != "$name" ]] || value=$3
+    shift 3
+  done
+  printf '%s' "$value"
+}

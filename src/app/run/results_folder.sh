@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# shellcheck shell=bash disable=SC2154
+# The folder OUT of a run: its lock, its old results, what an interrupted run leaves. Old results wait in OUT/.previous until it is known
+# whether the new run starts, and come back if it does not.
+# Scope: sourced by muckpile, whose say() and die() it uses; takes what a run and muckpile-post write, by name, and leaves other files alone.
+
+# Two runs in one folder would write over each other. The lock lasts as long as this script or its mpirun lives; where there is
+# no flock, nothing is locked.
+lock() {  # lock OUT
+  command -v flock >/dev/null || return 0
+  { exec {lock_file}>"$1/.lock"; } 2>/dev/null || die "cannot write to '$1'"
+  flock -n "$lock_file" || die "another run writes to '$1'; choose another folder with -out"
+}
+
+# LIGGGHTS leaves its state in the present folder when it is interrupted (Ctrl-C), under a name that another run may use too:
+# the log has this run's. A file without the seal has lost its end.
+keep_interrupted_state() {  # keep_interrupted_state OUT INPUT [-var NAME VALUE]...: fails if the run was not interrupted
+  local out=$1 input=$2 kept=$1/dump/interrupted.restart file given=''
+  shift 2
+  [[ -f $out/log.liggghts ]] || return 1
+  file=$(sed -nE "s/^interrupted: the state is in '(.*)'$/\1/p" "$out/log.liggghts" | tail -n 1)
+  [[ -f $file ]] || return 1
+  if [[ $(tail -c 24 -- "$file" | head -c 8 | tr -d '\0') != MuckSeal ]]; then
+    say "interrupted, but '$file' has lost its end: there is nothing to go on from in it"
+    return
+  fi
+  mv -f -- "$file" "$kept"
+  kept=$(realpath -m --relative-to="$caller_dir" -- "$kept")
+  if [[ -z $(variables_of "$input" | sed -n '/^go_on /p') ]]; then
+    say "interrupted; its state is in $kept"
+    return
+  fi
+  [[ -z $(value_of go_on "$@")$(value_of from "$@") ]] || given=' in place of those given'
+  say "interrupted; the same command with -var go_on 1 -var from $kept$given goes on"
+}
+
+results_in() {  # results_in FOLDER: paths from there
+  (
+    cd "$1" && shopt -s nullglob
+    for file in dump/*.{restart,csv,json,vtk,stl} vtk/blocks* summary.json log.liggghts {profile,crater,heap,fragments}.{csv,png} \
+      fragments_list.csv energy.png plan.png pile3d*.png; do
+      if [[ -f $file ]]; then printf '%s\n' "$file"; fi
+    done
+  )
+}
+
+# Names, sizes and times, to see whether any has changed.
+dumped() {  # dumped OUT [PATTERN]: files of OUT/dump
+  find "$1/dump" -maxdepth 1 -type f -name "${2-*}" -printf '%f %s %T@\n' | sort
+}
+
+# A run has started when it has written one of these.
+steps_in() { dumped "$1" history.csv && dumped "$1" 'blocks_*.csv'; }  # steps_in OUT
+
+move_results() {  # move_results FROM TO
+  local inside files
+  mkdir -p "$2"/{dump,vtk} || die "cannot make a folder in '$2'"
+  for inside in '' dump/ vtk/; do
+    mapfile -t files < <(results_in "$1" | grep "^${inside}[^/]*\$")
+    [[ ${#files[@]} -eq 0 ]] || mv -f -t "$2/$inside" -- "${files[@]/#/$1/}" || die "cannot move results from '$1' to '$2'"
+  done
+}
+
+# Results in OUT that a new run reads: those that a value, or a word of the input's files, names.
+results_read_by() {  # results_read_by OUT INPUT [-var NAME VALUE]...: paths from OUT
+  local folder word path
+  folder=$(realpath -- "$1")/
+  {
+    files_of "$2" | xargs -d '\n' sed 's/#.*//' | tr -s "[:space:]\"'" '\n'
+    printf '%s\n' "${@:3}"
+  } | sort -u | while read -r word; do
+    [[ -f $word ]] || continue
+    path=$(realpath -- "$word")
+    if [[ $path == "$folder"* ]]; then printf '%s\n' "${path#"$folder"}"; fi
+  done
+}
+
+# What is in .previous is whole; in .previous.part it is on its way there or back. What the new run reads stays in its place, too.
+set_aside() {  # set_aside OUT INPUT [-var NAME VALUE]...
+  local out=$1 file kept
+  [[ -n $(results_in "$out") ]] || return 0
+  mapfile -t kept < <(results_read_by "$@")
+  move_results "$out" "$out/.previous.part"
+  mv -T -- "$out/.previous.part" "$out/.previous" || die "cannot set aside what '$out' holds"
+  for file in "${kept[@]}"; do
+    [[ ! -f $out/.previous/$file ]] || cp -p -- "$out/.previous/$file" "$out/$file" || die "cannot copy '$file' in '$out'"
+  done
+}
+
+put_back() {  # put_back OUT
+  local out=$1 file part=$1/.previous.part
+  if [[ -d $out/.previous ]]; then
+    while read -r file; do rm -f -- "$out/$file"; done < <(results_in "$out")
+    mv -T -- "$out/.previous" "$part" || die "cannot put back what is in '$out/.previous'"
+  fi
+  [[ -d $part ]] || return 0
+  move_results "$part" "$out"
+  rmdir -- "$part"/{dump,vtk} "$part" 2>/dev/null || say "'$part' holds more than results; look at it"
+  rmdir -- "$out/vtk" 2>/dev/null || true
+}
+
+drop_previous() { rm -rf -- "${1:?}/.previous"; }  # drop_previous OUT
+
+# After a run that was killed together with its script.
+recover_previous() {  # recover_previous OUT
+  [[ -d $1/.previous || -d $1/.previous.part ]] || return 0
+  if [[ -d $1/.previous && -n $(steps_in "$1") ]]; then
+    drop_previous "$1"
+  else
+    say "putting back the results in '$1', which a run that did not start has left set aside"
+    put_back "$1"
+  fi
+}
+
+# What a full disk leaves of a file.
+refuse_empty_files() {  # refuse_empty_files OUT
+  local empty
+  mapfile -t empty < <(find "$1/dump" -type f -empty | sort)
+  ((${#empty[@]} == 0)) || die "the run left ${#empty[@]} files with nothing in them, as '${empty[0]}'; is the disk full?"
+}

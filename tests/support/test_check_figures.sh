@@ -1,0 +1,170 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# test_check_figures.sh CHECK_FIGURES: right figures pass; wrong ones, NaN, infinities, missing ones, and lists of expected values with a
+# fault in them fail, each with its file, row and key.
+# Scope: files made here.
+set -euo pipefail
+program=$(readlink -f "$1")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+
+call() {
+  status=0
+  output=$("$program" "$@" 2>&1) || status=$?
+}
+problem() {
+  printf '%s\n' "test_check_figures: $1" "--- status $status, output:" "$output"
+  exit 1
+}
+holds() {  # holds ARGUMENT...
+  call "$@"
+  [[ $status -eq 0 ]] || problem "must hold: $*"
+}
+fails() {  # fails STATUS TEXT ARGUMENT...: 1 for a wrong figure, 2 for one that cannot be had
+  local wanted=$1 text=$2
+  shift 2
+  call "$@"
+  [[ $status -eq $wanted ]] || problem "must fail with status $wanted: $*"
+  grep -qF -- "$text" <<<"$output" || problem "does not tell '$text': $*"
+}
+expected() {  # expected ROW...: expected.json with these
+  local IFS=,
+  printf '{"case": "made up", "vars": "-var a 1 -var b 2",\n "expected": [%s]}\n' "$*" >expected.json
+}
+row() { printf '{"quantity": "%s", "value": %s, "tolerance": %s, "why": "so"}' "$@"; }  # row QUANTITY VALUE TOLERANCE
+
+echo '{"blocks": 10, "throw_m": 8.5, "rest_deg": null, "word": "12", "still": true}' >summary.json
+printf 'time_s,phase,work_J,balance,run_id\n0,wave,0,0,1e99999999999999\n1,throw,2.5e6,-0.001,1e99999999999999\n' >history.csv
+printf 'time_s,work_J\n0,nan\n' >nan_first.csv
+printf 'time_s,work_J\n0,\n' >gap_first.csv
+printf 'time_s,work_J\n0,1\n1,abc\n' >word.csv
+printf 'time_s,work_J\n0,0\n1,nan\n' >nan.csv
+printf 'time_s,work_J\n0,0\n1,inf\n' >inf.csv
+printf 'time_s,work_J\n0,0\n1\n' >ragged.csv
+printf 'time_s,work_J\n0,0\n1,\n' >gap.csv
+printf 'time_s,work_J\n' >no_rows.csv
+echo '{"blocks": 10, "throw_m": nan}' >nan.json
+echo '{"blocks": 10, "throw_m": 1e999}' >huge.json
+: >empty.json
+: >empty.csv
+
+# A case.
+expected "$(row blocks 10 0)" "$(row throw_m 8.4 0.11)" "$(row work_J 2.4e6 0.1e6)"
+holds case expected.json summary.json history.csv
+[[ $(grep -c ' ok$' <<<"$output") -eq 3 ]] || problem "three rows must be ok"
+holds vars expected.json
+[[ $output == '-var a 1 -var b 2' ]] || problem "vars must be printed as they are"
+fails 1 'WRONG: no file has it' case expected.json summary.json
+fails 2 'cannot be opened' case expected.json summary.json none.csv
+fails 1 "nan.csv:3: work_J must be a finite number, got 'nan'" case expected.json summary.json nan.csv
+fails 1 "inf.csv:3: work_J must be a finite number, got 'inf'" case expected.json summary.json inf.csv
+fails 1 "gap.csv:3: work_J must be a finite number, got ''" case expected.json summary.json gap.csv
+fails 1 'no_rows.csv: has no row' case expected.json summary.json no_rows.csv
+fails 2 'ragged.csv:3: expected 2 fields, got 1' case expected.json summary.json ragged.csv
+fails 2 'nan.json' case expected.json nan.json history.csv
+fails 2 'huge.json' case expected.json huge.json history.csv
+fails 2 'empty.json' case expected.json empty.json history.csv
+fails 2 'empty.csv: has no header' case expected.json summary.json empty.csv
+expected "$(row throw_m 8.3 0.1)"
+fails 1 'WRONG' case expected.json summary.json
+expected "$(row rest_deg 0 100)"
+fails 1 'summary.json: rest_deg must be a finite number, got null' case expected.json summary.json
+expected "$(row word 12 1)"
+fails 1 'word must be a finite number, got "12"' case expected.json summary.json
+expected "$(row still 1 1)"
+fails 1 'still must be a finite number, got true' case expected.json summary.json
+
+# Faults of the list itself: told before a run, by `vars`, and by `case`.
+faulty() {  # faulty TEXT ROW...
+  local text=$1
+  shift
+  expected "$@"
+  fails 2 "$text" vars expected.json
+  fails 2 "$text" case expected.json summary.json
+}
+good=$(row blocks 10 0)
+faulty "expected must be a list with one row at least"
+faulty "expected.json: row 2 of expected: unknown key 'tolerence'; did you mean 'tolerance'?" "$good" \
+  '{"quantity": "throw_m", "value": 8.5, "tolerence": 1, "why": "so"}'
+faulty "row 2 of expected: has no key 'value'" "$good" '{"quantity": "throw_m", "tolerance": 1, "why": "so"}'
+faulty "row 1 of expected: has no key 'why'" '{"quantity": "throw_m", "value": 8.5, "tolerance": 1}'
+faulty 'row 1 of expected: why must not be empty' '{"quantity": "throw_m", "value": 8.5, "tolerance": 1, "why": ""}'
+faulty 'row 1 of expected: value must be a finite number, got "8.5"' "$(row throw_m '"8.5"' 1)"
+faulty 'row 1 of expected: value must be a finite number, got null' "$(row throw_m null 1)"
+faulty 'row 1 of expected: tolerance must be >= 0, got -1' "$(row throw_m 8.5 -1)"
+faulty 'row 1 of expected: tolerance must be a finite number, got []' "$(row throw_m 8.5 '[]')"
+faulty 'row 1 of expected: quantity must be a text, got 3' '{"quantity": 3, "value": 8.5, "tolerance": 1, "why": "so"}'
+faulty "row 2 of expected: quantity 'blocks' is there twice" "$good" "$good"
+faulty 'row 1 of expected: must be an object, got 7' 7
+faulty 'expected.json' "$(row throw_m nan 1)"
+faulty 'expected.json' "$(row throw_m 8.5 1e999)"
+echo '{"case": "x", "vras": "", "expected": []}' >expected.json
+fails 2 "expected.json: unknown key 'vras'; did you mean 'vars'?" vars expected.json
+echo '{"case": "x", "vars": "", "expected": {}}' >expected.json
+fails 2 'expected must be a list' vars expected.json
+echo '{"case": "x", "vars": ""}' >expected.json
+fails 2 "has no key 'expected'" vars expected.json
+printf '{"case": "x", "expected": [%s]}' "$good" >expected.json
+fails 2 "has no key 'vars'" vars expected.json
+holds case expected.json summary.json
+
+# Single figures.
+holds near work history.csv:work_J 2.4e6 0.05 --share
+fails 1 'WRONG' near work history.csv:work_J 2.4e6 0.04 --share
+fails 1 'WRONG' near work history.csv:work_J 2.6e6 0.9e5
+holds near work history.csv:work_J history.csv:work_J 0
+holds near mean 'history.csv:mean(work_J)' 1.25e6 0
+fails 2 "history.csv: has no 'wrok_J'" near work history.csv:wrok_J 2.4e6 1
+fails 2 "got ''" near work '' 2.4e6 1
+fails 2 "got 'nan'" near work nan 0 1
+fails 2 "got 'inf'" near work 1 inf 1
+fails 2 'bound must be >= 0' near work 1 1 nan
+fails 2 'bound must be >= 0' near work 1 1 -1
+fails 2 'reference is 0' near work 1 0 1 --share
+fails 2 'nan.csv:3' near work nan.csv:work_J 0 1e9
+fails 2 'nan.csv:3' near work 'nan.csv:mean(work_J)' 0 1e9
+fails 2 'no_rows.csv: has no row' near work 'no_rows.csv:mean(work_J)' 0 1e9
+holds bounds throw summary.json:throw_m --above 8 --at-least 8.5 --at-most summary.json:blocks --below 9
+fails 1 'must be < 8.5' bounds throw summary.json:throw_m --below 8.5
+fails 1 'must be > 8.5' bounds throw summary.json:throw_m --above 8.5
+fails 1 'must be >= 8.6' bounds throw summary.json:throw_m --at-least 8.6
+fails 1 'must be <= 8' bounds throw summary.json:throw_m --at-most summary.json:blocks --times 0.8
+fails 1 'WRONG' bounds throw summary.json:throw_m --below 9 --times nan
+fails 2 'one bound at least' bounds throw summary.json:throw_m
+fails 2 "has no 'none'" bounds throw summary.json:none --below 9
+holds print summary.json:blocks history.csv:work_J
+[[ $output == '10 2500000' ]] || problem "two figures in one line"
+fails 2 'got null' print summary.json:rest_deg
+fails 2 "cannot be opened" finite history.csv none.csv
+holds finite history.csv
+fails 2 'nan.csv:3' finite history.csv nan.csv
+fails 2 'gap.csv:3' finite gap.csv
+fails 2 'nan_first.csv:2' finite nan_first.csv
+fails 2 'gap_first.csv:2' finite gap_first.csv
+fails 2 'word.csv:3' finite word.csv
+fails 2 'has no row' finite no_rows.csv
+fails 2 'rest_deg must have a value, got null' finite summary.json
+fails 2 'nan.json' finite nan.json
+
+# v = 2 W^-0.5; work 1 and 2 of 10.
+table() { printf 'burden_m,seed,face_velocity_m_s,wave_work_J,gas_work_J,explosive_energy_J\n%s' "$1" >table.csv; }
+table $'1,1,2,1,2,10\n4,1,1,1,2,10\n'
+fails 2 'no run with a burden of 3 m' burden_fit table.csv fit.json
+table $'0.75,1,2,1,2,10\n3,1,1,1,2,10\n'
+holds burden_fit table.csv fit.json
+printf '{"case": "fit", "expected": [%s, %s, %s, %s]}' "$(row burden_velocity_exponent -0.5 1e-12)" "$(row velocity_at_3_m_m_s 1 1e-12)" \
+  "$(row wave_efficiency_at_3_m 0.1 1e-12)" "$(row gas_efficiency_at_3_m 0.2 1e-12)" >expected.json
+holds case expected.json fit.json
+table ''
+fails 2 'two burdens' burden_fit table.csv fit.json
+table $'3,1,1,1,2,10\n'
+fails 2 'two burdens' burden_fit table.csv fit.json
+table $'0.75,1,nan,1,2,10\n3,1,1,1,2,10\n'
+fails 2 'table.csv:2: face_velocity_m_s must be a finite number' burden_fit table.csv fit.json
+table $'0.75,1,-2,1,2,10\n3,1,1,1,2,10\n'
+fails 2 'table.csv:2: face_velocity_m_s must be > 0' burden_fit table.csv fit.json
+
+fails 2 '' neer
+holds --help
+holds near --help

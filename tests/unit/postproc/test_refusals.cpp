@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Benches that the measures of `profile` are not made for are refused, and leave no figures.
+// Scope: report/bench_scene, and what report_profile takes back.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "args/input_error.h"
+#include "geometry/block_file.h"
+#include "report/bench_scene.h"
+#include "report/not_measurable.h"
+#include "report/plan_report.h"
+#include "report/reports.h"
+#include "synthetic_run.h"
+
+namespace muckpile {
+namespace {
+
+using namespace testing;
+
+class Refusals : public ::testing::Test {
+ protected:
+  void SetUp() override { write_bench(temporary_.path()); }
+  [[nodiscard]] ResultFolder folder() const { return ResultFolder(temporary_.path()); }
+  [[nodiscard]] BenchScene bench() const { return bench_scene(folder(), folder().blocks()); }
+  void lean_face() {
+    std::vector<Block> blocks = bench_run().shapes;
+    shear(blocks, 76.0);
+    write_blocks(folder().dump("blocks.vtk").string(), blocks, 1, kDensity);
+  }
+  void set_holes(const std::string& holes) {
+    const auto path = folder().dump("run.json");
+    std::string text = text_of(path);
+    write_text(path, text.insert(1, "\"holes\": " + holes + ", "));
+  }
+  void expect_refused(const std::string& part) {
+    try {
+      report_profile(folder(), {kCube, 0.125}, {});
+      FAIL() << "measured";
+    } catch (const NotMeasurable& refusal) {
+      EXPECT_NE(std::string(refusal.what()).find(part), std::string::npos) << refusal.what();
+    }
+  }
+  TemporaryFolder temporary_;
+};
+
+TEST_F(Refusals, FaceThatLeansIsNotMeasured) {
+  lean_face();
+  expect_refused(
+      "profile: the free face must be the plane x = 0 from the floor z = 0 to the top, "
+      "got rock that begins between x = -2.6");
+  expect_refused("stands at 76° to the horizontal");
+}
+
+TEST_F(Refusals, NothingThatLooksCurrentStays) {
+  report_profile(folder(), {kCube, 0.125}, {});
+  report_fragments(folder(), {kCube, {}});
+  lean_face();
+  expect_refused("free face");
+  EXPECT_FALSE(std::filesystem::exists(folder().file("profile.csv")));
+  EXPECT_FALSE(std::filesystem::exists(folder().file("profile.png")));
+  const auto keys = read_json_object(folder().file("summary.json"));
+  for (const char* key :
+       {"face_velocity_m_s", "face_velocity_mean_m_s", "throw_cg_m", "throw_max_m",
+        "throw_max_note", "beyond_toe_fraction", "beyond_toe_fraction_collapse", "pile_height_m",
+        "pile_toe_m", "swell_factor", "repose_angle_deg", "blocks_on_the_move"}) {
+    EXPECT_FALSE(keys.contains(key)) << key;
+  }
+  EXPECT_TRUE(keys["fragment_p50_m"].is_number());
+  EXPECT_NE(keys["profile_refused"].get<std::string>().find("free face"), std::string::npos);
+}
+
+TEST_F(Refusals, OtherReportsGoOn) {
+  lean_face();
+  EXPECT_NO_THROW(report_fragments(folder(), {kCube, {}}));
+  EXPECT_NO_THROW(report_energy(folder()));
+  PictureOptions small;
+  small.width = 320;
+  small.height = 180;
+  EXPECT_NO_THROW(report_picture(folder(), small));
+}
+
+TEST_F(Refusals, AreForgottenOnceTheBenchIsMeasured) {
+  folder().merge_into_summary({{"profile_refused", "why"}});
+  report_profile(folder(), {kCube, 0.125}, {});
+  EXPECT_FALSE(read_json_object(folder().file("summary.json")).contains("profile_refused"));
+}
+
+TEST_F(Refusals, HoleThatLeansIsNotMeasured) {
+  // 2.3 m aside over 9 m: 14.3 degrees.
+  set_holes("[{\"toe_m\": [-5, 0, -1], \"collar_m\": [-7.3, 0, 8], \"radius_m\": 0.15}]");
+  expect_refused("profile: holes must be vertical, got one that leans by 14.3°");
+}
+
+TEST_F(Refusals, FrontRowMustStandAtTheBurden) {
+  set_holes("[{\"toe_m\": [-4, 0, -1], \"collar_m\": [-4, 0, 8], \"radius_m\": 0.15}]");
+  expect_refused(
+      "profile: the front row of holes must stand at x = -5 m, the burden_m of "
+      "scene.json, got x = -4 m");
+}
+
+TEST_F(Refusals, MalformedHolesAreAFaultOfTheFile) {
+  set_holes("[{\"toe_m\": [-4, 0], \"collar_m\": [-4, 0, 8], \"radius_m\": 0.15}]");
+  try {
+    static_cast<void>(bench());
+    FAIL() << "read";
+  } catch (const NotMeasurable&) {
+    FAIL() << "taken for a refusal";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("run.json: holes must be a list of toe_m"),
+              std::string::npos);
+  }
+}
+
+constexpr const char* kTwoRows =
+    "[{\"toe_m\": [-5, 0.5, -1], \"collar_m\": [-5, 0.5, 8], \"radius_m\": 0.15},"
+    " {\"toe_m\": [-7.75, -0.5, -1], \"collar_m\": [-7.75, -0.5, 3], \"radius_m\": 0.15},"
+    " {\"toe_m\": [-7.75, -0.5, 4], \"collar_m\": [-7.75, -0.5, 8], \"radius_m\": 0.15}]";
+
+TEST_F(Refusals, LeaveBenchesOfSeveralRowsWithoutACollapse) {
+  set_holes(kTwoRows);
+  EXPECT_FALSE(bench().one_row);
+  EXPECT_DOUBLE_EQ(bench().depth, 7.75);
+  report_profile(folder(), {kCube, 0.125}, {});
+  const auto keys = read_json_object(folder().file("summary.json"));
+  EXPECT_NEAR(keys["throw_cg_m"], 507.5 / 105.0 + 2.5, 1e-7);
+  EXPECT_TRUE(keys["beyond_toe_fraction_collapse"].is_null());
+}
+
+TEST_F(Refusals, SectionShowsTheHolesThatItCutsAndNoOther) {
+  EXPECT_EQ(hole_bars(bench(), 0.0).size(), 2U);  // charge and stemming of the scene's only hole
+  EXPECT_TRUE(hole_bars(bench(), 0.5).empty());
+  set_holes(kTwoRows);
+  EXPECT_DOUBLE_EQ(y_of_middle_hole(bench(), folder().blocks()), 0.5);
+  const auto front = hole_bars(bench(), 0.5);
+  ASSERT_EQ(front.size(), 2U);
+  EXPECT_DOUBLE_EQ(front[0].low.x(), -5.05);  // a hole of 0.1 m
+  EXPECT_DOUBLE_EQ(front[0].high.y(), 8.0);
+  EXPECT_DOUBLE_EQ(front[1].high.y(), kBenchHeight);
+  const auto back = hole_bars(bench(), -0.5);
+  ASSERT_EQ(back.size(), 3U);  // two decks, one stemming
+  EXPECT_EQ(back[0].name, "charge before");
+  EXPECT_EQ(back[1].name, "");
+  EXPECT_DOUBLE_EQ(back[2].low.y(), 8.0);
+}
+
+TEST(CraterRefusal, OfAChargeBesideTheAxisTakesTheFiguresBack) {
+  TemporaryFolder temporary;
+  write_crater(temporary.path());
+  const ResultFolder folder(temporary.path());
+  report_crater(folder, {}, {});
+  const std::string text = text_of(folder.dump("run.json"));
+  const auto set_charge = [&](const std::string& x) {
+    const std::string end = "[" + x + ", 0, -2]";
+    write_text(folder.dump("run.json"), "{\"holes\": [{\"toe_m\": " + end + ", \"collar_m\": " +
+                                            end + ", \"radius_m\": 0.1}], " + text.substr(1));
+  };
+  set_charge("0.5");
+  EXPECT_THROW(report_crater(folder, {}, {}), NotMeasurable);
+  EXPECT_FALSE(std::filesystem::exists(folder.file("crater.csv")));
+  const auto refused = read_json_object(folder.file("summary.json"));
+  EXPECT_FALSE(refused.contains("crater_radius_m"));
+  EXPECT_TRUE(refused.contains("crater_refused"));
+  set_charge("0.05");  // of 2 m burial depth: a fortieth
+  report_crater(folder, {}, {});
+  EXPECT_FALSE(read_json_object(folder.file("summary.json")).contains("crater_refused"));
+}
+
+TEST_F(Refusals, PlanOfATableOfAnotherRunIsNotDrawn) {
+  set_holes("[{\"toe_m\": [-5, 0, -1], \"collar_m\": [-5, 0, 8], \"radius_m\": 0.15}]");
+  const std::string head =
+      "hole,collar_x_m,collar_y_m,collar_z_m,toe_x_m,toe_y_m,toe_z_m,diameter_m,from_m,to_m\n";
+  write_text(folder().dump("holes.csv"), head + "a,-5,0,10.5,-5,0,-1,0.1,2.5,11.5\n");
+  EXPECT_NO_THROW(report_plan(temporary_.path()));
+  write_text(folder().dump("holes.csv"), head + "a,-6,0,10.5,-6,0,-1,0.1,2.5,11.5\n");
+  EXPECT_THROW(report_plan(temporary_.path()), InputError);
+}
+
+}  // namespace
+}  // namespace muckpile
