@@ -15,6 +15,7 @@ class FixMultisphere;
 
 namespace muckpile {
 
+class ContactWork;
 class FixMuckpileJoint;
 class FixMuckpileSleep;
 
@@ -26,11 +27,13 @@ struct EnergyLedger {
   double contact_friction = 0.0, contact_damping = 0.0, walls = 0.0;
   double quiet = 0.0;  ///< given to the rock behind quiet boundaries
   double sleep = 0.0;  ///< kinetic energy of blocks as they were laid to rest
+  double given = 0.0;  ///< by block_motion since the first run began
 
   /// What is in the system and what left it, less what came in.
   [[nodiscard]] double residual() const {
     return kinetic + joint_elastic + contact_elastic + gravity + fracture + joint_friction +
-           joint_damping + contact_friction + contact_damping + walls + quiet + sleep - blast_work;
+           joint_damping + contact_friction + contact_damping + walls + quiet + sleep - blast_work -
+           given;
   }
 };
 
@@ -49,26 +52,37 @@ class FixMuckpileLedger : public LAMMPS_NS::Fix {
 
   /// Summed over ranks. Collective; computed once per step.
   [[nodiscard]] const EnergyLedger& ledger();
-  /// |residual - its start value| over the largest of blast work, kinetic energy at the start and
-  /// gravity energy released.
+  /// The larger of |residual - its start value| and of what walls gave, if none of them moves, over
+  /// the largest energy of one kind that was seen so far.
   [[nodiscard]] double balance_error();
   /// False if that error is larger than `allowed`, and not merely rounding of rock at rest.
   [[nodiscard]] bool balanced(double allowed);
   /// Of the fastest block [m/s]. Collective.
   [[nodiscard]] double fastest_block();
+  /// Kinetic energy [J] that a command has given to blocks of this rank.
+  void book_given(double energy);
 
  private:
   [[nodiscard]] double work_rate_of_spheres() const;
+  void begin();
+  void take_in_new_blocks();
+  [[nodiscard]] double out_of_balance();
   [[nodiscard]] double of_pair(const char* name) const;
 
   LAMMPS_NS::FixMultisphere* multisphere_ = nullptr;
   LAMMPS_NS::FixGravity* gravity_ = nullptr;
   FixMuckpileJoint* joint_ = nullptr;
   FixMuckpileSleep* sleep_ = nullptr;
+  ContactWork* contacts_ = nullptr;
+  bool walls_may_move_ = false;
   double laid_to_rest_ = 0.0;  // of this rank, also after that fix is gone [J]
   EnergyLedger ledger_;
-  double sphere_work_ = 0.0;  // this rank, by all forces on spheres since the start [J]
-  double start_residual_ = 0.0, start_kinetic_ = 0.0, start_gravity_ = 0.0;
+  // This rank, since the start, by all forces on spheres, and by those of the contact style [J].
+  double sphere_work_ = 0.0, contact_work_ = 0.0;
+  double given_ = 0.0;  // this rank, since the start [J]
+  double start_residual_ = 0.0, start_gravity_ = 0.0;
+  double largest_ = 0.0;  // energy of one kind that was seen [J]
+  int last_tag_ = 0;      // of the blocks that the account has taken in
   bool started_ = false;
   LAMMPS_NS::bigint computed_at_ = -1;
 };

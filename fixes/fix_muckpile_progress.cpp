@@ -41,7 +41,7 @@ constexpr const char* kHistoryHeader =
     "step,time_s,timestep_s,phase,joints,joints_broken,fastest_block_m_s,kinetic_J,elastic_J,"
     "contact_elastic_J,"
     "gravity_J,blast_work_J,fracture_J,joint_friction_J,joint_damping_J,contact_friction_J,contact_"
-    "damping_J,wall_J,quiet_J,sleep_J,"
+    "damping_J,wall_J,quiet_J,sleep_J,given_J,"
     "balance_error,run_id\n";
 
 Range time_range() { return Range::left_open(0.0, 1e30); }
@@ -310,7 +310,7 @@ std::string FixMuckpileProgress::row(const Look& now) const {
       << now.joints << ',' << now.broken << ',' << now.fastest;
   for (double energy : {e.kinetic, e.joint_elastic, e.contact_elastic, e.gravity, e.blast_work,
                         e.fracture, e.joint_friction, e.joint_damping, e.contact_friction,
-                        e.contact_damping, e.walls, e.quiet, e.sleep, now.balance}) {
+                        e.contact_damping, e.walls, e.quiet, e.sleep, e.given, now.balance}) {
     out << ',' << energy;
   }
   out << ',' << store_->record().id() << '\n';

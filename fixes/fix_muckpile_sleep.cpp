@@ -249,6 +249,11 @@ void FixMuckpileSleep::restart(char* state) {
 
 int FixMuckpileSleep::modify_param(int, char** arg) {
   if (std::strcmp(arg[0], "wake") != 0) return 0;
+  wake_blocks();
+  return 1;
+}
+
+void FixMuckpileSleep::wake_blocks() {
   stays_.assign(stays_.size(), {});
   rests_.assign(rests_.size(), 0);
   resting_ = 0;
@@ -256,7 +261,6 @@ int FixMuckpileSleep::modify_param(int, char** arg) {
   of_spheres_.assign(of_spheres_.size(), 0);
   any_ = false;
   wake_joints();
-  return 1;
 }
 
 double FixMuckpileSleep::compute_scalar() {

@@ -16,9 +16,12 @@
 #include "contact/contact_forces.h"
 #include "contact/contact_law.h"
 #include "contact/contact_step_bound.h"
+#include "engine/bodies.h"
+#include "engine/strange_bodies.h"
 #include "fix_muckpile_contact_history.h"
 #include "interfaces/block_neighbours.h"
 #include "interfaces/contact_steps.h"
+#include "interfaces/contact_work.h"
 #include "interfaces/joint_view.h"
 #include "interfaces/resting_blocks.h"
 
@@ -28,7 +31,10 @@ class FixMultisphere;
 
 namespace muckpile {
 
-class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public NearBlocks {
+class PairMuckpileBlock : public LAMMPS_NS::Pair,
+                          public ContactSource,
+                          public ContactWork,
+                          public NearBlocks {
  public:
   static constexpr const char* kStyle = "pair_style muckpile/block";
 
@@ -50,8 +56,8 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public N
 
   /// Values of this rank, to be summed over ranks (largest for max_overlap_ratio, smallest for
   /// the steps); a contact between two ranks counts half on each. Pointers to double:
-  /// "elastic_J", "power_W", "contacts", "max_overlap_ratio" of the last step;
-  /// "friction_J", "damping_J" since the start; "steps_s", see ContactStep, worked out when asked
+  /// "elastic_J", "contacts", "max_overlap_ratio" of the last step; "friction_J", "damping_J"
+  /// since the start; "steps_s", see ContactStep, worked out when asked
   /// for; "rebuild_s", "rebuilds".
   void* extract(const char* name, int& dim) override;
 
@@ -59,6 +65,11 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public N
   [[nodiscard]] Losses& losses() override { return losses_; }
 
   void mark_near(std::span<const char> from, std::span<char> to) const override;
+
+  void watch() override { watched_ = true; }
+  double end_step(double time_step) override;
+  /// For tests of the energy account, see ContactForces.
+  void spoil(double share) { forces_.spoil(share); }
 
  private:
   struct Ledger {
@@ -98,8 +109,13 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public N
   /// Of the contacts left alone, to be added to those of the last step.
   [[nodiscard]] double resting_energy();
 
-  [[nodiscard]] MovingSpheres moving_spheres() const;
+  [[nodiscard]] MovingSpheres moving_spheres();
   void step_contacts();
+
+  void begin_loads();
+  void renumber_loads();
+  [[nodiscard]] std::optional<engine::BodyState> state_of(const engine::Bodies& bodies,
+                                                          int block) const;
 
   std::optional<ContactLaw> law_;
   double largest_radius_ = 0.0;  ///< of all spheres on all ranks [m]
@@ -134,6 +150,10 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair, public ContactSource, public N
   std::vector<int> first_image_;             ///< per body tag: a block, -1: none
   std::vector<int> listed_tags_;             ///< per atom: its tag when the list was built
   int listed_owned_ = 0;
+
+  bool watched_ = false;            ///< somebody asks what the contacts do to the blocks
+  std::vector<ContactLoad> loads_;  ///< per block, of the last step; empty: nobody watches
+  engine::StrangeBodies strange_;   ///< of several ranks
 
   std::vector<int> record_owners_;  ///< work space of store_contacts
   std::vector<FixMuckpileContactHistory::Record> records_;

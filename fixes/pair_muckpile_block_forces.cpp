@@ -8,13 +8,17 @@
 
 namespace muckpile {
 
-MovingSpheres PairMuckpileBlock::moving_spheres() const {
-  return {atom->x[0],  atom->v[0], atom->omega[0],  atom->radius,
-          atom->rmass, atom->f[0], atom->torque[0], atom->nlocal};
+MovingSpheres PairMuckpileBlock::moving_spheres() {
+  return {atom->x[0],         atom->v[0],
+          atom->omega[0],     atom->radius,
+          atom->rmass,        atom->f[0],
+          atom->torque[0],    atom->nlocal,
+          atom_block_.data(), loads_.empty() ? nullptr : loads_.data()};
 }
 
 void PairMuckpileBlock::step_contacts() {
   last_ = {};
+  begin_loads();
   if (list_.block_pairs().empty()) return;
   // Set-up of a run computes the forces of a state that a step has already reached.
   const double memory_step = update->setupflag != 0 ? 0.0 : update->dt;
@@ -30,7 +34,7 @@ void PairMuckpileBlock::step_contacts() {
   last_ = forces_.finish();
   if (memory_step > 0.0) {
     losses_.friction += last_.friction;
-    losses_.damping += last_.damping;
+    if (!watched_) losses_.damping += last_.damping;  // else end_step() knows better
   }
 }
 

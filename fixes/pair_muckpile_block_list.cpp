@@ -3,6 +3,7 @@
 // Scope: at reneighbouring, and as joints let go or blocks come to rest; the search itself is
 // core's.
 #include <atom.h>
+#include <comm.h>
 #include <domain.h>
 #include <fix_multisphere.h>
 #include <mpi.h>
@@ -162,6 +163,7 @@ void PairMuckpileBlock::list_pairs() {
   listed_owned_ = atom->nlocal;
   recall_contacts();
   list_working_pairs(0);
+  renumber_loads();
   list_is_stale_ = false;
   ledger_.rebuild_s += MPI_Wtime() - started;
   ledger_.rebuilds += 1.0;
@@ -182,6 +184,7 @@ bool PairMuckpileBlock::add_pairs() {
 void PairMuckpileBlock::rebuild() {
   share_enclosed();
   share_held_pairs();
+  if (watched_ && comm->nprocs > 1) strange_ = {*bodies_, *atom, world};
   list_pairs();
   int bad = list_.skipped_blocks(), all_bad = 0;
   MPI_Allreduce(&bad, &all_bad, 1, MPI_INT, MPI_SUM, world);

@@ -99,7 +99,6 @@ void* PairMuckpileBlock::extract(const char* name, int& dim) {
   }
   if (key == "friction_J") return &losses_.friction;
   if (key == "damping_J") return &losses_.damping;
-  if (key == "power_W") return &last_.power;
   if (key == "contacts") return &last_.contacts;
   if (key == "max_overlap_ratio") return &last_.largest_overlap_ratio;
   if (key == "steps_s") {

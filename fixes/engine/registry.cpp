@@ -14,6 +14,7 @@
 #include <map>
 #include <type_traits>
 
+#include "block_motion.h"
 #include "charge_design.h"
 #include "create_blocks.h"
 #include "fix_muckpile_balance.h"
@@ -34,6 +35,7 @@
 #include "rank_grid.h"
 #include "read_sealed_restart.h"
 #include "require.h"
+#include "sphere_commands.h"
 #include "write_scene.h"
 
 namespace muckpile::engine {
@@ -79,11 +81,16 @@ template <typename Style>
 void run_command(LAMMPS* lmp, int narg, char** arg) {
   Style(lmp).command(narg, arg);
 }
+template <void (SphereCommands::*command)(int, char**)>
+void run_sphere_command(LAMMPS* lmp, int narg, char** arg) {
+  (SphereCommands(lmp).*command)(narg, arg);
+}
 
 void register_again(LAMMPS* lmp, int, char**) { register_styles(*lmp); }
 
 const std::map<std::string, CommandCreator>& commands() {
   static const std::map<std::string, CommandCreator> table = {
+      {"block_motion", &run_command<BlockMotionCommand>},
       {"charge_design", &run_command<ChargeDesignCommand>},
       {"create_blocks", &run_command<CreateBlocks>},
       {"muckpile_styles", &register_again},
@@ -96,7 +103,10 @@ const std::map<std::string, CommandCreator>& commands() {
 /// In place of commands of the engine.
 const std::map<std::string, CommandCreator>& replaced_commands() {
   static const std::map<std::string, CommandCreator> table = {
+      {"displace_atoms", &run_sphere_command<&SphereCommands::displace_atoms>},
       {"read_restart", &run_command<ReadSealedRestart>},
+      {"set", &run_sphere_command<&SphereCommands::set>},
+      {"velocity", &run_sphere_command<&SphereCommands::velocity>},
   };
   return table;
 }

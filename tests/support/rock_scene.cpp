@@ -6,6 +6,7 @@
 #include <atom.h>
 #include <fix.h>
 #include <fix_multisphere.h>
+#include <force.h>
 #include <input.h>
 #include <lammps.h>
 #include <modify.h>
@@ -19,6 +20,7 @@
 
 #include "args/numbers.h"
 #include "engine/bodies.h"
+#include "pair_muckpile_block.h"
 #include "silent_engine.h"
 
 namespace muckpile::test {
@@ -130,6 +132,10 @@ std::map<int, SphereNow> RockScene::all_spheres() const {
 double RockScene::variable(const std::string& name) const {
   std::string word = name;
   return lmp_->input->variable->compute_equal(lmp_->input->variable->find(word.data()));
+}
+
+void RockScene::spoil_contacts(double share) {
+  dynamic_cast<PairMuckpileBlock&>(*lmp_->force->pair).spoil(share);
 }
 
 double RockScene::time_step() const { return lmp_->update->dt; }

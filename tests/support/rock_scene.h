@@ -67,6 +67,8 @@ class RockScene {
   /// Value of an equal-style variable.
   [[nodiscard]] double variable(const std::string& name) const;
   [[nodiscard]] double time_step() const;  // [s]
+  /// Contact forces become too large by this share, while their energies stay right.
+  void spoil_contacts(double share);
   [[nodiscard]] double kinetic_energy() const;
   /// Blocks on this rank.
   [[nodiscard]] int own_blocks() const;

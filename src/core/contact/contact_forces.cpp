@@ -59,6 +59,17 @@ bool ContactForces::add(std::span<SpherePair> candidates) {
   return any;
 }
 
+/// Notes the blocks of contact k, and calls for what is added to.
+void ContactForces::call_loads(std::size_t k) {
+  for (const std::size_t side : {0, 1}) {
+    const SpherePair& touch = *near_[k].pair;
+    const int block = spheres_.blocks[side == 0 ? touch.first : touch.second];
+    block_[side][k] = block;
+    __builtin_prefetch(&spheres_.loads[block], 1);
+    __builtin_prefetch(spheres_.loads[block].numbers.data() + 8, 1);
+  }
+}
+
 /// Leaves in near_ those that touch, each with its contact, and calls for what is needed of them.
 void ContactForces::admit() {
   std::size_t touching = 0;
@@ -72,7 +83,9 @@ void ContactForces::admit() {
     }
     is_new_.values[touching] = pair.contact < 0 ? 1.0 : 0.0;
     if (pair.contact < 0) pair.contact = contacts_->add({});
-    near_[touching++] = n;
+    near_[touching] = n;
+    if (spheres_.loads != nullptr) call_loads(touching);
+    ++touching;
     __builtin_prefetch(&(*contacts_)[pair.contact], 1);
     for (const int sphere : {pair.first, pair.second}) {
       __builtin_prefetch(of(spheres_.velocities, sphere));
@@ -107,6 +120,8 @@ void ContactForces::gather() {
     near_[k] = near_[count_ - 1];
     is_new_.values[k] = is_new_.values[count_ - 1];
   }
+  for (std::size_t k = 0; spheres_.loads != nullptr && k < end; ++k)
+    put(of(spheres_.positions, near_[k].pair->first), first_, k);
   for (std::size_t k = 0; k < end; ++k) {
     const Near& near = near_[k];
     to_second_[0].values[k] = near.x;
@@ -166,7 +181,10 @@ void ContactForces::work_on(std::size_t at) {
   ContactStateOf<Lanes> state{three(slide_), three(roll_), one(offset_), one(stiffness_)};
   state.overlap_offset = choose(one(is_new_) > 0.0, ContactLaw::first_offset(motion, time_step_),
                                 state.overlap_offset);
-  const ContactResponseOf<Lanes> response = law_->evaluate(motion, memory_step_, state);
+  ContactResponseOf<Lanes> response = law_->evaluate(motion, memory_step_, state);
+  const Lanes factor(factor_);
+  response.force_on_first = factor * response.force_on_first;
+  response.torque_on_first = factor * response.torque_on_first;
   keep_three(state.slide, slide_);
   keep_three(state.roll, roll_);
   keep(state.overlap_offset, offset_);
@@ -185,11 +203,27 @@ void ContactForces::work_on(std::size_t at) {
   sums_.elastic += reduce(share * response.elastic_energy);
   sums_.friction += reduce(share * response.friction_loss);
   sums_.damping += reduce(share * response.damping_loss);
-  sums_.power +=
-      reduce(owned_a * (dot(response.force_on_first, velocity_a) + dot(torque_a, spin_a)) +
-             owned_b * (dot(torque_b, spin_b) - dot(response.force_on_first, velocity_b)));
   sums_.largest_overlap_ratio =
       std::max(sums_.largest_overlap_ratio, hmax(overlap / min(radius_a, radius_b)));
+  if (spheres_.loads != nullptr) keep_load(at, response, normal, arm_a);
+}
+
+/// Force and torque at the point of contact, as seen from the origin.
+void ContactForces::keep_load(std::size_t at, const ContactResponseOf<Lanes>& response,
+                              const Vectors& normal, const Lanes& arm) {
+  const auto one = [at](const Row& row) {
+    return Lanes(row.values.data() + at, std::experimental::vector_aligned);
+  };
+  const auto keep = [&](const Vectors& lanes, std::size_t row) {
+    lanes.x.copy_to(load_[row].values.data() + at, std::experimental::vector_aligned);
+    lanes.y.copy_to(load_[row + 1].values.data() + at, std::experimental::vector_aligned);
+    lanes.z.copy_to(load_[row + 2].values.data() + at, std::experimental::vector_aligned);
+  };
+  const Vectors point = Vectors(one(first_[0]), one(first_[1]), one(first_[2])) + arm * normal;
+  keep(response.force_on_first, 0);
+  keep(cross(point, response.force_on_first) + response.torque_on_first, 3);
+  keep(response.dashpot_on_first, 6);
+  keep(cross(point, response.dashpot_on_first), 9);
 }
 
 void ContactForces::scatter() {
@@ -212,6 +246,34 @@ void ContactForces::scatter() {
     }
     (*contacts_)[touch.contact] = {at(slide_, k), at(roll_, k), offset_.values[k],
                                    stiffness_.values[k]};
+  }
+  if (spheres_.loads != nullptr) scatter_loads();
+}
+
+/// The blocks that contact k loads; those whose sphere is another rank's it does not: -1.
+std::array<int, 2> ContactForces::load_key(std::size_t k) const {
+  const SpherePair& touch = *near_[k].pair;
+  return {touch.first < spheres_.owned ? block_[0][k] : -1,
+          touch.second < spheres_.owned ? block_[1][k] : -1};
+}
+
+/// Contacts of the same two blocks follow each other: they are summed before they are added.
+void ContactForces::scatter_loads() {
+  std::array<double, 12> sum;
+  const auto add = [&](int block, double sign) {
+    if (block < 0) return;
+    ContactLoad& load = spheres_.loads[block];
+    for (std::size_t d = 0; d < sum.size(); ++d) load.numbers[d] += sign * sum[d];
+    if (!load.listed) loaded_.push_back(block);
+    load.listed = true;
+  };
+  for (std::size_t k = 0; k < count_;) {
+    const std::array<int, 2> blocks = load_key(k);
+    sum.fill(0.0);
+    for (; k < count_ && load_key(k) == blocks; ++k)
+      for (std::size_t d = 0; d < sum.size(); ++d) sum[d] += load_[d].values[k];
+    add(blocks[0], 1.0);
+    add(blocks[1], -1.0);
   }
 }
 

@@ -15,6 +15,18 @@
 
 namespace muckpile {
 
+/// What the contacts of a block's own spheres do to it; moments about the origin. The second half
+/// is the part of the dashpots.
+struct alignas(64) ContactLoad {
+  std::array<double, 12> numbers{};
+  bool listed = false;  ///< among ContactForces::loaded()
+
+  [[nodiscard]] Vec3 force() const { return Vec3(numbers.data()); }               ///< [N]
+  [[nodiscard]] Vec3 moment() const { return Vec3(numbers.data() + 3); }          ///< [N m]
+  [[nodiscard]] Vec3 dashpot_force() const { return Vec3(numbers.data() + 6); }   ///< [N]
+  [[nodiscard]] Vec3 dashpot_moment() const { return Vec3(numbers.data() + 9); }  ///< [N m]
+};
+
 /// How one rank's spheres move, and what acts on them; nothing is owned. Three numbers per sphere
 /// each, but for radii and masses.
 struct MovingSpheres {
@@ -22,6 +34,8 @@ struct MovingSpheres {
   const double *radii, *masses;                  ///< [m]; of its block [kg]
   double *forces, *torques;                      ///< to be added to, of own spheres [N], [N m]
   int owned;                                     ///< the first `owned` are this rank's
+  const int* blocks = nullptr;                   ///< per sphere: whose of `loads` it is
+  ContactLoad* loads = nullptr;                  ///< to be added to; null: nobody asks for them
 };
 
 /// Of a step. A contact between two ranks counts half on each, largest_overlap apart.
@@ -30,7 +44,6 @@ struct ContactSums {
   double elastic = 0.0;                ///< stored [J]
   double friction = 0.0;               ///< lost in the step [J]
   double damping = 0.0;                ///< lost in the step [J]
-  double power = 0.0;                  ///< done on own spheres [W]
   double largest_overlap_ratio = 0.0;  ///< over the smaller radius [-]
 };
 
@@ -71,6 +84,13 @@ class ContactForces {
   /// finish(). False: none touches, and none did.
   bool add(std::span<SpherePair> candidates);
   [[nodiscard]] ContactSums finish();
+  /// Blocks whose load is no longer zero, since the last forget_loads().
+  [[nodiscard]] const std::vector<int>& loaded() const { return loaded_; }
+  void forget_loads() { loaded_.clear(); }
+
+  /// For tests of the energy account: from now on forces are too large by this share, while
+  /// energies and losses stay those of the law.
+  void spoil(double share) { factor_ = 1.0 + share; }
 
  private:
   static constexpr std::size_t kLanes = kNativeLanes;
@@ -96,15 +116,21 @@ class ContactForces {
   };
 
   void admit();
+  void call_loads(std::size_t k);
   void work();
   void gather();
   void work_on(std::size_t at);
+  void keep_load(std::size_t at, const ContactResponseOf<Lanes>& response, const Vectors& normal,
+                 const Lanes& arm);
   void scatter();
+  void scatter_loads();
+  [[nodiscard]] std::array<int, 2> load_key(std::size_t k) const;
 
   const ContactLaw* law_ = nullptr;
   ContactStates* contacts_ = nullptr;
   MovingSpheres spheres_{};
   double time_step_ = 0.0, memory_step_ = 0.0;
+  double factor_ = 1.0;  ///< see spoil()
   ContactSums sums_;
 
   std::size_t count_ = 0;
@@ -112,6 +138,10 @@ class ContactForces {
   std::array<Side, 2> side_;
   Rows to_second_, slide_, roll_;
   Row squared_, is_new_, offset_, stiffness_;
+  Rows first_;                                   ///< centre of the first sphere; only for loads
+  std::array<std::array<int, kRoom>, 2> block_;  ///< of its two spheres; only for loads
+  std::vector<int> loaded_;
+  std::array<Row, 12> load_;    ///< on the first sphere's block, see ContactLoad
   Rows force_;                  ///< on the first sphere
   std::array<Rows, 2> torque_;  ///< on either
 };

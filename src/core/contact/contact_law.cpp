@@ -85,8 +85,9 @@ ContactResponse ContactLaw::evaluate(const ContactMotion& motion, double time_st
                            state.overlap_offset, state.tangential_stiffness};
   const ContactResponseOf<One> response = evaluate(lane_of(motion), time_step, lane);
   state = {lane.slide.at(0), lane.roll.at(0), lane.overlap_offset[0], lane.tangential_stiffness[0]};
-  return {response.force_on_first.at(0), response.torque_on_first.at(0), response.elastic_energy[0],
-          response.friction_loss[0], response.damping_loss[0]};
+  return {response.force_on_first.at(0), response.torque_on_first.at(0),
+          response.elastic_energy[0],    response.friction_loss[0],
+          response.damping_loss[0],      response.dashpot_on_first.at(0)};
 }
 
 double ContactLaw::normal_stiffness(double radius_first, double radius_second,

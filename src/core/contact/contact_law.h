@@ -53,6 +53,7 @@ struct ContactResponseOf {
   Number elastic_energy;             ///< stored in the three springs [J]
   Number friction_loss;              ///< by sliding and rolling in this step [J]
   Number damping_loss;               ///< by the dashpots in this step [J]
+  VectorOf<Number> dashpot_on_first;  ///< part of the force that the dashpots make [N]
 };
 
 // The same of one contact.
@@ -68,6 +69,7 @@ struct ContactState {
 struct ContactResponse {
   Vec3 force_on_first, torque_on_first;
   double elastic_energy, friction_loss, damping_loss;
+  Vec3 dashpot_on_first;
 };
 
 class ContactLaw {
@@ -122,7 +124,6 @@ class ContactLaw {
     VectorOf<Number> stretch;  ///< [m] or [rad]
     VectorOf<Number> pull;     ///< [N] or [N m]
     typename Number::mask_type slips;
-    Number lost;  ///< [J]
   };
   template <class Number>
   [[nodiscard]] Normal<Number> normal_part(const ContactMotionOf<Number>& motion,
@@ -201,7 +202,7 @@ template <class Number>
           tangential * slope, std::sqrt(tangential) * damping};
 }
 
-/// A spring that bears no more than the limit: what it cannot take is lost.
+/// A spring that bears no more than the limit.
 template <class Number>
 [[gnu::always_inline]] inline ContactLaw::Spring<Number> ContactLaw::limited(
     const VectorOf<Number>& stretch, const Number& stiffness, const Number& limit) {
@@ -209,7 +210,7 @@ template <class Number>
   const auto slips = trial > limit;
   const Number keep = choose(slips, limit / trial, 1.0);
   const VectorOf<Number> kept = keep * stretch;
-  return {kept, -stiffness * kept, slips, choose(slips, limit * (1.0 - keep) * length, 0.0)};
+  return {kept, -stiffness * kept, slips};
 }
 
 template <class Number>
@@ -236,33 +237,40 @@ template <class Number>
   const Number rolling_stiffness = stiffness * squared_radius;
   const Number old_energy =
       0.5 * before * (dot(state.slide, state.slide) + squared_radius * dot(state.roll, state.roll));
-  const Vector slide = shrink * turned_into_plane(state.slide, motion.normal);
-  const Vector roll = shrink * turned_into_plane(state.roll, motion.normal);
-  const Number forgotten =
-      old_energy - 0.5 * stiffness * dot(slide, slide) - 0.5 * rolling_stiffness * dot(roll, roll);
+  const Vector old_slide = turned_into_plane(state.slide, motion.normal);
+  const Vector old_roll = turned_into_plane(state.roll, motion.normal);
 
   const Vector sliding = motion.relative_velocity - closing_speed * motion.normal;
   const Number limit = friction_ * normal_force;
-  const Spring<Number> shear = limited(slide + dt * sliding, stiffness, limit);
+  const Vector path = dt * sliding;
+  const Spring<Number> shear = limited(shrink * old_slide + path, stiffness, limit);
   const Vector damped = shear.pull - normal.tangential_damping * sliding;
   const Number share = min(limit * inverse_root(dot(damped, damped)), Number(1.0));
   const Vector tangential = choose(shear.slips, shear.pull, share * damped);
-  const Number damping_loss = ((normal_force - normal.elastic_force) * closing_speed +
-                               dot(shear.pull - tangential, sliding)) *
-                              dt;
+  const Vector dashpots =
+      (tangential - shear.pull) + (normal.elastic_force - normal_force) * motion.normal;
 
   // Elastic-plastic rolling spring, stiffness k_t R*^2: Ai et al., Powder Technology 206 (2011)
   // 269, model C; Wensrich and Katterfeld, Powder Technology 217 (2012) 409.
   const Vector rolling =
       motion.relative_spin - dot(motion.relative_spin, motion.normal) * motion.normal;
-  const Spring<Number> turn = limited(roll + dt * rolling, rolling_stiffness,
+  const Vector turned = dt * rolling;
+  const Spring<Number> turn = limited(shrink * old_roll + turned, rolling_stiffness,
                                       rolling_friction_ * reduced_radius * normal_force);
+  const Number energy = 0.5 * (stiffness * dot(shear.stretch, shear.stretch) +
+                               rolling_stiffness * dot(turn.stretch, turn.stretch));
+  // What leapfrog takes from the two blocks along the path of the step, by the mean of the forces
+  // before and after it, less what the springs have gained.
+  const Number taken = 0.5 * (dot(before * old_slide - shear.pull, path) +
+                              dot((before * squared_radius) * old_roll - turn.pull, turned));
 
   state = {shear.stretch, turn.stretch, state.overlap_offset, stiffness};
-  return {tangential - normal_force * motion.normal, turn.pull,
-          normal.energy + 0.5 * stiffness * dot(shear.stretch, shear.stretch) +
-              0.5 * rolling_stiffness * dot(turn.stretch, turn.stretch),
-          forgotten + shear.lost + turn.lost, damping_loss};
+  return {tangential - normal_force * motion.normal,
+          turn.pull,
+          normal.energy + energy,
+          taken - (energy - old_energy),
+          -dt * dot(dashpots, motion.relative_velocity),
+          dashpots};
 }
 
 }  // namespace muckpile

@@ -115,5 +115,19 @@ TEST(SecondCut, IsRockUnderTheSameJoint) {
   EXPECT_EQ(scene.output("joint", kBroken), broken);
 }
 
+TEST(SecondCut, CreatesNoEnergy) {
+  RockScene scene(MPI_COMM_WORLD, kBox);
+  scene.command("fix weight all gravity 9.81 vector 0 0 -1");
+  burst(scene);
+  constexpr int kGravity = 4;  // entry of the ledger
+  const double released = scene.output("ledger", kGravity);
+  scene.command("region more block 6 8 -1 1 1 3 units box");
+  scene.command("create_blocks more " + kMore);
+  scene.run(0, kTimeStep);
+  EXPECT_NEAR(scene.output("ledger", kGravity), released, 1e-9 * std::abs(released));
+  scene.run(500, kTimeStep);
+  EXPECT_LT(scene.output("ledger", 0), 0.01);
+}
+
 }  // namespace
 }  // namespace muckpile::test

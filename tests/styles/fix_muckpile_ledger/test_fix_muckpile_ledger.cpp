@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iostream>
 #include <string>
 
 #include "rock_scene.h"
@@ -15,7 +16,13 @@ namespace {
 constexpr double kAllowed = 0.005;  // balance error, of the issue
 
 /// Entries of the fix, numbered from 1.
-enum Entry { gravity = 4, joint_friction = 7, contact_friction = 9 };
+enum Entry {
+  gravity = 4,
+  joint_friction = 7,
+  contact_friction = 9,
+  contact_damping = 10,
+  walls = 11
+};
 
 void cut_weak_rock(RockScene& scene, const std::string& block) {
   scene.command("pair_style muckpile/block model linear youngs_modulus 1e8 restitution 0.3");
@@ -136,6 +143,114 @@ TEST(FixMuckpileLedger, SoftBarThatIsWrungKeepsItsBooks) {
     EXPECT_LT(bar.error, 0.05) << whole_spin;
     EXPECT_GT(bar.broken_share, 0.9);
   }
+}
+
+/// Materials of LIGGGHTS' own walls.
+void name_materials(RockScene& scene) {
+  for (const char* line :
+       {"fix m1 all property/global youngsModulus peratomtype 1e7",
+        "fix m2 all property/global poissonsRatio peratomtype 0.25",
+        "fix m3 all property/global coefficientRestitution peratomtypepair 1 0.3",
+        "fix m4 all property/global coefficientFriction peratomtypepair 1 0.5"})
+    scene.command(line);
+}
+
+/// Some 40 blocks without joints over a floor.
+RockScene loose_column() {
+  RockScene scene(MPI_COMM_WORLD, "-4 4 -4 4 -1 6", "* 1 1", "multisphere/muckpile");
+  name_materials(scene);
+  scene.command("pair_style muckpile/block model linear youngs_modulus 1e7 restitution 0.3");
+  scene.command("pair_coeff * *");
+  scene.cut("-0.5 0.5 -0.5 0.5 0.1 2.1",
+            "density 2600 size uniform 0.4 block_min 0.4 block_max 0.4 spheres_per_block 5 seed 3");
+  scene.command("fix floor all wall/gran model hertz tangential history primitive type 1 zplane 0");
+  scene.command("fix weight all gravity 9.81 vector 0 0 -1");
+  scene.command("fix ledger all muckpile/ledger");
+  return scene;
+}
+
+struct Collapse {
+  double error, lost;  ///< in contacts, over the gravity energy
+};
+
+/// The column falls on the floor and spreads.
+Collapse collapse(double spoilt_share) {
+  RockScene scene = loose_column();
+  scene.spoil_contacts(spoilt_share);
+  double worst = 0.0;
+  for (int part = 0; part < 40; ++part) {
+    scene.run(200, 1e-4);
+    worst = std::max(worst, scene.output("ledger", 0));
+  }
+  const double lost =
+      scene.output("ledger", contact_friction) + scene.output("ledger", contact_damping);
+  return {worst, lost / -scene.output("ledger", gravity)};
+}
+
+TEST(FixMuckpileLedger, ContactForceOnePercentWrongShows) {
+  const Collapse right = collapse(0.0), wrong = collapse(0.01);
+  std::cout << "balance error: " << right.error << "; contact forces 1 % too large: " << wrong.error
+            << "; lost in contacts: " << right.lost << '\n';
+  EXPECT_GT(right.lost, 0.2);
+  EXPECT_LT(right.error, 0.002);  // 0.0007: steps across the beginning of contacts
+  EXPECT_GT(wrong.error, 0.004);  // 0.0055
+}
+
+/// Blocks thrown at each other long after the start of the account.
+double error_of_collisions(double step) {
+  RockScene scene(MPI_COMM_WORLD, "-40 40 -40 40 -40 40", "* 1 1", "multisphere/muckpile");
+  scene.command("pair_style muckpile/block model linear youngs_modulus 1e7 restitution 0.9");
+  scene.command("pair_coeff * *");
+  scene.cut("-1 1 -0.5 0.5 -0.5 0.5",
+            "density 2600 size uniform 0.4 block_min 0.4 block_max 0.4 spheres_per_block 5 seed 3");
+  scene.command("fix ledger all muckpile/ledger");
+  scene.run(1, step);
+  scene.command("region left block -40 0 -40 40 -40 40 units box");
+  scene.command("block_motion left velocity 1 0 0");
+  double worst = 0.0;
+  for (int part = 0; part < 10; ++part) {
+    scene.run(std::max(1, static_cast<int>(0.03 / step)), step);
+    worst = std::max(worst, scene.output("ledger", 0));
+  }
+  return worst;
+}
+
+TEST(FixMuckpileLedger, EnergyOutOfNothingShowsWithoutABlast) {
+  EXPECT_LT(error_of_collisions(1e-4), 0.01);
+  EXPECT_GT(error_of_collisions(3e-2), 0.5);
+}
+
+// The floor is put anew, inside the blocks: it throws them up.
+TEST(FixMuckpileLedger, WallAtRestThatGivesEnergyShows) {
+  RockScene scene = loose_column();
+  scene.run(100, 1e-4);
+  EXPECT_LT(scene.output("ledger", 0), 0.01);
+  scene.command("unfix floor");
+  scene.command(
+      "fix floor all wall/gran model hertz tangential history primitive type 1 zplane 0.2");
+  scene.run(200, 1e-4);
+  const double given = -scene.output("ledger", walls);
+  EXPECT_GT(given, 0.0);
+  EXPECT_GT(scene.output("ledger", 0), 0.5);
+  EXPECT_LT(scene.output("ledger", 0), 2.0);
+}
+
+TEST(FixMuckpileLedger, WallThatMovesMayGiveEnergy) {
+  RockScene scene = loose_column();
+  scene.command("unfix floor");
+  scene.command(
+      "fix floor all wall/gran model hertz tangential history primitive type 1 zplane 0 shear x 8");
+  scene.run(3000, 2e-4);
+  EXPECT_LT(scene.output("ledger", walls), 0.0);
+  EXPECT_LT(scene.output("ledger", 0), 0.01);
+}
+
+// Without a weight and without a blast there is only what rounding makes.
+TEST(FixMuckpileLedger, RoundingOfRockAtRestIsNoError) {
+  RockScene scene(MPI_COMM_WORLD, "40 48 40 48 -4 4");
+  cut_weak_rock(scene, "43 45 43 45 -1 1");
+  scene.run(500, 2e-5);
+  EXPECT_LT(scene.output("ledger", 0), 1e-3);
 }
 
 }  // namespace

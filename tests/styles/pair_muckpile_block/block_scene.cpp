@@ -20,6 +20,7 @@
 
 #include "args/numbers.h"
 #include "engine/bodies.h"
+#include "interfaces/contact_work.h"
 #include "silent_engine.h"
 
 namespace muckpile::testing {
@@ -124,6 +125,8 @@ std::map<int, BlockNow> BlockScene::blocks() const {
 }
 
 void BlockScene::compute_contacts() { lmp_->force->pair->compute(0, 0); }
+
+void BlockScene::watch_contacts() { dynamic_cast<ContactWork&>(*lmp_->force->pair).watch(); }
 
 double BlockScene::sum(const char* name) const {
   int dim = 0;

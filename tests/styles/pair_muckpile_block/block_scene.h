@@ -55,6 +55,9 @@ class BlockScene {
   /// The contact forces of the present state once more, for measuring their time.
   void compute_contacts();
 
+  /// As fix muckpile/ledger does it: forces on blocks are summed from the next run on.
+  void watch_contacts();
+
   /// All blocks by tag, on every rank.
   [[nodiscard]] std::map<int, BlockNow> blocks() const;
   /// Sum over ranks of a value of the contact style.

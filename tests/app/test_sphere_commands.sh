@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# test_sphere_commands.sh PROGRAM: LIGGGHTS' commands for spheres say that they have no effect on blocks, once each, and nothing where no
+# block is meant.
+set -euo pipefail
+program=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+
+fail() {
+  printf '%s\n' "test_sphere_commands: $*" "--- output:" "${output-}"
+  exit 1
+}
+
+cat >scene.in <<'EOF'
+units si
+atom_style granular
+atom_modify map array
+newton off
+boundary f f f
+communicate single vel yes
+region box block -2 2 -2 2 -2 2 units box
+create_box 1 box
+neighbor 0.01 bin
+timestep 1e-5
+pair_style muckpile/block
+pair_coeff * *
+fix bodies all multisphere/muckpile
+region rock block -1 1 -1 1 -1 1 units box
+create_blocks rock density 2700 size uniform 0.7 block_min 0.7 block_max 0.7 spheres_per_block 1 sweeps 2
+region nowhere block 1.9 2 1.9 2 1.9 2 units box
+group none region nowhere
+EOF
+
+count() {  # count WORDS: warnings of that command
+  grep -cE "^WARNING: $1: has no effect on blocks, .*; use block_motion" <<<"$output" || true
+}
+
+output=$({ cat scene.in; echo "velocity none set 1 0 0"; echo "velocity all set 1 0 0 units box"
+  echo "displace_atoms all move 0.1 0 0 units box"; echo "run 10"; } >in && "$program" -log none -in in 2>&1 </dev/null) ||
+  fail "the run must end well"
+[[ $(count velocity) -eq 1 ]] || fail "velocity must warn once"
+[[ $(count displace_atoms) -eq 1 ]] || fail "displace_atoms must warn once"
+
+output=$({ cat scene.in; echo "run 0"; echo "set group all vx 1"; } >in && "$program" -log none -in in 2>&1 </dev/null) || true
+[[ $(count set) -eq 1 ]] || fail "set must warn once"
