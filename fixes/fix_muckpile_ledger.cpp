@@ -114,6 +114,7 @@ void FixMuckpileLedger::book_given(double energy) {
 void FixMuckpileLedger::end_of_step() {
   sphere_work_ += work_rate_of_spheres() * update->dt;
   if (contacts_ != nullptr) contact_work_ += contacts_->end_step(update->dt);
+  if (walls_may_move_) walls_before_ = walls();
 }
 
 /// Work rate of the forces on bodies other than gravity and joints. Taken at full-step velocities:
@@ -166,7 +167,7 @@ const EnergyLedger& FixMuckpileLedger::ledger() {
   mine.contact_elastic = of_pair("elastic_J");
   mine.contact_friction = of_pair("friction_J");
   mine.contact_damping = of_pair("damping_J");
-  mine.walls = contact_work_ - sphere_work_;
+  mine.walls = walls();
   mine.given = given_;
   std::array<double, kColumns.size()> part{}, all{};
   for (std::size_t k = 0; k < kColumns.size(); ++k) part[k] = mine.*kColumns[k];
@@ -177,11 +178,12 @@ const EnergyLedger& FixMuckpileLedger::ledger() {
   return ledger_;
 }
 
-/// [J]. Walls at rest can only take energy.
+/// [J]. Walls at rest can only take energy; what they gave while they moved was theirs to give.
 double FixMuckpileLedger::out_of_balance() {
   const EnergyLedger& now = ledger();
   const double apart = std::abs(now.residual() - start_residual_);
-  return walls_may_move_ ? apart : std::max(apart, -now.walls);
+  if (walls_may_move_) return apart;
+  return std::max(apart, engine::total(*lmp, walls_before_) - now.walls);
 }
 
 double FixMuckpileLedger::balance_error() {
@@ -214,6 +216,7 @@ void FixMuckpileLedger::write_restart(FILE* file) {
   state.put(last_tag_);
   state.put(engine::total(*lmp, sphere_work_));
   state.put(engine::total(*lmp, contact_work_));
+  state.put(engine::total(*lmp, walls_before_));
   state.put(engine::total(*lmp, given_));
   state.put(engine::total(*lmp, sleep_ != nullptr ? sleep_->energy_taken() : laid_to_rest_));
   engine::write_state(*lmp, style, file, state);
@@ -228,6 +231,7 @@ void FixMuckpileLedger::restart(char* state) {
   last_tag_ = reader.get<int>();
   sphere_work_ = engine::share_of_total(*lmp, reader.get<double>());
   contact_work_ = engine::share_of_total(*lmp, reader.get<double>());
+  walls_before_ = engine::share_of_total(*lmp, reader.get<double>());
   given_ = engine::share_of_total(*lmp, reader.get<double>());
   laid_to_rest_ = engine::share_of_total(*lmp, reader.get<double>());
 }

@@ -66,6 +66,7 @@ class FixMuckpileLedger : public LAMMPS_NS::Fix {
   [[nodiscard]] double work_rate_of_spheres() const;
   void begin();
   void take_in_new_blocks();
+  [[nodiscard]] double walls() const { return contact_work_ - sphere_work_; }
   [[nodiscard]] double out_of_balance();
   [[nodiscard]] double of_pair(const char* name) const;
 
@@ -79,7 +80,8 @@ class FixMuckpileLedger : public LAMMPS_NS::Fix {
   EnergyLedger ledger_;
   // This rank, since the start, by all forces on spheres, and by those of the contact style [J].
   double sphere_work_ = 0.0, contact_work_ = 0.0;
-  double given_ = 0.0;  // this rank, since the start [J]
+  double walls_before_ = 0.0;  // this rank's part of `walls` when one of them moved last [J]
+  double given_ = 0.0;         // this rank, since the start [J]
   double start_residual_ = 0.0, start_gravity_ = 0.0;
   double largest_ = 0.0;  // energy of one kind that was seen [J]
   int last_tag_ = 0;      // of the blocks that the account has taken in

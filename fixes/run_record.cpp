@@ -8,6 +8,9 @@
 #include <lammps.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "args/suggestion.h"
 #include "build_info.h"
@@ -33,6 +36,16 @@ void put(engine::ByteWriter& out, const std::string& text) {
 std::string get_text(engine::ByteReader& in) {
   const std::vector<char> text = in.get_all<char>();
   return {text.begin(), text.end()};
+}
+
+/// Of the file that `value` names, "" if it names none.
+std::string content_print(const std::string& value) {
+  std::error_code unheeded;
+  if (!std::filesystem::is_regular_file(value, unheeded)) return "";
+  std::ifstream in(value, std::ios::binary);
+  std::ostringstream content;
+  content << in.rdbuf();
+  return Fingerprint().add(content.str()).text();
 }
 
 }  // namespace
@@ -64,9 +77,23 @@ void RunRecord::allow_changes(std::vector<std::string> names) {
   may_change_ = std::move(names);
 }
 
+/// Behind a knob that names a file, such as a table of holes, its content as one more.
+Knobs RunRecord::knobs_of(LAMMPS_NS::LAMMPS& lmp) const {
+  Knobs knobs;
+  for (const Knob& knob : engine::script_knobs(lmp)) {
+    knobs.push_back(knob);
+    const bool free = std::ranges::find(may_change_, knob.name) != may_change_.end();
+    if (free || !knob.value) continue;
+    const std::string print =
+        engine::of_first_rank(lmp.comm->me == 0 ? content_print(*knob.value) : "", lmp.world);
+    if (!print.empty()) knobs.push_back({"content of " + knob.name, print});
+  }
+  return knobs;
+}
+
 void RunRecord::write(LAMMPS_NS::LAMMPS& lmp, engine::ByteWriter& out) const {
   put(out, id_);
-  const Knobs knobs = engine::script_knobs(lmp);
+  const Knobs knobs = knobs_of(lmp);
   out.put(knobs.size());
   for (const Knob& knob : knobs) {
     put(out, knob.name);
@@ -93,15 +120,21 @@ std::string RunRecord::refusal(const std::vector<KnobChange>& changes) const {
 
 void RunRecord::check_values(LAMMPS_NS::LAMMPS& lmp, const std::string& where) const {
   if (!goes_on_) return;
-  auto changes = knob_changes(before_, engine::script_knobs(lmp), may_change_).other;
+  auto changes = knob_changes(before_, knobs_of(lmp), may_change_).other;
   std::erase_if(changes, [](const KnobChange& change) { return !change.before || !change.now; });
   if (!changes.empty()) engine::stop(lmp, where + ": " + refusal(changes));
 }
 
 void RunRecord::check_all(LAMMPS_NS::LAMMPS& lmp) {
+  check_against_file(lmp);
+  if (complete_) complete_();
+  complete_ = nullptr;
+}
+
+void RunRecord::check_against_file(LAMMPS_NS::LAMMPS& lmp) {
   if (!goes_on_) return;
   goes_on_ = false;  // what the script changes later is its own affair
-  const KnobChanges changes = knob_changes(before_, engine::script_knobs(lmp), may_change_);
+  const KnobChanges changes = knob_changes(before_, knobs_of(lmp), may_change_);
   if (strict_ && !changes.other.empty())
     engine::stop(lmp, "read_restart: " + refusal(changes.other));
   std::string told;

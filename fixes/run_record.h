@@ -4,6 +4,7 @@
 // collective.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,9 @@ class RunRecord {
   /// Names of the knobs that may have other values than in the run that this one goes on from.
   void allow_changes(std::vector<std::string> names);
 
+  /// To be called once all knobs are known, as the first run begins.
+  void complete_with(std::function<void()> complete) { complete_ = std::move(complete); }
+
   void write(LAMMPS_NS::LAMMPS& lmp, engine::ByteWriter& out) const;
   void read(engine::ByteReader& in);
 
@@ -44,12 +48,15 @@ class RunRecord {
   void check_all(LAMMPS_NS::LAMMPS& lmp);
 
  private:
+  void check_against_file(LAMMPS_NS::LAMMPS& lmp);
+  [[nodiscard]] Knobs knobs_of(LAMMPS_NS::LAMMPS& lmp) const;
   [[nodiscard]] std::string refusal(const std::vector<KnobChange>& changes) const;
 
   std::string id_;
   Knobs before_;  ///< of the restart file
   bool goes_on_ = false, strict_ = false;
   std::vector<std::string> may_change_;
+  std::function<void()> complete_;
 };
 
 }  // namespace muckpile

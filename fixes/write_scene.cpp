@@ -129,6 +129,11 @@ void WriteScene::command(int narg, char** arg) {
     std::filesystem::create_directories(std::filesystem::path(words.file).parent_path(), unheeded);
   }
   engine::write_file(*lmp, kStyle, words.file, engine::json_text(words.scene));
+  // The script may have more knobs behind this command.
+  store->record().complete_with([&engine = *lmp, words]() mutable {
+    words.scene["knobs"] = knobs(engine);
+    engine::write_file(engine, kStyle, words.file, engine::json_text(words.scene));
+  });
 }
 
 }  // namespace muckpile

@@ -75,6 +75,12 @@ TEST(WriteScene, TellsKnobsAndProgram) {
   for (const char* library : {"LIGGGHTS", "MPI", "Eigen", "voro++"})
     EXPECT_FALSE(found.at("libraries").at(library).get<std::string>().empty()) << library;
   EXPECT_EQ(found.at("run_id").get<std::string>().size(), 16u);
+
+  // The first run adds what the script has defined behind the command.
+  scene.command("variable late index 5");
+  scene.command("run 0");
+  EXPECT_EQ(read(file).at("knobs"), nlohmann::json({{"burden", 3.0}, {"pick", "b"}, {"late", 5}}));
+  EXPECT_EQ(read(file).at("run_id"), found.at("run_id"));
 }
 
 }  // namespace
