@@ -24,6 +24,7 @@
 #include "engine/particle_vectors.h"
 #include "engine/region.h"
 #include "engine/style_args.h"
+#include "fix_muckpile_blocks.h"
 #include "fix_muckpile_ledger.h"
 #include "fix_muckpile_sleep.h"
 
@@ -177,7 +178,10 @@ void BlockMotionCommand::hand_over(const std::vector<int>& bodies,
   }
   auto* ledger =
       dynamic_cast<FixMuckpileLedger*>(modify->find_fix_style_strict("muckpile/ledger", 0));
-  if (ledger != nullptr) ledger->book_given(given);
+  if (ledger != nullptr)
+    ledger->book_given(given);
+  else
+    FixMuckpileBlocks::find(*lmp)->keep_given(given);
 }
 
 /// The set-up of a run works out contacts with the velocities that spheres have; some of them may

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "bond/facet.h"
@@ -102,6 +103,10 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   [[nodiscard]] int blocks_lost_before() const { return lost_before_; }
   [[nodiscard]] int facets_created() const { return facets_created_; }
   [[nodiscard]] LAMMPS_NS::FixMultisphere& multisphere() { return *multisphere_; }
+  /// Kinetic energy [J] that block_motion has given to blocks of this rank before there was an
+  /// account for it; take_given() hands it over.
+  void keep_given(double energy) { given_ += energy; }
+  [[nodiscard]] double take_given() { return std::exchange(given_, 0.0); }
 
  private:
   using FacetEntry = std::pair<Facet, FacetMemory>;
@@ -135,6 +140,7 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   engine::BlockHalo halo_;
   std::uint64_t version_ = 0;
   bool handed_over_ = false, restored_ = false, contact_warned_ = false;
+  double given_ = 0.0;  // [J]
   int blocks_created_ = 0, lost_before_ = 0, facets_created_ = 0, highest_joint_class_ = 0;
 };
 

@@ -16,6 +16,7 @@
 #include "engine/registry.h"
 #include "engine/single_fix.h"
 #include "engine/style_args.h"
+#include "engine/walls.h"
 
 namespace muckpile {
 namespace {
@@ -53,6 +54,17 @@ FixMuckpileGround::FixMuckpileGround(LAMMPS_NS::LAMMPS* engine, int narg, char**
     else
       break;
   }
+}
+
+/// LIGGGHTS refuses two walls on one mesh, but does not know of the wall in here.
+void FixMuckpileGround::init() {
+  for (LAMMPS_NS::FixMeshSurface* const mesh : meshes_) {
+    const std::string other = engine::wall_on_mesh(*lmp, *mesh);
+    if (!other.empty())
+      engine::stop(*lmp, std::string("fix muckpile/ground '") + id + "': mesh '" + mesh->id +
+                             "' must have one wall only, got fix wall/gran '" + other + "' too");
+  }
+  wall_->init();
 }
 
 int FixMuckpileGround::setmask() { return PRE_NEIGHBOR | PRE_FORCE | POST_FORCE; }

@@ -30,7 +30,7 @@ class FixMuckpileGround : public LAMMPS_NS::Fix {
   int setmask() override;
   void post_create() override { wall_->post_create(); }
   void pre_delete(bool unfixflag) override { wall_->pre_delete(unfixflag); }
-  void init() override { wall_->init(); }
+  void init() override;
   void setup(int vflag) override;
   void pre_neighbor() override { wall_->pre_neighbor(); }
   void pre_force(int vflag) override { wall_->pre_force(vflag); }

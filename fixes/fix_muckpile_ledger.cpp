@@ -22,6 +22,7 @@
 #include "engine/single_fix.h"
 #include "engine/style_args.h"
 #include "engine/walls.h"
+#include "fix_muckpile_blocks.h"
 #include "fix_muckpile_joint.h"
 #include "fix_muckpile_sleep.h"
 #include "interfaces/contact_work.h"
@@ -67,11 +68,21 @@ void FixMuckpileLedger::init() {
   sleep_ = dynamic_cast<FixMuckpileSleep*>(modify->find_fix_style_strict("muckpile/sleep", 0));
   contacts_ = dynamic_cast<ContactWork*>(force->pair);
   if (contacts_ != nullptr) contacts_->watch();
+  keep_books_of_contacts();
   walls_may_move_ = !engine::walls_stand_still(*lmp);
+}
+
+/// A pair style that is given anew begins its books anew.
+void FixMuckpileLedger::keep_books_of_contacts() {
+  if (of_pair("friction_J") != 0.0 || of_pair("damping_J") != 0.0) return;
+  for (std::size_t k = 0; k < former_losses_.size(); ++k) former_losses_[k] += contact_losses_[k];
+  contact_losses_ = {};
 }
 
 void FixMuckpileLedger::setup(int) {
   computed_at_ = -1;
+  FixMuckpileBlocks* const store = FixMuckpileBlocks::find(*lmp);
+  book_given(store != nullptr ? store->take_given() : 0.0);  // before the start: not booked
   if (started_)
     take_in_new_blocks();
   else
@@ -115,6 +126,7 @@ void FixMuckpileLedger::end_of_step() {
   sphere_work_ += work_rate_of_spheres() * update->dt;
   if (contacts_ != nullptr) contact_work_ += contacts_->end_step(update->dt);
   if (walls_may_move_) walls_before_ = walls();
+  contact_losses_ = {of_pair("friction_J"), of_pair("damping_J")};
 }
 
 /// Work rate of the forces on bodies other than gravity and joints. Taken at full-step velocities:
@@ -165,8 +177,8 @@ const EnergyLedger& FixMuckpileLedger::ledger() {
   if (sleep_ != nullptr) laid_to_rest_ = sleep_->energy_taken();
   mine.sleep = laid_to_rest_;
   mine.contact_elastic = of_pair("elastic_J");
-  mine.contact_friction = of_pair("friction_J");
-  mine.contact_damping = of_pair("damping_J");
+  mine.contact_friction = former_losses_[0] + of_pair("friction_J");
+  mine.contact_damping = former_losses_[1] + of_pair("damping_J");
   mine.walls = walls();
   mine.given = given_;
   std::array<double, kColumns.size()> part{}, all{};
@@ -217,6 +229,7 @@ void FixMuckpileLedger::write_restart(FILE* file) {
   state.put(engine::total(*lmp, sphere_work_));
   state.put(engine::total(*lmp, contact_work_));
   state.put(engine::total(*lmp, walls_before_));
+  for (const double losses : former_losses_) state.put(engine::total(*lmp, losses));
   state.put(engine::total(*lmp, given_));
   state.put(engine::total(*lmp, sleep_ != nullptr ? sleep_->energy_taken() : laid_to_rest_));
   engine::write_state(*lmp, style, file, state);
@@ -232,6 +245,7 @@ void FixMuckpileLedger::restart(char* state) {
   sphere_work_ = engine::share_of_total(*lmp, reader.get<double>());
   contact_work_ = engine::share_of_total(*lmp, reader.get<double>());
   walls_before_ = engine::share_of_total(*lmp, reader.get<double>());
+  for (double& losses : former_losses_) losses = engine::share_of_total(*lmp, reader.get<double>());
   given_ = engine::share_of_total(*lmp, reader.get<double>());
   laid_to_rest_ = engine::share_of_total(*lmp, reader.get<double>());
 }

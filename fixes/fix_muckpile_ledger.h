@@ -64,6 +64,7 @@ class FixMuckpileLedger : public LAMMPS_NS::Fix {
 
  private:
   [[nodiscard]] double work_rate_of_spheres() const;
+  void keep_books_of_contacts();
   void begin();
   void take_in_new_blocks();
   [[nodiscard]] double walls() const { return contact_work_ - sphere_work_; }
@@ -81,7 +82,10 @@ class FixMuckpileLedger : public LAMMPS_NS::Fix {
   // This rank, since the start, by all forces on spheres, and by those of the contact style [J].
   double sphere_work_ = 0.0, contact_work_ = 0.0;
   double walls_before_ = 0.0;  // this rank's part of `walls` when one of them moved last [J]
-  double given_ = 0.0;         // this rank, since the start [J]
+  // Of friction and dashpots [J]: of contact styles that the script has replaced, and of the
+  // present one at the last step. This rank.
+  std::array<double, 2> former_losses_{}, contact_losses_{};
+  double given_ = 0.0;  // this rank, since the start [J]
   double start_residual_ = 0.0, start_gravity_ = 0.0;
   double largest_ = 0.0;  // energy of one kind that was seen [J]
   int last_tag_ = 0;      // of the blocks that the account has taken in

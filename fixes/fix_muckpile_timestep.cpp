@@ -275,7 +275,8 @@ int FixMuckpileTimestep::modify_param(int narg, char** arg) {
 
 void FixMuckpileTimestep::write_restart(FILE* file) {
   engine::ByteWriter state;
-  state.put(Then{settings_, update->dt, update->whichflag != 0});
+  state.put(
+      Then{settings_, update->dt, update->whichflag != 0 && update->ntimestep < update->laststep});
   state.put(look_);
   state.put(changes_);
   state.put(products_);

@@ -32,8 +32,7 @@ void JointStepCheck::at_setup(LAMMPS_NS::LAMMPS& lmp, const StepLimit& joints,
       joints.stiffness_changes() != known_changes_ || joints_created != known_joints_;
   known_joints_ = joints_created;
   // A look is dear: runs of a few steps in a row share one.
-  if (changed || looked_ < 0 || lmp.update->ntimestep - looked_ >= every_ || above_bound(lmp))
-    look(lmp, joints);
+  if (changed || is_due(lmp) || above_bound(lmp)) look(lmp, joints);
   if (!above_bound(lmp)) return;
   if (lmp.update->nsteps > 0) engine::stop(lmp, fault(lmp));
   if (!warned_ && lmp.comm->me == 0) lmp.error->warning(FLERR, fault(lmp).c_str());
@@ -43,8 +42,14 @@ void JointStepCheck::at_setup(LAMMPS_NS::LAMMPS& lmp, const StepLimit& joints,
 void JointStepCheck::at_end_of_step(LAMMPS_NS::LAMMPS& lmp, const StepLimit& joints) {
   if (off_) return;
   // A step that has just grown, in a run without set-up, is held against the bound of this moment.
-  if (lmp.update->ntimestep - looked_ >= every_ || above_bound(lmp)) look(lmp, joints);
+  if (is_due(lmp) || above_bound(lmp)) look(lmp, joints);
   if (above_bound(lmp)) engine::stop_with_state(lmp, fault(lmp, engine::at_present(lmp)));
+}
+
+/// The engine's count of steps may have been set back.
+bool JointStepCheck::is_due(const LAMMPS_NS::LAMMPS& lmp) const {
+  const LAMMPS_NS::bigint now = lmp.update->ntimestep;
+  return looked_ < 0 || now < looked_ || now - looked_ >= every_;
 }
 
 void JointStepCheck::look(LAMMPS_NS::LAMMPS& lmp, const StepLimit& joints) {

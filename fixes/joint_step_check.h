@@ -25,6 +25,7 @@ class JointStepCheck {
 
  private:
   void look(LAMMPS_NS::LAMMPS& lmp, const StepLimit& joints);
+  [[nodiscard]] bool is_due(const LAMMPS_NS::LAMMPS& lmp) const;
   [[nodiscard]] bool above_bound(const LAMMPS_NS::LAMMPS& lmp) const;
   [[nodiscard]] std::string fault(const LAMMPS_NS::LAMMPS& lmp, const std::string& when = "") const;
 

@@ -99,6 +99,7 @@ void PairMuckpileBlock::require_engine_settings() {
   require(!force->newton_pair, "newton must be off");
   require(comm->ghost_velocity != 0,
           "ghost atoms need their velocities: add 'communicate single vel yes'");
+  require(force->pair == this, "must be the only pair style, got it within another (hybrid)");
   require(modify->find_fix_style("multisphere", 0) != nullptr,
           "a fix multisphere must exist: it holds the blocks");
 }

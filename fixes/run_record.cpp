@@ -132,8 +132,8 @@ void RunRecord::check_all(LAMMPS_NS::LAMMPS& lmp) {
 }
 
 void RunRecord::check_against_file(LAMMPS_NS::LAMMPS& lmp) {
-  if (!goes_on_) return;
-  goes_on_ = false;  // what the script changes later is its own affair
+  if (!goes_on_ || has_run_) return;
+  has_run_ = true;  // what the script changes later is its own affair
   const KnobChanges changes = knob_changes(before_, knobs_of(lmp), may_change_);
   if (strict_ && !changes.other.empty())
     engine::stop(lmp, "read_restart: " + refusal(changes.other));

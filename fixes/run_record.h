@@ -54,7 +54,7 @@ class RunRecord {
 
   std::string id_;
   Knobs before_;  ///< of the restart file
-  bool goes_on_ = false, strict_ = false;
+  bool goes_on_ = false, strict_ = false, has_run_ = false;
   std::vector<std::string> may_change_;
   std::function<void()> complete_;
 };

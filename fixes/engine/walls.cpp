@@ -37,4 +37,13 @@ bool walls_stand_still(LAMMPS_NS::LAMMPS& lmp) {
   return true;
 }
 
+std::string wall_on_mesh(LAMMPS_NS::LAMMPS& lmp, const LAMMPS_NS::FixMeshSurface& mesh) {
+  for (int f = 0; f < lmp.modify->nfix; ++f) {
+    auto* const wall = dynamic_cast<LAMMPS_NS::FixWallGran*>(lmp.modify->fix[f]);
+    for (int m = 0; wall != nullptr && wall->is_mesh_wall() && m < wall->n_meshes(); ++m)
+      if (wall->mesh_list()[m] == &mesh) return wall->id;
+  }
+  return "";
+}
+
 }  // namespace muckpile::engine

@@ -21,6 +21,7 @@ std::vector<Charge> charges_of_table(const std::filesystem::path& path) {
   const HoleTable table = HoleTable::read(path.string());
   for (const Deck& deck : table.decks())
     charges.push_back({deck.toe, deck.collar, deck.crushed_radius.value_or(0.5 * deck.diameter)});
+  if (charges.empty()) throw InputError(path.string() + ": holds no rows");
   return charges;
 }
 
@@ -33,6 +34,9 @@ std::vector<Charge> charges_of_scene(const ResultFolder& folder) {
   const double radius = folder.scene_has("crushed_radius_m")
                             ? folder.scene_number("crushed_radius_m")
                             : 0.5 * folder.scene_number("hole_diameter_m");
+  if (holes < 1)
+    throw InputError(folder.dump("scene.json").string() + ": holes must be >= 1, got '" +
+                     std::to_string(holes) + "'");
   std::vector<Charge> charges;
   for (long k = 0; k < holes; ++k) {
     const double x = -folder.scene_number("burden_m");

@@ -19,6 +19,7 @@ struct Columns {
 
 // A group whose columns the file lacks is left out: files without quiet boundaries are older.
 constexpr Columns kGroups[] = {{"blast work", true, {"blast_work_J", nullptr}},
+                               {"given by block_motion", true, {"given_J", nullptr}},
                                {"kinetic", false, {"kinetic_J", nullptr}},
                                {"elastic: rock and joints", false, {"elastic_J", nullptr}},
                                {"elastic: contacts", false, {"contact_elastic_J", nullptr}},

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "args/input_error.h"
 #include "args/csv_table.h"
+#include "args/input_error.h"
 
 namespace muckpile {
 

@@ -61,7 +61,9 @@ void ResultFolder::merge_into_summary(const nlohmann::ordered_json& keys,
   const std::filesystem::path path = file("summary.json");
   nlohmann::ordered_json summary =
       std::filesystem::exists(path) ? read_json_object(path) : nlohmann::ordered_json::object();
-  if (summary.value("run_id", std::string()) != run_id_) summary = nlohmann::ordered_json::object();
+  const auto before = summary.find("run_id");
+  if (before != summary.end() ? *before != run_id_ : !run_id_.empty())
+    summary = nlohmann::ordered_json::object();
   if (!run_id_.empty()) summary["run_id"] = run_id_;
   for (const std::string& key : dropped) summary.erase(key);
   for (const auto& [key, value] : keys.items()) summary[key] = value;

@@ -95,10 +95,9 @@ std::string run_id_of(const std::filesystem::path& dump) {
   if (known == origins.end()) return {};
   for (const Origin& origin : origins) {
     if (origin.run == known->run) continue;
-    throw InputError(
-        words_for(origin) + ", but " + words_for(*known) +
-        ": files of two runs lie in one folder; run the input again into a folder "
-        "that is empty, or take away what the other run has left");
+    throw InputError(words_for(origin) + ", but " + words_for(*known) +
+                     ": files of two runs lie in one folder; run the input again into a folder "
+                     "that is empty, or take away what the other run has left");
   }
   return known->run;
 }

@@ -196,6 +196,18 @@ TEST(FixMuckpileLedger, ContactForceOnePercentWrongShows) {
   EXPECT_GT(wrong.error, 0.004);  // 0.0055
 }
 
+TEST(FixMuckpileLedger, BooksOfContactsGoOnWithAnotherPairStyle) {
+  RockScene scene = loose_column();
+  scene.run(4000, 1e-4);
+  const double lost = scene.output("ledger", contact_damping);
+  scene.command("pair_style muckpile/block model linear youngs_modulus 1e7 restitution 0.5");
+  scene.command("pair_coeff * *");
+  scene.run(100, 1e-4);
+  EXPECT_GT(lost, 0.0);
+  EXPECT_GE(scene.output("ledger", contact_damping), lost);
+  EXPECT_LT(scene.output("ledger", 0), 0.01);
+}
+
 /// Blocks thrown at each other long after the start of the account.
 double error_of_collisions(double step) {
   RockScene scene(MPI_COMM_WORLD, "-40 40 -40 40 -40 40", "* 1 1", "multisphere/muckpile");
