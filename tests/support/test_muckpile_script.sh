@@ -95,6 +95,16 @@ called '^muckpile-post profile results/demo$'
 grep -qE 'throw_cg_m +8.5' <<<"$output" || problem "the key figures are not shown"
 grep -qF 'results/demo/profile.png' <<<"$output" || problem "the picture is not named"
 
+# The case of the scene, whatever else has its name.
+scenes=('{\n  "knobs": {\n    "case": "heap"\n  },\n  "case": "bench"\n}\n' '{\n  "case": "bench",\n  "knobs": {\n    "case": "heap"\n  }\n}\n'
+  '{"case": "bench", "burden_m": 2.5, "knobs": {"case": "heap"}}\n' '{ "burden_m": 2.5, "case" : "bench" }\n')
+for scene in "${scenes[@]}"; do
+  fake bin/mpirun "printf '$scene' >results/demo/dump/scene.json"
+  must_work run inputs/demo/in.demo
+  called '^muckpile-post profile results/demo$'
+done
+healthy
+
 echo old >results/demo/dump/blocks_000000009.csv
 must_work run inputs/demo/in.demo -var go_on 1 -var from a.restart -var patience 8
 called '-var go_on 1 -var from a.restart -var patience 8$'
