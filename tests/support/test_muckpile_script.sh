@@ -81,6 +81,13 @@ must_refuse "-np must be at most" run inputs/demo/in.demo -np 999999999999999999
 
 must_refuse "-var mode must be one of slow, got 'fast'" run inputs/demo/in.demo -var mode fast
 
+printf 'include ${place}/rock.in\ninclude inputs/common/rock.in\nvariable place index inputs/common\nvariable solid string under_the_pit\nvariable out index x\n' \
+  >inputs/demo/in.place
+printf 'variable solid index none\n' >>inputs/common/rock.in
+must_refuse "computes 'solid' itself (variable solid string)" run inputs/demo/in.place -var solid none
+must_refuse "(it has: from go_on mode patience place rock_density)" run inputs/demo/in.place -var bench 1
+must_work run inputs/demo/in.place -var place anywhere
+
 must_work help
 for words in help -h --help 'run --help' 'run inputs/demo/in.demo -np 1 -h' 'test --help' 'build -help' 'verify --help' 'benchmark -h' 'install-deps --help'; do
   read -ra words <<<"$words"
