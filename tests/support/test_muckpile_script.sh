@@ -159,19 +159,20 @@ call run inputs/demo/in.demo
 [[ -e restart_forced_liggghts_5.data ]] || problem "the state of another run is taken"
 
 # Old results: replaced when the new run has started, else as they were.
-results=(dump/{a.restart,b.restart,blocks.vtk,blocks_000000000.csv,blocks_000000100.csv,history.csv,run.json,scene.json,floor.stl,gas.csv,holes.csv}
+results=(dump/{a.restart,b.restart,blocks.vtk,blocks_000000000.csv,blocks_000000100.csv,history.csv,run.json,scene.json,floor.stl,gas.csv,holes.csv,gas_after_restart.csv,ground.stl,gate.stl,interrupted.restart,stopped.restart}
   vtk/{blocks.pvd,blocks_0.vtu} {profile,crater,heap,fragments}.{csv,png} fragments_list.csv energy.png plan.png pile3d.png pile3d_0001.png
   summary.json log.liggghts)
 # Whatever muckpile-post writes must be known to the script.
 mapfile -t reported < <(grep -rhoE '[.>]file\("[a-z0-9_]+\.[a-z]+"\)' "$(dirname "$script")/postproc/lib" | sed -E 's/.*"(.*)".*/\1/' | sort -u)
 [[ ${#reported[@]} -ge 10 ]] || problem "muckpile-post's files are not found"
 results+=("${reported[@]}")
+own_files=(notes.txt dump/survey.csv dump/keep_0.5s.restart dump/blocks_mine.csv dump/notes.json)
 old_results() {  # in results/demo, and a file that is not the run's
   local file
   rm -rf results/demo
   mkdir -p results/demo/{dump,vtk}
   for file in "${results[@]}"; do echo "old $file" >"results/demo/$file"; done
-  echo mine >results/demo/notes.txt
+  for file in "${own_files[@]}"; do echo mine >"results/demo/$file"; done
 }
 contents() { (cd results/demo && find . -type f ! -name .lock -print0 | sort -z | xargs -0 grep -H ''); }
 must_be_whole() { [[ $(contents) == "$whole" ]] || problem "old results are not whole: $1"$'\n'"$(diff <(contents) <(echo "$whole"))"; }
@@ -183,20 +184,20 @@ healthy
 old_results
 call run inputs/demo/in.demo -var bench_height 3,x -np 99999
 must_be_whole "refused by the script"
-fake bin/mpirun "${writes}scene.json; ${writes}stray.csv; echo ERROR >results/demo/log.liggghts; exit 1"
+fake bin/mpirun "${writes}scene.json; ${writes}gas.csv; echo ERROR >results/demo/log.liggghts; exit 1"
 call run inputs/demo/in.demo -var bench_height 3,x
 [[ $status -eq 1 ]] || problem "a refused run must end with status 1"
 told "before its first step; see the message above; what 'results/demo' held is back in its place"
 must_be_whole "refused by the engine"
 fake bin/mpirun 'echo asked >>calls; ls results/demo results/demo/* >>calls; exit 1'
 call run inputs/demo/in.demo
-! grep -qE 'history.csv|profile|restart' calls || problem "the engine finds old results in its folder"
+! grep -qE 'history.csv|profile|a.restart|scene.json' calls || problem "the engine finds old results in its folder"
 must_be_whole "refused by the engine"
 
 fake bin/mpirun "$engine_ok; ${writes}history.csv"
 must_work run inputs/demo/in.demo
 [[ $(contents | grep -v '^./profile.png' | grep old) == '' ]] || problem "old results stay beside new ones: $(contents)"
-[[ $(cat results/demo/notes.txt) == mine && ! -e results/demo/.previous ]] || problem "what is not of a run must stay, .previous go"
+[[ $(contents | grep -c ':mine$') -eq ${#own_files[@]} && ! -e results/demo/.previous ]] || problem "what is not of a run must stay, .previous go"
 old_results
 fake bin/mpirun "$engine_ok"  # ends well, without a snapshot
 must_work run inputs/demo/in.demo
@@ -259,6 +260,8 @@ printf 'variable out index x\ndump ${out}/dump\n' >inputs/demo/in.dumps
 must_be_told() { call "${@:2}"; [[ $status -ne 0 ]] || problem "passed"; told "$1"; }
 must_be_told 'the run left nothing in' run inputs/demo/in.dumps
 must_be_whole "of a run that left nothing"
+fake bin/mpirun "$engine_ok; : >results/demo/dump/mark"  # the user's own
+must_work run inputs/demo/in.dumps
 fake bin/mpirun "$engine_ok; : >results/demo/dump/history.csv"
 must_be_told 'results/demo/dump/history.csv' run inputs/demo/in.dumps
 ! grep -q '^muckpile-post' calls || problem "an empty file was post-processed"

@@ -37,7 +37,8 @@ keep_interrupted_state() {  # keep_interrupted_state OUT INPUT [-var NAME VALUE]
 results_in() {  # results_in FOLDER: paths from there
   (
     cd "$1" && shopt -s nullglob
-    for file in dump/*.{restart,csv,json,vtk,stl} vtk/blocks* summary.json log.liggghts {profile,crater,heap,fragments}.{csv,png} \
+    for file in dump/{blocks_[0-9]*,history,gas*,holes}.csv dump/blocks.vtk dump/{floor,ground,gate}.stl dump/{run,scene}.json \
+      dump/{a,b,interrupted,stopped}.restart vtk/blocks* summary.json log.liggghts {profile,crater,heap,fragments}.{csv,png} \
       fragments_list.csv energy.png plan.png pile3d*.png; do
       if [[ -f $file ]]; then printf '%s\n' "$file"; fi
     done
@@ -50,7 +51,7 @@ dumped() {  # dumped OUT [PATTERN]: files of OUT/dump
 }
 
 # A run has started when it has written one of these.
-steps_in() { dumped "$1" history.csv && dumped "$1" 'blocks_*.csv'; }  # steps_in OUT
+steps_in() { dumped "$1" history.csv && dumped "$1" 'blocks_[0-9]*.csv'; }  # steps_in OUT
 
 move_results() {  # move_results FROM TO
   local inside files
@@ -114,7 +115,9 @@ recover_previous() {  # recover_previous OUT
 
 # What a full disk leaves of a file.
 refuse_empty_files() {  # refuse_empty_files OUT
-  local empty
-  mapfile -t empty < <(find "$1/dump" -type f -empty | sort)
+  local file empty=()
+  while read -r file; do
+    [[ -s $1/$file ]] || empty+=("$1/$file")
+  done < <(results_in "$1" | grep "^dump/")
   ((${#empty[@]} == 0)) || die "the run left ${#empty[@]} files with nothing in them, as '${empty[0]}'; is the disk full?"
 }
