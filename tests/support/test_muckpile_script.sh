@@ -158,6 +158,7 @@ call run inputs/demo/in.demo
 ! grep -qF 'interrupted' <<<"$output" || problem "a run that failed is called interrupted"
 [[ -e restart_forced_liggghts_5.data ]] || problem "the state of another run is taken"
 
+printf 'variable out index x\ndump ${out}/dump ${out}/frames.txt\n' >inputs/demo/in.dumps
 # Old results: replaced when the new run has started, else as they were.
 results=(dump/{a.restart,b.restart,blocks.vtk,blocks_000000000.csv,blocks_000000100.csv,history.csv,run.json,scene.json,floor.stl,gas.csv,holes.csv,gas_after_restart.csv,ground.stl,gate.stl,interrupted.restart,stopped.restart}
   vtk/{blocks.pvd,blocks_0.vtu} {profile,crater,heap,fragments}.{csv,png} fragments_list.csv energy.png plan.png pile3d.png pile3d_0001.png
@@ -180,6 +181,9 @@ old_results
 whole=$(contents)
 writes='echo new >results/demo/dump/'  # writes FILE: a body of a fake
 
+set_up="printf 'step,time_s,run_id\n0,0,new\n' >results/demo/dump/history.csv; ${writes}blocks_000000000.csv"  # all that it shows is step 0
+steps="$set_up; echo 200,1e-3,new >>results/demo/dump/history.csv"
+
 healthy
 old_results
 call run inputs/demo/in.demo -var bench_height 3,x -np 99999
@@ -194,7 +198,7 @@ call run inputs/demo/in.demo
 ! grep -qE 'history.csv|profile|a.restart|scene.json' calls || problem "the engine finds old results in its folder"
 must_be_whole "refused by the engine"
 
-fake bin/mpirun "$engine_ok; ${writes}history.csv"
+fake bin/mpirun "$engine_ok; $steps"
 must_work run inputs/demo/in.demo
 [[ $(contents | grep -v '^./profile.png' | grep old) == '' ]] || problem "old results stay beside new ones: $(contents)"
 [[ $(contents | grep -c ':mine$') -eq ${#own_files[@]} && ! -e results/demo/.previous ]] || problem "what is not of a run must stay, .previous go"
@@ -203,10 +207,21 @@ fake bin/mpirun "$engine_ok"  # ends well, without a snapshot
 must_work run inputs/demo/in.demo
 ! contents | grep -q old || problem "old results stay beside new ones"
 old_results
-fake bin/mpirun "${writes}blocks_000000000.csv; exit 1"
+fake bin/mpirun "$set_up; exit 1"
 call run inputs/demo/in.demo
-told 'see the message above or results/demo/log.liggghts'
-! contents | grep -q old || problem "old results stay beside those of a run that stopped"
+told 'before its first step'
+must_be_whole "of a run that stopped in its set-up"
+for first in "$steps" "$set_up; ${writes}blocks_000000100.csv" "$set_up; ${writes}stopped.restart"; do
+  old_results
+  fake bin/mpirun "$first; exit 1"
+  call run inputs/demo/in.demo
+  told 'see the message above or results/demo/log.liggghts'
+  ! contents | grep -q old || problem "old results stay beside those of a run that stopped"
+done
+old_results
+fake bin/mpirun 'echo x >results/demo/frames.txt'  # ends well, and writes outside of dump/
+must_work run inputs/demo/in.dumps
+! contents | grep -q old || problem "old results stay beside what a run wrote outside of dump/"
 
 old_results
 fake bin/mpirun 'cat results/demo/dump/holes.csv results/demo/dump/gas.csv >>calls; exit 1'
@@ -215,7 +230,7 @@ call run inputs/demo/in.table -var table results/demo/dump/holes.csv
 called '^old dump/holes.csv$'
 called '^old dump/gas.csv$'
 must_be_whole "of which a refused run read some"
-fake bin/mpirun "test ! -e results/demo/dump/a.restart && ${writes}history.csv && $engine_ok"
+fake bin/mpirun "test ! -e results/demo/dump/a.restart && { $steps; $engine_ok; }"
 must_work run inputs/demo/in.table -var table results/demo/dump/holes.csv
 [[ $(cat results/demo/dump/holes.csv) == 'old dump/holes.csv' ]] || problem "a file that the new run read is gone"
 
@@ -233,21 +248,26 @@ mv results/demo/dump/{a.restart,history.csv} results/demo/.previous.part/dump
 call run inputs/demo/in.demo -var go_on 1 -var from results/demo/dump/a.restart
 [[ -e results/demo/dump/a.restart && ! -e results/demo/.previous.part ]] || problem "half of a move is not undone"
 old_results
-fake bin/mpirun "${writes}history.csv; kill -KILL \$PPID; sleep 0.2"
+fake bin/mpirun "$set_up; kill -KILL \$PPID; sleep 0.2"
 call run inputs/demo/in.demo
 fake bin/mpirun 'exit 1'
 call run inputs/demo/in.demo
-[[ $(contents | grep -c 'new') -eq 1 && ! -e results/demo/.previous ]] || problem "results of a killed script's run are not kept"
+must_be_whole "after a script that was killed in the set-up"
+fake bin/mpirun "$steps; kill -KILL \$PPID; sleep 0.2"
+call run inputs/demo/in.demo
+fake bin/mpirun 'exit 1'
+call run inputs/demo/in.demo
+[[ $(contents | grep -c 'new') -eq 3 && ! -e results/demo/.previous ]] || problem "results of a killed script's run are not kept"
 
 # Ctrl-C before the first step.
 old_results
-fake bin/mpirun "trap 'exit 1' USR2; kill -TERM \$PPID; for ((k = 0; k < 50; ++k)); do sleep 0.1; done"
+fake bin/mpirun "trap 'exit 1' USR2; kill -TERM \$PPID; for ((k = 0; k < 600; ++k)); do sleep 0.1; done"
 call run inputs/demo/in.demo
 [[ $status -eq 130 ]] || problem "a run interrupted in its set-up must end with status 130"
 told 'interrupted before the first step; nothing was changed'
 ! grep -qF 'see the message' <<<"$output" || problem "there is no message above"
 must_be_whole "of a run interrupted in its set-up"
-fake bin/mpirun "${writes}history.csv; trap 'exit 1' USR2; kill -TERM \$PPID; for ((k = 0; k < 50; ++k)); do sleep 0.1; done"
+fake bin/mpirun "$steps; trap 'exit 1' USR2; kill -TERM \$PPID; for ((k = 0; k < 600; ++k)); do sleep 0.1; done"
 call run inputs/demo/in.demo
 [[ $status -eq 130 ]] || problem "an interrupted run must end with status 130"
 told 'interrupted; there is no state to go on from'
@@ -256,7 +276,6 @@ told 'interrupted; there is no state to go on from'
 healthy
 old_results
 fake bin/mpirun ''
-printf 'variable out index x\ndump ${out}/dump\n' >inputs/demo/in.dumps
 must_be_told() { call "${@:2}"; [[ $status -ne 0 ]] || problem "passed"; told "$1"; }
 must_be_told 'the run left nothing in' run inputs/demo/in.dumps
 must_be_whole "of a run that left nothing"
@@ -292,7 +311,7 @@ called '-in elsewhere/in.copy .*-var patience 8 -var mode slow$'
 must_refuse "-var mode must be one of slow, got 'x'" run elsewhere/in.copy -var mode x
 
 # A signal to the script reaches mpirun as one that it hands on; TERM, as INT may be ignored here.
-fake bin/mpirun "trap 'echo asked >>calls; exit 0' USR2; kill -TERM \$PPID; for ((k = 0; k < 50; ++k)); do sleep 0.1; done; $engine_ok"
+fake bin/mpirun "trap 'echo asked >>calls; exit 0' USR2; kill -TERM \$PPID; for ((k = 0; k < 600; ++k)); do sleep 0.1; done; $engine_ok"
 call run inputs/demo/in.demo
 called '^asked$'
 [[ $status -ne 0 ]] || problem "an interrupted run passed"

@@ -46,12 +46,25 @@ results_in() {  # results_in FOLDER: paths from there
 }
 
 # Names, sizes and times, to see whether any has changed.
-dumped() {  # dumped OUT [PATTERN]: files of OUT/dump
-  find "$1/dump" -maxdepth 1 -type f -name "${2-*}" -printf '%f %s %T@\n' | sort
-}
+listed() { find "$@" -type f -printf '%P %s %T@\n' | sort; }                         # listed FOLDER [TEST]...
+written_in() { listed "$1" ! -path "$1/.previous*" ! -path "$1/.lock" ! -name log.liggghts; }  # written_in OUT
+steps_in() { listed "$1/dump" -maxdepth 1 \( -name history.csv -o -name 'blocks_[0-9]*.csv' \); }  # steps_in OUT
 
-# A run has started when it has written one of these.
-steps_in() { dumped "$1" history.csv && dumped "$1" 'blocks_[0-9]*.csv'; }  # steps_in OUT
+# History and snapshots of the set-up show one step, that from which the run starts. Copies of what is set aside are as old as that.
+started() {  # started OUT: a run that does not go on has got beyond its set-up
+  local out=$1 file steps
+  steps=$(
+    for file in "$out"/dump/{history,blocks_[0-9]*}.csv "$out"/dump/{a,b,stopped}.restart; do
+      [[ -f $file && $file -nt $out/.previous/dump/${file##*/} ]] || continue
+      case ${file##*/} in
+        history.csv) sed -nE 's/^0*([0-9]+),.*/\1/p' "$file" ;;
+        *.csv) sed -nE 's/^blocks_0*([0-9]+)\.csv$/\1/p' <<<"${file##*/}" ;;
+        *) printf 'restart\nfile\n' ;;  # written at steps only
+      esac
+    done | sort -u | wc -l
+  )
+  ((steps > 1))
+}
 
 move_results() {  # move_results FROM TO
   local inside files
@@ -105,7 +118,7 @@ drop_previous() { rm -rf -- "${1:?}/.previous"; }  # drop_previous OUT
 # After a run that was killed together with its script.
 recover_previous() {  # recover_previous OUT
   [[ -d $1/.previous || -d $1/.previous.part ]] || return 0
-  if [[ -d $1/.previous && -n $(steps_in "$1") ]]; then
+  if [[ -d $1/.previous ]] && started "$1"; then
     drop_previous "$1"
   else
     say "putting back the results in '$1', which a run that did not start has left set aside"
