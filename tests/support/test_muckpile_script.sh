@@ -259,6 +259,22 @@ fake bin/mpirun 'exit 1'
 call run inputs/demo/in.demo
 [[ $(contents | grep -c 'new') -eq 3 && ! -e results/demo/.previous ]] || problem "results of a killed script's run are not kept"
 
+# A run that goes on has the old log set aside only.
+old_results
+refused='echo ERROR >results/demo/log.liggghts; exit 1'
+fake bin/mpirun "$refused"
+call run inputs/demo/in.demo -var go_on 1 -var from a.restart
+must_be_whole "of a refused run that goes on"
+fake bin/mpirun 'kill -KILL $PPID; sleep 0.2; exit 1'
+call run inputs/demo/in.demo -var go_on 1 -var from a.restart
+[[ ! -e results/demo/log.liggghts ]] || problem "the engine finds the log of an earlier run"
+fake bin/mpirun "$refused"
+call run inputs/demo/in.demo -var go_on 1 -var from a.restart
+must_be_whole "of a run that goes on, after a killed script"
+fake bin/mpirun "echo 300,2e-3,new >>results/demo/dump/history.csv; $refused"
+call run inputs/demo/in.demo -var go_on 1 -var from a.restart
+[[ $(cat results/demo/log.liggghts) == ERROR && ! -e results/demo/.previous.log ]] || problem "the log of a run that went on is lost"
+
 # Ctrl-C before the first step.
 old_results
 fake bin/mpirun "trap 'exit 1' USR2; kill -TERM \$PPID; for ((k = 0; k < 600; ++k)); do sleep 0.1; done"

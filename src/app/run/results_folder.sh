@@ -107,16 +107,19 @@ put_back() {  # put_back OUT
     while read -r file; do rm -f -- "$out/$file"; done < <(results_in "$out")
     mv -T -- "$out/.previous" "$part" || die "cannot put back what is in '$out/.previous'"
   fi
+  [[ ! -f $out/.previous.log ]] || mv -f -- "$out/.previous.log" "$out/log.liggghts"
   [[ -d $part ]] || return 0
   move_results "$part" "$out"
   rmdir -- "$part"/{dump,vtk} "$part" 2>/dev/null || say "'$part' holds more than results; look at it"
   rmdir -- "$out/vtk" 2>/dev/null || true
 }
 
-drop_previous() { rm -rf -- "${1:?}/.previous"; }  # drop_previous OUT
+drop_previous() { rm -rf -- "${1:?}/.previous" "$1/.previous.log"; }  # drop_previous OUT
 
 # After a run that was killed together with its script.
 recover_previous() {  # recover_previous OUT
+  [[ ! -f $1/.previous.log || -f $1/log.liggghts ]] || mv -f -- "$1/.previous.log" "$1/log.liggghts"
+  rm -f -- "$1/.previous.log"
   [[ -d $1/.previous || -d $1/.previous.part ]] || return 0
   if [[ -d $1/.previous ]] && started "$1"; then
     drop_previous "$1"
