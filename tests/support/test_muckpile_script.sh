@@ -81,6 +81,7 @@ must_refuse "-np must be at most" run inputs/demo/in.demo -np 999999999999999999
 
 must_refuse "-var mode must be one of slow, got 'fast'" run inputs/demo/in.demo -var mode fast
 
+mkdir quarry && touch quarry/rock.in
 printf 'include ${place}/rock.in\ninclude inputs/common/rock.in\nvariable place index inputs/common\nvariable solid string under_the_pit\nvariable out index x\n' \
   >inputs/demo/in.place
 printf 'variable solid index none\n' >>inputs/common/rock.in
@@ -235,10 +236,12 @@ must_work run inputs/demo/in.table -var table results/demo/dump/holes.csv
 [[ $(cat results/demo/dump/holes.csv) == 'old dump/holes.csv' ]] || problem "a file that the new run read is gone"
 
 # A script that is killed leaves old results set aside: all of them, or some.
-old_results
-fake bin/mpirun 'kill -KILL $PPID; sleep 0.2; exit 1'
-call run inputs/demo/in.demo
-[[ -d results/demo/.previous && ! -e results/demo/dump/history.csv ]] || problem "old results must wait in .previous"
+for signal in USR1 PIPE KILL; do
+  old_results
+  fake bin/mpirun "kill -$signal \$PPID; sleep 0.2; exit 1"
+  call run inputs/demo/in.demo
+  [[ -d results/demo/.previous && ! -e results/demo/dump/history.csv ]] || problem "old results must wait in .previous: $signal"
+done
 fake bin/mpirun 'exit 1'
 call run inputs/demo/in.demo
 must_be_whole "after a killed script"
