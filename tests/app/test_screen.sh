@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# test_screen.sh PROGRAM: a run that reads a mesh ends well whatever -screen says, and prints nothing with `-screen none`.
+# test_screen.sh PROGRAM: a run that reads a mesh ends well whatever -screen says, and prints nothing with `-screen none`; so on two ranks.
 set -euo pipefail
 program=$1
 folder=$(mktemp -d)
@@ -33,17 +33,23 @@ run 0
 print "it has run" file ran.txt
 EOF
 
-run() {  # run OPTION...: what the program prints
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+run() {  # run OPTION...: what the program prints; MPI's own remarks go to stderr
   rm -f ran.txt
-  output=$("$program" -in in.mesh -log none "$@" 2>&1 </dev/null) || fail "$*: exit status $?"
+  output=$("${launcher[@]}" "$program" -in in.mesh -log none "$@" 2>stderr </dev/null) || fail "$*: exit status $?"
   [[ -s ran.txt ]] || fail "$*: not run to the end"
 }
 fail() {
-  printf '%s\n' "test_screen: $*" "--- output:" "${output-}"
+  printf '%s\n' "test_screen: $*" "--- output:" "${output-}" "--- stderr:" "$(cat stderr)"
   exit 1
 }
 
+launcher=()
 run -screen none
 [[ -z $output ]] || fail "-screen none prints"
 run -screen out.txt
 grep -q 'Reading STL file' out.txt || fail "-screen FILE lacks the output"
+launcher=(mpirun -np 2 --bind-to none --oversubscribe)
+run -screen two.txt
+[[ -z $output ]] || fail "-screen FILE prints on two ranks"
+grep -q 'Reading STL file' two.txt || fail "-screen FILE lacks the output of two ranks"

@@ -4,6 +4,7 @@
 # step. Its panels cover floor and step once, and none is more than 8 times as long as wide.
 set -euo pipefail
 program=$1
+source "$(dirname "${BASH_SOURCE[0]}")/../support/check_figures.sh"
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 mkdir "$out/dump"
@@ -29,9 +30,8 @@ wrong=0
 floor() {  # floor LENGTH HALF_WIDTH DEPTH: from x = 0.05 m on
   rm -f "$out/dump/floor.stl"
   "$program" -in "$out/in.floor" -log none -var out "$out" -var floor_start 0.05 -var floor_length "$1" -var floor_half_width "$2" \
-    -var floor_depth "$3" >"$out/screen" 2>&1 </dev/null || { echo "$*: refused: $(grep ERROR "$out/screen")"; wrong=1; return; }
-  local measured expected
-  measured=$(awk '
+    -var floor_depth "$3" -var block_max 0.1 >"$out/screen" 2>&1 </dev/null || { echo "$*: refused: $(grep ERROR "$out/screen")"; wrong=1; return; }
+  awk '
     $1 == "vertex" { n++; x[n] = $2; y[n] = $3; z[n] = $4 }
     function side(a, b) { return sqrt((x[a]-x[b])^2 + (y[a]-y[b])^2 + (z[a]-z[b])^2) }
     $1 == "endfacet" {
@@ -43,9 +43,11 @@ floor() {  # floor LENGTH HALF_WIDTH DEPTH: from x = 0.05 m on
       if (long > longest) longest = long
       n = 0
     }
-    END { printf "%.5g %s", area, (longest <= 8.001 && longest >= 1 ? "stout" : "slender " longest) }' "$out/dump/floor.stl")
-  expected=$(awk -v l="$1" -v w="$2" -v d="$3" 'BEGIN { printf "%.5g stout", 2 * w * (l - 0.05 + d) }')
-  [[ $measured == "$expected" ]] || { echo "$*: $measured, not $expected"; wrong=1; }
+    END { printf "{\"area_m2\": %.9g, \"length_by_width\": %.9g}\n", area, longest }' "$out/dump/floor.stl" >"$out/floor.json"
+  local expected
+  expected=$(awk -v l="$1" -v w="$2" -v d="$3" 'BEGIN { printf "%.9g", 2 * w * (l - 0.05 + d) }')
+  check_figures near "$*: area [m2]" "$out/floor.json:area_m2" "$expected" 1e-5 --share || wrong=1
+  check_figures bounds "$*: longest panel by its width" "$out/floor.json:length_by_width" --at-least 1 --at-most 8.001 || wrong=1
 }
 
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."

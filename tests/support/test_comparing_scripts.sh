@@ -86,14 +86,19 @@ sed -i 's/^2,4/2,nan/' "$WRITES/blocks_1.csv"
 fails "vx_m_s must be a finite number, got 'nan'" "${on_off[@]}"
 
 # Figures of expected.json at 3 m, and a power law with its exponent.
+expected() { sed -nE "s/.*\"quantity\": \"$1\", \"value\": ([^,]+),.*/\1/p" "$root/inputs/validation/burden_velocity/expected.json"; }
+SPEED=$(expected velocity_at_3_m_m_s) EXPONENT=$(expected burden_velocity_exponent)
+WAVE=$(expected wave_efficiency_at_3_m) GAS=$(expected gas_efficiency_at_3_m)
+[[ -n $SPEED && -n $EXPONENT && -n $WAVE && -n $GAS ]] || problem "figures of burden_velocity are not found"
+export SPEED EXPONENT WAVE GAS
 burdens=("$root/inputs/validation/burden_velocity/run.sh" "$tree/results" "$program" "$post")
 fake mpirun 'true'
 fake post 'w=${2##*/w} w=${w%_s*}
-LC_ALL=C awk -v w="$w" '"'"'BEGIN { printf "{\"face_velocity_mean_m_s\": %.6f, \"wave_work_J\": 0.0184, \"gas_work_J\": 0.161, \"explosive_energy_J\": 1}", 15.3 * (w / 3)^-1.139 }'"'"' >"$2/summary.json"'
+LC_ALL=C awk -v w="$w" '"'"'BEGIN { printf "{\"face_velocity_mean_m_s\": %.6f, \"wave_work_J\": %s, \"gas_work_J\": %s, \"explosive_energy_J\": 1}", ENVIRON["SPEED"] * (w / 3)^ENVIRON["EXPONENT"], ENVIRON["WAVE"], ENVIRON["GAS"] }'"'"' >"$2/summary.json"'
 passes "${burdens[@]}"
-fake post 'echo "{\"face_velocity_mean_m_s\": 15, \"wave_work_J\": 0.0184, \"gas_work_J\": 0.161, \"explosive_energy_J\": 1}" >"$2/summary.json"'
+fake post 'echo "{\"face_velocity_mean_m_s\": $SPEED, \"wave_work_J\": $WAVE, \"gas_work_J\": $GAS, \"explosive_energy_J\": 1}" >"$2/summary.json"'
 fails 'WRONG' "${burdens[@]}"
-fake post 'echo "{\"face_velocity_mean_m_s\": null, \"wave_work_J\": 0.0184, \"gas_work_J\": 0.161, \"explosive_energy_J\": 1}" >"$2/summary.json"'
+fake post 'echo "{\"face_velocity_mean_m_s\": null, \"wave_work_J\": $WAVE, \"gas_work_J\": $GAS, \"explosive_energy_J\": 1}" >"$2/summary.json"'
 fails 'face_velocity_mean_m_s must be a finite number, got null' "${burdens[@]}"
 fake post 'echo "{}" >"$2/summary.json"'
 fails "has no 'face_velocity_mean_m_s'" "${burdens[@]}"

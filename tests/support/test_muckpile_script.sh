@@ -81,6 +81,14 @@ must_refuse "-np must be at most" run inputs/demo/in.demo -np 999999999999999999
 
 must_refuse "-var mode must be one of slow, got 'fast'" run inputs/demo/in.demo -var mode fast
 
+mkdir quarry && touch quarry/rock.in
+printf 'include ${place}/rock.in\ninclude inputs/common/rock.in\nvariable place index inputs/common\nvariable solid string under_the_pit\nvariable out index x\n' \
+  >inputs/demo/in.place
+printf 'variable solid index none\n' >>inputs/common/rock.in
+must_refuse "computes 'solid' itself (variable solid string)" run inputs/demo/in.place -var solid none
+must_refuse "(it has: from go_on mode patience place rock_density)" run inputs/demo/in.place -var bench 1
+must_work run inputs/demo/in.place -var place anywhere
+
 must_work help
 for words in help -h --help 'run --help' 'run inputs/demo/in.demo -np 1 -h' 'test --help' 'build -help' 'verify --help' 'benchmark -h' 'install-deps --help'; do
   read -ra words <<<"$words"
@@ -94,6 +102,16 @@ called '^muckpile-post profile results/demo$'
 ! grep -q '^apt-get' calls || problem "apt-get ran though nothing is missing"
 grep -qE 'throw_cg_m +8.5' <<<"$output" || problem "the key figures are not shown"
 grep -qF 'results/demo/profile.png' <<<"$output" || problem "the picture is not named"
+
+# The case of the scene, whatever else has its name.
+scenes=('{\n  "knobs": {\n    "case": "heap"\n  },\n  "case": "bench"\n}\n' '{\n  "case": "bench",\n  "knobs": {\n    "case": "heap"\n  }\n}\n'
+  '{"case": "bench", "burden_m": 2.5, "knobs": {"case": "heap"}}\n' '{ "burden_m": 2.5, "case" : "bench" }\n')
+for scene in "${scenes[@]}"; do
+  fake bin/mpirun "printf '$scene' >results/demo/dump/scene.json"
+  must_work run inputs/demo/in.demo
+  called '^muckpile-post profile results/demo$'
+done
+healthy
 
 echo old >results/demo/dump/blocks_000000009.csv
 must_work run inputs/demo/in.demo -var go_on 1 -var from a.restart -var patience 8
@@ -141,20 +159,22 @@ call run inputs/demo/in.demo
 ! grep -qF 'interrupted' <<<"$output" || problem "a run that failed is called interrupted"
 [[ -e restart_forced_liggghts_5.data ]] || problem "the state of another run is taken"
 
+printf 'variable out index x\ndump ${out}/dump ${out}/frames.txt\n' >inputs/demo/in.dumps
 # Old results: replaced when the new run has started, else as they were.
-results=(dump/{a.restart,b.restart,blocks.vtk,blocks_000000000.csv,blocks_000000100.csv,history.csv,run.json,scene.json,floor.stl,gas.csv,holes.csv}
+results=(dump/{a.restart,b.restart,blocks.vtk,blocks_000000000.csv,blocks_000000100.csv,history.csv,run.json,scene.json,floor.stl,gas.csv,holes.csv,gas_after_restart.csv,ground.stl,gate.stl,interrupted.restart,stopped.restart}
   vtk/{blocks.pvd,blocks_0.vtu} {profile,crater,heap,fragments}.{csv,png} fragments_list.csv energy.png plan.png pile3d.png pile3d_0001.png
   summary.json log.liggghts)
 # Whatever muckpile-post writes must be known to the script.
 mapfile -t reported < <(grep -rhoE '[.>]file\("[a-z0-9_]+\.[a-z]+"\)' "$(dirname "$script")/postproc/lib" | sed -E 's/.*"(.*)".*/\1/' | sort -u)
 [[ ${#reported[@]} -ge 10 ]] || problem "muckpile-post's files are not found"
 results+=("${reported[@]}")
+own_files=(notes.txt dump/survey.csv dump/keep_0.5s.restart dump/blocks_mine.csv dump/notes.json)
 old_results() {  # in results/demo, and a file that is not the run's
   local file
   rm -rf results/demo
   mkdir -p results/demo/{dump,vtk}
   for file in "${results[@]}"; do echo "old $file" >"results/demo/$file"; done
-  echo mine >results/demo/notes.txt
+  for file in "${own_files[@]}"; do echo mine >"results/demo/$file"; done
 }
 contents() { (cd results/demo && find . -type f ! -name .lock -print0 | sort -z | xargs -0 grep -H ''); }
 must_be_whole() { [[ $(contents) == "$whole" ]] || problem "old results are not whole: $1"$'\n'"$(diff <(contents) <(echo "$whole"))"; }
@@ -162,33 +182,47 @@ old_results
 whole=$(contents)
 writes='echo new >results/demo/dump/'  # writes FILE: a body of a fake
 
+set_up="printf 'step,time_s,run_id\n0,0,new\n' >results/demo/dump/history.csv; ${writes}blocks_000000000.csv"  # all that it shows is step 0
+steps="$set_up; echo 200,1e-3,new >>results/demo/dump/history.csv"
+
 healthy
 old_results
 call run inputs/demo/in.demo -var bench_height 3,x -np 99999
 must_be_whole "refused by the script"
-fake bin/mpirun "${writes}scene.json; ${writes}stray.csv; echo ERROR >results/demo/log.liggghts; exit 1"
+fake bin/mpirun "${writes}scene.json; ${writes}gas.csv; echo ERROR >results/demo/log.liggghts; exit 1"
 call run inputs/demo/in.demo -var bench_height 3,x
 [[ $status -eq 1 ]] || problem "a refused run must end with status 1"
 told "before its first step; see the message above; what 'results/demo' held is back in its place"
 must_be_whole "refused by the engine"
 fake bin/mpirun 'echo asked >>calls; ls results/demo results/demo/* >>calls; exit 1'
 call run inputs/demo/in.demo
-! grep -qE 'history.csv|profile|restart' calls || problem "the engine finds old results in its folder"
+! grep -qE 'history.csv|profile|a.restart|scene.json' calls || problem "the engine finds old results in its folder"
 must_be_whole "refused by the engine"
 
-fake bin/mpirun "$engine_ok; ${writes}history.csv"
+fake bin/mpirun "$engine_ok; $steps"
 must_work run inputs/demo/in.demo
 [[ $(contents | grep -v '^./profile.png' | grep old) == '' ]] || problem "old results stay beside new ones: $(contents)"
-[[ $(cat results/demo/notes.txt) == mine && ! -e results/demo/.previous ]] || problem "what is not of a run must stay, .previous go"
+[[ $(contents | grep -c ':mine$') -eq ${#own_files[@]} && ! -e results/demo/.previous ]] || problem "what is not of a run must stay, .previous go"
 old_results
 fake bin/mpirun "$engine_ok"  # ends well, without a snapshot
 must_work run inputs/demo/in.demo
 ! contents | grep -q old || problem "old results stay beside new ones"
 old_results
-fake bin/mpirun "${writes}blocks_000000000.csv; exit 1"
+fake bin/mpirun "$set_up; exit 1"
 call run inputs/demo/in.demo
-told 'see the message above or results/demo/log.liggghts'
-! contents | grep -q old || problem "old results stay beside those of a run that stopped"
+told 'before its first step'
+must_be_whole "of a run that stopped in its set-up"
+for first in "$steps" "$set_up; ${writes}blocks_000000100.csv" "$set_up; ${writes}stopped.restart"; do
+  old_results
+  fake bin/mpirun "$first; exit 1"
+  call run inputs/demo/in.demo
+  told 'see the message above or results/demo/log.liggghts'
+  ! contents | grep -q old || problem "old results stay beside those of a run that stopped"
+done
+old_results
+fake bin/mpirun 'echo x >results/demo/frames.txt'  # ends well, and writes outside of dump/
+must_work run inputs/demo/in.dumps
+! contents | grep -q old || problem "old results stay beside what a run wrote outside of dump/"
 
 old_results
 fake bin/mpirun 'cat results/demo/dump/holes.csv results/demo/dump/gas.csv >>calls; exit 1'
@@ -197,15 +231,17 @@ call run inputs/demo/in.table -var table results/demo/dump/holes.csv
 called '^old dump/holes.csv$'
 called '^old dump/gas.csv$'
 must_be_whole "of which a refused run read some"
-fake bin/mpirun "test ! -e results/demo/dump/a.restart && ${writes}history.csv && $engine_ok"
+fake bin/mpirun "test ! -e results/demo/dump/a.restart && { $steps; $engine_ok; }"
 must_work run inputs/demo/in.table -var table results/demo/dump/holes.csv
 [[ $(cat results/demo/dump/holes.csv) == 'old dump/holes.csv' ]] || problem "a file that the new run read is gone"
 
 # A script that is killed leaves old results set aside: all of them, or some.
-old_results
-fake bin/mpirun 'kill -KILL $PPID; sleep 0.2; exit 1'
-call run inputs/demo/in.demo
-[[ -d results/demo/.previous && ! -e results/demo/dump/history.csv ]] || problem "old results must wait in .previous"
+for signal in USR1 PIPE KILL; do
+  old_results
+  fake bin/mpirun "kill -$signal \$PPID; sleep 0.2; exit 1"
+  call run inputs/demo/in.demo
+  [[ -d results/demo/.previous && ! -e results/demo/dump/history.csv ]] || problem "old results must wait in .previous: $signal"
+done
 fake bin/mpirun 'exit 1'
 call run inputs/demo/in.demo
 must_be_whole "after a killed script"
@@ -215,21 +251,42 @@ mv results/demo/dump/{a.restart,history.csv} results/demo/.previous.part/dump
 call run inputs/demo/in.demo -var go_on 1 -var from results/demo/dump/a.restart
 [[ -e results/demo/dump/a.restart && ! -e results/demo/.previous.part ]] || problem "half of a move is not undone"
 old_results
-fake bin/mpirun "${writes}history.csv; kill -KILL \$PPID; sleep 0.2"
+fake bin/mpirun "$set_up; kill -KILL \$PPID; sleep 0.2"
 call run inputs/demo/in.demo
 fake bin/mpirun 'exit 1'
 call run inputs/demo/in.demo
-[[ $(contents | grep -c 'new') -eq 1 && ! -e results/demo/.previous ]] || problem "results of a killed script's run are not kept"
+must_be_whole "after a script that was killed in the set-up"
+fake bin/mpirun "$steps; kill -KILL \$PPID; sleep 0.2"
+call run inputs/demo/in.demo
+fake bin/mpirun 'exit 1'
+call run inputs/demo/in.demo
+[[ $(contents | grep -c 'new') -eq 3 && ! -e results/demo/.previous ]] || problem "results of a killed script's run are not kept"
+
+# A run that goes on has the old log set aside only.
+old_results
+refused='echo ERROR >results/demo/log.liggghts; exit 1'
+fake bin/mpirun "$refused"
+call run inputs/demo/in.demo -var go_on 1 -var from a.restart
+must_be_whole "of a refused run that goes on"
+fake bin/mpirun 'kill -KILL $PPID; sleep 0.2; exit 1'
+call run inputs/demo/in.demo -var go_on 1 -var from a.restart
+[[ ! -e results/demo/log.liggghts ]] || problem "the engine finds the log of an earlier run"
+fake bin/mpirun "$refused"
+call run inputs/demo/in.demo -var go_on 1 -var from a.restart
+must_be_whole "of a run that goes on, after a killed script"
+fake bin/mpirun "echo 300,2e-3,new >>results/demo/dump/history.csv; $refused"
+call run inputs/demo/in.demo -var go_on 1 -var from a.restart
+[[ $(cat results/demo/log.liggghts) == ERROR && ! -e results/demo/.previous.log ]] || problem "the log of a run that went on is lost"
 
 # Ctrl-C before the first step.
 old_results
-fake bin/mpirun "trap 'exit 1' USR2; kill -TERM \$PPID; for ((k = 0; k < 50; ++k)); do sleep 0.1; done"
+fake bin/mpirun "trap 'exit 1' USR2; kill -TERM \$PPID; for ((k = 0; k < 600; ++k)); do sleep 0.1; done"
 call run inputs/demo/in.demo
 [[ $status -eq 130 ]] || problem "a run interrupted in its set-up must end with status 130"
 told 'interrupted before the first step; nothing was changed'
 ! grep -qF 'see the message' <<<"$output" || problem "there is no message above"
 must_be_whole "of a run interrupted in its set-up"
-fake bin/mpirun "${writes}history.csv; trap 'exit 1' USR2; kill -TERM \$PPID; for ((k = 0; k < 50; ++k)); do sleep 0.1; done"
+fake bin/mpirun "$steps; trap 'exit 1' USR2; kill -TERM \$PPID; for ((k = 0; k < 600; ++k)); do sleep 0.1; done"
 call run inputs/demo/in.demo
 [[ $status -eq 130 ]] || problem "an interrupted run must end with status 130"
 told 'interrupted; there is no state to go on from'
@@ -238,10 +295,11 @@ told 'interrupted; there is no state to go on from'
 healthy
 old_results
 fake bin/mpirun ''
-printf 'variable out index x\ndump ${out}/dump\n' >inputs/demo/in.dumps
 must_be_told() { call "${@:2}"; [[ $status -ne 0 ]] || problem "passed"; told "$1"; }
 must_be_told 'the run left nothing in' run inputs/demo/in.dumps
 must_be_whole "of a run that left nothing"
+fake bin/mpirun "$engine_ok; : >results/demo/dump/mark"  # the user's own
+must_work run inputs/demo/in.dumps
 fake bin/mpirun "$engine_ok; : >results/demo/dump/history.csv"
 must_be_told 'results/demo/dump/history.csv' run inputs/demo/in.dumps
 ! grep -q '^muckpile-post' calls || problem "an empty file was post-processed"
@@ -272,7 +330,7 @@ called '-in elsewhere/in.copy .*-var patience 8 -var mode slow$'
 must_refuse "-var mode must be one of slow, got 'x'" run elsewhere/in.copy -var mode x
 
 # A signal to the script reaches mpirun as one that it hands on; TERM, as INT may be ignored here.
-fake bin/mpirun "trap 'echo asked >>calls; exit 0' USR2; kill -TERM \$PPID; for ((k = 0; k < 50; ++k)); do sleep 0.1; done; $engine_ok"
+fake bin/mpirun "trap 'echo asked >>calls; exit 0' USR2; kill -TERM \$PPID; for ((k = 0; k < 600; ++k)); do sleep 0.1; done; $engine_ok"
 call run inputs/demo/in.demo
 called '^asked$'
 [[ $status -ne 0 ]] || problem "an interrupted run passed"

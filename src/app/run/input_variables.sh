@@ -27,7 +27,8 @@ check_word() {  # check_word INPUT NAME VALUE
   mapfile -t files < <(files_of "$1")
   while read -r pattern; do
     before=${pattern%%"\${$2}"*} after=${pattern#*"\${$2}"}
-    [[ $pattern == "$before\${$2}$after" && $before$after != *'$'* ]] || continue
+    # A variable that begins the name stands for a folder, of which there may be any.
+    [[ $pattern == "$before\${$2}$after" && $before == */* && $before$after != *'$'* ]] || continue
     words=$(compgen -G "$before*$after" | sort) || continue
     words=${words//"$before"/}
     words=${words//"$after"/}
@@ -58,14 +59,16 @@ check_variable() {  # check_variable INPUT NAME VALUE
     die "-var $name needs one value without blanks, got '$value'"
   [[ $name != out ]] || die "use -out DIR for the results folder, not -var out"
   known=$(variables_of "$input" | sort -u)
-  style=$(awk -v name="$name" '$1 == name { print $2; exit }' <<<"$known")
+  # What one file sets as a default, another may compute.
+  style=$(awk -v name="$name" '$1 == name && $2 != "delete" && style ~ /^(|index)$/ { style = $2 } END { print style }' <<<"$known")
   if [[ $style == index ]]; then
     check_word "$input" "$name" "$value"
     return
   fi
   [[ -z $style ]] ||
     die "$input computes '$name' itself (variable $name $style); -var sets 'index' variables only"
-  known=$(awk '$2 == "index" && $1 != "out" { print $1 }' <<<"$known")
+  known=$(awk '$1 == "out" || $2 == "delete" { next } $2 == "index" { set[$1] } $2 != "index" { computed[$1] }
+    END { for (name in set) if (!(name in computed)) print name }' <<<"$known" | sort)
   near=$(closest_name "$name" <<<"$known")
   [[ -z $near ]] || near="; did you mean '$near'?"
   die "$input has no variable '$name'$near (it has: $(paste -sd' ' <<<"$known"))"

@@ -37,7 +37,8 @@ keep_interrupted_state() {  # keep_interrupted_state OUT INPUT [-var NAME VALUE]
 results_in() {  # results_in FOLDER: paths from there
   (
     cd "$1" && shopt -s nullglob
-    for file in dump/*.{restart,csv,json,vtk,stl} vtk/blocks* summary.json log.liggghts {profile,crater,heap,fragments}.{csv,png} \
+    for file in dump/{blocks_[0-9]*,history,gas*,holes}.csv dump/blocks.vtk dump/{floor,ground,gate}.stl dump/{run,scene}.json \
+      dump/{a,b,interrupted,stopped}.restart vtk/blocks* summary.json log.liggghts {profile,crater,heap,fragments}.{csv,png} \
       fragments_list.csv energy.png plan.png pile3d*.png; do
       if [[ -f $file ]]; then printf '%s\n' "$file"; fi
     done
@@ -45,12 +46,25 @@ results_in() {  # results_in FOLDER: paths from there
 }
 
 # Names, sizes and times, to see whether any has changed.
-dumped() {  # dumped OUT [PATTERN]: files of OUT/dump
-  find "$1/dump" -maxdepth 1 -type f -name "${2-*}" -printf '%f %s %T@\n' | sort
-}
+listed() { find "$@" -type f -printf '%P %s %T@\n' | sort; }                         # listed FOLDER [TEST]...
+written_in() { listed "$1" ! -path "$1/.previous*" ! -path "$1/.lock" ! -name log.liggghts; }  # written_in OUT
+steps_in() { listed "$1/dump" -maxdepth 1 \( -name history.csv -o -name 'blocks_[0-9]*.csv' \); }  # steps_in OUT
 
-# A run has started when it has written one of these.
-steps_in() { dumped "$1" history.csv && dumped "$1" 'blocks_*.csv'; }  # steps_in OUT
+# History and snapshots of the set-up show one step, that from which the run starts. Copies of what is set aside are as old as that.
+started() {  # started OUT: a run that does not go on has got beyond its set-up
+  local out=$1 file steps
+  steps=$(
+    for file in "$out"/dump/{history,blocks_[0-9]*}.csv "$out"/dump/{a,b,stopped}.restart; do
+      [[ -f $file && $file -nt $out/.previous/dump/${file##*/} ]] || continue
+      case ${file##*/} in
+        history.csv) sed -nE 's/^0*([0-9]+),.*/\1/p' "$file" ;;
+        *.csv) sed -nE 's/^blocks_0*([0-9]+)\.csv$/\1/p' <<<"${file##*/}" ;;
+        *) printf 'restart\nfile\n' ;;  # written at steps only
+      esac
+    done | sort -u | wc -l
+  )
+  ((steps > 1))
+}
 
 move_results() {  # move_results FROM TO
   local inside files
@@ -93,18 +107,21 @@ put_back() {  # put_back OUT
     while read -r file; do rm -f -- "$out/$file"; done < <(results_in "$out")
     mv -T -- "$out/.previous" "$part" || die "cannot put back what is in '$out/.previous'"
   fi
+  [[ ! -f $out/.previous.log ]] || mv -f -- "$out/.previous.log" "$out/log.liggghts"
   [[ -d $part ]] || return 0
   move_results "$part" "$out"
   rmdir -- "$part"/{dump,vtk} "$part" 2>/dev/null || say "'$part' holds more than results; look at it"
   rmdir -- "$out/vtk" 2>/dev/null || true
 }
 
-drop_previous() { rm -rf -- "${1:?}/.previous"; }  # drop_previous OUT
+drop_previous() { rm -rf -- "${1:?}/.previous" "$1/.previous.log"; }  # drop_previous OUT
 
 # After a run that was killed together with its script.
 recover_previous() {  # recover_previous OUT
+  [[ ! -f $1/.previous.log || -f $1/log.liggghts ]] || mv -f -- "$1/.previous.log" "$1/log.liggghts"
+  rm -f -- "$1/.previous.log"
   [[ -d $1/.previous || -d $1/.previous.part ]] || return 0
-  if [[ -d $1/.previous && -n $(steps_in "$1") ]]; then
+  if [[ -d $1/.previous ]] && started "$1"; then
     drop_previous "$1"
   else
     say "putting back the results in '$1', which a run that did not start has left set aside"
@@ -114,7 +131,9 @@ recover_previous() {  # recover_previous OUT
 
 # What a full disk leaves of a file.
 refuse_empty_files() {  # refuse_empty_files OUT
-  local empty
-  mapfile -t empty < <(find "$1/dump" -type f -empty | sort)
+  local file empty=()
+  while read -r file; do
+    [[ -s $1/$file ]] || empty+=("$1/$file")
+  done < <(results_in "$1" | grep "^dump/")
   ((${#empty[@]} == 0)) || die "the run left ${#empty[@]} files with nothing in them, as '${empty[0]}'; is the disk full?"
 }
