@@ -5,6 +5,9 @@
 
 #include <pointers.h>
 
+#include <functional>
+#include <string>
+
 namespace muckpile {
 
 class SphereCommands : protected LAMMPS_NS::Pointers {
@@ -15,7 +18,11 @@ class SphereCommands : protected LAMMPS_NS::Pointers {
   void set(int narg, char** arg);
 
  private:
-  void warn(const char* command, int group_bit) const;
+  using Selection = std::function<bool(int sphere)>;
+  [[nodiscard]] Selection in_group(const char* name) const;
+  /// What `set STYLE ID` acts on; nothing if that is none of LIGGGHTS' words.
+  [[nodiscard]] Selection selected(const std::string& style, char* id) const;
+  void warn(const char* command, const Selection& selection) const;
 };
 
 }  // namespace muckpile

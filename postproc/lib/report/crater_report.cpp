@@ -3,6 +3,7 @@
 // Scope: free surface z = 0, charge on the z axis.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "args/input_error.h"
 #include "draw/png_file.h"
@@ -18,6 +19,8 @@
 
 namespace muckpile {
 namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 void write_rings(const std::vector<CraterRing>& rings, const std::filesystem::path& path) {
   CsvWriter csv(path, "radius_m,surface_after_m,rock_in_place_m,broken_fraction_of_surface");
@@ -77,7 +80,9 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run,
     return spelled(shape.radius) + " m radius, " + spelled(shape.depth) + " m deep, " +
            spelled(shape.volume) + " m³";
   };
-  plot.subtitle = "dug out: " + dimensions(whole) + " · apparent: " + dimensions(apparent);
+  plot.subtitle = run.still
+                      ? "dug out: " + dimensions(whole) + " · apparent: " + dimensions(apparent)
+                      : "dug out so far: " + dimensions(whole);
   plot.lines = {
       {{{-reach, 0.0}, {reach, 0.0}}, kBench, 2.5, true, "surface before"},
       {both_sides(rings, &CraterRing::surface), kSignal, 3.0, false,
@@ -122,11 +127,16 @@ void report_crater(const ResultFolder& folder, const MeasureOptions& measure,
   const RunData run(folder, own);
   const std::vector<CraterRing> rings =
       crater_rings(run.blocks, run.last, run.moved, run.cell, run.block_size, run.lies);
-  const CraterShape apparent = apparent_crater(rings), whole = true_crater(rings);
+  const CraterShape whole = true_crater(rings);
+  CraterShape apparent = apparent_crater(rings);
   Ejecta ejecta =
       ejecta_beyond(std::max(apparent.radius, whole.radius), run.blocks, run.last, run.moved);
-  // What flies has not landed.
-  if (!run.still) ejecta.p50 = ejecta.p90 = ejecta.max = std::nan("");
+  // What flies has not landed: where, and what of it falls back into the crater, is open. What has
+  // been broken out stays so.
+  if (!run.still) {
+    apparent = {kNone, kNone, kNone};
+    ejecta = {kNone, kNone, kNone, kNone};
+  }
   write_rings(rings, folder.file("crater.csv"));
   write_png(draw_section(section_of(folder, run, rings, apparent, whole, section)),
             folder.file("crater.png"));

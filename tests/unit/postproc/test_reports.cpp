@@ -263,6 +263,27 @@ TEST(CraterReport, WritesItsKeysTableAndPicture) {
   EXPECT_TRUE(facts_of(folder.file("crater.png")).has_drawing);
 }
 
+// What rock in flight will fill and where it will land is open; what has left its place has left
+// it.
+TEST(CraterReport, OfARunThatIsNotStillHasNeitherApparentCraterNorEjecta) {
+  TemporaryFolder temporary;
+  write_crater(temporary.path());
+  const ResultFolder folder(temporary.path());
+  std::string text = text_of(folder.dump("run.json"));
+  write_text(folder.dump("run.json"), text.replace(text.find("true"), 4, "false"));
+  report_crater(folder, {}, {});
+  const auto keys = read_json_object(temporary.path() / "summary.json");
+  for (const char* key :
+       {"apparent_crater_radius_m", "apparent_crater_depth_m", "apparent_crater_volume_m3",
+        "ejecta_mass_kg", "ejecta_p50_m", "ejecta_p90_m", "ejecta_max_m"}) {
+    ASSERT_TRUE(keys.contains(key)) << key;
+    EXPECT_TRUE(keys[key].is_null()) << key;
+  }
+  EXPECT_NEAR(keys["crater_radius_m"], 4.0, 0.5 * kCube);
+  EXPECT_TRUE(keys["crater_depth_m"].is_number());
+  EXPECT_TRUE(keys["crater_volume_m3"].is_number());
+}
+
 TEST(HeapReport, WritesItsKeysTableAndPicture) {
   TemporaryFolder temporary;
   write_heap(temporary.path());
