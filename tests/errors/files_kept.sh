@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # files_kept.sh LIGGGHTS_MUCKPILE: what stays of files that a run would replace: all where a fix that is set up behind the outputs refuses the
-# run, and the old text where the disk is full.
+# run, the rows ahead of a damaged one, and the old text where the disk is full.
 set -euo pipefail
 program=$1
 here=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")")
@@ -39,6 +39,20 @@ says "shorter than min"
 run 0 <<<"$outputs
 run 1"
 [[ $(ls dump) == $'blocks_000000000.csv\nblocks_000000001.csv\nhistory.csv\nrun.json' ]] || fail "the same run, shorter, left files: $(ls dump)"
+
+# One row cut off, one snapshot of another run: each told of once.
+echo '4,4e-' >cut_row
+echo '# step=7 time_s=1 run=0123456789abcdef' >dump/blocks_000000007.csv
+run 0 <<<"$outputs
+run 3
+shell cat cut_row >> dump/history.csv
+unfix progress
+fix progress all muckpile/progress every 2 directory dump
+run 2
+run 2"
+[[ $(grep -c 'WARNING.*history.csv. goes on without its last 1 rows' screen) -eq 1 ]] || fail "not one warning of the cut row"
+[[ $(grep -c 'WARNING.*holds 1 snapshots of other runs' screen) -eq 1 ]] || fail "not one warning of the other run"
+[[ $(cut -d , -f 1 dump/history.csv | xargs) == 'step 0 2 3 4 5 6 7' ]] || fail "rows: $(cut -d , -f 1 dump/history.csv | xargs)"
 
 echo old >scene.json
 ln -s /dev/full scene.json.part
