@@ -81,7 +81,9 @@ FixMuckpileDump::FixMuckpileDump(LAMMPS_NS::LAMMPS* engine, int narg, char** arg
   engine::make_output_folder(*lmp, where_, folder_);
 }
 
-int FixMuckpileDump::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
+int FixMuckpileDump::setmask() {
+  return LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS_NS::FixConst::END_OF_STEP;
+}
 
 void FixMuckpileDump::init() {
   store_ = FixMuckpileBlocks::find(*lmp);
@@ -90,13 +92,19 @@ void FixMuckpileDump::init() {
 }
 
 void FixMuckpileDump::setup(int) {
-  if (last_ < 0 && comm->me == 0) clear_folder();
   if (last_ < 0) write();
 }
 
-/// Removes the snapshots of this run that it takes anew: all of them, or those of steps after the
-/// restart file. Those of other runs stay, and are told of.
-void FixMuckpileDump::clear_folder() const {
+/// Not in setup(): a fix set up after this one may refuse the run. Before the first end of a step,
+/// where another such fix may write.
+void FixMuckpileDump::initial_integrate(int) { clear_folder(); }
+
+/// Once: removes the snapshots of this run that it takes anew, those of steps after the one it was
+/// set up at. Those of other runs stay, and are told of.
+void FixMuckpileDump::clear_folder() {
+  if (cleared_) return;
+  cleared_ = true;
+  if (comm->me != 0) return;
   std::error_code fault, unheeded;
   int strangers = 0;
   std::filesystem::directory_iterator entry(folder_, fault);
@@ -105,7 +113,7 @@ void FixMuckpileDump::clear_folder() const {
     if (step < 0) continue;
     if (run_of(entry->path()) != store_->record().id())
       ++strangers;
-    else if (!store_->restored() || step > update->ntimestep)
+    else if (step > last_)
       std::filesystem::remove(entry->path(), unheeded);
   }
   if (strangers == 0) return;
@@ -115,7 +123,10 @@ void FixMuckpileDump::clear_folder() const {
                             .c_str());
 }
 
-void FixMuckpileDump::post_run() { write(); }
+void FixMuckpileDump::post_run() {
+  clear_folder();
+  write();
+}
 
 void FixMuckpileDump::end_of_step() {
   if (update->ntimestep % every_ == 0) write();

@@ -19,20 +19,22 @@ class FixMuckpileDump : public LAMMPS_NS::Fix {
   int setmask() override;
   void init() override;
   void setup(int vflag) override;
+  void initial_integrate(int vflag) override;
   void end_of_step() override;
   void post_run() override;
   int modify_param(int narg, char** arg) override;
 
  private:
-  void clear_folder() const;
+  void clear_folder();
   void write();
   [[nodiscard]] std::string rows() const;
 
   FixMuckpileBlocks* store_ = nullptr;
   FixMuckpileJoint* joint_ = nullptr;
   std::string where_, folder_;
-  int every_;  // the engine looks up `nevery` only when a run is set up
-  LAMMPS_NS::bigint last_ = -1;
+  int every_;                    // the engine looks up `nevery` only when a run is set up
+  LAMMPS_NS::bigint last_ = -1;  // step of the last snapshot
+  bool cleared_ = false;
 };
 
 }  // namespace muckpile

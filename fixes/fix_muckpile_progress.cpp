@@ -29,6 +29,7 @@
 #include "engine/periodic_output.h"
 #include "engine/region.h"
 #include "engine/restart_file.h"
+#include "engine/stop_with_state.h"
 #include "engine/style_args.h"
 #include "fix_muckpile_blast.h"
 #include "fix_muckpile_joint.h"
@@ -83,6 +84,13 @@ nlohmann::ordered_json crushed_zones(const FixMuckpileBlocks& store) {
   return zones;
 }
 
+/// A line that was not cut off, nor written on by another.
+bool is_whole_row(const std::string& line, const std::string& run_id) {
+  const std::string_view header = kHistoryHeader;
+  return line.ends_with(',' + run_id) &&
+         std::ranges::count(line, ',') == std::ranges::count(header, ',');
+}
+
 }  // namespace
 
 FixMuckpileProgress::FixMuckpileProgress(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
@@ -122,13 +130,17 @@ void FixMuckpileProgress::init() {
 }
 
 void FixMuckpileProgress::setup(int) {
-  if (!history_begun_) remove_own_run();
   phase_wall_start_ = MPI_Wtime();
   phase_time_start_ = update->get_cur_time();
-  end_of_step();
+  look_if_due();
 }
 
 void FixMuckpileProgress::end_of_step() {
+  begin_files();
+  look_if_due();
+}
+
+void FixMuckpileProgress::look_if_due() {
   if (update->ntimestep % every_ != 0 || last_ == update->ntimestep) return;
   const Look now = look();
   stop_if_wrong(now);
@@ -138,6 +150,7 @@ void FixMuckpileProgress::end_of_step() {
 }
 
 void FixMuckpileProgress::post_run() {
+  begin_files();
   const Look now = look();
   stop_if_wrong(now);
   if (last_ != update->ntimestep) write_history(now);
@@ -208,8 +221,7 @@ void FixMuckpileProgress::warn_of_solid(const Look& now) {
 bool FixMuckpileProgress::still(const Look& now) const { return now.moving_share < still_share_; }
 
 void FixMuckpileProgress::stop_if_wrong(const Look& now) {
-  const std::string at =
-      " at step " + std::to_string(update->ntimestep) + ", t = " + number_text(now.time) + " s";
+  const std::string at = engine::at_present(*lmp);
   if (!std::isfinite(now.fastest))
     stop_with_restart("a block's velocity is not a number" + at + "; the time step is too long");
   const int blocks = store_->blocks_created() - store_->blocks_lost_before();
@@ -236,7 +248,7 @@ void FixMuckpileProgress::stop_with_restart(const std::string& why) {
     engine::stop(*lmp, where_ + ": " + why +
                            ". It is so in the restart file that was read; go on " +
                            "from an earlier one (command restart)");
-  engine::stop(*lmp, where_ + ": " + why + ". State written to " + write_state());
+  engine::stop_with_state(*lmp, where_ + ": " + why);
 }
 
 std::string FixMuckpileProgress::write_state() {
@@ -279,27 +291,53 @@ void FixMuckpileProgress::restart(char* state) {
   read_at_ = update->ntimestep;
 }
 
-/// The rows that this run wrote before it went on from a restart file, up to that file's step.
+/// The rows that this run has from steps before its first one here.
 std::string FixMuckpileProgress::rows_before() const {
-  std::ifstream in(folder_ + "/history.csv");
+  const auto end = last_ < 0 ? update->ntimestep : last_;
+  const std::string file = folder_ + "/history.csv";
+  std::error_code unheeded;
+  if (end == 0 || !std::filesystem::is_regular_file(file, unheeded)) return "";
+  std::ifstream in(file);
   std::string line, kept;
-  if (!std::getline(in, line) || line + '\n' != kHistoryHeader) return "";
-  const auto end = std::min(read_at_ + 1, update->ntimestep);
-  while (std::getline(in, line) && std::atoll(line.c_str()) < end) {
-    if (!line.ends_with(',' + store_->record().id())) return "";
-    kept += line + '\n';
+  bool good = std::getline(in, line) && line + '\n' == kHistoryHeader;
+  int dropped = 0;
+  while (std::getline(in, line)) {
+    if (good && is_whole_row(line, store_->record().id())) {
+      if (std::atoll(line.c_str()) >= end) break;
+      kept += line + '\n';
+    } else {
+      good = false;
+      ++dropped;
+    }
+  }
+  if (dropped > 0) {
+    error->warning(
+        FLERR, (where_ + ": '" + file + "' goes on without its last " + std::to_string(dropped) +
+                " rows: the first of them is damaged, or of another run")
+                   .c_str());
   }
   return kept;
 }
 
+/// What an earlier start of this run left stays until a step is taken: a fix set up after this one
+/// may refuse the run.
+void FixMuckpileProgress::begin_files() {
+  if (history_begun_) return;
+  history_begun_ = true;
+  if (comm->me == 0) remove_own_run();
+  const std::string before = comm->me == 0 ? rows_before() : "";
+  engine::write_file(*lmp, where_, folder_ + "/history.csv", kHistoryHeader + before + held_);
+  held_.clear();
+}
+
 void FixMuckpileProgress::write_history(const Look& now) {
   last_ = update->ntimestep;
-  const std::string file = folder_ + "/history.csv", new_row = row(now);
-  if (history_begun_) return engine::append_to_file(*lmp, where_, file, new_row);
-  history_begun_ = true;
-  const bool goes_on = read_at_ >= 0 && comm->me == 0;
-  engine::write_file(*lmp, where_, file,
-                     kHistoryHeader + (goes_on ? rows_before() : std::string()) + new_row);
+  const std::string new_row = row(now);
+  if (!history_begun_) {
+    held_ += new_row;
+    return;
+  }
+  engine::append_to_file(*lmp, where_, folder_ + "/history.csv", new_row);
 }
 
 std::string FixMuckpileProgress::row(const Look& now) const {
@@ -319,7 +357,6 @@ std::string FixMuckpileProgress::row(const Look& now) const {
 
 /// What an earlier start of this run left does not hold until this one ends.
 void FixMuckpileProgress::remove_own_run() const {
-  if (comm->me != 0) return;
   const std::string file = folder_ + "/run.json";
   std::ifstream in(file);
   const auto run = nlohmann::json::parse(in, nullptr, false);

@@ -48,11 +48,13 @@ class FixMuckpileProgress : public LAMMPS_NS::Fix, public StateWriter {
     double balance = 0.0;
   };
 
+  void look_if_due();
   [[nodiscard]] Look look();
   void look_at_blocks(Look& now) const;
   [[nodiscard]] bool has_entered_solid(const engine::Bodies& bodies, int b) const;
   void warn_of_solid(const Look& now);
   void say(const Look& now) const;
+  void begin_files();
   void write_history(const Look& now);
   [[nodiscard]] std::string rows_before() const;
   [[nodiscard]] std::string row(const Look& now) const;
@@ -68,6 +70,7 @@ class FixMuckpileProgress : public LAMMPS_NS::Fix, public StateWriter {
   std::string where_, folder_, phase_;
   std::string scene_;  // region, empty for all space
   std::string solid_;  // region, empty for none
+  std::string held_;   // rows of history.csv, until a step is taken
   int every_;          // the engine looks up `nevery` only when a run is set up
   double time_end_, still_speed_, still_share_, fastest_allowed_, balance_allowed_;
   double wall_start_, phase_wall_start_ = 0.0, phase_time_start_ = 0.0;

@@ -13,7 +13,8 @@ class LAMMPS;
 namespace muckpile::engine {
 
 /// Writes `text`, which counts on the first rank, in place of what the file held. Collective; stops
-/// the run, with a message that begins with `where`, if not all of it has arrived.
+/// the run, with a message that begins with `where`, if not all of it has arrived: the file is then
+/// what it was, and whoever reads it meanwhile finds the old text or the new one.
 void write_file(LAMMPS_NS::LAMMPS& lmp, const std::string& where, const std::string& file,
                 const std::string& text);
 

@@ -125,6 +125,72 @@ TEST(RunId, OwnSnapshotsGoAndStrangersStay) {
   EXPECT_EQ(last_columns(folder / "history.csv").size(), 3u);  // header, steps 0 and 3
 }
 
+bool on_first_rank() {
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  return rank == 0;
+}
+
+std::string steps_of(const std::filesystem::path& history) {
+  std::istringstream in(content(history));
+  std::string steps, row;
+  while (std::getline(in, row)) steps += row.substr(0, row.find(',')) + ' ';
+  return steps;
+}
+
+TEST(RunId, FixesDefinedAnewGoOnWithTheirFiles) {
+  const ScratchFolder folder("run_id_anew");
+  const Settings is{.out = (folder / "").string()};
+  RockScene scene = fresh(is);
+  scene.run(6, kStep);
+  for (const char* name : {"energy", "snapshots", "progress"})
+    scene.command(std::string("unfix ") + name);
+  outputs(scene, is.out);
+  scene.run(3, kStep);
+  for (const char* name : {"blocks_000000000.csv", "blocks_000000005.csv", "blocks_000000006.csv",
+                           "blocks_000000009.csv"})
+    EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+  EXPECT_EQ(steps_of(folder / "history.csv"), "step 0 4 6 8 9 ");
+}
+
+/// A cut row, or one of another run, ends what is known of the run, and no more.
+TEST(RunId, RowsAheadOfADamagedOneStay) {
+  for (const char* damaged :
+       {"5,0.0005,1e-", "5,1,1,run,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,feed"}) {
+    const ScratchFolder folder("run_id_torn");
+    const Settings is{.out = (folder / "").string()};
+    RockScene scene = fresh(is);
+    scene.run(6, kStep);
+    const std::string whole = content(folder / "history.csv");
+    MPI_Barrier(MPI_COMM_WORLD);
+    if (on_first_rank()) {
+      const std::size_t last = whole.rfind('\n', whole.size() - 2) + 1;
+      std::ofstream(folder / "history.csv") << whole.substr(0, last) << damaged << '\n'
+                                            << whole.substr(last);
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
+    scene.command("unfix progress");
+    scene.command("fix progress all muckpile/progress every 4 directory " + is.out);
+    scene.run(1, kStep);
+    EXPECT_EQ(steps_of(folder / "history.csv"), "step 0 4 7 ") << damaged;
+  }
+}
+
+/// What a reader has opened stays whole.
+TEST(RunId, FilesAreReplacedInOnePiece) {
+  const ScratchFolder folder("run_id_replaced");
+  RockScene scene = fresh({.out = (folder / "").string()});
+  scene.run(1, kStep);
+  const std::string old = content(folder / "run.json");
+  MPI_Barrier(MPI_COMM_WORLD);
+  if (on_first_rank()) std::filesystem::create_hard_link(folder / "run.json", folder / "held.json");
+  scene.run(1, kStep);
+  EXPECT_EQ(content(folder / "held.json"), old);
+  EXPECT_NE(content(folder / "run.json"), old);
+  for (const auto& entry : std::filesystem::directory_iterator(folder / ""))
+    EXPECT_NE(entry.path().extension(), ".part") << entry.path();
+}
+
 TEST(RunId, RunThatGoesOnKeepsIt) {
   const ScratchFolder folder("run_id_restart");
   const Settings is{.out = (folder / "").string()};
@@ -152,10 +218,7 @@ TEST(RunId, RunThatGoesOnKeepsIt) {
   EXPECT_TRUE(std::filesystem::exists(folder / "blocks_000000003.csv"));   // of another run
   EXPECT_EQ(after(line(folder / "blocks_000000007.csv", 1), " run="), id);
   // Of the first run up to the file, and the end of this one.
-  std::istringstream history(content(folder / "history.csv"));
-  std::string steps, row;
-  while (std::getline(history, row)) steps += row.substr(0, row.find(',')) + ' ';
-  EXPECT_EQ(steps, "step 0 4 6 7 ");
+  EXPECT_EQ(steps_of(folder / "history.csv"), "step 0 4 6 7 ");
   EXPECT_EQ(nlohmann::json::parse(content(folder / "run.json")).at("run_id"), id);
 }
 

@@ -76,6 +76,7 @@ TEST(WriteScene, TellsKnobsAndProgram) {
     EXPECT_FALSE(found.at("libraries").at(library).get<std::string>().empty()) << library;
   EXPECT_EQ(found.at("run_id").get<std::string>().size(), 16u);
 
+  MPI_Barrier(MPI_COMM_WORLD);  // all have read
   // The first run adds what the script has defined behind the command.
   scene.command("variable late index 5");
   scene.command("run 0");
