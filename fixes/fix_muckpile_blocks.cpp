@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "engine/bodies.h"
-#include "engine/contact_law.h"
+#include "engine/pair_style_check.h"
 #include "engine/exchange.h"
 #include "engine/style_args.h"
 

@@ -13,7 +13,7 @@
 #include <string>
 
 #include "engine/bodies.h"
-#include "engine/contact_law.h"
+#include "engine/pair_style_check.h"
 #include "engine/single_fix.h"
 #include "engine/stop_with_state.h"
 #include "engine/style_args.h"
