@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "engine/bodies.h"
-#include "engine/pair_style_check.h"
 #include "engine/exchange.h"
+#include "engine/pair_style_check.h"
 #include "engine/style_args.h"
 
 namespace muckpile {

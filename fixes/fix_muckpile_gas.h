@@ -69,7 +69,8 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure {
   std::vector<double> ways_;                // of the chambers, for sums
   double softened_ = 1.0;                   // stiffness of the joints that the gas has seen [-]
   double taken_ = 0.0, vented_ = 0.0;       // all ranks, so far [kg]
-  double restored_pressure_ = 0.0;  // greatest in joints, of a restart file, until the next step [Pa]
+  double restored_pressure_ =
+      0.0;             // greatest in joints, of a restart file, until the next step [Pa]
   double lost_ = 0.0;  // with blocks that left the box, not yet in vented_ [kg]
   double work_ = 0.0;  // on the blocks of this rank, so far [J]
 };

@@ -13,7 +13,7 @@ enum class ColourBy { kStartHeight, kStartDepth, kFragment, kSize, kSpeed, kDisp
 struct MeasureOptions {
   std::optional<double> least_move;  // a block that moved less stayed [m]; default: the run's mean
                                      // block size, 0 in a crater
-  std::optional<double> cell;  // columns [m]; default: a quarter of the run's mean block size
+  std::optional<double> cell;        // columns [m]; default: a quarter of the run's mean block size
 };
 
 struct SectionOptions {

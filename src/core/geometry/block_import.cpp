@@ -23,7 +23,7 @@ namespace muckpile {
 namespace {
 
 constexpr int kMostFaces = 65535;  // what the numbers of joints' faces hold
-constexpr double kShape = 1e-6;  // of the cell's size: plane, convex and closed to this
+constexpr double kShape = 1e-6;    // of the cell's size: plane, convex and closed to this
 
 template <class... Words>
 [[noreturn]] void fail(const Words&... words) {

@@ -239,7 +239,8 @@ TEST(QuietGround, StandsStillOnceItsSupportCracks) {
   const std::vector<FacetMemory> before = network.memory();
   corner.scene.compute(1e-5);
   for (std::size_t f = 0; f < network.facets().size(); ++f) {
-    const double moved = (network.ground_memory(f).displacement - before[f].ground().displacement).norm();
+    const double moved =
+        (network.ground_memory(f).displacement - before[f].ground().displacement).norm();
     if (network.states()[f] == FacetState::intact) continue;
     EXPECT_EQ(moved, 0.0) << f;
   }
