@@ -85,6 +85,20 @@ double FixMultisphereMuckpile::extend_cut_ghost() {
   return 2.0 * farthest;  // LIGGGHTS takes half of it
 }
 
+/// A box that follows the spheres must hold the bodies' centres, too: LIGGGHTS drops a body whose
+/// centre is outside, and the centre of the outermost may lie farther out than those of its
+/// spheres.
+void FixMultisphereMuckpile::box_extent(double& xlo, double& xhi, double& ylo, double& yhi,
+                                        double& zlo, double& zhi) {
+  const engine::Bodies bodies(*this);
+  for (int b = 0; b < bodies.count(); ++b) {
+    const Vec3 at = bodies.centre(b);
+    xlo = std::min(xlo, at.x()), xhi = std::max(xhi, at.x());
+    ylo = std::min(ylo, at.y()), yhi = std::max(yhi, at.y());
+    zlo = std::min(zlo, at.z()), zhi = std::max(zhi, at.z());
+  }
+}
+
 void FixMultisphereMuckpile::pre_neighbor() {
   FixMultisphere::pre_neighbor();
   members_known_ = false;

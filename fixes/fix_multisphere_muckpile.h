@@ -26,6 +26,8 @@ class FixMultisphereMuckpile : public LAMMPS_NS::FixMultisphere {
   void init() override;
   void reset_dt() override;  ///< fix multisphere takes over a new time step only as a run starts
   double extend_cut_ghost() override;
+  void box_extent(double& xlo, double& xhi, double& ylo, double& yhi, double& zlo,
+                  double& zhi) override;
   void pre_neighbor() override;
   void initial_integrate(int vflag) override;
   void pre_final_integrate() override;

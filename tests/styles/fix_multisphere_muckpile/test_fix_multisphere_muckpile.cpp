@@ -10,7 +10,9 @@
 #include <map>
 #include <string>
 
+#include "engine/bodies.h"
 #include "rock_scene.h"
+#include "silent_engine.h"
 
 namespace muckpile::test {
 namespace {
@@ -78,6 +80,31 @@ TEST(FixMultisphereMuckpile, AveragesAreThoseOfFixMultisphereHoweverOftenTheyAre
     EXPECT_LT(theirs, -0.1) << every;
     EXPECT_NEAR(ours, theirs, 0.01 * kOtherRotation) << every;  // of a few dozen blocks
   }
+}
+
+/// A block of two spheres has its centre beside the line between them: in a box that grows with the
+/// spheres the outermost centres would be outside as blocks turn.
+TEST(FixMultisphereMuckpile, KeepsTheOutermostBlocksInABoxThatGrowsWithThem) {
+  const auto lmp = silent_engine(MPI_COMM_WORLD);
+  run_lines(*lmp,
+            {"units si", "atom_style granular", "atom_modify map array sort 0 0", "newton off",
+             "boundary m m m", "communicate single cutoff 1.0 vel yes",
+             "region box block -2 2 -2 2 -2 2 units box", "create_box 1 box", "neighbor 0.05 bin",
+             "neigh_modify delay 0", "pair_style muckpile/block", "pair_coeff * *",
+             "fix bodies all multisphere/muckpile", "region rock block -1 1 -1 1 -1 1 units box",
+             "create_blocks rock density 2600 size uniform 0.5 block_min 0.5 block_max 0.5 "
+             "spheres_per_block 2 sphere_growth 1 seed 2"});
+  LAMMPS_NS::FixMultisphere& fix = *engine::find_multisphere(*lmp);
+  const int blocks = fix.n_body_all();
+  engine::Bodies bodies(fix);
+  for (int b = 0; b < bodies.count(); ++b) {
+    bodies.velocity(b) = 10.0 * bodies.centre(b);
+    bodies.spin(b) = Vec3(3.0, 5.0, -4.0);
+    bodies.angular_momentum(b) = bodies.inertia(b).x() * bodies.spin(b);
+  }
+  run_lines(*lmp, {"timestep 1e-4", "run 10000"});  // to ten times the box
+  EXPECT_GT(blocks, 50);
+  EXPECT_EQ(fix.n_body_all(), blocks);
 }
 
 }  // namespace
