@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Which rank owns a block: rendezvous at rank tag % ranks.
 // Scope: see the header.
-#include "engine/block_directory.h"
+#include "fixes/engine/block_directory.h"
 
-#include "engine/exchange.h"
+#include "fixes/engine/exchange.h"
 
 namespace muckpile::engine {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Copies of other ranks' blocks: plan and point-to-point messages.
 // Scope: see the header.
-#include "engine/block_halo.h"
+#include "fixes/engine/block_halo.h"
 
 #include <unordered_map>
 
-#include "engine/exchange.h"
+#include "fixes/engine/exchange.h"
 
 namespace muckpile::engine {
 namespace {

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/block_directory.h"
+#include "fixes/engine/block_directory.h"
 
 namespace muckpile::engine {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Spheres whose body another rank moves: plan by sphere tag, messages by BlockHalo.
 // Scope: see the header.
-#include "engine/border_spheres.h"
+#include "fixes/engine/border_spheres.h"
 
 #include <algorithm>
 #include <cstddef>

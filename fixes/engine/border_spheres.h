@@ -9,7 +9,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "engine/block_halo.h"
+#include "fixes/engine/block_halo.h"
 
 namespace muckpile::engine {
 

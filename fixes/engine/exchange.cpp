@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Exchange of byte buffers between all ranks.
 // Scope: in rounds, because MPI counts with int.
-#include "engine/exchange.h"
+#include "fixes/engine/exchange.h"
 
 #include <algorithm>
 #include <cstdint>

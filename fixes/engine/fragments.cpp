@@ -2,7 +2,7 @@
 // Fragments: the smallest tag spreads along joints that hold, within the rank by union-find and
 // between ranks by halo, until nothing changes.
 // Scope: see the header; rounds are bounded by the ranks that one fragment spans.
-#include "engine/fragments.h"
+#include "fixes/engine/fragments.h"
 
 #include <mpi.h>
 
@@ -10,7 +10,7 @@
 #include <limits>
 #include <numeric>
 
-#include "fix_muckpile_joint.h"
+#include "fixes/joints/fix_muckpile_joint.h"
 
 namespace muckpile::engine {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Text files of results.
 // Scope: see the header.
-#include "engine/output_file.h"
+#include "fixes/engine/output_file.h"
 
 #include <comm.h>
 #include <lammps.h>
@@ -12,8 +12,8 @@
 #include <filesystem>
 #include <system_error>
 
-#include "engine/exchange.h"
-#include "engine/style_args.h"
+#include "fixes/engine/exchange.h"
+#include "fixes/engine/style_args.h"
 
 namespace muckpile::engine {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Whether anything keeps blocks without joints from passing through each other.
 // Scope: see the header.
-#include "engine/pair_style_check.h"
+#include "fixes/engine/pair_style_check.h"
 
 #include <comm.h>
 #include <error.h>

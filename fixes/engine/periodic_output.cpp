@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What fixes that write files every so many steps share.
 // Scope: see the header.
-#include "engine/periodic_output.h"
+#include "fixes/engine/periodic_output.h"
 
 #include <comm.h>
 #include <lammps.h>
@@ -11,7 +11,7 @@
 #include <filesystem>
 
 #include "args/numbers.h"
-#include "engine/style_args.h"
+#include "fixes/engine/style_args.h"
 
 namespace muckpile::engine {
 ArgTable periodic_output_table(const std::string& style, const std::string& every_text,

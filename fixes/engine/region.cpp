@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // LIGGGHTS regions by name.
 // Scope: see the header.
-#include "engine/region.h"
+#include "fixes/engine/region.h"
 
 #include <domain.h>
 #include <lammps.h>
 #include <region.h>
 
-#include "engine/style_args.h"
+#include "fixes/engine/style_args.h"
 
 namespace muckpile::engine {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The one file that reaches LIGGGHTS' private style maps, and the one table of our styles.
 // Scope: written for LIGGGHTS 3.8; the static_asserts stop the build if a map's type changes.
-#include "engine/registry.h"
+#include "fixes/engine/registry.h"
 
 #include <error.h>
 #include <fix.h>
@@ -14,29 +14,29 @@
 #include <map>
 #include <type_traits>
 
-#include "block_motion.h"
-#include "charge_design.h"
-#include "create_blocks.h"
-#include "fix_muckpile_balance.h"
-#include "fix_muckpile_blast.h"
-#include "fix_muckpile_blocks.h"
-#include "fix_muckpile_contact_history.h"
-#include "fix_muckpile_dump.h"
-#include "fix_muckpile_gas.h"
-#include "fix_muckpile_ground.h"
-#include "fix_muckpile_joint.h"
-#include "fix_muckpile_ledger.h"
-#include "fix_muckpile_progress.h"
-#include "fix_muckpile_quiet.h"
-#include "fix_muckpile_sleep.h"
-#include "fix_muckpile_timestep.h"
-#include "fix_multisphere_muckpile.h"
-#include "pair_muckpile_block.h"
-#include "rank_grid.h"
-#include "read_sealed_restart.h"
-#include "require.h"
-#include "sphere_commands.h"
-#include "write_scene.h"
+#include "fixes/blocks/block_motion.h"
+#include "fixes/blocks/create_blocks.h"
+#include "fixes/blocks/fix_muckpile_balance.h"
+#include "fixes/blocks/fix_muckpile_blocks.h"
+#include "fixes/blocks/fix_muckpile_sleep.h"
+#include "fixes/blocks/fix_multisphere_muckpile.h"
+#include "fixes/blocks/rank_grid.h"
+#include "fixes/contact/fix_muckpile_contact_history.h"
+#include "fixes/contact/fix_muckpile_ground.h"
+#include "fixes/contact/pair_muckpile_block.h"
+#include "fixes/contact/sphere_commands.h"
+#include "fixes/explosive/charge_design.h"
+#include "fixes/explosive/fix_muckpile_blast.h"
+#include "fixes/explosive/fix_muckpile_gas.h"
+#include "fixes/joints/fix_muckpile_joint.h"
+#include "fixes/joints/fix_muckpile_quiet.h"
+#include "fixes/output/fix_muckpile_dump.h"
+#include "fixes/output/fix_muckpile_ledger.h"
+#include "fixes/output/write_scene.h"
+#include "fixes/run/fix_muckpile_progress.h"
+#include "fixes/run/fix_muckpile_timestep.h"
+#include "fixes/run/read_sealed_restart.h"
+#include "fixes/run/require.h"
 
 namespace muckpile::engine {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The state of a fix as bytes of LIGGGHTS' restart file.
 // Scope: the engine does not tell the length when it reads, so the length is part of the bytes.
-#include "engine/restart_file.h"
+#include "fixes/engine/restart_file.h"
 
 #include <comm.h>
 #include <lammps.h>
@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-#include "engine/style_args.h"
+#include "fixes/engine/style_args.h"
 
 namespace muckpile::engine {
 namespace {

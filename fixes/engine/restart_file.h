@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string>
 
-#include "engine/exchange.h"
+#include "fixes/engine/exchange.h"
 
 namespace LAMMPS_NS {
 class LAMMPS;

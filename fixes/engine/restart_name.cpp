@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The restart file that a name with `*` means.
 // Scope: see the header.
-#include "engine/restart_name.h"
+#include "fixes/engine/restart_name.h"
 
 #include <comm.h>
 #include <lammps.h>
@@ -12,8 +12,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "engine/exchange.h"
-#include "engine/style_args.h"
+#include "fixes/engine/exchange.h"
+#include "fixes/engine/style_args.h"
 
 namespace muckpile::engine {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The seal at the end of a restart file.
 // Scope: see the header.
-#include "engine/restart_seal.h"
+#include "fixes/engine/restart_seal.h"
 
 #include <comm.h>
 #include <error.h>
@@ -17,8 +17,8 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/exchange.h"
-#include "engine/style_args.h"
+#include "fixes/engine/exchange.h"
+#include "fixes/engine/style_args.h"
 #include "provenance/fingerprint.h"
 
 namespace muckpile::engine {

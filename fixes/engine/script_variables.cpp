@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // LIGGGHTS' table of variables.
 // Scope: see the header; how the private members are reached: engine/registry.cpp.
-#include "engine/script_variables.h"
+#include "fixes/engine/script_variables.h"
 
 #include <input.h>
 #include <lammps.h>

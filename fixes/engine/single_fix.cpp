@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Styles of which a run may have one fix only, and those that go on from a restart file.
 // Scope: see the header.
-#include "engine/single_fix.h"
+#include "fixes/engine/single_fix.h"
 
 #include <fix.h>
 #include <lammps.h>
 #include <modify.h>
 
-#include "engine/style_args.h"
+#include "fixes/engine/style_args.h"
 
 namespace muckpile::engine {
 

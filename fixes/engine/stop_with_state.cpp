@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Ends a run that has gone wrong, and leaves its state where a fix knows a place for it.
 // Scope: see the header.
-#include "engine/stop_with_state.h"
+#include "fixes/engine/stop_with_state.h"
 
 #include <fix.h>
 #include <lammps.h>
@@ -9,8 +9,8 @@
 #include <update.h>
 
 #include "args/numbers.h"
-#include "engine/style_args.h"
-#include "interfaces/state_writer.h"
+#include "fixes/engine/style_args.h"
+#include "fixes/interfaces/state_writer.h"
 
 namespace muckpile::engine {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Motion of the bodies that other ranks move: plan by sphere tag, messages by BlockHalo.
 // Scope: one sphere stands for each body, the first here; periodic images of a ghost count once.
-#include "engine/strange_bodies.h"
+#include "fixes/engine/strange_bodies.h"
 
 #include <atom.h>
 
 #include <unordered_set>
 
-#include "engine/bodies.h"
+#include "fixes/engine/bodies.h"
 
 namespace muckpile::engine {
 namespace {

@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "engine/block_halo.h"
+#include "fixes/engine/block_halo.h"
 #include "math/types.h"
 
 namespace LAMMPS_NS {

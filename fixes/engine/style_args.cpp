@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // From the engine's (narg, arg) to values of a keyword table, and from InputError to an engine
 // error. Scope: see style_args.h.
-#include "engine/style_args.h"
+#include "fixes/engine/style_args.h"
 
 #include <comm.h>
 #include <error.h>

@@ -3,7 +3,7 @@
 // Scope: see the header. That of fix wall/gran includes lists of contact models which Debian does
 // not package; empty ones of fixes/CMakeLists.txt take their place: the class does not depend on
 // them.
-#include "engine/walls.h"
+#include "fixes/engine/walls.h"
 
 #include <fix_mesh_surface.h>
 #include <fix_wall_gran.h>

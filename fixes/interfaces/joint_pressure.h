@@ -3,8 +3,8 @@
 // Scope: an interface only; fix muckpile/gas implements it, fix muckpile/joint calls it.
 #pragma once
 
-#include "bond/facet_network.h"
-#include "engine/block_halo.h"
+#include "bond/network/facet_network.h"
+#include "fixes/engine/block_halo.h"
 
 namespace muckpile {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "bond/facet_memory.h"
+#include "bond/network/facet_memory.h"
 
 namespace muckpile {
 

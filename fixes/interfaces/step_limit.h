@@ -3,7 +3,7 @@
 // Scope: an interface only; fix muckpile/joint implements it, fix muckpile/timestep reads it.
 #pragma once
 
-#include "bond/stable_step.h"
+#include "bond/linear/stable_step.h"
 
 namespace muckpile {
 

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/registry.h"
+#include "fixes/engine/registry.h"
 #include "unused_variables.h"
 
 namespace {

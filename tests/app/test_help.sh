@@ -10,7 +10,7 @@ fail() {
   exit 1
 }
 
-mapfile -t styles < <(sed -nE 's/^muckpile_add_style\(([a-z]+) ([^ )]+)\)$/\1 \2/p' "$list")
+mapfile -t styles < <(sed -nE 's/^muckpile_add_style\(([a-z]+) ([^ )]+) [a-z]+\)$/\1 \2/p' "$list")
 [[ ${#styles[@]} -ge 7 ]] || fail "found ${#styles[@]} styles in $list"
 
 for option in -help -h --help; do

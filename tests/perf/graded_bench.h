@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "geometry/tessellation.h"
+#include "geometry/cut/tessellation.h"
 
 namespace muckpile::perf {
 

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "bond/facet_builder.h"
-#include "bond/rigid_body.h"
-#include "geometry/relaxation.h"
+#include "bond/build/facet_builder.h"
+#include "bond/build/rigid_body.h"
+#include "geometry/cut/relaxation.h"
 #include "graded_bench.h"
 #include "timing.h"
 

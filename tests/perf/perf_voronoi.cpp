@@ -14,8 +14,8 @@
 #include <vector>
 #include <voro++/voro++.hh>
 
-#include "geometry/cell_cutter.h"
-#include "geometry/ground.h"
+#include "geometry/cut/cell_cutter.h"
+#include "geometry/cut/ground.h"
 #include "graded_bench.h"
 #include "timing.h"
 

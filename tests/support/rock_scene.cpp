@@ -19,8 +19,8 @@
 #include <vector>
 
 #include "args/numbers.h"
-#include "engine/bodies.h"
-#include "pair_muckpile_block.h"
+#include "fixes/contact/pair_muckpile_block.h"
+#include "fixes/engine/bodies.h"
 #include "silent_engine.h"
 
 namespace muckpile::test {

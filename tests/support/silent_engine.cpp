@@ -7,7 +7,7 @@
 
 #include <array>
 
-#include "engine/registry.h"
+#include "fixes/engine/registry.h"
 
 namespace muckpile::test {
 

@@ -12,7 +12,7 @@
 #include "framework/block_run.h"
 #include "framework/cases.h"
 #include "framework/rock_samples.h"
-#include "geometry/tessellation.h"
+#include "geometry/cut/tessellation.h"
 
 namespace muckpile::verification {
 namespace {

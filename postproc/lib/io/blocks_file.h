@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "geometry/polyhedron.h"
+#include "geometry/shape/polyhedron.h"
 #include "math/types.h"
 
 namespace muckpile {

@@ -10,7 +10,7 @@
 #include "explosive/attenuation.h"
 #include "explosive/charge_options.h"
 #include "explosive/crushed_zone.h"
-#include "geometry/size_law.h"
+#include "geometry/size/size_law.h"
 
 namespace muckpile {
 namespace {

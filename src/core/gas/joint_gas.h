@@ -17,7 +17,7 @@
 #include <span>
 #include <vector>
 
-#include "bond/facet_network.h"
+#include "bond/network/facet_network.h"
 #include "gas/crack_flow.h"
 
 namespace muckpile {

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "geometry/polyhedron.h"
+#include "geometry/shape/polyhedron.h"
 
 namespace muckpile {
 

@@ -9,7 +9,7 @@
 #include "args/input_error.h"
 #include "args/numbers.h"
 #include "explosive/hole_table.h"
-#include "geometry/hole_overlap.h"
+#include "geometry/holes/hole_overlap.h"
 #include "rock/cut_table.h"
 
 namespace muckpile {

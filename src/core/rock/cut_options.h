@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "args/parse_args.h"
-#include "bond/joint_plane.h"
-#include "geometry/joint_set_cut.h"
-#include "geometry/size_target.h"
-#include "geometry/tessellation.h"
+#include "bond/build/joint_plane.h"
+#include "geometry/cut/joint_set_cut.h"
+#include "geometry/cut/tessellation.h"
+#include "geometry/size/size_target.h"
 
 namespace muckpile {
 

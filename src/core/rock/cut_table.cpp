@@ -2,7 +2,7 @@
 // The keywords of create_blocks; see the header.
 #include "rock/cut_table.h"
 
-#include "geometry/tessellation.h"
+#include "geometry/cut/tessellation.h"
 
 namespace muckpile {
 namespace {

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "args/numbers.h"
-#include "geometry/filling_quality.h"
+#include "geometry/spheres/filling_quality.h"
 #include "rock/rock_model.h"
 
 namespace muckpile {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "args/input_error.h"
-#include "geometry/block_import.h"
+#include "geometry/files/block_import.h"
 
 namespace muckpile {
 namespace {

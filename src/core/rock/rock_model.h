@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "bond/facet_builder.h"
-#include "bond/rigid_body.h"
+#include "bond/build/facet_builder.h"
+#include "bond/build/rigid_body.h"
 #include "rock/cut_options.h"
 
 namespace muckpile {

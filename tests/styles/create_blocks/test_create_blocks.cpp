@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/tessellation.h"
+#include "geometry/cut/tessellation.h"
 #include "rock_scene.h"
 #include "scratch_folder.h"
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "engine/exchange.h"
+#include "fixes/engine/exchange.h"
 
 namespace muckpile::engine {
 namespace {

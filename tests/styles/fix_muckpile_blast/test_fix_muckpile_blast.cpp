@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/bodies.h"
 #include "explosive/starfield_pulse.h"
-#include "geometry/polyhedron.h"
-#include "geometry/tessellation.h"
+#include "fixes/engine/bodies.h"
+#include "geometry/cut/tessellation.h"
+#include "geometry/shape/polyhedron.h"
 #include "silent_engine.h"
 
 namespace muckpile {

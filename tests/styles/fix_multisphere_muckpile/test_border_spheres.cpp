@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "engine/border_spheres.h"
+#include "fixes/engine/border_spheres.h"
 
 namespace muckpile::engine {
 namespace {

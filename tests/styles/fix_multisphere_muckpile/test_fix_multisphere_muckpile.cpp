@@ -10,7 +10,7 @@
 #include <map>
 #include <string>
 
-#include "engine/bodies.h"
+#include "fixes/engine/bodies.h"
 #include "rock_scene.h"
 #include "silent_engine.h"
 

@@ -19,8 +19,8 @@
 #include <stdexcept>
 
 #include "args/numbers.h"
-#include "engine/bodies.h"
-#include "interfaces/contact_work.h"
+#include "fixes/engine/bodies.h"
+#include "fixes/interfaces/contact_work.h"
 #include "silent_engine.h"
 
 namespace muckpile::testing {

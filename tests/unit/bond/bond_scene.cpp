@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "../geometry/shapes.h"
-#include "geometry/joint_set_cut.h"
+#include "geometry/cut/joint_set_cut.h"
 
 namespace muckpile::test {
 

@@ -6,10 +6,10 @@
 #include <random>
 #include <vector>
 
-#include "bond/facet_builder.h"
-#include "bond/facet_network.h"
-#include "bond/joint_plane.h"
-#include "bond/stable_step.h"
+#include "bond/build/facet_builder.h"
+#include "bond/build/joint_plane.h"
+#include "bond/linear/stable_step.h"
+#include "bond/network/facet_network.h"
 #include "geometry/block_model.h"
 
 namespace muckpile::test {

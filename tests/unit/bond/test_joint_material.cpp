@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "args/input_error.h"
-#include "bond/joint_material.h"
+#include "bond/law/joint_material.h"
 #include "bond_scene.h"
 
 namespace muckpile {

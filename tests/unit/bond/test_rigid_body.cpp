@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bond/rigid_body.h"
+#include "bond/build/rigid_body.h"
 #include "bond_scene.h"
 
 namespace muckpile::test {

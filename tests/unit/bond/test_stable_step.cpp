@@ -8,9 +8,9 @@
 #include <limits>
 #include <random>
 
-#include "bond/stable_step.h"
+#include "bond/linear/stable_step.h"
 #include "bond_scene.h"
-#include "geometry/tessellation.h"
+#include "geometry/cut/tessellation.h"
 
 namespace muckpile::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bond/facet_network.h"
+#include "bond/network/facet_network.h"
 #include "explosive/blast_load.h"
 
 namespace muckpile {

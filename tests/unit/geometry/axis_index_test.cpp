@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The tree over charge axes finds what a look at every axis finds.
 // Scope: random axes, points near and far; lengths in metres.
-#include "geometry/axis_index.h"
+#include "geometry/index/axis_index.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-#include "geometry/random.h"
+#include "math/random.h"
 
 namespace muckpile {
 namespace {

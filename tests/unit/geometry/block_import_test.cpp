@@ -2,7 +2,7 @@
 // Blocks from a VTK file: what was written comes back, shared faces are found, and cells that
 // cannot be blocks are named. Scope: scenes of a few hundred blocks and files of two or three
 // cells; lengths in metres.
-#include "geometry/block_import.h"
+#include "geometry/files/block_import.h"
 
 #include <gtest/gtest.h>
 
@@ -14,10 +14,10 @@
 #include <string>
 
 #include "args/input_error.h"
-#include "bond/facet_builder.h"
+#include "bond/build/facet_builder.h"
 #include "cut_checks.h"
-#include "geometry/block_file.h"
-#include "geometry/joint_set_cut.h"
+#include "geometry/cut/joint_set_cut.h"
+#include "geometry/files/block_file.h"
 #include "shapes.h"
 
 namespace muckpile {

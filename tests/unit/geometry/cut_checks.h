@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "geometry/block_model.h"
-#include "geometry/convex_cell.h"
+#include "geometry/shape/convex_cell.h"
 
 namespace muckpile::test {
 

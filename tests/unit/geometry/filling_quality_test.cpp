@@ -2,7 +2,7 @@
 // Coverage and surface deviation of sphere fillings, and how both improve with the number of
 // spheres. Scope: a cube with one ball by hand; relaxed Voronoi blocks for the table in
 // docs/styles/create_blocks.md.
-#include "geometry/filling_quality.h"
+#include "geometry/spheres/filling_quality.h"
 
 #include <gtest/gtest.h>
 

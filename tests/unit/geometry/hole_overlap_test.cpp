@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Which crushed zones lie in one another.
-#include "geometry/hole_overlap.h"
+#include "geometry/holes/hole_overlap.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Joint sets in concentric bands: blocks are convex and closed, fill the rock, share every face,
 // follow the size law and the sets, and keep out of holes and air.
 // Scope: scenes of a few hundred blocks; lengths in metres.
-#include "geometry/joint_set_cut.h"
+#include "geometry/cut/joint_set_cut.h"
 
 #include <gtest/gtest.h>
 
@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "args/input_error.h"
-#include "bond/facet_builder.h"
-#include "bond/joint_plane.h"
+#include "bond/build/facet_builder.h"
+#include "bond/build/joint_plane.h"
 #include "cut_checks.h"
-#include "geometry/convex_cell.h"
+#include "geometry/shape/convex_cell.h"
 #include "shapes.h"
 
 namespace muckpile {

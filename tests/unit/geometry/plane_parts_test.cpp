@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A cut that follows planes: blocks end at them, nothing is lost, and both sides share their faces.
 // Scope: some hundred blocks and two planes that cross; lengths in metres.
-#include "geometry/plane_parts.h"
+#include "geometry/shape/plane_parts.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "args/input_error.h"
-#include "bond/facet_builder.h"
-#include "bond/joint_plane.h"
+#include "bond/build/facet_builder.h"
+#include "bond/build/joint_plane.h"
 
 namespace muckpile {
 namespace {

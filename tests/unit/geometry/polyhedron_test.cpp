@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Mass and face properties against closed forms and against an independent surface integration.
 // Scope: convex bodies; the tessellation's own tests cover whole packings.
-#include "geometry/polyhedron.h"
+#include "geometry/shape/polyhedron.h"
 
 #include <gtest/gtest.h>
 

@@ -13,13 +13,13 @@
 #include <optional>
 #include <utility>
 
-#include "bond/facet_builder.h"
-#include "bond/joint_plane.h"
+#include "bond/build/facet_builder.h"
+#include "bond/build/joint_plane.h"
 #include "cut_checks.h"
-#include "geometry/ground.h"
-#include "geometry/hole_surface.h"
-#include "geometry/joint_set_cut.h"
-#include "geometry/random.h"
+#include "geometry/cut/ground.h"
+#include "geometry/cut/joint_set_cut.h"
+#include "geometry/holes/hole_surface.h"
+#include "math/random.h"
 
 namespace muckpile {
 namespace {

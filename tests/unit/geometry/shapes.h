@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "geometry/tessellation.h"
+#include "geometry/cut/tessellation.h"
 
 namespace muckpile::test {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Size laws against hand-worked numbers, their limits, and every message of the table reader.
 // Scope: lengths in metres.
-#include "geometry/size_law.h"
+#include "geometry/size/size_law.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "args/input_error.h"
-#include "geometry/ground.h"
+#include "geometry/cut/ground.h"
 
 namespace muckpile {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Blocks fill the rock exactly, share faces, follow the size law, keep out of holes and air.
 // Scope: scenes of a few hundred to two thousand blocks; lengths in metres.
-#include "geometry/tessellation.h"
+#include "geometry/cut/tessellation.h"
 
 #include <gtest/gtest.h>
 
@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "args/input_error.h"
-#include "geometry/cell_cutter.h"
-#include "geometry/hole_surface.h"
-#include "geometry/random.h"
+#include "geometry/cut/cell_cutter.h"
+#include "geometry/holes/hole_surface.h"
+#include "math/random.h"
 #include "shapes.h"
 
 namespace muckpile {

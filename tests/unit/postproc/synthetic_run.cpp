@@ -11,7 +11,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "geometry/block_file.h"
+#include "geometry/files/block_file.h"
 
 namespace muckpile::testing {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "args/csv_table.h"
 #include "args/input_error.h"
-#include "geometry/block_file.h"
+#include "geometry/files/block_file.h"
 #include "io/energy_history.h"
 #include "io/history.h"
 #include "io/result_folder.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "args/input_error.h"
-#include "geometry/block_file.h"
+#include "geometry/files/block_file.h"
 #include "report/bench_scene.h"
 #include "report/not_measurable.h"
 #include "report/plan_report.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "bond/stable_step.h"
+#include "bond/linear/stable_step.h"
 
 namespace muckpile::verification {
 namespace {

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <numbers>
 
-#include "bond/joint_plane.h"
-#include "geometry/joint_set_cut.h"
-#include "geometry/tessellation.h"
+#include "bond/build/joint_plane.h"
+#include "geometry/cut/joint_set_cut.h"
+#include "geometry/cut/tessellation.h"
 
 namespace muckpile::verification {
 

@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "bond/facet_builder.h"
-#include "bond/joint_material.h"
+#include "bond/build/facet_builder.h"
+#include "bond/law/joint_material.h"
 #include "geometry/block_model.h"
-#include "geometry/polygon.h"
-#include "geometry/size_law.h"
-#include "geometry/tessellation.h"
+#include "geometry/cut/tessellation.h"
+#include "geometry/shape/polygon.h"
+#include "geometry/size/size_law.h"
 #include "unit/bond/bond_scene.h"
 
 namespace muckpile::verification {

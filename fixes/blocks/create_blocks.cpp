@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// create_blocks: from a region to multisphere bodies and facets.
+// Scope: see the header.
+#include "fixes/blocks/create_blocks.h"
+
+#include <atom.h>
+#include <comm.h>
+#include <domain.h>
+#include <fix_multisphere.h>
+#include <modify.h>
+#include <multisphere.h>
+#include <region.h>
+#include <unistd.h>
+#include <update.h>
+
+#include <cstdint>
+#include <cstring>
+#include <functional>
+
+#include "fixes/blocks/block_placement.h"
+#include "fixes/blocks/fix_muckpile_blocks.h"
+#include "fixes/engine/bodies.h"
+#include "fixes/engine/exchange.h"
+#include "geometry/files/block_file.h"
+#include "rock/cut_table.h"
+
+namespace muckpile {
+namespace {
+
+/// Runs `body` on rank 0; a fault there stops all ranks with its message.
+void on_rank_0(LAMMPS_NS::LAMMPS& lmp, const std::function<void()>& body) {
+  std::string fault;
+  if (lmp.comm->me == 0) {
+    try {
+      body();
+    } catch (const std::exception& error) {
+      fault = error.what();
+    }
+  }
+  int length = static_cast<int>(fault.size());
+  MPI_Bcast(&length, 1, MPI_INT, 0, lmp.world);
+  if (length == 0) return;
+  fault.resize(static_cast<std::size_t>(length));
+  MPI_Bcast(fault.data(), length, MPI_CHAR, 0, lmp.world);
+  engine::stop(lmp, in_create_blocks(fault));
+}
+
+/// Memory of this machine [bytes].
+std::size_t installed_memory() {
+  return static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) *
+         static_cast<std::size_t>(sysconf(_SC_PAGE_SIZE));
+}
+
+RegionQuery query(LAMMPS_NS::Region& rock) {
+  RegionQuery region;
+  region.inside = [&rock](const Vec3& p) { return rock.match(p.x(), p.y(), p.z()) != 0; };
+  region.surface_points = [&rock](const Vec3& p, double cutoff) {
+    const int count = rock.surface(p.x(), p.y(), p.z(), cutoff);
+    std::vector<Vec3> points;
+    for (int c = 0; c < count; ++c) {
+      const auto& hit = rock.contact[c];
+      points.push_back(p - Vec3(hit.delx, hit.dely, hit.delz));
+    }
+    return points;
+  };
+  return region;
+}
+
+}  // namespace
+
+void CreateBlocks::command(int narg, char** arg) {
+  if (narg < 1) engine::stop(*lmp, "create_blocks: needs the ID of a region as its first word");
+  check_engine();
+  const ArgValues args = engine::read_args(*lmp, cut_table(), kCreateBlocks, narg, arg, 1);
+  const int type = checked_type(args);
+  LAMMPS_NS::Region& rock = region(arg[0]);
+  check_overlap(rock);
+  const double start = MPI_Wtime();
+  CutOptions options;
+  SupportRule held;
+  engine::or_engine_error(*lmp, [&] {
+    options = cut_options(args, installed_memory());
+    bound(options.rock, rock);
+    held = support(args);
+    return 0;
+  });
+  BlockPlacement placement(lmp, type, options.density);
+  if (comm->nprocs > 1 && options.is_plain_voronoi()) share_sweeps_of_rank_0(options.rock);
+  RockModel model;
+  on_rank_0(*lmp, [&] { model = cut_rock(options, placement.first_tag(), held); });
+  const std::string run = run_id(engine::words_of(narg, arg, 0), model);
+  on_rank_0(*lmp, [&] {
+    const std::string& file = args.word("file");
+    if (file != "none")
+      write_blocks(file, model.rock.blocks, placement.first_tag(), options.density, run);
+  });
+  placement.place(model, options.rock.holes);
+  FixMuckpileBlocks::find(*lmp)->record().begin(run);
+  if (comm->me == 0) engine::print_once(*lmp, describe(model, MPI_Wtime() - start));
+}
+
+/// All rock of a run has the id that comes with the first.
+std::string CreateBlocks::run_id(const std::vector<std::string>& words,
+                                 const RockModel& model) const {
+  FixMuckpileBlocks* store = FixMuckpileBlocks::find(*lmp);
+  const std::string known = store == nullptr ? "" : store->record().id();
+  return known.empty() ? make_run_id(*lmp, words, model) : known;
+}
+
+void CreateBlocks::check_engine() const {
+  if (domain->box_exist == 0)
+    engine::stop(*lmp, "create_blocks: needs a simulation box (create_box) before it");
+  if (std::strcmp(update->unit_style, "si") != 0) {
+    engine::stop(*lmp, std::string("create_blocks: needs 'units si', got 'units ") +
+                           update->unit_style + "'");
+  }
+  if (atom->sphere_flag == 0 || atom->rmass == nullptr) {
+    engine::stop(*lmp, "create_blocks: needs 'atom_style granular' (or sphere)");
+  }
+  if (engine::find_multisphere(*lmp) == nullptr) {
+    engine::stop(*lmp, "create_blocks: needs 'fix ID all multisphere' before it");
+  }
+  if (modify->nfix_restart_peratom > 0) {
+    engine::stop(*lmp,
+                 "create_blocks: must not stand between read_restart and the first run ('run 0' is "
+                 "enough): until then LIGGGHTS keeps data of the file that new particles lack");
+  }
+}
+
+int CreateBlocks::checked_type(const ArgValues& args) const {
+  const long type = args.integer("type");
+  if (type > atom->ntypes) {
+    engine::stop(*lmp, "create_blocks: type must be <= " + std::to_string(atom->ntypes) +
+                           ", the number of atom types of the box, got '" + std::to_string(type) +
+                           "'");
+  }
+  return static_cast<int>(type);
+}
+
+LAMMPS_NS::Region& CreateBlocks::region(const std::string& id) const {
+  const int index = domain->find_region(id.c_str());
+  if (index < 0) engine::stop(*lmp, "create_blocks: region must exist, got '" + id + "'");
+  return *domain->regions[index];
+}
+
+void CreateBlocks::check_overlap(LAMMPS_NS::Region& rock) const {
+  const engine::Bodies bodies(*engine::find_multisphere(*lmp));
+  int inside = 0, all = 0;
+  for (int b = 0; b < bodies.count(); ++b) {
+    const auto c = bodies.centre(b);
+    inside += rock.match(c.x(), c.y(), c.z()) != 0 ? 1 : 0;
+  }
+  MPI_Allreduce(&inside, &all, 1, MPI_INT, MPI_SUM, world);
+  if (all > 0) {
+    engine::stop(*lmp, std::string("create_blocks: region '") + rock.id +
+                           "' must not overlap rock that exists, got " + std::to_string(all) +
+                           " bodies with their centre in it");
+  }
+}
+
+/// Box and surface of the rock.
+void CreateBlocks::bound(TessellationOptions& what, LAMMPS_NS::Region& rock) const {
+  const std::string name = std::string("create_blocks: region '") + rock.id + "'";
+  if (rock.bboxflag == 0) throw InputError(name + " must be bounded");
+  what.lo = {rock.extent_xlo, rock.extent_ylo, rock.extent_zlo};
+  what.hi = {rock.extent_xhi, rock.extent_yhi, rock.extent_zhi};
+  const Vec3 box_lo(domain->boxlo), box_hi(domain->boxhi);
+  if ((what.lo.array() < box_lo.array()).any() || (what.hi.array() > box_hi.array()).any())
+    throw InputError(name + " must lie inside the simulation box");
+  const bool is_box = std::strcmp(rock.style, "block") == 0 && rock.interior != 0;
+  if (!is_box) what.region = query(rock);
+}
+
+SupportRule CreateBlocks::support(const ArgValues& args) const {
+  std::vector<std::pair<Support, LAMMPS_NS::Region*>> rules;
+  for (const auto& words : args.groups("support")) {
+    if (words[0] != "fixed" && words[0] != "mirror")
+      throw InputError("create_blocks: support must be fixed or mirror, got '" + words[0] + "'");
+    rules.emplace_back(words[0] == "fixed" ? Support::fixed : Support::mirror, &region(words[1]));
+  }
+  return [rules](const Vec3& at) {
+    for (const auto& [kind, where] : rules) {
+      if (where->match(at.x(), at.y(), at.z()) != 0) return kind;
+    }
+    return Support::free;
+  };
+}
+
+/// The other ranks take part in the sweeps that rank 0 makes later, as it cuts: nothing collective
+/// may come in between. Rank 0 reports what goes wrong.
+void CreateBlocks::share_sweeps_of_rank_0(TessellationOptions& what) const {
+  what.team.rank = comm->me;
+  what.team.ranks = comm->nprocs;
+  what.team.gather = [this](const std::vector<double>& mine) {
+    return engine::gather_all(mine, world);
+  };
+  auto most = static_cast<std::uint64_t>(what.max_blocks);  // other nodes may have less memory
+  MPI_Bcast(&most, 1, MPI_UINT64_T, 0, world);
+  what.max_blocks = static_cast<std::size_t>(most);
+  if (comm->me == 0) return;
+  try {
+    share_sweeps(what);
+  } catch (const std::exception&) {
+  }
+}
+
+}  // namespace muckpile

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/blocks: facets and records follow the bodies from rank to rank.
+// Scope: see the header.
+#include "fixes/blocks/fix_muckpile_blocks.h"
+
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include "fixes/engine/bodies.h"
+#include "fixes/engine/exchange.h"
+#include "fixes/engine/pair_style_check.h"
+#include "fixes/engine/style_args.h"
+
+namespace muckpile {
+namespace {
+
+using FacetKey = std::pair<int, int>;
+
+FacetKey key_of(const Facet& facet) { return {facet.tag_i, facet.face}; }
+
+}  // namespace
+
+void put(engine::ByteWriter& out, const Facet& facet, const FacetMemory& memory) {
+  out.put(facet);
+  out.put(static_cast<const FacetTraces&>(memory));
+  out.put(memory.contact.exists());
+  if (memory.contact.exists()) out.put(memory.contact.get());
+  out.put(memory.rare.exists());
+  if (memory.rare.exists()) out.put(memory.rare.get());
+}
+
+std::pair<Facet, FacetMemory> get_facet(engine::ByteReader& in) {
+  std::pair<Facet, FacetMemory> entry;
+  auto& [facet, memory] = entry;
+  facet = in.get<Facet>();
+  static_cast<FacetTraces&>(memory) = in.get<FacetTraces>();
+  if (in.get<bool>()) memory.contact.made() = in.get<ContactMemory>();
+  if (in.get<bool>()) memory.rare.made() = in.get<RareMemory>();
+  return entry;
+}
+
+FixMuckpileBlocks::FixMuckpileBlocks(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
+    : Fix(engine, narg, arg), multisphere_(engine::find_multisphere(*engine)) {
+  if (multisphere_ == nullptr) {
+    engine::stop(*lmp, "fix muckpile/blocks needs a fix multisphere defined before it");
+  }
+  restart_global = restart_file = 1;
+}
+
+FixMuckpileBlocks::~FixMuckpileBlocks() {
+  if (keeper_ != nullptr) keeper_->store_is_gone();
+}
+
+int FixMuckpileBlocks::setmask() { return LAMMPS_NS::FixConst::PRE_NEIGHBOR; }
+
+void FixMuckpileBlocks::setup(int /*vflag*/) {
+  if (!contact_warned_) engine::warn_without_contact_law(*lmp);
+  contact_warned_ = true;
+}
+
+FixMuckpileBlocks* FixMuckpileBlocks::find(LAMMPS_NS::LAMMPS& lmp) {
+  return dynamic_cast<FixMuckpileBlocks*>(lmp.modify->find_fix_style_strict("muckpile/blocks", 0));
+}
+
+double FixMuckpileBlocks::memory_usage() {
+  return static_cast<double>(
+      records_.capacity() * sizeof(BlockRecord) + facets_.capacity() * sizeof(Facet) +
+      memory_.capacity() * sizeof(FacetMemory) + faces_.capacity() * sizeof(BoundaryFace));
+}
+
+void FixMuckpileBlocks::add(const std::vector<BlockRecord>& records,
+                            const std::vector<Facet>& facets,
+                            const std::vector<BoundaryFace>& faces, const std::vector<Hole>& holes,
+                            int blocks_all) {
+  // Each joint comes with both of its blocks. Joints that have retired are no longer in the lists.
+  int mine = 0, all = 0;
+  for (const Facet& facet : facets) {
+    mine += facet.kind == FacetKind::joint ? 1 : 0;
+    highest_joint_class_ = std::max<int>(highest_joint_class_, facet.joint_class);
+  }
+  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_SUM, world);
+  facets_created_ += all / 2;
+  take_back();
+  records_.insert(records_.end(), records.begin(), records.end());
+  std::vector<FacetEntry> entries;
+  for (const Facet& facet : facets) entries.emplace_back(facet, FacetMemory{});
+  add_facets(std::move(entries));
+  const int first_hole = static_cast<int>(holes_.size());
+  for (BoundaryFace face : faces) {
+    if (face.hole >= 0) face.hole += first_hole;
+    faces_.push_back(face);
+  }
+  holes_.insert(holes_.end(), holes.begin(), holes.end());
+  blocks_created_ += blocks_all;
+  tags_.clear();
+  synchronise();
+}
+
+std::vector<int> FixMuckpileBlocks::body_tags() {
+  const engine::Bodies bodies(*multisphere_);
+  std::vector<int> tags(static_cast<std::size_t>(bodies.count()));
+  for (int b = 0; b < bodies.count(); ++b) tags[static_cast<std::size_t>(b)] = bodies.tag(b);
+  return tags;
+}
+
+void FixMuckpileBlocks::synchronise() {
+  const std::vector<int> tags = body_tags();
+  int changed = tags == tags_ ? 0 : 1, any = 0;
+  MPI_Allreduce(&changed, &any, 1, MPI_INT, MPI_MAX, world);
+  if (any == 0) return;
+  take_back();
+  const engine::BlockDirectory directory(tags, world);
+  drop_orphans(tags, directory);
+  migrate(tags, directory);
+  index(tags, directory);
+  tags_ = tags;
+  ++version_;
+}
+
+/// Gets the facets back from the keeper.
+void FixMuckpileBlocks::take_back() {
+  if (!handed_over_) return;
+  FacetLists lists = keeper_->hand_back();
+  facets_ = std::move(lists.facets);
+  memory_ = std::move(lists.memory);
+  faces_ = std::move(lists.faces);
+  handed_over_ = false;
+  drop_retired();
+}
+
+FacetLists FixMuckpileBlocks::hand_over() {
+  handed_over_ = true;
+  FacetLists lists{std::move(facets_), std::move(memory_), std::move(faces_)};
+  facets_.clear();
+  memory_.clear();
+  faces_.clear();
+  return lists;
+}
+
+/// The facets of the former keeper come back first.
+void FixMuckpileBlocks::set_keeper(FacetKeeper* keeper) {
+  take_back();
+  keeper_ = keeper;
+}
+
+void FixMuckpileBlocks::retire_into_record(const Facet& facet, int end) {
+  if (end >= static_cast<int>(records_.size())) return;  // a copy, or the ground
+  BlockRecord& record = records_[static_cast<std::size_t>(end)];
+  record.retired.add(facet, end == facet.i ? facet.arm_i : facet.arm_j, record.volume);
+}
+
+/// Retired facets need not travel: their blocks remember what is left to know of them. Every rank
+/// that holds a copy drops it at the same time.
+void FixMuckpileBlocks::drop_retired() {
+  keep_facets([&](std::size_t f) {
+    if (!memory_[f].over()) return true;
+    retire_into_record(facets_[f], facets_[f].i);
+    retire_into_record(facets_[f], facets_[f].j);
+    return false;
+  });
+}
+
+/// A block that left the simulation box takes its joints with it: its neighbours lose them, and
+/// nothing pulls at a block that is no longer there. fix muckpile/progress reports the loss.
+void FixMuckpileBlocks::drop_orphans(const std::vector<int>& tags,
+                                     const engine::BlockDirectory& directory) {
+  const std::unordered_set<int> here(tags.begin(), tags.end());
+  std::vector<int> ends;
+  for (const Facet& facet : facets_) {
+    for (int tag : {facet.tag_i, facet.tag_j}) {
+      if (tag != kGroundTag && here.count(tag) == 0) ends.push_back(tag);
+    }
+  }
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  const std::vector<int> owners = directory.owners(ends);
+  std::unordered_set<int> lost;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    if (owners[k] < 0) lost.insert(ends[k]);
+  }
+  if (lost.empty()) return;
+  for (std::size_t f = 0; f < facets_.size(); ++f) {
+    if (lost.count(facets_[f].tag_i) + lost.count(facets_[f].tag_j) > 0) {
+      memory_[f].state = FacetState::retired;
+      memory_[f].gas = false;
+    }
+  }
+  drop_retired();
+}
+
+void FixMuckpileBlocks::migrate(const std::vector<int>& tags,
+                                const engine::BlockDirectory& directory) {
+  merge(tags, engine::exchange_bytes(pack_leaving(tags, directory), world));
+}
+
+/// Per destination rank: the blocks that went there, with their faces and facets.
+std::vector<std::vector<char>> FixMuckpileBlocks::pack_leaving(
+    const std::vector<int>& tags, const engine::BlockDirectory& directory) {
+  const std::unordered_set<int> here(tags.begin(), tags.end());
+  std::vector<int> leaving;
+  for (const BlockRecord& record : records_) {
+    if (here.count(record.tag) == 0) leaving.push_back(record.tag);
+  }
+  const std::vector<int> owners = directory.owners(leaving);
+  std::unordered_map<int, int> destination;
+  for (std::size_t k = 0; k < leaving.size(); ++k) destination[leaving[k]] = owners[k];
+
+  std::unordered_map<int, std::vector<BoundaryFace>> faces_of;
+  for (const BoundaryFace& face : faces_) {
+    if (destination.count(face.tag) != 0) faces_of[face.tag].push_back(face);
+  }
+  std::unordered_map<int, std::vector<std::size_t>> facets_of;
+  for (std::size_t f = 0; f < facets_.size(); ++f) {
+    for (int tag : {facets_[f].tag_i, facets_[f].tag_j}) {
+      if (destination.count(tag) != 0) facets_of[tag].push_back(f);
+    }
+  }
+  int ranks = 1;
+  MPI_Comm_size(world, &ranks);
+  std::vector<engine::ByteWriter> outgoing(static_cast<std::size_t>(ranks));
+  for (const BlockRecord& record : records_) {
+    const auto to = destination.find(record.tag);
+    if (to == destination.end() || to->second < 0) continue;
+    engine::ByteWriter& out = outgoing[static_cast<std::size_t>(to->second)];
+    out.put(record);
+    out.put_all(faces_of[record.tag]);
+    out.put(facets_of[record.tag].size());
+    for (const std::size_t f : facets_of[record.tag]) put(out, facets_[f], memory_[f]);
+  }
+  return engine::bytes_of(outgoing);
+}
+
+/// Adds what arrived, drops what no block here needs, and keeps all in canonical order.
+void FixMuckpileBlocks::merge(const std::vector<int>& tags,
+                              const std::vector<std::vector<char>>& arrived) {
+  const std::unordered_set<int> here(tags.begin(), tags.end());
+  std::unordered_map<int, BlockRecord> known;
+  for (const BlockRecord& record : records_) known[record.tag] = record;
+  std::vector<FacetEntry> facets;
+  for (const auto& part : arrived) {
+    for (engine::ByteReader reader(part); !reader.empty();) {
+      const auto record = reader.get<BlockRecord>();
+      known[record.tag] = record;
+      for (const auto& face : reader.get_all<BoundaryFace>()) faces_.push_back(face);
+      for (auto left = reader.get<std::size_t>(); left > 0; --left)
+        facets.push_back(get_facet(reader));
+    }
+  }
+  std::erase_if(faces_, [&](const BoundaryFace& face) { return here.count(face.tag) == 0; });
+  std::sort(faces_.begin(), faces_.end(), [](const BoundaryFace& a, const BoundaryFace& b) {
+    return std::pair(a.tag, a.face) < std::pair(b.tag, b.face);
+  });
+  keep_facets([&](std::size_t f) {
+    return here.count(facets_[f].tag_i) + here.count(facets_[f].tag_j) > 0;
+  });
+  add_facets(std::move(facets));
+
+  records_.clear();
+  for (int tag : tags) {
+    const auto found = known.find(tag);  // absent for a body that create_blocks did not make
+    records_.push_back(found == known.end() ? BlockRecord{.tag = tag} : found->second);
+  }
+}
+
+void FixMuckpileBlocks::keep_facets(const std::function<bool(std::size_t)>& needed) {
+  std::size_t kept = 0;
+  for (std::size_t f = 0; f < facets_.size(); ++f) {
+    if (!needed(f)) continue;
+    if (kept != f) {
+      facets_[kept] = facets_[f];
+      memory_[kept] = std::move(memory_[f]);
+    }
+    ++kept;
+  }
+  facets_.resize(kept);
+  memory_.resize(kept);
+}
+
+/// Puts facets in their places among those that are here; one that is here already stays as it is.
+void FixMuckpileBlocks::add_facets(std::vector<FacetEntry> added) {
+  if (added.empty()) return;
+  std::sort(added.begin(), added.end(), [](const FacetEntry& a, const FacetEntry& b) {
+    return key_of(a.first) < key_of(b.first);
+  });
+  std::vector<Facet> facets;
+  std::vector<FacetMemory> memories;
+  facets.reserve(facets_.size() + added.size());
+  memories.reserve(facets_.size() + added.size());
+  const auto append = [&](const Facet& facet, FacetMemory& its) {
+    if (!facets.empty() && key_of(facets.back()) == key_of(facet)) return;
+    facets.push_back(facet);
+    memories.push_back(std::move(its));
+  };
+  auto next = added.begin();
+  for (std::size_t f = 0; f < facets_.size(); ++f) {
+    for (; next != added.end() && key_of(next->first) < key_of(facets_[f]); ++next)
+      append(next->first, next->second);
+    append(facets_[f], memory_[f]);
+  }
+  for (; next != added.end(); ++next) append(next->first, next->second);
+  facets_ = std::move(facets);
+  memory_ = std::move(memories);
+}
+
+void FixMuckpileBlocks::index(const std::vector<int>& tags,
+                              const engine::BlockDirectory& directory) {
+  std::unordered_map<int, int> position;
+  for (std::size_t b = 0; b < tags.size(); ++b) position[tags[b]] = static_cast<int>(b);
+  copy_tags_.clear();
+  for (const Facet& facet : facets_) {
+    for (int tag : {facet.tag_i, facet.tag_j}) {
+      if (tag == kGroundTag || position.count(tag) != 0) continue;
+      position[tag] = static_cast<int>(tags.size() + copy_tags_.size());
+      copy_tags_.push_back(tag);
+    }
+  }
+  const int ground = static_cast<int>(tags.size() + copy_tags_.size());
+  const int owned = static_cast<int>(tags.size());
+  for (Facet& facet : facets_) {
+    facet.i = position.at(facet.tag_i);
+    facet.j = facet.tag_j == kGroundTag ? ground : position.at(facet.tag_j);
+    if (facet.kind == FacetKind::joint) {
+      facet.weight = 0.5 * (facet.i < owned ? 1.0 : 0.0) + 0.5 * (facet.j < owned ? 1.0 : 0.0);
+    }
+  }
+  for (BoundaryFace& face : faces_) face.block = position.at(face.tag);
+  halo_ = engine::BlockHalo(tags, copy_tags_, directory, world);
+}
+
+}  // namespace muckpile

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/blocks (internal, made by create_blocks): what Muckpile knows of each block beyond
+// the multisphere body, and the facets between blocks, kept on the ranks that own the blocks.
+// Scope: bookkeeping only. A facet lives on every rank that owns one of its blocks; the copies stay
+// equal because both ranks do the same arithmetic on the same numbers.
+#pragma once
+
+#include <fix.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "bond/facet.h"
+#include "bond/network/facet_memory.h"
+#include "bond/network/network_block.h"
+#include "fixes/engine/block_halo.h"
+#include "fixes/engine/exchange.h"
+#include "fixes/output/run_record.h"
+#include "geometry/block_model.h"
+
+namespace LAMMPS_NS {
+class FixMultisphere;
+}
+
+namespace muckpile {
+
+struct BlockRecord {
+  int tag = 0;
+  double volume = 0.0;        ///< of the polyhedron [m3]
+  double mass = 0.0;          ///< [kg]
+  Vec3 start = Vec3::Zero();  ///< centroid in the start configuration [m]
+  Mat3 start_axes =
+      Mat3::Identity();  ///< principal axes of inertia in the start configuration, columns
+  RetiredFacets retired{};
+};
+
+/// The facets of a rank, what they remember, and the boundary faces. They are large, so there is
+/// only one copy: in fix muckpile/blocks while blocks migrate, otherwise with the FacetKeeper.
+struct FacetLists {
+  std::vector<Facet> facets;
+  std::vector<FacetMemory> memory;
+  std::vector<BoundaryFace> faces;
+};
+
+/// A facet with all that it remembers, as bytes.
+void put(engine::ByteWriter& out, const Facet& facet, const FacetMemory& memory);
+[[nodiscard]] std::pair<Facet, FacetMemory> get_facet(engine::ByteReader& in);
+
+/// Computes with the facets (fix muckpile/joint) and gives them back before blocks migrate.
+class FacetKeeper {
+ public:
+  virtual ~FacetKeeper() = default;
+  [[nodiscard]] virtual FacetLists copy() const = 0;
+  [[nodiscard]] virtual FacetLists hand_back() = 0;
+  virtual void store_is_gone() = 0;  ///< called when fix muckpile/blocks is deleted first
+};
+
+class FixMuckpileBlocks : public LAMMPS_NS::Fix {
+ public:
+  FixMuckpileBlocks(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+  ~FixMuckpileBlocks() override;
+
+  int setmask() override;
+  void init() override { record_.check_all(*lmp); }
+  void setup_pre_neighbor() override { synchronise(); }
+  void pre_neighbor() override { synchronise(); }
+  void setup(int vflag) override;
+  double memory_usage() override;
+  void write_restart(FILE* file) override;
+  void write_restart_file(char* file) override;  ///< once LIGGGHTS has closed it
+  void restart(char* state) override;
+
+  /// The store of this run, nullptr before create_blocks.
+  [[nodiscard]] static FixMuckpileBlocks* find(LAMMPS_NS::LAMMPS& lmp);
+  static FixMuckpileBlocks& find_or_make(LAMMPS_NS::LAMMPS& lmp);
+  /// True if the blocks came from a restart file.
+  [[nodiscard]] bool restored() const { return restored_; }
+  [[nodiscard]] RunRecord& record() { return record_; }
+
+  /// Takes the blocks that this rank creates, with every facet that one of them has.
+  void add(const std::vector<BlockRecord>& records, const std::vector<Facet>& facets,
+           const std::vector<BoundaryFace>& faces, const std::vector<Hole>& holes, int blocks_all);
+
+  void set_keeper(FacetKeeper* keeper);
+  /// Moves the facets to the keeper.
+  [[nodiscard]] FacetLists hand_over();
+
+  /// Grows whenever positions, facets or faces changed.
+  [[nodiscard]] std::uint64_t version() const { return version_; }
+  /// In the order of the multisphere bodies.
+  [[nodiscard]] const std::vector<BlockRecord>& records() const { return records_; }
+  /// Highest joint class of a facet of this rank so far.
+  [[nodiscard]] int highest_joint_class() const { return highest_joint_class_; }
+  [[nodiscard]] const std::vector<Hole>& holes() const { return holes_; }
+  /// Tags of the copies of other ranks' blocks, in halo order after the owned ones.
+  [[nodiscard]] const std::vector<int>& copy_tags() const { return copy_tags_; }
+  [[nodiscard]] engine::BlockHalo& halo() { return halo_; }
+  [[nodiscard]] int blocks_created() const { return blocks_created_; }
+  /// Blocks among blocks_created() that were lost before the restart file was written.
+  [[nodiscard]] int blocks_lost_before() const { return lost_before_; }
+  [[nodiscard]] int facets_created() const { return facets_created_; }
+  [[nodiscard]] LAMMPS_NS::FixMultisphere& multisphere() { return *multisphere_; }
+  /// Kinetic energy [J] that block_motion has given to blocks of this rank before there was an
+  /// account for it; take_given() hands it over.
+  void keep_given(double energy) { given_ += energy; }
+  [[nodiscard]] double take_given() { return std::exchange(given_, 0.0); }
+
+ private:
+  using FacetEntry = std::pair<Facet, FacetMemory>;
+
+  void read_lists(engine::ByteReader& reader);
+  void check_bodies();
+
+  void synchronise();
+  [[nodiscard]] std::vector<int> body_tags();
+  void take_back();
+  void drop_retired();
+  void drop_orphans(const std::vector<int>& tags, const engine::BlockDirectory& directory);
+  void retire_into_record(const Facet& facet, int end);
+  void migrate(const std::vector<int>& tags, const engine::BlockDirectory& directory);
+  [[nodiscard]] std::vector<std::vector<char>> pack_leaving(
+      const std::vector<int>& tags, const engine::BlockDirectory& directory);
+  void keep_facets(const std::function<bool(std::size_t)>& needed);
+  void add_facets(std::vector<FacetEntry> added);
+  void merge(const std::vector<int>& tags, const std::vector<std::vector<char>>& arrived);
+  void index(const std::vector<int>& tags, const engine::BlockDirectory& directory);
+
+  LAMMPS_NS::FixMultisphere* multisphere_;
+  FacetKeeper* keeper_ = nullptr;
+  std::vector<BlockRecord> records_;
+  std::vector<Facet> facets_;
+  std::vector<FacetMemory> memory_;
+  std::vector<BoundaryFace> faces_;
+  std::vector<Hole> holes_;
+  RunRecord record_;
+  std::vector<int> tags_, copy_tags_;
+  engine::BlockHalo halo_;
+  std::uint64_t version_ = 0;
+  bool handed_over_ = false, restored_ = false, contact_warned_ = false;
+  double given_ = 0.0;  // [J]
+  int blocks_created_ = 0, lost_before_ = 0, facets_created_ = 0, highest_joint_class_ = 0;
+};
+
+}  // namespace muckpile

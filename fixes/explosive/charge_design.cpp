@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// charge_design: words to the core, its numbers to variables.
+// Scope: see the header.
+#include "fixes/explosive/charge_design.h"
+
+#include <input.h>
+#include <variable.h>
+
+#include <array>
+#include <string>
+
+#include "args/numbers.h"
+#include "explosive/charge_design.h"
+#include "fixes/engine/style_args.h"
+
+namespace muckpile {
+
+void ChargeDesignCommand::command(int narg, char** arg) {
+  const std::string where = "charge_design";
+  const ChargeDesign design = engine::or_engine_error(*lmp, [&] {
+    const ArgValues values =
+        parse_args(charge_design_table(), where, engine::words_of(narg, arg, 0));
+    return charge_design(values, where);
+  });
+  engine::print_once(*lmp, design.report);
+  set_variable("charge_density", design.density);
+  set_variable("charge_vod", design.detonation_velocity);
+  set_variable("charge_energy", design.energy);
+  if (design.crushed_radius) set_variable("crushed_radius", *design.crushed_radius);
+  if (design.harries_strain) set_variable("harries_strain", *design.harries_strain);
+  if (!design.pattern) return;
+  set_variable("pattern_holes", static_cast<double>(design.pattern->holes()));
+  set_variable("pattern_last_firing", design.pattern->last_firing_time());
+  const Eigen::AlignedBox3d box = design.pattern->chambers();
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const std::string axis = std::string("pattern_") + "xyz"[k];
+    set_variable((axis + "_lo").c_str(), box.min()[k]);
+    set_variable((axis + "_hi").c_str(), box.max()[k]);
+  }
+}
+
+void ChargeDesignCommand::set_variable(const char* name, double value) {
+  std::array<std::string, 3> words{name, "string", number_text(value)};
+  std::array<char*, 3> arg{words[0].data(), words[1].data(), words[2].data()};
+  input->variable->set(3, arg.data());
+}
+
+}  // namespace muckpile

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/blast: the charge's pressure on the block faces that line the crushed zones.
+// Scope: decides the pressures from time and swept volume (core/explosive); fix muckpile/joint
+// turns them into forces. Idle before the first hole fires and after the last has vented.
+#pragma once
+
+#include <fix.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "explosive/hole_loads.h"
+#include "fixes/interfaces/blast_surface.h"
+#include "gas/joint_gas.h"
+
+namespace muckpile {
+
+class FixMuckpileBlast : public LAMMPS_NS::Fix {
+ public:
+  FixMuckpileBlast(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+
+  int setmask() override;
+  void pre_delete(bool unfixflag) override;
+  void init() override;
+  void reset_dt() override { check_timestep(); }
+  void setup_pre_force(int vflag) override;
+  void pre_force(int vflag) override;
+  void end_of_step() override;
+  double compute_vector(int index) override;
+  void write_restart(FILE* file) override;
+  void restart(char* state) override;
+
+  /// The fix of this run, nullptr if there is none.
+  [[nodiscard]] static FixMuckpileBlast* find(LAMMPS_NS::LAMMPS& lmp);
+  /// Energy of the explosive, and what it has done to the blocks so far [J]. Collective.
+  struct Energies {
+    double explosive = 0.0;        ///< of all charges, fired or not; 0 if not known
+    double wave = 0.0, gas = 0.0;  ///< work on the blocks
+  };
+  [[nodiscard]] Energies energies() const;
+
+  /// For fix muckpile/gas, before the first run: from now on it computes the flow of gas into
+  /// joints, in place of crack_discharge, and gas presses on the walls by its excess over `ambient`
+  /// [Pa]. InputError unless the gas vents by flow.
+  void let_gas_into_joints(double ambient);
+  [[nodiscard]] double gas_gamma() const { return options_.flow.gamma; }
+  /// The gas in a crushed zone; pressure 0 before its hole fires and after it is over.
+  [[nodiscard]] GasChamber chamber(std::size_t hole) const;
+  void let_gas_go();  ///< ends all holes; the gas that they hold does not press any more
+  void take_gas(std::span<const double> per_hole);  ///< removes [kg] from each; same on all ranks
+  [[nodiscard]] bool over() const { return over_; }
+
+ private:
+  [[nodiscard]] BlastSurface* find_surface() const;  // nullptr if there is none
+  void check_timestep();
+  void check_walls() const;
+  void require_fired(double bearable) const;
+  void let_go_of_softened_walls();
+  [[nodiscard]] double greatest_pressure() const;  // on a wall, of all ranks [Pa]
+  [[nodiscard]] double clock() const;              // since the first run with this fix [s]
+  void refresh_arrivals();
+  [[nodiscard]] bool fired(double time) const;
+  void sum_swept_volumes();
+  void advance_gas();
+  void load_faces(double time);
+  void finish();
+
+  std::string where_;
+  BlastOptions options_;
+  double ambient_ = 0.0;             // that the gas in the holes works against [Pa]
+  BlastSurface* surface_ = nullptr;  // looked up in every init()
+  double softened_ = 1.0;            // what the walls have been looked at for [-]
+  std::vector<HoleBlast> blasts_;    // per hole
+  bool described_ = false;
+
+  bool clock_started_ = false;
+  bool walls_checked_ = false;
+  double clock_zero_ = 0.0;       // engine time at clock 0 [s]
+  double clock_restarted_ = 0.0;  // clock taken over from a restart file [s]
+
+  std::uint64_t arrivals_version_ = 0;
+  bool arrivals_known_ = false;
+  std::vector<double> arrivals_;    // per loaded face of this rank [s]
+  std::vector<double> pressures_;   // per loaded face of this rank [Pa]
+  std::vector<double> wave_share_;  // per loaded face of this rank
+  // At the last force computation: the faces of a block cannot tell once it has changed rank.
+  std::vector<double> swept_;          // per hole, all ranks [m3]
+  std::vector<double> gas_;            // per hole [Pa]
+  std::vector<double> limit_;          // of the pulse, per hole [Pa]
+  std::vector<GasState> states_;       // per hole
+  std::vector<ChargeEnergy> charges_;  // per hole
+  std::vector<char> hole_over_;        // per hole; never turns back
+  bool over_ = false;
+  bool warned_ = false;  // of a step too long for the pulse
+  int active_holes_ = 0;
+};
+
+}  // namespace muckpile

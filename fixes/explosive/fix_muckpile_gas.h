@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/gas: gas of the charges flows from the crushed zones into broken joints.
+// Scope: drives core's JointGas between fix muckpile/blast, whose chambers it empties, and fix
+// muckpile/joint, whose broken facets it presses; one message and one sum a step while there is
+// gas.
+#pragma once
+
+#include <fix.h>
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "fixes/interfaces/joint_pressure.h"
+#include "gas/joint_gas.h"
+
+namespace muckpile {
+
+class FixMuckpileBlast;
+class FixMuckpileJoint;
+
+class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure {
+ public:
+  FixMuckpileGas(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+
+  int setmask() override;
+  void pre_delete(bool unfixflag) override;
+  void init() override;
+  void setup_pre_neighbor() override;
+  void pre_neighbor() override { follow_blocks(); }
+  void end_of_step() override;
+  double compute_vector(int n) override;
+  void write_restart(FILE* file) override;
+  void restart(char* state) override;
+
+  void fill_joints(FacetNetwork& network, engine::BlockHalo& halo) override;
+  [[nodiscard]] bool acts() const override { return active_; }
+
+ private:
+  [[nodiscard]] FixMuckpileBlast* find_blast() const;
+  [[nodiscard]] FixMuckpileJoint* find_joint() const;
+  void follow_blocks();
+  [[nodiscard]] std::unordered_map<int, GasContent> contents_here(const std::vector<int>& tags);
+  void read_chambers();
+  void book_work();
+  void count_chamber_ways();
+  void refresh();
+  void flow(double dt);
+  [[nodiscard]] double greatest_pressure() const;
+  void let_go_of_softened_joints(double in_joints);
+  void end_of_gas(const std::string& how);
+  void look_whether_spent();
+  [[nodiscard]] double over_ranks(double mine, bool greatest = false) const;
+
+  std::string where_;
+  JointGas gas_;
+  double ambient_;                     // [Pa]
+  int substeps_;                       // of the flow in a step
+  FixMuckpileBlast* blast_ = nullptr;  // looked up in every init()
+  FixMuckpileJoint* joint_ = nullptr;
+  std::uint64_t version_ = 0;
+  std::vector<int> tags_;  // of the owned blocks, in the order of their cells
+  std::unordered_map<int, GasContent> restored_;  // by tag, until the first follow_blocks()
+  bool active_ = false, spent_ = false;
+  std::vector<char> fed_;                   // per hole
+  std::vector<GasChamber> chambers_;        // per hole
+  std::vector<double> numbers_, contents_;  // of the cells, for messages
+  std::vector<double> ways_;                // of the chambers, for sums
+  double softened_ = 1.0;                   // stiffness of the joints that the gas has seen [-]
+  double taken_ = 0.0, vented_ = 0.0;       // all ranks, so far [kg]
+  double restored_pressure_ =
+      0.0;             // greatest in joints, of a restart file, until the next step [Pa]
+  double lost_ = 0.0;  // with blocks that left the box, not yet in vented_ [kg]
+  double work_ = 0.0;  // on the blocks of this rank, so far [J]
+};
+
+}  // namespace muckpile

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/joint: forces of the joint facets between blocks, their breaking and plane contact.
+// Scope: drives core's FacetNetwork; three halo messages a step (poses, dilatations, bulk stresses)
+// and no other communication except where a result is asked for.
+#pragma once
+
+#include <fix.h>
+
+#include <cstdio>
+#include <memory>
+#include <vector>
+
+#include "bond/network/facet_network.h"
+#include "fixes/blocks/fix_muckpile_blocks.h"
+#include "fixes/interfaces/blast_surface.h"
+#include "fixes/interfaces/block_neighbours.h"
+#include "fixes/interfaces/joint_pressure.h"
+#include "fixes/interfaces/joint_view.h"
+#include "fixes/interfaces/step_limit.h"
+#include "fixes/interfaces/yielding_supports.h"
+#include "fixes/joints/joint_step_check.h"
+
+namespace muckpile {
+
+struct JointArguments;
+
+class FixMuckpileJoint : public LAMMPS_NS::Fix,
+                         public FacetKeeper,
+                         public JointView,
+                         public BlastSurface,
+                         public YieldingSupports,
+                         public JoinedBlocks,
+                         public StepLimit {
+ public:
+  FixMuckpileJoint(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+  ~FixMuckpileJoint() override;
+
+  int setmask() override;
+  void init() override;
+  void setup_pre_neighbor() override { follow_blocks(); }
+  void pre_neighbor() override { follow_blocks(); }
+  void setup(int vflag) override;
+  void post_force(int vflag) override;
+  void end_of_step() override;
+  double compute_vector(int n) override;
+  int modify_param(int narg, char** arg) override;
+  double memory_usage() override;
+  void write_restart(FILE* file) override;
+  void restart(char* state) override;
+
+  [[nodiscard]] FacetLists copy() const override;
+  FacetLists hand_back() override;
+  void store_is_gone() override { store_ = nullptr; }
+
+  [[nodiscard]] int facet_between(int block_tag_a, int block_tag_b) const override;
+  [[nodiscard]] const FacetState* facet_states() const override { return network_.states().data(); }
+  void held_pairs(const std::vector<int>& blocks, std::vector<double>& tags) const override;
+  [[nodiscard]] bool enclosed(int block_tag) const override;
+  void mark_joined_bodies(std::span<char> joined) const override { network_.mark_held(joined); }
+
+  [[nodiscard]] int hole_count() const override;
+  [[nodiscard]] const Hole& hole(int index) const override;
+  [[nodiscard]] std::span<const LoadedFacet> loaded_facets() const override { return loaded_; }
+  [[nodiscard]] std::uint64_t loaded_facets_version() const override { return version_; }
+  void set_pressure(std::span<const double> pressure, std::span<const double> wave_share) override;
+  void expect_pressure(bool expected) override;
+  [[nodiscard]] double shear_modulus() const override;
+  [[nodiscard]] double softened() const override { return network_.totals().softened; }
+  void unload_softened() override;
+  void swept_volume(std::span<double> per_hole) const override;
+  [[nodiscard]] double pressure_work() const override { return network_.pressure_work(); }
+  [[nodiscard]] double wave_work() const override { return network_.wave_work(); }
+
+  Chosen let_ground_yield(const std::function<bool(const Vec3&)>& chosen,
+                          double rock_behind) override;
+  void stop_ground() override { network_.stop_ground(); }
+  [[nodiscard]] double supports_yielding() const override {
+    return static_cast<double>(network_.yielding_supports());
+  }
+  [[nodiscard]] StepBound stable_step(Breaking breaking, double guess) const override;
+  [[nodiscard]] int stiffness_changes() const override { return softenings_; }
+
+  void mark_joined(std::span<const char> moves, std::span<char> disturbed) override;
+  void let_rest(std::span<const char> rests) override;
+  void wake_all() override { network_.wake_all(); }
+
+  [[nodiscard]] double energy_given() const override { return network_.losses().quiet; }
+  [[nodiscard]] double energy_radiated() const override { return network_.losses().radiated; }
+
+  /// Joints with at least one broken point, of all ranks. Collective.
+  [[nodiscard]] double joints_broken() const { return sum(network_.broken_count()); }
+  /// The network, for gas in its joints.
+  [[nodiscard]] FacetNetwork& joints_for_gas() { return network_; }
+
+  /// For fragments: the network as it stands, and the store behind it.
+  [[nodiscard]] const FacetNetwork& network() const { return network_; }
+  [[nodiscard]] FixMuckpileBlocks& blocks() const { return *store_; }
+
+ private:
+  FixMuckpileJoint(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg, JointArguments arguments);
+
+  /// What compute_vector() gives.
+  enum class Output {
+    joints,
+    broken,
+    broken_share,
+    elastic,
+    fracture,
+    friction,
+    damping,
+    longest_step,
+    pressure_work_done,
+    softened,
+    count
+  };
+
+  void check_classes() const;
+  void end_what_does_not_go_on();
+  void follow_blocks();
+  void add_forces(double dt);
+  void gather_state();
+  void compute_bulk_stresses(double dt);
+  void apply_forces();
+  void index_facets();
+  void refresh_enclosed();
+  void ask_for_neighbours();
+  [[nodiscard]] bool joint_let_go() const;
+  void gather_flags(std::span<const char> of_bodies);
+  [[nodiscard]] double sum(double mine) const;
+
+  FacetNetwork network_;
+  JointStepCheck step_check_;
+  bool contact_check_;
+  FixMuckpileBlocks* store_ = nullptr;
+  JointPressure* gas_ = nullptr;  // looked up in every init(), nullptr if there is none
+  std::uint64_t version_ = 0;
+  bool slanted_ = false;  // a joint of any rank is
+  // For facet_between: lower tags in order, the first facet of each, the upper tag of every facet.
+  std::vector<int> lower_tags_, upper_tags_;
+  std::vector<std::size_t> first_of_;
+  std::vector<int> enclosed_tags_;         // sorted
+  std::vector<std::size_t> loaded_faces_;  // positions in network_.faces()
+  std::vector<LoadedFacet> loaded_;
+  std::vector<double> poses_;
+  std::vector<int> of_blocks_;  // work space of mark_joined() and let_rest()
+  bool cracked_since_build_ = false;
+  int softenings_ = 0;
+  bool contact_missed_ = false;  ///< a joint has let go, and there is no contact law
+  bool goes_on_ = false;         ///< after a restart file: what does not go on has ended
+};
+
+}  // namespace muckpile

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/joint: its keywords, and the joint materials that they make.
+// Scope: words to numbers; what the numbers do is core's.
+#include "fixes/joints/fix_muckpile_joint_arguments.h"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "args/numbers.h"
+#include "fixes/engine/style_args.h"
+
+namespace muckpile {
+namespace {
+
+constexpr double kDegree = M_PI / 180.0;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Of a joint alone [Pa/m]; 0 stands for rigid.
+Range stiffness_range() { return Range::closed(0.0, 1e15); }
+
+/// The upper end stands for rock that does not break.
+Range strength_range() { return Range::closed(0.0, 1e12); }
+
+const ArgTable& table() {
+  static const ArgTable args =
+      ArgTable("fix muckpile/joint")
+          .real("youngs_modulus", "Pa", Range::closed(1e5, 1e13), std::nullopt, "of the rock")
+          .real("poisson_ratio", "", Range::right_open(0.0, 0.5), std::nullopt, "of the rock")
+          .real("density", "kg/m3", Range::closed(100.0, 30000.0), std::nullopt,
+                "of the rock; sets the damping only")
+          .real("cohesion", "Pa", strength_range(), std::nullopt,
+                "shear strength without normal stress")
+          .real("friction_angle", "deg", Range::right_open(0.0, 90.0), std::nullopt,
+                "of the unbroken joint")
+          .real("tension", "Pa", strength_range(), std::nullopt, "tensile strength (cut-off)")
+          .real("residual_friction_angle", "deg", Range::right_open(0.0, 90.0), 35.0,
+                "of the broken joint")
+          .real("normal_stiffness", "Pa/m", stiffness_range(), 0.0,
+                "of the joint alone, in series with the rock; 0: rigid")
+          .real("shear_stiffness", "Pa/m", stiffness_range(), 0.0,
+                "of the joint alone, in series with the rock; 0: rigid")
+          .real("damping", "", Range::closed(0.0, 10.0), 0.0,
+                "of intact joints, share of density x P-wave speed per area")
+          .real("contact_damping", "", Range::closed(0.0, 10.0), 0.05,
+                "of closed broken facets, share of density x P-wave speed per area")
+          .group("joint_class", 6, 6, true,
+                 "natural joints of the planes that create_blocks gives this class: cohesion [Pa], "
+                 "friction angle [deg], tension [Pa], residual friction angle [deg], normal and "
+                 "shear stiffness [Pa/m; 0: rigid]; the first one is class 1, the next class 2")
+          .real("fracture_energy_tension", "J/m2", Range::closed(0.0, 1e9), 0.0,
+                "taken as tension falls to nothing, linearly with the opening; 0: at once")
+          .real("fracture_energy_shear", "J/m2", Range::closed(0.0, 1e9), 0.0,
+                "taken as cohesion falls to nothing, linearly with the slip; 0: at once")
+          .real("rate_exponent", "", Range::closed(0.0, 1.0), 0.0,
+                "tension and cohesion grow with this power of the strain rate; 0: not")
+          .real("reference_rate", "1/s", Range::closed(1e-12, 1e6), 1e-6,
+                "strain rate up to which strength is that at rest")
+          .real("weakening_speed", "m/s", Range::closed(0.0, 1e3), 0.0,
+                "speed of slip above which friction of broken joints falls; 0: it does not")
+          .real("weakened_friction_angle", "deg", Range::right_open(0.0, 90.0), 11.3,
+                "towards which it then falls")
+          .integer(
+              "open_sleep", "steps", Range::closed(0, 1000), 20,
+              "longest time that a broken, open facet is left alone while its gap lasts; 0: never")
+          .integer("step_check", "steps", Range::closed(0, 1000000), 2500,
+                   "between looks whether the joints bear the time step, in a run without fix "
+                   "muckpile/timestep; 0: none, for runs that are to become unstable")
+          .word("contact_check", {"yes", "no"}, "yes",
+                "whether a joint that lets go stops a run without pair_style; no: for blocks that "
+                "never meet again");
+  return args;
+}
+
+double rigid_if_0(double stiffness) { return stiffness > 0.0 ? stiffness : kInfinity; }
+
+std::vector<JointClass> joint_classes(const ArgValues& args, const std::string& where) {
+  std::vector<JointClass> classes;
+  for (const auto& words : args.groups("joint_class")) {
+    const auto number = [&](std::size_t k, const char* unit, const Range& range) {
+      return parse_real(where, "joint_class", words[k], unit, range);
+    };
+    const Range size = strength_range(), angle = Range::right_open(0.0, 90.0);
+    JointClass joint;
+    joint.cohesion = number(0, "Pa", size);
+    joint.friction_angle = number(1, "deg", angle) * kDegree;
+    joint.tension = number(2, "Pa", size);
+    joint.residual_friction_angle = number(3, "deg", angle) * kDegree;
+    joint.normal_stiffness = rigid_if_0(number(4, "Pa/m", stiffness_range()));
+    joint.shear_stiffness = rigid_if_0(number(5, "Pa/m", stiffness_range()));
+    classes.push_back(joint);
+  }
+  return classes;
+}
+
+}  // namespace
+
+JointArguments joint_arguments(LAMMPS_NS::LAMMPS& lmp, const std::string& where, int narg,
+                               char** arg) {
+  const ArgValues args = engine::read_args(lmp, table(), where, narg, arg, 3);
+  JointParameters p;
+  p.youngs_modulus = args.real("youngs_modulus");
+  p.poisson_ratio = args.real("poisson_ratio");
+  p.density = args.real("density");
+  p.cohesion = args.real("cohesion");
+  p.tension = args.real("tension");
+  p.friction_angle = args.real("friction_angle") * kDegree;
+  p.residual_friction_angle = args.real("residual_friction_angle") * kDegree;
+  p.normal_stiffness = rigid_if_0(args.real("normal_stiffness"));
+  p.shear_stiffness = rigid_if_0(args.real("shear_stiffness"));
+  p.damping = args.real("damping");
+  p.contact_damping = args.real("contact_damping");
+  p.fracture_energy_tension = args.real("fracture_energy_tension");
+  p.fracture_energy_shear = args.real("fracture_energy_shear");
+  p.rate_exponent = args.real("rate_exponent");
+  p.reference_rate = args.real("reference_rate");
+  p.weakening_speed = args.real("weakening_speed");
+  p.weakened_friction_angle = args.real("weakened_friction_angle") * kDegree;
+  p.longest_sleep = static_cast<double>(args.integer("open_sleep"));
+  return engine::or_engine_error(lmp, [&] {
+    return JointArguments{FacetNetwork(JointMaterial(p), joint_classes(args, where)),
+                          static_cast<int>(args.integer("step_check")),
+                          args.word("contact_check") == "yes"};
+  });
+}
+
+}  // namespace muckpile

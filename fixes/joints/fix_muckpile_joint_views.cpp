@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/joint as other styles see it: joints, faces under pressure, supports, neighbours.
+// Scope: the interfaces that the class implements; nothing here runs unless another style asks.
+#include <fix_multisphere.h>
+
+#include <algorithm>
+
+#include "fixes/engine/bodies.h"
+#include "fixes/joints/fix_muckpile_joint.h"
+
+namespace muckpile {
+
+int FixMuckpileJoint::facet_between(int block_tag_a, int block_tag_b) const {
+  const auto [lower, upper] = std::minmax(block_tag_a, block_tag_b);
+  const auto found = std::lower_bound(lower_tags_.begin(), lower_tags_.end(), lower);
+  if (found == lower_tags_.end() || *found != lower) return -1;
+  const auto k = static_cast<std::size_t>(found - lower_tags_.begin());
+  for (std::size_t f = first_of_[k]; f < first_of_[k + 1]; ++f) {
+    if (upper_tags_[f] == upper) return static_cast<int>(f);
+  }
+  return -1;
+}
+
+void FixMuckpileJoint::held_pairs(const std::vector<int>& blocks, std::vector<double>& tags) const {
+  const auto asked = [&](int tag) { return std::binary_search(blocks.begin(), blocks.end(), tag); };
+  for (std::size_t k = 0; k < lower_tags_.size(); ++k)
+    for (std::size_t f = first_of_[k]; f < first_of_[k + 1]; ++f) {
+      if (upper_tags_[f] == kGroundTag || facet_states()[f] >= FacetState::fading) continue;
+      if (asked(lower_tags_[k]) || asked(upper_tags_[f]))
+        tags.insert(tags.end(), {1.0 * lower_tags_[k], 1.0 * upper_tags_[f]});
+    }
+}
+
+bool FixMuckpileJoint::enclosed(int block_tag) const {
+  return std::binary_search(enclosed_tags_.begin(), enclosed_tags_.end(), block_tag);
+}
+
+int FixMuckpileJoint::hole_count() const {
+  const FixMuckpileBlocks* store = FixMuckpileBlocks::find(*lmp);
+  return store == nullptr ? 0 : static_cast<int>(store->holes().size());
+}
+
+const Hole& FixMuckpileJoint::hole(int index) const {
+  return FixMuckpileBlocks::find(*lmp)->holes()[static_cast<std::size_t>(index)];
+}
+
+void FixMuckpileJoint::set_pressure(std::span<const double> pressure,
+                                    std::span<const double> wave_share) {
+  for (std::size_t k = 0; k < loaded_faces_.size(); ++k) {
+    BoundaryFace& face = network_.faces()[loaded_faces_[k]];
+    face.pressure = face.held * pressure[k];
+    face.wave_share = wave_share[k];
+  }
+}
+
+void FixMuckpileJoint::expect_pressure(bool expected) { network_.expect_pressure(expected); }
+
+double FixMuckpileJoint::shear_modulus() const { return network_.material().shear_modulus(); }
+
+void FixMuckpileJoint::unload_softened() {
+  for (BoundaryFace& face : network_.faces()) face.pressure = face.last_pressure = 0.0;
+}
+
+void FixMuckpileJoint::swept_volume(std::span<double> per_hole) const {
+  std::fill(per_hole.begin(), per_hole.end(), 0.0);
+  for (std::size_t k : loaded_faces_) {
+    const BoundaryFace& face = network_.faces()[k];
+    per_hole[static_cast<std::size_t>(face.hole)] += network_.volume_swept(face);
+  }
+}
+
+YieldingSupports::Chosen FixMuckpileJoint::let_ground_yield(
+    const std::function<bool(const Vec3&)>& chosen, double rock_behind) {
+  network_.let_ground_yield(QuietGround(network_.material(), rock_behind), chosen);
+  Chosen yielding;
+  for (std::size_t f = 0; f < network_.facet_count(); ++f) {
+    if (!network_.ground_memory(f).yields) continue;
+    yielding.count += 1.0;
+    yielding.area += network_.area(f);
+  }
+  return yielding;
+}
+
+StepBound FixMuckpileJoint::stable_step(Breaking breaking, double guess) const {
+  const engine::Bodies bodies(store_->multisphere());
+  std::vector<Mat3> inertia;
+  for (int b = 0; b < bodies.count(); ++b) inertia.push_back(bodies.inertia_in_space(b));
+  RankTeam team;
+  team.fill_copies = [this](std::span<double> values, std::size_t width) {
+    store_->halo().forward(values, width);
+  };
+  team.sum = [this](double mine) { return sum(mine); };
+  return muckpile::stable_step(network_, inertia, breaking, team, guess);
+}
+
+/// Into of_blocks_, of copies too; the ground's is 0.
+void FixMuckpileJoint::gather_flags(std::span<const char> of_bodies) {
+  of_blocks_.assign(network_.blocks().size(), 0);
+  std::copy(of_bodies.begin(), of_bodies.end(), of_blocks_.begin());
+  store_->halo().forward(std::span(of_blocks_).first(store_->halo().size()));
+}
+
+void FixMuckpileJoint::mark_joined(std::span<const char> moves, std::span<char> disturbed) {
+  gather_flags(moves);
+  std::vector<int> all(of_blocks_.size(), 0);
+  network_.mark_joined(of_blocks_, all);
+  for (std::size_t b = 0; b < disturbed.size(); ++b)
+    disturbed[b] = disturbed[b] != 0 || all[b] != 0 ? 1 : 0;
+}
+
+void FixMuckpileJoint::let_rest(std::span<const char> rests) {
+  gather_flags(rests);
+  of_blocks_.back() = 1;  // the ground
+  network_.let_rest(of_blocks_);
+}
+
+}  // namespace muckpile

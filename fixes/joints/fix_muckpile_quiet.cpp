@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/quiet: words, choice of supports, and when it is over; the law is in
+// core/bond/ground/quiet_ground.
+#include "fixes/joints/fix_muckpile_quiet.h"
+
+#include <modify.h>
+#include <mpi.h>
+#include <update.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "args/numbers.h"
+#include "fixes/engine/region.h"
+#include "fixes/engine/restart_file.h"
+#include "fixes/engine/single_fix.h"
+#include "fixes/engine/style_args.h"
+
+namespace muckpile {
+namespace {
+
+enum Output { kYielding, kRadiated, kPower, kOver, kOutputCount };
+
+const ArgTable& table() {
+  static const ArgTable args =
+      ArgTable("fix muckpile/quiet")
+          .group("region", 1, 1, true,
+                 "`fixed` supports of `create_blocks` with their centroid in this region yield; at "
+                 "least one")
+          .real("rock_behind", "m", Range::closed(1e-3, 1e6), std::nullopt,
+                "thickness of the rock behind, on a rigid base, for lasting loads")
+          .real("until", "s", Range::closed(0.0, 1e30), 1e30,
+                "time of the run from which on the ground stands still")
+          .real("power_share", "", Range::right_open(0.0, 1.0), 0.0,
+                "the ground stands still once less than this share of the greatest radiated power "
+                "so far leaves; 0: never")
+          .integer("every", "steps", engine::step_counts(), 100,
+                   "between looks at time and power, which is the mean between two looks");
+  return args;
+}
+
+}  // namespace
+
+FixMuckpileQuiet::FixMuckpileQuiet(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
+    : Fix(engine, narg, arg),
+      where_(std::string("fix muckpile/quiet '") + (narg > 0 ? arg[0] : "") + "'") {
+  engine::refuse_second_fix(*lmp, where_, "muckpile/quiet");
+  engine::require_id_of_restart(*lmp, where_, *this);
+  const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
+  for (const auto& words : args.groups("region")) regions_.push_back(words.front());
+  if (regions_.empty()) engine::stop(*lmp, where_ + ": keyword 'region' is required");
+  rock_behind_ = args.real("rock_behind");
+  until_ = args.real("until");
+  power_share_ = args.real("power_share");
+  nevery = static_cast<int>(args.integer("every"));
+  scalar_flag = vector_flag = 1;
+  size_vector = kOutputCount;
+  global_freq = 1;
+  extscalar = extvector = 0;
+  restart_global = 1;
+}
+
+int FixMuckpileQuiet::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
+
+YieldingSupports* FixMuckpileQuiet::find_supports() const {
+  for (int i = 0; i < modify->nfix; ++i) {
+    if (auto* supports = dynamic_cast<YieldingSupports*>(modify->fix[i])) return supports;
+  }
+  return nullptr;
+}
+
+/// An unfix makes them fixed supports again; at the end of the program there is nothing to do.
+void FixMuckpileQuiet::pre_delete(bool unfixflag) {
+  YieldingSupports* supports = unfixflag ? find_supports() : nullptr;
+  if (supports != nullptr) supports->stop_ground();
+}
+
+void FixMuckpileQuiet::init() {
+  supports_ = find_supports();
+  if (supports_ == nullptr) engine::stop(*lmp, where_ + ": needs a fix muckpile/joint before it");
+  for (int i = modify->find_fix(id) + 1; i < modify->nfix; ++i) {
+    if (dynamic_cast<YieldingSupports*>(modify->fix[i]) != nullptr)
+      engine::stop(*lmp, where_ + ": must be defined after fix muckpile/joint");
+  }
+  for (const std::string& region : regions_) engine::require_region(*lmp, where_, region);
+}
+
+/// Forces are up to date here, so what the supports carry now is known and can be held.
+void FixMuckpileQuiet::setup(int) {
+  last_time_ = update->get_cur_time();
+  if (begun_) return;
+  begun_ = true;
+  const auto mine =
+      supports_->let_ground_yield([this](const Vec3& at) { return chosen(at); }, rock_behind_);
+  const double count = sum(mine.count), area = sum(mine.area);
+  if (count == 0.0) {
+    engine::stop(*lmp, where_ +
+                           ": its regions must hold supports (create_blocks ... support "
+                           "fixed REGION), got none that is unbroken");
+  }
+  std::array<char, 160> text{};
+  std::snprintf(text.data(), text.size(), "%s: %.0f supports of %.4g m2 yield\n", where_.c_str(),
+                count, area);
+  engine::print_once(*lmp, text.data());
+}
+
+bool FixMuckpileQuiet::chosen(const Vec3& centroid) const {
+  return std::any_of(regions_.begin(), regions_.end(), [&](const std::string& name) {
+    return engine::in_region(*lmp, name, centroid);
+  });
+}
+
+void FixMuckpileQuiet::end_of_step() {
+  if (!over_) look();
+}
+
+void FixMuckpileQuiet::look() {
+  const double time = update->get_cur_time(), radiated = sum(supports_->energy_radiated());
+  power_ = time > last_time_ ? (radiated - last_radiated_) / (time - last_time_) : 0.0;
+  greatest_power_ = std::max(greatest_power_, power_);
+  last_time_ = time;
+  last_radiated_ = radiated;
+  if (time >= until_) return stop("until is reached");
+  if (greatest_power_ > 0.0 && power_ < power_share_ * greatest_power_)
+    return stop("the wave has passed");
+  if (sum(supports_->supports_yielding()) == 0.0) stop("no support yields any more");
+}
+
+void FixMuckpileQuiet::stop(const std::string& why) {
+  over_ = true;
+  power_ = 0.0;
+  supports_->stop_ground();
+  engine::print_once(*lmp, where_ + ": the ground stands still from " +
+                               number_text(update->get_cur_time()) + " s on: " + why + "\n");
+}
+
+/// The motion of the ground is in the state of the joints.
+void FixMuckpileQuiet::write_restart(FILE* file) {
+  engine::ByteWriter state;
+  state.put(begun_);
+  state.put(over_);
+  state.put(power_);
+  state.put(greatest_power_);
+  state.put(last_radiated_);
+  engine::write_state(*lmp, style, file, state);
+}
+
+void FixMuckpileQuiet::restart(char* state) {
+  engine::ByteReader reader = engine::read_state(state);
+  begun_ = reader.get<bool>();
+  over_ = reader.get<bool>();
+  power_ = reader.get<double>();
+  greatest_power_ = reader.get<double>();
+  last_radiated_ = reader.get<double>();
+}
+
+double FixMuckpileQuiet::sum(double mine) const {
+  double all = 0.0;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+double FixMuckpileQuiet::compute_scalar() {
+  const YieldingSupports* supports = find_supports();
+  return supports == nullptr ? 0.0 : sum(supports->energy_given());
+}
+
+double FixMuckpileQuiet::compute_vector(int n) {
+  const YieldingSupports* supports = find_supports();  // between runs it may have been unfixed
+  if (supports == nullptr) return 0.0;
+  switch (n) {
+    case kYielding:
+      return sum(supports->supports_yielding());
+    case kRadiated:
+      return sum(supports->energy_radiated());
+    case kPower:
+      return power_;
+    case kOver:
+      return over_ ? 1.0 : 0.0;
+    default:
+      return 0.0;
+  }
+}
+
+}  // namespace muckpile

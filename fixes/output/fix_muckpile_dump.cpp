@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/dump: one CSV file per snapshot, rows gathered on rank 0.
+// Scope: see the header.
+#include "fixes/output/fix_muckpile_dump.h"
+
+#include <comm.h>
+#include <fix_multisphere.h>
+#include <modify.h>
+#include <multisphere.h>
+#include <update.h>
+
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "fixes/engine/bodies.h"
+#include "fixes/engine/fragments.h"
+#include "fixes/engine/output_file.h"
+#include "fixes/engine/periodic_output.h"
+#include "fixes/engine/style_args.h"
+#include "fixes/joints/fix_muckpile_joint.h"
+
+namespace muckpile {
+namespace {
+
+constexpr const char* kHeader =
+    "id,x_m,y_m,z_m,qw,qx,qy,qz,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s,fragment_id,broken_"
+    "fraction\n";
+
+const ArgTable& table() {
+  static const ArgTable args = engine::periodic_output_table(
+      "fix muckpile/dump", "between snapshots", "where blocks_<step>.csv go");
+  return args;
+}
+
+/// Each number behind a comma, to so many digits.
+template <class Numbers>
+void append(std::string& text, const Numbers& numbers, int digits) {
+  std::array<char, 32> word{};
+  for (const double number : numbers) {
+    const auto end =
+        std::to_chars(word.begin(), word.end(), number, std::chars_format::general, digits);
+    text += ',';
+    text.append(word.begin(), end.ptr);
+  }
+}
+
+/// Of a snapshot by the name of its file; -1 for other files.
+long long step_of(const std::string& name) {
+  long long step = -1;
+  int length = 0;  // stays 0 if the name ends or goes on otherwise after the number
+  std::sscanf(name.c_str(), "blocks_%lld.csv%n", &step, &length);
+  return static_cast<std::size_t>(length) == name.size() ? step : -1;
+}
+
+/// The id in the first line of a snapshot, "" if there is none.
+std::string run_of(const std::filesystem::path& snapshot) {
+  std::ifstream in(snapshot);
+  std::array<char, 200> begin{};  // of whatever file has such a name
+  in.getline(begin.data(), begin.size());
+  const std::string line(begin.data());
+  const std::size_t at = line.find(" run=");
+  return at == std::string::npos ? "" : line.substr(at + 5);
+}
+
+}  // namespace
+
+FixMuckpileDump::FixMuckpileDump(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
+    : Fix(engine, narg, arg), where_(std::string("fix muckpile/dump '") + id + "'") {
+  const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
+  every_ = static_cast<int>(args.integer("every"));
+  nevery = 1;
+  folder_ = args.word("directory");
+  engine::make_output_folder(*lmp, where_, folder_);
+}
+
+int FixMuckpileDump::setmask() {
+  return LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS_NS::FixConst::END_OF_STEP;
+}
+
+void FixMuckpileDump::init() {
+  store_ = FixMuckpileBlocks::find(*lmp);
+  joint_ = dynamic_cast<FixMuckpileJoint*>(modify->find_fix_style_strict("muckpile/joint", 0));
+  if (store_ == nullptr) engine::stop(*lmp, where_ + ": needs create_blocks before the first run");
+}
+
+void FixMuckpileDump::setup(int) {
+  if (last_ < 0) write();
+}
+
+/// Not in setup(): a fix set up after this one may refuse the run. Before the first end of a step,
+/// where another such fix may write.
+void FixMuckpileDump::initial_integrate(int) { clear_folder(); }
+
+/// Once: removes the snapshots of this run that it takes anew, those of steps after the one it was
+/// set up at. Those of other runs stay, and are told of.
+void FixMuckpileDump::clear_folder() {
+  if (cleared_) return;
+  cleared_ = true;
+  if (comm->me != 0) return;
+  std::error_code fault, unheeded;
+  int strangers = 0;
+  std::filesystem::directory_iterator entry(folder_, fault);
+  for (; !fault && entry != std::filesystem::directory_iterator(); entry.increment(fault)) {
+    const long long step = step_of(entry->path().filename().string());
+    if (step < 0) continue;
+    if (run_of(entry->path()) != store_->record().id())
+      ++strangers;
+    else if (step > last_)
+      std::filesystem::remove(entry->path(), unheeded);
+  }
+  if (strangers == 0) return;
+  error->warning(FLERR, (where_ + ": '" + folder_ + "' holds " + std::to_string(strangers) +
+                         " snapshots of other runs; muckpile-post refuses to measure a folder with "
+                         "files of several runs. Remove them, or choose another folder")
+                            .c_str());
+}
+
+void FixMuckpileDump::post_run() {
+  clear_folder();
+  write();
+}
+
+void FixMuckpileDump::end_of_step() {
+  if (update->ntimestep % every_ == 0) write();
+}
+
+int FixMuckpileDump::modify_param(int narg, char** arg) {
+  if (std::strcmp(arg[0], "every") != 0) return 0;
+  every_ = engine::read_every(*lmp, std::string("fix_modify ") + id, narg, arg);
+  return 2;
+}
+
+std::string FixMuckpileDump::rows() const {
+  const engine::Bodies bodies(store_->multisphere());
+  std::vector<int> fragment;
+  std::vector<double> broken(static_cast<std::size_t>(bodies.count()), 0.0);
+  if (joint_ != nullptr) {
+    fragment = engine::fragment_ids(*joint_, world);
+    broken = engine::broken_share(*joint_);
+  }
+  std::string text;
+  for (int b = 0; b < bodies.count(); ++b) {
+    const auto k = static_cast<std::size_t>(b);
+    const BlockRecord& record = store_->records()[k];
+    if (record.mass == 0.0) continue;  // not made by create_blocks
+    const Quat q(Mat3(bodies.axes(b) * record.start_axes.transpose()));
+    text += std::to_string(record.tag);
+    append(text, bodies.centre(b), 10);
+    append(text, Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()), 9);
+    append(text, bodies.velocity(b), 7);
+    append(text, bodies.spin(b), 7);
+    text += ',' + std::to_string(fragment.empty() ? record.tag : fragment[k]);
+    append(text, std::array{broken[k]}, 5);
+    text += '\n';
+  }
+  return text;
+}
+
+void FixMuckpileDump::write() {
+  if (last_ == update->ntimestep) return;
+  last_ = update->ntimestep;
+  const std::string mine = rows();
+  const int length = static_cast<int>(mine.size());
+  std::vector<int> lengths(static_cast<std::size_t>(comm->nprocs)), first(lengths.size(), 0);
+  MPI_Gather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, 0, world);
+  std::partial_sum(lengths.begin(), lengths.end() - 1, first.begin() + 1);
+  std::string all(comm->me == 0 ? static_cast<std::size_t>(first.back() + lengths.back()) : 0,
+                  '\0');
+  MPI_Gatherv(mine.data(), length, MPI_CHAR, all.data(), lengths.data(), first.data(), MPI_CHAR, 0,
+              world);
+  std::array<char, 64> name{};
+  std::snprintf(name.data(), name.size(), "/blocks_%09lld.csv",
+                static_cast<long long>(update->ntimestep));
+  std::ostringstream head;
+  head.precision(12);
+  head << "# step=" << update->ntimestep << " time_s=" << update->get_cur_time()
+       << " run=" << store_->record().id() << '\n'
+       << kHeader;
+  engine::write_file(*lmp, where_, folder_ + name.data(), head.str() + all);
+}
+
+}  // namespace muckpile

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/ledger: sums the energies that the other styles keep, and the work of walls.
+// Scope: walls are found by difference: the work of all forces on spheres less that of the contact
+// style, measured from its forces. What the contact style says it stored and lost faces that work.
+#include "fixes/output/fix_muckpile_ledger.h"
+
+#include <atom.h>
+#include <fix_gravity.h>
+#include <fix_multisphere.h>
+#include <force.h>
+#include <modify.h>
+#include <multisphere.h>
+#include <pair.h>
+#include <update.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "fixes/blocks/fix_muckpile_blocks.h"
+#include "fixes/blocks/fix_muckpile_sleep.h"
+#include "fixes/engine/bodies.h"
+#include "fixes/engine/restart_file.h"
+#include "fixes/engine/single_fix.h"
+#include "fixes/engine/style_args.h"
+#include "fixes/engine/walls.h"
+#include "fixes/interfaces/contact_work.h"
+#include "fixes/joints/fix_muckpile_joint.h"
+
+namespace muckpile {
+namespace {
+
+constexpr std::array kColumns = {
+    &EnergyLedger::kinetic,         &EnergyLedger::joint_elastic, &EnergyLedger::contact_elastic,
+    &EnergyLedger::gravity,         &EnergyLedger::blast_work,    &EnergyLedger::fracture,
+    &EnergyLedger::joint_friction,  &EnergyLedger::joint_damping, &EnergyLedger::contact_friction,
+    &EnergyLedger::contact_damping, &EnergyLedger::walls,         &EnergyLedger::quiet,
+    &EnergyLedger::sleep,           &EnergyLedger::given};
+
+/// What is in the system or came into it, each of which may be the largest.
+constexpr std::array kSources = {&EnergyLedger::kinetic,         &EnergyLedger::joint_elastic,
+                                 &EnergyLedger::contact_elastic, &EnergyLedger::gravity,
+                                 &EnergyLedger::blast_work,      &EnergyLedger::given};
+
+}  // namespace
+
+FixMuckpileLedger::FixMuckpileLedger(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
+    : Fix(engine, narg, arg) {
+  const std::string where = std::string("fix muckpile/ledger '") + id + "'";
+  if (narg != 3) engine::stop(*lmp, where + ": takes no keywords, got '" + arg[3] + "'");
+  engine::require_id_of_restart(*lmp, where, *this);
+  multisphere_ = engine::find_multisphere(*lmp);
+  if (multisphere_ == nullptr)
+    engine::stop(*lmp, where + ": needs 'fix ID all multisphere' before it");
+  scalar_flag = vector_flag = 1;
+  size_vector = static_cast<int>(kColumns.size());
+  global_freq = 1;
+  extscalar = extvector = 0;
+  nevery = 1;
+  restart_global = 1;
+}
+
+int FixMuckpileLedger::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
+
+void FixMuckpileLedger::init() {
+  gravity_ = static_cast<LAMMPS_NS::FixGravity*>(modify->find_fix_style("gravity", 0));
+  joint_ = dynamic_cast<FixMuckpileJoint*>(modify->find_fix_style_strict("muckpile/joint", 0));
+  sleep_ = dynamic_cast<FixMuckpileSleep*>(modify->find_fix_style_strict("muckpile/sleep", 0));
+  contacts_ = dynamic_cast<ContactWork*>(force->pair);
+  if (contacts_ != nullptr) contacts_->watch();
+  keep_books_of_contacts();
+  walls_may_move_ = !engine::walls_stand_still(*lmp);
+}
+
+/// A pair style that is given anew begins its books anew.
+void FixMuckpileLedger::keep_books_of_contacts() {
+  if (of_pair("friction_J") != 0.0 || of_pair("damping_J") != 0.0) return;
+  for (std::size_t k = 0; k < former_losses_.size(); ++k) former_losses_[k] += contact_losses_[k];
+  contact_losses_ = {};
+}
+
+void FixMuckpileLedger::setup(int) {
+  computed_at_ = -1;
+  FixMuckpileBlocks* const store = FixMuckpileBlocks::find(*lmp);
+  book_given(store != nullptr ? store->take_given() : 0.0);  // before the start: not booked
+  if (started_)
+    take_in_new_blocks();
+  else
+    begin();
+  computed_at_ = -1;
+}
+
+void FixMuckpileLedger::begin() {
+  started_ = true;
+  take_in_new_blocks();
+  const EnergyLedger& now = ledger();
+  start_residual_ = now.residual();
+}
+
+/// Their weight's potential is neither released nor created. What rounding makes of rock at rest is
+/// less than it has at kCreep.
+void FixMuckpileLedger::take_in_new_blocks() {
+  constexpr double kCreep = 1e-6;  // [m/s]
+  const engine::Bodies bodies(*multisphere_);
+  Vec3 g = Vec3::Zero();
+  if (gravity_ != nullptr) gravity_->get_gravity(g.data());
+  double potential = 0.0, creep = 0.0;  // [J]
+  int last = last_tag_;
+  for (int b = 0; b < bodies.count(); ++b) {
+    creep += 0.5 * bodies.mass(b) * kCreep * kCreep;
+    if (bodies.tag(b) <= last_tag_) continue;
+    potential -= bodies.mass(b) * g.dot(bodies.centre(b));
+    last = std::max(last, bodies.tag(b));
+  }
+  start_gravity_ += engine::total(*lmp, potential);
+  largest_ = std::max(largest_, engine::total(*lmp, creep));
+  MPI_Allreduce(&last, &last_tag_, 1, MPI_INT, MPI_MAX, world);
+}
+
+void FixMuckpileLedger::book_given(double energy) {
+  if (started_) given_ += energy;
+  computed_at_ = -1;
+}
+
+void FixMuckpileLedger::end_of_step() {
+  sphere_work_ += work_rate_of_spheres() * update->dt;
+  if (contacts_ != nullptr) contact_work_ += contacts_->end_step(update->dt);
+  if (walls_may_move_) walls_before_ = walls();
+  contact_losses_ = {of_pair("friction_J"), of_pair("damping_J")};
+}
+
+/// Work rate of the forces on bodies other than gravity and joints. Taken at full-step velocities:
+/// with them force x velocity x dt is exactly the integrator's change of kinetic energy between
+/// half steps.
+double FixMuckpileLedger::work_rate_of_spheres() const {
+  const engine::Bodies bodies(*multisphere_);
+  Vec3 g = Vec3::Zero();
+  if (gravity_ != nullptr) gravity_->get_gravity(g.data());
+  double rate = 0.0;
+  for (int b = 0; b < bodies.count(); ++b) {
+    rate += (bodies.force(b) - bodies.mass(b) * g).dot(bodies.velocity(b)) +
+            bodies.torque(b).dot(bodies.spin(b));
+    if (joint_ == nullptr) continue;
+    const auto k = static_cast<std::size_t>(b);
+    rate -= joint_->network().force()[k].dot(bodies.velocity(b)) +
+            joint_->network().torque()[k].dot(bodies.spin(b));
+  }
+  return rate;
+}
+
+double FixMuckpileLedger::of_pair(const char* name) const {
+  int dimension = 0;
+  const void* value = force->pair == nullptr ? nullptr : force->pair->extract(name, dimension);
+  return value == nullptr ? 0.0 : *static_cast<const double*>(value);
+}
+
+const EnergyLedger& FixMuckpileLedger::ledger() {
+  if (computed_at_ == update->ntimestep) return ledger_;
+  computed_at_ = update->ntimestep;
+  EnergyLedger mine;
+  const engine::Bodies bodies(*multisphere_);
+  Vec3 g = Vec3::Zero();
+  if (gravity_ != nullptr) gravity_->get_gravity(g.data());
+  for (int b = 0; b < bodies.count(); ++b) {
+    mine.kinetic += bodies.kinetic_energy(b);
+    mine.gravity -= bodies.mass(b) * g.dot(bodies.centre(b));
+  }
+  if (joint_ != nullptr) {
+    const FacetNetwork& network = joint_->network();
+    mine.joint_elastic = network.elastic_energy();
+    mine.fracture = network.losses().fracture;
+    mine.joint_friction = network.losses().friction;
+    mine.joint_damping = network.losses().damping;
+    mine.quiet = network.losses().quiet;
+    mine.blast_work = network.pressure_work();
+  }
+  if (sleep_ != nullptr) laid_to_rest_ = sleep_->energy_taken();
+  mine.sleep = laid_to_rest_;
+  mine.contact_elastic = of_pair("elastic_J");
+  mine.contact_friction = former_losses_[0] + of_pair("friction_J");
+  mine.contact_damping = former_losses_[1] + of_pair("damping_J");
+  mine.walls = walls();
+  mine.given = given_;
+  std::array<double, kColumns.size()> part{}, all{};
+  for (std::size_t k = 0; k < kColumns.size(); ++k) part[k] = mine.*kColumns[k];
+  MPI_Allreduce(part.data(), all.data(), static_cast<int>(all.size()), MPI_DOUBLE, MPI_SUM, world);
+  for (std::size_t k = 0; k < kColumns.size(); ++k) ledger_.*kColumns[k] = all[k];
+  ledger_.gravity -= start_gravity_;
+  for (const auto source : kSources) largest_ = std::max(largest_, std::abs(ledger_.*source));
+  return ledger_;
+}
+
+/// [J]. Walls at rest can only take energy; what they gave while they moved was theirs to give.
+double FixMuckpileLedger::out_of_balance() {
+  const EnergyLedger& now = ledger();
+  const double apart = std::abs(now.residual() - start_residual_);
+  if (walls_may_move_) return apart;
+  return std::max(apart, engine::total(*lmp, walls_before_) - now.walls);
+}
+
+double FixMuckpileLedger::balance_error() {
+  const double apart = out_of_balance();
+  return largest_ > 0.0 ? apart / largest_ : 0.0;
+}
+
+bool FixMuckpileLedger::balanced(double allowed) {
+  constexpr double kRounding = 1e-9;  // of the weight's potential about the origin, a large sum
+  return balance_error() <= allowed || out_of_balance() <= kRounding * std::abs(start_gravity_);
+}
+
+double FixMuckpileLedger::fastest_block() {
+  const engine::Bodies bodies(*multisphere_);
+  double mine = 0.0, all = 0.0;
+  for (int b = 0; b < bodies.count(); ++b) {
+    const double speed = bodies.velocity(b).norm();
+    mine = std::isfinite(speed) ? std::max(mine, speed) : HUGE_VAL;
+  }
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
+  return all;
+}
+
+void FixMuckpileLedger::write_restart(FILE* file) {
+  engine::ByteWriter state;
+  state.put(started_);
+  state.put(start_residual_);
+  state.put(start_gravity_);
+  state.put(largest_);
+  state.put(last_tag_);
+  state.put(engine::total(*lmp, sphere_work_));
+  state.put(engine::total(*lmp, contact_work_));
+  state.put(engine::total(*lmp, walls_before_));
+  for (const double losses : former_losses_) state.put(engine::total(*lmp, losses));
+  state.put(engine::total(*lmp, given_));
+  state.put(engine::total(*lmp, sleep_ != nullptr ? sleep_->energy_taken() : laid_to_rest_));
+  engine::write_state(*lmp, style, file, state);
+}
+
+void FixMuckpileLedger::restart(char* state) {
+  engine::ByteReader reader = engine::read_state(state);
+  started_ = reader.get<bool>();
+  start_residual_ = reader.get<double>();
+  start_gravity_ = reader.get<double>();
+  largest_ = reader.get<double>();
+  last_tag_ = reader.get<int>();
+  sphere_work_ = engine::share_of_total(*lmp, reader.get<double>());
+  contact_work_ = engine::share_of_total(*lmp, reader.get<double>());
+  walls_before_ = engine::share_of_total(*lmp, reader.get<double>());
+  for (double& losses : former_losses_) losses = engine::share_of_total(*lmp, reader.get<double>());
+  given_ = engine::share_of_total(*lmp, reader.get<double>());
+  laid_to_rest_ = engine::share_of_total(*lmp, reader.get<double>());
+}
+
+double FixMuckpileLedger::compute_scalar() { return balance_error(); }
+
+double FixMuckpileLedger::compute_vector(int n) {
+  return ledger().*kColumns[static_cast<std::size_t>(n)];
+}
+
+}  // namespace muckpile

@@ -1,0 +1,419 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/progress: console line, history.csv, run.json, and the checks that stop a run.
+// Scope: see the header.
+#include "fixes/run/fix_muckpile_progress.h"
+
+#include <atom.h>
+#include <comm.h>
+#include <fix_multisphere.h>
+#include <modify.h>
+#include <multisphere.h>
+#include <update.h>
+#include <write_restart.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "args/numbers.h"
+#include "fixes/engine/bodies.h"
+#include "fixes/engine/json_text.h"
+#include "fixes/engine/output_file.h"
+#include "fixes/engine/periodic_output.h"
+#include "fixes/engine/region.h"
+#include "fixes/engine/restart_file.h"
+#include "fixes/engine/stop_with_state.h"
+#include "fixes/engine/style_args.h"
+#include "fixes/explosive/fix_muckpile_blast.h"
+#include "fixes/joints/fix_muckpile_joint.h"
+#include "fixes/output/fix_muckpile_ledger.h"
+
+namespace muckpile {
+namespace {
+
+constexpr const char* kHistoryHeader =
+    "step,time_s,timestep_s,phase,joints,joints_broken,fastest_block_m_s,kinetic_J,elastic_J,"
+    "contact_elastic_J,"
+    "gravity_J,blast_work_J,fracture_J,joint_friction_J,joint_damping_J,contact_friction_J,contact_"
+    "damping_J,wall_J,quiet_J,sleep_J,given_J,"
+    "balance_error,run_id\n";
+
+Range time_range() { return Range::left_open(0.0, 1e30); }
+
+const ArgTable& table() {
+  static const ArgTable args =
+      engine::periodic_output_table("fix muckpile/progress", "between looks",
+                                    "where history.csv and run.json go")
+          .word("phase", {}, "run", "name of the phase that begins")
+          .real("time_end", "s", time_range(), 1e30,
+                "physical time at which the phase ends at the latest; for the time left")
+          .real("still_speed", "m/s", Range::left_open(0.0, 1e3), 0.1,
+                "a block slower than this is at rest")
+          .real("still_share", "", Range::open(0.0, 1.0), 0.001,
+                "mass share that may still move in a pile called still")
+          .real("fastest_allowed", "m/s", Range::left_open(0.0, 1e5), 2000.0,
+                "a faster block stops the run as unstable")
+          .real("balance_allowed", "", Range::left_open(0.0, 1e6), 0.1,
+                "a larger energy balance error stops the run as unstable")
+          .word("scene", {}, "all",
+                "region; a block whose centre is outside has left, and no longer keeps the pile "
+                "from being still")
+          .word("solid", {}, "none",
+                "region where no rock can come to be, such as the ground under a floor; a block "
+                "whose centre is inside, but was not at the start, is counted and warned about");
+  return args;
+}
+
+/// The cylinders of rock that the charges crush, one per hole.
+nlohmann::ordered_json crushed_zones(const FixMuckpileBlocks& store) {
+  const auto three = [](const Vec3& p) {
+    return nlohmann::ordered_json::array({p.x(), p.y(), p.z()});
+  };
+  auto zones = nlohmann::ordered_json::array();
+  for (const Hole& hole : store.holes()) {
+    zones.push_back(
+        {{"toe_m", three(hole.toe)}, {"collar_m", three(hole.collar)}, {"radius_m", hole.radius}});
+  }
+  return zones;
+}
+
+/// A line that was not cut off, nor written on by another.
+bool is_whole_row(const std::string& line, const std::string& run_id) {
+  const std::string_view header = kHistoryHeader;
+  return line.ends_with(',' + run_id) &&
+         std::ranges::count(line, ',') == std::ranges::count(header, ',');
+}
+
+}  // namespace
+
+FixMuckpileProgress::FixMuckpileProgress(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
+    : Fix(engine, narg, arg),
+      where_(std::string("fix muckpile/progress '") + id + "'"),
+      wall_start_(MPI_Wtime()) {
+  const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
+  every_ = static_cast<int>(args.integer("every"));
+  nevery = 1;
+  folder_ = args.word("directory");
+  phase_ = args.word("phase");
+  time_end_ = args.real("time_end");
+  still_speed_ = args.real("still_speed");
+  still_share_ = args.real("still_share");
+  fastest_allowed_ = args.real("fastest_allowed");
+  balance_allowed_ = args.real("balance_allowed");
+  if (args.word("scene") != "all") scene_ = args.word("scene");
+  if (args.word("solid") != "none") solid_ = args.word("solid");
+  engine::make_output_folder(*lmp, where_, folder_);
+  scalar_flag = vector_flag = 1;
+  size_vector = 4;
+  global_freq = 1;
+  extscalar = extvector = 0;
+  restart_global = 1;
+}
+
+int FixMuckpileProgress::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
+
+void FixMuckpileProgress::init() {
+  ledger_ = dynamic_cast<FixMuckpileLedger*>(modify->find_fix_style_strict("muckpile/ledger", 0));
+  joint_ = dynamic_cast<FixMuckpileJoint*>(modify->find_fix_style_strict("muckpile/joint", 0));
+  store_ = FixMuckpileBlocks::find(*lmp);
+  if (ledger_ == nullptr) engine::stop(*lmp, where_ + ": needs a fix muckpile/ledger");
+  if (store_ == nullptr) engine::stop(*lmp, where_ + ": needs create_blocks before the first run");
+  if (!scene_.empty()) engine::require_region(*lmp, where_, scene_);
+  if (!solid_.empty()) engine::require_region(*lmp, where_, solid_);
+}
+
+void FixMuckpileProgress::setup(int) {
+  phase_wall_start_ = MPI_Wtime();
+  phase_time_start_ = update->get_cur_time();
+  look_if_due();
+}
+
+void FixMuckpileProgress::end_of_step() {
+  begin_files();
+  look_if_due();
+}
+
+void FixMuckpileProgress::look_if_due() {
+  if (update->ntimestep % every_ != 0 || last_ == update->ntimestep) return;
+  const Look now = look();
+  stop_if_wrong(now);
+  write_history(now);
+  warn_of_solid(now);
+  if (comm->me == 0) say(now);
+}
+
+void FixMuckpileProgress::post_run() {
+  begin_files();
+  const Look now = look();
+  stop_if_wrong(now);
+  if (last_ != update->ntimestep) write_history(now);
+  warn_of_solid(now);
+  write_run(now);
+}
+
+FixMuckpileProgress::Look FixMuckpileProgress::look() {
+  Look now;
+  now.time = update->get_cur_time();
+  now.fastest = ledger_->fastest_block();
+  look_at_blocks(now);
+  now.bodies = store_->multisphere().n_body_all();
+  now.balance = ledger_->balance_error();
+  if (joint_ != nullptr) {
+    now.joints = store_->facets_created();
+    now.broken = joint_->joints_broken();
+  }
+  return now;
+}
+
+void FixMuckpileProgress::look_at_blocks(Look& now) const {
+  const engine::Bodies bodies(store_->multisphere());
+  std::array<double, 5> mine{}, all{};
+  auto& [moving, mass, gone, gone_mass, in_solid] = mine;
+  for (int b = 0; b < bodies.count(); ++b) {
+    mass += bodies.mass(b);
+    if (has_entered_solid(bodies, b)) in_solid += 1.0;
+    if (!scene_.empty() && !engine::in_region(*lmp, scene_, bodies.centre(b))) {
+      gone += 1.0;
+      gone_mass += bodies.mass(b);
+    } else if (bodies.velocity(b).norm() > still_speed_) {
+      moving += bodies.mass(b);
+    }
+  }
+  MPI_Allreduce(mine.data(), all.data(), static_cast<int>(all.size()), MPI_DOUBLE, MPI_SUM, world);
+  now.moving_share = all[1] > 0.0 ? all[0] / all[1] : 0.0;
+  now.gone = all[2];
+  now.gone_mass = all[3];
+  now.in_solid = all[4];
+}
+
+bool FixMuckpileProgress::has_entered_solid(const engine::Bodies& bodies, int b) const {
+  if (solid_.empty() || !engine::in_region(*lmp, solid_, bodies.centre(b))) return false;
+  const BlockRecord& record = store_->records()[static_cast<std::size_t>(b)];
+  return record.mass == 0.0 || !engine::in_region(*lmp, solid_, record.start);
+}
+
+/// The count is the same on all ranks.
+void FixMuckpileProgress::warn_of_solid(const Look& now) {
+  if (now.in_solid == 0.0 || warned_of_solid_) return;
+  warned_of_solid_ = true;
+  const engine::Bodies bodies(store_->multisphere());
+  int mine = std::numeric_limits<int>::max(), first = 0;
+  for (int b = 0; b < bodies.count(); ++b)
+    if (has_entered_solid(bodies, b)) mine = std::min(mine, bodies.tag(b));
+  MPI_Allreduce(&mine, &first, 1, MPI_INT, MPI_MIN, world);
+  if (comm->me != 0) return;
+  error->warning(
+      FLERR, (where_ + ": blocks in region '" + solid_ +
+              "', where no rock can be: " + number_text(now.in_solid) + ", block " +
+              std::to_string(first) + " first, at t = " + number_text(now.time) +
+              " s. No wall held them, and they spoil what is measured of the pile; hold them with "
+              "fix muckpile/ground, or with a larger contact modulus")
+                 .c_str());
+}
+
+bool FixMuckpileProgress::still(const Look& now) const { return now.moving_share < still_share_; }
+
+void FixMuckpileProgress::stop_if_wrong(const Look& now) {
+  const std::string at = engine::at_present(*lmp);
+  if (!std::isfinite(now.fastest))
+    stop_with_restart("a block's velocity is not a number" + at + "; the time step is too long");
+  const int blocks = store_->blocks_created() - store_->blocks_lost_before();
+  if (now.bodies < blocks) {
+    stop_with_restart(std::to_string(blocks - now.bodies) + " blocks left the simulation box" + at +
+                      "; make the box larger");
+  }
+  if (now.fastest > fastest_allowed_) {
+    stop_with_restart("the fastest block moves at " + number_text(now.fastest) + " m/s" + at +
+                      ", more than fastest_allowed " + number_text(fastest_allowed_) +
+                      "; shorten the time step");
+  }
+  if (!ledger_->balanced(balance_allowed_)) {
+    const bool softened = joint_ != nullptr && joint_->network().totals().softened < 1.0;
+    stop_with_restart("the energy balance error is " + number_text(now.balance) + at +
+                      ", more than balance_allowed " + number_text(balance_allowed_) +
+                      "; shorten the time step" +
+                      (softened ? ", or soften the joints less: they bear what gas is left" : ""));
+  }
+}
+
+void FixMuckpileProgress::stop_with_restart(const std::string& why) {
+  if (update->ntimestep == read_at_)
+    engine::stop(*lmp, where_ + ": " + why +
+                           ". It is so in the restart file that was read; go on " +
+                           "from an earlier one (command restart)");
+  engine::stop_with_state(*lmp, where_ + ": " + why);
+}
+
+std::string FixMuckpileProgress::write_state() {
+  std::string file = folder_ + "/stopped.restart";
+  LAMMPS_NS::WriteRestart(lmp).write(file.data());
+  return file;
+}
+
+void FixMuckpileProgress::say(const Look& now) const {
+  const double done = now.time - phase_time_start_;
+  const double left = done > 0.0 && time_end_ < 1e29 ? (MPI_Wtime() - phase_wall_start_) / done *
+                                                           std::max(time_end_ - now.time, 0.0)
+                                                     : -1.0;
+  char remaining[64] = "";
+  if (left >= 0.0) std::snprintf(remaining, sizeof remaining, " | at most %.0f s left", left);
+  char gone[64] = "";
+  if (now.gone > 0.0) std::snprintf(gone, sizeof gone, " | %.0f blocks left the scene", now.gone);
+  char buried[64] = "";
+  if (now.in_solid > 0.0)
+    std::snprintf(buried, sizeof buried, " | %.0f blocks in the solid", now.in_solid);
+  char text[384];
+  std::snprintf(text, sizeof text,
+                "[%s] t = %.4g s | step %lld of %.2g s | joints broken %.1f %% | fastest %.3g m/s "
+                "| moving %.1f %%%s%s%s\n",
+                phase_.c_str(), now.time, static_cast<long long>(update->ntimestep), update->dt,
+                now.joints > 0.0 ? 100.0 * now.broken / now.joints : 0.0, now.fastest,
+                100.0 * now.moving_share, gone, buried, remaining);
+  engine::print_once(*lmp, text);
+  if (screen != nullptr) std::fflush(screen);
+}
+
+void FixMuckpileProgress::write_restart(FILE* file) {
+  engine::ByteWriter state;
+  state.put(MPI_Wtime() - wall_start_);
+  engine::write_state(*lmp, style, file, state);
+}
+
+void FixMuckpileProgress::restart(char* state) {
+  wall_start_ -= engine::read_state(state).get<double>();
+  read_at_ = update->ntimestep;
+}
+
+/// The rows that this run has from steps before its first one here.
+std::string FixMuckpileProgress::rows_before() const {
+  const auto end = last_ < 0 ? update->ntimestep : last_;
+  const std::string file = folder_ + "/history.csv";
+  std::error_code unheeded;
+  if (end == 0 || !std::filesystem::is_regular_file(file, unheeded)) return "";
+  std::ifstream in(file);
+  std::string line, kept;
+  bool good = std::getline(in, line) && line + '\n' == kHistoryHeader;
+  int dropped = 0;
+  while (std::getline(in, line)) {
+    if (good && is_whole_row(line, store_->record().id())) {
+      if (std::atoll(line.c_str()) >= end) break;
+      kept += line + '\n';
+    } else {
+      good = false;
+      ++dropped;
+    }
+  }
+  if (dropped > 0) {
+    error->warning(
+        FLERR, (where_ + ": '" + file + "' goes on without its last " + std::to_string(dropped) +
+                " rows: the first of them is damaged, or of another run")
+                   .c_str());
+  }
+  return kept;
+}
+
+/// What an earlier start of this run left stays until a step is taken: a fix set up after this one
+/// may refuse the run.
+void FixMuckpileProgress::begin_files() {
+  if (history_begun_) return;
+  history_begun_ = true;
+  if (comm->me == 0) remove_own_run();
+  const std::string before = comm->me == 0 ? rows_before() : "";
+  engine::write_file(*lmp, where_, folder_ + "/history.csv", kHistoryHeader + before + held_);
+  held_.clear();
+}
+
+void FixMuckpileProgress::write_history(const Look& now) {
+  last_ = update->ntimestep;
+  const std::string new_row = row(now);
+  if (!history_begun_) {
+    held_ += new_row;
+    return;
+  }
+  engine::append_to_file(*lmp, where_, folder_ + "/history.csv", new_row);
+}
+
+std::string FixMuckpileProgress::row(const Look& now) const {
+  const EnergyLedger& e = ledger_->ledger();
+  std::ostringstream out;
+  out.precision(10);
+  out << update->ntimestep << ',' << now.time << ',' << update->dt << ',' << phase_ << ','
+      << now.joints << ',' << now.broken << ',' << now.fastest;
+  for (double energy : {e.kinetic, e.joint_elastic, e.contact_elastic, e.gravity, e.blast_work,
+                        e.fracture, e.joint_friction, e.joint_damping, e.contact_friction,
+                        e.contact_damping, e.walls, e.quiet, e.sleep, e.given, now.balance}) {
+    out << ',' << energy;
+  }
+  out << ',' << store_->record().id() << '\n';
+  return out.str();
+}
+
+/// What an earlier start of this run left does not hold until this one ends.
+void FixMuckpileProgress::remove_own_run() const {
+  const std::string file = folder_ + "/run.json";
+  std::ifstream in(file);
+  const auto run = nlohmann::json::parse(in, nullptr, false);
+  std::error_code unheeded;
+  if (run.is_object() && run.value("run_id", nlohmann::json()) == store_->record().id())
+    std::filesystem::remove(file, unheeded);
+}
+
+void FixMuckpileProgress::write_run(const Look& now) const {
+  const FixMuckpileBlast* blast = FixMuckpileBlast::find(*lmp);
+  const auto energies = blast != nullptr ? blast->energies() : FixMuckpileBlast::Energies{};
+  nlohmann::ordered_json run;
+  run["blocks"] = store_->blocks_created();
+  run["spheres"] = atom->natoms;
+  run["joints"] = store_->facets_created();
+  run["joints_broken_fraction"] = now.joints > 0.0 ? now.broken / now.joints : 0.0;
+  run["steps"] = update->ntimestep;
+  run["physical_time_s"] = now.time;
+  run["wall_time_s"] = MPI_Wtime() - wall_start_;
+  run["ranks"] = comm->nprocs;
+  run["energy_balance_error"] = now.balance;
+  run["explosive_energy_J"] = energies.explosive;
+  run["wave_work_J"] = energies.wave;
+  run["gas_work_J"] = energies.gas;
+  run["blocks_left_scene"] = std::lround(now.gone);
+  run["mass_left_scene_kg"] = now.gone_mass;
+  run["blocks_in_solid"] = std::lround(now.in_solid);
+  run["version"] = MUCKPILE_VERSION;
+  run["still"] = still(now);
+  run["run_id"] = store_->record().id();
+  run["holes"] = crushed_zones(*store_);
+  engine::write_file(*lmp, where_, folder_ + "/run.json", engine::json_text(run));
+}
+
+double FixMuckpileProgress::compute_scalar() { return still(look()) ? 1.0 : 0.0; }
+
+double FixMuckpileProgress::compute_vector(int n) {
+  const Look now = look();
+  return std::array{now.fastest, now.moving_share, now.gone,
+                    now.in_solid}[static_cast<std::size_t>(n)];
+}
+
+int FixMuckpileProgress::modify_param(int narg, char** arg) {
+  const std::string where = std::string("fix_modify ") + id;
+  const std::string key = arg[0];
+  if (key != "phase" && key != "time_end" && key != "every") return 0;
+  if (key == "every") {
+    every_ = engine::read_every(*lmp, where, narg, arg);
+    return 2;
+  }
+  if (narg < 2) engine::stop(*lmp, where + ": " + key + " needs a value");
+  if (key == "phase") phase_ = arg[1];
+  if (key == "time_end") {
+    time_end_ = engine::or_engine_error(
+        *lmp, [&] { return parse_real(where, key, arg[1], "s", time_range()); });
+  }
+  return 2;
+}
+
+}  // namespace muckpile

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/progress: says how the blast goes, writes its history, and stops a run gone wrong.
+// Scope: needs fix muckpile/ledger; every look costs one collective sum.
+#pragma once
+
+#include <fix.h>
+
+#include <array>
+#include <string>
+
+#include "fixes/interfaces/state_writer.h"
+
+namespace muckpile {
+
+namespace engine {
+class Bodies;
+}
+class FixMuckpileBlocks;
+class FixMuckpileJoint;
+class FixMuckpileLedger;
+
+class FixMuckpileProgress : public LAMMPS_NS::Fix, public StateWriter {
+ public:
+  FixMuckpileProgress(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
+
+  int setmask() override;
+  void init() override;
+  void setup(int vflag) override;
+  void end_of_step() override;
+  void post_run() override;
+  double compute_scalar() override;
+  double compute_vector(int n) override;
+  void write_restart(FILE* file) override;
+  void restart(char* state) override;
+  int modify_param(int narg, char** arg) override;
+  std::string write_state() override;
+
+ private:
+  struct Look {
+    double time = 0.0;          // [s]
+    double fastest = 0.0;       // [m/s]
+    double moving_share = 0.0;  // mass share of blocks in the scene faster than still_speed [-]
+    double gone = 0.0;          // blocks outside of the scene
+    double gone_mass = 0.0;     // [kg]
+    double in_solid = 0.0;      // blocks that came to where no rock can be
+    double joints = 0.0, broken = 0.0;
+    int bodies = 0;
+    double balance = 0.0;
+  };
+
+  void look_if_due();
+  [[nodiscard]] Look look();
+  void look_at_blocks(Look& now) const;
+  [[nodiscard]] bool has_entered_solid(const engine::Bodies& bodies, int b) const;
+  void warn_of_solid(const Look& now);
+  void say(const Look& now) const;
+  void begin_files();
+  void write_history(const Look& now);
+  [[nodiscard]] std::string rows_before() const;
+  [[nodiscard]] std::string row(const Look& now) const;
+  void write_run(const Look& now) const;
+  void remove_own_run() const;
+  void stop_if_wrong(const Look& now);
+  [[nodiscard]] bool still(const Look& now) const;
+  [[noreturn]] void stop_with_restart(const std::string& why);
+
+  FixMuckpileLedger* ledger_ = nullptr;
+  FixMuckpileJoint* joint_ = nullptr;
+  FixMuckpileBlocks* store_ = nullptr;
+  std::string where_, folder_, phase_;
+  std::string scene_;  // region, empty for all space
+  std::string solid_;  // region, empty for none
+  std::string held_;   // rows of history.csv, until a step is taken
+  int every_;          // the engine looks up `nevery` only when a run is set up
+  double time_end_, still_speed_, still_share_, fastest_allowed_, balance_allowed_;
+  double wall_start_, phase_wall_start_ = 0.0, phase_time_start_ = 0.0;
+  bool history_begun_ = false, warned_of_solid_ = false;
+  LAMMPS_NS::bigint read_at_ = -1;  // step of the restart file from which the run goes on
+  LAMMPS_NS::bigint last_ = -1;     // step of the last row of the history
+};
+
+}  // namespace muckpile

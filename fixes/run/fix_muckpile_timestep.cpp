@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/timestep: words, looks, and what the engine must be told of a new step; the bounds
+// are in core/bond/linear/stable_step and core/contact/contact_step_bound.
+#include "fixes/run/fix_muckpile_timestep.h"
+
+#include <force.h>
+#include <modify.h>
+#include <mpi.h>
+#include <pair.h>
+#include <update.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "args/numbers.h"
+#include "fixes/blocks/fix_multisphere_muckpile.h"
+#include "fixes/engine/bodies.h"
+#include "fixes/engine/restart_file.h"
+#include "fixes/engine/single_fix.h"
+#include "fixes/engine/style_args.h"
+
+namespace muckpile {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = 1e29;     // s, a longer step is none
+constexpr double kWorthAChange = 1.01;  // a longer step than now by less is not taken
+
+enum Output {
+  kJointStep,
+  kContactStep,
+  kStep,
+  kChanges,
+  kProducts,
+  kDashpotStep,
+  kCollisionStep,
+  kJoinedSpringStep,
+  kOutputCount
+};
+
+const ArgTable& table() {
+  static const ArgTable args =
+      ArgTable("fix muckpile/timestep")
+          .real("fraction", "", Range::left_open(0.0, 1.0), 0.8, "of the longest stable step")
+          .integer("every", "steps", engine::step_counts(), 100, "between looks at the contacts")
+          .integer("joints_every", "looks", Range::closed(0, 1000000), 20,
+                   "between looks at the joints; 0: as a run is set up and never within")
+          .word("breaking", {"possible", "none"}, "possible",
+                "whether joints may break between two looks: a closed broken one is stiffer")
+          .real("dashpot_fraction", "", Range::left_open(0.0, 4.0), 0.8,
+                "of the longest stable step with the dashpots of sphere contacts")
+          .real("collision", "s", Range::left_open(0.0, 1e30), 1e30,
+                "step that resolves a collision of blocks; without: as pair muckpile/block says")
+          .real("collision_speed", "m/s", Range::closed(0.0, 1e4), 0.0,
+                "of that collision; it follows the fastest block at each look. 0: it does not")
+          .real("min", "s", Range::closed(0.0, 1.0), 0.0, "a step shorter than this stops the run")
+          .real("max", "s", Range::left_open(0.0, 1e30), 1e30, "the step is never longer");
+  return args;
+}
+
+/// Cut to three digits, so that the step is the same on any number of ranks although the bound
+/// differs by rounding.
+double three_digits(double step) {
+  const double unit = std::pow(10.0, std::floor(std::log10(step)) - 2.0);
+  return std::floor(step / unit * (1.0 + 1e-9)) * unit;
+}
+
+/// At worst joints and contacts act on the same block: their stiffnesses, which go with 1/step^2,
+/// add.
+double acting_together(double joints, double contacts) {
+  return 1.0 / std::sqrt(1.0 / (joints * joints) + 1.0 / (contacts * contacts));
+}
+
+}  // namespace
+
+FixMuckpileTimestep::FixMuckpileTimestep(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
+    : Fix(engine, narg, arg),
+      where_(std::string("fix muckpile/timestep '") + (narg > 0 ? arg[0] : "") + "'") {
+  look_.joint_step = kInfinity;
+  look_.contact_steps.fill(kInfinity);
+  engine::refuse_second_fix(*lmp, where_, "muckpile/timestep");
+  engine::require_id_of_restart(*lmp, where_, *this);
+  const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
+  settings_.fraction = args.real("fraction");
+  settings_.collision = args.real("collision");
+  settings_.collision_speed = args.real("collision_speed");
+  settings_.shortest = args.real("min");
+  settings_.longest = args.real("max");
+  if (settings_.shortest > settings_.longest) engine::stop(*lmp, where_ + ": min must be <= max");
+  settings_.joints_every = static_cast<int>(args.integer("joints_every"));
+  settings_.breaking = args.word("breaking") == "none" ? Breaking::none : Breaking::possible;
+  settings_.dashpot_fraction = args.real("dashpot_fraction");
+  nevery = settings_.every = static_cast<int>(args.integer("every"));
+  restart_global = 1;
+  time_depend = 1;  // the engine's clock counts steps of equal length otherwise
+  scalar_flag = vector_flag = 1;
+  size_vector = kOutputCount;
+  global_freq = 1;
+  extscalar = extvector = 0;
+}
+
+int FixMuckpileTimestep::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
+
+void FixMuckpileTimestep::init() {
+  if (dynamic_cast<FixMultisphereMuckpile*>(engine::find_multisphere(*lmp)) == nullptr) {
+    engine::stop(*lmp, where_ +
+                           ": needs fix multisphere/muckpile; LIGGGHTS' own fix multisphere "
+                           "keeps the step that a run began with");
+  }
+  if (settings_.collision_speed > 0.0 && settings_.collision >= 1e30)
+    engine::stop(*lmp, where_ + ": collision_speed needs collision, the step at that speed");
+  const int place = find_joints();
+  if (place > modify->find_fix(id))
+    engine::stop(*lmp, where_ + ": must be defined after fix muckpile/joint");
+}
+
+/// Their place among the fixes, -1 without.
+int FixMuckpileTimestep::find_joints() {
+  joints_ = nullptr;
+  int place = -1;
+  for (int i = 0; i < modify->nfix; ++i) {
+    auto* joints = dynamic_cast<StepLimit*>(modify->fix[i]);
+    if (joints == nullptr) continue;
+    joints_ = joints;
+    place = i;
+  }
+  return place;
+}
+
+/// Forces are up to date here, and with them poses and contacts.
+void FixMuckpileTimestep::setup(int) {
+  if (goes_on_unchanged()) {
+    if (wanted() <= kUnbounded && update->dt != then_.step) set_step(then_.step);
+    if (then_.within_run) return;
+  }
+  read_at_ = -1;
+  if (joints_ != nullptr && joints_->stiffness_changes() != known_changes_)
+    look_.since_joints = settings_.joints_every;
+  if (look_.since_joints >= settings_.joints_every) look_at_joints();
+  look_at_contacts();
+  choose();
+}
+
+void FixMuckpileTimestep::end_of_step() {
+  ++look_.since_joints;
+  if (settings_.joints_every > 0 && look_.since_joints >= settings_.joints_every) look_at_joints();
+  look_at_contacts();
+  choose();
+}
+
+void FixMuckpileTimestep::look_at_joints() {
+  look_.since_joints = 0;
+  if (joints_ == nullptr) return;
+  known_changes_ = joints_->stiffness_changes();
+  const StepBound bound = joints_->stable_step(settings_.breaking, look_.joint_step);
+  look_.joint_step = bound.seconds;
+  products_ += bound.products;
+}
+
+void FixMuckpileTimestep::look_at_contacts() {
+  int dimension = 0;
+  const void* found = force->pair == nullptr ? nullptr : force->pair->extract("steps_s", dimension);
+  std::array<double, kContactSteps> mine{};
+  mine.fill(kInfinity);
+  if (found != nullptr) std::copy_n(static_cast<const double*>(found), mine.size(), mine.begin());
+  MPI_Allreduce(mine.data(), look_.contact_steps.data(), kContactSteps, MPI_DOUBLE, MPI_MIN, world);
+  if (settings_.collision_speed > 0.0) look_for_fastest_block();
+}
+
+void FixMuckpileTimestep::look_for_fastest_block() {
+  const engine::Bodies bodies(*engine::find_multisphere(*lmp));
+  double fastest = 0.0;
+  for (int b = 0; b < bodies.count(); ++b) fastest = std::max(fastest, bodies.velocity(b).norm());
+  MPI_Allreduce(&fastest, &look_.fastest, 1, MPI_DOUBLE, MPI_MAX, world);
+}
+
+/// Blocks without joints have their contacts alone. At worst a joined block has the stiffest
+/// contacts and the stiffest joints: the two stiffnesses, which go with 1/step^2, add.
+double FixMuckpileTimestep::longest_stable(ContactStep free, ContactStep joined) const {
+  return std::min(look_.contact_steps[free],
+                  acting_together(look_.joint_step, look_.contact_steps[joined]));
+}
+
+double FixMuckpileTimestep::springs_bear() const {
+  return longest_stable(kFreeSprings, kJoinedSprings);
+}
+
+double FixMuckpileTimestep::dashpots_bear() const {
+  return longest_stable(kFreeContacts, kJoinedContacts);
+}
+
+/// Resolves a collision; that is a matter of accuracy, so neither joints nor a share come on top.
+/// It lasts the longer the slower it is, by Hertz with speed^(-1/5).
+double FixMuckpileTimestep::longest_resolving() const {
+  if (settings_.collision >= 1e30) return look_.contact_steps[kCollisions];
+  if (settings_.collision_speed == 0.0) return settings_.collision;
+  return look_.fastest > 0.0
+             ? settings_.collision * std::pow(settings_.collision_speed / look_.fastest, 0.2)
+             : kInfinity;
+}
+
+double FixMuckpileTimestep::wanted() const {
+  return std::min({settings_.fraction * springs_bear(),
+                   settings_.dashpot_fraction * dashpots_bear(), longest_resolving(),
+                   settings_.longest});
+}
+
+void FixMuckpileTimestep::choose() {
+  if (wanted() > kUnbounded) return;  // nothing holds it: as it is
+  const double step = three_digits(wanted());
+  if (!(step >= settings_.shortest)) {
+    engine::stop(*lmp, where_ + ": the step must be " + number_text(step) + " s at step " +
+                           std::to_string(update->ntimestep) + ", shorter than min " +
+                           number_text(settings_.shortest) + " s (joints bear " +
+                           number_text(look_.joint_step) + " s, with contacts " +
+                           number_text(springs_bear()) + " s, with their dashpots " +
+                           number_text(dashpots_bear()) + " s, collisions are resolved at " +
+                           number_text(longest_resolving()) + " s)");
+  }
+  if (step < update->dt || step > kWorthAChange * update->dt) set_step(step);
+}
+
+void FixMuckpileTimestep::set_step(double step) {
+  ++changes_;
+  update->update_time();
+  update->dt = step;
+  if (force->pair != nullptr) force->pair->reset_dt();
+  for (int i = 0; i < modify->nfix; ++i) modify->fix[i]->reset_dt();
+}
+
+double FixMuckpileTimestep::compute_scalar() { return springs_bear() / update->dt; }
+
+double FixMuckpileTimestep::compute_vector(int n) {
+  switch (n) {
+    case kJointStep:
+      return look_.joint_step;
+    case kContactStep:
+      return std::min(look_.contact_steps[kFreeSprings], look_.contact_steps[kJoinedSprings]);
+    case kStep:
+      return update->dt;
+    case kChanges:
+      return changes_;
+    case kProducts:
+      return products_;
+    case kDashpotStep:
+      return std::min(look_.contact_steps[kFreeContacts], look_.contact_steps[kJoinedContacts]);
+    case kCollisionStep:
+      return look_.contact_steps[kCollisions];
+    case kJoinedSpringStep:
+      return look_.contact_steps[kJoinedSprings];
+    default:
+      return 0.0;
+  }
+}
+
+int FixMuckpileTimestep::modify_param(int narg, char** arg) {
+  const std::string where = std::string("fix_modify ") + id;
+  const std::string key = arg[0];
+  if (key != "fraction" && key != "max" && key != "collision" && key != "collision_speed") return 0;
+  if (narg < 2) engine::stop(*lmp, where + ": " + key + " needs a value");
+  engine::or_engine_error(*lmp, [&] {
+    if (key == "fraction")
+      settings_.fraction = parse_real(where, key, arg[1], "", Range::left_open(0.0, 1.0));
+    if (key == "collision")
+      settings_.collision = parse_real(where, key, arg[1], "s", Range::left_open(0.0, 1e30));
+    if (key == "collision_speed")
+      settings_.collision_speed = parse_real(where, key, arg[1], "m/s", Range::closed(0.0, 1e4));
+    if (key == "max")
+      settings_.longest = parse_real(where, key, arg[1], "s", Range::left_open(0.0, 1e30));
+    return 0;
+  });
+  return 2;
+}
+
+void FixMuckpileTimestep::write_restart(FILE* file) {
+  engine::ByteWriter state;
+  state.put(
+      Then{settings_, update->dt, update->whichflag != 0 && update->ntimestep < update->laststep});
+  state.put(look_);
+  state.put(changes_);
+  state.put(products_);
+  engine::write_state(*lmp, style, file, state);
+}
+
+/// The joints have been read before: what changes their stiffness from here on is new.
+void FixMuckpileTimestep::restart(char* state) {
+  engine::ByteReader in = engine::read_state(state);
+  then_ = in.get<Then>();
+  look_ = in.get<Look>();
+  changes_ = in.get<int>();
+  products_ = in.get<int>();
+  read_at_ = update->ntimestep;
+  update->dt = then_.step;
+  find_joints();
+  if (joints_ != nullptr) known_changes_ = joints_->stiffness_changes();
+}
+
+/// Then the step is that of the restart file, and if that was written within a run, so are the
+/// looks: that run did not look once more.
+bool FixMuckpileTimestep::goes_on_unchanged() const {
+  return update->ntimestep == read_at_ && settings_ == then_.settings &&
+         (joints_ == nullptr || joints_->stiffness_changes() == known_changes_);
+}
+
+}  // namespace muckpile

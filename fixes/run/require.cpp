@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// require: words to a range, and the check.
+// Scope: see the header.
+#include "fixes/run/require.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "args/input_error.h"
+#include "args/numbers.h"
+#include "args/suggestion.h"
+#include "fixes/engine/style_args.h"
+
+namespace muckpile {
+namespace {
+
+constexpr const char* kStyle = "require";
+
+bool starts_a_rule(const std::string& word) {
+  constexpr std::array<const char*, 9> kWords{"above", "at_least", "below",  "at_most", "or",
+                                              "whole", "unit",     "one_of", "advice"};
+  return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+}
+
+struct Rule {
+  Range range;
+  bool whole = false;
+  std::string unit;
+  std::string advice;               ///< what to do, behind the message
+  std::optional<double> exception;  ///< allowed although outside the range
+};
+
+Rule read_rule(const std::vector<std::string>& words) {
+  Rule rule;
+  for (std::size_t k = 0; k < words.size();) {
+    const std::string& word = words[k++];
+    if (word == "whole") {
+      rule.whole = true;
+      continue;
+    }
+    if (k == words.size())
+      throw InputError(std::string(kStyle) + ": nothing follows '" + word + "'");
+    if (word == "advice") {  // whatever follows: LIGGGHTS puts no variables into quoted text
+      while (k < words.size()) rule.advice += (rule.advice.empty() ? "" : " ") + words[k++];
+      break;
+    }
+    const std::string& value = words[k++];
+    if (word == "unit") {
+      rule.unit = value;
+      continue;
+    }
+    const double number = parse_real(kStyle, word, value, "", Range::any());
+    if (word == "above" || word == "at_least") {
+      rule.range.lo = number;
+      rule.range.lo_open = word == "above";
+    } else if (word == "below" || word == "at_most") {
+      rule.range.hi = number;
+      rule.range.hi_open = word == "below";
+    } else if (word == "or") {
+      rule.exception = number;
+    } else {
+      throw InputError(
+          std::string(kStyle) + ": unknown keyword '" + word +
+          "' (known: above, at_least, below, at_most, or, whole, unit, advice, one_of)");
+    }
+  }
+  return rule;
+}
+
+void check_range(const std::string& name, const std::string& text, const Rule& rule) {
+  const std::string where = "input";
+  if (rule.whole)
+    (void)parse_integer(where, name, text, rule.unit, rule.range);
+  else
+    (void)parse_real(where, name, text, rule.unit, rule.range);
+}
+
+void check_number(const std::string& name, const std::string& text, const Rule& rule) {
+  if (!rule.exception) return check_range(name, text, rule);
+  if (parse_real("input", name, text, rule.unit, Range::any()) == *rule.exception) return;
+  try {
+    check_range(name, text, rule);
+  } catch (const InputError& refused) {
+    throw InputError(std::string(refused.what()) + "; " + number_text(*rule.exception) +
+                     " is allowed too");
+  }
+}
+
+void check(const std::string& name, const std::string& text, const Rule& rule) {
+  try {
+    check_number(name, text, rule);
+  } catch (const InputError& refused) {
+    if (rule.advice.empty()) throw;
+    throw InputError(std::string(refused.what()) + "; " + rule.advice);
+  }
+}
+
+void check_word(const std::string& name, const std::string& word,
+                const std::vector<std::string>& allowed) {
+  if (allowed.empty()) throw InputError(std::string(kStyle) + ": nothing follows 'one_of'");
+  if (std::find(allowed.begin(), allowed.end(), word) != allowed.end()) return;
+  throw InputError("input: " + name + " must be one of " + joined(allowed) + ", got '" + word +
+                   "'" + did_you_mean(word, allowed));
+}
+
+}  // namespace
+
+void Require::command(int narg, char** arg) {
+  engine::or_engine_error(*lmp, [&] {
+    if (narg < 2) throw InputError(std::string(kStyle) + ": needs a name, its value and a rule");
+    // An empty variable leaves no word: its rule has taken the value's place.
+    if (starts_a_rule(arg[1])) throw InputError(std::string("input: ") + arg[0] + " has no value");
+    if (narg > 2 && std::string(arg[2]) == "one_of")
+      check_word(arg[0], arg[1], {arg + 3, arg + narg});
+    else
+      check(arg[0], arg[1], read_rule({arg + 2, arg + narg}));
+    return 0;
+  });
+}
+
+}  // namespace muckpile

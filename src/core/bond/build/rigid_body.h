@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The rigid body of a block: exact mass, centre and principal inertia of its polyhedron, and the
+// spheres that carry contact.
+// Scope: start configuration, space coordinates unless said otherwise.
+#pragma once
+
+#include <vector>
+
+#include "geometry/block_model.h"
+#include "geometry/spheres/sphere_filling.h"
+
+namespace muckpile {
+
+struct RigidBody {
+  double mass = 0.0;    ///< [kg]
+  double volume = 0.0;  ///< [m3]
+  Vec3 centre;          ///< [m]
+  Vec3 inertia;         ///< principal moments [kg m2]
+  Mat3 axes;            ///< principal axes, right-handed columns
+  std::vector<Sphere> spheres;
+};
+
+/// The spheres are those of fill_with_spheres with their radii times `growth` (>= 1): grown ones
+/// stand for the volume of the corners that inscribed spheres do not reach.
+[[nodiscard]] RigidBody rigid_body(const Block& block, double density, int spheres,
+                                   double growth = 1.0);
+
+/// Largest overlap of two spheres of neighbouring blocks over the smaller radius [-].
+[[nodiscard]] double largest_overlap(const std::vector<Block>& blocks,
+                                     const std::vector<RigidBody>& bodies);
+
+}  // namespace muckpile

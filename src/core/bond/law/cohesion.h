@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Softening by fracture energy: what a point of a facet still holds after its strength is reached;
+// and how strength grows with the rate of strain.
+// Scope: pure functions of one point; vectors in the facet's own axes (normal first).
+//
+// Linear weakening (Hillerborg, Modeer & Petersson 1976 in tension; the like in shear with friction
+// beside it, and unloading towards the origin, as of Camacho & Ortiz 1996): the traction that
+// breaking would drop at once falls to zero as the two sides part along it. The elastic jump before
+// breaking is a part of the parting, so that all that the facet takes is its fracture energy,
+// whatever the size of the blocks.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "bond/law/joint_material.h"
+#include "math/types.h"
+
+namespace muckpile {
+
+struct Cohesion {
+  Vec3 direction = Vec3::Zero();  ///< unit, of the traction on block i
+  double strength = 0.0;          ///< at its start [Pa]
+  double first = 0.0;             ///< parting at its start [m]
+  double end = 0.0;               ///< parting at which nothing is left [m]; 0: nothing is left
+  double worst = 0.0;             ///< largest parting so far [m]
+  double shift = 0.0;             ///< jump along the direction without parting [m]
+
+  [[nodiscard]] bool holds() const { return end > 0.0; }
+  [[nodiscard]] double parting(const Vec3& jump) const { return direction.dot(jump) - shift; }
+  /// [Pa]; unloading and loading again run along the line to the origin.
+  [[nodiscard]] double traction(double parting, double largest) const {
+    if (largest >= end) return 0.0;
+    return strength * (end - largest) / (end - first) * std::max(parting, 0.0) / largest;
+  }
+  /// Stored per area [J/m2].
+  [[nodiscard]] double energy(double parting) const {
+    return 0.5 * traction(parting, worst) * std::max(parting, 0.0);
+  }
+};
+
+/// `dropped`: what breaking would drop at once [Pa], with the stiffness of the facet normal to it
+/// and along it [Pa/m]. Holds nothing if the fracture energy is 0, or no more than the elastic
+/// energy at the strength: then blocks are too large for it.
+[[nodiscard]] inline Cohesion cohesion_after(const Vec3& dropped, const Vec3& jump,
+                                             double normal_stiffness, double shear_stiffness,
+                                             const JointParameters& p) {
+  const double size = dropped.norm();
+  Cohesion c;
+  if (size == 0.0 || shear_stiffness == 0.0) return c;
+  const double opens = std::pow(dropped.x() / size, 2);  // share of the energy that is tension's
+  const double toughness =
+      opens * p.fracture_energy_tension + (1.0 - opens) * p.fracture_energy_shear;
+  const double first = size * (opens / normal_stiffness + (1.0 - opens) / shear_stiffness);
+  const double end = 2.0 * toughness / size;
+  if (end <= first) return c;
+  c.direction = dropped / size;
+  c.strength = size;
+  c.first = c.worst = first;
+  c.end = end;
+  c.shift = c.direction.dot(jump) - first;
+  return c;
+}
+
+/// Strength over its value at rest: (rate / reference)^exponent, at least 1; the form of the
+/// CEB-FIP Model Code 1990 below 30/s.
+[[nodiscard]] inline double rate_factor(double strain_rate, const JointParameters& p) {
+  return std::pow(std::max(1.0, strain_rate / p.reference_rate), p.rate_exponent);
+}
+
+}  // namespace muckpile

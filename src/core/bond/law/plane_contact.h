@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The contact of broken points while the two faces still match: no tension, friction, a dashpot
+// along the normal.
+// Scope: a pure function of a point, one per lane: the points of one facet, or one of each of a
+// group's facets. Formulas are in docs/styles/fix_muckpile_joint.md.
+#pragma once
+
+#include "bond/law/slip_friction.h"
+#include "math/lanes.h"
+
+namespace muckpile {
+
+template <class Number>
+struct PlaneContact {
+  Number normal, shear;  ///< stiffness [Pa/m]
+  Number dashpot;        ///< along the normal [Pa s/m]
+  Number tan_residual;   ///< of slow slip [-]
+  SlipWeakening weakening;
+};
+
+/// A point in the present pose.
+template <class Number>
+struct PlanePoint {
+  VectorOf<Number> normal;
+  VectorOf<Number> spring;  ///< jump from where the point carries nothing [m]
+  VectorOf<Number> rate;    ///< of the jump [m/s]
+  typename Number::mask_type broken;
+  typename Number::mask_type fresh;  ///< open until now: friction forgets where it stuck
+};
+
+template <class Number>
+struct PlanePull {
+  VectorOf<Number> traction;         ///< [Pa]
+  typename Number::mask_type rests;  ///< it slips or is open: carries no more than it does now,
+  VectorOf<Number> resting;          ///< and nothing at the jump less this [m]
+  Number damped;                     ///< taken by the dashpot [W/m2]
+  Number rubbed;                     ///< twice what friction takes in the step, over shear [m2]
+};
+
+/// Which points slip, and the share of their shear that friction holds.
+template <class Number>
+struct Slide {
+  typename Number::mask_type slips{false};
+  Number kept = 1.0;
+
+  [[gnu::always_inline]] Slide(const VectorOf<Number>& shear, const Number& limit) {
+    constexpr double kNearSlip = 0.99;  // of the limit, squared: below that none slips
+    const Number squared = dot(shear, shear);
+    if (none_of(squared > kNearSlip * limit * limit)) return;  // the root takes long
+    const Number size = sqrt(squared);
+    slips = size > limit;
+    kept = choose(slips, limit / choose(slips, size, 1.0), 1.0);
+  }
+};
+
+/// Friction is booked as the work that leapfrog takes from the blocks, that of the mean of the
+/// forces before and after the step's path, less what the springs have gained.
+template <class Number>
+[[nodiscard, gnu::always_inline]] inline PlanePull<Number> plane_pull(
+    const PlaneContact<Number>& contact, const PlanePoint<Number>& at, double dt) {
+  using Mask = typename Number::mask_type;
+  const Number gap = dot(at.normal, at.spring);
+  const Mask closed = at.broken && gap < 0.0;
+  const Mask forgets = at.broken && (at.fresh || !closed);
+  const Number rate = dot(at.normal, at.rate);
+  const Number elastic = choose(closed, contact.normal * gap, 0.0);
+  const Number damped = elastic + contact.dashpot * rate;
+  const Number normal = choose(closed, min(damped, Number(0.0)), 0.0);
+
+  const VectorOf<Number> sheared = at.spring - gap * at.normal;
+  const VectorOf<Number> stuck = choose(closed && !forgets, Number(1.0), 0.0) * sheared;
+  const VectorOf<Number> shear = contact.shear * stuck, slip = at.rate - rate * at.normal;
+  const Number tan = sliding_friction(contact.tan_residual, dot(slip, slip), contact.weakening);
+  const Slide<Number> slide(shear, -tan * normal);
+  const Number kept = slide.kept;
+
+  const VectorOf<Number> path = Number(dt) * at.rate;
+  const Number slid = (1.0 - kept) * dot(stuck, (1.0 + kept) * stuck - path);
+  const Mask opens = forgets && !at.fresh && !closed && gap < dt * rate;
+  const Number forgotten = choose(opens, dot(sheared, sheared - path), 0.0);
+  return {normal * at.normal + kept * shear, slide.slips || forgets, gap * at.normal + kept * stuck,
+          (normal - elastic) * rate, slid + forgotten};
+}
+
+}  // namespace muckpile

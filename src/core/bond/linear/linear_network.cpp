@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Stiffness of the facet network about its present pose.
+// Scope: see the header.
+#include "bond/linear/linear_network.h"
+
+#include <algorithm>
+
+#include "bond/network/facet_lanes.h"
+
+namespace muckpile {
+namespace {
+
+using Six = Eigen::Matrix<double, 6, 1>;
+
+Six of_block(std::span<const double> values, int block) {
+  return Eigen::Map<const Six>(values.data() + 6 * static_cast<std::size_t>(block));
+}
+
+/// Displacement of a point at `arm` from the centre.
+Vec3 moved(const Six& motion, const Vec3& arm) {
+  return motion.head<3>() + Vec3(motion.tail<3>()).cross(arm);
+}
+
+}  // namespace
+
+LinearNetwork::LinearNetwork(const FacetNetwork& network, BreakView view, double damping_rate) {
+  network.linearise(*this, view, damping_rate);
+}
+
+void FacetNetwork::linearise(LinearNetwork& linear, BreakView view, double damping_rate) const {
+  each_facet(active_, [&](std::size_t f) {
+    if (states_[f] == FacetState::retired) return;
+    const Bond bond = bond_of(f);
+    const Contact contact = contact_of(f);
+    const FacetEnds sides = ends(f);
+    const Motion motion = motion_of(f);
+    const LaneVec jump = motion.jump(), side = motion.side();
+    const Openings openings = openings_of(f, motion.scale);
+    LinearNetwork::Spring spring{};
+    spring.i = sides.i;
+    spring.j = sides.j == ground() ? -1 : sides.j;
+    spring.normal = motion.normal;
+    spring.opening_i = openings.i;
+    spring.opening_j = openings.j;
+    spring.pull_i = bond.point_area * bond.bulk_i;
+    spring.pull_j = bond.point_area * bond.bulk_j;
+    spring.strain_i = bond.area_i / kFacetPoints;
+    spring.strain_j = bond.area_j / kFacetPoints;
+    if (view == BreakView::as_it_is) spring.sharpening = coupling_of(f).sharpening;
+    spring.slanted = facets_[f].slanted();
+    spring.lean = {Vec3::Zero(), Vec3::Zero()};
+    if (slanted()) {
+      spring.shear_share = slants_[f].shear_share;
+      for (std::size_t k = 0; k < 2; ++k)
+        spring.lean[k] = turned(f, slants_[f].lean[k], motion.scale);
+    }
+    const Vec3 between = state_[static_cast<std::size_t>(sides.i)].centre -
+                         state_[static_cast<std::size_t>(sides.j)].centre;
+    for (std::size_t p = 0; p < kFacetPoints; ++p) {
+      spring.arm_i[p] = side.at(static_cast<int>(p)) + 0.5 * jump.at(static_cast<int>(p));
+      spring.arm_j[p] = spring.arm_i[p] + between;
+      const bool bonded = view == BreakView::as_it_is && !traces_[f].is_contact(p);
+      const bool rubs = bonded && traces_[f].slipping[p];
+      const double fade = bonded ? 1.0 : contacts_.fade(f);
+      const double normal = bonded ? bond.shear + bond.normal_extra : contact.normal;
+      const double dashpot = damping_rate * (bonded && !rubs ? damping_ : contact_damping_);
+      spring.bonded[p] = bonded;
+      spring.shear[p] = bond.point_area * (fade * bond.shear + (bonded && !rubs ? dashpot : 0.0));
+      spring.extra[p] = bond.point_area *
+                        (fade * (normal - bond.shear) + (bonded && !rubs ? 0.0 : fade * dashpot));
+    }
+    linear.springs_.push_back(spring);
+  });
+  linear.lambda_ = material().lame_lambda();
+  for (std::size_t b = 0; b + 1 < blocks_.size(); ++b)
+    linear.volume_.push_back(blocks_[b].volume * stiffening(sums_[b]));
+  linear.two_g_ = 2.0 * material().shear_modulus();
+  for (std::size_t b = 0; b + 1 < blocks_.size(); ++b) {
+    linear.rock_volume_.push_back(blocks_[b].volume);
+    const Mat3& r = state_[b].rotation;
+    linear.moment_.push_back(slanted() && view == BreakView::as_it_is
+                                 ? Mat3(r * block_slants_[b].moment * r.transpose())
+                                 : Mat3::Zero());
+  }
+  linear.slants_.resize(linear.volume_.size());
+  linear.theta_.resize(linear.volume_.size());
+  linear.bulk_.resize(linear.volume_.size());
+}
+
+Vec3 LinearNetwork::jump(const Spring& s, std::size_t p, std::span<const double> motion) {
+  const Vec3 of_i = moved(of_block(motion, s.i), s.arm_i[p]);
+  return s.j < 0 ? Vec3(-of_i) : Vec3(moved(of_block(motion, s.j), s.arm_j[p]) - of_i);
+}
+
+void LinearNetwork::bulk_stresses(std::span<const double> motion, const RankTeam& team) {
+  std::fill(theta_.begin(), theta_.end(), 0.0);
+  for (const Spring& s : springs_) {
+    for (std::size_t p = 0; p < kFacetPoints; ++p) {
+      if (!s.bonded[p]) continue;
+      const Vec3 opened = jump(s, p, motion);
+      theta_[static_cast<std::size_t>(s.i)] += s.strain_i * s.opening_i.dot(opened);
+      if (s.j >= 0) theta_[static_cast<std::size_t>(s.j)] += s.strain_j * s.opening_j.dot(opened);
+    }
+  }
+  for (std::size_t b = 0; b < theta_.size(); ++b) theta_[b] /= volume_[b];
+  team.fill_copies(theta_, 1);
+  std::fill(bulk_.begin(), bulk_.end(), 0.0);
+  for (const Spring& s : springs_) {
+    if (s.j < 0 || s.sharpening == 0.0) continue;
+    const auto i = static_cast<std::size_t>(s.i), j = static_cast<std::size_t>(s.j);
+    const double uneven = s.sharpening * (theta_[i] - theta_[j]);
+    bulk_[i] += uneven;
+    bulk_[j] -= uneven;
+  }
+  for (std::size_t b = 0; b < bulk_.size(); ++b)
+    bulk_[b] = lambda_ * theta_[b] + bulk_[b] / volume_[b];
+  team.fill_copies(bulk_, 1);
+}
+
+void LinearNetwork::slant_stresses(std::span<const double> motion, const RankTeam& team) {
+  if (!slanted_) {
+    const auto is_slanted = [](const Spring& s) { return s.slanted[0] || s.slanted[1]; };
+    slanted_ =
+        team.sum(std::any_of(springs_.begin(), springs_.end(), is_slanted) ? 1.0 : 0.0) > 0.0;
+  }
+  if (!*slanted_) return;
+  for (Slant& slant : slants_) slant = {Mat3::Zero(), Mat3::Zero(), Mat3::Zero()};
+  for (const Spring& s : springs_) {
+    for (std::size_t p = 0; p < kFacetPoints; ++p) {
+      if (!s.bonded[p]) continue;
+      const Vec3 opened = s.strained(jump(s, p, motion));
+      const auto add = [&](int block, double strain, const Vec3& opening, const Vec3& lean) {
+        const auto b = static_cast<std::size_t>(block);
+        slants_[b].gradient += strain / rock_volume_[b] * opened * opening.transpose();
+        slants_[b].excess += strain / rock_volume_[b] * opened * lean.transpose();
+      };
+      if (s.slanted[0]) add(s.i, s.strain_i, s.opening_i, s.lean[0]);
+      if (s.slanted[1]) add(s.j, s.strain_j, s.opening_j, s.lean[1]);
+    }
+  }
+  for (std::size_t b = 0; b < slants_.size(); ++b)
+    slants_[b].stress = two_g_ * (slants_[b].gradient * moment_[b] - slants_[b].excess);
+  static_assert(sizeof(Slant) == 27 * sizeof(double));
+  team.fill_copies(
+      {slants_.empty() ? nullptr : slants_.front().gradient.data(), 27 * slants_.size()}, 27);
+}
+
+/// Force of a bonded point by the slant [N].
+Vec3 LinearNetwork::slant_pull(const Spring& s) const {
+  Vec3 pull = Vec3::Zero();
+  const auto add = [&](int block, double share, const Vec3& opening, const Vec3& lean) {
+    const Slant& slant = slants_[static_cast<std::size_t>(block)];
+    pull += share * (slant.stress * opening - two_g_ * (slant.gradient * lean));
+  };
+  if (s.slanted[0]) add(s.i, s.pull_i, s.opening_i, s.lean[0]);
+  if (s.slanted[1]) add(s.j, s.pull_j, s.opening_j, s.lean[1]);
+  return s.strained(pull);
+}
+
+/// Force of a bonded point by the bulk stresses [N].
+Vec3 LinearNetwork::bulk_pull(const Spring& s) const {
+  Vec3 pull = s.pull_i * bulk_[static_cast<std::size_t>(s.i)] * s.opening_i;
+  if (s.j >= 0) pull += s.pull_j * bulk_[static_cast<std::size_t>(s.j)] * s.opening_j;
+  return pull;
+}
+
+void LinearNetwork::hold(std::span<double> motion, std::span<double> force, const RankTeam& team) {
+  team.fill_copies(motion, 6);
+  bulk_stresses(motion, team);
+  slant_stresses(motion, team);
+  std::fill(force.begin(), force.end(), 0.0);
+  const auto push = [&](int block, const Vec3& on_block, const Vec3& arm) {
+    const auto at = 6 * static_cast<std::size_t>(block);
+    if (block < 0 || at >= force.size()) return;  // the ground, or a copy
+    Eigen::Map<Six> six(force.data() + at);
+    six.head<3>() += on_block;
+    six.tail<3>() += arm.cross(on_block);
+  };
+  for (const Spring& s : springs_) {
+    const Vec3 bulk = bulk_pull(s) + slant_pull(s);
+    for (std::size_t p = 0; p < kFacetPoints; ++p) {
+      const Vec3 opened = jump(s, p, motion);
+      Vec3 pull = s.shear[p] * opened + s.extra[p] * s.normal.dot(opened) * s.normal;
+      if (s.bonded[p]) pull += bulk;
+      push(s.i, -pull, s.arm_i[p]);
+      push(s.j, pull, s.arm_j[p]);
+    }
+  }
+}
+
+}  // namespace muckpile

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The facet network for small motions about its present pose: the stiffness matrix as a product.
+// Scope: blocks as rigid bodies, six numbers each (shift [m], turn [rad]); the geometric stiffness
+// of the tractions is left out (they are 1e-4 of the moduli). Broken facets count as closed and
+// sticking, whether they are or not. Yielding ground counts as fixed, which is what it is at the
+// limit of stability. All ranks together.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "bond/network/facet_network.h"
+
+namespace muckpile {
+
+/// How ranks work on one network: values of copied blocks from their owners, sums over ranks. As it
+/// stands: one rank.
+struct RankTeam {
+  std::function<void(std::span<double> values, std::size_t width)> fill_copies =
+      [](std::span<double>, std::size_t) {};
+  std::function<double(double)> sum = [](double mine) { return mine; };
+};
+
+enum class BreakView : std::uint8_t {
+  as_it_is,   ///< what holds now is bonded
+  all_broken  ///< every facet is a closed contact
+};
+
+class LinearNetwork {
+ public:
+  /// `damping_rate` [1/s]: every dashpot counts as a spring of that many times its coefficient.
+  LinearNetwork(const FacetNetwork& network, BreakView view, double damping_rate);
+
+  /// Forces [N] and torques [N m] that hold the owned blocks in `motion`, which has six numbers per
+  /// block, owned ones first, then the copies; those are filled in. Collective.
+  void hold(std::span<double> motion, std::span<double> force, const RankTeam& team);
+
+ private:
+  friend class FacetNetwork;
+  struct Spring {
+    int i, j;  // -1: the ground
+    Vec3 normal, opening_i, opening_j;
+    std::array<bool, 2> slanted;  // blocks i and j have the terms of facet_slant.cpp
+    std::array<Vec3, 2> lean;
+    double shear_share;                             // see FacetNetwork::Slant
+    std::array<Vec3, kFacetPoints> arm_i, arm_j;    // of the points, from the centres [m]
+    std::array<double, kFacetPoints> shear, extra;  // stiffness; normal less shear [N/m]
+    double pull_i, pull_j;      // force of a bonded point per bulk stress of block i and j [m2]
+    double strain_i, strain_j;  // volume of block i and j per opening of a bonded point [m2]
+    std::array<bool, kFacetPoints> bonded;
+    double sharpening;  // of the bonded points, twice the energy per square of uneven theta [J]
+
+    [[nodiscard]] Vec3 strained(const Vec3& v) const {
+      return shear_share * v + (1.0 - shear_share) * normal.dot(v) * normal;
+    }
+  };
+
+  std::vector<Spring> springs_;
+  [[nodiscard]] static Vec3 jump(const Spring& spring, std::size_t p,
+                                 std::span<const double> motion);
+  void bulk_stresses(std::span<const double> motion, const RankTeam& team);
+  [[nodiscard]] Vec3 bulk_pull(const Spring& spring) const;
+  void slant_stresses(std::span<const double> motion, const RankTeam& team);
+  [[nodiscard]] Vec3 slant_pull(const Spring& spring) const;
+
+  double lambda_ = 0.0, two_g_ = 0.0;  // [Pa]
+  std::vector<Mat3> moment_;           // Q of facet_slant.cpp, per block [-]
+  std::vector<double> rock_volume_;    // [m3]
+  struct Slant {
+    Mat3 gradient, stress, excess;
+  };
+  std::vector<Slant> slants_;         // of `motion`
+  std::optional<bool> slanted_;       // a spring of any rank is
+  std::vector<double> volume_;        // V (1 + phi lambda/2G), per block [m3]
+  std::vector<double> theta_, bulk_;  // dilatation [-] and bulk stress [Pa] of `motion`
+};
+
+}  // namespace muckpile

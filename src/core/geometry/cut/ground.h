@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the seeds must know of the scene: where there is rock, and how large blocks should be there.
+// Scope: read-only view of validated TessellationOptions; lengths in metres.
+#pragma once
+
+#include <vector>
+
+#include "geometry/cut/tessellation.h"
+#include "geometry/index/axis_index.h"
+
+namespace muckpile {
+
+class Ground {
+ public:
+  explicit Ground(const TessellationOptions& options);
+
+  // In the box and in the region, holes or not.
+  [[nodiscard]] bool in_region(const Vec3& point) const;
+  // In the region and in no hole.
+  [[nodiscard]] bool is_rock(const Vec3& point) const;
+  // Distance from the nearest charge or fine axis; infinity without any [m].
+  [[nodiscard]] double charge_distance(const Vec3& point) const;
+  // Replaces `found` by the numbers of the holes whose wall is within a distance [m] of a point,
+  // and perhaps of some farther ones, in rising order.
+  void holes_near(const Vec3& point, double distance, std::vector<int>& found) const;
+  // Block size asked for at a point [m].
+  [[nodiscard]] double size(const Vec3& point) const;
+  // Lower bound of the size within `reach` [m] of a point: the law never falls with distance.
+  [[nodiscard]] double smallest_size_near(const Vec3& point, double reach) const;
+  // Gradient of ln(size) by central differences over a tenth of a block [1/m].
+  [[nodiscard]] Vec3 log_size_gradient(const Vec3& point) const;
+
+ private:
+  // The law at the distances of a point, each less `nearer` [m].
+  [[nodiscard]] double size_nearer(const Vec3& point, double nearer) const;
+
+  const TessellationOptions& options_;
+  AxisIndex axes_;               // of the holes, then the fine axes
+  double largest_radius_ = 0.0;  // of the holes [m]
+};
+
+}  // namespace muckpile

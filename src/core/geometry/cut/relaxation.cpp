@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Size-weighted Lloyd sweeps over seeds that are mirrored at holes and region, and their cells.
+// Scope: see the header.
+#include "geometry/cut/relaxation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <stdexcept>
+#include <utility>
+
+#include "geometry/cut/cell_cutter.h"
+#include "geometry/cut/seeding.h"
+#include "geometry/holes/hole_surface.h"
+
+namespace muckpile {
+namespace {
+
+constexpr double kFirstReach =
+    1.5;  // [block sizes] most neighbours of a relaxed cell are within it
+
+}  // namespace
+
+Relaxation::Relaxation(const TessellationOptions& options)
+    : Relaxation(options, scatter_seeds(options, Ground(options)), {}) {}
+
+Relaxation::Relaxation(const TessellationOptions& options, std::vector<Vec3> seeds,
+                       std::vector<CutPlane> bounds)
+    : options_(options),
+      ground_(options),
+      seeds_(std::move(seeds)),
+      bounds_(std::move(bounds)),
+      mirrored_holes_(options.holes) {
+  for (const Hole& hole : options.holes) {
+    cylinder_volumes_.push_back(
+        cylinder_volume_where(hole, [&](const Vec3& p) { return ground_.in_region(p); }));
+  }
+}
+
+std::vector<Vec3> Relaxation::points_with(const Images& images) const {
+  std::vector<Vec3> points = seeds_;
+  points.insert(points.end(), images.points.begin(), images.points.end());
+  return points;
+}
+
+std::vector<int> Relaxation::face_codes(const std::vector<int>& points,
+                                        const Images& images) const {
+  const int seeds = static_cast<int>(seeds_.size());
+  std::vector<int> codes;
+  codes.reserve(points.size());
+  for (const int p : points) {
+    codes.push_back(p < 0       ? kFreeFace
+                    : p < seeds ? p
+                                : images.face_codes[static_cast<std::size_t>(p - seeds)]);
+  }
+  return codes;
+}
+
+// Centroid for the density size^-5, for which a centroidal diagram in three dimensions has cells
+// of that size (Du, Wang 2005). First order: shift by (second moment / volume) * grad ln density,
+// with the second moment of a ball, (3/4pi)^(2/3)/5 = 0.077 V^(2/3) per axis.
+Vec3 Relaxation::relaxed(const Vec3& seed, const Vec3& centroid, double volume) const {
+  constexpr double kMoment = 0.077, kLongestShift = 0.3;  // [-], [block sizes]
+  const double size = std::cbrt(volume);
+  Vec3 shift = -5.0 * kMoment * size * size * ground_.log_size_gradient(centroid);
+  shift *= std::min(1.0, kLongestShift * size / std::max(shift.norm(), 1e-300));
+  const Vec3 target = centroid + shift;
+  return ground_.is_rock(target) ? target : seed;
+}
+
+void Relaxation::add_hole_volumes(const Polyhedron& shape, const std::vector<int>& codes,
+                                  std::vector<double>& carved) const {
+  for (std::size_t f = 0; f < codes.size(); ++f) {
+    if (!is_hole_face(codes[f])) continue;
+    const int h = hole_of_face(codes[f]);
+    const FaceGeometry face = face_geometry(shape, static_cast<int>(f));
+    carved.push_back(h);
+    carved.push_back(enclosed_by_face(options_.holes[static_cast<std::size_t>(h)], face));
+  }
+}
+
+// Tangent planes enclose more than the cylinder (by 3 % with ten blocks around); mirroring at a
+// slightly smaller cylinder gives the crushed zone its volume. Where blocks are as wide as the
+// zone, the least radius stops that: few planes enclose half as much again, or more.
+void Relaxation::adjust_radii(const std::vector<double>& hole_volumes) {
+  for (std::size_t h = 0; h < mirrored_holes_.size(); ++h) {
+    if (!(hole_volumes[h] > 0.0)) continue;
+    const double radius = options_.holes[h].radius;
+    const double scale = std::sqrt(cylinder_volumes_[h] / hole_volumes[h]);
+    mirrored_holes_[h].radius = std::clamp(mirrored_holes_[h].radius * scale, 0.6 * radius, radius);
+  }
+}
+
+Relaxation::Swept Relaxation::sweep_part(std::size_t first, std::size_t last) const {
+  const Images images = mirror_seeds(seeds_, mirrored_holes_, options_.region, ground_);
+  const std::vector<Vec3> points = points_with(images);
+  CellCutter cutter(points, options_.lo, options_.hi, bounds_);
+  Swept swept;
+  Polyhedron shape;
+  std::vector<int> behind;
+  for (std::size_t i = first; i < last; ++i) {
+    cutter.cut(static_cast<int>(i), kFirstReach * ground_.size(seeds_[i]));
+    const Vec3 next = relaxed(seeds_[i], cutter.centroid(), cutter.volume());
+    swept.seeds.insert(swept.seeds.end(), next.begin(), next.end());
+    if (!cutter.met_point_from(static_cast<int>(seeds_.size()))) continue;
+    cutter.extract(shape, behind);
+    add_hole_volumes(shape, face_codes(behind, images), swept.carved);
+  }
+  return swept;
+}
+
+// Each takes seeds that follow one another. If one fails, all do the whole sweep, to fail alike.
+Relaxation::Swept Relaxation::shared_sweep() const {
+  const SweepTeam& team = options_.team;
+  const auto rank = static_cast<std::size_t>(team.rank),
+             ranks = static_cast<std::size_t>(team.ranks);
+  Swept mine;
+  double failed = 0.0;
+  try {
+    mine = sweep_part(rank * seeds() / ranks, (rank + 1) * seeds() / ranks);
+  } catch (const std::exception&) {
+    failed = 1.0;
+  }
+  const std::vector<double> faults = team.gather({failed});
+  if (std::find(faults.begin(), faults.end(), 1.0) == faults.end())
+    return {team.gather(mine.seeds), team.gather(mine.carved)};
+  (void)sweep_part(0, seeds());
+  throw std::runtime_error("a process failed at its share of the Voronoi cells");
+}
+
+void Relaxation::sweep() {
+  const Swept swept = options_.team.ranks > 1 ? shared_sweep() : sweep_part(0, seeds());
+  for (std::size_t i = 0; i < seeds(); ++i) seeds_[i] = Vec3::Map(swept.seeds.data() + 3 * i);
+  std::vector<double> hole_volumes(options_.holes.size(), 0.0);
+  for (std::size_t k = 0; k < swept.carved.size(); k += 2)
+    hole_volumes[static_cast<std::size_t>(swept.carved[k])] += swept.carved[k + 1];
+  adjust_radii(hole_volumes);
+}
+
+std::vector<Block> Relaxation::make_blocks() const {
+  const Images images = mirror_seeds(seeds_, mirrored_holes_, options_.region, ground_);
+  const std::vector<Vec3> points = points_with(images);
+  CellCutter cutter(points, options_.lo, options_.hi, bounds_);
+  std::vector<Block> blocks(seeds_.size());
+  std::vector<int> behind;
+  for (std::size_t i = 0; i < seeds_.size(); ++i) {
+    Block& block = blocks[i];
+    cutter.cut(static_cast<int>(i), kFirstReach * ground_.size(seeds_[i]));
+    cutter.extract(block.shape, behind);
+    block.neighbour = face_codes(behind, images);
+    block.mass = mass_properties(block.shape);
+    block.target_size = ground_.size(block.mass.centroid);
+  }
+  return blocks;
+}
+
+}  // namespace muckpile

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Size-weighted Lloyd sweeps over seeds that are mirrored at holes and region, and their cells.
+// Scope: deterministic; a team of processes may share the sweeps. Valid options only, as
+// tessellate() checks them.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "geometry/cut/ground.h"
+#include "geometry/cut/tessellation.h"
+#include "geometry/shape/mirror.h"
+
+namespace muckpile {
+
+class Relaxation {
+ public:
+  // Scatters the seeds. The options must be valid and outlive this object.
+  explicit Relaxation(const TessellationOptions& options);
+  // With these seeds, and cells that end at these planes, whose unit normals look out.
+  Relaxation(const TessellationOptions& options, std::vector<Vec3> seeds,
+             std::vector<CutPlane> bounds = {});
+
+  void sweep();                                          // moves each seed to its cell's centroid
+  [[nodiscard]] std::vector<Block> make_blocks() const;  // the cells of the present seeds
+  [[nodiscard]] std::size_t seeds() const { return seeds_.size(); }
+  [[nodiscard]] Vec3& seed(std::size_t k) { return seeds_[k]; }
+  // Per hole: volume of the cylinder within the region [m3].
+  [[nodiscard]] const std::vector<double>& cylinder_volumes() const { return cylinder_volumes_; }
+
+ private:
+  struct Swept {
+    std::vector<double> seeds;   // where they go, three numbers each [m]
+    std::vector<double> carved;  // pairs: hole, volume between its axis and one cell's face [m3]
+  };
+  [[nodiscard]] Swept sweep_part(std::size_t first, std::size_t last) const;
+  [[nodiscard]] Swept shared_sweep() const;
+  [[nodiscard]] std::vector<Vec3> points_with(const Images& images) const;
+  [[nodiscard]] Vec3 relaxed(const Vec3& seed, const Vec3& centroid, double volume) const;
+  void add_hole_volumes(const Polyhedron& shape, const std::vector<int>& codes,
+                        std::vector<double>& carved) const;
+  [[nodiscard]] std::vector<int> face_codes(const std::vector<int>& points,
+                                            const Images& images) const;
+  void adjust_radii(const std::vector<double>& hole_volumes);
+
+  const TessellationOptions& options_;
+  Ground ground_;
+  std::vector<Vec3> seeds_;  // [m]
+  std::vector<CutPlane> bounds_;
+  std::vector<Hole> mirrored_holes_;  // radii shrunk so that the carved volume is the cylinder's
+  std::vector<double> cylinder_volumes_;  // [m3]
+};
+
+}  // namespace muckpile

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Image seeds behind the surfaces of holes and region: what keeps blocks out of the air.
+// Scope: the plane halfway between a seed and its image touches the surface at the closest point.
+// A hole is convex, so that plane never cuts into it; blocks stay cells of one Voronoi diagram.
+#pragma once
+
+#include <vector>
+
+#include "geometry/cut/ground.h"
+
+namespace muckpile {
+
+struct Images {
+  std::vector<Vec3> points;     // [m]
+  std::vector<int> face_codes;  // kFreeFace or hole_face(h) for a block's face against the image
+};
+
+// `holes` are the options' holes with the radii that are mirrored at now.
+[[nodiscard]] Images mirror_seeds(const std::vector<Vec3>& seeds, const std::vector<Hole>& holes,
+                                  const RegionQuery& region, const Ground& ground);
+
+}  // namespace muckpile
