@@ -4,16 +4,8 @@
 # however long the run goes on, and the count in each line from then on.
 set -euo pipefail
 program=$1
-here=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")")
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
+source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
 cd "$out"
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-
-fail() {
-  printf '%s\n' "blocks_in_solid: $*" "--- output:" "$(cat screen)"
-  exit 1
-}
 
 # Eight cubes or so between -1 and 1; the lowest centres, at -0.5, pass -0.8 after 0.25 s.
 cat >fall.in <<END
@@ -28,7 +20,7 @@ timestep 1e-2
 run 10
 run 30
 END
-mpirun -np 2 --oversubscribe --bind-to none "$program" -in fall.in -log none >screen 2>&1 || fail "the run failed"
+on_ranks 2 -in fall.in -log none >screen 2>&1 || fail "the run failed"
 warnings=$(grep -c "WARNING.*blocks in region 'ground', where no rock can be: [1-9]" screen || true)
 [[ $warnings -eq 1 ]] || fail "$warnings warnings instead of one"
 first=$(grep '^\[run\]' screen | head -n 1)

@@ -5,11 +5,8 @@
 # by its name, without a crash. So must a file without a block be, of a run that has burst. A name with * means the file of the latest step.
 set -euo pipefail
 program=$1
-here=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")")
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
+source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
 cd "$out"
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
 cat >write.in <<END
 variable dir index $here

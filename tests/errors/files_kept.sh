@@ -4,20 +4,13 @@
 # run, the rows ahead of a damaged one, and the old text where the disk is full.
 set -euo pipefail
 program=$1
-here=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")")
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
+source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
 cd "$out"
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
-fail() {
-  printf '%s\n' "files_kept: $*" "--- output:" "$(cat screen)"
-  exit 1
-}
 run() {  # run STATUS: the script on standard input behind the rock
   { printf '%s\n' "variable dir index $here" "variable bodies index multisphere/muckpile" "include $here/joined_rock.in"; cat; } >in.try
   status=0
-  mpirun -np 2 --oversubscribe --bind-to none "$program" -in in.try -log none >screen 2>&1 </dev/null || status=$?
+  on_ranks 2 -in in.try -log none >screen 2>&1 </dev/null || status=$?
   [[ $status -eq $1 || ($1 -ne 0 && $status -ne 0) ]] || fail "exit status $status"
 }
 says() { grep -qF -- "$1" screen || fail "does not say: $1"; }

@@ -6,19 +6,15 @@
 set -euo pipefail
 program=$1 input=$2
 shift 2
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
+cd "$root"
+source src/app/run/input_variables.sh
 readonly kWords=' out from holes_by holes_of hole_table pulse_table scene solid gas_file '
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
 mkdir "$out/dump"
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
-knobs_of() {  # knobs_of FILE: of it and what it includes; of all variants where the file's name has a variable in it
-  local pattern file
-  sed -nE 's/^[[:space:]]*variable[[:space:]]+([A-Za-z0-9_]+)[[:space:]]+index[[:space:]]+[^[:space:]]+[[:space:]]*(#.*)?$/\1/p' "$1"
-  while read -r pattern; do
-    for file in $pattern; do knobs_of "$file"; done
-  done < <(sed -nE 's/^[[:space:]]*include[[:space:]]+([^[:space:]]+).*/\1/p' "$1" | sed -E 's/\$\{[^}]*\}/*/g')
+knobs() {  # of the input and what it includes, with one value each
+  files_of "$input" | xargs -d '\n' sed -nE 's/^[[:space:]]*variable[[:space:]]+([A-Za-z0-9_]+)[[:space:]]+index[[:space:]]+[^[:space:]]+[[:space:]]*(#.*)?$/\1/p' |
+    sort -u
 }
 
 wrong=0 tried=0
@@ -41,7 +37,7 @@ while read -r knob; do
   ! grep -qE "^variable[[:space:]]+$knob[[:space:]]+(equal|string)" "$input" || continue
   refuses "$knob" nan "$@"
   refuses "$knob" 1e300 "$@"
-done < <(knobs_of "$input" | sort -u)
+done < <(knobs)
 echo "$tried values tried"
 [[ $tried -ge 20 ]] || { echo "too few knobs found in $input"; wrong=1; }
 exit $wrong

@@ -4,11 +4,8 @@
 # no contact law, a time step that the joints do not bear. A sound run warns of nothing.
 set -euo pipefail
 program=$1
-here=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")")
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
+source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
 cd "$out"
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
 wrong=0
 try() {  # try NAME STATUS: runs the script on standard input behind the rock

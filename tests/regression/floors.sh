@@ -4,11 +4,9 @@
 # step. Its panels cover floor and step once, and none is more than 8 times as long as wide.
 set -euo pipefail
 program=$1
-source "$(dirname "${BASH_SOURCE[0]}")/../support/check_figures.sh"
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
+source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
+source "$root/tests/support/check_figures.sh"
 mkdir "$out/dump"
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
 cat >"$out/in.floor" <<'END'
 units si
@@ -60,7 +58,7 @@ floor() {  # floor LENGTH HALF_WIDTH DEPTH: from x = 0.05 m on
   check_figures bounds "$*: longest panel by its width" "$out/floor.json:length_by_width" --at-least 1 --at-most 8.001 || wrong=1
 }
 
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+cd "$root"
 floor 200 2.775 2.4    # in.bench
 floor 1000 2.15 1.6    # -var bench_height 50 -var burden 2
 floor 2000 0.915 0.04  # bench_height 100, holes 0.03 m apart, burden 0.05 m

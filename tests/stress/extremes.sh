@@ -7,20 +7,11 @@
 set -euo pipefail
 program=$1 input=$2 seconds=$3
 shift 3
-source "$(dirname "${BASH_SOURCE[0]}")/../support/check_figures.sh"
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
+source "$root/tests/support/check_figures.sh"
+cd "$root"
+source src/app/run/input_variables.sh
 readonly kLarge=' bench_height=100 burden=50 holes=10000 spacing=50 half_width=500 rock_below=500 subdrill=50 fragment_x50=1e-3 block_min=1e-3 go_on=1 time_end=1000 charge_mass=1e5 hole_diameter=0.005 '
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-
-files_of() {  # files_of FILE: it and what it includes; of all variants where the file's name has a variable in it
-  local pattern file
-  echo "$1"
-  while read -r pattern; do
-    for file in $pattern; do files_of "$file"; done
-  done < <(sed -nE 's/^[[:space:]]*include[[:space:]]+([^[:space:]]+).*/\1/p' "$1" | sed -E 's/\$\{[^}]*\}/*/g')
-}
 
 # A knob and its two ends; where an end itself is excluded, a number just inside.
 ends() {
