@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "args/numbers.h"
-#include "expect_input_error.h"
+#include "input_error_of.h"
 
 namespace muckpile {
 namespace {

@@ -2,8 +2,6 @@
 // Blocks from a VTK file: what was written comes back, shared faces are found, and cells that
 // cannot be blocks are named. Scope: scenes of a few hundred blocks and files of two or three
 // cells; lengths in metres.
-#include "geometry/files/block_import.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,11 +11,12 @@
 #include <sstream>
 #include <string>
 
-#include "args/input_error.h"
 #include "bond/build/facet_builder.h"
 #include "cut_checks.h"
 #include "geometry/cut/joint_set_cut.h"
 #include "geometry/files/block_file.h"
+#include "geometry/files/block_import.h"
+#include "input_error_of.h"
 #include "shapes.h"
 
 namespace muckpile {
@@ -54,11 +53,10 @@ void expect_same_facets(const FacetSet& a, const FacetSet& b) {
 
 void expect_round_trip(const Tessellation& cut, TessellationOptions rock) {
   rock.size = SizeLaw::power({1.0, 1.0}, {0.05, 2.0});  // the limits count
-  const std::string path = testing::TempDir() + "muckpile_blocks_" +
-                           std::to_string(static_cast<long>(cut.blocks.size())) + ".vtk";
+  const testing::TemporaryFolder folder;
+  const std::string path = (folder.path() / "blocks.vtk").string();
   write_blocks(path, cut.blocks, 1, 2700.0);
   const Tessellation back = import_blocks(path, rock);
-  std::filesystem::remove(path);
   ASSERT_EQ(back.blocks.size(), cut.blocks.size());
   for (std::size_t b = 0; b < cut.blocks.size(); ++b) {
     const Block &was = cut.blocks[b], &is = back.blocks[b];
@@ -112,18 +110,13 @@ TEST(BlockImport, BlocksApartShareNothing) {
 }
 
 std::string refusal(const std::string& cells) {
-  try {
-    (void)blocks_of(cells);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return input_error_of([&] { (void)blocks_of(cells); });
 }
 
 TEST(BlockImport, NamesWhatIsWrong) {
   EXPECT_EQ(refusal(two_cubes(0.0, -0.1)), "block import: cells 1 and 2 overlap by 0.025 m3");
   const std::string tetra = "POINTS 5 double\n0 0 0 1 0 0 0 1 0 0 0 1 0.2 0.2 0.2\n";
-  EXPECT_EQ(refusal(tetra + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"), "no error");
+  EXPECT_EQ(refusal(tetra + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"), "");
   EXPECT_EQ(refusal(tetra + "CELLS 1 5\n4 0 1 2 9\nCELL_TYPES 1\n10\n"),
             "block import: cell 1 has a point that is not in the file");
   EXPECT_EQ(refusal(tetra + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n5\n"),

@@ -2,8 +2,6 @@
 // Joint sets in concentric bands: blocks are convex and closed, fill the rock, share every face,
 // follow the size law and the sets, and keep out of holes and air.
 // Scope: scenes of a few hundred blocks; lengths in metres.
-#include "geometry/cut/joint_set_cut.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,11 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "args/input_error.h"
 #include "bond/build/facet_builder.h"
 #include "bond/build/joint_plane.h"
 #include "cut_checks.h"
+#include "geometry/cut/joint_set_cut.h"
 #include "geometry/shape/convex_cell.h"
+#include "input_error_of.h"
 #include "shapes.h"
 
 namespace muckpile {
@@ -152,12 +151,7 @@ TEST(JointSetCut, CurvedSurfacesHaveOnePlanePerBlock) {  // a ball of radius 1
 }
 
 std::string refusal(const TessellationOptions& options, const JointSetCut& how) {
-  try {
-    (void)cut_by_joint_sets(options, how);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return input_error_of([&] { (void)cut_by_joint_sets(options, how); });
 }
 
 TEST(JointSetCut, SaysWhatIsWrong) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Size laws against hand-worked numbers, their limits, and every message of the table reader.
 // Scope: lengths in metres.
-#include "geometry/size/size_law.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,8 +9,9 @@
 #include <numbers>
 #include <sstream>
 
-#include "args/input_error.h"
 #include "geometry/cut/ground.h"
+#include "geometry/size/size_law.h"
+#include "input_error_of.h"
 
 namespace muckpile {
 namespace {
@@ -20,17 +19,8 @@ namespace {
 const SizeLimits kWide{1e-3, 1e3};
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 std::string table_message(const std::string& text) {
-  return message_of([&] {
+  return input_error_of([&] {
     std::istringstream in(text);
     (void)read_size_table(in, "sizes.txt");
   });
@@ -91,7 +81,7 @@ TEST(SizeLaw, BandsHaveOneSizeEachAndTheLastGoesOn) {
 }
 
 TEST(SizeLaw, RejectsWhatHasNoMeaning) {
-  EXPECT_EQ(message_of([] {
+  EXPECT_EQ(input_error_of([] {
               (void)SizeLaw::bands({{{1.0, 0.2}, {2.0, 0.1}}}, kWide);
             }),
             "size law: bands sizes must not fall with distance, got '0.1'");
@@ -107,7 +97,7 @@ TEST(SizeLaw, RejectsWhatHasNoMeaning) {
   EXPECT_THROW((void)SizeLaw::table({}, kWide), InputError);
   EXPECT_THROW((void)SizeLaw::table({{1.0, 0.1}, {0.5, 0.2}}, kWide), InputError);
   EXPECT_THROW((void)SizeLaw::table({{0.5, 0.2}, {1.0, 0.1}}, kWide), InputError);
-  EXPECT_EQ(message_of([] {
+  EXPECT_EQ(input_error_of([] {
               (void)SizeLaw::power({0.1, 1.0}, {0.5, 0.4});
             }),
             "size law: largest block must be >= smallest block (0.5 m), got '0.4'");
@@ -142,7 +132,7 @@ TEST(SizeTableReader, NamesFileAndLineOfAFault) {
   EXPECT_EQ(table_message("1 0.2\n2 0.1\n"),
             "size table 'sizes.txt' line 2: size must not fall with distance, got '0.1'");
   EXPECT_EQ(table_message("# nothing\n"), "size table 'sizes.txt': no pairs found");
-  EXPECT_EQ(message_of([] { (void)read_size_table_file("no_such_file.txt"); }),
+  EXPECT_EQ(input_error_of([] { (void)read_size_table_file("no_such_file.txt"); }),
             "size table 'no_such_file.txt': cannot be opened");
 }
 

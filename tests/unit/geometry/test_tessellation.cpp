@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Blocks fill the rock exactly, share faces, follow the size law, keep out of holes and air.
 // Scope: scenes of a few hundred to two thousand blocks; lengths in metres.
-#include "geometry/cut/tessellation.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,9 +13,10 @@
 #include <thread>
 #include <vector>
 
-#include "args/input_error.h"
 #include "geometry/cut/cell_cutter.h"
+#include "geometry/cut/tessellation.h"
 #include "geometry/holes/hole_surface.h"
+#include "input_error_of.h"
 #include "math/random.h"
 #include "shapes.h"
 
@@ -53,12 +52,7 @@ TessellationOptions bench_options() {
 }
 
 std::string message_of(const TessellationOptions& options) {
-  try {
-    (void)tessellate(options);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return input_error_of([&] { (void)tessellate(options); });
 }
 
 void expect_closed_blocks(const Tessellation& cells) {

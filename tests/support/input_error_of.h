@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Test helper: runs code that must throw InputError and gives back its message.
-// Scope: tests only; "" means that nothing was thrown.
+// Runs code that must throw InputError and gives back its message.
+// Scope: tests; "" means that nothing was thrown.
 #pragma once
 
 #include <string>
