@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# warnings.sh LIGGGHTS_MUCKPILE: what a run of the rock of joined_rock.in warns of as it is set up, once, and what it leaves on a stop:
+# test_warnings.sh LIGGGHTS_MUCKPILE: what a run of the rock of joined_rock.in warns of as it is set up, once, and what it leaves on a stop:
 # no contact law, a time step that the joints do not bear. A sound run warns of nothing.
 set -euo pipefail
 program=$1

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# blocks_in_solid.sh LIGGGHTS_MUCKPILE: rock that falls into a region where no rock can be is told of on the screen: one warning, by rank 0,
+# test_blocks_in_solid.sh LIGGGHTS_MUCKPILE: rock that falls into a region where no rock can be is told of on the screen: one warning, by rank 0,
 # however long the run goes on, and the count in each line from then on.
 set -euo pipefail
 program=$1

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# damaged_restart.sh LIGGGHTS_MUCKPILE: writes a restart file of the rock of joined_rock.in, and reads it whole, with other bytes here and there,
+# test_damaged_restart.sh LIGGGHTS_MUCKPILE: writes a restart file of the rock of joined_rock.in, and reads it whole, with other bytes here and there,
 # cut short at many lengths, and in place of it a file that is none. Only the whole one may be read; each other must be refused
 # by its name, without a crash. So must a file without a block be, of a run that has burst. A name with * means the file of the latest step.
 set -euo pipefail

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# knobs.sh LIGGGHTS_MUCKPILE INPUT [-var NAME VALUE]...: every knob of INPUT and of the files that it includes must refuse
+# test_knobs.sh LIGGGHTS_MUCKPILE INPUT [-var NAME VALUE]...: every knob of INPUT and of the files that it includes must refuse
 # `nan` and 1e300 by its name, before any step. The variables make the case small: some knobs are seen when the rock is cut.
 # Scope: knobs that are names of files, regions or other words than choices are left out (kWords).
 set -euo pipefail

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# files_kept.sh LIGGGHTS_MUCKPILE: what stays of files that a run would replace: all where a fix that is set up behind the outputs refuses the
+# test_files_kept.sh LIGGGHTS_MUCKPILE: what stays of files that a run would replace: all where a fix that is set up behind the outputs refuses the
 # run, the rows ahead of a damaged one, and the old text where the disk is full.
 set -euo pipefail
 program=$1
