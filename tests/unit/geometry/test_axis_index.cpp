@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The tree over charge axes finds what a look at every axis finds.
 // Scope: random axes, points near and far; lengths in metres.
-#include "geometry/index/axis_index.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "geometry/index/axis_index.h"
 #include "math/random.h"
 
 namespace muckpile {

@@ -18,6 +18,7 @@
 #include "geometry/files/block_import.h"
 #include "input_error_of.h"
 #include "shapes.h"
+#include "temporary_folder.h"
 
 namespace muckpile {
 namespace {

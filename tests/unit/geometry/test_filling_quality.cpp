@@ -2,12 +2,11 @@
 // Coverage and surface deviation of sphere fillings, and how both improve with the number of
 // spheres. Scope: a cube with one ball by hand; relaxed Voronoi blocks for the table in
 // docs/styles/create_blocks.md.
-#include "geometry/spheres/filling_quality.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "geometry/spheres/filling_quality.h"
 #include "shapes.h"
 
 namespace muckpile {

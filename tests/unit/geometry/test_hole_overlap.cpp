@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Which crushed zones lie in one another.
-#include "geometry/holes/hole_overlap.h"
-
 #include <gtest/gtest.h>
 
 #include "args/input_error.h"
+#include "geometry/holes/hole_overlap.h"
 
 namespace muckpile {
 namespace {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A cut that follows planes: blocks end at them, nothing is lost, and both sides share their faces.
 // Scope: some hundred blocks and two planes that cross; lengths in metres.
-#include "geometry/shape/plane_parts.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,6 +8,7 @@
 #include "args/input_error.h"
 #include "bond/build/facet_builder.h"
 #include "bond/build/joint_plane.h"
+#include "geometry/shape/plane_parts.h"
 
 namespace muckpile {
 namespace {

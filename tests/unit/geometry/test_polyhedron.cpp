@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Mass and face properties against closed forms and against an independent surface integration.
 // Scope: convex bodies; the tessellation's own tests cover whole packings.
-#include "geometry/shape/polyhedron.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "geometry/shape/polyhedron.h"
 #include "shapes.h"
 
 namespace muckpile {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Size curves and cuts that are made to follow them.
 // Scope: one hole in a block of rock.
-#include "geometry/size/size_target.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "args/input_error.h"
+#include "geometry/size/size_target.h"
 
 namespace muckpile {
 namespace {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The spheres in a block: never outside, large enough, reaching the corners, covering the volume.
 // Scope: relaxed and unrelaxed Voronoi cells, box and tetrahedron; lengths in metres.
-#include "geometry/spheres/sphere_filling.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <limits>
 
 #include "args/input_error.h"
+#include "geometry/spheres/sphere_filling.h"
 #include "math/random.h"
 #include "shapes.h"
 
