@@ -87,11 +87,10 @@ TEST(BlastOptions, APatternGivesEachHoleItsOwnChargeAndFiringTime) {
   const std::string table = testing::write_text(
       folder.path() / "pattern.csv",
       "hole,collar_x_m,collar_y_m,collar_z_m,toe_x_m,toe_y_m,toe_z_m,diameter_m,"
-                         "explosive,charge_diameter_m,surface_delay_s\n"
-                         "a,0,0,9,0,0,0,0.09,anfo,,0.000001\n"
-                         "b,3,0,9,3,0,0,0.1,,0.08,0.025\n";
-  const std::string words =
-      "explosive emulsion poisson_ratio 0.22" + kGas + " hole_table " + table;
+      "explosive,charge_diameter_m,surface_delay_s\n"
+      "a,0,0,9,0,0,0,0.09,anfo,,0.000001\n"
+      "b,3,0,9,3,0,0,0.1,,0.08,0.025\n");
+  const std::string words = "explosive emulsion poisson_ratio 0.22" + kGas + " hole_table " + table;
   Hole second = kZone;
   second.toe.x() = second.collar.x() = 3.0;
   const BlastOptions options = read(words);
