@@ -22,6 +22,7 @@
 #include "fixes/engine/style_args.h"
 #include "fixes/explosive/fix_muckpile_blast.h"
 #include "fixes/interfaces/joint_pressure.h"
+#include "fixes/keyword_tables.h"
 
 namespace muckpile {
 namespace {
@@ -38,6 +39,8 @@ const ArgTable& table() {
 }
 
 }  // namespace
+
+const ArgTable& sleep_keywords() { return table(); }
 
 FixMuckpileSleep::FixMuckpileSleep(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg), where_(std::string("fix muckpile/sleep '") + id + "'") {

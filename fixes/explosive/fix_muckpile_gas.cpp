@@ -19,6 +19,7 @@
 #include "fixes/engine/style_args.h"
 #include "fixes/explosive/fix_muckpile_blast.h"
 #include "fixes/joints/fix_muckpile_joint.h"
+#include "fixes/keyword_tables.h"
 
 namespace muckpile {
 namespace {
@@ -55,6 +56,8 @@ JointGas make_gas(LAMMPS_NS::LAMMPS& lmp, const ArgValues& args, double gamma) {
 }
 
 }  // namespace
+
+const ArgTable& gas_keywords() { return table(); }
 
 FixMuckpileGas::FixMuckpileGas(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg), where_(where_of(narg, arg)), gas_({}) {

@@ -16,6 +16,7 @@
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/keyword_tables.h"
 
 namespace muckpile {
 namespace {
@@ -41,6 +42,8 @@ const ArgTable& table() {
 }
 
 }  // namespace
+
+const ArgTable& quiet_keywords() { return table(); }
 
 FixMuckpileQuiet::FixMuckpileQuiet(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg),

@@ -26,6 +26,7 @@
 #include "fixes/engine/periodic_output.h"
 #include "fixes/engine/style_args.h"
 #include "fixes/joints/fix_muckpile_joint.h"
+#include "fixes/keyword_tables.h"
 
 namespace muckpile {
 namespace {
@@ -71,6 +72,8 @@ std::string run_of(const std::filesystem::path& snapshot) {
 }
 
 }  // namespace
+
+const ArgTable& dump_keywords() { return table(); }
 
 FixMuckpileDump::FixMuckpileDump(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg), where_(std::string("fix muckpile/dump '") + id + "'") {

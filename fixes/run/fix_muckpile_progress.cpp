@@ -33,6 +33,7 @@
 #include "fixes/engine/style_args.h"
 #include "fixes/explosive/fix_muckpile_blast.h"
 #include "fixes/joints/fix_muckpile_joint.h"
+#include "fixes/keyword_tables.h"
 #include "fixes/output/fix_muckpile_ledger.h"
 
 namespace muckpile {
@@ -92,6 +93,8 @@ bool is_whole_row(const std::string& line, const std::string& run_id) {
 }
 
 }  // namespace
+
+const ArgTable& progress_keywords() { return table(); }
 
 FixMuckpileProgress::FixMuckpileProgress(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg),

@@ -19,6 +19,7 @@
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/keyword_tables.h"
 
 namespace muckpile {
 namespace {
@@ -73,6 +74,8 @@ double acting_together(double joints, double contacts) {
 }
 
 }  // namespace
+
+const ArgTable& timestep_keywords() { return table(); }
 
 FixMuckpileTimestep::FixMuckpileTimestep(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg),
