@@ -26,7 +26,7 @@
 #include "fixes/engine/particle_vectors.h"
 #include "fixes/engine/region.h"
 #include "fixes/engine/style_args.h"
-#include "fixes/keyword_tables.h"
+#include "fixes/interfaces/keyword_tables.h"
 #include "fixes/output/fix_muckpile_ledger.h"
 
 namespace muckpile {

@@ -22,7 +22,7 @@
 #include "fixes/engine/style_args.h"
 #include "fixes/explosive/fix_muckpile_blast.h"
 #include "fixes/interfaces/joint_pressure.h"
-#include "fixes/keyword_tables.h"
+#include "fixes/interfaces/keyword_tables.h"
 
 namespace muckpile {
 namespace {

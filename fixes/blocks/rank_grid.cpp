@@ -11,7 +11,7 @@
 
 #include "args/arg_table.h"
 #include "fixes/engine/style_args.h"
-#include "fixes/keyword_tables.h"
+#include "fixes/interfaces/keyword_tables.h"
 #include "partition/rank_grid.h"
 
 namespace muckpile {

@@ -18,8 +18,8 @@
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
 #include "fixes/explosive/fix_muckpile_blast.h"
+#include "fixes/interfaces/keyword_tables.h"
 #include "fixes/joints/fix_muckpile_joint.h"
-#include "fixes/keyword_tables.h"
 
 namespace muckpile {
 namespace {

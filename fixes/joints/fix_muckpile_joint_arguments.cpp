@@ -10,7 +10,7 @@
 
 #include "args/numbers.h"
 #include "fixes/engine/style_args.h"
-#include "fixes/keyword_tables.h"
+#include "fixes/interfaces/keyword_tables.h"
 
 namespace muckpile {
 namespace {

@@ -16,7 +16,7 @@
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
-#include "fixes/keyword_tables.h"
+#include "fixes/interfaces/keyword_tables.h"
 
 namespace muckpile {
 namespace {

@@ -25,8 +25,8 @@
 #include "fixes/engine/output_file.h"
 #include "fixes/engine/periodic_output.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/interfaces/keyword_tables.h"
 #include "fixes/joints/fix_muckpile_joint.h"
-#include "fixes/keyword_tables.h"
 
 namespace muckpile {
 namespace {

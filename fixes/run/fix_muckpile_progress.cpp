@@ -32,8 +32,8 @@
 #include "fixes/engine/stop_with_state.h"
 #include "fixes/engine/style_args.h"
 #include "fixes/explosive/fix_muckpile_blast.h"
+#include "fixes/interfaces/keyword_tables.h"
 #include "fixes/joints/fix_muckpile_joint.h"
-#include "fixes/keyword_tables.h"
 #include "fixes/output/fix_muckpile_ledger.h"
 
 namespace muckpile {

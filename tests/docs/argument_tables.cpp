@@ -7,7 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "fixes/keyword_tables.h"
+#include "fixes/interfaces/keyword_tables.h"
 #include "markdown.h"
 
 namespace fs = std::filesystem;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The list of all keyword tables.
 // Scope: see the header.
-#include "fixes/keyword_tables.h"
+#include "fixes/interfaces/keyword_tables.h"
 
 #include "explosive/blast_options.h"
 #include "explosive/charge_design.h"
