@@ -34,7 +34,7 @@ const ArgTable& table() {
                 "a block that stays within this of one place may rest")
           .real("time", "s", Range::left_open(0.0, 1e3), 0.2, "for so long")
           .real("speed", "m/s", Range::left_open(0.0, 1e3), 0.1, "and is slower than this")
-          .integer("every", "steps", Range::closed(1, 1000), 5, "between looks");
+          .integer("every", "steps", Range::closed(1, 1000), 5, "between checks");
   return args;
 }
 

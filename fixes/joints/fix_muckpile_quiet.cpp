@@ -37,7 +37,7 @@ const ArgTable& table() {
                 "the ground stands still once less than this share of the greatest radiated power "
                 "so far leaves; 0: never")
           .integer("every", "steps", engine::step_counts(), 100,
-                   "between looks at time and power, which is the mean between two looks");
+                   "between checks of time and power, which is the mean between two checks");
   return args;
 }
 

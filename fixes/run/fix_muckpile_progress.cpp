@@ -50,7 +50,7 @@ Range time_range() { return Range::left_open(0.0, 1e30); }
 
 const ArgTable& table() {
   static const ArgTable args =
-      engine::periodic_output_table("fix muckpile/progress", "between looks",
+      engine::periodic_output_table("fix muckpile/progress", "between checks",
                                     "where history.csv and run.json go")
           .word("phase", {}, "run", "name of the phase that begins")
           .real("time_end", "s", time_range(), 1e30,
