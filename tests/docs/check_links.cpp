@@ -61,7 +61,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    return faults_under(fs::path(argv[1]).lexically_normal()) == 0 ? 0 : 1;
+    return faults_under(fs::canonical(argv[1])) == 0 ? 0 : 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "check_links: %s\n", error.what());
     return 1;
