@@ -16,6 +16,7 @@
 
 #include "args/arg_table.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/interfaces/keyword_tables.h"
 
 namespace muckpile {
 
@@ -41,6 +42,8 @@ const ArgTable& table() {
 }
 
 }  // namespace
+
+const ArgTable& block_contact_keywords() { return table(); }
 
 PairMuckpileBlock::PairMuckpileBlock(LAMMPS_NS::LAMMPS* engine_object) : Pair(engine_object) {
   single_enable = 0;
