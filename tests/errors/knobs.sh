@@ -7,7 +7,7 @@ set -euo pipefail
 program=$1 input=$2
 shift 2
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-readonly kWords=' out from holes_by holes_of hole_table pulse_table scene solid gas_file '
+readonly kWords=' out from holes_by holes_of hole_table pulse_table gas_file '
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 mkdir "$out/dump"
