@@ -9,6 +9,7 @@
 
 #include "args/input_error.h"
 #include "args/numbers.h"
+#include "args/rounded_text.h"
 #include "contact/collision_time.h"
 
 namespace muckpile {
@@ -112,16 +113,16 @@ void check(const BlastPlan& plan, const BlastTiming& timing, const std::string& 
   const auto refuse = [&where](const std::string& why) { throw InputError(where + ": " + why); };
   if (std::abs(timing.start) > 1e-9 * plan.time_end)
     refuse("the charges must fire in the first run of all: they have not been in a run yet, and " +
-           number_text(timing.start) + " s are over");
+           rounded_text(timing.start) + " s are over");
   const double pulse_end = plan.last_firing + kPulse * timing.rise_time;  // [s]
-  if (plan.wave_end < pulse_end) {
-    refuse("wave_end must be >= " + number_text(pulse_end) +
-           " s, when the pulse of the last charge has gone, got " + number_text(plan.wave_end) +
+  if (plan.wave_end < (1.0 - 1e-9) * pulse_end) {
+    refuse("wave_end must be >= " + rounded_text(pulse_end) +
+           " s, when the pulse of the last charge has gone, got " + rounded_text(plan.wave_end) +
            " s");
   }
   if (plan.time_end <= plan.wave_end) {
-    refuse("time_end must be > wave_end, " + number_text(plan.wave_end) + " s, got " +
-           number_text(plan.time_end) + " s");
+    refuse("time_end must be > wave_end, " + rounded_text(plan.wave_end) + " s, got " +
+           rounded_text(plan.time_end) + " s");
   }
 }
 

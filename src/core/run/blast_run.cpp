@@ -4,12 +4,10 @@
 #include "run/blast_run.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
 #include "args/input_error.h"
-#include "args/numbers.h"
+#include "args/rounded_text.h"
 
 namespace muckpile {
 namespace {
@@ -32,14 +30,6 @@ long whole_steps(double steps) {
   return static_cast<long>(std::min(std::ceil(steps - 1e-6), kMostSteps));
 }
 
-/// For a line on the screen: six digits.
-std::string shown(double value) {
-  std::array<char, 32> word{};
-  const auto end =
-      std::to_chars(word.data(), word.data() + word.size(), value, std::chars_format::general, 6);
-  return {word.data(), end.ptr};
-}
-
 }  // namespace
 
 BlastRun::BlastRun(const BlastPlan& plan, BlastEngine& engine, const std::string& where)
@@ -47,9 +37,9 @@ BlastRun::BlastRun(const BlastPlan& plan, BlastEngine& engine, const std::string
   const double left = engine_.stiffness();
   in_throw_ = left < 1.0 && left < kRounding * plan_.softening;
   if (plan_.softening > kRounding * left) {
-    throw InputError(where + ": softening must be <= " + number_text(left) +
+    throw InputError(where + ": softening must be <= " + rounded_text(left) +
                      ", to which the joints have been softened already, got " +
-                     number_text(plan_.softening) + "; joints cannot become stiffer again");
+                     rounded_text(plan_.softening) + "; joints cannot become stiffer again");
   }
 }
 
@@ -161,9 +151,9 @@ BlastRun::Phase BlastRun::wait_for_joints() {
 void BlastRun::tell_of_joints(double work_share) {
   if (work_share > plan_.gas_rest)
     engine_.warn("the gas still works; it is let go now. A larger gas_patience waits longer.");
-  engine_.say("The first phase ends after " + shown(engine_.time()) +
-              " s: the last twentieth of wave_end added " + shown(work_share) +
-              " of its work, and " + shown(engine_.joint_pressure()) +
+  engine_.say("The first phase ends after " + rounded_text(engine_.time()) +
+              " s: the last twentieth of wave_end added " + rounded_text(work_share) +
+              " of its work, and " + rounded_text(engine_.joint_pressure()) +
               " Pa at most are left in a joint.");
 }
 
@@ -180,10 +170,10 @@ BlastRun::Phase BlastRun::wait_for_holes() {
 
 void BlastRun::tell_of_holes() {
   const double pressure = engine_.wall_pressure();
-  engine_.say("The first phase ends after " + shown(engine_.time()) + " s with " + shown(pressure) +
-              " Pa at most on a wall.");
+  engine_.say("The first phase ends after " + rounded_text(engine_.time()) + " s with " +
+              rounded_text(pressure) + " Pa at most on a wall.");
   if (pressure > plan_.hole_rest) {
-    engine_.warn("that is above hole_rest, " + shown(plan_.hole_rest) +
+    engine_.warn("that is above hole_rest, " + rounded_text(plan_.hole_rest) +
                  " Pa; softened joints give way to it. A larger gas_patience waits longer.");
   }
 }
@@ -214,7 +204,7 @@ void BlastRun::begin_settling() {
 }
 
 void BlastRun::tell_of_rest() {
-  const std::string after = " after " + shown(engine_.time()) + " s of physical time";
+  const std::string after = " after " + rounded_text(engine_.time()) + " s of physical time";
   engine_.say(engine_.still() ? "The rock rests" + after + "."
                               : "time_end is reached" + after +
                                     "; more than still_share of the rock still moves.");

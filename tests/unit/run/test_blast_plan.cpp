@@ -88,7 +88,7 @@ TEST(BlastPlan, RefusesAnEndBeforeThatOfTheWave) {
 TEST(BlastPlan, RefusesAWaveThatEndsBeforeThePulse) {
   EXPECT_EQ(refusal_of({"wave_end", "5e-4"}),
             "run_blast: wave_end must be >= 0.001 s, when the pulse of the last charge has gone, "
-            "got 5e-04 s");
+            "got 0.0005 s");
 }
 
 TEST(BlastPlan, RefusesWordsThatAreNoTime) {

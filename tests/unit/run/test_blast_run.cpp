@@ -349,8 +349,8 @@ TEST(BlastRun, RefusesJointsThatAreSofterAlready) {
     FAIL() << "not refused";
   } catch (const InputError& refused) {
     EXPECT_STREQ(refused.what(),
-                 "run_blast: softening must be <= 1e-04, to which the joints have been softened "
-                 "already, got 2e-04; joints cannot become stiffer again");
+                 "run_blast: softening must be <= 0.0001, to which the joints have been softened "
+                 "already, got 0.0002; joints cannot become stiffer again");
   }
   EXPECT_EQ(engine.steps, 0);
 }
