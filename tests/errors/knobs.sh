@@ -38,7 +38,7 @@ refuses() {  # refuses KNOB VALUE [-var NAME VALUE]...
 while read -r knob; do
   [[ $kWords != *" $knob "* ]] || continue
   # What the case computes itself is no knob of it.
-  ! grep -qE "^variable[[:space:]]+$knob[[:space:]]+(equal|string)" "$input" "$(dirname "$input")/geometry.in" 2>/dev/null || continue
+  ! grep -qsE "^variable[[:space:]]+$knob[[:space:]]+(equal|string)" "$input" "$(dirname "$input")/geometry.in" || continue
   refuses "$knob" nan "$@"
   refuses "$knob" 1e300 "$@"
 done < <(knobs_of "$input" | sort -u)
