@@ -70,6 +70,9 @@ void PairMuckpileBlock::settings(int narg, char** arg) {
     p.restitution = in.real("restitution");
     p.friction = in.real("friction");
     p.rolling_friction = in.real("rolling_friction");
+    hertz_.reset();
+    if (p.model == NormalModel::hertz)
+      hertz_ = BlockContacts{p.youngs_modulus, p.poisson_ratio, p.restitution};
     return ContactLaw(p);
   });
 }
