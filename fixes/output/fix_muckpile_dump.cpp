@@ -24,6 +24,7 @@
 #include "fixes/engine/output_file.h"
 #include "fixes/engine/periodic_output.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/interfaces/keyword_tables.h"
 #include "fixes/joints/fix_muckpile_joint.h"
 #include "provenance/run_files.h"
 
@@ -61,6 +62,8 @@ std::string run_of(const std::filesystem::path& snapshot) {
 }
 
 }  // namespace
+
+const ArgTable& dump_keywords() { return table(); }
 
 FixMuckpileDump::FixMuckpileDump(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg), where_(std::string("fix muckpile/dump '") + id + "'") {

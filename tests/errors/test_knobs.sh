@@ -9,7 +9,7 @@ shift 2
 source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
 cd "$root"
 source src/app/run/input_variables.sh
-readonly kWords=' out from holes_by holes_of hole_table pulse_table scene solid gas_file '
+readonly kWords=' out from holes_by holes_of hole_table pulse_table gas_file '
 mkdir "$out/dump"
 
 knobs() {  # of the input and what it includes, with one value each
@@ -34,7 +34,7 @@ refuses() {  # refuses KNOB VALUE [-var NAME VALUE]...
 while read -r knob; do
   [[ $kWords != *" $knob "* ]] || continue
   # What the case computes itself is no knob of it.
-  ! grep -qE "^variable[[:space:]]+$knob[[:space:]]+(equal|string)" "$input" || continue
+  ! grep -qsE "^variable[[:space:]]+$knob[[:space:]]+(equal|string)" "$input" "$(dirname "$input")/geometry.in" || continue
   refuses "$knob" nan "$@"
   refuses "$knob" 1e300 "$@"
 done < <(knobs)

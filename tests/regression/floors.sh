@@ -28,8 +28,8 @@ create_atoms 1 single -0.5 0 -40.6
 create_atoms 1 single -0.9 0 5
 create_atoms 1 single 0.6 0 -20
 create_atoms 1 single 0 0 -20
-variable inside equal count(all,${solid})
-print "in solid: ${inside}"
+variable inside equal count(all,in_the_ground)
+print "in the ground: ${inside}"
 END
 
 wrong=0
@@ -38,7 +38,7 @@ floor() {  # floor LENGTH HALF_WIDTH DEPTH: from x = 0.05 m on
   "$program" -in "$out/in.floor" -log none -var out "$out" -var floor_start 0.05 -var floor_length "$1" -var floor_half_width "$2" \
     -var floor_depth "$3" -var block_max 1 \
     -var bottom_z -40 -var rear_x -0.3 >"$out/screen" 2>&1 </dev/null || { echo "$*: refused: $(grep ERROR "$out/screen")"; wrong=1; return; }
-  grep -q "^in solid: 4$" "$out/screen" || { echo "$*: of five places four are in solid, got '$(grep "^in solid" "$out/screen")'"; wrong=1; }
+  grep -q "^in the ground: 4$" "$out/screen" || { echo "$*: of five places four are in the ground, got '$(grep "^in the ground" "$out/screen")'"; wrong=1; }
   awk '
     $1 == "vertex" { n++; x[n] = $2; y[n] = $3; z[n] = $4 }
     function side(a, b) { return sqrt((x[a]-x[b])^2 + (y[a]-y[b])^2 + (z[a]-z[b])^2) }

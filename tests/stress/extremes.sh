@@ -38,7 +38,7 @@ try() {  # try KNOB VALUE [-var NAME VALUE]...: the first -var of a name counts
   if [[ $status -eq 0 ]]; then
     ran=$((ran + 1))
     fault=$(check_figures finite "$out/dump/run.json" "$out/dump/history.csv" 2>&1) || fault=${fault:-no figures}
-  elif [[ $status -ne 1 ]] || ! grep -qE '^ERROR: (input|create_blocks|charge_design|fix muckpile/[a-z]+)[: ]' "$out/screen"; then
+  elif [[ $status -ne 1 ]] || ! grep -qE '^ERROR: (input|create_blocks|charge_design|run_blast|fix muckpile/[a-z]+)[: ]' "$out/screen"; then
     fault="exit status $status, $(tail -n 1 "$out/screen")"
   fi
   printf '%-24s %-12s %s\n' "$knob" "$value" "${fault:-$([[ $status -eq 0 ]] && echo ran || grep '^ERROR' "$out/screen" | head -n 1 | cut -c1-150)}"
@@ -47,7 +47,7 @@ try() {  # try KNOB VALUE [-var NAME VALUE]...: the first -var of a name counts
 
 while read -r knob value; do
   [[ $kLarge != *" $knob=$value "* ]] || continue
-  ! grep -qE "^variable[[:space:]]+$knob[[:space:]]+(equal|string)" "$input" || continue  # computed, no knob
+  ! grep -qsE "^variable[[:space:]]+$knob[[:space:]]+(equal|string)" "$input" "$(dirname "$input")/geometry.in" || continue  # computed, no knob
   try "$knob" "$value" "$@"
 done < <(ends)
 echo "$tried values tried, $ran ran"
