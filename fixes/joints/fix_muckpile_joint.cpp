@@ -139,7 +139,7 @@ void FixMuckpileJoint::follow_blocks() {
   const int mine = network_.slanted() ? 1 : 0;
   int any = 0;
   MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
-  slanted_ = any != 0;
+  if (any != 0) network_.follow_leaning_faces();
 
   index_facets();
   loaded_.clear();
@@ -218,22 +218,16 @@ void FixMuckpileJoint::end_of_step() {
 
 void FixMuckpileJoint::add_forces(double dt) {
   gather_state();
-  compute_bulk_stresses(dt);
   if (gas_ != nullptr) gas_->fill_joints(network_, store_->halo());
-  network_.tractions(dt);
+  network_.step(dt, team());
   apply_forces();
 }
 
-void FixMuckpileJoint::compute_bulk_stresses(double dt) {
-  engine::BlockHalo& halo = store_->halo();
-  network_.dilatation(dt);
-  halo.forward(network_.theta().first(halo.size()), 1);
-  if (slanted_) {
-    halo.forward(network_.gradients(halo.size()), 9);
-    halo.forward(network_.slant_stresses(halo.size()), 9);
-  }
-  network_.bulk_stresses();
-  halo.forward(network_.bulk_stress().first(halo.size()), 1);
+RankTeam FixMuckpileJoint::team() const {
+  return {[this](std::span<double> values, std::size_t width) {
+            store_->halo().forward(values, width);
+          },
+          [this](double mine) { return sum(mine); }};
 }
 
 void FixMuckpileJoint::gather_state() {

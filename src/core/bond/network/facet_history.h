@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What the facets of a network remember: which points broke, how far each facet has come on its way
 // from intact to retired, where broken points rest, and what few facets remember beside that.
-// Scope: owned by the network, one row per facet; it travels with the facets as FacetMemory
-// (facet_memory_bytes.h). Lengths in m. The states that passes look at often are kept packed beside
-// the traces; only the functions below change them, so that the two agree.
+// Scope: owned by the network, one row per facet; it travels with the facets as FacetMemory.
+// Lengths in m. The states that passes look at often are kept packed beside the traces; only the
+// functions below change them, so that the two agree.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What a facet remembers: which of its points broke, and what they carry since.
 // Scope: data of one facet in SI units; all of it travels with the facet from rank to rank and
-// through restart files (facet_memory_bytes.h). Where a network keeps it is facet_history.h.
+// through restart files. Where a network keeps it is facet_history.h.
 #pragma once
 
 #include <array>
