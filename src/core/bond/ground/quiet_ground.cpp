@@ -106,7 +106,7 @@ FacetNetwork::GroundPlan FacetNetwork::plan_ground(std::size_t f, double dt) con
   plan.normal = n;
   plan.jump = motion.mean_jump();
   plan.opened = n.dot(plan.jump) + plan.normal_end - moved;
-  plan.yielding = 1.0 + (bond_of(f).shear + bond_of(f).normal_extra) * plan.normal_give;
+  plan.yielding = 1.0 + bond_of(f).normal() * plan.normal_give;
   return plan;
 }
 
@@ -140,8 +140,7 @@ void FacetNetwork::yield_support(std::size_t f, double bulk_stress, double dt) {
   GroundMemory& memory = rare_.made(f).ground;
   const GroundPlan plan = plan_ground(f, dt);
   const Vec3& n = plan.normal;
-  const double pull =
-      ((bond.shear + bond.normal_extra) * plan.opened + bond.bulk_i * bulk_stress) / plan.yielding;
+  const double pull = (bond.normal() * plan.opened + bond.bulk_i * bulk_stress) / plan.yielding;
   const Vec3 sheared = plan.jump - memory.displacement;
   const Vec3 drag = bond.shear / (1.0 + bond.shear * plan.shear_give) *
                     (sheared - along(sheared, n) + plan.shear_end);

@@ -62,12 +62,12 @@ void FacetNetwork::linearise(LinearNetwork& linear, BreakView view, double dampi
       const bool bonded = view == BreakView::as_it_is && !traces_[f].is_contact(p);
       const bool rubs = bonded && traces_[f].slipping[p];
       const double fade = bonded ? 1.0 : contacts_.fade(f);
-      const double normal = bonded ? bond.shear + bond.normal_extra : contact.normal;
+      const double normal = bonded ? bond.normal() : contact.closure.normal;
       const double dashpot = damping_rate * (bonded && !rubs ? damping_ : contact_damping_);
       spring.bonded[p] = bonded;
-      spring.shear[p] = bond.point_area * (fade * bond.shear + (bonded && !rubs ? dashpot : 0.0));
-      spring.extra[p] = bond.point_area *
-                        (fade * (normal - bond.shear) + (bonded && !rubs ? 0.0 : fade * dashpot));
+      spring.law[p] = {bond.point_area * (fade * bond.shear + (bonded && !rubs ? dashpot : 0.0)),
+                       bond.point_area * (fade * (normal - bond.shear) +
+                                          (bonded && !rubs ? 0.0 : fade * dashpot))};
     }
     linear.springs_.push_back(spring);
   });
@@ -180,7 +180,7 @@ void LinearNetwork::hold(std::span<double> motion, std::span<double> force, cons
     const Vec3 bulk = bulk_pull(s) + slant_pull(s);
     for (std::size_t p = 0; p < kFacetPoints; ++p) {
       const Vec3 opened = jump(s, p, motion);
-      Vec3 pull = s.shear[p] * opened + s.extra[p] * s.normal.dot(opened) * s.normal;
+      Vec3 pull = s.law[p].traction(s.normal, opened);
       if (s.bonded[p]) pull += bulk;
       push(s.i, -pull, s.arm_i[p]);
       push(s.j, pull, s.arm_j[p]);

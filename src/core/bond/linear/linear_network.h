@@ -46,9 +46,9 @@ class LinearNetwork {
     Vec3 normal, opening_i, opening_j;
     std::array<bool, 2> slanted;  // blocks i and j have the terms of facet_slant.cpp
     std::array<Vec3, 2> lean;
-    double shear_share;                             // see FacetNetwork::Slant
-    std::array<Vec3, kFacetPoints> arm_i, arm_j;    // of the points, from the centres [m]
-    std::array<double, kFacetPoints> shear, extra;  // stiffness; normal less shear [N/m]
+    double shear_share;                                   // see FacetNetwork::Slant
+    std::array<Vec3, kFacetPoints> arm_i, arm_j;          // of the points, from the centres [m]
+    std::array<LinearClosure<double>, kFacetPoints> law;  // times the area of the point [N/m]
     double pull_i, pull_j;      // force of a bonded point per bulk stress of block i and j [m2]
     double strain_i, strain_j;  // volume of block i and j per opening of a bonded point [m2]
     std::array<bool, kFacetPoints> bonded;

@@ -59,17 +59,16 @@ Vec3 FacetNetwork::bulk_traction(std::size_t f, const Openings& openings) const 
   const Bond bond = bond_of(f);
   Pull pull(motion);
   const LaneVec jump = elastic_jump(f, motion);
-  pull.traction = Lanes(bond.shear) * jump +
-                  bond.normal_extra * dot(pull.normal, jump) * pull.normal +
-                  LaneVec(bulk_traction(f, openings_of(f, motion.scale)));
+  const LinearClosure<Lanes> closure{bond.shear, bond.normal_extra};
+  pull.traction =
+      closure.traction(pull.normal, jump) + LaneVec(bulk_traction(f, openings_of(f, motion.scale)));
   return pull;
 }
 
 Vec3 FacetNetwork::mean_traction(std::size_t f) const {
   const Bond bond = bond_of(f);
   const Motion motion = motion_of(f);
-  const Vec3 jump = motion.mean_jump();
-  return bond.shear * jump + bond.normal_extra * motion.normal.dot(jump) * motion.normal +
+  return bond.traction(motion.normal, motion.mean_jump()) +
          bulk_traction(f, openings_of(f, motion.scale));
 }
 
@@ -115,14 +114,11 @@ void FacetNetwork::work_bonded(std::size_t f, const Motion& motion, const Contac
   const bool torn = motion.turned(kTurnStart) || (smooth && away);
   const LaneMask slipping = where_slipping(memory);
   const LaneMask fails =
-      torn ? is_point() : pull.failing(bond_of(f), slipping) || (slipping && LaneMask(away));
+      torn ? is_point() : failing(f, pull, slipping) || (slipping && LaneMask(away));
   for (int p = 0; p < kFacetPoints; ++p) {
     const auto q = static_cast<std::size_t>(p);
     if (memory.is_contact(q) || !fails[q]) continue;
     const Vec3 traction = pull.traction.at(p);
-    if (depends_on_rate_ && !torn && !memory.broken[q] &&
-        holds_at_its_rate(f, motion.normal, traction, pull.rate.at(p)))
-      continue;
     const Break broken = {motion.normal,
                           pull.jump.at(p),
                           elastic_jump(f, motion).at(p),
@@ -179,13 +175,14 @@ FacetNetwork::Remnant FacetNetwork::remnant_of(std::size_t f, int p, const Break
   const Vec3 shear = broken.traction - normal * n;
   Remnant left{};
   left.held = std::min(normal, 0.0);
-  const double limit = contact.tan_residual * -left.held, size = shear.norm();
+  const SlipFriction<double> friction{residual_friction(f)};
+  const double limit = friction.limit(left.held), size = shear.norm();
   left.shear = (size > limit ? limit / size : 1.0) * shear;
   left.dropped = broken.traction - left.held * n - left.shear;
   if (softens_ && first) {
     const Mat3 to_axes = broken.axes.transpose();
-    left.cohesion = cohesion_after(to_axes * left.dropped, to_axes * broken.jump, contact.normal,
-                                   contact.shear, material().parameters());
+    left.cohesion = cohesion_after(to_axes * left.dropped, to_axes * broken.jump,
+                                   contact.closure.normal, contact.shear, material().parameters());
   }
   left.slips = first && normal < 0.0 && !broken.torn && may_slip(f);
   left.lost = broken.elastic;
@@ -204,8 +201,8 @@ Vec3 FacetNetwork::break_point(std::size_t f, int p, const Break& broken, double
   // The contact starts with the compression that the joint carried and the shear that friction can;
   // open by what a point that softens has parted, or one that slipped since its force was none.
   const double normal = memory.broken[q] ? broken.normal.dot(broken.traction) : left.held;
-  Vec3 spring =
-      (normal / contact.normal + left.cohesion.first * left.cohesion.direction.x()) * broken.normal;
+  Vec3 spring = (contact.closure.gap(normal) + left.cohesion.first * left.cohesion.direction.x()) *
+                broken.normal;
   if (contact.shear > 0.0) spring += left.shear / contact.shear;
   const Vec3 rests_at = left.slips ? left.lost : Vec3(broken.jump - spring);
   contacts_.set_offset(f, q, broken.axes.transpose() * rests_at);
@@ -225,11 +222,10 @@ void FacetNetwork::book_break(std::size_t f, const Break& broken, const Remnant&
   const Bond bond = bond_of(f);
   const Contact contact = contact_of(f);
   const auto bonded_energy = [&](const Vec3& jump) {  // twice, per area [J/m2]
-    const double along = broken.normal.dot(jump);
-    return bond.shear * jump.squaredNorm() + bond.normal_extra * along * along;
+    return bond.twice_energy(jump.squaredNorm(), broken.normal.dot(jump));
   };
   double after = left.slips ? bonded_energy(broken.elastic - left.lost)
-                            : left.held * left.held / contact.normal;
+                            : contact.closure.twice_energy_of(left.held);
   if (!left.slips && contact.shear > 0.0) after += left.shear.squaredNorm() / contact.shear;
   // The half kick to the present step used the traction before, the one from it uses that after:
   // the blocks did the work of their mean over the step's path, the springs' account assumes the

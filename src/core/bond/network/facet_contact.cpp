@@ -28,8 +28,10 @@ void FacetNetwork::add_contact(std::size_t f, const Motion& motion, const Contac
   const LaneMask broken = bonded_points_[f] == 0 ? is_point() : where_contact(memory);
   const LaneVec spring = pull.jump - rotated(axes, lanes_of(contacts_.get(f).offset));
   const auto at_points =
-      plane_pull<Lanes>({fade * contact.normal, shear, fade * contact_damping_,
-                         contact.tan_residual, slip_weakening_},
+      plane_pull<Lanes>({{fade * contact.closure.normal},
+                         shear,
+                         fade * contact_damping_,
+                         {residual_friction(f), slip_weakening_}},
                         {pull.normal, spring, pull.rate, broken, LaneMask(memory.open)}, dt);
   memory.open = false;
   pull.traction = choose(broken, at_points.traction, pull.traction);
@@ -54,8 +56,8 @@ void FacetNetwork::rub(std::size_t f, const Motion& motion, const Contact& conta
   const Lanes normal = min(elastic + choose(slipping, contact_damping_ * rate, 0.0), Lanes(0.0));
   const LaneVec shear = choose(slipping, Lanes(1.0), 0.0) * pull.traction - elastic * pull.normal;
   const LaneVec slip = pull.rate - rate * pull.normal;
-  const Lanes tan = sliding_friction(Lanes(contact.tan_residual), dot(slip, slip), slip_weakening_);
-  const auto [slips, kept] = Slide<Lanes>(shear, -tan * normal);
+  const SlipFriction<Lanes> friction{residual_friction(f), slip_weakening_};
+  const auto [slips, kept] = Slide<Lanes>(shear, friction.limit(normal, dot(slip, slip)));
   pull.traction = choose(slipping, normal * pull.normal + kept * shear, pull.traction);
 
   const double booked = contact.weight * contact.point_area;
@@ -171,7 +173,7 @@ double FacetNetwork::contact_energy(std::size_t f, const Motion& motion) const {
     const double closed = motion.normal.dot(spring);
     if (closed >= 0.0) continue;
     const Vec3 sheared = spring - closed * motion.normal;
-    stored += contact.normal * closed * closed + contact.shear * sheared.squaredNorm();
+    stored += contact.closure.twice_energy(closed) + contact.shear * sheared.squaredNorm();
   }
   return 0.5 * contact.point_area * memory.fade * stored;
 }

@@ -58,12 +58,10 @@ FacetNetwork::WideContact FacetNetwork::remembered(std::size_t g, unsigned lanes
   WideContact contact{&contacts_.made(g, lanes)};
   each_lane(lanes, [&](std::size_t k) {
     const std::size_t f = g * kGroup + k;
-    const FacetName& name = facets_[f];
     contact.fresh[k] = traces_[f].open ? 1.0 : 0.0;
-    contact.weight[k] = name.weight;
+    contact.weight[k] = facets_[f].weight;
     contact.rock_share[k] = rock_share(f);
-    contact.tan_residual[k] =
-        name.kind == FacetKind::mirror ? 0.0 : strengths_[name.joint_class].tan_residual;
+    contact.tan_residual[k] = residual_friction(f);
   });
   return contact;
 }
@@ -112,10 +110,12 @@ void FacetNetwork::touch_group(std::size_t g, unsigned lanes, const WidePose& po
   const ContactGroup& memory = *contact.memory;
   const Wide fade = choose(mask_of<Wide>(lanes), wide(memory.fade), 0.0),
              shear = fade * wide(group.shear);
-  const Wide closed = closed_stiffness<Wide>(wide(group.shear) + wide(group.normal_extra),
-                                             wide(contact.rock_share));
-  const PlaneContact<Wide> law = {fade * closed, shear, fade * contact_damping_,
-                                  wide(contact.tan_residual), slip_weakening_};
+  const LinearClosure<Wide> bonded{wide(group.shear), wide(group.normal_extra)};
+  const Wide closed = bonded.contact(wide(contact.rock_share), shear_over_p_wave_);
+  const PlaneContact<Wide> law = {{fade * closed},
+                                  shear,
+                                  fade * contact_damping_,
+                                  {wide(contact.tan_residual), slip_weakening_}};
   const WideMask broken = fade > 0.0, fresh = wide(contact.fresh) > 0.0;
   WideVec traction, moment;
   Wide damped = 0.0, rubbed = 0.0;

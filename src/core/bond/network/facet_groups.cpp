@@ -52,10 +52,8 @@ void FacetNetwork::open_group(const LaneSet& bonded) {
 
 [[gnu::always_inline]] inline FacetNetwork::WideField FacetNetwork::pull_of(
     const FacetGroup& group, const WidePose& pose) const {
-  const Wide shear = wide(group.shear), extra = wide(group.normal_extra);
-  const auto pull = [&](const WideVec& jump) {
-    return shear * jump + extra * dot(pose.normal, jump) * pose.normal;
-  };
+  const LinearClosure<Wide> closure{wide(group.shear), wide(group.normal_extra)};
+  const auto pull = [&](const WideVec& jump) { return closure.traction(pose.normal, jump); };
   const auto stress = [&](std::size_t b) { return bulk_stress_[b]; };
   const WideVec squeezed = gather_of(group.i, stress) * wide(group.opening_i) +
                            gather_of(group.j, stress) * wide(group.opening_j);
@@ -81,18 +79,15 @@ void FacetNetwork::open_group(const LaneSet& bonded) {
   FacetRow<double> tension{}, cohesion{}, tan_friction{};
   for (std::size_t k = 0; k < kGroup; ++k) {
     const std::size_t f = std::min(g * kGroup + k, facets_.size() - 1);
-    const Strength& strength = strengths_[facets_[f].joint_class];
+    const CoulombStrength<double>& strength = strengths_[facets_[f].joint_class].bonded;
     tension[k] = strength.tension;
     cohesion[k] = strength.cohesion;
     tan_friction[k] = strength.tan_friction;
   }
+  const CoulombStrength<Wide> strength{wide(tension), wide(cohesion), wide(tan_friction)};
   WideMask fails = turn_of(groups_[g], pose).exceeds(kTurnStart);
-  for (std::size_t p = 0; p < kFacetPoints; ++p) {
-    const WideVec traction = pull.at(p);
-    const Wide across = dot(pose.normal, traction);
-    fails = fails || joint_fails(across, Wide(dot(traction, traction) - across * across),
-                                 wide(tension), wide(cohesion), wide(tan_friction));
-  }
+  for (std::size_t p = 0; p < kFacetPoints; ++p)
+    fails = fails || strength.fails(pose.normal, pull.at(p));
   return lanes & ~bits_of<Wide>(fails) & ~slid_along(groups_[g], pose);
 }
 

@@ -146,42 +146,32 @@ struct FacetNetwork::Motion {
 inline FacetNetwork::Bond FacetNetwork::bond_of(std::size_t f) const {
   const FacetGroup& group = group_of(f);
   const std::size_t k = lane_of(f);
-  const FacetName& name = facets_[f];
-  const Strength& strength = strengths_[name.joint_class];
   const double area = group.area[k], bulk = group.bulk[k];
-  const double bulk_j = name.kind == FacetKind::joint ? bulk : 0.0;
-  return {at_lane(group.opening_i, k),
+  const double bulk_j = facets_[f].kind == FacetKind::joint ? bulk : 0.0;
+  return {{group.shear[k], group.normal_extra[k]},
+          at_lane(group.opening_i, k),
           at_lane(group.opening_j, k),
           bulk * area,
           bulk_j * area,
           area / kFacetPoints,
-          group.shear[k],
-          group.normal_extra[k],
           bulk,
-          bulk_j,
-          strength.tension,
-          strength.cohesion,
-          strength.tan_friction};
+          bulk_j};
 }
 
-/// FacetStiffness::contact from the other numbers of facet_stiffness(). With U = (lambda + 2G)/h,
-/// s the share of the rock and k the joint's own stiffness it is c = s U = (1 - s) k, and
-///     normal = 2G/h s^2 + k (1 - s)^2 = c (s 2G/(lambda + 2G) + 1 - s).
-template <class Number>
-[[gnu::always_inline]] inline Number FacetNetwork::closed_stiffness(
-    const Number& normal, const Number& rock_share) const {
-  return normal / (1.0 - rock_share * (1.0 - shear_over_p_wave_));
+/// Of slow slip [-]; a mirror has none.
+[[gnu::always_inline]] inline double FacetNetwork::residual_friction(std::size_t f) const {
+  const FacetName& name = facets_[f];
+  return name.kind == FacetKind::mirror ? 0.0 : strengths_[name.joint_class].tan_residual;
 }
 
 [[gnu::always_inline]] inline FacetNetwork::Contact FacetNetwork::contact_of(std::size_t f) const {
-  const FacetName& name = facets_[f];
   const FacetGroup& group = group_of(f);
   const std::size_t k = lane_of(f);
-  return {name.weight,
+  const LinearClosure<double> bonded{group.shear[k], group.normal_extra[k]};
+  return {facets_[f].weight,
           group.area[k] / kFacetPoints,
-          closed_stiffness(group.shear[k] + group.normal_extra[k], rock_share(f)),
+          {bonded.contact(rock_share(f), shear_over_p_wave_)},
           group.shear[k],
-          name.kind == FacetKind::mirror ? 0.0 : strengths_[name.joint_class].tan_residual,
           M_1_PI * group.area[k]};
 }
 
@@ -232,12 +222,13 @@ struct FacetNetwork::Pull {
   }
 
   /// Which points fail if they are bonded; those that slip as they open.
-  [[nodiscard]] LaneMask failing(const Bond& bond, const LaneMask& slipping) const {
+  [[nodiscard]] LaneMask failing(const CoulombStrength<Lanes>& strength,
+                                 const LaneMask& slipping) const {
     const Lanes along = dot(normal, traction);
     const Lanes shear_squared = dot(traction, traction) - along * along;
-    return is_point() && joint_fails(along, choose(slipping, Lanes(0.0), shear_squared),
-                                     choose(slipping, Lanes(0.0), bond.tension),
-                                     Lanes(bond.cohesion), Lanes(bond.tan_friction));
+    CoulombStrength<Lanes> left = strength;
+    left.tension = choose(slipping, Lanes(0.0), strength.tension);
+    return is_point() && left.fails(along, choose(slipping, Lanes(0.0), shear_squared));
   }
 };
 

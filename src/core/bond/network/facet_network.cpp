@@ -144,8 +144,9 @@ void FacetNetwork::derive() {
   depends_on_rate_ = parameters.rate_exponent > 0.0;
   strengths_.clear();
   for (const JointMaterial& joint : materials_)
-    strengths_.push_back({joint.parameters().tension, joint.parameters().cohesion,
-                          joint.tan_friction(), joint.tan_residual_friction()});
+    strengths_.push_back(
+        {{joint.parameters().tension, joint.parameters().cohesion, joint.tan_friction()},
+         joint.tan_residual_friction()});
   damping_ = material().damping_coefficient();
   contact_damping_ = material().contact_damping_coefficient();
   shear_over_p_wave_ = 2.0 * material().shear_modulus() / material().p_wave_modulus();
@@ -425,7 +426,7 @@ double FacetNetwork::facet_energy(std::size_t f) const {
     if (traces_[f].is_contact(static_cast<std::size_t>(p))) continue;
     const Vec3 jump = jumps.at(p);
     const double normal = motion.normal.dot(jump);
-    stored += bond.shear * jump.squaredNorm() + bond.normal_extra * normal * normal;
+    stored += bond.twice_energy(jump.squaredNorm(), normal);
   }
   return 0.5 * (bond.point_area * stored + coupling.sharpening * uneven * uneven) +
          contact_energy(f, motion) + (softens_ ? cohesion_energy(f, motion) : 0.0);

@@ -37,7 +37,9 @@
 
 #include "bond/facet.h"
 #include "bond/ground/quiet_ground.h"
+#include "bond/law/coulomb.h"
 #include "bond/law/joint_material.h"
+#include "bond/law/linear_closure.h"
 #include "bond/law/slip_friction.h"
 #include "bond/network/contact_rows.h"
 #include "bond/network/facet_group.h"
@@ -226,23 +228,22 @@ class FacetNetwork {
     [[nodiscard]] std::array<bool, 2> slanted() const { return {slanted_i, slanted_j}; }
   };
   static_assert(sizeof(FacetName) == 8);
-  struct Strength {                                        // of a joint class
-    double tension, cohesion, tan_friction, tan_residual;  // [Pa], [Pa], [-], [-]
+  struct Strength {  // of a joint class
+    CoulombStrength<double> bonded;
+    double tan_residual;  // [-]
   };
   // One facet's, put together when asked for.
-  struct Bond {  // of the bonded points
+  struct Bond : LinearClosure<double> {  // of the bonded points
     Vec3 opening_i, opening_j;
     double area_i, area_j;  // area x share of the jump that strains the rock of block i and j [m2]
     double point_area;      // [m2]
-    double shear, normal_extra;              // stiffness; normal less shear [Pa/m]
-    double bulk_i, bulk_j;                   // share of the two bulk stresses in the traction [-]
-    double tension, cohesion, tan_friction;  // strength [Pa], [Pa], [-]
+    double bulk_i, bulk_j;  // share of the two bulk stresses in the traction [-]
   };
-  struct Contact {         // of the broken points
-    double weight;         // as in Facet
-    double point_area;     // [m2]
-    double normal, shear;  // stiffness when closed [Pa/m]
-    double tan_residual;
+  struct Contact {      // of the broken points
+    double weight;      // as in Facet
+    double point_area;  // [m2]
+    LinearContact<double> closure;
+    double shear;           // stiffness when closed [Pa/m]
     double radius_squared;  // of the circle of equal area [m2]
 
     [[nodiscard]] double radius() const { return std::sqrt(radius_squared); }
@@ -301,8 +302,7 @@ class FacetNetwork {
   [[nodiscard]] int j_of(std::size_t f) const { return group_of(f).j[lane_of(f)]; }
   [[nodiscard]] Bond bond_of(std::size_t f) const;
   [[nodiscard]] Contact contact_of(std::size_t f) const;
-  template <class Number>
-  [[nodiscard]] Number closed_stiffness(const Number& normal, const Number& rock_share) const;
+  [[nodiscard]] double residual_friction(std::size_t f) const;
   [[nodiscard]] double rock_share(std::size_t f) const {
     return (facets_[f].kind == FacetKind::joint ? 2.0 : 1.0) * group_of(f).bulk[lane_of(f)];
   }
@@ -427,9 +427,8 @@ class FacetNetwork {
   void press_group(const LaneSet& pressed, const FacetRow<double>& pressure, const WidePose& pose);
   void add_gas_forces();
 
-  // What broken points still hold: facet_softening.cpp.
-  [[nodiscard]] bool holds_at_its_rate(std::size_t f, const Vec3& normal, const Vec3& traction,
-                                       const Vec3& rate) const;
+  // Strength, and what broken points still hold: facet_softening.cpp.
+  [[nodiscard]] LaneMask failing(std::size_t f, const Pull& pull, const LaneMask& slipping) const;
   [[nodiscard]] bool holds_on(std::size_t f) const;
   void add_cohesion(std::size_t f, const Motion& motion, Pull& pull, double dt);
   [[nodiscard]] double cohesion_energy(std::size_t f, const Motion& motion) const;

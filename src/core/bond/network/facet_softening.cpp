@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The facet network where it softens: what points that have reached their strength still hold, and
-// strength that grows with the rate of strain.
-// Scope: only with fracture energies or a rate exponent; laws in cohesion.h.
+// strength, which grows with the rate of strain.
+// Scope: laws in coulomb.h and cohesion.h.
 #include <algorithm>
 
 #include "bond/network/facet_lanes.h"
@@ -9,16 +9,16 @@
 
 namespace muckpile {
 
-/// Whether a point that would fail at rest holds at the speed at which its sides part.
-bool FacetNetwork::holds_at_its_rate(std::size_t f, const Vec3& normal, const Vec3& traction,
-                                     const Vec3& rate) const {
+/// Which points fail if they are bonded, at the speed at which their sides part.
+LaneMask FacetNetwork::failing(std::size_t f, const Pull& pull, const LaneMask& slipping) const {
+  const CoulombStrength<double>& at_rest = strengths_[facets_[f].joint_class].bonded;
+  const CoulombStrength<Lanes> strength{at_rest.tension, at_rest.cohesion, at_rest.tan_friction};
+  const LaneMask fails = pull.failing(strength, slipping);
+  if (!depends_on_rate_ || none_of(fails)) return fails;
   const auto [depth_i, depth_j] = depths(f);
-  const double factor = rate_factor(rate.norm() / (depth_i + depth_j), material().parameters());
-  const double along = normal.dot(traction);
-  const double shear_squared = (traction - along * normal).squaredNorm();
-  const Bond bond = bond_of(f);
-  return !joint_fails(along, shear_squared, factor * bond.tension, factor * bond.cohesion,
-                      bond.tan_friction);
+  const Lanes rate = sqrt(dot(pull.rate, pull.rate)) / (depth_i + depth_j);
+  const Lanes faster([&](auto lane) { return rate_factor(rate[lane], material().parameters()); });
+  return fails && (slipping || pull.failing(strength.scaled(faster), slipping));
 }
 
 bool FacetNetwork::holds_on(std::size_t f) const {
