@@ -83,18 +83,9 @@ struct FacetKinematics {
                     blocks.state_of(tables.j_of(f)).rotation * start);
   }
   /// Jumps at the points, less what they have slipped [m].
-  [[nodiscard]] LaneVec elastic_jump(std::size_t f, const FacetMotion& motion) const {
-    const FacetTraces& traces = history.traces(f);
-    if (!traces.slipping.any()) return motion.jump();
-    const LaneVec slipped = rotated(motion.axes(), lanes_of(history.contacts().get(f).offset));
-    return motion.jump() - choose(where_slipping(traces), Lanes(1.0), 0.0) * slipped;
-  }
+  [[nodiscard]] LaneVec elastic_jump(std::size_t f, const FacetMotion& motion) const;
   /// Mean over the facet of the elastic jump where it is in the dilatations [m].
-  [[nodiscard]] Vec3 bonded_jump(std::size_t f, const FacetMotion& motion) const {
-    if (history.state(f) == FacetState::intact) return motion.mean_jump();
-    const LaneMask holds = is_point() && !where_contact(history.traces(f));
-    return sum(choose(holds, Lanes(1.0 / kFacetPoints), 0.0) * elastic_jump(f, motion));
-  }
+  [[nodiscard]] Vec3 bonded_jump(std::size_t f, const FacetMotion& motion) const;
 };
 
 [[gnu::always_inline]] inline FacetMotion FacetKinematics::motion(std::size_t f) const {
