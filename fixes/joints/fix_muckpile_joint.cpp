@@ -126,7 +126,7 @@ void FixMuckpileJoint::follow_blocks() {
   std::vector<BlockConstants> blocks;
   for (const BlockRecord& r : store_->records())
     blocks.push_back({r.tag, true, std::max(r.volume, 1e-300), r.mass, r.retired});
-  // Both ranks that know a facet ask for the volumes of its two blocks when it breaks.
+  // Both ranks that know a facet need the volumes of its two blocks when it breaks.
   std::vector<double> volumes(store_->halo().size(), 1.0);
   for (std::size_t b = 0; b < blocks.size(); ++b) volumes[b] = blocks[b].volume;
   store_->halo().forward(volumes, 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix muckpile/joint: forces of the joint facets between blocks, their breaking and plane contact.
 // Scope: drives core's FacetNetwork; three halo messages a step (poses, dilatations, bulk stresses)
-// and no other communication except where a result is asked for.
+// and no other communication except where a script reads a result.
 #pragma once
 
 #include <fix.h>

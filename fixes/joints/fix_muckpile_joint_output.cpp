@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix muckpile/joint: what a script reads from it, and what it changes by fix_modify.
-// Scope: sums over ranks; nothing here runs unless asked for.
+// Scope: sums over ranks; nothing here runs in a step of its own accord.
 #include <mpi.h>
 
 #include <algorithm>

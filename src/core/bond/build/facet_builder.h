@@ -11,7 +11,7 @@
 
 namespace muckpile {
 
-/// How the rock's boundary is held at a face with this centroid.
+/// How the rock's boundary is supported at a face with this centroid.
 enum class Support : std::uint8_t { free, fixed, mirror };
 using SupportRule = std::function<Support(const Vec3& face_centroid)>;
 

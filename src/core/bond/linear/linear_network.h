@@ -18,7 +18,7 @@
 namespace muckpile {
 
 enum class BreakView : std::uint8_t {
-  as_it_is,   ///< what holds now is bonded
+  as_it_is,   ///< points that are bonded now are bonded
   all_broken  ///< every facet is a closed contact
 };
 
@@ -27,8 +27,8 @@ class LinearNetwork {
   /// `damping_rate` [1/s]: every dashpot counts as a spring of that many times its coefficient.
   LinearNetwork(const FacetNetwork& network, BreakView view, double damping_rate);
 
-  /// Forces [N] and torques [N m] that hold the owned blocks in `motion`, which has six numbers per
-  /// block, owned ones first, then the copies; those are filled in. Collective.
+  /// Forces [N] and torques [N m] that balance the owned blocks in `motion`, which has six numbers
+  /// per block, owned ones first, then the copies; those are filled in. Collective.
   void balance(std::span<double> motion, std::span<double> force, const RankTeam& team);
 
  private:

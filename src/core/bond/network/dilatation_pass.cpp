@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Dilatations and bulk stresses of blocks: a group of facets at once where they hold at every
-// point. Scope: see the header.
+// point, others one by one.
+// Scope: see the header.
 #include "bond/network/dilatation_pass.h"
 
 #include "bond/network/facet_wide.h"

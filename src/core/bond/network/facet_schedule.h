@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Which facets a pass visits: those that are not retired, those that hold, those of blocks that
-// move, and until when an open one is left alone.
+// Which facets a pass visits: those that are not retired, those that are bonded, those of blocks
+// that move; and until when an open one is left alone.
 // Scope: owned by the network; lists of facets in groups (LaneSet), in order, one row per block
 // where blocks are listed. Lists may have facets too many, never too few: passes look at the
-// history. They are made anew once a quarter of the active facets has changed.
+// history. They are listed anew once a quarter of the active facets has changed.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,8 @@ class FacetSchedule {
   void reset_blocks(std::size_t count) { rests_.assign(count, 0); }
   /// New facets, or a history that was worked out anew: nothing sleeps.
   void reset_facets(std::size_t count);
-  /// Lists what is active and what holds. `leaning`: there are leaning faces, whose facets are not
-  /// told apart by rest. `faces` are loaded where they have a hole.
+  /// Lists what is active and what is bonded. `leaning`: there are leaning faces, whose facets are
+  /// not told apart by rest. `faces` are loaded where they have a hole.
   void list(const FacetTables& tables, const FacetHistory& history,
             std::span<const BoundaryFace> faces, bool leaning);
   [[nodiscard]] bool outdated() const { return 4 * changed_ > active_count_; }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Forces and torques of the facets on their blocks in a step: tractions, breaking, contact of
-// broken points, the pressure of gas in joints. Scope: a pass over the parts of a network, made for
-// one step of dt [s]. Theta, bulk stresses and leaning stresses of all blocks are those of the
-// present pose. A facet that holds at every point, or at none, is worked on with the others of its
-// group; all others one by one.
+// broken points, the pressure of gas in joints.
+// Scope: a pass over the parts of a network, made for one step of dt [s]. Theta, bulk stresses and
+// leaning stresses of all blocks are those of the present pose. A facet that holds at every point,
+// or at none, is worked on with the others of its group; all others one by one.
 #pragma once
 
 #include "bond/network/bonded_points.h"
