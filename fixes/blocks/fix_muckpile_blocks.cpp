@@ -27,8 +27,8 @@ void put(engine::ByteWriter& out, const Facet& facet, const FacetMemory& memory)
   out.put(static_cast<const FacetTraces&>(memory));
   out.put(memory.contact.exists());
   if (memory.contact.exists()) out.put(memory.contact.get());
-  out.put(memory.rare.exists());
-  if (memory.rare.exists()) out.put(memory.rare.get());
+  out.put(memory.extra.exists());
+  if (memory.extra.exists()) out.put(memory.extra.get());
 }
 
 std::pair<Facet, FacetMemory> get_facet(engine::ByteReader& in) {
@@ -36,8 +36,8 @@ std::pair<Facet, FacetMemory> get_facet(engine::ByteReader& in) {
   auto& [facet, memory] = entry;
   facet = in.get<Facet>();
   static_cast<FacetTraces&>(memory) = in.get<FacetTraces>();
-  if (in.get<bool>()) memory.contact.made() = in.get<ContactMemory>();
-  if (in.get<bool>()) memory.rare.made() = in.get<RareMemory>();
+  if (in.get<bool>()) memory.contact.get_or_create() = in.get<ContactMemory>();
+  if (in.get<bool>()) memory.extra.get_or_create() = in.get<ExtraMemory>();
   return entry;
 }
 

@@ -34,7 +34,7 @@ constexpr Layout kLayout{kFormat,
                          sizeof(Facet),
                          sizeof(FacetTraces),
                          sizeof(ContactMemory),
-                         sizeof(RareMemory),
+                         sizeof(ExtraMemory),
                          sizeof(BoundaryFace),
                          sizeof(Hole)};
 

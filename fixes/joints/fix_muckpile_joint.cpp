@@ -126,7 +126,7 @@ void FixMuckpileJoint::follow_blocks() {
   std::vector<BlockConstants> blocks;
   for (const BlockRecord& r : store_->records())
     blocks.push_back({r.tag, true, std::max(r.volume, 1e-300), r.mass, r.retired});
-  // Both ranks that know a facet ask for the volumes of its two blocks when it breaks.
+  // Both ranks that know a facet need the volumes of its two blocks when it breaks.
   std::vector<double> volumes(store_->halo().size(), 1.0);
   for (std::size_t b = 0; b < blocks.size(); ++b) volumes[b] = blocks[b].volume;
   store_->halo().forward(volumes, 1);
@@ -139,7 +139,7 @@ void FixMuckpileJoint::follow_blocks() {
   const int mine = network_.slanted() ? 1 : 0;
   int any = 0;
   MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
-  slanted_ = any != 0;
+  if (any != 0) network_.follow_leaning_faces();
 
   index_facets();
   loaded_.clear();
@@ -218,22 +218,16 @@ void FixMuckpileJoint::end_of_step() {
 
 void FixMuckpileJoint::add_forces(double dt) {
   gather_state();
-  compute_bulk_stresses(dt);
   if (gas_ != nullptr) gas_->fill_joints(network_, store_->halo());
-  network_.tractions(dt);
+  network_.step(dt, team());
   apply_forces();
 }
 
-void FixMuckpileJoint::compute_bulk_stresses(double dt) {
-  engine::BlockHalo& halo = store_->halo();
-  network_.dilatation(dt);
-  halo.forward(network_.theta().first(halo.size()), 1);
-  if (slanted_) {
-    halo.forward(network_.gradients(halo.size()), 9);
-    halo.forward(network_.slant_stresses(halo.size()), 9);
-  }
-  network_.bulk_stresses();
-  halo.forward(network_.bulk_stress().first(halo.size()), 1);
+RankTeam FixMuckpileJoint::team() const {
+  return {[this](std::span<double> values, std::size_t width) {
+            store_->halo().forward(values, width);
+          },
+          [this](double mine) { return sum(mine); }};
 }
 
 void FixMuckpileJoint::gather_state() {
@@ -277,8 +271,8 @@ void FixMuckpileJoint::apply_forces() {
 /// facet itself carries contact until it has slid by a tenth of its radius. On several ranks pairs
 /// that a facet holds are left out of the list at rank borders: when it lets go they are missed.
 void FixMuckpileJoint::ask_for_neighbours() {
-  cracked_since_build_ = cracked_since_build_ || network_.newly_cracked() ||
-                         (comm->nprocs > 1 && network_.newly_let_go());
+  cracked_since_build_ = cracked_since_build_ || network_.books().newly_cracked ||
+                         (comm->nprocs > 1 && network_.books().newly_let_go);
   if (update->ntimestep % kCheckEvery != 0) return;
   const bool unguarded = contact_check_ && !engine::has_contact_law(*lmp);
   int mine = unguarded && joint_let_go() ? 2 : cracked_since_build_ ? 1 : 0, any = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix muckpile/joint: what a script reads from it, and what it changes by fix_modify.
-// Scope: sums over ranks; nothing here runs unless asked for.
+// Scope: sums over ranks; nothing here runs in a step of its own accord.
 #include <mpi.h>
 
 #include <algorithm>
@@ -61,8 +61,7 @@ int FixMuckpileJoint::modify_param(int narg, char** arg) {
     std::optional<double> damping;
     if (damps) damping = parse_real(where, "damping", arg[3], "", Range::closed(0.0, 10.0));
     gather_state();
-    compute_bulk_stresses(0.0);
-    network_.soften(factor, damping);
+    network_.soften(factor, damping, team());
     ++softenings_;
     return 0;
   });

@@ -89,7 +89,7 @@ void FixMuckpileQuiet::init() {
   for (const std::string& region : regions_) engine::require_region(*lmp, where_, region);
 }
 
-/// Forces are up to date here, so what the supports carry now is known and can be held.
+/// Forces are up to date here, so what the supports carry now is known and can be carried on.
 void FixMuckpileQuiet::setup(int) {
   last_time_ = update->get_cur_time();
   if (begun_) return;

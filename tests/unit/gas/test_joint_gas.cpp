@@ -246,7 +246,7 @@ TEST(JointGas, PressurePushesBothBlocksApartWithItsTrueResultant) {
   pair.fill(1, 0.02);
   pair.gas.measure(pair.scene.network(), pair.fed);
   pair.gas.press(pair.scene.network());
-  pair.scene.network().tractions(0.0);
+  pair.scene.network().step(0.0);
   const auto gauge = [&](std::size_t b) { return pair.gas.pressure(pair.gas.cells()[b]) - 1e5; };
   const double expected = 0.5 * (gauge(0) + gauge(1));  // on 1 m2
   ASSERT_GT(expected, 1e6);
@@ -267,7 +267,7 @@ TEST(JointGas, ClosedJointCarriesTheRestOfTheLoad) {
   pair.gas.measure(pair.scene.network(), pair.fed);
   EXPECT_NEAR(pair.gas.cells()[0].volume, 0.5e-4, 1e-14);
   pair.gas.press(pair.scene.network());
-  pair.scene.network().tractions(0.0);
+  pair.scene.network().step(0.0);
   EXPECT_NEAR((pair.scene.network().force()[1].x() - contact) / pressure_at(0.002 / 0.5e-4), 1.0,
               1e-9);
 }
@@ -281,7 +281,7 @@ TEST(JointGas, IntactJointsHoldNoGas) {
   gas.measure(pair.network(), {});
   EXPECT_EQ(gas.cells()[0].volume, 0.0);
   gas.press(pair.network());
-  pair.network().tractions(0.0);
+  pair.network().step(0.0);
   EXPECT_EQ(pair.network().force()[0].norm(), 0.0);
 }
 

@@ -12,7 +12,7 @@ namespace {
 /// Coordinates of neighbouring blocks agree to about 1e-11 of their size.
 constexpr double kRounding = 1e-6;
 
-bool holds(const JointPlane& plane, const Facet& facet, const Vec3& centroid) {
+bool contains(const JointPlane& plane, const Facet& facet, const Vec3& centroid) {
   const Vec3 normal = plane.normal.normalized(), from = centroid - plane.point;
   return std::abs(normal.dot(from)) < kRounding * std::sqrt(facet.area) &&
          normal.cross(facet.normal).norm() < kRounding && from.norm() <= plane.radius;
@@ -33,8 +33,9 @@ std::size_t assign_joint_classes(const std::vector<JointPlane>& planes,
     if (facet.kind != FacetKind::joint) continue;
     const auto block = static_cast<std::size_t>(facet.tag_i - first_tag);
     const Vec3 centroid = blocks[block].mass.centroid + facet.arm_i;
-    const auto plane = std::find_if(planes.begin(), planes.end(),
-                                    [&](const JointPlane& p) { return holds(p, facet, centroid); });
+    const auto plane = std::find_if(planes.begin(), planes.end(), [&](const JointPlane& p) {
+      return contains(p, facet, centroid);
+    });
     if (plane == planes.end()) continue;
     facet.joint_class = plane->joint_class;
     ++count;

@@ -30,7 +30,7 @@ struct NaturalJoints {
   std::vector<JointPlane> planes;
 };
 
-/// Gives facets between blocks the class of the first plane that holds them: centroid and normal
+/// Gives facets between blocks the class of the first plane that contains them: centroid and normal
 /// in the plane to rounding. Tags are first_tag + block number. Returns how many got one.
 std::size_t assign_joint_classes(const std::vector<JointPlane>& planes,
                                  const std::vector<Block>& blocks, int first_tag,

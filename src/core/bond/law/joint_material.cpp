@@ -17,9 +17,6 @@ void require(bool holds, const char* rule, double value) {
   if (!holds) throw InputError(std::string(rule) + ", got '" + std::to_string(value) + "'");
 }
 
-/// a and b in series; an infinite b leaves a.
-double in_series(double a, double b) { return std::isinf(b) ? a : a * b / (a + b); }
-
 }  // namespace
 
 JointMaterial::JointMaterial(const JointParameters& parameters)
@@ -76,17 +73,8 @@ double JointMaterial::contact_damping_coefficient() const {
 }
 
 FacetStiffness JointMaterial::facet_stiffness(double h) const {
-  const double rock = 2.0 * shear_modulus_ / h;
-  const double uniaxial = p_wave_modulus() / h;
-  const double kn = parameters_.normal_stiffness;
-  FacetStiffness k{};
-  k.rock_share = std::isinf(kn) ? 1.0 : kn / (kn + uniaxial);
-  const double joint_share = 1.0 - k.rock_share;
-  const double joint_part = std::isinf(kn) ? 0.0 : kn * joint_share * joint_share;
-  k.normal = rock * k.rock_share * k.rock_share + joint_part;
-  k.shear = in_series(rock, parameters_.shear_stiffness);
-  k.contact = in_series(uniaxial, kn);
-  return k;
+  return joint_in_rock(2.0 * shear_modulus_ / h, p_wave_modulus() / h, parameters_.normal_stiffness,
+                       parameters_.shear_stiffness);
 }
 
 JointMaterial JointMaterial::with_joints(const JointClass& joint) const {

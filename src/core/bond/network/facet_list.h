@@ -13,7 +13,7 @@ namespace muckpile {
 
 class FacetNetwork;
 
-/// The facets of a network in their order, each put together when it is asked for.
+/// The facets of a network in their order, each assembled from the tables on access.
 class FacetList {
  public:
   explicit FacetList(const FacetNetwork& network) : network_(&network) {}
