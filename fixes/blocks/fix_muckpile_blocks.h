@@ -10,14 +10,15 @@
 #include <cstdint>
 #include <cstdio>
 #include <functional>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
 #include "bond/facet.h"
 #include "bond/network/facet_memory.h"
 #include "bond/network/network_block.h"
+#include "bond/network/stored_network.h"
 #include "fixes/engine/block_halo.h"
-#include "fixes/engine/exchange.h"
 #include "fixes/output/run_record.h"
 #include "geometry/block_model.h"
 
@@ -36,6 +37,15 @@ struct BlockRecord {
       Mat3::Identity();  ///< principal axes of inertia in the start configuration, columns
   RetiredFacets retired{};
 };
+template <>
+struct Stored<BlockRecord> {
+  static constexpr std::string_view kName = "block_record";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& record) {
+    return std::tie(record.tag, record.volume, record.mass, record.start, record.start_axes,
+                    record.retired);
+  }
+};
 
 /// The facets of a rank, what they remember, and the boundary faces. They are large, so there is
 /// only one copy: in fix muckpile/blocks while blocks migrate, otherwise with the FacetKeeper.
@@ -45,9 +55,48 @@ struct FacetLists {
   std::vector<BoundaryFace> faces;
 };
 
-/// A facet with all that it remembers, as bytes.
-void put(engine::ByteWriter& out, const Facet& facet, const FacetMemory& memory);
-[[nodiscard]] std::pair<Facet, FacetMemory> get_facet(engine::ByteReader& in);
+/// A facet with all that it remembers.
+struct FacetEntry {
+  Facet facet;
+  FacetMemory memory;
+};
+template <>
+struct Stored<FacetEntry> {
+  static constexpr std::string_view kName = "facet_entry";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& entry) { return std::tie(entry.facet, entry.memory); }
+};
+
+/// Blocks on their way to another rank, or into a restart file, with what is on them.
+struct BlocksShare {
+  std::vector<BlockRecord> records;
+  std::vector<BoundaryFace> faces;
+  std::vector<FacetEntry> facets;
+};
+template <>
+struct Stored<BlocksShare> {
+  static constexpr std::string_view kName = "blocks_share";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& share) { return std::tie(share.records, share.faces, share.facets); }
+};
+
+/// What a restart file holds of the fix that is the same on all ranks.
+struct BlocksState {
+  double time = 0.0;  ///< of the engine, which does not keep it [s]
+  int highest_joint_class = 0;
+  std::vector<Hole> holes;
+  int blocks_created = 0, facets_created = 0;
+  RecordedRun run;
+};
+template <>
+struct Stored<BlocksState> {
+  static constexpr std::string_view kName = "blocks_state";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& state) {
+    return std::tie(state.time, state.highest_joint_class, state.holes, state.blocks_created,
+                    state.facets_created, state.run);
+  }
+};
 
 /// Computes with the facets (fix muckpile/joint) and gives them back before blocks migrate.
 class FacetKeeper {
@@ -109,9 +158,8 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   [[nodiscard]] double take_given() { return std::exchange(given_, 0.0); }
 
  private:
-  using FacetEntry = std::pair<Facet, FacetMemory>;
-
-  void read_lists(engine::ByteReader& reader);
+  void keep_needed(BlocksShare&& share, const std::unordered_set<int>& here,
+                   std::vector<FacetEntry>& facets);
   void check_bodies();
 
   void synchronise();
@@ -121,11 +169,11 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   void drop_orphans(const std::vector<int>& tags, const engine::BlockDirectory& directory);
   void retire_into_record(const Facet& facet, int end);
   void migrate(const std::vector<int>& tags, const engine::BlockDirectory& directory);
-  [[nodiscard]] std::vector<std::vector<char>> pack_leaving(
-      const std::vector<int>& tags, const engine::BlockDirectory& directory);
+  [[nodiscard]] std::vector<ByteWriter> pack_leaving(const std::vector<int>& tags,
+                                                     const engine::BlockDirectory& directory);
   void keep_facets(const std::function<bool(std::size_t)>& needed);
   void add_facets(std::vector<FacetEntry> added);
-  void merge(const std::vector<int>& tags, const std::vector<std::vector<char>>& arrived);
+  void merge(const std::vector<int>& tags, std::vector<BlocksShare>& arrived);
   void index(const std::vector<int>& tags, const engine::BlockDirectory& directory);
 
   LAMMPS_NS::FixMultisphere* multisphere_;

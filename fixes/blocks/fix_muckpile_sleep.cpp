@@ -17,6 +17,7 @@
 #include <unordered_map>
 
 #include "fixes/engine/bodies.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
@@ -224,27 +225,22 @@ void FixMuckpileSleep::unpack_reverse_comm(int n, int* list, double* buffer) {
 }
 
 void FixMuckpileSleep::write_restart(FILE* file) {
-  engine::ByteWriter common, mine;
-  common.put(engine::total(*lmp, taken_));
-  mine.put_all(tags_);
-  mine.put_all(stays_);
-  mine.put_all(rests_);
-  engine::write_state(*lmp, style, file, common, mine);
+  ByteWriter mine;
+  for (std::size_t b = 0; b < tags_.size(); ++b)
+    mine.put(RestRecord{tags_[b], stays_[b], rests_[b] != 0});
+  const SleepState state{engine::sum_over_ranks(taken_, world)};
+  engine::write_state<RestRecord>(*lmp, style, file, state, std::move(mine));
 }
 
 /// Reads the states of all blocks; follow_bodies() then picks those of this rank.
-void FixMuckpileSleep::restart(char* state) {
-  engine::ByteReader reader = engine::read_state(state);
-  taken_ = engine::share_of_total(*lmp, reader.get<double>());
-  const auto append = [&reader]<class T>(std::vector<T>& all) {
-    const std::vector<T> part = reader.get_all<T>();
-    all.insert(all.end(), part.begin(), part.end());
-  };
-  while (!reader.empty()) {
-    append(tags_);
-    append(stays_);
-    append(rests_);
-  }
+void FixMuckpileSleep::restart(char* bytes) {
+  SleepState state;
+  engine::read_state<RestRecord>(*lmp, style, bytes, state, [this](const RestRecord& record) {
+    tags_.push_back(record.tag);
+    stays_.push_back(record.stay);
+    rests_.push_back(record.rests ? 1 : 0);
+  });
+  taken_ = engine::share_of_total(*lmp, state.taken);
 }
 
 int FixMuckpileSleep::modify_param(int, char** arg) {

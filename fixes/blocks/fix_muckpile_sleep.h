@@ -21,6 +21,30 @@ class FixMultisphere;
 
 namespace muckpile {
 
+/// What a restart file holds of a block.
+struct RestRecord {
+  int tag = 0;
+  Stillness stay;
+  bool rests = false;
+};
+template <>
+struct Stored<RestRecord> {
+  static constexpr std::string_view kName = "rest_record";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& record) { return std::tie(record.tag, record.stay, record.rests); }
+};
+
+/// What a restart file holds that is the same on all ranks.
+struct SleepState {
+  double taken = 0.0;  ///< [J]
+};
+template <>
+struct Stored<SleepState> {
+  static constexpr std::string_view kName = "sleep_state";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& state) { return std::tie(state.taken); }
+};
+
 class FixMuckpileSleep : public LAMMPS_NS::Fix, public RestingBlocks {
  public:
   FixMuckpileSleep(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);

@@ -62,7 +62,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
   void* extract(const char* name, int& dim) override;
 
   void store_contacts(FixMuckpileContactHistory& history) override;
-  [[nodiscard]] Losses& losses() override { return losses_; }
+  [[nodiscard]] ContactLosses& losses() override { return losses_; }
 
   void mark_near(std::span<const char> from, std::span<char> to) const override;
 
@@ -159,7 +159,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
   std::vector<FixMuckpileContactHistory::Record> records_;
   ContactSums last_;  ///< of the last step, without what is left alone
   Ledger ledger_;
-  Losses losses_;
+  ContactLosses losses_;
 };
 
 }  // namespace muckpile

@@ -13,8 +13,10 @@
 #include <cstdio>
 #include <cstring>
 #include <numeric>
+#include <utility>
 
 #include "args/numbers.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
@@ -41,12 +43,6 @@ enum Output {
 
 std::string where_of(int narg, char** arg) {
   return std::string("fix muckpile/blast '") + (narg > 0 ? arg[0] : "") + "'";
-}
-
-double sum_over_ranks(MPI_Comm world, double value) {
-  double sum = 0.0;
-  MPI_Allreduce(&value, &sum, 1, MPI_DOUBLE, MPI_SUM, world);
-  return sum;
 }
 
 std::vector<Hole> holes_of(const BlastSurface& surface) {
@@ -135,9 +131,7 @@ void FixMuckpileBlast::require_fired(double bearable) const {
 double FixMuckpileBlast::greatest_pressure() const {
   double greatest = 0.0;
   for (const double pressure : pressures_) greatest = std::max(greatest, pressure);
-  double result = 0.0;
-  MPI_Allreduce(&greatest, &result, 1, MPI_DOUBLE, MPI_MAX, world);
-  return result;
+  return engine::greatest_over_ranks(greatest, world);
 }
 
 FixMuckpileBlast* FixMuckpileBlast::find(LAMMPS_NS::LAMMPS& lmp) {
@@ -212,8 +206,7 @@ void FixMuckpileBlast::check_walls() const {
     const double along = (face.start_point - hole.toe).dot(axis) / axis.squaredNorm();
     if (along > kEnd && along < 1.0 - kEnd) area[static_cast<std::size_t>(face.hole)] += face.area;
   }
-  MPI_Allreduce(MPI_IN_PLACE, area.data(), static_cast<int>(area.size()), MPI_DOUBLE, MPI_SUM,
-                world);
+  engine::sum_over_ranks_in_place(area, world);
   for (std::size_t h = 0; h < area.size(); ++h) {
     const Hole& hole = surface_->hole(static_cast<int>(h));
     const double share = area[h] / (2.0 * M_PI * hole.radius * hole_length(hole));
@@ -263,8 +256,7 @@ void FixMuckpileBlast::refresh_arrivals() {
 
 void FixMuckpileBlast::sum_swept_volumes() {
   surface_->swept_volume(swept_);
-  MPI_Allreduce(MPI_IN_PLACE, swept_.data(), static_cast<int>(swept_.size()), MPI_DOUBLE, MPI_SUM,
-                world);
+  engine::sum_over_ranks_in_place(swept_, world);
 }
 
 void FixMuckpileBlast::advance_gas() {
@@ -327,8 +319,8 @@ FixMuckpileBlast::Energies FixMuckpileBlast::energies() const {
   Energies energies;
   for (const ChargeEnergy& charge : charges_) energies.explosive += charge.energy;
   if (const BlastSurface* surface = find_surface()) {
-    energies.wave = sum_over_ranks(world, surface->wave_work());
-    energies.gas = sum_over_ranks(world, surface->pressure_work()) - energies.wave;
+    energies.wave = engine::sum_over_ranks(surface->wave_work(), world);
+    energies.gas = engine::sum_over_ranks(surface->pressure_work(), world) - energies.wave;
   }
   return energies;
 }
@@ -344,7 +336,7 @@ double FixMuckpileBlast::compute_vector(int index) {
     case kSweptVolume:
       return std::accumulate(swept_.begin(), swept_.end(), 0.0);
     case kWork:
-      return sum_over_ranks(world, surface->pressure_work());
+      return engine::sum_over_ranks(surface->pressure_work(), world);
     case kActiveHoles:
       return active_holes_;
     case kOver:
@@ -366,26 +358,20 @@ double FixMuckpileBlast::compute_vector(int index) {
 }
 
 void FixMuckpileBlast::write_restart(FILE* file) {
-  engine::ByteWriter state;
-  state.put(clock_started_ ? clock() : clock_restarted_);
-  state.put_all(swept_);
-  state.put_all(states_);
-  state.put_all(hole_over_);
-  state.put(over_);
-  state.put(walls_checked_);
-  state.put(softened_);
+  const double now = clock_started_ ? clock() : clock_restarted_;
+  const BlastState state{now, swept_, states_, hole_over_, over_, walls_checked_, softened_};
   engine::write_state(*lmp, style, file, state);
 }
 
-void FixMuckpileBlast::restart(char* state) {
-  engine::ByteReader reader = engine::read_state(state);
-  clock_restarted_ = reader.get<double>();
-  swept_ = reader.get_all<double>();
-  states_ = reader.get_all<GasState>();
-  hole_over_ = reader.get_all<char>();
-  over_ = reader.get<bool>();
-  walls_checked_ = reader.get<bool>();
-  softened_ = reader.get<double>();
+void FixMuckpileBlast::restart(char* bytes) {
+  auto state = engine::read_state<BlastState>(*lmp, style, bytes);
+  clock_restarted_ = state.clock;
+  swept_ = std::move(state.swept);
+  states_ = std::move(state.gas);
+  hole_over_ = std::move(state.hole_over);
+  over_ = state.over;
+  walls_checked_ = state.walls_checked;
+  softened_ = state.softened;
 }
 
 }  // namespace muckpile

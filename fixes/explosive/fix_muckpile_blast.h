@@ -13,8 +13,28 @@
 #include "explosive/hole_loads.h"
 #include "fixes/interfaces/blast_surface.h"
 #include "gas/joint_gas.h"
+#include "state/encoding.h"
 
 namespace muckpile {
+
+/// What a restart file holds of the fix.
+struct BlastState {
+  double clock = 0.0;           ///< since the first run with the fix [s]
+  std::vector<double> swept;    ///< per hole [m3]
+  std::vector<GasState> gas;    ///< per hole
+  std::vector<char> hole_over;  ///< per hole
+  bool over = false, walls_checked = false;
+  double softened = 1.0;  ///< [-]
+};
+template <>
+struct Stored<BlastState> {
+  static constexpr std::string_view kName = "blast_state";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& state) {
+    return std::tie(state.clock, state.swept, state.gas, state.hole_over, state.over,
+                    state.walls_checked, state.softened);
+  }
+};
 
 class FixMuckpileBlast : public LAMMPS_NS::Fix {
  public:

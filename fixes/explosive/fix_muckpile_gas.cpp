@@ -189,20 +189,22 @@ std::unordered_map<int, GasContent> FixMuckpileGas::contents_here(const std::vec
   int rank = 0, ranks = 1;
   MPI_Comm_rank(world, &rank);
   MPI_Comm_size(world, &ranks);
-  std::vector<engine::ByteWriter> outgoing(static_cast<std::size_t>(ranks));
+  std::vector<ByteWriter> outgoing(static_cast<std::size_t>(ranks));
   for (std::size_t k = 0; k < with_gas.size(); ++k) {
     const GasContent content = all[with_gas[k]];
     if (owners[k] < 0) lost_ += content.mass;
     if (owners[k] < 0 || owners[k] == rank) continue;
-    outgoing[static_cast<std::size_t>(owners[k])].put(with_gas[k]);
-    outgoing[static_cast<std::size_t>(owners[k])].put(content);
+    outgoing[static_cast<std::size_t>(owners[k])].put(BlockGas{with_gas[k], content});
   }
-  for (const auto& part : engine::exchange_bytes(engine::bytes_of(outgoing), world)) {
-    for (engine::ByteReader reader(part); !reader.empty();) {
-      const int tag = reader.get<int>();
-      all[tag] = reader.get<GasContent>();
-    }
-  }
+  engine::or_engine_error(*lmp, where_, [&] {
+    engine::exchange_messages(outgoing, world, [&all](ByteReader& in, std::size_t) {
+      while (!in.empty()) {
+        const auto arrived = in.get<BlockGas>();
+        all[arrived.tag] = arrived.content;
+      }
+    });
+    return 0;
+  });
   return all;
 }
 
@@ -316,45 +318,39 @@ void FixMuckpileGas::look_whether_spent() {
 }
 
 void FixMuckpileGas::write_restart(FILE* file) {
-  engine::ByteWriter common, mine;
-  common.put(active_);
-  common.put(spent_);
-  common.put_all(fed_);
-  common.put(taken_);
-  common.put(vented_);
-  common.put(over_ranks(lost_));
-  common.put(over_ranks(work_));
-  common.put(softened_);
-  common.put(greatest_pressure());
-  for (std::size_t b = 0; b < tags_.size(); ++b) {
-    mine.put(tags_[b]);
-    mine.put(gas_.cells()[b].content);
-  }
+  const JointGasState state{active_,
+                            spent_,
+                            fed_,
+                            taken_,
+                            vented_,
+                            over_ranks(lost_),
+                            over_ranks(work_),
+                            softened_,
+                            greatest_pressure()};
+  ByteWriter mine;
+  for (std::size_t b = 0; b < tags_.size(); ++b)
+    mine.put(BlockGas{tags_[b], gas_.cells()[b].content});
   // Between read_restart and the first run every rank has the gas of all blocks.
   for (const auto& [tag, content] : restored_) {
-    if (comm->me != 0) break;
-    mine.put(tag);
-    mine.put(content);
+    if (comm->me == 0) mine.put(BlockGas{tag, content});
   }
-  engine::write_state(*lmp, style, file, common, mine);
+  engine::write_state<BlockGas>(*lmp, style, file, state, std::move(mine));
 }
 
 /// The contents of all blocks, until follow_blocks() picks those of this rank.
-void FixMuckpileGas::restart(char* state) {
-  engine::ByteReader reader = engine::read_state(state);
-  active_ = reader.get<bool>();
-  spent_ = reader.get<bool>();
-  fed_ = reader.get_all<char>();
-  taken_ = reader.get<double>();
-  vented_ = reader.get<double>();
-  lost_ = engine::share_of_total(*lmp, reader.get<double>());
-  work_ = engine::share_of_total(*lmp, reader.get<double>());
-  softened_ = reader.get<double>();
-  restored_pressure_ = reader.get<double>();
-  while (!reader.empty()) {
-    const int tag = reader.get<int>();
-    restored_[tag] = reader.get<GasContent>();
-  }
+void FixMuckpileGas::restart(char* bytes) {
+  JointGasState state;
+  engine::read_state<BlockGas>(*lmp, style, bytes, state,
+                               [this](const BlockGas& gas) { restored_[gas.tag] = gas.content; });
+  active_ = state.active;
+  spent_ = state.spent;
+  fed_ = std::move(state.fed);
+  taken_ = state.taken;
+  vented_ = state.vented;
+  lost_ = engine::share_of_total(*lmp, state.lost);
+  work_ = engine::share_of_total(*lmp, state.work);
+  softened_ = state.softened;
+  restored_pressure_ = state.greatest_pressure;
 }
 
 double FixMuckpileGas::over_ranks(double mine, bool greatest) const {

@@ -14,11 +14,43 @@
 
 #include "fixes/interfaces/joint_pressure.h"
 #include "gas/joint_gas.h"
+#include "state/encoding.h"
 
 namespace muckpile {
 
 class FixMuckpileBlast;
 class FixMuckpileJoint;
+
+/// The gas of a block, on its way to another rank or into a restart file.
+struct BlockGas {
+  int tag = 0;
+  GasContent content;
+};
+template <>
+struct Stored<BlockGas> {
+  static constexpr std::string_view kName = "block_gas";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& gas) { return std::tie(gas.tag, gas.content); }
+};
+
+/// What a restart file holds of the fix that is the same on all ranks.
+struct JointGasState {
+  bool active = false, spent = false;
+  std::vector<char> fed;                         ///< per hole
+  double taken = 0.0, vented = 0.0, lost = 0.0;  ///< [kg]
+  double work = 0.0;                             ///< [J]
+  double softened = 1.0;                         ///< [-]
+  double greatest_pressure = 0.0;                ///< [Pa]
+};
+template <>
+struct Stored<JointGasState> {
+  static constexpr std::string_view kName = "joint_gas_state";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& state) {
+    return std::tie(state.active, state.spent, state.fed, state.taken, state.vented, state.lost,
+                    state.work, state.softened, state.greatest_pressure);
+  }
+};
 
 class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure {
  public:

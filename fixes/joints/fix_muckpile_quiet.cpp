@@ -12,6 +12,7 @@
 #include <cstdio>
 
 #include "args/numbers.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/region.h"
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
@@ -89,11 +90,12 @@ void FixMuckpileQuiet::init() {
 /// Forces are up to date here, so what the supports carry now is known and can be held.
 void FixMuckpileQuiet::setup(int) {
   last_time_ = update->get_cur_time();
-  if (begun_) return;
-  begun_ = true;
+  if (state_.begun) return;
+  state_.begun = true;
   const auto mine =
       supports_->let_ground_yield([this](const Vec3& at) { return chosen(at); }, rock_behind_);
-  const double count = sum(mine.count), area = sum(mine.area);
+  const double count = engine::sum_over_ranks(mine.count, world);
+  const double area = engine::sum_over_ranks(mine.area, world);
   if (count == 0.0) {
     engine::stop(*lmp, where_ +
                            ": its regions must hold supports (create_blocks ... support "
@@ -112,58 +114,40 @@ bool FixMuckpileQuiet::chosen(const Vec3& centroid) const {
 }
 
 void FixMuckpileQuiet::end_of_step() {
-  if (!over_) look();
+  if (!state_.over) look();
 }
 
 void FixMuckpileQuiet::look() {
-  const double time = update->get_cur_time(), radiated = sum(supports_->energy_radiated());
-  power_ = time > last_time_ ? (radiated - last_radiated_) / (time - last_time_) : 0.0;
-  greatest_power_ = std::max(greatest_power_, power_);
+  const double time = update->get_cur_time(),
+               radiated = engine::sum_over_ranks(supports_->energy_radiated(), world);
+  state_.power = time > last_time_ ? (radiated - state_.last_radiated) / (time - last_time_) : 0.0;
+  state_.greatest_power = std::max(state_.greatest_power, state_.power);
   last_time_ = time;
-  last_radiated_ = radiated;
+  state_.last_radiated = radiated;
   if (time >= until_) return stop("until is reached");
-  if (greatest_power_ > 0.0 && power_ < power_share_ * greatest_power_)
+  if (state_.greatest_power > 0.0 && state_.power < power_share_ * state_.greatest_power)
     return stop("the wave has passed");
-  if (sum(supports_->supports_yielding()) == 0.0) stop("no support yields any more");
+  if (engine::sum_over_ranks(supports_->supports_yielding(), world) == 0.0)
+    stop("no support yields any more");
 }
 
 void FixMuckpileQuiet::stop(const std::string& why) {
-  over_ = true;
-  power_ = 0.0;
+  state_.over = true;
+  state_.power = 0.0;
   supports_->stop_ground();
   engine::print_once(*lmp, where_ + ": the ground stands still from " +
                                number_text(update->get_cur_time()) + " s on: " + why + "\n");
 }
 
-/// The motion of the ground is in the state of the joints.
-void FixMuckpileQuiet::write_restart(FILE* file) {
-  engine::ByteWriter state;
-  state.put(begun_);
-  state.put(over_);
-  state.put(power_);
-  state.put(greatest_power_);
-  state.put(last_radiated_);
-  engine::write_state(*lmp, style, file, state);
-}
+void FixMuckpileQuiet::write_restart(FILE* file) { engine::write_state(*lmp, style, file, state_); }
 
 void FixMuckpileQuiet::restart(char* state) {
-  engine::ByteReader reader = engine::read_state(state);
-  begun_ = reader.get<bool>();
-  over_ = reader.get<bool>();
-  power_ = reader.get<double>();
-  greatest_power_ = reader.get<double>();
-  last_radiated_ = reader.get<double>();
-}
-
-double FixMuckpileQuiet::sum(double mine) const {
-  double all = 0.0;
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  return all;
+  state_ = engine::read_state<QuietState>(*lmp, style, state);
 }
 
 double FixMuckpileQuiet::compute_scalar() {
   const YieldingSupports* supports = find_supports();
-  return supports == nullptr ? 0.0 : sum(supports->energy_given());
+  return supports == nullptr ? 0.0 : engine::sum_over_ranks(supports->energy_given(), world);
 }
 
 double FixMuckpileQuiet::compute_vector(int n) {
@@ -171,13 +155,13 @@ double FixMuckpileQuiet::compute_vector(int n) {
   if (supports == nullptr) return 0.0;
   switch (n) {
     case kYielding:
-      return sum(supports->supports_yielding());
+      return engine::sum_over_ranks(supports->supports_yielding(), world);
     case kRadiated:
-      return sum(supports->energy_radiated());
+      return engine::sum_over_ranks(supports->energy_radiated(), world);
     case kPower:
-      return power_;
+      return state_.power;
     case kOver:
-      return over_ ? 1.0 : 0.0;
+      return state_.over ? 1.0 : 0.0;
     default:
       return 0.0;
   }

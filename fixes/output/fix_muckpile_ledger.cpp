@@ -20,6 +20,7 @@
 #include "fixes/blocks/fix_muckpile_blocks.h"
 #include "fixes/blocks/fix_muckpile_sleep.h"
 #include "fixes/engine/bodies.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
@@ -112,9 +113,9 @@ void FixMuckpileLedger::take_in_new_blocks() {
     potential -= bodies.mass(b) * g.dot(bodies.centre(b));
     last = std::max(last, bodies.tag(b));
   }
-  start_gravity_ += engine::total(*lmp, potential);
-  largest_ = std::max(largest_, engine::total(*lmp, creep));
-  MPI_Allreduce(&last, &last_tag_, 1, MPI_INT, MPI_MAX, world);
+  start_gravity_ += engine::sum_over_ranks(potential, world);
+  largest_ = std::max(largest_, engine::sum_over_ranks(creep, world));
+  last_tag_ = engine::greatest_over_ranks(last, world);
 }
 
 void FixMuckpileLedger::book_given(double energy) {
@@ -195,7 +196,7 @@ double FixMuckpileLedger::out_of_balance() {
   const EnergyLedger& now = ledger();
   const double apart = std::abs(now.residual() - start_residual_);
   if (walls_may_move_) return apart;
-  return std::max(apart, engine::total(*lmp, walls_before_) - now.walls);
+  return std::max(apart, engine::sum_over_ranks(walls_before_, world) - now.walls);
 }
 
 double FixMuckpileLedger::balance_error() {
@@ -220,34 +221,31 @@ double FixMuckpileLedger::fastest_block() {
 }
 
 void FixMuckpileLedger::write_restart(FILE* file) {
-  engine::ByteWriter state;
-  state.put(started_);
-  state.put(start_residual_);
-  state.put(start_gravity_);
-  state.put(largest_);
-  state.put(last_tag_);
-  state.put(engine::total(*lmp, sphere_work_));
-  state.put(engine::total(*lmp, contact_work_));
-  state.put(engine::total(*lmp, walls_before_));
-  for (const double losses : former_losses_) state.put(engine::total(*lmp, losses));
-  state.put(engine::total(*lmp, given_));
-  state.put(engine::total(*lmp, sleep_ != nullptr ? sleep_->energy_taken() : laid_to_rest_));
+  const auto total = [this](double mine) { return engine::sum_over_ranks(mine, world); };
+  LedgerState state{started_, start_residual_, start_gravity_, largest_, last_tag_};
+  state.sphere_work = total(sphere_work_);
+  state.contact_work = total(contact_work_);
+  state.walls_before = total(walls_before_);
+  std::ranges::transform(former_losses_, state.former_losses.begin(), total);
+  state.given = total(given_);
+  state.laid_to_rest = total(sleep_ != nullptr ? sleep_->energy_taken() : laid_to_rest_);
   engine::write_state(*lmp, style, file, state);
 }
 
-void FixMuckpileLedger::restart(char* state) {
-  engine::ByteReader reader = engine::read_state(state);
-  started_ = reader.get<bool>();
-  start_residual_ = reader.get<double>();
-  start_gravity_ = reader.get<double>();
-  largest_ = reader.get<double>();
-  last_tag_ = reader.get<int>();
-  sphere_work_ = engine::share_of_total(*lmp, reader.get<double>());
-  contact_work_ = engine::share_of_total(*lmp, reader.get<double>());
-  walls_before_ = engine::share_of_total(*lmp, reader.get<double>());
-  for (double& losses : former_losses_) losses = engine::share_of_total(*lmp, reader.get<double>());
-  given_ = engine::share_of_total(*lmp, reader.get<double>());
-  laid_to_rest_ = engine::share_of_total(*lmp, reader.get<double>());
+void FixMuckpileLedger::restart(char* bytes) {
+  const auto state = engine::read_state<LedgerState>(*lmp, style, bytes);
+  const auto share = [this](double all) { return engine::share_of_total(*lmp, all); };
+  started_ = state.started;
+  start_residual_ = state.start_residual;
+  start_gravity_ = state.start_gravity;
+  largest_ = state.largest;
+  last_tag_ = state.last_tag;
+  sphere_work_ = share(state.sphere_work);
+  contact_work_ = share(state.contact_work);
+  walls_before_ = share(state.walls_before);
+  std::ranges::transform(state.former_losses, former_losses_.begin(), share);
+  given_ = share(state.given);
+  laid_to_rest_ = share(state.laid_to_rest);
 }
 
 double FixMuckpileLedger::compute_scalar() { return balance_error(); }

@@ -8,6 +8,8 @@
 
 #include <array>
 
+#include "state/encoding.h"
+
 namespace LAMMPS_NS {
 class FixGravity;
 class FixMultisphere;
@@ -34,6 +36,26 @@ struct EnergyLedger {
     return kinetic + joint_elastic + contact_elastic + gravity + fracture + joint_friction +
            joint_damping + contact_friction + contact_damping + walls + quiet + sleep - blast_work -
            given;
+  }
+};
+
+/// What a restart file holds of the fix; works and losses are sums over ranks [J].
+struct LedgerState {
+  bool started = false;
+  double start_residual = 0.0, start_gravity = 0.0, largest = 0.0;
+  int last_tag = 0;
+  double sphere_work = 0.0, contact_work = 0.0, walls_before = 0.0;
+  std::array<double, 2> former_losses{};
+  double given = 0.0, laid_to_rest = 0.0;
+};
+template <>
+struct Stored<LedgerState> {
+  static constexpr std::string_view kName = "ledger_state";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& state) {
+    return std::tie(state.started, state.start_residual, state.start_gravity, state.largest,
+                    state.last_tag, state.sphere_work, state.contact_work, state.walls_before,
+                    state.former_losses, state.given, state.laid_to_rest);
   }
 };
 

@@ -281,13 +281,11 @@ void FixMuckpileProgress::say(const Look& now) const {
 }
 
 void FixMuckpileProgress::write_restart(FILE* file) {
-  engine::ByteWriter state;
-  state.put(MPI_Wtime() - wall_start_);
-  engine::write_state(*lmp, style, file, state);
+  engine::write_state(*lmp, style, file, ProgressState{MPI_Wtime() - wall_start_});
 }
 
 void FixMuckpileProgress::restart(char* state) {
-  wall_start_ -= engine::read_state(state).get<double>();
+  wall_start_ -= engine::read_state<ProgressState>(*lmp, style, state).wall_clock;
   read_at_ = update->ntimestep;
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "fixes/interfaces/state_writer.h"
+#include "state/encoding.h"
 
 namespace muckpile {
 
@@ -18,6 +19,17 @@ class Bodies;
 class FixMuckpileBlocks;
 class FixMuckpileJoint;
 class FixMuckpileLedger;
+
+/// What a restart file holds of the fix.
+struct ProgressState {
+  double wall_clock = 0.0;  ///< that the run has taken so far [s]
+};
+template <>
+struct Stored<ProgressState> {
+  static constexpr std::string_view kName = "progress_state";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& state) { return std::tie(state.wall_clock); }
+};
 
 class FixMuckpileProgress : public LAMMPS_NS::Fix, public StateWriter {
  public:

@@ -16,6 +16,7 @@
 #include "args/numbers.h"
 #include "fixes/blocks/fix_multisphere_muckpile.h"
 #include "fixes/engine/bodies.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
@@ -161,10 +162,10 @@ void FixMuckpileTimestep::look_at_joints() {
 void FixMuckpileTimestep::look_at_contacts() {
   int dimension = 0;
   const void* found = force->pair == nullptr ? nullptr : force->pair->extract("steps_s", dimension);
-  std::array<double, kContactSteps> mine{};
+  std::array<double, kContactSteps>& mine = look_.contact_steps;
   mine.fill(kInfinity);
   if (found != nullptr) std::copy_n(static_cast<const double*>(found), mine.size(), mine.begin());
-  MPI_Allreduce(mine.data(), look_.contact_steps.data(), kContactSteps, MPI_DOUBLE, MPI_MIN, world);
+  engine::least_over_ranks_in_place(mine, world);
   if (settings_.collision_speed > 0.0) look_for_fastest_block();
 }
 
@@ -172,7 +173,7 @@ void FixMuckpileTimestep::look_for_fastest_block() {
   const engine::Bodies bodies(*engine::find_multisphere(*lmp));
   double fastest = 0.0;
   for (int b = 0; b < bodies.count(); ++b) fastest = std::max(fastest, bodies.velocity(b).norm());
-  MPI_Allreduce(&fastest, &look_.fastest, 1, MPI_DOUBLE, MPI_MAX, world);
+  look_.fastest = engine::greatest_over_ranks(fastest, world);
 }
 
 /// Blocks without joints have their contacts alone. At worst a joined block has the stiffest
@@ -274,22 +275,17 @@ int FixMuckpileTimestep::modify_param(int narg, char** arg) {
 }
 
 void FixMuckpileTimestep::write_restart(FILE* file) {
-  engine::ByteWriter state;
-  state.put(
-      Then{settings_, update->dt, update->whichflag != 0 && update->ntimestep < update->laststep});
-  state.put(look_);
-  state.put(changes_);
-  state.put(products_);
+  const bool within_run = update->whichflag != 0 && update->ntimestep < update->laststep;
+  const StepState state{settings_, update->dt, within_run, look_, changes_, products_};
   engine::write_state(*lmp, style, file, state);
 }
 
 /// The joints have been read before: what changes their stiffness from here on is new.
-void FixMuckpileTimestep::restart(char* state) {
-  engine::ByteReader in = engine::read_state(state);
-  then_ = in.get<Then>();
-  look_ = in.get<Look>();
-  changes_ = in.get<int>();
-  products_ = in.get<int>();
+void FixMuckpileTimestep::restart(char* bytes) {
+  then_ = engine::read_state<StepState>(*lmp, style, bytes);
+  look_ = then_.look;
+  changes_ = then_.changes;
+  products_ = then_.products;
   read_at_ = update->ntimestep;
   update->dt = then_.step;
   find_joints();

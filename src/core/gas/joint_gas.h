@@ -19,6 +19,7 @@
 
 #include "bond/network/facet_network.h"
 #include "gas/crack_flow.h"
+#include "state/encoding.h"
 
 namespace muckpile {
 
@@ -26,6 +27,12 @@ namespace muckpile {
 struct GasContent {
   double mass = 0.0;     ///< [kg]
   double entropy = 0.0;  ///< sum of mass x K of what came in, p = K rho^gamma
+};
+template <>
+struct Stored<GasContent> {
+  static constexpr std::string_view kName = "gas_content";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& gas) { return std::tie(gas.mass, gas.entropy); }
 };
 
 /// Numbers of a block that its neighbours need.

@@ -155,7 +155,7 @@ struct FieldEncoding<std::tuple<Field&...>> {
   static constexpr std::size_t kLeast = (std::size_t{0} + ... + Encoding<Field>::kLeast);
   static std::string layout() {
     std::string all;
-    ((all += (all.empty() ? "" : " ") + layout_of<Field>()), ...);
+    ((all.append(all.empty() ? "" : " ").append(layout_of<Field>())), ...);
     return all;
   }
   static void list(StoredTypes& types) { (Encoding<Field>::list(types), ...); }

@@ -23,7 +23,8 @@ std::string version_text(const StoredType& type) {
 
 void require_same(const StoredType& here, const StoredTypes& in_file) {
   const auto found = std::ranges::find(in_file, here.name, &StoredType::name);
-  const std::string expected = "'" + here.name + "': " + version_text(here) + " expected, ";
+  const std::string expected =
+      std::string("'") + here.name + "': " + version_text(here) + " expected, ";
   if (found == in_file.end()) throw StateError(expected + "none in the file");
   if (found->version != here.version)
     throw StateError(expected + version_text(*found) + " in the file");
