@@ -16,8 +16,9 @@
 #include <vector>
 
 #include "fixes/engine/bodies.h"
+#include "fixes/engine/find_view.h"
 #include "fixes/engine/style_args.h"
-#include "fixes/joints/fix_muckpile_joint.h"
+#include "fixes/interfaces/acting_joints.h"
 #include "partition/even_cuts.h"
 
 namespace muckpile {
@@ -31,16 +32,8 @@ constexpr double kJointCost = 0.2;
 
 std::vector<double> block_costs(LAMMPS_NS::LAMMPS& lmp, int blocks) {
   std::vector<double> costs(static_cast<std::size_t>(blocks), 1.0);
-  const auto* joint =
-      dynamic_cast<FixMuckpileJoint*>(lmp.modify->find_fix_style_strict("muckpile/joint", 0));
-  if (joint == nullptr) return costs;
-  const FacetNetwork& network = joint->network();
-  for (std::size_t f = 0; f < network.facet_count(); ++f) {
-    if (network.states()[f] == FacetState::retired || network.traces()[f].open) continue;
-    const FacetEnds ends = network.ends(f);
-    for (const int block : {ends.i, ends.j})
-      if (block < blocks) costs[static_cast<std::size_t>(block)] += kJointCost;
-  }
+  if (const auto* joints = engine::find_view<ActingJoints>(lmp))
+    joints->add_cost_of_joints(costs, kJointCost);
   return costs;
 }
 

@@ -18,8 +18,10 @@
 #include "bond/network/facet_memory.h"
 #include "bond/network/network_block.h"
 #include "bond/network/stored_network.h"
-#include "fixes/engine/block_halo.h"
-#include "fixes/output/run_record.h"
+#include "fixes/interfaces/facet_store.h"
+#include "fixes/interfaces/given_energy.h"
+#include "fixes/interfaces/known_blocks.h"
+#include "fixes/interfaces/recorded_run_holder.h"
 #include "geometry/block_model.h"
 
 namespace LAMMPS_NS {
@@ -27,33 +29,6 @@ class FixMultisphere;
 }
 
 namespace muckpile {
-
-struct BlockRecord {
-  int tag = 0;
-  double volume = 0.0;        ///< of the polyhedron [m3]
-  double mass = 0.0;          ///< [kg]
-  Vec3 start = Vec3::Zero();  ///< centroid in the start configuration [m]
-  Mat3 start_axes =
-      Mat3::Identity();  ///< principal axes of inertia in the start configuration, columns
-  RetiredFacets retired{};
-};
-template <>
-struct Stored<BlockRecord> {
-  static constexpr std::string_view kName = "block_record";
-  static constexpr int kVersion = 1;
-  static auto fields(auto& record) {
-    return std::tie(record.tag, record.volume, record.mass, record.start, record.start_axes,
-                    record.retired);
-  }
-};
-
-/// The facets of a rank, what they remember, and the boundary faces. They are large, so there is
-/// only one copy: in fix muckpile/blocks while blocks migrate, otherwise with the FacetKeeper.
-struct FacetLists {
-  std::vector<Facet> facets;
-  std::vector<FacetMemory> memory;
-  std::vector<BoundaryFace> faces;
-};
 
 /// A facet with all that it remembers.
 struct FacetEntry {
@@ -98,16 +73,11 @@ struct Stored<BlocksState> {
   }
 };
 
-/// Computes with the facets (fix muckpile/joint) and gives them back before blocks migrate.
-class FacetKeeper {
- public:
-  virtual ~FacetKeeper() = default;
-  [[nodiscard]] virtual FacetLists copy() const = 0;
-  [[nodiscard]] virtual FacetLists hand_back() = 0;
-  virtual void store_is_gone() = 0;  ///< called when fix muckpile/blocks is deleted first
-};
-
-class FixMuckpileBlocks : public LAMMPS_NS::Fix {
+class FixMuckpileBlocks : public LAMMPS_NS::Fix,
+                          public KnownBlocks,
+                          public FacetStore,
+                          public GivenEnergy,
+                          public RecordedRunHolder {
  public:
   FixMuckpileBlocks(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
   ~FixMuckpileBlocks() override;
@@ -125,37 +95,30 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   /// The store of this run, nullptr before create_blocks.
   [[nodiscard]] static FixMuckpileBlocks* find(LAMMPS_NS::LAMMPS& lmp);
   static FixMuckpileBlocks& find_or_make(LAMMPS_NS::LAMMPS& lmp);
-  /// True if the blocks came from a restart file.
-  [[nodiscard]] bool restored() const { return restored_; }
-  [[nodiscard]] RunRecord& record() { return record_; }
 
   /// Takes the blocks that this rank creates, with every facet that one of them has.
   void add(const std::vector<BlockRecord>& records, const std::vector<Facet>& facets,
            const std::vector<BoundaryFace>& faces, const std::vector<Hole>& holes, int blocks_all);
 
-  void set_keeper(FacetKeeper* keeper);
-  /// Moves the facets to the keeper.
-  [[nodiscard]] FacetLists hand_over();
+  [[nodiscard]] const std::vector<BlockRecord>& records() const override { return records_; }
+  [[nodiscard]] const std::vector<Hole>& holes() const override { return holes_; }
+  [[nodiscard]] const std::string& run_id() const override { return record_.id(); }
+  [[nodiscard]] int blocks_created() const override { return blocks_created_; }
+  [[nodiscard]] int blocks_lost_before() const override { return lost_before_; }
+  [[nodiscard]] int facets_created() const override { return facets_created_; }
 
-  /// Grows whenever positions, facets or faces changed.
-  [[nodiscard]] std::uint64_t version() const { return version_; }
-  /// In the order of the multisphere bodies.
-  [[nodiscard]] const std::vector<BlockRecord>& records() const { return records_; }
-  /// Highest joint class of a facet of this rank so far.
-  [[nodiscard]] int highest_joint_class() const { return highest_joint_class_; }
-  [[nodiscard]] const std::vector<Hole>& holes() const { return holes_; }
-  /// Tags of the copies of other ranks' blocks, in halo order after the owned ones.
-  [[nodiscard]] const std::vector<int>& copy_tags() const { return copy_tags_; }
-  [[nodiscard]] engine::BlockHalo& halo() { return halo_; }
-  [[nodiscard]] int blocks_created() const { return blocks_created_; }
-  /// Blocks among blocks_created() that were lost before the restart file was written.
-  [[nodiscard]] int blocks_lost_before() const { return lost_before_; }
-  [[nodiscard]] int facets_created() const { return facets_created_; }
-  [[nodiscard]] LAMMPS_NS::FixMultisphere& multisphere() { return *multisphere_; }
-  /// Kinetic energy [J] that block_motion has given to blocks of this rank before there was an
-  /// account for it; take_given() hands it over.
-  void keep_given(double energy) { given_ += energy; }
-  [[nodiscard]] double take_given() { return std::exchange(given_, 0.0); }
+  void set_keeper(FacetKeeper* keeper) override;
+  [[nodiscard]] FacetLists hand_over() override;
+  [[nodiscard]] std::uint64_t version() const override { return version_; }
+  [[nodiscard]] int highest_joint_class() const override { return highest_joint_class_; }
+  [[nodiscard]] const std::vector<int>& copy_tags() const override { return copy_tags_; }
+  [[nodiscard]] engine::BlockHalo& halo() override { return halo_; }
+  [[nodiscard]] bool restored() const override { return restored_; }
+  [[nodiscard]] LAMMPS_NS::FixMultisphere& bodies() override { return *multisphere_; }
+
+  void keep_given(double energy) override { given_ += energy; }
+  [[nodiscard]] double take_given() override { return std::exchange(given_, 0.0); }
+  [[nodiscard]] RunRecord& record() override { return record_; }
 
  private:
   void keep_needed(BlocksShare&& share, const std::unordered_set<int>& here,

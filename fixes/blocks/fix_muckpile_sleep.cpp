@@ -13,15 +13,17 @@
 #include <update.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <unordered_map>
 
 #include "fixes/engine/bodies.h"
+#include "fixes/engine/find_view.h"
 #include "fixes/engine/over_ranks.h"
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
-#include "fixes/explosive/fix_muckpile_blast.h"
+#include "fixes/interfaces/blast_energies.h"
 #include "fixes/interfaces/joint_pressure.h"
 
 namespace muckpile {
@@ -69,15 +71,13 @@ void FixMuckpileSleep::pre_delete(bool unfixflag) {
 
 /// fix muckpile/joint may have gone since init().
 void FixMuckpileSleep::wake_joints() {
-  auto* joined = dynamic_cast<JoinedBlocks*>(modify->find_fix_style_strict("muckpile/joint", 0));
-  if (joined != nullptr) joined->wake_all();
+  if (auto* joined = engine::find_view<JoinedBlocks>(*lmp)) joined->wake_all();
 }
 
 void FixMuckpileSleep::init() {
   near_ = dynamic_cast<NearBlocks*>(force->pair);
-  LAMMPS_NS::Fix* const joint = modify->find_fix_style_strict("muckpile/joint", 0);
-  joined_ = dynamic_cast<JoinedBlocks*>(joint);
-  if (joint != nullptr && modify->find_fix(joint->id) > modify->find_fix(id))
+  joined_ = engine::find_view<JoinedBlocks>(*lmp);
+  if (engine::place_of<JoinedBlocks>(*lmp) > modify->find_fix(id))
     engine::stop(*lmp, where_ + ": must be defined after fix muckpile/joint");
 }
 
@@ -121,9 +121,8 @@ void FixMuckpileSleep::setup(int) {
 }
 
 bool FixMuckpileSleep::blast_is_on() const {
-  const FixMuckpileBlast* const blast = FixMuckpileBlast::find(*lmp);
-  const auto* const gas =
-      dynamic_cast<const JointPressure*>(modify->find_fix_style_strict("muckpile/gas", 0));
+  const auto* const blast = engine::find_view<BlastEnergies>(*lmp);
+  const auto* const gas = engine::find_view<JointPressure>(*lmp);
   return (blast != nullptr && !blast->over()) || (gas != nullptr && gas->acts());
 }
 
@@ -260,17 +259,13 @@ void FixMuckpileSleep::wake_blocks() {
 }
 
 double FixMuckpileSleep::compute_scalar() {
-  const double mine[] = {static_cast<double>(resting_), static_cast<double>(rests_.size())};
-  double all[] = {0.0, 0.0};
-  MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
+  std::array all{static_cast<double>(resting_), static_cast<double>(rests_.size())};
+  engine::sum_over_ranks_in_place(all, world);
   return all[1] > 0.0 ? all[0] / all[1] : 0.0;
 }
 
 double FixMuckpileSleep::compute_vector(int n) {
-  const double mine = n == 0 ? static_cast<double>(resting_) : taken_;
-  double all = 0.0;
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  return all;
+  return engine::sum_over_ranks(n == 0 ? static_cast<double>(resting_) : taken_, world);
 }
 
 }  // namespace muckpile

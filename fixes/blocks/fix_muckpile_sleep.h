@@ -73,10 +73,8 @@ class FixMuckpileSleep : public LAMMPS_NS::Fix, public RestingBlocks {
   [[nodiscard]] std::span<const char> resting_spheres() const override { return of_spheres_; }
   [[nodiscard]] std::uint64_t rests_version() const override { return version_; }
 
-  /// All blocks move freely until they have rested anew.
-  void wake_blocks();
-  /// Kinetic energy of the blocks as they came to rest so far, of this rank [J].
-  [[nodiscard]] double energy_taken() const { return taken_; }
+  void wake_blocks() override;
+  [[nodiscard]] double energy_taken() const override { return taken_; }
 
  private:
   void follow_bodies();

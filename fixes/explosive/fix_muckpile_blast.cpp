@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "args/numbers.h"
+#include "fixes/engine/find_view.h"
 #include "fixes/engine/over_ranks.h"
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
@@ -75,7 +76,7 @@ void FixMuckpileBlast::init() {
   if (std::strcmp(update->unit_style, "si") != 0) {
     engine::stop(*lmp, where_ + ": needs units si, got '" + update->unit_style + "'");
   }
-  surface_ = find_surface();
+  surface_ = engine::find_view<BlastSurface>(*lmp);
   if (surface_ == nullptr) {
     engine::stop(*lmp, where_ + ": needs a fix muckpile/joint, which holds the faces to load");
   }
@@ -134,24 +135,10 @@ double FixMuckpileBlast::greatest_pressure() const {
   return engine::greatest_over_ranks(greatest, world);
 }
 
-FixMuckpileBlast* FixMuckpileBlast::find(LAMMPS_NS::LAMMPS& lmp) {
-  for (int i = 0; i < lmp.modify->nfix; ++i) {
-    if (auto* blast = dynamic_cast<FixMuckpileBlast*>(lmp.modify->fix[i])) return blast;
-  }
-  return nullptr;
-}
-
-BlastSurface* FixMuckpileBlast::find_surface() const {
-  for (int i = 0; i < modify->nfix; ++i) {
-    if (auto* surface = dynamic_cast<BlastSurface*>(modify->fix[i])) return surface;
-  }
-  return nullptr;
-}
-
 /// An unfix in the middle of the blast takes the pressure off; at the end of the program there is
 /// nothing to do.
 void FixMuckpileBlast::pre_delete(bool unfixflag) {
-  BlastSurface* surface = unfixflag ? find_surface() : nullptr;
+  BlastSurface* surface = unfixflag ? engine::find_view<BlastSurface>(*lmp) : nullptr;
   if (surface == nullptr) return;
   const std::size_t count = surface->loaded_facets().size();
   const std::vector<double> none(count, 0.0);
@@ -315,10 +302,10 @@ void FixMuckpileBlast::finish() {
   engine::print_once(*lmp, where_ + ": all holes are over at " + std::to_string(clock()) + " s\n");
 }
 
-FixMuckpileBlast::Energies FixMuckpileBlast::energies() const {
+BlastEnergies::Energies FixMuckpileBlast::energies() const {
   Energies energies;
   for (const ChargeEnergy& charge : charges_) energies.explosive += charge.energy;
-  if (const BlastSurface* surface = find_surface()) {
+  if (const BlastSurface* surface = engine::find_view<BlastSurface>(*lmp)) {
     energies.wave = engine::sum_over_ranks(surface->wave_work(), world);
     energies.gas = engine::sum_over_ranks(surface->pressure_work(), world) - energies.wave;
   }
@@ -326,7 +313,8 @@ FixMuckpileBlast::Energies FixMuckpileBlast::energies() const {
 }
 
 double FixMuckpileBlast::compute_vector(int index) {
-  const BlastSurface* surface = find_surface();  // between runs it may have been unfixed
+  const BlastSurface* surface =
+      engine::find_view<BlastSurface>(*lmp);  // between runs it may have been unfixed
   if (surface == nullptr || blasts_.empty()) return 0.0;
   switch (index) {
     case kMaximumPressure:

@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "explosive/hole_loads.h"
+#include "fixes/interfaces/blast_energies.h"
 #include "fixes/interfaces/blast_surface.h"
+#include "fixes/interfaces/gas_chambers.h"
 #include "gas/joint_gas.h"
 #include "state/encoding.h"
 
@@ -36,7 +38,7 @@ struct Stored<BlastState> {
   }
 };
 
-class FixMuckpileBlast : public LAMMPS_NS::Fix {
+class FixMuckpileBlast : public LAMMPS_NS::Fix, public BlastEnergies, public GasChambers {
  public:
   FixMuckpileBlast(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
@@ -51,28 +53,16 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix {
   void write_restart(FILE* file) override;
   void restart(char* state) override;
 
-  /// The fix of this run, nullptr if there is none.
-  [[nodiscard]] static FixMuckpileBlast* find(LAMMPS_NS::LAMMPS& lmp);
-  /// Energy of the explosive, and what it has done to the blocks so far [J]. Collective.
-  struct Energies {
-    double explosive = 0.0;        ///< of all charges, fired or not; 0 if not known
-    double wave = 0.0, gas = 0.0;  ///< work on the blocks
-  };
-  [[nodiscard]] Energies energies() const;
+  [[nodiscard]] Energies energies() const override;
+  [[nodiscard]] bool over() const override { return over_; }
 
-  /// For fix muckpile/gas, before the first run: from now on it computes the flow of gas into
-  /// joints, in place of crack_discharge, and gas presses on the walls by its excess over `ambient`
-  /// [Pa]. InputError unless the gas vents by flow.
-  void let_gas_into_joints(double ambient);
-  [[nodiscard]] double gas_gamma() const { return options_.flow.gamma; }
-  /// The gas in a crushed zone; pressure 0 before its hole fires and after it is over.
-  [[nodiscard]] GasChamber chamber(std::size_t hole) const;
-  void let_gas_go();  ///< ends all holes; the gas that they hold does not press any more
-  void take_gas(std::span<const double> per_hole);  ///< removes [kg] from each; same on all ranks
-  [[nodiscard]] bool over() const { return over_; }
+  void let_gas_into_joints(double ambient) override;
+  [[nodiscard]] double gas_gamma() const override { return options_.flow.gamma; }
+  [[nodiscard]] GasChamber chamber(std::size_t hole) const override;
+  void take_gas(std::span<const double> per_hole) override;
+  void let_gas_go() override;
 
  private:
-  [[nodiscard]] BlastSurface* find_surface() const;  // nullptr if there is none
   void check_timestep();
   void check_walls() const;
   void require_fired(double bearable) const;

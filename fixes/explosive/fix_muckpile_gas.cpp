@@ -12,13 +12,12 @@
 #include <numeric>
 
 #include "args/numbers.h"
-#include "fixes/engine/bodies.h"
 #include "fixes/engine/exchange.h"
+#include "fixes/engine/find_view.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
-#include "fixes/explosive/fix_muckpile_blast.h"
-#include "fixes/joints/fix_muckpile_joint.h"
 
 namespace muckpile {
 namespace {
@@ -61,7 +60,7 @@ FixMuckpileGas::FixMuckpileGas(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
   engine::refuse_second_fix(*lmp, where_, "muckpile/gas");
   engine::require_id_of_restart(*lmp, where_, *this);
   const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
-  FixMuckpileBlast* blast = find_blast();
+  auto* blast = engine::find_view<GasChambers>(*lmp);
   if (blast == nullptr) engine::stop(*lmp, where_ + ": needs a fix muckpile/blast before it");
   ambient_ = args.real("ambient_pressure");
   substeps_ = static_cast<int>(args.integer("substeps"));
@@ -82,29 +81,23 @@ int FixMuckpileGas::setmask() {
   return LAMMPS_NS::FixConst::PRE_NEIGHBOR | LAMMPS_NS::FixConst::END_OF_STEP;
 }
 
-FixMuckpileBlast* FixMuckpileGas::find_blast() const { return FixMuckpileBlast::find(*lmp); }
-
-FixMuckpileJoint* FixMuckpileGas::find_joint() const {
-  return dynamic_cast<FixMuckpileJoint*>(modify->find_fix_style_strict("muckpile/joint", 0));
-}
-
 /// An unfix lets all gas go; at the end of the program there is nothing to do.
 void FixMuckpileGas::pre_delete(bool unfixflag) {
-  FixMuckpileJoint* joint = unfixflag ? find_joint() : nullptr;
-  if (joint != nullptr) joint->joints_for_gas().release_gas();
+  auto* joints = unfixflag ? engine::find_view<JointsWithGas>(*lmp) : nullptr;
+  if (joints != nullptr) joints->release_gas();
 }
 
 void FixMuckpileGas::init() {
-  blast_ = find_blast();
-  joint_ = find_joint();
-  if (blast_ == nullptr || joint_ == nullptr)
+  blast_ = engine::find_view<GasChambers>(*lmp);
+  joints_ = engine::find_view<JointsWithGas>(*lmp);
+  if (blast_ == nullptr || joints_ == nullptr)
     engine::stop(*lmp, where_ + ": needs fix muckpile/joint and fix muckpile/blast");
   const int here = modify->find_fix(id);
-  if (modify->find_fix(joint_->id) > here || modify->find_fix(blast_->id) > here)
+  if (engine::place_of<JointsWithGas>(*lmp) > here || engine::place_of<GasChambers>(*lmp) > here)
     engine::stop(*lmp,
                  where_ + ": must be defined after fix muckpile/joint and fix muckpile/blast");
-  if (!spent_) joint_->joints_for_gas().keep_gas_in_joints();
-  const auto holes = static_cast<std::size_t>(joint_->hole_count());
+  if (!spent_) joints_->keep_gas_in_joints();
+  const auto holes = static_cast<std::size_t>(joints_->hole_count());
   fed_.resize(holes, 0);
   chambers_.resize(holes);
 }
@@ -128,7 +121,7 @@ double FixMuckpileGas::greatest_pressure() const {
 void FixMuckpileGas::let_go_of_softened_joints(double in_joints) {
   constexpr double kBearable = 0.01;  // pressure over shear modulus: strains of less than that
   const double before = softened_;
-  softened_ = joint_->softened();
+  softened_ = joints_->softened();
   if (softened_ >= before || !active_) return;
   read_chambers();
   double pressure = in_joints, left = 0.0;
@@ -136,9 +129,9 @@ void FixMuckpileGas::let_go_of_softened_joints(double in_joints) {
     pressure = std::max(pressure, chamber.gas.pressure);
     left += chamber.mass;
   }
-  if (pressure <= kBearable * joint_->shear_modulus()) return;
+  if (pressure <= kBearable * joints_->shear_modulus()) return;
   blast_->let_gas_go();
-  joint_->unload_softened();
+  joints_->unload_softened();
   end_of_gas("is let go, as the joints have been softened, with up to " + number_text(pressure) +
              " Pa in them and " + number_text(left) + " kg in the holes,");
 }
@@ -149,24 +142,23 @@ void FixMuckpileGas::end_of_gas(const std::string& how) {
   lost_ = 0.0;
   spent_ = true;
   active_ = false;
-  joint_->joints_for_gas().release_gas();
-  gas_.set_network(joint_->network());
+  joints_->release_gas();
+  gas_.set_network(joints_->rock());
   engine::print_once(*lmp, where_ + ": the gas in joints " + how + " at " +
                                number_text(update->get_cur_time()) + " s\n");
 }
 
 /// Gas follows its block from rank to rank.
 void FixMuckpileGas::follow_blocks() {
-  if (version_ == joint_->loaded_facets_version()) return;
-  version_ = joint_->loaded_facets_version();
-  std::vector<int> tags;
-  for (const BlockRecord& record : joint_->blocks().records()) tags.push_back(record.tag);
+  if (version_ == joints_->lists_version()) return;
+  version_ = joints_->lists_version();
+  std::vector<int> tags = joints_->block_tags();
   std::unordered_map<int, GasContent> contents;
   if (active_) contents = contents_here(tags);
   contents.merge(restored_);
   restored_.clear();
-  gas_.set_network(joint_->network());
-  engine::BlockHalo& halo = joint_->blocks().halo();
+  gas_.set_network(joints_->rock());
+  engine::BlockHalo& halo = joints_->halo();
   halo.forward(gas_.touches().first(halo.size()));
   tags_ = std::move(tags);
   for (std::size_t b = 0; b < tags_.size(); ++b) {
@@ -208,9 +200,10 @@ std::unordered_map<int, GasContent> FixMuckpileGas::contents_here(const std::vec
   return all;
 }
 
-void FixMuckpileGas::fill_joints(FacetNetwork& network, engine::BlockHalo& halo) {
-  if (!active_) return;
-  gas_.measure(network, fed_);
+std::span<const double> FixMuckpileGas::pressure_in_joints() {
+  if (!active_) return {};
+  engine::BlockHalo& halo = joints_->halo();
+  gas_.measure(joints_->rock(), fed_);
   numbers_.resize(halo.size() * kCellWidth);
   const std::span<GasCell> cells = gas_.cells();
   for (std::size_t b = 0; b < halo.owned(); ++b) {
@@ -224,7 +217,7 @@ void FixMuckpileGas::fill_joints(FacetNetwork& network, engine::BlockHalo& halo)
     const double* row = numbers_.data() + b * kCellWidth;
     cells[b] = {{row[0], row[1]}, row[2], row[3]};
   }
-  gas_.press(network);
+  return gas_.press();
 }
 
 void FixMuckpileGas::end_of_step() {
@@ -241,7 +234,9 @@ void FixMuckpileGas::end_of_step() {
     if (k > 0) refresh();
     flow(update->dt / substeps_);
   }
-  lost_ += gas_.open_wide(joint_->joints_for_gas());
+  const JointGas::Opened opened = gas_.open_wide();
+  joints_->release_gas(opened.joints);
+  lost_ += opened.vented;
   if (update->ntimestep % kLookEvery == 0) look_whether_spent();
 }
 
@@ -252,20 +247,10 @@ void FixMuckpileGas::read_chambers() {
   }
 }
 
-/// With full-step velocities force x velocity x dt is exactly the work that the integrator lets the
-/// force do.
 void FixMuckpileGas::book_work() {
-  const engine::Bodies bodies(joint_->blocks().multisphere());
-  const FacetNetwork& network = joint_->network();
-  if (network.gas_force().empty()) return;
-  double rate = 0.0;
-  for (int b = 0; b < bodies.count(); ++b) {
-    const auto k = static_cast<std::size_t>(b);
-    rate += network.gas_force()[k].dot(bodies.velocity(b)) +
-            network.gas_torque()[k].dot(bodies.spin(b));
-  }
-  work_ += rate * update->dt;
-  joint_->joints_for_gas().book_gas_work(rate * update->dt);
+  const double work = joints_->gas_power() * update->dt;
+  work_ += work;
+  joints_->book_gas_work(work);
 }
 
 /// Sums the conductance of the ways out of each chamber over ranks, in the pose that measure() saw.
@@ -273,8 +258,7 @@ void FixMuckpileGas::count_chamber_ways() {
   if (std::none_of(fed_.begin(), fed_.end(), [](char hole) { return hole != 0; })) return;
   ways_.assign(chambers_.size(), 0.0);
   std::ranges::copy(gas_.chamber_ways(), ways_.begin());
-  MPI_Allreduce(MPI_IN_PLACE, ways_.data(), static_cast<int>(ways_.size()), MPI_DOUBLE, MPI_SUM,
-                world);
+  engine::sum_over_ranks_in_place(ways_, world);
   for (std::size_t hole = 0; hole < ways_.size(); ++hole) chambers_[hole].ways = ways_[hole];
 }
 
@@ -284,7 +268,7 @@ void FixMuckpileGas::refresh() {
   read_chambers();
   for (std::size_t hole = 0; hole < chambers_.size(); ++hole)
     chambers_[hole].ways = before[hole].ways;
-  engine::BlockHalo& halo = joint_->blocks().halo();
+  engine::BlockHalo& halo = joints_->halo();
   contents_.resize(halo.size() * kContentWidth);
   const std::span<GasCell> cells = gas_.cells();
   for (std::size_t b = 0; b < halo.owned(); ++b) {
@@ -302,8 +286,7 @@ void FixMuckpileGas::flow(double dt) {
   std::vector<double> sums = flows.from_hole;
   sums.push_back(flows.vented + lost_);
   lost_ = 0.0;
-  MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM,
-                world);
+  engine::sum_over_ranks_in_place(sums, world);
   vented_ += sums.back();
   sums.pop_back();
   taken_ += std::accumulate(sums.begin(), sums.end(), 0.0);
@@ -354,9 +337,7 @@ void FixMuckpileGas::restart(char* bytes) {
 }
 
 double FixMuckpileGas::over_ranks(double mine, bool greatest) const {
-  double all = 0.0;
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, greatest ? MPI_MAX : MPI_SUM, world);
-  return all;
+  return greatest ? engine::greatest_over_ranks(mine, world) : engine::sum_over_ranks(mine, world);
 }
 
 double FixMuckpileGas::compute_vector(int n) {

@@ -12,14 +12,13 @@
 #include <unordered_map>
 #include <vector>
 
+#include "fixes/interfaces/gas_chambers.h"
 #include "fixes/interfaces/joint_pressure.h"
+#include "fixes/interfaces/joints_with_gas.h"
 #include "gas/joint_gas.h"
 #include "state/encoding.h"
 
 namespace muckpile {
-
-class FixMuckpileBlast;
-class FixMuckpileJoint;
 
 /// The gas of a block, on its way to another rank or into a restart file.
 struct BlockGas {
@@ -66,12 +65,10 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure {
   void write_restart(FILE* file) override;
   void restart(char* state) override;
 
-  void fill_joints(FacetNetwork& network, engine::BlockHalo& halo) override;
+  [[nodiscard]] std::span<const double> pressure_in_joints() override;
   [[nodiscard]] bool acts() const override { return active_; }
 
  private:
-  [[nodiscard]] FixMuckpileBlast* find_blast() const;
-  [[nodiscard]] FixMuckpileJoint* find_joint() const;
   void follow_blocks();
   [[nodiscard]] std::unordered_map<int, GasContent> contents_here(const std::vector<int>& tags);
   void read_chambers();
@@ -87,10 +84,10 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure {
 
   std::string where_;
   JointGas gas_;
-  double ambient_;                     // [Pa]
-  int substeps_;                       // of the flow in a step
-  FixMuckpileBlast* blast_ = nullptr;  // looked up in every init()
-  FixMuckpileJoint* joint_ = nullptr;
+  double ambient_;                // [Pa]
+  int substeps_;                  // of the flow in a step
+  GasChambers* blast_ = nullptr;  // looked up in every init()
+  JointsWithGas* joints_ = nullptr;
   std::uint64_t version_ = 0;
   std::vector<int> tags_;  // of the owned blocks, in the order of their cells
   std::unordered_map<int, GasContent> restored_;  // by tag, until the first follow_blocks()

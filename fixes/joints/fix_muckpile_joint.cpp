@@ -13,6 +13,8 @@
 #include <string>
 
 #include "fixes/engine/bodies.h"
+#include "fixes/engine/find_view.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/pair_style_check.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/stop_with_state.h"
@@ -47,7 +49,7 @@ FixMuckpileJoint::FixMuckpileJoint(LAMMPS_NS::LAMMPS* engine, int narg, char** a
     engine::stop(*lmp, name_of(narg, arg) + ": needs 'fix ID all multisphere' before it");
   }
   if (modify->have_restart_data_style("muckpile/blocks") &&
-      FixMuckpileBlocks::find(*lmp) == nullptr) {
+      engine::find_view<FacetStore>(*lmp) == nullptr) {
     engine::stop(*lmp,
                  name_of(narg, arg) +
                      ": after read_restart it needs 'fix ID all multisphere/muckpile', with the "
@@ -77,12 +79,12 @@ int FixMuckpileJoint::setmask() {
 }
 
 void FixMuckpileJoint::init() {
-  FixMuckpileBlocks* found = FixMuckpileBlocks::find(*lmp);
+  auto* found = engine::find_view<FacetStore>(*lmp);
   if (found == nullptr) {
     engine::stop(*lmp, std::string("fix muckpile/joint '") + id +
                            "': needs create_blocks before the first run");
   }
-  if (modify->find_fix(found->id) > modify->find_fix(id)) {
+  if (engine::place_of<FacetStore>(*lmp) > modify->find_fix(id)) {
     engine::stop(
         *lmp, std::string("fix muckpile/joint '") + id + "': must be defined after create_blocks");
   }
@@ -90,18 +92,14 @@ void FixMuckpileJoint::init() {
     store_ = found;
     store_->set_keeper(this);
   }
-  gas_ = nullptr;
-  for (int i = 0; i < modify->nfix; ++i) {
-    if (auto* gas = dynamic_cast<JointPressure*>(modify->fix[i])) gas_ = gas;
-  }
+  gas_ = engine::find_view<JointPressure>(*lmp);
   check_classes();
   follow_blocks();
   end_what_does_not_go_on();
 }
 
 void FixMuckpileJoint::check_classes() const {
-  int mine = store_->highest_joint_class(), most = 0;
-  MPI_Allreduce(&mine, &most, 1, MPI_INT, MPI_MAX, world);
+  const int most = engine::greatest_over_ranks(store_->highest_joint_class(), world);
   const auto given = static_cast<int>(network_.natural_classes());
   if (most <= given) return;
   engine::stop(*lmp, std::string("fix muckpile/joint '") + id +
@@ -136,10 +134,7 @@ void FixMuckpileJoint::follow_blocks() {
   FacetLists lists = store_->hand_over();
   network_.set_facets(std::move(lists.facets), std::move(lists.memory));
   network_.set_faces(std::move(lists.faces));
-  const int mine = network_.slanted() ? 1 : 0;
-  int any = 0;
-  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
-  slanted_ = any != 0;
+  slanted_ = engine::on_any_rank(network_.slanted(), world);
 
   index_facets();
   loaded_.clear();
@@ -219,9 +214,14 @@ void FixMuckpileJoint::end_of_step() {
 void FixMuckpileJoint::add_forces(double dt) {
   gather_state();
   compute_bulk_stresses(dt);
-  if (gas_ != nullptr) gas_->fill_joints(network_, store_->halo());
+  if (gas_ != nullptr) press_gas();
   network_.tractions(dt);
   apply_forces();
+}
+
+void FixMuckpileJoint::press_gas() {
+  const std::span<const double> pressure = gas_->pressure_in_joints();
+  if (!pressure.empty()) std::ranges::copy(pressure, network_.gas_pressure().begin());
 }
 
 void FixMuckpileJoint::compute_bulk_stresses(double dt) {
@@ -237,7 +237,7 @@ void FixMuckpileJoint::compute_bulk_stresses(double dt) {
 }
 
 void FixMuckpileJoint::gather_state() {
-  const engine::Bodies bodies(store_->multisphere());
+  const engine::Bodies bodies(store_->bodies());
   engine::BlockHalo& halo = store_->halo();
   const std::span<BlockState> state = network_.state();
   for (int b = 0; b < bodies.count(); ++b) {
@@ -266,7 +266,7 @@ void FixMuckpileJoint::gather_state() {
 }
 
 void FixMuckpileJoint::apply_forces() {
-  engine::Bodies bodies(store_->multisphere());
+  engine::Bodies bodies(store_->bodies());
   for (int b = 0; b < bodies.count(); ++b) {
     bodies.force(b) += network_.force()[static_cast<std::size_t>(b)];
     bodies.torque(b) += network_.torque()[static_cast<std::size_t>(b)];
@@ -281,8 +281,8 @@ void FixMuckpileJoint::ask_for_neighbours() {
                          (comm->nprocs > 1 && network_.newly_let_go());
   if (update->ntimestep % kCheckEvery != 0) return;
   const bool unguarded = contact_check_ && !engine::has_contact_law(*lmp);
-  int mine = unguarded && joint_let_go() ? 2 : cracked_since_build_ ? 1 : 0, any = 0;
-  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+  const int mine = unguarded && joint_let_go() ? 2 : cracked_since_build_ ? 1 : 0;
+  const int any = engine::greatest_over_ranks(mine, world);
   next_reneighbor = any != 0 ? update->ntimestep + 1 : -1;
   contact_missed_ = any == 2;
 }

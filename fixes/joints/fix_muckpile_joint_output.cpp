@@ -9,16 +9,13 @@
 #include <optional>
 
 #include "args/numbers.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/style_args.h"
 #include "fixes/joints/fix_muckpile_joint.h"
 
 namespace muckpile {
 
-double FixMuckpileJoint::sum(double mine) const {
-  double all = 0.0;
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  return all;
-}
+double FixMuckpileJoint::sum(double mine) const { return engine::sum_over_ranks(mine, world); }
 
 double FixMuckpileJoint::compute_vector(int n) {
   using enum Output;

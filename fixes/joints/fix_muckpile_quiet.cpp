@@ -12,6 +12,7 @@
 #include <cstdio>
 
 #include "args/numbers.h"
+#include "fixes/engine/find_view.h"
 #include "fixes/engine/over_ranks.h"
 #include "fixes/engine/region.h"
 #include "fixes/engine/restart_file.h"
@@ -64,26 +65,17 @@ FixMuckpileQuiet::FixMuckpileQuiet(LAMMPS_NS::LAMMPS* engine, int narg, char** a
 
 int FixMuckpileQuiet::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
 
-YieldingSupports* FixMuckpileQuiet::find_supports() const {
-  for (int i = 0; i < modify->nfix; ++i) {
-    if (auto* supports = dynamic_cast<YieldingSupports*>(modify->fix[i])) return supports;
-  }
-  return nullptr;
-}
-
 /// An unfix makes them fixed supports again; at the end of the program there is nothing to do.
 void FixMuckpileQuiet::pre_delete(bool unfixflag) {
-  YieldingSupports* supports = unfixflag ? find_supports() : nullptr;
+  YieldingSupports* supports = unfixflag ? engine::find_view<YieldingSupports>(*lmp) : nullptr;
   if (supports != nullptr) supports->stop_ground();
 }
 
 void FixMuckpileQuiet::init() {
-  supports_ = find_supports();
+  supports_ = engine::find_view<YieldingSupports>(*lmp);
   if (supports_ == nullptr) engine::stop(*lmp, where_ + ": needs a fix muckpile/joint before it");
-  for (int i = modify->find_fix(id) + 1; i < modify->nfix; ++i) {
-    if (dynamic_cast<YieldingSupports*>(modify->fix[i]) != nullptr)
-      engine::stop(*lmp, where_ + ": must be defined after fix muckpile/joint");
-  }
+  if (engine::place_of<YieldingSupports>(*lmp) > modify->find_fix(id))
+    engine::stop(*lmp, where_ + ": must be defined after fix muckpile/joint");
   for (const std::string& region : regions_) engine::require_region(*lmp, where_, region);
 }
 
@@ -146,12 +138,13 @@ void FixMuckpileQuiet::restart(char* state) {
 }
 
 double FixMuckpileQuiet::compute_scalar() {
-  const YieldingSupports* supports = find_supports();
+  const YieldingSupports* supports = engine::find_view<YieldingSupports>(*lmp);
   return supports == nullptr ? 0.0 : engine::sum_over_ranks(supports->energy_given(), world);
 }
 
 double FixMuckpileQuiet::compute_vector(int n) {
-  const YieldingSupports* supports = find_supports();  // between runs it may have been unfixed
+  const YieldingSupports* supports =
+      engine::find_view<YieldingSupports>(*lmp);  // between runs it may have been unfixed
   if (supports == nullptr) return 0.0;
   switch (n) {
     case kYielding:

@@ -46,7 +46,6 @@ class FixMuckpileQuiet : public LAMMPS_NS::Fix {
   void restart(char* state) override;
 
  private:
-  [[nodiscard]] YieldingSupports* find_supports() const;  // nullptr if there are none
   [[nodiscard]] bool chosen(const Vec3& centroid) const;
   void look();
   void stop(const std::string& why);

@@ -17,16 +17,17 @@
 #include <cmath>
 #include <string>
 
-#include "fixes/blocks/fix_muckpile_blocks.h"
-#include "fixes/blocks/fix_muckpile_sleep.h"
 #include "fixes/engine/bodies.h"
+#include "fixes/engine/find_view.h"
 #include "fixes/engine/over_ranks.h"
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
 #include "fixes/engine/walls.h"
 #include "fixes/interfaces/contact_work.h"
-#include "fixes/joints/fix_muckpile_joint.h"
+#include "fixes/interfaces/given_energy.h"
+#include "fixes/interfaces/joint_energies.h"
+#include "fixes/interfaces/resting_blocks.h"
 
 namespace muckpile {
 namespace {
@@ -65,8 +66,8 @@ int FixMuckpileLedger::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
 
 void FixMuckpileLedger::init() {
   gravity_ = static_cast<LAMMPS_NS::FixGravity*>(modify->find_fix_style("gravity", 0));
-  joint_ = dynamic_cast<FixMuckpileJoint*>(modify->find_fix_style_strict("muckpile/joint", 0));
-  sleep_ = dynamic_cast<FixMuckpileSleep*>(modify->find_fix_style_strict("muckpile/sleep", 0));
+  joints_ = engine::find_view<JointEnergies>(*lmp);
+  sleep_ = engine::find_view<RestingBlocks>(*lmp);
   contacts_ = dynamic_cast<ContactWork*>(force->pair);
   if (contacts_ != nullptr) contacts_->watch();
   keep_books_of_contacts();
@@ -82,8 +83,8 @@ void FixMuckpileLedger::keep_books_of_contacts() {
 
 void FixMuckpileLedger::setup(int) {
   computed_at_ = -1;
-  FixMuckpileBlocks* const store = FixMuckpileBlocks::find(*lmp);
-  book_given(store != nullptr ? store->take_given() : 0.0);  // before the start: not booked
+  auto* const before = engine::find_view<GivenEnergy>(*lmp);
+  book_given(before != nullptr ? before->take_given() : 0.0);  // before the start: not booked
   if (started_)
     take_in_new_blocks();
   else
@@ -137,14 +138,18 @@ double FixMuckpileLedger::work_rate_of_spheres() const {
   const engine::Bodies bodies(*multisphere_);
   Vec3 g = Vec3::Zero();
   if (gravity_ != nullptr) gravity_->get_gravity(g.data());
+  std::span<const Vec3> joint_forces, joint_torques;
+  if (joints_ != nullptr) {
+    joint_forces = joints_->joint_forces();
+    joint_torques = joints_->joint_torques();
+  }
   double rate = 0.0;
   for (int b = 0; b < bodies.count(); ++b) {
     rate += (bodies.force(b) - bodies.mass(b) * g).dot(bodies.velocity(b)) +
             bodies.torque(b).dot(bodies.spin(b));
-    if (joint_ == nullptr) continue;
+    if (joint_forces.empty()) continue;
     const auto k = static_cast<std::size_t>(b);
-    rate -= joint_->network().force()[k].dot(bodies.velocity(b)) +
-            joint_->network().torque()[k].dot(bodies.spin(b));
+    rate -= joint_forces[k].dot(bodies.velocity(b)) + joint_torques[k].dot(bodies.spin(b));
   }
   return rate;
 }
@@ -166,14 +171,14 @@ const EnergyLedger& FixMuckpileLedger::ledger() {
     mine.kinetic += bodies.kinetic_energy(b);
     mine.gravity -= bodies.mass(b) * g.dot(bodies.centre(b));
   }
-  if (joint_ != nullptr) {
-    const FacetNetwork& network = joint_->network();
-    mine.joint_elastic = network.elastic_energy();
-    mine.fracture = network.losses().fracture;
-    mine.joint_friction = network.losses().friction;
-    mine.joint_damping = network.losses().damping;
-    mine.quiet = network.losses().quiet;
-    mine.blast_work = network.pressure_work();
+  if (joints_ != nullptr) {
+    const JointEnergySums joints = joints_->energies();
+    mine.joint_elastic = joints.elastic;
+    mine.fracture = joints.fracture;
+    mine.joint_friction = joints.friction;
+    mine.joint_damping = joints.damping;
+    mine.quiet = joints.quiet;
+    mine.blast_work = joints.pressure_work;
   }
   if (sleep_ != nullptr) laid_to_rest_ = sleep_->energy_taken();
   mine.sleep = laid_to_rest_;
@@ -182,9 +187,9 @@ const EnergyLedger& FixMuckpileLedger::ledger() {
   mine.contact_damping = former_losses_[1] + of_pair("damping_J");
   mine.walls = walls();
   mine.given = given_;
-  std::array<double, kColumns.size()> part{}, all{};
-  for (std::size_t k = 0; k < kColumns.size(); ++k) part[k] = mine.*kColumns[k];
-  MPI_Allreduce(part.data(), all.data(), static_cast<int>(all.size()), MPI_DOUBLE, MPI_SUM, world);
+  std::array<double, kColumns.size()> all{};
+  for (std::size_t k = 0; k < kColumns.size(); ++k) all[k] = mine.*kColumns[k];
+  engine::sum_over_ranks_in_place(all, world);
   for (std::size_t k = 0; k < kColumns.size(); ++k) ledger_.*kColumns[k] = all[k];
   ledger_.gravity -= start_gravity_;
   for (const auto source : kSources) largest_ = std::max(largest_, std::abs(ledger_.*source));
@@ -211,13 +216,12 @@ bool FixMuckpileLedger::balanced(double allowed) {
 
 double FixMuckpileLedger::fastest_block() {
   const engine::Bodies bodies(*multisphere_);
-  double mine = 0.0, all = 0.0;
+  double mine = 0.0;
   for (int b = 0; b < bodies.count(); ++b) {
     const double speed = bodies.velocity(b).norm();
     mine = std::isfinite(speed) ? std::max(mine, speed) : HUGE_VAL;
   }
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
-  return all;
+  return engine::greatest_over_ranks(mine, world);
 }
 
 void FixMuckpileLedger::write_restart(FILE* file) {

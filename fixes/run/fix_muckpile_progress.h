@@ -16,9 +16,9 @@ namespace muckpile {
 namespace engine {
 class Bodies;
 }
-class FixMuckpileBlocks;
-class FixMuckpileJoint;
-class FixMuckpileLedger;
+class KnownBlocks;
+class EnergyAccount;
+class JointDamage;
 
 /// What a restart file holds of the fix.
 struct ProgressState {
@@ -76,9 +76,9 @@ class FixMuckpileProgress : public LAMMPS_NS::Fix, public StateWriter {
   [[nodiscard]] bool still(const Look& now) const;
   [[noreturn]] void stop_with_restart(const std::string& why);
 
-  FixMuckpileLedger* ledger_ = nullptr;
-  FixMuckpileJoint* joint_ = nullptr;
-  FixMuckpileBlocks* store_ = nullptr;
+  EnergyAccount* ledger_ = nullptr;
+  JointDamage* joints_ = nullptr;
+  KnownBlocks* blocks_ = nullptr;
   std::string where_, folder_, phase_;
   std::string scene_;  // region, empty for all space
   std::string solid_;  // region, empty for none

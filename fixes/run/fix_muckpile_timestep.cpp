@@ -14,8 +14,8 @@
 #include <limits>
 
 #include "args/numbers.h"
-#include "fixes/blocks/fix_multisphere_muckpile.h"
 #include "fixes/engine/bodies.h"
+#include "fixes/engine/find_view.h"
 #include "fixes/engine/over_ranks.h"
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
@@ -104,29 +104,16 @@ FixMuckpileTimestep::FixMuckpileTimestep(LAMMPS_NS::LAMMPS* engine, int narg, ch
 int FixMuckpileTimestep::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
 
 void FixMuckpileTimestep::init() {
-  if (dynamic_cast<FixMultisphereMuckpile*>(engine::find_multisphere(*lmp)) == nullptr) {
+  if (modify->find_fix_style_strict("multisphere/muckpile", 0) == nullptr) {
     engine::stop(*lmp, where_ +
                            ": needs fix multisphere/muckpile; LIGGGHTS' own fix multisphere "
                            "keeps the step that a run began with");
   }
   if (settings_.collision_speed > 0.0 && settings_.collision >= 1e30)
     engine::stop(*lmp, where_ + ": collision_speed needs collision, the step at that speed");
-  const int place = find_joints();
-  if (place > modify->find_fix(id))
+  joints_ = engine::find_view<StepLimit>(*lmp);
+  if (engine::place_of<StepLimit>(*lmp) > modify->find_fix(id))
     engine::stop(*lmp, where_ + ": must be defined after fix muckpile/joint");
-}
-
-/// Their place among the fixes, -1 without.
-int FixMuckpileTimestep::find_joints() {
-  joints_ = nullptr;
-  int place = -1;
-  for (int i = 0; i < modify->nfix; ++i) {
-    auto* joints = dynamic_cast<StepLimit*>(modify->fix[i]);
-    if (joints == nullptr) continue;
-    joints_ = joints;
-    place = i;
-  }
-  return place;
 }
 
 /// Forces are up to date here, and with them poses and contacts.
@@ -288,7 +275,7 @@ void FixMuckpileTimestep::restart(char* bytes) {
   products_ = then_.products;
   read_at_ = update->ntimestep;
   update->dt = then_.step;
-  find_joints();
+  joints_ = engine::find_view<StepLimit>(*lmp);
   if (joints_ != nullptr) known_changes_ = joints_->stiffness_changes();
 }
 

@@ -85,7 +85,6 @@ class FixMuckpileTimestep : public LAMMPS_NS::Fix {
   void restart(char* state) override;
 
  private:
-  int find_joints();
   void look_at_joints();
   void look_at_contacts();
   void look_for_fastest_block();

@@ -172,11 +172,12 @@ double JointGas::pressure(const GasCell& cell) const {
          power_of(cell.content.mass / cell.volume, flow_.gamma());
 }
 
-void JointGas::press(FacetNetwork& network) {
+std::span<const double> JointGas::press() {
   refresh();
-  const std::span<double> pressure_of = network.gas_pressure();
+  pressed_.resize(cells_.size());
   for (std::size_t b = 0; b < cells_.size(); ++b)
-    pressure_of[b] = std::max(0.0, reservoirs_[b].head.pressure - p_.ambient);
+    pressed_[b] = std::max(0.0, reservoirs_[b].head.pressure - p_.ambient);
+  return pressed_;
 }
 
 void JointGas::refresh() {
@@ -278,16 +279,16 @@ JointGas::Flows JointGas::flow(std::span<const GasChamber> chambers, double dt) 
   return flows;
 }
 
-double JointGas::open_wide(FacetNetwork& network) {
-  if (wide_.empty()) return 0.0;
+JointGas::Opened JointGas::open_wide() {
+  Opened opened;
+  if (wide_.empty()) return opened;
   std::vector<double> lost_volume(cells_.size(), 0.0);
   for (const std::uint32_t c : wide_) {
-    network.release_gas(cracks_[c].facet);
+    opened.joints.push_back(cracks_[c].facet);
     keeps_[cracks_[c].facet] = Keeps::nothing;
     listed_ = false;
     each_block(cracks_[c], [&](std::size_t b) { lost_volume[b] += cracks_[c].volume; });
   }
-  double vented = 0.0;
   for (std::size_t b = 0; b < cells_.size(); ++b) {
     if (!owned(b) || lost_volume[b] == 0.0) continue;
     GasContent& content = cells_[b].content;
@@ -295,10 +296,10 @@ double JointGas::open_wide(FacetNetwork& network) {
     // The last joint takes all: no rounding is left behind.
     const GasContent rest =
         kept < 1e-12 ? GasContent{} : GasContent{kept * content.mass, kept * content.entropy};
-    vented += content.mass - rest.mass;
+    opened.vented += content.mass - rest.mass;
     content = rest;
   }
-  return vented;
+  return opened;
 }
 
 double JointGas::mass() const {

@@ -77,8 +77,8 @@ class JointGas {
   void measure(const FacetNetwork& network, const std::vector<char>& fed);
   /// Per hole, what measure() found: the part of GasChamber::ways of owned blocks.
   [[nodiscard]] std::span<const double> chamber_ways() const { return chamber_ways_; }
-  /// Tells the network what the gas presses beyond the atmosphere [Pa].
-  void press(FacetNetwork& network);
+  /// What the gas of each block presses beyond the atmosphere [Pa]; valid until the next call.
+  [[nodiscard]] std::span<const double> press();
 
   struct Flows {
     std::vector<double> from_hole;  ///< what owned blocks took from each chamber [kg]
@@ -90,9 +90,13 @@ class JointGas {
   /// to its conductance, and no flow is larger than what would make the two shares at a way equal:
   /// pressures never cross, none is emptied.
   [[nodiscard]] Flows flow(std::span<const GasChamber> chambers, double dt);
-  /// Joints that measure() found wide lose what they hold and hold nothing from now on. Returns
-  /// what owned blocks let into the atmosphere so [kg].
-  [[nodiscard]] double open_wide(FacetNetwork& network);
+  /// Joints that measure() found wide lose what they hold and hold nothing from now on; the caller
+  /// tells the network of them.
+  struct Opened {
+    std::vector<std::uint32_t> joints;
+    double vented = 0.0;  ///< what owned blocks let into the atmosphere so [kg]
+  };
+  [[nodiscard]] Opened open_wide();
 
   [[nodiscard]] double pressure(const GasCell& cell) const;  ///< absolute; 0 if empty [Pa]
   [[nodiscard]] double mass() const;                         ///< in owned blocks [kg]
@@ -178,6 +182,7 @@ class JointGas {
   std::vector<double> chamber_ways_;
   // Per block, as refresh() found them.
   std::vector<double> density_, entropy_per_mass_, pressure_, root_;
+  std::vector<double> pressed_;  // what press() has returned
   std::vector<Reservoir> reservoirs_;
 };
 
