@@ -21,6 +21,7 @@
 #include "fixes/blocks/fix_muckpile_blocks.h"
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/exchange.h"
+#include "fixes/engine/over_ranks.h"
 #include "geometry/files/block_file.h"
 #include "rock/cut_table.h"
 
@@ -145,12 +146,12 @@ LAMMPS_NS::Region& CreateBlocks::region(const std::string& id) const {
 
 void CreateBlocks::check_overlap(LAMMPS_NS::Region& rock) const {
   const engine::Bodies bodies(*engine::find_multisphere(*lmp));
-  int inside = 0, all = 0;
+  int inside = 0;
   for (int b = 0; b < bodies.count(); ++b) {
     const auto c = bodies.centre(b);
     inside += rock.match(c.x(), c.y(), c.z()) != 0 ? 1 : 0;
   }
-  MPI_Allreduce(&inside, &all, 1, MPI_INT, MPI_SUM, world);
+  const int all = engine::sum_over_ranks(inside, world);
   if (all > 0) {
     engine::stop(*lmp, std::string("create_blocks: region '") + rock.id +
                            "' must not overlap rock that exists, got " + std::to_string(all) +

@@ -11,6 +11,7 @@
 
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/exchange.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/pair_style_check.h"
 #include "fixes/engine/style_args.h"
 
@@ -57,13 +58,12 @@ void FixMuckpileBlocks::add(const std::vector<BlockRecord>& records,
                             const std::vector<BoundaryFace>& faces, const std::vector<Hole>& holes,
                             int blocks_all) {
   // Each joint comes with both of its blocks. Joints that have retired are no longer in the lists.
-  int mine = 0, all = 0;
+  int mine = 0;
   for (const Facet& facet : facets) {
     mine += facet.kind == FacetKind::joint ? 1 : 0;
     highest_joint_class_ = std::max<int>(highest_joint_class_, facet.joint_class);
   }
-  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_SUM, world);
-  facets_created_ += all / 2;
+  facets_created_ += engine::sum_over_ranks(mine, world) / 2;
   take_back();
   records_.insert(records_.end(), records.begin(), records.end());
   std::vector<FacetEntry> entries;
@@ -89,9 +89,7 @@ std::vector<int> FixMuckpileBlocks::body_tags() {
 
 void FixMuckpileBlocks::synchronise() {
   const std::vector<int> tags = body_tags();
-  int changed = tags == tags_ ? 0 : 1, any = 0;
-  MPI_Allreduce(&changed, &any, 1, MPI_INT, MPI_MAX, world);
-  if (any == 0) return;
+  if (!engine::on_any_rank(tags != tags_, world)) return;
   take_back();
   const engine::BlockDirectory directory(tags, world);
   drop_orphans(tags, directory);

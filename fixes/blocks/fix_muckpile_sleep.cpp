@@ -23,6 +23,7 @@
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/engine/style_name.h"
 #include "fixes/interfaces/blast_energies.h"
 #include "fixes/interfaces/joint_pressure.h"
 
@@ -43,7 +44,7 @@ const ArgTable& table() {
 }  // namespace
 
 FixMuckpileSleep::FixMuckpileSleep(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
-    : Fix(engine, narg, arg), where_(std::string("fix muckpile/sleep '") + id + "'") {
+    : Fix(engine, narg, arg), where_(engine::name_of(*this)) {
   engine::refuse_second_fix(*lmp, where_, "muckpile/sleep");
   engine::require_id_of_restart(*lmp, where_, *this);
   const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
@@ -164,19 +165,18 @@ void FixMuckpileSleep::mark_near(const std::vector<char>& moving, std::vector<ch
 
 void FixMuckpileSleep::lay_to_rest(const std::vector<char>& disturbed) {
   engine::Bodies bodies(*multisphere_);
-  int changed = 0, any = 0;
+  bool changed = false;
   for (int b = 0; b < bodies.count(); ++b) {
     const auto k = static_cast<std::size_t>(b);
     const char rests = disturbed[k] == 0 ? 1 : 0;
     if (rests == rests_[k]) continue;
-    changed = 1;
+    changed = true;
     rests_[k] = rests;
     if (rests == 0) continue;
     taken_ += bodies.kinetic_energy(b);
     bodies.hold(b);
   }
-  MPI_Allreduce(&changed, &any, 1, MPI_INT, MPI_MAX, world);
-  if (any != 0) tell();
+  if (engine::on_any_rank(changed, world)) tell();
 }
 
 void FixMuckpileSleep::tell() {

@@ -22,8 +22,10 @@
 
 #include "fixes/blocks/fix_muckpile_blocks.h"
 #include "fixes/engine/bodies.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/engine/style_name.h"
 
 namespace muckpile {
 namespace {
@@ -38,15 +40,14 @@ const bool* const* flags(LAMMPS_NS::Multisphere& data, const char* name) {
 FixMultisphereMuckpile::FixMultisphereMuckpile(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : FixMultisphere(engine, narg, arg) {
   if (narg != 3) {
-    engine::stop(*engine, std::string("fix multisphere/muckpile '") + id +
-                              "': takes no keywords, got '" + arg[3] +
+    engine::stop(*engine, engine::name_of(*this) + ": takes no keywords, got '" + arg[3] +
                               "'; fix multisphere has some");
   }
 }
 
 void FixMultisphereMuckpile::post_create() {
   FixMultisphere::post_create();
-  engine::require_id_of_restart(*lmp, std::string("fix multisphere/muckpile '") + id + "'", *this);
+  engine::require_id_of_restart(*lmp, engine::name_of(*this), *this);
   if (modify->have_restart_data(this) && modify->have_restart_data_style("muckpile/blocks"))
     FixMuckpileBlocks::find_or_make(*lmp);
 }
@@ -77,12 +78,11 @@ void FixMultisphereMuckpile::reset_dt() {
 /// Ghosts are chosen by their surface, so less than LIGGGHTS' two bounding radii is enough.
 double FixMultisphereMuckpile::extend_cut_ghost() {
   if (atom->radius == nullptr || !atom->radius_flag) return FixMultisphere::extend_cut_ghost();
-  double mine = 0.0, farthest = 0.0;  // sphere's surface nearest to its body's centre [m]
+  double mine = 0.0;  // sphere's surface nearest to its body's centre [m]
   for (int k = 0; k < atom->nlocal; ++k) {
     if (body_[k] >= 0) mine = std::max(mine, Vec3::Map(displace_[k]).norm() - atom->radius[k]);
   }
-  MPI_Allreduce(&mine, &farthest, 1, MPI_DOUBLE, MPI_MAX, world);
-  return 2.0 * farthest;  // LIGGGHTS takes half of it
+  return 2.0 * engine::greatest_over_ranks(mine, world);  // LIGGGHTS takes half of it
 }
 
 /// A box that follows the spheres must hold the bodies' centres, too: LIGGGHTS drops a body whose

@@ -15,6 +15,7 @@
 #include <string>
 
 #include "fixes/contact/pair_muckpile_block.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/style_args.h"
 
 namespace muckpile {
@@ -186,8 +187,7 @@ void PairMuckpileBlock::rebuild() {
   share_held_pairs();
   if (watched_ && comm->nprocs > 1) strange_ = {*bodies_, *atom, world};
   list_pairs();
-  int bad = list_.skipped_blocks(), all_bad = 0;
-  MPI_Allreduce(&bad, &all_bad, 1, MPI_INT, MPI_SUM, world);
+  const int all_bad = engine::sum_over_ranks(static_cast<int>(list_.skipped_blocks()), world);
   if (all_bad > 0)
     engine::stop(*lmp, std::string(kStyle) + ": " + std::to_string(all_bad) +
                            " blocks have a position that is not a number at step " +

@@ -21,6 +21,7 @@
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/engine/style_name.h"
 #include "geometry/holes/hole_surface.h"
 
 namespace muckpile {
@@ -42,10 +43,6 @@ enum Output {
   kOutputCount
 };
 
-std::string where_of(int narg, char** arg) {
-  return std::string("fix muckpile/blast '") + (narg > 0 ? arg[0] : "") + "'";
-}
-
 std::vector<Hole> holes_of(const BlastSurface& surface) {
   std::vector<Hole> holes;
   for (int i = 0; i < surface.hole_count(); ++i) holes.push_back(surface.hole(i));
@@ -55,7 +52,7 @@ std::vector<Hole> holes_of(const BlastSurface& surface) {
 }  // namespace
 
 FixMuckpileBlast::FixMuckpileBlast(LAMMPS_NS::LAMMPS* lmp_in, int narg, char** arg)
-    : Fix(lmp_in, narg, arg), where_(where_of(narg, arg)) {
+    : Fix(lmp_in, narg, arg), where_(engine::name_of(*this)) {
   engine::refuse_second_fix(*lmp, where_, "muckpile/blast");
   engine::require_id_of_restart(*lmp, where_, *this);
   const ArgValues values = engine::read_args(*lmp, blast_table(), where_, narg, arg, 3);

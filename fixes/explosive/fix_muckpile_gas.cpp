@@ -18,6 +18,7 @@
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/engine/style_name.h"
 
 namespace muckpile {
 namespace {
@@ -41,10 +42,6 @@ const ArgTable& table() {
   return args;
 }
 
-std::string where_of(int narg, char** arg) {
-  return std::string("fix muckpile/gas '") + (narg > 0 ? arg[0] : "") + "'";
-}
-
 JointGas make_gas(LAMMPS_NS::LAMMPS& lmp, const ArgValues& args, double gamma) {
   return engine::or_engine_error(lmp, [&] {
     return JointGas({.flow = {.gamma = gamma, .roughness = args.real("roughness")},
@@ -56,7 +53,7 @@ JointGas make_gas(LAMMPS_NS::LAMMPS& lmp, const ArgValues& args, double gamma) {
 }  // namespace
 
 FixMuckpileGas::FixMuckpileGas(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
-    : Fix(engine, narg, arg), where_(where_of(narg, arg)), gas_({}) {
+    : Fix(engine, narg, arg), where_(engine::name_of(*this)), gas_({}) {
   engine::refuse_second_fix(*lmp, where_, "muckpile/gas");
   engine::require_id_of_restart(*lmp, where_, *this);
   const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);

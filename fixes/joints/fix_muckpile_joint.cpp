@@ -19,6 +19,7 @@
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/stop_with_state.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/engine/style_name.h"
 #include "fixes/joints/fix_muckpile_joint_arguments.h"
 
 namespace muckpile {
@@ -27,37 +28,33 @@ namespace {
 constexpr std::size_t kPoseWidth = 18;         // centre, velocity, spin, rotation
 constexpr LAMMPS_NS::bigint kCheckEvery = 50;  // steps between looks for newly cracked facets
 
-std::string name_of(int narg, char** arg) {
-  return std::string("fix muckpile/joint '") + (narg > 0 ? arg[0] : "") + "'";
-}
-
 }  // namespace
 
 FixMuckpileJoint::FixMuckpileJoint(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
-    : FixMuckpileJoint(engine, narg, arg, joint_arguments(*engine, name_of(narg, arg), narg, arg)) {
-}
+    : FixMuckpileJoint(engine, narg, arg,
+                       joint_arguments(*engine, engine::name_of_fix(arg), narg, arg)) {}
 
 FixMuckpileJoint::FixMuckpileJoint(LAMMPS_NS::LAMMPS* engine, int narg, char** arg,
                                    JointArguments arguments)
     : Fix(engine, narg, arg),
       network_(std::move(arguments.network)),
-      step_check_(arguments.step_check, name_of(narg, arg)),
+      step_check_(arguments.step_check, engine::name_of_fix(arg)),
       contact_check_(arguments.contact_check) {
-  engine::refuse_second_fix(*lmp, name_of(narg, arg), "muckpile/joint");
-  engine::require_id_of_restart(*lmp, name_of(narg, arg), *this);
+  engine::refuse_second_fix(*lmp, engine::name_of_fix(arg), "muckpile/joint");
+  engine::require_id_of_restart(*lmp, engine::name_of_fix(arg), *this);
   if (engine::find_multisphere(*lmp) == nullptr) {
-    engine::stop(*lmp, name_of(narg, arg) + ": needs 'fix ID all multisphere' before it");
+    engine::stop(*lmp, engine::name_of_fix(arg) + ": needs 'fix ID all multisphere' before it");
   }
   if (modify->have_restart_data_style("muckpile/blocks") &&
       engine::find_view<FacetStore>(*lmp) == nullptr) {
     engine::stop(*lmp,
-                 name_of(narg, arg) +
+                 engine::name_of_fix(arg) +
                      ": after read_restart it needs 'fix ID all multisphere/muckpile', with the "
                      "ID that it had when the file was written, before it");
   }
   if (std::strcmp(update->unit_style, "si") != 0) {
-    engine::stop(*lmp,
-                 name_of(narg, arg) + ": needs 'units si', got 'units " + update->unit_style + "'");
+    engine::stop(*lmp, engine::name_of_fix(arg) + ": needs 'units si', got 'units " +
+                           update->unit_style + "'");
   }
   vector_flag = 1;
   size_vector = static_cast<int>(Output::count);
@@ -81,12 +78,10 @@ int FixMuckpileJoint::setmask() {
 void FixMuckpileJoint::init() {
   auto* found = engine::find_view<FacetStore>(*lmp);
   if (found == nullptr) {
-    engine::stop(*lmp, std::string("fix muckpile/joint '") + id +
-                           "': needs create_blocks before the first run");
+    engine::stop(*lmp, engine::name_of(*this) + ": needs create_blocks before the first run");
   }
   if (engine::place_of<FacetStore>(*lmp) > modify->find_fix(id)) {
-    engine::stop(
-        *lmp, std::string("fix muckpile/joint '") + id + "': must be defined after create_blocks");
+    engine::stop(*lmp, engine::name_of(*this) + ": must be defined after create_blocks");
   }
   if (store_ == nullptr) {
     store_ = found;
@@ -102,9 +97,9 @@ void FixMuckpileJoint::check_classes() const {
   const int most = engine::greatest_over_ranks(store_->highest_joint_class(), world);
   const auto given = static_cast<int>(network_.natural_classes());
   if (most <= given) return;
-  engine::stop(*lmp, std::string("fix muckpile/joint '") + id +
-                         "': create_blocks has a joint_plane of class " + std::to_string(most) +
-                         ", but joint_class is given " + std::to_string(given) + " time(s)");
+  engine::stop(*lmp, engine::name_of(*this) + ": create_blocks has a joint_plane of class " +
+                         std::to_string(most) + ", but joint_class is given " +
+                         std::to_string(given) + " time(s)");
 }
 
 FacetLists FixMuckpileJoint::copy() const {
@@ -203,8 +198,7 @@ void FixMuckpileJoint::post_force(int) {
 void FixMuckpileJoint::end_of_step() {
   if (contact_missed_) {
     engine::stop_with_state(
-        *lmp, std::string("fix muckpile/joint '") + id + "': a joint has let go" +
-                  engine::at_present(*lmp) +
+        *lmp, engine::name_of(*this) + ": a joint has let go" + engine::at_present(*lmp) +
                   ", and there is no pair_style: its blocks would pass through others; give "
                   "'pair_style muckpile/block' and 'pair_coeff * *'");
   }

@@ -25,6 +25,7 @@
 #include "fixes/engine/output_file.h"
 #include "fixes/engine/periodic_output.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/engine/style_name.h"
 #include "fixes/interfaces/joint_fragments.h"
 #include "fixes/interfaces/known_blocks.h"
 
@@ -74,7 +75,7 @@ std::string run_of(const std::filesystem::path& snapshot) {
 }  // namespace
 
 FixMuckpileDump::FixMuckpileDump(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
-    : Fix(engine, narg, arg), where_(std::string("fix muckpile/dump '") + id + "'") {
+    : Fix(engine, narg, arg), where_(engine::name_of(*this)) {
   const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
   every_ = static_cast<int>(args.integer("every"));
   nevery = 1;
@@ -135,7 +136,7 @@ void FixMuckpileDump::end_of_step() {
 
 int FixMuckpileDump::modify_param(int narg, char** arg) {
   if (std::strcmp(arg[0], "every") != 0) return 0;
-  every_ = engine::read_every(*lmp, std::string("fix_modify ") + id, narg, arg);
+  every_ = engine::read_every(*lmp, engine::name_of_modify(*this), narg, arg);
   return 2;
 }
 

@@ -23,6 +23,7 @@
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/engine/style_name.h"
 #include "fixes/engine/walls.h"
 #include "fixes/interfaces/contact_work.h"
 #include "fixes/interfaces/given_energy.h"
@@ -48,7 +49,7 @@ constexpr std::array kSources = {&EnergyLedger::kinetic,         &EnergyLedger::
 
 FixMuckpileLedger::FixMuckpileLedger(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg) {
-  const std::string where = std::string("fix muckpile/ledger '") + id + "'";
+  const std::string where = engine::name_of(*this);
   if (narg != 3) engine::stop(*lmp, where + ": takes no keywords, got '" + arg[3] + "'");
   engine::require_id_of_restart(*lmp, where, *this);
   multisphere_ = engine::find_multisphere(*lmp);

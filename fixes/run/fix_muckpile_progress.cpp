@@ -33,6 +33,7 @@
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/stop_with_state.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/engine/style_name.h"
 #include "fixes/interfaces/blast_energies.h"
 #include "fixes/interfaces/energy_account.h"
 #include "fixes/interfaces/joint_damage.h"
@@ -97,9 +98,7 @@ bool is_whole_row(const std::string& line, const std::string& run_id) {
 }  // namespace
 
 FixMuckpileProgress::FixMuckpileProgress(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
-    : Fix(engine, narg, arg),
-      where_(std::string("fix muckpile/progress '") + id + "'"),
-      wall_start_(MPI_Wtime()) {
+    : Fix(engine, narg, arg), where_(engine::name_of(*this)), wall_start_(MPI_Wtime()) {
   const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
   every_ = static_cast<int>(args.integer("every"));
   nevery = 1;
@@ -401,7 +400,7 @@ double FixMuckpileProgress::compute_vector(int n) {
 }
 
 int FixMuckpileProgress::modify_param(int narg, char** arg) {
-  const std::string where = std::string("fix_modify ") + id;
+  const std::string where = engine::name_of_modify(*this);
   const std::string key = arg[0];
   if (key != "phase" && key != "time_end" && key != "every") return 0;
   if (key == "every") {

@@ -20,6 +20,7 @@
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/engine/style_name.h"
 
 namespace muckpile {
 namespace {
@@ -76,8 +77,7 @@ double acting_together(double joints, double contacts) {
 }  // namespace
 
 FixMuckpileTimestep::FixMuckpileTimestep(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
-    : Fix(engine, narg, arg),
-      where_(std::string("fix muckpile/timestep '") + (narg > 0 ? arg[0] : "") + "'") {
+    : Fix(engine, narg, arg), where_(engine::name_of(*this)) {
   look_.joint_step = kInfinity;
   look_.contact_steps.fill(kInfinity);
   engine::refuse_second_fix(*lmp, where_, "muckpile/timestep");
@@ -243,7 +243,7 @@ double FixMuckpileTimestep::compute_vector(int n) {
 }
 
 int FixMuckpileTimestep::modify_param(int narg, char** arg) {
-  const std::string where = std::string("fix_modify ") + id;
+  const std::string where = engine::name_of_modify(*this);
   const std::string key = arg[0];
   if (key != "fraction" && key != "max" && key != "collision" && key != "collision_speed") return 0;
   if (narg < 2) engine::stop(*lmp, where + ": " + key + " needs a value");
