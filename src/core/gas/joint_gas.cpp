@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "explosive/require.h"
+#include "args/require.h"
 
 namespace muckpile {
 namespace {
@@ -23,8 +23,8 @@ void transform_all(const std::vector<double>& a, const std::vector<double>& b,
 
 JointGas::JointGas(const Parameters& parameters)
     : p_(parameters), flow_(parameters.flow), outside_(flow_.head({parameters.ambient, 0.0})) {
-  explosive_detail::require_positive("residual_aperture", "m", p_.residual_aperture);
-  explosive_detail::require_not_negative("ambient_pressure", "Pa", p_.ambient);
+  require_positive("residual_aperture", "m", p_.residual_aperture);
+  require_not_negative("ambient_pressure", "Pa", p_.ambient);
 }
 
 void JointGas::set_network(const FacetNetwork& network) {

@@ -6,16 +6,12 @@
 #include <cmath>
 #include <string>
 
-#include "args/input_error.h"
+#include "args/require.h"
 
 namespace muckpile {
 namespace {
 
 constexpr double kRightAngle = 1.5707963267948966;
-
-void require(bool holds, const char* rule, double value) {
-  if (!holds) throw InputError(std::string(rule) + ", got '" + std::to_string(value) + "'");
-}
 
 /// a and b in series; an infinite b leaves a.
 double in_series(double a, double b) { return std::isinf(b) ? a : a * b / (a + b); }
