@@ -78,17 +78,17 @@ void CreateBlocks::command(int narg, char** arg) {
   check_overlap(rock);
   const double start = MPI_Wtime();
   CutOptions options;
-  SupportRule held;
+  SupportRule supports;
   engine::or_engine_error(*lmp, [&] {
     options = cut_options(args, installed_memory());
     bound(options.rock, rock);
-    held = support(args);
+    supports = support(args);
     return 0;
   });
   BlockPlacement placement(lmp, type, options.density);
   if (comm->nprocs > 1 && options.is_plain_voronoi()) share_sweeps_of_rank_0(options.rock);
   RockModel model;
-  on_rank_0(*lmp, [&] { model = cut_rock(options, placement.first_tag(), held); });
+  on_rank_0(*lmp, [&] { model = cut_rock(options, placement.first_tag(), supports); });
   const std::string run = run_id(engine::words_of(narg, arg, 0), model);
   on_rank_0(*lmp, [&] {
     const std::string& file = args.word("file");

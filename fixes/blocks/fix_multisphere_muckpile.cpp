@@ -22,6 +22,7 @@
 
 #include "fixes/blocks/fix_muckpile_blocks.h"
 #include "fixes/engine/bodies.h"
+#include "fixes/engine/find_view.h"
 #include "fixes/engine/over_ranks.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
@@ -54,7 +55,7 @@ void FixMultisphereMuckpile::post_create() {
 
 void FixMultisphereMuckpile::init() {
   FixMultisphere::init();
-  resting_ = dynamic_cast<const RestingBlocks*>(modify->find_fix_style_strict("muckpile/sleep", 0));
+  resting_ = engine::find_view<RestingBlocks>(*lmp);
   const auto ours = [](std::string_view name) { return name.starts_with("muckpile/"); };
   readers_.clear();
   if (fix_heat_ != nullptr) readers_.push_back(1);
@@ -112,7 +113,7 @@ bool FixMultisphereMuckpile::velocities_are_read() const {
 /// They stay the same until neighbours are looked for again.
 void FixMultisphereMuckpile::list_members() {
   members_known_ = true;
-  placed_version_ = held_version_ = 0;
+  placed_version_ = rests_version_ = 0;
   const std::vector<BodySphere> spheres = members();
   motion_ = BodyMotion(constants(), spheres);
   own_messages_ = !periodic() && comm->nprocs > 1;
@@ -181,12 +182,12 @@ Vec3 FixMultisphereMuckpile::gravity() const {
 /// Which bodies rest changes seldom.
 void FixMultisphereMuckpile::follow_rests() {
   const std::uint64_t version = any_rests() ? resting_->rests_version() : 0;
-  if (version == held_version_) return;
-  held_version_ = version;
-  std::vector<char> held(any_rests() ? static_cast<std::size_t>(multisphere_.n_body()) : 0);
-  for (std::size_t b = 0; b < held.size(); ++b)
-    held[b] = resting_->body_rests(static_cast<int>(b)) ? 1 : 0;
-  motion_.hold(held);
+  if (version == rests_version_) return;
+  rests_version_ = version;
+  std::vector<char> resting(any_rests() ? static_cast<std::size_t>(multisphere_.n_body()) : 0);
+  for (std::size_t b = 0; b < resting.size(); ++b)
+    resting[b] = resting_->body_rests(static_cast<int>(b)) ? 1 : 0;
+  motion_.hold(resting);
 }
 
 void FixMultisphereMuckpile::initial_integrate(int vflag) {
@@ -199,8 +200,8 @@ void FixMultisphereMuckpile::initial_integrate(int vflag) {
   follow_rests();
   // Spheres of resting bodies stay where they are. They are placed once more after their body came
   // to rest, so that their velocities are 0.
-  const bool place_held = placed_version_ != held_version_;
-  placed_version_ = held_version_;
+  const bool place_held = placed_version_ != rests_version_;
+  placed_version_ = rests_version_;
   motion_.advance(engine::Bodies(*this).rows(), sphere_rows(), {dtv, dtf}, place_held);
   if (own_messages_) {
     border_.to_spheres({atom->x, atom->v, atom->omega});

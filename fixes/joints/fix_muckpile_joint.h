@@ -64,7 +64,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
 
   [[nodiscard]] int facet_between(int block_tag_a, int block_tag_b) const override;
   [[nodiscard]] const FacetState* facet_states() const override { return network_.states().data(); }
-  void held_pairs(const std::vector<int>& blocks, std::vector<double>& tags) const override;
+  void joined_pairs(const std::vector<int>& blocks, std::vector<double>& tags) const override;
   [[nodiscard]] bool enclosed(int block_tag) const override;
   void mark_joined_bodies(std::span<char> joined) const override { network_.mark_held(joined); }
 

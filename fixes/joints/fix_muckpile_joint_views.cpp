@@ -23,7 +23,8 @@ int FixMuckpileJoint::facet_between(int block_tag_a, int block_tag_b) const {
   return -1;
 }
 
-void FixMuckpileJoint::held_pairs(const std::vector<int>& blocks, std::vector<double>& tags) const {
+void FixMuckpileJoint::joined_pairs(const std::vector<int>& blocks,
+                                    std::vector<double>& tags) const {
   const auto asked = [&](int tag) { return std::binary_search(blocks.begin(), blocks.end(), tag); };
   for (std::size_t k = 0; k < lower_tags_.size(); ++k)
     for (std::size_t f = first_of_[k]; f < first_of_[k + 1]; ++f) {

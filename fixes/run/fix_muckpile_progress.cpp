@@ -326,15 +326,16 @@ void FixMuckpileProgress::begin_files() {
   history_begun_ = true;
   if (comm->me == 0) remove_own_run();
   const std::string before = comm->me == 0 ? rows_before() : "";
-  engine::write_file(*lmp, where_, folder_ + "/history.csv", kHistoryHeader + before + held_);
-  held_.clear();
+  engine::write_file(*lmp, where_, folder_ + "/history.csv",
+                     kHistoryHeader + before + pending_rows_);
+  pending_rows_.clear();
 }
 
 void FixMuckpileProgress::write_history(const Look& now) {
   last_ = update->ntimestep;
   const std::string new_row = row(now);
   if (!history_begun_) {
-    held_ += new_row;
+    pending_rows_ += new_row;
     return;
   }
   engine::append_to_file(*lmp, where_, folder_ + "/history.csv", new_row);

@@ -80,10 +80,10 @@ class FixMuckpileProgress : public LAMMPS_NS::Fix, public StateWriter {
   JointDamage* joints_ = nullptr;
   KnownBlocks* blocks_ = nullptr;
   std::string where_, folder_, phase_;
-  std::string scene_;  // region, empty for all space
-  std::string solid_;  // region, empty for none
-  std::string held_;   // rows of history.csv, until a step is taken
-  int every_;          // the engine looks up `nevery` only when a run is set up
+  std::string scene_;         // region, empty for all space
+  std::string solid_;         // region, empty for none
+  std::string pending_rows_;  // rows of history.csv, until a step is taken
+  int every_;                 // the engine looks up `nevery` only when a run is set up
   double time_end_, still_speed_, still_share_, fastest_allowed_, balance_allowed_;
   double wall_start_, phase_wall_start_ = 0.0, phase_time_start_ = 0.0;
   bool history_begun_ = false, warned_of_solid_ = false;
