@@ -134,7 +134,6 @@ void BlockPlacement::create(std::vector<ByteWriter>& outgoing, const std::vector
     engine::exchange_messages(outgoing, world, [&](ByteReader& in, std::size_t) {
       while (!in.empty()) create_one(in.get<PlacedBlock>());
     });
-    return 0;
   });
   count_atoms();
   multisphere_->add_body_finalize();

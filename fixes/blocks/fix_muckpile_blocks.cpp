@@ -178,7 +178,6 @@ void FixMuckpileBlocks::migrate(const std::vector<int>& tags,
     engine::exchange_messages(leaving, world, [&arrived](ByteReader& in, std::size_t) {
       while (!in.empty()) arrived.push_back(in.get<BlocksShare>());
     });
-    return 0;
   });
   merge(tags, arrived);
 }

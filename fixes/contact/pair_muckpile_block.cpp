@@ -107,7 +107,7 @@ void PairMuckpileBlock::require_engine_settings() {
 
 void PairMuckpileBlock::find_partners() {
   bodies_ = dynamic_cast<LAMMPS_NS::FixMultisphere*>(modify->find_fix_style("multisphere", 0));
-  joints_ = dynamic_cast<const JointView*>(modify->find_fix_style("muckpile/joint", 0));
+  joints_ = engine::find_view<JointView>(*lmp);
   resting_ = engine::find_view<RestingBlocks>(*lmp);
   if (modify->find_fix(kHistoryId) < 0) {
     std::array<std::string, 3> words{kHistoryId, "all", kHistoryStyle};

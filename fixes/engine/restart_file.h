@@ -65,7 +65,6 @@ void read_state(LAMMPS_NS::LAMMPS& lmp, const std::string& style, const char* by
     require_types(in, stored_types<Share>());
     state = get_part<State>(in);
     while (!in.empty()) take(in.get<Share>());
-    return 0;
   });
 }
 

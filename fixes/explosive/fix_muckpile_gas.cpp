@@ -192,7 +192,6 @@ std::unordered_map<int, GasContent> FixMuckpileGas::contents_here(const std::vec
         all[arrived.tag] = arrived.content;
       }
     });
-    return 0;
   });
   return all;
 }
