@@ -28,6 +28,7 @@
 #include "fixes/engine/style_args.h"
 #include "fixes/interfaces/energy_account.h"
 #include "fixes/interfaces/given_energy.h"
+#include "fixes/interfaces/keyword_tables.h"
 #include "fixes/interfaces/resting_blocks.h"
 
 namespace muckpile {
@@ -81,6 +82,8 @@ GivenMotion motion_of(const ArgValues& args) {
 }
 
 }  // namespace
+
+const ArgTable& block_motion_keywords() { return table(); }
 
 void BlockMotionCommand::command(int narg, char** arg) {
   const std::string where = kStyle;

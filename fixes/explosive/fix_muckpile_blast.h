@@ -13,6 +13,7 @@
 #include "explosive/hole_loads.h"
 #include "fixes/interfaces/blast_energies.h"
 #include "fixes/interfaces/blast_surface.h"
+#include "fixes/interfaces/charge_timing.h"
 #include "fixes/interfaces/gas_chambers.h"
 #include "gas/joint_gas.h"
 #include "state/encoding.h"
@@ -38,7 +39,7 @@ struct Stored<BlastState> {
   }
 };
 
-class FixMuckpileBlast : public LAMMPS_NS::Fix, public BlastEnergies, public GasChambers {
+class FixMuckpileBlast : public LAMMPS_NS::Fix, public BlastEnergies, public GasChambers, public ChargeTiming {
  public:
   FixMuckpileBlast(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
@@ -55,6 +56,8 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix, public BlastEnergies, public Gas
 
   [[nodiscard]] Energies energies() const override;
   [[nodiscard]] bool over() const override { return over_; }
+  [[nodiscard]] BlastTiming timing() const override;
+  [[nodiscard]] bool vents_by_flow() const override { return options_.vent_by_flow; }
 
   void let_gas_into_joints(double ambient) override;
   [[nodiscard]] double gas_gamma() const override { return options_.flow.gamma; }

@@ -19,6 +19,7 @@
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
 #include "fixes/engine/style_name.h"
+#include "fixes/interfaces/keyword_tables.h"
 
 namespace muckpile {
 namespace {
@@ -51,6 +52,8 @@ JointGas make_gas(LAMMPS_NS::LAMMPS& lmp, const ArgValues& args, double gamma) {
 }
 
 }  // namespace
+
+const ArgTable& gas_keywords() { return table(); }
 
 FixMuckpileGas::FixMuckpileGas(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg), where_(engine::name_of(*this)), gas_({}) {
@@ -140,7 +143,7 @@ void FixMuckpileGas::end_of_gas(const std::string& how) {
   spent_ = true;
   active_ = false;
   joints_->release_gas();
-  gas_.set_network(joints_->rock());
+  gas_.set_network(joints_->network());
   engine::print_once(*lmp, where_ + ": the gas in joints " + how + " at " +
                                number_text(update->get_cur_time()) + " s\n");
 }
@@ -154,7 +157,7 @@ void FixMuckpileGas::follow_blocks() {
   if (active_) contents = contents_here(tags);
   contents.merge(restored_);
   restored_.clear();
-  gas_.set_network(joints_->rock());
+  gas_.set_network(joints_->network());
   engine::BlockHalo& halo = joints_->halo();
   halo.forward(gas_.touches().first(halo.size()));
   tags_ = std::move(tags);
@@ -199,7 +202,7 @@ std::unordered_map<int, GasContent> FixMuckpileGas::contents_here(const std::vec
 std::span<const double> FixMuckpileGas::pressure_in_joints() {
   if (!active_) return {};
   engine::BlockHalo& halo = joints_->halo();
-  gas_.measure(joints_->rock(), fed_);
+  gas_.measure(joints_->network(), fed_);
   numbers_.resize(halo.size() * kCellWidth);
   const std::span<GasCell> cells = gas_.cells();
   for (std::size_t b = 0; b < halo.owned(); ++b) {

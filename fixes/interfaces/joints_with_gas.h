@@ -18,7 +18,7 @@ class JointsWithGas {
   virtual ~JointsWithGas() = default;
 
   /// Blocks, joints and faces, as the force computation sees them. For reading.
-  [[nodiscard]] virtual const FacetNetwork& rock() const = 0;
+  [[nodiscard]] virtual const FacetNetwork& network() const = 0;
   /// Grows whenever the lists of blocks and joints in it may have changed.
   [[nodiscard]] virtual std::uint64_t lists_version() const = 0;
   /// Tags of the owned blocks, in the order of their bodies.

@@ -21,6 +21,7 @@
 #include "fixes/interfaces/joint_pressure.h"
 #include "fixes/interfaces/joint_view.h"
 #include "fixes/interfaces/joints_with_gas.h"
+#include "fixes/interfaces/rock_view.h"
 #include "fixes/interfaces/step_limit.h"
 #include "fixes/interfaces/yielding_supports.h"
 #include "fixes/joints/joint_step_check.h"
@@ -40,7 +41,8 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
                          public JointEnergies,
                          public JointFragments,
                          public JointDamage,
-                         public ActingJoints {
+                         public ActingJoints,
+                         public RockView {
  public:
   FixMuckpileJoint(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
   ~FixMuckpileJoint() override;
@@ -89,6 +91,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   }
   [[nodiscard]] StepBound stable_step(Breaking breaking, double guess) const override;
   [[nodiscard]] int stiffness_changes() const override { return softenings_; }
+  [[nodiscard]] RockConstants rock() const override;
 
   void mark_joined(std::span<const char> moves, std::span<char> disturbed) override;
   void let_rest(std::span<const char> rests) override;
@@ -106,7 +109,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   [[nodiscard]] std::span<const Vec3> joint_forces() const override { return network_.force(); }
   [[nodiscard]] std::span<const Vec3> joint_torques() const override { return network_.torque(); }
 
-  [[nodiscard]] const FacetNetwork& rock() const override { return network_; }
+  [[nodiscard]] const FacetNetwork& network() const override { return network_; }
   [[nodiscard]] std::uint64_t lists_version() const override { return version_; }
   [[nodiscard]] std::vector<int> block_tags() const override;
   [[nodiscard]] engine::BlockHalo& halo() override { return store_->halo(); }

@@ -10,6 +10,7 @@
 
 #include "args/numbers.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/interfaces/keyword_tables.h"
 
 namespace muckpile {
 namespace {
@@ -95,6 +96,8 @@ std::vector<JointClass> joint_classes(const ArgValues& args, const std::string& 
 }
 
 }  // namespace
+
+const ArgTable& joint_keywords() { return table(); }
 
 JointArguments joint_arguments(LAMMPS_NS::LAMMPS& lmp, const std::string& where, int narg,
                                char** arg) {

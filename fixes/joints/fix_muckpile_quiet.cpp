@@ -19,6 +19,7 @@
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
 #include "fixes/engine/style_name.h"
+#include "fixes/interfaces/keyword_tables.h"
 
 namespace muckpile {
 namespace {
@@ -39,11 +40,13 @@ const ArgTable& table() {
                 "the ground stands still once less than this share of the greatest radiated power "
                 "so far leaves; 0: never")
           .integer("every", "steps", engine::step_counts(), 100,
-                   "between looks at time and power, which is the mean between two looks");
+                   "between checks of time and power, which is the mean between two checks");
   return args;
 }
 
 }  // namespace
+
+const ArgTable& quiet_keywords() { return table(); }
 
 FixMuckpileQuiet::FixMuckpileQuiet(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg), where_(engine::name_of(*this)) {

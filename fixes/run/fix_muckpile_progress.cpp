@@ -37,6 +37,7 @@
 #include "fixes/interfaces/blast_energies.h"
 #include "fixes/interfaces/energy_account.h"
 #include "fixes/interfaces/joint_damage.h"
+#include "fixes/interfaces/keyword_tables.h"
 #include "fixes/interfaces/known_blocks.h"
 
 namespace muckpile {
@@ -53,7 +54,7 @@ Range time_range() { return Range::left_open(0.0, 1e30); }
 
 const ArgTable& table() {
   static const ArgTable args =
-      engine::periodic_output_table("fix muckpile/progress", "between looks",
+      engine::periodic_output_table("fix muckpile/progress", "between checks",
                                     "where history.csv and run.json go")
           .word("phase", {}, "run", "name of the phase that begins")
           .real("time_end", "s", time_range(), 1e30,
@@ -96,6 +97,8 @@ bool is_whole_row(const std::string& line, const std::string& run_id) {
 }
 
 }  // namespace
+
+const ArgTable& progress_keywords() { return table(); }
 
 FixMuckpileProgress::FixMuckpileProgress(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg), where_(engine::name_of(*this)), wall_start_(MPI_Wtime()) {

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The list of all keyword tables.
+// Scope: see the header.
+#include "fixes/interfaces/keyword_tables.h"
+
+#include "explosive/blast_options.h"
+#include "explosive/charge_design.h"
+#include "rock/cut_table.h"
+
+namespace muckpile {
+
+std::vector<ArgTable> keyword_tables() {
+  return {block_contact_keywords(),
+          block_motion_keywords(),
+          blast_table(),
+          charge_design_table(),
+          cut_table(),
+          dump_keywords(),
+          gas_keywords(),
+          joint_keywords(),
+          progress_keywords(),
+          quiet_keywords(),
+          rank_grid_keywords(),
+          sleep_keywords(),
+          timestep_keywords()};
+}
+
+}  // namespace muckpile
