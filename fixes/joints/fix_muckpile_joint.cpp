@@ -129,7 +129,7 @@ void FixMuckpileJoint::follow_blocks() {
   FacetLists lists = store_->hand_over();
   network_.set_facets(std::move(lists.facets), std::move(lists.memory));
   network_.set_faces(std::move(lists.faces));
-  slanted_ = engine::on_any_rank(network_.slanted(), world);
+  if (engine::on_any_rank(network_.slanted(), world)) network_.follow_leaning_faces();
 
   index_facets();
   loaded_.clear();
@@ -207,27 +207,21 @@ void FixMuckpileJoint::end_of_step() {
 
 void FixMuckpileJoint::add_forces(double dt) {
   gather_state();
-  compute_bulk_stresses(dt);
   if (gas_ != nullptr) press_gas();
-  network_.tractions(dt);
+  network_.step(dt, team());
   apply_forces();
 }
 
 void FixMuckpileJoint::press_gas() {
   const std::span<const double> pressure = gas_->pressure_in_joints();
-  if (!pressure.empty()) std::ranges::copy(pressure, network_.gas_pressure().begin());
+  if (!pressure.empty()) network_.set_gas_pressure(pressure);
 }
 
-void FixMuckpileJoint::compute_bulk_stresses(double dt) {
-  engine::BlockHalo& halo = store_->halo();
-  network_.dilatation(dt);
-  halo.forward(network_.theta().first(halo.size()), 1);
-  if (slanted_) {
-    halo.forward(network_.gradients(halo.size()), 9);
-    halo.forward(network_.slant_stresses(halo.size()), 9);
-  }
-  network_.bulk_stresses();
-  halo.forward(network_.bulk_stress().first(halo.size()), 1);
+RankTeam FixMuckpileJoint::team() const {
+  return {[this](std::span<double> values, std::size_t width) {
+            store_->halo().forward(values, width);
+          },
+          [this](double mine) { return sum(mine); }};
 }
 
 void FixMuckpileJoint::gather_state() {

@@ -68,7 +68,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   [[nodiscard]] const FacetState* facet_states() const override { return network_.states().data(); }
   void joined_pairs(const std::vector<int>& blocks, std::vector<double>& tags) const override;
   [[nodiscard]] bool enclosed(int block_tag) const override;
-  void mark_joined_bodies(std::span<char> joined) const override { network_.mark_held(joined); }
+  void mark_joined_bodies(std::span<char> joined) const override { network_.mark_jointed(joined); }
 
   [[nodiscard]] int hole_count() const override;
   [[nodiscard]] const Hole& hole(int index) const override;
@@ -142,7 +142,6 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   void follow_blocks();
   void add_forces(double dt);
   void gather_state();
-  void compute_bulk_stresses(double dt);
   void press_gas();
   void apply_forces();
   void index_facets();
@@ -152,13 +151,14 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   void gather_flags(std::span<const char> of_bodies);
   [[nodiscard]] double sum(double mine) const;
 
+  [[nodiscard]] RankTeam team() const;
+
   FacetNetwork network_;
   JointStepCheck step_check_;
   bool contact_check_;
   FacetStore* store_ = nullptr;
   JointPressure* gas_ = nullptr;  // looked up in every init(), nullptr if there is none
   std::uint64_t version_ = 0;
-  bool slanted_ = false;  // a joint of any rank is
   // For facet_between: lower tags in order, the first facet of each, the upper tag of every facet.
   std::vector<int> lower_tags_, upper_tags_;
   std::vector<std::size_t> first_of_;

@@ -59,8 +59,7 @@ int FixMuckpileJoint::modify_param(int narg, char** arg) {
     std::optional<double> damping;
     if (damps) damping = parse_real(where, "damping", arg[3], "", Range::closed(0.0, 10.0));
     gather_state();
-    compute_bulk_stresses(0.0);
-    network_.soften(factor, damping);
+    network_.soften(factor, damping, team());
     ++softenings_;
     return 0;
   });

@@ -51,7 +51,7 @@ void FixMuckpileJoint::set_pressure(std::span<const double> pressure,
                                     std::span<const double> wave_share) {
   for (std::size_t k = 0; k < loaded_faces_.size(); ++k) {
     BoundaryFace& face = network_.faces()[loaded_faces_[k]];
-    face.pressure = face.held * pressure[k];
+    face.pressure = face.load_share * pressure[k];
     face.wave_share = wave_share[k];
   }
 }
@@ -93,12 +93,7 @@ StepBound FixMuckpileJoint::stable_step(Breaking breaking, double guess) const {
   const engine::Bodies bodies(store_->bodies());
   std::vector<Mat3> inertia;
   for (int b = 0; b < bodies.count(); ++b) inertia.push_back(bodies.inertia_in_space(b));
-  RankTeam team;
-  team.fill_copies = [this](std::span<double> values, std::size_t width) {
-    store_->halo().forward(values, width);
-  };
-  team.sum = [this](double mine) { return sum(mine); };
-  return muckpile::stable_step(network_, inertia, breaking, team, guess);
+  return muckpile::stable_step(network_, inertia, breaking, team(), guess);
 }
 
 /// Into of_blocks_, of copies too; the ground's is 0.

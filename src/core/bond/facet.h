@@ -32,7 +32,7 @@ struct Facet {
   std::array<Vec3, 2> half_axes;  ///< sqrt(2) x radii of gyration along the in-plane axes [m]
   double area = 0.0;              ///< [m2]
   bool sharpened = true;          ///< D counts; not at the blocks of fixed supports
-  std::array<bool, 2> slanted{false, false};  ///< blocks i and j have the terms of facet_slant.cpp
+  std::array<bool, 2> slanted{false, false};  ///< blocks i and j have the terms of leaning_faces.h
   double weight = 1.0;  ///< share of the facet's energy that this rank books [-]
 };
 
@@ -54,11 +54,11 @@ struct BoundaryFace {
   double area = 0.0;           ///< [m2]
   double pressure = 0.0;       ///< on a face with a hole only [Pa]
   double wave_share = 0.0;     ///< of its work; the rest is the gas's [-]
-  double held = 1.0;           ///< share of the load that no gas around the block balances [-]
+  double load_share = 1.0;     ///< of the load, that no gas around the block balances [-]
   // Of the step before; they follow the face through the run.
   double last_pressure = 0.0;  ///< [Pa]
   double last_squeezed = 0.0;  ///< volume by the face's own displacement [m3]
-  double rigid_swept = 0.0;    ///< by the block's own motion since the start, held share [m3]
+  double rigid_swept = 0.0;    ///< by the block's own motion since the start, load_share of it [m3]
   Vec3 last_centroid = Vec3::Zero(), last_normal = Vec3::Zero();
 };
 

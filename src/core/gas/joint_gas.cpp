@@ -34,7 +34,7 @@ void JointGas::set_network(const FacetNetwork& network) {
   holds_.assign(count, 0);
   changes_.assign(count, {});
   reservoirs_.assign(count, {});
-  for (auto* numbers : {&density_, &entropy_per_mass_, &pressure_, &root_})
+  for (auto* numbers : {&density_, &entropy_per_mass_, &pressure_, &root_, &gauge_})
     numbers->assign(count, 0.0);
   cracks_.clear();
   crack_facets_.clear();
@@ -127,7 +127,7 @@ void JointGas::list_cracks(const FacetNetwork& network) {
   listed_ = true;
 }
 
-void JointGas::measure_crack(std::size_t c, const FacetNetwork::OpenJoint& open) {
+void JointGas::measure_crack(std::size_t c, const OpenJoint& open) {
   Crack& crack = cracks_[c];
   aperture_[c] = p_.residual_aperture + open.opening;
   if (open.area != crack.broken) {  // another point has broken
@@ -174,10 +174,9 @@ double JointGas::pressure(const GasCell& cell) const {
 
 std::span<const double> JointGas::press() {
   refresh();
-  pressed_.resize(cells_.size());
   for (std::size_t b = 0; b < cells_.size(); ++b)
-    pressed_[b] = std::max(0.0, reservoirs_[b].head.pressure - p_.ambient);
-  return pressed_;
+    gauge_[b] = std::max(0.0, reservoirs_[b].head.pressure - p_.ambient);
+  return gauge_;
 }
 
 void JointGas::refresh() {

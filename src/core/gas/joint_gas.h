@@ -135,7 +135,7 @@ class JointGas {
   void mark_reached(const FacetNetwork& network);
   void list_cracks(const FacetNetwork& network);
   void find_pressures();
-  void measure_crack(std::size_t c, const FacetNetwork::OpenJoint& open);
+  void measure_crack(std::size_t c, const OpenJoint& open);
   void count_crack(const Crack& crack);
   template <class Act>
   void each_block(const Crack& crack, const Act& act) const {
@@ -175,14 +175,14 @@ class JointGas {
   std::vector<char> reached_;                       // per block: gas is in it or beside it
   std::vector<Crack> cracks_;                       // those of them that gas can reach
   std::vector<LaneSet> crack_facets_;               // of cracks_
-  std::vector<FacetNetwork::OpenJoint> openings_;   // of cracks_
+  std::vector<OpenJoint> openings_;                 // of cracks_
   std::vector<double> aperture_, width_, passage_;  // of cracks_ [m], [m], [-]
   std::vector<std::uint32_t> ending_, wide_;        // of cracks_: in a hole or at a surface; wide
   std::vector<Change> changes_;
   std::vector<double> chamber_ways_;
   // Per block, as refresh() found them.
   std::vector<double> density_, entropy_per_mass_, pressure_, root_;
-  std::vector<double> pressed_;  // what press() has returned
+  std::vector<double> gauge_;  // per block: beyond the atmosphere, as press() told it [Pa]
   std::vector<Reservoir> reservoirs_;
 };
 

@@ -145,7 +145,7 @@ Motion spinning(const Vec3& at, double rate) {
           spin};
 }
 
-/// Faces lean against the lines between centres: the terms of facet_slant.cpp act.
+/// Faces lean against the lines between centres: the terms of leaning_faces.h act.
 const std::string kLeaning = " cut joint_sets joint_set 75 90 joint_set 85 0 joint_set 10 270";
 
 /// A bonded lump of some 40 blocks about the origin.

@@ -115,11 +115,7 @@ void BondScene::shake(double shift, double angle, unsigned seed) {
   }
 }
 
-void BondScene::compute(double dt) {
-  network_.dilatation(dt);
-  network_.bulk_stresses();
-  network_.tractions(dt);
-}
+void BondScene::compute(double dt) { network_.step(dt); }
 
 void BondScene::kick(double dt) {
   for (std::size_t b = 0; b < size(); ++b) {
@@ -175,22 +171,22 @@ double BondScene::energy_account() {
 }
 
 Vec3 BondScene::facet_force(std::size_t f) {
-  network_.dilatation();
-  network_.bulk_stresses();
   FacetNetwork alone(network_.material());
   std::vector<BlockConstants> blocks = network_.blocks();
   blocks.pop_back();  // the ground, which set_blocks appends
   alone.set_blocks(blocks);
   alone.set_facets({network_.facets()[f]}, {network_.memory(f)});
+  if (network_.slanted()) alone.follow_leaning_faces();
   for (std::size_t b = 0; b < size(); ++b) alone.state()[b] = block(b);
-  alone.dilatation();  // the facet's jump; its own bulk stresses are overwritten next
-  std::copy(network_.bulk_stress().begin(), network_.bulk_stress().end(),
-            alone.bulk_stress().begin());
-  if (network_.slanted()) {
-    std::ranges::copy(network_.gradients(size()), alone.gradients(size()).begin());
-    std::ranges::copy(network_.slant_stresses(size()), alone.slant_stresses(size()).begin());
-  }
-  alone.tractions(0.0);
+  // Its blocks have the dilatations, gradients and stresses that all their facets give them.
+  std::vector<std::vector<double>> fields;
+  network_.find_stresses({.fill_copies = [&](std::span<double> values, std::size_t) {
+    fields.emplace_back(values.begin(), values.end());
+  }});
+  std::size_t field = 0;
+  alone.step(0.0, {.fill_copies = [&](std::span<double> values, std::size_t) {
+               std::ranges::copy(fields[field++], values.begin());
+             }});
   return alone.force()[static_cast<std::size_t>(network_.facets()[f].i)];
 }
 

@@ -71,7 +71,7 @@ class BondScene {
   std::vector<Vec3> angular_momentum_;
 };
 
-/// Free leaning blocks with the terms of facet_slant.cpp.
+/// Free leaning blocks with the terms of leaning_faces.h.
 BondScene leaning_scene(double edge, const JointParameters& parameters);
 
 /// Rotation by the vector's length about its direction.

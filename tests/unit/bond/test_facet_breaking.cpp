@@ -409,7 +409,7 @@ void expect_breaking_booked(BondScene strong, BondScene weak) {
   const double broken = weak.network().broken_count();
   ASSERT_GT(broken, 5.0);
   ASSERT_LT(broken, 0.7 * static_cast<double>(weak.network().facets().size()));
-  weak.network().dilatation();
+  weak.network().find_stresses();
   const double stored = weak.network().elastic_energy(), whole = strong.network().elastic_energy();
   ASSERT_GT(weak.network().losses().fracture, 0.05 * whole);
   EXPECT_NEAR((stored + weak.network().losses().fracture) / whole, 1.0,
@@ -427,7 +427,7 @@ void expect_energy_told_at_once(BondScene scene) {
   scene.compute();
   ASSERT_GT(scene.network().broken_count(), 5.0);
   const double told = scene.network().elastic_energy();
-  scene.network().dilatation();
+  scene.network().find_stresses();
   EXPECT_NEAR(told / scene.network().elastic_energy(), 1.0,
               1e-12);  // rounding of some hundred terms
 }
@@ -569,17 +569,17 @@ TEST(FacetNetwork, MarksBlocksBesideOneThatMovesUnlessTheirFacetHasRetired) {
   std::vector<int> disturbed(3, 0);
   pair.scene.network().mark_joined(std::vector<int>{1, 0, 0}, disturbed);
   EXPECT_EQ(disturbed, (std::vector<int>{0, 1, 0}));
-  std::vector<char> held(2, 0);
-  pair.scene.network().mark_held(held);
-  EXPECT_EQ(held, (std::vector<char>{1, 1}));
+  std::vector<char> jointed(2, 0);
+  pair.scene.network().mark_jointed(jointed);
+  EXPECT_EQ(jointed, (std::vector<char>{1, 1}));
   for (const double apart : {0.01, 0.1, 1.0}) pair.at(Vec3(apart, 0.0, 0.0));
   ASSERT_EQ(pair.scene.network().states()[0], FacetState::retired);
   std::fill(disturbed.begin(), disturbed.end(), 0);
   pair.scene.network().mark_joined(std::vector<int>{1, 0, 0}, disturbed);
   EXPECT_EQ(disturbed, (std::vector<int>{0, 0, 0}));
-  std::fill(held.begin(), held.end(), 0);
-  pair.scene.network().mark_held(held);
-  EXPECT_EQ(held, (std::vector<char>{0, 0}));
+  std::fill(jointed.begin(), jointed.end(), 0);
+  pair.scene.network().mark_jointed(jointed);
+  EXPECT_EQ(jointed, (std::vector<char>{0, 0}));
 }
 
 }  // namespace

@@ -111,7 +111,7 @@ TEST(FacetNetwork, DilatesVoronoiBlocksByTheTraceOfAnyStrain) {
   shear -= shear.trace() / 3.0 * Mat3::Identity();
   for (const Mat3& e : {strain(), shear}) {
     scene.deform(e);
-    scene.network().dilatation();
+    scene.network().find_stresses();
     for (const int b : inner_blocks(scene)) {
       // Jumps of 1e-6 m are differences of coordinates of some metres, as above.
       EXPECT_NEAR(scene.network().theta()[static_cast<std::size_t>(b)], e.trace(), 1e-14);
@@ -149,8 +149,7 @@ TEST(FacetNetwork, SlowsAPlaneWaveInARowOfCubesAsItsDispersionLawSays) {
 /// Elastic energy less the work that constant pressures do about the pose `from`.
 double potential(BondScene& scene, const std::vector<Mat3>& from) {
   FacetNetwork& network = scene.network();
-  network.dilatation();
-  network.bulk_stresses();
+  network.find_stresses();
   double energy = network.elastic_energy();
   for (const BoundaryFace& face : network.faces()) {
     if (face.pressure == 0.0) continue;

@@ -39,11 +39,7 @@ class Pairs {
     network_.set_facets(facets, std::move(memory));
     for (std::size_t f = 0; f < chosen.size(); ++f) pose(f, facets[f], chosen[f]);
   }
-  void compute() {
-    network_.dilatation(kStep);
-    network_.bulk_stresses();
-    network_.tractions(kStep);
-  }
+  void compute() { network_.step(kStep); }
   [[nodiscard]] FacetNetwork& network() { return network_; }
   void expect_same(std::size_t f, const Pairs& other, std::size_t g) const {
     for (std::size_t side = 0; side < 2; ++side) {
@@ -106,7 +102,7 @@ FacetMemory remembered(std::size_t f) {
     memory.broken.set(p);
   if (broken > 0) {
     memory.state = broken == 4 ? FacetState::retired : FacetState::cracked;
-    memory.contact.made().offset[0] = Vec3(1e-6, 2e-6, -1e-6);
+    memory.contact.get_or_create().offset[0] = Vec3(1e-6, 2e-6, -1e-6);
   }
   return memory;
 }
@@ -140,7 +136,7 @@ FacetMemory broken_in_one_way(std::size_t f) {
   memory.broken = PointSet::all();
   memory.state = f % 6 == 4 ? FacetState::fading : FacetState::cracked;
   memory.open = f % 6 == 3;
-  ContactMemory& contact = memory.contact.made();
+  ContactMemory& contact = memory.contact.get_or_create();
   const double away[] = {1e-7, 3e-3, -5e-5, 1e-6, 1e-6, 0.1};
   for (std::size_t p = 0; p < kFacetPoints; ++p)
     contact.offset[p] = Vec3(f % 6 == 2 ? -5e-5 : 1e-6 * static_cast<double>(p), away[f % 6], 0.0);
@@ -154,7 +150,7 @@ TEST(FacetGroups, BrokenFacetsHaveTheForcesAndLossesOfFacetsWorkedOnOneByOne) {
   for (std::size_t f = 0; f < 24; ++f) {
     FacetMemory memory = broken_in_one_way(f);
     Pairs together(of, {f}, 0.0, {memory});
-    memory.rare.made() = {};  // facets that soften are worked on one by one
+    memory.extra.get_or_create() = {};  // facets that soften are worked on one by one
     Pairs alone(of, {f}, 0.0, {memory});
     for (int step = 0; step < 3; ++step) {
       for (Pairs* pairs : {&together, &alone}) {
@@ -292,15 +288,17 @@ TEST(FacetGroups, GasPressesOnTheBrokenPointsOfEachFacetAndFindsThemAsFarOpenAsT
     memory[f].gas = f != 9;  // that one has retired and let its gas go
     if (f % 5 == 0) continue;
     for (std::size_t p = 0; p < kFacetPoints; ++p)  // the faces are 1e-5 m closer than at first
-      memory[f].contact.made().offset[p].x() =
+      memory[f].contact.get_or_create().offset[p].x() =
           p == 1 ? 1e-5 : -3e-5 - 1e-6 * static_cast<double>(p);
   }
   Pairs pairs(of, chosen, 0.0, memory);
   FacetNetwork& network = pairs.network();
+  std::vector<double> pressure(network.blocks().size(), 0.0);
   for (std::size_t f = 0; f < chosen.size(); ++f)
-    network.gas_pressure()[2 * f + f % 2] = f == 11 ? 0.0 : 2.0 * kPressure;
+    pressure[2 * f + f % 2] = f == 11 ? 0.0 : 2.0 * kPressure;
+  network.set_gas_pressure(pressure);
   pairs.compute();
-  std::vector<FacetNetwork::OpenJoint> open;
+  std::vector<OpenJoint> open;
   const std::vector<std::size_t> asked = {1, 2, 3, 5, 7, 8, 13, 16, 20};
   std::vector<LaneSet> sets;
   for (const std::size_t f : asked) add_facet(sets, f);

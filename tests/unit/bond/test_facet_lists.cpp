@@ -80,7 +80,7 @@ TEST(FacetLists, TheNetworkGoesOnWithThemAsIfNothingHadBeen) {
   std::vector<BoundaryFace> faces;
   returned.network().give_up(facets, memory, faces);
   std::size_t softening = 0;
-  for (const FacetMemory& one : memory) softening += one.rare.exists() ? 1 : 0;
+  for (const FacetMemory& one : memory) softening += one.extra.exists() ? 1 : 0;
   EXPECT_GT(softening, 0u);
   EXPECT_LT(softening, memory.size());
   returned.network().set_facets(facets, memory);
@@ -141,7 +141,7 @@ TEST(FacetLists, OfARunAndOfItsRestartFileAgreeToTheLastBit) {
   FacetNetwork& network = scene.network();
   std::vector<FacetMemory> memory = network.memory();  // as a file has it: no notes of the network
   for (FacetMemory& one : memory)
-    if (one.rare.exists()) one.rare.made().ground.placed = false;
+    if (one.extra.exists()) one.extra.get_or_create().ground.placed = false;
   BondScene read = scene;
   read.network().set_facets(network.facets(), memory);
   network.derive_anew();
@@ -155,17 +155,17 @@ TEST(FacetLists, OfARunAndOfItsRestartFileAgreeToTheLastBit) {
   }
 }
 
-TEST(Rare, CopiesAreDeepAndWhatIsNotThereReadsAsTheDefault) {
-  Rare<RareMemory> one;
+TEST(Sparse, CopiesAreDeepAndWhatIsNotThereReadsAsTheDefault) {
+  Sparse<ExtraMemory> one;
   EXPECT_FALSE(one.exists());
   EXPECT_FALSE(one.get().ground.yields);
-  one.made().ground.yields = true;
-  Rare<RareMemory> copy = one;
-  copy.made().ground.yields = false;
+  one.get_or_create().ground.yields = true;
+  Sparse<ExtraMemory> copy = one;
+  copy.get_or_create().ground.yields = false;
   EXPECT_TRUE(one.get().ground.yields);
   copy = one;
   EXPECT_TRUE(copy.get().ground.yields);
-  copy = Rare<RareMemory>();
+  copy = Sparse<ExtraMemory>();
   EXPECT_FALSE(copy.exists());
   EXPECT_TRUE(one.exists());
 }

@@ -34,7 +34,7 @@ class Wall {
     throw std::runtime_error("no loaded face");
   }
   /// As fix muckpile/joint does.
-  void load(double pressure) { face().pressure = face().held * pressure; }
+  void load(double pressure) { face().pressure = face().load_share * pressure; }
   /// Block 1 is put there; the pressure is that of the pose before.
   void put(const Vec3& jump) {
     scene.block(1).centre = scene.start(1) + jump;
@@ -57,27 +57,27 @@ class Wall {
 
 TEST(WallLoad, ActsInFullWhileTheJointBehindHoldsOrIsClosed) {
   Wall wall;
-  EXPECT_DOUBLE_EQ(wall.face().held, 1.0);
+  EXPECT_DOUBLE_EQ(wall.face().load_share, 1.0);
   wall.put({1e-3, 0, 0});  // 50 GPa/m x 1 mm = 50 MPa: broken
   ASSERT_GT(wall.scene.network().broken_count(), 0.0);
   wall.put({-1e-5, 0, 0});
-  EXPECT_DOUBLE_EQ(wall.face().held, 1.0);
+  EXPECT_DOUBLE_EQ(wall.face().load_share, 1.0);
   wall.put({0.09 * kRadius, 0, 0});  // open, but not yet by a tenth of the radius
-  EXPECT_DOUBLE_EQ(wall.face().held, 1.0);
+  EXPECT_DOUBLE_EQ(wall.face().load_share, 1.0);
 }
 
 TEST(WallLoad, FadesWithTheJointThatSlides) {
   Wall wall;
   wall.put({-1e-4, 0.3 * kRadius, 0});  // breaks
   wall.put({-1e-4, 0.3 * kRadius, 0});  // fades: (0.5 - 0.3)/(0.5 - 0.1) = 0.5
-  EXPECT_NEAR(wall.face().held, 0.5, 1e-9);
+  EXPECT_NEAR(wall.face().load_share, 0.5, 1e-9);
 }
 
 TEST(WallLoad, EndsOnceTheBlockBehindHasGoneAhead) {
   Wall wall;
   wall.put({1e-3, 0, 0});
   wall.put({0.11 * kRadius, 0, 0});
-  EXPECT_EQ(wall.face().held, 0.0);
+  EXPECT_EQ(wall.face().load_share, 0.0);
   wall.put({0.11 * kRadius, 0, 0});
   EXPECT_EQ(wall.scene.network().force()[0].norm(), 0.0);
   const double filled = wall.scene.network().volume_swept(wall.face());
@@ -91,10 +91,10 @@ TEST(WallLoad, IsNotReducedWhereTheGasBehindPressesByItself) {
   wall.scene.network().keep_gas_in_joints();
   wall.put({1e-3, 0, 0});
   wall.put({0.11 * kRadius, 0, 0});
-  EXPECT_DOUBLE_EQ(wall.face().held, 1.0);
+  EXPECT_DOUBLE_EQ(wall.face().load_share, 1.0);
   wall.scene.network().release_gas(0);  // in the open: the gas is round the block
   wall.put({0.11 * kRadius, 0, 0});
-  EXPECT_EQ(wall.face().held, 0.0);
+  EXPECT_EQ(wall.face().load_share, 0.0);
 }
 
 /// Block 0 has y = 0 on another chamber: N0 = (-1, 0, 0), N1 = (0, -1, 0) m2. Once block 1 has gone
@@ -107,18 +107,18 @@ TEST(WallLoad, OfOneChamberIsNotThatOfAnother) {
     if (face.block == 0 && face.normal.y() < -0.5) face.hole = 1;
   }
   network.set_faces(std::move(faces));
-  const auto held = [&](int hole) {
+  const auto load_share = [&](int hole) {
     const auto found = std::find_if(network.faces().begin(), network.faces().end(),
                                     [hole](const BoundaryFace& f) { return f.hole == hole; });
-    return found->held;
+    return found->load_share;
   };
   wall.scene.compute();
-  EXPECT_DOUBLE_EQ(held(0), 1.0);
-  EXPECT_DOUBLE_EQ(held(1), 1.0);
+  EXPECT_DOUBLE_EQ(load_share(0), 1.0);
+  EXPECT_DOUBLE_EQ(load_share(1), 1.0);
   wall.put({1e-3, 0, 0});
   wall.put({0.11 * kRadius, 0, 0});
-  EXPECT_NEAR(held(0), 0.0, 1e-6);
-  EXPECT_DOUBLE_EQ(held(1), 1.0);
+  EXPECT_NEAR(load_share(0), 0.0, 1e-6);
+  EXPECT_DOUBLE_EQ(load_share(1), 1.0);
 }
 
 /// A wall of 1e-4 m2 on a block of 6 m2: the sum of A n of the whole block is nothing to 1e-7 m2,
@@ -138,7 +138,7 @@ TEST(WallLoad, OfATinyFaceIsWholeWhileTheBlockIsHeld) {
   }
   network.set_faces(std::move(faces));
   wall.scene.compute();
-  EXPECT_DOUBLE_EQ(wall.face().held, 1.0);
+  EXPECT_DOUBLE_EQ(wall.face().load_share, 1.0);
 }
 
 TEST(WallLoad, NothingIsSweptWhileNoPressureIsThereNorExpected) {
@@ -183,7 +183,7 @@ TEST(WallLoad, WorkIsTheEnergyOfTheBlocksThroughTheChange) {
   const double start = wall.scene.energy_account();
   const double work = wall.scene.network().pressure_work();
   run(static_cast<int>(0.11 * kRadius / 40.0 / dt) + 50);
-  ASSERT_EQ(wall.face().held, 0.0);
+  ASSERT_EQ(wall.face().load_share, 0.0);
   const double speed = wall.scene.block(0).velocity.x();
   run(1000);
   EXPECT_NEAR(wall.scene.block(0).velocity.x(), speed, 1e-12 * speed);

@@ -71,9 +71,7 @@ double load_ring(FacetNetwork& network) {
                         .vent_decay = 1.0});
   const double pressure = load.pressure(0.7e-4, 0.0);
   for (BoundaryFace& face : network.faces()) face.pressure = pressure;
-  network.dilatation();
-  network.bulk_stresses();
-  network.tractions(1e-6);
+  network.step(1e-6);
   return pressure;
 }
 

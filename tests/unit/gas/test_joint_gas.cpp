@@ -30,9 +30,7 @@ JointParameters weak() {
   return p;
 }
 
-void press(JointGas& gas, FacetNetwork& network) {
-  std::ranges::copy(gas.press(), network.gas_pressure().begin());
-}
+void press(JointGas& gas, FacetNetwork& network) { network.set_gas_pressure(gas.press()); }
 
 /// Opens the wide joints of both; returns what was let into the atmosphere [kg].
 double open_wide(JointGas& gas, FacetNetwork& network) {
@@ -257,7 +255,7 @@ TEST(JointGas, PressurePushesBothBlocksApartWithItsTrueResultant) {
   pair.fill(1, 0.02);
   pair.gas.measure(pair.scene.network(), pair.fed);
   press(pair.gas, pair.scene.network());
-  pair.scene.network().tractions(0.0);
+  pair.scene.network().step(0.0);
   const auto gauge = [&](std::size_t b) { return pair.gas.pressure(pair.gas.cells()[b]) - 1e5; };
   const double expected = 0.5 * (gauge(0) + gauge(1));  // on 1 m2
   ASSERT_GT(expected, 1e6);
@@ -278,7 +276,7 @@ TEST(JointGas, ClosedJointCarriesTheRestOfTheLoad) {
   pair.gas.measure(pair.scene.network(), pair.fed);
   EXPECT_NEAR(pair.gas.cells()[0].volume, 0.5e-4, 1e-14);
   press(pair.gas, pair.scene.network());
-  pair.scene.network().tractions(0.0);
+  pair.scene.network().step(0.0);
   EXPECT_NEAR((pair.scene.network().force()[1].x() - contact) / pressure_at(0.002 / 0.5e-4), 1.0,
               1e-9);
 }
@@ -292,7 +290,7 @@ TEST(JointGas, IntactJointsHoldNoGas) {
   gas.measure(pair.network(), {});
   EXPECT_EQ(gas.cells()[0].volume, 0.0);
   press(gas, pair.network());
-  pair.network().tractions(0.0);
+  pair.network().step(0.0);
   EXPECT_EQ(pair.network().force()[0].norm(), 0.0);
 }
 

@@ -161,15 +161,10 @@ void BlockRun::compute(double dt) {
   std::fill(torque_.begin(), torque_.end(), Vec3::Zero());
   for (FacetNetwork& network : networks_) {
     std::copy(state_.begin(), state_.end(), network.state().begin());
-    network.dilatation(dt);
-    reflect_scalars(network.theta());
-    if (network.slanted()) {
-      reflect_tensors(network.gradients(state_.size()));
-      reflect_tensors(network.slant_stresses(state_.size()));
-    }
-    network.bulk_stresses();
-    reflect_scalars(network.bulk_stress());
-    network.tractions(dt);
+    network.step(dt, {.fill_copies = [this](std::span<double> values, std::size_t width) {
+                   if (width == 1) reflect_scalars(values);
+                   if (width == 9) reflect_tensors(values);
+                 }});
     for (std::size_t b = 0; b < state_.size(); ++b) {
       force_[b] += network.force()[b];
       torque_[b] += network.torque()[b];

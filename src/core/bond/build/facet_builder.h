@@ -25,7 +25,7 @@ struct FacetSet {
 inline constexpr double kSmallestFacetShare = 1e-6;
 
 /// How far lines between centres are from crossing faces at right angles: little in relaxed Voronoi
-/// cells; much where planes or joint sets cut, which takes the terms of facet_slant.cpp.
+/// cells; much where planes or joint sets cut, which takes the terms of leaning_faces.h.
 enum class Leaning : std::uint8_t { little, much };
 
 [[nodiscard]] FacetSet build_facets(const std::vector<Block>& blocks, int first_tag,

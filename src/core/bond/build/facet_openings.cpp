@@ -3,7 +3,7 @@
 // Scope: see the header.
 //
 // The jump u of a facet adds A m.u/2 to the volume of its block. In a homogeneous strain that sum,
-// and with it the gradient of facet_slant.cpp, is right if sum of A m (x) r = V I, r half the way
+// and with it the gradient of leaning_faces.h, is right if sum of A m (x) r = V I, r half the way
 // to the neighbour's centre. With m = n it is wrong by the first moment of the facets about the
 // lines between the centres. Two ways to take that out:
 //   of each block: m = K n, K the inverse of the sum of A n (x) r / V;

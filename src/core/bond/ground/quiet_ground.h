@@ -5,10 +5,11 @@
 //
 // Per direction, with g the displacement of the ground and t the traction that the ground puts on
 // the block (as everywhere, t = stiffness x jump):
-//     impedance dg/dt + stiffness g = -(t - held)
+//     impedance dg/dt + stiffness g = -(t - t_0)
 // impedance = rho c_P along the normal, rho c_S along the facet (Lysmer & Kuhlemeyer 1969);
 // stiffness = (lambda + 2G)/L and G/L: rock of thickness L on a rigid base, at rest;
-// held = what keeps the ground still when it begins to yield, carried for ever.
+// t_0 = the static traction, which keeps the ground still when it begins to yield, carried for
+// ever.
 //
 // Joining the dashpot to the facet instead of to the block makes the reflection of second order: a
 // plane P-wave of wave number q is returned by regular blocks of size h with amplitude tan^2(q
@@ -35,22 +36,22 @@ struct GroundStep {
   double compliance;  ///< [m/Pa]
 };
 
-/// One direction. `displacement` [m] and `traction` [Pa] are those of the step's start, `held` [Pa]
-/// is part of the traction; a step of 0 s leaves the ground where it is.
+/// One direction. `displacement` [m] and `traction` [Pa] are those of the step's start,
+/// `static_traction` [Pa] is part of the traction; a step of 0 s leaves the ground where it is.
 [[nodiscard]] inline GroundStep ground_step(double impedance, double stiffness, double displacement,
-                                            double traction, double held, double dt) {
+                                            double traction, double static_traction, double dt) {
   if (dt <= 0.0) return {displacement, 0.0};
   const double compliance = dt / (2.0 * impedance + stiffness * dt);
   const double kept = (2.0 * impedance - stiffness * dt) / (2.0 * impedance + stiffness * dt);
-  return {kept * displacement - compliance * (traction - 2.0 * held), compliance};
+  return {kept * displacement - compliance * (traction - 2.0 * static_traction), compliance};
 }
 
 /// What the ground behind a yielding support remembers; it travels with the facet.
 struct GroundMemory {
   bool yields = false;
-  Vec3 displacement = Vec3::Zero();  ///< of the ground since the start [m]
-  Vec3 held = Vec3::Zero();          ///< traction carried without moving [Pa]
-  Vec3 traction = Vec3::Zero();      ///< on the block, at the end of the last step [Pa]
+  Vec3 displacement = Vec3::Zero();     ///< of the ground since the start [m]
+  Vec3 static_traction = Vec3::Zero();  ///< t_0: carried without moving [Pa]
+  Vec3 traction = Vec3::Zero();         ///< on the block, at the end of the last step [Pa]
   /// As Facet::arm_j, before the ground moved; the network's own note, of the facet itself [m].
   Vec3 arm_j = Vec3::Zero();
   bool placed = false;  ///< arm_j is known

@@ -13,8 +13,6 @@ namespace {
 
 constexpr double kRightAngle = 1.5707963267948966;
 
-/// a and b in series; an infinite b leaves a.
-double in_series(double a, double b) { return std::isinf(b) ? a : a * b / (a + b); }
 
 }  // namespace
 
@@ -72,17 +70,8 @@ double JointMaterial::contact_damping_coefficient() const {
 }
 
 FacetStiffness JointMaterial::facet_stiffness(double h) const {
-  const double rock = 2.0 * shear_modulus_ / h;
-  const double uniaxial = p_wave_modulus() / h;
-  const double kn = parameters_.normal_stiffness;
-  FacetStiffness k{};
-  k.rock_share = std::isinf(kn) ? 1.0 : kn / (kn + uniaxial);
-  const double joint_share = 1.0 - k.rock_share;
-  const double joint_part = std::isinf(kn) ? 0.0 : kn * joint_share * joint_share;
-  k.normal = rock * k.rock_share * k.rock_share + joint_part;
-  k.shear = in_series(rock, parameters_.shear_stiffness);
-  k.contact = in_series(uniaxial, kn);
-  return k;
+  return joint_in_rock(2.0 * shear_modulus_ / h, p_wave_modulus() / h, parameters_.normal_stiffness,
+                       parameters_.shear_stiffness);
 }
 
 JointMaterial JointMaterial::with_joints(const JointClass& joint) const {

@@ -3,9 +3,10 @@
 // Scope: one isotropic rock; strengths are per area and act on the continuum traction of a facet.
 #pragma once
 
-#include <algorithm>
 #include <limits>
 #include <optional>
+
+#include "bond/law/linear_closure.h"
 
 namespace muckpile {
 
@@ -41,14 +42,6 @@ struct JointClass {
   double shear_stiffness = std::numeric_limits<double>::infinity();   ///< [Pa/m]
 };
 
-/// Stiffness of one facet whose block centres are h apart along its normal.
-struct FacetStiffness {
-  double normal;      ///< elastic part of the normal traction per jump [Pa/m]
-  double shear;       ///< tangential traction per jump [Pa/m]
-  double rock_share;  ///< share of the normal jump that strains the rock, not the joint [-]
-  double contact;     ///< normal stiffness of the closed broken facet [Pa/m]
-};
-
 /// Derived constants; throws InputError if a parameter is out of range.
 class JointMaterial {
  public:
@@ -65,8 +58,7 @@ class JointMaterial {
   [[nodiscard]] double damping_coefficient() const;          ///< [Pa s/m]
   [[nodiscard]] double contact_damping_coefficient() const;  ///< [Pa s/m]
 
-  /// Joint compliances act in series with the rock between the centres. The share of the jump that
-  /// strains the rock is k/(k + (lambda + 2G)/h), exact for uniaxial strain normal to the joint.
+  /// Joint compliances act in series with the rock between the centres, h apart [m].
   [[nodiscard]] FacetStiffness facet_stiffness(double h) const;
 
   /// The same rock with other joints in it.
@@ -83,15 +75,5 @@ class JointMaterial {
   double tan_friction_;
   double tan_residual_friction_;
 };
-
-/// Mohr-Coulomb with tension cut-off. `normal` is positive in tension [Pa]; the shear is asked for
-/// squared [Pa2], which spares the root. Real: double, or Lanes with a mask for the answer.
-template <class Real, class Limit>
-[[nodiscard]] auto joint_fails(const Real& normal, const Real& shear_squared, const Limit& tension,
-                               const Limit& cohesion, const Limit& tan_friction) {
-  using std::max;
-  const Real strength = max(cohesion - normal * tan_friction, Real(0.0));
-  return normal > Real(tension) || shear_squared > strength * strength;
-}
 
 }  // namespace muckpile

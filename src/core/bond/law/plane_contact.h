@@ -5,6 +5,7 @@
 // group's facets. Formulas are in docs/styles/fix_muckpile_joint.md.
 #pragma once
 
+#include "bond/law/linear_closure.h"
 #include "bond/law/slip_friction.h"
 #include "math/lanes.h"
 
@@ -12,10 +13,10 @@ namespace muckpile {
 
 template <class Number>
 struct PlaneContact {
-  Number normal, shear;  ///< stiffness [Pa/m]
-  Number dashpot;        ///< along the normal [Pa s/m]
-  Number tan_residual;   ///< of slow slip [-]
-  SlipWeakening weakening;
+  LinearContact<Number> closure;
+  Number shear;    ///< stiffness [Pa/m]
+  Number dashpot;  ///< along the normal [Pa s/m]
+  SlipFriction<Number> friction;
 };
 
 /// A point in the present pose.
@@ -63,15 +64,14 @@ template <class Number>
   const Mask closed = at.broken && gap < 0.0;
   const Mask forgets = at.broken && (at.fresh || !closed);
   const Number rate = dot(at.normal, at.rate);
-  const Number elastic = choose(closed, contact.normal * gap, 0.0);
+  const Number elastic = choose(closed, contact.closure.traction(gap), 0.0);
   const Number damped = elastic + contact.dashpot * rate;
   const Number normal = choose(closed, min(damped, Number(0.0)), 0.0);
 
   const VectorOf<Number> sheared = at.spring - gap * at.normal;
   const VectorOf<Number> stuck = choose(closed && !forgets, Number(1.0), 0.0) * sheared;
   const VectorOf<Number> shear = contact.shear * stuck, slip = at.rate - rate * at.normal;
-  const Number tan = sliding_friction(contact.tan_residual, dot(slip, slip), contact.weakening);
-  const Slide<Number> slide(shear, -tan * normal);
+  const Slide<Number> slide(shear, contact.friction.limit(normal, dot(slip, slip)));
   const Number kept = slide.kept;
 
   const VectorOf<Number> path = Number(dt) * at.rate;

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "bond/network/facet_lanes.h"
+#include "bond/network/facet_kinematics.h"
 
 namespace muckpile {
 namespace {
@@ -24,67 +24,86 @@ Vec3 moved(const Six& motion, const Vec3& arm) {
 }  // namespace
 
 LinearNetwork::LinearNetwork(const FacetNetwork& network, BreakView view, double damping_rate) {
-  network.linearise(*this, view, damping_rate);
+  each_facet(network.schedule().active(), [&](std::size_t f) {
+    if (network.history().state(f) == FacetState::retired) return;
+    add_spring(network, f, view, damping_rate);
+  });
+  set_blocks(network, view);
 }
 
-void FacetNetwork::linearise(LinearNetwork& linear, BreakView view, double damping_rate) const {
-  each_facet(active_, [&](std::size_t f) {
-    if (states_[f] == FacetState::retired) return;
-    const Bond bond = bond_of(f);
-    const Contact contact = contact_of(f);
-    const FacetEnds sides = ends(f);
-    const Motion motion = motion_of(f);
-    const LaneVec jump = motion.jump(), side = motion.side();
-    const Openings openings = openings_of(f, motion.scale);
-    LinearNetwork::Spring spring{};
-    spring.i = sides.i;
-    spring.j = sides.j == ground() ? -1 : sides.j;
-    spring.normal = motion.normal;
-    spring.opening_i = openings.i;
-    spring.opening_j = openings.j;
-    spring.pull_i = bond.point_area * bond.bulk_i;
-    spring.pull_j = bond.point_area * bond.bulk_j;
-    spring.strain_i = bond.area_i / kFacetPoints;
-    spring.strain_j = bond.area_j / kFacetPoints;
-    if (view == BreakView::as_it_is) spring.sharpening = coupling_of(f).sharpening;
-    spring.slanted = facets_[f].slanted();
-    spring.lean = {Vec3::Zero(), Vec3::Zero()};
-    if (slanted()) {
-      spring.shear_share = slants_[f].shear_share;
-      for (std::size_t k = 0; k < 2; ++k)
-        spring.lean[k] = turned(f, slants_[f].lean[k], motion.scale);
-    }
-    const Vec3 between = state_[static_cast<std::size_t>(sides.i)].centre -
-                         state_[static_cast<std::size_t>(sides.j)].centre;
-    for (std::size_t p = 0; p < kFacetPoints; ++p) {
-      spring.arm_i[p] = side.at(static_cast<int>(p)) + 0.5 * jump.at(static_cast<int>(p));
-      spring.arm_j[p] = spring.arm_i[p] + between;
-      const bool bonded = view == BreakView::as_it_is && !traces_[f].is_contact(p);
-      const bool rubs = bonded && traces_[f].slipping[p];
-      const double fade = bonded ? 1.0 : contacts_.fade(f);
-      const double normal = bonded ? bond.shear + bond.normal_extra : contact.normal;
-      const double dashpot = damping_rate * (bonded && !rubs ? damping_ : contact_damping_);
-      spring.bonded[p] = bonded;
-      spring.shear[p] = bond.point_area * (fade * bond.shear + (bonded && !rubs ? dashpot : 0.0));
-      spring.extra[p] = bond.point_area *
-                        (fade * (normal - bond.shear) + (bonded && !rubs ? 0.0 : fade * dashpot));
-    }
-    linear.springs_.push_back(spring);
-  });
-  linear.lambda_ = material().lame_lambda();
-  for (std::size_t b = 0; b + 1 < blocks_.size(); ++b)
-    linear.volume_.push_back(blocks_[b].volume * stiffening(sums_[b]));
-  linear.two_g_ = 2.0 * material().shear_modulus();
-  for (std::size_t b = 0; b + 1 < blocks_.size(); ++b) {
-    linear.rock_volume_.push_back(blocks_[b].volume);
-    const Mat3& r = state_[b].rotation;
-    linear.moment_.push_back(slanted() && view == BreakView::as_it_is
-                                 ? Mat3(r * block_slants_[b].moment * r.transpose())
-                                 : Mat3::Zero());
+void LinearNetwork::add_spring(const FacetNetwork& network, std::size_t f, BreakView view,
+                               double damping_rate) {
+  const FacetKinematics facets = network.kinematics();
+  const FacetMotion motion = facets.motion(f);
+  const BondConstants bond = facets.tables.bond(f);
+  const FacetEnds ends = network.ends(f);
+  const FacetOpenings openings = facets.openings(f, motion.scale);
+  Spring spring{};
+  spring.i = ends.i;
+  spring.j = ends.j == network.ground() ? -1 : ends.j;
+  spring.normal = motion.normal;
+  spring.opening_i = openings.i;
+  spring.opening_j = openings.j;
+  spring.pull_i = bond.point_area * bond.bulk_i;
+  spring.pull_j = bond.point_area * bond.bulk_j;
+  spring.strain_i = bond.area_i / kFacetPoints;
+  spring.strain_j = bond.area_j / kFacetPoints;
+  if (view == BreakView::as_it_is) spring.sharpening = facets.tables.coupling(f).sharpening;
+  spring.slanted = facets.tables.name(f).slanted();
+  spring.lean = {Vec3::Zero(), Vec3::Zero()};
+  if (const LeaningFaces* leaning = network.leaning()) {
+    spring.shear_share = leaning->facet(f).shear_share;
+    for (std::size_t k = 0; k < 2; ++k)
+      spring.lean[k] = facets.turned(f, leaning->facet(f).lean[k], motion.scale);
   }
-  linear.slants_.resize(linear.volume_.size());
-  linear.theta_.resize(linear.volume_.size());
-  linear.bulk_.resize(linear.volume_.size());
+  set_points(spring, network, f, view, damping_rate);
+  springs_.push_back(spring);
+}
+
+/// Where the points are and what they carry.
+void LinearNetwork::set_points(Spring& spring, const FacetNetwork& network, std::size_t f,
+                               BreakView view, double damping_rate) {
+  const FacetKinematics facets = network.kinematics();
+  const FacetMotion motion = facets.motion(f);
+  const LaneVec jump = motion.jump(), side = motion.side();
+  const BondConstants bond = facets.tables.bond(f);
+  const ContactConstants contact = facets.tables.contact(f);
+  const FacetTraces& traces = facets.history.traces(f);
+  const JointLaws& laws = facets.tables.laws();
+  const FacetEnds ends = network.ends(f);
+  const Vec3 between =
+      facets.blocks.state_of(ends.i).centre - facets.blocks.state_of(ends.j).centre;
+  for (std::size_t p = 0; p < kFacetPoints; ++p) {
+    spring.arm_i[p] = side.at(static_cast<int>(p)) + 0.5 * jump.at(static_cast<int>(p));
+    spring.arm_j[p] = spring.arm_i[p] + between;
+    const bool bonded = view == BreakView::as_it_is && !traces.is_contact(p);
+    const bool rubs = bonded && traces.slipping[p];
+    const double fade = bonded ? 1.0 : facets.history.contacts().fade(f);
+    const double normal = bonded ? bond.normal() : contact.closure.normal;
+    const double dashpot =
+        damping_rate * (bonded && !rubs ? laws.damping() : laws.contact_damping());
+    spring.bonded[p] = bonded;
+    spring.law[p] = {bond.point_area * (fade * bond.shear + (bonded && !rubs ? dashpot : 0.0)),
+                     bond.point_area *
+                         (fade * (normal - bond.shear) + (bonded && !rubs ? 0.0 : fade * dashpot))};
+  }
+}
+
+void LinearNetwork::set_blocks(const FacetNetwork& network, BreakView view) {
+  const BlockFields& blocks = network.block_fields();
+  const JointMaterial& rock = network.material();
+  const LeaningFaces* leaning = view == BreakView::as_it_is ? network.leaning() : nullptr;
+  lambda_ = rock.lame_lambda();
+  two_g_ = 2.0 * rock.shear_modulus();
+  for (std::size_t b = 0; b + 1 < blocks.size(); ++b) {
+    volume_.push_back(blocks.volume(b) * BlockFields::stiffening(blocks.sums[b], rock));
+    rock_volume_.push_back(blocks.volume(b));
+    moment_.push_back(leaning != nullptr ? leaning->moment(b, blocks.state[b].rotation)
+                                         : Mat3(Mat3::Zero()));
+  }
+  slants_.resize(volume_.size());
+  theta_.resize(volume_.size());
+  bulk_.resize(volume_.size());
 }
 
 Vec3 LinearNetwork::jump(const Spring& s, std::size_t p, std::span<const double> motion) {
@@ -164,7 +183,8 @@ Vec3 LinearNetwork::bulk_pull(const Spring& s) const {
   return pull;
 }
 
-void LinearNetwork::hold(std::span<double> motion, std::span<double> force, const RankTeam& team) {
+void LinearNetwork::balance(std::span<double> motion, std::span<double> force,
+                            const RankTeam& team) {
   team.fill_copies(motion, 6);
   bulk_stresses(motion, team);
   slant_stresses(motion, team);
@@ -180,7 +200,7 @@ void LinearNetwork::hold(std::span<double> motion, std::span<double> force, cons
     const Vec3 bulk = bulk_pull(s) + slant_pull(s);
     for (std::size_t p = 0; p < kFacetPoints; ++p) {
       const Vec3 opened = jump(s, p, motion);
-      Vec3 pull = s.shear[p] * opened + s.extra[p] * s.normal.dot(opened) * s.normal;
+      Vec3 pull = s.law[p].traction(s.normal, opened);
       if (s.bonded[p]) pull += bulk;
       push(s.i, -pull, s.arm_i[p]);
       push(s.j, pull, s.arm_j[p]);

@@ -8,22 +8,14 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "bond/network/facet_network.h"
+#include "bond/network/rank_team.h"
 
 namespace muckpile {
-
-/// How ranks work on one network: values of copied blocks from their owners, sums over ranks. As it
-/// stands: one rank.
-struct RankTeam {
-  std::function<void(std::span<double> values, std::size_t width)> fill_copies =
-      [](std::span<double>, std::size_t) {};
-  std::function<double(double)> sum = [](double mine) { return mine; };
-};
 
 enum class BreakView : std::uint8_t {
   as_it_is,   ///< what holds now is bonded
@@ -37,18 +29,17 @@ class LinearNetwork {
 
   /// Forces [N] and torques [N m] that hold the owned blocks in `motion`, which has six numbers per
   /// block, owned ones first, then the copies; those are filled in. Collective.
-  void hold(std::span<double> motion, std::span<double> force, const RankTeam& team);
+  void balance(std::span<double> motion, std::span<double> force, const RankTeam& team);
 
  private:
-  friend class FacetNetwork;
   struct Spring {
     int i, j;  // -1: the ground
     Vec3 normal, opening_i, opening_j;
-    std::array<bool, 2> slanted;  // blocks i and j have the terms of facet_slant.cpp
+    std::array<bool, 2> slanted;  // blocks i and j have the terms of leaning_faces.h
     std::array<Vec3, 2> lean;
-    double shear_share;                             // see FacetNetwork::Slant
-    std::array<Vec3, kFacetPoints> arm_i, arm_j;    // of the points, from the centres [m]
-    std::array<double, kFacetPoints> shear, extra;  // stiffness; normal less shear [N/m]
+    double shear_share;                                   // see FacetLean
+    std::array<Vec3, kFacetPoints> arm_i, arm_j;          // of the points, from the centres [m]
+    std::array<LinearClosure<double>, kFacetPoints> law;  // times the area of the point [N/m]
     double pull_i, pull_j;      // force of a bonded point per bulk stress of block i and j [m2]
     double strain_i, strain_j;  // volume of block i and j per opening of a bonded point [m2]
     std::array<bool, kFacetPoints> bonded;
@@ -59,7 +50,10 @@ class LinearNetwork {
     }
   };
 
-  std::vector<Spring> springs_;
+  void add_spring(const FacetNetwork& network, std::size_t f, BreakView view, double damping_rate);
+  static void set_points(Spring& spring, const FacetNetwork& network, std::size_t f, BreakView view,
+                         double damping_rate);
+  void set_blocks(const FacetNetwork& network, BreakView view);
   [[nodiscard]] static Vec3 jump(const Spring& spring, std::size_t p,
                                  std::span<const double> motion);
   void bulk_stresses(std::span<const double> motion, const RankTeam& team);
@@ -67,8 +61,9 @@ class LinearNetwork {
   void slant_stresses(std::span<const double> motion, const RankTeam& team);
   [[nodiscard]] Vec3 slant_pull(const Spring& spring) const;
 
+  std::vector<Spring> springs_;
   double lambda_ = 0.0, two_g_ = 0.0;  // [Pa]
-  std::vector<Mat3> moment_;           // Q of facet_slant.cpp, per block [-]
+  std::vector<Mat3> moment_;           // Q of leaning_faces.h, per block [-]
   std::vector<double> rock_volume_;    // [m3]
   struct Slant {
     Mat3 gradient, stress, excess;

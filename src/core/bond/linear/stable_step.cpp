@@ -65,7 +65,7 @@ class ScaledStiffness {
   void apply(LinearNetwork& stiffness, const Eigen::VectorXd& x, Eigen::VectorXd& out) {
     scale(x.data(), motion_.data());
     out.resize(x.size());
-    stiffness.hold(motion_, {out.data(), size()}, team_);
+    stiffness.balance(motion_, {out.data(), size()}, team_);
     scale(out.data(), out.data());
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Rows of what broken facets remember: what is asked for one facet at a time.
+// Rows of what broken facets remember: access to one facet at a time.
 // Scope: see the header.
 #include "bond/network/contact_rows.h"
 
@@ -20,7 +20,7 @@ void ContactRows::drop(std::size_t f) {
 }
 
 void ContactRows::set_offset(std::size_t f, std::size_t p, const Vec3& offset) {
-  set_lane(made(f).offset[p], f % kGroup, offset);
+  set_lane(remember(f).offset[p], f % kGroup, offset);
 }
 
 ContactMemory ContactRows::get(std::size_t f) const {
@@ -37,7 +37,8 @@ void ContactRows::set(std::size_t f, const ContactMemory& memory) {
 
 double ContactRows::memory_usage() const {
   auto bytes = static_cast<double>(rows_.capacity() * sizeof(rows_[0]) + known_.capacity());
-  for (const Rare<ContactGroup>& rows : rows_) bytes += rows.exists() ? sizeof(ContactGroup) : 0.0;
+  for (const Sparse<ContactGroup>& rows : rows_)
+    bytes += rows.exists() ? sizeof(ContactGroup) : 0.0;
   return bytes;
 }
 

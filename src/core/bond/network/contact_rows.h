@@ -10,7 +10,7 @@
 
 #include "bond/network/facet_group.h"
 #include "bond/network/facet_memory.h"
-#include "bond/network/rare.h"
+#include "bond/network/sparse.h"
 
 namespace muckpile {
 
@@ -35,17 +35,17 @@ class ContactRows {
   /// The rows of a group, to read.
   [[nodiscard]] const ContactGroup& of(std::size_t group) const { return rows_[group].get(); }
   /// From now on `lanes` of a group remember.
-  [[nodiscard]] ContactGroup& made(std::size_t group, unsigned lanes) {
+  [[nodiscard]] ContactGroup& remember(std::size_t group, unsigned lanes) {
     known_[group] = static_cast<std::uint8_t>(known_[group] | lanes);
-    return rows_[group].made();
+    return rows_[group].get_or_create();
   }
   void drop(std::size_t f);
-  /// Asks for what one of `lanes` of a group remembers, ahead of its use.
+  /// Prefetches what one of `lanes` of a group remembers, ahead of its use.
   void fetch(std::size_t group, unsigned lanes) const {
     if ((known_[group] & lanes) != 0) rows_[group].fetch();
   }
 
-  /// Asks for how far the points of a group were open as they broke, ahead of its use.
+  /// Prefetches how far the points of a group were open as they broke, ahead of its use.
   void fetch_openings(std::size_t group) const {
     if (known_[group] == 0) return;
     for (const FacetRows<double>& offset : of(group).offset) __builtin_prefetch(offset[0].data());
@@ -53,7 +53,7 @@ class ContactRows {
 
   // Of one facet.
   [[nodiscard]] double fade(std::size_t f) const { return of(f / kGroup).fade[f % kGroup]; }
-  void set_fade(std::size_t f, double fade) { made(f).fade[f % kGroup] = fade; }
+  void set_fade(std::size_t f, double fade) { remember(f).fade[f % kGroup] = fade; }
   [[nodiscard]] Vec3 offset(std::size_t f, std::size_t p) const {
     return at_lane(of(f / kGroup).offset[p], f % kGroup);
   }
@@ -67,10 +67,10 @@ class ContactRows {
   [[nodiscard]] static std::uint8_t bit(std::size_t f) {
     return static_cast<std::uint8_t>(1u << f % kGroup);
   }
-  [[nodiscard]] ContactGroup& made(std::size_t f) { return made(f / kGroup, bit(f)); }
+  [[nodiscard]] ContactGroup& remember(std::size_t f) { return remember(f / kGroup, bit(f)); }
 
-  std::vector<Rare<ContactGroup>> rows_;  // per group
-  std::vector<std::uint8_t> known_;       // per group: bit per facet that remembers
+  std::vector<Sparse<ContactGroup>> rows_;  // per group
+  std::vector<std::uint8_t> known_;         // per group: bit per facet that remembers
 };
 
 }  // namespace muckpile

@@ -36,7 +36,7 @@ struct alignas(64) FacetGroup {
   FacetRows<float> normal{};                   ///< [-]
   FacetRows<float> opening_i{}, opening_j{};   ///< m of the two blocks [-]
 
-  /// Asks for i, j and sharpening ahead of their use.
+  /// Prefetches i, j and sharpening ahead of their use.
   void fetch_couplings() const {
     __builtin_prefetch(i.data());
     if constexpr (sizeof(i) + sizeof(j) >= 64) __builtin_prefetch(sharpening.data());

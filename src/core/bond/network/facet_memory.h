@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What a facet remembers: which of its points broke, and what they carry since.
-// Scope: data; all of it travels with the facet from rank to rank and through restart files.
+// Scope: data of one facet in SI units; all of it travels with the facet from rank to rank and
+// through restart files. Where a network keeps it is facet_history.h.
 #pragma once
 
 #include <array>
@@ -11,7 +12,7 @@
 #include "bond/facet.h"
 #include "bond/ground/quiet_ground.h"
 #include "bond/law/cohesion.h"
-#include "bond/network/rare.h"
+#include "bond/network/sparse.h"
 #include "math/types.h"
 
 namespace muckpile {
@@ -25,7 +26,7 @@ enum class FacetState : std::uint8_t {
 };
 
 /// What few facets remember: those that soften, and supports whose ground has moved.
-struct RareMemory {
+struct ExtraMemory {
   std::array<Cohesion, kFacetPoints> cohesion{};  ///< broken point: what it still holds
   GroundMemory ground;                            ///< of a support only
 };
@@ -77,11 +78,11 @@ struct FacetTraces {
 
 /// What a facet remembers; all of it travels with the facet.
 struct FacetMemory : FacetTraces {
-  Rare<ContactMemory> contact;
-  Rare<RareMemory> rare;
-  [[nodiscard]] const GroundMemory& ground() const { return rare.get().ground; }
+  Sparse<ContactMemory> contact;
+  Sparse<ExtraMemory> extra;
+  [[nodiscard]] const GroundMemory& ground() const { return extra.get().ground; }
   [[nodiscard]] const std::array<Cohesion, kFacetPoints>& cohesion() const {
-    return rare.get().cohesion;
+    return extra.get().cohesion;
   }
 };
 

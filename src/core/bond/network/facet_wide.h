@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the facet network works out of the facets of a group at once: one facet per lane.
-// Scope: inside FacetNetwork. A facet takes this path or that by its own state alone, never by
-// those beside it in its group, and blocks get their parts in the order of the facets: both are the
-// same on any ranks.
+// How the two sides of facets lie in the present pose, the facets of a group at once: one per lane.
+// Scope: reads a group and the states of blocks; SI units. A facet takes this path or that by its
+// own state alone, never by those beside it in its group, and blocks get their parts in the order
+// of the facets: both are the same on any ranks.
 #pragma once
 
 #include <array>
@@ -11,8 +11,10 @@
 #include <immintrin.h>
 #endif
 
-#include "bond/network/facet_lanes.h"
-#include "bond/network/facet_network.h"
+#include "bond/network/facet_group.h"
+#include "bond/network/facet_points.h"
+#include "bond/network/network_block.h"
+#include "math/lanes.h"
 #include "math/transpose.h"
 
 namespace muckpile {
@@ -154,7 +156,7 @@ class BlockPlaces {
 }
 
 /// How the two sides of each facet of a group lie now.
-struct FacetNetwork::WidePose {
+struct WidePose {
   WideMat sum, difference;  // of the rotations of i and j; of j less that of i
   WideVec between;          // centre of j less that of i [m]
   WideVec near, jump;       // centroid from the centre of i; from the side of i to that of j [m]
@@ -166,7 +168,7 @@ struct FacetNetwork::WidePose {
 };
 
 /// A number that is linear over each facet: its mean, and what it gains along the half axes.
-struct FacetNetwork::WideField {
+struct WideField {
   WideVec mean, along_1, along_2;
 
   [[nodiscard, gnu::always_inline]] WideVec at(std::size_t p) const {
@@ -174,10 +176,9 @@ struct FacetNetwork::WideField {
   }
 };
 
-[[gnu::always_inline]] inline FacetNetwork::WidePose FacetNetwork::pose_of(
-    const FacetGroup& group) const {
+/// `first`: the state of the first block.
+[[gnu::always_inline]] inline WidePose pose_of(const FacetGroup& group, const BlockState& first) {
   const BlockPlaces at_i(group.i), at_j(group.j);
-  const BlockState& first = state_.front();
   const auto [ri, centre_i] = at_i.place(first);
   const auto [rj, centre_j] = at_j.place(first);
   WidePose pose;
@@ -193,23 +194,21 @@ struct FacetNetwork::WideField {
 }
 
 /// Of the points, from the side of i to that of j [m].
-[[gnu::always_inline]] inline FacetNetwork::WideField FacetNetwork::jump_of(const FacetGroup& group,
-                                                                            const WidePose& pose) {
+[[gnu::always_inline]] inline WideField jump_of(const FacetGroup& group, const WidePose& pose) {
   return {pose.jump, pose.difference * wide(group.half_1), pose.difference * wide(group.half_2)};
 }
 
-/// As Motion::axes. `half`: first half axis of both sides together.
+/// As FacetMotion::axes. `half`: first half axis of both sides together.
 [[gnu::always_inline]] inline WideMat axes_of(const WideVec& normal, const WideVec& half) {
   const WideVec along = half - dot(normal, half) * normal;
   const WideVec unit = 1.0 / sqrt(dot(along, along)) * along;
   return {normal, unit, cross(normal, unit)};
 }
 
-/// Motion of block j's side against block i's [m/s].
-[[gnu::always_inline]] inline FacetNetwork::WideField FacetNetwork::rate_of(
-    const FacetGroup& group, const WidePose& pose) const {
+/// `first`: the state of the first block. Motion of block j's side against block i's [m/s].
+[[gnu::always_inline]] inline WideField rate_of(const FacetGroup& group, const WidePose& pose,
+                                                const BlockState& first) {
   const BlockPlaces at_i(group.i), at_j(group.j);
-  const BlockState& first = state_.front();
   const WideVec spin_j = at_j.vector(first.spin), spin = spin_j - at_i.vector(first.spin);
   const WideVec slip = at_j.vector(first.velocity) - at_i.vector(first.velocity);
   const Wide half(0.5);
@@ -220,21 +219,20 @@ struct FacetNetwork::WideField {
 
 /// By how much the half axes of the two sides of each facet differ: squares, and those of the half
 /// axes [m2].
-struct FacetNetwork::WideTurn {
+struct WideTurn {
   Wide apart_1, apart_2, length_1, length_2;
 
-  /// Motion::turned.
+  /// FacetMotion::turned.
   [[nodiscard, gnu::always_inline]] WideMask exceeds(double angle) const {
     return apart_1 * length_2 + apart_2 * length_1 > Wide(angle * angle) * length_1 * length_2;
   }
-  /// Motion::turned_squared [rad2].
+  /// FacetMotion::turned_squared [rad2].
   [[nodiscard, gnu::always_inline]] Wide squared() const {
     return apart_1 / length_1 + apart_2 / length_2;
   }
 };
 
-[[gnu::always_inline]] inline FacetNetwork::WideTurn FacetNetwork::turn_of(const FacetGroup& group,
-                                                                           const WidePose& pose) {
+[[gnu::always_inline]] inline WideTurn turn_of(const FacetGroup& group, const WidePose& pose) {
   const WideVec half_1 = wide(group.half_1), half_2 = wide(group.half_2);
   const WideVec apart_1 = pose.difference * half_1, apart_2 = pose.difference * half_2;
   return {dot(apart_1, apart_1), dot(apart_2, apart_2), dot(half_1, half_1), dot(half_2, half_2)};

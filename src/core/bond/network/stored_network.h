@@ -8,8 +8,9 @@
 
 #include "bond/facet.h"
 #include "bond/network/facet_memory.h"
-#include "bond/network/facet_network.h"
+#include "bond/network/joint_books.h"
 #include "bond/network/network_block.h"
+#include "bond/network/sparse.h"
 #include "state/encoding.h"
 
 namespace muckpile {
@@ -104,23 +105,23 @@ struct Stored<GroundMemory> {
 };
 
 template <>
-struct Stored<RareMemory> {
-  static constexpr std::string_view kName = "rare_memory";
+struct Stored<ExtraMemory> {
+  static constexpr std::string_view kName = "extra_memory";
   static constexpr int kVersion = 1;
-  static auto fields(auto& rare) { return std::tie(rare.cohesion, rare.ground); }
+  static auto fields(auto& extra) { return std::tie(extra.cohesion, extra.ground); }
 };
 
 /// A value that few have lies in bytes as an optional one.
 template <class T>
-struct Encoding<Rare<T>> {
+struct Encoding<Sparse<T>> {
   static constexpr std::size_t kLeast = 1;
-  static void put(ByteWriter& out, const Rare<T>& value) {
+  static void put(ByteWriter& out, const Sparse<T>& value) {
     out.put(value.exists());
     if (value.exists()) out.put(value.get());
   }
-  static void get(ByteReader& in, Rare<T>& value) {
+  static void get(ByteReader& in, Sparse<T>& value) {
     value.drop();
-    if (in.get<bool>()) in.get(value.made());
+    if (in.get<bool>()) in.get(value.get_or_create());
   }
   static std::string layout() { return layout_of<T>() + '?'; }
   static void list(StoredTypes& types) { Encoding<T>::list(types); }
@@ -133,7 +134,7 @@ struct Stored<FacetMemory> {
   template <class Memory>
   static auto fields(Memory& memory) {
     using Traces = std::conditional_t<std::is_const_v<Memory>, const FacetTraces, FacetTraces>;
-    return std::tie(static_cast<Traces&>(memory), memory.contact, memory.rare);
+    return std::tie(static_cast<Traces&>(memory), memory.contact, memory.extra);
   }
 };
 

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The linear closure of a joint in series with the rock between two block centres: stiffness,
+// traction and energy of the jump across a facet.
+// Scope: pure functions of one point, one per lane. Number: double or a simd type; Vector: Vec3 or
+// VectorOf<Number>. Per area of the facet; tension is positive.
+#pragma once
+
+#include <cmath>
+
+#include "math/lanes.h"
+#include "math/types.h"
+
+namespace muckpile {
+
+[[nodiscard]] inline double dot(const Vec3& a, const Vec3& b) { return a.dot(b); }
+
+/// Stiffness of one facet whose block centres are h apart along its normal.
+struct FacetStiffness {
+  double normal;      ///< elastic part of the normal traction per jump [Pa/m]
+  double shear;       ///< tangential traction per jump [Pa/m]
+  double rock_share;  ///< share of the normal jump that strains the rock, not the joint [-]
+  double contact;     ///< normal stiffness of the closed broken facet [Pa/m]
+};
+
+/// a and b in series; an infinite b leaves a.
+[[nodiscard]] inline double in_series(double a, double b) {
+  return std::isinf(b) ? a : a * b / (a + b);
+}
+
+/// A joint of stiffness kn and ks [Pa/m; infinite: rigid] between rock of 2G/h (`rock`) and
+/// (lambda + 2G)/h (`uniaxial`) [Pa/m]. The share of the jump that strains the rock is exact for
+/// uniaxial strain normal to the joint.
+[[nodiscard]] inline FacetStiffness joint_in_rock(double rock, double uniaxial, double kn,
+                                                  double ks) {
+  FacetStiffness k{};
+  k.rock_share = std::isinf(kn) ? 1.0 : kn / (kn + uniaxial);
+  const double joint_share = 1.0 - k.rock_share;
+  const double joint_part = std::isinf(kn) ? 0.0 : kn * joint_share * joint_share;
+  k.normal = rock * k.rock_share * k.rock_share + joint_part;
+  k.shear = in_series(rock, ks);
+  k.contact = in_series(uniaxial, kn);
+  return k;
+}
+
+/// Of points that hold: the part of their traction that comes from their own jump.
+template <class Number>
+struct LinearClosure {
+  Number shear, normal_extra;  ///< stiffness; normal less shear [Pa/m]
+
+  [[nodiscard, gnu::always_inline]] Number normal() const { return shear + normal_extra; }
+  /// [Pa]
+  template <class Vector>
+  [[nodiscard, gnu::always_inline]] Vector traction(const Vector& normal,
+                                                    const Vector& jump) const {
+    return shear * jump + normal_extra * dot(normal, jump) * normal;
+  }
+  /// Stored per area, twice [J/m2]. `along`: the jump along the normal.
+  [[nodiscard, gnu::always_inline]] Number twice_energy(const Number& jump_squared,
+                                                        const Number& along) const {
+    return shear * jump_squared + normal_extra * along * along;
+  }
+  /// FacetStiffness::contact from the other numbers. With U = (lambda + 2G)/h, s the share of the
+  /// rock and k the joint's own stiffness it is c = s U = (1 - s) k, and
+  ///     normal = 2G/h s^2 + k (1 - s)^2 = c (s 2G/(lambda + 2G) + 1 - s).
+  [[nodiscard, gnu::always_inline]] Number contact(const Number& rock_share,
+                                                   double shear_over_p_wave) const {
+    return normal() / (1.0 - rock_share * (1.0 - shear_over_p_wave));
+  }
+};
+
+/// Of points that have broken, while they are closed: along the normal.
+template <class Number>
+struct LinearContact {
+  Number normal;  ///< stiffness [Pa/m]
+
+  /// [Pa] `gap`: the jump along the normal from where the point carries nothing [m], not positive.
+  [[nodiscard, gnu::always_inline]] Number traction(const Number& gap) const {
+    return normal * gap;
+  }
+  [[nodiscard, gnu::always_inline]] Number twice_energy(const Number& gap) const {
+    return normal * gap * gap;
+  }
+  /// The gap of a traction [m], and the energy there.
+  [[nodiscard, gnu::always_inline]] Number gap(const Number& traction) const {
+    return traction / normal;
+  }
+  [[nodiscard, gnu::always_inline]] Number twice_energy_of(const Number& traction) const {
+    return traction * traction / normal;
+  }
+};
+
+}  // namespace muckpile

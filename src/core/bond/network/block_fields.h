@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What a facet network knows of its blocks: constants, poses, sums over their facets and faces,
+// dilatation, bulk stress, force and torque.
+// Scope: one row per block, SI units: owned blocks first, then copies of blocks that other ranks
+// own, the ground last. Sums and what follows from them are right for owned blocks alone; theta and
+// bulk stress of copies come from their owners (rank_team.h). Formulas are in facet_network.h.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "bond/law/joint_material.h"
+#include "bond/network/facet_group.h"
+#include "bond/network/network_block.h"
+#include "math/types.h"
+
+namespace muckpile {
+
+struct BlockSums {
+  double bonded = 0.0;    ///< sum of A m.u/2 over bonded facets [m3]
+  double loaded = 0.0;    ///< sum of A t_n d/(2G) over loaded faces [m3]
+  double unbonded = 0.0;  ///< phi, of faces and broken facets [-]
+  double uneven = 0.0;    ///< sum of D A h (theta - theta of the neighbour) [J]
+};
+
+struct BlockFields {
+  std::vector<BlockConstants> constants;
+  std::vector<BlockState> state;
+  std::vector<BlockSums> sums;
+  std::vector<double> theta;        ///< dilatation [-]
+  std::vector<double> bulk_stress;  ///< [Pa]
+  std::vector<Vec3> force, torque;  ///< of facets, faces and gas [N], [N m]
+
+  /// Adds the ground; all blocks lie at the origin with no motion, force or sum.
+  void reset(std::vector<BlockConstants> blocks) {
+    constants = std::move(blocks);
+    constants.reserve(constants.size() + 1);
+    constants.push_back({kGroundTag, false, 1.0, 1.0, {}});
+    state.assign(size(), {Mat3::Identity(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
+    sums.assign(size(), {});
+    theta.assign(size(), 0.0);
+    bulk_stress.assign(size(), 0.0);
+    force.assign(size(), Vec3::Zero());
+    torque.assign(size(), Vec3::Zero());
+  }
+
+  [[nodiscard]] std::size_t size() const { return constants.size(); }  ///< with the ground
+  [[nodiscard]] bool owned(std::size_t b) const { return constants[b].owned; }
+  [[nodiscard]] double volume(std::size_t b) const { return constants[b].volume; }  ///< [m3]
+  [[nodiscard]] const BlockState& state_of(int block) const {
+    return state[static_cast<std::size_t>(block)];
+  }
+
+  /// s of facet_network.h [-].
+  [[nodiscard]] static double stiffening(const BlockSums& of, const JointMaterial& rock) {
+    return 1.0 + of.unbonded * rock.lame_lambda() / (2.0 * rock.shear_modulus());
+  }
+  /// By its sums [-].
+  [[nodiscard]] double dilatation(std::size_t b, const JointMaterial& rock) const {
+    return (sums[b].bonded + sums[b].loaded) / (volume(b) * stiffening(sums[b], rock));
+  }
+  /// Energy of the dilatation that block b has with these sums, less the potential of the pressures
+  /// on its faces [J].
+  [[nodiscard]] double potential(std::size_t b, const BlockSums& of,
+                                 const JointMaterial& rock) const {
+    const double opened = of.bonded + of.loaded;
+    return 0.5 * rock.lame_lambda() * opened * opened / (volume(b) * stiffening(of, rock));
+  }
+};
+
+}  // namespace muckpile

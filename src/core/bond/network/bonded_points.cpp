@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The points of a facet that are in the dilatations.
+// Scope: see the header; formulas are in facet_network.h.
+#include "bond/network/bonded_points.h"
+
+#include <cmath>
+
+#include "bond/law/plane_contact.h"
+#include "bond/network/broken_contact.h"
+
+namespace muckpile {
+
+Vec3 bulk_traction(const FacetKinematics& facets, const LeaningFaces* leaning, std::size_t f,
+                   const FacetOpenings& openings) {
+  const BondConstants bond = facets.tables.bond(f);
+  const std::vector<double>& stress = facets.blocks.bulk_stress;
+  const auto [i, j] = facets.tables.blocks_of(f);
+  const Vec3 bulk = bond.bulk_i * stress[i] * openings.i + bond.bulk_j * stress[j] * openings.j;
+  return leaning != nullptr ? Vec3(bulk + leaning->traction(f)) : bulk;
+}
+
+Vec3 mean_traction(const FacetKinematics& facets, const LeaningFaces* leaning, std::size_t f) {
+  const BondConstants bond = facets.tables.bond(f);
+  const FacetMotion motion = facets.motion(f);
+  return bond.traction(motion.normal, motion.mean_jump()) +
+         bulk_traction(facets, leaning, f, facets.openings(f, motion.scale));
+}
+
+[[gnu::always_inline]] inline FacetPull pull_of(const FacetKinematics& facets,
+                                                const LeaningFaces* leaning, std::size_t f,
+                                                const FacetMotion& motion) {
+  const BondConstants bond = facets.tables.bond(f);
+  FacetPull pull(motion);
+  const LaneVec jump = facets.elastic_jump(f, motion);
+  const LinearClosure<Lanes> closure{bond.shear, bond.normal_extra};
+  pull.traction = closure.traction(pull.normal, jump) +
+                  LaneVec(bulk_traction(facets, leaning, f, facets.openings(f, motion.scale)));
+  return pull;
+}
+
+/// Which points fail if they are bonded, at the speed at which their sides part.
+static LaneMask failing(const FacetKinematics& facets, std::size_t f, const FacetPull& pull,
+                        const LaneMask& slipping) {
+  const CoulombStrength<double>& at_rest = facets.tables.strength(f);
+  const CoulombStrength<Lanes> strength{at_rest.tension, at_rest.cohesion, at_rest.tan_friction};
+  const LaneMask fails = pull.failing(strength, slipping);
+  const JointLaws& laws = facets.tables.laws();
+  if (!laws.depends_on_rate() || none_of(fails)) return fails;
+  const auto [depth_i, depth_j] = facets.tables.depths(f);
+  const Lanes rate = sqrt(dot(pull.rate, pull.rate)) / (depth_i + depth_j);
+  const Lanes faster([&](auto lane) { return rate_factor(rate[lane], laws.rock().parameters()); });
+  return fails && (slipping || pull.failing(strength.scaled(faster), slipping));
+}
+
+FacetPull BondedPoints::pull(std::size_t f, const FacetMotion& motion) const {
+  return pull_of(facets_, parts_.leaning, f, motion);
+}
+
+void BondedPoints::work(std::size_t f, const FacetMotion& motion, const ContactConstants& contact,
+                        FacetPull& pull, double dt) {
+  const FacetTraces& traces = facets_.history.traces(f);
+  const JointLaws& laws = facets_.tables.laws();
+  const bool smooth = contact.shear == 0.0;  // a mirror: see slid_along()
+  const bool away = (smooth || traces.slipping.any()) && slid_away(motion, contact);
+  const bool torn = motion.turned(kTurnStart) || (smooth && away);
+  const LaneMask slipping = where_slipping(traces);
+  const LaneMask fails =
+      torn ? is_point() : failing(facets_, f, pull, slipping) || (slipping && LaneMask(away));
+  for (int p = 0; p < kFacetPoints; ++p) {
+    const auto q = static_cast<std::size_t>(p);
+    if (traces.is_contact(q) || !fails[q]) continue;
+    const Vec3 traction = pull.traction.at(p);
+    const PointBreak broken = {motion.normal,
+                               pull.jump.at(p),
+                               facets_.elastic_jump(f, motion).at(p),
+                               traction,
+                               pull.rate.at(p),
+                               facets_.openings(f, motion.scale),
+                               motion.axes(),
+                               torn};
+    pull.add(p, -breaking_.break_point(f, p, broken, dt));
+  }
+  if (laws.damping() != 0.0 && !facets_.history.ground(f).yields) {  // it has a dashpot itself
+    const LaneMask bonded = is_point() && !where_broken(traces);
+    const LaneVec rate = choose(bonded, Lanes(1.0), 0.0) * pull.rate;
+    pull.traction += Lanes(laws.damping()) * rate;
+    parts_.books.losses.damping +=
+        contact.weight * contact.point_area * laws.damping() * dt * sum(dot(rate, rate));
+  }
+  if (traces.slipping.any()) rub(f, motion, contact, pull, dt);
+}
+
+/// How much of the slip by which the spring alone would shed what friction cannot hold (`over`) is
+/// taken in this step: all, but where shear works through the blocks, too. There the facets of a
+/// block that slip would overshoot together. So all that the sides have moved in the step, which
+/// leaves the traction as it is, and of the rest what is stable if three facets do so at once, one
+/// in each direction.
+static Lanes slip_share(double through, const ContactConstants& contact, const LaneVec& over,
+                        const LaneVec& rate, double dt) {
+  constexpr double kHardly = 0.1, kAtOnce = 3.0;  // [-]
+  if (through < kHardly) return 1.0;
+  if (dt == 0.0) return 0.0;  // the pose of the last step, looked at again as a run goes on
+  const double eased = 1.0 / (1.0 + kAtOnce * through);
+  const Lanes moved = contact.shear * dt * dot(over, rate);
+  const Lanes whole = max(dot(over, over), Lanes(1e-300));  // 0 at points that stick
+  return eased + (1.0 - eased) * min(max(moved / whole, Lanes(0.0)), Lanes(1.0));
+}
+
+/// Friction and the dashpot of the points that slip, which stay in the dilatations: their normal
+/// law is that of the bonded point. Losses as those of plane_pull(), of a spring as stiff as the
+/// facet and its dilatations.
+void BondedPoints::rub(std::size_t f, const FacetMotion& motion, const ContactConstants& contact,
+                       FacetPull& pull, double dt) {
+  const JointLaws& laws = facets_.tables.laws();
+  ContactRows& contacts = parts_.history.contacts();
+  JointLosses& losses = parts_.books.losses;
+  const LaneMask slipping = where_slipping(facets_.history.traces(f));
+  const Lanes rate = dot(pull.normal, pull.rate);
+  const Lanes elastic = choose(slipping, dot(pull.normal, pull.traction), 0.0);
+  const Lanes normal =
+      min(elastic + choose(slipping, laws.contact_damping() * rate, 0.0), Lanes(0.0));
+  const LaneVec shear = choose(slipping, Lanes(1.0), 0.0) * pull.traction - elastic * pull.normal;
+  const LaneVec slip = pull.rate - rate * pull.normal;
+  const SlipFriction<Lanes> friction{facets_.tables.residual_friction(f), laws.slip_weakening()};
+  const auto [slips, kept] = Slide<Lanes>(shear, friction.limit(normal, dot(slip, slip)));
+  pull.traction = choose(slipping, normal * pull.normal + kept * shear, pull.traction);
+
+  const double booked = contact.weight * contact.point_area;
+  losses.damping += booked * dt * sum((normal - elastic) * rate);
+  if (none_of(slips)) return;
+  const LaneVec over = (1.0 - kept) * shear;
+  const SlipThroughBlocks through = slip_through_blocks(facets_, parts_.leaning, f);
+  const LaneVec slid = slip_share(through.most(), contact, over, pull.rate, dt) * (1.0 - kept) /
+                       contact.shear * shear;
+  const LaneVec in_axes = rotated_back(motion.axes(), slid);
+  for (std::size_t p = 0; p < kFacetPoints; ++p)
+    if (slips[p])
+      contacts.set_offset(f, p, contacts.offset(f, p) + in_axes.at(static_cast<int>(p)));
+  const double stiffness = contact.shear * (1.0 + through.dilatations);
+  const LaneVec mean = over - Lanes(0.5 * stiffness) * slid;
+  losses.friction += booked * sum(dot(slid, kept * shear + mean) - dt * dot(mean, pull.rate));
+}
+
+}  // namespace muckpile

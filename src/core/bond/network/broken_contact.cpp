@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Broken points of one facet: plane contact, fading, sleeping, retiring.
+// Scope: see the header.
+#include "bond/network/broken_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bond/law/plane_contact.h"
+#include "bond/network/facet_energy.h"
+
+namespace muckpile {
+namespace {
+
+/// Square of the mean slide of a facet's sides [m2].
+double slid_squared(const LaneVec& apart, const Vec3& normal) {
+  const double opened = dot(LaneVec(normal), apart)[0];
+  return std::max(dot(apart, apart)[0] - opened * opened, 0.0);
+}
+
+}  // namespace
+
+bool slid_away(const FacetMotion& motion, const ContactConstants& contact) {
+  return slid_squared(motion.apart, motion.normal) >
+         kSlideStart * kSlideStart * contact.radius_squared;
+}
+
+void BrokenContact::add_tractions(std::size_t f, const FacetMotion& motion,
+                                  const ContactConstants& contact, FacetPull& pull) {
+  const FacetTraces& traces = history_.traces(f);
+  const JointLaws& laws = facets_.tables.laws();
+  ContactRows& contacts = history_.contacts();
+  const double fade = contacts.fade(f), shear = fade * contact.shear;
+  const Mat3 axes = motion.axes();
+  const LaneMask broken = history_.bonded_points(f) == 0 ? is_point() : where_contact(traces);
+  const LaneVec spring = pull.jump - rotated(axes, lanes_of(contacts.get(f).offset));
+  const auto at_points =
+      plane_pull<Lanes>({{fade * contact.closure.normal},
+                         shear,
+                         fade * laws.contact_damping(),
+                         {facets_.tables.residual_friction(f), laws.slip_weakening()}},
+                        {pull.normal, spring, pull.rate, broken, LaneMask(traces.open)}, dt_);
+  history_.set_open(f, false);
+  pull.traction = choose(broken, at_points.traction, pull.traction);
+  const double booked = contact.weight * contact.point_area;
+  books_.losses.damping += booked * dt_ * sum(at_points.damped);
+  books_.losses.friction += 0.5 * booked * shear * sum(at_points.rubbed);
+  if (none_of(at_points.rests)) return;
+  const LaneVec offset = rotated_back(axes, pull.jump - at_points.resting);
+  for (std::size_t p = 0; p < kFacetPoints; ++p)
+    if (at_points.rests[p]) contacts.set_offset(f, p, offset.at(static_cast<int>(p)));
+}
+
+bool BrokenContact::remains(std::size_t f, const FacetMotion& motion,
+                            const ContactConstants& contact) {
+  const double opened = dot(LaneVec(motion.normal), motion.apart)[0];
+  const Lanes squares = dot(motion.apart, motion.apart);  // of the jump, of how half axes differ
+  const double slid = slid_squared(motion.apart, motion.normal);
+  if (slid > kSlideStart * kSlideStart * contact.radius_squared || motion.turned(kTurnStart)) {
+    fade(f, motion,
+         matching_faces(std::sqrt(slid / contact.radius_squared),
+                        std::sqrt(motion.turned_squared())));
+  }
+  if (facets_.tables.laws().softens() && history_.softens(f)) return true;
+  if (history_.contacts().fade(f) == 0.0 || contact.longer(opened, kOpened)) {
+    retire(f);
+    return false;
+  }
+  if (!contact.longer(opened, kSurelyOpen)) return true;
+  const Lanes lengths = sqrt(squares);
+  const double radius = contact.radius();
+  const double tilted = std::sqrt(slid * motion.turned_squared()) + kSurelyOpen * radius;
+  const double gap = opened - lengths[1] - lengths[2] - tilted;
+  if (gap <= 0.0) return true;
+  history_.set_open(f, true);
+  let_sleep(f, gap, radius);
+  return false;
+}
+
+void BrokenContact::retire(std::size_t f) {
+  if (history_.state(f) == FacetState::cracked) books_.newly_let_go = true;
+  history_.retire(f);
+  schedule_.note_change();
+}
+
+/// Leaves an open facet alone for as long as its gap lasts at twice the present speed of approach,
+/// for a bounded time, because other forces may change that speed.
+void BrokenContact::let_sleep(std::size_t f, double gap, double radius) {
+  const FacetTables& tables = facets_.tables;
+  const BlockState& si = facets_.blocks.state_of(tables.i_of(f));
+  const BlockState& sj = facets_.blocks.state_of(tables.j_of(f));
+  const double reach = tables.arm_i(f).norm() + tables.depths(f).second + 3.0 * radius;
+  const double speed =
+      (sj.velocity - si.velocity).norm() + (si.spin.norm() + sj.spin.norm()) * reach;
+  if (dt_ <= 0.0) return;
+  const double steps = 0.5 * gap / (std::max(speed, 1e-30) * dt_);
+  schedule_.sleep(f, std::min(steps, tables.laws().rock().parameters().longest_sleep));
+}
+
+/// A facet whose faces match less than before gives up spring energy, which is booked as friction.
+void BrokenContact::fade(std::size_t f, const FacetMotion& motion, double matching) {
+  const double before = history_.contacts().fade(f);
+  if (matching >= before) return;
+  books_.losses.friction +=
+      facets_.tables.weight(f) * (1.0 - matching / before) * contact_energy(facets_, f, motion);
+  if (history_.state(f) == FacetState::cracked) books_.newly_let_go = true;
+  history_.fade(f, matching);
+}
+
+}  // namespace muckpile

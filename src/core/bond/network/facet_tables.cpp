@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The facets of a network: placing them in the tables and deriving their stiffness.
+// Scope: see the header.
+#include "bond/network/facet_tables.h"
+
+namespace muckpile {
+namespace {
+
+/// m of block i. A block may slide along a mirror, and the ground of a fixed support may yield.
+Vec3 opening_of(const Facet& facet) {
+  if (facet.kind == FacetKind::joint) return facet.opening_i;
+  if (facet.kind == FacetKind::fixed) return facet.normal;
+  const Vec3 part = facet.normal.dot(facet.opening_i) * facet.normal;
+  // What is that part already stays as it was rounded.
+  constexpr double kRounded = 1e-6;
+  const bool is_part = (facet.opening_i - part).norm() <= kRounded * part.norm();
+  return is_part ? facet.opening_i : part;
+}
+
+}  // namespace
+
+void FacetTables::soften(double factor, std::optional<double> damping,
+                         const std::vector<std::uint8_t>& bonded_points) {
+  laws_.soften(factor, damping);
+  derive_all(bonded_points);
+}
+
+void FacetTables::reset(std::size_t count) {
+  names_.resize(count);
+  FacetGroup empty;
+  empty.normal[0].fill(1.0f);  // lanes without a facet are worked on as well
+  groups_.assign((count + kGroup - 1) / kGroup, empty);
+}
+
+void FacetTables::release() {
+  names_ = {};
+  groups_ = {};
+}
+
+Vec3 FacetTables::place(std::size_t f, const Facet& facet) {
+  FacetName& name = names_[f];
+  name.weight = static_cast<float>(facet.weight);
+  name.face = static_cast<std::uint16_t>(facet.face);
+  name.joint_class = facet.joint_class;
+  name.kind = facet.kind;
+  name.sharpened = facet.sharpened;
+  name.slanted_i = facet.slanted[0];
+  name.slanted_j = facet.slanted[1];
+  FacetGroup& group = groups_[f / kGroup];
+  const std::size_t lane = lane_of(f);
+  group.i[lane] = facet.i;
+  group.j[lane] = facet.j;
+  group.area[lane] = facet.area;
+  set_lane(group.arm, lane, facet.arm_i);
+  set_lane(group.half_1, lane, facet.half_axes[0]);
+  set_lane(group.half_2, lane, facet.half_axes[1]);
+  set_lane(group.normal, lane, facet.normal);
+  set_lane(group.opening_i, lane, opening_of(facet));
+  set_lane(group.opening_j, lane,
+           facet.kind == FacetKind::joint ? facet.opening_j : Vec3(Vec3::Zero()));
+  const Vec3 rounded = at_lane(group.arm, lane) - facet.arm_i;  // the same place from j
+  const Vec3 arm_j = facet.arm_j + rounded;
+  set_lane(group.arm_j, lane, arm_j);
+  return arm_j;
+}
+
+Facet FacetTables::facet(std::size_t f) const {
+  const FacetName& name = names_[f];
+  const FacetGroup& group = group_of(f);
+  const std::size_t k = lane_of(f);
+  Facet facet;
+  facet.i = group.i[k];
+  facet.j = group.j[k];
+  facet.face = name.face;
+  facet.kind = name.kind;
+  facet.joint_class = name.joint_class;
+  facet.normal = at_lane(group.normal, k);
+  facet.arm_i = at_lane(group.arm, k);
+  facet.arm_j = at_lane(group.arm_j, k);
+  facet.opening_i = at_lane(group.opening_i, k);
+  facet.opening_j = at_lane(group.opening_j, k);
+  facet.half_axes = {at_lane(group.half_1, k), at_lane(group.half_2, k)};
+  facet.area = group.area[k];
+  facet.sharpened = name.sharpened;
+  facet.slanted = name.slanted();
+  facet.weight = name.weight;
+  return facet;
+}
+
+void FacetTables::derive(std::size_t f, int bonded_points) {
+  const Facet facet = this->facet(f);
+  const bool grounded = facet.kind != FacetKind::joint, smooth = facet.kind == FacetKind::mirror;
+  const double depth_i = facet.normal.dot(facet.arm_i);
+  const double depth_j = grounded ? 0.0 : -facet.normal.dot(facet.arm_j);
+  const FacetStiffness k = laws_.of_class(facet.joint_class).facet_stiffness(depth_i + depth_j);
+  const double shear = smooth ? 0.0 : k.shear, point_area = facet.area / kFacetPoints;
+  const JointMaterial& rock = laws_.rock();
+  const double d = kSharpening * (2.0 * rock.lame_lambda() + rock.shear_modulus()) / 6.0;  // [Pa]
+  const double stiffness = facet.sharpened ? d * k.rock_share * (depth_i + depth_j) : 0.0;
+
+  FacetGroup& group = groups_[f / kGroup];
+  const std::size_t lane = lane_of(f);
+  group.sharpening[lane] = stiffness * point_area * bonded_points;
+  group.shear[lane] = shear;
+  group.normal_extra[lane] = k.normal - shear;
+  group.bulk[lane] = (grounded ? 1.0 : 0.5) * k.rock_share;
+}
+
+void FacetTables::derive_all(const std::vector<std::uint8_t>& bonded_points) {
+  for (std::size_t f = 0; f < size(); ++f) derive(f, bonded_points[f]);
+}
+
+std::pair<double, double> FacetTables::depths(std::size_t f) const {
+  const Vec3 n = normal(f);
+  return {n.dot(arm_i(f)), is_joint(f) ? -n.dot(arm_j(f)) : 0.0};
+}
+
+}  // namespace muckpile

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The facets of a network: shape, ends, joint class and stiffness of each, in groups of lanes
+// (facet_group.h) that the passes read side by side.
+// Scope: owned by the network; to the passes they are read-only but for two numbers of a facet: its
+// share of sharpening, which breaking takes (uncouple()), and where its far side lies, which
+// yielding ground moves (set_arm_j()). One row per facet, SI units. A shape is rounded to single
+// precision once, as it is placed; what is derived is derived of the rounded values, so that it is
+// the same after a restart or a change of ranks.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "bond/facet.h"
+#include "bond/network/facet_group.h"
+#include "bond/network/joint_laws.h"
+
+namespace muckpile {
+
+/// Share of D (facet_network.h) that counts: 1 would be right for cuboids, 3/5 for facets that face
+/// all directions.
+inline constexpr double kSharpening = 2.0 / 3.0;
+
+/// What the passes hardly read of a facet; the rest is in its group.
+struct FacetName {
+  float weight;        ///< as in Facet
+  std::uint16_t face;  ///< cells from files have at most so many, cut ones far fewer
+  std::uint8_t joint_class;
+  FacetKind kind : 2;
+  bool sharpened : 1, slanted_i : 1, slanted_j : 1;
+
+  [[nodiscard]] std::array<bool, 2> slanted() const { return {slanted_i, slanted_j}; }
+};
+static_assert(sizeof(FacetName) == 8);
+
+/// Constants of a facet's bonded points.
+struct BondConstants : LinearClosure<double> {
+  Vec3 opening_i, opening_j;  ///< m of the two blocks in the start [-]
+  double area_i, area_j;      ///< area x share of the jump that strains i and j [m2]
+  double point_area;          ///< [m2]
+  double bulk_i, bulk_j;      ///< share of the two bulk stresses in the traction [-]
+};
+
+/// Constants of a facet's broken points.
+struct ContactConstants {
+  double weight;      ///< as in Facet
+  double point_area;  ///< [m2]
+  LinearContact<double> closure;
+  double shear;           ///< stiffness when closed [Pa/m]
+  double radius_squared;  ///< of the circle of equal area [m2]
+
+  [[nodiscard]] double radius() const { return std::sqrt(radius_squared); }
+  /// Whether `length` is positive and more than so many radii.
+  [[nodiscard]] bool longer(double length, double radii) const {
+    return length > 0.0 && length * length > radii * radii * radius_squared;
+  }
+};
+
+/// Of the dilatations of a facet's two blocks.
+struct DilatationCoupling {
+  int i, j;
+  double sharpening;  ///< energy per square of the difference, twice; of the bonded points [J]
+};
+
+class FacetTables {
+ public:
+  FacetTables(const JointMaterial& material, const std::vector<JointClass>& natural)
+      : laws_(material, natural) {}
+
+  [[nodiscard]] const JointLaws& laws() const { return laws_; }
+  /// `bonded_points`: per facet, how many of its points are in the dilatations.
+  void soften(double factor, std::optional<double> damping,
+              const std::vector<std::uint8_t>& bonded_points);
+
+  void reset(std::size_t count);  ///< room for so many facets, all to be placed
+  /// Returns where the far side lies, as rounded: the facet's arm_j [m].
+  Vec3 place(std::size_t f, const Facet& facet);
+  void derive(std::size_t f, int bonded_points);  ///< constants of a facet that is placed
+  void derive_all(const std::vector<std::uint8_t>& bonded_points);
+  void release();  ///< drops all facets and their memory
+
+  [[nodiscard]] std::size_t size() const { return names_.size(); }
+  /// As it was placed, but for the tags of its blocks.
+  [[nodiscard]] Facet facet(std::size_t f) const;
+  [[nodiscard]] const FacetName& name(std::size_t f) const { return names_[f]; }
+  [[nodiscard]] const std::vector<FacetName>& names() const { return names_; }
+  [[nodiscard]] bool is_joint(std::size_t f) const { return names_[f].kind == FacetKind::joint; }
+  [[nodiscard]] const FacetGroup& group(std::size_t g) const { return groups_[g]; }
+  [[nodiscard]] std::size_t groups() const { return groups_.size(); }
+  [[nodiscard]] const FacetGroup& group_of(std::size_t f) const { return groups_[f / kGroup]; }
+  [[nodiscard]] static std::size_t lane_of(std::size_t f) { return f % kGroup; }
+  [[nodiscard]] int i_of(std::size_t f) const { return group_of(f).i[lane_of(f)]; }
+  [[nodiscard]] int j_of(std::size_t f) const { return group_of(f).j[lane_of(f)]; }
+  /// The blocks of a facet, as indices.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> blocks_of(std::size_t f) const {
+    return {static_cast<std::size_t>(i_of(f)), static_cast<std::size_t>(j_of(f))};
+  }
+  [[nodiscard]] double area(std::size_t f) const { return group_of(f).area[lane_of(f)]; }  ///< [m2]
+  [[nodiscard]] double weight(std::size_t f) const { return names_[f].weight; }            ///< [-]
+  [[nodiscard]] Vec3 normal(std::size_t f) const { return at_lane(group_of(f).normal, lane_of(f)); }
+  [[nodiscard]] Vec3 arm_i(std::size_t f) const { return at_lane(group_of(f).arm, lane_of(f)); }
+  [[nodiscard]] Vec3 arm_j(std::size_t f) const { return at_lane(group_of(f).arm_j, lane_of(f)); }
+  /// Distances of the facet from the two centres, 0 from the ground [m].
+  [[nodiscard]] std::pair<double, double> depths(std::size_t f) const;
+  [[nodiscard]] double rock_share(std::size_t f) const {
+    return (is_joint(f) ? 2.0 : 1.0) * group_of(f).bulk[lane_of(f)];
+  }
+  [[nodiscard]] const CoulombStrength<double>& strength(std::size_t f) const {
+    return laws_.strength(names_[f].joint_class).bonded;
+  }
+  /// Of slow slip [-]; a mirror has none.
+  [[nodiscard]] double residual_friction(std::size_t f) const {
+    const FacetName& name = names_[f];
+    return name.kind == FacetKind::mirror ? 0.0 : laws_.strength(name.joint_class).tan_residual;
+  }
+  [[nodiscard]] DilatationCoupling coupling(std::size_t f) const {
+    return {i_of(f), j_of(f), group_of(f).sharpening[lane_of(f)]};
+  }
+  [[nodiscard]] BondConstants bond(std::size_t f) const;
+  [[nodiscard]] ContactConstants contact(std::size_t f) const;
+
+  /// What is left of the facet's coupling [J].
+  void set_sharpening(std::size_t f, double sharpening) {
+    groups_[f / kGroup].sharpening[lane_of(f)] = sharpening;
+  }
+  void set_arm_j(std::size_t f, const Vec3& arm_j) {
+    set_lane(groups_[f / kGroup].arm_j, lane_of(f), arm_j);
+  }
+
+  [[nodiscard]] double bytes_of_groups() const {
+    return static_cast<double>(groups_.capacity() * sizeof(FacetGroup));
+  }
+  [[nodiscard]] double bytes_of_names() const {
+    return static_cast<double>(names_.capacity() * sizeof(FacetName));
+  }
+
+ private:
+  JointLaws laws_;
+  std::vector<FacetName> names_;
+  std::vector<FacetGroup> groups_;
+};
+
+[[gnu::always_inline]] inline BondConstants FacetTables::bond(std::size_t f) const {
+  const FacetGroup& group = group_of(f);
+  const std::size_t k = lane_of(f);
+  const double area = group.area[k], bulk = group.bulk[k];
+  const double bulk_j = is_joint(f) ? bulk : 0.0;
+  return {{group.shear[k], group.normal_extra[k]},
+          at_lane(group.opening_i, k),
+          at_lane(group.opening_j, k),
+          bulk * area,
+          bulk_j * area,
+          area / kFacetPoints,
+          bulk,
+          bulk_j};
+}
+
+[[gnu::always_inline]] inline ContactConstants FacetTables::contact(std::size_t f) const {
+  const FacetGroup& group = group_of(f);
+  const std::size_t k = lane_of(f);
+  return {
+      names_[f].weight, group.area[k] / kFacetPoints,
+      laws_.contact(LinearClosure<double>{group.shear[k], group.normal_extra[k]}, rock_share(f)),
+      group.shear[k], M_1_PI * group.area[k]};
+}
+
+}  // namespace muckpile

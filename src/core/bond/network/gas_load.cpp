@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The pressure of gas in broken joints: openings of joints and forces, a group of facets at once.
+// Scope: see the header.
+#include "bond/network/gas_load.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace muckpile {
+namespace {
+
+// A joint that has retired still holds gas between its two blocks. It is in the open once it has
+// opened or slid by its radius, or turned by a radian: there is more void than joint then.
+constexpr double kWide = 1.0;
+
+using PointLanes = std::array<unsigned, kFacetPoints>;  // bit per facet of a group
+
+/// Per point, those of some facets of a group of which `of` has it.
+template <class Of>
+PointLanes lanes_with(const FacetHistory& history, const LaneSet& set, const Of& of) {
+  PointLanes lanes{};
+  each_lane(set.lanes, [&](std::size_t k) {
+    const PointSet points = of(history.traces(set.group * kGroup + k));
+    for (std::size_t p = 0; p < kFacetPoints; ++p) lanes[p] |= (points[p] ? 1u : 0u) << k;
+  });
+  return lanes;
+}
+
+/// How far each broken point has opened since it broke, by what it remembers of that.
+void open_group_of_joints(const FacetKinematics& facets, const LaneSet& set,
+                          std::vector<OpenJoint>& open) {
+  constexpr double kNever = std::numeric_limits<double>::max();  // a point in the dilatations
+  const FacetGroup& group = facets.tables.group(set.group);
+  const ContactGroup& contact = facets.history.contacts().of(set.group);
+  const PointLanes broken =
+      lanes_with(facets.history, set, [](const FacetTraces& m) { return m.broken; });
+  const PointLanes parted =
+      lanes_with(facets.history, set, [](const FacetTraces& m) { return m.contact(); });
+  const WidePose pose = pose_of(group, facets.blocks.state.front());
+  const WideField jump = jump_of(group, pose);
+  const Wide mean = dot(pose.normal, jump.mean), along_1 = dot(pose.normal, jump.along_1),
+             along_2 = dot(pose.normal, jump.along_2);
+  Wide opening = 0.0, points = 0.0;
+  for (std::size_t p = 0; p < kFacetPoints; ++p) {
+    const Wide start = choose(mask_of<Wide>(parted[p]), wide(contact.offset[p][0]), kNever);
+    const Wide now = mean + kOnFirst[p] * along_1 + kOnSecond[p] * along_2;
+    opening += max(Wide(0.0), now - start);
+    points += choose(mask_of<Wide>(broken[p]), Wide(1.0), 0.0);
+  }
+  const Wide radius_squared = M_1_PI * wide(group.area);
+  const unsigned wide_open =
+      bits_of<Wide>(points > 0.0 && (dot(pose.jump, pose.jump) > kWide * kWide * radius_squared ||
+                                     turn_of(group, pose).exceeds(kWide)));
+  alignas(64) FacetRow<double> area, opened;
+  store(points * wide(group.area) / Wide(kFacetPoints), area);
+  store(opening / max(points, Wide(1.0)), opened);
+  each_lane(set.lanes, [&](std::size_t k) {
+    open.push_back({area[k], opened[k], (wide_open >> k & 1u) != 0});
+  });
+}
+
+}  // namespace
+
+void open_joints(const FacetKinematics& all, std::span<const LaneSet> facets,
+                 std::vector<OpenJoint>& open) {
+  open.clear();
+  for (std::size_t k = 0; k < facets.size(); ++k) {
+    if (k + kContactsAhead < facets.size())
+      all.history.contacts().fetch_openings(facets[k + kContactsAhead].group);
+    open_group_of_joints(all, facets[k], open);
+  }
+}
+
+void GasLoad::set_pressure(std::span<const double> pressure) {
+  pressure_.assign(pressure.begin(), pressure.end());
+  if (force_.size() == pressure.size()) return;
+  force_.assign(pressure.size(), Vec3::Zero());
+  torque_.assign(pressure.size(), Vec3::Zero());
+}
+
+void GasLoad::clear_forces() {
+  std::fill(force_.begin(), force_.end(), Vec3::Zero());
+  std::fill(torque_.begin(), torque_.end(), Vec3::Zero());
+}
+
+unsigned GasLoad::pressed_lanes(const FacetKinematics& facets, const LaneSet& active,
+                                FacetRow<double>& pressure) const {
+  if (!presses()) return 0;
+  const FacetGroup& group = facets.tables.group(active.group);
+  const auto ground = static_cast<int>(facets.blocks.size()) - 1;
+  unsigned lanes = 0;
+  each_lane(active.lanes & ~facets.history.intact_lanes(active.group), [&](std::size_t k) {
+    const std::size_t f = active.group * kGroup + k;
+    const double of_i = pressure_[static_cast<std::size_t>(group.i[k])];
+    const double of_j =
+        group.j[k] == ground ? of_i : pressure_[static_cast<std::size_t>(group.j[k])];
+    pressure[k] = 0.5 * (of_i + of_j);
+    if (pressure[k] != 0.0 && !facets.history.traces(f).over()) lanes |= 1u << k;
+  });
+  return lanes;
+}
+
+void GasLoad::press(const FacetKinematics& facets, const LaneSet& pressed,
+                    const FacetRow<double>& pressure, const WidePose& pose) {
+  const FacetGroup& group = facets.tables.group(pressed.group);
+  const PointLanes broken =
+      lanes_with(facets.history, pressed, [](const FacetTraces& m) { return m.broken; });
+  Wide points = 0.0, on_first = 0.0, on_second = 0.0;  // of the broken ones
+  for (std::size_t p = 0; p < kFacetPoints; ++p) {
+    const Wide is = choose(mask_of<Wide>(broken[p]), Wide(1.0), 0.0);
+    points += is;
+    on_first += kOnFirst[p] * is;
+    on_second += kOnSecond[p] * is;
+  }
+  const WideVec arms =
+      points * pose.arm() + Wide(0.5) * (on_first * (pose.sum * wide(group.half_1)) +
+                                         on_second * (pose.sum * wide(group.half_2)));
+  const WideVec at_point = -1.0 / kFacetPoints * wide(group.area) * wide(pressure) * pose.normal;
+  const WideVec force = points * at_point, moment = cross(arms, at_point);
+  WideForces forces;
+  store(force, moment, pose.between, forces);
+  each_lane(pressed.lanes, [&](std::size_t k) { add_forces(group, k, forces, force_, torque_); });
+}
+
+void GasLoad::add_forces_to(BlockFields& blocks) const {
+  for (std::size_t b = 0; b < force_.size(); ++b) {
+    blocks.force[b] += force_[b];
+    blocks.torque[b] += torque_[b];
+  }
+}
+
+}  // namespace muckpile

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The pressure of gas in the broken joints of a facet network: what it presses, and how far the
+// joints are open for it.
+// Scope: a part of the network that exists only where joints keep gas (FacetTraces::gas); how much
+// gas is where is gas/joint_gas.h. One row per block, the ground last; SI units. The gas does not
+// enter the dilatations, as the contact of broken points does not.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "bond/network/facet_kinematics.h"
+#include "bond/network/facet_wide.h"
+
+namespace muckpile {
+
+/// How far a joint is open for gas.
+struct OpenJoint {
+  double area = 0.0;     ///< of broken points [m2]
+  double opening = 0.0;  ///< mean over them [m]
+  bool wide = false;     ///< so far open, slid or turned that it is no joint for gas either
+};
+
+/// Of each of `facets`, in order, into `open`.
+void open_joints(const FacetKinematics& all, std::span<const LaneSet> facets,
+                 std::vector<OpenJoint>& open);
+
+class GasLoad {
+ public:
+  /// More than the atmosphere, of every block [Pa]; it acts until it is set again.
+  void set_pressure(std::span<const double> pressure);
+  /// Blocks have changed: nothing presses until pressures are set.
+  void clear_pressure() { pressure_.clear(); }
+  [[nodiscard]] bool presses() const { return !pressure_.empty(); }
+
+  [[nodiscard]] std::span<const Vec3> force() const { return force_; }    ///< [N]
+  [[nodiscard]] std::span<const Vec3> torque() const { return torque_; }  ///< [N m]
+
+  void clear_forces();
+  /// Those of a group's active facets in which gas presses, and how hard [Pa]: a joint has the mean
+  /// of its two blocks, a facet of the ground what its block has.
+  [[nodiscard]] unsigned pressed_lanes(const FacetKinematics& facets, const LaneSet& active,
+                                       FacetRow<double>& pressure) const;
+  /// The gas pushes the two sides of each facet apart at its broken points.
+  void press(const FacetKinematics& facets, const LaneSet& pressed,
+             const FacetRow<double>& pressure, const WidePose& pose);
+  void add_forces_to(BlockFields& blocks) const;
+
+  [[nodiscard]] double bytes() const {
+    return static_cast<double>(pressure_.capacity() * sizeof(double) +
+                               (force_.capacity() + torque_.capacity()) * sizeof(Vec3));
+  }
+
+ private:
+  std::vector<double> pressure_;
+  std::vector<Vec3> force_, torque_;
+};
+
+}  // namespace muckpile

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Broken points that soften.
+// Scope: see the header.
+#include "bond/network/softening_points.h"
+
+#include <algorithm>
+
+namespace muckpile {
+
+void add_cohesion(const FacetKinematics& facets, FacetHistory& history, JointLosses& losses,
+                  std::size_t f, const FacetMotion& motion, FacetPull& pull, double dt) {
+  if (!history.softens(f)) return;
+  const ContactConstants contact = facets.tables.contact(f);
+  const Mat3 axes = motion.axes();
+  for (int p = 0; p < kFacetPoints; ++p) {
+    Cohesion& c = history.cohesion_of_point(f, static_cast<std::size_t>(p));
+    if (!c.holds()) continue;
+    const Vec3 direction = axes * c.direction;
+    const double path = direction.dot(pull.rate.at(p)) * dt;
+    const double now = c.parting(axes.transpose() * pull.jump.at(p)), before = now - path;
+    const double traction_before = c.traction(before, c.worst), energy_before = c.energy(before);
+    c.worst = std::max(c.worst, now);
+    const double traction = c.traction(now, c.worst);
+    losses.fracture += contact.weight * contact.point_area *
+                       (0.5 * (traction_before + traction) * path + energy_before - c.energy(now));
+    pull.add(p, traction * direction);
+    if (c.worst >= c.end) c = {};
+  }
+  if (!history.softens(f) && facets.tables.is_joint(f)) history.stop_softening(f);
+}
+
+}  // namespace muckpile

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Broken points that soften: what points that have reached their strength still hold.
+// Scope: a pass over one facet, only with fracture energies; the law is bond/law/cohesion.h. SI
+// units.
+#pragma once
+
+#include "bond/network/facet_kinematics.h"
+#include "bond/network/facet_pull.h"
+#include "bond/network/joint_books.h"
+
+namespace muckpile {
+
+/// Adds what broken points of facet f still hold to `pull` over a step dt [s]. The work that
+/// leapfrog takes, less what is stored, is booked as fracture.
+void add_cohesion(const FacetKinematics& facets, FacetHistory& history, JointLosses& losses,
+                  std::size_t f, const FacetMotion& motion, FacetPull& pull, double dt);
+
+}  // namespace muckpile
