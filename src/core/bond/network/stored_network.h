@@ -32,7 +32,7 @@ struct Stored<BoundaryFace> {
   static constexpr int kVersion = 1;
   static auto fields(auto& face) {
     return std::tie(face.tag, face.face, face.hole, face.normal, face.arm, face.start, face.area,
-                    face.pressure, face.wave_share, face.held, face.last_pressure,
+                    face.pressure, face.wave_share, face.load_share, face.last_pressure,
                     face.last_squeezed, face.rigid_swept, face.last_centroid, face.last_normal);
   }
 };
@@ -99,8 +99,8 @@ struct Stored<GroundMemory> {
   static constexpr std::string_view kName = "ground_memory";
   static constexpr int kVersion = 1;
   static auto fields(auto& ground) {
-    return std::tie(ground.yields, ground.displacement, ground.held, ground.traction, ground.arm_j,
-                    ground.placed);
+    return std::tie(ground.yields, ground.displacement, ground.static_traction, ground.traction,
+                    ground.arm_j, ground.placed);
   }
 };
 
