@@ -6,6 +6,7 @@
 #include "explosive/blast_options.h"
 #include "explosive/charge_design.h"
 #include "rock/cut_table.h"
+#include "run/blast_plan.h"
 
 namespace muckpile {
 
@@ -21,6 +22,7 @@ std::vector<ArgTable> keyword_tables() {
           progress_keywords(),
           quiet_keywords(),
           rank_grid_keywords(),
+          run_blast_table(),
           sleep_keywords(),
           timestep_keywords()};
 }
