@@ -19,15 +19,17 @@
 #include <unordered_map>
 
 #include "args/numbers.h"
-#include "fixes/blocks/fix_muckpile_blocks.h"
-#include "fixes/blocks/fix_muckpile_sleep.h"
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/exchange.h"
+#include "fixes/engine/find_view.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/particle_vectors.h"
 #include "fixes/engine/region.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/interfaces/energy_account.h"
+#include "fixes/interfaces/given_energy.h"
 #include "fixes/interfaces/keyword_tables.h"
-#include "fixes/output/fix_muckpile_ledger.h"
+#include "fixes/interfaces/resting_blocks.h"
 
 namespace muckpile {
 namespace {
@@ -99,8 +101,7 @@ void BlockMotionCommand::command(int narg, char** arg) {
   check_count(region, bodies, given.at.has_value());
   hand_over(bodies, moved_bodies(bodies, given));
   tell_spheres(bodies);
-  auto* sleep = dynamic_cast<FixMuckpileSleep*>(modify->find_fix_style_strict("muckpile/sleep", 0));
-  if (sleep != nullptr) sleep->wake_blocks();
+  if (auto* sleep = engine::find_view<RestingBlocks>(*lmp)) sleep->wake_blocks();
 }
 
 /// Words v_NAME become the value of that variable.
@@ -132,9 +133,8 @@ void BlockMotionCommand::check_count(const std::string& region, const std::vecto
                                      bool only_one) const {
   const std::string where = kStyle;
   const int all = engine::find_multisphere(*lmp)->data().n_body();
-  const std::array<int, 2> mine{static_cast<int>(bodies.size()), all};
-  std::array<int, 2> sum{};
-  MPI_Allreduce(mine.data(), sum.data(), 2, MPI_INT, MPI_SUM, world);
+  std::array<int, 2> sum{static_cast<int>(bodies.size()), all};
+  engine::sum_over_ranks_in_place(sum, world);
   if (sum[1] == 0) engine::stop(*lmp, where + ": there are no blocks; create_blocks comes before");
   if (sum[0] == 0)
     engine::stop(*lmp, where + ": region '" + region +
@@ -150,7 +150,7 @@ std::vector<MovingBody> BlockMotionCommand::moved_bodies(const std::vector<int>&
   LAMMPS_NS::FixMultisphere& fix = *engine::find_multisphere(*lmp);
   const engine::Bodies now(fix);
   std::vector<MovingBody> states;
-  double mine = 0.0, fastest = 0.0;
+  double mine = 0.0;
   for (const int b : bodies) {
     states.push_back(
         moved({now.mass(b), now.inertia_in_space(b), now.centre(b), now.velocity(b), now.spin(b)},
@@ -159,7 +159,7 @@ std::vector<MovingBody> BlockMotionCommand::moved_bodies(const std::vector<int>&
     const double speed = then.velocity.norm() + then.spin.norm() * fix.data().r_bound(b);
     mine = std::isfinite(speed) ? std::max(mine, speed) : HUGE_VAL;
   }
-  MPI_Allreduce(&mine, &fastest, 1, MPI_DOUBLE, MPI_MAX, world);
+  const double fastest = engine::greatest_over_ranks(mine, world);
   if (fastest > kFastest)
     engine::stop(*lmp, std::string(kStyle) + ": no point of a block may move faster than " +
                            number_text(kFastest) + " m/s, got " + number_text(fastest) +
@@ -179,12 +179,10 @@ void BlockMotionCommand::hand_over(const std::vector<int>& bodies,
     now.angular_momentum(b) = states[k].inertia * states[k].spin;
     given += now.kinetic_energy(b);
   }
-  auto* ledger =
-      dynamic_cast<FixMuckpileLedger*>(modify->find_fix_style_strict("muckpile/ledger", 0));
-  if (ledger != nullptr)
-    ledger->book_given(given);
+  if (auto* account = engine::find_view<EnergyAccount>(*lmp))
+    account->book_given(given);
   else
-    FixMuckpileBlocks::find(*lmp)->keep_given(given);
+    engine::find_view<GivenEnergy>(*lmp)->keep_given(given);
 }
 
 /// The set-up of a run works out contacts with the velocities that spheres have; some of them may

@@ -17,6 +17,8 @@
 #include "fixes/blocks/fix_muckpile_blocks.h"
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/exchange.h"
+#include "fixes/engine/over_ranks.h"
+#include "fixes/engine/style_args.h"
 
 namespace muckpile {
 namespace {
@@ -62,26 +64,6 @@ FacesOfBlocks faces_of_blocks(const RockModel& model, int first_tag) {
   return of;
 }
 
-void put(engine::ByteWriter& out, const RigidBody& body) {
-  out.put(body.mass);
-  out.put(body.volume);
-  out.put(body.centre);
-  out.put(body.inertia);
-  out.put(body.axes);
-  out.put_all(body.spheres);
-}
-
-RigidBody get_body(engine::ByteReader& in) {
-  RigidBody body;
-  body.mass = in.get<double>();
-  body.volume = in.get<double>();
-  body.centre = in.get<Vec3>();
-  body.inertia = in.get<Vec3>();
-  body.axes = in.get<Mat3>();
-  body.spheres = in.get_all<Sphere>();
-  return body;
-}
-
 }  // namespace
 
 BlockPlacement::BlockPlacement(LAMMPS_NS::LAMMPS* engine, int type, double density)
@@ -90,10 +72,9 @@ BlockPlacement::BlockPlacement(LAMMPS_NS::LAMMPS* engine, int type, double densi
       type_(type),
       density_(density) {
   first_tag_ = multisphere_->tag_max_body() + 1;
-  int mine = 0, all = 0;
+  int mine = 0;
   for (int i = 0; i < atom->nlocal; ++i) mine = std::max(mine, static_cast<int>(atom->tag[i]));
-  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MAX, world);
-  first_atom_tag_ = all + 1;
+  first_atom_tag_ = engine::greatest_over_ranks(mine, world) + 1;
   settle_new_fixes();
 }
 
@@ -117,49 +98,50 @@ void BlockPlacement::place(const RockModel& model, const std::vector<Hole>& hole
     for (const RigidBody& body : model.bodies) centres.push_back(body.centre);
     balance->cut_for(centres);
   }
-  create(hand_out(model), holes, blocks);
+  std::vector<ByteWriter> outgoing = hand_out(model);
+  create(outgoing, holes, blocks);
 }
 
-std::vector<char> BlockPlacement::hand_out(const RockModel& model) const {
+/// Per destination rank: the blocks that it gets; all of them come from rank 0.
+std::vector<ByteWriter> BlockPlacement::hand_out(const RockModel& model) const {
   const RankBoxes boxes(*lmp);
   const FacesOfBlocks of = faces_of_blocks(model, first_tag_);
-  std::vector<engine::ByteWriter> outgoing(boxes.count());
+  std::vector<ByteWriter> outgoing(boxes.count());
   int atom_tag = first_atom_tag_;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const RigidBody& body = model.bodies[b];
-    engine::ByteWriter& out = outgoing[boxes.owner(body.centre)];
-    out.put(first_tag_ + static_cast<int>(b));
-    out.put(atom_tag);
-    put(out, body);
-    out.put_all(of.faces[b]);
-    out.put(of.facets[b].size());
-    for (const Facet* facet : of.facets[b]) out.put(*facet);
+    PlacedBlock placed{first_tag_ + static_cast<int>(b), atom_tag, body, of.faces[b], {}};
+    for (const Facet* facet : of.facets[b]) placed.facets.push_back(*facet);
+    outgoing[boxes.owner(body.centre)].put(placed);
     atom_tag += static_cast<int>(body.spheres.size());
   }
-  return engine::exchange_bytes(engine::bytes_of(outgoing), world).front();
+  return outgoing;
 }
 
-void BlockPlacement::create(const std::vector<char>& mine, const std::vector<Hole>& holes,
+void BlockPlacement::create(std::vector<ByteWriter>& outgoing, const std::vector<Hole>& holes,
                             int blocks) {
   std::vector<BlockRecord> records;
   std::vector<Facet> facets;
   std::vector<BoundaryFace> faces;
-  for (engine::ByteReader in(mine); !in.empty();) {
-    const int tag = in.get<int>(), atom_tag = in.get<int>();
-    const RigidBody body = get_body(in);
-    create_body(body, tag, atom_tag);
-    records.push_back({tag, body.volume, body.mass, body.centre, body.axes, {}});
-    for (const BoundaryFace& face : in.get_all<BoundaryFace>()) faces.push_back(face);
-    for (const Facet& facet : in.get_all<Facet>()) facets.push_back(facet);
-  }
+  const auto create_one = [&](const PlacedBlock& placed) {
+    const RigidBody& body = placed.body;
+    create_body(body, placed.tag, placed.first_atom_tag);
+    records.push_back({placed.tag, body.volume, body.mass, body.centre, body.axes, {}});
+    faces.insert(faces.end(), placed.faces.begin(), placed.faces.end());
+    facets.insert(facets.end(), placed.facets.begin(), placed.facets.end());
+  };
+  engine::or_engine_error(*lmp, "create_blocks", [&] {
+    engine::exchange_messages(outgoing, world, [&](ByteReader& in, std::size_t) {
+      while (!in.empty()) create_one(in.get<PlacedBlock>());
+    });
+  });
   count_atoms();
   multisphere_->add_body_finalize();
   FixMuckpileBlocks::find_or_make(*lmp).add(records, facets, faces, holes, blocks);
 }
 
 void BlockPlacement::count_atoms() {
-  double local = atom->nlocal, all = 0.0;
-  MPI_Allreduce(&local, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  const double all = engine::sum_over_ranks(static_cast<double>(atom->nlocal), world);
   atom->natoms = static_cast<LAMMPS_NS::bigint>(all);
   if (atom->map_style == 0) return;
   atom->nghost = 0;

@@ -16,6 +16,22 @@ class FixMultisphere;
 
 namespace muckpile {
 
+/// What the rank that gets a block needs to make it.
+struct PlacedBlock {
+  int tag = 0, first_atom_tag = 0;
+  RigidBody body;
+  std::vector<BoundaryFace> faces;
+  std::vector<Facet> facets;
+};
+template <>
+struct Stored<PlacedBlock> {
+  static constexpr std::string_view kName = "placed_block";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& block) {
+    return std::tie(block.tag, block.first_atom_tag, block.body, block.faces, block.facets);
+  }
+};
+
 class BlockPlacement : protected LAMMPS_NS::Pointers {
  public:
   /// Spheres get this atom type and density [kg/m3].
@@ -28,8 +44,8 @@ class BlockPlacement : protected LAMMPS_NS::Pointers {
 
  private:
   void settle_new_fixes();
-  [[nodiscard]] std::vector<char> hand_out(const RockModel& model) const;
-  void create(const std::vector<char>& mine, const std::vector<Hole>& holes, int blocks);
+  [[nodiscard]] std::vector<ByteWriter> hand_out(const RockModel& model) const;
+  void create(std::vector<ByteWriter>& outgoing, const std::vector<Hole>& holes, int blocks);
   void create_body(const RigidBody& body, int tag, int first_atom_tag);
   void create_spheres(const RigidBody& body, const std::vector<double*>& displace, int tag,
                       int first_atom_tag);

@@ -21,6 +21,7 @@
 #include "fixes/blocks/fix_muckpile_blocks.h"
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/exchange.h"
+#include "fixes/engine/over_ranks.h"
 #include "geometry/files/block_file.h"
 #include "rock/cut_table.h"
 
@@ -77,17 +78,17 @@ void CreateBlocks::command(int narg, char** arg) {
   check_overlap(rock);
   const double start = MPI_Wtime();
   CutOptions options;
-  SupportRule held;
+  SupportRule supports;
   engine::or_engine_error(*lmp, [&] {
     options = cut_options(args, installed_memory());
     bound(options.rock, rock);
-    held = support(args);
+    supports = support(args);
     return 0;
   });
   BlockPlacement placement(lmp, type, options.density);
   if (comm->nprocs > 1 && options.is_plain_voronoi()) share_sweeps_of_rank_0(options.rock);
   RockModel model;
-  on_rank_0(*lmp, [&] { model = cut_rock(options, placement.first_tag(), held); });
+  on_rank_0(*lmp, [&] { model = cut_rock(options, placement.first_tag(), supports); });
   const std::string run = run_id(engine::words_of(narg, arg, 0), model);
   on_rank_0(*lmp, [&] {
     const std::string& file = args.word("file");
@@ -145,12 +146,12 @@ LAMMPS_NS::Region& CreateBlocks::region(const std::string& id) const {
 
 void CreateBlocks::check_overlap(LAMMPS_NS::Region& rock) const {
   const engine::Bodies bodies(*engine::find_multisphere(*lmp));
-  int inside = 0, all = 0;
+  int inside = 0;
   for (int b = 0; b < bodies.count(); ++b) {
     const auto c = bodies.centre(b);
     inside += rock.match(c.x(), c.y(), c.z()) != 0 ? 1 : 0;
   }
-  MPI_Allreduce(&inside, &all, 1, MPI_INT, MPI_SUM, world);
+  const int all = engine::sum_over_ranks(inside, world);
   if (all > 0) {
     engine::stop(*lmp, std::string("create_blocks: region '") + rock.id +
                            "' must not overlap rock that exists, got " + std::to_string(all) +

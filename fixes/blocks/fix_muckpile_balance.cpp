@@ -16,8 +16,11 @@
 #include <vector>
 
 #include "fixes/engine/bodies.h"
+#include "fixes/engine/find_view.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/style_args.h"
-#include "fixes/joints/fix_muckpile_joint.h"
+#include "fixes/engine/style_name.h"
+#include "fixes/interfaces/acting_joints.h"
 #include "partition/even_cuts.h"
 
 namespace muckpile {
@@ -31,16 +34,8 @@ constexpr double kJointCost = 0.2;
 
 std::vector<double> block_costs(LAMMPS_NS::LAMMPS& lmp, int blocks) {
   std::vector<double> costs(static_cast<std::size_t>(blocks), 1.0);
-  const auto* joint =
-      dynamic_cast<FixMuckpileJoint*>(lmp.modify->find_fix_style_strict("muckpile/joint", 0));
-  if (joint == nullptr) return costs;
-  const FacetNetwork& network = joint->network();
-  for (std::size_t f = 0; f < network.facet_count(); ++f) {
-    if (network.states()[f] == FacetState::retired || network.traces()[f].open) continue;
-    const FacetEnds ends = network.ends(f);
-    for (const int block : {ends.i, ends.j})
-      if (block < blocks) costs[static_cast<std::size_t>(block)] += kJointCost;
-  }
+  if (const auto* joints = engine::find_view<ActingJoints>(lmp))
+    joints->add_cost_of_joints(costs, kJointCost);
   return costs;
 }
 
@@ -48,7 +43,7 @@ std::vector<double> block_costs(LAMMPS_NS::LAMMPS& lmp, int blocks) {
 
 FixMuckpileBalance::FixMuckpileBalance(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg) {
-  const std::string where = std::string("fix muckpile/balance '") + id + "'";
+  const std::string where = engine::name_of(*this);
   if (narg != 3) engine::stop(*lmp, where + ": takes no keywords, got '" + arg[3] + "'");
   if (engine::find_multisphere(*lmp) == nullptr)
     engine::stop(*lmp, where + ": needs 'fix ID all multisphere' before it");
@@ -114,13 +109,13 @@ std::span<double> FixMuckpileBalance::splits(int axis) {
 
 void FixMuckpileBalance::cut_axis(int axis, std::span<const Load> loads, Reach reach) {
   const double low = domain->boxlo[axis], length = domain->boxhi[axis] - low;
-  std::vector<double> mine(kBins, 0.0), all(kBins);
+  std::vector<double> all(kBins, 0.0);
   for (const Load& load : loads) {
     const double bin = std::floor((load.centre[axis] - low) / length * kBins);
     if (std::isfinite(bin))
-      mine[static_cast<std::size_t>(std::clamp(bin, 0.0, kBins - 1.0))] += load.cost;
+      all[static_cast<std::size_t>(std::clamp(bin, 0.0, kBins - 1.0))] += load.cost;
   }
-  MPI_Allreduce(mine.data(), all.data(), kBins, MPI_DOUBLE, MPI_SUM, world);
+  engine::sum_over_ranks_in_place(all, world);
   const std::span<double> now = splits(axis);
   std::vector<double> cuts = even_cuts(all, comm->procgrid[axis]);
   // A part thinner than what it must know of its neighbours would talk to ranks farther away.
@@ -135,9 +130,8 @@ void FixMuckpileBalance::setup(int) { halo_known_ = true; }
 
 double FixMuckpileBalance::compute_scalar() {
   const double mine = engine::Bodies(*engine::find_multisphere(*lmp)).count();
-  double most = 0.0, all = 0.0;
-  MPI_Allreduce(&mine, &most, 1, MPI_DOUBLE, MPI_MAX, world);
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  const double most = engine::greatest_over_ranks(mine, world);
+  const double all = engine::sum_over_ranks(mine, world);
   return all > 0.0 ? most * comm->nprocs / all : 1.0;
 }
 

@@ -4,12 +4,14 @@
 #include "fixes/blocks/fix_muckpile_blocks.h"
 
 #include <algorithm>
+#include <iterator>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/exchange.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/pair_style_check.h"
 #include "fixes/engine/style_args.h"
 
@@ -21,25 +23,6 @@ using FacetKey = std::pair<int, int>;
 FacetKey key_of(const Facet& facet) { return {facet.tag_i, facet.face}; }
 
 }  // namespace
-
-void put(engine::ByteWriter& out, const Facet& facet, const FacetMemory& memory) {
-  out.put(facet);
-  out.put(static_cast<const FacetTraces&>(memory));
-  out.put(memory.contact.exists());
-  if (memory.contact.exists()) out.put(memory.contact.get());
-  out.put(memory.extra.exists());
-  if (memory.extra.exists()) out.put(memory.extra.get());
-}
-
-std::pair<Facet, FacetMemory> get_facet(engine::ByteReader& in) {
-  std::pair<Facet, FacetMemory> entry;
-  auto& [facet, memory] = entry;
-  facet = in.get<Facet>();
-  static_cast<FacetTraces&>(memory) = in.get<FacetTraces>();
-  if (in.get<bool>()) memory.contact.get_or_create() = in.get<ContactMemory>();
-  if (in.get<bool>()) memory.extra.get_or_create() = in.get<ExtraMemory>();
-  return entry;
-}
 
 FixMuckpileBlocks::FixMuckpileBlocks(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg), multisphere_(engine::find_multisphere(*engine)) {
@@ -75,17 +58,16 @@ void FixMuckpileBlocks::add(const std::vector<BlockRecord>& records,
                             const std::vector<BoundaryFace>& faces, const std::vector<Hole>& holes,
                             int blocks_all) {
   // Each joint comes with both of its blocks. Joints that have retired are no longer in the lists.
-  int mine = 0, all = 0;
+  int mine = 0;
   for (const Facet& facet : facets) {
     mine += facet.kind == FacetKind::joint ? 1 : 0;
     highest_joint_class_ = std::max<int>(highest_joint_class_, facet.joint_class);
   }
-  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_SUM, world);
-  facets_created_ += all / 2;
+  facets_created_ += engine::sum_over_ranks(mine, world) / 2;
   take_back();
   records_.insert(records_.end(), records.begin(), records.end());
   std::vector<FacetEntry> entries;
-  for (const Facet& facet : facets) entries.emplace_back(facet, FacetMemory{});
+  for (const Facet& facet : facets) entries.push_back({facet, FacetMemory{}});
   add_facets(std::move(entries));
   const int first_hole = static_cast<int>(holes_.size());
   for (BoundaryFace face : faces) {
@@ -107,9 +89,7 @@ std::vector<int> FixMuckpileBlocks::body_tags() {
 
 void FixMuckpileBlocks::synchronise() {
   const std::vector<int> tags = body_tags();
-  int changed = tags == tags_ ? 0 : 1, any = 0;
-  MPI_Allreduce(&changed, &any, 1, MPI_INT, MPI_MAX, world);
-  if (any == 0) return;
+  if (!engine::on_any_rank(tags != tags_, world)) return;
   take_back();
   const engine::BlockDirectory directory(tags, world);
   drop_orphans(tags, directory);
@@ -146,7 +126,7 @@ void FixMuckpileBlocks::set_keeper(FacetKeeper* keeper) {
 }
 
 void FixMuckpileBlocks::retire_into_record(const Facet& facet, int end) {
-  if (end >= static_cast<int>(records_.size())) return;  // a copy, or the ground
+  if (end < 0 || end >= static_cast<int>(records_.size())) return;  // a copy, or the ground
   BlockRecord& record = records_[static_cast<std::size_t>(end)];
   record.retired.add(facet, end == facet.i ? facet.arm_i : facet.arm_j, record.volume);
 }
@@ -192,12 +172,19 @@ void FixMuckpileBlocks::drop_orphans(const std::vector<int>& tags,
 
 void FixMuckpileBlocks::migrate(const std::vector<int>& tags,
                                 const engine::BlockDirectory& directory) {
-  merge(tags, engine::exchange_bytes(pack_leaving(tags, directory), world));
+  std::vector<ByteWriter> leaving = pack_leaving(tags, directory);
+  std::vector<BlocksShare> arrived;
+  engine::or_engine_error(*lmp, "fix muckpile/blocks", [&] {
+    engine::exchange_messages(leaving, world, [&arrived](ByteReader& in, std::size_t) {
+      while (!in.empty()) arrived.push_back(in.get<BlocksShare>());
+    });
+  });
+  merge(tags, arrived);
 }
 
 /// Per destination rank: the blocks that went there, with their faces and facets.
-std::vector<std::vector<char>> FixMuckpileBlocks::pack_leaving(
-    const std::vector<int>& tags, const engine::BlockDirectory& directory) {
+std::vector<ByteWriter> FixMuckpileBlocks::pack_leaving(const std::vector<int>& tags,
+                                                        const engine::BlockDirectory& directory) {
   const std::unordered_set<int> here(tags.begin(), tags.end());
   std::vector<int> leaving;
   for (const BlockRecord& record : records_) {
@@ -219,34 +206,28 @@ std::vector<std::vector<char>> FixMuckpileBlocks::pack_leaving(
   }
   int ranks = 1;
   MPI_Comm_size(world, &ranks);
-  std::vector<engine::ByteWriter> outgoing(static_cast<std::size_t>(ranks));
+  std::vector<ByteWriter> outgoing(static_cast<std::size_t>(ranks));
   for (const BlockRecord& record : records_) {
     const auto to = destination.find(record.tag);
     if (to == destination.end() || to->second < 0) continue;
-    engine::ByteWriter& out = outgoing[static_cast<std::size_t>(to->second)];
-    out.put(record);
-    out.put_all(faces_of[record.tag]);
-    out.put(facets_of[record.tag].size());
-    for (const std::size_t f : facets_of[record.tag]) put(out, facets_[f], memory_[f]);
+    BlocksShare share{{record}, faces_of[record.tag], {}};
+    for (const std::size_t f : facets_of[record.tag])
+      share.facets.push_back({facets_[f], memory_[f]});
+    outgoing[static_cast<std::size_t>(to->second)].put(share);
   }
-  return engine::bytes_of(outgoing);
+  return outgoing;
 }
 
 /// Adds what arrived, drops what no block here needs, and keeps all in canonical order.
-void FixMuckpileBlocks::merge(const std::vector<int>& tags,
-                              const std::vector<std::vector<char>>& arrived) {
+void FixMuckpileBlocks::merge(const std::vector<int>& tags, std::vector<BlocksShare>& arrived) {
   const std::unordered_set<int> here(tags.begin(), tags.end());
   std::unordered_map<int, BlockRecord> known;
   for (const BlockRecord& record : records_) known[record.tag] = record;
   std::vector<FacetEntry> facets;
-  for (const auto& part : arrived) {
-    for (engine::ByteReader reader(part); !reader.empty();) {
-      const auto record = reader.get<BlockRecord>();
-      known[record.tag] = record;
-      for (const auto& face : reader.get_all<BoundaryFace>()) faces_.push_back(face);
-      for (auto left = reader.get<std::size_t>(); left > 0; --left)
-        facets.push_back(get_facet(reader));
-    }
+  for (BlocksShare& share : arrived) {
+    for (const BlockRecord& record : share.records) known[record.tag] = record;
+    faces_.insert(faces_.end(), share.faces.begin(), share.faces.end());
+    std::ranges::move(share.facets, std::back_inserter(facets));
   }
   std::erase_if(faces_, [&](const BoundaryFace& face) { return here.count(face.tag) == 0; });
   std::sort(faces_.begin(), faces_.end(), [](const BoundaryFace& a, const BoundaryFace& b) {
@@ -282,7 +263,7 @@ void FixMuckpileBlocks::keep_facets(const std::function<bool(std::size_t)>& need
 void FixMuckpileBlocks::add_facets(std::vector<FacetEntry> added) {
   if (added.empty()) return;
   std::sort(added.begin(), added.end(), [](const FacetEntry& a, const FacetEntry& b) {
-    return key_of(a.first) < key_of(b.first);
+    return key_of(a.facet) < key_of(b.facet);
   });
   std::vector<Facet> facets;
   std::vector<FacetMemory> memories;
@@ -295,11 +276,11 @@ void FixMuckpileBlocks::add_facets(std::vector<FacetEntry> added) {
   };
   auto next = added.begin();
   for (std::size_t f = 0; f < facets_.size(); ++f) {
-    for (; next != added.end() && key_of(next->first) < key_of(facets_[f]); ++next)
-      append(next->first, next->second);
+    for (; next != added.end() && key_of(next->facet) < key_of(facets_[f]); ++next)
+      append(next->facet, next->memory);
     append(facets_[f], memory_[f]);
   }
-  for (; next != added.end(); ++next) append(next->first, next->second);
+  for (; next != added.end(); ++next) append(next->facet, next->memory);
   facets_ = std::move(facets);
   memory_ = std::move(memories);
 }

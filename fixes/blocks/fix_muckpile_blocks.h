@@ -10,15 +10,18 @@
 #include <cstdint>
 #include <cstdio>
 #include <functional>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
 #include "bond/facet.h"
 #include "bond/network/facet_memory.h"
 #include "bond/network/network_block.h"
-#include "fixes/engine/block_halo.h"
-#include "fixes/engine/exchange.h"
-#include "fixes/output/run_record.h"
+#include "bond/network/stored_network.h"
+#include "fixes/interfaces/facet_store.h"
+#include "fixes/interfaces/given_energy.h"
+#include "fixes/interfaces/known_blocks.h"
+#include "fixes/interfaces/recorded_run_holder.h"
 #include "geometry/block_model.h"
 
 namespace LAMMPS_NS {
@@ -27,38 +30,54 @@ class FixMultisphere;
 
 namespace muckpile {
 
-struct BlockRecord {
-  int tag = 0;
-  double volume = 0.0;        ///< of the polyhedron [m3]
-  double mass = 0.0;          ///< [kg]
-  Vec3 start = Vec3::Zero();  ///< centroid in the start configuration [m]
-  Mat3 start_axes =
-      Mat3::Identity();  ///< principal axes of inertia in the start configuration, columns
-  RetiredFacets retired{};
+/// A facet with all that it remembers.
+struct FacetEntry {
+  Facet facet;
+  FacetMemory memory;
+};
+template <>
+struct Stored<FacetEntry> {
+  static constexpr std::string_view kName = "facet_entry";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& entry) { return std::tie(entry.facet, entry.memory); }
 };
 
-/// The facets of a rank, what they remember, and the boundary faces. They are large, so there is
-/// only one copy: in fix muckpile/blocks while blocks migrate, otherwise with the FacetKeeper.
-struct FacetLists {
-  std::vector<Facet> facets;
-  std::vector<FacetMemory> memory;
+/// Blocks on their way to another rank, or into a restart file, with what is on them.
+struct BlocksShare {
+  std::vector<BlockRecord> records;
   std::vector<BoundaryFace> faces;
+  std::vector<FacetEntry> facets;
+};
+template <>
+struct Stored<BlocksShare> {
+  static constexpr std::string_view kName = "blocks_share";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& share) { return std::tie(share.records, share.faces, share.facets); }
 };
 
-/// A facet with all that it remembers, as bytes.
-void put(engine::ByteWriter& out, const Facet& facet, const FacetMemory& memory);
-[[nodiscard]] std::pair<Facet, FacetMemory> get_facet(engine::ByteReader& in);
-
-/// Computes with the facets (fix muckpile/joint) and gives them back before blocks migrate.
-class FacetKeeper {
- public:
-  virtual ~FacetKeeper() = default;
-  [[nodiscard]] virtual FacetLists copy() const = 0;
-  [[nodiscard]] virtual FacetLists hand_back() = 0;
-  virtual void store_is_gone() = 0;  ///< called when fix muckpile/blocks is deleted first
+/// What a restart file holds of the fix that is the same on all ranks.
+struct BlocksState {
+  double time = 0.0;  ///< of the engine, which does not keep it [s]
+  int highest_joint_class = 0;
+  std::vector<Hole> holes;
+  int blocks_created = 0, facets_created = 0;
+  RecordedRun run;
+};
+template <>
+struct Stored<BlocksState> {
+  static constexpr std::string_view kName = "blocks_state";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& state) {
+    return std::tie(state.time, state.highest_joint_class, state.holes, state.blocks_created,
+                    state.facets_created, state.run);
+  }
 };
 
-class FixMuckpileBlocks : public LAMMPS_NS::Fix {
+class FixMuckpileBlocks : public LAMMPS_NS::Fix,
+                          public KnownBlocks,
+                          public FacetStore,
+                          public GivenEnergy,
+                          public RecordedRunHolder {
  public:
   FixMuckpileBlocks(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
   ~FixMuckpileBlocks() override;
@@ -76,42 +95,34 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   /// The store of this run, nullptr before create_blocks.
   [[nodiscard]] static FixMuckpileBlocks* find(LAMMPS_NS::LAMMPS& lmp);
   static FixMuckpileBlocks& find_or_make(LAMMPS_NS::LAMMPS& lmp);
-  /// True if the blocks came from a restart file.
-  [[nodiscard]] bool restored() const { return restored_; }
-  [[nodiscard]] RunRecord& record() { return record_; }
 
   /// Takes the blocks that this rank creates, with every facet that one of them has.
   void add(const std::vector<BlockRecord>& records, const std::vector<Facet>& facets,
            const std::vector<BoundaryFace>& faces, const std::vector<Hole>& holes, int blocks_all);
 
-  void set_keeper(FacetKeeper* keeper);
-  /// Moves the facets to the keeper.
-  [[nodiscard]] FacetLists hand_over();
+  [[nodiscard]] const std::vector<BlockRecord>& records() const override { return records_; }
+  [[nodiscard]] const std::vector<Hole>& holes() const override { return holes_; }
+  [[nodiscard]] const std::string& run_id() const override { return record_.id(); }
+  [[nodiscard]] int blocks_created() const override { return blocks_created_; }
+  [[nodiscard]] int blocks_lost_before() const override { return lost_before_; }
+  [[nodiscard]] int facets_created() const override { return facets_created_; }
 
-  /// Grows whenever positions, facets or faces changed.
-  [[nodiscard]] std::uint64_t version() const { return version_; }
-  /// In the order of the multisphere bodies.
-  [[nodiscard]] const std::vector<BlockRecord>& records() const { return records_; }
-  /// Highest joint class of a facet of this rank so far.
-  [[nodiscard]] int highest_joint_class() const { return highest_joint_class_; }
-  [[nodiscard]] const std::vector<Hole>& holes() const { return holes_; }
-  /// Tags of the copies of other ranks' blocks, in halo order after the owned ones.
-  [[nodiscard]] const std::vector<int>& copy_tags() const { return copy_tags_; }
-  [[nodiscard]] engine::BlockHalo& halo() { return halo_; }
-  [[nodiscard]] int blocks_created() const { return blocks_created_; }
-  /// Blocks among blocks_created() that were lost before the restart file was written.
-  [[nodiscard]] int blocks_lost_before() const { return lost_before_; }
-  [[nodiscard]] int facets_created() const { return facets_created_; }
-  [[nodiscard]] LAMMPS_NS::FixMultisphere& multisphere() { return *multisphere_; }
-  /// Kinetic energy [J] that block_motion has given to blocks of this rank before there was an
-  /// account for it; take_given() hands it over.
-  void keep_given(double energy) { given_ += energy; }
-  [[nodiscard]] double take_given() { return std::exchange(given_, 0.0); }
+  void set_keeper(FacetKeeper* keeper) override;
+  [[nodiscard]] FacetLists hand_over() override;
+  [[nodiscard]] std::uint64_t version() const override { return version_; }
+  [[nodiscard]] int highest_joint_class() const override { return highest_joint_class_; }
+  [[nodiscard]] const std::vector<int>& copy_tags() const override { return copy_tags_; }
+  [[nodiscard]] engine::BlockHalo& halo() override { return halo_; }
+  [[nodiscard]] bool restored() const override { return restored_; }
+  [[nodiscard]] LAMMPS_NS::FixMultisphere& bodies() override { return *multisphere_; }
+
+  void keep_given(double energy) override { given_ += energy; }
+  [[nodiscard]] double take_given() override { return std::exchange(given_, 0.0); }
+  [[nodiscard]] RunRecord& record() override { return record_; }
 
  private:
-  using FacetEntry = std::pair<Facet, FacetMemory>;
-
-  void read_lists(engine::ByteReader& reader);
+  void keep_needed(BlocksShare&& share, const std::unordered_set<int>& here,
+                   std::vector<FacetEntry>& facets);
   void check_bodies();
 
   void synchronise();
@@ -121,11 +132,11 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix {
   void drop_orphans(const std::vector<int>& tags, const engine::BlockDirectory& directory);
   void retire_into_record(const Facet& facet, int end);
   void migrate(const std::vector<int>& tags, const engine::BlockDirectory& directory);
-  [[nodiscard]] std::vector<std::vector<char>> pack_leaving(
-      const std::vector<int>& tags, const engine::BlockDirectory& directory);
+  [[nodiscard]] std::vector<ByteWriter> pack_leaving(const std::vector<int>& tags,
+                                                     const engine::BlockDirectory& directory);
   void keep_facets(const std::function<bool(std::size_t)>& needed);
   void add_facets(std::vector<FacetEntry> added);
-  void merge(const std::vector<int>& tags, const std::vector<std::vector<char>>& arrived);
+  void merge(const std::vector<int>& tags, std::vector<BlocksShare>& arrived);
   void index(const std::vector<int>& tags, const engine::BlockDirectory& directory);
 
   LAMMPS_NS::FixMultisphere* multisphere_;

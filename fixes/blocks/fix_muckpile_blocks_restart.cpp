@@ -16,7 +16,7 @@
 #include "args/numbers.h"
 #include "fixes/blocks/fix_muckpile_blocks.h"
 #include "fixes/engine/bodies.h"
-#include "fixes/engine/exchange.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/restart_seal.h"
 #include "fixes/engine/style_args.h"
@@ -24,43 +24,32 @@
 namespace muckpile {
 namespace {
 
-/// To be raised whenever what one of our fixes writes changes, or its order.
-constexpr std::size_t kFormat = 8;
+constexpr std::size_t kFacetsAtOnce = 4096;  // of a share; every rank holds one at a time
 
-/// Sizes of what is written as bytes: another build may lay it out differently.
-using Layout = std::array<std::size_t, 8>;
-constexpr Layout kLayout{kFormat,
-                         sizeof(BlockRecord),
-                         sizeof(Facet),
-                         sizeof(FacetTraces),
-                         sizeof(ContactMemory),
-                         sizeof(ExtraMemory),
-                         sizeof(BoundaryFace),
-                         sizeof(Hole)};
+/// The lists of a rank in shares.
+ByteWriter in_shares(const std::vector<BlockRecord>& records, FacetLists lists) {
+  ByteWriter out;
+  BlocksShare share{records, std::move(lists.faces), {}};
+  for (std::size_t f = 0; f < lists.facets.size(); ++f) {
+    share.facets.push_back({lists.facets[f], std::move(lists.memory[f])});
+    if (share.facets.size() < kFacetsAtOnce) continue;
+    out.put(share);
+    share = {};
+  }
+  out.put(share);
+  return out;
+}
 
 }  // namespace
 
 /// Copies the keeper's facets: it goes on computing with them.
 void FixMuckpileBlocks::write_restart(FILE* file) {
-  const FacetLists lists = handed_over_ ? keeper_->copy() : FacetLists{facets_, memory_, faces_};
-  engine::ByteWriter mine;
-  mine.put_all(records_);
-  mine.put_all(lists.faces);
-  mine.put(lists.facets.size());
-  for (std::size_t f = 0; f < lists.facets.size(); ++f) put(mine, lists.facets[f], lists.memory[f]);
-
+  FacetLists lists = handed_over_ ? keeper_->copy() : FacetLists{facets_, memory_, faces_};
   update->update_time();  // from here on both runs count from the same moment
-  engine::ByteWriter all;
-  all.put(kLayout);
-  all.put(update->atime);
-  int highest_class = highest_joint_class_;  // of the facets of this rank so far
-  MPI_Allreduce(MPI_IN_PLACE, &highest_class, 1, MPI_INT, MPI_MAX, world);
-  all.put(highest_class);
-  all.put_all(holes_);
-  all.put(blocks_created_);
-  all.put(facets_created_);
-  record_.write(*lmp, all);
-  engine::write_state(*lmp, style, file, all, mine);
+  const BlocksState state{update->atime,   engine::greatest_over_ranks(highest_joint_class_, world),
+                          holes_,          blocks_created_,
+                          facets_created_, record_.recorded(*lmp)};
+  engine::write_state<BlocksShare>(*lmp, style, file, state, in_shares(records_, std::move(lists)));
 }
 
 /// At an interruption the engine chooses the name: the log tells whose file it is, and that it is
@@ -72,56 +61,54 @@ void FixMuckpileBlocks::write_restart_file(char* file) {
     engine::print_once(*lmp, std::string("interrupted: the state is in '") + file + "'\n");
 }
 
-void FixMuckpileBlocks::restart(char* state) {
-  engine::ByteReader reader = engine::read_state(state);
-  if (reader.get<Layout>() != kLayout)
-    engine::stop(*lmp, "read_restart: the file is of another version of Muckpile");
-  update->atime = reader.get<double>();
+/// Every rank reads all and keeps what its bodies, which are here already, need.
+void FixMuckpileBlocks::restart(char* bytes) {
+  const std::vector<int> tags = body_tags();
+  const std::unordered_set<int> here(tags.begin(), tags.end());
+  BlocksState state;
+  std::vector<FacetEntry> facets;
+  engine::read_state<BlocksShare>(*lmp, style, bytes, state, [&](BlocksShare&& share) {
+    keep_needed(std::move(share), here, facets);
+  });
+  update->atime = state.time;
   update->atimestep = update->ntimestep;
-  highest_joint_class_ = reader.get<int>();
-  holes_ = reader.get_all<Hole>();
-  blocks_created_ = reader.get<int>();
-  facets_created_ = reader.get<int>();
-  record_.read(reader);
+  highest_joint_class_ = state.highest_joint_class;
+  holes_ = std::move(state.holes);
+  blocks_created_ = state.blocks_created;
+  facets_created_ = state.facets_created;
+  record_.go_on_from(std::move(state.run));
   check_bodies();
-  read_lists(reader);
+  add_facets(std::move(facets));
   restored_ = true;
   synchronise();
 }
 
-/// Every rank reads all and keeps what its bodies, which are here already, need. A facet of two
-/// ranks stands in the file twice.
-void FixMuckpileBlocks::read_lists(engine::ByteReader& reader) {
-  const std::vector<int> tags = body_tags();
-  const std::unordered_set<int> here(tags.begin(), tags.end());
-  std::vector<FacetEntry> facets;
-  while (!reader.empty()) {
-    for (const auto& record : reader.get_all<BlockRecord>()) {
-      if (here.count(record.tag) > 0) records_.push_back(record);
-    }
-    for (const auto& face : reader.get_all<BoundaryFace>()) {
-      if (here.count(face.tag) > 0) faces_.push_back(face);
-    }
-    for (auto left = reader.get<std::size_t>(); left > 0; --left) {
-      FacetEntry entry = get_facet(reader);
-      if (here.count(entry.first.tag_i) + here.count(entry.first.tag_j) > 0)
-        facets.push_back(std::move(entry));
-    }
+/// A facet of two ranks stands in the file twice; add_facets() takes one of them.
+void FixMuckpileBlocks::keep_needed(BlocksShare&& share, const std::unordered_set<int>& here,
+                                    std::vector<FacetEntry>& facets) {
+  for (const BlockRecord& record : share.records) {
+    if (here.count(record.tag) > 0) records_.push_back(record);
   }
-  add_facets(std::move(facets));
+  for (const BoundaryFace& face : share.faces) {
+    if (here.count(face.tag) > 0) faces_.push_back(face);
+  }
+  for (FacetEntry& entry : share.facets) {
+    if (here.count(entry.facet.tag_i) + here.count(entry.facet.tag_j) > 0)
+      facets.push_back(std::move(entry));
+  }
 }
 
 /// Refuses bodies whose numbers are not finite, as in a file that fix muckpile/progress left when a
 /// run had gone wrong.
 void FixMuckpileBlocks::check_bodies() {
   const engine::Bodies bodies(*multisphere_);
-  std::array<int, 2> mine{bodies.count(), 0}, all{};
+  std::array<int, 2> all{bodies.count(), 0};  // blocks, and those with such numbers
   for (int b = 0; b < bodies.count(); ++b) {
     if (!bodies.centre(b).allFinite() || !bodies.velocity(b).allFinite() ||
         !bodies.axes(b).allFinite() || !bodies.spin(b).allFinite())
-      ++mine[1];
+      ++all[1];
   }
-  MPI_Allreduce(mine.data(), all.data(), 2, MPI_INT, MPI_SUM, world);
+  engine::sum_over_ranks_in_place(all, world);
   if (all[1] > 0) {
     engine::stop(*lmp, "read_restart: " + std::to_string(all[1]) +
                            " blocks have a position or velocity that is not a number; go on from "

@@ -13,14 +13,18 @@
 #include <update.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <unordered_map>
 
 #include "fixes/engine/bodies.h"
+#include "fixes/engine/find_view.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
-#include "fixes/explosive/fix_muckpile_blast.h"
+#include "fixes/engine/style_name.h"
+#include "fixes/interfaces/blast_energies.h"
 #include "fixes/interfaces/joint_pressure.h"
 #include "fixes/interfaces/keyword_tables.h"
 
@@ -43,7 +47,7 @@ const ArgTable& table() {
 const ArgTable& sleep_keywords() { return table(); }
 
 FixMuckpileSleep::FixMuckpileSleep(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
-    : Fix(engine, narg, arg), where_(std::string("fix muckpile/sleep '") + id + "'") {
+    : Fix(engine, narg, arg), where_(engine::name_of(*this)) {
   engine::refuse_second_fix(*lmp, where_, "muckpile/sleep");
   engine::require_id_of_restart(*lmp, where_, *this);
   const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
@@ -71,15 +75,13 @@ void FixMuckpileSleep::pre_delete(bool unfixflag) {
 
 /// fix muckpile/joint may have gone since init().
 void FixMuckpileSleep::wake_joints() {
-  auto* joined = dynamic_cast<JoinedBlocks*>(modify->find_fix_style_strict("muckpile/joint", 0));
-  if (joined != nullptr) joined->wake_all();
+  if (auto* joined = engine::find_view<JoinedBlocks>(*lmp)) joined->wake_all();
 }
 
 void FixMuckpileSleep::init() {
   near_ = dynamic_cast<NearBlocks*>(force->pair);
-  LAMMPS_NS::Fix* const joint = modify->find_fix_style_strict("muckpile/joint", 0);
-  joined_ = dynamic_cast<JoinedBlocks*>(joint);
-  if (joint != nullptr && modify->find_fix(joint->id) > modify->find_fix(id))
+  joined_ = engine::find_view<JoinedBlocks>(*lmp);
+  if (engine::place_of<JoinedBlocks>(*lmp) > modify->find_fix(id))
     engine::stop(*lmp, where_ + ": must be defined after fix muckpile/joint");
 }
 
@@ -123,9 +125,8 @@ void FixMuckpileSleep::setup(int) {
 }
 
 bool FixMuckpileSleep::blast_is_on() const {
-  const FixMuckpileBlast* const blast = FixMuckpileBlast::find(*lmp);
-  const auto* const gas =
-      dynamic_cast<const JointPressure*>(modify->find_fix_style_strict("muckpile/gas", 0));
+  const auto* const blast = engine::find_view<BlastEnergies>(*lmp);
+  const auto* const gas = engine::find_view<JointPressure>(*lmp);
   return (blast != nullptr && !blast->over()) || (gas != nullptr && gas->acts());
 }
 
@@ -167,19 +168,18 @@ void FixMuckpileSleep::mark_near(const std::vector<char>& moving, std::vector<ch
 
 void FixMuckpileSleep::lay_to_rest(const std::vector<char>& disturbed) {
   engine::Bodies bodies(*multisphere_);
-  int changed = 0, any = 0;
+  bool changed = false;
   for (int b = 0; b < bodies.count(); ++b) {
     const auto k = static_cast<std::size_t>(b);
     const char rests = disturbed[k] == 0 ? 1 : 0;
     if (rests == rests_[k]) continue;
-    changed = 1;
+    changed = true;
     rests_[k] = rests;
     if (rests == 0) continue;
     taken_ += bodies.kinetic_energy(b);
     bodies.hold(b);
   }
-  MPI_Allreduce(&changed, &any, 1, MPI_INT, MPI_MAX, world);
-  if (any != 0) tell();
+  if (engine::on_any_rank(changed, world)) tell();
 }
 
 void FixMuckpileSleep::tell() {
@@ -227,27 +227,22 @@ void FixMuckpileSleep::unpack_reverse_comm(int n, int* list, double* buffer) {
 }
 
 void FixMuckpileSleep::write_restart(FILE* file) {
-  engine::ByteWriter common, mine;
-  common.put(engine::total(*lmp, taken_));
-  mine.put_all(tags_);
-  mine.put_all(stays_);
-  mine.put_all(rests_);
-  engine::write_state(*lmp, style, file, common, mine);
+  ByteWriter mine;
+  for (std::size_t b = 0; b < tags_.size(); ++b)
+    mine.put(RestRecord{tags_[b], stays_[b], rests_[b] != 0});
+  const SleepState state{engine::sum_over_ranks(taken_, world)};
+  engine::write_state<RestRecord>(*lmp, style, file, state, std::move(mine));
 }
 
 /// Reads the states of all blocks; follow_bodies() then picks those of this rank.
-void FixMuckpileSleep::restart(char* state) {
-  engine::ByteReader reader = engine::read_state(state);
-  taken_ = engine::share_of_total(*lmp, reader.get<double>());
-  const auto append = [&reader]<class T>(std::vector<T>& all) {
-    const std::vector<T> part = reader.get_all<T>();
-    all.insert(all.end(), part.begin(), part.end());
-  };
-  while (!reader.empty()) {
-    append(tags_);
-    append(stays_);
-    append(rests_);
-  }
+void FixMuckpileSleep::restart(char* bytes) {
+  SleepState state;
+  engine::read_state<RestRecord>(*lmp, style, bytes, state, [this](const RestRecord& record) {
+    tags_.push_back(record.tag);
+    stays_.push_back(record.stay);
+    rests_.push_back(record.rests ? 1 : 0);
+  });
+  taken_ = engine::share_of_total(*lmp, state.taken);
 }
 
 int FixMuckpileSleep::modify_param(int, char** arg) {
@@ -267,17 +262,13 @@ void FixMuckpileSleep::wake_blocks() {
 }
 
 double FixMuckpileSleep::compute_scalar() {
-  const double mine[] = {static_cast<double>(resting_), static_cast<double>(rests_.size())};
-  double all[] = {0.0, 0.0};
-  MPI_Allreduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, world);
+  std::array all{static_cast<double>(resting_), static_cast<double>(rests_.size())};
+  engine::sum_over_ranks_in_place(all, world);
   return all[1] > 0.0 ? all[0] / all[1] : 0.0;
 }
 
 double FixMuckpileSleep::compute_vector(int n) {
-  const double mine = n == 0 ? static_cast<double>(resting_) : taken_;
-  double all = 0.0;
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  return all;
+  return engine::sum_over_ranks(n == 0 ? static_cast<double>(resting_) : taken_, world);
 }
 
 }  // namespace muckpile

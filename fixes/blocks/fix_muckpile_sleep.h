@@ -21,6 +21,30 @@ class FixMultisphere;
 
 namespace muckpile {
 
+/// What a restart file holds of a block.
+struct RestRecord {
+  int tag = 0;
+  Stillness stay;
+  bool rests = false;
+};
+template <>
+struct Stored<RestRecord> {
+  static constexpr std::string_view kName = "rest_record";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& record) { return std::tie(record.tag, record.stay, record.rests); }
+};
+
+/// What a restart file holds that is the same on all ranks.
+struct SleepState {
+  double taken = 0.0;  ///< [J]
+};
+template <>
+struct Stored<SleepState> {
+  static constexpr std::string_view kName = "sleep_state";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& state) { return std::tie(state.taken); }
+};
+
 class FixMuckpileSleep : public LAMMPS_NS::Fix, public RestingBlocks {
  public:
   FixMuckpileSleep(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
@@ -49,10 +73,8 @@ class FixMuckpileSleep : public LAMMPS_NS::Fix, public RestingBlocks {
   [[nodiscard]] std::span<const char> resting_spheres() const override { return of_spheres_; }
   [[nodiscard]] std::uint64_t rests_version() const override { return version_; }
 
-  /// All blocks move freely until they have rested anew.
-  void wake_blocks();
-  /// Kinetic energy of the blocks as they came to rest so far, of this rank [J].
-  [[nodiscard]] double energy_taken() const { return taken_; }
+  void wake_blocks() override;
+  [[nodiscard]] double energy_taken() const override { return taken_; }
 
  private:
   void follow_bodies();

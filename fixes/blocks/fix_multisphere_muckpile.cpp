@@ -22,8 +22,11 @@
 
 #include "fixes/blocks/fix_muckpile_blocks.h"
 #include "fixes/engine/bodies.h"
+#include "fixes/engine/find_view.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/engine/style_name.h"
 
 namespace muckpile {
 namespace {
@@ -38,22 +41,21 @@ const bool* const* flags(LAMMPS_NS::Multisphere& data, const char* name) {
 FixMultisphereMuckpile::FixMultisphereMuckpile(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : FixMultisphere(engine, narg, arg) {
   if (narg != 3) {
-    engine::stop(*engine, std::string("fix multisphere/muckpile '") + id +
-                              "': takes no keywords, got '" + arg[3] +
+    engine::stop(*engine, engine::name_of(*this) + ": takes no keywords, got '" + arg[3] +
                               "'; fix multisphere has some");
   }
 }
 
 void FixMultisphereMuckpile::post_create() {
   FixMultisphere::post_create();
-  engine::require_id_of_restart(*lmp, std::string("fix multisphere/muckpile '") + id + "'", *this);
+  engine::require_id_of_restart(*lmp, engine::name_of(*this), *this);
   if (modify->have_restart_data(this) && modify->have_restart_data_style("muckpile/blocks"))
     FixMuckpileBlocks::find_or_make(*lmp);
 }
 
 void FixMultisphereMuckpile::init() {
   FixMultisphere::init();
-  resting_ = dynamic_cast<const RestingBlocks*>(modify->find_fix_style_strict("muckpile/sleep", 0));
+  resting_ = engine::find_view<RestingBlocks>(*lmp);
   const auto ours = [](std::string_view name) { return name.starts_with("muckpile/"); };
   readers_.clear();
   if (fix_heat_ != nullptr) readers_.push_back(1);
@@ -77,12 +79,11 @@ void FixMultisphereMuckpile::reset_dt() {
 /// Ghosts are chosen by their surface, so less than LIGGGHTS' two bounding radii is enough.
 double FixMultisphereMuckpile::extend_cut_ghost() {
   if (atom->radius == nullptr || !atom->radius_flag) return FixMultisphere::extend_cut_ghost();
-  double mine = 0.0, farthest = 0.0;  // sphere's surface nearest to its body's centre [m]
+  double mine = 0.0;  // sphere's surface nearest to its body's centre [m]
   for (int k = 0; k < atom->nlocal; ++k) {
     if (body_[k] >= 0) mine = std::max(mine, Vec3::Map(displace_[k]).norm() - atom->radius[k]);
   }
-  MPI_Allreduce(&mine, &farthest, 1, MPI_DOUBLE, MPI_MAX, world);
-  return 2.0 * farthest;  // LIGGGHTS takes half of it
+  return 2.0 * engine::greatest_over_ranks(mine, world);  // LIGGGHTS takes half of it
 }
 
 /// A box that follows the spheres must hold the bodies' centres, too: LIGGGHTS drops a body whose
@@ -112,7 +113,7 @@ bool FixMultisphereMuckpile::velocities_are_read() const {
 /// They stay the same until neighbours are looked for again.
 void FixMultisphereMuckpile::list_members() {
   members_known_ = true;
-  placed_version_ = held_version_ = 0;
+  placed_version_ = rests_version_ = 0;
   const std::vector<BodySphere> spheres = members();
   motion_ = BodyMotion(constants(), spheres);
   own_messages_ = !periodic() && comm->nprocs > 1;
@@ -181,12 +182,12 @@ Vec3 FixMultisphereMuckpile::gravity() const {
 /// Which bodies rest changes seldom.
 void FixMultisphereMuckpile::follow_rests() {
   const std::uint64_t version = any_rests() ? resting_->rests_version() : 0;
-  if (version == held_version_) return;
-  held_version_ = version;
-  std::vector<char> held(any_rests() ? static_cast<std::size_t>(multisphere_.n_body()) : 0);
-  for (std::size_t b = 0; b < held.size(); ++b)
-    held[b] = resting_->body_rests(static_cast<int>(b)) ? 1 : 0;
-  motion_.hold(held);
+  if (version == rests_version_) return;
+  rests_version_ = version;
+  std::vector<char> resting(any_rests() ? static_cast<std::size_t>(multisphere_.n_body()) : 0);
+  for (std::size_t b = 0; b < resting.size(); ++b)
+    resting[b] = resting_->body_rests(static_cast<int>(b)) ? 1 : 0;
+  motion_.hold(resting);
 }
 
 void FixMultisphereMuckpile::initial_integrate(int vflag) {
@@ -199,8 +200,8 @@ void FixMultisphereMuckpile::initial_integrate(int vflag) {
   follow_rests();
   // Spheres of resting bodies stay where they are. They are placed once more after their body came
   // to rest, so that their velocities are 0.
-  const bool place_held = placed_version_ != held_version_;
-  placed_version_ = held_version_;
+  const bool place_held = placed_version_ != rests_version_;
+  placed_version_ = rests_version_;
   motion_.advance(engine::Bodies(*this).rows(), sphere_rows(), {dtv, dtf}, place_held);
   if (own_messages_) {
     border_.to_spheres({atom->x, atom->v, atom->omega});

@@ -9,13 +9,16 @@
 
 #include <algorithm>
 
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/restart_file.h"
 
 namespace muckpile {
 
 namespace {
 
-constexpr int kDoublesPerRecord = 9;  // partner, slide, roll, overlap offset, stiffness
+/// Of its fields, each number of which takes a double; pack() and unpack() follow their order.
+constexpr int kDoublesPerRecord =
+    1 + (Encoding<ContactRecord>::kLeast - sizeof(ContactRecord::partner)) / sizeof(double);
 
 }  // namespace
 
@@ -144,21 +147,22 @@ void FixMuckpileContactHistory::unpack_restart(int index, int nth) {
 
 /// Called before the records are asked for: a file may be written in the middle of a run.
 void FixMuckpileContactHistory::write_restart(FILE* file) {
-  ContactSource::Losses losses;
+  ContactLosses losses;
   if (source_ != nullptr) {
     source_->store_contacts(*this);
     losses = source_->losses();
   }
-  engine::ByteWriter state;
-  state.put(engine::total(*lmp, losses.friction));
-  state.put(engine::total(*lmp, losses.damping));
-  engine::write_state(*lmp, style, file, state);
+  for (double* mine : {&losses.friction, &losses.damping})
+    *mine = engine::sum_over_ranks(*mine, world);
+  engine::write_state<ContactRecord>(*lmp, style, file, losses, {});
 }
 
+/// The records themselves stand with the spheres; here they are told to be of this version.
 void FixMuckpileContactHistory::restart(char* state) {
-  engine::ByteReader reader = engine::read_state(state);
-  restored_.friction = engine::share_of_total(*lmp, reader.get<double>());
-  restored_.damping = engine::share_of_total(*lmp, reader.get<double>());
+  ContactLosses losses;
+  engine::read_state<ContactRecord>(*lmp, style, state, losses, [](const ContactRecord&) {});
+  restored_.friction = engine::share_of_total(*lmp, losses.friction);
+  restored_.damping = engine::share_of_total(*lmp, losses.damping);
 }
 
 int FixMuckpileContactHistory::size_restart(int index) {
@@ -166,9 +170,7 @@ int FixMuckpileContactHistory::size_restart(int index) {
 }
 
 int FixMuckpileContactHistory::maxsize_restart() {
-  int most = 0;
-  MPI_Allreduce(&most_records_, &most, 1, MPI_INT, MPI_MAX, world);
-  return 2 + kDoublesPerRecord * most;
+  return 2 + kDoublesPerRecord * engine::greatest_over_ranks(most_records_, world);
 }
 
 double FixMuckpileContactHistory::memory_usage() {

@@ -9,10 +9,37 @@
 #include <vector>
 
 #include "contact/contact_law.h"
+#include "state/encoding.h"
 
 namespace muckpile {
 
 class FixMuckpileContactHistory;
+
+/// Energy lost in contacts so far, kept in restart files [J].
+struct ContactLosses {
+  double friction = 0.0, damping = 0.0;
+};
+template <>
+struct Stored<ContactLosses> {
+  static constexpr std::string_view kName = "contact_losses";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& losses) { return std::tie(losses.friction, losses.damping); }
+};
+
+/// What a sphere remembers of one of its contacts; stored per sphere, as numbers of the engine.
+struct ContactRecord {
+  int partner = 0;  ///< tag of the other sphere
+  ContactState state;
+};
+template <>
+struct Stored<ContactRecord> {
+  static constexpr std::string_view kName = "contact_record";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& record) {
+    return std::tie(record.partner, record.state.slide, record.state.roll,
+                    record.state.overlap_offset, record.state.tangential_stiffness);
+  }
+};
 
 /// Owns the contacts while they are computed with (pair muckpile/block).
 class ContactSource {
@@ -20,19 +47,12 @@ class ContactSource {
   virtual ~ContactSource() = default;
   /// Called before atoms are exchanged: put every live contact into `history`.
   virtual void store_contacts(FixMuckpileContactHistory& history) = 0;
-  /// Energy lost in contacts so far, kept in restart files [J].
-  struct Losses {
-    double friction = 0.0, damping = 0.0;
-  };
-  [[nodiscard]] virtual Losses& losses() = 0;
+  [[nodiscard]] virtual ContactLosses& losses() = 0;
 };
 
 class FixMuckpileContactHistory : public LAMMPS_NS::Fix {
  public:
-  struct Record {
-    int partner;  ///< tag of the other sphere
-    ContactState state;
-  };
+  using Record = ContactRecord;
 
   FixMuckpileContactHistory(LAMMPS_NS::LAMMPS* engine_object, int narg, char** arg);
   FixMuckpileContactHistory(const FixMuckpileContactHistory&) = delete;
@@ -71,10 +91,10 @@ class FixMuckpileContactHistory : public LAMMPS_NS::Fix {
   int unpack(int index, const double* buf);
 
   ContactSource* source_ = nullptr;
-  ContactSource::Losses restored_;  ///< of a restart file, until there is a source
-  std::vector<Range> range_;        ///< per atom: its records in the pool
-  std::vector<Record> records_;     ///< the pool; leavers leave holes until the next store()
-  int most_records_ = 0;            ///< of one atom
+  ContactLosses restored_;       ///< of a restart file, until there is a source
+  std::vector<Range> range_;     ///< per atom: its records in the pool
+  std::vector<Record> records_;  ///< the pool; leavers leave holes until the next store()
+  int most_records_ = 0;         ///< of one atom
 };
 
 }  // namespace muckpile

@@ -16,6 +16,7 @@
 #include "fixes/engine/registry.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/engine/style_name.h"
 #include "fixes/engine/walls.h"
 
 namespace muckpile {
@@ -38,7 +39,7 @@ bool over_face(LAMMPS_NS::TriMesh& mesh, int face, int sphere, double radius, do
 
 FixMuckpileGround::FixMuckpileGround(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg) {
-  const std::string where = std::string("fix muckpile/ground '") + id + "'";
+  const std::string where = engine::name_of(*this);
   engine::refuse_second_fix(*lmp, where, "muckpile/ground");
   const std::vector<char*> words(arg, arg + narg);
   const auto mesh = std::ranges::find(words, std::string_view("meshes"));
@@ -61,7 +62,7 @@ void FixMuckpileGround::init() {
   for (LAMMPS_NS::FixMeshSurface* const mesh : meshes_) {
     const std::string other = engine::wall_on_mesh(*lmp, *mesh);
     if (!other.empty())
-      engine::stop(*lmp, std::string("fix muckpile/ground '") + id + "': mesh '" + mesh->id +
+      engine::stop(*lmp, engine::name_of(*this) + ": mesh '" + mesh->id +
                              "' must have one wall only, got fix wall/gran '" + other + "' too");
   }
   wall_->init();

@@ -15,6 +15,7 @@
 #include <cstring>
 
 #include "args/arg_table.h"
+#include "fixes/engine/find_view.h"
 #include "fixes/engine/style_args.h"
 #include "fixes/interfaces/keyword_tables.h"
 
@@ -112,8 +113,8 @@ void PairMuckpileBlock::require_engine_settings() {
 
 void PairMuckpileBlock::find_partners() {
   bodies_ = dynamic_cast<LAMMPS_NS::FixMultisphere*>(modify->find_fix_style("multisphere", 0));
-  joints_ = dynamic_cast<const JointView*>(modify->find_fix_style("muckpile/joint", 0));
-  resting_ = dynamic_cast<const RestingBlocks*>(modify->find_fix_style_strict("muckpile/sleep", 0));
+  joints_ = engine::find_view<JointView>(*lmp);
+  resting_ = engine::find_view<RestingBlocks>(*lmp);
   if (modify->find_fix(kHistoryId) < 0) {
     std::array<std::string, 3> words{kHistoryId, "all", kHistoryStyle};
     std::array<char*, 3> arg{words[0].data(), words[1].data(), words[2].data()};

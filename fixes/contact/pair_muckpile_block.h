@@ -64,7 +64,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
   void* extract(const char* name, int& dim) override;
 
   void store_contacts(FixMuckpileContactHistory& history) override;
-  [[nodiscard]] Losses& losses() override { return losses_; }
+  [[nodiscard]] ContactLosses& losses() override { return losses_; }
 
   void mark_near(std::span<const char> from, std::span<char> to) const override;
 
@@ -94,7 +94,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
   /// Those of blocks that have moved far, where few have; false: nothing done.
   [[nodiscard]] bool add_pairs();
   void share_enclosed();
-  void share_held_pairs();
+  void share_joined_pairs();
   void number_blocks();
   int block_of(int body_tag, int sphere);
   int add_block(int body_tag, int sphere);
@@ -106,8 +106,8 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
     return {list_.sphere_pairs(pair), static_cast<std::size_t>(pair.count)};
   }
   /// A pair whose facet still acts itself has no sphere contact.
-  void mute_pairs(std::size_t first);
-  void hear_pairs();
+  void deactivate_joined_pairs(std::size_t first);
+  void activate_parted_pairs();
   /// Pairs of blocks that both rest are left alone, with their contacts as they are.
   void list_working_pairs(std::size_t first);
   /// Of the contacts left alone, to be added to those of the last step.
@@ -129,13 +129,13 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
   const RestingBlocks* resting_ = nullptr;        ///< null: none rests
   FixMuckpileContactHistory* history_ = nullptr;  ///< owned by the engine
 
-  struct MutedPair {
+  struct InactivePair {
     std::size_t pair;  ///< of list_.block_pairs()
     int facet;         ///< of joints_->facet_states()
   };
 
   BlockContactList list_;
-  std::vector<MutedPair> muted_;
+  std::vector<InactivePair> inactive_;
   std::vector<std::size_t> working_, left_alone_;  ///< of list_.block_pairs()
   std::vector<std::size_t> awake_;                 ///< of working_, with candidates in this step
   std::uint64_t rests_version_ = 0;                ///< that the two are made for
@@ -144,7 +144,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
   bool list_is_stale_ = true;    ///< atoms were exchanged since the list was built
   bool contacts_moved_ = false;  ///< forces were computed since the contacts were stored
 
-  /// Of tags, the lower first, in order, the same on all ranks: see share_held_pairs().
+  /// Of tags, the lower first, in order, the same on all ranks: see share_joined_pairs().
   std::vector<std::pair<int, int>> held_pairs_;
   std::vector<char> enclosed_;               ///< per sphere; empty without joints
   std::vector<int> atom_block_;              ///< per atom, -1: takes no part
@@ -164,7 +164,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
   std::vector<FixMuckpileContactHistory::Record> records_;
   ContactSums last_;  ///< of the last step, without what is left alone
   Ledger ledger_;
-  Losses losses_;
+  ContactLosses losses_;
 };
 
 }  // namespace muckpile

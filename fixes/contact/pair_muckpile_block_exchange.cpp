@@ -36,10 +36,10 @@ void PairMuckpileBlock::share_enclosed() {
 /// A sphere may lie on a rank that does not move its block, and meet there a block that this rank
 /// does not move either: it does not know of a facet between the two. Pairs that a facet holds and
 /// that may be met so are left out by all ranks alike until the next reneighbouring.
-void PairMuckpileBlock::share_held_pairs() {
+void PairMuckpileBlock::share_joined_pairs() {
   held_pairs_.clear();
   if (joints_ == nullptr || comm->nprocs == 1) return;
-  std::vector<double> guests, held;
+  std::vector<double> guests, joined;
   for (int k = 0; k < atom->nlocal; ++k) {
     const int tag = bodies_->belongs_to(k);
     if (tag >= 0 && bodies_->data().map(tag) < 0) guests.push_back(tag);
@@ -52,8 +52,8 @@ void PairMuckpileBlock::share_held_pairs() {
   const std::vector<double> of_all = engine::gather_all(guests, world);
   std::vector<int> away(of_all.begin(), of_all.end());
   sort_out(away);
-  joints_->held_pairs(away, held);
-  const std::vector<double> tags = engine::gather_all(held, world);
+  joints_->joined_pairs(away, joined);
+  const std::vector<double> tags = engine::gather_all(joined, world);
   for (std::size_t k = 0; k < tags.size(); k += 2)
     held_pairs_.emplace_back(static_cast<int>(tags[k]), static_cast<int>(tags[k + 1]));
   sort_out(held_pairs_);
@@ -79,11 +79,11 @@ void PairMuckpileBlock::unpack_reverse_comm(int n, int* spheres_sent, double* bu
     if (buffer[k] > 0.5) enclosed_[static_cast<std::size_t>(spheres_sent[k])] = 1;
 }
 
-// A muted pair has no contacts; its spheres are looked up when it is heard again.
+// An inactive pair has no contacts; its spheres are looked up when it is activated again.
 void PairMuckpileBlock::recall_contacts() {
   contacts_.clear();
   for (std::size_t k = 0; k < list_.block_pairs().size(); ++k) {
-    if (list_.muted(k)) continue;
+    if (list_.inactive(k)) continue;
     BlockPair& block_pair = list_.block_pairs()[k];
     list_.look_up(block_pair, spheres(), contacts_.free());
     for (SpherePair& pair : near_spheres(block_pair)) {

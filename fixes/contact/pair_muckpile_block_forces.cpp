@@ -22,7 +22,7 @@ void PairMuckpileBlock::step_contacts() {
   if (list_.block_pairs().empty()) return;
   // Set-up of a run computes the forces of a state that a step has already reached.
   const double memory_step = update->setupflag != 0 ? 0.0 : update->dt;
-  hear_pairs();
+  activate_parted_pairs();
   forces_.begin(*law_, moving_spheres(), contacts_, update->dt, memory_step);
   awake_.clear();
   const SphereSet all = spheres();

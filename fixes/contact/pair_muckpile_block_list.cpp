@@ -15,6 +15,7 @@
 #include <string>
 
 #include "fixes/contact/pair_muckpile_block.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/style_args.h"
 
 namespace muckpile {
@@ -67,8 +68,8 @@ void PairMuckpileBlock::number_blocks() {
     if (enclosed_[k] != 0) atom_block_[k] = -1;
 }
 
-// A pair whose facet is cracked stays, muted; but not one that some rank works on without knowing
-// the facet.
+// A pair whose facet is cracked stays, inactive; but not one that some rank works on without
+// knowing the facet.
 void PairMuckpileBlock::drop_intact_pairs(std::vector<BlockPair>& pairs,
                                           std::size_t first_pair) const {
   const FacetState* states = joints_ != nullptr ? joints_->facet_states() : nullptr;
@@ -98,22 +99,22 @@ SphereSet PairMuckpileBlock::spheres() const {
 }
 
 /// Facets that are whole or cracked carry what contact their two blocks have.
-void PairMuckpileBlock::mute_pairs(std::size_t first) {
-  if (first == 0) muted_.clear();
+void PairMuckpileBlock::deactivate_joined_pairs(std::size_t first) {
+  if (first == 0) inactive_.clear();
   const FacetState* states = joints_ != nullptr ? joints_->facet_states() : nullptr;
   const std::vector<BlockPair>& pairs = list_.block_pairs();
   for (std::size_t k = first; k < pairs.size(); ++k) {
     if (pairs[k].facet < 0 || states[pairs[k].facet] >= FacetState::fading) continue;
-    list_.mute(k);
-    muted_.push_back({k, pairs[k].facet});
+    list_.deactivate(k);
+    inactive_.push_back({k, pairs[k].facet});
   }
 }
 
-void PairMuckpileBlock::hear_pairs() {
+void PairMuckpileBlock::activate_parted_pairs() {
   const FacetState* states = joints_ != nullptr ? joints_->facet_states() : nullptr;
-  std::erase_if(muted_, [&](const MutedPair& muted) {
-    if (states[muted.facet] < FacetState::fading) return false;
-    list_.hear(muted.pair);
+  std::erase_if(inactive_, [&](const InactivePair& pair) {
+    if (states[pair.facet] < FacetState::fading) return false;
+    list_.activate(pair.pair);
     return true;
   });
 }
@@ -158,7 +159,7 @@ void PairMuckpileBlock::list_pairs() {
   drop_intact_pairs(list_.find_block_pairs(0.5 * neighbor->skin, any ? atom->v[0] : nullptr,
                                            any ? atom->omega[0] : nullptr),
                     0);
-  mute_pairs(0);
+  deactivate_joined_pairs(0);
   listed_tags_.assign(atom->tag, atom->tag + atom->nlocal + atom->nghost);
   listed_owned_ = atom->nlocal;
   recall_contacts();
@@ -175,7 +176,7 @@ bool PairMuckpileBlock::add_pairs() {
   const std::size_t first = list_.block_pairs().size();
   if (!list_.add_block_pairs(spheres(), atom->v[0], atom->omega[0])) return false;
   drop_intact_pairs(list_.block_pairs(), first);
-  mute_pairs(first);
+  deactivate_joined_pairs(first);
   list_working_pairs(first);
   ledger_.rebuild_s += MPI_Wtime() - started;
   return true;
@@ -183,11 +184,10 @@ bool PairMuckpileBlock::add_pairs() {
 
 void PairMuckpileBlock::rebuild() {
   share_enclosed();
-  share_held_pairs();
+  share_joined_pairs();
   if (watched_ && comm->nprocs > 1) strange_ = {*bodies_, *atom, world};
   list_pairs();
-  int bad = list_.skipped_blocks(), all_bad = 0;
-  MPI_Allreduce(&bad, &all_bad, 1, MPI_INT, MPI_SUM, world);
+  const int all_bad = engine::sum_over_ranks(static_cast<int>(list_.skipped_blocks()), world);
   if (all_bad > 0)
     engine::stop(*lmp, std::string(kStyle) + ": " + std::to_string(all_bad) +
                            " blocks have a position that is not a number at step " +

@@ -22,6 +22,7 @@
 #include <string_view>
 
 #include "fixes/engine/bodies.h"
+#include "fixes/engine/over_ranks.h"
 
 namespace muckpile {
 namespace {
@@ -63,11 +64,10 @@ SphereCommands::Selection SphereCommands::selected(const std::string& style, cha
 void SphereCommands::warn(const char* command, const Selection& selection) const {
   LAMMPS_NS::FixMultisphere* const bodies = engine::find_multisphere(*lmp);
   if (bodies == nullptr) return;
-  int mine = 0, all = 0;
+  bool mine = false;
   for (int k = 0; k < atom->nlocal; ++k)
-    if (bodies->belongs_to(k) >= 0 && selection(k)) mine = 1;
-  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MAX, world);
-  if (all == 0 || comm->me != 0) return;
+    if (bodies->belongs_to(k) >= 0 && selection(k)) mine = true;
+  if (!engine::on_any_rank(mine, world) || comm->me != 0) return;
   error->warning(FLERR, (std::string(command) +
                          ": has no effect on blocks, whose spheres go where the block goes; use "
                          "block_motion")

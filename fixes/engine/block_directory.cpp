@@ -11,37 +11,30 @@ BlockDirectory::BlockDirectory(const std::vector<int>& owned_tags, MPI_Comm worl
   MPI_Comm_size(world_, &ranks_);
   std::vector<ByteWriter> outgoing(static_cast<std::size_t>(ranks_));
   for (int tag : owned_tags) outgoing[static_cast<std::size_t>(home(tag))].put(tag);
-  const auto buffers = bytes_of(outgoing);
-  const auto incoming = exchange_bytes(buffers, world_);
-  for (std::size_t rank = 0; rank < incoming.size(); ++rank) {
-    for (ByteReader reader(incoming[rank]); !reader.empty();) {
-      entries_[reader.get<int>()] = static_cast<int>(rank);
-    }
-  }
+  exchange_messages(outgoing, world_, [this](ByteReader& in, std::size_t rank) {
+    while (!in.empty()) entries_[in.get<int>()] = static_cast<int>(rank);
+  });
 }
 
 std::vector<int> BlockDirectory::owners(const std::vector<int>& tags) const {
   const auto ranks = static_cast<std::size_t>(ranks_);
   std::vector<ByteWriter> questions(ranks);
   for (int tag : tags) questions[static_cast<std::size_t>(home(tag))].put(tag);
-  const auto buffers = bytes_of(questions);
-  const auto asked = exchange_bytes(buffers, world_);
-
   std::vector<ByteWriter> answers(ranks);
-  for (std::size_t rank = 0; rank < ranks; ++rank) {
-    for (ByteReader reader(asked[rank]); !reader.empty();) {
-      const auto found = entries_.find(reader.get<int>());
+  exchange_messages(questions, world_, [&](ByteReader& in, std::size_t rank) {
+    while (!in.empty()) {
+      const auto found = entries_.find(in.get<int>());
       answers[rank].put(found == entries_.end() ? -1 : found->second);
     }
-  }
-  const auto replies = bytes_of(answers);
-  const auto told = exchange_bytes(replies, world_);
+  });
 
-  std::vector<ByteReader> readers;
-  for (const auto& part : told) readers.emplace_back(part);
-  std::vector<int> owner;
-  owner.reserve(tags.size());
-  for (int tag : tags) owner.push_back(readers[static_cast<std::size_t>(home(tag))].get<int>());
+  std::vector<std::vector<std::size_t>> asked(ranks);  // places in `tags`, by the rank asked
+  for (std::size_t k = 0; k < tags.size(); ++k)
+    asked[static_cast<std::size_t>(home(tags[k]))].push_back(k);
+  std::vector<int> owner(tags.size());
+  exchange_messages(answers, world_, [&](ByteReader& in, std::size_t rank) {
+    for (const std::size_t k : asked[rank]) owner[k] = in.get<int>();
+  });
   return owner;
 }
 

@@ -26,20 +26,15 @@ BlockHalo::BlockHalo(const std::vector<int>& owned_tags, const std::vector<int>&
     wishes[static_cast<std::size_t>(owners[k])].put(needed_tags[k]);
     places[static_cast<std::size_t>(owners[k])].push_back(owned_ + k);
   }
-  const auto buffers = bytes_of(wishes);
-  const auto asked = exchange_bytes(buffers, world_);
-
   std::unordered_map<int, std::size_t> position;
   for (std::size_t b = 0; b < owned_tags.size(); ++b) position[owned_tags[b]] = b;
-  for (int rank = 0; rank < ranks; ++rank) {
-    const auto r = static_cast<std::size_t>(rank);
-    if (!places[r].empty()) receives_.push_back({rank, places[r]});
-    Partner partner{rank, {}};
-    for (ByteReader reader(asked[r]); !reader.empty();) {
-      partner.positions.push_back(position.at(reader.get<int>()));
-    }
+  exchange_messages(wishes, world_, [&](ByteReader& in, std::size_t rank) {
+    const int of = static_cast<int>(rank);
+    if (!places[rank].empty()) receives_.push_back({of, places[rank]});
+    Partner partner{of, {}};
+    while (!in.empty()) partner.positions.push_back(position.at(in.get<int>()));
     if (!partner.positions.empty()) sends_.push_back(std::move(partner));
-  }
+  });
   send_buffers_.resize(sends_.size());
   receive_buffers_.resize(receives_.size());
 }

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
+#include <utility>
+
+#include "fixes/engine/over_ranks.h"
 
 namespace muckpile::engine {
 namespace {
@@ -51,13 +54,26 @@ void exchange_round(const std::vector<std::vector<char>>& outgoing, std::size_t 
   }
 }
 
-}  // namespace
-
-std::vector<std::vector<char>> bytes_of(std::vector<ByteWriter>& writers) {
-  std::vector<std::vector<char>> buffers;
-  for (ByteWriter& writer : writers) buffers.push_back(std::move(writer.bytes()));
-  return buffers;
+std::string text_of_rank(int rank, std::string text, MPI_Comm world) {
+  std::uint64_t length = text.size();
+  MPI_Bcast(&length, 1, MPI_UINT64_T, rank, world);
+  text.resize(length);
+  MPI_Bcast(text.data(), static_cast<int>(length), MPI_CHAR, rank, world);
+  return text;
 }
+
+/// Throws the fault of the first rank that has one, on all ranks.
+void throw_on_all(const std::string& fault, MPI_Comm world) {
+  int rank = 0, ranks = 1;
+  MPI_Comm_rank(world, &rank);
+  MPI_Comm_size(world, &ranks);
+  const int first = least_over_ranks(fault.empty() ? ranks : rank, world);
+  if (first == ranks) return;
+  throw StateError("message between ranks, read on rank " + std::to_string(first) + ": " +
+                   text_of_rank(first, fault, world));
+}
+
+}  // namespace
 
 std::vector<double> gather_all(const std::vector<double>& mine, MPI_Comm world) {
   int ranks = 1;
@@ -73,11 +89,25 @@ std::vector<double> gather_all(const std::vector<double>& mine, MPI_Comm world) 
 }
 
 std::string of_first_rank(std::string text, MPI_Comm world) {
-  std::uint64_t length = text.size();
-  MPI_Bcast(&length, 1, MPI_UINT64_T, 0, world);
-  text.resize(length);
-  MPI_Bcast(text.data(), static_cast<int>(length), MPI_CHAR, 0, world);
-  return text;
+  return text_of_rank(0, std::move(text), world);
+}
+
+void exchange_messages(std::vector<ByteWriter>& outgoing, MPI_Comm world,
+                       const std::function<void(ByteReader&, std::size_t)>& read) {
+  std::vector<std::vector<char>> buffers;
+  for (ByteWriter& writer : outgoing) buffers.push_back(std::move(writer.bytes()));
+  const auto incoming = exchange_bytes(buffers, world);
+  std::string fault;
+  try {
+    for (std::size_t rank = 0; rank < incoming.size(); ++rank) {
+      ByteReader in(incoming[rank]);
+      read(in, rank);
+      in.require_end("message");
+    }
+  } catch (const StateError& error) {
+    fault = error.what();
+  }
+  throw_on_all(fault, world);
 }
 
 std::vector<std::vector<char>> exchange_bytes(const std::vector<std::vector<char>>& outgoing,
@@ -90,7 +120,7 @@ std::vector<std::vector<char>> exchange_bytes(const std::vector<std::vector<char
   std::int64_t longest = 0;
   for (const auto& part : outgoing)
     longest = std::max(longest, static_cast<std::int64_t>(part.size()));
-  MPI_Allreduce(MPI_IN_PLACE, &longest, 1, MPI_INT64_T, MPI_MAX, world);
+  longest = greatest_over_ranks(longest, world);
   const std::size_t most = std::max<std::size_t>(1, most_at_once / ranks);
   for (std::size_t begin = 0; begin < static_cast<std::size_t>(longest); begin += most)
     exchange_round(outgoing, begin, most, incoming, world);

@@ -1,73 +1,23 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Byte buffers and their exchange between ranks.
-// Scope: same machine type on every rank; values are copied as they lie in memory.
+// Messages between ranks: buffers of bytes, and values of stored types in them.
+// Scope: same machine type on every rank.
 #pragma once
 
 #include <mpi.h>
 
 #include <cstddef>
-#include <cstring>
+#include <functional>
 #include <string>
-#include <type_traits>
 #include <vector>
 
-#include "math/types.h"
+#include "state/encoding.h"
 
 namespace muckpile::engine {
 
-/// Types whose bytes may be copied: plain data, and structs of plain data and fixed-size vectors,
-/// which Eigen keeps as plain arrays although the language does not call them trivial.
-template <typename T>
-inline constexpr bool kCopyable = std::is_trivially_destructible_v<T> && !std::is_pointer_v<T>;
-
-class ByteWriter {
- public:
-  template <typename T>
-  void put(const T& value) {
-    static_assert(kCopyable<T>);
-    const std::size_t size = bytes_.size();
-    bytes_.resize(size + sizeof(T));
-    std::memcpy(bytes_.data() + size, static_cast<const void*>(&value), sizeof(T));
-  }
-  template <typename T>
-  void put_all(const std::vector<T>& values) {
-    put(values.size());
-    for (const T& value : values) put(value);
-  }
-  [[nodiscard]] std::vector<char>& bytes() { return bytes_; }
-
- private:
-  std::vector<char> bytes_;
-};
-
-class ByteReader {
- public:
-  explicit ByteReader(const std::vector<char>& bytes)
-      : at_(bytes.data()), end_(at_ + bytes.size()) {}
-  ByteReader(const char* first, std::size_t size) : at_(first), end_(first + size) {}
-  [[nodiscard]] bool empty() const { return at_ == end_; }
-  template <typename T>
-  [[nodiscard]] T get() {
-    static_assert(kCopyable<T>);
-    T value;
-    std::memcpy(static_cast<void*>(&value), at_, sizeof(T));
-    at_ += sizeof(T);
-    return value;
-  }
-  template <typename T>
-  [[nodiscard]] std::vector<T> get_all() {
-    std::vector<T> values(get<std::size_t>());
-    for (T& value : values) value = get<T>();
-    return values;
-  }
-
- private:
-  const char* at_;
-  const char* end_;
-};
-
-/// Moves the buffers out of the writers.
-[[nodiscard]] std::vector<std::vector<char>> bytes_of(std::vector<ByteWriter>& writers);
+/// Sends what is in outgoing[r] to rank r and gives `read` what each rank has sent here, with its
+/// number, in the order of ranks. Collective. A StateError of one rank is thrown on all of them.
+void exchange_messages(std::vector<ByteWriter>& outgoing, MPI_Comm world,
+                       const std::function<void(ByteReader&, std::size_t)>& read);
 
 /// The values of all ranks, in the order of ranks, on every rank. Collective.
 [[nodiscard]] std::vector<double> gather_all(const std::vector<double>& mine, MPI_Comm world);

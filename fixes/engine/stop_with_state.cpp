@@ -3,22 +3,19 @@
 // Scope: see the header.
 #include "fixes/engine/stop_with_state.h"
 
-#include <fix.h>
 #include <lammps.h>
-#include <modify.h>
 #include <update.h>
 
 #include "args/numbers.h"
+#include "fixes/engine/find_view.h"
 #include "fixes/engine/style_args.h"
 #include "fixes/interfaces/state_writer.h"
 
 namespace muckpile::engine {
 
 void stop_with_state(LAMMPS_NS::LAMMPS& lmp, const std::string& why) {
-  for (int i = 0; i < lmp.modify->nfix; ++i) {
-    if (auto* writer = dynamic_cast<StateWriter*>(lmp.modify->fix[i]))
-      stop(lmp, why + ". State written to " + writer->write_state());
-  }
+  if (auto* writer = find_view<StateWriter>(lmp))
+    stop(lmp, why + ". State written to " + writer->write_state());
   stop(lmp, why);
 }
 

@@ -45,4 +45,14 @@ auto or_engine_error(LAMMPS_NS::LAMMPS& lmp, Body&& body) {
   }
 }
 
+/// The same, with the words of what was going on before the message.
+template <class Body>
+auto or_engine_error(LAMMPS_NS::LAMMPS& lmp, const std::string& where, Body&& body) {
+  try {
+    return std::forward<Body>(body)();
+  } catch (const InputError& error) {
+    stop(lmp, where + ": " + error.what());
+  }
+}
+
 }  // namespace muckpile::engine

@@ -13,11 +13,15 @@
 #include <cstdio>
 #include <cstring>
 #include <numeric>
+#include <utility>
 
 #include "args/numbers.h"
+#include "fixes/engine/find_view.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/engine/style_name.h"
 #include "geometry/holes/hole_surface.h"
 
 namespace muckpile {
@@ -39,16 +43,6 @@ enum Output {
   kOutputCount
 };
 
-std::string where_of(int narg, char** arg) {
-  return std::string("fix muckpile/blast '") + (narg > 0 ? arg[0] : "") + "'";
-}
-
-double sum_over_ranks(MPI_Comm world, double value) {
-  double sum = 0.0;
-  MPI_Allreduce(&value, &sum, 1, MPI_DOUBLE, MPI_SUM, world);
-  return sum;
-}
-
 std::vector<Hole> holes_of(const BlastSurface& surface) {
   std::vector<Hole> holes;
   for (int i = 0; i < surface.hole_count(); ++i) holes.push_back(surface.hole(i));
@@ -58,7 +52,7 @@ std::vector<Hole> holes_of(const BlastSurface& surface) {
 }  // namespace
 
 FixMuckpileBlast::FixMuckpileBlast(LAMMPS_NS::LAMMPS* lmp_in, int narg, char** arg)
-    : Fix(lmp_in, narg, arg), where_(where_of(narg, arg)) {
+    : Fix(lmp_in, narg, arg), where_(engine::name_of(*this)) {
   engine::refuse_second_fix(*lmp, where_, "muckpile/blast");
   engine::require_id_of_restart(*lmp, where_, *this);
   const ArgValues values = engine::read_args(*lmp, blast_table(), where_, narg, arg, 3);
@@ -79,7 +73,7 @@ void FixMuckpileBlast::init() {
   if (std::strcmp(update->unit_style, "si") != 0) {
     engine::stop(*lmp, where_ + ": needs units si, got '" + update->unit_style + "'");
   }
-  surface_ = find_surface();
+  surface_ = engine::find_view<BlastSurface>(*lmp);
   if (surface_ == nullptr) {
     engine::stop(*lmp, where_ + ": needs a fix muckpile/joint, which holds the faces to load");
   }
@@ -135,29 +129,13 @@ void FixMuckpileBlast::require_fired(double bearable) const {
 double FixMuckpileBlast::greatest_pressure() const {
   double greatest = 0.0;
   for (const double pressure : pressures_) greatest = std::max(greatest, pressure);
-  double result = 0.0;
-  MPI_Allreduce(&greatest, &result, 1, MPI_DOUBLE, MPI_MAX, world);
-  return result;
-}
-
-FixMuckpileBlast* FixMuckpileBlast::find(LAMMPS_NS::LAMMPS& lmp) {
-  for (int i = 0; i < lmp.modify->nfix; ++i) {
-    if (auto* blast = dynamic_cast<FixMuckpileBlast*>(lmp.modify->fix[i])) return blast;
-  }
-  return nullptr;
-}
-
-BlastSurface* FixMuckpileBlast::find_surface() const {
-  for (int i = 0; i < modify->nfix; ++i) {
-    if (auto* surface = dynamic_cast<BlastSurface*>(modify->fix[i])) return surface;
-  }
-  return nullptr;
+  return engine::greatest_over_ranks(greatest, world);
 }
 
 /// An unfix in the middle of the blast takes the pressure off; at the end of the program there is
 /// nothing to do.
 void FixMuckpileBlast::pre_delete(bool unfixflag) {
-  BlastSurface* surface = unfixflag ? find_surface() : nullptr;
+  BlastSurface* surface = unfixflag ? engine::find_view<BlastSurface>(*lmp) : nullptr;
   if (surface == nullptr) return;
   const std::size_t count = surface->loaded_facets().size();
   const std::vector<double> none(count, 0.0);
@@ -194,7 +172,7 @@ BlastTiming FixMuckpileBlast::timing() const {
     timing.vent_time = options_.vent_time;
     timing.vent_decay = options_.vent_decay;
   }
-  const BlastSurface* surface = find_surface();
+  const auto* surface = engine::find_view<BlastSurface>(*lmp);
   if (surface == nullptr) return timing;
   engine::or_engine_error(*lmp, [&] {
     for (const HoleBlast& hole : hole_blasts(options_, holes_of(*surface)))
@@ -229,8 +207,7 @@ void FixMuckpileBlast::check_walls() const {
     const double along = (face.start_point - hole.toe).dot(axis) / axis.squaredNorm();
     if (along > kEnd && along < 1.0 - kEnd) area[static_cast<std::size_t>(face.hole)] += face.area;
   }
-  MPI_Allreduce(MPI_IN_PLACE, area.data(), static_cast<int>(area.size()), MPI_DOUBLE, MPI_SUM,
-                world);
+  engine::sum_over_ranks_in_place(area, world);
   for (std::size_t h = 0; h < area.size(); ++h) {
     const Hole& hole = surface_->hole(static_cast<int>(h));
     const double share = area[h] / (2.0 * M_PI * hole.radius * hole_length(hole));
@@ -280,8 +257,7 @@ void FixMuckpileBlast::refresh_arrivals() {
 
 void FixMuckpileBlast::sum_swept_volumes() {
   surface_->swept_volume(swept_);
-  MPI_Allreduce(MPI_IN_PLACE, swept_.data(), static_cast<int>(swept_.size()), MPI_DOUBLE, MPI_SUM,
-                world);
+  engine::sum_over_ranks_in_place(swept_, world);
 }
 
 void FixMuckpileBlast::advance_gas() {
@@ -340,18 +316,19 @@ void FixMuckpileBlast::finish() {
   engine::print_once(*lmp, where_ + ": all holes are over at " + std::to_string(clock()) + " s\n");
 }
 
-FixMuckpileBlast::Energies FixMuckpileBlast::energies() const {
+BlastEnergies::Energies FixMuckpileBlast::energies() const {
   Energies energies;
   for (const ChargeEnergy& charge : charges_) energies.explosive += charge.energy;
-  if (const BlastSurface* surface = find_surface()) {
-    energies.wave = sum_over_ranks(world, surface->wave_work());
-    energies.gas = sum_over_ranks(world, surface->pressure_work()) - energies.wave;
+  if (const BlastSurface* surface = engine::find_view<BlastSurface>(*lmp)) {
+    energies.wave = engine::sum_over_ranks(surface->wave_work(), world);
+    energies.gas = engine::sum_over_ranks(surface->pressure_work(), world) - energies.wave;
   }
   return energies;
 }
 
 double FixMuckpileBlast::compute_vector(int index) {
-  const BlastSurface* surface = find_surface();  // between runs it may have been unfixed
+  const BlastSurface* surface =
+      engine::find_view<BlastSurface>(*lmp);  // between runs it may have been unfixed
   if (surface == nullptr || blasts_.empty()) return 0.0;
   switch (index) {
     case kMaximumPressure:
@@ -361,7 +338,7 @@ double FixMuckpileBlast::compute_vector(int index) {
     case kSweptVolume:
       return std::accumulate(swept_.begin(), swept_.end(), 0.0);
     case kWork:
-      return sum_over_ranks(world, surface->pressure_work());
+      return engine::sum_over_ranks(surface->pressure_work(), world);
     case kActiveHoles:
       return active_holes_;
     case kOver:
@@ -383,26 +360,20 @@ double FixMuckpileBlast::compute_vector(int index) {
 }
 
 void FixMuckpileBlast::write_restart(FILE* file) {
-  engine::ByteWriter state;
-  state.put(clock_started_ ? clock() : clock_restarted_);
-  state.put_all(swept_);
-  state.put_all(states_);
-  state.put_all(hole_over_);
-  state.put(over_);
-  state.put(walls_checked_);
-  state.put(softened_);
+  const double now = clock_started_ ? clock() : clock_restarted_;
+  const BlastState state{now, swept_, states_, hole_over_, over_, walls_checked_, softened_};
   engine::write_state(*lmp, style, file, state);
 }
 
-void FixMuckpileBlast::restart(char* state) {
-  engine::ByteReader reader = engine::read_state(state);
-  clock_restarted_ = reader.get<double>();
-  swept_ = reader.get_all<double>();
-  states_ = reader.get_all<GasState>();
-  hole_over_ = reader.get_all<char>();
-  over_ = reader.get<bool>();
-  walls_checked_ = reader.get<bool>();
-  softened_ = reader.get<double>();
+void FixMuckpileBlast::restart(char* bytes) {
+  auto state = engine::read_state<BlastState>(*lmp, style, bytes);
+  clock_restarted_ = state.clock;
+  swept_ = std::move(state.swept);
+  states_ = std::move(state.gas);
+  hole_over_ = std::move(state.hole_over);
+  over_ = state.over;
+  walls_checked_ = state.walls_checked;
+  softened_ = state.softened;
 }
 
 }  // namespace muckpile

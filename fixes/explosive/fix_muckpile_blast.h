@@ -11,13 +11,35 @@
 #include <vector>
 
 #include "explosive/hole_loads.h"
+#include "fixes/interfaces/blast_energies.h"
 #include "fixes/interfaces/blast_surface.h"
 #include "fixes/interfaces/charge_timing.h"
+#include "fixes/interfaces/gas_chambers.h"
 #include "gas/joint_gas.h"
+#include "state/encoding.h"
 
 namespace muckpile {
 
-class FixMuckpileBlast : public LAMMPS_NS::Fix, public ChargeTiming {
+/// What a restart file holds of the fix.
+struct BlastState {
+  double clock = 0.0;           ///< since the first run with the fix [s]
+  std::vector<double> swept;    ///< per hole [m3]
+  std::vector<GasState> gas;    ///< per hole
+  std::vector<char> hole_over;  ///< per hole
+  bool over = false, walls_checked = false;
+  double softened = 1.0;  ///< [-]
+};
+template <>
+struct Stored<BlastState> {
+  static constexpr std::string_view kName = "blast_state";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& state) {
+    return std::tie(state.clock, state.swept, state.gas, state.hole_over, state.over,
+                    state.walls_checked, state.softened);
+  }
+};
+
+class FixMuckpileBlast : public LAMMPS_NS::Fix, public BlastEnergies, public GasChambers, public ChargeTiming {
  public:
   FixMuckpileBlast(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
@@ -32,30 +54,18 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix, public ChargeTiming {
   void write_restart(FILE* file) override;
   void restart(char* state) override;
 
-  /// The fix of this run, nullptr if there is none.
-  [[nodiscard]] static FixMuckpileBlast* find(LAMMPS_NS::LAMMPS& lmp);
-  /// Energy of the explosive, and what it has done to the blocks so far [J]. Collective.
-  struct Energies {
-    double explosive = 0.0;        ///< of all charges, fired or not; 0 if not known
-    double wave = 0.0, gas = 0.0;  ///< work on the blocks
-  };
-  [[nodiscard]] Energies energies() const;
+  [[nodiscard]] Energies energies() const override;
+  [[nodiscard]] bool over() const override { return over_; }
   [[nodiscard]] BlastTiming timing() const override;
   [[nodiscard]] bool vents_by_flow() const override { return options_.vent_by_flow; }
 
-  /// For fix muckpile/gas, before the first run: from now on it computes the flow of gas into
-  /// joints, in place of crack_discharge, and gas presses on the walls by its excess over `ambient`
-  /// [Pa]. InputError unless the gas vents by flow.
-  void let_gas_into_joints(double ambient);
-  [[nodiscard]] double gas_gamma() const { return options_.flow.gamma; }
-  /// The gas in a crushed zone; pressure 0 before its hole fires and after it is over.
-  [[nodiscard]] GasChamber chamber(std::size_t hole) const;
-  void let_gas_go();  ///< ends all holes; the gas that they hold does not press any more
-  void take_gas(std::span<const double> per_hole);  ///< removes [kg] from each; same on all ranks
-  [[nodiscard]] bool over() const { return over_; }
+  void let_gas_into_joints(double ambient) override;
+  [[nodiscard]] double gas_gamma() const override { return options_.flow.gamma; }
+  [[nodiscard]] GasChamber chamber(std::size_t hole) const override;
+  void take_gas(std::span<const double> per_hole) override;
+  void let_gas_go() override;
 
  private:
-  [[nodiscard]] BlastSurface* find_surface() const;  // nullptr if there is none
   void check_timestep();
   void check_walls() const;
   void require_fired(double bearable) const;

@@ -12,14 +12,14 @@
 #include <numeric>
 
 #include "args/numbers.h"
-#include "fixes/engine/bodies.h"
 #include "fixes/engine/exchange.h"
+#include "fixes/engine/find_view.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
-#include "fixes/explosive/fix_muckpile_blast.h"
+#include "fixes/engine/style_name.h"
 #include "fixes/interfaces/keyword_tables.h"
-#include "fixes/joints/fix_muckpile_joint.h"
 
 namespace muckpile {
 namespace {
@@ -43,10 +43,6 @@ const ArgTable& table() {
   return args;
 }
 
-std::string where_of(int narg, char** arg) {
-  return std::string("fix muckpile/gas '") + (narg > 0 ? arg[0] : "") + "'";
-}
-
 JointGas make_gas(LAMMPS_NS::LAMMPS& lmp, const ArgValues& args, double gamma) {
   return engine::or_engine_error(lmp, [&] {
     return JointGas({.flow = {.gamma = gamma, .roughness = args.real("roughness")},
@@ -60,11 +56,11 @@ JointGas make_gas(LAMMPS_NS::LAMMPS& lmp, const ArgValues& args, double gamma) {
 const ArgTable& gas_keywords() { return table(); }
 
 FixMuckpileGas::FixMuckpileGas(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
-    : Fix(engine, narg, arg), where_(where_of(narg, arg)), gas_({}) {
+    : Fix(engine, narg, arg), where_(engine::name_of(*this)), gas_({}) {
   engine::refuse_second_fix(*lmp, where_, "muckpile/gas");
   engine::require_id_of_restart(*lmp, where_, *this);
   const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
-  FixMuckpileBlast* blast = find_blast();
+  auto* blast = engine::find_view<GasChambers>(*lmp);
   if (blast == nullptr) engine::stop(*lmp, where_ + ": needs a fix muckpile/blast before it");
   ambient_ = args.real("ambient_pressure");
   substeps_ = static_cast<int>(args.integer("substeps"));
@@ -85,29 +81,23 @@ int FixMuckpileGas::setmask() {
   return LAMMPS_NS::FixConst::PRE_NEIGHBOR | LAMMPS_NS::FixConst::END_OF_STEP;
 }
 
-FixMuckpileBlast* FixMuckpileGas::find_blast() const { return FixMuckpileBlast::find(*lmp); }
-
-FixMuckpileJoint* FixMuckpileGas::find_joint() const {
-  return dynamic_cast<FixMuckpileJoint*>(modify->find_fix_style_strict("muckpile/joint", 0));
-}
-
 /// An unfix lets all gas go; at the end of the program there is nothing to do.
 void FixMuckpileGas::pre_delete(bool unfixflag) {
-  FixMuckpileJoint* joint = unfixflag ? find_joint() : nullptr;
-  if (joint != nullptr) joint->joints_for_gas().release_gas();
+  auto* joints = unfixflag ? engine::find_view<JointsWithGas>(*lmp) : nullptr;
+  if (joints != nullptr) joints->release_gas();
 }
 
 void FixMuckpileGas::init() {
-  blast_ = find_blast();
-  joint_ = find_joint();
-  if (blast_ == nullptr || joint_ == nullptr)
+  blast_ = engine::find_view<GasChambers>(*lmp);
+  joints_ = engine::find_view<JointsWithGas>(*lmp);
+  if (blast_ == nullptr || joints_ == nullptr)
     engine::stop(*lmp, where_ + ": needs fix muckpile/joint and fix muckpile/blast");
   const int here = modify->find_fix(id);
-  if (modify->find_fix(joint_->id) > here || modify->find_fix(blast_->id) > here)
+  if (engine::place_of<JointsWithGas>(*lmp) > here || engine::place_of<GasChambers>(*lmp) > here)
     engine::stop(*lmp,
                  where_ + ": must be defined after fix muckpile/joint and fix muckpile/blast");
-  if (!spent_) joint_->joints_for_gas().keep_gas_in_joints();
-  const auto holes = static_cast<std::size_t>(joint_->hole_count());
+  if (!spent_) joints_->keep_gas_in_joints();
+  const auto holes = static_cast<std::size_t>(joints_->hole_count());
   fed_.resize(holes, 0);
   chambers_.resize(holes);
 }
@@ -131,7 +121,7 @@ double FixMuckpileGas::greatest_pressure() const {
 void FixMuckpileGas::let_go_of_softened_joints(double in_joints) {
   constexpr double kBearable = 0.01;  // pressure over shear modulus: strains of less than that
   const double before = softened_;
-  softened_ = joint_->softened();
+  softened_ = joints_->softened();
   if (softened_ >= before || !active_) return;
   read_chambers();
   double pressure = in_joints, left = 0.0;
@@ -139,9 +129,9 @@ void FixMuckpileGas::let_go_of_softened_joints(double in_joints) {
     pressure = std::max(pressure, chamber.gas.pressure);
     left += chamber.mass;
   }
-  if (pressure <= kBearable * joint_->shear_modulus()) return;
+  if (pressure <= kBearable * joints_->shear_modulus()) return;
   blast_->let_gas_go();
-  joint_->unload_softened();
+  joints_->unload_softened();
   end_of_gas("is let go, as the joints have been softened, with up to " + number_text(pressure) +
              " Pa in them and " + number_text(left) + " kg in the holes,");
 }
@@ -152,24 +142,23 @@ void FixMuckpileGas::end_of_gas(const std::string& how) {
   lost_ = 0.0;
   spent_ = true;
   active_ = false;
-  joint_->joints_for_gas().release_gas();
-  gas_.set_network(joint_->network());
+  joints_->release_gas();
+  gas_.set_network(joints_->network());
   engine::print_once(*lmp, where_ + ": the gas in joints " + how + " at " +
                                number_text(update->get_cur_time()) + " s\n");
 }
 
 /// Gas follows its block from rank to rank.
 void FixMuckpileGas::follow_blocks() {
-  if (version_ == joint_->loaded_facets_version()) return;
-  version_ = joint_->loaded_facets_version();
-  std::vector<int> tags;
-  for (const BlockRecord& record : joint_->blocks().records()) tags.push_back(record.tag);
+  if (version_ == joints_->lists_version()) return;
+  version_ = joints_->lists_version();
+  std::vector<int> tags = joints_->block_tags();
   std::unordered_map<int, GasContent> contents;
   if (active_) contents = contents_here(tags);
   contents.merge(restored_);
   restored_.clear();
-  gas_.set_network(joint_->network());
-  engine::BlockHalo& halo = joint_->blocks().halo();
+  gas_.set_network(joints_->network());
+  engine::BlockHalo& halo = joints_->halo();
   halo.forward(gas_.touches().first(halo.size()));
   tags_ = std::move(tags);
   for (std::size_t b = 0; b < tags_.size(); ++b) {
@@ -192,26 +181,28 @@ std::unordered_map<int, GasContent> FixMuckpileGas::contents_here(const std::vec
   int rank = 0, ranks = 1;
   MPI_Comm_rank(world, &rank);
   MPI_Comm_size(world, &ranks);
-  std::vector<engine::ByteWriter> outgoing(static_cast<std::size_t>(ranks));
+  std::vector<ByteWriter> outgoing(static_cast<std::size_t>(ranks));
   for (std::size_t k = 0; k < with_gas.size(); ++k) {
     const GasContent content = all[with_gas[k]];
     if (owners[k] < 0) lost_ += content.mass;
     if (owners[k] < 0 || owners[k] == rank) continue;
-    outgoing[static_cast<std::size_t>(owners[k])].put(with_gas[k]);
-    outgoing[static_cast<std::size_t>(owners[k])].put(content);
+    outgoing[static_cast<std::size_t>(owners[k])].put(BlockGas{with_gas[k], content});
   }
-  for (const auto& part : engine::exchange_bytes(engine::bytes_of(outgoing), world)) {
-    for (engine::ByteReader reader(part); !reader.empty();) {
-      const int tag = reader.get<int>();
-      all[tag] = reader.get<GasContent>();
-    }
-  }
+  engine::or_engine_error(*lmp, where_, [&] {
+    engine::exchange_messages(outgoing, world, [&all](ByteReader& in, std::size_t) {
+      while (!in.empty()) {
+        const auto arrived = in.get<BlockGas>();
+        all[arrived.tag] = arrived.content;
+      }
+    });
+  });
   return all;
 }
 
-void FixMuckpileGas::fill_joints(FacetNetwork& network, engine::BlockHalo& halo) {
-  if (!active_) return;
-  gas_.measure(network, fed_);
+std::span<const double> FixMuckpileGas::pressure_in_joints() {
+  if (!active_) return {};
+  engine::BlockHalo& halo = joints_->halo();
+  gas_.measure(joints_->network(), fed_);
   numbers_.resize(halo.size() * kCellWidth);
   const std::span<GasCell> cells = gas_.cells();
   for (std::size_t b = 0; b < halo.owned(); ++b) {
@@ -225,7 +216,7 @@ void FixMuckpileGas::fill_joints(FacetNetwork& network, engine::BlockHalo& halo)
     const double* row = numbers_.data() + b * kCellWidth;
     cells[b] = {{row[0], row[1]}, row[2], row[3]};
   }
-  gas_.press(network);
+  return gas_.press();
 }
 
 void FixMuckpileGas::end_of_step() {
@@ -242,7 +233,9 @@ void FixMuckpileGas::end_of_step() {
     if (k > 0) refresh();
     flow(update->dt / substeps_);
   }
-  lost_ += gas_.open_wide(joint_->joints_for_gas());
+  const JointGas::Opened opened = gas_.open_wide();
+  joints_->release_gas(opened.joints);
+  lost_ += opened.vented;
   if (update->ntimestep % kLookEvery == 0) look_whether_spent();
 }
 
@@ -253,20 +246,10 @@ void FixMuckpileGas::read_chambers() {
   }
 }
 
-/// With full-step velocities force x velocity x dt is exactly the work that the integrator lets the
-/// force do.
 void FixMuckpileGas::book_work() {
-  const engine::Bodies bodies(joint_->blocks().multisphere());
-  const FacetNetwork& network = joint_->network();
-  if (network.gas_force().empty()) return;
-  double rate = 0.0;
-  for (int b = 0; b < bodies.count(); ++b) {
-    const auto k = static_cast<std::size_t>(b);
-    rate += network.gas_force()[k].dot(bodies.velocity(b)) +
-            network.gas_torque()[k].dot(bodies.spin(b));
-  }
-  work_ += rate * update->dt;
-  joint_->joints_for_gas().book_gas_work(rate * update->dt);
+  const double work = joints_->gas_power() * update->dt;
+  work_ += work;
+  joints_->book_gas_work(work);
 }
 
 /// Sums the conductance of the ways out of each chamber over ranks, in the pose that measure() saw.
@@ -274,8 +257,7 @@ void FixMuckpileGas::count_chamber_ways() {
   if (std::none_of(fed_.begin(), fed_.end(), [](char hole) { return hole != 0; })) return;
   ways_.assign(chambers_.size(), 0.0);
   std::ranges::copy(gas_.chamber_ways(), ways_.begin());
-  MPI_Allreduce(MPI_IN_PLACE, ways_.data(), static_cast<int>(ways_.size()), MPI_DOUBLE, MPI_SUM,
-                world);
+  engine::sum_over_ranks_in_place(ways_, world);
   for (std::size_t hole = 0; hole < ways_.size(); ++hole) chambers_[hole].ways = ways_[hole];
 }
 
@@ -285,7 +267,7 @@ void FixMuckpileGas::refresh() {
   read_chambers();
   for (std::size_t hole = 0; hole < chambers_.size(); ++hole)
     chambers_[hole].ways = before[hole].ways;
-  engine::BlockHalo& halo = joint_->blocks().halo();
+  engine::BlockHalo& halo = joints_->halo();
   contents_.resize(halo.size() * kContentWidth);
   const std::span<GasCell> cells = gas_.cells();
   for (std::size_t b = 0; b < halo.owned(); ++b) {
@@ -303,8 +285,7 @@ void FixMuckpileGas::flow(double dt) {
   std::vector<double> sums = flows.from_hole;
   sums.push_back(flows.vented + lost_);
   lost_ = 0.0;
-  MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM,
-                world);
+  engine::sum_over_ranks_in_place(sums, world);
   vented_ += sums.back();
   sums.pop_back();
   taken_ += std::accumulate(sums.begin(), sums.end(), 0.0);
@@ -319,51 +300,43 @@ void FixMuckpileGas::look_whether_spent() {
 }
 
 void FixMuckpileGas::write_restart(FILE* file) {
-  engine::ByteWriter common, mine;
-  common.put(active_);
-  common.put(spent_);
-  common.put_all(fed_);
-  common.put(taken_);
-  common.put(vented_);
-  common.put(over_ranks(lost_));
-  common.put(over_ranks(work_));
-  common.put(softened_);
-  common.put(greatest_pressure());
-  for (std::size_t b = 0; b < tags_.size(); ++b) {
-    mine.put(tags_[b]);
-    mine.put(gas_.cells()[b].content);
-  }
+  const JointGasState state{active_,
+                            spent_,
+                            fed_,
+                            taken_,
+                            vented_,
+                            over_ranks(lost_),
+                            over_ranks(work_),
+                            softened_,
+                            greatest_pressure()};
+  ByteWriter mine;
+  for (std::size_t b = 0; b < tags_.size(); ++b)
+    mine.put(BlockGas{tags_[b], gas_.cells()[b].content});
   // Between read_restart and the first run every rank has the gas of all blocks.
   for (const auto& [tag, content] : restored_) {
-    if (comm->me != 0) break;
-    mine.put(tag);
-    mine.put(content);
+    if (comm->me == 0) mine.put(BlockGas{tag, content});
   }
-  engine::write_state(*lmp, style, file, common, mine);
+  engine::write_state<BlockGas>(*lmp, style, file, state, std::move(mine));
 }
 
 /// The contents of all blocks, until follow_blocks() picks those of this rank.
-void FixMuckpileGas::restart(char* state) {
-  engine::ByteReader reader = engine::read_state(state);
-  active_ = reader.get<bool>();
-  spent_ = reader.get<bool>();
-  fed_ = reader.get_all<char>();
-  taken_ = reader.get<double>();
-  vented_ = reader.get<double>();
-  lost_ = engine::share_of_total(*lmp, reader.get<double>());
-  work_ = engine::share_of_total(*lmp, reader.get<double>());
-  softened_ = reader.get<double>();
-  restored_pressure_ = reader.get<double>();
-  while (!reader.empty()) {
-    const int tag = reader.get<int>();
-    restored_[tag] = reader.get<GasContent>();
-  }
+void FixMuckpileGas::restart(char* bytes) {
+  JointGasState state;
+  engine::read_state<BlockGas>(*lmp, style, bytes, state,
+                               [this](const BlockGas& gas) { restored_[gas.tag] = gas.content; });
+  active_ = state.active;
+  spent_ = state.spent;
+  fed_ = std::move(state.fed);
+  taken_ = state.taken;
+  vented_ = state.vented;
+  lost_ = engine::share_of_total(*lmp, state.lost);
+  work_ = engine::share_of_total(*lmp, state.work);
+  softened_ = state.softened;
+  restored_pressure_ = state.greatest_pressure;
 }
 
 double FixMuckpileGas::over_ranks(double mine, bool greatest) const {
-  double all = 0.0;
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, greatest ? MPI_MAX : MPI_SUM, world);
-  return all;
+  return greatest ? engine::greatest_over_ranks(mine, world) : engine::sum_over_ranks(mine, world);
 }
 
 double FixMuckpileGas::compute_vector(int n) {

@@ -12,13 +12,44 @@
 #include <unordered_map>
 #include <vector>
 
+#include "fixes/interfaces/gas_chambers.h"
 #include "fixes/interfaces/joint_pressure.h"
+#include "fixes/interfaces/joints_with_gas.h"
 #include "gas/joint_gas.h"
+#include "state/encoding.h"
 
 namespace muckpile {
 
-class FixMuckpileBlast;
-class FixMuckpileJoint;
+/// The gas of a block, on its way to another rank or into a restart file.
+struct BlockGas {
+  int tag = 0;
+  GasContent content;
+};
+template <>
+struct Stored<BlockGas> {
+  static constexpr std::string_view kName = "block_gas";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& gas) { return std::tie(gas.tag, gas.content); }
+};
+
+/// What a restart file holds of the fix that is the same on all ranks.
+struct JointGasState {
+  bool active = false, spent = false;
+  std::vector<char> fed;                         ///< per hole
+  double taken = 0.0, vented = 0.0, lost = 0.0;  ///< [kg]
+  double work = 0.0;                             ///< [J]
+  double softened = 1.0;                         ///< [-]
+  double greatest_pressure = 0.0;                ///< [Pa]
+};
+template <>
+struct Stored<JointGasState> {
+  static constexpr std::string_view kName = "joint_gas_state";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& state) {
+    return std::tie(state.active, state.spent, state.fed, state.taken, state.vented, state.lost,
+                    state.work, state.softened, state.greatest_pressure);
+  }
+};
 
 class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure {
  public:
@@ -34,12 +65,10 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure {
   void write_restart(FILE* file) override;
   void restart(char* state) override;
 
-  void fill_joints(FacetNetwork& network, engine::BlockHalo& halo) override;
+  [[nodiscard]] std::span<const double> pressure_in_joints() override;
   [[nodiscard]] bool acts() const override { return active_; }
 
  private:
-  [[nodiscard]] FixMuckpileBlast* find_blast() const;
-  [[nodiscard]] FixMuckpileJoint* find_joint() const;
   void follow_blocks();
   [[nodiscard]] std::unordered_map<int, GasContent> contents_here(const std::vector<int>& tags);
   void read_chambers();
@@ -55,10 +84,10 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure {
 
   std::string where_;
   JointGas gas_;
-  double ambient_;                     // [Pa]
-  int substeps_;                       // of the flow in a step
-  FixMuckpileBlast* blast_ = nullptr;  // looked up in every init()
-  FixMuckpileJoint* joint_ = nullptr;
+  double ambient_;                // [Pa]
+  int substeps_;                  // of the flow in a step
+  GasChambers* blast_ = nullptr;  // looked up in every init()
+  JointsWithGas* joints_ = nullptr;
   std::uint64_t version_ = 0;
   std::vector<int> tags_;  // of the owned blocks, in the order of their cells
   std::unordered_map<int, GasContent> restored_;  // by tag, until the first follow_blocks()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the contact style needs to know of the joints: which block pairs are still held by a facet.
+// What the contact style needs to know of the joints: which block pairs a facet still joins.
 // Scope: an interface only; fix muckpile/joint implements it, pair muckpile/block reads it.
 #pragma once
 
@@ -20,11 +20,11 @@ class JointView {
   [[nodiscard]] virtual const FacetState* facet_states() const = 0;
   /// Adds the two tags of every facet that is whole or cracked and joins one of `blocks` (in rising
   /// order) to another block, of those that this rank knows.
-  virtual void held_pairs(const std::vector<int>& blocks, std::vector<double>& tags) const = 0;
+  virtual void joined_pairs(const std::vector<int>& blocks, std::vector<double>& tags) const = 0;
   /// True for a block whose facets are all intact and none of which lies on a free face or a
   /// crushed zone: nothing outside can touch it.
   [[nodiscard]] virtual bool enclosed(int block_tag) const = 0;
-  /// Marks with 1 every body of this rank that a facet holds, to another one or to the ground, or
+  /// Marks with 1 every body of this rank that a facet joins to another one or to the ground, or
   /// may hold again: one that is not retired.
   virtual void mark_joined_bodies(std::span<char> joined) const = 0;
 };

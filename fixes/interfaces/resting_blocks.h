@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Which blocks rest: held where they are, until something near them moves.
 // Scope: an interface only; fix muckpile/sleep implements it, the integrator and the contact style
-// read it.
+// read it, fix muckpile/ledger books what they lost, block_motion wakes them.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +20,10 @@ class RestingBlocks {
   [[nodiscard]] virtual std::span<const char> resting_spheres() const = 0;
   /// Grows whenever one of these may have changed.
   [[nodiscard]] virtual std::uint64_t rests_version() const = 0;
+  /// All blocks move freely until they have rested anew.
+  virtual void wake_blocks() = 0;
+  /// Kinetic energy of the blocks as they came to rest so far, of this rank [J].
+  [[nodiscard]] virtual double energy_taken() const = 0;
 };
 
 }  // namespace muckpile

@@ -13,10 +13,13 @@
 #include <string>
 
 #include "fixes/engine/bodies.h"
+#include "fixes/engine/find_view.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/pair_style_check.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/stop_with_state.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/engine/style_name.h"
 #include "fixes/joints/fix_muckpile_joint_arguments.h"
 
 namespace muckpile {
@@ -25,37 +28,33 @@ namespace {
 constexpr std::size_t kPoseWidth = 18;         // centre, velocity, spin, rotation
 constexpr LAMMPS_NS::bigint kCheckEvery = 50;  // steps between looks for newly cracked facets
 
-std::string name_of(int narg, char** arg) {
-  return std::string("fix muckpile/joint '") + (narg > 0 ? arg[0] : "") + "'";
-}
-
 }  // namespace
 
 FixMuckpileJoint::FixMuckpileJoint(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
-    : FixMuckpileJoint(engine, narg, arg, joint_arguments(*engine, name_of(narg, arg), narg, arg)) {
-}
+    : FixMuckpileJoint(engine, narg, arg,
+                       joint_arguments(*engine, engine::name_of_fix(arg), narg, arg)) {}
 
 FixMuckpileJoint::FixMuckpileJoint(LAMMPS_NS::LAMMPS* engine, int narg, char** arg,
                                    JointArguments arguments)
     : Fix(engine, narg, arg),
       network_(std::move(arguments.network)),
-      step_check_(arguments.step_check, name_of(narg, arg)),
+      step_check_(arguments.step_check, engine::name_of_fix(arg)),
       contact_check_(arguments.contact_check) {
-  engine::refuse_second_fix(*lmp, name_of(narg, arg), "muckpile/joint");
-  engine::require_id_of_restart(*lmp, name_of(narg, arg), *this);
+  engine::refuse_second_fix(*lmp, engine::name_of_fix(arg), "muckpile/joint");
+  engine::require_id_of_restart(*lmp, engine::name_of_fix(arg), *this);
   if (engine::find_multisphere(*lmp) == nullptr) {
-    engine::stop(*lmp, name_of(narg, arg) + ": needs 'fix ID all multisphere' before it");
+    engine::stop(*lmp, engine::name_of_fix(arg) + ": needs 'fix ID all multisphere' before it");
   }
   if (modify->have_restart_data_style("muckpile/blocks") &&
-      FixMuckpileBlocks::find(*lmp) == nullptr) {
+      engine::find_view<FacetStore>(*lmp) == nullptr) {
     engine::stop(*lmp,
-                 name_of(narg, arg) +
+                 engine::name_of_fix(arg) +
                      ": after read_restart it needs 'fix ID all multisphere/muckpile', with the "
                      "ID that it had when the file was written, before it");
   }
   if (std::strcmp(update->unit_style, "si") != 0) {
-    engine::stop(*lmp,
-                 name_of(narg, arg) + ": needs 'units si', got 'units " + update->unit_style + "'");
+    engine::stop(*lmp, engine::name_of_fix(arg) + ": needs 'units si', got 'units " +
+                           update->unit_style + "'");
   }
   vector_flag = 1;
   size_vector = static_cast<int>(Output::count);
@@ -77,36 +76,30 @@ int FixMuckpileJoint::setmask() {
 }
 
 void FixMuckpileJoint::init() {
-  FixMuckpileBlocks* found = FixMuckpileBlocks::find(*lmp);
+  auto* found = engine::find_view<FacetStore>(*lmp);
   if (found == nullptr) {
-    engine::stop(*lmp, std::string("fix muckpile/joint '") + id +
-                           "': needs create_blocks before the first run");
+    engine::stop(*lmp, engine::name_of(*this) + ": needs create_blocks before the first run");
   }
-  if (modify->find_fix(found->id) > modify->find_fix(id)) {
-    engine::stop(
-        *lmp, std::string("fix muckpile/joint '") + id + "': must be defined after create_blocks");
+  if (engine::place_of<FacetStore>(*lmp) > modify->find_fix(id)) {
+    engine::stop(*lmp, engine::name_of(*this) + ": must be defined after create_blocks");
   }
   if (store_ == nullptr) {
     store_ = found;
     store_->set_keeper(this);
   }
-  gas_ = nullptr;
-  for (int i = 0; i < modify->nfix; ++i) {
-    if (auto* gas = dynamic_cast<JointPressure*>(modify->fix[i])) gas_ = gas;
-  }
+  gas_ = engine::find_view<JointPressure>(*lmp);
   check_classes();
   follow_blocks();
   end_what_does_not_go_on();
 }
 
 void FixMuckpileJoint::check_classes() const {
-  int mine = store_->highest_joint_class(), most = 0;
-  MPI_Allreduce(&mine, &most, 1, MPI_INT, MPI_MAX, world);
+  const int most = engine::greatest_over_ranks(store_->highest_joint_class(), world);
   const auto given = static_cast<int>(network_.natural_classes());
   if (most <= given) return;
-  engine::stop(*lmp, std::string("fix muckpile/joint '") + id +
-                         "': create_blocks has a joint_plane of class " + std::to_string(most) +
-                         ", but joint_class is given " + std::to_string(given) + " time(s)");
+  engine::stop(*lmp, engine::name_of(*this) + ": create_blocks has a joint_plane of class " +
+                         std::to_string(most) + ", but joint_class is given " +
+                         std::to_string(given) + " time(s)");
 }
 
 FacetLists FixMuckpileJoint::copy() const {
@@ -136,10 +129,7 @@ void FixMuckpileJoint::follow_blocks() {
   FacetLists lists = store_->hand_over();
   network_.set_facets(std::move(lists.facets), std::move(lists.memory));
   network_.set_faces(std::move(lists.faces));
-  const int mine = network_.slanted() ? 1 : 0;
-  int any = 0;
-  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
-  if (any != 0) network_.follow_leaning_faces();
+  if (engine::on_any_rank(network_.slanted(), world)) network_.follow_leaning_faces();
 
   index_facets();
   loaded_.clear();
@@ -208,8 +198,7 @@ void FixMuckpileJoint::post_force(int) {
 void FixMuckpileJoint::end_of_step() {
   if (contact_missed_) {
     engine::stop_with_state(
-        *lmp, std::string("fix muckpile/joint '") + id + "': a joint has let go" +
-                  engine::at_present(*lmp) +
+        *lmp, engine::name_of(*this) + ": a joint has let go" + engine::at_present(*lmp) +
                   ", and there is no pair_style: its blocks would pass through others; give "
                   "'pair_style muckpile/block' and 'pair_coeff * *'");
   }
@@ -218,9 +207,14 @@ void FixMuckpileJoint::end_of_step() {
 
 void FixMuckpileJoint::add_forces(double dt) {
   gather_state();
-  if (gas_ != nullptr) gas_->fill_joints(network_, store_->halo());
+  if (gas_ != nullptr) press_gas();
   network_.step(dt, team());
   apply_forces();
+}
+
+void FixMuckpileJoint::press_gas() {
+  const std::span<const double> pressure = gas_->pressure_in_joints();
+  if (!pressure.empty()) network_.set_gas_pressure(pressure);
 }
 
 RankTeam FixMuckpileJoint::team() const {
@@ -231,7 +225,7 @@ RankTeam FixMuckpileJoint::team() const {
 }
 
 void FixMuckpileJoint::gather_state() {
-  const engine::Bodies bodies(store_->multisphere());
+  const engine::Bodies bodies(store_->bodies());
   engine::BlockHalo& halo = store_->halo();
   const std::span<BlockState> state = network_.state();
   for (int b = 0; b < bodies.count(); ++b) {
@@ -260,7 +254,7 @@ void FixMuckpileJoint::gather_state() {
 }
 
 void FixMuckpileJoint::apply_forces() {
-  engine::Bodies bodies(store_->multisphere());
+  engine::Bodies bodies(store_->bodies());
   for (int b = 0; b < bodies.count(); ++b) {
     bodies.force(b) += network_.force()[static_cast<std::size_t>(b)];
     bodies.torque(b) += network_.torque()[static_cast<std::size_t>(b)];
@@ -275,8 +269,8 @@ void FixMuckpileJoint::ask_for_neighbours() {
                          (comm->nprocs > 1 && network_.books().newly_let_go);
   if (update->ntimestep % kCheckEvery != 0) return;
   const bool unguarded = contact_check_ && !engine::has_contact_law(*lmp);
-  int mine = unguarded && joint_let_go() ? 2 : cracked_since_build_ ? 1 : 0, any = 0;
-  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
+  const int mine = unguarded && joint_let_go() ? 2 : cracked_since_build_ ? 1 : 0;
+  const int any = engine::greatest_over_ranks(mine, world);
   next_reneighbor = any != 0 ? update->ntimestep + 1 : -1;
   contact_missed_ = any == 2;
 }

@@ -11,11 +11,16 @@
 #include <vector>
 
 #include "bond/network/facet_network.h"
-#include "fixes/blocks/fix_muckpile_blocks.h"
+#include "fixes/interfaces/acting_joints.h"
 #include "fixes/interfaces/blast_surface.h"
 #include "fixes/interfaces/block_neighbours.h"
+#include "fixes/interfaces/facet_store.h"
+#include "fixes/interfaces/joint_damage.h"
+#include "fixes/interfaces/joint_energies.h"
+#include "fixes/interfaces/joint_fragments.h"
 #include "fixes/interfaces/joint_pressure.h"
 #include "fixes/interfaces/joint_view.h"
+#include "fixes/interfaces/joints_with_gas.h"
 #include "fixes/interfaces/rock_view.h"
 #include "fixes/interfaces/step_limit.h"
 #include "fixes/interfaces/yielding_supports.h"
@@ -32,6 +37,11 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
                          public YieldingSupports,
                          public JoinedBlocks,
                          public StepLimit,
+                         public JointsWithGas,
+                         public JointEnergies,
+                         public JointFragments,
+                         public JointDamage,
+                         public ActingJoints,
                          public RockView {
  public:
   FixMuckpileJoint(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
@@ -56,7 +66,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
 
   [[nodiscard]] int facet_between(int block_tag_a, int block_tag_b) const override;
   [[nodiscard]] const FacetState* facet_states() const override { return network_.states().data(); }
-  void held_pairs(const std::vector<int>& blocks, std::vector<double>& tags) const override;
+  void joined_pairs(const std::vector<int>& blocks, std::vector<double>& tags) const override;
   [[nodiscard]] bool enclosed(int block_tag) const override;
   void mark_joined_bodies(std::span<char> joined) const override { network_.mark_jointed(joined); }
 
@@ -90,14 +100,24 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   [[nodiscard]] double energy_given() const override { return network_.losses().quiet; }
   [[nodiscard]] double energy_radiated() const override { return network_.losses().radiated; }
 
-  /// Joints with at least one broken point, of all ranks. Collective.
-  [[nodiscard]] double joints_broken() const { return sum(network_.broken_count()); }
-  /// The network, for gas in its joints.
-  [[nodiscard]] FacetNetwork& joints_for_gas() { return network_; }
+  [[nodiscard]] double joints_broken() const override;
+  [[nodiscard]] std::vector<int> fragment_ids() const override;
+  [[nodiscard]] std::vector<double> broken_share() const override;
+  void add_cost_of_joints(std::span<double> costs, double cost) const override;
 
-  /// For fragments: the network as it stands, and the store behind it.
-  [[nodiscard]] const FacetNetwork& network() const { return network_; }
-  [[nodiscard]] FixMuckpileBlocks& blocks() const { return *store_; }
+  [[nodiscard]] JointEnergySums energies() const override;
+  [[nodiscard]] std::span<const Vec3> joint_forces() const override { return network_.force(); }
+  [[nodiscard]] std::span<const Vec3> joint_torques() const override { return network_.torque(); }
+
+  [[nodiscard]] const FacetNetwork& network() const override { return network_; }
+  [[nodiscard]] std::uint64_t lists_version() const override { return version_; }
+  [[nodiscard]] std::vector<int> block_tags() const override;
+  [[nodiscard]] engine::BlockHalo& halo() override { return store_->halo(); }
+  void keep_gas_in_joints() override { network_.keep_gas_in_joints(); }
+  void release_gas() override { network_.release_gas(); }
+  void release_gas(std::span<const std::uint32_t> joints) override;
+  [[nodiscard]] double gas_power() const override;
+  void book_gas_work(double work) override { network_.book_gas_work(work); }
 
  private:
   FixMuckpileJoint(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg, JointArguments arguments);
@@ -122,6 +142,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   void follow_blocks();
   void add_forces(double dt);
   void gather_state();
+  void press_gas();
   void apply_forces();
   void index_facets();
   void refresh_enclosed();
@@ -135,7 +156,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   FacetNetwork network_;
   JointStepCheck step_check_;
   bool contact_check_;
-  FixMuckpileBlocks* store_ = nullptr;
+  FacetStore* store_ = nullptr;
   JointPressure* gas_ = nullptr;  // looked up in every init(), nullptr if there is none
   std::uint64_t version_ = 0;
   // For facet_between: lower tags in order, the first facet of each, the upper tag of every facet.

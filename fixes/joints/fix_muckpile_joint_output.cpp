@@ -9,16 +9,14 @@
 #include <optional>
 
 #include "args/numbers.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/engine/style_name.h"
 #include "fixes/joints/fix_muckpile_joint.h"
 
 namespace muckpile {
 
-double FixMuckpileJoint::sum(double mine) const {
-  double all = 0.0;
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  return all;
-}
+double FixMuckpileJoint::sum(double mine) const { return engine::sum_over_ranks(mine, world); }
 
 double FixMuckpileJoint::compute_vector(int n) {
   using enum Output;
@@ -51,7 +49,7 @@ double FixMuckpileJoint::compute_vector(int n) {
 
 int FixMuckpileJoint::modify_param(int narg, char** arg) {
   if (std::strcmp(arg[0], "soften") != 0) return 0;
-  const std::string where = std::string("fix_modify ") + id;
+  const std::string where = engine::name_of_modify(*this);
   if (narg < 2) engine::stop(*lmp, where + ": soften needs a factor in (0, 1]");
   const bool damps = narg > 2 && std::strcmp(arg[2], "damping") == 0;
   if (damps && narg < 4) engine::stop(*lmp, where + ": soften ... damping needs a share >= 0");

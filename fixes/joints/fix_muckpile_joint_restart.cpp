@@ -6,6 +6,7 @@
 
 #include <array>
 
+#include "bond/network/stored_network.h"
 #include "fixes/engine/restart_file.h"
 #include "fixes/joints/fix_muckpile_joint.h"
 
@@ -24,14 +25,12 @@ std::array<double*, 7> sums_of(NetworkTotals& totals) {
 void FixMuckpileJoint::write_restart(FILE* file) {
   NetworkTotals totals = network_.totals();
   for (double* mine : sums_of(totals)) *mine = sum(*mine);
-  engine::ByteWriter bytes;
-  bytes.put(totals);
-  engine::write_state(*lmp, style, file, bytes);
+  engine::write_state(*lmp, style, file, totals);
   network_.derive_anew();  // as the run that reads the file will
 }
 
 void FixMuckpileJoint::restart(char* state) {
-  auto totals = engine::read_state(state).get<NetworkTotals>();
+  auto totals = engine::read_state<NetworkTotals>(*lmp, style, state);
   for (double* all : sums_of(totals)) *all = engine::share_of_total(*lmp, *all);
   network_.resume(totals);
 }

@@ -6,7 +6,9 @@
 #include <algorithm>
 
 #include "fixes/engine/bodies.h"
+#include "fixes/engine/find_view.h"
 #include "fixes/joints/fix_muckpile_joint.h"
+#include "fixes/joints/fragments.h"
 
 namespace muckpile {
 
@@ -21,7 +23,8 @@ int FixMuckpileJoint::facet_between(int block_tag_a, int block_tag_b) const {
   return -1;
 }
 
-void FixMuckpileJoint::held_pairs(const std::vector<int>& blocks, std::vector<double>& tags) const {
+void FixMuckpileJoint::joined_pairs(const std::vector<int>& blocks,
+                                    std::vector<double>& tags) const {
   const auto asked = [&](int tag) { return std::binary_search(blocks.begin(), blocks.end(), tag); };
   for (std::size_t k = 0; k < lower_tags_.size(); ++k)
     for (std::size_t f = first_of_[k]; f < first_of_[k + 1]; ++f) {
@@ -36,12 +39,12 @@ bool FixMuckpileJoint::enclosed(int block_tag) const {
 }
 
 int FixMuckpileJoint::hole_count() const {
-  const FixMuckpileBlocks* store = FixMuckpileBlocks::find(*lmp);
+  const auto* store = engine::find_view<FacetStore>(*lmp);
   return store == nullptr ? 0 : static_cast<int>(store->holes().size());
 }
 
 const Hole& FixMuckpileJoint::hole(int index) const {
-  return FixMuckpileBlocks::find(*lmp)->holes()[static_cast<std::size_t>(index)];
+  return engine::find_view<FacetStore>(*lmp)->holes()[static_cast<std::size_t>(index)];
 }
 
 void FixMuckpileJoint::set_pressure(std::span<const double> pressure,
@@ -87,7 +90,7 @@ YieldingSupports::Chosen FixMuckpileJoint::let_ground_yield(
 }
 
 StepBound FixMuckpileJoint::stable_step(Breaking breaking, double guess) const {
-  const engine::Bodies bodies(store_->multisphere());
+  const engine::Bodies bodies(store_->bodies());
   std::vector<Mat3> inertia;
   for (int b = 0; b < bodies.count(); ++b) inertia.push_back(bodies.inertia_in_space(b));
   return muckpile::stable_step(network_, inertia, breaking, team(), guess);
@@ -112,6 +115,59 @@ void FixMuckpileJoint::let_rest(std::span<const char> rests) {
   gather_flags(rests);
   of_blocks_.back() = 1;  // the ground
   network_.let_rest(of_blocks_);
+}
+
+double FixMuckpileJoint::joints_broken() const { return sum(network_.broken_count()); }
+
+std::vector<int> FixMuckpileJoint::fragment_ids() const {
+  return muckpile::fragment_ids(network_, store_->halo(), world);
+}
+
+std::vector<double> FixMuckpileJoint::broken_share() const {
+  return muckpile::broken_share(network_, store_->halo().owned());
+}
+
+void FixMuckpileJoint::add_cost_of_joints(std::span<double> costs, double cost) const {
+  for (std::size_t f = 0; f < network_.facet_count(); ++f) {
+    if (network_.states()[f] == FacetState::retired || network_.traces()[f].open) continue;
+    const FacetEnds ends = network_.ends(f);
+    for (const int block : {ends.i, ends.j})
+      if (block < static_cast<int>(costs.size())) costs[static_cast<std::size_t>(block)] += cost;
+  }
+}
+
+JointEnergySums FixMuckpileJoint::energies() const {
+  const JointLosses& losses = network_.losses();
+  return {.elastic = network_.elastic_energy(),
+          .fracture = losses.fracture,
+          .friction = losses.friction,
+          .damping = losses.damping,
+          .quiet = losses.quiet,
+          .pressure_work = network_.pressure_work()};
+}
+
+std::vector<int> FixMuckpileJoint::block_tags() const {
+  std::vector<int> tags;
+  for (const BlockRecord& record : store_->records()) tags.push_back(record.tag);
+  return tags;
+}
+
+void FixMuckpileJoint::release_gas(std::span<const std::uint32_t> joints) {
+  for (const std::uint32_t joint : joints) network_.release_gas(joint);
+}
+
+/// With full-step velocities force x velocity x dt is exactly the work that the integrator lets the
+/// force do.
+double FixMuckpileJoint::gas_power() const {
+  const engine::Bodies bodies(store_->bodies());
+  double rate = 0.0;
+  if (network_.gas_force().empty()) return rate;
+  for (int b = 0; b < bodies.count(); ++b) {
+    const auto k = static_cast<std::size_t>(b);
+    rate += network_.gas_force()[k].dot(bodies.velocity(b)) +
+            network_.gas_torque()[k].dot(bodies.spin(b));
+  }
+  return rate;
 }
 
 }  // namespace muckpile

@@ -12,10 +12,13 @@
 #include <cstdio>
 
 #include "args/numbers.h"
+#include "fixes/engine/find_view.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/region.h"
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/engine/style_name.h"
 #include "fixes/interfaces/keyword_tables.h"
 
 namespace muckpile {
@@ -46,8 +49,7 @@ const ArgTable& table() {
 const ArgTable& quiet_keywords() { return table(); }
 
 FixMuckpileQuiet::FixMuckpileQuiet(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
-    : Fix(engine, narg, arg),
-      where_(std::string("fix muckpile/quiet '") + (narg > 0 ? arg[0] : "") + "'") {
+    : Fix(engine, narg, arg), where_(engine::name_of(*this)) {
   engine::refuse_second_fix(*lmp, where_, "muckpile/quiet");
   engine::require_id_of_restart(*lmp, where_, *this);
   const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
@@ -66,37 +68,29 @@ FixMuckpileQuiet::FixMuckpileQuiet(LAMMPS_NS::LAMMPS* engine, int narg, char** a
 
 int FixMuckpileQuiet::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
 
-YieldingSupports* FixMuckpileQuiet::find_supports() const {
-  for (int i = 0; i < modify->nfix; ++i) {
-    if (auto* supports = dynamic_cast<YieldingSupports*>(modify->fix[i])) return supports;
-  }
-  return nullptr;
-}
-
 /// An unfix makes them fixed supports again; at the end of the program there is nothing to do.
 void FixMuckpileQuiet::pre_delete(bool unfixflag) {
-  YieldingSupports* supports = unfixflag ? find_supports() : nullptr;
+  YieldingSupports* supports = unfixflag ? engine::find_view<YieldingSupports>(*lmp) : nullptr;
   if (supports != nullptr) supports->stop_ground();
 }
 
 void FixMuckpileQuiet::init() {
-  supports_ = find_supports();
+  supports_ = engine::find_view<YieldingSupports>(*lmp);
   if (supports_ == nullptr) engine::stop(*lmp, where_ + ": needs a fix muckpile/joint before it");
-  for (int i = modify->find_fix(id) + 1; i < modify->nfix; ++i) {
-    if (dynamic_cast<YieldingSupports*>(modify->fix[i]) != nullptr)
-      engine::stop(*lmp, where_ + ": must be defined after fix muckpile/joint");
-  }
+  if (engine::place_of<YieldingSupports>(*lmp) > modify->find_fix(id))
+    engine::stop(*lmp, where_ + ": must be defined after fix muckpile/joint");
   for (const std::string& region : regions_) engine::require_region(*lmp, where_, region);
 }
 
 /// Forces are up to date here, so what the supports carry now is known and can be carried on.
 void FixMuckpileQuiet::setup(int) {
   last_time_ = update->get_cur_time();
-  if (begun_) return;
-  begun_ = true;
+  if (state_.begun) return;
+  state_.begun = true;
   const auto mine =
       supports_->let_ground_yield([this](const Vec3& at) { return chosen(at); }, rock_behind_);
-  const double count = sum(mine.count), area = sum(mine.area);
+  const double count = engine::sum_over_ranks(mine.count, world);
+  const double area = engine::sum_over_ranks(mine.area, world);
   if (count == 0.0) {
     engine::stop(*lmp, where_ +
                            ": its regions must hold supports (create_blocks ... support "
@@ -115,72 +109,55 @@ bool FixMuckpileQuiet::chosen(const Vec3& centroid) const {
 }
 
 void FixMuckpileQuiet::end_of_step() {
-  if (!over_) look();
+  if (!state_.over) look();
 }
 
 void FixMuckpileQuiet::look() {
-  const double time = update->get_cur_time(), radiated = sum(supports_->energy_radiated());
-  power_ = time > last_time_ ? (radiated - last_radiated_) / (time - last_time_) : 0.0;
-  greatest_power_ = std::max(greatest_power_, power_);
+  const double time = update->get_cur_time(),
+               radiated = engine::sum_over_ranks(supports_->energy_radiated(), world);
+  state_.power = time > last_time_ ? (radiated - state_.last_radiated) / (time - last_time_) : 0.0;
+  state_.greatest_power = std::max(state_.greatest_power, state_.power);
   last_time_ = time;
-  last_radiated_ = radiated;
+  state_.last_radiated = radiated;
   if (time >= until_) return stop("until is reached");
-  if (greatest_power_ > 0.0 && power_ < power_share_ * greatest_power_)
+  if (state_.greatest_power > 0.0 && state_.power < power_share_ * state_.greatest_power)
     return stop("the wave has passed");
-  if (sum(supports_->supports_yielding()) == 0.0) stop("no support yields any more");
+  if (engine::sum_over_ranks(supports_->supports_yielding(), world) == 0.0)
+    stop("no support yields any more");
 }
 
 void FixMuckpileQuiet::stop(const std::string& why) {
-  over_ = true;
-  power_ = 0.0;
+  state_.over = true;
+  state_.power = 0.0;
   supports_->stop_ground();
   engine::print_once(*lmp, where_ + ": the ground stands still from " +
                                number_text(update->get_cur_time()) + " s on: " + why + "\n");
 }
 
-/// The motion of the ground is in the state of the joints.
-void FixMuckpileQuiet::write_restart(FILE* file) {
-  engine::ByteWriter state;
-  state.put(begun_);
-  state.put(over_);
-  state.put(power_);
-  state.put(greatest_power_);
-  state.put(last_radiated_);
-  engine::write_state(*lmp, style, file, state);
-}
+void FixMuckpileQuiet::write_restart(FILE* file) { engine::write_state(*lmp, style, file, state_); }
 
 void FixMuckpileQuiet::restart(char* state) {
-  engine::ByteReader reader = engine::read_state(state);
-  begun_ = reader.get<bool>();
-  over_ = reader.get<bool>();
-  power_ = reader.get<double>();
-  greatest_power_ = reader.get<double>();
-  last_radiated_ = reader.get<double>();
-}
-
-double FixMuckpileQuiet::sum(double mine) const {
-  double all = 0.0;
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
-  return all;
+  state_ = engine::read_state<QuietState>(*lmp, style, state);
 }
 
 double FixMuckpileQuiet::compute_scalar() {
-  const YieldingSupports* supports = find_supports();
-  return supports == nullptr ? 0.0 : sum(supports->energy_given());
+  const YieldingSupports* supports = engine::find_view<YieldingSupports>(*lmp);
+  return supports == nullptr ? 0.0 : engine::sum_over_ranks(supports->energy_given(), world);
 }
 
 double FixMuckpileQuiet::compute_vector(int n) {
-  const YieldingSupports* supports = find_supports();  // between runs it may have been unfixed
+  const YieldingSupports* supports =
+      engine::find_view<YieldingSupports>(*lmp);  // between runs it may have been unfixed
   if (supports == nullptr) return 0.0;
   switch (n) {
     case kYielding:
-      return sum(supports->supports_yielding());
+      return engine::sum_over_ranks(supports->supports_yielding(), world);
     case kRadiated:
-      return sum(supports->energy_radiated());
+      return engine::sum_over_ranks(supports->energy_radiated(), world);
     case kPower:
-      return power_;
+      return state_.power;
     case kOver:
-      return over_ ? 1.0 : 0.0;
+      return state_.over ? 1.0 : 0.0;
     default:
       return 0.0;
   }

@@ -11,8 +11,25 @@
 
 #include "fixes/interfaces/yielding_supports.h"
 #include "math/types.h"
+#include "state/encoding.h"
 
 namespace muckpile {
+
+/// What a restart file holds of the fix; the motion of the ground is in the state of the joints.
+struct QuietState {
+  bool begun = false, over = false;
+  double power = 0.0, greatest_power = 0.0;  ///< radiated, mean between looks [W]
+  double last_radiated = 0.0;                ///< at the last look [J]
+};
+template <>
+struct Stored<QuietState> {
+  static constexpr std::string_view kName = "quiet_state";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& state) {
+    return std::tie(state.begun, state.over, state.power, state.greatest_power,
+                    state.last_radiated);
+  }
+};
 
 class FixMuckpileQuiet : public LAMMPS_NS::Fix {
  public:
@@ -29,19 +46,16 @@ class FixMuckpileQuiet : public LAMMPS_NS::Fix {
   void restart(char* state) override;
 
  private:
-  [[nodiscard]] YieldingSupports* find_supports() const;  // nullptr if there are none
   [[nodiscard]] bool chosen(const Vec3& centroid) const;
   void look();
   void stop(const std::string& why);
-  [[nodiscard]] double sum(double mine) const;
 
   std::string where_;
   std::vector<std::string> regions_;
   double rock_behind_, until_, power_share_;
   YieldingSupports* supports_ = nullptr;  // looked up in every init()
-  bool begun_ = false, over_ = false;
-  double last_time_ = 0.0, last_radiated_ = 0.0;  // at the last look [s], [J]
-  double power_ = 0.0, greatest_power_ = 0.0;     // radiated, mean between looks [W]
+  QuietState state_;
+  double last_time_ = 0.0;  // of the last look [s]
 };
 
 }  // namespace muckpile

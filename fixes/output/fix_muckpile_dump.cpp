@@ -20,12 +20,14 @@
 #include <vector>
 
 #include "fixes/engine/bodies.h"
-#include "fixes/engine/fragments.h"
+#include "fixes/engine/find_view.h"
 #include "fixes/engine/output_file.h"
 #include "fixes/engine/periodic_output.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/engine/style_name.h"
+#include "fixes/interfaces/joint_fragments.h"
 #include "fixes/interfaces/keyword_tables.h"
-#include "fixes/joints/fix_muckpile_joint.h"
+#include "fixes/interfaces/known_blocks.h"
 #include "provenance/run_files.h"
 
 namespace muckpile {
@@ -66,7 +68,7 @@ std::string run_of(const std::filesystem::path& snapshot) {
 const ArgTable& dump_keywords() { return table(); }
 
 FixMuckpileDump::FixMuckpileDump(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
-    : Fix(engine, narg, arg), where_(std::string("fix muckpile/dump '") + id + "'") {
+    : Fix(engine, narg, arg), where_(engine::name_of(*this)) {
   const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
   every_ = static_cast<int>(args.integer("every"));
   nevery = 1;
@@ -79,9 +81,9 @@ int FixMuckpileDump::setmask() {
 }
 
 void FixMuckpileDump::init() {
-  store_ = FixMuckpileBlocks::find(*lmp);
-  joint_ = dynamic_cast<FixMuckpileJoint*>(modify->find_fix_style_strict("muckpile/joint", 0));
-  if (store_ == nullptr) engine::stop(*lmp, where_ + ": needs create_blocks before the first run");
+  blocks_ = engine::find_view<KnownBlocks>(*lmp);
+  joints_ = engine::find_view<JointFragments>(*lmp);
+  if (blocks_ == nullptr) engine::stop(*lmp, where_ + ": needs create_blocks before the first run");
 }
 
 void FixMuckpileDump::setup(int) {
@@ -104,7 +106,7 @@ void FixMuckpileDump::clear_folder() {
   for (; !fault && entry != std::filesystem::directory_iterator(); entry.increment(fault)) {
     const long long step = snapshot_step(entry->path().filename().string());
     if (step < 0) continue;
-    if (run_of(entry->path()) != store_->record().id())
+    if (run_of(entry->path()) != blocks_->run_id())
       ++strangers;
     else if (step > last_)
       std::filesystem::remove(entry->path(), unheeded);
@@ -127,22 +129,22 @@ void FixMuckpileDump::end_of_step() {
 
 int FixMuckpileDump::modify_param(int narg, char** arg) {
   if (std::strcmp(arg[0], "every") != 0) return 0;
-  every_ = engine::read_every(*lmp, std::string("fix_modify ") + id, narg, arg);
+  every_ = engine::read_every(*lmp, engine::name_of_modify(*this), narg, arg);
   return 2;
 }
 
 std::string FixMuckpileDump::rows() const {
-  const engine::Bodies bodies(store_->multisphere());
+  const engine::Bodies bodies(*engine::find_multisphere(*lmp));
   std::vector<int> fragment;
   std::vector<double> broken(static_cast<std::size_t>(bodies.count()), 0.0);
-  if (joint_ != nullptr) {
-    fragment = engine::fragment_ids(*joint_, world);
-    broken = engine::broken_share(*joint_);
+  if (joints_ != nullptr) {
+    fragment = joints_->fragment_ids();
+    broken = joints_->broken_share();
   }
   std::string text;
   for (int b = 0; b < bodies.count(); ++b) {
     const auto k = static_cast<std::size_t>(b);
-    const BlockRecord& record = store_->records()[k];
+    const BlockRecord& record = blocks_->records()[k];
     if (record.mass == 0.0) continue;  // not made by create_blocks
     const Quat q(Mat3(bodies.axes(b) * record.start_axes.transpose()));
     text += std::to_string(record.tag);
@@ -172,7 +174,7 @@ void FixMuckpileDump::write() {
   std::ostringstream head;
   head.precision(12);
   head << "# step=" << update->ntimestep << " time_s=" << update->get_cur_time() << " "
-       << run_mark(store_->record().id()) << '\n'
+       << run_mark(blocks_->run_id()) << '\n'
        << kHeader;
   engine::write_file(*lmp, where_, folder_ + "/" + snapshot_name(update->ntimestep),
                      head.str() + all);

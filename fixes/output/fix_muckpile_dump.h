@@ -9,8 +9,8 @@
 
 namespace muckpile {
 
-class FixMuckpileJoint;
-class FixMuckpileBlocks;
+class JointFragments;
+class KnownBlocks;
 
 class FixMuckpileDump : public LAMMPS_NS::Fix {
  public:
@@ -29,8 +29,8 @@ class FixMuckpileDump : public LAMMPS_NS::Fix {
   void write();
   [[nodiscard]] std::string rows() const;
 
-  FixMuckpileBlocks* store_ = nullptr;
-  FixMuckpileJoint* joint_ = nullptr;
+  KnownBlocks* blocks_ = nullptr;
+  JointFragments* joints_ = nullptr;
   std::string where_, folder_;
   int every_;                    // the engine looks up `nevery` only when a run is set up
   LAMMPS_NS::bigint last_ = -1;  // step of the last snapshot

@@ -17,15 +17,18 @@
 #include <cmath>
 #include <string>
 
-#include "fixes/blocks/fix_muckpile_blocks.h"
-#include "fixes/blocks/fix_muckpile_sleep.h"
 #include "fixes/engine/bodies.h"
+#include "fixes/engine/find_view.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/engine/style_name.h"
 #include "fixes/engine/walls.h"
 #include "fixes/interfaces/contact_work.h"
-#include "fixes/joints/fix_muckpile_joint.h"
+#include "fixes/interfaces/given_energy.h"
+#include "fixes/interfaces/joint_energies.h"
+#include "fixes/interfaces/resting_blocks.h"
 
 namespace muckpile {
 namespace {
@@ -46,7 +49,7 @@ constexpr std::array kSources = {&EnergyLedger::kinetic,         &EnergyLedger::
 
 FixMuckpileLedger::FixMuckpileLedger(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg) {
-  const std::string where = std::string("fix muckpile/ledger '") + id + "'";
+  const std::string where = engine::name_of(*this);
   if (narg != 3) engine::stop(*lmp, where + ": takes no keywords, got '" + arg[3] + "'");
   engine::require_id_of_restart(*lmp, where, *this);
   multisphere_ = engine::find_multisphere(*lmp);
@@ -64,8 +67,8 @@ int FixMuckpileLedger::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
 
 void FixMuckpileLedger::init() {
   gravity_ = static_cast<LAMMPS_NS::FixGravity*>(modify->find_fix_style("gravity", 0));
-  joint_ = dynamic_cast<FixMuckpileJoint*>(modify->find_fix_style_strict("muckpile/joint", 0));
-  sleep_ = dynamic_cast<FixMuckpileSleep*>(modify->find_fix_style_strict("muckpile/sleep", 0));
+  joints_ = engine::find_view<JointEnergies>(*lmp);
+  sleep_ = engine::find_view<RestingBlocks>(*lmp);
   contacts_ = dynamic_cast<ContactWork*>(force->pair);
   if (contacts_ != nullptr) contacts_->watch();
   keep_books_of_contacts();
@@ -81,8 +84,8 @@ void FixMuckpileLedger::keep_books_of_contacts() {
 
 void FixMuckpileLedger::setup(int) {
   computed_at_ = -1;
-  FixMuckpileBlocks* const store = FixMuckpileBlocks::find(*lmp);
-  book_given(store != nullptr ? store->take_given() : 0.0);  // before the start: not booked
+  auto* const before = engine::find_view<GivenEnergy>(*lmp);
+  book_given(before != nullptr ? before->take_given() : 0.0);  // before the start: not booked
   if (started_)
     take_in_new_blocks();
   else
@@ -112,9 +115,9 @@ void FixMuckpileLedger::take_in_new_blocks() {
     potential -= bodies.mass(b) * g.dot(bodies.centre(b));
     last = std::max(last, bodies.tag(b));
   }
-  start_gravity_ += engine::total(*lmp, potential);
-  largest_ = std::max(largest_, engine::total(*lmp, creep));
-  MPI_Allreduce(&last, &last_tag_, 1, MPI_INT, MPI_MAX, world);
+  start_gravity_ += engine::sum_over_ranks(potential, world);
+  largest_ = std::max(largest_, engine::sum_over_ranks(creep, world));
+  last_tag_ = engine::greatest_over_ranks(last, world);
 }
 
 void FixMuckpileLedger::book_given(double energy) {
@@ -136,14 +139,18 @@ double FixMuckpileLedger::work_rate_of_spheres() const {
   const engine::Bodies bodies(*multisphere_);
   Vec3 g = Vec3::Zero();
   if (gravity_ != nullptr) gravity_->get_gravity(g.data());
+  std::span<const Vec3> joint_forces, joint_torques;
+  if (joints_ != nullptr) {
+    joint_forces = joints_->joint_forces();
+    joint_torques = joints_->joint_torques();
+  }
   double rate = 0.0;
   for (int b = 0; b < bodies.count(); ++b) {
     rate += (bodies.force(b) - bodies.mass(b) * g).dot(bodies.velocity(b)) +
             bodies.torque(b).dot(bodies.spin(b));
-    if (joint_ == nullptr) continue;
+    if (joint_forces.empty()) continue;
     const auto k = static_cast<std::size_t>(b);
-    rate -= joint_->network().force()[k].dot(bodies.velocity(b)) +
-            joint_->network().torque()[k].dot(bodies.spin(b));
+    rate -= joint_forces[k].dot(bodies.velocity(b)) + joint_torques[k].dot(bodies.spin(b));
   }
   return rate;
 }
@@ -165,14 +172,14 @@ const EnergyLedger& FixMuckpileLedger::ledger() {
     mine.kinetic += bodies.kinetic_energy(b);
     mine.gravity -= bodies.mass(b) * g.dot(bodies.centre(b));
   }
-  if (joint_ != nullptr) {
-    const FacetNetwork& network = joint_->network();
-    mine.joint_elastic = network.elastic_energy();
-    mine.fracture = network.losses().fracture;
-    mine.joint_friction = network.losses().friction;
-    mine.joint_damping = network.losses().damping;
-    mine.quiet = network.losses().quiet;
-    mine.blast_work = network.pressure_work();
+  if (joints_ != nullptr) {
+    const JointEnergySums joints = joints_->energies();
+    mine.joint_elastic = joints.elastic;
+    mine.fracture = joints.fracture;
+    mine.joint_friction = joints.friction;
+    mine.joint_damping = joints.damping;
+    mine.quiet = joints.quiet;
+    mine.blast_work = joints.pressure_work;
   }
   if (sleep_ != nullptr) laid_to_rest_ = sleep_->energy_taken();
   mine.sleep = laid_to_rest_;
@@ -181,9 +188,9 @@ const EnergyLedger& FixMuckpileLedger::ledger() {
   mine.contact_damping = former_losses_[1] + of_pair("damping_J");
   mine.walls = walls();
   mine.given = given_;
-  std::array<double, kColumns.size()> part{}, all{};
-  for (std::size_t k = 0; k < kColumns.size(); ++k) part[k] = mine.*kColumns[k];
-  MPI_Allreduce(part.data(), all.data(), static_cast<int>(all.size()), MPI_DOUBLE, MPI_SUM, world);
+  std::array<double, kColumns.size()> all{};
+  for (std::size_t k = 0; k < kColumns.size(); ++k) all[k] = mine.*kColumns[k];
+  engine::sum_over_ranks_in_place(all, world);
   for (std::size_t k = 0; k < kColumns.size(); ++k) ledger_.*kColumns[k] = all[k];
   ledger_.gravity -= start_gravity_;
   for (const auto source : kSources) largest_ = std::max(largest_, std::abs(ledger_.*source));
@@ -195,7 +202,7 @@ double FixMuckpileLedger::out_of_balance() {
   const EnergyLedger& now = ledger();
   const double apart = std::abs(now.residual() - start_residual_);
   if (walls_may_move_) return apart;
-  return std::max(apart, engine::total(*lmp, walls_before_) - now.walls);
+  return std::max(apart, engine::sum_over_ranks(walls_before_, world) - now.walls);
 }
 
 double FixMuckpileLedger::balance_error() {
@@ -210,44 +217,40 @@ bool FixMuckpileLedger::balanced(double allowed) {
 
 double FixMuckpileLedger::fastest_block() {
   const engine::Bodies bodies(*multisphere_);
-  double mine = 0.0, all = 0.0;
+  double mine = 0.0;
   for (int b = 0; b < bodies.count(); ++b) {
     const double speed = bodies.velocity(b).norm();
     mine = std::isfinite(speed) ? std::max(mine, speed) : HUGE_VAL;
   }
-  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_MAX, world);
-  return all;
+  return engine::greatest_over_ranks(mine, world);
 }
 
 void FixMuckpileLedger::write_restart(FILE* file) {
-  engine::ByteWriter state;
-  state.put(started_);
-  state.put(start_residual_);
-  state.put(start_gravity_);
-  state.put(largest_);
-  state.put(last_tag_);
-  state.put(engine::total(*lmp, sphere_work_));
-  state.put(engine::total(*lmp, contact_work_));
-  state.put(engine::total(*lmp, walls_before_));
-  for (const double losses : former_losses_) state.put(engine::total(*lmp, losses));
-  state.put(engine::total(*lmp, given_));
-  state.put(engine::total(*lmp, sleep_ != nullptr ? sleep_->energy_taken() : laid_to_rest_));
+  const auto total = [this](double mine) { return engine::sum_over_ranks(mine, world); };
+  LedgerState state{started_, start_residual_, start_gravity_, largest_, last_tag_};
+  state.sphere_work = total(sphere_work_);
+  state.contact_work = total(contact_work_);
+  state.walls_before = total(walls_before_);
+  std::ranges::transform(former_losses_, state.former_losses.begin(), total);
+  state.given = total(given_);
+  state.laid_to_rest = total(sleep_ != nullptr ? sleep_->energy_taken() : laid_to_rest_);
   engine::write_state(*lmp, style, file, state);
 }
 
-void FixMuckpileLedger::restart(char* state) {
-  engine::ByteReader reader = engine::read_state(state);
-  started_ = reader.get<bool>();
-  start_residual_ = reader.get<double>();
-  start_gravity_ = reader.get<double>();
-  largest_ = reader.get<double>();
-  last_tag_ = reader.get<int>();
-  sphere_work_ = engine::share_of_total(*lmp, reader.get<double>());
-  contact_work_ = engine::share_of_total(*lmp, reader.get<double>());
-  walls_before_ = engine::share_of_total(*lmp, reader.get<double>());
-  for (double& losses : former_losses_) losses = engine::share_of_total(*lmp, reader.get<double>());
-  given_ = engine::share_of_total(*lmp, reader.get<double>());
-  laid_to_rest_ = engine::share_of_total(*lmp, reader.get<double>());
+void FixMuckpileLedger::restart(char* bytes) {
+  const auto state = engine::read_state<LedgerState>(*lmp, style, bytes);
+  const auto share = [this](double all) { return engine::share_of_total(*lmp, all); };
+  started_ = state.started;
+  start_residual_ = state.start_residual;
+  start_gravity_ = state.start_gravity;
+  largest_ = state.largest;
+  last_tag_ = state.last_tag;
+  sphere_work_ = share(state.sphere_work);
+  contact_work_ = share(state.contact_work);
+  walls_before_ = share(state.walls_before);
+  std::ranges::transform(state.former_losses, former_losses_.begin(), share);
+  given_ = share(state.given);
+  laid_to_rest_ = share(state.laid_to_rest);
 }
 
 double FixMuckpileLedger::compute_scalar() { return balance_error(); }

@@ -8,6 +8,9 @@
 
 #include <array>
 
+#include "fixes/interfaces/energy_account.h"
+#include "state/encoding.h"
+
 namespace LAMMPS_NS {
 class FixGravity;
 class FixMultisphere;
@@ -16,28 +19,30 @@ class FixMultisphere;
 namespace muckpile {
 
 class ContactWork;
-class FixMuckpileJoint;
-class FixMuckpileSleep;
+class JointEnergies;
+class RestingBlocks;
 
-/// Energies of the whole run [J]; losses and works are cumulative.
-struct EnergyLedger {
-  double kinetic = 0.0, joint_elastic = 0.0, contact_elastic = 0.0, gravity = 0.0;
-  double blast_work = 0.0;
-  double fracture = 0.0, joint_friction = 0.0, joint_damping = 0.0;
-  double contact_friction = 0.0, contact_damping = 0.0, walls = 0.0;
-  double quiet = 0.0;  ///< given to the rock behind quiet boundaries
-  double sleep = 0.0;  ///< kinetic energy of blocks as they were laid to rest
-  double given = 0.0;  ///< by block_motion since the first run began
-
-  /// What is in the system and what left it, less what came in.
-  [[nodiscard]] double residual() const {
-    return kinetic + joint_elastic + contact_elastic + gravity + fracture + joint_friction +
-           joint_damping + contact_friction + contact_damping + walls + quiet + sleep - blast_work -
-           given;
+/// What a restart file holds of the fix; works and losses are sums over ranks [J].
+struct LedgerState {
+  bool started = false;
+  double start_residual = 0.0, start_gravity = 0.0, largest = 0.0;
+  int last_tag = 0;
+  double sphere_work = 0.0, contact_work = 0.0, walls_before = 0.0;
+  std::array<double, 2> former_losses{};
+  double given = 0.0, laid_to_rest = 0.0;
+};
+template <>
+struct Stored<LedgerState> {
+  static constexpr std::string_view kName = "ledger_state";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& state) {
+    return std::tie(state.started, state.start_residual, state.start_gravity, state.largest,
+                    state.last_tag, state.sphere_work, state.contact_work, state.walls_before,
+                    state.former_losses, state.given, state.laid_to_rest);
   }
 };
 
-class FixMuckpileLedger : public LAMMPS_NS::Fix {
+class FixMuckpileLedger : public LAMMPS_NS::Fix, public EnergyAccount {
  public:
   FixMuckpileLedger(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
@@ -50,17 +55,11 @@ class FixMuckpileLedger : public LAMMPS_NS::Fix {
   void write_restart(FILE* file) override;
   void restart(char* state) override;
 
-  /// Summed over ranks. Collective; computed once per step.
-  [[nodiscard]] const EnergyLedger& ledger();
-  /// The larger of |residual - its start value| and of what walls gave, if none of them moves, over
-  /// the largest energy of one kind that was seen so far.
-  [[nodiscard]] double balance_error();
-  /// False if that error is larger than `allowed`, and not merely rounding of rock at rest.
-  [[nodiscard]] bool balanced(double allowed);
-  /// Of the fastest block [m/s]. Collective.
-  [[nodiscard]] double fastest_block();
-  /// Kinetic energy [J] that a command has given to blocks of this rank.
-  void book_given(double energy);
+  [[nodiscard]] const EnergyLedger& ledger() override;
+  [[nodiscard]] double balance_error() override;
+  [[nodiscard]] bool balanced(double allowed) override;
+  [[nodiscard]] double fastest_block() override;
+  void book_given(double energy) override;
 
  private:
   [[nodiscard]] double work_rate_of_spheres() const;
@@ -73,8 +72,8 @@ class FixMuckpileLedger : public LAMMPS_NS::Fix {
 
   LAMMPS_NS::FixMultisphere* multisphere_ = nullptr;
   LAMMPS_NS::FixGravity* gravity_ = nullptr;
-  FixMuckpileJoint* joint_ = nullptr;
-  FixMuckpileSleep* sleep_ = nullptr;
+  JointEnergies* joints_ = nullptr;
+  RestingBlocks* sleep_ = nullptr;
   ContactWork* contacts_ = nullptr;
   bool walls_may_move_ = false;
   double laid_to_rest_ = 0.0;  // of this rank, also after that fix is gone [J]

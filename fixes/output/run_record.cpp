@@ -11,8 +11,10 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include "args/suggestion.h"
+#include "fixes/engine/exchange.h"
 #include "fixes/engine/script_variables.h"
 #include "fixes/engine/style_args.h"
 #include "fixes/run/build_info.h"
@@ -27,15 +29,6 @@ std::string without_folder(std::string text, const std::string& folder) {
   for (std::size_t at = 0; (at = text.find(folder + '/', at)) != std::string::npos; ++at)
     text.erase(at, folder.size());
   return text;
-}
-
-void put(engine::ByteWriter& out, const std::string& text) {
-  out.put_all(std::vector<char>(text.begin(), text.end()));
-}
-
-std::string get_text(engine::ByteReader& in) {
-  const std::vector<char> text = in.get_all<char>();
-  return {text.begin(), text.end()};
 }
 
 /// Of the file that `value` names, "" if it names none.
@@ -91,25 +84,12 @@ Knobs RunRecord::knobs_of(LAMMPS_NS::LAMMPS& lmp) const {
   return knobs;
 }
 
-void RunRecord::write(LAMMPS_NS::LAMMPS& lmp, engine::ByteWriter& out) const {
-  put(out, id_);
-  const Knobs knobs = knobs_of(lmp);
-  out.put(knobs.size());
-  for (const Knob& knob : knobs) {
-    put(out, knob.name);
-    out.put(knob.value.has_value());
-    if (knob.value) put(out, *knob.value);
-  }
-}
+RecordedRun RunRecord::recorded(LAMMPS_NS::LAMMPS& lmp) const { return {id_, knobs_of(lmp)}; }
 
-void RunRecord::read(engine::ByteReader& in) {
+void RunRecord::go_on_from(RecordedRun run) {
   goes_on_ = true;
-  id_ = get_text(in);
-  before_.resize(in.get<std::size_t>());
-  for (Knob& knob : before_) {
-    knob.name = get_text(in);
-    if (in.get<bool>()) knob.value = get_text(in);
-  }
+  id_ = std::move(run.id);
+  before_ = std::move(run.knobs);
 }
 
 std::string RunRecord::refusal(const std::vector<KnobChange>& changes) const {

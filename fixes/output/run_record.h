@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "fixes/engine/exchange.h"
 #include "provenance/knobs.h"
 #include "rock/rock_model.h"
+#include "state/encoding.h"
 
 namespace LAMMPS_NS {
 class LAMMPS;
@@ -26,6 +26,18 @@ namespace muckpile {
 [[nodiscard]] std::string make_run_id(LAMMPS_NS::LAMMPS& lmp, const std::vector<std::string>& words,
                                       const RockModel& model);
 
+/// What a restart file tells of the run that wrote it.
+struct RecordedRun {
+  std::string id;
+  Knobs knobs;
+};
+template <>
+struct Stored<RecordedRun> {
+  static constexpr std::string_view kName = "recorded_run";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& run) { return std::tie(run.id, run.knobs); }
+};
+
 class RunRecord {
  public:
   [[nodiscard]] const std::string& id() const { return id_; }  ///< "" before there is rock
@@ -37,8 +49,8 @@ class RunRecord {
   /// To be called once all knobs are known, as the first run begins.
   void complete_with(std::function<void()> complete) { complete_ = std::move(complete); }
 
-  void write(LAMMPS_NS::LAMMPS& lmp, engine::ByteWriter& out) const;
-  void read(engine::ByteReader& in);
+  [[nodiscard]] RecordedRun recorded(LAMMPS_NS::LAMMPS& lmp) const;
+  void go_on_from(RecordedRun run);
 
   /// Stops the run if a knob has another value than in the restart file; `where` begins the
   /// message.

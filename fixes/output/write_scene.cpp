@@ -16,11 +16,12 @@
 #include <vector>
 
 #include "args/input_error.h"
-#include "fixes/blocks/fix_muckpile_blocks.h"
+#include "fixes/engine/find_view.h"
 #include "fixes/engine/json_text.h"
 #include "fixes/engine/output_file.h"
 #include "fixes/engine/script_variables.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/interfaces/recorded_run_holder.h"
 #include "fixes/run/build_info.h"
 
 namespace muckpile {
@@ -116,21 +117,21 @@ void add_record(LAMMPS_NS::LAMMPS& lmp, const std::string& run_id, Json& scene) 
 void WriteScene::command(int narg, char** arg) {
   Words words =
       engine::or_engine_error(*lmp, [&] { return read_words(engine::words_of(narg, arg, 0)); });
-  FixMuckpileBlocks* store = FixMuckpileBlocks::find(*lmp);
-  if (store == nullptr)
+  auto* run = engine::find_view<RecordedRunHolder>(*lmp);
+  if (run == nullptr)
     engine::stop(*lmp, std::string(kStyle) +
                            ": needs create_blocks before it, or read_restart and fix "
                            "multisphere/muckpile");
-  store->record().allow_changes(words.may_change);
-  store->record().check_values(*lmp, kStyle);
-  add_record(*lmp, store->record().id(), words.scene);
+  run->record().allow_changes(words.may_change);
+  run->record().check_values(*lmp, kStyle);
+  add_record(*lmp, run->record().id(), words.scene);
   if (comm->me == 0) {
     std::error_code unheeded;  // writing tells
     std::filesystem::create_directories(std::filesystem::path(words.file).parent_path(), unheeded);
   }
   engine::write_file(*lmp, kStyle, words.file, engine::json_text(words.scene));
   // The script may have more knobs behind this command.
-  store->record().complete_with([&engine = *lmp, words]() mutable {
+  run->record().complete_with([&engine = *lmp, words]() mutable {
     words.scene["knobs"] = knobs(engine);
     engine::write_file(engine, kStyle, words.file, engine::json_text(words.scene));
   });

@@ -24,17 +24,21 @@
 
 #include "args/numbers.h"
 #include "fixes/engine/bodies.h"
+#include "fixes/engine/find_view.h"
 #include "fixes/engine/json_text.h"
 #include "fixes/engine/output_file.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/periodic_output.h"
 #include "fixes/engine/region.h"
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/stop_with_state.h"
 #include "fixes/engine/style_args.h"
-#include "fixes/explosive/fix_muckpile_blast.h"
+#include "fixes/engine/style_name.h"
+#include "fixes/interfaces/blast_energies.h"
+#include "fixes/interfaces/energy_account.h"
+#include "fixes/interfaces/joint_damage.h"
 #include "fixes/interfaces/keyword_tables.h"
-#include "fixes/joints/fix_muckpile_joint.h"
-#include "fixes/output/fix_muckpile_ledger.h"
+#include "fixes/interfaces/known_blocks.h"
 
 namespace muckpile {
 namespace {
@@ -73,12 +77,12 @@ const ArgTable& table() {
 }
 
 /// The cylinders of rock that the charges crush, one per hole.
-nlohmann::ordered_json crushed_zones(const FixMuckpileBlocks& store) {
+nlohmann::ordered_json crushed_zones(const KnownBlocks& blocks) {
   const auto three = [](const Vec3& p) {
     return nlohmann::ordered_json::array({p.x(), p.y(), p.z()});
   };
   auto zones = nlohmann::ordered_json::array();
-  for (const Hole& hole : store.holes()) {
+  for (const Hole& hole : blocks.holes()) {
     zones.push_back(
         {{"toe_m", three(hole.toe)}, {"collar_m", three(hole.collar)}, {"radius_m", hole.radius}});
   }
@@ -97,9 +101,7 @@ bool is_whole_row(const std::string& line, const std::string& run_id) {
 const ArgTable& progress_keywords() { return table(); }
 
 FixMuckpileProgress::FixMuckpileProgress(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
-    : Fix(engine, narg, arg),
-      where_(std::string("fix muckpile/progress '") + id + "'"),
-      wall_start_(MPI_Wtime()) {
+    : Fix(engine, narg, arg), where_(engine::name_of(*this)), wall_start_(MPI_Wtime()) {
   const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
   every_ = static_cast<int>(args.integer("every"));
   nevery = 1;
@@ -123,11 +125,11 @@ FixMuckpileProgress::FixMuckpileProgress(LAMMPS_NS::LAMMPS* engine, int narg, ch
 int FixMuckpileProgress::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
 
 void FixMuckpileProgress::init() {
-  ledger_ = dynamic_cast<FixMuckpileLedger*>(modify->find_fix_style_strict("muckpile/ledger", 0));
-  joint_ = dynamic_cast<FixMuckpileJoint*>(modify->find_fix_style_strict("muckpile/joint", 0));
-  store_ = FixMuckpileBlocks::find(*lmp);
+  ledger_ = engine::find_view<EnergyAccount>(*lmp);
+  joints_ = engine::find_view<JointDamage>(*lmp);
+  blocks_ = engine::find_view<KnownBlocks>(*lmp);
   if (ledger_ == nullptr) engine::stop(*lmp, where_ + ": needs a fix muckpile/ledger");
-  if (store_ == nullptr) engine::stop(*lmp, where_ + ": needs create_blocks before the first run");
+  if (blocks_ == nullptr) engine::stop(*lmp, where_ + ": needs create_blocks before the first run");
   if (!scene_.empty()) engine::require_region(*lmp, where_, scene_);
   if (!solid_.empty()) engine::require_region(*lmp, where_, solid_);
 }
@@ -166,19 +168,19 @@ FixMuckpileProgress::Look FixMuckpileProgress::look() {
   now.time = update->get_cur_time();
   now.fastest = ledger_->fastest_block();
   look_at_blocks(now);
-  now.bodies = store_->multisphere().n_body_all();
+  now.bodies = engine::find_multisphere(*lmp)->n_body_all();
   now.balance = ledger_->balance_error();
-  if (joint_ != nullptr) {
-    now.joints = store_->facets_created();
-    now.broken = joint_->joints_broken();
+  if (joints_ != nullptr) {
+    now.joints = blocks_->facets_created();
+    now.broken = joints_->joints_broken();
   }
   return now;
 }
 
 void FixMuckpileProgress::look_at_blocks(Look& now) const {
-  const engine::Bodies bodies(store_->multisphere());
-  std::array<double, 5> mine{}, all{};
-  auto& [moving, mass, gone, gone_mass, in_solid] = mine;
+  const engine::Bodies bodies(*engine::find_multisphere(*lmp));
+  std::array<double, 5> sums{};
+  auto& [moving, mass, gone, gone_mass, in_solid] = sums;
   for (int b = 0; b < bodies.count(); ++b) {
     mass += bodies.mass(b);
     if (has_entered_solid(bodies, b)) in_solid += 1.0;
@@ -189,16 +191,16 @@ void FixMuckpileProgress::look_at_blocks(Look& now) const {
       moving += bodies.mass(b);
     }
   }
-  MPI_Allreduce(mine.data(), all.data(), static_cast<int>(all.size()), MPI_DOUBLE, MPI_SUM, world);
-  now.moving_share = all[1] > 0.0 ? all[0] / all[1] : 0.0;
-  now.gone = all[2];
-  now.gone_mass = all[3];
-  now.in_solid = all[4];
+  engine::sum_over_ranks_in_place(sums, world);
+  now.moving_share = mass > 0.0 ? moving / mass : 0.0;
+  now.gone = gone;
+  now.gone_mass = gone_mass;
+  now.in_solid = in_solid;
 }
 
 bool FixMuckpileProgress::has_entered_solid(const engine::Bodies& bodies, int b) const {
   if (solid_.empty() || !engine::in_region(*lmp, solid_, bodies.centre(b))) return false;
-  const BlockRecord& record = store_->records()[static_cast<std::size_t>(b)];
+  const BlockRecord& record = blocks_->records()[static_cast<std::size_t>(b)];
   return record.mass == 0.0 || !engine::in_region(*lmp, solid_, record.start);
 }
 
@@ -206,11 +208,11 @@ bool FixMuckpileProgress::has_entered_solid(const engine::Bodies& bodies, int b)
 void FixMuckpileProgress::warn_of_solid(const Look& now) {
   if (now.in_solid == 0.0 || warned_of_solid_) return;
   warned_of_solid_ = true;
-  const engine::Bodies bodies(store_->multisphere());
-  int mine = std::numeric_limits<int>::max(), first = 0;
+  const engine::Bodies bodies(*engine::find_multisphere(*lmp));
+  int mine = std::numeric_limits<int>::max();
   for (int b = 0; b < bodies.count(); ++b)
     if (has_entered_solid(bodies, b)) mine = std::min(mine, bodies.tag(b));
-  MPI_Allreduce(&mine, &first, 1, MPI_INT, MPI_MIN, world);
+  const int first = engine::least_over_ranks(mine, world);
   if (comm->me != 0) return;
   error->warning(
       FLERR, (where_ + ": blocks in region '" + solid_ +
@@ -227,7 +229,7 @@ void FixMuckpileProgress::stop_if_wrong(const Look& now) {
   const std::string at = engine::at_present(*lmp);
   if (!std::isfinite(now.fastest))
     stop_with_restart("a block's velocity is not a number" + at + "; the time step is too long");
-  const int blocks = store_->blocks_created() - store_->blocks_lost_before();
+  const int blocks = blocks_->blocks_created() - blocks_->blocks_lost_before();
   if (now.bodies < blocks) {
     stop_with_restart(std::to_string(blocks - now.bodies) + " blocks left the simulation box" + at +
                       "; make the box larger");
@@ -238,7 +240,7 @@ void FixMuckpileProgress::stop_if_wrong(const Look& now) {
                       "; shorten the time step");
   }
   if (!ledger_->balanced(balance_allowed_)) {
-    const bool softened = joint_ != nullptr && joint_->network().totals().softened < 1.0;
+    const bool softened = joints_ != nullptr && joints_->softened() < 1.0;
     stop_with_restart("the energy balance error is " + number_text(now.balance) + at +
                       ", more than balance_allowed " + number_text(balance_allowed_) +
                       "; shorten the time step" +
@@ -284,13 +286,11 @@ void FixMuckpileProgress::say(const Look& now) const {
 }
 
 void FixMuckpileProgress::write_restart(FILE* file) {
-  engine::ByteWriter state;
-  state.put(MPI_Wtime() - wall_start_);
-  engine::write_state(*lmp, style, file, state);
+  engine::write_state(*lmp, style, file, ProgressState{MPI_Wtime() - wall_start_});
 }
 
 void FixMuckpileProgress::restart(char* state) {
-  wall_start_ -= engine::read_state(state).get<double>();
+  wall_start_ -= engine::read_state<ProgressState>(*lmp, style, state).wall_clock;
   read_at_ = update->ntimestep;
 }
 
@@ -305,7 +305,7 @@ std::string FixMuckpileProgress::rows_before() const {
   bool good = std::getline(in, line) && line + '\n' == kHistoryHeader;
   int dropped = 0;
   while (std::getline(in, line)) {
-    if (good && is_whole_row(line, store_->record().id())) {
+    if (good && is_whole_row(line, blocks_->run_id())) {
       if (std::atoll(line.c_str()) >= end) break;
       kept += line + '\n';
     } else {
@@ -329,15 +329,16 @@ void FixMuckpileProgress::begin_files() {
   history_begun_ = true;
   if (comm->me == 0) remove_own_run();
   const std::string before = comm->me == 0 ? rows_before() : "";
-  engine::write_file(*lmp, where_, folder_ + "/history.csv", kHistoryHeader + before + held_);
-  held_.clear();
+  engine::write_file(*lmp, where_, folder_ + "/history.csv",
+                     kHistoryHeader + before + pending_rows_);
+  pending_rows_.clear();
 }
 
 void FixMuckpileProgress::write_history(const Look& now) {
   last_ = update->ntimestep;
   const std::string new_row = row(now);
   if (!history_begun_) {
-    held_ += new_row;
+    pending_rows_ += new_row;
     return;
   }
   engine::append_to_file(*lmp, where_, folder_ + "/history.csv", new_row);
@@ -354,7 +355,7 @@ std::string FixMuckpileProgress::row(const Look& now) const {
                         e.contact_damping, e.walls, e.quiet, e.sleep, e.given, now.balance}) {
     out << ',' << energy;
   }
-  out << ',' << store_->record().id() << '\n';
+  out << ',' << blocks_->run_id() << '\n';
   return out.str();
 }
 
@@ -364,17 +365,17 @@ void FixMuckpileProgress::remove_own_run() const {
   std::ifstream in(file);
   const auto run = nlohmann::json::parse(in, nullptr, false);
   std::error_code unheeded;
-  if (run.is_object() && run.value("run_id", nlohmann::json()) == store_->record().id())
+  if (run.is_object() && run.value("run_id", nlohmann::json()) == blocks_->run_id())
     std::filesystem::remove(file, unheeded);
 }
 
 void FixMuckpileProgress::write_run(const Look& now) const {
-  const FixMuckpileBlast* blast = FixMuckpileBlast::find(*lmp);
-  const auto energies = blast != nullptr ? blast->energies() : FixMuckpileBlast::Energies{};
+  const auto* blast = engine::find_view<BlastEnergies>(*lmp);
+  const auto energies = blast != nullptr ? blast->energies() : BlastEnergies::Energies{};
   nlohmann::ordered_json run;
-  run["blocks"] = store_->blocks_created();
+  run["blocks"] = blocks_->blocks_created();
   run["spheres"] = atom->natoms;
-  run["joints"] = store_->facets_created();
+  run["joints"] = blocks_->facets_created();
   run["joints_broken_fraction"] = now.joints > 0.0 ? now.broken / now.joints : 0.0;
   run["steps"] = update->ntimestep;
   run["physical_time_s"] = now.time;
@@ -389,8 +390,8 @@ void FixMuckpileProgress::write_run(const Look& now) const {
   run["blocks_in_solid"] = std::lround(now.in_solid);
   run["version"] = MUCKPILE_VERSION;
   run["still"] = still(now);
-  run["run_id"] = store_->record().id();
-  run["holes"] = crushed_zones(*store_);
+  run["run_id"] = blocks_->run_id();
+  run["holes"] = crushed_zones(*blocks_);
   engine::write_file(*lmp, where_, folder_ + "/run.json", engine::json_text(run));
 }
 
@@ -403,7 +404,7 @@ double FixMuckpileProgress::compute_vector(int n) {
 }
 
 int FixMuckpileProgress::modify_param(int narg, char** arg) {
-  const std::string where = std::string("fix_modify ") + id;
+  const std::string where = engine::name_of_modify(*this);
   const std::string key = arg[0];
   if (key != "phase" && key != "time_end" && key != "every") return 0;
   if (key == "every") {

@@ -9,15 +9,27 @@
 #include <string>
 
 #include "fixes/interfaces/state_writer.h"
+#include "state/encoding.h"
 
 namespace muckpile {
 
 namespace engine {
 class Bodies;
 }
-class FixMuckpileBlocks;
-class FixMuckpileJoint;
-class FixMuckpileLedger;
+class KnownBlocks;
+class EnergyAccount;
+class JointDamage;
+
+/// What a restart file holds of the fix.
+struct ProgressState {
+  double wall_clock = 0.0;  ///< that the run has taken so far [s]
+};
+template <>
+struct Stored<ProgressState> {
+  static constexpr std::string_view kName = "progress_state";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& state) { return std::tie(state.wall_clock); }
+};
 
 class FixMuckpileProgress : public LAMMPS_NS::Fix, public StateWriter {
  public:
@@ -64,14 +76,14 @@ class FixMuckpileProgress : public LAMMPS_NS::Fix, public StateWriter {
   [[nodiscard]] bool still(const Look& now) const;
   [[noreturn]] void stop_with_restart(const std::string& why);
 
-  FixMuckpileLedger* ledger_ = nullptr;
-  FixMuckpileJoint* joint_ = nullptr;
-  FixMuckpileBlocks* store_ = nullptr;
+  EnergyAccount* ledger_ = nullptr;
+  JointDamage* joints_ = nullptr;
+  KnownBlocks* blocks_ = nullptr;
   std::string where_, folder_, phase_;
-  std::string scene_;  // region, empty for all space
-  std::string solid_;  // region, empty for none
-  std::string held_;   // rows of history.csv, until a step is taken
-  int every_;          // the engine looks up `nevery` only when a run is set up
+  std::string scene_;         // region, empty for all space
+  std::string solid_;         // region, empty for none
+  std::string pending_rows_;  // rows of history.csv, until a step is taken
+  int every_;                 // the engine looks up `nevery` only when a run is set up
   double time_end_, still_speed_, still_share_, fastest_allowed_, balance_allowed_;
   double wall_start_, phase_wall_start_ = 0.0, phase_time_start_ = 0.0;
   bool history_begun_ = false, warned_of_solid_ = false;

@@ -14,11 +14,13 @@
 #include <limits>
 
 #include "args/numbers.h"
-#include "fixes/blocks/fix_multisphere_muckpile.h"
 #include "fixes/engine/bodies.h"
+#include "fixes/engine/find_view.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/engine/style_name.h"
 #include "fixes/interfaces/keyword_tables.h"
 
 namespace muckpile {
@@ -78,8 +80,7 @@ double acting_together(double joints, double contacts) {
 const ArgTable& timestep_keywords() { return table(); }
 
 FixMuckpileTimestep::FixMuckpileTimestep(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
-    : Fix(engine, narg, arg),
-      where_(std::string("fix muckpile/timestep '") + (narg > 0 ? arg[0] : "") + "'") {
+    : Fix(engine, narg, arg), where_(engine::name_of(*this)) {
   look_.joint_step = kInfinity;
   look_.contact_steps.fill(kInfinity);
   engine::refuse_second_fix(*lmp, where_, "muckpile/timestep");
@@ -106,29 +107,16 @@ FixMuckpileTimestep::FixMuckpileTimestep(LAMMPS_NS::LAMMPS* engine, int narg, ch
 int FixMuckpileTimestep::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
 
 void FixMuckpileTimestep::init() {
-  if (dynamic_cast<FixMultisphereMuckpile*>(engine::find_multisphere(*lmp)) == nullptr) {
+  if (modify->find_fix_style_strict("multisphere/muckpile", 0) == nullptr) {
     engine::stop(*lmp, where_ +
                            ": needs fix multisphere/muckpile; LIGGGHTS' own fix multisphere "
                            "keeps the step that a run began with");
   }
   if (settings_.collision_speed > 0.0 && settings_.collision >= 1e30)
     engine::stop(*lmp, where_ + ": collision_speed needs collision, the step at that speed");
-  const int place = find_joints();
-  if (place > modify->find_fix(id))
+  joints_ = engine::find_view<StepLimit>(*lmp);
+  if (engine::place_of<StepLimit>(*lmp) > modify->find_fix(id))
     engine::stop(*lmp, where_ + ": must be defined after fix muckpile/joint");
-}
-
-/// Their place among the fixes, -1 without.
-int FixMuckpileTimestep::find_joints() {
-  joints_ = nullptr;
-  int place = -1;
-  for (int i = 0; i < modify->nfix; ++i) {
-    auto* joints = dynamic_cast<StepLimit*>(modify->fix[i]);
-    if (joints == nullptr) continue;
-    joints_ = joints;
-    place = i;
-  }
-  return place;
 }
 
 /// Forces are up to date here, and with them poses and contacts.
@@ -164,10 +152,10 @@ void FixMuckpileTimestep::look_at_joints() {
 void FixMuckpileTimestep::look_at_contacts() {
   int dimension = 0;
   const void* found = force->pair == nullptr ? nullptr : force->pair->extract("steps_s", dimension);
-  std::array<double, kContactSteps> mine{};
+  std::array<double, kContactSteps>& mine = look_.contact_steps;
   mine.fill(kInfinity);
   if (found != nullptr) std::copy_n(static_cast<const double*>(found), mine.size(), mine.begin());
-  MPI_Allreduce(mine.data(), look_.contact_steps.data(), kContactSteps, MPI_DOUBLE, MPI_MIN, world);
+  engine::least_over_ranks_in_place(mine, world);
   if (settings_.collision_speed > 0.0) look_for_fastest_block();
 }
 
@@ -175,7 +163,7 @@ void FixMuckpileTimestep::look_for_fastest_block() {
   const engine::Bodies bodies(*engine::find_multisphere(*lmp));
   double fastest = 0.0;
   for (int b = 0; b < bodies.count(); ++b) fastest = std::max(fastest, bodies.velocity(b).norm());
-  MPI_Allreduce(&fastest, &look_.fastest, 1, MPI_DOUBLE, MPI_MAX, world);
+  look_.fastest = engine::greatest_over_ranks(fastest, world);
 }
 
 /// Blocks without joints have their contacts alone. At worst a joined block has the stiffest
@@ -258,7 +246,7 @@ double FixMuckpileTimestep::compute_vector(int n) {
 }
 
 int FixMuckpileTimestep::modify_param(int narg, char** arg) {
-  const std::string where = std::string("fix_modify ") + id;
+  const std::string where = engine::name_of_modify(*this);
   const std::string key = arg[0];
   if (key != "fraction" && key != "max" && key != "collision" && key != "collision_speed") return 0;
   if (narg < 2) engine::stop(*lmp, where + ": " + key + " needs a value");
@@ -277,25 +265,20 @@ int FixMuckpileTimestep::modify_param(int narg, char** arg) {
 }
 
 void FixMuckpileTimestep::write_restart(FILE* file) {
-  engine::ByteWriter state;
-  state.put(
-      Then{settings_, update->dt, update->whichflag != 0 && update->ntimestep < update->laststep});
-  state.put(look_);
-  state.put(changes_);
-  state.put(products_);
+  const bool within_run = update->whichflag != 0 && update->ntimestep < update->laststep;
+  const StepState state{settings_, update->dt, within_run, look_, changes_, products_};
   engine::write_state(*lmp, style, file, state);
 }
 
 /// The joints have been read before: what changes their stiffness from here on is new.
-void FixMuckpileTimestep::restart(char* state) {
-  engine::ByteReader in = engine::read_state(state);
-  then_ = in.get<Then>();
-  look_ = in.get<Look>();
-  changes_ = in.get<int>();
-  products_ = in.get<int>();
+void FixMuckpileTimestep::restart(char* bytes) {
+  then_ = engine::read_state<StepState>(*lmp, style, bytes);
+  look_ = then_.look;
+  changes_ = then_.changes;
+  products_ = then_.products;
   read_at_ = update->ntimestep;
   update->dt = then_.step;
-  find_joints();
+  joints_ = engine::find_view<StepLimit>(*lmp);
   if (joints_ != nullptr) known_changes_ = joints_->stiffness_changes();
 }
 

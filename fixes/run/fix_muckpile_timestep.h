@@ -11,8 +11,64 @@
 #include "bond/linear/stable_step.h"
 #include "fixes/interfaces/contact_steps.h"
 #include "fixes/interfaces/step_limit.h"
+#include "state/encoding.h"
 
 namespace muckpile {
+
+/// What the words and fix_modify say.
+struct StepSettings {
+  double fraction = 0.0, dashpot_fraction = 0.0;          ///< [-]
+  double collision = 0.0, shortest = 0.0, longest = 0.0;  ///< [s]
+  double collision_speed = 0.0;                           ///< [m/s], 0: whatever the speed
+  int every = 1;                                          ///< steps between looks
+  int joints_every = 0;  ///< looks between two looks at the joints, 0: never again
+  Breaking breaking = Breaking::possible;
+  bool operator==(const StepSettings&) const = default;
+};
+template <>
+struct Stored<StepSettings> {
+  static constexpr std::string_view kName = "step_settings";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& settings) {
+    return std::tie(settings.fraction, settings.dashpot_fraction, settings.collision,
+                    settings.shortest, settings.longest, settings.collision_speed, settings.every,
+                    settings.joints_every, settings.breaking);
+  }
+};
+
+/// What the last look found.
+struct StepLook {
+  double joint_step = 0.0;                            // [s]
+  std::array<double, kContactSteps> contact_steps{};  // [s]
+  double fastest = 0.0;                               // block [m/s]
+  int since_joints = 0;                               // looks since that at the joints
+};
+template <>
+struct Stored<StepLook> {
+  static constexpr std::string_view kName = "step_look";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& look) {
+    return std::tie(look.joint_step, look.contact_steps, look.fastest, look.since_joints);
+  }
+};
+
+/// What a restart file holds of the fix.
+struct StepState {
+  StepSettings settings;
+  double step = 0.0;        ///< [s]
+  bool within_run = false;  ///< not between two runs
+  StepLook look;
+  int changes = 0, products = 0;
+};
+template <>
+struct Stored<StepState> {
+  static constexpr std::string_view kName = "step_state";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& state) {
+    return std::tie(state.settings, state.step, state.within_run, state.look, state.changes,
+                    state.products);
+  }
+};
 
 class FixMuckpileTimestep : public LAMMPS_NS::Fix {
  public:
@@ -29,31 +85,6 @@ class FixMuckpileTimestep : public LAMMPS_NS::Fix {
   void restart(char* state) override;
 
  private:
-  /// What the words and fix_modify say.
-  struct Settings {
-    double fraction, dashpot_fraction;    // [-]
-    double collision, shortest, longest;  // [s]
-    double collision_speed;               // [m/s], 0: whatever the speed
-    int every;                            // steps between looks
-    int joints_every;                     // looks between two looks at the joints, 0: never again
-    Breaking breaking;
-    bool operator==(const Settings&) const = default;
-  };
-  /// When the restart file was written.
-  struct Then {
-    Settings settings;
-    double step;      // [s]
-    bool within_run;  // not between two runs
-  };
-  /// What the last look found.
-  struct Look {
-    double joint_step;                                // [s]
-    std::array<double, kContactSteps> contact_steps;  // [s]
-    double fastest = 0.0;                             // block [m/s]
-    int since_joints = 0;                             // looks since that at the joints
-  };
-
-  int find_joints();
   void look_at_joints();
   void look_at_contacts();
   void look_for_fastest_block();
@@ -67,13 +98,13 @@ class FixMuckpileTimestep : public LAMMPS_NS::Fix {
   [[nodiscard]] double longest_resolving() const;
 
   std::string where_;
-  Settings settings_{};
-  Look look_{};
+  StepSettings settings_;
+  StepLook look_;
   StepLimit* joints_ = nullptr;  // looked up in every init(); null: no joints
   int known_changes_ = -1;       // of the joints' stiffness at the last look at them
   int changes_ = 0, products_ = 0;
   LAMMPS_NS::bigint read_at_ = -1;  // step of the restart file from which the run goes on
-  Then then_{};
+  StepState then_;                  // of that file
 };
 
 }  // namespace muckpile

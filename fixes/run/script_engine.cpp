@@ -8,7 +8,6 @@
 #include <fix.h>
 #include <input.h>
 #include <modify.h>
-#include <mpi.h>
 #include <output.h>
 #include <signal_handling.h>
 #include <thermo.h>
@@ -19,6 +18,7 @@
 
 #include "fixes/engine/style_args.h"
 #include "fixes/interfaces/blast_surface.h"
+#include "fixes/engine/over_ranks.h"
 
 namespace muckpile {
 namespace {
@@ -61,10 +61,7 @@ bool ScriptEngine::still() const { return progress_->compute_scalar() > 0.5; }
 
 /// A signal may reach some ranks only, or later.
 bool ScriptEngine::interrupted() const {
-  const int mine = LAMMPS_NS::SignalHandler::request_quit ? 1 : 0;
-  int any = 0;
-  MPI_Allreduce(&mine, &any, 1, MPI_INT, MPI_MAX, world);
-  return any == 1;
+  return engine::on_any_rank(LAMMPS_NS::SignalHandler::request_quit, world);
 }
 
 void ScriptEngine::prepare(const PhaseNews& first, const StepRule& rule) {

@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# test_damaged_restart.sh LIGGGHTS_MUCKPILE: writes a restart file of the rock of joined_rock.in, and reads it whole, with other bytes here and there,
+# test_damaged_restart.sh LIGGGHTS_MUCKPILE RESEAL_RESTART: writes a restart file of the rock of joined_rock.in, and reads it whole, with other bytes here and there,
 # cut short at many lengths, and in place of it a file that is none. Only the whole one may be read; each other must be refused
-# by its name, without a crash. So must a file without a block be, of a run that has burst. A name with * means the file of the latest step.
+# by its name, without a crash. So must parts of another version be, under a seal that fits, and a file without a block, of a run that
+# has burst. Two equal runs write equal files. A name with * means the file of the latest step.
 set -euo pipefail
 program=$1
+reseal=$2
 source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
 cd "$out"
 
@@ -83,6 +85,25 @@ printf '\377\001\377' | dd of=spoilt.900.restart bs=1 seek=900 conv=notrunc stat
 read_file 'spoilt.*.restart'
 [[ $status -eq 1 ]] && grep -q "^ERROR: read_restart: 'spoilt.900.restart' is damaged" screen ||
   { echo "the latest is damaged: exit status $status, $(grep '^ERROR' screen || tail -n 1 screen)"; wrong=1; }
+write_file again.restart 1e-6 2
+cmp whole.restart again.restart || { echo "two equal runs write unequal files"; wrong=1; }
+
+# Files of another version: whole, with a seal that fits, but with another byte within a part's head.
+other_version() {  # other_version WORD BYTES_BEHIND MESSAGE: the byte that far behind the first WORD becomes 9
+  local place
+  cp whole.restart spoilt.restart
+  place=$(grep -obUa -m 1 "$1" whole.restart | head -n 1 | cut -d : -f 1)
+  printf '\011' | dd of=spoilt.restart bs=1 seek=$((place + ${#1} + $2)) conv=notrunc status=none
+  "$reseal" spoilt.restart
+  read_file spoilt.restart
+  [[ $status -eq 1 ]] && grep -qF "ERROR: read_restart: fix $3" screen ||
+    { echo "$1 of another version: exit status $status, $(grep '^ERROR' screen || tail -n 1 screen)"; wrong=1; }
+}
+other_version network_totals 0 "muckpile/joint: 'network_totals': version 1 expected, version 9 in the file"
+other_version blast_state 0 "muckpile/blast: 'blast_state': version 1 expected, version 9 in the file"
+other_version block_record 0 "muckpile/blocks: 'block_record': version 1 expected, version 9 in the file"
+other_version boundary_face 12 "muckpile/blocks: 'boundary_face': version 1 expected, with the fields "
+other_version MuckPart -1 "muckpile/blocks: the file is of an earlier version of Muckpile, or of another program"
 write_file empty.restart 1e-3 50 0
 read_file empty.restart
 [[ $status -eq 1 ]] && grep -q '^ERROR: read_restart: all .* blocks had left the simulation box' screen ||

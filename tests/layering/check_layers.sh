@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Fails if a source file under the folder $1 includes what its layer must not know.
 # Rule: src/core knows no engine, MPI, VTK, printing or upper layer; postproc no engine, MPI or
-# fixes; fixes no postproc. The engine's headers are those that LIGGGHTS installs.
+# fixes; fixes no postproc. The engine's headers are those that LIGGGHTS installs. A style's header is included in its own folder
+# alone, and where styles are registered: other styles see it through fixes/interfaces.
 set -euo pipefail
 root=$1
 engine_dir=${LIGGGHTS_INCLUDE_DIR:-/usr/include/liggghts}
@@ -37,8 +38,21 @@ check() {  # check LAYER FORBIDDEN_REGEX ENGINE_ALLOWED
   done < <(includes_of "$layer")
 }
 
+check_styles() {
+  local place header folder
+  while IFS=' ' read -r place header; do
+    [[ $header =~ ^fixes/([a-z]+)/(fix|pair)_[a-z_]*\.h$ && ${BASH_REMATCH[1]} != engine ]] || continue
+    folder=${BASH_REMATCH[1]}
+    case ${place#"$root"/fixes/} in
+      "$folder"/* | engine/registry.cpp:*) ;;
+      *) report "${place%:}" "$header" ;;
+    esac
+  done < <(includes_of fixes)
+}
+
 check src/core '^(mpi\.h|vtk|iostream$|cstdio$|stdio\.h|engine/|interfaces/|fixes/|postproc/|fix_|pair_)' no
 check postproc '^(mpi\.h|engine/|interfaces/|fixes/|fix_|pair_)' no
 check fixes '^(vtk|postproc/)' yes
 check src/app '^(vtk|postproc/)' yes
+check_styles
 [[ $faults -eq 0 ]]

@@ -5,7 +5,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
 readonly check=$here/check_layers.sh tree=$out
 export LIGGGHTS_INCLUDE_DIR=$tree/engine
-mkdir -p "$tree"/{engine,src/core/args,src/app,fixes,postproc/lib}
+mkdir -p "$tree"/{engine,src/core/args,src/app,fixes/{joints,output,engine},postproc/lib}
 touch "$tree"/engine/{lammps.h,region.h} "$tree"/postproc/lib/region.h
 
 echo '#include "args/range.h"
@@ -14,6 +14,8 @@ echo '#include <vtkPoints.h>
 #include "region.h"' >"$tree/postproc/lib/b.cpp"
 echo '#include <lammps.h>
 #include <mpi.h>' >"$tree/fixes/c.cpp"
+echo '#include "fixes/joints/fix_muckpile_joint.h"' >"$tree/fixes/joints/fix_muckpile_joint.cpp"
+echo '#include "fixes/joints/fix_muckpile_joint.h"' >"$tree/fixes/engine/registry.cpp"
 "$check" "$tree" || { echo "a clean tree was refused"; exit 1; }
 
 expect_fault() {  # expect_fault FILE HEADER
@@ -35,4 +37,6 @@ expect_fault src/core/args/x.cpp '"interfaces/joint_view.h"'
 expect_fault postproc/lib/x.cpp '<lammps.h>'
 expect_fault postproc/lib/x.cpp '"fix_muckpile_joint.h"'
 expect_fault fixes/x.cpp '<vtkPoints.h>'
+expect_fault fixes/output/x.cpp '"fixes/joints/fix_muckpile_joint.h"'
+expect_fault fixes/engine/x.cpp '"fixes/contact/pair_muckpile_block.h"'
 expect_fault src/app/x.cpp '"postproc/lib/b.h"'

@@ -57,7 +57,7 @@ nlohmann::ordered_json measure() {
   result["opening_of_joints"]["ns_per_joint"] =
       nanoseconds([&] { network.open_joints(joints, open); });
   result["measure"]["ns_per_joint"] = nanoseconds([&] { gas.measure(network, {}); });
-  result["pressures"]["ns_per_joint"] = nanoseconds([&] { gas.press(network); });
+  result["pressures"]["ns_per_joint"] = nanoseconds([&] { static_cast<void>(gas.press()); });
   result["flow"]["ns_per_joint"] = nanoseconds([&] { static_cast<void>(gas.flow({}, kStep)); });
   return result;
 }

@@ -262,13 +262,13 @@ void BlockContactList::rest(std::size_t k, const double* positions) {
   gate.count = 0;
 }
 
-void BlockContactList::mute(std::size_t k) {
+void BlockContactList::deactivate(std::size_t k) {
   make_gates();
   gates_[k].due = std::numeric_limits<double>::infinity();
   gates_[k].count = 0;
 }
 
-void BlockContactList::hear(std::size_t k) { gates_[k].due = Gate{}.due; }
+void BlockContactList::activate(std::size_t k) { gates_[k].due = Gate{}.due; }
 
 void BlockContactList::look_up(BlockPair& pair, const SphereSet& spheres,
                                std::vector<int>& dropped) {

@@ -104,10 +104,10 @@ class BlockContactList {
   }
   /// None of the candidates of block pair k touches: wake() holds it back until one can.
   void rest(std::size_t k, const double* positions);
-  /// Holds block pair k back until it is heard again.
-  void mute(std::size_t k);
-  void hear(std::size_t k);
-  [[nodiscard]] bool muted(std::size_t k) const {
+  /// Leaves block pair k alone until it is activated again.
+  void deactivate(std::size_t k);
+  void activate(std::size_t k);
+  [[nodiscard]] bool inactive(std::size_t k) const {
     return k < gates_.size() && gates_[k].due == std::numeric_limits<double>::infinity();
   }
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "args/input_error.h"
+#include "args/require.h"
 
 namespace muckpile {
 
@@ -27,11 +27,6 @@ ContactMotionOf<One> lane_of(const ContactMotion& m) {
           VectorOf<One>(m.relative_spin)};
 }
 
-void require(bool holds, const char* rule, double got) {
-  if (!holds)
-    throw InputError(std::string("contact law: ") + rule + ", got " + std::to_string(got));
-}
-
 }  // namespace
 
 double restitution_of(double damping_ratio) {
@@ -44,7 +39,7 @@ double restitution_of(double damping_ratio) {
 
 double damping_ratio_for(double restitution) {
   require(restitution >= kLeastRestitution && restitution <= 1.0,
-          "restitution must lie between 0.05 and 1", restitution);
+          "contact law: restitution must lie between 0.05 and 1", restitution);
   double low = 0.0, high = 4.0;  // restitution_of(4) = 0.014
   for (int k = 0; k < 60; ++k) {
     const double middle = 0.5 * (low + high);
@@ -60,12 +55,13 @@ ContactLaw::ContactLaw(const ContactParameters& p)
       friction_(p.friction),
       rolling_friction_(p.rolling_friction) {
   require(p.youngs_modulus > 0.0 && std::isfinite(p.youngs_modulus),
-          "youngs_modulus must be > 0 Pa", p.youngs_modulus);
-  require(p.poisson_ratio > -1.0 && p.poisson_ratio < 0.5, "poisson_ratio must lie in (-1, 0.5)",
-          p.poisson_ratio);
-  require(p.friction >= 0.0 && std::isfinite(p.friction), "friction must be >= 0", p.friction);
+          "contact law: youngs_modulus must be > 0 Pa", p.youngs_modulus);
+  require(p.poisson_ratio > -1.0 && p.poisson_ratio < 0.5,
+          "contact law: poisson_ratio must lie in (-1, 0.5)", p.poisson_ratio);
+  require(p.friction >= 0.0 && std::isfinite(p.friction), "contact law: friction must be >= 0",
+          p.friction);
   require(p.rolling_friction >= 0.0 && std::isfinite(p.rolling_friction),
-          "rolling_friction must be >= 0", p.rolling_friction);
+          "contact law: rolling_friction must be >= 0", p.rolling_friction);
   const double nu = p.poisson_ratio;
   const double shear_modulus = p.youngs_modulus / (2.0 * (1.0 + nu));
   young_star_ = p.youngs_modulus / (2.0 * (1.0 - nu * nu));

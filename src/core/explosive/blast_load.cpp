@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "explosive/require.h"
+#include "args/require.h"
 
 namespace muckpile {
 
@@ -21,21 +21,20 @@ BlastLoad::BlastLoad(const Parameters& parameters)
       charge_volume_(parameters.charge_volume),
       vent_time_(parameters.vent_time),
       vent_decay_(parameters.vent_decay) {
-  explosive_detail::require_not_negative("peak_pressure", "Pa", wave_peak_);
+  require_not_negative("peak_pressure", "Pa", wave_peak_);
   if (!gas_) return;
-  explosive_detail::require_positive("charge volume", "m3", charge_volume_);
+  require_positive("charge volume", "m3", charge_volume_);
   if (parameters.flow) {
     vent_.emplace(*parameters.flow);
     products_mass_ = parameters.flow->products_mass;
   } else {
-    explosive_detail::require_not_negative("vent_time", "s", vent_time_);
-    explosive_detail::require_positive("vent_decay", "s", vent_decay_);
+    require_not_negative("vent_time", "s", vent_time_);
+    require_positive("vent_decay", "s", vent_decay_);
   }
-  explosive_detail::require_positive("free volume ratio", "", parameters.free_volume_ratio);
+  require_positive("free volume ratio", "", parameters.free_volume_ratio);
   start_volume_ =
       std::max(expansion_.switch_ratio(), parameters.free_volume_ratio) * charge_volume_;
-  explosive_detail::require_positive("volume ratio of the pulse", "",
-                                     parameters.pulse_volume_ratio);
+  require_positive("volume ratio of the pulse", "", parameters.pulse_volume_ratio);
   pulse_volume_ =
       std::min(parameters.pulse_volume_ratio, parameters.free_volume_ratio) * charge_volume_;
 }

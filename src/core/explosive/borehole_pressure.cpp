@@ -4,21 +4,21 @@
 
 #include <cmath>
 
-#include "explosive/require.h"
+#include "args/require.h"
 
 namespace muckpile {
 namespace {
 
 double rho_d_squared(const Explosive& explosive) {
-  explosive_detail::require_positive("explosive_density", "kg/m3", explosive.density);
-  explosive_detail::require_positive("vod", "m/s", explosive.detonation_velocity);
+  require_positive("explosive_density", "kg/m3", explosive.density);
+  require_positive("vod", "m/s", explosive.detonation_velocity);
   return explosive.density * explosive.detonation_velocity * explosive.detonation_velocity;
 }
 
 }  // namespace
 
 double chapman_jouguet_pressure(const Explosive& explosive, double gamma) {
-  explosive_detail::require_positive("gamma", "", gamma);
+  require_positive("gamma", "", gamma);
   return rho_d_squared(explosive) / (1.0 + gamma);
 }
 
@@ -37,7 +37,7 @@ double explosion_state_pressure_fit(const Explosive& explosive) {
 }
 
 double impedance_matched_pressure(const Explosive& explosive, double rock_impedance) {
-  explosive_detail::require_positive("rock impedance", "Pa s/m", rock_impedance);
+  require_positive("rock impedance", "Pa s/m", rock_impedance);
   const double impedance = explosive.density * explosive.detonation_velocity;
   return rho_d_squared(explosive) / 4.0 * 2.0 / (1.0 + impedance / rock_impedance);
 }

@@ -9,7 +9,7 @@
 
 #include "args/input_error.h"
 #include "args/numbers.h"
-#include "explosive/require.h"
+#include "args/require.h"
 
 namespace muckpile {
 namespace {
@@ -66,7 +66,7 @@ void require_jwl(const NamedExplosive& explosive) {
   const double of_fit = explosive.jwl->density;
   std::ostringstream rule;
   rule << "within 10 % of the density " << of_fit << " that JWL was fitted at";
-  explosive_detail::refuse("explosive_density", rule.str().c_str(), "kg/m3", explosive.density);
+  refuse_value("explosive_density", rule.str().c_str(), "kg/m3", explosive.density);
 }
 
 /// Between light ANFO mixes and cast high explosives; outside, none of the formulas has been tried.
@@ -75,7 +75,7 @@ void check_formula_range(const NamedExplosive& explosive) {
     std::ostringstream rule;
     rule << "from " << lo << " to " << hi << ", the range of the formulas for P0,";
     if (!(value >= lo && value <= hi)) {
-      explosive_detail::refuse(name, rule.str().c_str(), unit, value);
+      refuse_value(name, rule.str().c_str(), unit, value);
     }
   };
   check("explosive_density", "kg/m3", explosive.density, 200.0, 2000.0);

@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "explosive/require.h"
+#include "args/require.h"
 
 namespace muckpile {
 namespace {
-
-using explosive_detail::require_positive;
 
 double esen_ratio(const CrushedZoneInput& in) {
   require_positive("youngs_modulus", "Pa", in.youngs_modulus);
@@ -24,7 +22,7 @@ double esen_ratio(const CrushedZoneInput& in) {
 double dai_ratio(const CrushedZoneInput& in) {
   require_positive("ucs", "Pa", in.ucs);
   if (!(in.strain_rate >= 1e2 && in.strain_rate <= 1e4)) {
-    explosive_detail::refuse("strain_rate", "from 100 to 10000", "1/s", in.strain_rate);
+    refuse_value("strain_rate", "from 100 to 10000", "1/s", in.strain_rate);
   }
   const double mu = 0.8 * in.poisson_ratio;  // dynamic
   const double b = mu / (1.0 - mu);
@@ -50,7 +48,7 @@ double ratio(CrushedZone model, const CrushedZoneInput& in) {
       break;
   }
   if (!(in.multiple >= 1.0 && in.multiple <= 20.0)) {
-    explosive_detail::refuse("crushed_ratio", "from 1 to 20", "", in.multiple);
+    refuse_value("crushed_ratio", "from 1 to 20", "", in.multiple);
   }
   return in.multiple;
 }
@@ -60,7 +58,7 @@ double ratio(CrushedZone model, const CrushedZoneInput& in) {
 double crushed_zone_radius(CrushedZone model, const CrushedZoneInput& input) {
   require_positive("hole_diameter", "m", 2.0 * input.hole_radius);
   if (!(input.poisson_ratio >= 0.0 && input.poisson_ratio < 0.5)) {
-    explosive_detail::refuse("poisson_ratio", "0 or more and below 0.5", "", input.poisson_ratio);
+    refuse_value("poisson_ratio", "0 or more and below 0.5", "", input.poisson_ratio);
   }
   return input.hole_radius * std::max(1.0, ratio(model, input));
 }

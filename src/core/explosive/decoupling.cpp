@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "explosive/require.h"
+#include "args/require.h"
 
 namespace muckpile {
 
@@ -14,17 +14,16 @@ double ChargeShape::charge_volume() const {
 }
 
 void check_shape(const ChargeShape& shape) {
-  explosive_detail::require_positive("hole_diameter", "m", 2.0 * shape.hole_radius);
-  explosive_detail::require_positive("charge_diameter", "m", 2.0 * shape.charge_radius);
-  explosive_detail::require_positive("charge_length", "m", shape.charge_length);
+  require_positive("hole_diameter", "m", 2.0 * shape.hole_radius);
+  require_positive("charge_diameter", "m", 2.0 * shape.charge_radius);
+  require_positive("charge_length", "m", shape.charge_length);
   if (shape.charge_radius > shape.hole_radius) {
-    explosive_detail::refuse("charge_diameter", "at most hole_diameter", "m",
-                             2.0 * shape.charge_radius);
+    refuse_value("charge_diameter", "at most hole_diameter", "m", 2.0 * shape.charge_radius);
   }
   constexpr double kRounding = 1e-9;
   if (shape.charge_length > shape.chamber_length * (1.0 + kRounding)) {
-    explosive_detail::refuse("charge_length", "at most the length of its hole's axis", "m",
-                             shape.charge_length);
+    refuse_value("charge_length", "at most the length of its hole's axis", "m",
+                 shape.charge_length);
   }
 }
 

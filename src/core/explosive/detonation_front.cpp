@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "explosive/require.h"
+#include "args/require.h"
 
 namespace muckpile {
 
@@ -15,11 +15,11 @@ DetonationFront::DetonationFront(const Parameters& parameters)
       length_(axis_.norm()),
       velocity_(parameters.detonation_velocity),
       firing_time_(parameters.firing_time) {
-  explosive_detail::require_positive("charge length", "m", length_);
-  explosive_detail::require_positive("vod", "m/s", velocity_);
-  explosive_detail::require_not_negative("delay", "s", firing_time_);
+  require_positive("charge length", "m", length_);
+  require_positive("vod", "m/s", velocity_);
+  require_not_negative("delay", "s", firing_time_);
   if (!(parameters.primer >= 0.0 && parameters.primer <= 1.0)) {
-    explosive_detail::refuse("primer", "bottom, top or between 0 and 1", "", parameters.primer);
+    refuse_value("primer", "bottom, top or between 0 and 1", "", parameters.primer);
   }
   axis_ /= length_;
   primer_ = parameters.primer * length_;

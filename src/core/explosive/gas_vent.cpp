@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "explosive/require.h"
+#include "args/require.h"
 
 namespace muckpile {
 
@@ -16,7 +16,6 @@ double choked_flux(double pressure, double density, double gamma) {
 }
 
 GasVent::GasVent(const Parameters& parameters) : p_(parameters) {
-  using namespace explosive_detail;
   require_positive("hole_diameter", "m", 2.0 * p_.hole_radius);
   require_positive("crushed-zone radius", "m", p_.zone_radius);
   require_positive("mass of the charge", "kg", p_.products_mass);

@@ -3,6 +3,8 @@
 // Scope: one pressure in the chamber; choked flow; no gas dynamics in the cracks, no atmosphere.
 #pragma once
 
+#include "state/encoding.h"
+
 namespace muckpile {
 
 /// What the hole remembers.
@@ -11,6 +13,14 @@ struct GasState {
   double stemming_path = 0.0;   ///< way that the stemming has gone towards the collar [m]
   double stemming_speed = 0.0;  ///< [m/s]
   double closed_before = 0.0;  ///< swept volume at firing if the wall had moved inward, else 0 [m3]
+};
+template <>
+struct Stored<GasState> {
+  static constexpr std::string_view kName = "gas_state";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& gas) {
+    return std::tie(gas.mass_left, gas.stemming_path, gas.stemming_speed, gas.closed_before);
+  }
 };
 
 /// Chamber at one instant.

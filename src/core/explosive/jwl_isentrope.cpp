@@ -5,24 +5,23 @@
 #include <algorithm>
 #include <cmath>
 
-#include "explosive/require.h"
+#include "args/require.h"
 
 namespace muckpile {
 namespace {
 
 double checked_cj_volume(const JwlParameters& p) {
-  explosive_detail::require_positive("jwl A", "Pa", p.a);
-  explosive_detail::require_not_negative("jwl B", "Pa", p.b);
-  explosive_detail::require_positive("jwl R1", "", p.r1);
-  explosive_detail::require_not_negative("jwl R2", "", p.r2);
-  explosive_detail::require_positive("jwl omega", "", p.omega);
-  explosive_detail::require_positive("jwl Chapman-Jouguet pressure", "Pa", p.cj_pressure);
-  explosive_detail::require_positive("jwl density", "kg/m3", p.density);
-  explosive_detail::require_positive("jwl vod", "m/s", p.detonation_velocity);
+  require_positive("jwl A", "Pa", p.a);
+  require_not_negative("jwl B", "Pa", p.b);
+  require_positive("jwl R1", "", p.r1);
+  require_not_negative("jwl R2", "", p.r2);
+  require_positive("jwl omega", "", p.omega);
+  require_positive("jwl Chapman-Jouguet pressure", "Pa", p.cj_pressure);
+  require_positive("jwl density", "kg/m3", p.density);
+  require_positive("jwl vod", "m/s", p.detonation_velocity);
   const double inertia = p.density * p.detonation_velocity * p.detonation_velocity;
   if (p.cj_pressure >= inertia) {
-    explosive_detail::refuse("jwl Chapman-Jouguet pressure", "below density x vod^2", "Pa",
-                             p.cj_pressure);
+    refuse_value("jwl Chapman-Jouguet pressure", "below density x vod^2", "Pa", p.cj_pressure);
   }
   return 1.0 - p.cj_pressure / inertia;
 }
@@ -33,8 +32,8 @@ JwlIsentrope::JwlIsentrope(const JwlParameters& parameters)
     : p_(parameters), cj_volume_(checked_cj_volume(parameters)), gas_(0.0) {
   const double rest = p_.cj_pressure - curve(cj_volume_);
   if (rest <= 0.0) {
-    explosive_detail::refuse("jwl Chapman-Jouguet pressure", "above the A and B terms there", "Pa",
-                             p_.cj_pressure);
+    refuse_value("jwl Chapman-Jouguet pressure", "above the A and B terms there", "Pa",
+                 p_.cj_pressure);
   }
   gas_ = rest * std::pow(cj_volume_, 1.0 + p_.omega);
 }

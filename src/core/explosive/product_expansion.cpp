@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "explosive/require.h"
+#include "args/require.h"
 
 namespace muckpile {
 
@@ -18,8 +18,7 @@ ProductExpansion::ProductExpansion(const TwoStageIsentrope::Parameters& two_stag
   std::ostringstream rule;
   rule << "at least " << jwl_->pressure(JwlIsentrope::kFittedTo) << " Pa, the pressure at "
        << JwlIsentrope::kFittedTo << " V0 to which JWL is fitted,";
-  explosive_detail::refuse("gas_switch_pressure", rule.str().c_str(), "",
-                           two_stage.switch_pressure);
+  refuse_value("gas_switch_pressure", rule.str().c_str(), "", two_stage.switch_pressure);
 }
 
 }  // namespace muckpile

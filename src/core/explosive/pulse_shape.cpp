@@ -6,13 +6,10 @@
 #include <cmath>
 
 #include "args/csv_table.h"
-#include "explosive/require.h"
+#include "args/require.h"
 
 namespace muckpile {
 namespace {
-
-using explosive_detail::refuse;
-using explosive_detail::require_positive;
 
 bool earlier(double time, const std::pair<double, double>& point) { return time < point.first; }
 

@@ -4,12 +4,12 @@
 
 #include <cmath>
 
-#include "explosive/require.h"
+#include "args/require.h"
 
 namespace muckpile {
 
 StarfieldPulse::StarfieldPulse(double rise_time) : rise_time_(rise_time) {
-  explosive_detail::require_positive("rise_time", "s", rise_time);
+  require_positive("rise_time", "s", rise_time);
 }
 
 double StarfieldPulse::shape(double time) const {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "explosive/require.h"
+#include "args/require.h"
 
 namespace muckpile {
 
@@ -14,10 +14,10 @@ TwoStageIsentrope::TwoStageIsentrope(const Parameters& parameters)
       switch_pressure_(std::min(parameters.switch_pressure, parameters.initial_pressure)),
       dense_exponent_(parameters.dense_exponent),
       dilute_exponent_(parameters.dilute_exponent) {
-  explosive_detail::require_positive("borehole_pressure", "Pa", parameters.initial_pressure);
-  explosive_detail::require_positive("gas_switch_pressure", "Pa", parameters.switch_pressure);
-  explosive_detail::require_positive("gas_gamma_dense", "", parameters.dense_exponent);
-  explosive_detail::require_positive("gas_gamma", "", parameters.dilute_exponent);
+  require_positive("borehole_pressure", "Pa", parameters.initial_pressure);
+  require_positive("gas_switch_pressure", "Pa", parameters.switch_pressure);
+  require_positive("gas_gamma_dense", "", parameters.dense_exponent);
+  require_positive("gas_gamma", "", parameters.dilute_exponent);
   switch_ratio_ = std::pow(initial_pressure_ / switch_pressure_, 1.0 / dense_exponent_);
 }
 

@@ -2,8 +2,8 @@
 // Flow along a rough crack; equations in the header.
 #include "gas/crack_flow.h"
 
+#include "args/require.h"
 #include "explosive/gas_vent.h"
-#include "explosive/require.h"
 
 namespace muckpile {
 namespace {
@@ -11,8 +11,8 @@ constexpr double kFullyRough = 0.143;  // f at an aperture of the roughness
 }
 
 CrackFlow::CrackFlow(const Parameters& parameters) : p_(parameters) {
-  if (!(p_.gamma > 1.0)) explosive_detail::refuse("gas_gamma", "> 1 in cracks", "", p_.gamma);
-  explosive_detail::require_not_negative("roughness", "m", p_.roughness);
+  if (!(p_.gamma > 1.0)) refuse_value("gas_gamma", "> 1 in cracks", "", p_.gamma);
+  require_not_negative("roughness", "m", p_.roughness);
   choked_ = choked_flux(1.0, 1.0, p_.gamma);
   drive_ = std::sqrt(2.0 * p_.gamma / (p_.gamma + 1.0));
   friction_ = kFullyRough * std::cbrt(p_.roughness);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "explosive/require.h"
+#include "args/require.h"
 
 namespace muckpile {
 namespace {
@@ -23,8 +23,8 @@ void transform_all(const std::vector<double>& a, const std::vector<double>& b,
 
 JointGas::JointGas(const Parameters& parameters)
     : p_(parameters), flow_(parameters.flow), outside_(flow_.head({parameters.ambient, 0.0})) {
-  explosive_detail::require_positive("residual_aperture", "m", p_.residual_aperture);
-  explosive_detail::require_not_negative("ambient_pressure", "Pa", p_.ambient);
+  require_positive("residual_aperture", "m", p_.residual_aperture);
+  require_not_negative("ambient_pressure", "Pa", p_.ambient);
 }
 
 void JointGas::set_network(const FacetNetwork& network) {
@@ -172,11 +172,11 @@ double JointGas::pressure(const GasCell& cell) const {
          power_of(cell.content.mass / cell.volume, flow_.gamma());
 }
 
-void JointGas::press(FacetNetwork& network) {
+std::span<const double> JointGas::press() {
   refresh();
   for (std::size_t b = 0; b < cells_.size(); ++b)
     gauge_[b] = std::max(0.0, reservoirs_[b].head.pressure - p_.ambient);
-  network.set_gas_pressure(gauge_);
+  return gauge_;
 }
 
 void JointGas::refresh() {
@@ -278,16 +278,16 @@ JointGas::Flows JointGas::flow(std::span<const GasChamber> chambers, double dt) 
   return flows;
 }
 
-double JointGas::open_wide(FacetNetwork& network) {
-  if (wide_.empty()) return 0.0;
+JointGas::Opened JointGas::open_wide() {
+  Opened opened;
+  if (wide_.empty()) return opened;
   std::vector<double> lost_volume(cells_.size(), 0.0);
   for (const std::uint32_t c : wide_) {
-    network.release_gas(cracks_[c].facet);
+    opened.joints.push_back(cracks_[c].facet);
     keeps_[cracks_[c].facet] = Keeps::nothing;
     listed_ = false;
     each_block(cracks_[c], [&](std::size_t b) { lost_volume[b] += cracks_[c].volume; });
   }
-  double vented = 0.0;
   for (std::size_t b = 0; b < cells_.size(); ++b) {
     if (!owned(b) || lost_volume[b] == 0.0) continue;
     GasContent& content = cells_[b].content;
@@ -295,10 +295,10 @@ double JointGas::open_wide(FacetNetwork& network) {
     // The last joint takes all: no rounding is left behind.
     const GasContent rest =
         kept < 1e-12 ? GasContent{} : GasContent{kept * content.mass, kept * content.entropy};
-    vented += content.mass - rest.mass;
+    opened.vented += content.mass - rest.mass;
     content = rest;
   }
-  return vented;
+  return opened;
 }
 
 double JointGas::mass() const {

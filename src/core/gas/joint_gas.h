@@ -19,6 +19,7 @@
 
 #include "bond/network/facet_network.h"
 #include "gas/crack_flow.h"
+#include "state/encoding.h"
 
 namespace muckpile {
 
@@ -26,6 +27,12 @@ namespace muckpile {
 struct GasContent {
   double mass = 0.0;     ///< [kg]
   double entropy = 0.0;  ///< sum of mass x K of what came in, p = K rho^gamma
+};
+template <>
+struct Stored<GasContent> {
+  static constexpr std::string_view kName = "gas_content";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& gas) { return std::tie(gas.mass, gas.entropy); }
 };
 
 /// Numbers of a block that its neighbours need.
@@ -70,8 +77,8 @@ class JointGas {
   void measure(const FacetNetwork& network, const std::vector<char>& fed);
   /// Per hole, what measure() found: the part of GasChamber::ways of owned blocks.
   [[nodiscard]] std::span<const double> chamber_ways() const { return chamber_ways_; }
-  /// Tells the network what the gas presses beyond the atmosphere [Pa].
-  void press(FacetNetwork& network);
+  /// What the gas of each block presses beyond the atmosphere [Pa]; valid until the next call.
+  [[nodiscard]] std::span<const double> press();
 
   struct Flows {
     std::vector<double> from_hole;  ///< what owned blocks took from each chamber [kg]
@@ -83,9 +90,13 @@ class JointGas {
   /// to its conductance, and no flow is larger than what would make the two shares at a way equal:
   /// pressures never cross, none is emptied.
   [[nodiscard]] Flows flow(std::span<const GasChamber> chambers, double dt);
-  /// Joints that measure() found wide lose what they hold and hold nothing from now on. Returns
-  /// what owned blocks let into the atmosphere so [kg].
-  [[nodiscard]] double open_wide(FacetNetwork& network);
+  /// Joints that measure() found wide lose what they hold and hold nothing from now on; the caller
+  /// tells the network of them.
+  struct Opened {
+    std::vector<std::uint32_t> joints;
+    double vented = 0.0;  ///< what owned blocks let into the atmosphere so [kg]
+  };
+  [[nodiscard]] Opened open_wide();
 
   [[nodiscard]] double pressure(const GasCell& cell) const;  ///< absolute; 0 if empty [Pa]
   [[nodiscard]] double mass() const;                         ///< in owned blocks [kg]

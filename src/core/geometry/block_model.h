@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/shape/polyhedron.h"
+#include "state/encoding.h"
 
 namespace muckpile {
 
@@ -14,6 +15,12 @@ struct Hole {
   Vec3 toe = Vec3::Zero();     // lower end of the axis [m]
   Vec3 collar = Vec3::Zero();  // upper end of the axis [m]
   double radius = 0.0;         // [m]
+};
+template <>
+struct Stored<Hole> {
+  static constexpr std::string_view kName = "hole";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& hole) { return std::tie(hole.toe, hole.collar, hole.radius); }
 };
 
 inline constexpr int kFreeFace = -1;  // neighbour code: face on the boundary of the region

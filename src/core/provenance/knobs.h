@@ -9,6 +9,8 @@
 #include <variant>
 #include <vector>
 
+#include "state/encoding.h"
+
 namespace muckpile {
 
 /// A variable of a script. Without a value the script computes it: it is no knob there, but may be
@@ -16,6 +18,12 @@ namespace muckpile {
 struct Knob {
   std::string name;
   std::optional<std::string> value;
+};
+template <>
+struct Stored<Knob> {
+  static constexpr std::string_view kName = "knob";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& knob) { return std::tie(knob.name, knob.value); }
 };
 using Knobs = std::vector<Knob>;  ///< each name once
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "math/types.h"
+#include "state/encoding.h"
 
 namespace muckpile {
 
@@ -30,9 +31,16 @@ class Stillness {
   bool follow(const StillnessLimits& limits, const BlockPlace& place, double now);
 
  private:
+  friend struct Stored<Stillness>;
   Vec3 centre_ = Vec3::Zero();
   Mat3 axes_ = Mat3::Zero();  // no place: the first look begins the stay
   double since_ = 0.0;
+};
+template <>
+struct Stored<Stillness> {
+  static constexpr std::string_view kName = "stillness";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& stay) { return std::tie(stay.centre_, stay.axes_, stay.since_); }
 };
 
 }  // namespace muckpile

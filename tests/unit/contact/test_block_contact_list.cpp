@@ -185,8 +185,8 @@ TEST(BlockContactList, MissesNoTouchWhilePairsThatCannotTouchYetAreHeldBack) {
   for (std::size_t b = 0; b < 5; ++b) motion.velocity[b] *= 5.0;  // 100 steps: within kGap / 2
   std::vector<Vec3> centres = mean_positions(scene);
   BlockContactList list = listed(scene, kGap);
-  list.mute(3);
-  list.hear(3);
+  list.deactivate(3);
+  list.activate(3);
   std::vector<int> dropped;
   std::size_t woken = 0, chances = 0, touches = 0;
   for (int step = 0; step < 100; ++step) {
@@ -220,13 +220,13 @@ TEST(BlockContactList, AMutedBlockPairIsHeldBackUntilItIsHeard) {
   std::size_t k = 0;
   while (list.block_pairs()[k].count == 0) ++k;
   std::vector<int> dropped;
-  EXPECT_FALSE(list.muted(k));
+  EXPECT_FALSE(list.inactive(k));
   EXPECT_TRUE(list.wake(k, scene.view(), dropped));
-  list.mute(k);
-  EXPECT_TRUE(list.muted(k));
+  list.deactivate(k);
+  EXPECT_TRUE(list.inactive(k));
   EXPECT_FALSE(list.wake(k, scene.view(), dropped));
-  list.hear(k);
-  EXPECT_FALSE(list.muted(k));
+  list.activate(k);
+  EXPECT_FALSE(list.inactive(k));
   EXPECT_TRUE(list.wake(k, scene.view(), dropped));
   EXPECT_EQ(list.candidates(k).size(), static_cast<std::size_t>(list.block_pairs()[k].count));
 }

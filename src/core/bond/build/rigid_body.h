@@ -8,6 +8,7 @@
 
 #include "geometry/block_model.h"
 #include "geometry/spheres/sphere_filling.h"
+#include "state/encoding.h"
 
 namespace muckpile {
 
@@ -18,6 +19,14 @@ struct RigidBody {
   Vec3 inertia;         ///< principal moments [kg m2]
   Mat3 axes;            ///< principal axes, right-handed columns
   std::vector<Sphere> spheres;
+};
+template <>
+struct Stored<RigidBody> {
+  static constexpr std::string_view kName = "rigid_body";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& body) {
+    return std::tie(body.mass, body.volume, body.centre, body.inertia, body.axes, body.spheres);
+  }
 };
 
 /// The spheres are those of fill_with_spheres with their radii times `growth` (>= 1): grown ones

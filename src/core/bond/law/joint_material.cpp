@@ -6,16 +6,13 @@
 #include <cmath>
 #include <string>
 
-#include "args/input_error.h"
+#include "args/require.h"
 
 namespace muckpile {
 namespace {
 
 constexpr double kRightAngle = 1.5707963267948966;
 
-void require(bool holds, const char* rule, double value) {
-  if (!holds) throw InputError(std::string(rule) + ", got '" + std::to_string(value) + "'");
-}
 
 }  // namespace
 

@@ -11,32 +11,18 @@
 #include <sstream>
 #include <string_view>
 
-#include "args/input_error.h"
+#include "args/require.h"
 
 namespace muckpile {
 namespace {
 
-std::string number_text(double value) {
-  std::ostringstream text;
-  text.precision(10);
-  text << value;
-  return text.str();
-}
-
-void require(bool good, const std::string& rule, double value) {
-  if (!good) throw InputError("size law: " + rule + ", got '" + number_text(value) + "'");
-}
-
-void require_positive(double value, const std::string& name, const std::string& unit) {
-  require(std::isfinite(value) && value > 0.0, name + " must be > 0" + unit, value);
-}
-
 void require_valid(const SizeLimits& limits) {
-  require_positive(limits.smallest, "smallest block", " m");
-  require_positive(limits.largest, "largest block", " m");
-  require(limits.largest >= limits.smallest,
-          "largest block must be >= smallest block (" + number_text(limits.smallest) + " m)",
-          limits.largest);
+  require_positive("size law: smallest block", "m", limits.smallest);
+  require_positive("size law: largest block", "m", limits.largest);
+  require(
+      limits.largest >= limits.smallest,
+      "size law: largest block must be >= smallest block (" + number_text(limits.smallest) + " m)",
+      limits.largest);
 }
 
 double raw_size(const HarriesParameters& p, double distance) {
@@ -68,12 +54,13 @@ void require_growing(const SizeTable& pairs, const std::string& what) {
   if (pairs.empty()) throw InputError("size law: the " + what + " must have at least one pair");
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const auto [distance, size] = pairs[k];
-    require(std::isfinite(distance) && distance >= 0.0, what + " distance must be >= 0 m",
-            distance);
-    require_positive(size, what + " size", " m");
+    require(std::isfinite(distance) && distance >= 0.0,
+            "size law: " + what + " distance must be >= 0 m", distance);
+    require_positive("size law: " + what + " size", "m", size);
     if (k == 0) continue;
-    require(distance > pairs[k - 1].first, what + " distances must grow", distance);
-    require(size >= pairs[k - 1].second, what + " sizes must not fall with distance", size);
+    require(distance > pairs[k - 1].first, "size law: " + what + " distances must grow", distance);
+    require(size >= pairs[k - 1].second, "size law: " + what + " sizes must not fall with distance",
+            size);
   }
 }
 
@@ -134,20 +121,22 @@ SizeLaw::SizeLaw(Kind kind, const SizeLimits& limits) : kind_(std::move(kind)), 
 SizeLaw SizeLaw::uniform(double size) { return {PowerParameters{size, 0.0}, {size, size}}; }
 
 SizeLaw SizeLaw::harries(const HarriesParameters& p, const SizeLimits& limits) {
-  require_positive(p.hole_radius, "hole radius", " m");
-  require_positive(p.wall_strain, "wall strain", "");
-  require_positive(p.breaking_strain, "breaking strain", "");
-  require(p.wall_strain > p.breaking_strain,
-          "wall strain must be > breaking strain (" + number_text(p.breaking_strain) + ")",
-          p.wall_strain);
-  require(std::isfinite(p.absorption) && p.absorption >= 0.0, "absorption must be >= 0",
+  require_positive("size law: hole radius", "m", p.hole_radius);
+  require_positive("size law: wall strain", "", p.wall_strain);
+  require_positive("size law: breaking strain", "", p.breaking_strain);
+  require(
+      p.wall_strain > p.breaking_strain,
+      "size law: wall strain must be > breaking strain (" + number_text(p.breaking_strain) + ")",
+      p.wall_strain);
+  require(std::isfinite(p.absorption) && p.absorption >= 0.0, "size law: absorption must be >= 0",
           p.absorption);
   return {p, limits};
 }
 
 SizeLaw SizeLaw::power(const PowerParameters& p, const SizeLimits& limits) {
-  require_positive(p.coefficient, "coefficient", " m^(1-exponent)");
-  require(std::isfinite(p.exponent) && p.exponent >= 0.0, "exponent must be >= 0", p.exponent);
+  require_positive("size law: coefficient", "m^(1-exponent)", p.coefficient);
+  require(std::isfinite(p.exponent) && p.exponent >= 0.0, "size law: exponent must be >= 0",
+          p.exponent);
   return {p, limits};
 }
 

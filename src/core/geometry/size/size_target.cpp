@@ -7,16 +7,11 @@
 #include <numbers>
 #include <utility>
 
-#include "args/input_error.h"
-#include "args/numbers.h"
+#include "args/require.h"
 #include "geometry/cut/ground.h"
 
 namespace muckpile {
 namespace {
-
-void require(bool good, const std::string& rule, double value) {
-  if (!good) throw InputError("size target: " + rule + ", got '" + number_text(value) + "'");
-}
 
 /// Sizes in order with the mass share up to and including each.
 std::vector<std::pair<double, double>> passing_curve(const std::vector<Block>& blocks) {
@@ -124,15 +119,15 @@ double deviation(const SizeComparison& comparison) {
 
 SizeTarget::SizeTarget(double x50, double xmax, double exponent)
     : x50_(x50), xmax_(xmax), exponent_(exponent) {
-  require(std::isfinite(x50) && x50 > 0.0, "x50 must be > 0 m", x50);
-  require(std::isfinite(exponent) && exponent > 0.0, "exponent must be > 0", exponent);
+  require(std::isfinite(x50) && x50 > 0.0, "size target: x50 must be > 0 m", x50);
+  require(std::isfinite(exponent) && exponent > 0.0, "size target: exponent must be > 0", exponent);
 }
 
 SizeTarget SizeTarget::kuz_ram(double x50, double n) { return {x50, 0.0, n}; }
 
 SizeTarget SizeTarget::swebrec(double x50, double xmax, double b) {
-  require(std::isfinite(xmax) && xmax > x50, "xmax must be > x50 (" + number_text(x50) + " m)",
-          xmax);
+  require(std::isfinite(xmax) && xmax > x50,
+          "size target: xmax must be > x50 (" + number_text(x50) + " m)", xmax);
   return {x50, xmax, b};
 }
 

@@ -6,12 +6,19 @@
 #include <vector>
 
 #include "geometry/shape/polyhedron.h"
+#include "state/encoding.h"
 
 namespace muckpile {
 
 struct Sphere {
   Vec3 centre = Vec3::Zero();  // [m]
   double radius = 0.0;         // [m]
+};
+template <>
+struct Stored<Sphere> {
+  static constexpr std::string_view kName = "sphere";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& sphere) { return std::tie(sphere.centre, sphere.radius); }
 };
 
 // `count` spheres (>= 1), each inside the polyhedron; the first one is the largest inscribed

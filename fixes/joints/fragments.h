@@ -7,16 +7,16 @@
 
 #include <vector>
 
-namespace muckpile {
-class FixMuckpileJoint;
+#include "bond/network/facet_network.h"
+#include "fixes/engine/block_halo.h"
 
-namespace engine {
+namespace muckpile {
 
 /// Per owned block, in body order: the smallest tag of its fragment. Collective.
-[[nodiscard]] std::vector<int> fragment_ids(const FixMuckpileJoint& joint, MPI_Comm world);
+[[nodiscard]] std::vector<int> fragment_ids(const FacetNetwork& network, engine::BlockHalo& halo,
+                                            MPI_Comm world);
 
 /// Per owned block, in body order: broken share of its joint area [-].
-[[nodiscard]] std::vector<double> broken_share(const FixMuckpileJoint& joint);
+[[nodiscard]] std::vector<double> broken_share(const FacetNetwork& network, std::size_t owned);
 
-}  // namespace engine
 }  // namespace muckpile

@@ -2,7 +2,7 @@
 // Fragments: the smallest tag spreads along joints that hold, within the rank by union-find and
 // between ranks by halo, until nothing changes.
 // Scope: see the header; rounds are bounded by the ranks that one fragment spans.
-#include "fixes/engine/fragments.h"
+#include "fixes/joints/fragments.h"
 
 #include <mpi.h>
 
@@ -10,9 +10,9 @@
 #include <limits>
 #include <numeric>
 
-#include "fixes/joints/fix_muckpile_joint.h"
+#include "fixes/engine/over_ranks.h"
 
-namespace muckpile::engine {
+namespace muckpile {
 namespace {
 
 class UnionFind {
@@ -34,9 +34,8 @@ bool holds(const FacetTraces& m) { return m.broken.count() < kFacetPoints; }
 
 }  // namespace
 
-std::vector<int> fragment_ids(const FixMuckpileJoint& joint, MPI_Comm world) {
-  const FacetNetwork& network = joint.network();
-  BlockHalo& halo = joint.blocks().halo();
+std::vector<int> fragment_ids(const FacetNetwork& network, engine::BlockHalo& halo,
+                              MPI_Comm world) {
   UnionFind sets(network.blocks().size());
   for (std::size_t f = 0; f < network.facet_count(); ++f) {
     const FacetEnds facet = network.ends(f);
@@ -46,27 +45,26 @@ std::vector<int> fragment_ids(const FixMuckpileJoint& joint, MPI_Comm world) {
   }
   std::vector<int> label(halo.size());
   for (std::size_t b = 0; b < label.size(); ++b) label[b] = network.blocks()[b].tag;
-  for (int changed = 1; changed != 0;) {
+  for (bool changed = true; changed;) {
     std::vector<int> smallest(network.blocks().size(), std::numeric_limits<int>::max());
     for (std::size_t b = 0; b < label.size(); ++b) {
       int& s = smallest[sets.root(b)];
       s = std::min(s, label[b]);
     }
-    int mine = 0;
+    bool mine = false;
     for (std::size_t b = 0; b < label.size(); ++b) {
       const int s = smallest[sets.root(b)];
-      mine |= s != label[b] ? 1 : 0;
+      mine = mine || s != label[b];
       label[b] = s;
     }
     halo.forward(std::span<int>(label));
-    MPI_Allreduce(&mine, &changed, 1, MPI_INT, MPI_MAX, world);
+    changed = engine::on_any_rank(mine, world);
   }
   label.resize(halo.owned());
   return label;
 }
 
-std::vector<double> broken_share(const FixMuckpileJoint& joint) {
-  const FacetNetwork& network = joint.network();
+std::vector<double> broken_share(const FacetNetwork& network, std::size_t owned) {
   std::vector<double> broken;
   for (const BlockConstants& block : network.blocks()) broken.push_back(block.retired.area);
   std::vector<double> all = broken;
@@ -79,9 +77,9 @@ std::vector<double> broken_share(const FixMuckpileJoint& joint) {
       all[static_cast<std::size_t>(b)] += network.area(f);
     }
   }
-  std::vector<double> share(joint.blocks().halo().owned(), 0.0);
+  std::vector<double> share(owned, 0.0);
   for (std::size_t b = 0; b < share.size(); ++b) share[b] = all[b] > 0.0 ? broken[b] / all[b] : 0.0;
   return share;
 }
 
-}  // namespace muckpile::engine
+}  // namespace muckpile

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What others ask of the blast: whether it goes on, and what it has done.
+// Scope: an interface only; fix muckpile/blast implements it, fix muckpile/sleep and fix
+// muckpile/progress read it.
+#pragma once
+
+namespace muckpile {
+
+class BlastEnergies {
+ public:
+  virtual ~BlastEnergies() = default;
+  /// [J]
+  struct Energies {
+    double explosive = 0.0;        ///< of all charges, fired or not; 0 if not known
+    double wave = 0.0, gas = 0.0;  ///< work on the blocks so far
+  };
+  /// Collective.
+  [[nodiscard]] virtual Energies energies() const = 0;
+  /// True once no hole will press any more.
+  [[nodiscard]] virtual bool over() const = 0;
+};
+
+}  // namespace muckpile
