@@ -68,6 +68,11 @@ struct FacetOpenings {
   Vec3 i, j;
 };
 
+struct FacetKinematics;
+/// bonded_jump() of a joint with a law of its own (own_law_points.h).
+[[nodiscard]] Vec3 own_bonded_jump(const FacetKinematics& facets, std::size_t f,
+                                   const FacetMotion& motion);
+
 /// The facets of a network in the pose of its blocks.
 struct FacetKinematics {
   const FacetTables& tables;
@@ -89,8 +94,10 @@ struct FacetKinematics {
     const LaneVec slipped = rotated(motion.axes(), lanes_of(history.contacts().get(f).offset));
     return motion.jump() - choose(where_slipping(traces), Lanes(1.0), 0.0) * slipped;
   }
-  /// Mean over the facet of the elastic jump where it is in the dilatations [m].
+  /// Mean over the facet of the elastic jump where it is in the dilatations, as it counts there
+  /// [m].
   [[nodiscard]] Vec3 bonded_jump(std::size_t f, const FacetMotion& motion) const {
+    if (tables.own_law(f) != nullptr) return own_bonded_jump(*this, f, motion);
     if (history.state(f) == FacetState::intact) return motion.mean_jump();
     const LaneMask holds = is_point() && !where_contact(history.traces(f));
     return sum(choose(holds, Lanes(1.0 / kFacetPoints), 0.0) * elastic_jump(f, motion));
