@@ -15,6 +15,7 @@ set(MUCKPILE_MPI_ENVIRONMENT
 function(muckpile_add_unit_test name)
   add_executable(${name} ${ARGN})
   muckpile_target(${name})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support)
   target_link_libraries(${name} PRIVATE muckpile::core GTest::gtest GTest::gtest_main)
   gtest_discover_tests(${name} PROPERTIES LABELS unit DISCOVERY_TIMEOUT 60)
 endfunction()

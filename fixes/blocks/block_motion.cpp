@@ -26,6 +26,7 @@
 #include "fixes/engine/particle_vectors.h"
 #include "fixes/engine/region.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/interfaces/keyword_tables.h"
 #include "fixes/output/fix_muckpile_ledger.h"
 
 namespace muckpile {
@@ -79,6 +80,8 @@ GivenMotion motion_of(const ArgValues& args) {
 }
 
 }  // namespace
+
+const ArgTable& block_motion_keywords() { return table(); }
 
 void BlockMotionCommand::command(int narg, char** arg) {
   const std::string where = kStyle;

@@ -22,6 +22,7 @@
 #include "fixes/engine/style_args.h"
 #include "fixes/explosive/fix_muckpile_blast.h"
 #include "fixes/interfaces/joint_pressure.h"
+#include "fixes/interfaces/keyword_tables.h"
 
 namespace muckpile {
 namespace {
@@ -33,11 +34,13 @@ const ArgTable& table() {
                 "a block that stays within this of one place may rest")
           .real("time", "s", Range::left_open(0.0, 1e3), 0.2, "for so long")
           .real("speed", "m/s", Range::left_open(0.0, 1e3), 0.1, "and is slower than this")
-          .integer("every", "steps", Range::closed(1, 1000), 5, "between looks");
+          .integer("every", "steps", Range::closed(1, 1000), 5, "between checks");
   return args;
 }
 
 }  // namespace
+
+const ArgTable& sleep_keywords() { return table(); }
 
 FixMuckpileSleep::FixMuckpileSleep(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg), where_(std::string("fix muckpile/sleep '") + id + "'") {

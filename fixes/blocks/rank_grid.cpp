@@ -11,6 +11,7 @@
 
 #include "args/arg_table.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/interfaces/keyword_tables.h"
 #include "partition/rank_grid.h"
 
 namespace muckpile {
@@ -28,6 +29,8 @@ const ArgTable& table() {
 }
 
 }  // namespace
+
+const ArgTable& rank_grid_keywords() { return table(); }
 
 void RankGridCommand::command(int narg, char** arg) {
   const ArgValues args = engine::read_args(*lmp, table(), kStyle, narg, arg, 0);

@@ -16,6 +16,7 @@
 
 #include "args/arg_table.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/interfaces/keyword_tables.h"
 
 namespace muckpile {
 
@@ -42,6 +43,8 @@ const ArgTable& table() {
 
 }  // namespace
 
+const ArgTable& block_contact_keywords() { return table(); }
+
 PairMuckpileBlock::PairMuckpileBlock(LAMMPS_NS::LAMMPS* engine_object) : Pair(engine_object) {
   single_enable = 0;
   restartinfo = 0;
@@ -67,6 +70,9 @@ void PairMuckpileBlock::settings(int narg, char** arg) {
     p.restitution = in.real("restitution");
     p.friction = in.real("friction");
     p.rolling_friction = in.real("rolling_friction");
+    hertz_.reset();
+    if (p.model == NormalModel::hertz)
+      hertz_ = BlockContacts{p.youngs_modulus, p.poisson_ratio, p.restitution};
     return ContactLaw(p);
   });
 }

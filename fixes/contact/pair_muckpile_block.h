@@ -19,6 +19,7 @@
 #include "fixes/contact/fix_muckpile_contact_history.h"
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/strange_bodies.h"
+#include "fixes/interfaces/block_contact_view.h"
 #include "fixes/interfaces/block_neighbours.h"
 #include "fixes/interfaces/contact_steps.h"
 #include "fixes/interfaces/contact_work.h"
@@ -34,7 +35,8 @@ namespace muckpile {
 class PairMuckpileBlock : public LAMMPS_NS::Pair,
                           public ContactSource,
                           public ContactWork,
-                          public NearBlocks {
+                          public NearBlocks,
+                          public BlockContactView {
  public:
   static constexpr const char* kStyle = "pair_style muckpile/block";
 
@@ -65,6 +67,8 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
   [[nodiscard]] Losses& losses() override { return losses_; }
 
   void mark_near(std::span<const char> from, std::span<char> to) const override;
+
+  [[nodiscard]] std::optional<BlockContacts> hertz_contacts() const override { return hertz_; }
 
   void watch() override { watched_ = true; }
   double end_step(double time_step) override;
@@ -118,7 +122,8 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
                                                           int block) const;
 
   std::optional<ContactLaw> law_;
-  double largest_radius_ = 0.0;  ///< of all spheres on all ranks [m]
+  std::optional<BlockContacts> hertz_;  ///< without it the law is linear
+  double largest_radius_ = 0.0;         ///< of all spheres on all ranks [m]
   LAMMPS_NS::FixMultisphere* bodies_ = nullptr;
   const JointView* joints_ = nullptr;
   const RestingBlocks* resting_ = nullptr;        ///< null: none rests

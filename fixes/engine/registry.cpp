@@ -37,6 +37,7 @@
 #include "fixes/run/fix_muckpile_timestep.h"
 #include "fixes/run/read_sealed_restart.h"
 #include "fixes/run/require.h"
+#include "fixes/run/run_blast.h"
 
 namespace muckpile::engine {
 namespace {
@@ -96,6 +97,7 @@ const std::map<std::string, CommandCreator>& commands() {
       {"muckpile_styles", &register_again},
       {"rank_grid", &run_command<RankGridCommand>},
       {"require", &run_command<Require>},
+      {"run_blast", &run_command<RunBlastCommand>},
       {"write_scene", &run_command<WriteScene>},
   };
   return table;

@@ -186,6 +186,23 @@ void FixMuckpileBlast::check_timestep() {
                      .c_str());
 }
 
+BlastTiming FixMuckpileBlast::timing() const {
+  BlastTiming timing;
+  timing.start = clock_started_ ? clock_zero_ : update->get_cur_time() - clock_restarted_;
+  if (options_.pulse) timing.rise_time = options_.pulse_shape.rise_time;
+  if (options_.gas) {
+    timing.vent_time = options_.vent_time;
+    timing.vent_decay = options_.vent_decay;
+  }
+  const BlastSurface* surface = find_surface();
+  if (surface == nullptr) return timing;
+  engine::or_engine_error(*lmp, [&] {
+    for (const HoleBlast& hole : hole_blasts(options_, holes_of(*surface)))
+      timing.last_firing = std::max(timing.last_firing, hole.firing_time());
+  });
+  return timing;
+}
+
 double FixMuckpileBlast::clock() const { return update->get_cur_time() - clock_zero_; }
 
 void FixMuckpileBlast::setup_pre_force(int vflag) {

@@ -12,11 +12,12 @@
 
 #include "explosive/hole_loads.h"
 #include "fixes/interfaces/blast_surface.h"
+#include "fixes/interfaces/charge_timing.h"
 #include "gas/joint_gas.h"
 
 namespace muckpile {
 
-class FixMuckpileBlast : public LAMMPS_NS::Fix {
+class FixMuckpileBlast : public LAMMPS_NS::Fix, public ChargeTiming {
  public:
   FixMuckpileBlast(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
@@ -39,6 +40,8 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix {
     double wave = 0.0, gas = 0.0;  ///< work on the blocks
   };
   [[nodiscard]] Energies energies() const;
+  [[nodiscard]] BlastTiming timing() const override;
+  [[nodiscard]] bool vents_by_flow() const override { return options_.vent_by_flow; }
 
   /// For fix muckpile/gas, before the first run: from now on it computes the flow of gas into
   /// joints, in place of crack_discharge, and gas presses on the walls by its excess over `ambient`

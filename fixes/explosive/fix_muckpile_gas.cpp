@@ -18,6 +18,7 @@
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
 #include "fixes/explosive/fix_muckpile_blast.h"
+#include "fixes/interfaces/keyword_tables.h"
 #include "fixes/joints/fix_muckpile_joint.h"
 
 namespace muckpile {
@@ -55,6 +56,8 @@ JointGas make_gas(LAMMPS_NS::LAMMPS& lmp, const ArgValues& args, double gamma) {
 }
 
 }  // namespace
+
+const ArgTable& gas_keywords() { return table(); }
 
 FixMuckpileGas::FixMuckpileGas(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg), where_(where_of(narg, arg)), gas_({}) {

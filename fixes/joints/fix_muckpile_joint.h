@@ -16,6 +16,7 @@
 #include "fixes/interfaces/block_neighbours.h"
 #include "fixes/interfaces/joint_pressure.h"
 #include "fixes/interfaces/joint_view.h"
+#include "fixes/interfaces/rock_view.h"
 #include "fixes/interfaces/step_limit.h"
 #include "fixes/interfaces/yielding_supports.h"
 #include "fixes/joints/joint_step_check.h"
@@ -30,7 +31,8 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
                          public BlastSurface,
                          public YieldingSupports,
                          public JoinedBlocks,
-                         public StepLimit {
+                         public StepLimit,
+                         public RockView {
  public:
   FixMuckpileJoint(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
   ~FixMuckpileJoint() override;
@@ -79,6 +81,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   }
   [[nodiscard]] StepBound stable_step(Breaking breaking, double guess) const override;
   [[nodiscard]] int stiffness_changes() const override { return softenings_; }
+  [[nodiscard]] RockConstants rock() const override;
 
   void mark_joined(std::span<const char> moves, std::span<char> disturbed) override;
   void let_rest(std::span<const char> rests) override;

@@ -10,6 +10,7 @@
 
 #include "bond/law/joint_law_table.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/interfaces/keyword_tables.h"
 
 namespace muckpile {
 namespace {
@@ -87,6 +88,8 @@ Words read_words(LAMMPS_NS::LAMMPS& lmp, const std::string& where, int narg, cha
 }
 
 }  // namespace
+
+const ArgTable& joint_keywords() { return table(); }
 
 JointArguments joint_arguments(LAMMPS_NS::LAMMPS& lmp, const std::string& where, int narg,
                                char** arg) {

@@ -55,6 +55,11 @@ void FixMuckpileJoint::set_pressure(std::span<const double> pressure,
 
 void FixMuckpileJoint::expect_pressure(bool expected) { network_.expect_pressure(expected); }
 
+RockConstants FixMuckpileJoint::rock() const {
+  const JointParameters& now = network_.material().parameters();
+  return {now.density, now.youngs_modulus / softened(), now.poisson_ratio};
+}
+
 double FixMuckpileJoint::shear_modulus() const { return network_.material().shear_modulus(); }
 
 void FixMuckpileJoint::unload_softened() {

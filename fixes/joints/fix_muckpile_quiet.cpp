@@ -16,6 +16,7 @@
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/interfaces/keyword_tables.h"
 
 namespace muckpile {
 namespace {
@@ -36,11 +37,13 @@ const ArgTable& table() {
                 "the ground stands still once less than this share of the greatest radiated power "
                 "so far leaves; 0: never")
           .integer("every", "steps", engine::step_counts(), 100,
-                   "between looks at time and power, which is the mean between two looks");
+                   "between checks of time and power, which is the mean between two checks");
   return args;
 }
 
 }  // namespace
+
+const ArgTable& quiet_keywords() { return table(); }
 
 FixMuckpileQuiet::FixMuckpileQuiet(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg),

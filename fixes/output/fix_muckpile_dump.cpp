@@ -11,7 +11,6 @@
 
 #include <array>
 #include <charconv>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -25,7 +24,9 @@
 #include "fixes/engine/output_file.h"
 #include "fixes/engine/periodic_output.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/interfaces/keyword_tables.h"
 #include "fixes/joints/fix_muckpile_joint.h"
+#include "provenance/run_files.h"
 
 namespace muckpile {
 namespace {
@@ -52,25 +53,17 @@ void append(std::string& text, const Numbers& numbers, int digits) {
   }
 }
 
-/// Of a snapshot by the name of its file; -1 for other files.
-long long step_of(const std::string& name) {
-  long long step = -1;
-  int length = 0;  // stays 0 if the name ends or goes on otherwise after the number
-  std::sscanf(name.c_str(), "blocks_%lld.csv%n", &step, &length);
-  return static_cast<std::size_t>(length) == name.size() ? step : -1;
-}
-
 /// The id in the first line of a snapshot, "" if there is none.
 std::string run_of(const std::filesystem::path& snapshot) {
   std::ifstream in(snapshot);
   std::array<char, 200> begin{};  // of whatever file has such a name
   in.getline(begin.data(), begin.size());
-  const std::string line(begin.data());
-  const std::size_t at = line.find(" run=");
-  return at == std::string::npos ? "" : line.substr(at + 5);
+  return run_id_in(begin.data());
 }
 
 }  // namespace
+
+const ArgTable& dump_keywords() { return table(); }
 
 FixMuckpileDump::FixMuckpileDump(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg), where_(std::string("fix muckpile/dump '") + id + "'") {
@@ -109,7 +102,7 @@ void FixMuckpileDump::clear_folder() {
   int strangers = 0;
   std::filesystem::directory_iterator entry(folder_, fault);
   for (; !fault && entry != std::filesystem::directory_iterator(); entry.increment(fault)) {
-    const long long step = step_of(entry->path().filename().string());
+    const long long step = snapshot_step(entry->path().filename().string());
     if (step < 0) continue;
     if (run_of(entry->path()) != store_->record().id())
       ++strangers;
@@ -176,15 +169,13 @@ void FixMuckpileDump::write() {
                   '\0');
   MPI_Gatherv(mine.data(), length, MPI_CHAR, all.data(), lengths.data(), first.data(), MPI_CHAR, 0,
               world);
-  std::array<char, 64> name{};
-  std::snprintf(name.data(), name.size(), "/blocks_%09lld.csv",
-                static_cast<long long>(update->ntimestep));
   std::ostringstream head;
   head.precision(12);
-  head << "# step=" << update->ntimestep << " time_s=" << update->get_cur_time()
-       << " run=" << store_->record().id() << '\n'
+  head << "# step=" << update->ntimestep << " time_s=" << update->get_cur_time() << " "
+       << run_mark(store_->record().id()) << '\n'
        << kHeader;
-  engine::write_file(*lmp, where_, folder_ + name.data(), head.str() + all);
+  engine::write_file(*lmp, where_, folder_ + "/" + snapshot_name(update->ntimestep),
+                     head.str() + all);
 }
 
 }  // namespace muckpile

@@ -32,6 +32,7 @@
 #include "fixes/engine/stop_with_state.h"
 #include "fixes/engine/style_args.h"
 #include "fixes/explosive/fix_muckpile_blast.h"
+#include "fixes/interfaces/keyword_tables.h"
 #include "fixes/joints/fix_muckpile_joint.h"
 #include "fixes/output/fix_muckpile_ledger.h"
 
@@ -49,7 +50,7 @@ Range time_range() { return Range::left_open(0.0, 1e30); }
 
 const ArgTable& table() {
   static const ArgTable args =
-      engine::periodic_output_table("fix muckpile/progress", "between looks",
+      engine::periodic_output_table("fix muckpile/progress", "between checks",
                                     "where history.csv and run.json go")
           .word("phase", {}, "run", "name of the phase that begins")
           .real("time_end", "s", time_range(), 1e30,
@@ -92,6 +93,8 @@ bool is_whole_row(const std::string& line, const std::string& run_id) {
 }
 
 }  // namespace
+
+const ArgTable& progress_keywords() { return table(); }
 
 FixMuckpileProgress::FixMuckpileProgress(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg),

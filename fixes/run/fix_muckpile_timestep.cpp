@@ -19,6 +19,7 @@
 #include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/interfaces/keyword_tables.h"
 
 namespace muckpile {
 namespace {
@@ -43,17 +44,17 @@ const ArgTable& table() {
   static const ArgTable args =
       ArgTable("fix muckpile/timestep")
           .real("fraction", "", Range::left_open(0.0, 1.0), 0.8, "of the longest stable step")
-          .integer("every", "steps", engine::step_counts(), 100, "between looks at the contacts")
-          .integer("joints_every", "looks", Range::closed(0, 1000000), 20,
-                   "between looks at the joints; 0: as a run is set up and never within")
+          .integer("every", "steps", engine::step_counts(), 100, "between checks of the contacts")
+          .integer("joints_every", "checks", Range::closed(0, 1000000), 20,
+                   "between checks of the joints; 0: as a run is set up and never within")
           .word("breaking", {"possible", "none"}, "possible",
-                "whether joints may break between two looks: a closed broken one is stiffer")
+                "whether joints may break between two checks: a closed broken one is stiffer")
           .real("dashpot_fraction", "", Range::left_open(0.0, 4.0), 0.8,
                 "of the longest stable step with the dashpots of sphere contacts")
           .real("collision", "s", Range::left_open(0.0, 1e30), 1e30,
                 "step that resolves a collision of blocks; without: as pair muckpile/block says")
           .real("collision_speed", "m/s", Range::closed(0.0, 1e4), 0.0,
-                "of that collision; it follows the fastest block at each look. 0: it does not")
+                "of that collision; it follows the fastest block at each check. 0: it does not")
           .real("min", "s", Range::closed(0.0, 1.0), 0.0, "a step shorter than this stops the run")
           .real("max", "s", Range::left_open(0.0, 1e30), 1e30, "the step is never longer");
   return args;
@@ -73,6 +74,8 @@ double acting_together(double joints, double contacts) {
 }
 
 }  // namespace
+
+const ArgTable& timestep_keywords() { return table(); }
 
 FixMuckpileTimestep::FixMuckpileTimestep(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg),

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "io/vtk_series.h"
+#include "report/all_reports.h"
 #include "report/not_measurable.h"
 #include "report/plan_report.h"
 #include "report/reports.h"
@@ -124,13 +124,41 @@ void add_picture_commands(CLI::App& app, Options& o) {
       app, "series", "vtk/blocks.pvd: all snapshots as polyhedra for ParaView", o.folder);
   series->add_option("--every", o.every, "write only every n-th snapshot and the last")
       ->check(CLI::PositiveNumber);
-  series->callback([&o] {
-    const ResultFolder folder(o.folder);
-    const int written = write_vtk_series(folder, o.every);
-    nlohmann::ordered_json keys = common_keys(folder);
-    keys["vtk_snapshots"] = written;
-    folder.merge_into_summary(keys);
-  });
+  series->callback([&o] { report_series(ResultFolder(o.folder), o.every); });
+}
+
+void say(const std::string& text) {
+  std::printf("muckpile-post: %s\n", text.c_str());
+  std::fflush(stdout);  // ahead of what comes on standard error
+}
+
+// A report that has no measures for the scene is no failure of the others.
+void report_all(const std::string& path) {
+  const ResultFolder folder(path);
+  std::string refused;
+  for (const std::string& name : reports_of(folder)) {
+    say(name + " " + path);
+    try {
+      make_report(folder, name);
+    } catch (const NotMeasurable& refusal) {
+      std::fprintf(stderr, "muckpile-post: %s\n", refusal.what());
+      refused += " " + name;
+    }
+  }
+  say("results in " + path);
+  std::fputs(summary_lines(folder).c_str(), stdout);
+  for (const auto& picture : pictures_in(folder)) say("picture " + picture.string());
+  if (!refused.empty()) {
+    say("not measured:" + refused + "; the reason is above and in " +
+        folder.file("summary.json").string());
+  }
+}
+
+void add_all_command(CLI::App& app, Options& o) {
+  CLI::App* all = add_command(
+      app, "all", "what fits the scene of those above, and the key figures on the screen",
+      o.folder);
+  all->callback([&o] { report_all(o.folder); });
 }
 
 }  // namespace
@@ -144,6 +172,7 @@ int main(int argc, char** argv) {
   Options options;
   add_pile_commands(app, options);
   add_picture_commands(app, options);
+  add_all_command(app, options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -4,11 +4,7 @@
 # after them.
 set -euo pipefail
 program=$1 list=$2
-
-fail() {
-  printf '%s\n' "test_help: $*" "--- output:" "${output-}"
-  exit 1
-}
+source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
 
 mapfile -t styles < <(sed -nE 's/^muckpile_add_style\(([a-z]+) ([^ )]+) [a-z]+\)$/\1 \2/p' "$list")
 [[ ${#styles[@]} -ge 7 ]] || fail "found ${#styles[@]} styles in $list"

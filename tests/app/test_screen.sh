@@ -3,9 +3,8 @@
 # test_screen.sh PROGRAM: a run that reads a mesh ends well whatever -screen says, and prints nothing with `-screen none`; so on two ranks.
 set -euo pipefail
 program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
+source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
+cd "$out"
 
 cat >floor.stl <<'EOF'
 solid floor
@@ -33,15 +32,10 @@ run 0
 print "it has run" file ran.txt
 EOF
 
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 run() {  # run OPTION...: what the program prints; MPI's own remarks go to stderr
   rm -f ran.txt
-  output=$("${launcher[@]}" "$program" -in in.mesh -log none "$@" 2>stderr </dev/null) || fail "$*: exit status $?"
+  output=$("${launcher[@]}" "$program" -in in.mesh -log none "$@" 2>stderr </dev/null) || fail "$*: exit status $?; $(cat stderr)"
   [[ -s ran.txt ]] || fail "$*: not run to the end"
-}
-fail() {
-  printf '%s\n' "test_screen: $*" "--- output:" "${output-}" "--- stderr:" "$(cat stderr)"
-  exit 1
 }
 
 launcher=()

@@ -4,14 +4,8 @@
 # block is meant.
 set -euo pipefail
 program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-
-fail() {
-  printf '%s\n' "test_sphere_commands: $*" "--- output:" "${output-}"
-  exit 1
-}
+source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
+cd "$out"
 
 cat >scene.in <<'EOF'
 units si

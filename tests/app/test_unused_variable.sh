@@ -4,14 +4,8 @@
 # was meant; others are not, and nothing is said of a script whose includes cannot be found.
 set -euo pipefail
 program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-
-fail() {
-  printf '%s\n' "test_unused_variable: $*" "--- output:" "${output-}"
-  exit 1
-}
+source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
+cd "$out"
 
 warnings() {  # warnings INPUT OPTION...: how many lines warn of -var
   output=$("$program" -log none -in "$@" 2>&1 </dev/null) || true

@@ -1,17 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# ladder.sh LIGGGHTS_MUCKPILE MUCKPILE_POST OUT [quick]: run time against error of a bench of half the height, one knob at a time; writes
-# OUT/ladder.csv, OUT/ladder.md and OUT/cases/ladder.json.
+# ladder.sh LIGGGHTS_MUCKPILE MUCKPILE_POST LADDER_REPORT OUT [quick]: run time against error of a bench of half the height, one knob at a time; writes
+# OUT/ladder.csv, OUT/ladder.md, OUT/scatter.md and OUT/cases/ladder.json.
 # Scope: CPU seconds of one rank, so that other work on the machine and runs side by side disturb little. Error: distance from the run that
 # is finest in everything. `quick` makes every second run only, and ends them earlier: a trial of the command, not a result.
 set -euo pipefail
-program=$(readlink -f "$1") post=$(readlink -f "$2") out=$(realpath -m "$3") quick=${4-}
+program=$(readlink -f "$1") post=$(readlink -f "$2") report=$(readlink -f "$3") out=$(realpath -m "$4") quick=${5-}
 root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
 # Of tests/regression/bench_small.json; long enough for the burden to land.
 bench="-var bench_height 5 -var burden 2 -var hole_diameter 0.064 -var time_end 3.0"
 [[ $quick != quick ]] || bench=${bench/time_end 3.0/time_end 0.2}
 readonly bench
-readonly quantities=(face_velocity_m_s throw_cg_m beyond_toe_fraction joints_broken_fraction)
 export OMPI_MCA_btl_vader_single_copy_mechanism=none
 
 # The sizes of the standard blocks (median, smallest, largest) times a factor. At the wall of the crushed zone, 0.192 m wide here,
@@ -51,10 +50,6 @@ ladder=(
   "accuracy_fine|accuracy|fine|-var accuracy fine -var fragment_x50 0.28"
 )
 
-value_of() {  # value_of QUANTITY RUN
-  sed -nE "s/^ *\"$1\": ([-0-9.eE+]+),?$/\1/p" "$out/runs/$2/summary.json"
-}
-
 one_run() {  # one_run NAME VARIABLES...: leaves NAME/summary.json and NAME/seconds
   local folder=$out/runs/$1 TIMEFORMAT='%U %S'
   shift
@@ -89,93 +84,7 @@ all_runs() {
   return "$failed"
 }
 
-write_csv() {
-  local rung name knob setting vars quantity row
-  echo "name,knob,setting,blocks,steps,cpu_s,$(IFS=, && echo "${quantities[*]}")"
-  for rung in "${ladder[@]}"; do
-    IFS='|' read -r name knob setting vars <<<"$rung"
-    row="$name,$knob,${setting//,/;},$(value_of blocks "$name"),$(value_of steps "$name"),$(awk '{ print $1 + $2 }' "$out/runs/$name/seconds")"
-    for quantity in "${quantities[@]}"; do row+=,$(value_of "$quantity" "$name"); done
-    echo "$row"
-  done
-}
-
-# Table for the page: values with their distance from the finest run in per cent.
-write_table() {
-  awk -F, '
-    NR == 1 { next }
-    $1 == "finest" { for (i = 7; i <= 10; i++) finest[i] = $i }
-    { row[++n] = $0 }
-    function far(value, i) { return sprintf("%.4g (%+.1f %%)", value, 100 * (value / finest[i] - 1)) }
-    END {
-      print "| knob | setting | blocks | steps | CPU s | face velocity, m/s | throw of the mass centre, m | share beyond the old toe | joints broken |"
-      print "|---|---|---|---|---|---|---|---|---|"
-      for (k = 1; k <= n; k++) {
-        split(row[k], c, ",")
-        printf "| %s | %s | %d | %d | %.1f | %s | %s | %s | %s |\n", c[2], c[3], c[4], c[5], c[6], far(c[7], 7), far(c[8], 8), far(c[9], 9), far(c[10], 10)
-      }
-    }' "$out/ladder.csv"
-}
-
-# Mean and standard deviation over the three seeds of the standard setting: differences below that say nothing.
-write_scatter() {
-  awk -F, '
-    NR == 1 { for (i = 7; i <= 10; i++) name[i] = $i; next }
-    $2 == "standard" { n++; for (i = 7; i <= 10; i++) { sum[i] += $i; square[i] += $i * $i } }
-    END {
-      print "| quantity | mean of " n " seeds | standard deviation |\n|---|---|---|"
-      for (i = 7; i <= 10; i++) {
-        mean = sum[i] / n
-        variance = (square[i] - n * mean * mean) / (n - 1)
-        deviation = variance > 0 ? sqrt(variance) : 0
-        printf "| %s | %.4g | %.2g (%.1f %%) |\n", name[i], mean, deviation, 100 * deviation / mean
-      }
-    }' "$out/ladder.csv"
-}
-
-# The report that make_page reads: a row per run and quantity, a curve per knob and quantity.
-write_report() {
-  awk -F, -v total="$SECONDS" '
-    function json(word) { return "\"" word "\"" }
-    NR == 1 { for (i = 7; i <= 10; i++) name[i] = $i; next }
-    $1 == "finest" { for (i = 7; i <= 10; i++) finest[i] = $i }
-    { run[++n] = $0 }
-    END {
-      unit["face_velocity_m_s"] = "m/s"; unit["throw_cg_m"] = "m"
-      printf "{\"report\": \"ladder\", \"seconds\": %d,\n \"rows\": [", total
-      for (k = 1; k <= n; k++) {
-        split(run[k], c, ",")
-        printf "%s\n  {\"case\": %s, \"quantity\": \"CPU time\", \"unit\": \"s\", \"value\": %g, \"reference\": 0, \"source\": \"none\", \"error\": null, \"tolerance\": null, \"pass\": true}", (k > 1 ? "," : ""), json(c[1]), c[6]
-        for (i = 7; i <= 10; i++)
-          printf ",\n  {\"case\": %s, \"quantity\": %s, \"unit\": %s, \"value\": %g, \"reference\": %g, \"source\": \"finest run\", \"error\": %g, \"tolerance\": null, \"pass\": true}", json(c[1]), json(name[i]), json(unit[name[i]]), c[i], finest[i], c[i] / finest[i] - 1
-      }
-      printf "\n ],\n \"curves\": ["
-      for (i = 7; i <= 10; i++) {
-        colour = 0
-        delete points
-        delete label
-        knobs = 0
-        for (k = 1; k <= n; k++) {
-          split(run[k], c, ",")
-          error = c[i] / finest[i] - 1
-          if (c[1] == "finest") continue
-          if (!(c[2] in points)) label[++knobs] = c[2]
-          # A logarithmic axis has no 0: what is nearer than 0.01 % is drawn there.
-          error = error < 0 ? -error : error
-          points[c[2]] = points[c[2]] (points[c[2]] == "" ? "" : ", ") sprintf("[%g, %g]", c[6], 100 * (error > 1e-4 ? error : 1e-4))
-        }
-        for (k = 1; k <= knobs; k++)
-          printf "%s\n  {\"plot\": \"ladder_%s\", \"title\": \"%s: run time against distance from the finest run\", \"x_label\": \"CPU time, s\", \"y_label\": \"distance, %%\", \"x_scale\": \"logarithmic\", \"y_scale\": \"logarithmic\", \"label\": %s, \"style\": \"points\", \"colour\": %d, \"points\": [%s]}", (i + k > 8 ? "," : ""), name[i], name[i], json(label[k]), k - 1, points[label[k]]
-      }
-      print "\n ]}"
-    }' "$out/ladder.csv"
-}
-
-mkdir -p "$out/cases"
 cd "$root"
 all_runs || { echo "ladder: error: a run failed; see above and $out/runs" >&2; exit 1; }
-write_csv >"$out/ladder.csv"
-write_table >"$out/ladder.md"
-write_scatter >"$out/scatter.md"
-write_report >"$out/cases/ladder.json"
+printf '%s\n' "${ladder[@]}" | "$report" "$out" "$SECONDS"
 cat "$out/ladder.md"

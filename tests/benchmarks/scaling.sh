@@ -11,7 +11,7 @@ cd "$(dirname "$0")/../.."
 mkdir -p "$results"
 read -ra under <<<"${RUN_UNDER:-}"
 input=$results/in.few
-sed 's#^include *inputs/common/wave_then_throw.in#include tests/benchmarks/few_steps.in#' inputs/bench/in.bench >"$input"
+sed '/^run_blast/,$c include tests/benchmarks/few_steps.in' inputs/bench/in.bench >"$input"
 scaled() { awk -v a="$1" -v s="$2" 'BEGIN { printf "%.6g", a * s }'; }
 
 csv=$results/scaling.csv

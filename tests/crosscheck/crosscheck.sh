@@ -45,22 +45,7 @@ bar() {  # bar CELLS ACROSS STEPS: long enough for two periods of its bending
 
 readonly restitution=0.3
 
-# What LAMMPS' damping tsuji must be given so that its dashpot (a polynomial in that number, times sqrt(k m)) is as strong as ours:
-# for Muckpile's contact, which never pulls (restitution_of in contact_law.h), and for LIGGGHTS' wall, which sees the mass of one of
-# the eight spheres where LAMMPS sees the clump's.
-tsuji_input() {  # tsuji_input pair|wall
-  awk -v e="$restitution" -v who="$1" '
-    function ours(z) { return exp(-2 * z * atan2(sqrt(1 - z * z), z) / sqrt(1 - z * z)) }
-    function strength(x) { return 1.2728 + x * (-4.2783 + x * (11.087 + x * (-22.348 + x * (27.467 + x * (-18.022 + x * 4.8218))))) }
-    BEGIN {
-      low = 0; high = 0.999
-      for (i = 0; i < 60; i++) { z = (low + high) / 2; if (ours(z) > e) low = z; else high = z }
-      if (who == "wall") z = -log(e) / sqrt(log(e)^2 + atan2(0, -1)^2) / sqrt(8)
-      low = 0; high = 1
-      for (i = 0; i < 60; i++) { x = (low + high) / 2; if (strength(x) > sqrt(5) * z) low = x; else high = x }
-      printf "%.6f\n", x
-    }'
-}
+tsuji_input() { "$(dirname "$comparer")/crosscheck_tsuji_damping" "$1" "$restitution"; }  # tsuji_input pair|wall
 
 lammps_clumps() {  # the dump start.txt on standard input as a data file
   awk 'NR == 6 || NR == 7 || NR == 8 { side[NR] = $1 " " $2 }

@@ -2,9 +2,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # check_layers.sh passes a clean tree and names every kind of forbidden include.
 set -euo pipefail
-check=$(dirname "${BASH_SOURCE[0]}")/check_layers.sh
-tree=$(mktemp -d)
-trap 'rm -rf "$tree"' EXIT
+source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
+readonly check=$here/check_layers.sh tree=$out
 export LIGGGHTS_INCLUDE_DIR=$tree/engine
 mkdir -p "$tree"/{engine,src/core/args,src/app,fixes,postproc/lib}
 touch "$tree"/engine/{lammps.h,region.h} "$tree"/postproc/lib/region.h

@@ -4,11 +4,9 @@
 # step. Its panels cover floor and step once, and none is more than 8 times as long as wide.
 set -euo pipefail
 program=$1
-source "$(dirname "${BASH_SOURCE[0]}")/../support/check_figures.sh"
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
+source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
+source "$root/tests/support/check_figures.sh"
 mkdir "$out/dump"
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
 cat >"$out/in.floor" <<'END'
 units si
@@ -30,8 +28,8 @@ create_atoms 1 single -0.5 0 -40.6
 create_atoms 1 single -0.9 0 5
 create_atoms 1 single 0.6 0 -20
 create_atoms 1 single 0 0 -20
-variable inside equal count(all,${solid})
-print "in solid: ${inside}"
+variable inside equal count(all,in_the_ground)
+print "in the ground: ${inside}"
 END
 
 wrong=0
@@ -40,7 +38,7 @@ floor() {  # floor LENGTH HALF_WIDTH DEPTH: from x = 0.05 m on
   "$program" -in "$out/in.floor" -log none -var out "$out" -var floor_start 0.05 -var floor_length "$1" -var floor_half_width "$2" \
     -var floor_depth "$3" -var block_max 1 \
     -var bottom_z -40 -var rear_x -0.3 >"$out/screen" 2>&1 </dev/null || { echo "$*: refused: $(grep ERROR "$out/screen")"; wrong=1; return; }
-  grep -q "^in solid: 4$" "$out/screen" || { echo "$*: of five places four are in solid, got '$(grep "^in solid" "$out/screen")'"; wrong=1; }
+  grep -q "^in the ground: 4$" "$out/screen" || { echo "$*: of five places four are in the ground, got '$(grep "^in the ground" "$out/screen")'"; wrong=1; }
   awk '
     $1 == "vertex" { n++; x[n] = $2; y[n] = $3; z[n] = $4 }
     function side(a, b) { return sqrt((x[a]-x[b])^2 + (y[a]-y[b])^2 + (z[a]-z[b])^2) }
@@ -60,7 +58,7 @@ floor() {  # floor LENGTH HALF_WIDTH DEPTH: from x = 0.05 m on
   check_figures bounds "$*: longest panel by its width" "$out/floor.json:length_by_width" --at-least 1 --at-most 8.001 || wrong=1
 }
 
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+cd "$root"
 floor 200 2.775 2.4    # in.bench
 floor 1000 2.15 1.6    # -var bench_height 50 -var burden 2
 floor 2000 0.915 0.04  # bench_height 100, holes 0.03 m apart, burden 0.05 m

@@ -7,11 +7,6 @@ set -euo pipefail
 program=$1 post=$2
 source "$(dirname "${BASH_SOURCE[0]}")/runs.sh"
 
-fail() {
-  printf '%s\n' "leaning_face: $*"
-  exit 1
-}
-
 input=$out/in.leaning
 upright='^region +rock block '
 [[ $(grep -cE "$upright" inputs/bench/in.bench) -eq 1 ]] || fail "inputs/bench/in.bench has not one line '$upright'"

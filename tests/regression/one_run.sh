@@ -10,7 +10,6 @@ shift 5
 source "$(dirname "${BASH_SOURCE[0]}")/runs.sh"
 readonly dump=$out/run/dump
 
-fail() { echo "$*"; exit 1; }
 ends_at() {  # ends_at SECONDS
   check_figures near "time [s]" "$dump/run.json:physical_time_s" "$1" 2e-3
   check_figures near "time of the last row [s]" "$dump/history.csv:time_s" "$(of_run run physical_time_s)" 1e-9  # ten digits

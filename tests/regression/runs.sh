@@ -3,18 +3,16 @@
 # What the scripts beside it share: runs of an input in folders of $out, and their figures. What a failed script has written stays,
 # and its place is printed.
 # Scope: to be sourced, once $program is set. It goes to the root of the project.
-source "$(dirname "${BASH_SOURCE[0]}")/../support/check_figures.sh"
-cd "$(dirname "${BASH_SOURCE[0]}")/../.." || exit
-out=$(mktemp -d)
+source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
+source "$root/tests/support/check_figures.sh"
+cd "$root" || exit
 trap 'if [[ $? -eq 0 ]]; then rm -rf "$out"; else echo "kept: $out"; fi' EXIT
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1 \
-  OMPI_MCA_btl_vader_single_copy_mechanism=none
 
 run_input() {  # run_input FOLDER RANKS INPUT [-var NAME VALUE]...: to $out/FOLDER
   local to=$out/$1 ranks=$2 input=$3
   shift 3
   mkdir -p "$to/dump"
-  mpirun -np "$ranks" --oversubscribe --bind-to none "$program" -in "$input" -log none -var out "$to" "$@" >"$to/screen" 2>&1 ||
+  on_ranks "$ranks" -in "$input" -log none -var out "$to" "$@" >"$to/screen" 2>&1 ||
     { tail -n 30 "$to/screen"; exit 1; }
 }
 

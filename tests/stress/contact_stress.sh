@@ -4,15 +4,10 @@
 # its energy balanced to 0.1 %; far above, both must be lost (the drift is 1 to 3 % there, by chance of the rattling).
 set -euo pipefail
 program=$1 ranks=${2:-1}
-source "$(dirname "${BASH_SOURCE[0]}")/../support/check_figures.sh"
-here=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")")
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1 \
-  OMPI_MCA_btl_vader_single_copy_mechanism=none
-
-cd "$here/../.."
-mpirun -np "$ranks" --oversubscribe --bind-to none "$program" -in "$here/in.contacts" -log none -var out "$out" "${@:3}" \
+source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
+source "$root/tests/support/check_figures.sh"
+cd "$root"
+on_ranks "$ranks" -in "$here/in.contacts" -log none -var out "$out" "${@:3}" \
   >"$out/screen" 2>&1 || { tail -n 5 "$out/screen"; exit 1; }
 grep '^contact_stress:' "$out/screen"
 wrong=0

@@ -7,20 +7,11 @@
 set -euo pipefail
 program=$1 input=$2 seconds=$3
 shift 3
-source "$(dirname "${BASH_SOURCE[0]}")/../support/check_figures.sh"
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
+source "$root/tests/support/check_figures.sh"
+cd "$root"
+source src/app/run/input_variables.sh
 readonly kLarge=' bench_height=100 burden=50 holes=10000 spacing=50 half_width=500 rock_below=500 subdrill=50 fragment_x50=1e-3 block_min=1e-3 go_on=1 time_end=1000 charge_mass=1e5 hole_diameter=0.005 '
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-
-files_of() {  # files_of FILE: it and what it includes; of all variants where the file's name has a variable in it
-  local pattern file
-  echo "$1"
-  while read -r pattern; do
-    for file in $pattern; do files_of "$file"; done
-  done < <(sed -nE 's/^[[:space:]]*include[[:space:]]+([^[:space:]]+).*/\1/p' "$1" | sed -E 's/\$\{[^}]*\}/*/g')
-}
 
 # A knob and its two ends; where an end itself is excluded, a number just inside.
 ends() {
@@ -47,7 +38,7 @@ try() {  # try KNOB VALUE [-var NAME VALUE]...: the first -var of a name counts
   if [[ $status -eq 0 ]]; then
     ran=$((ran + 1))
     fault=$(check_figures finite "$out/dump/run.json" "$out/dump/history.csv" 2>&1) || fault=${fault:-no figures}
-  elif [[ $status -ne 1 ]] || ! grep -qE '^ERROR: (input|create_blocks|charge_design|fix muckpile/[a-z]+)[: ]' "$out/screen"; then
+  elif [[ $status -ne 1 ]] || ! grep -qE '^ERROR: (input|create_blocks|charge_design|run_blast|fix muckpile/[a-z]+)[: ]' "$out/screen"; then
     fault="exit status $status, $(tail -n 1 "$out/screen")"
   fi
   printf '%-24s %-12s %s\n' "$knob" "$value" "${fault:-$([[ $status -eq 0 ]] && echo ran || grep '^ERROR' "$out/screen" | head -n 1 | cut -c1-150)}"
@@ -56,7 +47,7 @@ try() {  # try KNOB VALUE [-var NAME VALUE]...: the first -var of a name counts
 
 while read -r knob value; do
   [[ $kLarge != *" $knob=$value "* ]] || continue
-  ! grep -qE "^variable[[:space:]]+$knob[[:space:]]+(equal|string)" "$input" || continue  # computed, no knob
+  ! grep -qsE "^variable[[:space:]]+$knob[[:space:]]+(equal|string)" "$input" "$(dirname "$input")/geometry.in" || continue  # computed, no knob
   try "$knob" "$value" "$@"
 done < <(ends)
 echo "$tried values tried, $ran ran"

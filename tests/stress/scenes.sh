@@ -5,12 +5,9 @@
 # Scope: LIST has a line per scene: name, ranks, bound of the balance in % of the blast's work, input, -var NAME VALUE...; `#` starts a remark.
 set -euo pipefail
 program=$1 post=$2 list=$(readlink -f "$3")
-source "$(dirname "${BASH_SOURCE[0]}")/../support/check_figures.sh"
-cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1 \
-  OMPI_MCA_btl_vader_single_copy_mechanism=none
+source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
+source "$root/tests/support/check_figures.sh"
+cd "$root"
 
 value() { sed -nE "s/^ *\"$1\": ([^,]+),?$/\1/p" "$out/summary.json" | head -n 1; }
 

@@ -5,37 +5,33 @@
 # which the next run must refuse by that message.
 set -euo pipefail
 program=$1 ranks=${2:-1}
-source "$(dirname "${BASH_SOURCE[0]}")/../support/check_figures.sh"
-here=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")")
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1 \
-  OMPI_MCA_btl_vader_single_copy_mechanism=none
+source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
+source "$root/tests/support/check_figures.sh"
 
 wrong=0
-fail() { echo "  WRONG: $1"; tail -n 5 "$out/screen"; wrong=1; }
+is_wrong() { echo "  WRONG: $1"; tail -n 5 "$out/screen"; wrong=1; }
 
 try() {  # try SHARE ends|stops [variables]
   local share=$1 expected=$2 status=0
   shift 2
   rm -rf "$out/dump" "$out/screen" "$out/figures.json"
-  mpirun -np "$ranks" --oversubscribe --bind-to none "$program" -in "$here/in.step" -log none -var out "$out" \
+  on_ranks "$ranks" -in "$here/in.step" -log none -var out "$out" \
     -var share "$share" "$@" >"$out/screen" 2>&1 || status=$?
   local said
   said=$(grep -E "^step_stress:|fix muckpile/progress 'progress':" "$out/screen" | tail -n 1 || true)
   echo "share $share $*: status $status, ${said:-nothing said}"
   if [[ $expected == ends ]]; then
-    [[ $status -eq 0 ]] || fail "must end well"
-    check_figures near "energy balance" "$out/figures.json:energy_balance" 0 0.01 || fail "energy is not balanced"
+    [[ $status -eq 0 ]] || is_wrong "must end well"
+    check_figures near "energy balance" "$out/figures.json:energy_balance" 0 0.01 || is_wrong "energy is not balanced"
   else
-    [[ $status -ne 0 ]] || fail "must stop"
-    [[ $said == *"the time step"* ]] || fail "must say that the time step is too long"
-    [[ -s $out/dump/stopped.restart ]] || fail "must leave stopped.restart"
+    [[ $status -ne 0 ]] || is_wrong "must stop"
+    [[ $said == *"the time step"* ]] || is_wrong "must say that the time step is too long"
+    [[ -s $out/dump/stopped.restart ]] || is_wrong "must leave stopped.restart"
     status=0
-    mpirun -np "$ranks" --oversubscribe --bind-to none "$program" -in "$here/in.step" -log none -var out "$out" \
+    on_ranks "$ranks" -in "$here/in.step" -log none -var out "$out" \
       -var go_on 1 -var share 0.1 "$@" >"$out/screen" 2>&1 || status=$?
     [[ $status -ne 0 ]] && grep -qE "^ERROR: .*(It is so in the restart file that was read|not a number; go on from)" "$out/screen" ||
-      fail "stopped.restart must be refused"
+      is_wrong "stopped.restart must be refused"
   fi
 }
 

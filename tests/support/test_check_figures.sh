@@ -5,9 +5,8 @@
 # Scope: files made here.
 set -euo pipefail
 program=$(readlink -f "$1")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
+source "$(dirname "${BASH_SOURCE[0]}")/script.sh"
+cd "$out"
 
 call() {
   status=0

@@ -6,9 +6,8 @@
 # shellcheck disable=SC2016  # the bodies of the fakes expand when they run
 set -euo pipefail
 check=$(readlink -f "$1")
-root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
-tree=$(mktemp -d)
-trap 'rm -rf "$tree"' EXIT
+source "$(dirname "${BASH_SOURCE[0]}")/script.sh"
+readonly tree=$out
 mkdir -p "$tree"/{bin,src/app,tests/support/check_figures}
 ln -s "$check" "$tree/tests/support/check_figures/check_figures"
 program=$tree/src/app/program post=$tree/bin/post

@@ -2,16 +2,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # run_expect.sh passes a refusal and nothing else; fake programs play the faults.
 set -euo pipefail
-run_expect=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/run_expect.sh")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
+source "$(dirname "${BASH_SOURCE[0]}")/script.sh"
+run_expect=$here/run_expect.sh
+cd "$out"
 printf '# expect: burden must be > 0 m, got\nunits si\n' >case.in
 
 verdict() {  # verdict NAME BODY: result of run_expect on a program with this body
   printf '#!/bin/bash\n%s\n' "$2" >"$1"
   chmod +x "$1"
-  "$run_expect" "$folder/$1" "$folder/case.in" "${limit:-40}" >"$1.out" 2>&1
+  "$run_expect" "$out/$1" "$out/case.in" "${limit:-40}" >"$1.out" 2>&1
 }
 must_pass() { verdict "$@" || { echo "$1 failed: $(<"$1.out")"; exit 1; }; }
 must_fail() {  # must_fail NAME BODY REASON

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Joins the reports of all cases of a folder: summary.json, one PNG per plot, the page of tables.
 // Scope: make_page RESULTS [TEMPLATE PAGE]; RESULTS/cases holds the reports, pictures go to images/
-// beside the page. In the template a line {{table NAME}} becomes the rows of all reports whose name
-// begins with NAME, {{plot NAME}} the picture, {{summary}} the count of rows, {{file NAME}} the
-// text of RESULTS/NAME. A report may say that it was skipped, and why, instead of having rows; the
-// plots that begin with its name are then left out.
+// beside the page. In the template a line {{case NAME TEXT}} becomes one row that sums up the rows
+// of all reports whose name begins with NAME and links to them as NAME.csv in a folder beside the
+// page, {{plot NAME}} the picture, {{summary}} the count of rows, {{not_met}} those outside their
+// bounds, {{file NAME}} the text of RESULTS/NAME. A report may say that it was skipped, and why,
+// instead of having rows; the plots that begin with its name are then left out.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -18,12 +19,12 @@
 #include "draw/curve_plot.h"
 #include "draw/png_file.h"
 #include "io/result_folder.h"
+#include "report_rows.h"
 
 namespace muckpile {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 std::vector<Json> read_reports(const fs::path& folder) {
   std::set<fs::path> files;
@@ -82,55 +83,21 @@ std::map<std::string, CurvePlot> collect_plots(const std::vector<Json>& reports)
   return plots;
 }
 
-std::string spelled_number(const Json& value, int digits) {
-  return value.is_null() ? "" : spelled(value.get<double>(), digits);
-}
-
-/// Relative errors in per cent; an error whose reference is 0 is the value itself.
-std::string spelled_error(const Json& row, const char* key) {
-  if (row[key].is_null()) return "";
-  const double value = row[key].get<double>();
-  if (row["reference"].get<double>() == 0.0) return spelled(value, 2);
-  return spelled(100.0 * value, 2) + " %";
-}
-
 /// Why reports whose name begins with `prefix` have no rows, if they say so.
 std::string why_skipped(const std::vector<Json>& reports, const std::string& prefix) {
   for (const Json& report : reports) {
     if (report.contains("skipped") && report["report"].get<std::string>().starts_with(prefix))
-      return "Not run: " + report["skipped"].get<std::string>() + ".\n";
+      return "not run: " + report["skipped"].get<std::string>();
   }
   return "";
 }
 
-std::string table(const std::vector<Json>& reports, const std::string& name) {
-  const Json rows = all_rows(reports, name);
-  if (rows.empty()) {
-    if (const std::string why = why_skipped(reports, name); !why.empty()) return why;
-    throw std::runtime_error("no report has rows for {{table " + name + "}}");
-  }
-  std::string text =
-      "| case | quantity | measured | expected | error | allowed | "
-      "|\n|---|---|---|---|---|---|---|\n";
-  std::string notes;
-  for (const Json& row : rows) {
-    const bool pass = row["pass"].get<bool>();
-    std::string unit = row["unit"];
-    if (!unit.empty()) unit.insert(unit.begin(), ' ');
-    text += "| " + row["case"].get<std::string>() + " | " + row["quantity"].get<std::string>() +
-            " | " + spelled_number(row["value"], 5) + unit + " | " +
-            (row["tolerance"].is_null() ? "" : spelled_number(row["reference"], 5) + unit) + " | " +
-            spelled_error(row, "error") + " | " + spelled_error(row, "tolerance") + " | " +
-            (row["tolerance"].is_null() ? ""
-             : pass                     ? "ok"
-                                        : "**no**") +
-            " |\n";
-    if (row.contains("note")) {
-      notes += "\nNot met: " + row["case"].get<std::string>() + ", " +
-               row["quantity"].get<std::string>() + ": " + row["note"].get<std::string>() + "\n";
-    }
-  }
-  return text + notes;
+/// Rows that a report must have unless it says why not.
+Json rows_of(const std::vector<Json>& reports, const std::string& name) {
+  Json rows = all_rows(reports, name);
+  if (rows.empty() && why_skipped(reports, name).empty())
+    throw std::runtime_error("no report has rows whose name begins with " + name);
+  return rows;
 }
 
 std::string summary(const std::vector<Json>& reports) {
@@ -168,18 +135,29 @@ std::string text_of(const fs::path& path) {
 
 struct Source {
   fs::path results;
+  fs::path target;  ///< the page; files of figures go into a folder of its name
   std::vector<Json> reports;
   std::map<std::string, CurvePlot> plots;
 };
 
+/// Writes the figures of a case; its row of the page.
+std::string made_case(const Source& source, const std::string& words) {
+  const std::size_t blank = words.find(' ');
+  const std::string name = words.substr(0, blank), text = words.substr(blank + 1);
+  const Json rows = rows_of(source.reports, name);
+  if (rows.empty()) return "| " + text + " | | " + why_skipped(source.reports, name) + " |\n";
+  const fs::path file = source.target.stem() / (name + ".csv");
+  fs::create_directories(source.target.parent_path() / source.target.stem());
+  write_text(source.target.parent_path() / file, csv_of(rows));
+  return case_row(rows, text, file.string());
+}
+
 std::string page(const fs::path& form, const Source& source, const std::string& images) {
-  const auto& [results, reports, plots] = source;
+  const auto& [results, target, reports, plots] = source;
   std::ifstream in = opened(form);
   std::string text;
   for (std::string line; std::getline(in, line);) {
-    if (const std::string name = directive(line, "table"); !name.empty()) {
-      text += table(reports, name);
-    } else if (const std::string plot = directive(line, "plot"); !plot.empty()) {
+    if (const std::string plot = directive(line, "plot"); !plot.empty()) {
       if (!plots.contains(plot)) {
         if (!why_skipped(reports, plot.substr(0, plot.find('_'))).empty()) continue;
         throw std::runtime_error("no report has curves for " + line);
@@ -188,8 +166,12 @@ std::string page(const fs::path& form, const Source& source, const std::string& 
       text += "![" + plots.at(plot).title + "](" + picture.string() + ")\n";
     } else if (const std::string file = directive(line, "file"); !file.empty()) {
       text += text_of(results / file);
+    } else if (const std::string words = directive(line, "case"); !words.empty()) {
+      text += made_case(source, words);
     } else if (line == "{{summary}}") {
       text += summary(reports);
+    } else if (line == "{{not_met}}") {
+      text += not_met(all_rows(reports, ""));
     } else {
       text += line + "\n";
     }
@@ -198,7 +180,7 @@ std::string page(const fs::path& form, const Source& source, const std::string& 
 }
 
 void make(int argc, char** argv) {
-  Source source{argv[1], {}, {}};
+  Source source{argv[1], argc < 4 ? "" : argv[3], {}, {}};
   const fs::path& results = source.results;
   source.reports = read_reports(results / "cases");
   const Json rows = {{"rows", all_rows(source.reports, "")}};
@@ -208,7 +190,8 @@ void make(int argc, char** argv) {
     write_png(draw_curves(plot), results / (name + ".png"));
   }
   if (argc < 4) return;
-  const fs::path target = argv[3], images = fs::path("images") / target.stem();
+  const fs::path& target = source.target;
+  const fs::path images = fs::path("images") / target.stem();
   const std::string text = page(argv[2], source, images.string());
   fs::create_directories(target.parent_path() / images);
   for (const auto& [name, plot] : source.plots) {

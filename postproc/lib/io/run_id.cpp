@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <fstream>
-#include <sstream>
 #include <vector>
 
 #include "args/csv_table.h"
 #include "args/input_error.h"
 #include "io/result_folder.h"
 #include "io/snapshot.h"
+#include "provenance/run_files.h"
 
 namespace muckpile {
 namespace {
@@ -21,23 +21,12 @@ struct Origin {
   std::string run;  // "" if the file has no id
 };
 
-bool is_id(std::string_view text) {
-  constexpr size_t kDigits = 16;
-  return text.size() == kDigits &&
-         text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
-}
-
-// The id behind "run=" among the words of line `number`, counted from 1. VTK lets the title of a
-// file be any words.
+// The id in line `number`, counted from 1. VTK lets the title of a file be any words.
 std::string id_in_line(const std::filesystem::path& path, int number) {
   std::ifstream in(path);
-  std::string line, word;
+  std::string line;
   for (int k = 0; k < number; ++k) std::getline(in, line);
-  for (std::istringstream words(line); words >> word;) {
-    constexpr std::string_view kKey = "run=";
-    if (word.starts_with(kKey) && is_id(word.substr(kKey.size()))) return word.substr(kKey.size());
-  }
-  return {};
+  return run_id_in(line);
 }
 
 std::string id_in_json(const std::filesystem::path& path) {
@@ -45,7 +34,7 @@ std::string id_in_json(const std::filesystem::path& path) {
   const auto found = object.find("run_id");
   if (found == object.end() || !found->is_string()) return {};
   const auto id = found->get<std::string>();
-  return is_id(id) ? id : std::string();
+  return is_run_id(id) ? id : std::string();
 }
 
 // One for each id that the rows have: a second run may have gone on writing at the end.
@@ -59,7 +48,7 @@ void add_history(const std::filesystem::path& path, std::vector<Origin>& origins
   std::string before = "none";
   for (size_t row = 0; row < table.rows(); ++row) {
     const std::string_view word = table.word(row, *column);
-    const std::string id(is_id(word) ? word : std::string_view());
+    const std::string id(is_run_id(word) ? word : std::string_view());
     if (id == before) continue;
     const std::string where = table.where(row);  // ends in ": "
     origins.push_back({row == 0 ? path.string() : where.substr(0, where.size() - 2), id});

@@ -4,12 +4,12 @@
 #include "io/snapshot.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string>
 
 #include "args/csv_table.h"
 #include "args/input_error.h"
+#include "provenance/run_files.h"
 
 namespace muckpile {
 namespace {
@@ -58,23 +58,12 @@ BlockState state_of(const CsvTable& table, size_t row, const Columns& column) {
           table.whole(row, column.fragment),      table.number(row, column.broken)};
 }
 
-// The step in "blocks_000001000.csv", or -1 for any other name.
-long step_of(const std::string& name) {
-  constexpr std::string_view kBefore = "blocks_", kAfter = ".csv";
-  if (!name.starts_with(kBefore) || !name.ends_with(kAfter)) return -1;
-  const char* begin = name.data() + kBefore.size();
-  const char* end = name.data() + name.size() - kAfter.size();
-  long step = -1;
-  const auto [stop, error] = std::from_chars(begin, end, step);
-  return error == std::errc() && stop == end ? step : -1;
-}
-
 }  // namespace
 
 std::vector<std::filesystem::path> snapshot_files(const std::filesystem::path& dump) {
-  std::vector<std::pair<long, std::filesystem::path>> found;
+  std::vector<std::pair<long long, std::filesystem::path>> found;
   for (const auto& entry : std::filesystem::directory_iterator(dump)) {
-    const long step = step_of(entry.path().filename().string());
+    const long long step = snapshot_step(entry.path().filename().string());
     if (step >= 0) found.emplace_back(step, entry.path());
   }
   std::ranges::sort(found);

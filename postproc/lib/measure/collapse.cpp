@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What a bench would leave beyond its old toe if its burden only broke, swelled and slumped.
-// Scope: docs/muckpile-post.md has the formula and its derivation.
+// Scope: docs/theory/collapse.md has the formula and its derivation.
 #include "measure/collapse.h"
 
 #include <algorithm>

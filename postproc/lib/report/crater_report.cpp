@@ -12,10 +12,8 @@
 #include "measure/columns.h"
 #include "measure/crater.h"
 #include "report/not_measurable.h"
-#include "report/notes.h"
 #include "report/reports.h"
-#include "report/run_data.h"
-#include "report/section_plot.h"
+#include "report/run_section.h"
 
 namespace muckpile {
 namespace {
@@ -61,18 +59,11 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run,
   const double reach = std::max(std::abs(before.low.x()), before.high.x());
   double top = 0.5 * burial;
   for (const CraterRing& ring : rings) top = std::max(top, ring.surface + 0.5 * burial);
-  SectionPlot plot{"Crater",
-                   "",
-                   "distance from the charge axis [m]",
-                   {-reach, reach},
-                   {before.low.z(), top},
-                   section_at(y, run.blocks, run.last.states),
-                   run.moved,
-                   block_colours(options.colour_by, run.blocks, run.last),
-                   {},
-                   {},
-                   "",
-                   motion_warning(run.still)};
+  SectionPlot plot = section_of_run(run, y, options.colour_by);
+  plot.title = "Crater";
+  plot.x_label = "distance from the charge axis [m]";
+  plot.x = {-reach, reach};
+  plot.z = {before.low.z(), top};
   if (folder.scene_has("charge_mass_kg"))
     plot.title += ": charge " + spelled(folder.scene_number("charge_mass_kg")) + " kg";
   plot.title += ", burial depth " + spelled(burial) + " m";
@@ -91,7 +82,6 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run,
   const double half =
       folder.scene_has("hole_diameter_m") ? 0.5 * folder.scene_number("hole_diameter_m") : 0.1;
   plot.bars = {{{-half, -burial - half}, {half, -burial + half}, kSignal, "charge before"}};
-  plot.note = section_note(y, run.last.time);
   return plot;
 }
 

@@ -8,19 +8,11 @@
 #include "io/csv_writer.h"
 #include "measure/pile.h"
 #include "report/degrees.h"
-#include "report/notes.h"
 #include "report/reports.h"
-#include "report/run_data.h"
-#include "report/section_plot.h"
+#include "report/run_section.h"
 
 namespace muckpile {
 namespace {
-
-std::vector<Vec2> surface_of(const PileProfile& p, const std::vector<double>& height) {
-  std::vector<Vec2> points;
-  for (size_t i = 0; i < p.x.size(); ++i) points.emplace_back(p.x[i], height[i]);
-  return points;
-}
 
 void write_surface(const PileProfile& p, const std::filesystem::path& path) {
   CsvWriter csv(path, "x_m,rock_before_m,surface_mean_m,surface_max_m,rock_length_m");
@@ -45,20 +37,16 @@ SectionPlot section_of(const RunData& run, const PileProfile& p, const PileShape
   const std::string figures = "rest angle " + spelled(degrees(shape.rest_angle)) + "° · height " +
                               spelled(shape.height) + " m · toe " + spelled(shape.toe) +
                               " m · swell " + spelled(shape.swell);
-  SectionPlot plot{"Heap",
-                   run.still ? figures : "",
-                   "distance from the symmetry plane [m]",
-                   {-0.5, 1.3 * shape.toe},
-                   {-0.5, 1.15 * shape.height},
-                   section_at(y, run.blocks, run.last.states),
-                   std::vector<char>(run.blocks.size(), 1),
-                   block_colours(options.colour_by, run.blocks, run.last),
-                   {},
-                   {},
-                   "",
-                   motion_warning(run.still)};
-  plot.lines = {{surface_of(p, p.before), kBench, 2.5, true, "rock before"},
-                {surface_of(p, p.mean), kSignal, 3.0, false, "surface after, mean over the width"}};
+  SectionPlot plot = section_of_run(run, y, options.colour_by);
+  plot.title = "Heap";
+  plot.subtitle = run.still ? figures : "";
+  plot.x_label = "distance from the symmetry plane [m]";
+  plot.x = {-0.5, 1.3 * shape.toe};
+  plot.z = {-0.5, 1.15 * shape.height};
+  plot.moved.assign(run.blocks.size(), 1);
+  plot.lines = {
+      {line_over(p.x, p.before), kBench, 2.5, true, "rock before"},
+      {line_over(p.x, p.mean), kSignal, 3.0, false, "surface after, mean over the width"}};
   plot.note = "section at y = " + spelled(y) + " m, t = " + spelled(run.last.time) + " s";
   return plot;
 }

@@ -15,8 +15,7 @@
 #include "report/not_measurable.h"
 #include "report/notes.h"
 #include "report/reports.h"
-#include "report/run_data.h"
-#include "report/section_plot.h"
+#include "report/run_section.h"
 
 namespace muckpile {
 namespace {
@@ -112,12 +111,6 @@ nlohmann::ordered_json keys_of(const BenchFigures& figures, const RunData& run) 
   return keys;
 }
 
-std::vector<Vec2> line_over(const std::vector<double>& x, const std::vector<double>& z) {
-  std::vector<Vec2> points;
-  for (size_t i = 0; i < x.size(); ++i) points.emplace_back(x[i], z[i]);
-  return points;
-}
-
 std::string title_of(const ResultFolder& folder) {
   std::string title = "Muck pile: bench " + spelled(folder.scene_number("bench_height_m")) +
                       " m, burden " + spelled(folder.scene_number("burden_m")) + " m";
@@ -160,24 +153,17 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run, const Pil
   const double y = options.y.value_or(y_of_middle_hole(bench, run.blocks));
   const Extent before = extent_of(run.blocks, start_snapshot(run.blocks).states);
   const double top = std::max(bench.height, *std::ranges::max_element(p.mean));
-  SectionPlot plot{title_of(folder),
-                   "",
-                   "distance from the free face, along the throw [m]",
-                   {before.low.x() - 1.0, reach_of(p, bench, run) + 1.0},
-                   {before.low.z() - 0.5, top + 0.12 * bench.height},
-                   section_at(y, run.blocks, run.last.states),
-                   run.moved,
-                   block_colours(options.colour_by, run.blocks, run.last),
-                   {},
-                   hole_bars(bench, y),
-                   "",
-                   motion_warning(run.still)};
+  SectionPlot plot = section_of_run(run, y, options.colour_by);
+  plot.title = title_of(folder);
+  plot.x_label = "distance from the free face, along the throw [m]";
+  plot.x = {before.low.x() - 1.0, reach_of(p, bench, run) + 1.0};
+  plot.z = {before.low.z() - 0.5, top + 0.12 * bench.height};
+  plot.bars = hole_bars(bench, y);
   plot.lines = {
       {line_over(p.x, p.before), kBench, 2.5, true, "bench before"},
       {line_over(p.x, p.mean), kSignal, 3.0, false, "surface after, mean over the width"}};
   const auto beyond = std::ranges::count_if(
       run.last.states, [&](const BlockState& s) { return s.centre.x() > plot.x.high; });
-  plot.note = section_note(y, run.last.time);
   if (beyond > 0) {
     plot.note += "; " + std::to_string(beyond) + (beyond == 1 ? " block lies" : " blocks lie") +
                  " beyond the picture";

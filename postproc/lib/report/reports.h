@@ -26,6 +26,8 @@ void report_heap(const ResultFolder& folder, const MeasureOptions& measure,
 void report_energy(const ResultFolder& folder);
 // pile3d.png, and pile3d_<number>.png for frames.
 void report_picture(const ResultFolder& folder, const PictureOptions& options);
+// vtk/blocks_<step>.vtu of every n-th snapshot and the last, vtk/blocks.pvd.
+void report_series(const ResultFolder& folder, int every);
 
 // Keys that every sub-command writes: size of the run, joints, energy, speed, times.
 nlohmann::ordered_json common_keys(const ResultFolder& folder);

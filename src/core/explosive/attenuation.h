@@ -10,9 +10,9 @@ namespace muckpile {
 /// 0.5.
 [[nodiscard]] double crushed_zone_exponent(double poisson_ratio);
 
-/// Exponent 1.54 (c_p/D)^-0.33 of the Liu and Katsabanis type (as one public blast sheet codes it;
-/// the attribution is from memory): about 1.5, so its P1 on three hole radii is 2.4 times that of
-/// the shock exponent. InputError unless both speeds [m/s] are positive.
+/// Exponent 1.54 (c_p/D)^-0.33 of the Liu and Katsabanis type (docs/sources.md): about 1.5, so its
+/// P1 on three hole radii is 2.4 times that of the shock exponent. InputError unless both speeds
+/// [m/s] are positive.
 [[nodiscard]] double liu_katsabanis_exponent(double p_wave_speed, double detonation_velocity);
 
 /// Hino (1956): exponents 1.2 to 1.5, worked with 1.4 here; shown beside the others only.

@@ -2,6 +2,9 @@
 // The words of fix muckpile/blast; see the header.
 #include "explosive/blast_options.h"
 
+#include <algorithm>
+#include <initializer_list>
+
 #include "args/input_error.h"
 #include "args/numbers.h"
 
@@ -20,11 +23,13 @@ void add_charge_keywords(ArgTable& table) {
 }
 
 void add_pulse_keywords(ArgTable& table) {
+  std::vector<std::string> shapes;
+  for (const auto& [name, kind] : pulse_kinds()) shapes.push_back(name);
   table.flag("pulse", true, "stress-wave pulse on or off")
       .real("rise_time", "s", Range::left_open(0.0, 1.0), 1e-4,
             "time from arrival to peak; not of `table`")
-      .word("pulse_shape", {"starfield", "jong", "duvall", "triangular", "itasca", "table"},
-            "starfield", "history of the pulse; jong is starfield with this rise time")
+      .word("pulse_shape", shapes, "starfield",
+            "history of the pulse; jong is starfield with this rise time")
       .real("pulse_ratio", "", Range::left_open(1.0, 1e3), 2.0,
             "rates' ratio of `duvall`; 2 is starfield");
   add_optional(table, "pulse_end", "end of `triangular` [s], > rise_time and <= 10");
@@ -145,23 +150,22 @@ void read_venting(BlastOptions& options, const ArgValues& values) {
 
 void read_pulse(BlastOptions& options, const ArgValues& values) {
   using Kind = PulseParameters::Kind;
-  static const std::map<std::string, Kind> kinds = {
-      {"starfield", Kind::starfield},   {"jong", Kind::starfield}, {"duvall", Kind::duvall},
-      {"triangular", Kind::triangular}, {"itasca", Kind::itasca},  {"table", Kind::table}};
   PulseParameters& pulse = options.pulse_shape;
-  pulse.kind = kinds.at(values.word("pulse_shape"));
+  for (const auto& [name, kind] : pulse_kinds()) {
+    if (name == values.word("pulse_shape")) pulse.kind = kind;
+  }
   pulse.rise_time = values.real("rise_time");
   pulse.ratio = values.real("pulse_ratio");
-  const auto needed = [&](Kind kind, const char* name) {
+  const auto needed = [&](std::initializer_list<Kind> kinds, const char* name) {
     const auto typed = optional_real(values, options.where, name, "s", Range::left_open(0.0, 10.0));
-    if (!typed && pulse.kind == kind) {
+    if (!typed && std::ranges::find(kinds, pulse.kind) != kinds.end()) {
       refuse(options.where,
              std::string(name) + " [s] is needed with pulse_shape " + values.word("pulse_shape"));
     }
     return typed.value_or(0.0);
   };
-  pulse.end_time = needed(Kind::triangular, "pulse_end");
-  pulse.half_time = needed(Kind::itasca, "pulse_half_time");
+  pulse.end_time = needed({Kind::triangular}, "pulse_end");
+  pulse.half_time = needed({Kind::itasca}, "pulse_half_time");
   if (pulse.kind == Kind::table) pulse.table = read_pulse_table(values.word("pulse_table"));
   try {
     pulse.rise_time = PulseShape(pulse).rise_time();

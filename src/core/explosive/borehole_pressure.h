@@ -28,8 +28,8 @@ struct Explosive {
 [[nodiscard]] double explosion_state_pressure_fit(const Explosive& explosive);
 
 /// Shock at the wall when the detonation wave meets rock of impedance rho_r c_p [Pa s/m]:
-/// (rho D^2 / 4) 2 / (1 + rho D / (rho_r c_p)), the acoustic approximation (textbook formula,
-/// quoted from memory). An upper bound: about three times the explosion state in hard rock.
+/// (rho D^2 / 4) 2 / (1 + rho D / (rho_r c_p)), the acoustic approximation (docs/sources.md). An
+/// upper bound: about three times the explosion state in hard rock.
 [[nodiscard]] double impedance_matched_pressure(const Explosive& explosive, double rock_impedance);
 
 }  // namespace muckpile

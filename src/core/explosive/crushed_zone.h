@@ -33,7 +33,7 @@ struct CrushedZoneInput {
 ///   dai          r_b [P_w B / (sqrt 2 sigma_cd)]^(1/(2 + b)), b = mu/(1 - mu), mu = 0.8 nu,
 ///                B^2 = (1 + b)^2 + 1 + b^2 - 2 mu (1 - mu)(1 - b)^2,
 ///                sigma_cd = sigma_c (strain rate x 1 s)^(1/3) (Dai Jun 2001)
-/// All but `multiple` quoted from secondary sources.
+/// Where each was seen: docs/sources.md.
 [[nodiscard]] double crushed_zone_radius(CrushedZone model, const CrushedZoneInput& input);
 
 }  // namespace muckpile

@@ -22,7 +22,7 @@ struct ChargeShape {
 struct DecouplingRule {
   Coupling coupling = Coupling::air;
   /// Decay of the peak in water or stemming, (r_c/r_b)^exponent: 0.72 for a line charge in water
-  /// (Henrych 1979, after Cole 1948, quoted from memory).
+  /// (Henrych 1979, after Cole 1948; docs/sources.md).
   double coupling_exponent = 0.72;
   /// Air: false, the products expand along their isentrope into the gap; true, one stage,
   /// P0 (r_c/r_b)^(2 g) (l_c/l_b)^g with g the exponent below: 3 gives the usual sixth power, 1.1

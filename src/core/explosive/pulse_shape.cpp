@@ -31,9 +31,17 @@ double shape_of(const Law& law, double time) {
 
 double share_of(const std::pair<double, double>& point) { return point.second; }
 
-using Law = std::variant<StarfieldPulse, DuvallPulse, TrianglePulse, ItascaPulse, PulseTable>;
+}  // namespace
 
-Law make_law(const PulseParameters& p) {
+const std::vector<std::pair<std::string, PulseParameters::Kind>>& pulse_kinds() {
+  using Kind = PulseParameters::Kind;
+  static const std::vector<std::pair<std::string, Kind>> kinds{
+      {"starfield", Kind::starfield},   {"jong", Kind::starfield}, {"duvall", Kind::duvall},
+      {"triangular", Kind::triangular}, {"itasca", Kind::itasca},  {"table", Kind::table}};
+  return kinds;
+}
+
+PulseShape::Law PulseShape::law_of(const PulseParameters& p) {
   switch (p.kind) {
     case PulseParameters::Kind::duvall:
       return DuvallPulse(p.rise_time, p.ratio);
@@ -52,8 +60,6 @@ Law make_law(const PulseParameters& p) {
   }
   return StarfieldPulse(p.rise_time);
 }
-
-}  // namespace
 
 DuvallPulse::DuvallPulse(double rise_time, double ratio) {
   require_positive("rise_time", "s", rise_time);
@@ -102,7 +108,7 @@ PulseTable read_pulse_table(const std::string& path) {
 }
 
 PulseShape::PulseShape(const PulseParameters& parameters)
-    : law_(make_law(parameters)), rise_time_(parameters.rise_time) {
+    : law_(law_of(parameters)), rise_time_(parameters.rise_time) {
   if (parameters.kind != PulseParameters::Kind::table) return;
   rise_time_ = std::ranges::max_element(parameters.table, {}, share_of)->first;
 }

@@ -55,6 +55,10 @@ struct PulseParameters {
   PulseTable table{};
 };
 
+/// What a user calls each kind, in the order of the documentation; jong is starfield with this rise
+/// time.
+[[nodiscard]] const std::vector<std::pair<std::string, PulseParameters::Kind>>& pulse_kinds();
+
 class PulseShape {
  public:
   /// InputError on what the chosen kind cannot use.
@@ -71,7 +75,10 @@ class PulseShape {
   [[nodiscard]] double rise_time() const { return rise_time_; }
 
  private:
-  std::variant<StarfieldPulse, DuvallPulse, TrianglePulse, ItascaPulse, PulseTable> law_;
+  using Law = std::variant<StarfieldPulse, DuvallPulse, TrianglePulse, ItascaPulse, PulseTable>;
+  static Law law_of(const PulseParameters& parameters);
+
+  Law law_;
   double rise_time_;
 };
 

@@ -7,7 +7,7 @@ namespace muckpile {
 
 /// Starfield and Pugliese (1968), with the constants chosen so that the peak is exactly 1 at the
 /// rise time: p/P = 4 (x - x^2), x = 2^(-t/rise_time). This is their 4 (e^(-bt/sqrt 2) - e^(-sqrt 2
-/// bt)) with b = sqrt(2) ln 2 / rise_time (form quoted from memory). Rises monotonically, falls to
+/// bt)) with b = sqrt(2) ln 2 / rise_time (docs/sources.md). Rises monotonically, falls to
 /// one half at 2.77 rise times; its integral is 2 rise_time / ln 2.
 class StarfieldPulse {
  public:

@@ -6,7 +6,7 @@
 namespace muckpile {
 
 /// p = P0 (V0/V)^gamma1 while p >= pk, then p = pk (Vk/V)^gamma2, with Vk = V0 (P0/pk)^(1/gamma1).
-/// Textbook form with gamma1 = 3, gamma2 = 1.2 to 1.4, pk about 200 MPa (quoted from memory).
+/// Textbook form with gamma1 = 3, gamma2 = 1.2 to 1.4, pk about 200 MPa (docs/sources.md).
 /// If P0 <= pk there is only the second stage, and it starts from P0.
 class TwoStageIsentrope {
  public:

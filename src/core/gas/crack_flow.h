@@ -61,8 +61,8 @@ class CrackFlow {
   }
   /// Share of the flow without friction that `length` L [m] of a crack of that aperture w [m] lets
   /// through: (1 + f L/(2w))^(-1/2). The 1 is the gas coming up to speed, 2w the hydraulic
-  /// diameter, f = 0.143 (k/w)^(1/3) (Gauckler, Manning and Strickler; Tsai & Rice 2010, quoted
-  /// from memory).
+  /// diameter, f = 0.143 (k/w)^(1/3) (Gauckler, Manning and Strickler; Tsai & Rice 2010;
+  /// docs/sources.md).
   [[nodiscard]] double passage(double aperture, double length) const {
     return 1.0 / std::sqrt(1.0 + 0.5 * friction_ * length * power_of(aperture, -4.0 / 3.0));
   }

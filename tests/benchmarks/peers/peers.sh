@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# peers.sh LIGGGHTS_MUCKPILE OUT [full]: equivalent scenes in Muckpile, stock LIGGGHTS, LAMMPS and YADE; writes OUT/peers.csv and peers.md.
+# peers.sh LIGGGHTS_MUCKPILE PEERS_TABLE OUT [full]: equivalent scenes in Muckpile, stock LIGGGHTS, LAMMPS and YADE; writes OUT/peers.csv and peers.md.
 # Scope: CPU seconds of one core for a stretch of steps, without set-up; three rounds, the codes in turn, the least counts. LAMMPS and YADE
 # are left out, with a word, where they are not installed. `full` lets the 8,000 clumps come to rest too (about an hour).
 set -euo pipefail
-program=$(readlink -f "$1") out=$2 full=${3-}
+program=$(readlink -f "$1") table=$(readlink -f "$2") out=$3 full=${4-}
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 readonly rounds=3
 readonly start=$out/peers/start.txt raw=$out/peers/raw.csv
 mkdir -p "$out/peers"
-: >"$raw"
+echo "scene,code,law,particles,links,steps,seconds" >"$raw"
 export OMP_NUM_THREADS=1
 
 say() { printf '%s\n' "peers: $*"; }
@@ -120,48 +120,11 @@ clumps() {  # clumps BODIES SIDE SETTLE COUNT [pile]
   fi
 }
 
-# Tables
-
-# Least seconds of all rounds: scene, code, law, particles, links, us per step and particle, ns per step and link (where there are
-# links), and both over Muckpile's.
-least() {
-  awk -F, '
-    { key = $1 FS $2 }
-    !(key in seconds) { order[++n] = key }
-    !(key in seconds) || $7 / $6 < seconds[key] { seconds[key] = $7 / $6; law[key] = $3; bodies[key] = $4; links[key] = $5 }
-    function ratio(value, own) { return own > 0 ? sprintf("%.2f", value / own) : "" }
-    END {
-      for (i = 1; i <= n; i++) {
-        key = order[i]
-        split(key, part, FS)
-        own = part[1] FS "Muckpile"
-        body = 1e6 * seconds[key] / bodies[key]
-        own_body = 1e6 * seconds[own] / bodies[own]
-        link = links[key] > 0 ? 1e9 * seconds[key] / links[key] : 0
-        own_link = links[own] > 0 ? 1e9 * seconds[own] / links[own] : 0
-        printf "%s,%s,%s,%d,%d,%.0f,%.3f,%s,%s,%s\n", part[1], part[2], law[key], bodies[key], links[key], 1 / seconds[key], body,
-          ratio(body, own_body), (link > 0 ? sprintf("%.0f", link) : ""), (link > 0 ? ratio(link, own_link) : "")
-      }
-    }' "$raw"
-}
-
-write_tables() {
-  {
-    echo "scene,code,law,particles,links,steps_per_s,us_per_particle_step,over_muckpile,ns_per_link_step,over_muckpile_per_link"
-    least
-  } >"$out/peers.csv"
-  {
-    echo "| scene | code | law | blocks, clumps or spheres | bonds or contacts | steps/s | us per block-step | over Muckpile | ns per bond- or contact-step | over Muckpile |"
-    echo "|---|---|---|---|---|---|---|---|---|---|"
-    least | awk -F, '{ print "| " $1 " | " $2 " | " $3 " | " $4 " | " $5 " | " $6 " | " $7 " | " $8 " | " $9 " | " $10 " |" }'
-  } >"$out/peers.md"
-}
-
 for ((round = 1; round <= rounds; round++)); do
   say "round $round of $rounds"
   rock
   clumps 1000 2.5 6000 1000 pile
   if [[ $full == full ]]; then clumps 8000 7.1 6000 500 pile; else clumps 8000 7.1 201 200; fi
 done
-write_tables
+"$table" "$raw" "$out"
 cat "$out/peers.md"

@@ -4,7 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "args/numbers.h"
-#include "expect_input_error.h"
+#include "args/rounded_text.h"
+#include "input_error_of.h"
 
 namespace muckpile {
 namespace {
@@ -94,6 +95,12 @@ TEST(NumberText, ReadsBackToTheSameDouble) {
   for (const double value : {0.1, 1.0 / 3.0, 6.02e23, -1e-300, 0.0})
     EXPECT_EQ(real(number_text(value)), value);
   EXPECT_EQ(number_text(0.1), "0.1");
+}
+
+TEST(RoundedText, HasSixDigits) {
+  EXPECT_EQ(rounded_text(0.1), "0.1");
+  EXPECT_EQ(rounded_text(9.999999999999999e-06), "1e-05");
+  EXPECT_EQ(rounded_text(123456789.0), "1.23457e+08");
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "args/parse_args.h"
-#include "expect_input_error.h"
+#include "input_error_of.h"
 
 namespace muckpile {
 namespace {

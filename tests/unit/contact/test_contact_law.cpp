@@ -121,7 +121,7 @@ TEST(ContactLaw, EightStepsPerCollisionKeepTheRebound) {
   ContactParameters p;
   p.youngs_modulus = 2.5e7;
   p.friction = 0.7;
-  // Hertz at 20 m/s, as in inputs/common/wave_then_throw.in.
+  // Hertz at 20 m/s, as in contact/collision_time.h.
   const double mass = 0.5 * kMass, radius = 0.5 * kRadius;
   const double modulus = p.youngs_modulus / (2.0 * (1.0 - p.poisson_ratio * p.poisson_ratio));
   const double duration = 2.87 * std::pow(mass * mass / (radius * modulus * modulus * 20.0), 0.2);

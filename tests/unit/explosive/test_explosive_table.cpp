@@ -3,8 +3,8 @@
 // Scope: core only.
 #include <gtest/gtest.h>
 
-#include "../args/expect_input_error.h"
 #include "explosive/explosive_table.h"
+#include "input_error_of.h"
 
 namespace muckpile {
 namespace {

@@ -4,24 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
 
-#include "../args/expect_input_error.h"
 #include "explosive/pulse_shape.h"
+#include "input_error_of.h"
+#include "temporary_folder.h"
 
 namespace muckpile {
 namespace {
 
 using Kind = PulseParameters::Kind;
 constexpr double kRise = 1e-4;  // [s]
-
-std::string table_file(const std::string& text) {
-  const auto path = std::filesystem::temp_directory_path() / "muckpile_pulse_table_test.csv";
-  std::ofstream(path) << text;
-  return path.string();
-}
 
 std::vector<PulseParameters> all_kinds() {
   return {{.kind = Kind::starfield, .rise_time = kRise},
@@ -91,8 +84,12 @@ TEST(PulseShape, TableIsStraightBetweenItsRows) {
 }
 
 TEST(PulseShape, ReadsATableAndNamesItsFaults) {
+  const testing::TemporaryFolder folder;
+  const auto table_file = [&](const std::string& text) {
+    return testing::write_text(folder.path() / "pulse.csv", text);
+  };
   EXPECT_EQ(read_pulse_table(table_file("time_s,share\n0,0\n1e-4,1\n3e-4,0\n")).size(), 3u);
-  const auto fault = [](const std::string& text) {
+  const auto fault = [&](const std::string& text) {
     const std::string message =
         input_error_of([&] { (void)read_pulse_table(table_file("time_s,share\n" + text)); });
     return message.substr(message.find(".csv") + 4);

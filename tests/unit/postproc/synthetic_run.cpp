@@ -52,14 +52,6 @@ void write_common(const std::filesystem::path& dump, const BenchRun& run) {
 
 }  // namespace
 
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "muckpile-post-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
-  path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() { std::filesystem::remove_all(path_); }
-
 Block cube_at(const Vec3& low) {
   Block block;
   for (int k = 0; k < 8; ++k)
@@ -133,12 +125,6 @@ void shear(std::vector<Block>& blocks, double degrees) {
   }
 }
 
-std::string text_of(const std::filesystem::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
-
 void mark_with_run(const std::filesystem::path& path, const std::string& id) {
   std::istringstream in(text_of(path));
   std::string text, line;
@@ -153,11 +139,6 @@ void mark_with_run(const std::filesystem::path& path, const std::string& id) {
     text += line + '\n';
   }
   write_text(path, text);
-}
-
-void write_text(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream out(path);
-  out << text;
 }
 
 void write_snapshot(const std::filesystem::path& path, const std::vector<StartBlock>& blocks,

@@ -11,24 +11,12 @@
 #include "geometry/block_model.h"
 #include "io/blocks_file.h"
 #include "io/snapshot.h"
+#include "temporary_folder.h"
 
 namespace muckpile::testing {
 
 inline constexpr double kCube = 0.5;        // edge [m]
 inline constexpr double kDensity = 2700.0;  // [kg/m3]
-
-// A folder under the system's temporary one, removed at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 // Cube of edge kCube with its lower corner here [m].
 Block cube_at(const Vec3& low);
@@ -57,8 +45,6 @@ BenchRun crater_run();
 // Leans the rock: rows shift towards -x with height, so that a face x = 0 stands at this angle.
 void shear(std::vector<Block>& blocks, double degrees);
 
-std::string text_of(const std::filesystem::path& path);
-void write_text(const std::filesystem::path& path, const std::string& text);
 // Puts the id of a run where the engine puts it: the title of blocks.vtk, the first line of a
 // snapshot, the last column of history.csv, a key of run.json and scene.json.
 void mark_with_run(const std::filesystem::path& path, const std::string& id);

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "args/csv_table.h"
-#include "args/input_error.h"
 #include "geometry/files/block_file.h"
+#include "input_error_of.h"
 #include "io/energy_history.h"
 #include "io/history.h"
 #include "io/result_folder.h"
@@ -17,16 +17,6 @@ namespace muckpile {
 namespace {
 
 using namespace testing;
-
-template <class Action>
-std::string message_of(Action&& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 void expect_contains(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << "message: " << text;
@@ -43,7 +33,7 @@ class DumpFiles : public ::testing::Test {
   }
   std::filesystem::path dump(const std::string& name) { return folder_.path() / "dump" / name; }
   std::string message_of_snapshot() {
-    return message_of(
+    return input_error_of(
         [&] { read_snapshot(dump("blocks_000002000.csv"), read_blocks(dump("blocks.vtk"))); });
   }
   void SetUp() override { write_bench(folder_.path()); }
@@ -147,13 +137,13 @@ TEST_F(DumpFiles, MissingColumnIsNamed) {
 
 TEST_F(DumpFiles, BlocksFileWithoutAnArrayIsRefused) {
   edit("blocks.vtk", "mass_kg", "mass");
-  expect_contains(message_of([&] { read_blocks(dump("blocks.vtk")); }),
+  expect_contains(input_error_of([&] { read_blocks(dump("blocks.vtk")); }),
                   "blocks.vtk: has no cell data 'mass_kg'");
 }
 
 TEST_F(DumpFiles, BlocksFileWithAWrongVolumeIsRefused) {
   edit("blocks.vtk", "default\n0.1", "default\n0.9");
-  expect_contains(message_of([&] { read_blocks(dump("blocks.vtk")); }),
+  expect_contains(input_error_of([&] { read_blocks(dump("blocks.vtk")); }),
                   "volume_m3 must be its polyhedron's 0.125");
 }
 
@@ -166,7 +156,7 @@ TEST_F(DumpFiles, FacesInsideOutAreTurned) {
 
 TEST_F(DumpFiles, BrokenVtkFileIsRefused) {
   write_text(dump("blocks.vtk"), "not a VTK file\n");
-  expect_contains(message_of([&] { read_blocks(dump("blocks.vtk")); }),
+  expect_contains(input_error_of([&] { read_blocks(dump("blocks.vtk")); }),
                   "blocks.vtk' is no legacy VTK file");
 }
 
@@ -186,23 +176,23 @@ TEST_F(DumpFiles, DamagedBlocksAreRefused) {
   for (const auto& [from, to, message] : cases) {
     write_text(dump("blocks.vtk"), whole);
     edit("blocks.vtk", from, to);
-    expect_contains(message_of([&] { read_blocks(dump("blocks.vtk")); }), message);
+    expect_contains(input_error_of([&] { read_blocks(dump("blocks.vtk")); }), message);
   }
   for (const double share : {0.1, 0.4, 0.7, 0.95, 0.999}) {
     write_text(dump("blocks.vtk"),
                whole.substr(0, static_cast<size_t>(share * static_cast<double>(whole.size()))));
-    expect_contains(message_of([&] { read_blocks(dump("blocks.vtk")); }), "blocks.vtk");
+    expect_contains(input_error_of([&] { read_blocks(dump("blocks.vtk")); }), "blocks.vtk");
   }
 }
 
 TEST_F(DumpFiles, FolderWithoutDumpIsRefused) {
-  expect_contains(message_of([&] { ResultFolder(folder_.path() / "dump"); }),
+  expect_contains(input_error_of([&] { ResultFolder(folder_.path() / "dump"); }),
                   "has no folder dump/");
 }
 
 TEST_F(DumpFiles, SceneWithoutAKeyNamesIt) {
   expect_contains(
-      message_of([&] { static_cast<void>(ResultFolder(folder_.path()).scene_number("vod")); }),
+      input_error_of([&] { static_cast<void>(ResultFolder(folder_.path()).scene_number("vod")); }),
       "scene.json: vod must be a number");
 }
 

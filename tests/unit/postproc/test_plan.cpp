@@ -3,12 +3,11 @@
 // Scope: measure/contours and report/plan_report.
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "args/input_error.h"
 #include "measure/contours.h"
 #include "report/plan_report.h"
 #include "report/reports.h"
+#include "temporary_folder.h"
 
 namespace muckpile {
 namespace {
@@ -44,30 +43,29 @@ TEST(Contours, AreEmptyOutsideTheValuesAndForPointsOnALine) {
 class Plan : public ::testing::Test {
  protected:
   std::string write(const std::string& name, const std::string& rows) {
-    const auto path = std::filesystem::path(::testing::TempDir()) / name;
-    std::filesystem::create_directories(path.parent_path());
-    std::ofstream(path) << "hole,collar_x_m,collar_y_m,collar_z_m,toe_x_m,toe_y_m,toe_z_m,"
-                           "diameter_m,from_m,to_m,surface_delay_s,in_hole_delay_s\n"
-                        << rows;
-    return path.string();
+    return testing::write_text(
+        temporary_.path() / name,
+        std::string("hole,collar_x_m,collar_y_m,collar_z_m,toe_x_m,toe_y_m,toe_z_m,"
+                    "diameter_m,from_m,to_m,surface_delay_s,in_hole_delay_s\n") +
+            rows);
   }
+  testing::TemporaryFolder temporary_;
   static constexpr const char* kRows =
       "a,0,0,9,0,0,0,0.1,3,5,0,0.025\na,0,0,9,0,0,0,0.1,6,9,0,0\nb,4,0,9,4,0,0,0.1,3,9,0.007,0\n"
       "c,2,3,9,2,3,0,0.1,3,9,0.1,0\n";
 };
 
 TEST_F(Plan, OfATableLiesBesideIt) {
-  const std::string table = write("muckpile_plan/holes.csv", kRows);
+  const std::string table = write("holes.csv", kRows);
   const auto picture = std::filesystem::path(table).replace_extension(".png");
-  std::filesystem::remove(picture);
   report_plan(table);
   EXPECT_GT(std::filesystem::file_size(picture), 5000u);
 }
 
 TEST_F(Plan, OfAResultFolderAddsItsKeys) {
-  write("muckpile_plan_run/dump/holes.csv", kRows);
-  const auto folder = std::filesystem::path(::testing::TempDir()) / "muckpile_plan_run";
-  std::ofstream(folder / "dump/scene.json") << "{\"case\": \"bench\"}";
+  write("dump/holes.csv", kRows);
+  const std::filesystem::path& folder = temporary_.path();
+  testing::write_text(folder / "dump/scene.json", "{\"case\": \"bench\"}");
   report_plan(folder);
   const auto keys = read_json_object(folder / "summary.json");
   EXPECT_EQ(keys["pattern_holes"], 3);
@@ -79,7 +77,7 @@ TEST_F(Plan, OfAResultFolderAddsItsKeys) {
 }
 
 TEST_F(Plan, OfAFaultyTableSaysWhere) {
-  const std::string table = write("muckpile_plan/faulty.csv", "a,0,0,9,0,0,0,-1,3,5,0,0\n");
+  const std::string table = write("faulty.csv", "a,0,0,9,0,0,0,-1,3,5,0,0\n");
   EXPECT_THROW(report_plan(table), InputError);
 }
 

@@ -3,7 +3,7 @@
 // Scope: io/run_id, and the summary of another run.
 #include <gtest/gtest.h>
 
-#include "args/input_error.h"
+#include "input_error_of.h"
 #include "io/result_folder.h"
 #include "io/run_id.h"
 #include "synthetic_run.h"
@@ -25,15 +25,10 @@ class RunId : public ::testing::Test {
   }
   std::string file(const std::string& name) { return (folder_.path() / "dump" / name).string(); }
   void expect_refused(const std::string& first, const std::string& second) {
-    try {
-      ResultFolder folder(folder_.path());
-      FAIL() << "accepted";
-    } catch (const InputError& error) {
-      const std::string text = error.what();
-      EXPECT_NE(text.find(first + ", but " + second + ": files of two runs lie in one folder; "),
-                std::string::npos)
-          << text;
-    }
+    const std::string text = input_error_of([&] { (void)ResultFolder(folder_.path()); });
+    EXPECT_NE(text.find(first + ", but " + second + ": files of two runs lie in one folder; "),
+              std::string::npos)
+        << text;
   }
   TemporaryFolder folder_;
 };

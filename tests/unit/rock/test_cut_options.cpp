@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-#include "args/input_error.h"
+#include "input_error_of.h"
 #include "rock/cut_options.h"
 #include "rock/cut_table.h"
 
@@ -24,12 +24,7 @@ CutOptions read(const std::string& text) {
 }
 
 std::string message(const std::string& text) {
-  try {
-    (void)read(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return input_error_of([&] { (void)read(text); });
 }
 
 TEST(CutOptions, ReadsAPlainCut) {

@@ -11,15 +11,15 @@
 #include <numbers>
 #include <numeric>
 
+#include "math/random.h"
+
 namespace muckpile {
 namespace {
 
 /// A number in (0, 1) from a block's tag and a counter: the same on any number of ranks.
 double random_unit(std::uint64_t tag, std::uint64_t count) {
-  std::uint64_t z = (tag * 64 + count + 1) * 0x9e3779b97f4a7c15u;  // splitmix64, Steele et al. 2014
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return (static_cast<double>((z ^ (z >> 31)) >> 11) + 0.5) * 0x1.0p-53;
+  const std::uint64_t bits = random_bits(0, tag * 64 + count);
+  return (static_cast<double>(bits >> 11) + 0.5) * 0x1.0p-53;
 }
 
 /// Normal deviate by Box and Muller: the start must favour no direction.

@@ -7,7 +7,7 @@
 // omega^2 = largest eigenvalue of M^-1 K, by Lanczos' method from a random start. Its value never
 // exceeds the eigenvalue; that it falls short by more than a share e has, after k products and for
 // n unknowns, a probability of at most 1.648 sqrt(n) exp(-sqrt(e) (2k - 1)) whatever the matrix
-// (Kuczynski & Wozniakowski 1992, theorem 4.2, quoted from memory). k is chosen so that the step is
+// (Kuczynski & Wozniakowski 1992, theorem 4.2; docs/sources.md). k is chosen so that the step is
 // right within kStepDoubt but for a chance of kStepRisk. With dashpots C the limit is that of
 // K + (2/dt) C: the step enters itself, and is found by repetition.
 #pragma once

@@ -17,9 +17,9 @@ struct SizeLimits {
   double largest = 0.0;   // [m]
 };
 
-// Harries (1973), "A mathematical model of cratering and blasting", as recalled: the peak strain
-// falls as K (b/r) exp(-alpha r/b), and radial crack number i reaches as far as the strain is i
-// times the breaking strain T. So n(r) = (K/T) (b/r) exp(-alpha r/b) cracks pass radius r, and
+// Harries (1973), "A mathematical model of cratering and blasting" (docs/sources.md): the peak
+// strain falls as K (b/r) exp(-alpha r/b), and radial crack number i reaches as far as the strain
+// is i times the breaking strain T. So n(r) = (K/T) (b/r) exp(-alpha r/b) cracks pass radius r, and
 // their spacing 2 pi r / n is the block size.
 struct HarriesParameters {
   double hole_radius = 0.0;      // b [m]

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// run_blast: checks, and start of the phases.
+// Scope: see the header.
+#include "fixes/run/run_blast.h"
+
+#include <domain.h>
+#include <force.h>
+#include <modify.h>
+#include <pair.h>
+
+#include <string>
+
+#include "args/input_error.h"
+#include "fixes/engine/style_args.h"
+#include "fixes/interfaces/block_contact_view.h"
+#include "fixes/interfaces/charge_timing.h"
+#include "fixes/interfaces/rock_view.h"
+#include "fixes/run/script_engine.h"
+#include "run/blast_plan.h"
+#include "run/blast_run.h"
+
+namespace muckpile {
+
+void RunBlastCommand::command(int narg, char** arg) {
+  if (domain->box_exist == 0) engine::stop(*lmp, std::string(kStyle) + ": needs blocks before it");
+  const ArgValues words = engine::read_args(*lmp, run_blast_table(), kStyle, narg, arg, 0);
+  const BlastScene found = scene();
+  engine::or_engine_error(*lmp, [&] {
+    const BlastPlan plan = blast_plan(words, found, kStyle);
+    ScriptEngine script(lmp, words);
+    BlastRun(plan, script, kStyle).go();
+    return 0;
+  });
+}
+
+/// The styles of the script, of which each has its own part of it.
+BlastScene RunBlastCommand::scene() const {
+  const auto find = [this](const char* style) { return modify->find_fix_style_strict(style, 0); };
+  const auto* rock = dynamic_cast<const RockView*>(find("muckpile/joint"));
+  const auto* charges = dynamic_cast<const ChargeTiming*>(find("muckpile/blast"));
+  const auto* contacts = dynamic_cast<const BlockContactView*>(force->pair);
+  const auto need = [this](bool there, const char* style) {
+    if (!there) engine::stop(*lmp, std::string(kStyle) + ": needs a " + style + " before it");
+  };
+  need(rock != nullptr, "fix muckpile/joint");
+  need(charges != nullptr, "fix muckpile/blast");
+  need(contacts != nullptr && contacts->hertz_contacts().has_value(),
+       "pair_style muckpile/block with model hertz");
+  const Gas gas = find("muckpile/gas") != nullptr ? Gas::in_joints
+                  : charges->vents_by_flow()      ? Gas::in_holes
+                                                  : Gas::vents_by_time;
+  return {charges->timing(), rock->rock(), *contacts->hertz_contacts(), gas};
+}
+
+}  // namespace muckpile

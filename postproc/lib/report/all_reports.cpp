@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Which reports a scene has, and what they have left.
+// Scope: see the header.
+#include "report/all_reports.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+#include "args/input_error.h"
+#include "report/plan_report.h"
+#include "report/reports.h"
+
+namespace muckpile {
+namespace {
+
+using MakeReport = std::function<void(const ResultFolder&)>;
+
+const std::map<std::string, MakeReport>& makers() {
+  static const std::map<std::string, MakeReport> all{
+      {"profile", [](const ResultFolder& f) { report_profile(f, {}, {}); }},
+      {"crater", [](const ResultFolder& f) { report_crater(f, {}, {}); }},
+      {"heap", [](const ResultFolder& f) { report_heap(f, {}, {}); }},
+      {"fragments", [](const ResultFolder& f) { report_fragments(f, {}); }},
+      {"energy", report_energy},
+      {"render", [](const ResultFolder& f) { report_picture(f, {}); }},
+      {"series", [](const ResultFolder& f) { report_series(f, 1); }},
+      {"plan", [](const ResultFolder& f) { report_plan(f.file("")); }},
+  };
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::string> reports_of(const ResultFolder& folder) {
+  static const std::map<std::string, std::vector<std::string>> measures{
+      {"bench", {"profile", "fragments"}}, {"crater", {"crater", "fragments"}}, {"heap", {"heap"}}};
+  const std::string scene = folder.scene_word("case");
+  const auto found = measures.find(scene);
+  if (found == measures.end()) {
+    throw InputError(folder.dump("scene.json").string() +
+                     ": case must be bench, crater or heap, got '" + scene + "'");
+  }
+  std::vector<std::string> names = found->second;
+  names.insert(names.end(), {"energy", "render", "series"});
+  if (std::filesystem::exists(folder.dump("holes.csv"))) names.emplace_back("plan");
+  return names;
+}
+
+void make_report(const ResultFolder& folder, const std::string& name) { makers().at(name)(folder); }
+
+std::string summary_lines(const ResultFolder& folder) {
+  constexpr std::size_t kValueColumn = 28;
+  std::string text;
+  for (const auto& [key, value] : read_json_object(folder.file("summary.json")).items()) {
+    text += "  " + key + std::string(kValueColumn - std::min(kValueColumn, key.size()), ' ') + " " +
+            (value.is_string() ? value.get<std::string>() : value.dump()) + "\n";
+  }
+  return text;
+}
+
+std::vector<std::filesystem::path> pictures_in(const ResultFolder& folder) {
+  std::vector<std::filesystem::path> pictures;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.file(""))) {
+    if (entry.path().extension() == ".png") pictures.push_back(entry.path());
+  }
+  std::ranges::sort(pictures);
+  return pictures;
+}
+
+}  // namespace muckpile

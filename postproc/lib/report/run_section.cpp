@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The rock of a section, from the last snapshot of a run.
+// Scope: see the header.
+#include "report/run_section.h"
+
+#include "report/notes.h"
+
+namespace muckpile {
+
+SectionPlot section_of_run(const RunData& run, double y, ColourBy colour_by) {
+  SectionPlot plot{};
+  plot.polygons = section_at(y, run.blocks, run.last.states);
+  plot.moved = run.moved;
+  plot.colours = block_colours(colour_by, run.blocks, run.last);
+  plot.note = section_note(y, run.last.time);
+  plot.warning = motion_warning(run.still);
+  return plot;
+}
+
+std::vector<Vec2> line_over(const std::vector<double>& x, const std::vector<double>& z) {
+  std::vector<Vec2> points;
+  for (size_t i = 0; i < x.size(); ++i) points.emplace_back(x[i], z[i]);
+  return points;
+}
+
+}  // namespace muckpile

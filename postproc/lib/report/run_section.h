@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the sections of profile, crater and heap share: the rock as it lies in a run's last
+// snapshot. Scope: title, axes and what is drawn over the rock are each report's own.
+#pragma once
+
+#include <vector>
+
+#include "report/run_data.h"
+#include "report/section_plot.h"
+
+namespace muckpile {
+
+// Rock in the plane y [m], its colours, where and when it is, and whether it still moves.
+SectionPlot section_of_run(const RunData& run, double y, ColourBy colour_by);
+
+// Points (x, z) of two columns of equal length.
+std::vector<Vec2> line_over(const std::vector<double>& x, const std::vector<double>& z);
+
+}  // namespace muckpile

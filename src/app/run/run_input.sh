@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# shellcheck shell=bash disable=SC2034,SC2154
+# ./muckpile run: reads its words, runs an input in its folder of results, and lets muckpile-post measure what came of it.
+# Scope: sourced by muckpile together with the files beside it. The parts of run() share its local variables.
+
+# More ranks than this gain little on 10,000 blocks.
+readonly most_default_ranks=4
+# Ranks that share a core wait for each other at every step.
+readonly most_ranks_per_core=16
+
+# $1, seen from the caller's folder, as seen from the root of the project, if it lies there.
+from_root() {
+  local path
+  path=$(cd "$caller_dir" && realpath -m -- "$1")
+  path=${path#"$root"/}
+  if [[ $path == -* ]]; then path=./$path; fi
+  printf '%s\n' "$path"
+}
+
+# A value that names a file is one of the caller's folder, if it has it; numbers and words are what they are.
+value_from_root() {
+  if [[ $1 == *[./]* && ! $1 =~ ^[-+.0-9eE]+$ ]] && (cd "$caller_dir" && compgen -G "$1" >/dev/null); then
+    from_root "$1"
+  else
+    printf '%s\n' "$1"
+  fi
+}
+
+run() {
+  local input='' ranks='' out='' go_on cores engine_args=()
+  cores=$(available_cores)
+  read_run_words "$@"
+  cd "$root"
+  check_run_words
+  build liggghts-muckpile muckpile-post
+  prepare_folder
+  run_in_folder
+  refuse_empty_files "$out"
+  post_process "$out"
+}
+
+read_run_words() {
+  while [[ $# -gt 0 ]]; do
+    case $1 in
+      -np)
+        [[ ${2-} =~ ^[1-9][0-9]*$ ]] || die "-np must be a whole number >= 1, got '${2-}'"
+        ranks=$2
+        shift 2
+        ;;
+      -var)
+        [[ $# -ge 3 ]] || die "-var needs a name and a value"
+        engine_args+=(-var "$2" "$(value_from_root "$3")")
+        shift 3
+        ;;
+      -out)
+        [[ -n ${2-} ]] || die "-out needs a folder"
+        out=$(from_root "$2")
+        shift 2
+        ;;
+      -*) die "unknown option '$1' of run (known: -np, -var, -out)" ;;
+      *)
+        [[ -z $input ]] || die "run takes one input, got '$input' and '$1'; values go behind -var NAME"
+        input=$(from_root "$1")
+        shift
+        ;;
+    esac
+  done
+  [[ -n $input ]] || die "run needs an input, e.g. ./muckpile run inputs/bench/in.bench"
+}
+
+# Sets what was not given, too.
+check_run_words() {
+  [[ -f $input && -r $input ]] || die "cannot read the input '$input'"
+  check_variables
+  go_on=$(value_of go_on "${engine_args[@]}")
+  [[ $go_on == 1 || -z $(value_of from "${engine_args[@]}") ]] || die "-var from FILE needs -var go_on 1 with it"
+  : "${out:=results/$(basename "$(dirname "$(realpath "$input")")")}"
+  [[ $out != *[[:space:]]* ]] || die "LIGGGHTS splits names at blanks; choose another folder than '$out'"
+  [[ $out != *[%*]* ]] || die "% and * mean something else in LIGGGHTS' names of files; choose another folder than '$out'"
+  ((${#ranks} < 6 && ranks <= most_ranks_per_core * cores)) ||
+    die "-np must be at most $((most_ranks_per_core * cores)) on $cores cores, got '$ranks'"
+  if [[ -z $ranks ]]; then ranks=$((cores < most_default_ranks ? cores : most_default_ranks)); fi
+}
+
+check_variables() {
+  local i name
+  local -A given=()
+  for ((i = 0; i < ${#engine_args[@]}; i += 3)); do
+    name=${engine_args[i + 1]}
+    [[ -n $name ]] || die "-var needs a name and a value"
+    [[ -z ${given[$name]-} ]] || die "-var $name is given twice"
+    given[$name]=1
+    check_variable "$input" "$name" "${engine_args[i + 2]}"
+  done
+}
+
+# Old results wait aside, unless the run goes on from a restart file: that one continues what is there.
+prepare_folder() {
+  mkdir -p "$out/dump" || die "cannot make the folder '$out/dump'"
+  [[ -w $out && -w $out/dump ]] || die "cannot write to '$out'"
+  lock "$out"
+  recover_previous "$out"
+  # shellcheck disable=SC2064  # Ctrl-C while they are moved
+  trap "put_back $(printf '%q' "$out")" EXIT
+  if [[ $go_on != 1 ]]; then set_aside "$out" "$input" "${engine_args[@]}"; fi
+  [[ ! -f $out/log.liggghts ]] || mv -f -- "$out/log.liggghts" "$out/.previous.log"  # which one that goes on would write over
+}
+
+# Returns only where there are results to be measured.
+run_in_folder() {
+  local status=0 steps_before written_before
+  say "running $input on $ranks of $cores cores (-np to change), results go to $out"
+  steps_before=$(steps_in "$out") written_before=$(written_in "$out")
+  trap - EXIT  # the engine outlives a killed script, and writes on; the next run puts back what is old, or drops it
+  run_engine "$ranks" "$out" "$input" "${engine_args[@]}" || status=$?
+  # The engine ends well when it is interrupted.
+  if keep_interrupted_state "$out" "$input" "${engine_args[@]}"; then
+    drop_previous "$out"
+    exit 130
+  fi
+  if ! has_left_something; then end_without_a_step; fi
+  drop_previous "$out"
+  ((status != 130)) || { say "interrupted; there is no state to go on from" && exit 130; }
+  ((status == 0)) || die "the run stopped with an error; see the message above or $out/log.liggghts"
+}
+
+has_left_something() {
+  if ((status == 0)); then
+    [[ $(written_in "$out") != "$written_before" ]]
+  elif [[ $go_on == 1 ]]; then
+    [[ $(steps_in "$out") != "$steps_before" ]]
+  else
+    started "$out"
+  fi
+}
+
+# The run was refused, interrupted in its set-up, or has written nothing.
+end_without_a_step() {
+  local back=''
+  [[ ! -d $out/.previous ]] || back="; what '$out' held is back in its place"
+  put_back "$out"
+  if ((status == 130)); then
+    say "interrupted before the first step; nothing was changed"
+    exit 130
+  fi
+  ((status == 0)) || die "the run stopped before its first step; see the message above$back"
+  # shellcheck disable=SC2016  # as it stands in inputs
+  ! files_of "$input" | xargs -d '\n' grep -qF '${out}/dump' || die "the run left nothing in '$out/dump'; is the disk full?$back"
+  say "$input has written nothing to its \${out}: nothing to extract"
+  exit 0
+}
+
+post_process() {  # post_process OUT
+  if [[ ! -f $1/dump/scene.json ]]; then
+    say "no $1/dump/scene.json: nothing to extract"
+    return
+  fi
+  "$build_dir/postproc/tools/muckpile-post" all "$1" || die "muckpile-post failed; the reason is above"
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What a run's files say of themselves: the id of their run, and the step of a snapshot.
+// Scope: the text of names and lines; no file is opened.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace muckpile {
+
+/// Whether a text is as Fingerprint::text() gives it, 16 hexadecimal digits in lower case.
+[[nodiscard]] bool is_run_id(std::string_view text);
+
+/// The word that marks a line with the id of its run: "run=0123456789abcdef".
+[[nodiscard]] std::string run_mark(std::string_view id);
+
+/// The id in the first such mark among the words of a line; "" if there is none.
+[[nodiscard]] std::string run_id_in(std::string_view line);
+
+/// "blocks_000001000.csv" for step 1000.
+[[nodiscard]] std::string snapshot_name(long long step);
+
+/// The step in the name of a snapshot, with any number of digits; -1 for any other name.
+[[nodiscard]] long long snapshot_step(std::string_view name);
+
+}  // namespace muckpile

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// How a blast goes through its phases: the words of run_blast, and what they mean for a scene.
+// Scope: no engine; a fault in the words, or between them and the scene, throws InputError.
+#pragma once
+
+#include <string>
+
+#include "args/parse_args.h"
+#include "run/blast_scene.h"
+
+namespace muckpile {
+
+[[nodiscard]] ArgTable run_blast_table();
+
+/// Times on the clock of the run, whose first charge fires at 0.
+struct BlastPlan {
+  std::string throw_name = "throw";  ///< of the last phase
+  double last_firing = 0.0;          ///< [s]
+  double wave_end = 0.0;             ///< wave and gas push, at the earliest [s]
+  double time_end = 0.0;             ///< of all [s]
+  double pulse_step = 0.0;           ///< longest step that resolves the pulse [s]
+  double wave_share = 1.0;           ///< step over the longest stable one, in the wave [-]
+  double stable_share = 1.0;         ///< the same in the throw [-]
+
+  double push_softening = 1.0;  ///< stiffness in the gas push over that before; 1: the same [-]
+  double push_elastic = 0.0;    ///< elastic over kinetic energy, below which waves have gone [-]
+  double push_from = 1.0;       ///< of the time from the last firing to wave_end: not before [-]
+  double shear_modulus = 0.0;   ///< of the rock before it is softened [Pa]
+
+  Gas gas = Gas::vents_by_time;
+  double hole_rest = 0.0;     ///< pressure on a wall that is let go [Pa]
+  double gas_rest = 0.0;      ///< of the blast's work, added in a twentieth of wave_end [-]
+  double gas_patience = 1.0;  ///< times wave_end: then what is left is let go [-]
+
+  double softening = 1.0;          ///< stiffness in the throw over that at the start [-]
+  double closed_damping = 0.0;     ///< of closed joints then [-]
+  double collision_step = 0.0;     ///< that resolves a collision at kCollisionSpeed [s]
+  bool follows_collisions = true;  ///< the step follows the speed of the fastest block
+  bool sleep = true;               ///< blocks at rest are left alone in the throw
+
+  static constexpr double kCollisionSpeed = 20.0;  // m/s
+};
+
+/// `where` starts every message. InputError where the plan does not fit the scene.
+[[nodiscard]] BlastPlan blast_plan(const ArgValues& words, const BlastScene& scene,
+                                   const std::string& where);
+
+/// Dashpots with which a closed joint rebounds as a sphere contact of this restitution does: as a
+/// share of the rock's impedance [-].
+[[nodiscard]] double closed_damping(double restitution);
+
+}  // namespace muckpile

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The phases of a blast.
+// Scope: see the header; what each phase is for: docs/styles/run_blast.md.
+#include "run/blast_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "args/input_error.h"
+#include "args/rounded_text.h"
+
+namespace muckpile {
+namespace {
+
+constexpr double kRounding = 1.000001;  // of a stiffness that was multiplied up from factors
+constexpr long kNever = 1000000;        // steps between snapshots: each run ends with one
+constexpr double kLap = 0.1;            // s, of the throw, from one look at rest to the next
+constexpr int kLapsASetUp = 4;          // the ranks share the blocks anew at every fourth
+constexpr double kStretch = 0.05;       // of wave_end, from one look at the gas to the next
+constexpr double kMostSteps = 1e9;      // of one run: the engine counts them in an int
+
+/// Gas stays in joints whose shear modulus is 100 times its pressure (fix muckpile/gas); a tenth
+/// more is for what the pressure may still rise.
+constexpr double kBearing = 110.0;
+/// A step that grows by less is not worth the change.
+constexpr double kPays = 0.5;
+
+/// The next whole number, but for rounding; what is beyond any run is left to the next one.
+long whole_steps(double steps) {
+  return static_cast<long>(std::min(std::ceil(steps - 1e-6), kMostSteps));
+}
+
+}  // namespace
+
+BlastRun::BlastRun(const BlastPlan& plan, BlastEngine& engine, const std::string& where)
+    : plan_(plan), engine_(engine) {
+  const double left = engine_.stiffness();
+  in_throw_ = left < 1.0 && left < kRounding * plan_.softening;
+  if (plan_.softening > kRounding * left) {
+    throw InputError(where + ": softening must be <= " + rounded_text(left) +
+                     ", to which the joints have been softened already, got " +
+                     rounded_text(plan_.softening) + "; joints cannot become stiffer again");
+  }
+}
+
+BlastRun::Phase BlastRun::go() {
+  prepare();
+  Phase phase = in_throw_ ? Phase::settling : Phase::wave;
+  while (phase != Phase::rest && phase != Phase::interrupted) phase = step_through(phase);
+  if (phase == Phase::rest) tell_of_rest();
+  return phase;
+}
+
+void BlastRun::prepare() {
+  engine_.prepare({in_throw_ ? plan_.throw_name : kFirstName, plan_.wave_end, 200},
+                  {.share = plan_.wave_share});
+  // What blocks rest is in the restart file, for a fix that is there before the first run.
+  if (in_throw_ && plan_.sleep) engine_.let_blocks_rest();
+}
+
+BlastRun::Phase BlastRun::step_through(Phase phase) {
+  switch (phase) {
+    case Phase::wave:
+      return wave();
+    case Phase::push:
+      return push();
+    case Phase::gas_in_joints:
+      return wait_for_joints();
+    case Phase::gas_in_holes:
+      return wait_for_holes();
+    case Phase::settling:
+      return settle();
+    case Phase::rest:
+    case Phase::interrupted:
+      break;
+  }
+  return phase;
+}
+
+/// Stiff joints carry the wave, in steps that resolve the pulse.
+BlastRun::Phase BlastRun::wave() {
+  if (engine_.stiffness() == 1.0)
+    engine_.bound_step({.share = plan_.wave_share, .longest = plan_.pulse_step});
+  engine_.set_up();
+  engine_.take_snapshots_every(steps_of(0.1 * plan_.wave_end));
+  const double from =
+      plan_.last_firing + plan_.push_from * (plan_.wave_end - plan_.last_firing);  // [s]
+  while (steps_until(from) > 0)
+    if (!run(steps_until(from))) return Phase::interrupted;
+  return Phase::push;
+}
+
+/// What is left until wave_end, on softer joints and with a longer step once the waves have gone.
+BlastRun::Phase BlastRun::push() {
+  const double stretch = kStretch * (plan_.wave_end - plan_.last_firing);  // [s]
+  for (;;) {
+    if (waves_have_gone()) soften_for_push();
+    const long left = steps_until(plan_.wave_end);
+    if (left <= 0) return after_push();
+    if (!run(std::min(left, steps_of(stretch)))) return Phase::interrupted;
+  }
+}
+
+/// What softening gives up, the elastic energy, is a small share of the kinetic energy then.
+bool BlastRun::waves_have_gone() const {
+  return engine_.stiffness() == 1.0 &&
+         engine_.elastic_energy() < plan_.push_elastic * engine_.kinetic_energy();
+}
+
+void BlastRun::soften_for_push() {
+  const double gas = std::max(engine_.wall_pressure(), engine_.joint_pressure());  // [Pa]
+  const double softer = std::max(plan_.push_softening, kBearing * gas / plan_.shear_modulus);
+  if (!(softer < kPays && softer > plan_.softening)) return;
+  engine_.soften(softer, {});
+  engine_.bound_step({.share = plan_.wave_share, .longest = 1e30});
+  engine_.set_up();
+}
+
+BlastRun::Phase BlastRun::after_push() const {
+  switch (plan_.gas) {
+    case Gas::in_joints:
+      return Phase::gas_in_joints;
+    case Gas::in_holes:
+      return Phase::gas_in_holes;
+    case Gas::vents_by_time:
+      break;
+  }
+  return after_gas();
+}
+
+BlastRun::Phase BlastRun::after_gas() const {
+  return steps_until(plan_.time_end) > 0 ? Phase::settling : Phase::rest;
+}
+
+/// Softened joints do not bear the pressure of gas: the throw begins once it has all but done its
+/// work, and what is left is let go then.
+BlastRun::Phase BlastRun::wait_for_joints() {
+  for (;;) {
+    const long left = steps_until(plan_.time_end);
+    if (left <= 0) return Phase::rest;
+    const double before = engine_.blast_work();  // [J]
+    if (!run(std::min(left, steps_of(kStretch * plan_.wave_end)))) return Phase::interrupted;
+    const double work = engine_.blast_work();
+    const double added = work != 0.0 ? std::abs((work - before) / work) : 0.0;
+    if (added >= plan_.gas_rest && engine_.time() <= plan_.gas_patience * plan_.wave_end) continue;
+    tell_of_joints(added);
+    return after_gas();
+  }
+}
+
+void BlastRun::tell_of_joints(double work_share) {
+  if (work_share > plan_.gas_rest)
+    engine_.warn("the gas still works; it is let go now. A larger gas_patience waits longer.");
+  engine_.say("The first phase ends after " + rounded_text(engine_.time()) +
+              " s: the last twentieth of wave_end added " + rounded_text(work_share) +
+              " of its work, and " + rounded_text(engine_.joint_pressure()) +
+              " Pa at most are left in a joint.");
+}
+
+BlastRun::Phase BlastRun::wait_for_holes() {
+  while (engine_.wall_pressure() >= plan_.hole_rest &&
+         engine_.time() <= plan_.gas_patience * plan_.wave_end) {
+    const long left = steps_until(plan_.time_end);
+    if (left <= 0) return Phase::rest;
+    if (!run(std::min(left, steps_of(kStretch * plan_.wave_end)))) return Phase::interrupted;
+  }
+  tell_of_holes();
+  return after_gas();
+}
+
+void BlastRun::tell_of_holes() {
+  const double pressure = engine_.wall_pressure();
+  engine_.say("The first phase ends after " + rounded_text(engine_.time()) + " s with " +
+              rounded_text(pressure) + " Pa at most on a wall.");
+  if (pressure > plan_.hole_rest) {
+    engine_.warn("that is above hole_rest, " + rounded_text(plan_.hole_rest) +
+                 " Pa; softened joints give way to it. A larger gas_patience waits longer.");
+  }
+}
+
+/// Flight, landing and settling, on soft joints: laps to time_end, or until the rock rests.
+BlastRun::Phase BlastRun::settle() {
+  begin_settling();
+  for (int lap = 0;; lap = (lap + 1) % kLapsASetUp) {
+    const long left = steps_until(plan_.time_end);
+    if (left <= 0) return Phase::rest;
+    if (!run(std::min(left, steps_of(kLap)), lap == 0)) return Phase::interrupted;
+    if (engine_.still()) return Phase::rest;
+  }
+}
+
+/// From here on closed joints rebound as sphere contacts do, by their restitution.
+void BlastRun::begin_settling() {
+  if (!in_throw_) engine_.soften(plan_.softening / engine_.stiffness(), plan_.closed_damping);
+  engine_.begin_phase({plan_.throw_name, plan_.time_end, 1000});
+  engine_.bound_step(
+      {.share = plan_.stable_share,
+       .longest = 1e30,
+       .collision = plan_.collision_step,
+       .collision_speed = plan_.follows_collisions ? BlastPlan::kCollisionSpeed : 0.0});
+  engine_.set_up();
+  if (!in_throw_ && plan_.sleep) engine_.let_blocks_rest();
+  engine_.take_snapshots_every(kNever);
+}
+
+void BlastRun::tell_of_rest() {
+  const std::string after = " after " + rounded_text(engine_.time()) + " s of physical time";
+  engine_.say(engine_.still() ? "The rock rests" + after + "."
+                              : "time_end is reached" + after +
+                                    "; more than still_share of the rock still moves.");
+}
+
+bool BlastRun::run(long steps, bool afresh) {
+  engine_.run(steps, afresh);
+  return !engine_.interrupted();
+}
+
+/// 0 or less: the time has come, or it has but for rounding.
+long BlastRun::steps_until(double time) const {
+  return whole_steps((time - engine_.time()) / engine_.step());
+}
+
+long BlastRun::steps_of(double duration) const {
+  return std::max(1L, whole_steps(duration / engine_.step()));
+}
+
+}  // namespace muckpile

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Takes a blast through its phases: wave; gas push on softer joints; waiting for the gas; throw and
+// settling; rest.
+// Scope: decides when a phase ends and what changes there. Phases are told apart by the state that
+// the engine is in, so that a run goes on in any of them after a restart file.
+#pragma once
+
+#include <string>
+
+#include "run/blast_engine.h"
+#include "run/blast_plan.h"
+
+namespace muckpile {
+
+class BlastRun {
+ public:
+  enum class Phase { wave, push, gas_in_joints, gas_in_holes, settling, rest, interrupted };
+
+  /// InputError, which begins with `where`: the joints are softer already than the plan has them.
+  BlastRun(const BlastPlan& plan, BlastEngine& engine, const std::string& where);
+
+  /// All phases, from the one that the engine is in. What it returns is rest or interrupted.
+  Phase go();
+
+  static constexpr const char* kFirstName = "wave_and_gas";
+
+ private:
+  void prepare();
+  // Each takes steps until its end, and returns what follows.
+  Phase step_through(Phase phase);
+  Phase wave();
+  Phase push();
+  Phase wait_for_joints();
+  Phase wait_for_holes();
+  Phase settle();
+
+  void begin_settling();
+  [[nodiscard]] Phase after_push() const;
+  [[nodiscard]] Phase after_gas() const;
+  [[nodiscard]] bool waves_have_gone() const;
+  void soften_for_push();
+  void tell_of_joints(double work_share);
+  void tell_of_holes();
+  void tell_of_rest();
+
+  /// False: the engine has been asked to end.
+  bool run(long steps, bool afresh = false);
+  [[nodiscard]] long steps_until(double time) const;
+  [[nodiscard]] long steps_of(double duration) const;
+
+  BlastPlan plan_;
+  BlastEngine& engine_;
+  bool in_throw_;  ///< from the start: a restart file of a throw
+};
+
+}  // namespace muckpile

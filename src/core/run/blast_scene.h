@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the plan of a blast takes from the scene: its charges, rock and contacts.
+// Scope: plain numbers, SI.
+#pragma once
+
+namespace muckpile {
+
+/// What the charges say of the time that they need; their clock starts with the first run that has
+/// them.
+struct BlastTiming {
+  double start = 0.0;        ///< of that clock, on the engine's [s]
+  double rise_time = 0.0;    ///< of the pulse [s]
+  double last_firing = 0.0;  ///< [s]
+  double vent_time = 0.0;    ///< from firing until the gas vents [s]
+  double vent_decay = 0.0;   ///< of the gas that vents [s]
+};
+
+/// The rock as it is before anything is softened.
+struct RockConstants {
+  double density = 0.0;         ///< [kg/m3]
+  double youngs_modulus = 0.0;  ///< [Pa]
+  double poisson_ratio = 0.0;   ///< [-]
+};
+
+/// Sphere contacts of blocks, by Hertz.
+struct BlockContacts {
+  double youngs_modulus = 0.0;  ///< [Pa]
+  double poisson_ratio = 0.0;   ///< [-]
+  double restitution = 1.0;     ///< [-]
+};
+
+/// Where gas is that the rock must be stiff for.
+enum class Gas {
+  vents_by_time,  ///< nowhere: it has vented at the end of the wave
+  in_holes,       ///< in the holes, until it has flowed out of them
+  in_joints,      ///< in joints as well
+};
+
+struct BlastScene {
+  BlastTiming timing{};
+  RockConstants rock{};
+  BlockContacts contacts{};
+  Gas gas = Gas::vents_by_time;
+};
+
+}  // namespace muckpile

@@ -1,0 +1,107 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# test_tables.sh PERF_TABLE LADDER_REPORT PEERS_TABLE: the tables of the benchmark page, from made-up figures whose ratios are seen at a glance;
+# what is not there is told of by its file.
+set -euo pipefail
+perf_table=$(readlink -f "$1") ladder_report=$(readlink -f "$2") peers_table=$(readlink -f "$3")
+source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
+cd "$out"
+
+is() {  # is FILE: as on standard input
+  diff "$1" - || fail "$1 is not as it should be"
+}
+
+refuses() {  # refuses TEXT COMMAND...
+  ! output=$("${@:2}" 2>&1) || fail "accepted: ${*:2}"
+  grep -qF -- "$1" <<<"$output" || fail "does not tell '$1': ${*:2}"
+}
+
+# Figures of perf programs
+
+cat >blocks.json <<'EOT'
+{"processor": "p", "target_ns_per_sphere": 10.0,
+ "runs": [{"blocks": 200, "spheres_per_block": 5, "step": {"ns_per_sphere": 13.0369}}]}
+EOT
+cat >contacts.json <<'EOT'
+{"rebuild_target_s": 0.15, "touching": {"core_rebuild": {"total_s": 1}, "engine": {"rebuild_wall_s": 0.04091, "contacts": 7}}}
+EOT
+"$perf_table" . blocks contacts >perf.md
+is perf.md <<'EOT'
+| program | scene | figure | value |
+|---|---|---|---|
+| perf_blocks | target | target_ns_per_sphere | 10 |
+| perf_blocks | step, 200 blocks of 5 spheres | ns_per_sphere | 13 |
+| perf_contacts | target | rebuild_target_s | 0.15 |
+| perf_contacts | touching | rebuild_wall_s | 0.0409 |
+EOT
+refuses "./facets.json: cannot be opened" "$perf_table" . facets
+
+# The ladder
+
+one_run() {  # one_run NAME FACE_VELOCITY THROW CPU_USER CPU_SYSTEM
+  mkdir -p "runs/$1"
+  echo "{\"blocks\": 100, \"steps\": 50, \"face_velocity_m_s\": $2, \"throw_cg_m\": $3, \"beyond_toe_fraction\": 0.5, \"joints_broken_fraction\": 1}" \
+    >"runs/$1/summary.json"
+  echo "$4 $5" >"runs/$1/seconds"
+}
+one_run finest 10 20 90 10
+one_run standard 11 20 9 1
+one_run seed_2 12 18 10 1
+one_run seed_3 13 22 11 1
+one_run large 10.0001 25 4.5 0.5
+ladder=("finest|finest|all, at once|-var a 1" "standard|standard|seed 1|" "seed_2|standard|seed 2|-var seed 2" "seed_3|standard|seed 3|-var seed 3"
+  "large|block size|x 1.4|-var b 2")
+printf '%s\n' "${ladder[@]}" | "$ladder_report" . 7
+is ladder.csv <<'EOT'
+name,knob,setting,blocks,steps,cpu_s,face_velocity_m_s,throw_cg_m,beyond_toe_fraction,joints_broken_fraction
+finest,finest,all; at once,100,50,100,10,20,0.5,1
+standard,standard,seed 1,100,50,10,11,20,0.5,1
+seed_2,standard,seed 2,100,50,11,12,18,0.5,1
+seed_3,standard,seed 3,100,50,12,13,22,0.5,1
+large,block size,x 1.4,100,50,5,10.0001,25,0.5,1
+EOT
+sed -n '4p;$p' ladder.md >rows.md
+is rows.md <<'EOT'
+| standard | seed 1 | 100 | 50 | 10.0 | 11 (+10.0 %) | 20 (+0.0 %) | 0.5 (+0.0 %) | 1 (+0.0 %) |
+| block size | x 1.4 | 100 | 50 | 5.0 | 10 (+0.0 %) | 25 (+25.0 %) | 0.5 (+0.0 %) | 1 (+0.0 %) |
+EOT
+# Standard deviation with n - 1: of 11, 12 and 13 it is 1, of 18, 20 and 22 it is 2.
+is scatter.md <<'EOT'
+| quantity | mean of 3 seeds | standard deviation |
+|---|---|---|
+| face_velocity_m_s | 12 | 1 (8.3 %) |
+| throw_cg_m | 20 | 2 (10.0 %) |
+| beyond_toe_fraction | 0.5 | 0 (0.0 %) |
+| joints_broken_fraction | 1 | 0 (0.0 %) |
+EOT
+# Two knobs and four quantities; a distance of 0.001 % is drawn at 0.01 %.
+[[ $(grep -c '"plot"' cases/ladder.json) -eq 8 ]] || fail "not eight curves"
+tr -d ' \n' <cases/ladder.json | grep -qF '"label":"blocksize","style":"points","colour":1,"points":[[5.0,0.01]]' || fail "no point of the large blocks"
+rm runs/seed_2/seconds
+refuses "seed_2/seconds: cannot be opened" "$ladder_report" . 7 < <(printf '%s\n' "${ladder[@]}")
+sed -i 's/"throw_cg_m": 20/"throw_cg_m": null/' runs/standard/summary.json
+refuses "standard/summary.json: has no number 'throw_cg_m'" "$ladder_report" . 7 < <(printf '%s\n' "${ladder[@]}")
+refuses "there is no run 'finest'" "$ladder_report" . 7 < <(printf '%s\n' "${ladder[@]:4}")
+
+# Other codes: the least of the rounds counts.
+
+cat >raw.csv <<'EOT'
+scene,code,law,particles,links,steps,seconds
+rock,Muckpile,joints,1000,4000,100,2
+rock,Other,springs,2000,4000,100,8
+fall,Muckpile,none,1000,0,100,1
+rock,Muckpile,joints,1000,4000,100,1
+EOT
+"$peers_table" raw.csv .
+is peers.csv <<'EOT'
+scene,code,law,particles,links,steps_per_s,us_per_particle_step,over_muckpile,ns_per_link_step,over_muckpile_per_link
+rock,Muckpile,joints,1000,4000,100,10.000,1.00,2500,1.00
+rock,Other,springs,2000,4000,12,40.000,4.00,20000,8.00
+fall,Muckpile,none,1000,0,100,10.000,1.00,,
+EOT
+tail -n 1 peers.md >rows.md
+is rows.md <<'EOT'
+| fall | Muckpile | none | 1000 | 0 | 100 | 10.000 | 1.00 |  |  |
+EOT
+sed '2s/,2$//' raw.csv >short.csv
+refuses "short.csv:2" "$peers_table" short.csv .

@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# no_history.sh ROOT: pages and reasons of expected figures say what is, never what was; what is quoted from memory is
+# marked in docs/sources.md only.
+# Scope: words that give such a passage away; a page may still be wrong without them.
+set -euo pipefail
+cd "$1"
+words='earlier builds?|previous builds?|formerly|not measured again|before this (build|change|version)|quoted from memory|old (build|version)'
+if grep -rniE "$words" --include='*.md' --include='*.json' ./*.md docs inputs tests/regression |
+  grep -v '^docs/sources\.md:'; then
+  echo 'the lines above tell history, or quote from memory outside docs/sources.md' >&2
+  exit 1
+fi

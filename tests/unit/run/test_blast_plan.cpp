@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Words of run_blast to the numbers of its phases, against numbers worked by hand.
+// Scope: no engine; what the phases do with the numbers is in test_blast_run.cpp.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "args/input_error.h"
+#include "run/blast_plan.h"
+
+namespace muckpile {
+namespace {
+
+/// Of the default bench: charges that fire at once, gas that vents by 9.9 + 5 * 4.5 ms.
+BlastScene bench() {
+  return {.timing = {.rise_time = 1e-4, .vent_time = 9.9e-3, .vent_decay = 4.5e-3},
+          .rock = {2700.0, 55e9, 0.25},
+          .contacts = {2.5e7, 0.25, 0.5},
+          .gas = Gas::in_joints};
+}
+
+BlastPlan plan_of(std::vector<std::string> words, const BlastScene& scene = bench()) {
+  words.insert(words.begin(), {"directory", "out", "block_min", "0.18"});
+  return blast_plan(parse_args(run_blast_table(), "run_blast", words), scene, "run_blast");
+}
+
+std::string refusal_of(const std::vector<std::string>& words, const BlastScene& scene = bench()) {
+  try {
+    (void)plan_of(words, scene);
+  } catch (const InputError& refused) {
+    return refused.what();
+  }
+  return "";
+}
+
+TEST(BlastPlan, TakesTheEndOfTheWaveFromTheCharges) {
+  EXPECT_NEAR(plan_of({}).wave_end, 0.0324, 1e-12);  // 9.9 + 5 * 4.5 ms
+  BlastScene scene = bench();
+  scene.timing.last_firing = 0.1;
+  EXPECT_NEAR(plan_of({}, scene).wave_end, 0.1324, 1e-12);
+  EXPECT_EQ(plan_of({"wave_end", "0.2"}, scene).wave_end, 0.2);
+}
+
+TEST(BlastPlan, WaitsForThePulseWhereThereIsNoGas) {
+  BlastScene scene = bench();
+  scene.timing.vent_time = scene.timing.vent_decay = 0.0;
+  EXPECT_NEAR(plan_of({}, scene).wave_end, 1e-3, 1e-12);  // ten rises
+}
+
+TEST(BlastPlan, StepsThePulseInFive) {
+  EXPECT_NEAR(plan_of({}).pulse_step, 2e-5, 1e-18);  // a fifth of 1e-4 s
+}
+
+TEST(BlastPlan, StepsNearlyIncompressibleRockFiner) {
+  BlastScene scene = bench();
+  scene.rock.poisson_ratio = 0.4;
+  EXPECT_EQ(plan_of({}, scene).wave_share, 0.9);
+  scene.rock.poisson_ratio = 0.45;  // (1 - 0.9)/0.2 = 0.5; 0.05 + 0.95 * 0.25 = 0.2875
+  EXPECT_NEAR(plan_of({}, scene).wave_share, 0.9 * 0.2875, 1e-12);
+}
+
+TEST(BlastPlan, ResolvesTheCollisionOfTwoSmallestBlocks) {
+  // 8.604 ms at 20 m/s (CollisionTime.OfTheSmallestBlocksOfTheBench) in 8 steps.
+  const BlastPlan plan = plan_of({"spheres_per_block", "5"});
+  EXPECT_NEAR(plan.collision_step, 8.604e-3 / 8.0, 2e-7);
+  EXPECT_TRUE(plan.follows_collisions);
+  const BlastPlan crowded = plan_of({"spheres_per_block", "40"});
+  EXPECT_NEAR(crowded.collision_step, 0.5 * plan.collision_step, 1e-12);
+  EXPECT_FALSE(crowded.follows_collisions);
+}
+
+TEST(BlastPlan, DampsClosedJointsAsContactsAre) {
+  EXPECT_EQ(closed_damping(1.0), 0.0);
+  // sqrt(2) * 0.693147 / sqrt(9.869604 + 0.480453) = 0.980258 / 3.217151
+  EXPECT_NEAR(closed_damping(0.5), 0.304698, 1e-6);
+}
+
+TEST(BlastPlan, KnowsHowStiffTheRockIs) {
+  EXPECT_NEAR(plan_of({}).shear_modulus, 22e9, 1.0);  // 55 / 2.5 GPa
+}
+
+TEST(BlastPlan, RefusesAnEndBeforeThatOfTheWave) {
+  EXPECT_EQ(refusal_of({"time_end", "0.02"}),
+            "run_blast: time_end must be > wave_end, 0.0324 s, got 0.02 s");
+}
+
+TEST(BlastPlan, RefusesAWaveThatEndsBeforeThePulse) {
+  EXPECT_EQ(refusal_of({"wave_end", "5e-4"}),
+            "run_blast: wave_end must be >= 0.001 s, when the pulse of the last charge has gone, "
+            "got 0.0005 s");
+}
+
+TEST(BlastPlan, RefusesWordsThatAreNoTime) {
+  EXPECT_EQ(refusal_of({"wave_end", "soon"}),
+            "run_blast: wave_end must be a number in s, got 'soon'");
+  EXPECT_EQ(refusal_of({"wave_end", "-1"}),
+            "run_blast: wave_end must be > 0 and <= 1000 s, got '-1'");
+}
+
+TEST(BlastPlan, RefusesChargesThatFireLater) {
+  BlastScene scene = bench();
+  scene.timing.start = 0.5;
+  EXPECT_EQ(refusal_of({}, scene),
+            "run_blast: the charges must fire in the first run of all: they have not been in a run "
+            "yet, and 0.5 s are over");
+}
+
+}  // namespace
+}  // namespace muckpile

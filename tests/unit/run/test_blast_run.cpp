@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The phases of a blast on an engine that only keeps time: each change from one to the next, the
+// end of time and a signal in each, and going on in the middle of each. Scope: what BlastRun tells
+// the engine, in order; the physics is the tests' own.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "args/input_error.h"
+#include "run/blast_run.h"
+
+namespace muckpile {
+namespace {
+
+using Phase = BlastRun::Phase;
+
+/// Steps of one millisecond. `happens` sets the state after each run.
+class FakeEngine : public BlastEngine {
+ public:
+  double now = 0.0, dt = 1e-3, joints = 1.0;
+  double elastic = 1.0, kinetic = 1.0, work = 1.0, on_walls = 0.0, in_joints = 0.0;
+  bool at_rest = false, quit = false;
+  std::function<void(FakeEngine&)> happens = [](FakeEngine&) {};
+  std::vector<std::string> told, lines, warnings;
+  long steps = 0;
+
+  double time() const override { return now; }
+  double step() const override { return dt; }
+  double stiffness() const override { return joints; }
+  double elastic_energy() const override { return elastic; }
+  double kinetic_energy() const override { return kinetic; }
+  double blast_work() const override { return work; }
+  double wall_pressure() const override { return on_walls; }
+  double joint_pressure() const override { return in_joints; }
+  bool still() const override { return at_rest; }
+  bool interrupted() const override { return quit; }
+
+  void prepare(const PhaseNews& first, const StepRule&) override {
+    told.push_back("prepare " + first.name);
+  }
+  void set_up() override { told.push_back("set up"); }
+  void run(long count, bool afresh) override {
+    EXPECT_GT(count, 0);
+    told.push_back((afresh ? "run afresh " : "run ") + std::to_string(count));
+    steps += count;
+    now += static_cast<double>(count) * dt;
+    happens(*this);
+  }
+  void bound_step(const StepRule& rule) override {
+    told.push_back(rule.collision ? "step for collisions"
+                                  : (*rule.longest < 1.0 ? "step for pulse" : "step for joints"));
+  }
+  void soften(double factor, std::optional<double> damping) override {
+    joints *= factor;
+    told.push_back(damping ? "soften and damp" : "soften");
+  }
+  void begin_phase(const PhaseNews& news) override { told.push_back("phase " + news.name); }
+  void take_snapshots_every(long count) override {
+    told.push_back("snapshots " + std::to_string(count));
+  }
+  void let_blocks_rest() override { told.push_back("sleep"); }
+  void say(const std::string& line) override { lines.push_back(line); }
+  void warn(const std::string& line) override { warnings.push_back(line); }
+
+  [[nodiscard]] bool was_told(const std::string& what) const {
+    return std::ranges::find(told, what) != told.end();
+  }
+};
+
+/// Wave until 35 ms, push until 100 ms, throw until 1 s.
+BlastPlan plan() {
+  BlastPlan plan;
+  plan.wave_end = 0.1;
+  plan.time_end = 1.0;
+  plan.pulse_step = 2e-5;
+  plan.push_softening = 0.1;
+  plan.push_elastic = 0.005;
+  plan.push_from = 0.35;
+  plan.shear_modulus = 22e9;
+  plan.hole_rest = 3e5;
+  plan.gas_rest = 5e-4;
+  plan.gas_patience = 4.02;  // between two looks at the gas
+  plan.softening = 2e-4;
+  return plan;
+}
+
+Phase go(const BlastPlan& plan, FakeEngine& engine) {
+  return BlastRun(plan, engine, "run_blast").go();
+}
+
+TEST(BlastRun, GoesThroughItsPhases) {
+  FakeEngine engine;
+  engine.happens = [](FakeEngine& e) {
+    if (e.now > 0.05) e.elastic = 1e-3;  // the waves have gone
+    e.at_rest = e.now > 0.25;
+  };
+  EXPECT_EQ(go(plan(), engine), Phase::rest);
+  // Laps of the throw from 0.1 s: to 0.2 and 0.3 s.
+  const std::vector<std::string> expected{"prepare wave_and_gas",
+                                          "step for pulse",
+                                          "set up",
+                                          "snapshots 10",
+                                          "run 35",
+                                          "run 5",
+                                          "run 5",
+                                          "run 5",
+                                          "run 5",
+                                          "soften",
+                                          "step for joints",
+                                          "set up",
+                                          "run 5",
+                                          "run 5",
+                                          "run 5",
+                                          "run 5",
+                                          "run 5",
+                                          "run 5",
+                                          "run 5",
+                                          "run 5",
+                                          "run 5",
+                                          "soften and damp",
+                                          "phase throw",
+                                          "step for collisions",
+                                          "set up",
+                                          "sleep",
+                                          "snapshots 1000000",
+                                          "run afresh 100",
+                                          "run 100"};
+  EXPECT_EQ(engine.told, expected);
+  EXPECT_NEAR(engine.joints, 2e-4, 1e-12);
+  ASSERT_EQ(engine.lines.size(), 1u);
+  EXPECT_EQ(engine.lines[0].substr(0, 20), "The rock rests after");
+}
+
+TEST(BlastRun, WaitsForTheLastChargeBeforeThePush) {
+  FakeEngine engine;
+  engine.elastic = 0.0;
+  BlastPlan with_delays = plan();
+  with_delays.last_firing = 0.06;
+  engine.happens = [](FakeEngine& e) { e.quit = e.joints < 1.0; };
+  EXPECT_EQ(go(with_delays, engine), Phase::interrupted);
+  EXPECT_TRUE(engine.was_told("run 74"));  // 60 + 0.35 * 40 ms
+}
+
+TEST(BlastRun, KeepsStiffJointsWhileWavesGo) {
+  FakeEngine engine;
+  engine.at_rest = true;
+  EXPECT_EQ(go(plan(), engine), Phase::rest);
+  EXPECT_FALSE(engine.was_told("soften"));
+  EXPECT_TRUE(engine.was_told("soften and damp"));
+}
+
+TEST(BlastRun, SoftensForThePushNoFurtherThanTheGasAllows) {
+  FakeEngine engine;
+  engine.elastic = 0.0;
+  engine.on_walls = 1e7;
+  engine.in_joints = 4e7;  // 110 * 4e7 / 22e9 = 0.2
+  engine.happens = [](FakeEngine& e) { e.quit = e.joints < 1.0; };
+  EXPECT_EQ(go(plan(), engine), Phase::interrupted);
+  EXPECT_NEAR(engine.joints, 0.2, 1e-12);
+}
+
+TEST(BlastRun, DoesNotSoftenForAPushThatGainsLittle) {
+  FakeEngine engine;
+  engine.elastic = 0.0;
+  engine.on_walls = 1.1e8;  // 110 * 1.1e8 / 22e9 = 0.55
+  engine.at_rest = true;
+  EXPECT_EQ(go(plan(), engine), Phase::rest);
+  EXPECT_FALSE(engine.was_told("soften"));
+}
+
+TEST(BlastRun, DoesNotSoftenThePushBelowTheThrow) {
+  FakeEngine engine;
+  engine.elastic = 0.0;
+  engine.at_rest = true;
+  BlastPlan stiff_throw = plan();
+  stiff_throw.softening = 0.2;
+  EXPECT_EQ(go(stiff_throw, engine), Phase::rest);
+  EXPECT_FALSE(engine.was_told("soften"));
+}
+
+TEST(BlastRun, WaitsUntilGasInJointsHasDoneItsWork) {
+  FakeEngine engine;
+  BlastPlan gassy = plan();
+  gassy.gas = Gas::in_joints;
+  engine.happens = [](FakeEngine& e) {
+    e.work += e.now < 0.15 ? 1.0 : 1e-4;
+    e.at_rest = true;
+  };
+  EXPECT_EQ(go(gassy, engine), Phase::rest);
+  ASSERT_EQ(engine.lines.size(), 2u);
+  // Twentieths of 0.1 s; the first that begins at or after 0.145 s adds 1e-4 of some 20.
+  EXPECT_EQ(engine.lines[0].substr(0, 35), "The first phase ends after 0.15 s: ");
+  EXPECT_TRUE(engine.warnings.empty());
+}
+
+TEST(BlastRun, LetsGasGoThatNeverEnds) {
+  FakeEngine engine;
+  BlastPlan gassy = plan();
+  gassy.gas = Gas::in_joints;
+  engine.happens = [](FakeEngine& e) {
+    e.work *= 1.1;
+    e.at_rest = true;
+  };
+  EXPECT_EQ(go(gassy, engine), Phase::rest);
+  EXPECT_EQ(engine.warnings.size(), 1u);
+  EXPECT_TRUE(engine.was_told("soften and damp"));
+  EXPECT_NEAR(engine.now, 0.4 + 0.005 + 0.1, 1e-9);  // the look after 4.02 * 0.1 s, and a lap
+}
+
+TEST(BlastRun, DoesNotWaitForGasThatDoesNoWork) {
+  FakeEngine engine;
+  engine.work = 0.0;
+  BlastPlan gassy = plan();
+  gassy.gas = Gas::in_joints;
+  engine.at_rest = true;
+  EXPECT_EQ(go(gassy, engine), Phase::rest);
+  EXPECT_NEAR(engine.now, 0.1 + 0.005 + 0.1, 1e-9);
+}
+
+TEST(BlastRun, WaitsUntilHolesAreEmpty) {
+  FakeEngine engine;
+  engine.on_walls = 1e6;
+  BlastPlan venting = plan();
+  venting.gas = Gas::in_holes;
+  engine.happens = [](FakeEngine& e) {
+    if (e.now > 0.202) e.on_walls = 2e5;
+    e.at_rest = e.joints < 0.1;
+  };
+  EXPECT_EQ(go(venting, engine), Phase::rest);
+  EXPECT_NEAR(engine.now, 0.205 + 0.1, 1e-9);
+  EXPECT_TRUE(engine.warnings.empty());
+}
+
+TEST(BlastRun, LetsHolesGoThatNeverEmpty) {
+  FakeEngine engine;
+  engine.on_walls = 1e6;
+  engine.at_rest = true;
+  BlastPlan venting = plan();
+  venting.gas = Gas::in_holes;
+  EXPECT_EQ(go(venting, engine), Phase::rest);
+  EXPECT_EQ(engine.warnings.size(), 1u);
+  EXPECT_NEAR(engine.now, 0.405 + 0.1, 1e-9);
+}
+
+TEST(BlastRun, EndsWhereTimeRunsOutWhileGasWorks) {
+  for (const Gas gas : {Gas::in_joints, Gas::in_holes}) {
+    FakeEngine engine;
+    engine.on_walls = 1e6;
+    engine.happens = [](FakeEngine& e) { e.work *= 1.1; };
+    BlastPlan gassy = plan();
+    gassy.gas = gas;
+    gassy.time_end = 0.12;
+    EXPECT_EQ(go(gassy, engine), Phase::rest);
+    EXPECT_NEAR(engine.now, 0.12, 1e-9);
+    EXPECT_FALSE(engine.was_told("phase throw"));
+    ASSERT_EQ(engine.lines.size(), 1u);
+    EXPECT_EQ(engine.lines[0].substr(0, 25), "time_end is reached after");
+  }
+}
+
+TEST(BlastRun, EndsWhereTimeRunsOutInTheThrow) {
+  FakeEngine engine;
+  EXPECT_EQ(go(plan(), engine), Phase::rest);
+  EXPECT_NEAR(engine.now, 1.0, 1e-9);
+  EXPECT_EQ(engine.lines.back().substr(0, 25), "time_end is reached after");
+}
+
+TEST(BlastRun, SetsUpEveryFourthLap) {
+  FakeEngine engine;
+  EXPECT_EQ(go(plan(), engine), Phase::rest);
+  const std::vector<std::string> laps(engine.told.end() - 9, engine.told.end());
+  const std::vector<std::string> expected{"run afresh 100", "run 100",        "run 100",
+                                          "run 100",        "run afresh 100", "run 100",
+                                          "run 100",        "run 100",        "run afresh 100"};
+  EXPECT_EQ(laps, expected);
+}
+
+TEST(BlastRun, GoesOnInTheMiddleOfTheThrow) {
+  FakeEngine engine;
+  engine.now = 0.95;
+  engine.joints = 2e-4;
+  EXPECT_EQ(go(plan(), engine), Phase::rest);
+  const std::vector<std::string> expected{"prepare throw",       "sleep",  "phase throw",
+                                          "step for collisions", "set up", "snapshots 1000000",
+                                          "run afresh 50"};
+  EXPECT_EQ(engine.told, expected);
+  EXPECT_EQ(engine.joints, 2e-4);
+}
+
+TEST(BlastRun, GoesOnInTheMiddleOfThePush) {
+  FakeEngine engine;
+  engine.now = 0.08;
+  engine.joints = 0.1;
+  engine.elastic = 0.0;
+  engine.happens = [](FakeEngine& e) { e.quit = e.now > 0.085; };
+  EXPECT_EQ(go(plan(), engine), Phase::interrupted);
+  const std::vector<std::string> expected{"prepare wave_and_gas", "set up", "snapshots 10", "run 5",
+                                          "run 5"};
+  EXPECT_EQ(engine.told, expected);
+}
+
+TEST(BlastRun, GoesOnWhileGasIsWaitedFor) {
+  FakeEngine engine;
+  engine.now = 0.2;
+  engine.joints = 0.1;
+  engine.at_rest = true;
+  BlastPlan gassy = plan();
+  gassy.gas = Gas::in_joints;
+  EXPECT_EQ(go(gassy, engine), Phase::rest);
+  EXPECT_NEAR(engine.now, 0.2 + 0.005 + 0.1, 1e-9);  // a look at the gas, a lap
+}
+
+TEST(BlastRun, TakesNoStepAfterASignal) {
+  for (const double at : {0.01, 0.05, 0.11, 0.3}) {  // wave, push, gas, throw
+    FakeEngine engine;
+    engine.on_walls = 1e6;
+    BlastPlan venting = plan();
+    venting.gas = Gas::in_holes;
+    long runs_after = 0;
+    engine.happens = [&](FakeEngine& e) {
+      if (e.quit) ++runs_after;
+      e.quit = e.now >= at;
+      if (e.now > 0.2) e.on_walls = 0.0;
+    };
+    EXPECT_EQ(go(venting, engine), Phase::interrupted);
+    EXPECT_EQ(runs_after, 0);
+    for (const std::string& line : engine.lines)
+      EXPECT_EQ(line.find("time_end"), std::string::npos);
+  }
+}
+
+TEST(BlastRun, LeavesBlocksAwakeWhereNoneMaySleep) {
+  FakeEngine engine;
+  engine.at_rest = true;
+  BlastPlan sleepless = plan();
+  sleepless.sleep = false;
+  EXPECT_EQ(go(sleepless, engine), Phase::rest);
+  EXPECT_FALSE(engine.was_told("sleep"));
+}
+
+TEST(BlastRun, RefusesJointsThatAreSofterAlready) {
+  FakeEngine engine;
+  engine.joints = 1e-4;
+  try {
+    (void)go(plan(), engine);
+    FAIL() << "not refused";
+  } catch (const InputError& refused) {
+    EXPECT_STREQ(refused.what(),
+                 "run_blast: softening must be <= 0.0001, to which the joints have been softened "
+                 "already, got 0.0002; joints cannot become stiffer again");
+  }
+  EXPECT_EQ(engine.steps, 0);
+}
+
+}  // namespace
+}  // namespace muckpile
