@@ -55,6 +55,9 @@ JointClass make(const ArgValues& args, const std::string& where) {
   law.initial_aperture = given > 0.0 ? given
                                      : barton_bandis_aperture(law.roughness, law.wall_strength,
                                                               ucs > 0.0 ? ucs : law.wall_strength);
+  if (law.largest_angle < law.residual_angle)
+    throw InputError(where + ": largest_angle must be >= residual_friction_angle, got '" +
+                     number_text(args.real("largest_angle")) + "'");
   if (law.initial_aperture <= law.closure_limit)
     throw InputError(where + ": closure_limit must be < the initial aperture of " +
                      number_text(law.initial_aperture) + " m, got '" +
