@@ -271,8 +271,8 @@ void FixMuckpileJoint::apply_forces() {
 /// facet itself carries contact until it has slid by a tenth of its radius. On several ranks pairs
 /// that a facet holds are left out of the list at rank borders: when it lets go they are missed.
 void FixMuckpileJoint::ask_for_neighbours() {
-  cracked_since_build_ = cracked_since_build_ || network_.newly_cracked() ||
-                         (comm->nprocs > 1 && network_.newly_let_go());
+  cracked_since_build_ = cracked_since_build_ || network_.books().newly_cracked ||
+                         (comm->nprocs > 1 && network_.books().newly_let_go);
   if (update->ntimestep % kCheckEvery != 0) return;
   const bool unguarded = contact_check_ && !engine::has_contact_law(*lmp);
   int mine = unguarded && joint_let_go() ? 2 : cracked_since_build_ ? 1 : 0, any = 0;
