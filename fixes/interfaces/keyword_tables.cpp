@@ -7,6 +7,7 @@
 #include "explosive/blast_options.h"
 #include "explosive/charge_design.h"
 #include "rock/cut_table.h"
+#include "run/blast_plan.h"
 
 namespace muckpile {
 
@@ -22,6 +23,7 @@ std::vector<ArgTable> keyword_tables() {
                                   progress_keywords(),
                                   quiet_keywords(),
                                   rank_grid_keywords(),
+                                  run_blast_table(),
                                   sleep_keywords(),
                                   timestep_keywords()};
   for (const JointLawEntry& law : joint_law_entries()) tables.push_back(law.table);

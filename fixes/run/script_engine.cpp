@@ -71,7 +71,7 @@ void ScriptEngine::prepare(const PhaseNews& first, const StepRule& rule) {
   make("muckpile/ledger", "energy", "");
   own_snapshots_ = make("muckpile/dump", "snapshots", "every 1000000 directory " + directory_);
   own_progress_ = make("muckpile/progress", "progress",
-                       "every " + std::to_string(first.looks_every) + " directory " + directory_ +
+                       "every " + std::to_string(first.lines_every) + " directory " + directory_ +
                            " phase " + first.name + " time_end " + text(first.ends) +
                            " fastest_allowed 1000 still_share " + text(words_.real("still_share")) +
                            " scene " + words_.word("scene") + " solid " + words_.word("solid"));
@@ -123,7 +123,7 @@ void ScriptEngine::soften(double factor, std::optional<double> damping) {
 void ScriptEngine::begin_phase(const PhaseNews& news) {
   tell("fix_modify " + id_of("muckpile/progress") + " phase " + news.name + " time_end " +
        text(news.ends) +
-       (own_progress_ ? " every " + std::to_string(news.looks_every) : std::string()));
+       (own_progress_ ? " every " + std::to_string(news.lines_every) : std::string()));
 }
 
 void ScriptEngine::take_snapshots_every(long steps) {

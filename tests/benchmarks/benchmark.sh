@@ -36,7 +36,7 @@ done
 ladder_mode=quick page=()
 if [[ $mode != --quick ]]; then
   compare_codes
-  ladder_mode=full page=("$here/page.md" "$here/../../docs/benchmarks.md")
+  ladder_mode=full page=("$here/page.md.in" "$here/../../docs/benchmarks.md")
 fi
 rm -rf "$results/cases"
 "$here/ladder.sh" "$program" "$post" "$tables/ladder_report" "$results" "$ladder_mode" || fail "the ladder failed; the reason is above"

@@ -52,7 +52,8 @@ void make_report(const ResultFolder& folder, const std::string& name) { makers()
 std::string summary_lines(const ResultFolder& folder) {
   constexpr std::size_t kValueColumn = 28;
   std::string text;
-  for (const auto& [key, value] : read_json_object(folder.file("summary.json")).items()) {
+  const nlohmann::ordered_json summary = read_json_object(folder.file("summary.json"));
+  for (const auto& [key, value] : summary.items()) {
     text += "  " + key + std::string(kValueColumn - std::min(kValueColumn, key.size()), ' ') + " " +
             (value.is_string() ? value.get<std::string>() : value.dump()) + "\n";
   }

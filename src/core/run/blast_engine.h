@@ -13,7 +13,7 @@ namespace muckpile {
 struct PhaseNews {
   std::string name;
   double ends = 0.0;     ///< at the latest [s]
-  long looks_every = 1;  ///< steps between two lines on the screen
+  long lines_every = 1;  ///< steps between two lines on the screen
 };
 
 /// How long the time step may be.

@@ -44,7 +44,7 @@ void add_steps(ArgTable& table) {
             "step until the gas has gone over the longest that joints and contacts bear")
       .real("stable_share", "", Range::closed(0.01, 1.0), 0.8,
             "the same in the throw; what is left is for contacts that become stiffer between two "
-            "looks")
+            "checks")
       .real("steps_per_contact", "", Range::closed(5.0, 1000.0), 8.0,
             "collision of two smallest blocks at the speed of the fastest over the longest step of "
             "the throw")

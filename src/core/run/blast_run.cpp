@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kRounding = 1.000001;  // of a stiffness that was multiplied up from factors
 constexpr long kNever = 1000000;        // steps between snapshots: each run ends with one
-constexpr double kLap = 0.1;            // s, of the throw, from one look at rest to the next
+constexpr double kLap = 0.1;            // s, of the throw, from one check of rest to the next
 constexpr int kLapsASetUp = 4;          // the ranks share the blocks anew at every fourth
-constexpr double kStretch = 0.05;       // of wave_end, from one look at the gas to the next
+constexpr double kStretch = 0.05;       // of wave_end, from one check of the gas to the next
 constexpr double kMostSteps = 1e9;      // of one run: the engine counts them in an int
 
 /// Gas stays in joints whose shear modulus is 100 times its pressure (fix muckpile/gas); a tenth
