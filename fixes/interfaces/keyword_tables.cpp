@@ -3,6 +3,7 @@
 // Scope: see the header.
 #include "fixes/interfaces/keyword_tables.h"
 
+#include "bond/law/joint_law_table.h"
 #include "explosive/blast_options.h"
 #include "explosive/charge_design.h"
 #include "rock/cut_table.h"
@@ -11,20 +12,22 @@
 namespace muckpile {
 
 std::vector<ArgTable> keyword_tables() {
-  return {block_contact_keywords(),
-          block_motion_keywords(),
-          blast_table(),
-          charge_design_table(),
-          cut_table(),
-          dump_keywords(),
-          gas_keywords(),
-          joint_keywords(),
-          progress_keywords(),
-          quiet_keywords(),
-          rank_grid_keywords(),
-          run_blast_table(),
-          sleep_keywords(),
-          timestep_keywords()};
+  std::vector<ArgTable> tables = {block_contact_keywords(),
+                                  block_motion_keywords(),
+                                  blast_table(),
+                                  charge_design_table(),
+                                  cut_table(),
+                                  dump_keywords(),
+                                  gas_keywords(),
+                                  joint_keywords(),
+                                  progress_keywords(),
+                                  quiet_keywords(),
+                                  rank_grid_keywords(),
+                                  run_blast_table(),
+                                  sleep_keywords(),
+                                  timestep_keywords()};
+  for (const JointLawEntry& law : joint_law_entries()) tables.push_back(law.table);
+  return tables;
 }
 
 }  // namespace muckpile

@@ -4,11 +4,11 @@
 #include "fixes/joints/fix_muckpile_joint_arguments.h"
 
 #include <cmath>
-#include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
-#include "args/numbers.h"
+#include "bond/law/joint_law_table.h"
 #include "fixes/engine/style_args.h"
 #include "fixes/interfaces/keyword_tables.h"
 
@@ -16,7 +16,6 @@ namespace muckpile {
 namespace {
 
 constexpr double kDegree = M_PI / 180.0;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Of a joint alone [Pa/m]; 0 stands for rigid.
 Range stiffness_range() { return Range::closed(0.0, 1e15); }
@@ -46,10 +45,9 @@ const ArgTable& table() {
                 "of intact joints, share of density x P-wave speed per area")
           .real("contact_damping", "", Range::closed(0.0, 10.0), 0.05,
                 "of closed broken facets, share of density x P-wave speed per area")
-          .group("joint_class", 6, 6, true,
-                 "natural joints of the planes that create_blocks gives this class: cohesion [Pa], "
-                 "friction angle [deg], tension [Pa], residual friction angle [deg], normal and "
-                 "shear stiffness [Pa/m; 0: rigid]; the first one is class 1, the next class 2")
+          .group("joint_class", 3, 3, true,
+                 "N law NAME, and behind them keywords of that law: natural joints of the planes "
+                 "to which create_blocks gives class N; from 1 on")
           .real("fracture_energy_tension", "J/m2", Range::closed(0.0, 1e9), 0.0,
                 "taken as tension falls to nothing, linearly with the opening; 0: at once")
           .real("fracture_energy_shear", "J/m2", Range::closed(0.0, 1e9), 0.0,
@@ -74,25 +72,19 @@ const ArgTable& table() {
   return args;
 }
 
-double rigid_if_0(double stiffness) { return stiffness > 0.0 ? stiffness : kInfinity; }
-
-std::vector<JointClass> joint_classes(const ArgValues& args, const std::string& where) {
+/// The words of the natural joints are read by their laws, the others by the table above.
+struct Words {
   std::vector<JointClass> classes;
-  for (const auto& words : args.groups("joint_class")) {
-    const auto number = [&](std::size_t k, const char* unit, const Range& range) {
-      return parse_real(where, "joint_class", words[k], unit, range);
-    };
-    const Range size = strength_range(), angle = Range::right_open(0.0, 90.0);
-    JointClass joint;
-    joint.cohesion = number(0, "Pa", size);
-    joint.friction_angle = number(1, "deg", angle) * kDegree;
-    joint.tension = number(2, "Pa", size);
-    joint.residual_friction_angle = number(3, "deg", angle) * kDegree;
-    joint.normal_stiffness = rigid_if_0(number(4, "Pa/m", stiffness_range()));
-    joint.shear_stiffness = rigid_if_0(number(5, "Pa/m", stiffness_range()));
-    classes.push_back(joint);
-  }
-  return classes;
+  ArgValues others;
+};
+
+Words read_words(LAMMPS_NS::LAMMPS& lmp, const std::string& where, int narg, char** arg) {
+  return engine::or_engine_error(lmp, [&] {
+    JointClassWords joints = read_joint_classes(table(), where, engine::words_of(narg, arg, 3));
+    ArgValues others = parse_args(table(), where, joints.others);
+    engine::print_once(lmp, others.echo() + joints.echo);
+    return Words{std::move(joints.classes), std::move(others)};
+  });
 }
 
 }  // namespace
@@ -101,7 +93,8 @@ const ArgTable& joint_keywords() { return table(); }
 
 JointArguments joint_arguments(LAMMPS_NS::LAMMPS& lmp, const std::string& where, int narg,
                                char** arg) {
-  const ArgValues args = engine::read_args(lmp, table(), where, narg, arg, 3);
+  const Words words = read_words(lmp, where, narg, arg);
+  const ArgValues& args = words.others;
   JointParameters p;
   p.youngs_modulus = args.real("youngs_modulus");
   p.poisson_ratio = args.real("poisson_ratio");
@@ -122,7 +115,7 @@ JointArguments joint_arguments(LAMMPS_NS::LAMMPS& lmp, const std::string& where,
   p.weakened_friction_angle = args.real("weakened_friction_angle") * kDegree;
   p.longest_sleep = static_cast<double>(args.integer("open_sleep"));
   return engine::or_engine_error(lmp, [&] {
-    return JointArguments{FacetNetwork(JointMaterial(p), joint_classes(args, where)),
+    return JointArguments{FacetNetwork(JointMaterial(p), words.classes),
                           static_cast<int>(args.integer("step_check")),
                           args.word("contact_check") == "yes"};
   });

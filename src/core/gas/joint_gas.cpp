@@ -129,7 +129,7 @@ void JointGas::list_cracks(const FacetNetwork& network) {
 
 void JointGas::measure_crack(std::size_t c, const OpenJoint& open) {
   Crack& crack = cracks_[c];
-  aperture_[c] = p_.residual_aperture + open.opening;
+  aperture_[c] = open.aperture > 0.0 ? open.aperture : p_.residual_aperture + open.opening;
   if (open.area != crack.broken) {  // another point has broken
     crack.broken = open.area;
     width_[c] = 2.0 * std::sqrt(open.area / M_PI);

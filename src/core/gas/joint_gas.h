@@ -2,7 +2,8 @@
 // Gas of the charges in broken joints: finite volumes on the blocks of a facet network.
 // Scope: how much gas is where and what it presses; no engine, no communication. The gas of a block
 // is that between it and the middle of each of its broken facets: V = sum of A_broken w/2 (w at a
-// support), w = residual aperture + mean opening. A crack through the edge of a block has two of
+// support), w = residual aperture + mean opening, or
+// the aperture that the joint's own law gives. A crack through the edge of a block has two of
 // the three facets there, and those share a block: so the gas goes wherever cracks hang together.
 // Two blocks exchange gas through the broken facet that they share. Where both have a face on the
 // same crushed zone their facet ends there and takes gas from the chamber, and where both have a

@@ -14,17 +14,20 @@ namespace {
 constexpr double kGravity = 9.81, kDip = M_PI / 6.0, kTimeStep = 2e-5;  // [m/s2], [rad], [s]
 
 /// Tied to the ground at z = -1 m; everything but the plane is too strong to break.
-void stand_on_plane(RockScene& scene, double friction_deg) {
+void stand_on_plane(RockScene& scene, const std::string& joint) {
   scene.command("region base block -2 2 -2 2 -1.1 -0.999 units box");
   scene.cut("-1 1 -1 1 -1 1",
             "density 2600 size uniform 0.5 block_min 0.5 block_max 0.5 spheres_per_block 2 seed 3 "
             "support fixed base joint_plane 0 0 0 30 90 1");
-  const std::string friction = std::to_string(friction_deg);
   scene.command(
       "fix joint all muckpile/joint youngs_modulus 5e9 poisson_ratio 0.25 density 2600 cohesion "
-      "1e12 friction_angle 45 tension 1e12 damping 0.05 contact_check no joint_class 0 " +
-      friction + " 0 " + friction + " 0 0");
+      "1e12 friction_angle 45 tension 1e12 damping 0.05 contact_check no joint_class 1 law " +
+      joint);
   scene.command("fix weight all gravity 9.81 vector 0 0 -1");
+}
+
+std::string coulomb(const std::string& friction) {
+  return "coulomb friction_angle " + friction + " residual_friction_angle " + friction;
 }
 
 /// Mean velocity down the dip of what lies above the plane [m/s].
@@ -40,9 +43,10 @@ double sliding(const RockScene& scene) {
   return momentum / mass;
 }
 
-TEST(JointPlanes, RockSlidesAsOnAnInclinedPlane) {
+/// With a friction of 20 degrees.
+void expect_to_slide(const std::string& joint) {
   RockScene scene(MPI_COMM_WORLD, "-2 2 -2 2 -2 2");
-  stand_on_plane(scene, 20.0);
+  stand_on_plane(scene, joint);
   scene.run(1000, kTimeStep);
   const double before = sliding(scene);
   scene.run(4000, kTimeStep);  // 9 mm: a tenth of the facets' radius starts their fading
@@ -52,9 +56,17 @@ TEST(JointPlanes, RockSlidesAsOnAnInclinedPlane) {
               0.02);  // it swings by up to 3 mm/s, of 145 gained
 }
 
+TEST(JointPlanes, RockSlidesAsOnAnInclinedPlane) { expect_to_slide(coulomb("20")); }
+
+TEST(JointPlanes, RockSlidesOnWornJointsOfBartonAndBandis) {
+  expect_to_slide(
+      "barton_bandis initial_stiffness 1e10 closure_limit 1e-4 roughness 10 wall_strength 1e8 "
+      "residual_friction_angle 20 largest_angle 20");
+}
+
 TEST(JointPlanes, RockStaysWhereFrictionHolds) {
   RockScene scene(MPI_COMM_WORLD, "-2 2 -2 2 -2 2");
-  stand_on_plane(scene, 40.0);
+  stand_on_plane(scene, coulomb("40"));
   scene.run(1500, kTimeStep);
   // It swings, as the weight comes at once: g x 2 m / c_S = 14 mm/s without damping. Sliding freely
   // it would have gained 147 mm/s by now, with the friction of 20 degrees 54.

@@ -140,6 +140,15 @@ TEST(Restart, CracksKeepWhatTheyHold) {
   go_on_and_restart(kStrength + " fracture_energy_tension 40 fracture_energy_shear 160", "", 5e-3);
 }
 
+TEST(Restart, JointsOfTheirOwnLawKeepTheirHistory) {
+  go_on_and_restart(
+      kStrength +
+          " joint_class 1 law barton_bandis initial_stiffness 1e10 closure_limit 1e-4 "
+          "roughness 10 wall_strength 1e8 residual_friction_angle 30 "
+          "irrecoverable_closure 0.4 peak_slip 1e-3",
+      "", 1e-3, " joint_plane 0 0 0 30 90 1");
+}
+
 TEST(Restart, SoftenedRockStaysSoft) {
   go_on_and_restart(kStrength, "fix_modify joint soften 0.1");
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 
 #include "bond/law/linear_closure.h"
@@ -32,6 +33,8 @@ struct JointParameters {
   double longest_sleep = 0.0;  ///< steps for which a broken open facet may be left alone [-]
 };
 
+class JointLaw;
+
 /// A natural joint: stiffness and strength of its own; the rock on both sides is the same.
 struct JointClass {
   double tension = 0.0;                                               ///< cut-off [Pa]
@@ -40,6 +43,9 @@ struct JointClass {
   double residual_friction_angle = 0.0;                               ///< after breaking [rad]
   double normal_stiffness = std::numeric_limits<double>::infinity();  ///< [Pa/m]
   double shear_stiffness = std::numeric_limits<double>::infinity();   ///< [Pa/m]
+  /// Instead of linear closure, Coulomb's strength and constant friction; normal_stiffness is then
+  /// that without pressure. None: linear.
+  std::shared_ptr<const JointLaw> law{};
 };
 
 /// Derived constants; throws InputError if a parameter is out of range.

@@ -11,12 +11,13 @@
 
 namespace muckpile {
 
-template <class Number>
+template <class Number, class Closure = LinearContact<Number>,
+          class Friction = SlipFriction<Number>>
 struct PlaneContact {
-  LinearContact<Number> closure;
+  Closure closure;
   Number shear;    ///< stiffness [Pa/m]
   Number dashpot;  ///< along the normal [Pa s/m]
-  SlipFriction<Number> friction;
+  Friction friction;
 };
 
 /// A point in the present pose.
@@ -56,15 +57,17 @@ struct Slide {
 
 /// Friction is booked as the work that leapfrog takes from the blocks, that of the mean of the
 /// forces before and after the step's path, less what the springs have gained.
-template <class Number>
+template <class Number, class Closure, class Friction>
 [[nodiscard, gnu::always_inline]] inline PlanePull<Number> plane_pull(
-    const PlaneContact<Number>& contact, const PlanePoint<Number>& at, double dt) {
+    const PlaneContact<Number, Closure, Friction>& contact, const PlanePoint<Number>& at,
+    double dt) {
   using Mask = typename Number::mask_type;
   const Number gap = dot(at.normal, at.spring);
-  const Mask closed = at.broken && gap < 0.0;
+  const Number pressed = contact.closure.traction(gap);
+  const Mask closed = at.broken && pressed < 0.0;
   const Mask forgets = at.broken && (at.fresh || !closed);
   const Number rate = dot(at.normal, at.rate);
-  const Number elastic = choose(closed, contact.closure.traction(gap), 0.0);
+  const Number elastic = choose(closed, pressed, 0.0);
   const Number damped = elastic + contact.dashpot * rate;
   const Number normal = choose(closed, min(damped, Number(0.0)), 0.0);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "bond/network/facet_kinematics.h"
+#include "bond/network/own_law_points.h"
 
 namespace muckpile {
 namespace {
@@ -67,7 +68,6 @@ void LinearNetwork::set_points(Spring& spring, const FacetNetwork& network, std:
   const FacetMotion motion = facets.motion(f);
   const LaneVec jump = motion.jump(), side = motion.side();
   const BondConstants bond = facets.tables.bond(f);
-  const ContactConstants contact = facets.tables.contact(f);
   const FacetTraces& traces = facets.history.traces(f);
   const JointLaws& laws = facets.tables.laws();
   const FacetEnds ends = network.ends(f);
@@ -79,13 +79,14 @@ void LinearNetwork::set_points(Spring& spring, const FacetNetwork& network, std:
     const bool bonded = view == BreakView::as_it_is && !traces.is_contact(p);
     const bool rubs = bonded && traces.slipping[p];
     const double fade = bonded ? 1.0 : facets.history.contacts().fade(f);
-    const double normal = bonded ? bond.normal() : contact.closure.normal;
+    const NormalTangent tangent = normal_tangent(facets, f, p, motion, bonded);
+    spring.normal_share[p] = tangent.share;
     const double dashpot =
         damping_rate * (bonded && !rubs ? laws.damping() : laws.contact_damping());
     spring.bonded[p] = bonded;
     spring.law[p] = {bond.point_area * (fade * bond.shear + (bonded && !rubs ? dashpot : 0.0)),
-                     bond.point_area *
-                         (fade * (normal - bond.shear) + (bonded && !rubs ? 0.0 : fade * dashpot))};
+                     bond.point_area * (fade * (tangent.stiffness - bond.shear) +
+                                        (bonded && !rubs ? 0.0 : fade * dashpot))};
   }
 }
 
@@ -116,7 +117,7 @@ void LinearNetwork::bulk_stresses(std::span<const double> motion, const RankTeam
   for (const Spring& s : springs_) {
     for (std::size_t p = 0; p < kFacetPoints; ++p) {
       if (!s.bonded[p]) continue;
-      const Vec3 opened = jump(s, p, motion);
+      const Vec3 opened = s.counted(p, jump(s, p, motion));
       theta_[static_cast<std::size_t>(s.i)] += s.strain_i * s.opening_i.dot(opened);
       if (s.j >= 0) theta_[static_cast<std::size_t>(s.j)] += s.strain_j * s.opening_j.dot(opened);
     }
@@ -147,7 +148,7 @@ void LinearNetwork::slant_stresses(std::span<const double> motion, const RankTea
   for (const Spring& s : springs_) {
     for (std::size_t p = 0; p < kFacetPoints; ++p) {
       if (!s.bonded[p]) continue;
-      const Vec3 opened = s.strained(jump(s, p, motion));
+      const Vec3 opened = s.strained(s.counted(p, jump(s, p, motion)));
       const auto add = [&](int block, double strain, const Vec3& opening, const Vec3& lean) {
         const auto b = static_cast<std::size_t>(block);
         slants_[b].gradient += strain / rock_volume_[b] * opened * opening.transpose();
@@ -201,7 +202,7 @@ void LinearNetwork::balance(std::span<double> motion, std::span<double> force,
     for (std::size_t p = 0; p < kFacetPoints; ++p) {
       const Vec3 opened = jump(s, p, motion);
       Vec3 pull = s.law[p].traction(s.normal, opened);
-      if (s.bonded[p]) pull += bulk;
+      if (s.bonded[p]) pull += s.counted(p, bulk);
       push(s.i, -pull, s.arm_i[p]);
       push(s.j, pull, s.arm_j[p]);
     }

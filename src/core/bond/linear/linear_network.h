@@ -40,11 +40,18 @@ class LinearNetwork {
     double shear_share;                                   // see FacetLean
     std::array<Vec3, kFacetPoints> arm_i, arm_j;          // of the points, from the centres [m]
     std::array<LinearClosure<double>, kFacetPoints> law;  // times the area of the point [N/m]
+    // Of the points: how much more than a rigid joint's share of a normal motion strains the rock.
+    std::array<double, kFacetPoints> normal_share;
     double pull_i, pull_j;      // force of a bonded point per bulk stress of block i and j [m2]
     double strain_i, strain_j;  // volume of block i and j per opening of a bonded point [m2]
     std::array<bool, kFacetPoints> bonded;
     double sharpening;  // of the bonded points, twice the energy per square of uneven theta [J]
 
+    /// The motion of a point that counts in the dilatations, and the force that these pass on.
+    [[nodiscard]] Vec3 counted(std::size_t p, const Vec3& v) const {
+      if (normal_share[p] == 1.0) return v;
+      return v + (normal_share[p] - 1.0) * normal.dot(v) * normal;
+    }
     [[nodiscard]] Vec3 strained(const Vec3& v) const {
       return shear_share * v + (1.0 - shear_share) * normal.dot(v) * normal;
     }

@@ -7,6 +7,7 @@
 
 #include "bond/law/plane_contact.h"
 #include "bond/network/broken_contact.h"
+#include "bond/network/own_law_points.h"
 
 namespace muckpile {
 
@@ -19,13 +20,6 @@ Vec3 bulk_traction(const FacetKinematics& facets, const LeaningFaces* leaning, s
   return leaning != nullptr ? Vec3(bulk + leaning->traction(f)) : bulk;
 }
 
-Vec3 mean_traction(const FacetKinematics& facets, const LeaningFaces* leaning, std::size_t f) {
-  const BondConstants bond = facets.tables.bond(f);
-  const FacetMotion motion = facets.motion(f);
-  return bond.traction(motion.normal, motion.mean_jump()) +
-         bulk_traction(facets, leaning, f, facets.openings(f, motion.scale));
-}
-
 [[gnu::always_inline]] inline FacetPull pull_of(const FacetKinematics& facets,
                                                 const LeaningFaces* leaning, std::size_t f,
                                                 const FacetMotion& motion) {
@@ -33,23 +27,44 @@ Vec3 mean_traction(const FacetKinematics& facets, const LeaningFaces* leaning, s
   FacetPull pull(motion);
   const LaneVec jump = facets.elastic_jump(f, motion);
   const LinearClosure<Lanes> closure{bond.shear, bond.normal_extra};
-  pull.traction = closure.traction(pull.normal, jump) +
-                  LaneVec(bulk_traction(facets, leaning, f, facets.openings(f, motion.scale)));
+  const LaneVec bulk(bulk_traction(facets, leaning, f, facets.openings(f, motion.scale)));
+  pull.traction = closure.traction(pull.normal, jump) + bulk;
+  if (facets.tables.own_law(f) == nullptr) return pull;
+  const OwnClosure own = own_closure(facets, f);
+  pull.traction = own.traction(pull.normal, jump) + own.passed_on(pull.normal, jump, bulk);
   return pull;
 }
 
-/// Which points fail if they are bonded, at the speed at which their sides part.
+Vec3 mean_traction(const FacetKinematics& facets, const LeaningFaces* leaning, std::size_t f) {
+  const BondConstants bond = facets.tables.bond(f);
+  const FacetMotion motion = facets.motion(f);
+  if (facets.tables.own_law(f) != nullptr)
+    return mean_at_points(pull_of(facets, leaning, f, motion).traction);
+  return bond.traction(motion.normal, motion.mean_jump()) +
+         bulk_traction(facets, leaning, f, facets.openings(f, motion.scale));
+}
+
+/// Which points fail if they are bonded, at the speed at which their sides part; those that slip as
+/// they open.
 static LaneMask failing(const FacetKinematics& facets, std::size_t f, const FacetPull& pull,
                         const LaneMask& slipping) {
-  const CoulombStrength<double>& at_rest = facets.tables.strength(f);
-  const CoulombStrength<Lanes> strength{at_rest.tension, at_rest.cohesion, at_rest.tan_friction};
-  const LaneMask fails = pull.failing(strength, slipping);
+  const Lanes along = dot(pull.normal, pull.traction);
+  const Lanes shear_squared =
+      choose(slipping, Lanes(0.0), dot(pull.traction, pull.traction) - along * along);
+  const CoulombStrength<double>& linear = facets.tables.strength(f);
+  const CoulombStrength<Lanes> at_rest{linear.tension, linear.cohesion, linear.tan_friction};
+  const JointLaw* own = facets.tables.own_law(f);
+  const auto fails = [&](const Lanes& faster) {
+    return own != nullptr ? own->fails(along, shear_squared, faster)
+                          : at_rest.scaled(faster).fails(along, shear_squared);
+  };
+  const LaneMask slowly = is_point() && fails(choose(slipping, Lanes(0.0), 1.0));
   const JointLaws& laws = facets.tables.laws();
-  if (!laws.depends_on_rate() || none_of(fails)) return fails;
+  if (!laws.depends_on_rate() || none_of(slowly)) return slowly;
   const auto [depth_i, depth_j] = facets.tables.depths(f);
   const Lanes rate = sqrt(dot(pull.rate, pull.rate)) / (depth_i + depth_j);
   const Lanes faster([&](auto lane) { return rate_factor(rate[lane], laws.rock().parameters()); });
-  return fails && (slipping || pull.failing(strength.scaled(faster), slipping));
+  return slowly && (slipping || fails(faster));
 }
 
 FacetPull BondedPoints::pull(std::size_t f, const FacetMotion& motion) const {
@@ -70,7 +85,8 @@ void BondedPoints::work(std::size_t f, const FacetMotion& motion, const ContactC
     const auto q = static_cast<std::size_t>(p);
     if (traces.is_contact(q) || !fails[q]) continue;
     const Vec3 traction = pull.traction.at(p);
-    const PointBreak broken = {motion.normal,
+    const PointBreak broken = {p,
+                               motion.normal,
                                pull.jump.at(p),
                                facets_.elastic_jump(f, motion).at(p),
                                traction,
@@ -78,7 +94,7 @@ void BondedPoints::work(std::size_t f, const FacetMotion& motion, const ContactC
                                facets_.openings(f, motion.scale),
                                motion.axes(),
                                torn};
-    pull.add(p, -breaking_.break_point(f, p, broken, dt));
+    pull.add(p, -breaking_.break_point(f, broken, dt));
   }
   if (laws.damping() != 0.0 && !facets_.history.ground(f).yields) {  // it has a dashpot itself
     const LaneMask bonded = is_point() && !where_broken(traces);
@@ -121,8 +137,8 @@ void BondedPoints::rub(std::size_t f, const FacetMotion& motion, const ContactCo
       min(elastic + choose(slipping, laws.contact_damping() * rate, 0.0), Lanes(0.0));
   const LaneVec shear = choose(slipping, Lanes(1.0), 0.0) * pull.traction - elastic * pull.normal;
   const LaneVec slip = pull.rate - rate * pull.normal;
-  const SlipFriction<Lanes> friction{facets_.tables.residual_friction(f), laws.slip_weakening()};
-  const auto [slips, kept] = Slide<Lanes>(shear, friction.limit(normal, dot(slip, slip)));
+  const auto [slips, kept] =
+      Slide<Lanes>(shear, friction_limit(facets_, f, normal, dot(slip, slip)));
   pull.traction = choose(slipping, normal * pull.normal + kept * shear, pull.traction);
 
   const double booked = contact.weight * contact.point_area;
@@ -136,6 +152,8 @@ void BondedPoints::rub(std::size_t f, const FacetMotion& motion, const ContactCo
   for (std::size_t p = 0; p < kFacetPoints; ++p)
     if (slips[p])
       contacts.set_offset(f, p, contacts.offset(f, p) + in_axes.at(static_cast<int>(p)));
+  if (facets_.tables.own_law(f) != nullptr)
+    remember_slip(parts_.history, f, slips, sqrt(dot(slid, slid)));
   const double stiffness = contact.shear * (1.0 + through.dilatations);
   const LaneVec mean = over - Lanes(0.5 * stiffness) * slid;
   losses.friction += booked * sum(dot(slid, kept * shear + mean) - dt * dot(mean, pull.rate));

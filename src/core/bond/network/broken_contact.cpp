@@ -8,6 +8,7 @@
 
 #include "bond/law/plane_contact.h"
 #include "bond/network/facet_energy.h"
+#include "bond/network/own_law_points.h"
 
 namespace muckpile {
 namespace {
@@ -34,12 +35,14 @@ void BrokenContact::add_tractions(std::size_t f, const FacetMotion& motion,
   const Mat3 axes = motion.axes();
   const LaneMask broken = history_.bonded_points(f) == 0 ? is_point() : where_contact(traces);
   const LaneVec spring = pull.jump - rotated(axes, lanes_of(contacts.get(f).offset));
-  const auto at_points =
-      plane_pull<Lanes>({{fade * contact.closure.normal},
-                         shear,
-                         fade * laws.contact_damping(),
-                         {facets_.tables.residual_friction(f), laws.slip_weakening()}},
-                        {pull.normal, spring, pull.rate, broken, LaneMask(traces.open)}, dt_);
+  const PlanePoint<Lanes> at = {pull.normal, spring, pull.rate, broken, LaneMask(traces.open)};
+  const PlaneContact<Lanes> linear = {{fade * contact.closure.normal},
+                                      shear,
+                                      fade * laws.contact_damping(),
+                                      {facets_.tables.residual_friction(f), laws.slip_weakening()}};
+  const PlanePull<Lanes> at_points = facets_.tables.own_law(f) == nullptr
+                                         ? plane_pull<Lanes>(linear, at, dt_)
+                                         : own_plane_pull(facets_, history_, f, contact, at, dt_);
   history_.set_open(f, false);
   pull.traction = choose(broken, at_points.traction, pull.traction);
   const double booked = contact.weight * contact.point_area;

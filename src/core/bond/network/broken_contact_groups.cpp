@@ -43,7 +43,8 @@ BrokenContact::Parting BrokenContact::parting_of(const FacetGroup& group, const 
 
 unsigned BrokenContact::apart_lanes(const LaneSet& working) const {
   unsigned lanes = 0;
-  each_lane(working.lanes, [&](std::size_t k) {
+  const unsigned linear = working.lanes & ~facets_.tables.own_law_lanes(working.group);
+  each_lane(linear, [&](std::size_t k) {
     const std::size_t f = working.group * kGroup + k;
     if (history_.bonded_points(f) == 0 && history_.state(f) != FacetState::retired &&
         schedule_.awake(f) && !history_.has_extra(f))

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bond/network/own_law_points.h"
+
 namespace muckpile {
 
 SlipThroughBlocks slip_through_blocks(const FacetKinematics& facets, const LeaningFaces* leaning,
@@ -34,6 +36,7 @@ struct FacetBreaking::Remnant {
   Vec3 shear;         // [Pa]
   Vec3 dropped;       // the rest [Pa]
   Vec3 lost;          // jump that leaves the dilatations [m]
+  Vec3 strain_lost;   // what of it counts there [m]
   Cohesion cohesion;  // of a point that softens
   bool slips;         // stays in the dilatations
 };
@@ -48,21 +51,21 @@ bool FacetBreaking::may_slip(std::size_t f) const {
 /// A point that fails in shear while it is closed slips from then on: its traction stays that of
 /// the bonded point, with the shear that friction holds. Once it opens, slides away or turns it
 /// becomes a contact, as all others do that break.
-FacetBreaking::Remnant FacetBreaking::remnant_of(std::size_t f, int p,
-                                                 const PointBreak& broken) const {
+FacetBreaking::Remnant FacetBreaking::remnant_of(std::size_t f, const PointBreak& broken) const {
   const FacetTables& tables = facets_.tables;
   const ContactConstants contact = tables.contact(f);
   const Vec3& n = broken.normal;
-  const bool first = !facets_.history.traces(f).broken[static_cast<std::size_t>(p)];
+  const auto q = static_cast<std::size_t>(broken.point);
+  const bool first = !facets_.history.traces(f).broken[q];
   const double normal = n.dot(broken.traction);
   const Vec3 shear = broken.traction - normal * n;
   Remnant left{};
   left.normal = std::min(normal, 0.0);
-  const SlipFriction<double> friction{tables.residual_friction(f)};
-  const double limit = friction.limit(left.normal), size = shear.norm();
+  const double limit = friction_limit(facets_, f, left.normal, 0.0)[q], size = shear.norm();
   left.shear = (size > limit ? limit / size : 1.0) * shear;
   left.dropped = broken.traction - left.normal * n - left.shear;
-  if (tables.laws().softens() && first) {
+  const bool linear = tables.own_law(f) == nullptr;
+  if (tables.laws().softens() && first && linear) {
     const Mat3 to_axes = broken.axes.transpose();
     left.cohesion =
         cohesion_after(to_axes * left.dropped, to_axes * broken.jump, contact.closure.normal,
@@ -74,20 +77,26 @@ FacetBreaking::Remnant FacetBreaking::remnant_of(std::size_t f, int p,
     left.lost =
         left.dropped /
         (contact.shear * (1.0 + slip_through_blocks(facets_, parts_.leaning, f).dilatations));
+  left.strain_lost =
+      linear ? left.lost
+             : own_strain_lost(facets_, f, broken,
+                               left.slips ? Vec3(broken.elastic - left.lost) : Vec3(Vec3::Zero()),
+                               left.slips);
   return left;
 }
 
-Vec3 FacetBreaking::break_point(std::size_t f, int p, const PointBreak& broken, double dt) {
-  const auto q = static_cast<std::size_t>(p);
+Vec3 FacetBreaking::break_point(std::size_t f, const PointBreak& broken, double dt) {
+  const auto q = static_cast<std::size_t>(broken.point);
   FacetHistory& history = parts_.history;
   const ContactConstants contact = facets_.tables.contact(f);
-  const Remnant left = remnant_of(f, p, broken);
+  const Remnant left = remnant_of(f, broken);
   if (left.cohesion.holds()) history.cohesion_of_point(f, q) = left.cohesion;
   // The contact starts with the compression that the joint carried and the shear that friction can;
   // open by what a point that softens has parted, or one that slipped since its force was none.
   const double normal =
       history.traces(f).broken[q] ? broken.normal.dot(broken.traction) : left.normal;
-  Vec3 spring = (contact.closure.gap(normal) + left.cohesion.first * left.cohesion.direction.x()) *
+  Vec3 spring = (contact_gap(facets_, f, q, contact, normal) +
+                 left.cohesion.first * left.cohesion.direction.x()) *
                 broken.normal;
   if (contact.shear > 0.0) spring += left.shear / contact.shear;
   const Vec3 rests_at = left.slips ? left.lost : Vec3(broken.jump - spring);
@@ -105,10 +114,12 @@ void FacetBreaking::book_break(std::size_t f, const PointBreak& broken, const Re
   const ContactConstants contact = facets_.tables.contact(f);
   JointLosses& losses = parts_.books.losses;
   const auto bonded_energy = [&](const Vec3& jump) {  // twice, per area [J/m2]
+    if (facets_.tables.own_law(f) != nullptr) return own_twice_energy(facets_, f, broken, jump);
     return bond.twice_energy(jump.squaredNorm(), broken.normal.dot(jump));
   };
   double after = left.slips ? bonded_energy(broken.elastic - left.lost)
-                            : contact.closure.twice_energy_of(left.normal);
+                            : contact_energy_at(facets_, f, static_cast<std::size_t>(broken.point),
+                                                contact, left.normal);
   if (!left.slips && contact.shear > 0.0) after += left.shear.squaredNorm() / contact.shear;
   // The half kick to the present step used the traction before, the one from it uses that after:
   // the blocks did the work of their mean over the step's path, the springs' account assumes the
@@ -142,14 +153,15 @@ void FacetBreaking::drop_from_dilatation(std::size_t f, const PointBreak& broken
   const auto drop = [&](int block, double area_share, const Vec3& opening, double depth) {
     const auto b = static_cast<std::size_t>(block);
     parts_.books.dropped.push_back(
-        {b, area_share * opening.dot(left.lost) / kFacetPoints,
+        {b, area_share * opening.dot(left.strain_lost) / kFacetPoints,
          left.slips ? 0.0 : bond.point_area * depth / facets_.blocks.volume(b)});
   };
   const auto [depth_i, depth_j] = facets_.tables.depths(f);
   drop(facets_.tables.i_of(f), bond.area_i, broken.openings.i, depth_i);
   drop(facets_.tables.j_of(f), bond.area_j, broken.openings.j, depth_j);
   if (parts_.leaning != nullptr)
-    parts_.leaning->drop(facets_, f, {left.lost, broken.normal, broken.openings, left.slips});
+    parts_.leaning->drop(facets_, f,
+                         {left.strain_lost, broken.normal, broken.openings, left.slips});
 }
 
 void FacetBreaking::book_step() {

@@ -17,6 +17,7 @@ namespace muckpile {
 
 /// What a point carried as it broke.
 struct PointBreak {
+  int point;
   Vec3 normal, jump, elastic, traction, rate;  ///< [-], [m], less what it slipped, [Pa], [m/s]
   FacetOpenings openings;
   Mat3 axes;  ///< of the facet
@@ -48,7 +49,7 @@ class FacetBreaking {
       : parts_(parts), facets_{parts.tables, parts.history, parts.blocks} {}
 
   /// Returns what the point no longer carries [Pa].
-  Vec3 break_point(std::size_t f, int p, const PointBreak& broken, double dt);
+  Vec3 break_point(std::size_t f, const PointBreak& broken, double dt);
   /// Takes what broke in this step from the sums of its blocks and books what that costs; theta of
   /// owned blocks is right after it, bulk stresses are not.
   void book_step();
@@ -57,7 +58,7 @@ class FacetBreaking {
   struct Remnant;  // what a point that broke still carries
 
   [[nodiscard]] bool may_slip(std::size_t f) const;
-  [[nodiscard]] Remnant remnant_of(std::size_t f, int p, const PointBreak& broken) const;
+  [[nodiscard]] Remnant remnant_of(std::size_t f, const PointBreak& broken) const;
   void book_break(std::size_t f, const PointBreak& broken, const Remnant& left, double dt);
   void drop_from_dilatation(std::size_t f, const PointBreak& broken, const Remnant& left);
   void book_sharpening(const std::vector<double>& theta_before);

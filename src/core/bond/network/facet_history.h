@@ -46,6 +46,13 @@ class FacetHistory {
   [[nodiscard]] Cohesion& cohesion_of_point(std::size_t f, std::size_t p) {
     return extra_.get_or_create(f).cohesion[p];
   }
+  /// Of a joint with a law of its own.
+  [[nodiscard]] const JointHistory& joint(std::size_t f, std::size_t p) const {
+    return extra_.get(f).joint[p];
+  }
+  [[nodiscard]] JointHistory& joint_of_point(std::size_t f, std::size_t p) {
+    return extra_.get_or_create(f).joint[p];
+  }
   /// A broken point of the facet still sheds its traction gradually.
   [[nodiscard]] bool softens(std::size_t f) const {
     return std::ranges::any_of(extra_.get(f).cohesion, &Cohesion::holds);

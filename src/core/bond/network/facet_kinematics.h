@@ -68,6 +68,11 @@ struct FacetOpenings {
   Vec3 i, j;
 };
 
+struct FacetKinematics;
+/// bonded_jump() of a joint with a law of its own (own_law_points.h).
+[[nodiscard]] Vec3 own_bonded_jump(const FacetKinematics& facets, std::size_t f,
+                                   const FacetMotion& motion);
+
 /// The facets of a network in the pose of its blocks.
 struct FacetKinematics {
   const FacetTables& tables;
@@ -84,7 +89,8 @@ struct FacetKinematics {
   }
   /// Jumps at the points, less what they have slipped [m].
   [[nodiscard]] LaneVec elastic_jump(std::size_t f, const FacetMotion& motion) const;
-  /// Mean over the facet of the elastic jump where it is in the dilatations [m].
+  /// Mean over the facet of the elastic jump where it is in the dilatations, as it counts there
+  /// [m].
   [[nodiscard]] Vec3 bonded_jump(std::size_t f, const FacetMotion& motion) const;
 };
 

@@ -12,6 +12,7 @@
 #include "bond/facet.h"
 #include "bond/ground/quiet_ground.h"
 #include "bond/law/cohesion.h"
+#include "bond/law/joint_law.h"
 #include "bond/network/sparse.h"
 #include "math/types.h"
 
@@ -25,10 +26,12 @@ enum class FacetState : std::uint8_t {
   retired   ///< the facet carries nothing any more
 };
 
-/// What few facets remember: those that soften, and supports whose ground has moved.
+/// What few facets remember: those that soften, those of a joint law of their own, and supports
+/// whose ground has moved.
 struct ExtraMemory {
-  std::array<Cohesion, kFacetPoints> cohesion{};  ///< broken point: what it still holds
-  GroundMemory ground;                            ///< of a support only
+  std::array<Cohesion, kFacetPoints> cohesion{};   ///< broken point: what it still holds
+  GroundMemory ground;                             ///< of a support only
+  std::array<JointHistory, kFacetPoints> joint{};  ///< of a joint with a law of its own only
 };
 
 /// What facets with a broken point remember of their contact.

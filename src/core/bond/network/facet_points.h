@@ -44,6 +44,11 @@ template <class Is>
   return where([&](std::size_t p) { return memory.slipping[p]; });
 }
 
+/// Mean over the points.
+[[nodiscard]] inline Vec3 mean_at_points(const LaneVec& v) {
+  return sum(choose(is_point(), Lanes(1.0 / kFacetPoints), 0.0) * v);
+}
+
 /// A vector of each point.
 [[nodiscard]] inline LaneVec lanes_of(const std::array<Vec3, kFacetPoints>& v) {
   const auto of = [&](Eigen::Index d) {

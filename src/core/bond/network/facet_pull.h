@@ -4,7 +4,6 @@
 // j gets the opposite at the same places, midway between the two sides. SI units.
 #pragma once
 
-#include "bond/law/coulomb.h"
 #include "bond/network/facet_kinematics.h"
 
 namespace muckpile {
@@ -22,16 +21,6 @@ struct FacetPull {
     traction.x[k] += t.x();
     traction.y[k] += t.y();
     traction.z[k] += t.z();
-  }
-
-  /// Which points fail if they are bonded; those that slip as they open.
-  [[nodiscard]] LaneMask failing(const CoulombStrength<Lanes>& strength,
-                                 const LaneMask& slipping) const {
-    const Lanes along = dot(normal, traction);
-    const Lanes shear_squared = dot(traction, traction) - along * along;
-    CoulombStrength<Lanes> left = strength;
-    left.tension = choose(slipping, Lanes(0.0), strength.tension);
-    return is_point() && left.fails(along, choose(slipping, Lanes(0.0), shear_squared));
   }
 };
 

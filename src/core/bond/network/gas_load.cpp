@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "bond/network/own_law_points.h"
+
 namespace muckpile {
 namespace {
 
@@ -55,7 +57,9 @@ void open_group_of_joints(const FacetKinematics& facets, const LaneSet& set,
   store(points * wide(group.area) / Wide(kFacetPoints), area);
   store(opening / max(points, Wide(1.0)), opened);
   each_lane(set.lanes, [&](std::size_t k) {
-    open.push_back({area[k], opened[k], (wide_open >> k & 1u) != 0});
+    const std::size_t f = set.group * kGroup + k;
+    const double aperture = facets.tables.own_law(f) != nullptr ? own_aperture(facets, f) : 0.0;
+    open.push_back({area[k], opened[k], aperture, (wide_open >> k & 1u) != 0});
   });
 }
 

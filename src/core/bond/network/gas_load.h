@@ -16,9 +16,10 @@ namespace muckpile {
 
 /// How far a joint is open for gas.
 struct OpenJoint {
-  double area = 0.0;     ///< of broken points [m2]
-  double opening = 0.0;  ///< mean over them [m]
-  bool wide = false;     ///< so far open, slid or turned that it is no joint for gas either
+  double area = 0.0;      ///< of broken points [m2]
+  double opening = 0.0;   ///< mean over them [m]
+  double aperture = 0.0;  ///< for gas, by the joint's own law [m]; 0: it has none
+  bool wide = false;      ///< so far open, slid or turned that it is no joint for gas either
 };
 
 /// Of each of `facets`, in order, into `open`.

@@ -3,18 +3,28 @@
 // Scope: see the header.
 #include "bond/network/joint_laws.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace muckpile {
 
 JointLaws::JointLaws(const JointMaterial& material, const std::vector<JointClass>& natural)
-    : classes_{material} {
-  for (const JointClass& joint : natural) classes_.push_back(material.with_joints(joint));
+    : classes_{material}, own_{nullptr} {
+  for (const JointClass& joint : natural) {
+    classes_.push_back(material.with_joints(joint));
+    own_.push_back(joint.law);
+  }
   derive();
+}
+
+bool JointLaws::any_own() const {
+  return std::ranges::any_of(own_, [](const auto& law) { return law != nullptr; });
 }
 
 void JointLaws::soften(double factor, std::optional<double> damping) {
   for (JointMaterial& material : classes_) material = material.softened(factor, damping);
+  for (auto& law : own_)
+    if (law != nullptr) law = law->softened(factor);
   derive();
 }
 

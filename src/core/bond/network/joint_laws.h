@@ -5,10 +5,12 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "bond/law/coulomb.h"
+#include "bond/law/joint_law.h"
 #include "bond/law/joint_material.h"
 #include "bond/law/linear_closure.h"
 #include "bond/law/slip_friction.h"
@@ -35,6 +37,12 @@ class JointLaws {
     return strengths_[joint_class];
   }
 
+  /// A class's law of its own; nullptr: it has the linear one.
+  [[nodiscard]] const JointLaw* own(std::size_t joint_class) const {
+    return own_[joint_class].get();
+  }
+  [[nodiscard]] bool any_own() const;
+
   /// Every stiffness times `factor`; `damping`, a share of the impedance, replaces that of all
   /// classes.
   void soften(double factor, std::optional<double> damping);
@@ -46,6 +54,7 @@ class JointLaws {
   [[nodiscard]] double damping() const { return damping_; }  ///< of bonded points [Pa s/m]
   [[nodiscard]] double contact_damping() const { return contact_damping_; }  ///< [Pa s/m]
   [[nodiscard]] const SlipWeakening& slip_weakening() const { return slip_weakening_; }
+  [[nodiscard]] double shear_over_p_wave() const { return shear_over_p_wave_; }  ///< [-]
 
   /// Stiffness along the normal of the closed broken facet whose bonded points have that closure.
   template <class Number>
@@ -59,6 +68,7 @@ class JointLaws {
 
   std::vector<JointMaterial> classes_;  // the rock is the same in all
   std::vector<JointStrength> strengths_;
+  std::vector<std::shared_ptr<const JointLaw>> own_;
   bool softens_ = false, depends_on_rate_ = false;
   double damping_ = 0.0, contact_damping_ = 0.0;
   double shear_over_p_wave_ = 1.0;  // 2G/(lambda + 2G) [-]

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Natural joints with linear closure and Coulomb's strength: keywords.
+// Scope: see the header; the laws are in coulomb.h, linear_closure.h and slip_friction.h.
+#include "bond/law/coulomb.h"
+
+#include <numbers>
+
+#include "bond/law/joint_law_table.h"
+
+namespace muckpile {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+/// The upper end stands for a joint that does not break.
+Range strengths() { return Range::closed(0.0, 1e12); }
+Range angles() { return Range::right_open(0.0, 90.0); }
+Range stiffnesses() { return Range::closed(0.0, 1e15); }
+
+JointClass make(const ArgValues& args, const std::string& /*where*/) {
+  JointClass joint;
+  joint.tension = args.real("tension");
+  joint.cohesion = args.real("cohesion");
+  joint.friction_angle = args.real("friction_angle") * kDegree;
+  joint.residual_friction_angle = args.real("residual_friction_angle") * kDegree;
+  joint.normal_stiffness = rigid_if_0(args.real("normal_stiffness"));
+  joint.shear_stiffness = rigid_if_0(args.real("shear_stiffness"));
+  return joint;
+}
+
+}  // namespace
+
+JointLawEntry coulomb_entry() {
+  return {"coulomb",
+          joint_class_table("coulomb")
+              .real("tension", "Pa", strengths(), 0.0, "tensile strength (cut-off)")
+              .real("cohesion", "Pa", strengths(), 0.0, "shear strength without normal stress")
+              .real("friction_angle", "deg", angles(), std::nullopt, "of the unbroken joint")
+              .real("residual_friction_angle", "deg", angles(), 35.0, "of the broken joint")
+              .real("normal_stiffness", "Pa/m", stiffnesses(), 0.0,
+                    "of the joint alone, in series with the rock; 0: rigid")
+              .real("shear_stiffness", "Pa/m", stiffnesses(), 0.0,
+                    "of the joint alone, in series with the rock; 0: rigid"),
+          make};
+}
+
+}  // namespace muckpile

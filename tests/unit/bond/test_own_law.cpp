@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Joints of a law of their own in the facet network: closure in series with the rock, energy,
+// hysteresis, strength and friction, what a facet remembers, stable step, gas.
+// Scope: cubes with Barton and Bandis' joints, moved by hand or by leapfrog.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "bond/law/joint_law_table.h"
+#include "bond_scene.h"
+
+namespace muckpile::test {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+BartonBandis law() {
+  BartonBandis joint;
+  joint.initial_stiffness = 1e10;
+  joint.closure_limit = 1e-4;
+  joint.roughness = 10.0;
+  joint.wall_strength = 100e6;
+  joint.residual_angle = 30.0 * kDegree;
+  joint.largest_angle = 70.0 * kDegree;
+  joint.initial_aperture = 2e-4;
+  return joint;
+}
+
+/// Does not break.
+BartonBandis strong() {
+  BartonBandis joint = law();
+  joint.tension = 1e30;
+  return joint;
+}
+
+NaturalJoints across_x(const BartonBandis& joint) {
+  return {{barton_bandis_class(joint, 2e10)}, {{Vec3(1, 0, 0), Vec3::UnitX(), 1}}};
+}
+
+BondScene cubes(int nx, int ny, double poisson_ratio, const BartonBandis& joint) {
+  return {cuboids(nx, ny, ny), rock(poisson_ratio), [](const Vec3&) { return Support::free; },
+          across_x(joint)};
+}
+
+TEST(OwnLaw, RockAndJointCloseInSeries) {
+  BondScene scene = cubes(2, 1, 0.0, strong());  // nu 0: no dilatation, (lambda + 2G)/h = 5e10 Pa
+  double worst = 0.0;
+  for (const double w : {-1e-5, 1e-6, 2e-5, 8e-5, 1.5e-4, 4e-4}) {
+    scene.block(1).centre.x() = scene.start(1).x() - w;
+    scene.compute();
+    const double pressure = scene.network().force()[1].x();
+    const double closure = w - pressure / 5e10;
+    const double formula = 1e10 * closure / (1.0 - std::max(closure, 0.0) / 1e-4);
+    worst = std::max(worst, std::abs(pressure / formula - 1.0));
+  }
+  std::printf("closure in the network: worst error of the pressure %.2g\n", worst);
+  EXPECT_LT(worst, 1e-9);
+}
+
+double energy(BondScene& scene) {
+  scene.compute();
+  return scene.network().elastic_energy();
+}
+
+/// Largest difference of a force or torque and the slope of the energy, over the largest one.
+double gradient_error(BondScene& scene) {
+  constexpr double kStep = 2e-8;  // [m], [rad]: the closure is curved over 1e-5 m
+  scene.compute();
+  const std::vector<Vec3> force(scene.network().force().begin(), scene.network().force().end());
+  const std::vector<Vec3> torque(scene.network().torque().begin(), scene.network().torque().end());
+  double worst = 0.0, largest = 0.0;
+  for (std::size_t b = 0; b < scene.size(); ++b) {
+    const BlockState home = scene.block(b);
+    for (int k = 0; k < 3; ++k) {
+      const auto slope = [&](const auto& move) {
+        move(kStep);
+        const double up = energy(scene);
+        scene.block(b) = home;
+        move(-kStep);
+        const double down = energy(scene);
+        scene.block(b) = home;
+        return -(up - down) / (2.0 * kStep);
+      };
+      const double f = slope([&](double by) { scene.block(b).centre[k] += by; });
+      const double t = slope(
+          [&](double by) { scene.block(b).rotation = turn(by * Vec3::Unit(k)) * home.rotation; });
+      worst = std::max({worst, std::abs(f - force[b][k]), std::abs(t - torque[b][k])});
+    }
+    largest = std::max({largest, force[b].norm(), torque[b].norm()});
+  }
+  return worst / largest;
+}
+
+TEST(OwnLaw, ForcesAreTheGradientOfTheEnergy) {
+  BondScene scene = cubes(3, 2, 0.25, strong());
+  scene.shake(2e-5, 2e-5, 1);
+  for (std::size_t b = 0; b < scene.size(); ++b)
+    if (scene.start(b).x() > 1.0) scene.block(b).centre.x() -= 5e-5;
+  scene.move_rigidly({0.6, -0.5, 0.7}, {3, -2, 1});
+  const double error = gradient_error(scene);
+  std::printf("forces and torques against the energy's slope: %.2g\n", error);
+  EXPECT_LT(error, 1e-5);
+}
+
+TEST(OwnLaw, ForcesOfLeaningFacetsAreTheGradientOfTheEnergy) {
+  BondScene scene(
+      leaning_blocks(3.0), rock(0.25), [](const Vec3&) { return Support::free; },
+      {{barton_bandis_class(strong(), 2e10)}, {}}, Leaning::much);
+  std::vector<Facet> facets, given;
+  std::vector<FacetMemory> memory;
+  std::vector<BoundaryFace> faces;
+  scene.network().give_up(facets, memory, faces);
+  for (Facet& facet : facets) facet.joint_class = 1;
+  scene.network().set_facets(facets, memory);
+  scene.network().set_faces(faces);
+  scene.shake(2e-5, 2e-5, 1);
+  const double error = gradient_error(scene);
+  std::printf("leaning facets: forces and torques against the energy's slope: %.2g\n", error);
+  EXPECT_LT(error, 1e-5);
+}
+
+TEST(OwnLaw, CyclesTakeWhatIsBooked) {
+  BartonBandis joint = strong();
+  joint.irrecoverable = 0.4;
+  BondScene scene = cubes(2, 1, 0.25, joint);
+  scene.compute();
+  scene.block(0).velocity = Vec3(0.4, 0, 0);
+  scene.block(1).velocity = Vec3(-0.4, 0, 0);
+  const double start = scene.energy_account(), dt = 0.02 * scene.stable_step();
+  double worst = 0.0;
+  for (int n = 0; n < 4000; ++n) {
+    scene.step(dt);
+    worst = std::max(worst, std::abs(scene.energy_account() / start - 1.0));
+  }
+  const double taken = scene.network().losses().friction;
+  std::printf("cycles: %.3g of the energy taken by closure, account off by %.2g\n", taken / start,
+              worst);
+  EXPECT_GT(taken, 0.05 * start);
+  EXPECT_LT(worst, 1e-3);  // leapfrog, of second order in the step
+  // What was taken is that of the largest closure, the same at all points.
+  const double closure = scene.network().memory(0).extra.get().joint[0].closure;
+  EXPECT_NEAR(taken / joint.taken(closure), 1.0, 1e-6);
+}
+
+/// Two cubes pressed together by w, one then slid in steps.
+void slide(BondScene& scene, double w, double from, double to, double step) {
+  for (double y = from; y < to; y += step) {
+    scene.block(1).centre = scene.start(1) + Vec3(-w, y, 0.0);
+    scene.compute(1e-6);
+  }
+}
+
+TEST(OwnLaw, FailsAtItsStrengthAndThenHasItsFriction) {
+  for (const double peak_slip : {0.0, 1e-4}) {
+    BartonBandis joint = law();
+    joint.peak_slip = peak_slip;
+    BondScene scene = cubes(2, 1, 0.0, joint);
+    double peak = 0.0, pressure = 0.0;
+    for (double y = 0.0; scene.network().broken_count() == 0.0 && y < 1e-3; y += 1e-7) {
+      slide(scene, 5e-5, y, y + 0.5e-7, 1e-7);
+      const Vec3 force = scene.network().force()[1];
+      if (scene.network().broken_count() != 0.0) break;
+      pressure = force.x();
+      peak = std::max(peak, std::abs(force.y()));
+    }
+    const double strength = pressure * joint.tan_angle(pressure, 10.0);
+    std::printf("peak shear over the strength: %.6f\n", peak / strength);
+    EXPECT_NEAR(peak / strength, 1.0, 5e-3);  // a step of the slide is 0.2 % of it
+    slide(scene, 5e-5, 1e-3, 1.2e-3, 1e-6);
+    const Vec3 force = scene.network().force()[1];
+    const double slip = scene.network().memory(0).extra.get().joint[0].slip;
+    EXPECT_NEAR(std::abs(force.y()) / force.x() / joint.friction(force.x(), slip), 1.0, 1e-2);
+    if (peak_slip == 0.0) {
+      EXPECT_NEAR(std::abs(force.y()) / force.x(), std::tan(30.0 * kDegree), 1e-6);
+    } else {
+      EXPECT_GT(slip, 5e-4);
+    }
+  }
+}
+
+TEST(OwnLaw, AClosedBrokenJointKeepsItsClosure) {
+  BondScene scene = cubes(2, 1, 0.0, law());
+  scene.block(1).centre.x() += 1e-9;  // no tension: breaks
+  scene.compute(1e-6);
+  ASSERT_EQ(scene.network().broken_count(), 1.0);
+  for (const double w : {1e-5, 8e-5, 3e-4}) {
+    scene.block(1).centre.x() = scene.start(1).x() - w;
+    scene.compute(1e-6);
+    EXPECT_NEAR(scene.network().force()[1].x() / law().close(w, 5e10, 0.0).pressure, 1.0, 2e-4);
+  }
+  scene.block(1).centre.x() = scene.start(1).x() + 1e-5;
+  scene.compute(1e-6);
+  EXPECT_EQ(scene.network().force()[1].x(), 0.0);
+}
+
+TEST(OwnLaw, ASlidingBreakingHeapKeepsItsEnergyAccount) {
+  BartonBandis joint = law();
+  joint.irrecoverable = 0.3;
+  joint.peak_slip = 1e-3;
+  BondScene scene = cubes(2, 2, 0.2, joint);
+  scene.compute();
+  for (std::size_t b = 0; b < scene.size(); ++b)
+    scene.block(b).velocity =
+        scene.start(b).x() > 1.0 ? Vec3(-0.3, 0.2, 0.1) : Vec3(0.3, -0.2, -0.1);
+  const double start = scene.energy_account(), dt = 0.02 * scene.stable_step();
+  double worst = 0.0;
+  for (int n = 0; n < 4000; ++n) {
+    scene.step(dt);
+    worst = std::max(worst, std::abs(scene.energy_account() / start - 1.0));
+  }
+  std::printf("breaking: account off by %.2g, friction %.3g, fracture %.3g of it\n", worst,
+              scene.network().losses().friction / start, scene.network().losses().fracture / start);
+  EXPECT_GT(scene.network().broken_count(), 0.0);
+  EXPECT_LT(worst, 1e-2);
+}
+
+TEST(OwnLaw, WhatAFacetRemembersGivesTheSameForces) {
+  BartonBandis joint = strong();
+  joint.irrecoverable = 0.4;
+  BondScene scene = cubes(2, 1, 0.25, joint), other = cubes(2, 1, 0.25, joint);
+  for (const double w : {1.5e-4, 1e-4}) {
+    scene.block(1).centre.x() = scene.start(1).x() - w;
+    scene.compute();
+  }
+  std::vector<Facet> facets = scene.network().facets();
+  const std::vector<BoundaryFace> faces = scene.network().faces();
+  other.network().set_facets(facets, scene.network().memory());
+  other.network().set_faces(faces);
+  other.block(1) = scene.block(1);
+  other.compute();
+  EXPECT_EQ(scene.network().force()[1], other.network().force()[1]);
+  EXPECT_GT(scene.network().memory(0).extra.get().joint[0].closure, 0.0);
+}
+
+TEST(OwnLaw, TheStableStepKnowsTheTangent) {
+  const auto bound = [](double w) {
+    BondScene scene = cubes(2, 1, 0.0, strong());
+    scene.block(1).centre.x() -= w;
+    scene.compute();
+    return scene.stable_step(Breaking::none);
+  };
+  // Two cubes of 2600 kg on springs k in the three directions and turns; along x omega^2 = 2 k/m.
+  // Shear: 5e10 and 2e10 in series, 1.43e10 Pa/m; joint and rock along x without pressure: 5e10 and
+  // 1e10 in series, 0.83e10. Closed, along x it rules: nearly the rock's 5e10.
+  const double closed = 2.0 / std::sqrt(2.0 * 5e10 / 2600.0);
+  EXPECT_NEAR(bound(5e-3) / closed, 1.0, 0.03);
+  EXPECT_GT(bound(0.0), 1.1 * closed);
+}
+
+TEST(OwnLaw, GasFindsLessAsTheJointCloses) {
+  BondScene scene = cubes(2, 1, 0.0, law());
+  scene.network().keep_gas_in_joints();
+  scene.block(1).centre.x() += 1e-9;
+  scene.compute(1e-6);
+  const LaneSet all{0, 1};
+  const auto aperture = [&](double w) {
+    scene.block(1).centre.x() = scene.start(1).x() - w;
+    scene.compute(1e-6);
+    std::vector<OpenJoint> open;
+    scene.network().open_joints({&all, 1}, open);
+    return open.at(0).aperture;
+  };
+  double before = aperture(0.0);
+  EXPECT_NEAR(before / law().hydraulic_aperture(0.0), 1.0, 1e-4);
+  for (const double w : {2e-5, 5e-5, 1e-4, 3e-4}) {
+    const double closure = law().close(w, 5e10, 0.0).closure, now = aperture(w);
+    std::printf("jump %.0f um: hydraulic aperture %.2f um\n", w * 1e6, now * 1e6);
+    EXPECT_NEAR(now / law().hydraulic_aperture(closure), 1.0, 1e-3);
+    EXPECT_LT(now, before);
+    before = now;
+  }
+  EXPECT_GT(aperture(-1e-3), 1e-3);  // wide open
+}
+
+TEST(OwnLaw, SofteningTakesItToTheSameShare) {
+  BondScene scene = cubes(2, 1, 0.25, strong());
+  scene.block(1).centre.x() -= 8e-5;
+  scene.compute();
+  const double before = scene.network().force()[1].x();
+  scene.network().soften(0.1);
+  scene.compute();
+  EXPECT_NEAR(scene.network().force()[1].x() / before, 0.1, 1e-9);
+}
+
+}  // namespace
+}  // namespace muckpile::test
