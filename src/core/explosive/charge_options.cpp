@@ -181,9 +181,11 @@ void add_expansion_keywords(ArgTable& table) {
       .word("gas_switch_pressure", {}, "200e6",
             "pressure p_k at which the isentrope changes its exponent and the gas stage starts "
             "[Pa], 1e5 to 1e12; energy: the one with which the products hold energy_share of the "
-            "explosive's energy (two_stage)")
-      .real("energy_share", "", Range::left_open(0.0, 1.0), 1.0,
-            "share of explosive_energy that the products release, for gas_switch_pressure energy")
+            "explosive's energy (two_stage)");
+  add_optional(table, "energy_share",
+               "share of explosive_energy that the products release, > 0 and <= 1, for "
+               "gas_switch_pressure energy; auto: 1");
+  table
       .real("gas_gamma_dense", "", Range::closed(1.0, 10.0), 3.0,
             "isentrope exponent above p_k (two_stage)")
       .real("gas_gamma", "", Range::closed(1.0, 10.0), 1.4,
@@ -255,11 +257,12 @@ void read_expansion(ChargeOptions& options, const ArgValues& values, const std::
     options.model = BoreholeModel::jwl;
   }
   options.switch_by_energy = values.word("gas_switch_pressure") == "energy";
-  options.energy_share = values.real("energy_share");
+  const auto share = optional_real(values, where, "energy_share", "", Range::left_open(0.0, 1.0));
+  options.energy_share = share.value_or(1.0);
   if (options.switch_by_energy && options.jwl) {
     refuse(where, "gas_switch_pressure energy is of expansion two_stage; JWL has an energy itself");
   }
-  if (!options.switch_by_energy && values.given("energy_share")) {
+  if (!options.switch_by_energy && share) {
     refuse(where, "energy_share needs gas_switch_pressure energy");
   }
   if (!options.switch_by_energy) {
