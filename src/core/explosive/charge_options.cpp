@@ -134,7 +134,8 @@ void add_explosive_keywords(ArgTable& table) {
       table, "vod",
       "detonation velocity along the column [m/s], >= 100 (1e20: all at once); auto: the table's");
   add_optional(table, "explosive_energy",
-               "energy per mass [J/kg], 1e4 to 1e9; auto: the table's; for the energy report only");
+               "energy per mass [J/kg], 1e4 to 1e9; auto: the table's; for the energy report and "
+               "gas_switch_pressure energy");
   add_optional(
       table, "explosive_gamma",
       "exponent of the products at the Chapman-Jouguet point, > 1 and <= 10; auto: the table's");
@@ -177,8 +178,14 @@ void add_decoupling_keywords(ArgTable& table) {
 
 void add_expansion_keywords(ArgTable& table) {
   table.word("expansion", {"two_stage", "jwl"}, "two_stage", "law by which the products expand")
-      .real("gas_switch_pressure", "Pa", Range::closed(1e5, 1e12), 200e6,
-            "pressure p_k at which the isentrope changes its exponent and the gas stage starts")
+      .word("gas_switch_pressure", {}, "200e6",
+            "pressure p_k at which the isentrope changes its exponent and the gas stage starts "
+            "[Pa], 1e5 to 1e12; energy: the one with which the products hold energy_share of the "
+            "explosive's energy (two_stage)");
+  add_optional(table, "energy_share",
+               "share of explosive_energy that the products release, > 0 and <= 1, for "
+               "gas_switch_pressure energy; auto: 1");
+  table
       .real("gas_gamma_dense", "", Range::closed(1.0, 10.0), 3.0,
             "isentrope exponent above p_k (two_stage)")
       .real("gas_gamma", "", Range::closed(1.0, 10.0), 1.4,
@@ -243,13 +250,26 @@ void read_decoupling(ChargeOptions& options, const ArgValues& values, const std:
   }
 }
 
-void read_expansion(ChargeOptions& options, const ArgValues& values, const std::string& /*where*/) {
+void read_expansion(ChargeOptions& options, const ArgValues& values, const std::string& where) {
   options.jwl = values.word("expansion") == "jwl";
   // The isentrope has a pressure of its own at the charge's volume.
   if (options.jwl && !options.typed_pressure && !values.given("borehole_model")) {
     options.model = BoreholeModel::jwl;
   }
-  options.isentrope.switch_pressure = values.real("gas_switch_pressure");
+  options.switch_by_energy = values.word("gas_switch_pressure") == "energy";
+  const auto share = optional_real(values, where, "energy_share", "", Range::left_open(0.0, 1.0));
+  options.energy_share = share.value_or(1.0);
+  if (options.switch_by_energy && options.jwl) {
+    refuse(where, "gas_switch_pressure energy is of expansion two_stage; JWL has an energy itself");
+  }
+  if (!options.switch_by_energy && share) {
+    refuse(where, "energy_share needs gas_switch_pressure energy");
+  }
+  if (!options.switch_by_energy) {
+    options.isentrope.switch_pressure =
+        parse_real(where, "gas_switch_pressure", values.word("gas_switch_pressure"), "Pa",
+                   Range::closed(1e5, 1e12));
+  }
   options.isentrope.dense_exponent = values.real("gas_gamma_dense");
   options.isentrope.dilute_exponent = values.real("gas_gamma");
 }
@@ -277,9 +297,23 @@ std::string alternative_pressures(const ChargeOptions& options, const NamedExplo
   return text.str();
 }
 
-ProductExpansion product_expansion(const ChargeOptions& options, const NamedExplosive& explosive) {
+TwoStageIsentrope::Parameters two_stage_of(const ChargeOptions& options,
+                                           const NamedExplosive& explosive,
+                                           double initial_pressure) {
   TwoStageIsentrope::Parameters two_stage = options.isentrope;
-  two_stage.initial_pressure = initial_pressure(options, explosive);
+  two_stage.initial_pressure = initial_pressure;
+  if (!options.switch_by_energy) return two_stage;
+  if (explosive.energy <= 0.0) {
+    throw InputError("gas_switch_pressure energy needs explosive_energy [J/kg]");
+  }
+  two_stage.switch_pressure = energy_switch_pressure(
+      two_stage, options.energy_share * explosive.energy * explosive.density);
+  return two_stage;
+}
+
+ProductExpansion product_expansion(const ChargeOptions& options, const NamedExplosive& explosive) {
+  const TwoStageIsentrope::Parameters two_stage =
+      two_stage_of(options, explosive, initial_pressure(options, explosive));
   if (!options.jwl) return {two_stage, std::nullopt};
   require_jwl(explosive);
   return {two_stage, explosive.jwl};

@@ -38,9 +38,11 @@ struct ChargeOptions {
   std::optional<double> rock_impedance{};     ///< [Pa s/m]
   bool jwl = false;                           ///< expansion by JWL, else two-stage
   TwoStageIsentrope::Parameters isentrope{};  ///< without its initial pressure
-  double hole_radius = 0.0;                   ///< [m]
-  std::optional<double> charge_radius{};      ///< nothing: fills the hole [m]
-  std::optional<double> charge_length{};      ///< nothing: fills the axis [m]
+  bool switch_by_energy = false;  ///< its switch pressure follows from the explosive's energy
+  double energy_share = 1.0;      ///< of that energy, what the products release [-]
+  double hole_radius = 0.0;       ///< [m]
+  std::optional<double> charge_radius{};  ///< nothing: fills the hole [m]
+  std::optional<double> charge_length{};  ///< nothing: fills the axis [m]
   DecouplingRule decoupling{};
   bool coupling_exponent_typed = false;
 };
@@ -65,6 +67,12 @@ void read_expansion(ChargeOptions& options, const ArgValues& values, const std::
 /// One number per model that this explosive allows, for the log: "explosion state 2784, ..." [MPa].
 [[nodiscard]] std::string alternative_pressures(const ChargeOptions& options,
                                                 const NamedExplosive& explosive);
+
+/// The two-stage isentrope from P0 [Pa]. InputError as energy_switch_pressure(), or if the energy
+/// that it needs is not known.
+[[nodiscard]] TwoStageIsentrope::Parameters two_stage_of(const ChargeOptions& options,
+                                                         const NamedExplosive& explosive,
+                                                         double initial_pressure);
 
 /// The law of expansion. InputError as ProductExpansion.
 [[nodiscard]] ProductExpansion product_expansion(const ChargeOptions& options,

@@ -33,8 +33,10 @@ BlastLoad blast_load(const BlastOptions& options, const LoadedHole& hole, const 
                                    .vent_time = options.vent_time,
                                    .vent_decay = options.vent_decay};
   // Without a P0 there is no gas either: any pressure that the law takes will do.
-  parameters.isentrope.initial_pressure =
-      hole.initial_pressure > 0.0 ? hole.initial_pressure : parameters.isentrope.switch_pressure;
+  parameters.isentrope.initial_pressure = parameters.isentrope.switch_pressure;
+  if (hole.initial_pressure > 0.0) {
+    parameters.isentrope = two_stage_of(options.charge, hole.explosive, hole.initial_pressure);
+  }
   if (options.charge.jwl) parameters.jwl = hole.explosive.jwl;
   parameters.free_volume_ratio = free_volume_ratio(hole.shape, hole.decoupling);
   if (hole.initial_pressure > 0.0) {

@@ -26,6 +26,18 @@ void describe_pressures(std::ostream& text, const BlastOptions& options, const L
   }
 }
 
+/// What the products hold beside what the explosive has.
+void describe_products(std::ostream& text, const BlastOptions& options, const LoadedHole& hole) {
+  if (options.charge.jwl) return;
+  const TwoStageIsentrope products(
+      two_stage_of(options.charge, hole.explosive, hole.initial_pressure));
+  const double energy = products.stored_energy() / hole.explosive.density;
+  text << "  products: exponents change at " << products.switch_pressure() / kMPa
+       << " MPa; they hold " << energy / 1e6 << " MJ/kg";
+  if (hole.energy_known) text << ", " << energy / hole.explosive.energy << " of the explosive's";
+  text << "\n";
+}
+
 /// P1 by every exponent that is known, so that the choice can be judged.
 void describe_wave(std::ostream& text, const BlastOptions& options, const LoadedHole& hole,
                    const Hole& zone) {
@@ -63,6 +75,7 @@ std::string describe(const BlastOptions& options, const std::vector<Hole>& crush
   describe_pressures(text, options, hole);
   describe_wave(text, options, hole, zone);
   if (options.gas) {
+    describe_products(text, options, hole);
     const double limit = load.pulse_limit(0.0, 0.0);
     if (load.wave_peak() > limit) {
       text << "  the pulse is held to what the products can press, " << limit / kMPa

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "args/require.h"
 
@@ -26,6 +27,45 @@ double TwoStageIsentrope::pressure(double volume_ratio) const {
     return switch_pressure_ * std::pow(switch_ratio_ / volume_ratio, dilute_exponent_);
   }
   return initial_pressure_ * std::pow(std::max(volume_ratio, 1.0), -dense_exponent_);
+}
+
+double TwoStageIsentrope::stored_energy() const { return work_down_to(0.0); }
+
+double TwoStageIsentrope::work_down_to(double pressure) const {
+  // A gas of exponent g holds p V/(g - 1); V in charge volumes.
+  const auto held = [](double p, double volume, double exponent) {
+    return p * volume / (exponent - 1.0);
+  };
+  if (pressure >= initial_pressure_) return 0.0;
+  if (pressure > switch_pressure_) {
+    const double volume = std::pow(initial_pressure_ / pressure, 1.0 / dense_exponent_);
+    return held(initial_pressure_, 1.0, dense_exponent_) - held(pressure, volume, dense_exponent_);
+  }
+  const double dense = held(initial_pressure_, 1.0, dense_exponent_) -
+                       held(switch_pressure_, switch_ratio_, dense_exponent_);
+  const double dilute = held(switch_pressure_, switch_ratio_, dilute_exponent_);
+  if (pressure <= 0.0) return dense + dilute;
+  const double volume =
+      switch_ratio_ * std::pow(switch_pressure_ / pressure, 1.0 / dilute_exponent_);
+  return dense + dilute - held(pressure, volume, dilute_exponent_);
+}
+
+double energy_switch_pressure(const TwoStageIsentrope::Parameters& parameters, double energy) {
+  const double p0 = parameters.initial_pressure;
+  const double dense = parameters.dense_exponent - 1.0, dilute = parameters.dilute_exponent - 1.0;
+  explosive_detail::require_positive("gas_gamma_dense less 1", "", dense);
+  explosive_detail::require_positive("gas_gamma less 1", "", dilute);
+  if (dilute >= dense) {
+    explosive_detail::refuse("gas_gamma", "below gas_gamma_dense with gas_switch_pressure energy",
+                             "", parameters.dilute_exponent);
+  }
+  const double y = (energy / p0 - 1.0 / dense) / (1.0 / dilute - 1.0 / dense);
+  if (y > 0.0 && y <= 1.0) return p0 * std::pow(y, parameters.dense_exponent / dense);
+  std::ostringstream rule;
+  rule << "above " << p0 / dense << " and at most " << p0 / dilute
+       << ", what products of these exponents can hold at P0 = " << p0 << " Pa,";
+  explosive_detail::refuse("explosive_energy x energy_share x explosive_density",
+                           rule.str().c_str(), "J/m3", energy);
 }
 
 }  // namespace muckpile

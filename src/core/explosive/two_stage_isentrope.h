@@ -27,6 +27,11 @@ class TwoStageIsentrope {
   [[nodiscard]] double switch_ratio() const { return switch_ratio_; }
   /// Pressure where the stages meet [Pa]: pk, or P0 if that is lower.
   [[nodiscard]] double switch_pressure() const { return switch_pressure_; }
+  /// Internal energy per volume V0 of charge at the explosion state [J/m3]: all that the expansion
+  /// to nothing can do. Both exponents must be above 1.
+  [[nodiscard]] double stored_energy() const;
+  /// Work per volume V0 of charge of the expansion from V0 down to a pressure [J/m3].
+  [[nodiscard]] double work_down_to(double pressure) const;
 
  private:
   double initial_pressure_;
@@ -35,5 +40,14 @@ class TwoStageIsentrope {
   double dilute_exponent_;
   double switch_ratio_;
 };
+
+/// The switch pressure pk [Pa] with which the products hold `energy` per volume V0 of charge [J/m3]
+/// at the explosion state. Of `parameters` its own switch pressure does not count. With
+/// y = (V0/Vk)^(gamma1 - 1)
+///     energy/P0 = (1 - y)/(gamma1 - 1) + y/(gamma2 - 1),   pk = P0 y^(gamma1/(gamma1 - 1)),
+/// the sum of the work of the first stage and of what the second holds at pk. InputError with the
+/// energies that are possible, P0/(gamma1 - 1) to P0/(gamma2 - 1), if y is not within 0 and 1.
+[[nodiscard]] double energy_switch_pressure(const TwoStageIsentrope::Parameters& parameters,
+                                            double energy);
 
 }  // namespace muckpile

@@ -152,6 +152,18 @@ TEST(BlastOptions, DescriptionNamesTheChoiceAndTheAlternatives) {
   }
 }
 
+TEST(BlastOptions, SwitchPressureFollowsTheEnergy) {
+  const auto start = [](const std::string& words) {
+    const BlastOptions options = read(kCharge + kGas + words);
+    return hole_blasts(options, {kZone}).front().load().gas_pressure(0.0, 0.0);
+  };
+  // Of the emulsion's 3.0 MJ/kg: 558.33 MPa (EnergySwitchPressure). Three quarters of it:
+  // y = (0.888889 - 0.5)/2, p_k = 2784.375 y^1.5 = 238.74 MPa.
+  EXPECT_NEAR(start(" explosive_energy 3e6 gas_switch_pressure energy"), 558.33e6, 0.05e6);
+  EXPECT_NEAR(start(" explosive_energy 3e6 gas_switch_pressure energy energy_share 0.75"), 238.74e6,
+              0.05e6);
+}
+
 struct WrongInput {
   const char* words;
   const char* message;
@@ -175,6 +187,13 @@ TEST(BlastOptions, EachWrongWordIsNamedWithItsRule) {
        "jwl P_CJ must be >= 1e+08 and <= 1e+12 Pa, got '21'"},
       {"gas_switch_pressure -2e8",
        "gas_switch_pressure must be >= 1e+05 and <= 1e+12 Pa, got '-2e8'"},
+      {"gas_switch_pressure work", "gas_switch_pressure must be a number in Pa, got 'work'"},
+      {"gas_switch_pressure energy energy_share 0", "energy_share must be > 0 and <= 1, got '0'"},
+      {"energy_share 0.9", "energy_share needs gas_switch_pressure energy"},
+      {"gas_switch_pressure energy explosive_energy 1e5",
+       "hole 1: explosive_energy x energy_share x explosive_density must be above 1.39219e+09 and "
+       "at most 6.96094e+09, what products of these exponents can hold at P0 = 2.78438e+09 Pa, "
+       "J/m3, got '110000000'"},
       {"interval -0.01", "interval must be >= 0 and <= 60 s, got '-0.01'"},
       {"hole 1 delay -0.01", "hole 1 delay must be >= 0 and <= 60 s, got '-0.01'"},
       {"hole 3 delay 0.01", "hole must be from 1 to 2, the holes of create_blocks, got '3'"},

@@ -3,6 +3,9 @@
 // Scope: emulsion 1100 kg/m3, 4500 m/s: rho D^2 = 1100 x 4500^2 = 22.275 GPa.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <iostream>
+
 #include "args/input_error.h"
 #include "explosive/attenuation.h"
 #include "explosive/borehole_pressure.h"
@@ -77,6 +80,59 @@ TEST(TwoStageIsentrope, NeverExceedsTheExplosionState) {
   const TwoStageIsentrope gas({.initial_pressure = 2.784375e9});
   EXPECT_EQ(gas.pressure(0.5), 2.784375e9);
   EXPECT_EQ(gas.pressure(1.0), 2.784375e9);
+}
+
+TEST(TwoStageIsentrope, WorkAndStoredEnergyAreTheIntegralOfThePressure) {
+  const TwoStageIsentrope gas({.initial_pressure = 2.784375e9});
+  // By hand: 2784.375/2 (1 - 1/5.787085) + 200 x 2.405636/0.4 = 1151.62 + 1202.82 [MJ/m3].
+  EXPECT_NEAR(gas.stored_energy(), 2354.44e6, 0.02e6);
+  EXPECT_EQ(gas.work_down_to(2.784375e9), 0.0);
+  const double end = 60.0;
+  double work = 0.0;  // trapezoidal rule in the logarithm of the volume
+  constexpr int kParts = 200000;
+  const double part = std::log(end) / kParts;
+  for (int k = 0; k < kParts; ++k) {
+    const double from = std::exp(k * part), to = std::exp((k + 1) * part);
+    work += 0.5 * (gas.pressure(from) + gas.pressure(to)) * (to - from);
+  }
+  const double error = std::abs(gas.work_down_to(gas.pressure(end)) / work - 1.0);
+  std::cout << "relative error of the work " << error << '\n';
+  EXPECT_LT(error, 1e-7);  // square of the parts' length, 2e-5, over 12, and the kink
+}
+
+TEST(EnergySwitchPressure, ProductsHoldTheEnergyThatIsAskedFor) {
+  const double vod = 4500.0;
+  for (const double density : {700.0, 1100.0, 1400.0}) {
+    for (const double share : {0.75, 1.0}) {
+      const double energy = share * 3.0e6 * density;
+      TwoStageIsentrope::Parameters p{.initial_pressure = density * vod * vod / 8.0};
+      p.switch_pressure = energy_switch_pressure(p, energy);
+      EXPECT_NEAR(TwoStageIsentrope(p).stored_energy(), energy, 1e-9 * energy);
+    }
+  }
+}
+
+// E0 = 3.3e9 J/m3, P0 = 2.784375e9 Pa: y = (1.185185 - 0.5)/(2.5 - 0.5) = 0.342593,
+// p_k = P0 y^1.5 = 2784.375 x 0.200523 MPa.
+TEST(EnergySwitchPressure, MatchesTheEmulsionWorkedByHand) {
+  EXPECT_NEAR(energy_switch_pressure({.initial_pressure = 2.784375e9}, 3.3e9), 558.33e6, 0.05e6);
+}
+
+TEST(EnergySwitchPressure, HalfTheDensityHalvesThePressureAtEveryVolume) {
+  TwoStageIsentrope::Parameters dense{.initial_pressure = 2.0e9}, thin{.initial_pressure = 1.0e9};
+  dense.switch_pressure = energy_switch_pressure(dense, 2.4e9);
+  thin.switch_pressure = energy_switch_pressure(thin, 1.2e9);
+  const TwoStageIsentrope a(dense), b(thin);
+  for (const double ratio : {1.0, 1.3, 2.0, 5.0, 20.0})
+    EXPECT_NEAR(b.pressure(ratio), 0.5 * a.pressure(ratio), 1e-9 * a.pressure(ratio));
+}
+
+TEST(EnergySwitchPressure, RefusesEnergiesThatThePressureCannotHave) {
+  EXPECT_THROW((void)energy_switch_pressure({.initial_pressure = 2e9}, 0.99e9), InputError);
+  EXPECT_THROW((void)energy_switch_pressure({.initial_pressure = 2e9}, 5.01e9), InputError);
+  EXPECT_NO_THROW((void)energy_switch_pressure({.initial_pressure = 2e9}, 4.99e9));
+  EXPECT_THROW((void)energy_switch_pressure({.initial_pressure = 2e9, .dilute_exponent = 3.5}, 2e9),
+               InputError);
 }
 
 TEST(Attenuation, ExponentInCrushedRock) {
