@@ -19,7 +19,7 @@ GasVent::GasVent(const Parameters& parameters) : p_(parameters) {
   require_positive("hole_diameter", "m", 2.0 * p_.hole_radius);
   require_positive("crushed-zone radius", "m", p_.zone_radius);
   require_positive("mass of the charge", "kg", p_.products_mass);
-  if (!(p_.gamma > 1.0)) refuse("gas_gamma", "> 1 with venting flow", "", p_.gamma);
+  if (!(p_.gamma > 1.0)) refuse_value("gas_gamma", "> 1 with venting flow", "", p_.gamma);
   require_not_negative("stemming_length", "m", p_.stemming_length);
   require_positive("stemming_density", "kg/m3", p_.stemming_density);
   require_not_negative("stemming_shear", "Pa", p_.stemming_shear);

@@ -44,7 +44,7 @@ PulseShape::Law PulseShape::law_of(const PulseParameters& p) {
       return DuvallPulse(p.rise_time, p.ratio);
     case PulseParameters::Kind::triangular:
       require_positive("rise_time", "s", p.rise_time);
-      if (!(p.end_time > p.rise_time)) refuse("pulse_end", "> rise_time", "s", p.end_time);
+      if (!(p.end_time > p.rise_time)) refuse_value("pulse_end", "> rise_time", "s", p.end_time);
       return TrianglePulse{p.rise_time, p.end_time};
     case PulseParameters::Kind::itasca:
       require_positive("rise_time", "s", p.rise_time);
@@ -60,7 +60,7 @@ PulseShape::Law PulseShape::law_of(const PulseParameters& p) {
 
 DuvallPulse::DuvallPulse(double rise_time, double ratio) {
   require_positive("rise_time", "s", rise_time);
-  if (!(std::isfinite(ratio) && ratio > 1.0)) refuse("pulse_ratio", "> 1", "", ratio);
+  if (!(std::isfinite(ratio) && ratio > 1.0)) refuse_value("pulse_ratio", "> 1", "", ratio);
   slow_ = std::log(ratio) / ((ratio - 1.0) * rise_time);
   fast_ = ratio * slow_;
   scale_ = 1.0 / (std::exp(-slow_ * rise_time) - std::exp(-fast_ * rise_time));
