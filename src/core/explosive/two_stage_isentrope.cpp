@@ -53,19 +53,18 @@ double TwoStageIsentrope::work_down_to(double pressure) const {
 double energy_switch_pressure(const TwoStageIsentrope::Parameters& parameters, double energy) {
   const double p0 = parameters.initial_pressure;
   const double dense = parameters.dense_exponent - 1.0, dilute = parameters.dilute_exponent - 1.0;
-  explosive_detail::require_positive("gas_gamma_dense less 1", "", dense);
-  explosive_detail::require_positive("gas_gamma less 1", "", dilute);
+  require_positive("gas_gamma_dense less 1", "", dense);
+  require_positive("gas_gamma less 1", "", dilute);
   if (dilute >= dense) {
-    explosive_detail::refuse("gas_gamma", "below gas_gamma_dense with gas_switch_pressure energy",
-                             "", parameters.dilute_exponent);
+    refuse_value("gas_gamma", "below gas_gamma_dense with gas_switch_pressure energy", "",
+                 parameters.dilute_exponent);
   }
   const double y = (energy / p0 - 1.0 / dense) / (1.0 / dilute - 1.0 / dense);
   if (y > 0.0 && y <= 1.0) return p0 * std::pow(y, parameters.dense_exponent / dense);
   std::ostringstream rule;
   rule << "above " << p0 / dense << " and at most " << p0 / dilute
        << ", what products of these exponents can hold at P0 = " << p0 << " Pa,";
-  explosive_detail::refuse("explosive_energy x energy_share x explosive_density",
-                           rule.str().c_str(), "J/m3", energy);
+  refuse_value("explosive_energy x energy_share x explosive_density", rule.str(), "J/m3", energy);
 }
 
 }  // namespace muckpile
