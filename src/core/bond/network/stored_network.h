@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "bond/facet.h"
+#include "bond/law/joint_law.h"
 #include "bond/network/facet_memory.h"
 #include "bond/network/joint_books.h"
 #include "bond/network/network_block.h"
@@ -105,10 +106,17 @@ struct Stored<GroundMemory> {
 };
 
 template <>
+struct Stored<JointHistory> {
+  static constexpr std::string_view kName = "joint_history";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& history) { return std::tie(history.closure, history.slip); }
+};
+
+template <>
 struct Stored<ExtraMemory> {
   static constexpr std::string_view kName = "extra_memory";
-  static constexpr int kVersion = 1;
-  static auto fields(auto& extra) { return std::tie(extra.cohesion, extra.ground); }
+  static constexpr int kVersion = 2;
+  static auto fields(auto& extra) { return std::tie(extra.cohesion, extra.ground, extra.joint); }
 };
 
 /// A value that few have lies in bytes as an optional one.
