@@ -236,6 +236,24 @@ TEST(BlastOptions, EachWrongWordIsNamedWithItsRule) {
   }
 }
 
+const std::string kFlow = " venting flow stemming_length 3 crack_delay 0";
+const std::string kTnt =
+    "explosive tnt hole_diameter 0.09 poisson_ratio 0.22 expansion jwl gas_gamma 1";
+
+TEST(BlastOptions, GasFlowsWithTheExponentOfItsLaw) {
+  EXPECT_EQ(gas_gamma(read(kCharge + kFlow)), 1.4);
+  EXPECT_EQ(gas_gamma(read(kCharge + kFlow + " gas_gamma 1.25")), 1.25);
+  // omega 0.3; gas_gamma is of the other law, and 1 would be refused with flow
+  EXPECT_DOUBLE_EQ(gas_gamma(read(kTnt + kFlow)), 1.3);
+  EXPECT_EQ(message(kTnt + kFlow), "");
+}
+
+TEST(BlastOptions, FlowLeavesTheTimesOpen) {
+  const BlastOptions options = read(kCharge + kFlow);
+  EXPECT_FALSE(options.vent_time || options.vent_decay);
+  EXPECT_EQ(read(kCharge + kFlow + kGas).vent_decay, 4.5e-3);
+}
+
 TEST(BlastOptions, ChecksTheNumbersThatMayBeLeftOut) {
   const std::string bare = "explosive_density 1100 vod 4500 hole_diameter 0.09";
   EXPECT_EQ(message(bare + " poisson_ratio 0.5" + kGas),
