@@ -193,7 +193,7 @@ TEST(BlastOptions, EachWrongWordIsNamedWithItsRule) {
       {"gas_switch_pressure energy explosive_energy 1e5",
        "hole 1: explosive_energy x energy_share x explosive_density must be above 1.39219e+09 and "
        "at most 6.96094e+09, what products of these exponents can hold at P0 = 2.78438e+09 Pa, "
-       "J/m3, got '110000000'"},
+       "J/m3, got '1.1e+08'"},
       {"interval -0.01", "interval must be >= 0 and <= 60 s, got '-0.01'"},
       {"hole 1 delay -0.01", "hole 1 delay must be >= 0 and <= 60 s, got '-0.01'"},
       {"hole 3 delay 0.01", "hole must be from 1 to 2, the holes of create_blocks, got '3'"},
