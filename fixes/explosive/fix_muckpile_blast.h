@@ -39,7 +39,10 @@ struct Stored<BlastState> {
   }
 };
 
-class FixMuckpileBlast : public LAMMPS_NS::Fix, public BlastEnergies, public GasChambers, public ChargeTiming {
+class FixMuckpileBlast : public LAMMPS_NS::Fix,
+                         public BlastEnergies,
+                         public GasChambers,
+                         public ChargeTiming {
  public:
   FixMuckpileBlast(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
