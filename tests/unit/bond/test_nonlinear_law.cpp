@@ -77,7 +77,7 @@ class EachNonlinearLaw : public testing::TestWithParam<LawOfJoints> {
   static JointClass joint(const Wanted& wanted) { return GetParam().joint(wanted); }
 };
 INSTANTIATE_TEST_SUITE_P(Laws, EachNonlinearLaw, testing::ValuesIn(joint_laws()),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& one) { return std::string(one.param.name); });
 
 TEST(NonlinearLaw, RockAndJointCloseInSeries) {
   BondScene scene = cubes(2, 1, 0.0, strong());  // nu 0: no dilatation, (lambda + 2G)/h = 5e10 Pa
