@@ -187,7 +187,7 @@ void FixMultisphereMuckpile::follow_rests() {
   std::vector<char> resting(any_rests() ? static_cast<std::size_t>(multisphere_.n_body()) : 0);
   for (std::size_t b = 0; b < resting.size(); ++b)
     resting[b] = resting_->body_rests(static_cast<int>(b)) ? 1 : 0;
-  motion_.hold(resting);
+  motion_.let_rest(resting);
 }
 
 void FixMultisphereMuckpile::initial_integrate(int vflag) {
@@ -200,9 +200,9 @@ void FixMultisphereMuckpile::initial_integrate(int vflag) {
   follow_rests();
   // Spheres of resting bodies stay where they are. They are placed once more after their body came
   // to rest, so that their velocities are 0.
-  const bool place_held = placed_version_ != rests_version_;
+  const bool place_resting = placed_version_ != rests_version_;
   placed_version_ = rests_version_;
-  motion_.advance(engine::Bodies(*this).rows(), sphere_rows(), {dtv, dtf}, place_held);
+  motion_.advance(engine::Bodies(*this).rows(), sphere_rows(), {dtv, dtf}, place_resting);
   if (own_messages_) {
     border_.to_spheres({atom->x, atom->v, atom->omega});
   } else {

@@ -50,7 +50,7 @@ class FixMultisphereMuckpile : public LAMMPS_NS::FixMultisphere {
   const RestingBlocks* resting_ = nullptr;  ///< looked up in every init(); null: none rests
   std::vector<int> readers_;  ///< `nevery` of each fix of LIGGGHTS that works at the end of steps
   bool plain_ = false;        ///< this step needs nothing that only the base class does
-  std::uint64_t rests_version_ = 0;   ///< of resting_, as motion_ knows it; 0: none is held
+  std::uint64_t rests_version_ = 0;   ///< of resting_, as motion_ knows it; 0: none rests
   std::uint64_t placed_version_ = 0;  ///< of resting_, when the resting were last placed
   bool members_known_ = false;
   BodyMotion motion_;          ///< of this rank's bodies and their spheres, ghosts among them

@@ -156,8 +156,8 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
   std::vector<int> listed_tags_;             ///< per atom: its tag when the list was built
   int listed_owned_ = 0;
 
-  bool watched_ = false;            ///< somebody asks what the contacts do to the blocks
-  std::vector<ContactLoad> loads_;  ///< per block, of the last step; empty: nobody watches
+  bool watched_ = false;            ///< a fix sums what the contacts do to the blocks
+  std::vector<ContactLoad> loads_;  ///< per block, of the last step; empty: they are not summed
   engine::StrangeBodies strange_;   ///< of several ranks
 
   std::vector<int> record_owners_;  ///< work space of store_contacts

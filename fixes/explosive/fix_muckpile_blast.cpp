@@ -167,7 +167,7 @@ void FixMuckpileBlast::check_timestep() {
 BlastTiming FixMuckpileBlast::timing() const {
   BlastTiming timing;
   timing.start = clock_started_ ? clock_zero_ : update->get_cur_time() - clock_restarted_;
-  if (options_.pulse) timing.rise_time = options_.pulse_shape.rise_time;
+  timing.rise_time = options_.pulse_shape.rise_time;
   if (options_.gas) {
     timing.vent_time = options_.vent_time;
     timing.vent_decay = options_.vent_decay;
@@ -175,10 +175,16 @@ BlastTiming FixMuckpileBlast::timing() const {
   const auto* surface = engine::find_view<BlastSurface>(*lmp);
   if (surface == nullptr) return timing;
   engine::or_engine_error(*lmp, [&] {
-    for (const HoleBlast& hole : hole_blasts(options_, holes_of(*surface)))
+    for (const HoleBlast& hole : hole_blasts(options_, holes_of(*surface))) {
       timing.last_firing = std::max(timing.last_firing, hole.firing_time());
+      timing.pulse_end = std::max(timing.pulse_end, hole.pulse_end());
+    }
   });
   return timing;
+}
+
+double FixMuckpileBlast::gas_gamma() const {
+  return engine::or_engine_error(*lmp, [&] { return muckpile::gas_gamma(options_); });
 }
 
 double FixMuckpileBlast::clock() const { return update->get_cur_time() - clock_zero_; }

@@ -39,7 +39,10 @@ struct Stored<BlastState> {
   }
 };
 
-class FixMuckpileBlast : public LAMMPS_NS::Fix, public BlastEnergies, public GasChambers, public ChargeTiming {
+class FixMuckpileBlast : public LAMMPS_NS::Fix,
+                         public BlastEnergies,
+                         public GasChambers,
+                         public ChargeTiming {
  public:
   FixMuckpileBlast(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
@@ -60,7 +63,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix, public BlastEnergies, public Gas
   [[nodiscard]] bool vents_by_flow() const override { return options_.vent_by_flow; }
 
   void let_gas_into_joints(double ambient) override;
-  [[nodiscard]] double gas_gamma() const override { return options_.flow.gamma; }
+  [[nodiscard]] double gas_gamma() const override;
   [[nodiscard]] GasChamber chamber(std::size_t hole) const override;
   void take_gas(std::span<const double> per_hole) override;
   void let_gas_go() override;

@@ -16,9 +16,9 @@
 #include <cstdio>
 #include <cstring>
 
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/style_args.h"
 #include "fixes/interfaces/blast_surface.h"
-#include "fixes/engine/over_ranks.h"
 
 namespace muckpile {
 namespace {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# own_scene.sh LIGGGHTS_MUCKPILE: the small scene of inputs/own_scene, whose last five lines are a whole blast, goes through its phases and comes
-# to rest on two ranks; and those five lines are the example of docs/styles/run_blast.md.
+# own_scene.sh LIGGGHTS_MUCKPILE: the small scene of inputs/own_scene, whose last six lines are a whole blast, goes through its phases and comes
+# to rest on two ranks; and those six lines are the example of docs/styles/run_blast.md.
 set -euo pipefail
 program=$1
 source "$(dirname "${BASH_SOURCE[0]}")/runs.sh"
@@ -9,7 +9,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/runs.sh"
 wrong=0
 while IFS= read -r line; do
   grep -qxF -- "$line" docs/styles/run_blast.md || { echo "not in docs/styles/run_blast.md: $line"; wrong=1; }
-done < <(tail -n 5 inputs/own_scene/in.own_scene)
+done < <(tail -n 6 inputs/own_scene/in.own_scene)
 
 run_input run 2 inputs/own_scene/in.own_scene
 readonly dump=$out/run/dump

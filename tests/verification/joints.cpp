@@ -7,7 +7,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "bond/law/joint_law_table.h"
+#include "bond/law/barton_bandis.h"
+#include "bond/law/joint_material.h"
 #include "framework/cases.h"
 #include "framework/plane_pulse.h"
 #include "framework/rock_samples.h"

@@ -34,12 +34,13 @@ const std::map<std::string, MakeReport>& makers() {
 
 std::vector<std::string> reports_of(const ResultFolder& folder) {
   static const std::map<std::string, std::vector<std::string>> measures{
-      {"bench", {"profile", "fragments"}}, {"crater", {"crater", "fragments"}}, {"heap", {"heap"}}};
+      {"bench", {"profile", "fragments"}}, {"crater", {"crater", "fragments"}}, {"heap", {"heap"}},
+      {"other", {"fragments"}}};
   const std::string scene = folder.scene_word("case");
   const auto found = measures.find(scene);
   if (found == measures.end()) {
     throw InputError(folder.dump("scene.json").string() +
-                     ": case must be bench, crater or heap, got '" + scene + "'");
+                     ": case must be bench, crater, heap or other, got '" + scene + "'");
   }
   std::vector<std::string> names = found->second;
   names.insert(names.end(), {"energy", "render", "series"});

@@ -12,7 +12,7 @@
 namespace muckpile {
 
 // The names of the sub-commands for the scene of a run, in the order in which they are made.
-// Throws InputError if its case is not bench, crater or heap.
+// Throws InputError if its case is not bench, crater, heap or other.
 std::vector<std::string> reports_of(const ResultFolder& folder);
 
 // Makes one of them. Throws NotMeasurable where it has no measures for the scene.

@@ -55,7 +55,8 @@ closest_name() {
 
 check_variable() {  # check_variable INPUT NAME VALUE
   local input=$1 name=$2 value=$3 known style near
-  [[ -n $value && $value != *[[:space:]]* ]] ||
+  # The knobs *_words hold words of a style, any number of them.
+  [[ -n $value && ($value != *[[:space:]]* || $name == *_words) ]] ||
     die "-var $name needs one value without blanks, got '$value'"
   [[ $name != out ]] || die "use -out DIR for the results folder, not -var out"
   known=$(variables_of "$input" | sort -u)

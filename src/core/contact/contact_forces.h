@@ -35,7 +35,7 @@ struct MovingSpheres {
   double *forces, *torques;                      ///< to be added to, of own spheres [N], [N m]
   int owned;                                     ///< the first `owned` are this rank's
   const int* blocks = nullptr;                   ///< per sphere: whose of `loads` it is
-  ContactLoad* loads = nullptr;                  ///< to be added to; null: nobody asks for them
+  ContactLoad* loads = nullptr;                  ///< to be added to; null: they are not summed
 };
 
 /// Of a step. A contact between two ranks counts half on each, largest_overlap apart.

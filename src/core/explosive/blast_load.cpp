@@ -16,13 +16,12 @@ double vent_factor(double time, double vent_time, double vent_decay) {
 BlastLoad::BlastLoad(const Parameters& parameters)
     : wave_peak_(parameters.wave_peak),
       pulse_(parameters.pulse),
-      gas_(parameters.gas),
-      expansion_(parameters.isentrope, parameters.jwl),
+      expansion_(parameters.expansion),
       charge_volume_(parameters.charge_volume),
       vent_time_(parameters.vent_time),
       vent_decay_(parameters.vent_decay) {
   require_not_negative("peak_pressure", "Pa", wave_peak_);
-  if (!gas_) return;
+  if (!expansion_) return;
   require_positive("charge volume", "m3", charge_volume_);
   if (parameters.flow) {
     vent_.emplace(*parameters.flow);
@@ -33,7 +32,7 @@ BlastLoad::BlastLoad(const Parameters& parameters)
   }
   require_positive("free volume ratio", "", parameters.free_volume_ratio);
   start_volume_ =
-      std::max(expansion_.switch_ratio(), parameters.free_volume_ratio) * charge_volume_;
+      std::max(expansion_->switch_ratio(), parameters.free_volume_ratio) * charge_volume_;
   require_positive("volume ratio of the pulse", "", parameters.pulse_volume_ratio);
   pulse_volume_ =
       std::min(parameters.pulse_volume_ratio, parameters.free_volume_ratio) * charge_volume_;
@@ -41,16 +40,16 @@ BlastLoad::BlastLoad(const Parameters& parameters)
 
 double BlastLoad::products_pressure(double volume, double time, const GasState& state) const {
   const double ratio = volume / charge_volume_;
-  if (vent_) return expansion_.pressure(ratio / state.mass_left);
-  return expansion_.pressure(ratio) * vent_factor(time, vent_time_, vent_decay_);
+  if (vent_) return expansion_->pressure(ratio / state.mass_left);
+  return expansion_->pressure(ratio) * vent_factor(time, vent_time_, vent_decay_);
 }
 
 double BlastLoad::gas_pressure(double swept_volume, double time, const GasState& state) const {
-  return gas_ ? products_pressure(start_volume_ + swept_volume, time, state) : 0.0;
+  return expansion_ ? products_pressure(start_volume_ + swept_volume, time, state) : 0.0;
 }
 
 double BlastLoad::pulse_limit(double swept_volume, double time, const GasState& state) const {
-  return gas_ ? products_pressure(pulse_volume_ + swept_volume, time, state) : kNoLimit;
+  return expansion_ ? products_pressure(pulse_volume_ + swept_volume, time, state) : kNoLimit;
 }
 
 void BlastLoad::advance(GasState& state, double swept_volume, double time, double dt) const {

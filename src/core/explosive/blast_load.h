@@ -41,9 +41,7 @@ class BlastLoad {
   struct Parameters {
     double wave_peak;                           ///< P1 [Pa], 0 for no pulse
     PulseParameters pulse{};                    ///< its shape
-    bool gas;                                   ///< false: pulse only; all below is then unused
-    TwoStageIsentrope::Parameters isentrope;    ///< of the products
-    std::optional<JwlParameters> jwl{};         ///< in its place; see ProductExpansion
+    std::optional<ProductExpansion> expansion;  ///< nothing: pulse only; all below is then unused
     double charge_volume;                       ///< V0 [m3]
     double free_volume_ratio = 1.0;             ///< chamber that the products fill over V0 [-]
     double pulse_volume_ratio = 1.0;            ///< Vp/V0, at most free_volume_ratio [-]
@@ -73,6 +71,9 @@ class BlastLoad {
   /// True once less than kPulseLeft of the pulse's peak is to come, tau and later.
   [[nodiscard]] bool pulse_over(double tau) const;
 
+  /// tau from which on softened joints bear what is left of the pulse [s]; 0 without a pulse.
+  [[nodiscard]] double pulse_end() const { return wave_peak_ > 0.0 ? pulse_.end(kPulseGone) : 0.0; }
+
   [[nodiscard]] double wave_peak() const { return wave_peak_; }          ///< P1 [Pa]
   [[nodiscard]] double start_volume() const { return start_volume_; }    ///< Vg [m3], 0 without gas
   [[nodiscard]] double charge_volume() const { return charge_volume_; }  ///< V0 [m3]
@@ -84,14 +85,15 @@ class BlastLoad {
 
   static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
   static constexpr double kPulseLeft = 0.01;
+  /// Of the peak: what a starfield pulse has left after ten rises, 4 (2^-10 - 2^-20).
+  static constexpr double kPulseGone = 4.0 * 1023.0 / 1048576.0;
 
  private:
   [[nodiscard]] double products_pressure(double volume, double time, const GasState& state) const;
 
   double wave_peak_;
   PulseShape pulse_;
-  bool gas_;
-  ProductExpansion expansion_;
+  std::optional<ProductExpansion> expansion_;  // nothing: no gas
   double charge_volume_;
   double start_volume_ = 0.0;
   double pulse_volume_ = 0.0;  // Vp [m3]

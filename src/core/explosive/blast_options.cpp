@@ -122,13 +122,14 @@ void read_attenuation(BlastOptions& options, const ArgValues& values) {
 }
 
 /// A number that this way of venting needs; `advice` for who left it out.
-double vent_word(const BlastOptions& options, const ArgValues& values, const std::string& name,
-                 const std::string& unit, Range range, bool by_flow, const std::string& advice) {
-  if (const auto typed = optional_real(values, options.where, name, unit, range)) return *typed;
-  if (options.gas && options.vent_by_flow == by_flow) {
+std::optional<double> vent_word(const BlastOptions& options, const ArgValues& values,
+                                const std::string& name, const std::string& unit, Range range,
+                                bool by_flow, const std::string& advice) {
+  const auto typed = optional_real(values, options.where, name, unit, range);
+  if (!typed && options.gas && options.vent_by_flow == by_flow) {
     refuse(options.where, name + " [" + unit + "] is needed with gas yes" + advice);
   }
-  return 1.0;  // not used
+  return typed;
 }
 
 void read_venting(BlastOptions& options, const ArgValues& values) {
@@ -138,10 +139,11 @@ void read_venting(BlastOptions& options, const ArgValues& values) {
   options.vent_decay = vent_word(options, values, "vent_decay", "s", Range::left_open(0.0, 60.0),
                                  false, " (about 1.5e-3 s per metre of burden)");
   options.flow.stemming_length = vent_word(options, values, "stemming_length", "m",
-                                           Range::closed(0.0, 1e6), true, " and venting flow");
+                                           Range::closed(0.0, 1e6), true, " and venting flow")
+                                     .value_or(0.0);
   options.flow.crack_delay = vent_word(options, values, "crack_delay", "s", delay_range(), true,
-                                       " and venting flow (about 1e-3 s per metre of burden)");
-  options.flow.gamma = options.charge.isentrope.dilute_exponent;
+                                       " and venting flow (about 1e-3 s per metre of burden)")
+                                 .value_or(0.0);
   options.flow.stemming_density = values.real("stemming_density");
   options.flow.stemming_shear = values.real("stemming_shear");
   options.flow.collar_discharge = values.real("collar_discharge");

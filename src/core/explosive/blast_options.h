@@ -31,10 +31,10 @@ struct BlastOptions {
   bool pulse = true;
   PulseParameters pulse_shape{};
   bool gas = true;
-  double vent_time = 0.0;   ///< [s]
-  double vent_decay = 1.0;  ///< [s]
+  std::optional<double> vent_time{};   ///< as typed [s]
+  std::optional<double> vent_decay{};  ///< as typed [s]
   bool vent_by_flow = false;
-  GasVent::Parameters flow{};          ///< without radii and mass
+  GasVent::Parameters flow{};          ///< without radii, mass and gamma
   double primer = 0.0;                 ///< 0 bottom, 1 top
   double interval = 0.0;               ///< between the firing of consecutive holes [s]
   std::map<long, double> delays{};     ///< hole number from 1: its own delay [s]

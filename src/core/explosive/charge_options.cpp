@@ -23,6 +23,8 @@ const std::vector<std::string> kModels = {"explosion_state",       "explosion_st
                                           "explosion_state_gamma", "chapman_jouguet",
                                           "impedance_matched",     "jwl"};
 
+const std::vector<std::string> kExpansions = {"two_stage", "jwl"};  // in the order of Expansion
+
 JwlParameters typed_jwl(const std::string& where, const std::vector<std::string>& words,
                         const NamedExplosive& explosive) {
   struct Word {
@@ -109,6 +111,18 @@ double pressure_by(BoreholeModel model, const ChargeOptions& options,
   return explosion_state_pressure(plain);
 }
 
+TwoStageIsentrope two_stage_of(const ChargeOptions& options, const NamedExplosive& explosive) {
+  TwoStageIsentrope::Parameters two_stage = options.isentrope;
+  two_stage.initial_pressure = initial_pressure(options, explosive);
+  if (!options.switch_by_energy) return TwoStageIsentrope(two_stage);
+  if (explosive.energy <= 0.0) {
+    throw InputError("gas_switch_pressure energy needs explosive_energy [J/kg]");
+  }
+  two_stage.switch_pressure = energy_switch_pressure(
+      two_stage, options.energy_share * explosive.energy * explosive.density);
+  return TwoStageIsentrope(two_stage);
+}
+
 }  // namespace
 
 void add_optional(ArgTable& table, const std::string& name, const std::string& text) {
@@ -177,7 +191,7 @@ void add_decoupling_keywords(ArgTable& table) {
 }
 
 void add_expansion_keywords(ArgTable& table) {
-  table.word("expansion", {"two_stage", "jwl"}, "two_stage", "law by which the products expand")
+  table.word("expansion", kExpansions, kExpansions.front(), "law by which the products expand")
       .word("gas_switch_pressure", {}, "200e6",
             "pressure p_k at which the isentrope changes its exponent and the gas stage starts "
             "[Pa], 1e5 to 1e12; energy: the one with which the products hold energy_share of the "
@@ -251,15 +265,17 @@ void read_decoupling(ChargeOptions& options, const ArgValues& values, const std:
 }
 
 void read_expansion(ChargeOptions& options, const ArgValues& values, const std::string& where) {
-  options.jwl = values.word("expansion") == "jwl";
+  const auto at = std::find(kExpansions.begin(), kExpansions.end(), values.word("expansion"));
+  options.expansion = static_cast<Expansion>(at - kExpansions.begin());
+  const bool jwl = options.expansion == Expansion::jwl;
   // The isentrope has a pressure of its own at the charge's volume.
-  if (options.jwl && !options.typed_pressure && !values.given("borehole_model")) {
+  if (jwl && !options.typed_pressure && !values.given("borehole_model")) {
     options.model = BoreholeModel::jwl;
   }
   options.switch_by_energy = values.word("gas_switch_pressure") == "energy";
   const auto share = optional_real(values, where, "energy_share", "", Range::left_open(0.0, 1.0));
   options.energy_share = share.value_or(1.0);
-  if (options.switch_by_energy && options.jwl) {
+  if (options.switch_by_energy && jwl) {
     refuse(where, "gas_switch_pressure energy is of expansion two_stage; JWL has an energy itself");
   }
   if (!options.switch_by_energy && share) {
@@ -297,26 +313,15 @@ std::string alternative_pressures(const ChargeOptions& options, const NamedExplo
   return text.str();
 }
 
-TwoStageIsentrope::Parameters two_stage_of(const ChargeOptions& options,
-                                           const NamedExplosive& explosive,
-                                           double initial_pressure) {
-  TwoStageIsentrope::Parameters two_stage = options.isentrope;
-  two_stage.initial_pressure = initial_pressure;
-  if (!options.switch_by_energy) return two_stage;
-  if (explosive.energy <= 0.0) {
-    throw InputError("gas_switch_pressure energy needs explosive_energy [J/kg]");
-  }
-  two_stage.switch_pressure = energy_switch_pressure(
-      two_stage, options.energy_share * explosive.energy * explosive.density);
-  return two_stage;
-}
-
 ProductExpansion product_expansion(const ChargeOptions& options, const NamedExplosive& explosive) {
-  const TwoStageIsentrope::Parameters two_stage =
-      two_stage_of(options, explosive, initial_pressure(options, explosive));
-  if (!options.jwl) return {two_stage, std::nullopt};
-  require_jwl(explosive);
-  return {two_stage, explosive.jwl};
+  switch (options.expansion) {
+    case Expansion::jwl:
+      require_jwl(explosive);
+      return ProductExpansion(JwlGas(*explosive.jwl, options.isentrope.switch_pressure));
+    case Expansion::two_stage:
+      break;
+  }
+  return ProductExpansion(two_stage_of(options, explosive));
 }
 
 }  // namespace muckpile

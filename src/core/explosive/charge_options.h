@@ -29,14 +29,17 @@ enum class BoreholeModel {
   jwl
 };
 
+/// Laws of ProductExpansion.
+enum class Expansion { two_stage, jwl };
+
 struct ChargeOptions {
   ExplosiveTable table = ExplosiveTable::shipped();
   NamedExplosive explosive{};  ///< with what the user typed in its place
   bool energy_known = false;   ///< explosive.energy counts
   BoreholeModel model = BoreholeModel::explosion_state;
-  std::optional<double> typed_pressure{};     ///< P0 [Pa]
-  std::optional<double> rock_impedance{};     ///< [Pa s/m]
-  bool jwl = false;                           ///< expansion by JWL, else two-stage
+  std::optional<double> typed_pressure{};  ///< P0 [Pa]
+  std::optional<double> rock_impedance{};  ///< [Pa s/m]
+  Expansion expansion = Expansion::two_stage;
   TwoStageIsentrope::Parameters isentrope{};  ///< without its initial pressure
   bool switch_by_energy = false;  ///< its switch pressure follows from the explosive's energy
   double energy_share = 1.0;      ///< of that energy, what the products release [-]
@@ -68,13 +71,8 @@ void read_expansion(ChargeOptions& options, const ArgValues& values, const std::
 [[nodiscard]] std::string alternative_pressures(const ChargeOptions& options,
                                                 const NamedExplosive& explosive);
 
-/// The two-stage isentrope from P0 [Pa]. InputError as energy_switch_pressure(), or if the energy
-/// that it needs is not known.
-[[nodiscard]] TwoStageIsentrope::Parameters two_stage_of(const ChargeOptions& options,
-                                                         const NamedExplosive& explosive,
-                                                         double initial_pressure);
-
-/// The law of expansion. InputError as ProductExpansion.
+/// The law by which the products expand, from P0. InputError as the law, as initial_pressure() and
+/// energy_switch_pressure(), or if something of the explosive that the law needs is not known.
 [[nodiscard]] ProductExpansion product_expansion(const ChargeOptions& options,
                                                  const NamedExplosive& explosive);
 

@@ -47,8 +47,8 @@ void GasVent::advance(GasState& state, const Chamber& chamber, double dt) const 
   // rate.
   state.mass_left *= std::exp(-flow * dt / (state.mass_left * p_.products_mass));
   if (state.stemming_path >= p_.stemming_length) return;
-  const double held = p_.stemming_length - state.stemming_path;
-  const double drive = chamber.pressure - 2.0 * p_.stemming_shear * held / p_.hole_radius;
+  const double in_hole = p_.stemming_length - state.stemming_path;
+  const double drive = chamber.pressure - 2.0 * p_.stemming_shear * in_hole / p_.hole_radius;
   state.stemming_speed =
       std::max(0.0, state.stemming_speed + drive / (p_.stemming_density * p_.stemming_length) * dt);
   state.stemming_path += state.stemming_speed * dt;

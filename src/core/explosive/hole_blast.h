@@ -42,6 +42,9 @@ class HoleBlast {
     return load_.pulse_over(time - front_.last_arrival_time());
   }
 
+  /// When softened joints bear what is left of the pulse, wherever on the wall [s].
+  [[nodiscard]] double pulse_end() const { return front_.last_arrival_time() + load_.pulse_end(); }
+
   [[nodiscard]] const BlastLoad& load() const { return load_; }
   [[nodiscard]] const DetonationFront& front() const { return front_; }
 

@@ -27,25 +27,18 @@ void apply_deck(LoadedHole& hole, const BlastOptions& options, const Deck& deck)
 BlastLoad blast_load(const BlastOptions& options, const LoadedHole& hole, const Hole& zone) {
   BlastLoad::Parameters parameters{.wave_peak = wall_peak(options, hole, zone),
                                    .pulse = options.pulse_shape,
-                                   .gas = options.gas,
-                                   .isentrope = options.charge.isentrope,
                                    .charge_volume = hole.shape.charge_volume(),
-                                   .vent_time = options.vent_time,
-                                   .vent_decay = options.vent_decay};
-  // Without a P0 there is no gas either: any pressure that the law takes will do.
-  parameters.isentrope.initial_pressure = parameters.isentrope.switch_pressure;
-  if (hole.initial_pressure > 0.0) {
-    parameters.isentrope = two_stage_of(options.charge, hole.explosive, hole.initial_pressure);
-  }
-  if (options.charge.jwl) parameters.jwl = hole.explosive.jwl;
+                                   .vent_time = options.vent_time.value_or(0.0),
+                                   .vent_decay = options.vent_decay.value_or(1.0)};
+  if (!options.gas) return BlastLoad(parameters);
+  const ProductExpansion expansion = product_expansion(options.charge, hole.explosive);
+  parameters.expansion = expansion;
   parameters.free_volume_ratio = free_volume_ratio(hole.shape, hole.decoupling);
-  if (hole.initial_pressure > 0.0) {
-    parameters.pulse_volume_ratio = pulse_volume_ratio(
-        hole.wall_pressure / hole.initial_pressure,
-        product_expansion(options.charge, hole.explosive), hole.shape, hole.decoupling);
-  }
+  parameters.pulse_volume_ratio = pulse_volume_ratio(hole.wall_pressure / hole.initial_pressure,
+                                                     expansion, hole.shape, hole.decoupling);
   if (options.vent_by_flow) {
     parameters.flow = options.flow;
+    parameters.flow->gamma = expansion.gamma();
     parameters.flow->hole_radius = hole.shape.hole_radius;
     parameters.flow->zone_radius = zone.radius;
     parameters.flow->products_mass = hole.explosive.density * hole.shape.charge_volume();
@@ -166,6 +159,39 @@ std::vector<HoleBlast> hole_blasts(const BlastOptions& options,
     blasts.push_back(hole_blast(options, crushed_zones[index], index));
   }
   return blasts;
+}
+
+double gas_gamma(const BlastOptions& options) {
+  const ChargeOptions& charge = options.charge;
+  std::optional<double> gamma;
+  const auto add = [&](const NamedExplosive& explosive, std::size_t hole) {
+    const std::string number = std::to_string(hole + 1);
+    const double own = [&] {
+      try {
+        return product_expansion(charge, explosive).gamma();
+      } catch (const InputError& error) {
+        refuse(options.where, "hole " + number + ": " + error.what());
+      }
+    }();
+    if (gamma.value_or(own) == own) {
+      gamma = own;
+      return;
+    }
+    std::ostringstream text;
+    text << "gas in joints must have one exponent, got " << *gamma << " of hole 1 and " << own
+         << " of hole " << number;
+    refuse(options.where, text.str());
+  };
+  if (!options.pattern) {
+    add(charge.explosive, 0);
+    return *gamma;
+  }
+  const std::vector<Deck>& decks = options.pattern->decks();
+  for (std::size_t k = 0; k < decks.size(); ++k)
+    add(decks[k].explosive ? charge.table.find(*decks[k].explosive, "hole_table")
+                           : charge.explosive,
+        k);
+  return gamma.value_or(0.0);
 }
 
 std::vector<ChargeEnergy> charge_energies(const BlastOptions& options,

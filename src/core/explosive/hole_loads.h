@@ -40,6 +40,10 @@ struct LoadedHole {
 [[nodiscard]] std::vector<HoleBlast> hole_blasts(const BlastOptions& options,
                                                  const std::vector<Hole>& crushed_zones);
 
+/// Exponent of the expanded gas of all holes, by the law of expansion. InputError: holes whose
+/// gases differ.
+[[nodiscard]] double gas_gamma(const BlastOptions& options);
+
 /// Mass and energy of one hole's explosive.
 struct ChargeEnergy {
   double mass = 0.0;    ///< [kg]

@@ -28,12 +28,10 @@ void describe_pressures(std::ostream& text, const BlastOptions& options, const L
 
 /// What the products hold beside what the explosive has.
 void describe_products(std::ostream& text, const BlastOptions& options, const LoadedHole& hole) {
-  if (options.charge.jwl) return;
-  const TwoStageIsentrope products(
-      two_stage_of(options.charge, hole.explosive, hole.initial_pressure));
+  const ProductExpansion products = product_expansion(options.charge, hole.explosive);
   const double energy = products.stored_energy() / hole.explosive.density;
-  text << "  products: exponents change at " << products.switch_pressure() / kMPa
-       << " MPa; they hold " << energy / 1e6 << " MJ/kg";
+  text << "  products: gas stage from " << products.pressure(products.switch_ratio()) / kMPa
+       << " MPa, exponent " << products.gamma() << "; they hold " << energy / 1e6 << " MJ/kg";
   if (hole.energy_known) text << ", " << energy / hole.explosive.energy << " of the explosive's";
   text << "\n";
 }
@@ -89,7 +87,7 @@ std::string describe(const BlastOptions& options, const std::vector<Hole>& crush
            << " m of stemming are out, and through cracks from " << options.flow.crack_delay
            << " s on\n";
     } else {
-      text << "vents after " << options.vent_time << " s, decay " << options.vent_decay << " s\n";
+      text << "vents after " << *options.vent_time << " s, decay " << *options.vent_decay << " s\n";
     }
   }
   text << "  firing times [s]:";

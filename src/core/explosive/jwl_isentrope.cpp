@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "args/require.h"
 
@@ -58,12 +59,23 @@ double JwlIsentrope::volume_ratio_at(double wanted) const {
   return 0.5 * (low + high);
 }
 
+double JwlIsentrope::energy_from(double v) const {
+  return p_.a / p_.r1 * std::exp(-p_.r1 * v) +
+         (p_.r2 > 0.0 ? p_.b / p_.r2 * std::exp(-p_.r2 * v) : 0.0) +
+         gas_ / p_.omega * std::pow(v, -p_.omega);
+}
+
 double JwlIsentrope::implied_energy() const {
-  const double v = cj_volume_;
-  const double inner = p_.a / p_.r1 * std::exp(-p_.r1 * v) +
-                       (p_.r2 > 0.0 ? p_.b / p_.r2 * std::exp(-p_.r2 * v) : 0.0) +
-                       gas_ / p_.omega * std::pow(v, -p_.omega);
-  return inner - 0.5 * p_.cj_pressure * (1.0 - v);
+  return energy_from(cj_volume_) - 0.5 * p_.cj_pressure * (1.0 - cj_volume_);
+}
+
+JwlGas::JwlGas(const JwlParameters& parameters, double switch_pressure)
+    : isentrope_(parameters), switch_ratio_(isentrope_.volume_ratio_at(switch_pressure)) {
+  if (switch_ratio_ <= JwlIsentrope::kFittedTo) return;
+  std::ostringstream rule;
+  rule << "at least " << isentrope_.pressure(JwlIsentrope::kFittedTo) << " Pa, the pressure at "
+       << JwlIsentrope::kFittedTo << " V0 to which JWL is fitted,";
+  refuse_value("gas_switch_pressure", rule.str().c_str(), "", switch_pressure);
 }
 
 }  // namespace muckpile

@@ -35,14 +35,37 @@ class JwlIsentrope {
   [[nodiscard]] double volume_ratio_at(double pressure) const;
   [[nodiscard]] double cj_volume() const { return cj_volume_; }  ///< V_CJ/V0 [-]
   [[nodiscard]] double gas_coefficient() const { return gas_; }  ///< C [Pa]
+  /// Of the gas that the last term is [-].
+  [[nodiscard]] double gamma() const { return 1.0 + p_.omega; }
+  /// Work per volume V0 of charge of the expansion from V0 to nothing [J/m3].
+  [[nodiscard]] double stored_energy() const { return energy_from(1.0); }
   /// E0 that the curve implies: its energy at V_CJ less P_CJ (1 - V_CJ)/2 [J/m3].
   [[nodiscard]] double implied_energy() const;
 
  private:
   [[nodiscard]] double curve(double volume) const;
+  [[nodiscard]] double energy_from(double volume) const;
 
   JwlParameters p_;
   double cj_volume_, gas_;
+};
+
+/// The JWL isentrope with the gas stage from where it passes a switch pressure p_k.
+class JwlGas {
+ public:
+  /// InputError as JwlIsentrope, or if p_k is passed beyond the volumes that JWL is fitted to.
+  JwlGas(const JwlParameters& parameters, double switch_pressure);
+
+  [[nodiscard]] double pressure(double volume_ratio) const {  ///< [Pa]
+    return isentrope_.pressure(volume_ratio);
+  }
+  [[nodiscard]] double switch_ratio() const { return switch_ratio_; }                ///< [-]
+  [[nodiscard]] double gamma() const { return isentrope_.gamma(); }                  ///< [-]
+  [[nodiscard]] double stored_energy() const { return isentrope_.stored_energy(); }  ///< [J/m3]
+
+ private:
+  JwlIsentrope isentrope_;
+  double switch_ratio_;
 };
 
 }  // namespace muckpile

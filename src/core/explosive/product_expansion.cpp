@@ -2,23 +2,17 @@
 // The chosen expansion law; see the header.
 #include "explosive/product_expansion.h"
 
-#include <sstream>
-
-#include "args/require.h"
-
 namespace muckpile {
 
-ProductExpansion::ProductExpansion(const TwoStageIsentrope::Parameters& two_stage,
-                                   const std::optional<JwlParameters>& jwl)
-    : two_stage_(two_stage), switch_ratio_(two_stage_.switch_ratio()) {
-  if (!jwl) return;
-  jwl_.emplace(*jwl);
-  switch_ratio_ = jwl_->volume_ratio_at(two_stage.switch_pressure);
-  if (switch_ratio_ <= JwlIsentrope::kFittedTo) return;
-  std::ostringstream rule;
-  rule << "at least " << jwl_->pressure(JwlIsentrope::kFittedTo) << " Pa, the pressure at "
-       << JwlIsentrope::kFittedTo << " V0 to which JWL is fitted,";
-  refuse_value("gas_switch_pressure", rule.str().c_str(), "", two_stage.switch_pressure);
+ProductExpansion::ProductExpansion(const Law& law)
+    : law_(law), switch_ratio_(std::visit([](const auto& l) { return l.switch_ratio(); }, law)) {}
+
+double ProductExpansion::gamma() const {
+  return std::visit([](const auto& law) { return law.gamma(); }, law_);
+}
+
+double ProductExpansion::stored_energy() const {
+  return std::visit([](const auto& law) { return law.stored_energy(); }, law_);
 }
 
 }  // namespace muckpile

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // p(V) of the detonation products by the chosen law, and where its gas stage starts.
-// Scope: one charge; two-stage isentrope, or JWL if its parameters are given.
+// Scope: one charge; no heat loss. Who loads a wall or lets gas out takes the law from here only.
 #pragma once
 
-#include <optional>
+#include <variant>
 
 #include "explosive/jwl_isentrope.h"
 #include "explosive/two_stage_isentrope.h"
@@ -12,20 +12,25 @@ namespace muckpile {
 
 class ProductExpansion {
  public:
-  /// Of `two_stage` only the switch pressure p_k counts when `jwl` is given: the gas stage then
-  /// starts where the JWL isentrope passes p_k. InputError as the laws, or if JWL passes p_k beyond
-  /// the volumes that it was fitted to.
-  ProductExpansion(const TwoStageIsentrope::Parameters& two_stage,
-                   const std::optional<JwlParameters>& jwl);
+  /// Each has the member functions below. A new law: its type joins this list, its name and case
+  /// charge_options.cpp.
+  using Law = std::variant<TwoStageIsentrope, JwlGas>;
 
-  [[nodiscard]] double pressure(double volume_ratio) const {  ///< [Pa], as the laws'
-    return jwl_ ? jwl_->pressure(volume_ratio) : two_stage_.pressure(volume_ratio);
+  explicit ProductExpansion(const Law& law);
+
+  /// [Pa] at a volume ratio V/V0; below 1 it is held at that of V0.
+  [[nodiscard]] double pressure(double volume_ratio) const {
+    return std::visit([volume_ratio](const auto& law) { return law.pressure(volume_ratio); }, law_);
   }
-  [[nodiscard]] double switch_ratio() const { return switch_ratio_; }  ///< V_k/V0 [-]
+  /// V_k/V0, where the gas stage starts [-].
+  [[nodiscard]] double switch_ratio() const { return switch_ratio_; }
+  /// Exponent of the expanded gas, with which it flows [-].
+  [[nodiscard]] double gamma() const;
+  /// Per volume V0 of charge [J/m3]: all that the expansion from V0 to nothing can do.
+  [[nodiscard]] double stored_energy() const;
 
  private:
-  TwoStageIsentrope two_stage_;
-  std::optional<JwlIsentrope> jwl_;
+  Law law_;
   double switch_ratio_;
 };
 

@@ -135,4 +135,14 @@ double PulseShape::bound(double time) const {
   return greatest;
 }
 
+double PulseShape::end(double share) const {
+  double low = rise_time_, high = std::max(2.0 * rise_time_, 1e-9);  // [s]
+  while (bound(high) > share) high *= 2.0;
+  for (int halving = 0; halving < 60; ++halving) {  // to rounding; bound() never rises
+    const double middle = 0.5 * (low + high);
+    (bound(middle) > share ? low : high) = middle;
+  }
+  return high;
+}
+
 }  // namespace muckpile

@@ -71,6 +71,8 @@ class PulseShape {
   [[nodiscard]] double ramp(double time) const;
   /// Bound on shape() at that time and later.
   [[nodiscard]] double bound(double time) const;
+  /// When no more than a share of the peak is to come [s]; the shape must fall to 0 in time.
+  [[nodiscard]] double end(double share) const;
   /// When the peak is reached [s].
   [[nodiscard]] double rise_time() const { return rise_time_; }
 

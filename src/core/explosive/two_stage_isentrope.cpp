@@ -32,22 +32,23 @@ double TwoStageIsentrope::pressure(double volume_ratio) const {
 double TwoStageIsentrope::stored_energy() const { return work_down_to(0.0); }
 
 double TwoStageIsentrope::work_down_to(double pressure) const {
-  // A gas of exponent g holds p V/(g - 1); V in charge volumes.
-  const auto held = [](double p, double volume, double exponent) {
+  // The energy of a gas of exponent g is p V/(g - 1); V in charge volumes.
+  const auto energy_of = [](double p, double volume, double exponent) {
     return p * volume / (exponent - 1.0);
   };
   if (pressure >= initial_pressure_) return 0.0;
   if (pressure > switch_pressure_) {
     const double volume = std::pow(initial_pressure_ / pressure, 1.0 / dense_exponent_);
-    return held(initial_pressure_, 1.0, dense_exponent_) - held(pressure, volume, dense_exponent_);
+    return energy_of(initial_pressure_, 1.0, dense_exponent_) -
+           energy_of(pressure, volume, dense_exponent_);
   }
-  const double dense = held(initial_pressure_, 1.0, dense_exponent_) -
-                       held(switch_pressure_, switch_ratio_, dense_exponent_);
-  const double dilute = held(switch_pressure_, switch_ratio_, dilute_exponent_);
+  const double dense = energy_of(initial_pressure_, 1.0, dense_exponent_) -
+                       energy_of(switch_pressure_, switch_ratio_, dense_exponent_);
+  const double dilute = energy_of(switch_pressure_, switch_ratio_, dilute_exponent_);
   if (pressure <= 0.0) return dense + dilute;
   const double volume =
       switch_ratio_ * std::pow(switch_pressure_ / pressure, 1.0 / dilute_exponent_);
-  return dense + dilute - held(pressure, volume, dilute_exponent_);
+  return dense + dilute - energy_of(pressure, volume, dilute_exponent_);
 }
 
 double energy_switch_pressure(const TwoStageIsentrope::Parameters& parameters, double energy) {

@@ -27,6 +27,8 @@ class TwoStageIsentrope {
   [[nodiscard]] double switch_ratio() const { return switch_ratio_; }
   /// Pressure where the stages meet [Pa]: pk, or P0 if that is lower.
   [[nodiscard]] double switch_pressure() const { return switch_pressure_; }
+  /// Of the second stage [-].
+  [[nodiscard]] double gamma() const { return dilute_exponent_; }
   /// Internal energy per volume V0 of charge at the explosion state [J/m3]: all that the expansion
   /// to nothing can do. Both exponents must be above 1.
   [[nodiscard]] double stored_energy() const;

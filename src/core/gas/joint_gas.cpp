@@ -129,13 +129,15 @@ void JointGas::list_cracks(const FacetNetwork& network) {
 
 void JointGas::measure_crack(std::size_t c, const OpenJoint& open) {
   Crack& crack = cracks_[c];
-  aperture_[c] = open.aperture > 0.0 ? open.aperture : p_.residual_aperture + open.opening;
+  const double smooth = p_.residual_aperture + open.opening;
+  const JointApertures apertures = open.by_law.value_or(JointApertures{smooth, smooth});
+  aperture_[c] = apertures.hydraulic;
   if (open.area != crack.broken) {  // another point has broken
     crack.broken = open.area;
     width_[c] = 2.0 * std::sqrt(open.area / M_PI);
   }
   crack.area = aperture_[c] * width_[c];
-  crack.volume = (crack.joint ? 0.5 : 1.0) * open.area * aperture_[c];
+  crack.volume = (crack.joint ? 0.5 : 1.0) * open.area * apertures.mechanical;
   if (open.wide) wide_.push_back(static_cast<std::uint32_t>(c));
 }
 

@@ -2,12 +2,13 @@
 // Gas of the charges in broken joints: finite volumes on the blocks of a facet network.
 // Scope: how much gas is where and what it presses; no engine, no communication. The gas of a block
 // is that between it and the middle of each of its broken facets: V = sum of A_broken w/2 (w at a
-// support), w = residual aperture + mean opening, or
-// the aperture that the joint's own law gives. A crack through the edge of a block has two of
-// the three facets there, and those share a block: so the gas goes wherever cracks hang together.
-// Two blocks exchange gas through the broken facet that they share. Where both have a face on the
-// same crushed zone their facet ends there and takes gas from the chamber, and where both have a
-// free face it lets gas out. In both cases each block has half the aperture.
+// support), w = residual aperture + mean opening, or the mechanical aperture of a joint whose law
+// has one: the volume grows as the faces part, with the work that the pressure does on them. The
+// flow has the same w, or that law's hydraulic aperture. A crack through the edge of a block has
+// two of the three facets there, and those share a block: so the gas goes wherever cracks hang
+// together. Two blocks exchange gas through the broken facet that they share. Where both have a
+// face on the same crushed zone their facet ends there and takes gas from the chamber, and where
+// both have a free face it lets gas out. In both cases each block has half the aperture.
 //
 // A step: the caller fills the contents of owned blocks; measure(), then copies get the numbers of
 // their owners, then press(); after the forces flow(). Both owners of a facet compute the same flow
@@ -177,7 +178,7 @@ class JointGas {
   std::vector<Crack> cracks_;                       // those of them that gas can reach
   std::vector<LaneSet> crack_facets_;               // of cracks_
   std::vector<OpenJoint> openings_;                 // of cracks_
-  std::vector<double> aperture_, width_, passage_;  // of cracks_ [m], [m], [-]
+  std::vector<double> aperture_, width_, passage_;  // of cracks_, for the flow [m], [m], [-]
   std::vector<std::uint32_t> ending_, wide_;        // of cracks_: in a hole or at a surface; wide
   std::vector<Change> changes_;
   std::vector<double> chamber_ways_;

@@ -39,6 +39,8 @@ template <class Number>
   where(mask, no) = yes;
   return no;
 }
+/// Of one number, for laws that are written for lanes.
+[[nodiscard]] inline double choose(bool mask, double yes, double no) { return mask ? yes : no; }
 /// Of so many lanes, bit per lane.
 template <class Number>
 [[nodiscard, gnu::always_inline]] inline typename Number::mask_type mask_of(unsigned lanes) {

@@ -121,27 +121,27 @@ void BodyMotion::sort_spheres(std::span<const BodySphere> spheres) {
   }
 }
 
-void BodyMotion::hold(std::span<const char> held) {
-  held_.assign(held.empty() ? 0 : groups_.size(), 0);
-  for (std::size_t b = 0; b < held.size(); ++b) {
-    Bits& bits = held_[b / kBodyLanes];
-    bits = static_cast<Bits>(bits | (held[b] != 0 ? 1u : 0u) << b % kBodyLanes);
+void BodyMotion::let_rest(std::span<const char> rests) {
+  resting_.assign(rests.empty() ? 0 : groups_.size(), 0);
+  for (std::size_t b = 0; b < rests.size(); ++b) {
+    Bits& bits = resting_[b / kBodyLanes];
+    bits = static_cast<Bits>(bits | (rests[b] != 0 ? 1u : 0u) << b % kBodyLanes);
   }
 }
 
-/// A whole group in its place; of others a copy, whose lanes that nobody holds go back.
+/// A whole group in its place; of others a copy, whose lanes of bodies that do not rest go back.
 template <class Work>
 void BodyMotion::on_group(std::size_t group, const BodyRows& bodies, const Work& work) const {
   const BodyRows at = behind(bodies, kBodyLanes * group);
   const std::size_t count = bodies_of(group);
-  if (count == kBodyLanes && held_of(group) == 0) {
+  if (count == kBodyLanes && resting_of(group) == 0) {
     work(at);
     return;
   }
   const Copies copies(at, count);
   work(copies.rows());
   for (std::size_t k = 0; k < count; ++k)
-    if (!holds(kBodyLanes * group + k)) copies.write_back(k);
+    if (!rests(kBodyLanes * group + k)) copies.write_back(k);
 }
 
 /// Half a kick.
@@ -178,7 +178,7 @@ void BodyMotion::move(const Group& group, const BodyRows& at, const BodyStep& st
 }
 
 void BodyMotion::place(std::size_t first, std::size_t end, const BodyRows& bodies,
-                       const SphereRows& to, bool place_held) const {
+                       const SphereRows& to, bool place_resting) const {
   // Copies: a store of lanes could change what a pointer points to, for all that the compiler
   // knows.
   const BodyRows from = bodies;
@@ -187,7 +187,7 @@ void BodyMotion::place(std::size_t first, std::size_t end, const BodyRows& bodie
   const Placed* placed = spheres_.data() + parts_[first].first;
   for (std::size_t b = first; b < end; ++b) {
     const Placed* const behind = spheres_.data() + parts_[b + 1].first;
-    if (!place_held && holds(b)) {
+    if (!place_resting && rests(b)) {
       placed = behind;
       continue;
     }
@@ -207,15 +207,15 @@ void BodyMotion::place(std::size_t first, std::size_t end, const BodyRows& bodie
 }
 
 void BodyMotion::advance(const BodyRows& bodies, const SphereRows& spheres, const BodyStep& step,
-                         bool place_held) const {
+                         bool place_resting) const {
   for (std::size_t first = 0; first < groups_.size(); first += kStretch) {
     const std::size_t end = std::min(first + kStretch, groups_.size());
     for (std::size_t g = first; g < end; ++g) {
-      if (all_held(g)) continue;
+      if (all_rest(g)) continue;
       on_group(g, bodies, [&](const BodyRows& at) { move(groups_[g], at, step); });
     }
     place(kBodyLanes * first, std::min(kBodyLanes * end, count_), bodies, spheres,
-          place_held || !images_.empty());
+          place_resting || !images_.empty());
   }
   for (std::size_t m = 0; m < images_.size(); ++m)
     Vec3::Map(spheres.positions + 3 * spheres_[m].sphere) += images_[m];
@@ -226,7 +226,7 @@ void BodyMotion::sum(std::size_t group, const SphereRows& spheres, Sums& sums) c
   for (std::size_t k = 0; k < kBodyLanes; ++k) {
     const std::size_t body = kBodyLanes * group + k;
     Lanes force = 0.0, torque = 0.0, along_x = 0.0, along_y = 0.0, along_z = 0.0;
-    if (body < count_ && !holds(body)) {
+    if (body < count_ && !rests(body)) {
       const Placed* const end = all + parts_[body].uncounted;
       for (const Placed* placed = all + parts_[body].first; placed < end; ++placed) {
         const std::ptrdiff_t at = 3 * placed->sphere;
@@ -278,7 +278,7 @@ void BodyMotion::sum_forces(const BodyRows& bodies, const SphereRows& spheres,
                             const Vec3& gravity) const {
   Sums sums;
   for (std::size_t g = 0; g < groups_.size(); ++g) {
-    if (all_held(g)) continue;
+    if (all_rest(g)) continue;
     sum(g, spheres, sums);
     on_group(g, bodies, [&](const BodyRows& at) { add_forces(groups_[g], at, sums, gravity); });
   }
@@ -288,7 +288,7 @@ void BodyMotion::finish(const BodyRows& bodies, const SphereRows& spheres, const
                         const BodyStep& step) const {
   Sums sums;
   for (std::size_t g = 0; g < groups_.size(); ++g) {
-    if (all_held(g)) continue;
+    if (all_rest(g)) continue;
     sum(g, spheres, sums);
     on_group(g, bodies, [&](const BodyRows& at) {
       add_and_kick(groups_[g], at, sums, gravity, step.half_kick);

@@ -56,14 +56,14 @@ class BodyMotion {
   BodyMotion(std::span<const BodyConstants> bodies, std::span<const BodySphere> spheres);
 
   /// The bodies with a 1 stay as they are; empty: none does. Until told otherwise.
-  void hold(std::span<const char> held);
+  void let_rest(std::span<const char> rests);
 
   /// Half a kick, a step of place and rotation with the spin of mid-step, spheres placed. Those of
-  /// held bodies only if `place_held`.
+  /// resting bodies only if `place_resting`.
   void advance(const BodyRows& bodies, const SphereRows& spheres, const BodyStep& step,
-               bool place_held) const;
-  /// Adds the forces of the spheres and of `gravity` [m/s2] to those on the bodies; not to held
-  /// ones.
+               bool place_resting) const;
+  /// Adds the forces of the spheres and of `gravity` [m/s2] to those on the bodies; not to
+  /// resting ones.
   void sum_forces(const BodyRows& bodies, const SphereRows& spheres, const Vec3& gravity) const;
   /// sum_forces(), then half a kick, with the spin that follows.
   void finish(const BodyRows& bodies, const SphereRows& spheres, const Vec3& gravity,
@@ -105,14 +105,14 @@ class BodyMotion {
   };
 
   void sort_spheres(std::span<const BodySphere> spheres);
-  [[nodiscard]] Bits held_of(std::size_t group) const {
-    return held_.empty() ? Bits{0} : held_[group];
+  [[nodiscard]] Bits resting_of(std::size_t group) const {
+    return resting_.empty() ? Bits{0} : resting_[group];
   }
-  [[nodiscard]] bool holds(std::size_t body) const {
-    return (held_of(body / kBodyLanes) >> body % kBodyLanes & 1u) != 0;
+  [[nodiscard]] bool rests(std::size_t body) const {
+    return (resting_of(body / kBodyLanes) >> body % kBodyLanes & 1u) != 0;
   }
-  [[nodiscard]] bool all_held(std::size_t group) const {
-    return held_of(group) == (1u << bodies_of(group)) - 1u;
+  [[nodiscard]] bool all_rest(std::size_t group) const {
+    return resting_of(group) == (1u << bodies_of(group)) - 1u;
   }
   [[nodiscard]] std::size_t bodies_of(std::size_t group) const {
     return std::min(kBodyLanes, count_ - kBodyLanes * group);
@@ -121,7 +121,7 @@ class BodyMotion {
   void on_group(std::size_t group, const BodyRows& bodies, const Work& work) const;
   static void move(const Group& group, const BodyRows& at, const BodyStep& step);
   void place(std::size_t first, std::size_t end, const BodyRows& bodies, const SphereRows& to,
-             bool place_held) const;
+             bool place_resting) const;
   void sum(std::size_t group, const SphereRows& spheres, Sums& sums) const;
   static Acting add_forces(const Group& group, const BodyRows& at, const Sums& sums,
                            const Vec3& gravity);
@@ -135,7 +135,7 @@ class BodyMotion {
   std::vector<Part> parts_;      ///< one more than bodies
   std::vector<Placed> spheres_;  ///< body by body
   std::vector<Vec3> images_;     ///< of spheres_; empty: none has one
-  std::vector<Bits> held_;       ///< per group; empty: none is held
+  std::vector<Bits> resting_;    ///< per group; empty: none rests
 };
 
 }  // namespace muckpile

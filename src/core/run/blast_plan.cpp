@@ -15,10 +15,6 @@
 namespace muckpile {
 namespace {
 
-/// Times its rise until a pulse has gone [-]; a starfield pulse has then fallen to 0.4 %. Softened
-/// joints do not bear it.
-constexpr double kPulse = 10.0;
-
 void add_ends(ArgTable& table) {
   table
       .word("directory", {}, {},
@@ -26,8 +22,8 @@ void add_ends(ArgTable& table) {
             "script say otherwise")
       .real("time_end", "s", Range::left_open(0.0, 1000.0), 12.0, "the run ends then at the latest")
       .word("wave_end", {}, "auto",
-            "end of wave and gas push [s], at the earliest, > 0 and <= 1000; auto: last firing + "
-            "vent_time + 5 vent_decay of fix muckpile/blast")
+            "earliest end of wave and gas push [s], > 0 and <= 1000; auto: last firing + vent_time "
+            "+ 5 vent_decay of fix muckpile/blast, or the end of its last pulse if that is later")
       .real("still_share", "", Range::right_open(1e-6, 1.0), 0.01,
             "mass share that may still move when the run ends")
       .word("throw_name", {}, "throw", "of the last phase, for screen and history.csv")
@@ -38,16 +34,20 @@ void add_ends(ArgTable& table) {
 }
 
 void add_steps(ArgTable& table) {
-  table.real("block_min", "m", Range::closed(1e-3, 100.0), {}, "of create_blocks, for collisions")
-      .integer("spheres_per_block", "", Range::closed(1, 64), 8, "of create_blocks, for collisions")
+  table
+      .real("block_min", "m", Range::closed(1e-3, 100.0), {},
+            "as in create_blocks, for the step of the throw: with a larger one collisions are "
+            "stepped too coarsely, with a smaller one the run takes longer")
+      .integer("spheres_per_block", "", Range::closed(1, 64), 8,
+               "as in create_blocks, for the same: with fewer the step can be too long")
       .real("wave_share", "", Range::closed(0.01, 1.0), 0.9,
-            "step until the gas has gone over the longest that joints and contacts bear")
+            "longest step, as a share of the longest stable one, until the gas has gone")
       .real("stable_share", "", Range::closed(0.01, 1.0), 0.8,
-            "the same in the throw; what is left is for contacts that become stiffer between two "
+            "the same in the throw; the rest is for contacts that become stiffer between two "
             "checks")
       .real("steps_per_contact", "", Range::closed(5.0, 1000.0), 8.0,
-            "collision of two smallest blocks at the speed of the fastest over the longest step of "
-            "the throw")
+            "least number of steps in a collision of two smallest blocks at the speed of the "
+            "fastest, in the throw")
       .integer("sleep", "", Range::closed(0, 1), 1,
                "1: blocks at rest among blocks at rest are left alone in the throw; 0: none")
       .real("sleep_distance", "m", Range::closed(1e-6, 0.1), 5e-3,
@@ -59,28 +59,34 @@ void add_softening(ArgTable& table) {
       .real("softening", "", Range::closed(1e-7, 1.0), 2e-4,
             "joint stiffness in the throw over that at the start")
       .real("push_softening", "", Range::closed(1e-3, 1.0), 0.1,
-            "joint stiffness while the gas pushes over that at the start; 1: as stiff")
+            "joint stiffness while the gas pushes over that at the start; 1: unchanged")
       .real("push_elastic", "", Range::closed(0.0, 0.1), 0.005,
-            "elastic over kinetic energy, below which the waves have gone")
+            "share of the kinetic energy: with less elastic energy than that the waves have gone")
       .real("push_from", "", Range::closed(0.1, 1.0), 0.35,
-            "of the time from the last firing to wave_end: the push is not before")
+            "share of the time from the last firing to wave_end, before which the push does not "
+            "begin")
       .real("hole_rest", "Pa", Range::closed(1e3, 1e9), 3e5,
-            "greatest pressure on a wall that the throw begins with, where gas vents by flow from "
-            "the holes alone")
+            "greatest pressure on a wall with which the throw begins, where the gas leaves by flow "
+            "and enters no joints")
       .real("gas_rest", "", Range::left_open(0.0, 0.1), 5e-4,
-            "of the blast's work, added in a twentieth of wave_end: with less the throw begins, "
+            "share of the blast's work: the throw begins when a twentieth of wave_end adds less, "
             "where gas enters joints")
       .real("gas_patience", "", Range::closed(1.0, 1000.0), 4.0,
-            "times wave_end: then what gas is left is let go");
+            "times wave_end, after which gas that is left is let go");
 }
 
 double wave_end_of(const ArgValues& words, const BlastTiming& timing, const std::string& where) {
   const std::string& text = words.word("wave_end");
-  if (text == "auto") {
-    const double gas = timing.vent_time + 5.0 * timing.vent_decay;  // [s]
-    return timing.last_firing + std::max(gas, kPulse * timing.rise_time);
+  if (text != "auto")
+    return parse_real(where, "wave_end", text, "s", Range::left_open(0.0, 1000.0));
+  if (!timing.vent_time || !timing.vent_decay) {
+    throw InputError(where +
+                     ": wave_end must be a time [s] where the gas leaves by flow and fix "
+                     "muckpile/blast has no vent_time and vent_decay, got 'auto'; about 1.1e-2 s "
+                     "per metre of burden after the last firing");
   }
-  return parse_real(where, "wave_end", text, "s", Range::left_open(0.0, 1000.0));
+  const double gas = *timing.vent_time + 5.0 * *timing.vent_decay;  // [s]
+  return std::max(timing.last_firing + gas, timing.pulse_end);
 }
 
 /// Nearly incompressible rock gains energy as it breaks, in proportion to the step (fix
@@ -114,9 +120,8 @@ void check(const BlastPlan& plan, const BlastTiming& timing, const std::string& 
   if (std::abs(timing.start) > 1e-9 * plan.time_end)
     refuse("the charges must fire in the first run of all: they have not been in a run yet, and " +
            rounded_text(timing.start) + " s are over");
-  const double pulse_end = plan.last_firing + kPulse * timing.rise_time;  // [s]
-  if (plan.wave_end < (1.0 - 1e-9) * pulse_end) {
-    refuse("wave_end must be >= " + rounded_text(pulse_end) +
+  if (plan.wave_end < (1.0 - 1e-9) * timing.pulse_end) {
+    refuse("wave_end must be >= " + rounded_text(timing.pulse_end) +
            " s, when the pulse of the last charge has gone, got " + rounded_text(plan.wave_end) +
            " s");
   }
@@ -150,7 +155,8 @@ BlastPlan blast_plan(const ArgValues& words, const BlastScene& scene, const std:
   plan.time_end = words.real("time_end");
   // In weak rock the joints bear a longer step than the pulse does. Error of the energy balance at
   // 5 GPa: 3.6 % with 3 steps in the rise, 0.7 to 1 % with 5, 0.13 % with 10.
-  plan.pulse_step = 0.2 * scene.timing.rise_time;
+  const double rise = scene.timing.rise_time;  // [s]
+  plan.pulse_step = rise > 0.0 ? 0.2 * rise : 1e30;
   plan.wave_share = share_of_squeezable(words.real("wave_share"), rock.poisson_ratio);
   plan.stable_share = words.real("stable_share");
   plan.push_softening = words.real("push_softening");

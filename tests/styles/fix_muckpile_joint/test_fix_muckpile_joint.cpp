@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rock_scene.h"
@@ -299,7 +300,9 @@ TEST(FixMuckpileJoint, RanksShareALeaningBodyThatSlipsUnderPressure) {
   EXPECT_LT(largest_difference(alone, shared), 1e-10);
 }
 
-void fly_from_rank_to_rank(const std::string& strength, const std::string& cut = "") {
+/// Friction on one rank and on all.
+std::pair<double, double> fly_from_rank_to_rank(const std::string& strength,
+                                                const std::string& cut = "") {
   const std::string box = "-4 4 -3 3 -3 3";
   RockScene alone(MPI_COMM_SELF, box), shared(MPI_COMM_WORLD, box);
   int here = 0;
@@ -329,6 +332,7 @@ void fly_from_rank_to_rank(const std::string& strength, const std::string& cut =
   EXPECT_LT(largest_difference(alone, shared),
             1e-9);  // sums in another order; breaking amplifies them
   EXPECT_NEAR(shared.output("joint", elastic) / alone.output("joint", elastic), 1.0, 1e-6);
+  return {alone.output("joint", friction), shared.output("joint", friction)};
 }
 
 TEST(FixMuckpileJoint, LumpThatFliesFromRankToRankKeepsItsFacets) {
@@ -341,6 +345,17 @@ TEST(FixMuckpileJoint, LeaningBlocksThatFlyFromRankToRankStaySlanted) {
 
 TEST(FixMuckpileJoint, LumpThatFliesFromRankToRankKeepsWhatItsCracksHold) {
   fly_from_rank_to_rank(kSoftening);
+}
+
+// Closure that stays and wear of the roughness: a point that lost either would book it once more.
+TEST(FixMuckpileJoint, JointsThatFlyFromRankToRankKeepTheirClosureAndSlip) {
+  const auto [alone, shared] = fly_from_rank_to_rank(
+      kStrength +
+          " joint_class 1 law barton_bandis initial_stiffness 1e10 closure_limit 1e-4 roughness 10 "
+          "wall_strength 1e8 residual_friction_angle 30 irrecoverable_closure 0.4 peak_slip 1e-3",
+      " joint_plane -2.25 0 0 30 90 1");
+  EXPECT_GT(alone, 0.0);
+  EXPECT_NEAR(shared / alone, 1.0, 1e-6);
 }
 
 TEST(FixMuckpileJoint, SofteningBooksTheEnergyThatItTakes) {

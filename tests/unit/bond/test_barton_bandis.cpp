@@ -59,7 +59,7 @@ TEST(BartonBandis, FourPointsAtOnceAreTheSame) {
   for (std::size_t k = 0; k < kLanes; ++k) {
     const JointClosure<double> one = joint().close(double{jumps[k]}, 6e10, 2e-5);
     EXPECT_NEAR(at.pressure[k], one.pressure, kRounding * std::abs(one.pressure));
-    EXPECT_NEAR(at.tangent[k], one.tangent, kRounding * one.tangent);
+    EXPECT_NEAR(at.rate[k], one.rate, kRounding * one.rate);
   }
 }
 
@@ -71,8 +71,8 @@ TEST(BartonBandis, RatesAreDerivatives) {
     const auto more = law.close(w + d, rock, largest), less = law.close(w - d, rock, largest);
     const auto at = law.close(w, rock, largest);
     EXPECT_NEAR((more.closure - less.closure) / (2 * d) / at.rate, 1.0, 1e-5);
-    EXPECT_NEAR((more.pressure - less.pressure) / (more.closure - less.closure) / at.tangent, 1.0,
-                1e-5);
+    const double tangent = (more.pressure - less.pressure) / (more.closure - less.closure);
+    EXPECT_NEAR(rock / (rock + tangent) / at.rate, 1.0, 1e-5);
   }
 }
 
@@ -145,13 +145,14 @@ TEST(BartonBandis, RoughnessWearsOffWithSlip) {
 TEST(BartonBandis, GasFindsLessOfAClosedJoint) {
   // E_0 = 10/5 (0.2 - 0.1) mm = 0.2 mm; e = 200^2/10^2.5 = 126.49 um
   EXPECT_NEAR(joint().initial_aperture, 2e-4, 1e-18);
-  EXPECT_NEAR(joint().hydraulic_aperture(0.0), 126.491e-6, 1e-9);
-  EXPECT_NEAR(joint().hydraulic_aperture(1e-4), 31.6228e-6, 1e-10);  // half of it: a quarter
-  EXPECT_NEAR(joint().hydraulic_aperture(-1e-3), 1.2e-3, 1e-15);     // never wider than it is
+  EXPECT_NEAR(joint().apertures(0.0).hydraulic, 126.491e-6, 1e-9);
+  EXPECT_NEAR(joint().apertures(1e-4).hydraulic, 31.6228e-6, 1e-10);  // half of it: a quarter
+  EXPECT_NEAR(joint().apertures(-1e-3).hydraulic, 1.2e-3, 1e-15);     // never wider than it is
+  EXPECT_NEAR(joint().apertures(1e-4).mechanical, 1e-4, 1e-18);
   double before = 1.0;
   for (double pressure = 0.0; pressure < 50e6; pressure += 1e6) {
     const double closure = joint().jump_at(pressure, 1e20, 0.0);
-    const double now = joint().hydraulic_aperture(closure);
+    const double now = joint().apertures(closure).hydraulic;
     EXPECT_LT(now, before);
     before = now;
   }
@@ -215,9 +216,9 @@ TEST(JointClassWords, WhatIsWrongIsTold) {
   const std::string form = "as in 'joint_class 1 law coulomb";
   EXPECT_NE(refusal("joint_class 0 35 0 30 0 0").find(form), std::string::npos);
   EXPECT_NE(refusal("joint_class 1").find(form), std::string::npos);
-  EXPECT_NE(refusal("joint_class 1 law barton_bandid roughness 3")
-                .find("law must be one of coulomb, barton_bandis, got 'barton_bandid'"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal("joint_class 1 law barton_bandid roughness 3").find("law must be one of coulomb, "),
+      std::string::npos);
   EXPECT_NE(refusal("joint_class 1 law coulomb").find("friction_angle is missing"),
             std::string::npos);
   EXPECT_NE(refusal("joint_class 1 law coulomb friction_angle 95").find("got '95'"),

@@ -23,8 +23,7 @@ constexpr double kDecay = 0.0045;
 BlastLoad::Parameters emulsion() {
   return {.wave_peak = kP1,
           .pulse = {.rise_time = kRise},
-          .gas = true,
-          .isentrope = {.initial_pressure = 2.784375e9},
+          .expansion = ProductExpansion(TwoStageIsentrope({.initial_pressure = 2.784375e9})),
           .charge_volume = kV0,
           .vent_time = kVent,
           .vent_decay = kDecay};
@@ -62,6 +61,13 @@ TEST(BlastLoad, PulseIsOverWhenAHundredthIsLeft) {
   // x - x^2 = 1/400: x = (1 - sqrt(0.99))/2 = 2.50628e-3; t/tr = -log2 x = 8.6402
   EXPECT_FALSE(load.pulse_over(8.63 * kRise));
   EXPECT_TRUE(load.pulse_over(8.65 * kRise));
+}
+
+TEST(BlastLoad, PulseEndsAfterTenRises) {
+  EXPECT_NEAR(BlastLoad(emulsion()).pulse_end(), 10.0 * kRise, 1e-15);
+  BlastLoad::Parameters gas_alone = emulsion();
+  gas_alone.wave_peak = 0.0;
+  EXPECT_EQ(BlastLoad(gas_alone).pulse_end(), 0.0);
 }
 
 TEST(StarfieldPulse, FallsToOneHalfAt2Point77RiseTimes) {
@@ -218,7 +224,7 @@ TEST(BlastLoad, IsThePulseAsGivenWhereTheWallHolds) {
 
 TEST(BlastLoad, WithoutGasOnlyThePulseIsLeft) {
   BlastLoad::Parameters parameters = emulsion();
-  parameters.gas = false;
+  parameters.expansion.reset();
   const BlastLoad load(parameters);
   EXPECT_EQ(load.gas_pressure(0.0, 0.0), 0.0);
   EXPECT_EQ(load.greatest_pressure(), kP1);
@@ -246,7 +252,6 @@ TEST(BlastLoad, RefusesValuesOutOfRange) {
   refused([](auto& p) { p.charge_volume = 0.0; });
   refused([](auto& p) { p.vent_time = -1.0; });
   refused([](auto& p) { p.vent_decay = 0.0; });
-  refused([](auto& p) { p.isentrope.switch_pressure = 0.0; });
 }
 
 }  // namespace

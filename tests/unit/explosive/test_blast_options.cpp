@@ -193,7 +193,7 @@ TEST(BlastOptions, EachWrongWordIsNamedWithItsRule) {
       {"gas_switch_pressure energy explosive_energy 1e5",
        "hole 1: explosive_energy x energy_share x explosive_density must be above 1.39219e+09 and "
        "at most 6.96094e+09, what products of these exponents can hold at P0 = 2.78438e+09 Pa, "
-       "J/m3, got '110000000'"},
+       "J/m3, got '1.1e+08'"},
       {"interval -0.01", "interval must be >= 0 and <= 60 s, got '-0.01'"},
       {"hole 1 delay -0.01", "hole 1 delay must be >= 0 and <= 60 s, got '-0.01'"},
       {"hole 3 delay 0.01", "hole must be from 1 to 2, the holes of create_blocks, got '3'"},
@@ -234,6 +234,24 @@ TEST(BlastOptions, EachWrongWordIsNamedWithItsRule) {
     const std::string start = std::string(wrong.words) == "pulse_shape table" ? "" : kWhere + ": ";
     EXPECT_EQ(message(kCharge + kGas + " " + wrong.words), start + wrong.message);
   }
+}
+
+const std::string kFlow = " venting flow stemming_length 3 crack_delay 0";
+const std::string kTnt =
+    "explosive tnt hole_diameter 0.09 poisson_ratio 0.22 expansion jwl gas_gamma 1";
+
+TEST(BlastOptions, GasFlowsWithTheExponentOfItsLaw) {
+  EXPECT_EQ(gas_gamma(read(kCharge + kFlow)), 1.4);
+  EXPECT_EQ(gas_gamma(read(kCharge + kFlow + " gas_gamma 1.25")), 1.25);
+  // omega 0.3; gas_gamma is of the other law, and 1 would be refused with flow
+  EXPECT_DOUBLE_EQ(gas_gamma(read(kTnt + kFlow)), 1.3);
+  EXPECT_EQ(message(kTnt + kFlow), "");
+}
+
+TEST(BlastOptions, FlowLeavesTheTimesOpen) {
+  const BlastOptions options = read(kCharge + kFlow);
+  EXPECT_FALSE(options.vent_time || options.vent_decay);
+  EXPECT_EQ(read(kCharge + kFlow + kGas).vent_decay, 4.5e-3);
 }
 
 TEST(BlastOptions, ChecksTheNumbersThatMayBeLeftOut) {

@@ -13,7 +13,9 @@ namespace {
 
 constexpr double kP0 = 2.784375e9;
 
-ProductExpansion two_stage() { return {{.initial_pressure = kP0}, std::nullopt}; }
+ProductExpansion two_stage() {
+  return ProductExpansion(TwoStageIsentrope({.initial_pressure = kP0}));
+}
 
 ChargeShape shape(double decoupling, double filled = 1.0) {
   return {0.045, 0.045 / decoupling, 9.0, 9.0 * filled};
@@ -105,12 +107,14 @@ TEST(Decoupling, JwlGasStageStartsWhereItPassesTheSwitchPressure) {
                           .cj_pressure = 21e9,
                           .density = 1630,
                           .detonation_velocity = 6930};
-  const ProductExpansion jwl({.initial_pressure = 8e9}, tnt);
+  const ProductExpansion jwl(JwlGas(tnt, 200e6));
   EXPECT_NEAR(jwl.pressure(jwl.switch_ratio()), 200e6, 1.0);
   EXPECT_GT(jwl.switch_ratio(), 4.0);
   // p(7 V0) = 3.231 e^-6.65 + 1.04785/7^1.3 = 87.7 MPa: below, JWL has not been fitted
-  EXPECT_THROW(ProductExpansion({.initial_pressure = 8e9, .switch_pressure = 80e6}, tnt),
-               InputError);
+  EXPECT_THROW(JwlGas(tnt, 80e6), InputError);
+  EXPECT_DOUBLE_EQ(jwl.gamma(), 1.3);
+  // 371.2 e^-4.15/4.15 + 3.231 e^-0.95/0.95 + 1.04785/0.3 = 1.41006 + 1.31533 + 3.49283 GPa
+  EXPECT_NEAR(jwl.stored_energy(), 6.21822e9, 1e5);
 }
 
 TEST(Decoupling, RefusesAChargeThatDoesNotFit) {

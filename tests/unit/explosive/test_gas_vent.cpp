@@ -84,13 +84,13 @@ TEST(GasVent, AChamberOfConstantVolumeEmptiesAsTheClosedFormSays) {
 }
 
 TEST(GasVent, GasThatIsLeftFillsTheChamberAlone) {
-  BlastLoad::Parameters parameters{.wave_peak = 0.0,
-                                   .gas = true,
-                                   .isentrope = {.initial_pressure = 2.784375e9},
-                                   .charge_volume = 0.01,
-                                   .vent_time = 0.0,
-                                   .vent_decay = 1.0,
-                                   .flow = vent()};
+  BlastLoad::Parameters parameters{
+      .wave_peak = 0.0,
+      .expansion = ProductExpansion(TwoStageIsentrope({.initial_pressure = 2.784375e9})),
+      .charge_volume = 0.01,
+      .vent_time = 0.0,
+      .vent_decay = 1.0,
+      .flow = vent()};
   const BlastLoad load(parameters);
   GasState half;
   half.mass_left = 0.5;

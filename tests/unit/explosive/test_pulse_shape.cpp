@@ -16,13 +16,15 @@ namespace {
 using Kind = PulseParameters::Kind;
 constexpr double kRise = 1e-4;  // [s]
 
+const PulseParameters kTable{
+    .kind = Kind::table, .table = {{0, 0}, {5e-5, 0.6}, {7e-5, 0.3}, {kRise, 0.8}, {4e-4, 0.0}}};
+
 std::vector<PulseParameters> all_kinds() {
   return {{.kind = Kind::starfield, .rise_time = kRise},
           {.kind = Kind::duvall, .rise_time = kRise, .ratio = 20.0},
           {.kind = Kind::triangular, .rise_time = kRise, .end_time = 6e-4},
           {.kind = Kind::itasca, .rise_time = kRise, .half_time = 2e-4},
-          {.kind = Kind::table,
-           .table = {{0, 0}, {5e-5, 0.6}, {7e-5, 0.3}, {kRise, 0.8}, {4e-4, 0.0}}}};
+          kTable};
 }
 
 TEST(PulseShape, DuvallOfRatioTwoIsStarfieldPugliese) {
@@ -76,11 +78,31 @@ TEST(PulseShape, EveryKindPeaksAtItsRiseTimeAndItsBoundHolds) {
 }
 
 TEST(PulseShape, TableIsStraightBetweenItsRows) {
-  const PulseShape pulse(all_kinds().back());
+  const PulseShape pulse(kTable);
   EXPECT_DOUBLE_EQ(pulse.shape(2.5e-5), 0.3);
   EXPECT_DOUBLE_EQ(pulse.shape(2.5e-4), 0.4);
   EXPECT_EQ(pulse.shape(5e-4), 0.0);
   EXPECT_DOUBLE_EQ(pulse.ramp(7e-5), 0.75);  // 0.6 so far, of 0.8
+}
+
+TEST(PulseShape, EveryKindEnds) {
+  for (const PulseParameters& parameters : all_kinds()) {
+    const PulseShape pulse(parameters);
+    const double end = pulse.end(0.01);
+    EXPECT_LE(pulse.bound(end), 0.01);
+    EXPECT_GT(pulse.bound(0.999 * end), 0.01);
+  }
+}
+
+TEST(PulseShape, EndsWhereAShareOfThePeakIsToCome) {
+  // straight down from 1e-4 to 6e-4 s: a tenth is left a tenth of that before the end
+  EXPECT_NEAR(PulseShape({.kind = Kind::triangular, .rise_time = kRise, .end_time = 6e-4}).end(0.1),
+              5.5e-4, 1e-12);
+  // 2^-3 = 1/8 three half times after the peak
+  EXPECT_NEAR(PulseShape({.kind = Kind::itasca, .rise_time = kRise, .half_time = 2e-4}).end(0.125),
+              7e-4, 1e-12);
+  // straight down from 0.8 at 1e-4 to 0 at 4e-4 s
+  EXPECT_NEAR(PulseShape(kTable).end(0.2), 3.25e-4, 1e-12);
 }
 
 TEST(PulseShape, ReadsATableAndNamesItsFaults) {

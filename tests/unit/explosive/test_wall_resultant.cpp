@@ -64,8 +64,6 @@ FacetNetwork ring(double turn) {
 double load_ring(FacetNetwork& network) {
   const BlastLoad load({.wave_peak = 227e6,
                         .pulse = {.rise_time = 1e-4},
-                        .gas = false,
-                        .isentrope = {.initial_pressure = 2.784375e9},
                         .charge_volume = 0.01,
                         .vent_time = 0.0,
                         .vent_decay = 1.0});

@@ -9,6 +9,7 @@
 
 #include "../bond/bond_scene.h"
 #include "args/input_error.h"
+#include "bond/law/barton_bandis.h"
 #include "explosive/gas_vent.h"
 #include "gas/joint_gas.h"
 
@@ -301,6 +302,57 @@ TEST(JointGas, RefusesWhatIsNoAperture) {
   p = closed();
   p.ambient = -1.0;
   EXPECT_THROW(JointGas{p}, InputError);
+}
+
+/// Two cubes of 1 m with a rough broken joint between them, whose faces were 0.2 mm apart at first.
+struct RoughJoint {
+  BartonBandis law{.initial_stiffness = 1e10,
+                   .closure_limit = 1e-4,
+                   .roughness = 10.0,
+                   .wall_strength = 1e8,
+                   .residual_angle = 0.5,
+                   .largest_angle = 1.2,
+                   .initial_aperture = 2e-4};
+  BondScene scene{test::cuboids(2, 1, 1),
+                  weak(),
+                  [](const Vec3&) { return Support::free; },
+                  {{barton_bandis_class(law, 2e10)}, {{Vec3(1, 0, 0), Vec3::UnitX(), 1}}}};
+  JointGas gas{closed()};
+
+  RoughJoint() {
+    scene.network().keep_gas_in_joints();
+    open(1e-9);  // no tension: breaks
+    gas.set_network(scene.network());
+    gas.cells()[0].content = gas.cells()[1].content = {0.01, 0.01 * kEntropy};
+  }
+  /// Volume of both blocks' gas [m3].
+  double open(double by) {
+    scene.block(1).centre.x() = scene.start(1).x() + by;
+    scene.compute(1e-6);
+    if (gas.cells().empty()) return 0.0;
+    gas.measure(scene.network(), {});
+    return gas.cells()[0].volume + gas.cells()[1].volume;
+  }
+};
+
+TEST(JointGas, VolumeOfARoughJointGrowsByWhatItsPressureWorksOn) {
+  RoughJoint joint;
+  EXPECT_NEAR(joint.open(1e-4) / 3e-4, 1.0, 1e-5);  // times 1 m2
+  EXPECT_NEAR((joint.open(2e-4) - joint.open(1e-4)) / 1e-4, 1.0, 1e-9);
+  const double volume = joint.open(1e-4);
+  press(joint.gas, joint.scene.network());
+  joint.scene.compute();
+  const double pressure = pressure_at(0.02 / volume);
+  EXPECT_NEAR(joint.scene.network().force()[1].x() / pressure, 1.0, 1e-9);
+}
+
+TEST(JointGas, FlowOfARoughJointHasItsHydraulicAperture) {
+  RoughJoint joint;
+  joint.open(1e-4);  // e = 300^2/10^2.5 = 284.6 um
+  const double e = joint.law.apertures(-1e-4).hydraulic, width = 2.0 / std::sqrt(M_PI);
+  EXPECT_NEAR(e, 284.605e-6, 1e-9);
+  const double way = e * width * CrackFlow(closed().flow).passage(e, width);
+  EXPECT_NEAR(joint.gas.cells()[0].ways / way, 1.0, 1e-4);
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ Scene make_scene() {
 /// A scene in rows of numbers.
 class Rows {
  public:
-  explicit Rows(const Scene& scene, std::span<const char> held = {}) {
+  explicit Rows(const Scene& scene, std::span<const char> rests = {}) {
     std::vector<BodyConstants> constants;
     for (const Body& body : scene.bodies) {
       constants.push_back(body.constants);
@@ -87,10 +87,10 @@ class Rows {
       for (std::size_t k = 0; k < threes.size(); ++k) append(threes[k], rows_.spheres[k]);
     }
     motion_ = BodyMotion(constants, spheres);
-    motion_.hold(held);
+    motion_.let_rest(rests);
   }
-  void advance(bool place_held = false) {
-    motion_.advance(rows_.body_rows(), rows_.sphere_rows(), kStep, place_held);
+  void advance(bool place_resting = false) {
+    motion_.advance(rows_.body_rows(), rows_.sphere_rows(), kStep, place_resting);
   }
   void sum_forces() { motion_.sum_forces(rows_.body_rows(), rows_.sphere_rows(), kGravity); }
   void finish() { motion_.finish(rows_.body_rows(), rows_.sphere_rows(), kGravity, kStep); }
@@ -242,28 +242,28 @@ TEST(BodyMotion, LeavesHeldBodiesAndTheirSpheresAsTheyAre) {
   Scene moved = start;
   advance(moved);
   finish(moved);
-  std::vector<char> held(kBodies, 0);
-  for (const std::size_t b : {1, 3, 8, 9, 10, 11, 12, 13, 14, 15, 20}) held[b] = 1;
-  Rows rows(start, held);
+  std::vector<char> rests(kBodies, 0);
+  for (const std::size_t b : {1, 3, 8, 9, 10, 11, 12, 13, 14, 15, 20}) rests[b] = 1;
+  Rows rows(start, rests);
   const Rows before(start);
   rows.advance();
   rows.finish();
   for (std::size_t b = 0; b < kBodies; ++b) {
-    const Body& expected = held[b] != 0 ? start.bodies[b] : moved.bodies[b];
+    const Body& expected = rests[b] != 0 ? start.bodies[b] : moved.bodies[b];
     EXPECT_LT((rows.body(velocity, b) - expected.velocity).norm(), 1e-14) << b;
-    if (held[b] == 0) continue;
+    if (rests[b] == 0) continue;
     for (std::size_t k = 0; k <= z_axis; ++k)
       EXPECT_EQ(rows.body(k, b), before.body(k, b)) << b << ' ' << k;
   }
   for (std::size_t s = 0; s < start.spheres.size(); ++s) {
     const auto b = static_cast<std::size_t>(start.spheres[s].of.body);
-    const Vec3 expected = held[b] != 0 ? start.spheres[s].position : moved.spheres[s].position;
+    const Vec3 expected = rests[b] != 0 ? start.spheres[s].position : moved.spheres[s].position;
     EXPECT_LT((rows.sphere(0, s) - expected).norm(), 1e-14) << s;
   }
   rows.advance(true);
   for (std::size_t s = 0; s < start.spheres.size(); ++s) {
     const auto b = static_cast<std::size_t>(start.spheres[s].of.body);
-    if (held[b] == 0) continue;
+    if (rests[b] == 0) continue;
     const Body& body = start.bodies[b];
     const Vec3 expected = body.centre + body.pose * start.spheres[s].of.displacement;
     EXPECT_LT((rows.sphere(0, s) - expected).norm(), 1e-14) << s;
@@ -298,11 +298,11 @@ Scene part_of(const Scene& scene, std::size_t first) {
 TEST(BodyMotion, GivesTheSameBitsWhateverBodiesAreBesideOne) {
   const Scene scene = make_scene();
   Rows whole(scene);
-  std::vector<char> held(kBodies, 0);
-  held[14] = 1;
-  Rows beside_held(scene, held);
+  std::vector<char> rests(kBodies, 0);
+  rests[14] = 1;
+  Rows beside_resting(scene, rests);
   for (int step = 0; step < 20; ++step) {
-    for (Rows* rows : {&whole, &beside_held}) {
+    for (Rows* rows : {&whole, &beside_resting}) {
       rows->advance();
       rows->finish();
     }
@@ -317,7 +317,7 @@ TEST(BodyMotion, GivesTheSameBitsWhateverBodiesAreBesideOne) {
       for (std::size_t b = first; b < kBodies; ++b) {
         ASSERT_EQ(part.body(k, b - first), whole.body(k, b)) << first << ' ' << b << ' ' << k;
         if (b != 14) {
-          ASSERT_EQ(beside_held.body(k, b), whole.body(k, b)) << b << ' ' << k;
+          ASSERT_EQ(beside_resting.body(k, b), whole.body(k, b)) << b << ' ' << k;
         }
       }
   }

@@ -30,6 +30,8 @@ TEST_F(AllReports, EachCaseHasItsOwn) {
             (Names{"crater", "fragments", "energy", "render", "series"}));
   EXPECT_EQ(reports_of(folder_with(R"({"case": "heap"})")),
             (Names{"heap", "energy", "render", "series"}));
+  EXPECT_EQ(reports_of(folder_with(R"({"case": "other"})")),
+            (Names{"fragments", "energy", "render", "series"}));
 }
 
 TEST_F(AllReports, AKnobMayHaveTheNameOfTheCase) {

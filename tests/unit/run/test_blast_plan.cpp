@@ -14,10 +14,11 @@ namespace {
 
 /// Of the default bench: charges that fire at once, gas that vents by 9.9 + 5 * 4.5 ms.
 BlastScene bench() {
-  return {.timing = {.rise_time = 1e-4, .vent_time = 9.9e-3, .vent_decay = 4.5e-3},
-          .rock = {2700.0, 55e9, 0.25},
-          .contacts = {2.5e7, 0.25, 0.5},
-          .gas = Gas::in_joints};
+  return {
+      .timing = {.rise_time = 1e-4, .pulse_end = 1e-3, .vent_time = 9.9e-3, .vent_decay = 4.5e-3},
+      .rock = {2700.0, 55e9, 0.25},
+      .contacts = {2.5e7, 0.25, 0.5},
+      .gas = Gas::in_joints};
 }
 
 BlastPlan plan_of(std::vector<std::string> words, const BlastScene& scene = bench()) {
@@ -45,7 +46,26 @@ TEST(BlastPlan, TakesTheEndOfTheWaveFromTheCharges) {
 TEST(BlastPlan, WaitsForThePulseWhereThereIsNoGas) {
   BlastScene scene = bench();
   scene.timing.vent_time = scene.timing.vent_decay = 0.0;
-  EXPECT_NEAR(plan_of({}, scene).wave_end, 1e-3, 1e-12);  // ten rises
+  EXPECT_EQ(plan_of({}, scene).wave_end, 1e-3);
+}
+
+TEST(BlastPlan, WaitsForAPulseLongerThanTheGas) {
+  BlastScene scene = bench();
+  scene.timing.pulse_end = 0.05;
+  EXPECT_EQ(plan_of({}, scene).wave_end, 0.05);
+  EXPECT_EQ(refusal_of({"wave_end", "0.04"}, scene),
+            "run_blast: wave_end must be >= 0.05 s, when the pulse of the last charge has gone, "
+            "got 0.04 s");
+}
+
+TEST(BlastPlan, AsksForTheEndWhereGasFlowsAndHasNoTimes) {
+  BlastScene scene = bench();
+  scene.timing.vent_decay.reset();
+  EXPECT_EQ(refusal_of({}, scene),
+            "run_blast: wave_end must be a time [s] where the gas leaves by flow and fix "
+            "muckpile/blast has no vent_time and vent_decay, got 'auto'; about 1.1e-2 s per metre "
+            "of burden after the last firing");
+  EXPECT_EQ(plan_of({"wave_end", "0.03"}, scene).wave_end, 0.03);
 }
 
 TEST(BlastPlan, StepsThePulseInFive) {

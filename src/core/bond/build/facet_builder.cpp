@@ -50,16 +50,16 @@ FacetSet build_facets(const std::vector<Block>& blocks, int first_tag, const Sup
       if (other >= 0 && other < static_cast<int>(b)) continue;  // made by the other block
       const FaceGeometry face = face_geometry(block.shape, static_cast<int>(k));
       if (face.area < smallest && !is_hole_face(other)) continue;
-      const Support boundary = other == kFreeFace ? support(face.centroid) : Support::free;
-      if (other >= 0 || boundary != Support::free) {
+      const Support at_face = other == kFreeFace ? support(face.centroid) : Support::free;
+      if (other >= 0 || at_face != Support::free) {
         const Vec3 centre_j =
             other >= 0 ? blocks[static_cast<std::size_t>(other)].mass.centroid : Vec3::Zero();
         Facet facet = facet_of(face, block.mass.centroid, centre_j);
         facet.tag_i = tag;
         facet.face = static_cast<int>(k);
         facet.tag_j = other >= 0 ? first_tag + other : kGroundTag;
-        if (boundary == Support::fixed) facet.kind = FacetKind::fixed;
-        if (boundary == Support::mirror) facet.kind = FacetKind::mirror;
+        if (at_face == Support::fixed) facet.kind = FacetKind::fixed;
+        if (at_face == Support::mirror) facet.kind = FacetKind::mirror;
         set.facets.push_back(facet);
       } else {
         BoundaryFace boundary;

@@ -71,11 +71,9 @@ JointLawEntry barton_bandis_entry() { return {"barton_bandis", keywords(), make}
 
 JointClass barton_bandis_class(const BartonBandis& law, double shear_stiffness) {
   JointClass joint;
-  joint.tension = law.tension;
-  joint.residual_friction_angle = law.residual_angle;
   joint.normal_stiffness = law.initial_stiffness;
   joint.shear_stiffness = shear_stiffness;
-  joint.law = std::make_shared<OwnJointLaw<BartonBandis>>(law);
+  joint.law = std::make_shared<NonlinearJointLaw<BartonBandis>>(law);
   return joint;
 }
 
@@ -83,10 +81,9 @@ double barton_bandis_aperture(double roughness, double wall_strength, double com
   return 1e-3 * roughness / 5.0 * (0.2 * compressive_strength / wall_strength - 0.1);
 }
 
-double BartonBandis::hydraulic_aperture(double closure) const {
-  const double mechanical = std::max(initial_aperture - closure, 0.0);
-  const double smooth = mechanical / kMicron;
-  return std::min(mechanical, kMicron * smooth * smooth / std::pow(roughness, 2.5));
+JointApertures BartonBandis::apertures(double closure) const {
+  const double mechanical = initial_aperture - closure, microns = mechanical / kMicron;
+  return {mechanical, std::min(mechanical, kMicron * microns * microns / std::pow(roughness, 2.5))};
 }
 
 BartonBandis BartonBandis::softened(double factor) const {

@@ -22,8 +22,8 @@
 
 namespace muckpile {
 
-/// As choose() of lanes.h, of one number.
-[[nodiscard]] inline double choose(bool mask, double yes, double no) { return mask ? yes : no; }
+struct JointClass;
+struct JointLawEntry;
 
 struct BartonBandis {
   double initial_stiffness = 0.0;  ///< k_ni [Pa/m]
@@ -94,10 +94,15 @@ struct BartonBandis {
   /// Of the whole angle under that pressure with that roughness.
   template <class Number>
   [[nodiscard]] Number tan_angle(const Number& pressure, const Number& rough) const;
-  /// e = E^2 / JRC^2.5 in um, at most E (Barton, Bandis & Bakhtar 1985).
-  [[nodiscard]] double hydraulic_aperture(double closure) const;
+  /// E = E_0 - closure, and e = E^2 / JRC^2.5 in um, at most E (Barton, Bandis & Bakhtar 1985).
+  [[nodiscard]] JointApertures apertures(double closure) const;
   [[nodiscard]] BartonBandis softened(double factor) const;
 };
+
+/// The class of a joint with that law; `shear_stiffness` of the joint alone [Pa/m; infinite:
+/// rigid].
+[[nodiscard]] JointClass barton_bandis_class(const BartonBandis& law, double shear_stiffness);
+[[nodiscard]] JointLawEntry barton_bandis_entry();
 
 /// E_0 = JRC/5 (0.2 UCS/JCS - 0.1) mm (Bandis, Lumsden & Barton 1983) [m].
 [[nodiscard]] double barton_bandis_aperture(double roughness, double wall_strength,
@@ -148,8 +153,7 @@ JointClosure<Number> BartonBandis::close(const Number& jump, double rock,
   const auto further = back + again.start > largest;
   const Number tangent = choose(further, first.tangent(on), again.tangent(back));
   return {choose(further, on, Number(back + again.start)),
-          choose(further, first.pressure(on), again.pressure(back)), rock / (rock + tangent),
-          tangent};
+          choose(further, first.pressure(on), again.pressure(back)), rock / (rock + tangent)};
 }
 
 template <class Number>

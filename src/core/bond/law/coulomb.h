@@ -9,6 +9,10 @@
 
 namespace muckpile {
 
+struct JointLawEntry;
+/// Linear closure with Coulomb's strength, for natural joints.
+[[nodiscard]] JointLawEntry coulomb_entry();
+
 template <class Number>
 struct CoulombStrength {
   Number tension, cohesion;  ///< [Pa]

@@ -9,6 +9,8 @@
 #include "args/input_error.h"
 #include "args/numbers.h"
 #include "args/suggestion.h"
+#include "bond/law/barton_bandis.h"
+#include "bond/law/coulomb.h"
 
 namespace muckpile {
 namespace {

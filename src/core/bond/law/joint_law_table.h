@@ -8,7 +8,6 @@
 
 #include "args/arg_table.h"
 #include "args/parse_args.h"
-#include "bond/law/barton_bandis.h"
 #include "bond/law/joint_material.h"
 
 namespace muckpile {
@@ -19,14 +18,8 @@ struct JointLawEntry {
   JointClass (*make)(const ArgValues& args, const std::string& where);
 };
 
-/// Linear closure with Coulomb's strength.
-[[nodiscard]] JointLawEntry coulomb_entry();
-[[nodiscard]] JointLawEntry barton_bandis_entry();
+/// Each law's own entry is declared in its header.
 [[nodiscard]] const std::vector<JointLawEntry>& joint_law_entries();
-
-/// The class of a joint with that law; `shear_stiffness` of the joint alone [Pa/m; infinite:
-/// rigid].
-[[nodiscard]] JointClass barton_bandis_class(const BartonBandis& law, double shear_stiffness);
 
 /// An empty table for the keywords of a law.
 [[nodiscard]] ArgTable joint_class_table(const std::string& law);

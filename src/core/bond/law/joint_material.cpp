@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kRightAngle = 1.5707963267948966;
 
-
 }  // namespace
 
 JointMaterial::JointMaterial(const JointParameters& parameters)

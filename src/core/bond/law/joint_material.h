@@ -43,8 +43,8 @@ struct JointClass {
   double residual_friction_angle = 0.0;                               ///< after breaking [rad]
   double normal_stiffness = std::numeric_limits<double>::infinity();  ///< [Pa/m]
   double shear_stiffness = std::numeric_limits<double>::infinity();   ///< [Pa/m]
-  /// Instead of linear closure, Coulomb's strength and constant friction; normal_stiffness is then
-  /// that without pressure. None: linear.
+  /// Instead of linear closure, Coulomb's strength and constant friction. Of the numbers above it
+  /// leaves the two stiffnesses, normal_stiffness as that without pressure. None: linear.
   std::shared_ptr<const JointLaw> law{};
 };
 

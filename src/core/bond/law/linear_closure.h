@@ -19,7 +19,6 @@ struct FacetStiffness {
   double normal;      ///< elastic part of the normal traction per jump [Pa/m]
   double shear;       ///< tangential traction per jump [Pa/m]
   double rock_share;  ///< share of the normal jump that strains the rock, not the joint [-]
-  double contact;     ///< normal stiffness of the closed broken facet [Pa/m]
 };
 
 /// a and b in series; an infinite b leaves a.
@@ -38,7 +37,6 @@ struct FacetStiffness {
   const double joint_part = std::isinf(kn) ? 0.0 : kn * joint_share * joint_share;
   k.normal = rock * k.rock_share * k.rock_share + joint_part;
   k.shear = in_series(rock, ks);
-  k.contact = in_series(uniaxial, kn);
   return k;
 }
 
@@ -59,8 +57,8 @@ struct LinearClosure {
                                                         const Number& along) const {
     return shear * jump_squared + normal_extra * along * along;
   }
-  /// FacetStiffness::contact from the other numbers. With U = (lambda + 2G)/h, s the share of the
-  /// rock and k the joint's own stiffness it is c = s U = (1 - s) k, and
+  /// Normal stiffness of the closed broken facet, rock and joint in series. With U = (lambda +
+  /// 2G)/h, s the share of the rock and k the joint's own stiffness it is c = s U = (1 - s) k, and
   ///     normal = 2G/h s^2 + k (1 - s)^2 = c (s 2G/(lambda + 2G) + 1 - s).
   [[nodiscard, gnu::always_inline]] Number contact(const Number& rock_share,
                                                    double shear_over_p_wave) const {

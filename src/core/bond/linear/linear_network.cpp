@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "bond/network/facet_kinematics.h"
-#include "bond/network/own_law_points.h"
+#include "bond/network/nonlinear_points.h"
 
 namespace muckpile {
 namespace {
@@ -79,13 +79,13 @@ void LinearNetwork::set_points(Spring& spring, const FacetNetwork& network, std:
     const bool bonded = view == BreakView::as_it_is && !traces.is_contact(p);
     const bool rubs = bonded && traces.slipping[p];
     const double fade = bonded ? 1.0 : facets.history.contacts().fade(f);
-    const NormalTangent tangent = normal_tangent(facets, f, p, motion, bonded);
-    spring.normal_share[p] = tangent.share;
+    const StiffestNormal stiffest = stiffest_normal(facets, f, bonded);
+    spring.normal_share[p] = stiffest.share;
     const double dashpot =
         damping_rate * (bonded && !rubs ? laws.damping() : laws.contact_damping());
     spring.bonded[p] = bonded;
     spring.law[p] = {bond.point_area * (fade * bond.shear + (bonded && !rubs ? dashpot : 0.0)),
-                     bond.point_area * (fade * (tangent.stiffness - bond.shear) +
+                     bond.point_area * (fade * (stiffest.stiffness - bond.shear) +
                                         (bonded && !rubs ? 0.0 : fade * dashpot))};
   }
 }

@@ -2,8 +2,9 @@
 // The facet network for small motions about its present pose: the stiffness matrix as a product.
 // Scope: blocks as rigid bodies, six numbers each (shift [m], turn [rad]); the geometric stiffness
 // of the tractions is left out (they are 1e-4 of the moduli). Broken facets count as closed and
-// sticking, whether they are or not. Yielding ground counts as fixed, which is what it is at the
-// limit of stability. All ranks together.
+// sticking, whether they are or not; joints with a nonlinear law as closed as makes them stiffest.
+// Yielding ground counts as fixed, which is what it is at the limit of stability. All ranks
+// together.
 #pragma once
 
 #include <array>

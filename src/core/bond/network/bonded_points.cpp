@@ -7,7 +7,7 @@
 
 #include "bond/law/plane_contact.h"
 #include "bond/network/broken_contact.h"
-#include "bond/network/own_law_points.h"
+#include "bond/network/nonlinear_points.h"
 
 namespace muckpile {
 
@@ -26,19 +26,22 @@ Vec3 bulk_traction(const FacetKinematics& facets, const LeaningFaces* leaning, s
   const BondConstants bond = facets.tables.bond(f);
   FacetPull pull(motion);
   const LaneVec jump = facets.elastic_jump(f, motion);
-  const LinearClosure<Lanes> closure{bond.shear, bond.normal_extra};
   const LaneVec bulk(bulk_traction(facets, leaning, f, facets.openings(f, motion.scale)));
+  if (facets.tables.nonlinear_law(f) != nullptr) {
+    const NonlinearClosure closure = nonlinear_closure(facets, f);
+    pull.traction =
+        closure.traction(pull.normal, jump) + closure.passed_on(pull.normal, jump, bulk);
+    return pull;
+  }
+  const LinearClosure<Lanes> closure{bond.shear, bond.normal_extra};
   pull.traction = closure.traction(pull.normal, jump) + bulk;
-  if (facets.tables.own_law(f) == nullptr) return pull;
-  const OwnClosure own = own_closure(facets, f);
-  pull.traction = own.traction(pull.normal, jump) + own.passed_on(pull.normal, jump, bulk);
   return pull;
 }
 
 Vec3 mean_traction(const FacetKinematics& facets, const LeaningFaces* leaning, std::size_t f) {
   const BondConstants bond = facets.tables.bond(f);
   const FacetMotion motion = facets.motion(f);
-  if (facets.tables.own_law(f) != nullptr)
+  if (facets.tables.nonlinear_law(f) != nullptr)
     return mean_at_points(pull_of(facets, leaning, f, motion).traction);
   return bond.traction(motion.normal, motion.mean_jump()) +
          bulk_traction(facets, leaning, f, facets.openings(f, motion.scale));
@@ -53,10 +56,10 @@ static LaneMask failing(const FacetKinematics& facets, std::size_t f, const Face
       choose(slipping, Lanes(0.0), dot(pull.traction, pull.traction) - along * along);
   const CoulombStrength<double>& linear = facets.tables.strength(f);
   const CoulombStrength<Lanes> at_rest{linear.tension, linear.cohesion, linear.tan_friction};
-  const JointLaw* own = facets.tables.own_law(f);
+  const JointLaw* nonlinear = facets.tables.nonlinear_law(f);
   const auto fails = [&](const Lanes& faster) {
-    return own != nullptr ? own->fails(along, shear_squared, faster)
-                          : at_rest.scaled(faster).fails(along, shear_squared);
+    return nonlinear != nullptr ? nonlinear->fails(along, shear_squared, faster)
+                                : at_rest.scaled(faster).fails(along, shear_squared);
   };
   const LaneMask slowly = is_point() && fails(choose(slipping, Lanes(0.0), 1.0));
   const JointLaws& laws = facets.tables.laws();
@@ -152,7 +155,7 @@ void BondedPoints::rub(std::size_t f, const FacetMotion& motion, const ContactCo
   for (std::size_t p = 0; p < kFacetPoints; ++p)
     if (slips[p])
       contacts.set_offset(f, p, contacts.offset(f, p) + in_axes.at(static_cast<int>(p)));
-  if (facets_.tables.own_law(f) != nullptr)
+  if (facets_.tables.nonlinear_law(f) != nullptr)
     remember_slip(parts_.history, f, slips, sqrt(dot(slid, slid)));
   const double stiffness = contact.shear * (1.0 + through.dilatations);
   const LaneVec mean = over - Lanes(0.5 * stiffness) * slid;

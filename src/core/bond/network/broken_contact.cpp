@@ -8,7 +8,7 @@
 
 #include "bond/law/plane_contact.h"
 #include "bond/network/facet_energy.h"
-#include "bond/network/own_law_points.h"
+#include "bond/network/nonlinear_points.h"
 
 namespace muckpile {
 namespace {
@@ -39,10 +39,11 @@ void BrokenContact::add_tractions(std::size_t f, const FacetMotion& motion,
   const PlaneContact<Lanes> linear = {{fade * contact.closure.normal},
                                       shear,
                                       fade * laws.contact_damping(),
-                                      {facets_.tables.residual_friction(f), laws.slip_weakening()}};
-  const PlanePull<Lanes> at_points = facets_.tables.own_law(f) == nullptr
-                                         ? plane_pull<Lanes>(linear, at, dt_)
-                                         : own_plane_pull(facets_, history_, f, contact, at, dt_);
+                                      laws.friction(Lanes(facets_.tables.residual_friction(f)))};
+  const PlanePull<Lanes> at_points =
+      facets_.tables.nonlinear_law(f) == nullptr
+          ? plane_pull<Lanes>(linear, at, dt_)
+          : nonlinear_plane_pull(facets_, history_, f, contact, at, dt_);
   history_.set_open(f, false);
   pull.traction = choose(broken, at_points.traction, pull.traction);
   const double booked = contact.weight * contact.point_area;

@@ -43,7 +43,7 @@ BrokenContact::Parting BrokenContact::parting_of(const FacetGroup& group, const 
 
 unsigned BrokenContact::apart_lanes(const LaneSet& working) const {
   unsigned lanes = 0;
-  const unsigned linear = working.lanes & ~facets_.tables.own_law_lanes(working.group);
+  const unsigned linear = working.lanes & ~facets_.tables.nonlinear_lanes(working.group);
   each_lane(linear, [&](std::size_t k) {
     const std::size_t f = working.group * kGroup + k;
     if (history_.bonded_points(f) == 0 && history_.state(f) != FacetState::retired &&
@@ -116,7 +116,7 @@ void BrokenContact::touch(std::size_t g, unsigned lanes, const WidePose& pose,
   const PlaneContact<Wide> law = {{fade * closed},
                                   shear,
                                   fade * laws.contact_damping(),
-                                  {wide(contact.tan_residual), laws.slip_weakening()}};
+                                  laws.friction(wide(contact.tan_residual))};
   const WideMask broken = fade > 0.0, fresh = wide(contact.fresh) > 0.0;
   WideVec traction, moment;
   Wide damped = 0.0, rubbed = 0.0;

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bond/network/own_law_points.h"
+#include "bond/network/nonlinear_points.h"
 
 namespace muckpile {
 
@@ -64,7 +64,7 @@ FacetBreaking::Remnant FacetBreaking::remnant_of(std::size_t f, const PointBreak
   const double limit = friction_limit(facets_, f, left.normal, 0.0)[q], size = shear.norm();
   left.shear = (size > limit ? limit / size : 1.0) * shear;
   left.dropped = broken.traction - left.normal * n - left.shear;
-  const bool linear = tables.own_law(f) == nullptr;
+  const bool linear = tables.nonlinear_law(f) == nullptr;
   if (tables.laws().softens() && first && linear) {
     const Mat3 to_axes = broken.axes.transpose();
     left.cohesion =
@@ -79,9 +79,9 @@ FacetBreaking::Remnant FacetBreaking::remnant_of(std::size_t f, const PointBreak
         (contact.shear * (1.0 + slip_through_blocks(facets_, parts_.leaning, f).dilatations));
   left.strain_lost =
       linear ? left.lost
-             : own_strain_lost(facets_, f, broken,
-                               left.slips ? Vec3(broken.elastic - left.lost) : Vec3(Vec3::Zero()),
-                               left.slips);
+             : nonlinear_strain_lost(
+                   facets_, f, broken,
+                   left.slips ? Vec3(broken.elastic - left.lost) : Vec3(Vec3::Zero()), left.slips);
   return left;
 }
 
@@ -113,13 +113,12 @@ void FacetBreaking::book_break(std::size_t f, const PointBreak& broken, const Re
   const BondConstants bond = facets_.tables.bond(f);
   const ContactConstants contact = facets_.tables.contact(f);
   JointLosses& losses = parts_.books.losses;
+  const auto q = static_cast<std::size_t>(broken.point);
   const auto bonded_energy = [&](const Vec3& jump) {  // twice, per area [J/m2]
-    if (facets_.tables.own_law(f) != nullptr) return own_twice_energy(facets_, f, broken, jump);
-    return bond.twice_energy(jump.squaredNorm(), broken.normal.dot(jump));
+    return bonded_energy_at(facets_, f, q, broken.normal, jump);
   };
   double after = left.slips ? bonded_energy(broken.elastic - left.lost)
-                            : contact_energy_at(facets_, f, static_cast<std::size_t>(broken.point),
-                                                contact, left.normal);
+                            : contact_energy_at(facets_, f, q, contact, left.normal);
   if (!left.slips && contact.shear > 0.0) after += left.shear.squaredNorm() / contact.shear;
   // The half kick to the present step used the traction before, the one from it uses that after:
   // the blocks did the work of their mean over the step's path, the springs' account assumes the

@@ -3,13 +3,14 @@
 // Scope: see the header.
 #include "bond/network/facet_energy.h"
 
-#include "bond/network/own_law_points.h"
+#include "bond/network/nonlinear_points.h"
 
 namespace muckpile {
 
 double contact_energy(const FacetKinematics& facets, std::size_t f, const FacetMotion& motion) {
   const ContactConstants contact = facets.tables.contact(f);
-  if (facets.tables.own_law(f) != nullptr) return own_contact_energy(facets, f, motion, contact);
+  if (facets.tables.nonlinear_law(f) != nullptr)
+    return nonlinear_contact_energy(facets, f, motion, contact);
   const ContactMemory memory = facets.history.contacts().get(f);
   const Mat3 axes = motion.axes();
   const LaneVec jump = motion.jump();
@@ -45,13 +46,11 @@ double facet_energy(const FacetKinematics& facets, std::size_t f) {
   const std::vector<double>& theta = facets.blocks.theta;
   const double uneven =
       theta[static_cast<std::size_t>(coupling.i)] - theta[static_cast<std::size_t>(coupling.j)];
-  const bool own = facets.tables.own_law(f) != nullptr;
-  double stored = own ? own_bonded_energy(facets, f, motion) : 0.0;
-  for (int p = 0; p < kFacetPoints && !own; ++p) {
-    if (facets.history.traces(f).is_contact(static_cast<std::size_t>(p))) continue;
-    const Vec3 jump = jumps.at(p);
-    const double normal = motion.normal.dot(jump);
-    stored += bond.twice_energy(jump.squaredNorm(), normal);
+  double stored = 0.0;
+  for (int p = 0; p < kFacetPoints; ++p) {
+    const auto q = static_cast<std::size_t>(p);
+    if (facets.history.traces(f).is_contact(q)) continue;
+    stored += bonded_energy_at(facets, f, q, motion.normal, jumps.at(p));
   }
   return 0.5 * (bond.point_area * stored + coupling.sharpening * uneven * uneven) +
          contact_energy(facets, f, motion) +

@@ -69,9 +69,9 @@ struct FacetOpenings {
 };
 
 struct FacetKinematics;
-/// bonded_jump() of a joint with a law of its own (own_law_points.h).
-[[nodiscard]] Vec3 own_bonded_jump(const FacetKinematics& facets, std::size_t f,
-                                   const FacetMotion& motion);
+/// bonded_jump() of a joint with a nonlinear law (nonlinear_points.h).
+[[nodiscard]] Vec3 nonlinear_bonded_jump(const FacetKinematics& facets, std::size_t f,
+                                         const FacetMotion& motion);
 
 /// The facets of a network in the pose of its blocks.
 struct FacetKinematics {

@@ -188,7 +188,7 @@ class FacetNetwork {
   /// What breaking changes bit by bit is worked out from the facets again, as in a network that
   /// gets them from a restart file: the two then agree to the last bit.
   void derive_anew();
-  /// Of a network just made: goes on from these totals, with rock that soft.
+  /// Before the first step: goes on from these totals, with rock that soft.
   void resume(const NetworkTotals& totals);
 
  private:

@@ -30,13 +30,13 @@ void FacetTables::reset(std::size_t count) {
   FacetGroup empty;
   empty.normal[0].fill(1.0f);  // lanes without a facet are worked on as well
   groups_.assign((count + kGroup - 1) / kGroup, empty);
-  own_laws_.assign(laws_.any_own() ? groups_.size() : 0, 0);
+  nonlinear_laws_.assign(laws_.any_nonlinear() ? groups_.size() : 0, 0);
 }
 
 void FacetTables::release() {
   names_ = {};
   groups_ = {};
-  own_laws_ = {};
+  nonlinear_laws_ = {};
 }
 
 Vec3 FacetTables::place(std::size_t f, const Facet& facet) {
@@ -100,8 +100,9 @@ void FacetTables::derive(std::size_t f, int bonded_points) {
   const double d = kSharpening * (2.0 * rock.lame_lambda() + rock.shear_modulus()) / 6.0;  // [Pa]
   const double stiffness = facet.sharpened ? d * k.rock_share * (depth_i + depth_j) : 0.0;
 
-  if (own_law(f) != nullptr)
-    own_laws_[f / kGroup] = static_cast<std::uint8_t>(own_laws_[f / kGroup] | 1u << lane_of(f));
+  if (nonlinear_law(f) != nullptr)
+    nonlinear_laws_[f / kGroup] =
+        static_cast<std::uint8_t>(nonlinear_laws_[f / kGroup] | 1u << lane_of(f));
   FacetGroup& group = groups_[f / kGroup];
   const std::size_t lane = lane_of(f);
   group.sharpening[lane] = stiffness * point_area * bonded_points;

@@ -111,13 +111,13 @@ class FacetTables {
   [[nodiscard]] const CoulombStrength<double>& strength(std::size_t f) const {
     return laws_.strength(names_[f].joint_class).bonded;
   }
-  /// The law of its own that a facet's joint has; nullptr: it has the linear one.
-  [[nodiscard]] const JointLaw* own_law(std::size_t f) const {
-    return laws_.own(names_[f].joint_class);
+  /// The nonlinear law of a facet's joint; nullptr: it has the linear one.
+  [[nodiscard]] const JointLaw* nonlinear_law(std::size_t f) const {
+    return laws_.nonlinear(names_[f].joint_class);
   }
   /// Of a group, bit per facet: those that have one. They are worked on one by one.
-  [[nodiscard]] unsigned own_law_lanes(std::size_t g) const {
-    return own_laws_.empty() ? 0u : own_laws_[g];
+  [[nodiscard]] unsigned nonlinear_lanes(std::size_t g) const {
+    return nonlinear_laws_.empty() ? 0u : nonlinear_laws_[g];
   }
   /// Stiffness of the rock between the two centres, (lambda + 2G)/h [Pa/m].
   [[nodiscard]] double uniaxial_stiffness(std::size_t f) const {
@@ -154,7 +154,8 @@ class FacetTables {
   JointLaws laws_;
   std::vector<FacetName> names_;
   std::vector<FacetGroup> groups_;
-  std::vector<std::uint8_t> own_laws_;  // see own_law_lanes(); empty where no class has a law
+  std::vector<std::uint8_t>
+      nonlinear_laws_;  // see nonlinear_lanes(); empty where no class has a law
 };
 
 [[gnu::always_inline]] inline BondConstants FacetTables::bond(std::size_t f) const {

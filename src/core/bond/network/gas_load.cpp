@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "bond/network/own_law_points.h"
+#include "bond/network/nonlinear_points.h"
 
 namespace muckpile {
 namespace {
@@ -58,8 +58,7 @@ void open_group_of_joints(const FacetKinematics& facets, const LaneSet& set,
   store(opening / max(points, Wide(1.0)), opened);
   each_lane(set.lanes, [&](std::size_t k) {
     const std::size_t f = set.group * kGroup + k;
-    const double aperture = facets.tables.own_law(f) != nullptr ? own_aperture(facets, f) : 0.0;
-    open.push_back({area[k], opened[k], aperture, (wide_open >> k & 1u) != 0});
+    open.push_back({area[k], opened[k], mean_apertures(facets, f), (wide_open >> k & 1u) != 0});
   });
 }
 

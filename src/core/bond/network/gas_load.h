@@ -6,6 +6,7 @@
 // enter the dilatations, as the contact of broken points does not.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,10 +17,11 @@ namespace muckpile {
 
 /// How far a joint is open for gas.
 struct OpenJoint {
-  double area = 0.0;      ///< of broken points [m2]
-  double opening = 0.0;   ///< mean over them [m]
-  double aperture = 0.0;  ///< for gas, by the joint's own law [m]; 0: it has none
-  bool wide = false;      ///< so far open, slid or turned that it is no joint for gas either
+  double area = 0.0;     ///< of broken points [m2]
+  double opening = 0.0;  ///< mean over them [m]
+  /// Means over them, where the joint has a law that knows them.
+  std::optional<JointApertures> by_law;
+  bool wide = false;  ///< so far open, slid or turned that it is no joint for gas either
 };
 
 /// Of each of `facets`, in order, into `open`.
@@ -30,8 +32,13 @@ class GasLoad {
  public:
   /// More than the atmosphere, of every block [Pa]; it acts until it is set again.
   void set_pressure(std::span<const double> pressure);
-  /// Blocks have changed: nothing presses until pressures are set.
-  void clear_pressure() { pressure_.clear(); }
+  /// Blocks have changed: nothing presses, and no force of the former ones is left, until pressures
+  /// are set.
+  void clear_pressure() {
+    pressure_.clear();
+    force_.clear();
+    torque_.clear();
+  }
   [[nodiscard]] bool presses() const { return !pressure_.empty(); }
 
   [[nodiscard]] std::span<const Vec3> force() const { return force_; }    ///< [N]

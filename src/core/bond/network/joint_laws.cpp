@@ -9,21 +9,21 @@
 namespace muckpile {
 
 JointLaws::JointLaws(const JointMaterial& material, const std::vector<JointClass>& natural)
-    : classes_{material}, own_{nullptr} {
+    : classes_{material}, nonlinear_{nullptr} {
   for (const JointClass& joint : natural) {
     classes_.push_back(material.with_joints(joint));
-    own_.push_back(joint.law);
+    nonlinear_.push_back(joint.law);
   }
   derive();
 }
 
-bool JointLaws::any_own() const {
-  return std::ranges::any_of(own_, [](const auto& law) { return law != nullptr; });
+bool JointLaws::any_nonlinear() const {
+  return std::ranges::any_of(nonlinear_, [](const auto& law) { return law != nullptr; });
 }
 
 void JointLaws::soften(double factor, std::optional<double> damping) {
   for (JointMaterial& material : classes_) material = material.softened(factor, damping);
-  for (auto& law : own_)
+  for (auto& law : nonlinear_)
     if (law != nullptr) law = law->softened(factor);
   derive();
 }

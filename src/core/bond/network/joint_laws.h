@@ -37,11 +37,11 @@ class JointLaws {
     return strengths_[joint_class];
   }
 
-  /// A class's law of its own; nullptr: it has the linear one.
-  [[nodiscard]] const JointLaw* own(std::size_t joint_class) const {
-    return own_[joint_class].get();
+  /// The nonlinear law of a class; nullptr: it has the linear one.
+  [[nodiscard]] const JointLaw* nonlinear(std::size_t joint_class) const {
+    return nonlinear_[joint_class].get();
   }
-  [[nodiscard]] bool any_own() const;
+  [[nodiscard]] bool any_nonlinear() const;
 
   /// Every stiffness times `factor`; `damping`, a share of the impedance, replaces that of all
   /// classes.
@@ -54,6 +54,12 @@ class JointLaws {
   [[nodiscard]] double damping() const { return damping_; }  ///< of bonded points [Pa s/m]
   [[nodiscard]] double contact_damping() const { return contact_damping_; }  ///< [Pa s/m]
   [[nodiscard]] const SlipWeakening& slip_weakening() const { return slip_weakening_; }
+  /// Of the linear law; `tan_residual`: of slow slip [-].
+  template <class Number>
+  [[nodiscard, gnu::always_inline]] SlipFriction<Number> friction(
+      const Number& tan_residual) const {
+    return {tan_residual, slip_weakening_};
+  }
   [[nodiscard]] double shear_over_p_wave() const { return shear_over_p_wave_; }  ///< [-]
 
   /// Stiffness along the normal of the closed broken facet whose bonded points have that closure.
@@ -68,7 +74,7 @@ class JointLaws {
 
   std::vector<JointMaterial> classes_;  // the rock is the same in all
   std::vector<JointStrength> strengths_;
-  std::vector<std::shared_ptr<const JointLaw>> own_;
+  std::vector<std::shared_ptr<const JointLaw>> nonlinear_;
   bool softens_ = false, depends_on_rate_ = false;
   double damping_ = 0.0, contact_damping_ = 0.0;
   double shear_over_p_wave_ = 1.0;  // 2G/(lambda + 2G) [-]

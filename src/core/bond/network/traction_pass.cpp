@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "bond/network/own_law_points.h"
+#include "bond/network/nonlinear_points.h"
 #include "bond/network/softening_points.h"
 
 namespace muckpile {
@@ -144,7 +144,7 @@ void TractionPass::work_group(const LaneSet& working, const LaneSet& active) {
   const FacetGroup& group = facets_.tables.group(g);
   BlockFields& blocks = parts_.blocks;
   const unsigned whole = working.lanes & facets_.history.intact_lanes(g) &
-                         ~facets_.tables.own_law_lanes(g),
+                         ~facets_.tables.nonlinear_lanes(g),
                  apart = broken_.apart_lanes(working);
   unsigned intact = 0, touching = 0;
   WideForces intact_sums, touching_sums;
@@ -196,7 +196,7 @@ void TractionPass::work_facet(std::size_t f) {
   if (history.bonded_points(f) < kFacetPoints) broken_.add_tractions(f, motion, contact, pull);
   if (facets_.tables.laws().softens())
     add_cohesion(facets_, parts_.history, parts_.books.losses, f, motion, pull, dt_);
-  if (facets_.tables.own_law(f) != nullptr)
+  if (facets_.tables.nonlinear_law(f) != nullptr)
     remember_joint(facets_, parts_.history, parts_.books.losses, f, motion, contact);
   apply(f, contact.point_area, pull);
 }

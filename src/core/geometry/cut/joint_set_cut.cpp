@@ -129,14 +129,14 @@ class Cutting {
 };
 
 std::vector<HoleCarving> Cutting::prisms() const {
-  std::vector<HoleCarving> made;
+  std::vector<HoleCarving> carvings;
   for (std::size_t h = 0; h < rock_.holes.size(); ++h) {
     const Hole& hole = rock_.holes[h];
     const Vec3 on_wall = hole.toe + 0.5 * (hole.collar - hole.toe) +
                          hole.radius * (hole.collar - hole.toe).normalized().unitOrthogonal();
-    made.emplace_back(hole, static_cast<int>(h), ground_.size(on_wall), scales_[h]);
+    carvings.emplace_back(hole, static_cast<int>(h), ground_.size(on_wall), scales_[h]);
   }
-  return made;
+  return carvings;
 }
 
 std::vector<ConvexCell> Cutting::parts_between_planes() {
@@ -340,9 +340,9 @@ void Cutting::fit_prisms() {
     CellPartition trial = partition_;
     carve(trial);
     for (std::size_t h = 0; h < scales_.size(); ++h) {
-      const double made = trial.volume_filled_with(hole_face(static_cast<int>(h)));
-      if (!(made > 0.0)) continue;
-      scales_[h] = std::clamp(scales_[h] * std::sqrt(cylinder_volumes_[h] / made), 0.7, 1.2);
+      const double volume = trial.volume_filled_with(hole_face(static_cast<int>(h)));
+      if (!(volume > 0.0)) continue;
+      scales_[h] = std::clamp(scales_[h] * std::sqrt(cylinder_volumes_[h] / volume), 0.7, 1.2);
     }
   }
 }
