@@ -39,15 +39,15 @@ namespace muckpile {
 class BlastLoad {
  public:
   struct Parameters {
-    double wave_peak;                           ///< P1 [Pa], 0 for no pulse
-    PulseParameters pulse{};                    ///< its shape
-    std::optional<ProductExpansion> expansion;  ///< nothing: pulse only; all below is then unused
-    double charge_volume;                       ///< V0 [m3]
-    double free_volume_ratio = 1.0;             ///< chamber that the products fill over V0 [-]
-    double pulse_volume_ratio = 1.0;            ///< Vp/V0, at most free_volume_ratio [-]
-    double vent_time;                           ///< since the primer fired [s]
-    double vent_decay;                          ///< [s]
-    std::optional<GasVent::Parameters> flow{};  ///< in place of those two times
+    double wave_peak;                             ///< P1 [Pa], 0 for no pulse
+    PulseParameters pulse{};                      ///< its shape
+    std::optional<ProductExpansion> expansion{};  ///< nothing: pulse only; all below is then unused
+    double charge_volume;                         ///< V0 [m3]
+    double free_volume_ratio = 1.0;               ///< chamber that the products fill over V0 [-]
+    double pulse_volume_ratio = 1.0;              ///< Vp/V0, at most free_volume_ratio [-]
+    double vent_time;                             ///< since the primer fired [s]
+    double vent_decay;                            ///< [s]
+    std::optional<GasVent::Parameters> flow{};    ///< in place of those two times
   };
 
   /// InputError on a value out of range.

@@ -91,6 +91,19 @@ HoleBlast hole_blast(const BlastOptions& options, const Hole& zone, std::size_t 
   }
 }
 
+double gas_gamma_of(const BlastOptions& options, std::size_t hole) {
+  const ChargeOptions& charge = options.charge;
+  try {
+    const bool own = options.pattern && options.pattern->decks()[hole].explosive;
+    const NamedExplosive explosive =
+        own ? charge.table.find(*options.pattern->decks()[hole].explosive, "hole_table")
+            : charge.explosive;
+    return product_expansion(charge, explosive).gamma();
+  } catch (const InputError& error) {
+    refuse(options.where, "hole " + std::to_string(hole + 1) + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 double exponent_of(const BlastOptions& options, Attenuation by, const NamedExplosive& explosive) {
@@ -162,36 +175,17 @@ std::vector<HoleBlast> hole_blasts(const BlastOptions& options,
 }
 
 double gas_gamma(const BlastOptions& options) {
-  const ChargeOptions& charge = options.charge;
-  std::optional<double> gamma;
-  const auto add = [&](const NamedExplosive& explosive, std::size_t hole) {
-    const std::string number = std::to_string(hole + 1);
-    const double own = [&] {
-      try {
-        return product_expansion(charge, explosive).gamma();
-      } catch (const InputError& error) {
-        refuse(options.where, "hole " + number + ": " + error.what());
-      }
-    }();
-    if (gamma.value_or(own) == own) {
-      gamma = own;
-      return;
-    }
+  const double gamma = gas_gamma_of(options, 0);
+  const std::size_t holes = options.pattern ? options.pattern->decks().size() : 1;
+  for (std::size_t k = 1; k < holes; ++k) {
+    const double other = gas_gamma_of(options, k);
+    if (other == gamma) continue;
     std::ostringstream text;
-    text << "gas in joints must have one exponent, got " << *gamma << " of hole 1 and " << own
-         << " of hole " << number;
+    text << "gas in joints must have one exponent, got " << gamma << " of hole 1 and " << other
+         << " of hole " << k + 1;
     refuse(options.where, text.str());
-  };
-  if (!options.pattern) {
-    add(charge.explosive, 0);
-    return *gamma;
   }
-  const std::vector<Deck>& decks = options.pattern->decks();
-  for (std::size_t k = 0; k < decks.size(); ++k)
-    add(decks[k].explosive ? charge.table.find(*decks[k].explosive, "hole_table")
-                           : charge.explosive,
-        k);
-  return gamma.value_or(0.0);
+  return gamma;
 }
 
 std::vector<ChargeEnergy> charge_energies(const BlastOptions& options,

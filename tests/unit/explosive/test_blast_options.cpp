@@ -248,6 +248,19 @@ TEST(BlastOptions, GasFlowsWithTheExponentOfItsLaw) {
   EXPECT_EQ(message(kTnt + kFlow), "");
 }
 
+TEST(BlastOptions, GasOfHolesMustHaveOneExponent) {
+  const testing::TemporaryFolder folder;
+  const std::string table = testing::write_text(
+      folder.path() / "holes.csv",
+      "hole,collar_x_m,collar_y_m,collar_z_m,toe_x_m,toe_y_m,toe_z_m,diameter_m,explosive\n"
+      "a,0,0,9,0,0,0,0.09,tnt\nb,5,0,9,5,0,0,0.09,emulsion_dense\n");
+  const std::string words = "explosive tnt poisson_ratio 0.22 hole_table " + table + kFlow;
+  EXPECT_EQ(gas_gamma(read(words)), 1.4);
+  EXPECT_EQ(
+      input_error_of([&] { (void)gas_gamma(read(words + " expansion jwl")); }),
+      kWhere + ": gas in joints must have one exponent, got 1.3 of hole 1 and 1.15 of hole 2");
+}
+
 TEST(BlastOptions, FlowLeavesTheTimesOpen) {
   const BlastOptions options = read(kCharge + kFlow);
   EXPECT_FALSE(options.vent_time || options.vent_decay);

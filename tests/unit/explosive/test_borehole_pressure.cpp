@@ -127,6 +127,16 @@ TEST(EnergySwitchPressure, HalfTheDensityHalvesThePressureAtEveryVolume) {
     EXPECT_NEAR(b.pressure(ratio), 0.5 * a.pressure(ratio), 1e-9 * a.pressure(ratio));
 }
 
+TEST(TwoStageIsentrope, RefusesPressuresAndExponentsThatAreNotPositive) {
+  const auto refused = [](const TwoStageIsentrope::Parameters& p) {
+    EXPECT_THROW(TwoStageIsentrope{p}, InputError);
+  };
+  refused({.initial_pressure = 0.0});
+  refused({.initial_pressure = 2e9, .switch_pressure = 0.0});
+  refused({.initial_pressure = 2e9, .dense_exponent = 0.0});
+  refused({.initial_pressure = 2e9, .dilute_exponent = -1.0});
+}
+
 TEST(EnergySwitchPressure, RefusesEnergiesThatThePressureCannotHave) {
   EXPECT_THROW((void)energy_switch_pressure({.initial_pressure = 2e9}, 0.99e9), InputError);
   EXPECT_THROW((void)energy_switch_pressure({.initial_pressure = 2e9}, 5.01e9), InputError);
