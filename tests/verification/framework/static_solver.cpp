@@ -59,7 +59,8 @@ class LinearRock {
       const bool grounded = facet.kind != FacetKind::joint;
       const double h =
           facet.normal.dot(facet.arm_i) - (grounded ? 0.0 : facet.normal.dot(facet.arm_j));
-      const double k = facet.area * network.material().facet_stiffness(h).contact;
+      const JointMaterial& rock = network.material();  // along the normal, of joint and rock
+      const double k = facet.area * rock.facet_stiffness(h).rock_share * rock.p_wave_modulus() / h;
       add(facet.i, k, facet.arm_i);
       if (!grounded) add(facet.j, k, facet.arm_j);
     }
