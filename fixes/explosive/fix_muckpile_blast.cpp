@@ -9,6 +9,7 @@
 #include <update.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -22,6 +23,7 @@
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
 #include "fixes/engine/style_name.h"
+#include "fixes/interfaces/joint_gas_energies.h"
 #include "geometry/holes/hole_surface.h"
 
 namespace muckpile {
@@ -40,8 +42,15 @@ enum Output {
   kExplosiveEnergy,
   kExplosiveMass,
   kGasLeft,
-  kOutputCount
+  kAudit,  // all terms of EnergyAudit but the first, then its error
+  kOutputCount = kAudit + static_cast<int>(EnergyAudit::kTerms.size())
 };
+
+// What compute_array() returns of a hole, by column.
+constexpr std::array kHoleColumns = {&EnergyAudit::explosive, &EnergyAudit::not_released,
+                                     &EnergyAudit::filling,   &EnergyAudit::crushing,
+                                     &EnergyAudit::wall_work, &EnergyAudit::in_holes,
+                                     &EnergyAudit::vented};
 
 std::vector<Hole> holes_of(const BlastSurface& surface) {
   std::vector<Hole> holes;
@@ -57,8 +66,11 @@ FixMuckpileBlast::FixMuckpileBlast(LAMMPS_NS::LAMMPS* lmp_in, int narg, char** a
   engine::require_id_of_restart(*lmp, where_, *this);
   const ArgValues values = engine::read_args(*lmp, blast_table(), where_, narg, arg, 3);
   options_ = engine::or_engine_error(*lmp, [&] { return blast_options(values, where_); });
-  vector_flag = 1;
+  vector_flag = array_flag = 1;
   size_vector = kOutputCount;
+  size_array_cols = static_cast<int>(kHoleColumns.size()) + 1;
+  if (const auto* surface = engine::find_view<BlastSurface>(*lmp))
+    size_array_rows = surface->hole_count();
   global_freq = 1;
   extvector = 0;
   restart_global = 1;
@@ -89,6 +101,8 @@ void FixMuckpileBlast::init() {
   gas_.resize(blasts_.size(), 0.0);
   limit_.resize(blasts_.size(), 0.0);
   states_.resize(blasts_.size());
+  books_.resize(blasts_.size());
+  size_array_rows = static_cast<int>(blasts_.size());
   hole_over_.resize(blasts_.size(), 0);
   surface_->expect_pressure(!over_);
   check_timestep();
@@ -187,6 +201,13 @@ double FixMuckpileBlast::gas_gamma() const {
   return engine::or_engine_error(*lmp, [&] { return muckpile::gas_gamma(options_); });
 }
 
+double FixMuckpileBlast::gas_constant() const {
+  const auto* surface = engine::find_view<BlastSurface>(*lmp);
+  return engine::or_engine_error(*lmp, [&] {
+    return muckpile::gas_constant(options_, surface != nullptr ? holes_of(*surface) : std::vector<Hole>{});
+  });
+}
+
 double FixMuckpileBlast::clock() const { return update->get_cur_time() - clock_zero_; }
 
 void FixMuckpileBlast::setup_pre_force(int vflag) {
@@ -243,7 +264,7 @@ bool FixMuckpileBlast::fired(double time) const {
 
 void FixMuckpileBlast::end_of_step() {
   if (over_ || !fired(clock())) return;
-  sum_swept_volumes();
+  sum_over_walls();
   advance_gas();
 }
 
@@ -261,9 +282,27 @@ void FixMuckpileBlast::refresh_arrivals() {
   arrivals_known_ = true;
 }
 
-void FixMuckpileBlast::sum_swept_volumes() {
-  surface_->swept_volume(swept_);
-  engine::sum_over_ranks_in_place(swept_, world);
+/// Swept volumes and works of all ranks, and what the gas of each hole has expanded.
+void FixMuckpileBlast::sum_over_walls() {
+  const std::size_t holes = blasts_.size();
+  std::vector<double> sums(2 * holes, 0.0);
+  const std::span<double> swept(sums.data(), holes), work(sums.data() + holes, holes);
+  surface_->swept_volume(swept);
+  surface_->work_of_step(work);
+  engine::sum_over_ranks_in_place(sums, world);
+  for (std::size_t h = 0; h < holes; ++h) {
+    HoleBooks& books = books_[h];
+    books.wall_work += work[h];
+    if (!hole_over_[h] && clock() >= blasts_[h].firing_time()) {
+      const auto pressure = [&](double volume) {
+        return blasts_[h].gas_pressure(volume, clock(), states_[h]);
+      };
+      const double more = swept[h] - swept_[h];
+      books.expansion += 0.5 * (pressure(swept_[h]) + pressure(swept[h])) * more;
+      books.air_volume += more;
+    }
+    swept_[h] = swept[h];
+  }
 }
 
 void FixMuckpileBlast::advance_gas() {
@@ -277,7 +316,7 @@ void FixMuckpileBlast::load_faces(double time) {
   for (std::size_t hole = 0; hole < blasts_.size(); ++hole) {
     const HoleBlast& blast = blasts_[hole];
     gas_[hole] = std::max(0.0, blast.gas_pressure(swept_[hole], time, states_[hole]) - ambient_);
-    if (blast.over(time, gas_[hole])) hole_over_[hole] = 1;
+    if (!hole_over_[hole] && blast.over(time, gas_[hole])) end_hole(hole);
     if (hole_over_[hole]) gas_[hole] = 0.0;
     limit_[hole] = blast.pulse_limit(swept_[hole], time, states_[hole]) - ambient_;
     if (!hole_over_[hole] && time >= blast.firing_time()) ++active_holes_;
@@ -293,6 +332,13 @@ void FixMuckpileBlast::load_faces(double time) {
   surface_->set_pressure(pressures_, wave_share_);
 }
 
+/// What gas is left in a hole that is over goes into the open.
+void FixMuckpileBlast::end_hole(std::size_t hole) {
+  if (hole_over_[hole]) return;
+  books_[hole].let_go += blasts_[hole].gas_energy(swept_[hole], clock(), states_[hole]);
+  hole_over_[hole] = 1;
+}
+
 void FixMuckpileBlast::let_gas_into_joints(double ambient) {
   if (!options_.gas || !options_.vent_by_flow)
     throw InputError(where_ + ": gas in joints needs gas yes and venting flow");
@@ -305,14 +351,20 @@ GasChamber FixMuckpileBlast::chamber(std::size_t hole) const {
   if (hole_over_[hole]) return {};
   const double pressure = blast.gas_pressure(swept_[hole], clock(), states_[hole]);
   const double mass = states_[hole].mass_left * charges_[hole].mass;
-  return {{pressure, mass / blast.gas_volume(swept_[hole], states_[hole])}, mass};
+  return {{pressure, mass / blast.gas_volume(swept_[hole], states_[hole])},
+          mass,
+          blast.gas_enthalpy(swept_[hole], clock(), states_[hole])};
 }
 
-void FixMuckpileBlast::let_gas_go() { hole_over_.assign(hole_over_.size(), 1); }
+void FixMuckpileBlast::let_gas_go() {
+  for (std::size_t hole = 0; hole < blasts_.size(); ++hole) end_hole(hole);
+}
 
-void FixMuckpileBlast::take_gas(std::span<const double> per_hole) {
-  for (std::size_t hole = 0; hole < states_.size(); ++hole)
-    states_[hole].mass_left -= per_hole[hole] / charges_[hole].mass;
+void FixMuckpileBlast::take_gas(std::span<const GasFlow> per_hole) {
+  for (std::size_t hole = 0; hole < states_.size(); ++hole) {
+    states_[hole].mass_left -= per_hole[hole].mass / charges_[hole].mass;
+    books_[hole].into_joints += per_hole[hole].energy;
+  }
 }
 
 /// The last load has just been set to zero on every face; nothing is left to do.
@@ -332,10 +384,47 @@ BlastEnergies::Energies FixMuckpileBlast::energies() const {
   return energies;
 }
 
+/// Without what its gas has done in joints.
+EnergyAudit FixMuckpileBlast::audit_of(std::size_t hole) const {
+  const HoleBlast& blast = blasts_[hole];
+  const double now = clock_started_ ? clock() : clock_restarted_;
+  if (now < blast.firing_time()) return {};
+  const double in_hole =
+      hole_over_[hole] ? 0.0 : blast.gas_energy(swept_[hole], now, states_[hole]);
+  return audit_of_hole(blast.load(), charges_[hole].energy, in_hole, states_[hole], books_[hole],
+                       ambient_);
+}
+
+EnergyAudit FixMuckpileBlast::audit() const {
+  EnergyAudit all;
+  for (std::size_t hole = 0; hole < blasts_.size(); ++hole) all += audit_of(hole);
+  if (const auto* joints = engine::find_view<JointGasEnergies>(*lmp)) {
+    const JointGasEnergies::Sums gas = joints->gas_energies();
+    all.joint_work += gas.work;
+    all.air_work += gas.air_work;
+    all.rock_heat += gas.heat;
+    all.in_joints += gas.held;
+    all.vented += gas.vented;
+  }
+  return all;
+}
+
+double FixMuckpileBlast::compute_array(int row, int column) {
+  const auto hole = static_cast<std::size_t>(row), term = static_cast<std::size_t>(column);
+  if (hole >= blasts_.size()) return 0.0;
+  return term < kHoleColumns.size() ? audit_of(hole).*kHoleColumns[term]
+                                    : books_[hole].into_joints;
+}
+
 double FixMuckpileBlast::compute_vector(int index) {
   const BlastSurface* surface =
       engine::find_view<BlastSurface>(*lmp);  // between runs it may have been unfixed
   if (surface == nullptr || blasts_.empty()) return 0.0;
+  if (index >= kAudit) {
+    const EnergyAudit all = audit();
+    const auto term = static_cast<std::size_t>(index - kAudit) + 1;
+    return term < EnergyAudit::kTerms.size() ? all.*EnergyAudit::kTerms[term].value : all.error();
+  }
   switch (index) {
     case kMaximumPressure:
       return greatest_pressure();
@@ -367,7 +456,8 @@ double FixMuckpileBlast::compute_vector(int index) {
 
 void FixMuckpileBlast::write_restart(FILE* file) {
   const double now = clock_started_ ? clock() : clock_restarted_;
-  const BlastState state{now, swept_, states_, hole_over_, over_, walls_checked_, softened_};
+  const BlastState state{now,   swept_,         states_,   hole_over_,
+                         over_, walls_checked_, softened_, books_};
   engine::write_state(*lmp, style, file, state);
 }
 
@@ -380,6 +470,7 @@ void FixMuckpileBlast::restart(char* bytes) {
   over_ = state.over;
   walls_checked_ = state.walls_checked;
   softened_ = state.softened;
+  books_ = std::move(state.books);
 }
 
 }  // namespace muckpile

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "explosive/energy_audit.h"
 #include "explosive/hole_loads.h"
 #include "fixes/interfaces/blast_energies.h"
 #include "fixes/interfaces/blast_surface.h"
@@ -27,15 +28,16 @@ struct BlastState {
   std::vector<GasState> gas;    ///< per hole
   std::vector<char> hole_over;  ///< per hole
   bool over = false, walls_checked = false;
-  double softened = 1.0;  ///< [-]
+  double softened = 1.0;         ///< [-]
+  std::vector<HoleBooks> books;  ///< per hole
 };
 template <>
 struct Stored<BlastState> {
   static constexpr std::string_view kName = "blast_state";
-  static constexpr int kVersion = 1;
+  static constexpr int kVersion = 2;
   static auto fields(auto& state) {
     return std::tie(state.clock, state.swept, state.gas, state.hole_over, state.over,
-                    state.walls_checked, state.softened);
+                    state.walls_checked, state.softened, state.books);
   }
 };
 
@@ -54,18 +56,21 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix,
   void pre_force(int vflag) override;
   void end_of_step() override;
   double compute_vector(int index) override;
+  double compute_array(int hole, int column) override;
   void write_restart(FILE* file) override;
   void restart(char* state) override;
 
   [[nodiscard]] Energies energies() const override;
+  [[nodiscard]] EnergyAudit audit() const override;
   [[nodiscard]] bool over() const override { return over_; }
   [[nodiscard]] BlastTiming timing() const override;
   [[nodiscard]] bool vents_by_flow() const override { return options_.vent_by_flow; }
 
   void let_gas_into_joints(double ambient) override;
   [[nodiscard]] double gas_gamma() const override;
+  [[nodiscard]] double gas_constant() const override;
   [[nodiscard]] GasChamber chamber(std::size_t hole) const override;
-  void take_gas(std::span<const double> per_hole) override;
+  void take_gas(std::span<const GasFlow> per_hole) override;
   void let_gas_go() override;
 
  private:
@@ -77,8 +82,10 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix,
   [[nodiscard]] double clock() const;              // since the first run with this fix [s]
   void refresh_arrivals();
   [[nodiscard]] bool fired(double time) const;
-  void sum_swept_volumes();
+  void sum_over_walls();
   void advance_gas();
+  void end_hole(std::size_t hole);
+  [[nodiscard]] EnergyAudit audit_of(std::size_t hole) const;
   void load_faces(double time);
   void finish();
 
@@ -105,6 +112,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix,
   std::vector<double> gas_;            // per hole [Pa]
   std::vector<double> limit_;          // of the pulse, per hole [Pa]
   std::vector<GasState> states_;       // per hole
+  std::vector<HoleBooks> books_;       // per hole
   std::vector<ChargeEnergy> charges_;  // per hole
   std::vector<char> hole_over_;        // per hole; never turns back
   bool over_ = false;

@@ -4,6 +4,8 @@
 // muckpile/progress read it.
 #pragma once
 
+#include "explosive/energy_audit.h"
+
 namespace muckpile {
 
 class BlastEnergies {
@@ -16,6 +18,8 @@ class BlastEnergies {
   };
   /// Collective.
   [[nodiscard]] virtual Energies energies() const = 0;
+  /// Where the energy of the charges that have fired is. Collective.
+  [[nodiscard]] virtual EnergyAudit audit() const = 0;
   /// True once no hole will press any more.
   [[nodiscard]] virtual bool over() const = 0;
 };

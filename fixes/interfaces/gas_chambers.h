@@ -18,10 +18,12 @@ class GasChambers {
   /// unless the gas vents by flow.
   virtual void let_gas_into_joints(double ambient) = 0;
   [[nodiscard]] virtual double gas_gamma() const = 0;
+  /// R of the products of all holes, the mean by mass [J/(kg K)].
+  [[nodiscard]] virtual double gas_constant() const = 0;
   /// The gas in a crushed zone; pressure 0 before its hole fires and after it is over.
   [[nodiscard]] virtual GasChamber chamber(std::size_t hole) const = 0;
-  /// Removes [kg] from each; the same on all ranks.
-  virtual void take_gas(std::span<const double> per_hole) = 0;
+  /// Removes that from each; the same on all ranks.
+  virtual void take_gas(std::span<const GasFlow> per_hole) = 0;
   /// Ends all holes; the gas that they hold does not press any more.
   virtual void let_gas_go() = 0;
   /// True once no hole will press any more.

@@ -80,6 +80,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   [[nodiscard]] double softened() const override { return network_.totals().softened; }
   void unload_softened() override;
   void swept_volume(std::span<double> per_hole) const override;
+  void work_of_step(std::span<double> per_hole) const override;
   [[nodiscard]] double pressure_work() const override { return network_.pressure_work(); }
   [[nodiscard]] double wave_work() const override { return network_.wave_work(); }
 

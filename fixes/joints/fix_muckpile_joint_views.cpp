@@ -77,6 +77,11 @@ void FixMuckpileJoint::swept_volume(std::span<double> per_hole) const {
   }
 }
 
+void FixMuckpileJoint::work_of_step(std::span<double> per_hole) const {
+  std::fill(per_hole.begin(), per_hole.end(), 0.0);
+  std::ranges::copy(network_.work_per_hole(), per_hole.begin());
+}
+
 YieldingSupports::Chosen FixMuckpileJoint::let_ground_yield(
     const std::function<bool(const Vec3&)>& chosen, double rock_behind) {
   network_.let_ground_yield(QuietGround(network_.material(), rock_behind), chosen);

@@ -19,13 +19,13 @@ BlastLoad::BlastLoad(const Parameters& parameters)
       expansion_(parameters.expansion),
       charge_volume_(parameters.charge_volume),
       vent_time_(parameters.vent_time),
-      vent_decay_(parameters.vent_decay) {
+      vent_decay_(parameters.vent_decay),
+      products_mass_(parameters.products_mass) {
   require_not_negative("peak_pressure", "Pa", wave_peak_);
   if (!expansion_) return;
   require_positive("charge volume", "m3", charge_volume_);
   if (parameters.flow) {
     vent_.emplace(*parameters.flow);
-    products_mass_ = parameters.flow->products_mass;
   } else {
     require_not_negative("vent_time", "s", vent_time_);
     require_positive("vent_decay", "s", vent_decay_);
@@ -52,14 +52,46 @@ double BlastLoad::pulse_limit(double swept_volume, double time, const GasState& 
   return expansion_ ? products_pressure(pulse_volume_ + swept_volume, time, state) : kNoLimit;
 }
 
+double BlastLoad::gas_energy(double swept_volume, double time, const GasState& state) const {
+  if (!expansion_) return 0.0;
+  const double ratio = (start_volume_ + swept_volume) / charge_volume_;
+  if (!vent_)
+    return charge_volume_ * expansion_->stored_energy(ratio) *
+           vent_factor(time, vent_time_, vent_decay_);
+  return state.mass_left * charge_volume_ * expansion_->stored_energy(ratio / state.mass_left);
+}
+
+double BlastLoad::gas_enthalpy(double swept_volume, double time, const GasState& state) const {
+  if (!expansion_) return 0.0;
+  return (gas_energy(swept_volume, time, state) +
+          gas_pressure(swept_volume, time, state) * (start_volume_ + swept_volume)) /
+         (state.mass_left * products_mass_);
+}
+
+BlastLoad::StartEnergies BlastLoad::start_energies() const {
+  if (!expansion_) return {};
+  const auto stored = [this](double volume) {
+    return charge_volume_ * expansion_->stored_energy(volume / charge_volume_);
+  };
+  return {stored(charge_volume_), stored(charge_volume_) - stored(pulse_volume_),
+          stored(pulse_volume_) - stored(start_volume_)};
+}
+
 void BlastLoad::advance(GasState& state, double swept_volume, double time, double dt) const {
-  if (!vent_) return;
+  if (!expansion_) return;
+  if (!vent_) {
+    state.vented_energy +=
+        gas_energy(swept_volume, time, state) - gas_energy(swept_volume, time + dt, state);
+    return;
+  }
   const Chamber chamber{
       .pressure = gas_pressure(swept_volume, time, state),
       .gas_density = state.mass_left * products_mass_ / (start_volume_ + swept_volume),
       .swept_volume = swept_volume,
       .time = time};
+  const double before = state.mass_left, enthalpy = gas_enthalpy(swept_volume, time, state);
   vent_->advance(state, chamber, dt);
+  state.vented_energy += (before - state.mass_left) * products_mass_ * enthalpy;
 }
 
 double BlastLoad::pressure(double tau, double gas_pressure, double pulse_limit) const {

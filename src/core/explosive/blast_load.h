@@ -43,6 +43,7 @@ class BlastLoad {
     PulseParameters pulse{};                      ///< its shape
     std::optional<ProductExpansion> expansion{};  ///< nothing: pulse only; all below is then unused
     double charge_volume;                         ///< V0 [m3]
+    double products_mass = 1.0;                   ///< of the charge [kg]
     double free_volume_ratio = 1.0;               ///< chamber that the products fill over V0 [-]
     double pulse_volume_ratio = 1.0;              ///< Vp/V0, at most free_volume_ratio [-]
     double vent_time;                             ///< since the primer fired [s]
@@ -56,6 +57,20 @@ class BlastLoad {
   /// Gas pressure [Pa] at a swept volume [m3] and a time [s] since the primer fired; 0 without gas.
   [[nodiscard]] double gas_pressure(double swept_volume, double time,
                                     const GasState& state = {}) const;
+  /// What the gas that is left could still do as it expands to nothing, at a swept volume; 0 without
+  /// gas [J].
+  [[nodiscard]] double gas_energy(double swept_volume, double time,
+                                  const GasState& state = {}) const;
+  /// What gas takes along that leaves the chamber: its energy and p/rho; 0 without gas [J/kg].
+  [[nodiscard]] double gas_enthalpy(double swept_volume, double time,
+                                    const GasState& state = {}) const;
+  /// Where the energy of the products is as the gas stage starts [J]; zeros without gas.
+  struct StartEnergies {
+    double products = 0.0;  ///< what their expansion from V0 to nothing can do
+    double filling = 0.0;   ///< of that, from V0 to Vp: the room of a decoupled charge, without work
+    double dense = 0.0;     ///< of that, from Vp to Vg: for the pulse, and to crush the rock
+  };
+  [[nodiscard]] StartEnergies start_energies() const;
   /// p_limit [Pa]. Infinite without gas: then there is no isentrope, and the pulse is as given.
   [[nodiscard]] double pulse_limit(double swept_volume, double time,
                                    const GasState& state = {}) const;
@@ -99,7 +114,7 @@ class BlastLoad {
   double pulse_volume_ = 0.0;  // Vp [m3]
   double vent_time_;
   double vent_decay_;
-  double products_mass_ = 0.0;  // [kg], with flow
+  double products_mass_;  // [kg]
   std::optional<GasVent> vent_;
 };
 

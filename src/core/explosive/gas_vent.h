@@ -13,13 +13,15 @@ struct GasState {
   double stemming_path = 0.0;   ///< way that the stemming has gone towards the collar [m]
   double stemming_speed = 0.0;  ///< [m/s]
   double closed_before = 0.0;  ///< swept volume at firing if the wall had moved inward, else 0 [m3]
+  double vented_energy = 0.0;  ///< that the gas which left through collar and cracks took along [J]
 };
 template <>
 struct Stored<GasState> {
   static constexpr std::string_view kName = "gas_state";
-  static constexpr int kVersion = 1;
+  static constexpr int kVersion = 2;
   static auto fields(auto& gas) {
-    return std::tie(gas.mass_left, gas.stemming_path, gas.stemming_speed, gas.closed_before);
+    return std::tie(gas.mass_left, gas.stemming_path, gas.stemming_speed, gas.closed_before,
+                    gas.vented_energy);
   }
 };
 

@@ -12,6 +12,18 @@ double HoleBlast::gas_pressure(double swept_volume, double time, const GasState&
   return load_.gas_pressure(swept_volume - state.closed_before, since_firing, state);
 }
 
+double HoleBlast::gas_energy(double swept_volume, double time, const GasState& state) const {
+  const double since_firing = time - front_.firing_time();
+  if (since_firing < 0.0) return 0.0;
+  return load_.gas_energy(swept_volume - state.closed_before, since_firing, state);
+}
+
+double HoleBlast::gas_enthalpy(double swept_volume, double time, const GasState& state) const {
+  const double since_firing = time - front_.firing_time();
+  if (since_firing < 0.0) return 0.0;
+  return load_.gas_enthalpy(swept_volume - state.closed_before, since_firing, state);
+}
+
 double HoleBlast::pulse_limit(double swept_volume, double time, const GasState& state) const {
   return load_.pulse_limit(swept_volume - state.closed_before, time - front_.firing_time(), state);
 }

@@ -20,6 +20,9 @@ class HoleBlast {
                                     const GasState& state = {}) const;
   /// What the products can press at most while the pulse acts [Pa]; see BlastLoad.
   [[nodiscard]] double pulse_limit(double swept_volume, double time, const GasState& state) const;
+  /// Energy of that gas [J], and what it takes along as it leaves [J/kg]; 0 before the hole fires.
+  [[nodiscard]] double gas_energy(double swept_volume, double time, const GasState& state) const;
+  [[nodiscard]] double gas_enthalpy(double swept_volume, double time, const GasState& state) const;
   /// Room of the gas [m3].
   [[nodiscard]] double gas_volume(double swept_volume, const GasState& state) const {
     return load_.start_volume() + swept_volume - state.closed_before;

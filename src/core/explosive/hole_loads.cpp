@@ -28,6 +28,8 @@ BlastLoad blast_load(const BlastOptions& options, const LoadedHole& hole, const 
   BlastLoad::Parameters parameters{.wave_peak = wall_peak(options, hole, zone),
                                    .pulse = options.pulse_shape,
                                    .charge_volume = hole.shape.charge_volume(),
+                                   .products_mass =
+                                       hole.explosive.density * hole.shape.charge_volume(),
                                    .vent_time = options.vent_time.value_or(0.0),
                                    .vent_decay = options.vent_decay.value_or(1.0)};
   if (!options.gas) return BlastLoad(parameters);
@@ -41,7 +43,7 @@ BlastLoad blast_load(const BlastOptions& options, const LoadedHole& hole, const 
     parameters.flow->gamma = expansion.gamma();
     parameters.flow->hole_radius = hole.shape.hole_radius;
     parameters.flow->zone_radius = zone.radius;
-    parameters.flow->products_mass = hole.explosive.density * hole.shape.charge_volume();
+    parameters.flow->products_mass = parameters.products_mass;
   }
   return BlastLoad(parameters);
 }

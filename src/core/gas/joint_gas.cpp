@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Gas in broken joints; see the header.
+// Gas in broken joints: where gas can be, how much room it has, what it presses; see the header.
+// Scope: flow and heat are joint_gas_flow.cpp.
 #include "gas/joint_gas.h"
 
 #include <algorithm>
@@ -22,7 +23,11 @@ void transform_all(const std::vector<double>& a, const std::vector<double>& b,
 }  // namespace
 
 JointGas::JointGas(const Parameters& parameters)
-    : p_(parameters), flow_(parameters.flow), outside_(flow_.head({parameters.ambient, 0.0})) {
+    : p_(parameters),
+      flow_(parameters.flow),
+      heat_(parameters.heat),
+      outside_(flow_.head({parameters.ambient, 0.0})) {
+  require_positive("gas_constant", "J/(kg K)", p_.gas_constant);
   require_positive("residual_aperture", "m", p_.residual_aperture);
   require_not_negative("ambient_pressure", "Pa", p_.ambient);
 }
@@ -34,8 +39,11 @@ void JointGas::set_network(const FacetNetwork& network) {
   holds_.assign(count, 0);
   changes_.assign(count, {});
   reservoirs_.assign(count, {});
-  for (auto* numbers : {&density_, &entropy_per_mass_, &pressure_, &root_, &gauge_})
+  for (auto* numbers : {&density_, &pressure_, &root_, &gauge_, &walls_, &new_room_, &films_,
+                        &stretch_, &cooling_})
     numbers->assign(count, 0.0);
+  broken_.assign(network.facet_count(), 0.0);
+  broken_before_ = false;
   cracks_.clear();
   crack_facets_.clear();
   ending_.clear();
@@ -110,6 +118,7 @@ void JointGas::list_cracks(const FacetNetwork& network) {
     for (std::size_t f = 0; f < network.facet_count(); ++f) ends_.push_back(end_of(network, f));
   }
   mark_reached(network);
+  std::vector<double> broken(broken_.size(), 0.0);  // of those that gas still reaches
   cracks_.clear();
   crack_facets_.clear();
   ending_.clear();
@@ -118,12 +127,15 @@ void JointGas::list_cracks(const FacetNetwork& network) {
     if (reached_[end.i] == 0 && (!end.joint || reached_[end.j] == 0)) continue;
     if (end.hole >= 0 || end.surfaces)
       ending_.push_back(static_cast<std::uint32_t>(cracks_.size()));
-    cracks_.push_back({end, f, -1.0, 0.0, 0.0, 0.0});
+    cracks_.push_back({end, f, 0.0, 0.0, 0.0});
+    broken[f] = broken_[f];
     add_facet(crack_facets_, f);
   }
+  broken_ = std::move(broken);
   aperture_.resize(cracks_.size());
   width_.resize(cracks_.size());
   passage_.resize(cracks_.size());
+  film_.resize(cracks_.size());
   listed_ = true;
 }
 
@@ -132,12 +144,18 @@ void JointGas::measure_crack(std::size_t c, const OpenJoint& open) {
   const double smooth = p_.residual_aperture + open.opening;
   const JointApertures apertures = open.by_law.value_or(JointApertures{smooth, smooth});
   aperture_[c] = apertures.hydraulic;
-  if (open.area != crack.broken) {  // another point has broken
-    crack.broken = open.area;
-    width_[c] = 2.0 * std::sqrt(open.area / M_PI);
-  }
+  width_[c] = 2.0 * std::sqrt(open.area / M_PI);
   crack.area = aperture_[c] * width_[c];
-  crack.volume = (crack.joint ? 0.5 : 1.0) * open.area * apertures.mechanical;
+  const double half = crack.joint ? 0.5 : 1.0;  // a joint's room belongs to two blocks
+  crack.volume = half * open.area * apertures.mechanical;
+  // A point that has just broken has not opened yet.
+  const double depth = half * (open.by_law ? apertures.mechanical : p_.residual_aperture);
+  const double new_area = broken_before_ ? open.area - broken_[crack.facet] : 0.0;
+  broken_[crack.facet] = open.area;
+  each_block(crack, [&](std::size_t b) {
+    walls_[b] += open.area;
+    new_room_[b] += depth * new_area;
+  });
   if (open.wide) wide_.push_back(static_cast<std::uint32_t>(c));
 }
 
@@ -153,25 +171,59 @@ void JointGas::count_crack(const Crack& crack) {
   });
 }
 
+/// How easily gas passes each crack, and the film that it makes there: the friction is in the
+/// passage, (1 + f L/(2w))^(-1/2).
+void JointGas::find_passages() {
+  transform_all(aperture_, width_, passage_,
+                [flow = flow_](double w, double length) { return flow.passage(w, length); });
+  const double heat_capacity = flow_.gamma() * cv();
+  for (std::size_t c = 0; c < cracks_.size(); ++c) {
+    const double friction =
+        2.0 * (1.0 / (passage_[c] * passage_[c]) - 1.0) * aperture_[c] / width_[c];
+    film_[c] = heat_.film(friction, 1.0 / cracks_[c].area, heat_capacity) * broken_[cracks_[c].facet];
+    cracks_[c].way = cracks_[c].area * passage_[c];
+  }
+}
+
 void JointGas::measure(const FacetNetwork& network, const std::vector<char>& fed) {
   if (!list_holds(network, fed)) list_cracks(network);
   wide_.clear();
+  std::fill(walls_.begin(), walls_.end(), 0.0);
+  std::fill(new_room_.begin(), new_room_.end(), 0.0);
   network.open_joints(crack_facets_, openings_);
   for (std::size_t c = 0; c < cracks_.size(); ++c) measure_crack(c, openings_[c]);
-  transform_all(aperture_, width_, passage_,
-                [flow = flow_](double w, double length) { return flow.passage(w, length); });
+  broken_before_ = true;
+  find_passages();
   for (GasCell& cell : cells_) cell.volume = cell.ways = 0.0;
   chamber_ways_.assign(fed.size(), 0.0);
-  for (std::size_t c = 0; c < cracks_.size(); ++c) {
-    cracks_[c].way = cracks_[c].area * passage_[c];
-    count_crack(cracks_[c]);
+  for (const Crack& crack : cracks_) count_crack(crack);
+  expand();
+}
+
+/// The gas of owned blocks follows its joints: adiabatically where they open and close, without
+/// work into room that has just broken.
+void JointGas::expand() {
+  for (std::size_t b = 0; b < cells_.size(); ++b) {
+    const double before = cells_[b].content.volume, now = cells_[b].volume - new_room_[b];
+    const bool works = owned(b) && cells_[b].content.mass > 0.0 && before > 0.0 && now > 0.0;
+    stretch_[b] = works ? before / now : 1.0;
+  }
+  transform_all(stretch_, stretch_, cooling_, [less = flow_.gamma() - 1.0](double x, double) {
+    return power_of(x, less);
+  });
+  for (std::size_t b = 0; b < cells_.size(); ++b) {
+    if (!owned(b)) continue;
+    GasContent& gas = cells_[b].content;
+    spent_.work += gas.energy * (1.0 - cooling_[b]);
+    if (stretch_[b] != 1.0) spent_.swept_volume += cells_[b].volume - new_room_[b] - gas.volume;
+    gas.energy *= cooling_[b];
+    gas.volume = cells_[b].volume;
   }
 }
 
 double JointGas::pressure(const GasCell& cell) const {
   if (!(cell.content.mass > 0.0) || !(cell.volume > 0.0)) return 0.0;
-  return cell.content.entropy / cell.content.mass *
-         power_of(cell.content.mass / cell.volume, flow_.gamma());
+  return (flow_.gamma() - 1.0) * cell.content.energy / cell.volume;
 }
 
 std::span<const double> JointGas::press() {
@@ -183,11 +235,12 @@ std::span<const double> JointGas::press() {
 
 void JointGas::refresh() {
   find_pressures();
+  const double to_enthalpy = flow_.gamma() / (flow_.gamma() - 1.0);
   for (std::size_t b = 0; b < cells_.size(); ++b) {
     const GasPoint gas{pressure_[b], pressure_[b] > 0.0 ? density_[b] : 0.0};
     reservoirs_[b] = {CrackFlow::head(gas, root_[b]), gas.density,
                       cells_[b].ways > 0.0 ? cells_[b].volume / cells_[b].ways : 0.0,
-                      entropy_per_mass_[b]};
+                      to_enthalpy * pressure_[b] / density_[b]};
   }
 }
 
@@ -198,114 +251,16 @@ void JointGas::find_pressures() {
     const GasCell& cell = cells_[b];
     const bool holds = cell.content.mass > 0.0 && cell.volume > 0.0;
     density_[b] = holds ? cell.content.mass / cell.volume : 1.0;
-    entropy_per_mass_[b] = holds ? cell.content.entropy / cell.content.mass : 0.0;
+    pressure_[b] = pressure(cell);
   }
-  transform_all(density_, entropy_per_mass_, pressure_,
-                [flow](double rho, double k) { return k * power_of(rho, flow.gamma()); });
   transform_all(pressure_, density_, root_, [flow](double p, double) { return flow.root_of(p); });
 }
 
-void JointGas::exchange(std::size_t c, double dt) {
-  const Crack& crack = cracks_[c];
-  std::size_t from = crack.i, to = crack.j;
-  if (reservoirs_[to].head.pressure > reservoirs_[from].head.pressure) std::swap(from, to);
-  const Reservoir &donor = reservoirs_[from], &taker = reservoirs_[to];
-  if (!(donor.head.pressure > taker.head.pressure)) return;
-  const double flux = flow_.flux(donor.head, taker.head, passage_[c]);
-  const double thinning = CrackFlow::thinning(donor.head, taker.head);
-  const double most = crack.way * equalising_mass(donor.density, donor.room, thinning, taker.room);
-  const double mass = std::min(flux * crack.area * dt, most);
-  move(from, -mass, donor.entropy_per_mass);
-  move(to, mass, donor.entropy_per_mass);
-}
-
-JointGas::Reservoir JointGas::inlet_of(const GasChamber& chamber) const {
-  if (!(chamber.gas.pressure > 0.0)) return {};
-  return {flow_.head(chamber.gas), chamber.gas.density,
-          chamber.mass / chamber.gas.density / chamber.ways,
-          chamber.gas.pressure / std::pow(chamber.gas.density, flow_.gamma())};
-}
-
-/// From the chamber into block b, or back; returns the mass.
-double JointGas::feed(std::size_t b, std::size_t c, const Reservoir& inlet, double dt) {
-  const Reservoir& gas = reservoirs_[b];
-  if (!(inlet.head.pressure > 0.0) || !(gas.room > 0.0)) return 0.0;
-  const bool in = inlet.head.pressure > gas.head.pressure;
-  const GasHead &up = in ? inlet.head : gas.head, &down = in ? gas.head : inlet.head;
-  const double most =
-      cracks_[c].end() * equalising_mass(in ? inlet.density : gas.density, inlet.room,
-                                         CrackFlow::thinning(up, down), gas.room);
-  const double mass =
-      std::min(flow_.flux(up, down, passage_[c]) * 0.5 * cracks_[c].area * dt, most);
-  move(b, in ? mass : -mass, in ? inlet.entropy_per_mass : gas.entropy_per_mass);
-  return in ? mass : -mass;
-}
-
-/// From block b into the atmosphere; returns the mass.
-double JointGas::vent(std::size_t b, std::size_t c, double dt) {
-  const Reservoir& gas = reservoirs_[b];
-  if (!(gas.head.pressure > p_.ambient)) return 0.0;
-  const double most =
-      cracks_[c].end() * gas.density * gas.room * (1.0 - CrackFlow::thinning(gas.head, outside_));
-  const double mass =
-      std::min(flow_.flux(gas.head, outside_, passage_[c]) * 0.5 * cracks_[c].area * dt, most);
-  move(b, -mass, gas.entropy_per_mass);
-  return mass;
-}
-
-JointGas::Flows JointGas::flow(std::span<const GasChamber> chambers, double dt) {
-  Flows flows{std::vector<double>(chambers.size(), 0.0), 0.0};
-  std::fill(changes_.begin(), changes_.end(), Change{});
-  for (std::size_t c = 0; c < cracks_.size(); ++c) {
-    if (cracks_[c].joint) exchange(c, dt);
-  }
-  std::vector<Reservoir> inlets;
-  for (const GasChamber& chamber : chambers) inlets.push_back(inlet_of(chamber));
-  for (const std::uint32_t c : ending_) {
-    const Crack& crack = cracks_[c];
-    each_block(crack, [&](std::size_t b) {
-      if (!owned(b)) return;
-      if (crack.hole >= 0) {
-        const auto hole = static_cast<std::size_t>(crack.hole);
-        flows.from_hole[hole] += feed(b, c, inlets[hole], dt);
-      }
-      if (crack.surfaces) flows.vented += vent(b, c, dt);
-    });
-  }
+GasFlow JointGas::held() const {
+  GasFlow sum;
   for (std::size_t b = 0; b < cells_.size(); ++b) {
-    if (!owned(b)) continue;
-    cells_[b].content.mass += changes_[b].mass;
-    cells_[b].content.entropy += changes_[b].entropy;
+    if (owned(b)) sum += {cells_[b].content.mass, cells_[b].content.energy};
   }
-  return flows;
-}
-
-JointGas::Opened JointGas::open_wide() {
-  Opened opened;
-  if (wide_.empty()) return opened;
-  std::vector<double> lost_volume(cells_.size(), 0.0);
-  for (const std::uint32_t c : wide_) {
-    opened.joints.push_back(cracks_[c].facet);
-    keeps_[cracks_[c].facet] = Keeps::nothing;
-    listed_ = false;
-    each_block(cracks_[c], [&](std::size_t b) { lost_volume[b] += cracks_[c].volume; });
-  }
-  for (std::size_t b = 0; b < cells_.size(); ++b) {
-    if (!owned(b) || lost_volume[b] == 0.0) continue;
-    GasContent& content = cells_[b].content;
-    const double kept = std::max(0.0, 1.0 - lost_volume[b] / cells_[b].volume);
-    // The last joint takes all: no rounding is left behind.
-    const GasContent rest =
-        kept < 1e-12 ? GasContent{} : GasContent{kept * content.mass, kept * content.entropy};
-    opened.vented += content.mass - rest.mass;
-    content = rest;
-  }
-  return opened;
-}
-
-double JointGas::mass() const {
-  double sum = 0.0;
-  for (std::size_t b = 0; b < cells_.size(); ++b) sum += owned(b) ? cells_[b].content.mass : 0.0;
   return sum;
 }
 

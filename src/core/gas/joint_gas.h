@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Gas of the charges in broken joints: finite volumes on the blocks of a facet network.
-// Scope: how much gas is where and what it presses; no engine, no communication. The gas of a block
-// is that between it and the middle of each of its broken facets: V = sum of A_broken w/2 (w at a
-// support), w = residual aperture + mean opening, or the mechanical aperture of a joint whose law
-// has one: the volume grows as the faces part, with the work that the pressure does on them. The
-// flow has the same w, or that law's hydraulic aperture. A crack through the edge of a block has
-// two of the three facets there, and those share a block: so the gas goes wherever cracks hang
-// together. Two blocks exchange gas through the broken facet that they share. Where both have a
-// face on the same crushed zone their facet ends there and takes gas from the chamber, and where
-// both have a free face it lets gas out. In both cases each block has half the aperture.
+// Scope: how much gas is where, how hot it is and what it presses; no engine, no communication. The
+// gas of a block is that between it and the middle of each of its broken facets: V = sum of
+// A_broken w/2 (w at a support), w = residual aperture + mean opening, or the mechanical aperture of
+// a joint whose law has one: the volume grows as the faces part, with the work that the pressure
+// does on them. The flow has the same w, or that law's hydraulic aperture. A crack through the edge
+// of a block has two of the three facets there, and those share a block: so the gas goes wherever
+// cracks hang together. Two blocks exchange gas through the broken facet that they share. Where both
+// have a face on the same crushed zone their facet ends there and takes gas from the chamber, and
+// where both have a free face it lets gas out. In both cases each block has half the aperture.
+//
+// An ideal gas with mass and energy of its own in every block: p = (gamma - 1) U/V. What flows
+// carries its enthalpy; a joint that opens costs the gas p dV, one that has just broken is room
+// without work; the walls take heat (wall_heat.h).
 //
 // A step: the caller fills the contents of owned blocks; measure(), then copies get the numbers of
-// their owners, then press(); after the forces flow(). Both owners of a facet compute the same flow
-// from the same numbers, so mass is kept to rounding.
+// their owners, then press(); after the forces flow(), then cool(). Both owners of a facet compute
+// the same flow from the same numbers, so mass and energy are kept to rounding.
 #pragma once
 
 #include <cstdint>
@@ -21,20 +25,41 @@
 
 #include "bond/network/facet_network.h"
 #include "gas/crack_flow.h"
+#include "gas/wall_heat.h"
 #include "state/encoding.h"
 
 namespace muckpile {
 
 /// What a block's joints hold; it travels with the block.
 struct GasContent {
-  double mass = 0.0;     ///< [kg]
-  double entropy = 0.0;  ///< sum of mass x K of what came in, p = K rho^gamma
+  double mass = 0.0;    ///< [kg]
+  double energy = 0.0;  ///< internal, U = p V/(gamma - 1) [J]
+  double heat = 0.0;    ///< that the block's walls have taken from it [J]
+  double volume = 0.0;  ///< that it had at the last measure() [m3]
 };
 template <>
 struct Stored<GasContent> {
   static constexpr std::string_view kName = "gas_content";
-  static constexpr int kVersion = 1;
-  static auto fields(auto& gas) { return std::tie(gas.mass, gas.entropy); }
+  static constexpr int kVersion = 2;
+  static auto fields(auto& gas) { return std::tie(gas.mass, gas.energy, gas.heat, gas.volume); }
+};
+
+/// Gas that goes from one place to another, with the energy that it carries.
+struct GasFlow {
+  double mass = 0.0;    ///< [kg]
+  double energy = 0.0;  ///< [J]
+  GasFlow& operator+=(const GasFlow& more) {
+    mass += more.mass;
+    energy += more.energy;
+    return *this;
+  }
+};
+
+/// What the gas of owned blocks has spent so far.
+struct GasSpent {
+  double work = 0.0;          ///< p dV, on the blocks and on the atmosphere [J]
+  double swept_volume = 0.0;  ///< of that the volume, dV [m3]
+  double heat = 0.0;          ///< into the rock [J]
 };
 
 /// Numbers of a block that its neighbours need.
@@ -47,14 +72,17 @@ struct GasCell {
 /// Gas in a crushed zone.
 struct GasChamber {
   GasPoint gas;       ///< pressure 0: nothing flows out or in
-  double mass = 0.0;  ///< [kg]
-  double ways = 0.0;  ///< conductance of the joints that end in it [m2]; of all ranks
+  double mass = 0.0;      ///< [kg]
+  double enthalpy = 0.0;  ///< that what leaves it carries [J/kg]
+  double ways = 0.0;      ///< conductance of the joints that end in it [m2]; of all ranks
 };
 
 class JointGas {
  public:
   struct Parameters {
     CrackFlow::Parameters flow;
+    WallHeat::Parameters heat;
+    double gas_constant = 370.0;      ///< R of the products, p = rho R T [J/(kg K)]
     double residual_aperture = 1e-4;  ///< of a closed joint [m]
     double ambient = 101325.0;        ///< pressure of the atmosphere [Pa]
   };
@@ -83,8 +111,8 @@ class JointGas {
   [[nodiscard]] std::span<const double> press();
 
   struct Flows {
-    std::vector<double> from_hole;  ///< what owned blocks took from each chamber [kg]
-    double vented = 0.0;            ///< what they let into the atmosphere [kg]
+    std::vector<GasFlow> from_hole;  ///< what owned blocks took from each chamber
+    GasFlow vented;                  ///< what they let into the atmosphere
   };
   /// Contents have changed since press(), here or on another rank.
   void refresh();
@@ -92,16 +120,19 @@ class JointGas {
   /// to its conductance, and no flow is larger than what would make the two shares at a way equal:
   /// pressures never cross, none is emptied.
   [[nodiscard]] Flows flow(std::span<const GasChamber> chambers, double dt);
+  /// The walls take heat for a time dt [s], through the film of the flows since the last cool().
+  void cool(double dt);
   /// Joints that measure() found wide lose what they hold and hold nothing from now on; the caller
   /// tells the network of them.
   struct Opened {
     std::vector<std::uint32_t> joints;
-    double vented = 0.0;  ///< what owned blocks let into the atmosphere so [kg]
+    GasFlow vented;  ///< what owned blocks let into the atmosphere so
   };
   [[nodiscard]] Opened open_wide();
 
   [[nodiscard]] double pressure(const GasCell& cell) const;  ///< absolute; 0 if empty [Pa]
-  [[nodiscard]] double mass() const;                         ///< in owned blocks [kg]
+  [[nodiscard]] GasFlow held() const;                        ///< in owned blocks
+  [[nodiscard]] const GasSpent& spent() const { return spent_; }
   [[nodiscard]] double greatest_pressure() const;            ///< of owned blocks [Pa]
   [[nodiscard]] double blocks_with_gas() const;              ///< owned ones
 
@@ -115,7 +146,6 @@ class JointGas {
   enum class Keeps : std::uint8_t { unknown, gas, nothing };  // of a broken facet
   struct Crack : End {                                        // a broken facet that gas can reach
     std::uint32_t facet;
-    double broken;                                          // area of its broken points [m2]
     double volume;                                          // for each of its blocks [m3]
     double area;                                            // across the flow [m2]
     double way;                                             // conductance: area x passage [m2]
@@ -123,12 +153,9 @@ class JointGas {
   };
   struct alignas(64) Reservoir {  // gas of a block or a chamber, for the flow
     GasHead head;
-    double density;           // [kg/m3]
-    double room;              // volume for a way of that conductance [m]
-    double entropy_per_mass;  // K
-  };
-  struct Change {
-    double mass = 0.0, entropy = 0.0;
+    double density;   // [kg/m3]
+    double room;      // volume for a way of that conductance [m]
+    double enthalpy;  // [J/kg]
   };
 
   [[nodiscard]] bool owned(std::size_t b) const { return owned_[b] != 0; }
@@ -139,28 +166,38 @@ class JointGas {
   void find_pressures();
   void measure_crack(std::size_t c, const OpenJoint& open);
   void count_crack(const Crack& crack);
+  void find_passages();
+  void expand();
   template <class Act>
   void each_block(const Crack& crack, const Act& act) const {
     act(std::size_t{crack.i});
     if (crack.joint) act(std::size_t{crack.j});
   }
   /// What would have to flow through a way of conductance 1 for the pressure of both its shares to
-  /// be the same [kg/m2].
-  [[nodiscard]] static double equalising_mass(double density, double room, double thinning,
-                                              double other_room) {
-    return density * std::max(0.0, 1.0 - thinning) * room * other_room / (room + other_room);
+  /// be the same [kg/m2]: m carries gamma m p/((gamma - 1) rho) from one to the other.
+  [[nodiscard]] double equalising_mass(const Reservoir& donor, double donor_room,
+                                       const GasHead& taker, double taker_room) const {
+    return donor.density / flow_.gamma() *
+           std::max(0.0, 1.0 - taker.pressure * donor.head.inverse_pressure) * donor_room *
+           taker_room / (donor_room + taker_room);
   }
   void exchange(std::size_t c, double dt);
   [[nodiscard]] Reservoir inlet_of(const GasChamber& chamber) const;
-  [[nodiscard]] double feed(std::size_t b, std::size_t c, const Reservoir& inlet, double dt);
-  [[nodiscard]] double vent(std::size_t b, std::size_t c, double dt);
-  void move(std::size_t b, double mass, double entropy_per_mass) {
-    changes_[b].mass += mass;
-    changes_[b].entropy += mass * entropy_per_mass;
+  [[nodiscard]] GasFlow feed(std::size_t b, std::size_t c, const Reservoir& inlet, double dt);
+  [[nodiscard]] GasFlow vent(std::size_t b, std::size_t c, double dt);
+  GasFlow move(std::size_t b, double mass, double enthalpy) {
+    const GasFlow flow{mass, mass * enthalpy};
+    changes_[b] += flow;
+    return flow;
   }
+  /// A mass that has gone through part of a crack makes a film on the walls of block b.
+  void note_film(std::size_t b, std::size_t c, double mass) { films_[b] += film_[c] * mass; }
+  void cool_block(std::size_t b, double dt);
+  [[nodiscard]] double cv() const { return p_.gas_constant / (flow_.gamma() - 1.0); }
 
   Parameters p_;
   CrackFlow flow_;
+  WallHeat heat_;
   GasHead outside_;  // of the atmosphere, but for its density
   std::vector<int> touches_;
   std::vector<GasCell> cells_;
@@ -179,11 +216,19 @@ class JointGas {
   std::vector<LaneSet> crack_facets_;               // of cracks_
   std::vector<OpenJoint> openings_;                 // of cracks_
   std::vector<double> aperture_, width_, passage_;  // of cracks_, for the flow [m], [m], [-]
+  std::vector<double> film_;  // of cracks_: film x wall per mass flow through them [J/(kg K)]
   std::vector<std::uint32_t> ending_, wide_;        // of cracks_: in a hole or at a surface; wide
-  std::vector<Change> changes_;
+  std::vector<GasFlow> changes_;
   std::vector<double> chamber_ways_;
+  bool broken_before_ = false;  // the areas in broken_ are those of the last measure()
+  std::vector<double> broken_;  // per facet: its area of broken points that gas could reach [m2]
+  // Per block: broken area, of that without work since the last measure() as a volume, mass flow
+  // times film and wall since the last cool().
+  std::vector<double> walls_, new_room_, films_;  // [m2], [m3], [J/K]
+  std::vector<double> stretch_, cooling_;         // V before over V now, and the gas by that [-]
+  GasSpent spent_;
   // Per block, as refresh() found them.
-  std::vector<double> density_, entropy_per_mass_, pressure_, root_;
+  std::vector<double> density_, pressure_, root_;
   std::vector<double> gauge_;  // per block: beyond the atmosphere, as press() told it [Pa]
   std::vector<Reservoir> reservoirs_;
 };

@@ -3,6 +3,7 @@
 // Scope: see the header.
 #include "bond/network/face_load.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace muckpile {
@@ -43,6 +44,9 @@ void FaceLoad::set(std::vector<BoundaryFace> faces, const FacetTables& tables,
   faces_.shrink_to_fit();
   walls_.emplace(tables, faces_, blocks);
   if (walls_->empty()) walls_.reset();
+  int holes = 0;
+  for (const BoundaryFace& face : faces_) holes = std::max(holes, face.hole + 1);
+  hole_work_.assign(static_cast<std::size_t>(holes), 0.0);
   share_load(tables, history);
 }
 
@@ -82,6 +86,7 @@ void FaceLoad::look_anew(const BlockFields& blocks, const JointMaterial& rock) {
 }
 
 void FaceLoad::load(const FacetKinematics& facets, BlockFields& blocks, JointBooks& books) {
+  std::fill(hole_work_.begin(), hole_work_.end(), 0.0);
   if (unloaded_) return;
   const JointMaterial& rock = facets.tables.laws().rock();
   if (moved_unseen_) look_anew(blocks, rock);
@@ -100,6 +105,7 @@ void FaceLoad::load(const FacetKinematics& facets, BlockFields& blocks, JointBoo
           0.5 * (face.pressure + face.last_pressure) * (rigid + squeezed_now - face.last_squeezed);
       books.pressure_work += work;
       books.wave_work += face.wave_share * work;
+      hole_work_[static_cast<std::size_t>(face.hole)] += work;
     }
     if (face.pressure != 0.0) unloaded_ = false;
     face.last_pressure = face.pressure;

@@ -45,6 +45,9 @@ class FaceLoad {
   [[nodiscard]] double energy() const { return energy_; }
   /// Adds forces and torques of the pressures, books their work.
   void load(const FacetKinematics& facets, BlockFields& blocks, JointBooks& books);
+  /// Work of the pressures of each hole on owned blocks in the last load() [J]; a hole beyond the
+  /// end has none.
+  [[nodiscard]] std::span<const double> work_per_hole() const { return hole_work_; }
   /// By a loaded face since the start [m3].
   [[nodiscard]] static double volume_swept(const BoundaryFace& face, const BlockFields& blocks,
                                            const JointMaterial& rock);
@@ -65,6 +68,7 @@ class FaceLoad {
   bool pressure_expected_ = true, unloaded_ = false, moved_unseen_ = false;
   bool softer_since_ = false;
   double energy_ = 0.0;
+  std::vector<double> hole_work_;  // in the last load() [J]
 };
 
 }  // namespace muckpile

@@ -125,6 +125,8 @@ class FacetNetwork {
   [[nodiscard]] double volume_swept(const BoundaryFace& face) const {  ///< by a loaded face [m3]
     return FaceLoad::volume_swept(face, blocks_, material());
   }
+  /// By the pressures of each hole in the last step on owned blocks; see FaceLoad [J].
+  [[nodiscard]] std::span<const double> work_per_hole() const { return faces_.work_per_hole(); }
   [[nodiscard]] double pressure_work() const { return books_.pressure_work; }  ///< [J]
   [[nodiscard]] double wave_work() const { return books_.wave_work; }          ///< [J]
 

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Gas in broken joints: flow between blocks, from chambers and into the open, and heat into walls.
+// Scope: see joint_gas.h; measure() and press() have been called.
+#include <algorithm>
+#include <cmath>
+
+#include "gas/joint_gas.h"
+
+namespace muckpile {
+
+void JointGas::exchange(std::size_t c, double dt) {
+  const Crack& crack = cracks_[c];
+  std::size_t from = crack.i, to = crack.j;
+  if (reservoirs_[to].head.pressure > reservoirs_[from].head.pressure) std::swap(from, to);
+  const Reservoir &donor = reservoirs_[from], &taker = reservoirs_[to];
+  if (!(donor.head.pressure > taker.head.pressure)) return;
+  const double flux = flow_.flux(donor.head, taker.head, passage_[c]);
+  const double most = crack.way * equalising_mass(donor, donor.room, taker.head, taker.room);
+  const double mass = std::min(flux * crack.area * dt, most);
+  move(from, -mass, donor.enthalpy);
+  move(to, mass, donor.enthalpy);
+  note_film(from, c, mass);
+  note_film(to, c, mass);
+}
+
+JointGas::Reservoir JointGas::inlet_of(const GasChamber& chamber) const {
+  if (!(chamber.gas.pressure > 0.0)) return {};
+  return {flow_.head(chamber.gas), chamber.gas.density,
+          chamber.mass / chamber.gas.density / chamber.ways, chamber.enthalpy};
+}
+
+/// From the chamber into block b, or back; returns what block b got. Half of the crack is its own.
+GasFlow JointGas::feed(std::size_t b, std::size_t c, const Reservoir& inlet, double dt) {
+  const Reservoir& gas = reservoirs_[b];
+  if (!(inlet.head.pressure > 0.0) || !(gas.room > 0.0)) return {};
+  const bool in = inlet.head.pressure > gas.head.pressure;
+  const Reservoir &up = in ? inlet : gas, &down = in ? gas : inlet;
+  const double most = cracks_[c].end() * equalising_mass(up, up.room, down.head, down.room);
+  const double mass = std::min(
+      flow_.flux(up.head, down.head, passage_[c]) * 0.5 * cracks_[c].area * dt, most);
+  note_film(b, c, 2.0 * mass);
+  return move(b, in ? mass : -mass, up.enthalpy);
+}
+
+/// From block b into the atmosphere; returns what left it.
+GasFlow JointGas::vent(std::size_t b, std::size_t c, double dt) {
+  const Reservoir& gas = reservoirs_[b];
+  if (!(gas.head.pressure > p_.ambient)) return {};
+  const double most = cracks_[c].end() * gas.density / flow_.gamma() * gas.room *
+                      (1.0 - p_.ambient * gas.head.inverse_pressure);
+  const double mass =
+      std::min(flow_.flux(gas.head, outside_, passage_[c]) * 0.5 * cracks_[c].area * dt, most);
+  note_film(b, c, 2.0 * mass);
+  move(b, -mass, gas.enthalpy);
+  return {mass, mass * gas.enthalpy};
+}
+
+JointGas::Flows JointGas::flow(std::span<const GasChamber> chambers, double dt) {
+  Flows flows{std::vector<GasFlow>(chambers.size()), {}};
+  std::fill(changes_.begin(), changes_.end(), GasFlow{});
+  for (std::size_t c = 0; c < cracks_.size(); ++c) {
+    if (cracks_[c].joint) exchange(c, dt);
+  }
+  std::vector<Reservoir> inlets;
+  for (const GasChamber& chamber : chambers) inlets.push_back(inlet_of(chamber));
+  for (const std::uint32_t c : ending_) {
+    const Crack& crack = cracks_[c];
+    each_block(crack, [&](std::size_t b) {
+      if (!owned(b)) return;
+      if (crack.hole >= 0) {
+        const auto hole = static_cast<std::size_t>(crack.hole);
+        flows.from_hole[hole] += feed(b, c, inlets[hole], dt);
+      }
+      if (crack.surfaces) flows.vented += vent(b, c, dt);
+    });
+  }
+  for (std::size_t b = 0; b < cells_.size(); ++b) {
+    if (!owned(b)) continue;
+    cells_[b].content.mass += changes_[b].mass;
+    cells_[b].content.energy += changes_[b].energy;
+  }
+  return flows;
+}
+
+/// The gas comes nearer to the rock's temperature as exp(-t), so no step is too long.
+void JointGas::cool_block(std::size_t b, double dt) {
+  GasContent& gas = cells_[b].content;
+  if (!(gas.mass > 0.0) || !(films_[b] > 0.0)) return;
+  const double capacity = gas.mass * cv(), temperature = gas.energy / capacity;
+  const double excess = temperature - heat_.rock_temperature();
+  const double film = films_[b] / (walls_[b] * dt);
+  const double loss = heat_.flux(temperature, film, gas.heat / walls_[b]) * walls_[b] * dt;
+  if (!(loss > 0.0)) return;
+  const double heat = -capacity * excess * std::expm1(-loss / (capacity * excess));
+  gas.energy -= heat;
+  gas.heat += heat;
+  spent_.heat += heat;
+}
+
+void JointGas::cool(double dt) {
+  if (heat_.acts()) {
+    for (std::size_t b = 0; b < cells_.size(); ++b) {
+      if (owned(b)) cool_block(b, dt);
+    }
+  }
+  std::fill(films_.begin(), films_.end(), 0.0);
+}
+
+JointGas::Opened JointGas::open_wide() {
+  Opened opened;
+  if (wide_.empty()) return opened;
+  std::vector<double> lost_volume(cells_.size(), 0.0);
+  for (const std::uint32_t c : wide_) {
+    opened.joints.push_back(cracks_[c].facet);
+    keeps_[cracks_[c].facet] = Keeps::nothing;
+    listed_ = false;
+    each_block(cracks_[c], [&](std::size_t b) { lost_volume[b] += cracks_[c].volume; });
+  }
+  for (std::size_t b = 0; b < cells_.size(); ++b) {
+    if (!owned(b) || lost_volume[b] == 0.0) continue;
+    GasContent& gas = cells_[b].content;
+    const double kept = std::max(0.0, 1.0 - lost_volume[b] / cells_[b].volume);
+    // The last joint takes all: no rounding is left behind.
+    const GasContent rest = kept < 1e-12
+                                ? GasContent{.heat = gas.heat}
+                                : GasContent{kept * gas.mass, kept * gas.energy, gas.heat,
+                                             kept * gas.volume};
+    opened.vented += {gas.mass - rest.mass, gas.energy - rest.energy};
+    gas = rest;
+  }
+  return opened;
+}
+
+}  // namespace muckpile
