@@ -153,6 +153,9 @@ void add_explosive_keywords(ArgTable& table) {
   add_optional(
       table, "explosive_gamma",
       "exponent of the products at the Chapman-Jouguet point, > 1 and <= 10; auto: the table's");
+  add_optional(table, "gas_volume",
+               "products per mass as a gas at 273.15 K and 101325 Pa, water as steam [m3/kg], 0.1 "
+               "to 2; auto: the table's, 0.9 without");
   table.group("jwl", 6, 6, false,
               "A [Pa] B [Pa] R1 R2 omega P_CJ [Pa] of an explosive of this density and VOD");
 }
@@ -228,6 +231,7 @@ void read_explosive(ChargeOptions& options, const ArgValues& values, const std::
   if (const auto gamma = typed("explosive_gamma", "", Range::left_open(1.0, 10.0))) {
     explosive.gamma = gamma;
   }
+  explosive.gas_volume = typed("gas_volume", "m3/kg", kGasVolumes).value_or(explosive.gas_volume);
   if (!values.groups("jwl").empty()) {
     explosive.jwl = typed_jwl(where, values.groups("jwl").front(), explosive);
   }

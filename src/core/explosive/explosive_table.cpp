@@ -24,8 +24,8 @@ const std::vector<std::string> kJwlColumns = {"jwl_a_Pa",
                                               "jwl_vod_m_s"};
 
 std::vector<std::string> known_columns() {
-  std::vector<std::string> known = {"name",        "density_kg_m3", "vod_m_s",
-                                    "energy_J_kg", "gamma",         "source"};
+  std::vector<std::string> known = {"name",  "density_kg_m3",    "vod_m_s", "energy_J_kg",
+                                    "gamma", "gas_volume_m3_kg", "source"};
   known.insert(known.end(), kJwlColumns.begin(), kJwlColumns.end());
   return known;
 }
@@ -78,12 +78,20 @@ NamedExplosive entry(const CsvTable& csv, size_t row) {
   read.detonation_velocity = in_range(csv, row, "vod_m_s", Range::closed(100.0, 1e5));
   read.energy = in_range(csv, row, "energy_J_kg", Range::closed(1e4, 1e9));
   read.gamma = in_range_or_empty(csv, row, "gamma", Range::left_open(1.0, 10.0));
+  if (const auto volume = in_range_or_empty(csv, row, "gas_volume_m3_kg", kGasVolumes)) {
+    read.gas_volume = *volume;
+  }
   read.jwl = jwl(csv, row);
   if (const auto source = csv.find_column("source")) read.source = csv.word(row, *source);
   return read;
 }
 
 }  // namespace
+
+double gas_constant(const NamedExplosive& explosive) {
+  constexpr double kPressure = 101325.0, kTemperature = 273.15;  // [Pa], [K]
+  return explosive.gas_volume * kPressure / kTemperature;
+}
 
 ExplosiveTable::ExplosiveTable(const CsvTable& csv) {
   csv.require_known_columns(known_columns());

@@ -29,7 +29,7 @@ void describe_pressures(std::ostream& text, const BlastOptions& options, const L
 /// What the products hold beside what the explosive has.
 void describe_products(std::ostream& text, const BlastOptions& options, const LoadedHole& hole) {
   const ProductExpansion products = product_expansion(options.charge, hole.explosive);
-  const double energy = products.stored_energy() / hole.explosive.density;
+  const double energy = products.energy() / hole.explosive.density;
   text << "  products: gas stage from " << products.pressure(products.switch_ratio()) / kMPa
        << " MPa, exponent " << products.gamma() << "; they hold " << energy / 1e6 << " MJ/kg";
   if (hole.energy_known) text << ", " << energy / hole.explosive.energy << " of the explosive's";

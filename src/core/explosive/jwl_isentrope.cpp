@@ -65,6 +65,10 @@ double JwlIsentrope::energy_from(double v) const {
          gas_ / p_.omega * std::pow(v, -p_.omega);
 }
 
+double JwlIsentrope::stored_energy(double volume_ratio) const {
+  return curve(1.0) * std::max(0.0, 1.0 - volume_ratio) + energy_from(std::max(volume_ratio, 1.0));
+}
+
 double JwlIsentrope::implied_energy() const {
   return energy_from(cj_volume_) - 0.5 * p_.cj_pressure * (1.0 - cj_volume_);
 }

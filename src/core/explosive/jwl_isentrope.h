@@ -37,8 +37,8 @@ class JwlIsentrope {
   [[nodiscard]] double gas_coefficient() const { return gas_; }  ///< C [Pa]
   /// Of the gas that the last term is [-].
   [[nodiscard]] double gamma() const { return 1.0 + p_.omega; }
-  /// Work per volume V0 of charge of the expansion from V0 to nothing [J/m3].
-  [[nodiscard]] double stored_energy() const { return energy_from(1.0); }
+  /// Work per volume V0 of charge of the expansion from a volume ratio V/V0 to nothing [J/m3].
+  [[nodiscard]] double stored_energy(double volume_ratio) const;
   /// E0 that the curve implies: its energy at V_CJ less P_CJ (1 - V_CJ)/2 [J/m3].
   [[nodiscard]] double implied_energy() const;
 
@@ -59,9 +59,11 @@ class JwlGas {
   [[nodiscard]] double pressure(double volume_ratio) const {  ///< [Pa]
     return isentrope_.pressure(volume_ratio);
   }
-  [[nodiscard]] double switch_ratio() const { return switch_ratio_; }                ///< [-]
-  [[nodiscard]] double gamma() const { return isentrope_.gamma(); }                  ///< [-]
-  [[nodiscard]] double stored_energy() const { return isentrope_.stored_energy(); }  ///< [J/m3]
+  [[nodiscard]] double stored_energy(double volume_ratio) const {  ///< [J/m3]
+    return isentrope_.stored_energy(volume_ratio);
+  }
+  [[nodiscard]] double switch_ratio() const { return switch_ratio_; }  ///< [-]
+  [[nodiscard]] double gamma() const { return isentrope_.gamma(); }    ///< [-]
 
  private:
   JwlIsentrope isentrope_;

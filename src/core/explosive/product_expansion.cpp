@@ -11,8 +11,9 @@ double ProductExpansion::gamma() const {
   return std::visit([](const auto& law) { return law.gamma(); }, law_);
 }
 
-double ProductExpansion::stored_energy() const {
-  return std::visit([](const auto& law) { return law.stored_energy(); }, law_);
+double ProductExpansion::stored_energy(double volume_ratio) const {
+  return std::visit([volume_ratio](const auto& law) { return law.stored_energy(volume_ratio); },
+                    law_);
 }
 
 }  // namespace muckpile

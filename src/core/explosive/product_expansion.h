@@ -26,8 +26,11 @@ class ProductExpansion {
   [[nodiscard]] double switch_ratio() const { return switch_ratio_; }
   /// Exponent of the expanded gas, with which it flows [-].
   [[nodiscard]] double gamma() const;
-  /// Per volume V0 of charge [J/m3]: all that the expansion from V0 to nothing can do.
-  [[nodiscard]] double stored_energy() const;
+  /// Per volume V0 of charge [J/m3]: all that the expansion from a volume ratio V/V0 to nothing can
+  /// do, the integral of pressure() from there on.
+  [[nodiscard]] double stored_energy(double volume_ratio) const;
+  /// The same from V0 on: what the products hold at the explosion state [J/m3].
+  [[nodiscard]] double energy() const { return stored_energy(1.0); }
 
  private:
   Law law_;

@@ -29,26 +29,26 @@ double TwoStageIsentrope::pressure(double volume_ratio) const {
   return initial_pressure_ * std::pow(std::max(volume_ratio, 1.0), -dense_exponent_);
 }
 
-double TwoStageIsentrope::stored_energy() const { return work_down_to(0.0); }
+double TwoStageIsentrope::stored_energy(double volume_ratio) const {
+  // The energy of a gas of exponent g is p V/(g - 1); V in charge volumes.
+  if (volume_ratio >= switch_ratio_) {
+    return pressure(volume_ratio) * volume_ratio / (dilute_exponent_ - 1.0);
+  }
+  const double held = initial_pressure_ * std::max(0.0, 1.0 - volume_ratio);
+  const double ratio = std::max(volume_ratio, 1.0);
+  const double at_switch = switch_pressure_ * switch_ratio_;
+  return held + (pressure(ratio) * ratio - at_switch) / (dense_exponent_ - 1.0) +
+         at_switch / (dilute_exponent_ - 1.0);
+}
 
 double TwoStageIsentrope::work_down_to(double pressure) const {
-  // The energy of a gas of exponent g is p V/(g - 1); V in charge volumes.
-  const auto energy_of = [](double p, double volume, double exponent) {
-    return p * volume / (exponent - 1.0);
-  };
   if (pressure >= initial_pressure_) return 0.0;
-  if (pressure > switch_pressure_) {
-    const double volume = std::pow(initial_pressure_ / pressure, 1.0 / dense_exponent_);
-    return energy_of(initial_pressure_, 1.0, dense_exponent_) -
-           energy_of(pressure, volume, dense_exponent_);
-  }
-  const double dense = energy_of(initial_pressure_, 1.0, dense_exponent_) -
-                       energy_of(switch_pressure_, switch_ratio_, dense_exponent_);
-  const double dilute = energy_of(switch_pressure_, switch_ratio_, dilute_exponent_);
-  if (pressure <= 0.0) return dense + dilute;
-  const double volume =
-      switch_ratio_ * std::pow(switch_pressure_ / pressure, 1.0 / dilute_exponent_);
-  return dense + dilute - energy_of(pressure, volume, dilute_exponent_);
+  if (pressure <= 0.0) return stored_energy(1.0);
+  const double ratio =
+      pressure > switch_pressure_
+          ? std::pow(initial_pressure_ / pressure, 1.0 / dense_exponent_)
+          : switch_ratio_ * std::pow(switch_pressure_ / pressure, 1.0 / dilute_exponent_);
+  return stored_energy(1.0) - stored_energy(ratio);
 }
 
 double energy_switch_pressure(const TwoStageIsentrope::Parameters& parameters, double energy) {

@@ -29,9 +29,9 @@ class TwoStageIsentrope {
   [[nodiscard]] double switch_pressure() const { return switch_pressure_; }
   /// Of the second stage [-].
   [[nodiscard]] double gamma() const { return dilute_exponent_; }
-  /// Internal energy per volume V0 of charge at the explosion state [J/m3]: all that the expansion
-  /// to nothing can do. Both exponents must be above 1.
-  [[nodiscard]] double stored_energy() const;
+  /// Internal energy per volume V0 of charge at a volume ratio V/V0 [J/m3]: all that the expansion
+  /// from there to nothing can do. Both exponents must be above 1.
+  [[nodiscard]] double stored_energy(double volume_ratio) const;
   /// Work per volume V0 of charge of the expansion from V0 down to a pressure [J/m3].
   [[nodiscard]] double work_down_to(double pressure) const;
 

@@ -50,6 +50,22 @@ TEST(ExplosiveTable, ReadsAUsersOwnRowWithoutJwl) {
   EXPECT_FALSE(own.find("mine", "test").gamma.has_value());
 }
 
+TEST(ExplosiveTable, GasVolumeGivesTheGasConstantOfTheProducts) {
+  // 11 mol x 8.314 J/(mol K) / 0.2542 kg = 359.8 J/(kg K)
+  EXPECT_NEAR(gas_constant(ExplosiveTable::shipped().find("anfo", "test")), 359.8, 0.1);
+  const ExplosiveTable own = from(
+      "name,density_kg_m3,vod_m_s,energy_J_kg,gas_volume_m3_kg\nmine,1200,5000,3.1e6,0.8\n"
+      "other,1200,5000,3.1e6,\n");
+  EXPECT_EQ(own.find("mine", "test").gas_volume, 0.8);
+  EXPECT_EQ(own.find("other", "test").gas_volume, kUsualGasVolume);
+  EXPECT_EQ(input_error_of([] {
+              (void)from(
+                  "name,density_kg_m3,vod_m_s,energy_J_kg,gas_volume_m3_kg\n"
+                  "mine,1200,5000,3.1e6,900\n");
+            }),
+            "own.csv:2: gas_volume_m3_kg must be >= 0.1 and <= 2, got '900'");
+}
+
 TEST(ExplosiveTable, EachFaultNamesFileLineAndColumn) {
   const std::string head = "name,density_kg_m3,vod_m_s,energy_J_kg";
   const auto fault = [](const std::string& text) {
