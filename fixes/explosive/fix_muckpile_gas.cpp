@@ -9,7 +9,6 @@
 #include <update.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "args/numbers.h"
 #include "fixes/engine/exchange.h"
@@ -24,10 +23,24 @@
 namespace muckpile {
 namespace {
 
-enum Output { kInJoints, kTaken, kVented, kWork, kGreatest, kBlocks, kSpent, kOutputCount };
+enum Output {
+  kInJoints,
+  kTaken,
+  kVented,
+  kWork,
+  kGreatest,
+  kBlocks,
+  kSpent,
+  kEnergyTaken,
+  kHeat,
+  kEnergyHeld,
+  kEnergyVented,
+  kAirWork,
+  kOutputCount
+};
 
-constexpr int kCellWidth = 4;                  // mass, entropy, volume, ways
-constexpr int kContentWidth = 2;               // mass, entropy
+constexpr int kCellWidth = 4;                  // mass, energy, volume, ways
+constexpr int kContentWidth = 2;               // mass, energy
 constexpr LAMMPS_NS::bigint kLookEvery = 100;  // steps between looks whether the gas is spent
 constexpr double kSpentShare = 0.2;  // spent: nowhere more than that share above the atmosphere
 
@@ -39,13 +52,20 @@ const ArgTable& table() {
           .real("roughness", "m", Range::closed(0.0, 0.1), 1e-4,
                 "height of the asperities, for the friction of the flow")
           .integer("substeps", "-", Range::closed(1, 1000), 2, "of the flow in a step")
-          .real("ambient_pressure", "Pa", Range::closed(1e3, 1e7), 101325.0, "of the atmosphere");
+          .real("ambient_pressure", "Pa", Range::closed(1e3, 1e7), 101325.0, "of the atmosphere")
+          .real("effusivity", "W s^0.5/(m2 K)", Range::closed(0.0, 1e5), 2500.0,
+                "of the rock, (k rho c)^(1/2), for the heat that the walls of joints take; 0: none")
+          .real("rock_temperature", "K", Range::closed(200.0, 400.0), 288.0,
+                "of the rock before the blast");
   return args;
 }
 
-JointGas make_gas(LAMMPS_NS::LAMMPS& lmp, const ArgValues& args, double gamma) {
+JointGas make_gas(LAMMPS_NS::LAMMPS& lmp, const ArgValues& args, const GasChambers& blast) {
   return engine::or_engine_error(lmp, [&] {
-    return JointGas({.flow = {.gamma = gamma, .roughness = args.real("roughness")},
+    return JointGas({.flow = {.gamma = blast.gas_gamma(), .roughness = args.real("roughness")},
+                     .heat = {.effusivity = args.real("effusivity"),
+                              .rock_temperature = args.real("rock_temperature")},
+                     .gas_constant = blast.gas_constant(),
                      .residual_aperture = args.real("residual_aperture"),
                      .ambient = args.real("ambient_pressure")});
   });
@@ -68,7 +88,7 @@ FixMuckpileGas::FixMuckpileGas(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     blast->let_gas_into_joints(ambient_);
     return 0;
   });
-  gas_ = make_gas(*lmp, args, blast->gas_gamma());
+  gas_ = make_gas(*lmp, args, *blast);
   vector_flag = 1;
   size_vector = kOutputCount;
   global_freq = 1;
@@ -138,8 +158,10 @@ void FixMuckpileGas::let_go_of_softened_joints(double in_joints) {
 
 /// The gas in the joints goes into the atmosphere.
 void FixMuckpileGas::end_of_gas(const std::string& how) {
-  vented_ += over_ranks(gas_.mass() + lost_);
-  lost_ = 0.0;
+  GasFlow left = gas_.held();
+  left += lost_;
+  vented_ += over_ranks(left);
+  lost_ = {};
   spent_ = true;
   active_ = false;
   joints_->release_gas();
@@ -184,7 +206,7 @@ std::unordered_map<int, GasContent> FixMuckpileGas::contents_here(const std::vec
   std::vector<ByteWriter> outgoing(static_cast<std::size_t>(ranks));
   for (std::size_t k = 0; k < with_gas.size(); ++k) {
     const GasContent content = all[with_gas[k]];
-    if (owners[k] < 0) lost_ += content.mass;
+    if (owners[k] < 0) lost_ += {content.mass, content.energy};
     if (owners[k] < 0 || owners[k] == rank) continue;
     outgoing[static_cast<std::size_t>(owners[k])].put(BlockGas{with_gas[k], content});
   }
@@ -207,7 +229,7 @@ std::span<const double> FixMuckpileGas::pressure_in_joints() {
   const std::span<GasCell> cells = gas_.cells();
   for (std::size_t b = 0; b < halo.owned(); ++b) {
     const GasCell& cell = cells[b];
-    const std::array<double, kCellWidth> row = {cell.content.mass, cell.content.entropy,
+    const std::array<double, kCellWidth> row = {cell.content.mass, cell.content.energy,
                                                 cell.volume, cell.ways};
     std::copy(row.begin(), row.end(), numbers_.data() + b * kCellWidth);
   }
@@ -233,6 +255,7 @@ void FixMuckpileGas::end_of_step() {
     if (k > 0) refresh();
     flow(update->dt / substeps_);
   }
+  gas_.cool(update->dt);
   const JointGas::Opened opened = gas_.open_wide();
   joints_->release_gas(opened.joints);
   lost_ += opened.vented;
@@ -272,7 +295,7 @@ void FixMuckpileGas::refresh() {
   const std::span<GasCell> cells = gas_.cells();
   for (std::size_t b = 0; b < halo.owned(); ++b) {
     contents_[b * kContentWidth] = cells[b].content.mass;
-    contents_[b * kContentWidth + 1] = cells[b].content.entropy;
+    contents_[b * kContentWidth + 1] = cells[b].content.energy;
   }
   halo.forward(contents_, kContentWidth);
   for (std::size_t b = halo.owned(); b < halo.size(); ++b)
@@ -281,15 +304,19 @@ void FixMuckpileGas::refresh() {
 }
 
 void FixMuckpileGas::flow(double dt) {
-  const JointGas::Flows flows = gas_.flow(chambers_, dt);
-  std::vector<double> sums = flows.from_hole;
-  sums.push_back(flows.vented + lost_);
-  lost_ = 0.0;
-  engine::sum_over_ranks_in_place(sums, world);
-  vented_ += sums.back();
-  sums.pop_back();
-  taken_ += std::accumulate(sums.begin(), sums.end(), 0.0);
-  blast_->take_gas(sums);
+  JointGas::Flows flows = gas_.flow(chambers_, dt);
+  flows.vented += lost_;
+  lost_ = {};
+  flows.from_hole.push_back(flows.vented);
+  sums_.clear();
+  for (const GasFlow& flow : flows.from_hole) sums_.insert(sums_.end(), {flow.mass, flow.energy});
+  engine::sum_over_ranks_in_place(sums_, world);
+  for (std::size_t k = 0; k < flows.from_hole.size(); ++k)
+    flows.from_hole[k] = {sums_[2 * k], sums_[2 * k + 1]};
+  vented_ += flows.from_hole.back();
+  flows.from_hole.pop_back();
+  for (const GasFlow& flow : flows.from_hole) taken_ += flow;
+  blast_->take_gas(flows.from_hole);
 }
 
 void FixMuckpileGas::look_whether_spent() {
@@ -307,6 +334,7 @@ void FixMuckpileGas::write_restart(FILE* file) {
                             vented_,
                             over_ranks(lost_),
                             over_ranks(work_),
+                            spent_by_all(),
                             softened_,
                             greatest_pressure()};
   ByteWriter mine;
@@ -329,8 +357,11 @@ void FixMuckpileGas::restart(char* bytes) {
   fed_ = std::move(state.fed);
   taken_ = state.taken;
   vented_ = state.vented;
-  lost_ = engine::share_of_total(*lmp, state.lost);
-  work_ = engine::share_of_total(*lmp, state.work);
+  const auto mine = [this](double total) { return engine::share_of_total(*lmp, total); };
+  lost_ = {mine(state.lost.mass), mine(state.lost.energy)};
+  gas_.resume({mine(state.spent_energy.work), mine(state.spent_energy.swept_volume),
+               mine(state.spent_energy.heat)});
+  work_ = mine(state.work);
   softened_ = state.softened;
   restored_pressure_ = state.greatest_pressure;
 }
@@ -339,14 +370,42 @@ double FixMuckpileGas::over_ranks(double mine, bool greatest) const {
   return greatest ? engine::greatest_over_ranks(mine, world) : engine::sum_over_ranks(mine, world);
 }
 
+GasFlow FixMuckpileGas::over_ranks(const GasFlow& mine) const {
+  return {over_ranks(mine.mass), over_ranks(mine.energy)};
+}
+
+GasSpent FixMuckpileGas::spent_by_all() const {
+  const GasSpent& mine = gas_.spent();
+  return {over_ranks(mine.work), over_ranks(mine.swept_volume), over_ranks(mine.heat)};
+}
+
+JointGasEnergies::Sums FixMuckpileGas::gas_energies() const {
+  const GasSpent spent = spent_by_all();
+  return {.work = over_ranks(work_),
+          .air_work = ambient_ * spent.swept_volume,
+          .heat = spent.heat,
+          .held = over_ranks(gas_.held().energy),
+          .vented = vented_.energy + over_ranks(lost_.energy)};
+}
+
 double FixMuckpileGas::compute_vector(int n) {
   switch (n) {
     case kInJoints:
-      return over_ranks(gas_.mass());
+      return over_ranks(gas_.held().mass);
     case kTaken:
-      return taken_;
+      return taken_.mass;
     case kVented:
-      return vented_ + over_ranks(lost_);
+      return vented_.mass + over_ranks(lost_.mass);
+    case kEnergyTaken:
+      return taken_.energy;
+    case kHeat:
+      return over_ranks(gas_.spent().heat);
+    case kEnergyHeld:
+      return over_ranks(gas_.held().energy);
+    case kEnergyVented:
+      return vented_.energy + over_ranks(lost_.energy);
+    case kAirWork:
+      return ambient_ * over_ranks(gas_.spent().swept_volume);
     case kWork:
       return over_ranks(work_);
     case kGreatest:

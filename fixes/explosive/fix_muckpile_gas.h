@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "fixes/interfaces/gas_chambers.h"
+#include "fixes/interfaces/joint_gas_energies.h"
 #include "fixes/interfaces/joint_pressure.h"
 #include "fixes/interfaces/joints_with_gas.h"
 #include "gas/joint_gas.h"
@@ -36,22 +37,23 @@ struct Stored<BlockGas> {
 struct JointGasState {
   bool active = false, spent = false;
   std::vector<char> fed;                         ///< per hole
-  double taken = 0.0, vented = 0.0, lost = 0.0;  ///< [kg]
-  double work = 0.0;                             ///< [J]
+  GasFlow taken, vented, lost;
+  double work = 0.0;  ///< [J]
+  GasSpent spent_energy;
   double softened = 1.0;                         ///< [-]
   double greatest_pressure = 0.0;                ///< [Pa]
 };
 template <>
 struct Stored<JointGasState> {
   static constexpr std::string_view kName = "joint_gas_state";
-  static constexpr int kVersion = 1;
+  static constexpr int kVersion = 2;
   static auto fields(auto& state) {
     return std::tie(state.active, state.spent, state.fed, state.taken, state.vented, state.lost,
-                    state.work, state.softened, state.greatest_pressure);
+                    state.work, state.spent_energy, state.softened, state.greatest_pressure);
   }
 };
 
-class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure {
+class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure, public JointGasEnergies {
  public:
   FixMuckpileGas(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
@@ -67,6 +69,7 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure {
 
   [[nodiscard]] std::span<const double> pressure_in_joints() override;
   [[nodiscard]] bool acts() const override { return active_; }
+  [[nodiscard]] Sums gas_energies() const override;
 
  private:
   void follow_blocks();
@@ -81,6 +84,8 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure {
   void end_of_gas(const std::string& how);
   void look_whether_spent();
   [[nodiscard]] double over_ranks(double mine, bool greatest = false) const;
+  [[nodiscard]] GasFlow over_ranks(const GasFlow& mine) const;
+  [[nodiscard]] GasSpent spent_by_all() const;
 
   std::string where_;
   JointGas gas_;
@@ -95,13 +100,13 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure {
   std::vector<char> fed_;                   // per hole
   std::vector<GasChamber> chambers_;        // per hole
   std::vector<double> numbers_, contents_;  // of the cells, for messages
-  std::vector<double> ways_;                // of the chambers, for sums
+  std::vector<double> ways_, sums_;         // of the chambers, for sums
   double softened_ = 1.0;                   // stiffness of the joints that the gas has seen [-]
-  double taken_ = 0.0, vented_ = 0.0;       // all ranks, so far [kg]
+  GasFlow taken_, vented_;                  // all ranks, so far
   double restored_pressure_ =
       0.0;             // greatest in joints, of a restart file, until the next step [Pa]
-  double lost_ = 0.0;  // with blocks that left the box, not yet in vented_ [kg]
-  double work_ = 0.0;  // on the blocks of this rank, so far [J]
+  GasFlow lost_;         // with blocks that left the box, not yet in vented_
+  double work_ = 0.0;    // on the blocks of this rank, so far [J]
 };
 
 }  // namespace muckpile

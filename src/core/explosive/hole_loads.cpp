@@ -190,6 +190,17 @@ double gas_gamma(const BlastOptions& options) {
   return gamma;
 }
 
+double gas_constant(const BlastOptions& options, const std::vector<Hole>& crushed_zones) {
+  double mass = 0.0, sum = 0.0;
+  for (std::size_t k = 0; k < crushed_zones.size(); ++k) {
+    const LoadedHole hole = loaded_hole(options, crushed_zones[k], k);
+    const double charge = hole.explosive.density * hole.shape.charge_volume();
+    mass += charge;
+    sum += charge * gas_constant(hole.explosive);
+  }
+  return mass > 0.0 ? sum / mass : gas_constant(options.charge.explosive);
+}
+
 std::vector<ChargeEnergy> charge_energies(const BlastOptions& options,
                                           const std::vector<Hole>& crushed_zones) {
   std::vector<ChargeEnergy> energies;

@@ -44,6 +44,11 @@ struct LoadedHole {
 /// gases differ.
 [[nodiscard]] double gas_gamma(const BlastOptions& options);
 
+/// Specific gas constant of the products of all charges, the mean by mass; of the style's own
+/// explosive where there is no hole [J/(kg K)].
+[[nodiscard]] double gas_constant(const BlastOptions& options,
+                                  const std::vector<Hole>& crushed_zones);
+
 /// Mass and energy of one hole's explosive.
 struct ChargeEnergy {
   double mass = 0.0;    ///< [kg]

@@ -55,11 +55,24 @@ struct GasFlow {
   }
 };
 
+template <>
+struct Stored<GasFlow> {
+  static constexpr std::string_view kName = "gas_flow";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& flow) { return std::tie(flow.mass, flow.energy); }
+};
+
 /// What the gas of owned blocks has spent so far.
 struct GasSpent {
   double work = 0.0;          ///< p dV, on the blocks and on the atmosphere [J]
   double swept_volume = 0.0;  ///< of that the volume, dV [m3]
   double heat = 0.0;          ///< into the rock [J]
+};
+template <>
+struct Stored<GasSpent> {
+  static constexpr std::string_view kName = "gas_spent";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& spent) { return std::tie(spent.work, spent.swept_volume, spent.heat); }
 };
 
 /// Numbers of a block that its neighbours need.
@@ -133,6 +146,8 @@ class JointGas {
   [[nodiscard]] double pressure(const GasCell& cell) const;  ///< absolute; 0 if empty [Pa]
   [[nodiscard]] GasFlow held() const;                        ///< in owned blocks
   [[nodiscard]] const GasSpent& spent() const { return spent_; }
+  /// To go on from a restart file.
+  void resume(const GasSpent& spent) { spent_ = spent; }
   [[nodiscard]] double greatest_pressure() const;            ///< of owned blocks [Pa]
   [[nodiscard]] double blocks_with_gas() const;              ///< owned ones
 
