@@ -204,7 +204,8 @@ double FixMuckpileBlast::gas_gamma() const {
 double FixMuckpileBlast::gas_constant() const {
   const auto* surface = engine::find_view<BlastSurface>(*lmp);
   return engine::or_engine_error(*lmp, [&] {
-    return muckpile::gas_constant(options_, surface != nullptr ? holes_of(*surface) : std::vector<Hole>{});
+    return muckpile::gas_constant(options_,
+                                  surface != nullptr ? holes_of(*surface) : std::vector<Hole>{});
   });
 }
 
@@ -412,8 +413,7 @@ EnergyAudit FixMuckpileBlast::audit() const {
 double FixMuckpileBlast::compute_array(int row, int column) {
   const auto hole = static_cast<std::size_t>(row), term = static_cast<std::size_t>(column);
   if (hole >= blasts_.size()) return 0.0;
-  return term < kHoleColumns.size() ? audit_of(hole).*kHoleColumns[term]
-                                    : books_[hole].into_joints;
+  return term < kHoleColumns.size() ? audit_of(hole).*kHoleColumns[term] : books_[hole].into_joints;
 }
 
 double FixMuckpileBlast::compute_vector(int index) {

@@ -229,8 +229,8 @@ std::span<const double> FixMuckpileGas::pressure_in_joints() {
   const std::span<GasCell> cells = gas_.cells();
   for (std::size_t b = 0; b < halo.owned(); ++b) {
     const GasCell& cell = cells[b];
-    const std::array<double, kCellWidth> row = {cell.content.mass, cell.content.energy,
-                                                cell.volume, cell.ways};
+    const std::array<double, kCellWidth> row = {cell.content.mass, cell.content.energy, cell.volume,
+                                                cell.ways};
     std::copy(row.begin(), row.end(), numbers_.data() + b * kCellWidth);
   }
   halo.forward(numbers_, kCellWidth);

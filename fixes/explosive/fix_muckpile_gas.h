@@ -36,12 +36,12 @@ struct Stored<BlockGas> {
 /// What a restart file holds of the fix that is the same on all ranks.
 struct JointGasState {
   bool active = false, spent = false;
-  std::vector<char> fed;                         ///< per hole
+  std::vector<char> fed;  ///< per hole
   GasFlow taken, vented, lost;
   double work = 0.0;  ///< [J]
   GasSpent spent_energy;
-  double softened = 1.0;                         ///< [-]
-  double greatest_pressure = 0.0;                ///< [Pa]
+  double softened = 1.0;           ///< [-]
+  double greatest_pressure = 0.0;  ///< [Pa]
 };
 template <>
 struct Stored<JointGasState> {
@@ -105,8 +105,8 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure, public Joint
   GasFlow taken_, vented_;                  // all ranks, so far
   double restored_pressure_ =
       0.0;             // greatest in joints, of a restart file, until the next step [Pa]
-  GasFlow lost_;         // with blocks that left the box, not yet in vented_
-  double work_ = 0.0;    // on the blocks of this rank, so far [J]
+  GasFlow lost_;       // with blocks that left the box, not yet in vented_
+  double work_ = 0.0;  // on the blocks of this rank, so far [J]
 };
 
 }  // namespace muckpile

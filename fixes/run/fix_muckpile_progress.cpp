@@ -385,6 +385,10 @@ void FixMuckpileProgress::write_run(const Look& now) const {
   run["explosive_energy_J"] = energies.explosive;
   run["wave_work_J"] = energies.wave;
   run["gas_work_J"] = energies.gas;
+  const EnergyAudit audit = blast != nullptr ? blast->audit() : EnergyAudit{};
+  for (const EnergyAudit::Term& term : EnergyAudit::kTerms)
+    run["energy_audit_J"][std::string(term.name)] = audit.*term.value;
+  run["energy_audit_error"] = audit.explosive > 0.0 ? audit.error() / audit.explosive : 0.0;
   run["blocks_left_scene"] = std::lround(now.gone);
   run["mass_left_scene_kg"] = now.gone_mass;
   run["blocks_in_solid"] = std::lround(now.in_solid);

@@ -26,10 +26,10 @@ JointParameters weak_rock() {
 
 /// Two thirds of the pressure range apart, so that gas flows through most joints.
 void fill(JointGas& gas) {
-  constexpr double kDensity = 100.0, kEntropy = 37900.0;  // [kg/m3]; p = K rho^1.4 of the emulsion
+  constexpr double kDensity = 100.0, kEnergy = 5.9e5;  // [kg/m3], [J/kg]: 24 MPa
   for (std::size_t b = 0; b < gas.cells().size(); b += 2) {
     const double mass = kDensity * (1.0 + static_cast<double>(b % 7) / 7.0) * kOpening;
-    gas.cells()[b].content = {mass, mass * kEntropy};
+    gas.cells()[b].content = {mass, mass * kEnergy, 0.0, 0.0};
   }
 }
 
@@ -59,6 +59,7 @@ nlohmann::ordered_json measure() {
   result["measure"]["ns_per_joint"] = nanoseconds([&] { gas.measure(network, {}); });
   result["pressures"]["ns_per_joint"] = nanoseconds([&] { static_cast<void>(gas.press()); });
   result["flow"]["ns_per_joint"] = nanoseconds([&] { static_cast<void>(gas.flow({}, kStep)); });
+  result["cool"]["ns_per_joint"] = nanoseconds([&] { gas.cool(kStep); });
   return result;
 }
 

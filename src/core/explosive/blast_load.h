@@ -57,8 +57,8 @@ class BlastLoad {
   /// Gas pressure [Pa] at a swept volume [m3] and a time [s] since the primer fired; 0 without gas.
   [[nodiscard]] double gas_pressure(double swept_volume, double time,
                                     const GasState& state = {}) const;
-  /// What the gas that is left could still do as it expands to nothing, at a swept volume; 0 without
-  /// gas [J].
+  /// What the gas that is left could still do as it expands to nothing, at a swept volume; 0
+  /// without gas [J].
   [[nodiscard]] double gas_energy(double swept_volume, double time,
                                   const GasState& state = {}) const;
   /// What gas takes along that leaves the chamber: its energy and p/rho; 0 without gas [J/kg].
@@ -67,8 +67,8 @@ class BlastLoad {
   /// Where the energy of the products is as the gas stage starts [J]; zeros without gas.
   struct StartEnergies {
     double products = 0.0;  ///< what their expansion from V0 to nothing can do
-    double filling = 0.0;   ///< of that, from V0 to Vp: the room of a decoupled charge, without work
-    double dense = 0.0;     ///< of that, from Vp to Vg: for the pulse, and to crush the rock
+    double filling = 0.0;  ///< of that, from V0 to Vp: the room of a decoupled charge, without work
+    double dense = 0.0;    ///< of that, from Vp to Vg: for the pulse, and to crush the rock
   };
   [[nodiscard]] StartEnergies start_energies() const;
   /// p_limit [Pa]. Infinite without gas: then there is no isentrope, and the pulse is as given.

@@ -34,8 +34,8 @@ EnergyAudit audit_of_hole(const BlastLoad& load, double explosive, double in_hol
   audit.filling = start.filling;
   audit.wall_work = books.wall_work;
   audit.air_work = ambient * books.air_volume;
-  audit.crushing = std::max(
-      0.0, start.dense - (books.wall_work + audit.air_work - books.expansion));
+  audit.crushing =
+      std::max(0.0, start.dense - (books.wall_work + audit.air_work - books.expansion));
   audit.in_holes = in_hole;
   // What is in joints now is booked there.
   audit.vented = gas.vented_energy + books.let_go;

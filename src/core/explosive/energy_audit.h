@@ -56,7 +56,7 @@ struct EnergyAudit {
 
   struct Term {
     std::string_view name;
-    double EnergyAudit::* value;
+    double EnergyAudit::*value;
   };
   /// All of them, in the order above.
   static const std::array<Term, 11> kTerms;

@@ -39,8 +39,8 @@ void JointGas::set_network(const FacetNetwork& network) {
   holds_.assign(count, 0);
   changes_.assign(count, {});
   reservoirs_.assign(count, {});
-  for (auto* numbers : {&density_, &pressure_, &root_, &gauge_, &walls_, &new_room_, &films_,
-                        &stretch_, &cooling_})
+  for (auto* numbers :
+       {&density_, &pressure_, &root_, &gauge_, &walls_, &new_room_, &films_, &stretch_, &cooling_})
     numbers->assign(count, 0.0);
   broken_.assign(network.facet_count(), 0.0);
   broken_before_ = false;
@@ -180,7 +180,8 @@ void JointGas::find_passages() {
   for (std::size_t c = 0; c < cracks_.size(); ++c) {
     const double friction =
         2.0 * (1.0 / (passage_[c] * passage_[c]) - 1.0) * aperture_[c] / width_[c];
-    film_[c] = heat_.film(friction, 1.0 / cracks_[c].area, heat_capacity) * broken_[cracks_[c].facet];
+    film_[c] =
+        heat_.film(friction, 1.0 / cracks_[c].area, heat_capacity) * broken_[cracks_[c].facet];
     cracks_[c].way = cracks_[c].area * passage_[c];
   }
 }
@@ -208,9 +209,8 @@ void JointGas::expand() {
     const bool works = owned(b) && cells_[b].content.mass > 0.0 && before > 0.0 && now > 0.0;
     stretch_[b] = works ? before / now : 1.0;
   }
-  transform_all(stretch_, stretch_, cooling_, [less = flow_.gamma() - 1.0](double x, double) {
-    return power_of(x, less);
-  });
+  transform_all(stretch_, stretch_, cooling_,
+                [less = flow_.gamma() - 1.0](double x, double) { return power_of(x, less); });
   for (std::size_t b = 0; b < cells_.size(); ++b) {
     if (!owned(b)) continue;
     GasContent& gas = cells_[b].content;

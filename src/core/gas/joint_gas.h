@@ -2,13 +2,13 @@
 // Gas of the charges in broken joints: finite volumes on the blocks of a facet network.
 // Scope: how much gas is where, how hot it is and what it presses; no engine, no communication. The
 // gas of a block is that between it and the middle of each of its broken facets: V = sum of
-// A_broken w/2 (w at a support), w = residual aperture + mean opening, or the mechanical aperture of
-// a joint whose law has one: the volume grows as the faces part, with the work that the pressure
+// A_broken w/2 (w at a support), w = residual aperture + mean opening, or the mechanical aperture
+// of a joint whose law has one: the volume grows as the faces part, with the work that the pressure
 // does on them. The flow has the same w, or that law's hydraulic aperture. A crack through the edge
 // of a block has two of the three facets there, and those share a block: so the gas goes wherever
-// cracks hang together. Two blocks exchange gas through the broken facet that they share. Where both
-// have a face on the same crushed zone their facet ends there and takes gas from the chamber, and
-// where both have a free face it lets gas out. In both cases each block has half the aperture.
+// cracks hang together. Two blocks exchange gas through the broken facet that they share. Where
+// both have a face on the same crushed zone their facet ends there and takes gas from the chamber,
+// and where both have a free face it lets gas out. In both cases each block has half the aperture.
 //
 // An ideal gas with mass and energy of its own in every block: p = (gamma - 1) U/V. What flows
 // carries its enthalpy; a joint that opens costs the gas p dV, one that has just broken is room
@@ -84,7 +84,7 @@ struct GasCell {
 
 /// Gas in a crushed zone.
 struct GasChamber {
-  GasPoint gas;       ///< pressure 0: nothing flows out or in
+  GasPoint gas;           ///< pressure 0: nothing flows out or in
   double mass = 0.0;      ///< [kg]
   double enthalpy = 0.0;  ///< that what leaves it carries [J/kg]
   double ways = 0.0;      ///< conductance of the joints that end in it [m2]; of all ranks
@@ -148,8 +148,8 @@ class JointGas {
   [[nodiscard]] const GasSpent& spent() const { return spent_; }
   /// To go on from a restart file.
   void resume(const GasSpent& spent) { spent_ = spent; }
-  [[nodiscard]] double greatest_pressure() const;            ///< of owned blocks [Pa]
-  [[nodiscard]] double blocks_with_gas() const;              ///< owned ones
+  [[nodiscard]] double greatest_pressure() const;  ///< of owned blocks [Pa]
+  [[nodiscard]] double blocks_with_gas() const;    ///< owned ones
 
  private:
   struct End {  // of a facet; the same until the network changes
@@ -232,7 +232,7 @@ class JointGas {
   std::vector<OpenJoint> openings_;                 // of cracks_
   std::vector<double> aperture_, width_, passage_;  // of cracks_, for the flow [m], [m], [-]
   std::vector<double> film_;  // of cracks_: film x wall per mass flow through them [J/(kg K)]
-  std::vector<std::uint32_t> ending_, wide_;        // of cracks_: in a hole or at a surface; wide
+  std::vector<std::uint32_t> ending_, wide_;  // of cracks_: in a hole or at a surface; wide
   std::vector<GasFlow> changes_;
   std::vector<double> chamber_ways_;
   bool broken_before_ = false;  // the areas in broken_ are those of the last measure()

@@ -36,8 +36,8 @@ GasFlow JointGas::feed(std::size_t b, std::size_t c, const Reservoir& inlet, dou
   const bool in = inlet.head.pressure > gas.head.pressure;
   const Reservoir &up = in ? inlet : gas, &down = in ? gas : inlet;
   const double most = cracks_[c].end() * equalising_mass(up, up.room, down.head, down.room);
-  const double mass = std::min(
-      flow_.flux(up.head, down.head, passage_[c]) * 0.5 * cracks_[c].area * dt, most);
+  const double mass =
+      std::min(flow_.flux(up.head, down.head, passage_[c]) * 0.5 * cracks_[c].area * dt, most);
   note_film(b, c, 2.0 * mass);
   return move(b, in ? mass : -mass, up.enthalpy);
 }
@@ -121,10 +121,9 @@ JointGas::Opened JointGas::open_wide() {
     GasContent& gas = cells_[b].content;
     const double kept = std::max(0.0, 1.0 - lost_volume[b] / cells_[b].volume);
     // The last joint takes all: no rounding is left behind.
-    const GasContent rest = kept < 1e-12
-                                ? GasContent{.heat = gas.heat}
-                                : GasContent{kept * gas.mass, kept * gas.energy, gas.heat,
-                                             kept * gas.volume};
+    const GasContent rest =
+        kept < 1e-12 ? GasContent{.heat = gas.heat}
+                     : GasContent{kept * gas.mass, kept * gas.energy, gas.heat, kept * gas.volume};
     opened.vented += {gas.mass - rest.mass, gas.energy - rest.energy};
     gas = rest;
   }

@@ -11,7 +11,7 @@ namespace muckpile {
 class WallHeat {
  public:
   struct Parameters {
-    double effusivity = 2500.0;       ///< e = (k rho c)^(1/2) of the rock [W s^(1/2)/(m2 K)]; 0: none
+    double effusivity = 2500.0;  ///< e = (k rho c)^(1/2) of the rock [W s^(1/2)/(m2 K)]; 0: none
     double rock_temperature = 288.0;  ///< of the rock before the blast [K]
     double prandtl = 0.7;             ///< of the gas [-]
   };

@@ -19,10 +19,19 @@ namespace {
 using test::BondScene;
 
 constexpr double kGamma = 1.4, kEntropy = 37900.0;  // p = K rho^gamma of the emulsion
+constexpr double kGasConstant = 370.0;              // [J/(kg K)]
 constexpr double kOpening = 1e-3;                   // of every joint [m]
 
 double density_at(double pressure) { return std::pow(pressure / kEntropy, 1.0 / kGamma); }
 double pressure_at(double density) { return kEntropy * std::pow(density, kGamma); }
+/// Energy of a mass at a pressure and density [J].
+double energy_of(double mass, double pressure, double density) {
+  return mass * pressure / density / (kGamma - 1.0);
+}
+GasChamber chamber_of(double pressure, double mass) {
+  const double density = density_at(pressure);
+  return {{pressure, density}, mass, kGamma / (kGamma - 1.0) * pressure / density};
+}
 
 JointParameters weak() {
   JointParameters p = test::rock(0.0);
@@ -37,7 +46,7 @@ void press(JointGas& gas, FacetNetwork& network) { network.set_gas_pressure(gas.
 double open_wide(JointGas& gas, FacetNetwork& network) {
   const JointGas::Opened opened = gas.open_wide();
   for (const std::uint32_t joint : opened.joints) network.release_gas(joint);
-  return opened.vented;
+  return opened.vented.mass;
 }
 
 /// Blocks apart at every joint, and the gas between them.
@@ -47,31 +56,49 @@ struct GasScene {
   std::vector<char> fed;
   std::vector<GasChamber> chambers;
   double vented = 0.0;
-  std::vector<double> taken;
+  std::vector<GasFlow> taken;
 
   GasScene(const std::vector<Block>& blocks, const JointGas::Parameters& parameters,
            std::size_t holes = 0, const Mat3& apart = Mat3::Identity())
-      : scene(blocks, weak()), gas(parameters), fed(holes, 1), chambers(holes), taken(holes, 0.0) {
+      : scene(blocks, weak()), gas(parameters), fed(holes, 1), chambers(holes), taken(holes) {
     scene.network().keep_gas_in_joints();
     scene.deform(kOpening * apart);  // every joint breaks: its gap counts from here
     scene.compute();
     scene.deform(2.0 * kOpening * apart);
     gas.set_network(scene.network());
   }
-  void fill(std::size_t b, double mass) { gas.cells()[b].content = {mass, mass * kEntropy}; }
+  /// Of the temperature that a pressure has on the isentrope, whatever room it has.
+  void fill(std::size_t b, double mass, double pressure = 100e6) {
+    GasContent& content = gas.cells()[b].content;
+    content.mass = mass;
+    content.energy = energy_of(mass, pressure, density_at(pressure));
+  }
+  /// Blocks in the pose of `opening` at every joint, in which the gas has its room.
+  void open(double opening, const Mat3& apart = Mat3::Identity()) {
+    scene.deform(opening * apart);
+    scene.compute();
+    gas.measure(scene.network(), fed);
+  }
+  double energy() { return gas.held().energy; }
+  double pressure(std::size_t b) { return gas.pressure(gas.cells()[b]); }
   void step(double dt) {
     gas.measure(scene.network(), fed);
     press(gas, scene.network());
     for (std::size_t h = 0; h < chambers.size(); ++h) chambers[h].ways = gas.chamber_ways()[h];
     const JointGas::Flows flows = gas.flow(chambers, dt);
-    vented += flows.vented + open_wide(gas, scene.network());
+    gas.cool(dt);
+    vented += flows.vented.mass + open_wide(gas, scene.network());
     for (std::size_t h = 0; h < taken.size(); ++h) taken[h] += flows.from_hole[h];
   }
   double mass(std::size_t b) { return gas.cells()[b].content.mass; }
 };
 
 JointGas::Parameters closed() {  // nothing to the atmosphere, whatever surface the blocks have
-  return {.flow = {.gamma = kGamma, .roughness = 1e-4}, .residual_aperture = 1e-4, .ambient = 0.0};
+  return {.flow = {.gamma = kGamma, .roughness = 1e-4},
+          .heat = {.effusivity = 0.0},
+          .gas_constant = kGasConstant,
+          .residual_aperture = 1e-4,
+          .ambient = 0.0};
 }
 
 /// The blocks of a test row lie free in space: without this their joints would end on a surface.
@@ -88,49 +115,71 @@ TEST(JointGas, VolumeIsHalfTheApertureOfEveryBrokenJoint) {
   EXPECT_NEAR(row.gas.cells()[1].volume, 2.0 * joint, 1e-12);
 }
 
-TEST(JointGas, TwoBlocksComeToThePressureOfHalfTheGasEach) {
+TEST(JointGas, TwoBlocksComeToThePressureOfAllTheEnergy) {
   GasScene pair(test::cuboids(2, 1, 1), closed());
   seal(pair.gas);
   pair.fill(0, 0.01);
   for (int n = 0; n < 4000; ++n) pair.step(5e-6);
   pair.gas.measure(pair.scene.network(), pair.fed);
-  const double expected = pressure_at(0.005 / (0.5 * (1e-4 + kOpening)));
-  EXPECT_NEAR(pair.gas.pressure(pair.gas.cells()[0]) / expected, 1.0, 1e-9);
-  EXPECT_NEAR(pair.gas.pressure(pair.gas.cells()[1]) / expected, 1.0, 1e-9);
+  const double energy = energy_of(0.01, 100e6, density_at(100e6));
+  const double expected = (kGamma - 1.0) * energy / (1e-4 + kOpening);  // of 1 m2
+  EXPECT_NEAR(pair.pressure(0) / expected, 1.0, 1e-9);
+  EXPECT_NEAR(pair.pressure(1) / expected, 1.0, 1e-9);
   EXPECT_NEAR(pair.mass(0) + pair.mass(1), 0.01, 1e-16);
+  EXPECT_NEAR(pair.energy() / energy, 1.0, 1e-14);
 }
 
-TEST(JointGas, SteadyFlowThroughARowIsTheIntegralAlongTheIsentrope) {
-  // Ends held at 100 and 20 MPa, n joints: n G^2/2 (1 + f L/(2w)) = gamma/(gamma + 1) (p1 rho1 -
-  // p2 rho2). The joints are so narrow that none of them chokes.
+TEST(JointGas, SteadyFlowThroughARowIsTheSumOfItsJoints) {
+  // Ends held at 100 and 20 MPa, n joints. What flows keeps its temperature (throttling), so
+  // across a joint G^2/2 (1 + f L/(2w)) = gamma/(gamma + 1) p rho [1 - (p'/p)^((gamma + 1)/gamma)]
+  // with p rho = p^2/(R T). The joints are so narrow that none of them chokes.
   constexpr int kBlocks = 7;
   GasScene row(test::cuboids(kBlocks, 1, 1), closed());
   seal(row.gas);
   const double aperture = 1e-4 + kOpening, width = 2.0 / std::sqrt(M_PI);
-  const auto volume = [&](int b) { return (b == 0 || b == kBlocks - 1 ? 0.5 : 1.0) * aperture; };
+  const double per_mass = 100e6 / density_at(100e6);  // R T [J/kg]
+  const auto hold = [&](int b, double pressure) {
+    const double volume = 0.5 * aperture, mass = pressure / per_mass * volume;
+    row.gas.cells()[static_cast<std::size_t>(b)].content = {
+        mass, pressure * volume / (kGamma - 1.0), 0.0, volume};
+  };
   double through = 0.0;
   for (int n = 0; n < 200000; ++n) {  // 1 s
-    row.fill(0, density_at(100e6) * volume(0));
-    row.fill(kBlocks - 1, density_at(20e6) * volume(kBlocks - 1));
+    hold(0, 100e6);
+    hold(kBlocks - 1, 20e6);
     const double before = row.mass(kBlocks - 1);
     row.step(5e-6);
     through = (row.mass(kBlocks - 1) - before) / (5e-6 * aperture * width);
   }
   const double f = CrackFlow({.gamma = kGamma, .roughness = 1e-4}).friction_factor(aperture);
-  const double resistance = (kBlocks - 1) * (1.0 + f * width / (2.0 * aperture));
-  const double head =
-      kGamma / (kGamma + 1.0) * (100e6 * density_at(100e6) - 20e6 * density_at(20e6));
-  EXPECT_NEAR(through / std::sqrt(2.0 * head / resistance), 1.0, 1e-6);
+  const double resistance = 1.0 + f * width / (2.0 * aperture);
+  // Pressures along the row for a flux, from the upstream end.
+  const auto end_of = [&](double flux) {
+    double p = 100e6;
+    for (int k = 1; k < kBlocks; ++k) {
+      const double fall = 0.5 * flux * flux * resistance * (kGamma + 1.0) / kGamma * per_mass;
+      p *= std::pow(std::max(0.0, 1.0 - fall / (p * p)), kGamma / (kGamma + 1.0));
+    }
+    return p;
+  };
+  double low = 0.0, high = 1e6;
+  for (int k = 0; k < 200; ++k)
+    (end_of(0.5 * (low + high)) > 20e6 ? low : high) = 0.5 * (low + high);
+  EXPECT_NEAR(through / low, 1.0, 1e-6);
+  for (std::size_t b = 1; b + 1 < kBlocks; ++b)
+    EXPECT_NEAR(row.gas.cells()[b].content.energy * (kGamma - 1.0) / (row.mass(b) * per_mass), 1.0,
+                1e-6);
 }
 
 TEST(JointGas, FrontIsSlowerThanSound) {  // all but the little that an upwind scheme spreads
   constexpr int kBlocks = 12;
   GasScene row(test::cuboids(kBlocks, 1, 1), closed());
   seal(row.gas);
-  const double sound = std::sqrt(kGamma * 200e6 / density_at(200e6));
+  // Of gas that has come into an empty joint: gamma times as hot as the chamber's.
+  const double sound = kGamma * std::sqrt(200e6 / density_at(200e6));
   double time = 0.0;
   for (; time < 5e-3; time += 5e-6) {
-    row.fill(0, density_at(200e6) * 0.5 * (1e-4 + kOpening));
+    row.fill(0, density_at(200e6) * 0.5 * (1e-4 + kOpening), 200e6);
     row.step(5e-6);
   }
   double beyond = 0.0, all = 0.0;
@@ -148,12 +197,12 @@ TEST(JointGas, ChamberFeedsAtTheChokedFluxIntoEmptyJoints) {
   p.flow.roughness = 0.0;
   GasScene pair(test::cuboids(2, 1, 1), p, 1);
   for (int& code : pair.gas.touches()) code = 2;
-  pair.chambers[0] = {{100e6, density_at(100e6)}, 1e6};
+  pair.chambers[0] = chamber_of(100e6, 1e6);
   const double flux = choked_flux(100e6, density_at(100e6), kGamma);
   const double area = (1e-4 + kOpening) * 2.0 / std::sqrt(M_PI);  // both halves of the crack
   for (int n = 0; n < 20; ++n) pair.step(1e-6);
-  EXPECT_NEAR(pair.taken[0] / (flux * area * 20e-6), 1.0, 1e-12);
-  EXPECT_NEAR((pair.mass(0) + pair.mass(1)) / pair.taken[0], 1.0, 1e-14);
+  EXPECT_NEAR(pair.taken[0].mass / (flux * area * 20e-6), 1.0, 1e-12);
+  EXPECT_NEAR((pair.mass(0) + pair.mass(1)) / pair.taken[0].mass, 1.0, 1e-14);
   for (int n = 0; n < 4000; ++n) pair.step(1e-5);  // to the pressure of the chamber
   pair.gas.measure(pair.scene.network(), pair.fed);
   EXPECT_NEAR(pair.gas.pressure(pair.gas.cells()[0]) / 100e6, 1.0, 1e-9);
@@ -167,23 +216,24 @@ TEST(JointGas, SmallChamberIsNotEmptiedByManyJoints) {
   double volume = 0.0;
   for (const GasCell& cell : cube.gas.cells()) volume += cell.volume;
   const double room = volume / 50.0, start = density_at(150e6) * room;
-  const double together = start / (room + volume);  // density when all has spread
-  double mass = start, least = 1e300;
+  const double together = 150e6 * room / (room + volume);  // pressure when all has spread
+  GasFlow left{start, energy_of(start, 150e6, density_at(150e6))};
+  double least = 1e300;
   for (int n = 0; n < 2000; ++n) {
-    const double density = mass / room;
-    cube.chambers[0] = {{pressure_at(density), density}, mass};
-    const double before = cube.taken[0];
+    const double pressure = (kGamma - 1.0) * left.energy / room;
+    cube.chambers[0] = {{pressure, left.mass / room}, left.mass, kGamma * left.energy / left.mass};
+    const GasFlow before = cube.taken[0];
     cube.step(1e-2);
-    mass -= cube.taken[0] - before;
-    least = std::min(least, mass);
+    left.mass -= cube.taken[0].mass - before.mass;
+    left.energy -= cube.taken[0].energy - before.energy;
+    least = std::min(least, left.energy);
   }
-  EXPECT_GT(least / (together * room), 1.0 - 1e-9);  // falls to it from above
-  EXPECT_NEAR(mass / (together * room), 1.0, 1e-3);
+  EXPECT_GT((kGamma - 1.0) * least / room / together, 1.0 - 1e-9);  // falls to it from above
+  EXPECT_NEAR((kGamma - 1.0) * left.energy / room / together, 1.0, 1e-3);
   for (const GasCell& cell : cube.gas.cells()) {
-    if (!(cell.volume > 0.0)) continue;
-    EXPECT_NEAR(cell.content.mass / cell.volume / together, 1.0, 1e-2);
+    if (cell.volume > 0.0) EXPECT_NEAR(cube.gas.pressure(cell) / together, 1.0, 1e-2);
   }
-  EXPECT_NEAR((cube.gas.mass() + cube.vented + mass) / start, 1.0, 1e-12);
+  EXPECT_NEAR((cube.gas.held().mass + cube.vented + left.mass) / start, 1.0, 1e-12);
 }
 
 /// What rock with cracks of 0.05 to 1 mm takes in 10 ms from a chamber along one of its sides [kg].
@@ -196,10 +246,10 @@ double taken_in_10_ms(double dt) {
   for (std::size_t b = 0; b < cube.gas.cells().size(); ++b) {
     if (cube.scene.block(b).centre.y() < 1.0) cube.gas.touches()[b] = 2;
   }
-  cube.chambers[0] = {{50e6, density_at(50e6)}, 1e3};
+  cube.chambers[0] = chamber_of(50e6, 1e3);
   const auto steps = std::lround(10e-3 / dt);
   for (int n = 0; n < steps; ++n) cube.step(dt);
-  return cube.taken[0];
+  return cube.taken[0].mass;
 }
 
 TEST(JointGas, LongStepFillsRockAsFastAsAShortOne) {
@@ -223,7 +273,7 @@ TEST(JointGas, SurfaceLetsGasOutDownToTheAtmosphere) {
 TEST(JointGas, MassIsKeptThroughFlowOutflowAndRetiringJoints) {
   GasScene cube(test::voronoi_blocks(4.0, 3), closed(), 1);
   for (std::size_t b = 0; b < 6; ++b) cube.gas.touches()[b] = 2;
-  cube.chambers[0] = {{150e6, density_at(150e6)}, 50.0};
+  cube.chambers[0] = chamber_of(150e6, 50.0);
   double filled = 0.0;
   for (std::size_t b = 10; b < 20; ++b) {
     cube.fill(b, 0.01 * static_cast<double>(b));
@@ -237,15 +287,15 @@ TEST(JointGas, MassIsKeptThroughFlowOutflowAndRetiringJoints) {
     }
     press(cube.gas, cube.scene.network());
     const JointGas::Flows flows = cube.gas.flow(cube.chambers, 5e-6);
-    cube.vented += flows.vented + open_wide(cube.gas, cube.scene.network());
+    cube.vented += flows.vented.mass + open_wide(cube.gas, cube.scene.network());
     cube.taken[0] += flows.from_hole[0];
   }
   double least = 1.0;
   for (const GasCell& cell : cube.gas.cells()) least = std::min(least, cell.content.mass);
   EXPECT_GE(least, 0.0);
   EXPECT_GT(cube.vented, 0.1 * filled);
-  EXPECT_GT(cube.taken[0], 0.0);
-  EXPECT_NEAR((cube.gas.mass() + cube.vented) / (filled + cube.taken[0]), 1.0, 1e-12);
+  EXPECT_GT(cube.taken[0].mass, 0.0);
+  EXPECT_NEAR((cube.gas.held().mass + cube.vented) / (filled + cube.taken[0].mass), 1.0, 1e-12);
 }
 
 TEST(JointGas, PressurePushesBothBlocksApartWithItsTrueResultant) {
@@ -257,7 +307,7 @@ TEST(JointGas, PressurePushesBothBlocksApartWithItsTrueResultant) {
   pair.gas.measure(pair.scene.network(), pair.fed);
   press(pair.gas, pair.scene.network());
   pair.scene.network().step(0.0);
-  const auto gauge = [&](std::size_t b) { return pair.gas.pressure(pair.gas.cells()[b]) - 1e5; };
+  const auto gauge = [&](std::size_t b) { return pair.pressure(b) - 1e5; };
   const double expected = 0.5 * (gauge(0) + gauge(1));  // on 1 m2
   ASSERT_GT(expected, 1e6);
   EXPECT_NEAR(pair.scene.network().force()[0].x() / -expected, 1.0, 1e-12);
@@ -278,8 +328,8 @@ TEST(JointGas, ClosedJointCarriesTheRestOfTheLoad) {
   EXPECT_NEAR(pair.gas.cells()[0].volume, 0.5e-4, 1e-14);
   press(pair.gas, pair.scene.network());
   pair.scene.network().step(0.0);
-  EXPECT_NEAR((pair.scene.network().force()[1].x() - contact) / pressure_at(0.002 / 0.5e-4), 1.0,
-              1e-9);
+  const double pressure = (kGamma - 1.0) * pair.energy() / 1e-4;  // of both, in 1e-4 m3
+  EXPECT_NEAR((pair.scene.network().force()[1].x() - contact) / pressure, 1.0, 1e-9);
 }
 
 TEST(JointGas, IntactJointsHoldNoGas) {
@@ -287,12 +337,99 @@ TEST(JointGas, IntactJointsHoldNoGas) {
   pair.compute();
   JointGas gas(closed());
   gas.set_network(pair.network());
-  gas.cells()[0].content = {1.0, kEntropy};
+  gas.cells()[0].content = {1.0, 1e6, 0.0, 0.0};
   gas.measure(pair.network(), {});
   EXPECT_EQ(gas.cells()[0].volume, 0.0);
   press(gas, pair.network());
   pair.network().step(0.0);
   EXPECT_EQ(pair.network().force()[0].norm(), 0.0);
+}
+
+TEST(JointGas, OpeningJointCoolsItsGasAlongTheIsentrope) {
+  GasScene pair(test::cuboids(2, 1, 1), closed());
+  seal(pair.gas);
+  pair.fill(0, 0.01);
+  pair.fill(1, 0.01);
+  pair.open(2.0 * kOpening);
+  const double before = pair.energy(), volume = pair.gas.cells()[0].volume;
+  double work = 0.0;
+  for (int n = 1; n <= 200; ++n) {  // by a mm in small steps
+    const double pressure = pair.pressure(0);
+    pair.open((2.0 + 0.005 * n) * kOpening);
+    work += 0.5 * (pressure + pair.pressure(0)) * 0.005 * kOpening;  // on 1 m2
+  }
+  const double expected = before * std::pow(volume / pair.gas.cells()[0].volume, kGamma - 1.0);
+  EXPECT_NEAR(pair.energy() / expected, 1.0, 1e-12);
+  EXPECT_NEAR(pair.gas.spent().work / (before - pair.energy()), 1.0, 1e-12);
+  EXPECT_NEAR(work / pair.gas.spent().work, 1.0, 1e-5);
+  EXPECT_NEAR(pair.gas.spent().swept_volume / kOpening, 1.0, 1e-9);
+}
+
+TEST(JointGas, EmptyRoomFillsToGammaTimesTheTemperature) {
+  // The textbook's evacuated vessel: U = m h of what came in from a great chamber, T = gamma T0.
+  GasScene pair(test::cuboids(2, 1, 1), closed(), 1);
+  for (int& code : pair.gas.touches()) code = 2;
+  pair.chambers[0] = chamber_of(100e6, 1e6);
+  for (int n = 0; n < 4000; ++n) pair.step(1e-5);
+  const GasContent& gas = pair.gas.cells()[0].content;
+  const double chamber = energy_of(1.0, 100e6, density_at(100e6));  // [J/kg]
+  EXPECT_NEAR(gas.energy / gas.mass / (kGamma * chamber), 1.0, 1e-9);
+}
+
+TEST(JointGas, NewRoomCostsNoWork) {  // Joule: a joint that breaks beside gas keeps its energy
+  GasScene row(test::cuboids(3, 1, 1), closed());
+  seal(row.gas);
+  row.fill(1, 0.01);
+  row.gas.measure(row.scene.network(), row.fed);
+  const double before = row.energy();
+  row.gas.measure(row.scene.network(), row.fed);
+  EXPECT_EQ(row.energy(), before);
+  EXPECT_EQ(row.gas.spent().work, 0.0);
+}
+
+TEST(JointGas, EnergyIsKeptThroughFlowWorkHeatAndOutflow) {
+  JointGas::Parameters p = closed();
+  p.ambient = 1e5;
+  p.heat.effusivity = 2500.0;
+  GasScene cube(test::voronoi_blocks(4.0, 3), p, 1);
+  for (std::size_t b = 0; b < 6; ++b) cube.gas.touches()[b] = 2;
+  cube.chambers[0] = chamber_of(150e6, 50.0);
+  for (std::size_t b = 10; b < 20; ++b) cube.fill(b, 0.01 * static_cast<double>(b));
+  const double filled = cube.energy();
+  double taken = 0.0, vented = 0.0;
+  for (int n = 0; n < 2000; ++n) {
+    cube.open((2.0 + 1e-3 * n) * kOpening);
+    press(cube.gas, cube.scene.network());
+    cube.chambers[0].ways = cube.gas.chamber_ways()[0];
+    const JointGas::Flows flows = cube.gas.flow(cube.chambers, 5e-6);
+    cube.gas.cool(5e-6);
+    taken += flows.from_hole[0].energy;
+    vented += flows.vented.energy;
+  }
+  const GasSpent& spent = cube.gas.spent();
+  EXPECT_GT(taken, 0.1 * filled);
+  EXPECT_GT(vented, 0.01 * filled);
+  EXPECT_GT(spent.heat, 0.01 * filled);
+  EXPECT_GT(spent.work, 0.01 * filled);
+  const double error = (cube.energy() + vented + spent.heat + spent.work) / (filled + taken) - 1.0;
+  std::cout << "energy of the gas: off by " << error << '\n';
+  EXPECT_NEAR(error, 0.0, 1e-12);
+}
+
+TEST(JointGas, WallsTakeHeatOnlyWhereGasFlows) {
+  JointGas::Parameters p = closed();
+  p.heat.effusivity = 2500.0;
+  GasScene pair(test::cuboids(2, 1, 1), p);
+  seal(pair.gas);
+  pair.fill(0, 0.02);
+  pair.fill(1, 0.02);
+  for (int n = 0; n < 100; ++n) pair.step(5e-6);
+  EXPECT_EQ(pair.gas.spent().heat, 0.0);  // at rest: the film is that of the flow
+  pair.fill(1, 0.002);
+  for (int n = 0; n < 100; ++n) pair.step(5e-6);
+  EXPECT_GT(pair.gas.spent().heat, 0.0);
+  EXPECT_NEAR(pair.gas.cells()[0].content.heat + pair.gas.cells()[1].content.heat,
+              pair.gas.spent().heat, 1e-9 * pair.gas.spent().heat);
 }
 
 TEST(JointGas, RefusesWhatIsNoAperture) {
@@ -301,6 +438,9 @@ TEST(JointGas, RefusesWhatIsNoAperture) {
   EXPECT_THROW(JointGas{p}, InputError);
   p = closed();
   p.ambient = -1.0;
+  EXPECT_THROW(JointGas{p}, InputError);
+  p = closed();
+  p.gas_constant = 0.0;
   EXPECT_THROW(JointGas{p}, InputError);
 }
 
@@ -323,7 +463,7 @@ struct RoughJoint {
     scene.network().keep_gas_in_joints();
     open(1e-9);  // no tension: breaks
     gas.set_network(scene.network());
-    gas.cells()[0].content = gas.cells()[1].content = {0.01, 0.01 * kEntropy};
+    gas.cells()[0].content = gas.cells()[1].content = {0.01, 5e3, 0.0, 0.0};
   }
   /// Volume of both blocks' gas [m3].
   double open(double by) {
@@ -342,7 +482,7 @@ TEST(JointGas, VolumeOfARoughJointGrowsByWhatItsPressureWorksOn) {
   const double volume = joint.open(1e-4);
   press(joint.gas, joint.scene.network());
   joint.scene.compute();
-  const double pressure = pressure_at(0.02 / volume);
+  const double pressure = (kGamma - 1.0) * joint.gas.held().energy / volume;
   EXPECT_NEAR(joint.scene.network().force()[1].x() / pressure, 1.0, 1e-9);
 }
 
