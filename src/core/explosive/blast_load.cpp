@@ -73,7 +73,8 @@ BlastLoad::StartEnergies BlastLoad::start_energies() const {
   const auto stored = [this](double volume) {
     return charge_volume_ * expansion_->stored_energy(volume / charge_volume_);
   };
-  return {stored(charge_volume_), stored(charge_volume_) - stored(pulse_volume_),
+  const double products = charge_volume_ * expansion_->energy();
+  return {products, products - stored(pulse_volume_),
           stored(pulse_volume_) - stored(start_volume_)};
 }
 

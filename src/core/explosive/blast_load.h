@@ -66,8 +66,8 @@ class BlastLoad {
                                     const GasState& state = {}) const;
   /// Where the energy of the products is as the gas stage starts [J]; zeros without gas.
   struct StartEnergies {
-    double products = 0.0;  ///< what their expansion from V0 to nothing can do
-    double filling = 0.0;  ///< of that, from V0 to Vp: the room of a decoupled charge, without work
+    double products = 0.0;  ///< what their expansion to nothing can do
+    double filling = 0.0;  ///< of that, lost on the way to Vp: the room of a decoupled charge
     double dense = 0.0;    ///< of that, from Vp to Vg: for the pulse, and to crush the rock
   };
   [[nodiscard]] StartEnergies start_energies() const;

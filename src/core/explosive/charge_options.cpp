@@ -15,7 +15,6 @@ namespace muckpile {
 namespace {
 
 constexpr const char* kNotGiven = "auto";
-constexpr double kMPa = 1e6;
 constexpr double kAtOnce =
     1e20;  // a detonation velocity that fires the whole charge in no time [m/s]
 
@@ -23,7 +22,10 @@ const std::vector<std::string> kModels = {"explosion_state",       "explosion_st
                                           "explosion_state_gamma", "chapman_jouguet",
                                           "impedance_matched",     "jwl"};
 
-const std::vector<std::string> kExpansions = {"two_stage", "jwl"};  // in the order of Expansion
+const std::vector<std::string> kExpansions = {"two_stage", "jwl",
+                                              "covolume"};  // in the order of Expansion
+
+const std::vector<std::string> kAirGaps = {"energy", "isentrope", "power"};  // order of AirGap
 
 JwlParameters typed_jwl(const std::string& where, const std::vector<std::string>& words,
                         const NamedExplosive& explosive) {
@@ -53,76 +55,6 @@ JwlParameters typed_jwl(const std::string& where, const std::vector<std::string>
           .detonation_velocity = explosive.detonation_velocity};
 }
 
-bool jwl_holds(const NamedExplosive& explosive) {
-  constexpr double kAlike = 0.1;  // relative difference in density up to which the fit is used
-  return explosive.jwl &&
-         std::abs(explosive.density - explosive.jwl->density) <= kAlike * explosive.jwl->density;
-}
-
-void require_jwl(const NamedExplosive& explosive) {
-  if (!explosive.jwl) {
-    throw InputError("explosive '" + explosive.name +
-                     "' has no JWL parameters; give them with jwl, or choose another model");
-  }
-  if (jwl_holds(explosive)) return;
-  const double of_fit = explosive.jwl->density;
-  std::ostringstream rule;
-  rule << "within 10 % of the density " << of_fit << " that JWL was fitted at";
-  refuse_value("explosive_density", rule.str().c_str(), "kg/m3", explosive.density);
-}
-
-/// Between light ANFO mixes and cast high explosives; outside, none of the formulas has been tried.
-void check_formula_range(const NamedExplosive& explosive) {
-  const auto check = [](const char* name, const char* unit, double value, double lo, double hi) {
-    std::ostringstream rule;
-    rule << "from " << lo << " to " << hi << ", the range of the formulas for P0,";
-    if (!(value >= lo && value <= hi)) {
-      refuse_value(name, rule.str().c_str(), unit, value);
-    }
-  };
-  check("explosive_density", "kg/m3", explosive.density, 200.0, 2000.0);
-  check("vod", "m/s", explosive.detonation_velocity, 1000.0, 9500.0);
-}
-
-double pressure_by(BoreholeModel model, const ChargeOptions& options,
-                   const NamedExplosive& explosive) {
-  const Explosive plain{explosive.density, explosive.detonation_velocity};
-  switch (model) {
-    case BoreholeModel::explosion_state_fit:
-      return explosion_state_pressure_fit(plain);
-    case BoreholeModel::explosion_state_gamma:
-      if (!explosive.gamma) {
-        throw InputError("borehole_model explosion_state_gamma needs explosive_gamma");
-      }
-      return explosion_state_pressure_by_gamma(plain, *explosive.gamma);
-    case BoreholeModel::chapman_jouguet:
-      return chapman_jouguet_pressure(plain);
-    case BoreholeModel::impedance_matched:
-      if (!options.rock_impedance) {
-        throw InputError("borehole_model impedance_matched needs rock_impedance [Pa s/m]");
-      }
-      return impedance_matched_pressure(plain, *options.rock_impedance);
-    case BoreholeModel::jwl:
-      require_jwl(explosive);
-      return JwlIsentrope(*explosive.jwl).pressure(1.0);
-    case BoreholeModel::explosion_state:
-      break;
-  }
-  return explosion_state_pressure(plain);
-}
-
-TwoStageIsentrope two_stage_of(const ChargeOptions& options, const NamedExplosive& explosive) {
-  TwoStageIsentrope::Parameters two_stage = options.isentrope;
-  two_stage.initial_pressure = initial_pressure(options, explosive);
-  if (!options.switch_by_energy) return TwoStageIsentrope(two_stage);
-  if (explosive.energy <= 0.0) {
-    throw InputError("gas_switch_pressure energy needs explosive_energy [J/kg]");
-  }
-  two_stage.switch_pressure = energy_switch_pressure(
-      two_stage, options.energy_share * explosive.energy * explosive.density);
-  return TwoStageIsentrope(two_stage);
-}
-
 }  // namespace
 
 void add_optional(ArgTable& table, const std::string& name, const std::string& text) {
@@ -148,8 +80,11 @@ void add_explosive_keywords(ArgTable& table) {
       table, "vod",
       "detonation velocity along the column [m/s], >= 100 (1e20: all at once); auto: the table's");
   add_optional(table, "explosive_energy",
-               "energy per mass [J/kg], 1e4 to 1e9; auto: the table's; for the energy report and "
-               "gas_switch_pressure energy");
+               "heat of explosion per mass [J/kg], 1e4 to 1e9; auto: the table's");
+  add_optional(table, "energy_share",
+               "share of explosive_energy that is released in time, > 0 and <= 1, for a non-ideal "
+               "detonation; vod of the table is multiplied by its square root, a typed one is not; "
+               "auto: 1");
   add_optional(
       table, "explosive_gamma",
       "exponent of the products at the Chapman-Jouguet point, > 1 and <= 10; auto: the table's");
@@ -184,8 +119,9 @@ void add_decoupling_keywords(ArgTable& table) {
                "decay of the peak through water or stemming, 0 to 10; auto: 0.72 in water, the "
                "attenuation exponent in stemming");
   table
-      .word("decoupling", {"isentrope", "power"}, "isentrope",
-            "fall of the pressure into an air gap: along the isentrope, or one power law")
+      .word("decoupling", kAirGaps, kAirGaps.front(),
+            "fall of the pressure into an air gap: products that fill it without work and keep "
+            "their energy, along the isentrope, or one power law")
       .real("decoupling_exponent", "", Range::left_open(0.0, 10.0), 3.0,
             "of the power law in volume: 3 is the usual sixth power of the diameters")
       .real("impact_factor", "", Range::closed(1.0, 11.0), 1.0,
@@ -195,18 +131,15 @@ void add_decoupling_keywords(ArgTable& table) {
 
 void add_expansion_keywords(ArgTable& table) {
   table.word("expansion", kExpansions, kExpansions.front(), "law by which the products expand")
-      .word("gas_switch_pressure", {}, "200e6",
-            "pressure p_k at which the isentrope changes its exponent and the gas stage starts "
-            "[Pa], 1e5 to 1e12; energy: the one with which the products hold energy_share of the "
-            "explosive's energy (two_stage)");
-  add_optional(table, "energy_share",
-               "share of explosive_energy that the products release, > 0 and <= 1, for "
-               "gas_switch_pressure energy; auto: 1");
-  table
+      .word("gas_switch_pressure", {}, "energy",
+            "pressure p_k at which the gas stage starts and the isentrope of two_stage changes its "
+            "exponent [Pa], 1e5 to 1e12; energy: the one with which the products of two_stage hold "
+            "what the explosive releases, 200e6 with jwl and covolume, which hold it anyway, and "
+            "where the energy is not known")
       .real("gas_gamma_dense", "", Range::closed(1.0, 10.0), 3.0,
             "isentrope exponent above p_k (two_stage)")
       .real("gas_gamma", "", Range::closed(1.0, 10.0), 1.4,
-            "isentrope exponent below p_k (two_stage)");
+            "isentrope exponent below p_k (two_stage), of all (covolume)");
 }
 
 void read_explosive(ChargeOptions& options, const ArgValues& values, const std::string& where) {
@@ -228,6 +161,9 @@ void read_explosive(ChargeOptions& options, const ArgValues& values, const std::
   explosive.detonation_velocity = velocity.value_or(explosive.detonation_velocity);
   explosive.energy = energy.value_or(explosive.energy);
   options.energy_known = named || energy;
+  options.energy_share =
+      typed("energy_share", "", Range::left_open(0.0, 1.0)).value_or(options.energy_share);
+  explosive = released(options, explosive, velocity.has_value());
   if (const auto gamma = typed("explosive_gamma", "", Range::left_open(1.0, 10.0))) {
     explosive.gamma = gamma;
   }
@@ -258,7 +194,8 @@ void read_decoupling(ChargeOptions& options, const ArgValues& values, const std:
   rule.coupling = coupling == "air"     ? Coupling::air
                   : coupling == "water" ? Coupling::water
                                         : Coupling::stemming;
-  rule.power_law = values.word("decoupling") == "power";
+  const auto gap = std::find(kAirGaps.begin(), kAirGaps.end(), values.word("decoupling"));
+  rule.air_gap = static_cast<AirGap>(gap - kAirGaps.begin());
   rule.power_exponent = values.real("decoupling_exponent");
   rule.impact_factor = values.real("impact_factor");
   if (const auto exponent =
@@ -277,14 +214,7 @@ void read_expansion(ChargeOptions& options, const ArgValues& values, const std::
     options.model = BoreholeModel::jwl;
   }
   options.switch_by_energy = values.word("gas_switch_pressure") == "energy";
-  const auto share = optional_real(values, where, "energy_share", "", Range::left_open(0.0, 1.0));
-  options.energy_share = share.value_or(1.0);
-  if (options.switch_by_energy && jwl) {
-    refuse(where, "gas_switch_pressure energy is of expansion two_stage; JWL has an energy itself");
-  }
-  if (!options.switch_by_energy && share) {
-    refuse(where, "energy_share needs gas_switch_pressure energy");
-  }
+  options.switch_typed = values.given("gas_switch_pressure");
   if (!options.switch_by_energy) {
     options.isentrope.switch_pressure =
         parse_real(where, "gas_switch_pressure", values.word("gas_switch_pressure"), "Pa",
@@ -292,40 +222,6 @@ void read_expansion(ChargeOptions& options, const ArgValues& values, const std::
   }
   options.isentrope.dense_exponent = values.real("gas_gamma_dense");
   options.isentrope.dilute_exponent = values.real("gas_gamma");
-}
-
-double initial_pressure(const ChargeOptions& options, const NamedExplosive& explosive) {
-  if (options.typed_pressure) return *options.typed_pressure;
-  check_formula_range(explosive);
-  return pressure_by(options.model, options, explosive);
-}
-
-std::string alternative_pressures(const ChargeOptions& options, const NamedExplosive& explosive) {
-  std::ostringstream text;
-  text.precision(4);
-  const auto add = [&](const char* name, BoreholeModel model) {
-    text << (text.str().empty() ? "" : ", ") << name << ' '
-         << pressure_by(model, options, explosive) / kMPa;
-  };
-  add("explosion state", BoreholeModel::explosion_state);
-  add("its fit", BoreholeModel::explosion_state_fit);
-  if (explosive.gamma) add("its gamma form", BoreholeModel::explosion_state_gamma);
-  add("Chapman-Jouguet", BoreholeModel::chapman_jouguet);
-  if (options.rock_impedance) add("impedance-matched", BoreholeModel::impedance_matched);
-  if (jwl_holds(explosive)) add("JWL", BoreholeModel::jwl);
-  text << " MPa";
-  return text.str();
-}
-
-ProductExpansion product_expansion(const ChargeOptions& options, const NamedExplosive& explosive) {
-  switch (options.expansion) {
-    case Expansion::jwl:
-      require_jwl(explosive);
-      return ProductExpansion(JwlGas(*explosive.jwl, options.isentrope.switch_pressure));
-    case Expansion::two_stage:
-      break;
-  }
-  return ProductExpansion(two_stage_of(options, explosive));
 }
 
 }  // namespace muckpile

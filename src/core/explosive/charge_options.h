@@ -30,20 +30,21 @@ enum class BoreholeModel {
 };
 
 /// Laws of ProductExpansion.
-enum class Expansion { two_stage, jwl };
+enum class Expansion { two_stage, jwl, covolume };
 
 struct ChargeOptions {
   ExplosiveTable table = ExplosiveTable::shipped();
-  NamedExplosive explosive{};  ///< with what the user typed in its place
+  NamedExplosive explosive{};  ///< with what the user typed in its place; released()
   bool energy_known = false;   ///< explosive.energy counts
   BoreholeModel model = BoreholeModel::explosion_state;
   std::optional<double> typed_pressure{};  ///< P0 [Pa]
   std::optional<double> rock_impedance{};  ///< [Pa s/m]
   Expansion expansion = Expansion::two_stage;
   TwoStageIsentrope::Parameters isentrope{};  ///< without its initial pressure
-  bool switch_by_energy = false;  ///< its switch pressure follows from the explosive's energy
-  double energy_share = 1.0;      ///< of that energy, what the products release [-]
-  double hole_radius = 0.0;       ///< [m]
+  bool switch_by_energy = true;  ///< its switch pressure follows from the explosive's energy
+  bool switch_typed = false;     ///< the script says how the switch pressure is found
+  double energy_share = 1.0;     ///< of the explosive's energy, what is released in time [-]
+  double hole_radius = 0.0;      ///< [m]
   std::optional<double> charge_radius{};  ///< nothing: fills the hole [m]
   std::optional<double> charge_length{};  ///< nothing: fills the axis [m]
   DecouplingRule decoupling{};
@@ -61,6 +62,16 @@ void add_expansion_keywords(ArgTable& table);
 void read_explosive(ChargeOptions& options, const ArgValues& values, const std::string& where);
 void read_decoupling(ChargeOptions& options, const ArgValues& values, const std::string& where);
 void read_expansion(ChargeOptions& options, const ArgValues& values, const std::string& where);
+
+/// The explosive as it detonates when only energy_share of its energy is released in time: so much
+/// of the energy, and the square root of it of the detonation velocity unless that was typed (the
+/// energy of a detonation goes with its velocity squared).
+[[nodiscard]] NamedExplosive released(const ChargeOptions& options, NamedExplosive explosive,
+                                      bool vod_typed);
+
+/// An explosive of the table as it detonates here. InputError as ExplosiveTable::find().
+[[nodiscard]] NamedExplosive table_explosive(const ChargeOptions& options, const std::string& name,
+                                             const std::string& where);
 
 /// P0 of an explosive by the chosen model, or as typed [Pa]. InputError if the model needs what the
 /// explosive lacks, or density or VOD is outside the range that the formulas are made for.

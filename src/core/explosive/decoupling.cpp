@@ -33,15 +33,22 @@ double free_volume_ratio(const ChargeShape& shape, const DecouplingRule& rule) {
   return deck * std::pow(shape.hole_radius / shape.charge_radius, 2.0);
 }
 
+ProductExpansion products_in_chamber(const ProductExpansion& expansion, const ChargeShape& shape,
+                                     const DecouplingRule& rule) {
+  if (rule.air_gap != AirGap::energy) return expansion;
+  return expansion.after_filling(free_volume_ratio(shape, rule));
+}
+
 double wall_pressure(double initial_pressure, const ProductExpansion& expansion,
                      const ChargeShape& shape, const DecouplingRule& rule) {
   const double ratio = free_volume_ratio(shape, rule);
   const bool decoupled = ratio > 1.0;
   double pressure = initial_pressure;
-  if (decoupled && rule.power_law) pressure *= std::pow(ratio, -rule.power_exponent);
-  if (decoupled && !rule.power_law) {
+  if (decoupled && rule.air_gap == AirGap::power) pressure *= std::pow(ratio, -rule.power_exponent);
+  if (decoupled && rule.air_gap != AirGap::power) {
     // P0 may come from another formula than the isentrope: only the fall is the isentrope's.
-    pressure *= expansion.pressure(ratio) / expansion.pressure(1.0);
+    pressure *=
+        products_in_chamber(expansion, shape, rule).pressure(ratio) / expansion.pressure(1.0);
   }
   if (rule.coupling == Coupling::air) return decoupled ? pressure * rule.impact_factor : pressure;
   return pressure * std::pow(shape.charge_radius / shape.hole_radius, rule.coupling_exponent);
@@ -51,8 +58,9 @@ double pulse_volume_ratio(double wall_share, const ProductExpansion& expansion,
                           const ChargeShape& shape, const DecouplingRule& rule) {
   constexpr double kRounding = 1e-9;
   const double ratio = free_volume_ratio(shape, rule);
-  const double isentrope = expansion.pressure(ratio) / expansion.pressure(1.0);
-  return wall_share <= isentrope * (1.0 + kRounding) ? ratio : 1.0;
+  const double products =
+      products_in_chamber(expansion, shape, rule).pressure(ratio) / expansion.pressure(1.0);
+  return wall_share <= products * (1.0 + kRounding) ? ratio : 1.0;
 }
 
 }  // namespace muckpile

@@ -13,7 +13,7 @@ namespace {
 /// What one row of the pattern says instead of the style's words.
 void apply_deck(LoadedHole& hole, const BlastOptions& options, const Deck& deck) {
   if (deck.explosive) {
-    hole.explosive = options.charge.table.find(*deck.explosive, "hole_table");
+    hole.explosive = table_explosive(options.charge, *deck.explosive, "hole_table");
     hole.energy_known = true;
   }
   hole.shape.hole_radius = 0.5 * deck.diameter;
@@ -34,7 +34,7 @@ BlastLoad blast_load(const BlastOptions& options, const LoadedHole& hole, const 
                                    .vent_decay = options.vent_decay.value_or(1.0)};
   if (!options.gas) return BlastLoad(parameters);
   const ProductExpansion expansion = product_expansion(options.charge, hole.explosive);
-  parameters.expansion = expansion;
+  parameters.expansion = products_in_chamber(expansion, hole.shape, hole.decoupling);
   parameters.free_volume_ratio = free_volume_ratio(hole.shape, hole.decoupling);
   parameters.pulse_volume_ratio = pulse_volume_ratio(hole.wall_pressure / hole.initial_pressure,
                                                      expansion, hole.shape, hole.decoupling);
@@ -98,7 +98,7 @@ double gas_gamma_of(const BlastOptions& options, std::size_t hole) {
   try {
     const bool own = options.pattern && options.pattern->decks()[hole].explosive;
     const NamedExplosive explosive =
-        own ? charge.table.find(*options.pattern->decks()[hole].explosive, "hole_table")
+        own ? table_explosive(charge, *options.pattern->decks()[hole].explosive, "hole_table")
             : charge.explosive;
     return product_expansion(charge, explosive).gamma();
   } catch (const InputError& error) {

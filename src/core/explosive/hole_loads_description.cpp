@@ -15,6 +15,9 @@ void describe_pressures(std::ostream& text, const BlastOptions& options, const L
   text << "  explosive " << hole.explosive.name << ": " << hole.explosive.density << " kg/m3, "
        << hole.explosive.detonation_velocity << " m/s";
   if (hole.energy_known) text << ", " << hole.explosive.energy / 1e6 << " MJ/kg";
+  if (options.charge.energy_share < 1.0) {
+    text << " released, " << options.charge.energy_share << " of its energy";
+  }
   if (!hole.explosive.source.empty()) text << " (" << hole.explosive.source << ")";
   text << '\n';
   if (!options.needs_borehole_pressure()) return;
@@ -29,11 +32,13 @@ void describe_pressures(std::ostream& text, const BlastOptions& options, const L
 /// What the products hold beside what the explosive has.
 void describe_products(std::ostream& text, const BlastOptions& options, const LoadedHole& hole) {
   const ProductExpansion products = product_expansion(options.charge, hole.explosive);
-  const double energy = products.energy() / hole.explosive.density;
+  const double density = hole.explosive.density, energy = products.energy() / density;
+  constexpr double kUseful = 100e6;  // where makers stop to count "effective energy" [Pa]
   text << "  products: gas stage from " << products.pressure(products.switch_ratio()) / kMPa
        << " MPa, exponent " << products.gamma() << "; they hold " << energy / 1e6 << " MJ/kg";
   if (hole.energy_known) text << ", " << energy / hole.explosive.energy << " of the explosive's";
-  text << "\n";
+  text << ", and do " << products.work_down_to(kUseful) / density / 1e6 << " MJ/kg down to "
+       << kUseful / kMPa << " MPa\n";
 }
 
 /// P1 by every exponent that is known, so that the choice can be judged.

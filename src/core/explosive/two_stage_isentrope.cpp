@@ -64,8 +64,9 @@ double energy_switch_pressure(const TwoStageIsentrope::Parameters& parameters, d
   if (y > 0.0 && y <= 1.0) return p0 * std::pow(y, parameters.dense_exponent / dense);
   std::ostringstream rule;
   rule << "above " << p0 / dense << " and at most " << p0 / dilute
-       << ", what products of these exponents can hold at P0 = " << p0 << " Pa,";
-  refuse_value("explosive_energy x energy_share x explosive_density", rule.str(), "J/m3", energy);
+       << ", what products of these exponents can hold at P0 = " << p0
+       << " Pa (a slow detonation releases less: energy_share),";
+  refuse_value("explosive_energy x explosive_density", rule.str(), "J/m3", energy);
 }
 
 }  // namespace muckpile

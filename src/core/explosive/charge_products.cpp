@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Borehole pressure and expansion of a charge from its words; declared in charge_options.h.
+#include <cmath>
+#include <sstream>
+
+#include "args/input_error.h"
+#include "args/require.h"
+#include "explosive/charge_options.h"
+
+namespace muckpile {
+namespace {
+
+constexpr double kMPa = 1e6;
+
+bool jwl_holds(const NamedExplosive& explosive) {
+  constexpr double kAlike = 0.1;  // relative difference in density up to which the fit is used
+  return explosive.jwl &&
+         std::abs(explosive.density - explosive.jwl->density) <= kAlike * explosive.jwl->density;
+}
+
+void require_jwl(const ChargeOptions& options, const NamedExplosive& explosive) {
+  if (options.energy_share < 1.0) {
+    throw InputError("energy_share does not go with JWL, which is a fit to the whole reaction");
+  }
+  if (!explosive.jwl) {
+    throw InputError("explosive '" + explosive.name +
+                     "' has no JWL parameters; give them with jwl, or choose another model");
+  }
+  if (jwl_holds(explosive)) return;
+  const double of_fit = explosive.jwl->density;
+  std::ostringstream rule;
+  rule << "within 10 % of the density " << of_fit << " that JWL was fitted at";
+  refuse_value("explosive_density", rule.str().c_str(), "kg/m3", explosive.density);
+}
+
+/// Between light ANFO mixes and cast high explosives; outside, none of the formulas has been tried.
+void check_formula_range(const NamedExplosive& explosive) {
+  const auto check = [](const char* name, const char* unit, double value, double lo, double hi) {
+    std::ostringstream rule;
+    rule << "from " << lo << " to " << hi << ", the range of the formulas for P0,";
+    if (!(value >= lo && value <= hi)) {
+      refuse_value(name, rule.str().c_str(), unit, value);
+    }
+  };
+  check("explosive_density", "kg/m3", explosive.density, 200.0, 2000.0);
+  check("vod", "m/s", explosive.detonation_velocity, 1000.0, 9500.0);
+}
+
+double pressure_by(BoreholeModel model, const ChargeOptions& options,
+                   const NamedExplosive& explosive) {
+  const Explosive plain{explosive.density, explosive.detonation_velocity};
+  switch (model) {
+    case BoreholeModel::explosion_state_fit:
+      return explosion_state_pressure_fit(plain);
+    case BoreholeModel::explosion_state_gamma:
+      if (!explosive.gamma) {
+        throw InputError("borehole_model explosion_state_gamma needs explosive_gamma");
+      }
+      return explosion_state_pressure_by_gamma(plain, *explosive.gamma);
+    case BoreholeModel::chapman_jouguet:
+      return chapman_jouguet_pressure(plain);
+    case BoreholeModel::impedance_matched:
+      if (!options.rock_impedance) {
+        throw InputError("borehole_model impedance_matched needs rock_impedance [Pa s/m]");
+      }
+      return impedance_matched_pressure(plain, *options.rock_impedance);
+    case BoreholeModel::jwl:
+      require_jwl(options, explosive);
+      return JwlIsentrope(*explosive.jwl).pressure(1.0);
+    case BoreholeModel::explosion_state:
+      break;
+  }
+  return explosion_state_pressure(plain);
+}
+
+TwoStageIsentrope two_stage_of(const ChargeOptions& options, const NamedExplosive& explosive) {
+  TwoStageIsentrope::Parameters two_stage = options.isentrope;
+  two_stage.initial_pressure = initial_pressure(options, explosive);
+  const bool known = explosive.energy > 0.0;
+  if (!options.switch_by_energy || (!known && !options.switch_typed)) {
+    return TwoStageIsentrope(two_stage);
+  }
+  if (!known) throw InputError("gas_switch_pressure energy needs explosive_energy [J/kg]");
+  two_stage.switch_pressure =
+      energy_switch_pressure(two_stage, explosive.energy * explosive.density);
+  return TwoStageIsentrope(two_stage);
+}
+
+CovolumeIsentrope covolume_of(const ChargeOptions& options, const NamedExplosive& explosive) {
+  if (explosive.energy <= 0.0) {
+    throw InputError("expansion covolume needs explosive_energy [J/kg]");
+  }
+  return CovolumeIsentrope({.initial_pressure = initial_pressure(options, explosive),
+                            .energy = explosive.energy * explosive.density,
+                            .gamma = options.isentrope.dilute_exponent,
+                            .switch_pressure = options.isentrope.switch_pressure});
+}
+
+}  // namespace
+
+NamedExplosive released(const ChargeOptions& options, NamedExplosive explosive, bool vod_typed) {
+  explosive.energy *= options.energy_share;
+  if (!vod_typed) explosive.detonation_velocity *= std::sqrt(options.energy_share);
+  return explosive;
+}
+
+NamedExplosive table_explosive(const ChargeOptions& options, const std::string& name,
+                               const std::string& where) {
+  return released(options, options.table.find(name, where), false);
+}
+
+double initial_pressure(const ChargeOptions& options, const NamedExplosive& explosive) {
+  if (options.typed_pressure) return *options.typed_pressure;
+  check_formula_range(explosive);
+  return pressure_by(options.model, options, explosive);
+}
+
+std::string alternative_pressures(const ChargeOptions& options, const NamedExplosive& explosive) {
+  std::ostringstream text;
+  text.precision(4);
+  const auto add = [&](const char* name, BoreholeModel model) {
+    text << (text.str().empty() ? "" : ", ") << name << ' '
+         << pressure_by(model, options, explosive) / kMPa;
+  };
+  add("explosion state", BoreholeModel::explosion_state);
+  add("its fit", BoreholeModel::explosion_state_fit);
+  if (explosive.gamma) add("its gamma form", BoreholeModel::explosion_state_gamma);
+  add("Chapman-Jouguet", BoreholeModel::chapman_jouguet);
+  if (options.rock_impedance) add("impedance-matched", BoreholeModel::impedance_matched);
+  if (jwl_holds(explosive)) add("JWL", BoreholeModel::jwl);
+  text << " MPa";
+  return text.str();
+}
+
+ProductExpansion product_expansion(const ChargeOptions& options, const NamedExplosive& explosive) {
+  switch (options.expansion) {
+    case Expansion::jwl:
+      require_jwl(options, explosive);
+      return ProductExpansion(JwlGas(*explosive.jwl, options.isentrope.switch_pressure));
+    case Expansion::covolume:
+      return ProductExpansion(covolume_of(options, explosive));
+    case Expansion::two_stage:
+      break;
+  }
+  return ProductExpansion(two_stage_of(options, explosive));
+}
+
+}  // namespace muckpile
