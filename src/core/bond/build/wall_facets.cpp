@@ -1,42 +1,159 @@
-// proto
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Makes the wall of a crushed zone as stiff as that of a round hole.
+// Scope: see the header.
 #include "bond/build/wall_facets.h"
+
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <cstdio>
+
+#include "geometry/holes/hole_surface.h"
+
 namespace muckpile {
 namespace {
-struct Place { Vec3 out; double r; double along; };
-Place place(const Hole& h, const Vec3& x){ Vec3 d=(h.collar-h.toe).normalized(); Vec3 v=x-h.toe; double al=v.dot(d); v-=al*d; double r=v.norm(); return {r>0?Vec3(v/r):Vec3(Vec3::Zero()),r,al/(h.collar-h.toe).norm()}; }
-}
-void fit_walls(const std::vector<Block>& blocks, int first_tag, std::span<const Hole> holes, FacetSet& set) {
-  const char* e=getenv("WALL_MODE"); int mode=e?atoi(e):1; if(mode==0) return;
-  const char* e2=getenv("WALL_DEPTH"); bool depth=e2?atoi(e2):1;
-  for(size_t k=0;k<holes.size();++k){ const Hole& hole=holes[k];
-    const char* rv=getenv("WALL_RV"); double r1=hole.radius*(rv?atof(rv):1.0);
-    std::vector<double> W(blocks.size(),0); std::vector<char> wall(blocks.size(),0);
-    for(auto& f:set.faces) if(f.hole==(int)k){ size_t b=f.tag-first_tag; Place p=place(hole,blocks[b].mass.centroid); if(p.along<0||p.along>1||p.r<0.3*r1) continue; wall[b]=1; W[b]+=-f.area*f.normal.dot(p.out)/p.r/(r1*r1);
-      if(depth){ Vec3 x=f.start-hole.toe; double a=-f.normal.dot(x); double d=f.normal.dot(f.arm); double D=a+f.normal.dot(p.out)*r1*r1/p.r; f.depth_share=std::clamp(D/d,0.05,1.0); } }
-    auto psi=[&](size_t b){Place p=place(hole,blocks[b].mass.centroid); return Vec3(p.out/std::max(p.r,0.3*r1));};
-    std::vector<double> out(blocks.size(),0), ww(blocks.size(),0); double tot_out=0,tot_ww=0,totW=0,tot_all=0;
-    struct F{size_t f,i,j;double ai,aj,e;}; std::vector<F> fs;
-    for(size_t f=0;f<set.facets.size();++f){ auto& t=set.facets[f]; if(t.kind!=FacetKind::joint) continue; size_t i=t.tag_i-first_tag,j=t.tag_j-first_tag; if(!wall[i]&&!wall[j]) continue;
-      double h=t.normal.dot(t.arm_i-t.arm_j); Vec3 pi=psi(i),pj=psi(j); Vec3 d=pi-pj; double c=t.area/h; double ai=c*pi.dot(d), aj=-c*pj.dot(d);
-      if(wall[i]&&wall[j]) { fs.push_back({f,i,j,ai,aj,c*d.squaredNorm()}); tot_ww+=c*d.squaredNorm(); }
-      else { size_t b=wall[i]?i:j; double a=wall[i]?ai:aj; out[b]+=a; tot_out+=a; if(mode==2) { fs.push_back({f,i,j,wall[i]?ai:0,wall[j]?aj:0,c*d.squaredNorm()}); } }
-    }
-    for(double w:W) totW+=w;
-    double kappa=(totW-tot_out)/tot_ww;
-    if(mode==2) { kappa=totW/(tot_ww+tot_out); for(auto&x:fs) set.facets[x.f].stiffening=kappa; }
-    if(mode==1) for(auto&x:fs) set.facets[x.f].stiffening=kappa;
-    if(mode==3){ // least change of weights with each block in radial balance
-      std::vector<double> need(blocks.size(),0), den(blocks.size(),0), mu(blocks.size(),0), w(fs.size(),1.0);
-      for(int it=0;it<200;++it){ std::vector<double> got(blocks.size(),0); std::fill(den.begin(),den.end(),0.0);
-        for(size_t q=0;q<fs.size();++q){auto&x=fs[q]; w[q]=std::clamp(1+(mu[x.i]*x.ai+mu[x.j]*x.aj)/x.e,0.3,4.0); got[x.i]+=w[q]*x.ai; got[x.j]+=w[q]*x.aj; den[x.i]+=x.ai*x.ai/x.e; den[x.j]+=x.aj*x.aj/x.e;}
-        for(size_t b=0;b<blocks.size();++b) if(wall[b]&&den[b]>0) mu[b]+=0.5*(W[b]-out[b]-got[b])/den[b]; }
-      double lo=9,hi=0; for(size_t q=0;q<fs.size();++q){ set.facets[fs[q].f].stiffening=w[q]; lo=std::min(lo,w[q]);hi=std::max(hi,w[q]);} printf("   w %.2f..%.2f ",lo,hi);
-    }
-    if(getenv("WALL_PRINT")) printf("   kappa %.3f W %.3f out %.3f ww %.3f\n",kappa,totW,tot_out,tot_ww);
+
+// A ring that would have to be softened or stiffened by more is none: a few blocks at the rock's
+// edge, or facets that hardly join them. Ours; rings of blocks up to two radii wide take 1.0
+// to 2.3.
+constexpr double kLeast = 0.5, kMost = 4.0;
+
+/// Lame's displacement around one hole.
+class HoleField {
+ public:
+  explicit HoleField(const Hole& hole)
+      : hole_(hole), along_((hole.collar - hole.toe).normalized()) {}
+
+  [[nodiscard]] const Vec3& along() const { return along_; }
+  [[nodiscard]] double radius_squared() const { return hole_.radius * hole_.radius; }
+  /// From the axis [m].
+  [[nodiscard]] Vec3 across(const Vec3& point) const {
+    const Vec3 from_toe = point - hole_.toe;
+    return from_toe - from_toe.dot(along_) * along_;
   }
+  /// Not beyond an end of the hole.
+  [[nodiscard]] bool is_beside(const Vec3& point) const {
+    const double height = (point - hole_.toe).dot(along_);
+    return height >= 0.0 && height <= hole_length(hole_) &&
+           across(point).squaredNorm() > radius_squared();
+  }
+  /// [1/m]; inside the radius, where a block beyond an end may be, it stays finite.
+  [[nodiscard]] Vec3 psi(const Vec3& point) const {
+    const Vec3 out = across(point);
+    return out / std::max(out.squaredNorm(), radius_squared());
+  }
+
+ private:
+  Hole hole_;
+  Vec3 along_;
+};
+
+class WallRings {
+ public:
+  WallRings(const std::vector<Block>& blocks, int first_tag, std::span<const Hole> holes,
+            FacetSet& set)
+      : blocks_(blocks), first_tag_(first_tag), set_(set), ring_of_(blocks.size(), kNone) {
+    for (const Hole& hole : holes) rings_.push_back({HoleField(hole)});
+    std::vector<double> widest(blocks.size(), 0.0);  // face on a hole [m2]
+    for (const BoundaryFace& face : set.faces) {
+      const std::size_t b = index(face.tag);
+      if (face.hole == kNone || face.area <= widest[b]) continue;
+      if (!field(face.hole).is_beside(centre(face.tag))) continue;
+      widest[b] = face.area;
+      ring_of_[b] = face.hole;
+    }
+  }
+
+  void share_depths() {
+    for (BoundaryFace& face : set_.faces) {
+      if (face.hole == kNone || ring_of(face.tag) != face.hole) continue;
+      const HoleField& hole = field(face.hole);
+      const double whole = face.normal.dot(face.arm), axial = face.normal.dot(hole.along());
+      const double depth = hole.radius_squared() * face.normal.dot(hole.psi(centre(face.tag))) -
+                           face.normal.dot(hole.across(face.start));
+      const double share = std::clamp(depth / whole, 0.0, 1.0);
+      face.depth_share = share + axial * axial * (1.0 - share);  // ends of a hole are plane
+    }
+  }
+
+  void stiffen() {
+    for (const Facet& facet : set_.facets) {
+      const int ring = ring_of(facet);
+      if (ring != kNone) rings_[static_cast<std::size_t>(ring)].inner += work(facet, ring);
+      for (const int of_end : {ring_of(facet.tag_i), ring_of(facet.tag_j)}) {
+        if (of_end != kNone && of_end != ring)
+          rings_[static_cast<std::size_t>(of_end)].outer += work(facet, of_end);
+      }
+    }
+    for (const BoundaryFace& face : set_.faces) {
+      if (face.hole == kNone || ring_of(face.tag) != face.hole) continue;
+      Ring& ring = rings_[static_cast<std::size_t>(face.hole)];
+      ring.pressed -= face.area * face.normal.dot(ring.field.psi(centre(face.tag))) /
+                      ring.field.radius_squared();
+    }
+    for (Facet& facet : set_.facets) {
+      const int ring = ring_of(facet);
+      if (ring != kNone) facet.stiffening = rings_[static_cast<std::size_t>(ring)].stiffening();
+    }
+  }
+
+ private:
+  static constexpr int kNone = -1;
+  struct Ring {
+    HoleField field;
+    double inner = 0.0, outer = 0.0, pressed = 0.0;  // the three sums of the header, in order
+
+    [[nodiscard]] double stiffening() const {
+      return inner > 0.0 ? std::clamp((pressed - outer) / inner, kLeast, kMost) : 1.0;
+    }
+  };
+
+  [[nodiscard]] std::size_t index(int tag) const {
+    return static_cast<std::size_t>(tag - first_tag_);
+  }
+  [[nodiscard]] const Vec3& centre(int tag) const { return blocks_[index(tag)].mass.centroid; }
+  [[nodiscard]] const HoleField& field(int hole) const {
+    return rings_[static_cast<std::size_t>(hole)].field;
+  }
+  /// The hole on whose wall a block lies.
+  [[nodiscard]] int ring_of(int tag) const {
+    return tag == kGroundTag ? kNone : ring_of_[index(tag)];
+  }
+  /// That of both blocks. A mirror shows the block's image, which is in the ring too.
+  [[nodiscard]] int ring_of(const Facet& facet) const {
+    const int of_i = ring_of(facet.tag_i);
+    return facet.kind == FacetKind::mirror || ring_of(facet.tag_j) == of_i ? of_i : kNone;
+  }
+
+  /// Of a facet on its blocks that are in the ring of `hole`, displaced by psi, over 2G [1/m].
+  [[nodiscard]] double work(const Facet& facet, int hole) const {
+    const auto psi = [&](int tag) {
+      return tag == kGroundTag ? Vec3(Vec3::Zero()) : field(hole).psi(centre(tag));
+    };
+    const auto moved = [&](int tag) {
+      return ring_of(tag) == hole ? psi(tag) : Vec3(Vec3::Zero());
+    };
+    const bool grounded = facet.kind != FacetKind::joint;
+    const Vec3 between = grounded ? facet.arm_i : Vec3(facet.arm_i - facet.arm_j);
+    const double stiffness = facet.area / facet.normal.dot(between);
+    const Vec3 jump = psi(facet.tag_j) - psi(facet.tag_i),
+               opened = moved(facet.tag_j) - moved(facet.tag_i);
+    if (facet.kind != FacetKind::mirror) return stiffness * opened.dot(jump);
+    return stiffness * opened.dot(facet.normal) * jump.dot(facet.normal);  // smooth
+  }
+
+  const std::vector<Block>& blocks_;
+  int first_tag_;
+  FacetSet& set_;
+  std::vector<int> ring_of_;  // per block
+  std::vector<Ring> rings_;   // per hole
+};
+
+}  // namespace
+
+void fit_walls(const std::vector<Block>& blocks, int first_tag, std::span<const Hole> holes,
+               FacetSet& set) {
+  if (holes.empty()) return;
+  WallRings rings(blocks, first_tag, holes, set);
+  rings.share_depths();
+  rings.stiffen();
 }
-}
+
+}  // namespace muckpile

@@ -104,7 +104,8 @@ void FacetTables::derive(std::size_t f, int bonded_points) {
   const bool grounded = facet.kind != FacetKind::joint, smooth = facet.kind == FacetKind::mirror;
   const double depth_i = facet.normal.dot(facet.arm_i);
   const double depth_j = grounded ? 0.0 : -facet.normal.dot(facet.arm_j);
-  const FacetStiffness k = laws_.of_class(facet.joint_class).facet_stiffness((depth_i + depth_j) / facet.stiffening);
+  const FacetStiffness k =
+      laws_.of_class(facet.joint_class).facet_stiffness((depth_i + depth_j) / facet.stiffening);
   const double shear = smooth ? 0.0 : k.shear, point_area = facet.area / kFacetPoints;
   const JointMaterial& rock = laws_.rock();
   const double d = kSharpening * (2.0 * rock.lame_lambda() + rock.shear_modulus()) / 6.0;  // [Pa]

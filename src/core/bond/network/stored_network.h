@@ -32,9 +32,10 @@ struct Stored<BoundaryFace> {
   static constexpr std::string_view kName = "boundary_face";
   static constexpr int kVersion = 2;
   static auto fields(auto& face) {
-    return std::tie(face.tag, face.face, face.hole, face.normal, face.arm, face.start, face.area, face.depth_share,
-                    face.pressure, face.wave_share, face.load_share, face.last_pressure,
-                    face.last_squeezed, face.rigid_swept, face.last_centroid, face.last_normal);
+    return std::tie(face.tag, face.face, face.hole, face.normal, face.arm, face.start, face.area,
+                    face.depth_share, face.pressure, face.wave_share, face.load_share,
+                    face.last_pressure, face.last_squeezed, face.rigid_swept, face.last_centroid,
+                    face.last_normal);
   }
 };
 
