@@ -31,6 +31,7 @@ struct Facet {
   Vec3 opening_i, opening_j;      ///< m of blocks i and j: how the jump dilates them [-]
   std::array<Vec3, 2> half_axes;  ///< sqrt(2) x radii of gyration along the in-plane axes [m]
   double area = 0.0;              ///< [m2]
+  double stiffening = 1.0;        ///< of its rock, at a crushed zone (wall_facets.h) [-]
   bool sharpened = true;          ///< D counts; not at the blocks of fixed supports
   std::array<bool, 2> slanted{false, false};  ///< blocks i and j have the terms of leaning_faces.h
   double weight = 1.0;  ///< share of the facet's energy that this rank books [-]
@@ -54,6 +55,7 @@ struct BoundaryFace {
   double area = 0.0;           ///< [m2]
   double pressure = 0.0;       ///< on a face with a hole only [Pa]
   double wave_share = 0.0;     ///< of its work; the rest is the gas's [-]
+  double depth_share = 1.0;    ///< of arm.normal, that yields to pressure (wall_facets.h) [-]
   double load_share = 1.0;     ///< of the load, that no gas around the block balances [-]
   // Of the step before; they follow the face through the run.
   double last_pressure = 0.0;  ///< [Pa]

@@ -215,6 +215,7 @@ CutOptions read(const ArgValues& args, std::size_t memory) {
                         ? static_cast<std::size_t>(args.integer("max_blocks"))
                         : blocks_in_memory(memory, options.spheres_per_block);
   options.sphere_growth = args.real("sphere_growth");
+  options.round_walls = args.word("wall") == "round";
   return options;
 }
 

@@ -26,6 +26,7 @@ struct CutOptions {
   double density = 0.0;                      ///< [kg/m3]
   int spheres_per_block = 0;
   double sphere_growth = 1.0;
+  bool round_walls = true;  ///< crushed zones have the stiffness of round holes (wall_facets.h)
 
   /// Rank 0 alone knows when and over which seeds the other cuts sweep.
   [[nodiscard]] bool is_plain_voronoi() const { return !target && !import_file && !joint_sets; }

@@ -60,6 +60,10 @@ const ArgTable& cut_table() {
           .real("sliver", "", Range::closed(0.0, 0.3), kThinnestPart,
                 "for `cut joint_sets`: no block gets 3 volume / surface below this share of the "
                 "size asked for")
+          .word("wall", {"round", "blocks"}, "round",
+                "how stiff the rock around a crushed zone is: `round`, its wall gives way to a "
+                "pressure as that of a round hole does, whatever the block size; `blocks`, the "
+                "joints there are as stiff as all others")
           .integer("spheres_per_block", "", Range::closed(1, 64), 8,
                    "contact spheres in each block")
           .real("sphere_growth", "", Range::closed(1.0, 1.5), 1.0,

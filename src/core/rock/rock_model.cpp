@@ -2,9 +2,12 @@
 // The rock as the engine takes it; see the header.
 #include "rock/rock_model.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "args/input_error.h"
+#include "bond/build/wall_facets.h"
 #include "geometry/files/block_import.h"
 
 namespace muckpile {
@@ -25,6 +28,17 @@ void cut_blocks(RockModel& model, const CutOptions& options) {
   }
 }
 
+/// With the radii of cylinders as wide as the voids that the cut left.
+std::vector<Hole> holes_as_cut(const CutOptions& options, const Tessellation& rock) {
+  std::vector<Hole> holes = options.rock.holes;
+  const TessellationStatistics& cut = rock.statistics;
+  for (std::size_t h = 0; h < std::min(holes.size(), cut.hole_volume.size()); ++h) {
+    if (cut.hole_volume[h] > 0.0 && cut.cylinder_volume[h] > 0.0)
+      holes[h].radius *= std::sqrt(cut.hole_volume[h] / cut.cylinder_volume[h]);
+  }
+  return holes;
+}
+
 }  // namespace
 
 RockModel cut_rock(const CutOptions& options, int first_tag, const SupportRule& support) {
@@ -40,6 +54,8 @@ RockModel cut_rock(const CutOptions& options, int first_tag, const SupportRule& 
   model.largest_overlap = largest_overlap(blocks, model.bodies);
   const bool leans = options.joint_sets.has_value() || !options.rock.planes.empty();
   model.facets = build_facets(blocks, first_tag, support, leans ? Leaning::much : Leaning::little);
+  if (options.round_walls)
+    fit_walls(blocks, first_tag, holes_as_cut(options, model.rock), model.facets);
   assign_joint_classes(options.natural_joints, blocks, first_tag, model.facets.facets);
   return model;
 }

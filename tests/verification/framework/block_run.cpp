@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "bond/build/wall_facets.h"
 #include "bond/linear/stable_step.h"
 
 namespace muckpile::verification {
@@ -42,7 +43,8 @@ WallRule walls_with(const Vec3& parity, const Vec3& box) {
 }
 
 BlockRun::BlockRun(const std::vector<Block>& blocks, const std::vector<JointParameters>& networks,
-                   const WallRule& walls, const NaturalJoints& natural, Leaning leaning)
+                   const WallRule& walls, const NaturalJoints& natural, Leaning leaning,
+                   std::span<const Hole> holes)
     : angular_momentum_(blocks.size(), Vec3::Zero()) {
   const double density = networks.front().density;
   for (const Block& block : blocks) {
@@ -53,16 +55,18 @@ BlockRun::BlockRun(const std::vector<Block>& blocks, const std::vector<JointPara
     start_.push_back(block.mass.centroid);
     state_.push_back({Mat3::Identity(), block.mass.centroid, Vec3::Zero(), Vec3::Zero()});
   }
-  make_networks(blocks, networks, walls, natural, leaning);
+  make_networks(blocks, networks, walls, natural, leaning, holes);
   force_.assign(state_.size(), Vec3::Zero());
   torque_.assign(state_.size(), Vec3::Zero());
 }
 
 void BlockRun::make_networks(const std::vector<Block>& blocks,
                              const std::vector<JointParameters>& networks, const WallRule& walls,
-                             const NaturalJoints& natural, Leaning leaning) {
+                             const NaturalJoints& natural, Leaning leaning,
+                             std::span<const Hole> holes) {
   FacetSet set = build_facets(
       blocks, 1, [&](const Vec3& at) { return support_of(walls(at)); }, leaning);
+  fit_walls(blocks, 1, holes, set);
   assign_joint_classes(natural.planes, blocks, 1, set.facets);
   std::vector<BlockConstants> constants;
   for (std::size_t b = 0; b < size(); ++b) {

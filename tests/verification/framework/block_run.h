@@ -33,7 +33,7 @@ class BlockRun {
   /// Every element of `networks` is a facet network of its own over all facets; their forces add.
   BlockRun(const std::vector<Block>& blocks, const std::vector<JointParameters>& networks,
            const WallRule& walls, const NaturalJoints& natural = {},
-           Leaning leaning = Leaning::little);
+           Leaning leaning = Leaning::little, std::span<const Hole> holes = {});
 
   [[nodiscard]] std::size_t size() const { return mass_.size(); }
   [[nodiscard]] double mass(std::size_t b) const { return mass_[b]; }
@@ -76,7 +76,8 @@ class BlockRun {
     Mat3 map;  ///< from directions of the block to those of the image
   };
   void make_networks(const std::vector<Block>& blocks, const std::vector<JointParameters>& networks,
-                     const WallRule& walls, const NaturalJoints& natural, Leaning leaning);
+                     const WallRule& walls, const NaturalJoints& natural, Leaning leaning,
+                     std::span<const Hole> holes);
   void reflect(std::size_t k);
   void reflect_scalars(std::span<double> values) const;
   void reflect_tensors(std::span<double> values) const;  // nine numbers per block

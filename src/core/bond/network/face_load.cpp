@@ -13,7 +13,8 @@ namespace {
 double squeezed(const BoundaryFace& face, const BlockFields& blocks, const JointMaterial& rock) {
   const double two_g = 2.0 * rock.shear_modulus();
   const double bulk_stress = blocks.bulk_stress[static_cast<std::size_t>(face.block)];
-  return face.area * (face.pressure + bulk_stress) * face.normal.dot(face.arm) / two_g;
+  return face.area * (face.pressure + bulk_stress) * face.depth_share * face.normal.dot(face.arm) /
+         two_g;
 }
 
 /// The volume that the block's motion has swept since the last step: mean normal times the path of
@@ -68,7 +69,8 @@ void FaceLoad::squeeze(BlockFields& blocks, const JointMaterial& rock) {
   for (const BoundaryFace& face : faces_) {
     if (face.pressure == 0.0) continue;
     const auto b = static_cast<std::size_t>(face.block);
-    const double squeezed = face.area * face.pressure * face.normal.dot(face.arm) / two_g;
+    const double squeezed =
+        face.area * face.pressure * face.depth_share * face.normal.dot(face.arm) / two_g;
     blocks.sums[b].loaded -= squeezed;
     if (blocks.owned(b)) energy_ += 0.5 * squeezed * face.pressure;
   }

@@ -30,13 +30,21 @@ void FacetTables::reset(std::size_t count) {
   FacetGroup empty;
   empty.normal[0].fill(1.0f);  // lanes without a facet are worked on as well
   groups_.assign((count + kGroup - 1) / kGroup, empty);
+  stiffening_ = {};
   nonlinear_laws_.assign(laws_.any_nonlinear() ? groups_.size() : 0, 0);
 }
 
 void FacetTables::release() {
+  stiffening_ = {};
   names_ = {};
   groups_ = {};
   nonlinear_laws_ = {};
+}
+
+void FacetTables::stiffen(std::size_t f, double stiffening) {
+  if (stiffening == 1.0) return;
+  if (stiffening_.empty()) stiffening_.assign(names_.size(), 1.0f);
+  stiffening_[f] = static_cast<float>(stiffening);
 }
 
 Vec3 FacetTables::place(std::size_t f, const Facet& facet) {
@@ -53,6 +61,7 @@ Vec3 FacetTables::place(std::size_t f, const Facet& facet) {
   group.i[lane] = facet.i;
   group.j[lane] = facet.j;
   group.area[lane] = facet.area;
+  stiffen(f, facet.stiffening);
   set_lane(group.arm, lane, facet.arm_i);
   set_lane(group.half_1, lane, facet.half_axes[0]);
   set_lane(group.half_2, lane, facet.half_axes[1]);
@@ -83,6 +92,7 @@ Facet FacetTables::facet(std::size_t f) const {
   facet.opening_j = at_lane(group.opening_j, k);
   facet.half_axes = {at_lane(group.half_1, k), at_lane(group.half_2, k)};
   facet.area = group.area[k];
+  facet.stiffening = stiffening(f);
   facet.sharpened = name.sharpened;
   facet.slanted = name.slanted();
   facet.weight = name.weight;
@@ -94,7 +104,8 @@ void FacetTables::derive(std::size_t f, int bonded_points) {
   const bool grounded = facet.kind != FacetKind::joint, smooth = facet.kind == FacetKind::mirror;
   const double depth_i = facet.normal.dot(facet.arm_i);
   const double depth_j = grounded ? 0.0 : -facet.normal.dot(facet.arm_j);
-  const FacetStiffness k = laws_.of_class(facet.joint_class).facet_stiffness(depth_i + depth_j);
+  const FacetStiffness k =
+      laws_.of_class(facet.joint_class).facet_stiffness((depth_i + depth_j) / facet.stiffening);
   const double shear = smooth ? 0.0 : k.shear, point_area = facet.area / kFacetPoints;
   const JointMaterial& rock = laws_.rock();
   const double d = kSharpening * (2.0 * rock.lame_lambda() + rock.shear_modulus()) / 6.0;  // [Pa]

@@ -119,10 +119,14 @@ class FacetTables {
   [[nodiscard]] unsigned nonlinear_lanes(std::size_t g) const {
     return nonlinear_laws_.empty() ? 0u : nonlinear_laws_[g];
   }
+  /// As in Facet [-].
+  [[nodiscard]] double stiffening(std::size_t f) const {
+    return stiffening_.empty() ? 1.0 : double{stiffening_[f]};
+  }
   /// Stiffness of the rock between the two centres, (lambda + 2G)/h [Pa/m].
   [[nodiscard]] double uniaxial_stiffness(std::size_t f) const {
     const auto [depth_i, depth_j] = depths(f);
-    return laws_.rock().p_wave_modulus() / (depth_i + depth_j);
+    return laws_.rock().p_wave_modulus() / ((depth_i + depth_j) / stiffening(f));
   }
   /// Of slow slip [-]; a mirror has none.
   [[nodiscard]] double residual_friction(std::size_t f) const {
@@ -147,12 +151,16 @@ class FacetTables {
     return static_cast<double>(groups_.capacity() * sizeof(FacetGroup));
   }
   [[nodiscard]] double bytes_of_names() const {
-    return static_cast<double>(names_.capacity() * sizeof(FacetName));
+    return static_cast<double>(names_.capacity() * sizeof(FacetName) +
+                               stiffening_.capacity() * sizeof(float));
   }
 
  private:
+  void stiffen(std::size_t f, double stiffening);
+
   JointLaws laws_;
   std::vector<FacetName> names_;
+  std::vector<float> stiffening_;  // empty: 1 for all
   std::vector<FacetGroup> groups_;
   std::vector<std::uint8_t>
       nonlinear_laws_;  // see nonlinear_lanes(); empty where no class has a law

@@ -51,7 +51,8 @@ void LeaningFaces::set(const FacetTables& tables, std::size_t blocks) {
     const Vec3 along = between / normal.dot(between);
     const BondConstants bond = tables.bond(f);
     facets_[f].lean = {along - bond.opening_i, along - bond.opening_j};
-    const double rock = 2.0 * tables.laws().rock().shear_modulus() / normal.dot(between);
+    const double rock =
+        2.0 * tables.laws().rock().shear_modulus() / (normal.dot(between) / tables.stiffening(f));
     facets_[f].shear_share = bond.shear / rock / (bond.bulk_i + bond.bulk_j);
   }
 }

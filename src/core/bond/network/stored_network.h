@@ -19,22 +19,23 @@ namespace muckpile {
 template <>
 struct Stored<Facet> {
   static constexpr std::string_view kName = "facet";
-  static constexpr int kVersion = 1;
+  static constexpr int kVersion = 2;
   static auto fields(auto& facet) {
     return std::tie(facet.tag_i, facet.tag_j, facet.face, facet.kind, facet.joint_class,
                     facet.normal, facet.arm_i, facet.arm_j, facet.opening_i, facet.opening_j,
-                    facet.half_axes, facet.area, facet.sharpened, facet.slanted);
+                    facet.half_axes, facet.area, facet.stiffening, facet.sharpened, facet.slanted);
   }
 };
 
 template <>
 struct Stored<BoundaryFace> {
   static constexpr std::string_view kName = "boundary_face";
-  static constexpr int kVersion = 1;
+  static constexpr int kVersion = 2;
   static auto fields(auto& face) {
     return std::tie(face.tag, face.face, face.hole, face.normal, face.arm, face.start, face.area,
-                    face.pressure, face.wave_share, face.load_share, face.last_pressure,
-                    face.last_squeezed, face.rigid_swept, face.last_centroid, face.last_normal);
+                    face.depth_share, face.pressure, face.wave_share, face.load_share,
+                    face.last_pressure, face.last_squeezed, face.rigid_swept, face.last_centroid,
+                    face.last_normal);
   }
 };
 
