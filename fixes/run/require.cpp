@@ -3,6 +3,9 @@
 // Scope: see the header.
 #include "fixes/run/require.h"
 
+#include <input.h>
+#include <variable.h>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -139,6 +142,11 @@ std::vector<std::string> allowed_words(const std::string& rule, std::vector<std:
 void Require::command(int narg, char** arg) {
   engine::or_engine_error(*lmp, [&] {
     if (narg < 2) throw InputError(std::string(kStyle) + ": needs a name, its value and a rule");
+    if (narg == 2 && std::string(arg[1]) == "set") {
+      if (input->variable->find(arg[0]) < 0)
+        throw InputError(std::string("input: the variable ") + arg[0] + " is not set");
+      return 0;
+    }
     // An empty variable leaves no word: its rule has taken the value's place.
     if (starts_a_rule(arg[1])) throw InputError(std::string("input: ") + arg[0] + " has no value");
     const std::string rule = narg > 2 ? arg[2] : "";
