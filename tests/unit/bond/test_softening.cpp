@@ -114,6 +114,16 @@ TEST(Softening, ShearTakesItsFractureEnergyBesideFriction) {
   EXPECT_NEAR(slide.scene.network().force()[0].y() / (5e6 * std::tan(0.5)), 1.0, 1e-6);
 }
 
+TEST(Softening, FacesThatNoLongerMatchHoldNothing) {
+  JointParameters p = tough_rock();
+  p.fracture_energy_tension = 1e6;  // would hold up to 2 x 1e6 / 2e6 = 1 m
+  HandTest pull(p);
+  pull.move({0.1, 0, 0}, 1e-3, 4000);  // a tenth of the radius is sqrt(1/pi)/10 = 0.056 m
+  EXPECT_EQ(pull.scene.network().force()[0].norm(), 0.0);
+  EXPECT_EQ(pull.scene.network().elastic_energy(), 0.0);
+  EXPECT_NEAR(pull.fracture() / pull.work, 1.0, 2e-3);  // all is booked
+}
+
 TEST(RateDependence, FastPullingNeedsMoreStress) {
   JointParameters p = rock(0.0);
   p.tension = kTension;
