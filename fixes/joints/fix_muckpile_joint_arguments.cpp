@@ -55,7 +55,9 @@ const ArgTable& table() {
           .real("rate_exponent", "", Range::closed(0.0, 1.0), 0.0,
                 "tension and cohesion grow with this power of the strain rate; 0: not")
           .real("reference_rate", "1/s", Range::closed(1e-12, 1e6), 1e-6,
-                "strain rate up to which strength is that at rest")
+                "strain rate up to which tension is that at rest")
+          .real("reference_rate_shear", "1/s", Range::closed(0.0, 1e6), 0.0,
+                "the same of cohesion; 0: as reference_rate")
           .real("weakening_speed", "m/s", Range::closed(0.0, 1e3), 0.0,
                 "speed of slip above which friction of broken joints falls; 0: it does not")
           .real("weakened_friction_angle", "deg", Range::right_open(0.0, 90.0), 11.3,
@@ -111,6 +113,8 @@ JointArguments joint_arguments(LAMMPS_NS::LAMMPS& lmp, const std::string& where,
   p.fracture_energy_shear = args.real("fracture_energy_shear");
   p.rate_exponent = args.real("rate_exponent");
   p.reference_rate = args.real("reference_rate");
+  const double in_shear = args.real("reference_rate_shear");
+  p.reference_rate_shear = in_shear > 0.0 ? in_shear : p.reference_rate;
   p.weakening_speed = args.real("weakening_speed");
   p.weakened_friction_angle = args.real("weakened_friction_angle") * kDegree;
   p.longest_sleep = static_cast<double>(args.integer("open_sleep"));

@@ -3,10 +3,15 @@
 // Scope: see the header.
 #include "fixes/run/require.h"
 
+#include <input.h>
+#include <variable.h>
+
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "args/input_error.h"
@@ -20,8 +25,9 @@ namespace {
 constexpr const char* kStyle = "require";
 
 bool starts_a_rule(const std::string& word) {
-  constexpr std::array<const char*, 9> kWords{"above", "at_least", "below",  "at_most", "or",
-                                              "whole", "unit",     "one_of", "advice"};
+  constexpr std::array<const char*, 10> kWords{"above",     "at_least", "below", "at_most",
+                                               "or",        "whole",    "unit",  "one_of",
+                                               "script_in", "advice"};
   return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }
 
@@ -64,7 +70,8 @@ Rule read_rule(const std::vector<std::string>& words) {
     } else {
       throw InputError(
           std::string(kStyle) + ": unknown keyword '" + word +
-          "' (known: above, at_least, below, at_most, or, whole, unit, advice, one_of)");
+          "' (known: above, at_least, below, at_most, or, whole, unit, advice, one_of, "
+          "script_in)");
     }
   }
   return rule;
@@ -100,10 +107,34 @@ void check(const std::string& name, const std::string& text, const Rule& rule) {
 
 void check_word(const std::string& name, const std::string& word,
                 const std::vector<std::string>& allowed) {
-  if (allowed.empty()) throw InputError(std::string(kStyle) + ": nothing follows 'one_of'");
   if (std::find(allowed.begin(), allowed.end(), word) != allowed.end()) return;
   throw InputError("input: " + name + " must be one of " + joined(allowed) + ", got '" + word +
                    "'" + did_you_mean(word, allowed));
+}
+
+/// Names of the scripts of a folder, without the .in that they end with.
+std::vector<std::string> scripts_in(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code unreadable;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable))
+    if (entry.path().extension() == ".in") names.push_back(entry.path().stem().string());
+  if (unreadable) {
+    throw InputError(std::string(kStyle) + ": cannot read the folder '" + folder +
+                     "': " + unreadable.message());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// The words behind `one_of`, or those for which the folder behind `script_in` has a script.
+std::vector<std::string> allowed_words(const std::string& rule, std::vector<std::string> words) {
+  if (words.empty()) throw InputError(std::string(kStyle) + ": nothing follows '" + rule + "'");
+  if (rule == "one_of") return words;
+  if (words.size() > 1) {
+    throw InputError(std::string(kStyle) + ": script_in takes one folder, got '" + joined(words) +
+                     "'");
+  }
+  return scripts_in(words.front());
 }
 
 }  // namespace
@@ -111,10 +142,16 @@ void check_word(const std::string& name, const std::string& word,
 void Require::command(int narg, char** arg) {
   engine::or_engine_error(*lmp, [&] {
     if (narg < 2) throw InputError(std::string(kStyle) + ": needs a name, its value and a rule");
+    if (narg == 2 && std::string(arg[1]) == "set") {
+      if (input->variable->find(arg[0]) < 0)
+        throw InputError(std::string("input: the variable ") + arg[0] + " is not set");
+      return 0;
+    }
     // An empty variable leaves no word: its rule has taken the value's place.
     if (starts_a_rule(arg[1])) throw InputError(std::string("input: ") + arg[0] + " has no value");
-    if (narg > 2 && std::string(arg[2]) == "one_of")
-      check_word(arg[0], arg[1], {arg + 3, arg + narg});
+    const std::string rule = narg > 2 ? arg[2] : "";
+    if (rule == "one_of" || rule == "script_in")
+      check_word(arg[0], arg[1], allowed_words(rule, {arg + 3, arg + narg}));
     else
       check(arg[0], arg[1], read_rule({arg + 2, arg + narg}));
     return 0;

@@ -117,6 +117,7 @@ TEST(JointMaterial, RefusesWhatIsOutOfRange) {
       [](JointParameters& p) { p.fracture_energy_shear = -1.0; },
       [](JointParameters& p) { p.rate_exponent = -0.1; },
       [](JointParameters& p) { p.reference_rate = 0.0; },
+      [](JointParameters& p) { p.reference_rate_shear = 0.0; },
       [](JointParameters& p) { p.weakening_speed = -0.1; },
       [](JointParameters& p) { p.weakened_friction_angle = 1.5708; },
       [](JointParameters& p) { p.youngs_modulus = std::numeric_limits<double>::quiet_NaN(); },

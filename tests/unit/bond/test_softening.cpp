@@ -52,12 +52,9 @@ TEST(Cohesion, HoldsNothingIfTheBlocksAreTooLarge) {
 }
 
 TEST(RateFactor, IsAPowerOfTheRateAboveTheReference) {
-  JointParameters p = rock(0.0);
-  EXPECT_EQ(rate_factor(100.0, p), 1.0);  // off by default
-  p.rate_exponent = 0.05;
-  p.reference_rate = 1e-6;
-  EXPECT_NEAR(rate_factor(1.0, p), std::pow(10.0, 0.3), 1e-12);
-  EXPECT_EQ(rate_factor(1e-7, p), 1.0);
+  EXPECT_EQ(rate_factor(100.0, 1e-6, rock(0.0).rate_exponent), 1.0);  // off by default
+  EXPECT_NEAR(rate_factor(1.0, 1e-6, 0.05), std::pow(10.0, 0.3), 1e-12);
+  EXPECT_EQ(rate_factor(1e-7, 1e-6, 0.05), 1.0);
 }
 
 /// Two unit cubes side by side along x; block 1 is moved by hand at `speed` [m/s].
@@ -117,6 +114,16 @@ TEST(Softening, ShearTakesItsFractureEnergyBesideFriction) {
   EXPECT_NEAR(slide.scene.network().force()[0].y() / (5e6 * std::tan(0.5)), 1.0, 1e-6);
 }
 
+TEST(Softening, FacesThatNoLongerMatchHoldNothing) {
+  JointParameters p = tough_rock();
+  p.fracture_energy_tension = 1e6;  // would hold up to 2 x 1e6 / 2e6 = 1 m
+  HandTest pull(p);
+  pull.move({0.1, 0, 0}, 1e-3, 4000);  // a tenth of the radius is sqrt(1/pi)/10 = 0.056 m
+  EXPECT_EQ(pull.scene.network().force()[0].norm(), 0.0);
+  EXPECT_EQ(pull.scene.network().elastic_energy(), 0.0);
+  EXPECT_NEAR(pull.fracture() / pull.work, 1.0, 2e-3);  // all is booked
+}
+
 TEST(RateDependence, FastPullingNeedsMoreStress) {
   JointParameters p = rock(0.0);
   p.tension = kTension;
@@ -127,6 +134,23 @@ TEST(RateDependence, FastPullingNeedsMoreStress) {
   fast.move({2e-4, 0, 0}, 1.0, 4000);
   EXPECT_NEAR(slow.peak / kTension, 1.0, 2e-3);
   EXPECT_NEAR(fast.peak / (kTension * std::pow(10.0, 0.3)), 1.0, 2e-3);
+}
+
+TEST(RateDependence, CohesionHasAReferenceRateOfItsOwn) {
+  JointParameters p = rock(0.0);
+  p.tension = kTension;
+  p.cohesion = 1e6;
+  p.friction_angle = p.residual_friction_angle = 0.0;
+  p.rate_exponent = 1.0 / 3.0;
+  p.reference_rate = 1.0;
+  p.reference_rate_shear = 8.0;
+  HandTest pull(p), slide(p), gently(p);
+  pull.move({2e-3, 0, 0}, 64.0, 4000);   // (64/1)^(1/3) = 4 times the tension
+  slide.move({0, 2e-3, 0}, 64.0, 4000);  // (64/8)^(1/3) = 2 times the cohesion
+  gently.move({0, 2e-3, 0}, 8.0, 4000);
+  EXPECT_NEAR(pull.peak / (4.0 * kTension), 1.0, 5e-3);
+  EXPECT_NEAR(slide.peak / 2e6, 1.0, 5e-3);
+  EXPECT_NEAR(gently.peak / 1e6, 1.0, 5e-3);
 }
 
 }  // namespace

@@ -62,10 +62,11 @@ struct Cohesion {
   return c;
 }
 
-/// Strength over its value at rest: (rate / reference)^exponent, at least 1; the form of the
-/// CEB-FIP Model Code 1990 below 30/s.
-[[nodiscard]] inline double rate_factor(double strain_rate, const JointParameters& p) {
-  return std::pow(std::max(1.0, strain_rate / p.reference_rate), p.rate_exponent);
+/// Strength over its value at rest: (rate / reference)^exponent, at least 1; the form of one branch
+/// of the CEB-FIP Model Code 1990.
+[[nodiscard]] inline double rate_factor(double strain_rate, double reference_rate,
+                                        double exponent) {
+  return std::pow(std::max(1.0, strain_rate / reference_rate), exponent);
 }
 
 }  // namespace muckpile

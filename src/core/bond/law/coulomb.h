@@ -31,9 +31,9 @@ struct CoulombStrength {
     const Number along = dot(normal, traction);
     return fails(along, Number(dot(traction, traction) - along * along));
   }
-  /// Tension and cohesion by that factor; friction stays.
-  [[nodiscard]] CoulombStrength scaled(const Number& factor) const {
-    return {factor * tension, factor * cohesion, tan_friction};
+  /// Tension and cohesion by a factor each; friction stays.
+  [[nodiscard]] CoulombStrength scaled(const Number& in_tension, const Number& in_shear) const {
+    return {in_tension * tension, in_shear * cohesion, tan_friction};
   }
 };
 

@@ -44,6 +44,8 @@ JointMaterial::JointMaterial(const JointParameters& parameters)
           p.fracture_energy_shear);
   require(p.rate_exponent >= 0.0, "rate_exponent must be >= 0", p.rate_exponent);
   require(p.reference_rate > 0.0, "reference_rate must be > 0 1/s", p.reference_rate);
+  require(p.reference_rate_shear > 0.0, "reference_rate_shear must be > 0 1/s",
+          p.reference_rate_shear);
   require(p.weakening_speed >= 0.0, "weakening_speed must be >= 0 m/s", p.weakening_speed);
   require(p.weakened_friction_angle >= 0.0 && p.weakened_friction_angle < kRightAngle,
           "weakened_friction_angle must be in [0, 90) degrees, in radians here",

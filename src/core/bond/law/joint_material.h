@@ -27,7 +27,8 @@ struct JointParameters {
   double fracture_energy_tension = 0.0;  ///< [J/m2]; 0: tension drops at once
   double fracture_energy_shear = 0.0;    ///< beside friction [J/m2]; 0: cohesion drops at once
   double rate_exponent = 0.0;            ///< of strength [-]; 0: it does not depend on rate
-  double reference_rate = 1e-6;          ///< up to which strength is that at rest [1/s]
+  double reference_rate = 1e-6;          ///< up to which tension is that at rest [1/s]
+  double reference_rate_shear = 1e-6;    ///< the same of cohesion [1/s]
   double weakening_speed = 0.0;          ///< of slip, above which friction falls; 0: never [m/s]
   double weakened_friction_angle = 0.0;  ///< towards which it falls [rad]
   double longest_sleep = 0.0;  ///< steps for which a broken open facet may be left alone [-]

@@ -57,17 +57,22 @@ static LaneMask failing(const FacetKinematics& facets, std::size_t f, const Face
   const CoulombStrength<double>& linear = facets.tables.strength(f);
   const CoulombStrength<Lanes> at_rest{linear.tension, linear.cohesion, linear.tan_friction};
   const JointLaw* nonlinear = facets.tables.nonlinear_law(f);
-  const auto fails = [&](const Lanes& faster) {
-    return nonlinear != nullptr ? nonlinear->fails(along, shear_squared, faster)
-                                : at_rest.scaled(faster).fails(along, shear_squared);
+  const auto fails = [&](const Lanes& in_tension, const Lanes& in_shear) {
+    return nonlinear != nullptr ? nonlinear->fails(along, shear_squared, in_tension)
+                                : at_rest.scaled(in_tension, in_shear).fails(along, shear_squared);
   };
-  const LaneMask slowly = is_point() && fails(choose(slipping, Lanes(0.0), 1.0));
+  const Lanes unless_slipping = choose(slipping, Lanes(0.0), 1.0);
+  const LaneMask slowly = is_point() && fails(unless_slipping, unless_slipping);
   const JointLaws& laws = facets.tables.laws();
   if (!laws.depends_on_rate() || none_of(slowly)) return slowly;
   const auto [depth_i, depth_j] = facets.tables.depths(f);
   const Lanes rate = sqrt(dot(pull.rate, pull.rate)) / (depth_i + depth_j);
-  const Lanes faster([&](auto lane) { return rate_factor(rate[lane], laws.rock().parameters()); });
-  return slowly && (slipping || fails(faster));
+  const JointParameters& p = laws.rock().parameters();
+  const auto faster = [&](double reference_rate) {
+    return Lanes(
+        [&](auto lane) { return rate_factor(rate[lane], reference_rate, p.rate_exponent); });
+  };
+  return slowly && (slipping || fails(faster(p.reference_rate), faster(p.reference_rate_shear)));
 }
 
 FacetPull BondedPoints::pull(std::size_t f, const FacetMotion& motion) const {

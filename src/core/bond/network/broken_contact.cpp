@@ -65,8 +65,14 @@ bool BrokenContact::remains(std::size_t f, const FacetMotion& motion,
          matching_faces(std::sqrt(slid / contact.radius_squared),
                         std::sqrt(motion.turned_squared())));
   }
-  if (facets_.tables.laws().softens() && history_.softens(f)) return true;
-  if (history_.contacts().fade(f) == 0.0 || contact.longer(opened, kOpened)) {
+  const bool away = history_.contacts().fade(f) == 0.0 || contact.longer(opened, kOpened);
+  if (facets_.tables.laws().softens() && history_.softens(f)) {
+    if (!away) return true;
+    // Faces that no longer match hold nothing.
+    books_.losses.fracture += contact.weight * cohesion_energy(facets_, f, motion);
+    if (facets_.tables.is_joint(f)) history_.stop_softening(f);
+  }
+  if (away) {
     retire(f);
     return false;
   }

@@ -17,7 +17,10 @@ void add_cohesion(const FacetKinematics& facets, FacetHistory& history, JointLos
     if (!c.holds()) continue;
     const Vec3 direction = axes * c.direction;
     const double path = direction.dot(pull.rate.at(p)) * dt;
-    const double now = c.parting(axes.transpose() * pull.jump.at(p)), before = now - path;
+    const double now = c.parting(axes.transpose() * pull.jump.at(p));
+    // Where blocks turn as they pass each other the path of the step is not what the parting has
+    // changed by; no parting before was beyond the worst.
+    const double before = std::min(now - path, c.worst);
     const double traction_before = c.traction(before, c.worst), energy_before = c.energy(before);
     c.worst = std::max(c.worst, now);
     const double traction = c.traction(now, c.worst);
