@@ -62,6 +62,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix,
 
   [[nodiscard]] Energies energies() const override;
   [[nodiscard]] EnergyAudit audit() const override;
+  [[nodiscard]] double greatest_pressure() const override;
   [[nodiscard]] bool over() const override { return over_; }
   [[nodiscard]] BlastTiming timing() const override;
   [[nodiscard]] bool vents_by_flow() const override { return options_.vent_by_flow; }
@@ -78,8 +79,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix,
   void check_walls() const;
   void require_fired(double bearable) const;
   void let_go_of_softened_walls();
-  [[nodiscard]] double greatest_pressure() const;  // on a wall, of all ranks [Pa]
-  [[nodiscard]] double clock() const;              // since the first run with this fix [s]
+  [[nodiscard]] double clock() const;  // since the first run with this fix [s]
   void refresh_arrivals();
   [[nodiscard]] bool fired(double time) const;
   void sum_over_walls();

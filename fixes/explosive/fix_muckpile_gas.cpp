@@ -133,7 +133,11 @@ void FixMuckpileGas::setup_pre_neighbor() {
 /// In joints, of the last step [Pa]; before the first one after a restart file, that of the file.
 /// Collective.
 double FixMuckpileGas::greatest_pressure() const {
-  return std::max(over_ranks(gas_.greatest_pressure(), true), restored_pressure_);
+  return std::max(greatest_in_joints(), restored_pressure_);
+}
+
+double FixMuckpileGas::greatest_in_joints() const {
+  return over_ranks(gas_.greatest_pressure(), true);
 }
 
 /// Softening takes all tractions to a small share, but gas that stays pushes with all of its
@@ -321,7 +325,7 @@ void FixMuckpileGas::flow(double dt) {
 
 void FixMuckpileGas::look_whether_spent() {
   const bool fed = std::any_of(fed_.begin(), fed_.end(), [](char hole) { return hole != 0; });
-  const double greatest = over_ranks(gas_.greatest_pressure(), true);
+  const double greatest = greatest_in_joints();
   if (fed || !blast_->over() || greatest > (1.0 + kSpentShare) * ambient_) return;
   end_of_gas("is spent");
 }
@@ -409,7 +413,7 @@ double FixMuckpileGas::compute_vector(int n) {
     case kWork:
       return over_ranks(work_);
     case kGreatest:
-      return over_ranks(gas_.greatest_pressure(), true);
+      return greatest_in_joints();
     case kBlocks:
       return over_ranks(gas_.blocks_with_gas());
     case kSpent:

@@ -68,6 +68,7 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure, public Joint
   void restart(char* state) override;
 
   [[nodiscard]] std::span<const double> pressure_in_joints() override;
+  [[nodiscard]] double greatest_in_joints() const override;
   [[nodiscard]] bool acts() const override { return active_; }
   [[nodiscard]] Sums gas_energies() const override;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What others ask of the blast: whether it goes on, and what it has done.
-// Scope: an interface only; fix muckpile/blast implements it, fix muckpile/sleep and fix
-// muckpile/progress read it.
+// Scope: an interface only; fix muckpile/blast implements it, fix muckpile/sleep, fix
+// muckpile/progress and run_blast read it.
 #pragma once
 
 #include "explosive/energy_audit.h"
@@ -20,6 +20,8 @@ class BlastEnergies {
   [[nodiscard]] virtual Energies energies() const = 0;
   /// Where the energy of the charges that have fired is. Collective.
   [[nodiscard]] virtual EnergyAudit audit() const = 0;
+  /// On a wall of a crushed zone now, of all ranks [Pa]. Collective.
+  [[nodiscard]] virtual double greatest_pressure() const = 0;
   /// True once no hole will press any more.
   [[nodiscard]] virtual bool over() const = 0;
 };

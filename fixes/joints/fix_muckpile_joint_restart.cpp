@@ -45,7 +45,7 @@ void FixMuckpileJoint::end_what_does_not_go_on() {
   if (gone("muckpile/quiet")) network_.stop_ground();
   if (gone("muckpile/gas")) network_.release_gas();
   if (!gone("muckpile/blast")) return;
-  for (BoundaryFace& face : network_.faces()) face.pressure = 0.0;
+  network_.take_off_pressures(true);
   network_.expect_pressure(false);
 }
 

@@ -49,11 +49,8 @@ const Hole& FixMuckpileJoint::hole(int index) const {
 
 void FixMuckpileJoint::set_pressure(std::span<const double> pressure,
                                     std::span<const double> wave_share) {
-  for (std::size_t k = 0; k < loaded_faces_.size(); ++k) {
-    BoundaryFace& face = network_.faces()[loaded_faces_[k]];
-    face.pressure = face.load_share * pressure[k];
-    face.wave_share = wave_share[k];
-  }
+  for (std::size_t k = 0; k < loaded_faces_.size(); ++k)
+    network_.press(loaded_faces_[k], pressure[k], wave_share[k]);
 }
 
 void FixMuckpileJoint::expect_pressure(bool expected) { network_.expect_pressure(expected); }
@@ -65,9 +62,7 @@ RockConstants FixMuckpileJoint::rock() const {
 
 double FixMuckpileJoint::shear_modulus() const { return network_.material().shear_modulus(); }
 
-void FixMuckpileJoint::unload_softened() {
-  for (BoundaryFace& face : network_.faces()) face.pressure = face.last_pressure = 0.0;
-}
+void FixMuckpileJoint::unload_softened() { network_.take_off_pressures(false); }
 
 void FixMuckpileJoint::swept_volume(std::span<double> per_hole) const {
   std::fill(per_hole.begin(), per_hole.end(), 0.0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix muckpile/progress: console line, history.csv, run.json, and the checks that stop a run.
+// fix muckpile/progress: console line, what history.csv and run.json say, and the checks that stop
+// a run.
 // Scope: see the header.
 #include "fixes/run/fix_muckpile_progress.h"
 
@@ -14,10 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -42,13 +39,6 @@
 
 namespace muckpile {
 namespace {
-
-constexpr const char* kHistoryHeader =
-    "step,time_s,timestep_s,phase,joints,joints_broken,fastest_block_m_s,kinetic_J,elastic_J,"
-    "contact_elastic_J,"
-    "gravity_J,blast_work_J,fracture_J,joint_friction_J,joint_damping_J,contact_friction_J,contact_"
-    "damping_J,wall_J,quiet_J,sleep_J,given_J,"
-    "balance_error,run_id\n";
 
 Range time_range() { return Range::left_open(0.0, 1e30); }
 
@@ -89,13 +79,6 @@ nlohmann::ordered_json crushed_zones(const KnownBlocks& blocks) {
   return zones;
 }
 
-/// A line that was not cut off, nor written on by another.
-bool is_whole_row(const std::string& line, const std::string& run_id) {
-  const std::string_view header = kHistoryHeader;
-  return line.ends_with(',' + run_id) &&
-         std::ranges::count(line, ',') == std::ranges::count(header, ',');
-}
-
 }  // namespace
 
 const ArgTable& progress_keywords() { return table(); }
@@ -115,6 +98,7 @@ FixMuckpileProgress::FixMuckpileProgress(LAMMPS_NS::LAMMPS* engine, int narg, ch
   if (args.word("scene") != "all") scene_ = args.word("scene");
   if (args.word("solid") != "none") solid_ = args.word("solid");
   engine::make_output_folder(*lmp, where_, folder_);
+  files_ = RunFiles(*lmp, where_, folder_);
   scalar_flag = vector_flag = 1;
   size_vector = 4;
   global_freq = 1;
@@ -141,7 +125,7 @@ void FixMuckpileProgress::setup(int) {
 }
 
 void FixMuckpileProgress::end_of_step() {
-  begin_files();
+  files_.begin(blocks_->run_id(), last_ < 0 ? update->ntimestep : last_);
   look_if_due();
 }
 
@@ -155,7 +139,7 @@ void FixMuckpileProgress::look_if_due() {
 }
 
 void FixMuckpileProgress::post_run() {
-  begin_files();
+  files_.begin(blocks_->run_id(), last_ < 0 ? update->ntimestep : last_);
   const Look now = look();
   stop_if_wrong(now);
   if (last_ != update->ntimestep) write_history(now);
@@ -294,54 +278,9 @@ void FixMuckpileProgress::restart(char* state) {
   read_at_ = update->ntimestep;
 }
 
-/// The rows that this run has from steps before its first one here.
-std::string FixMuckpileProgress::rows_before() const {
-  const auto end = last_ < 0 ? update->ntimestep : last_;
-  const std::string file = folder_ + "/history.csv";
-  std::error_code unheeded;
-  if (end == 0 || !std::filesystem::is_regular_file(file, unheeded)) return "";
-  std::ifstream in(file);
-  std::string line, kept;
-  bool good = std::getline(in, line) && line + '\n' == kHistoryHeader;
-  int dropped = 0;
-  while (std::getline(in, line)) {
-    if (good && is_whole_row(line, blocks_->run_id())) {
-      if (std::atoll(line.c_str()) >= end) break;
-      kept += line + '\n';
-    } else {
-      good = false;
-      ++dropped;
-    }
-  }
-  if (dropped > 0) {
-    error->warning(
-        FLERR, (where_ + ": '" + file + "' goes on without its last " + std::to_string(dropped) +
-                " rows: the first of them is damaged, or of another run")
-                   .c_str());
-  }
-  return kept;
-}
-
-/// What an earlier start of this run left stays until a step is taken: a fix set up after this one
-/// may refuse the run.
-void FixMuckpileProgress::begin_files() {
-  if (history_begun_) return;
-  history_begun_ = true;
-  if (comm->me == 0) remove_own_run();
-  const std::string before = comm->me == 0 ? rows_before() : "";
-  engine::write_file(*lmp, where_, folder_ + "/history.csv",
-                     kHistoryHeader + before + pending_rows_);
-  pending_rows_.clear();
-}
-
 void FixMuckpileProgress::write_history(const Look& now) {
   last_ = update->ntimestep;
-  const std::string new_row = row(now);
-  if (!history_begun_) {
-    pending_rows_ += new_row;
-    return;
-  }
-  engine::append_to_file(*lmp, where_, folder_ + "/history.csv", new_row);
+  files_.add_row(row(now));
 }
 
 std::string FixMuckpileProgress::row(const Look& now) const {
@@ -357,16 +296,6 @@ std::string FixMuckpileProgress::row(const Look& now) const {
   }
   out << ',' << blocks_->run_id() << '\n';
   return out.str();
-}
-
-/// What an earlier start of this run left does not hold until this one ends.
-void FixMuckpileProgress::remove_own_run() const {
-  const std::string file = folder_ + "/run.json";
-  std::ifstream in(file);
-  const auto run = nlohmann::json::parse(in, nullptr, false);
-  std::error_code unheeded;
-  if (run.is_object() && run.value("run_id", nlohmann::json()) == blocks_->run_id())
-    std::filesystem::remove(file, unheeded);
 }
 
 void FixMuckpileProgress::write_run(const Look& now) const {
@@ -396,7 +325,7 @@ void FixMuckpileProgress::write_run(const Look& now) const {
   run["still"] = still(now);
   run["run_id"] = blocks_->run_id();
   run["holes"] = crushed_zones(*blocks_);
-  engine::write_file(*lmp, where_, folder_ + "/run.json", engine::json_text(run));
+  files_.write_run(engine::json_text(run));
 }
 
 double FixMuckpileProgress::compute_scalar() { return still(look()) ? 1.0 : 0.0; }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "fixes/interfaces/state_writer.h"
+#include "fixes/run/run_files.h"
 #include "state/encoding.h"
 
 namespace muckpile {
@@ -66,12 +67,9 @@ class FixMuckpileProgress : public LAMMPS_NS::Fix, public StateWriter {
   [[nodiscard]] bool has_entered_solid(const engine::Bodies& bodies, int b) const;
   void warn_of_solid(const Look& now);
   void say(const Look& now) const;
-  void begin_files();
   void write_history(const Look& now);
-  [[nodiscard]] std::string rows_before() const;
   [[nodiscard]] std::string row(const Look& now) const;
   void write_run(const Look& now) const;
-  void remove_own_run() const;
   void stop_if_wrong(const Look& now);
   [[nodiscard]] bool still(const Look& now) const;
   [[noreturn]] void stop_with_restart(const std::string& why);
@@ -80,13 +78,13 @@ class FixMuckpileProgress : public LAMMPS_NS::Fix, public StateWriter {
   JointDamage* joints_ = nullptr;
   KnownBlocks* blocks_ = nullptr;
   std::string where_, folder_, phase_;
-  std::string scene_;         // region, empty for all space
-  std::string solid_;         // region, empty for none
-  std::string pending_rows_;  // rows of history.csv, until a step is taken
-  int every_;                 // the engine looks up `nevery` only when a run is set up
+  std::string scene_;  // region, empty for all space
+  std::string solid_;  // region, empty for none
+  RunFiles files_;
+  int every_;  // the engine looks up `nevery` only when a run is set up
   double time_end_, still_speed_, still_share_, fastest_allowed_, balance_allowed_;
   double wall_start_, phase_wall_start_ = 0.0, phase_time_start_ = 0.0;
-  bool history_begun_ = false, warned_of_solid_ = false;
+  bool warned_of_solid_ = false;
   LAMMPS_NS::bigint read_at_ = -1;  // step of the restart file from which the run goes on
   LAMMPS_NS::bigint last_ = -1;     // step of the last row of the history
 };

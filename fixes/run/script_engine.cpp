@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // BlastEngine on LIGGGHTS.
-// Scope: see the header. What it reads are the outputs that the pages of the styles name.
+// Scope: see the header. What it reads are the interfaces of the styles.
 #include "fixes/run/script_engine.h"
 
 #include <comm.h>
@@ -16,18 +16,19 @@
 #include <cstdio>
 #include <cstring>
 
+#include "fixes/engine/find_view.h"
 #include "fixes/engine/over_ranks.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/interfaces/blast_energies.h"
 #include "fixes/interfaces/blast_surface.h"
+#include "fixes/interfaces/energy_account.h"
+#include "fixes/interfaces/joint_energies.h"
+#include "fixes/interfaces/joint_pressure.h"
 
 namespace muckpile {
 namespace {
 
 using LAMMPS_NS::Fix;
-
-// Entries of the fixes' global vectors, from 0.
-constexpr int kJointElastic = 3, kLedgerKinetic = 0, kBlastPressure = 0, kBlastWork = 3,
-              kGasGreatest = 4;
 
 /// As long as a number of LIGGGHTS' own variables.
 std::string text(double value) {
@@ -42,20 +43,24 @@ ScriptEngine::ScriptEngine(LAMMPS_NS::LAMMPS* engine, const ArgValues& words)
     : Pointers(engine),
       words_(words),
       directory_(words.word("directory")),
-      joint_(find("muckpile/joint")),
-      blast_(find("muckpile/blast")),
-      gas_(find("muckpile/gas")),
-      surface_(dynamic_cast<const BlastSurface*>(joint_)) {}
+      surface_(engine::find_view<BlastSurface>(*lmp)),
+      joints_(engine::find_view<JointEnergies>(*lmp)),
+      blast_(engine::find_view<BlastEnergies>(*lmp)),
+      gas_(engine::find_view<JointPressure>(*lmp)) {}
 
 double ScriptEngine::time() const { return update->get_cur_time(); }
 double ScriptEngine::step() const { return update->dt; }
 double ScriptEngine::stiffness() const { return surface_->softened(); }
-double ScriptEngine::elastic_energy() const { return joint_->compute_vector(kJointElastic); }
-double ScriptEngine::kinetic_energy() const { return ledger_->compute_vector(kLedgerKinetic); }
-double ScriptEngine::blast_work() const { return blast_->compute_vector(kBlastWork); }
-double ScriptEngine::wall_pressure() const { return blast_->compute_vector(kBlastPressure); }
+double ScriptEngine::elastic_energy() const {
+  return engine::sum_over_ranks(joints_->energies().elastic, world);
+}
+double ScriptEngine::kinetic_energy() const { return account_->ledger().kinetic; }
+double ScriptEngine::blast_work() const {
+  return engine::sum_over_ranks(surface_->pressure_work(), world);
+}
+double ScriptEngine::wall_pressure() const { return blast_->greatest_pressure(); }
 double ScriptEngine::joint_pressure() const {
-  return gas_ == nullptr ? 0.0 : gas_->compute_vector(kGasGreatest);
+  return gas_ == nullptr ? 0.0 : gas_->greatest_in_joints();
 }
 bool ScriptEngine::still() const { return progress_->compute_scalar() > 0.5; }
 
@@ -74,7 +79,7 @@ void ScriptEngine::prepare(const PhaseNews& first, const StepRule& rule) {
                            " scene " + words_.word("scene") + " solid " + words_.word("solid"));
   make("muckpile/timestep", "dt",
        "fraction " + text(rule.share) + " dashpot_fraction 2 every 10 joints_every 250");
-  ledger_ = find("muckpile/ledger");
+  account_ = engine::find_view<EnergyAccount>(*lmp);
   progress_ = find("muckpile/progress");
   write_table();
   const long every = words_.integer("restart_every");
@@ -89,7 +94,7 @@ void ScriptEngine::write_table() const {
   if (output->thermo_every == 0) tell("thermo 1000");
   if (std::strcmp(output->thermo->style, "one") != 0) return;
   tell("thermo_style custom step time dt f_" + id_of("muckpile/timestep") + " f_" +
-       std::string(joint_->id) + "[2] f_" + id_of("muckpile/progress") + "[1] f_" +
+       id_of("muckpile/joint") + "[2] f_" + id_of("muckpile/progress") + "[1] f_" +
        id_of("muckpile/ledger"));
   tell("thermo_modify lost ignore norm no");
 }
@@ -113,7 +118,7 @@ void ScriptEngine::bound_step(const StepRule& rule) {
 }
 
 void ScriptEngine::soften(double factor, std::optional<double> damping) {
-  tell(std::string("fix_modify ") + joint_->id + " soften " + text(factor) +
+  tell("fix_modify " + id_of("muckpile/joint") + " soften " + text(factor) +
        (damping ? " damping " + text(*damping) : ""));
 }
 

@@ -17,7 +17,11 @@ class Fix;
 
 namespace muckpile {
 
+class BlastEnergies;
 class BlastSurface;
+class EnergyAccount;
+class JointEnergies;
+class JointPressure;
 
 class ScriptEngine : public BlastEngine, protected LAMMPS_NS::Pointers {
  public:
@@ -56,10 +60,13 @@ class ScriptEngine : public BlastEngine, protected LAMMPS_NS::Pointers {
 
   ArgValues words_;
   std::string directory_;
-  LAMMPS_NS::Fix *joint_, *blast_, *gas_;  ///< no gas in joints: null
   const BlastSurface* surface_;
-  LAMMPS_NS::Fix *ledger_ = nullptr, *progress_ = nullptr;  ///< known after prepare()
-  bool own_snapshots_ = false, own_progress_ = false;       ///< made by prepare()
+  const JointEnergies* joints_;
+  const BlastEnergies* blast_;
+  const JointPressure* gas_;          ///< no gas in joints: null
+  EnergyAccount* account_ = nullptr;  ///< known after prepare(), as the next
+  LAMMPS_NS::Fix* progress_ = nullptr;
+  bool own_snapshots_ = false, own_progress_ = false;  ///< made by prepare()
 };
 
 }  // namespace muckpile

@@ -82,7 +82,7 @@ double jump_beside_a_slip(const JointParameters& rock) {
   return std::abs(outer_joint(squeeze, slide) / start - 1.0);  // with what broke in the last one
 }
 
-const PlotFrame kTorn{"softening", "Fracture energy of a bar torn apart in the middle",
+const PlotFrame kTorn{"decohesion", "Fracture energy of a bar torn apart in the middle",
                       "block size [m]", "taken by fracture [J/m2]"};
 
 void shear_box(Report& report) {
@@ -190,14 +190,14 @@ Torn torn_bar(int blocks, double nu, double toughness) {
   return torn;
 }
 
-void softening(Report& report) {
+void decohesion(Report& report) {
   constexpr double kToughness = 20.0;  // [J/m2]
   PlotCurve given{"given, 20 J/m2", CurveStyle::kDashed, 0, {}};
   int colour = 1;
   for (const double nu : {0.0, 0.25}) {
     for (const double toughness : {0.0, kToughness}) {
-      const bool softens = toughness > 0.0;
-      const std::string law = softens ? "softening" : "at once";
+      const bool gradual = toughness > 0.0;
+      const std::string law = gradual ? "decohesion" : "at once";
       PlotCurve curve{law + ", nu " + spelled(nu), CurveStyle::kPoints, colour++, {}};
       for (const int blocks : {4, 8, 16, 32}) {
         const Torn torn = torn_bar(blocks, nu, toughness);
@@ -205,8 +205,8 @@ void softening(Report& report) {
         const std::string name =
             "bar torn apart, " + law + ", blocks of " + spelled(size) + " m, nu " + spelled(nu);
         const Quantity taken{name, "taken by fracture", "J/m2", "given fracture energy"};
-        if (softens) {
-          // The dilatation of the two blocks goes at once when the joint starts to soften: an error
+        if (gradual) {
+          // The dilatation of the two blocks goes at once when the decohesion starts: an error
           // that is first order in their size.
           report.relative(taken, torn.fracture, toughness, size > 0.2 ? 0.05 : 0.02);
         } else {
@@ -223,7 +223,7 @@ void softening(Report& report) {
   report.curve(kTorn, given);
 }
 
-const Cases kCases = {{"shear_box", shear_box}, {"tension", tension}, {"softening", softening}};
+const Cases kCases = {{"shear_box", shear_box}, {"tension", tension}, {"decohesion", decohesion}};
 
 }  // namespace
 }  // namespace muckpile::verification

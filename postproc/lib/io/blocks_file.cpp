@@ -12,7 +12,7 @@
 #include <string>
 
 #include "args/input_error.h"
-#include "geometry/files/block_import.h"
+#include "geometry/files/cell_file.h"
 
 namespace muckpile {
 namespace {

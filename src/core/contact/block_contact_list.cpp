@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Candidate contacts between blocks: grouping, bounding spheres, block pairs, near spheres.
-// Scope: see the header.
+// Candidate contacts between blocks: grouping, bounding spheres, block pairs.
+// Scope: see the header; the near spheres of a pair are found in near_spheres.cpp.
 #include "contact/block_contact_list.h"
 
 #include <algorithm>
@@ -13,8 +13,6 @@ namespace {
 
 // A step turns a block by its mid-step spin, which the spin at hand meets to second order only.
 constexpr double kTurnSafety = 1.1;
-// Sphere pairs that a block pair has room for beyond those it has: little, as all are read in turn.
-constexpr int kSpare = 1;
 
 Vec3 position(const double* positions, int sphere) {
   return Vec3::Map(positions + 3 * static_cast<std::ptrdiff_t>(sphere));
@@ -241,27 +239,6 @@ void BlockContactList::make_gates() {
   }
 }
 
-void BlockContactList::open(std::size_t k, const SphereSet& spheres, std::vector<int>& dropped) {
-  BlockPair& pair = block_pairs_[k];
-  if (moved(pair)) look_up(pair, spheres, dropped);
-  Gate& gate = gates_[k];
-  gate.due = pair.due;
-  gate.begin = pair.begin;
-  gate.count = pair.count;
-}
-
-void BlockContactList::rest(std::size_t k, const double* positions) {
-  double gap = std::numeric_limits<double>::infinity();
-  for (const SpherePair& pair : candidates(k)) {
-    const Vec3 between = position(positions, pair.second) - position(positions, pair.first);
-    gap = std::min(gap, between.norm() - pair.reach);
-  }
-  Gate& gate = gates_[k];
-  if (!(gap > 0.0)) return;
-  gate.due = std::min(gate.due, path_of(gate.first, gate.second) + gap);
-  gate.count = 0;
-}
-
 void BlockContactList::deactivate(std::size_t k) {
   make_gates();
   gates_[k].due = std::numeric_limits<double>::infinity();
@@ -269,66 +246,6 @@ void BlockContactList::deactivate(std::size_t k) {
 }
 
 void BlockContactList::activate(std::size_t k) { gates_[k].due = Gate{}.due; }
-
-void BlockContactList::look_up(BlockPair& pair, const SphereSet& spheres,
-                               std::vector<int>& dropped) {
-  const auto a = static_cast<std::size_t>(pair.first), b = static_cast<std::size_t>(pair.second);
-  pair.offset = places_[b].reference - places_[a].reference;
-  pair.travel = places_[a].travel + places_[b].travel;
-  pair.slack = pair.offset.norm() - extent_[a] - extent_[b];
-  const double margin = kMargin * std::min(extent_[a], extent_[b]);
-  near_.clear();
-  if (pair.slack <= margin) list_near(pair, spheres, margin, pair.slack);
-  pair.due = path_of(pair.first, pair.second) + pair.slack;
-  keep_contacts(pair, dropped);
-}
-
-void BlockContactList::list_near(const BlockPair& pair, const SphereSet& spheres, double margin,
-                                 double& slack) {
-  slack = std::numeric_limits<double>::infinity();
-  const auto members = [this](int block) {
-    const auto b = static_cast<std::size_t>(block);
-    return std::span(members_).subspan(static_cast<std::size_t>(start_[b]),
-                                       static_cast<std::size_t>(start_[b + 1] - start_[b]));
-  };
-  for (const Member& a : members(pair.first)) {
-    const Vec3 centre = position(spheres.positions, a.sphere);
-    for (const Member& b : members(pair.second)) {
-      if (a.sphere >= spheres.owned && b.sphere >= spheres.owned) continue;
-      const double reach = a.radius + b.radius;
-      const double gap = (position(spheres.positions, b.sphere) - centre).norm() - reach;
-      if (gap >= margin) {
-        slack = std::min(slack, gap);
-        continue;
-      }
-      const bool in_order = spheres.tags[a.sphere] < spheres.tags[b.sphere];
-      near_.push_back(in_order ? SpherePair{a.sphere, b.sphere, -1, reach}
-                               : SpherePair{b.sphere, a.sphere, -1, reach});
-    }
-  }
-}
-
-/// Puts near_ in the pair's place, with the contacts of the spheres that were listed there before.
-void BlockContactList::keep_contacts(BlockPair& pair, std::vector<int>& dropped) {
-  for (int k = 0; k < pair.count; ++k) {
-    const SpherePair& old = sphere_pairs(pair)[k];
-    if (old.contact < 0) continue;
-    const auto same = std::find_if(near_.begin(), near_.end(), [&](const SpherePair& p) {
-      return p.first == old.first && p.second == old.second;
-    });
-    if (same != near_.end())
-      same->contact = old.contact;
-    else
-      dropped.push_back(old.contact);
-  }
-  pair.count = static_cast<int>(near_.size());
-  if (pair.count > pair.room) {
-    pair.room = pair.count + kSpare;
-    pair.begin = static_cast<int>(sphere_pairs_.size());
-    sphere_pairs_.resize(sphere_pairs_.size() + static_cast<std::size_t>(pair.room));
-  }
-  std::copy(near_.begin(), near_.end(), sphere_pairs(pair));
-}
 
 double BlockContactList::bytes() const {
   const auto size = [](const auto& list) {

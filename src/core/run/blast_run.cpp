@@ -206,8 +206,8 @@ void BlastRun::begin_settling() {
 void BlastRun::tell_of_rest() {
   const std::string after = " after " + rounded_text(engine_.time()) + " s of physical time";
   engine_.say(engine_.still() ? "The rock rests" + after + "."
-                              : "time_end is reached" + after +
-                                    "; more than still_share of the rock still moves.");
+                              : "time_end is reached" + after + "; more than still_share " +
+                                    rounded_text(plan_.still_share) + " of the rock still moves.");
 }
 
 bool BlastRun::run(long steps, bool afresh) {

@@ -255,7 +255,7 @@ TEST_P(EachNonlinearLaw, WhatAFacetRemembersGivesTheSameForces) {
     scene.compute();
   }
   std::vector<Facet> facets = scene.network().facets();
-  const std::vector<BoundaryFace> faces = scene.network().faces();
+  const std::vector<BoundaryFace> faces = std::as_const(scene.network()).faces();
   other.network().set_facets(facets, scene.network().memory());
   other.network().set_faces(faces);
   other.block(1) = scene.block(1);

@@ -20,7 +20,7 @@ const double kRadius = std::sqrt(1.0 / M_PI);
 class Wall {
  public:
   Wall() : scene(cuboids(2, 1, 1), weak()) {
-    std::vector<BoundaryFace> faces = scene.network().faces();
+    std::vector<BoundaryFace> faces = std::as_const(scene.network()).faces();
     for (BoundaryFace& face : faces) {
       if (face.normal.x() < -0.5) face.hole = 0;
     }
@@ -102,7 +102,7 @@ TEST(WallLoad, IsNotReducedWhereTheGasBehindPressesByItself) {
 TEST(WallLoad, OfOneChamberIsNotThatOfAnother) {
   Wall wall;
   FacetNetwork& network = wall.scene.network();
-  std::vector<BoundaryFace> faces = network.faces();
+  std::vector<BoundaryFace> faces = std::as_const(network).faces();
   for (BoundaryFace& face : faces) {
     if (face.block == 0 && face.normal.y() < -0.5) face.hole = 1;
   }
@@ -126,7 +126,7 @@ TEST(WallLoad, OfOneChamberIsNotThatOfAnother) {
 TEST(WallLoad, OfATinyFaceIsWholeWhileTheBlockIsHeld) {
   Wall wall;
   FacetNetwork& network = wall.scene.network();
-  std::vector<BoundaryFace> faces = network.faces();
+  std::vector<BoundaryFace> faces = std::as_const(network).faces();
   for (std::size_t k = 0; k < faces.size(); ++k) {
     if (faces[k].hole != 0) continue;
     BoundaryFace rest = faces[k];

@@ -16,6 +16,7 @@
 #include "geometry/cut/joint_set_cut.h"
 #include "geometry/files/block_file.h"
 #include "geometry/files/block_import.h"
+#include "geometry/files/cell_file.h"
 #include "input_error_of.h"
 #include "shapes.h"
 #include "temporary_folder.h"

@@ -75,6 +75,7 @@ BlastPlan plan() {
   BlastPlan plan;
   plan.wave_end = 0.1;
   plan.time_end = 1.0;
+  plan.still_share = 0.01;
   plan.pulse_step = 2e-5;
   plan.push_softening = 0.1;
   plan.push_elastic = 0.005;

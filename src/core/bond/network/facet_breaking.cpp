@@ -118,8 +118,7 @@ void FacetBreaking::book_break(std::size_t f, const PointBreak& broken, const Re
     return bonded_energy_at(facets_, f, q, broken.normal, jump);
   };
   double after = left.slips ? bonded_energy(broken.elastic - left.lost)
-                            : contact_energy_at(facets_, f, q, contact, left.normal);
-  if (!left.slips && contact.shear > 0.0) after += left.shear.squaredNorm() / contact.shear;
+                            : contact_energy_at(facets_, f, q, contact, left.normal, left.shear);
   // The half kick to the present step used the traction before, the one from it uses that after:
   // the blocks did the work of their mean over the step's path, the springs' account assumes the
   // first. What slips may have shed less than its force has lost, for the path after, too.

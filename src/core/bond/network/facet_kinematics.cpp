@@ -12,9 +12,8 @@ LaneVec FacetKinematics::elastic_jump(std::size_t f, const FacetMotion& motion) 
   return motion.jump() - choose(where_slipping(traces), Lanes(1.0), 0.0) * slipped;
 }
 
-Vec3 FacetKinematics::bonded_jump(std::size_t f, const FacetMotion& motion) const {
+Vec3 FacetKinematics::bonded_jump_of_points(std::size_t f, FacetMotion motion) const {
   if (tables.nonlinear_law(f) != nullptr) return nonlinear_bonded_jump(*this, f, motion);
-  if (history.state(f) == FacetState::intact) return motion.mean_jump();
   const LaneMask holds = is_point() && !where_contact(history.traces(f));
   return sum(choose(holds, Lanes(1.0 / kFacetPoints), 0.0) * elastic_jump(f, motion));
 }

@@ -83,7 +83,8 @@ struct FacetKinematics {
   /// `scale` is that of its motion.
   [[nodiscard]] FacetOpenings openings(std::size_t f, double scale) const;
   /// A direction of the start that turns with the mean of the two blocks, as the openings do.
-  [[nodiscard]] Vec3 turned(std::size_t f, const Vec3& start, double scale) const {
+  [[nodiscard, gnu::always_inline]] Vec3 turned(std::size_t f, const Vec3& start,
+                                                double scale) const {
     return scale * (blocks.state_of(tables.i_of(f)).rotation * start +
                     blocks.state_of(tables.j_of(f)).rotation * start);
   }
@@ -91,7 +92,16 @@ struct FacetKinematics {
   [[nodiscard]] LaneVec elastic_jump(std::size_t f, const FacetMotion& motion) const;
   /// Mean over the facet of the elastic jump where it is in the dilatations, as it counts there
   /// [m].
-  [[nodiscard]] Vec3 bonded_jump(std::size_t f, const FacetMotion& motion) const;
+  [[nodiscard]] Vec3 bonded_jump(std::size_t f, const FacetMotion& motion) const {
+    const bool linear = tables.nonlinear_law(f) == nullptr;
+    return linear && history.state(f) == FacetState::intact ? motion.mean_jump()
+                                                            : bonded_jump_of_points(f, motion);
+  }
+
+ private:
+  /// Where a point has broken, or the law is nonlinear. By value: an intact facet's motion needs no
+  /// place in memory then.
+  [[nodiscard]] Vec3 bonded_jump_of_points(std::size_t f, FacetMotion motion) const;
 };
 
 [[gnu::always_inline]] inline FacetMotion FacetKinematics::motion(std::size_t f) const {

@@ -92,11 +92,24 @@ std::vector<FacetMemory> FacetNetwork::memory() const {
   return all;
 }
 
+void FacetNetwork::press(std::size_t k, double pressure, double wave_share) {
+  BoundaryFace& face = faces_.faces()[k];
+  face.pressure = face.load_share * pressure;
+  face.wave_share = wave_share;
+}
+
+void FacetNetwork::take_off_pressures(bool booked) {
+  for (BoundaryFace& face : faces_.faces()) {
+    face.pressure = 0.0;
+    if (!booked) face.last_pressure = 0.0;
+  }
+}
+
 void FacetNetwork::count_unbonded() {
   std::vector<BlockSums>& sums = blocks_.sums;
   for (std::size_t b = 0; b < blocks_.size(); ++b)
     sums[b].unbonded = blocks_.constants[b].retired.unbonded;
-  for (const BoundaryFace& face : faces()) {
+  for (const BoundaryFace& face : faces_.faces()) {
     const auto b = static_cast<std::size_t>(face.block);
     sums[b].unbonded += face.area * face.depth_share * face.normal.dot(face.arm) / blocks_.volume(b);
   }
@@ -185,12 +198,12 @@ void FacetNetwork::release_gas() {
 
 void FacetNetwork::let_rest(std::span<const int> rests) {
   schedule_.let_rest(rests);
-  schedule_.list_working(tables_, faces(), slanted());
+  schedule_.list_working(tables_, faces_.faces(), slanted());
 }
 
 void FacetNetwork::wake_all() {
   schedule_.wake_all();
-  schedule_.list_working(tables_, faces(), slanted());
+  schedule_.list_working(tables_, faces_.faces(), slanted());
 }
 
 void FacetNetwork::soften(double factor, std::optional<double> damping, const RankTeam& team) {

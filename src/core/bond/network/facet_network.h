@@ -119,8 +119,14 @@ class FacetNetwork {
   }
 
   // Faces and their pressure.
-  [[nodiscard]] std::vector<BoundaryFace>& faces() { return faces_.faces(); }
   [[nodiscard]] const std::vector<BoundaryFace>& faces() const { return faces_.faces(); }
+  /// On face k: what its block feels of `pressure` [Pa], `wave_share` of which counts as the wave's
+  /// [-]. It acts until it is set again or the faces are.
+  void press(std::size_t k, double pressure, double wave_share);
+  /// Takes off all pressures. `booked`: the step to come books the work of unloading.
+  void take_off_pressures(bool booked);
+  /// For scenes that choose their loaded faces and pressures one by one.
+  [[nodiscard]] std::span<BoundaryFace> faces() { return faces_.faces(); }
   void expect_pressure(bool expected) { faces_.expect_pressure(expected); }  ///< see FaceLoad
   [[nodiscard]] double volume_swept(const BoundaryFace& face) const {  ///< by a loaded face [m3]
     return FaceLoad::volume_swept(face, blocks_, material());

@@ -67,6 +67,7 @@ Mat3 LeaningFaces::point_moment(const FacetTables& tables, std::size_t f, int si
 void LeaningFaces::count_moments(const FacetTables& tables, const FacetHistory& history,
                                  const BlockFields& blocks) {
   blocks_.assign(blocks.size(), {});
+  lost_.assign(blocks.size(), {});
   for (std::size_t f = 0; f < tables.size(); ++f) {
     if (!tables.is_joint(f)) continue;
     const auto [i, j] = tables.blocks_of(f);
@@ -172,10 +173,10 @@ void LeaningFaces::drop(const FacetKinematics& facets, std::size_t f, const Lost
     const double volume = facets.blocks.volume(b);
     const Vec3 opened = area / (kFacetPoints * volume) * jump;
     const Vec3 lean = facets.turned(f, facets_[f].lean[static_cast<std::size_t>(side)], scale);
-    blocks_[b].dropped_gradient += opened * opening.transpose();
-    blocks_[b].dropped_excess += opened * lean.transpose();
+    lost_[b].gradient += opened * opening.transpose();
+    lost_[b].excess += opened * lean.transpose();
     if (tables.is_joint(f) && !point.slips)
-      blocks_[b].dropped_moment += point_moment(tables, f, side) / volume;
+      lost_[b].moment += point_moment(tables, f, side) / volume;
   };
   take(0, tables.i_of(f), bond.area_i, point.openings.i);
   take(1, tables.j_of(f), bond.area_j, point.openings.j);
@@ -184,23 +185,24 @@ void LeaningFaces::drop(const FacetKinematics& facets, std::size_t f, const Lost
 void LeaningFaces::book(const BlockFields& blocks, const JointMaterial& rock, JointLosses& losses) {
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     BlockLean& block = blocks_[b];
+    LostLean& lost = lost_[b];
     if (blocks.owned(b)) {
       const double before = energy(b, blocks, rock);
-      gradients_[b] -= block.dropped_gradient;
-      block.excess -= block.dropped_excess;
-      block.moment -= block.dropped_moment;
+      gradients_[b] -= lost.gradient;
+      block.excess -= lost.excess;
+      block.moment -= lost.moment;
       losses.fracture += before - energy(b, blocks, rock);
       stresses_[b] = stress(b, blocks.state[b].rotation, rock.shear_modulus());
     }
-    block.dropped_gradient = block.dropped_excess = block.dropped_moment = Mat3::Zero();
+    lost = {};
   }
 }
 
 double LeaningFaces::bytes() const {
-  return static_cast<double>(facets_.capacity() * sizeof(FacetLean) +
-                             tractions_.capacity() * sizeof(Vec3) +
-                             blocks_.capacity() * sizeof(BlockLean) +
-                             (gradients_.capacity() + stresses_.capacity()) * sizeof(Mat3));
+  return static_cast<double>(
+      facets_.capacity() * sizeof(FacetLean) + tractions_.capacity() * sizeof(Vec3) +
+      blocks_.capacity() * sizeof(BlockLean) + lost_.capacity() * sizeof(LostLean) +
+      (gradients_.capacity() + stresses_.capacity()) * sizeof(Mat3));
 }
 
 }  // namespace muckpile

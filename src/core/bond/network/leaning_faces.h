@@ -95,8 +95,9 @@ class LeaningFaces {
   struct BlockLean {  // sums over the bonded facets of a block that leans, over its volume
     Mat3 excess = Mat3::Zero();  // E [-]
     Mat3 moment = Mat3::Zero();  // Q, in the start [-]
-    Mat3 dropped_gradient = Mat3::Zero(), dropped_excess = Mat3::Zero(),
-         dropped_moment = Mat3::Zero();  // lost by breaking in this step
+  };
+  struct LostLean {  // by breaking in this step
+    Mat3 gradient = Mat3::Zero(), excess = Mat3::Zero(), moment = Mat3::Zero();
   };
 
   [[nodiscard]] Mat3 point_moment(const FacetTables& tables, std::size_t f, int side) const;
@@ -107,6 +108,7 @@ class LeaningFaces {
   std::vector<FacetLean> facets_;  // empty where no facet of this rank leans
   std::vector<Vec3> tractions_;    // per facet, to a whole group
   std::vector<BlockLean> blocks_;
+  std::vector<LostLean> lost_;              // per block
   std::vector<Mat3> gradients_, stresses_;  // per block
 };
 

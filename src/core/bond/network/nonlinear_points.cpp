@@ -165,10 +165,12 @@ double contact_gap(const FacetKinematics& facets, std::size_t f, std::size_t p,
 }
 
 double contact_energy_at(const FacetKinematics& facets, std::size_t f, std::size_t p,
-                         const ContactConstants& contact, double traction) {
-  if (facets.tables.nonlinear_law(f) == nullptr) return contact.closure.twice_energy_of(traction);
+                         const ContactConstants& contact, double traction, const Vec3& shear) {
+  const double sheared = contact.shear > 0.0 ? shear.squaredNorm() / contact.shear : 0.0;
+  if (facets.tables.nonlinear_law(f) == nullptr)
+    return contact.closure.twice_energy_of(traction) + sheared;
   const NonlinearContact joint = nonlinear_contact(facets, f, 1.0);
-  return joint.twice_energy(joint.gap(traction))[p];
+  return joint.twice_energy(joint.gap(traction))[p] + sheared;
 }
 
 StiffestNormal stiffest_normal(const FacetKinematics& facets, std::size_t f, bool bonded) {

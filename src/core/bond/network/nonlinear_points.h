@@ -50,9 +50,10 @@ void remember_joint(const FacetKinematics& facets, FacetHistory& history, JointL
 /// By how far a contact point is open where it carries that normal traction [m].
 [[nodiscard]] double contact_gap(const FacetKinematics& facets, std::size_t f, std::size_t p,
                                  const ContactConstants& contact, double traction);
-/// What it then stores, twice [J/m2].
+/// What it then stores, with that shear traction [Pa], twice [J/m2].
 [[nodiscard]] double contact_energy_at(const FacetKinematics& facets, std::size_t f, std::size_t p,
-                                       const ContactConstants& contact, double traction);
+                                       const ContactConstants& contact, double traction,
+                                       const Vec3& shear);
 /// A point for small motions along the normal, at the closure at which it is stiffest.
 struct StiffestNormal {
   double stiffness;  ///< [Pa/m]

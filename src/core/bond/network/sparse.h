@@ -54,7 +54,10 @@ class SparseTable {
     rows_.clear();
     rows_.resize((count + kRow - 1) / kRow);
   }
-  [[nodiscard]] bool exists(std::size_t k) const { return at(k).exists(); }
+  [[nodiscard]] bool exists(std::size_t k) const {
+    const Sparse<Row>& row = rows_[k / kRow];
+    return row.exists() && row.get()[k % kRow].exists();
+  }
   [[nodiscard]] const T& get(std::size_t k) const { return at(k).get(); }
   [[nodiscard]] T& get_or_create(std::size_t k) {
     return rows_[k / kRow].get_or_create()[k % kRow].get_or_create();

@@ -141,39 +141,47 @@ void TractionPass::run() {
 /// Forces of those that work, and of the gas in all that are active.
 void TractionPass::work_group(const LaneSet& working, const LaneSet& active) {
   const std::size_t g = working.group;
-  const FacetGroup& group = facets_.tables.group(g);
-  BlockFields& blocks = parts_.blocks;
   const unsigned whole = working.lanes & facets_.history.intact_lanes(g) &
                          ~facets_.tables.nonlinear_lanes(g),
                  apart = broken_.apart_lanes(working);
-  unsigned intact = 0, touching = 0;
-  WideForces intact_sums, touching_sums;
-  const double damping = facets_.tables.laws().damping();
-  const auto add = [&] {
-    each_lane(working.lanes & ~(apart & ~touching), [&](std::size_t k) {
-      const std::size_t f = g * kGroup + k;
-      if ((touching >> k & 1u) != 0) {
-        add_forces(group, k, touching_sums, blocks.force, blocks.torque);
-      } else if ((intact >> k & 1u) != 0) {
-        add_forces(group, k, intact_sums, blocks.force, blocks.torque);
-        if (damping != 0.0)
-          parts_.books.losses.damping += facets_.tables.name(f).weight * intact_sums.damped[k];
-      } else if (facets_.history.state(f) != FacetState::retired && parts_.schedule.awake(f)) {
-        work_facet(f);
-      }
-    });
-  };
   const auto pressed_lanes = [&](FacetRow<double>& pressure) {
     return gas_ == nullptr ? 0u : gas_->pressed_lanes(facets_, active, pressure);
   };
   FacetRow<double> pressure{};
-  if ((whole | apart) == 0 && pressed_lanes(pressure) == 0) return add();
-  const WidePose pose = pose_of(group, blocks.state.front());
-  if (whole != 0) intact = intact_forces(g, whole, pose, intact_sums);
-  if (apart != 0) touching = broken_.find_forces(g, apart, pose, touching_sums);
-  add();
+  if ((whole | apart) == 0 && pressed_lanes(pressure) == 0)
+    return each_lane(working.lanes, [&](std::size_t k) { work_awake(g * kGroup + k); });
+  const WidePose pose = pose_of(facets_.tables.group(g), facets_.blocks.state.front());
+  GroupForces sums;
+  if (whole != 0) sums.intact = intact_forces(g, whole, pose, sums.of_intact);
+  if (apart != 0) sums.touching = broken_.find_forces(g, apart, pose, sums.of_touching);
+  add({working.group, working.lanes & ~(apart & ~sums.touching)}, sums);
   const LaneSet pressed{active.group, pressed_lanes(pressure)};  // of those just broken, too
   if (pressed.lanes != 0) gas_->press(facets_, pressed, pressure, pose);
+}
+
+/// Adds what was worked out side by side, and works out the others, in the order of the facets.
+[[gnu::always_inline]] inline void TractionPass::add(const LaneSet& working,
+                                                     const GroupForces& sums) {
+  const std::size_t g = working.group;
+  const FacetGroup& group = facets_.tables.group(g);
+  BlockFields& blocks = parts_.blocks;
+  const double damping = facets_.tables.laws().damping();
+  each_lane(working.lanes, [&](std::size_t k) {
+    const std::size_t f = g * kGroup + k;
+    if ((sums.touching >> k & 1u) != 0) {
+      add_forces(group, k, sums.of_touching, blocks.force, blocks.torque);
+    } else if ((sums.intact >> k & 1u) != 0) {
+      add_forces(group, k, sums.of_intact, blocks.force, blocks.torque);
+      if (damping != 0.0)
+        parts_.books.losses.damping += facets_.tables.name(f).weight * sums.of_intact.damped[k];
+    } else {
+      work_awake(f);
+    }
+  });
+}
+
+void TractionPass::work_awake(std::size_t f) {
+  if (facets_.history.state(f) != FacetState::retired && parts_.schedule.awake(f)) work_facet(f);
 }
 
 /// Forces of any facet: breaks points, and handles broken and damped ones.

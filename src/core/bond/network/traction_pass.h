@@ -28,7 +28,15 @@ class TractionPass {
   void run();
 
  private:
+  /// Of the facets of a group that were worked out side by side.
+  struct GroupForces {
+    unsigned intact = 0, touching = 0;  // lanes
+    WideForces of_intact, of_touching;
+  };
+
   void work_group(const LaneSet& working, const LaneSet& active);
+  void add(const LaneSet& working, const GroupForces& sums);
+  void work_awake(std::size_t f);
   void fetch_contacts(const LaneSet& working) const;
   [[nodiscard]] unsigned intact_forces(std::size_t g, unsigned lanes, const WidePose& pose,
                                        WideForces& forces) const;

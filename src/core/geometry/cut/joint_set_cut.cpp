@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Graded joint sets: cells of a lattice of three sets, halved until they have the size asked for.
-// Scope: deterministic and serial. All planes of a set, at every spacing, are planes of one lattice
-// through the box, so that joints run on from block to block through a band.
+// Scope: deterministic and serial. Which planes there are: joint_lattice.h.
 #include "geometry/cut/joint_set_cut.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <optional>
-#include <sstream>
 #include <utility>
 
-#include "args/input_error.h"
 #include "geometry/cut/cell_partition.h"
 #include "geometry/cut/ground.h"
+#include "geometry/cut/joint_lattice.h"
 #include "geometry/cut/region_cutting.h"
 #include "geometry/holes/hole_carving.h"
 #include "geometry/holes/hole_surface.h"
@@ -25,66 +21,6 @@ namespace {
 
 // A cell is halved above sqrt(2) of the volume asked for: its halves are then as far below it.
 constexpr double kMostBlocks = std::numbers::sqrt2;
-
-template <class... Words>
-[[noreturn]] void fail(const Words&... words) {
-  std::ostringstream text;
-  text << "joint set cut: ";
-  (text << ... << words);
-  throw InputError(text.str());
-}
-
-/// A set's planes: normal.x = start + u spacing for whole u, and for halves, quarters, ... of it.
-struct LatticeSet {
-  Vec3 normal;
-  double spacing;   // [m] of the coarsest
-  double start;     // [m]
-  double relative;  // thickness of a block along the normal over its size [-]
-};
-using Lattice = std::array<LatticeSet, 3>;
-
-std::array<JointSet, 3> three_sets(const JointSetCut& how) {
-  constexpr double kFlattest = 0.1;  // volume of the parallelepiped of the three unit normals
-  if (how.sets.size() != 2 && how.sets.size() != 3)
-    fail("needs two or three sets, got '", how.sets.size(), "'");
-  std::array<JointSet, 3> sets;
-  std::copy(how.sets.begin(), how.sets.end(), sets.begin());
-  for (std::size_t k = 0; k < how.sets.size(); ++k) {
-    sets[k].normal.normalize();
-    if (!sets[k].normal.allFinite() || !(sets[k].spacing > 0.0))
-      fail("set ", k + 1, " needs a direction and a spacing > 0");
-  }
-  if (how.sets.size() == 2) sets[2].normal = sets[0].normal.cross(sets[1].normal).normalized();
-  const double solid = std::abs(sets[0].normal.dot(sets[1].normal.cross(sets[2].normal)));
-  if (!(solid >= kFlattest)) {
-    fail("the sets are nearly parallel to each other or to one line: their normals span '", solid,
-         "', which must be >= ", kFlattest);
-  }
-  return sets;
-}
-
-/// Spacings that give blocks of the largest size, rounded so that the box holds whole ones.
-Lattice lattice_in(const TessellationOptions& rock, const JointSetCut& how) {
-  const std::array<JointSet, 3> sets = three_sets(how);
-  const ConvexCell box = box_cell(rock.lo, rock.hi);
-  const double solid = std::abs(sets[0].normal.dot(sets[1].normal.cross(sets[2].normal)));
-  const double product = sets[0].spacing * sets[1].spacing * sets[2].spacing;
-  Lattice lattice;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double relative = sets[k].spacing * std::cbrt(solid / product);
-    const auto [from, to] = extent(box.shape, sets[k].normal);
-    const double wanted = relative * rock.size.limits().largest;
-    lattice[k] = {sets[k].normal, (to - from) / std::max(1.0, std::round((to - from) / wanted)),
-                  from, relative};
-  }
-  return lattice;
-}
-
-/// A cell and, for each set, the lattice planes around it.
-struct LatticeCell {
-  ConvexCell cell;
-  std::array<std::pair<double, double>, 3> between;  // [spacings]
-};
 
 class Cutting {
  public:
@@ -101,7 +37,6 @@ class Cutting {
 
  private:
   [[nodiscard]] std::vector<ConvexCell> parts_between_planes();
-  [[nodiscard]] LatticeCell in_lattice(ConvexCell cell) const;
   [[nodiscard]] double blocks_in(const ConvexCell& cell) const;
   [[nodiscard]] std::vector<std::size_t> holes_in(const ConvexCell& cell) const;
   [[nodiscard]] bool is_sliver(const ConvexCell& cell) const;
@@ -110,7 +45,6 @@ class Cutting {
   [[nodiscard]] bool part_by_flat_surface(const LatticeCell& from, std::vector<LatticeCell>& open);
   [[nodiscard]] bool part_by_curved_surface(const ConvexCell& from);
   [[nodiscard]] bool halve(LatticeCell from, std::vector<LatticeCell>& open);
-  [[nodiscard]] std::optional<std::size_t> widest(const LatticeCell& cell, double size) const;
   void finish(ConvexCell cell);
   void carve(CellPartition& partition) const;
   void fit_prisms();
@@ -161,18 +95,6 @@ std::vector<ConvexCell> Cutting::parts_between_planes() {
   return parts;
 }
 
-LatticeCell Cutting::in_lattice(ConvexCell cell) const {
-  constexpr double kRounding = 1e-9;
-  LatticeCell placed{std::move(cell), {}};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto [from, to] = extent(placed.cell.shape, lattice_[k].normal);
-    const LatticeSet& set = lattice_[k];
-    placed.between[k] = {std::floor((from - set.start) / set.spacing + kRounding),
-                         std::ceil((to - set.start) / set.spacing - kRounding)};
-  }
-  return placed;
-}
-
 /// The crushed zones that reach into a cell.
 std::vector<std::size_t> Cutting::holes_in(const ConvexCell& cell) const {
   std::vector<std::size_t> found;
@@ -214,35 +136,10 @@ bool Cutting::is_thin(const HalfCells& halves, const LatticeSet& set) const {
   return false;
 }
 
-/// The set along whose normal the cell is thickest for that set, if there are planes left.
-std::optional<std::size_t> Cutting::widest(const LatticeCell& cell, double size) const {
-  constexpr double kFinest = 0.25;  // of the size; no plane nearer than that to another can help
-  constexpr double kTie = 1.01;     // equal cells must not differ by rounding
-  std::optional<std::size_t> best;
-  double most = 0.0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const LatticeSet& set = lattice_[k];
-    const auto [a, b] = cell.between[k];
-    if ((b - a) * set.spacing < kFinest * set.relative * size) continue;
-    const auto [from, to] = extent(cell.cell.shape, set.normal);
-    const double width = (to - from) / set.relative;
-    if (width <= kTie * most) continue;
-    most = width;
-    best = k;
-  }
-  return best;
-}
-
-/// The plane between two others that halves the way, or nearly: a whole number if there is one.
-double plane_between(const std::pair<double, double>& planes) {
-  const auto [a, b] = planes;
-  return b - a > 1.5 ? a + std::floor(0.5 * (b - a)) : 0.5 * (a + b);
-}
-
 bool Cutting::halve(LatticeCell from, std::vector<LatticeCell>& open) {
   if (blocks_in(from.cell) <= kMostBlocks) return false;
   const double size = ground_.size(centroid_of(from.cell));
-  while (const auto k = widest(from, size)) {
+  while (const auto k = widest_set(lattice_, from, size)) {
     const LatticeSet& set = lattice_[*k];
     auto& between = from.between[*k];
     const double u = plane_between(between);
@@ -354,7 +251,7 @@ std::vector<Block> Cutting::run() {
     cylinder_volumes_.push_back(
         cylinder_volume_where(hole, [&](const Vec3& p) { return ground_.in_region(p); }));
   }
-  for (ConvexCell& part : parts_between_planes()) refine(in_lattice(std::move(part)));
+  for (ConvexCell& part : parts_between_planes()) refine(in_lattice(lattice_, std::move(part)));
   fit_prisms();
   carve(partition_);
   std::vector<Block> blocks = partition_.blocks();
@@ -366,12 +263,12 @@ std::vector<Block> Cutting::run() {
 
 Tessellation cut_by_joint_sets(const TessellationOptions& rock, const JointSetCut& how) {
   if (!(how.sliver >= 0.0 && how.sliver <= 0.3))
-    fail("sliver must be >= 0 and <= 0.3, got '", how.sliver, "'");
+    refuse_joint_sets("sliver must be >= 0 and <= 0.3, got '", how.sliver, "'");
   Tessellation result;
   result.statistics.expected_blocks = checked_block_count(rock);
   Cutting cutting(rock, how);
   result.blocks = cutting.run();
-  if (result.blocks.empty()) fail("the rock holds no block");
+  if (result.blocks.empty()) refuse_joint_sets("the rock holds no block");
   result.statistics.cylinder_volume = cutting.cylinder_volumes();
   result.statistics.merged_parts = cutting.merged_parts();
   add_statistics(rock, result);

@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Blocks that another program has cut, from a VTK file: read, checked, and their shared faces
-// found. Scope: legacy ASCII files up to version 4 with convex cells (polyhedra, tetrahedra,
-// hexahedra, wedges, pyramids), as write_blocks() makes them; lengths in metres.
+// Blocks that another program has cut: its cells checked, and their shared faces found.
+// Scope: convex cells, as cell_file.h reads them; lengths in metres.
 #pragma once
 
-#include <istream>
 #include <string>
 #include <vector>
 
 #include "geometry/cut/tessellation.h"
 
 namespace muckpile {
-
-/// The cells as they stand in the file, faces turned outwards. `name` is used in messages. Throws
-/// InputError where the file is not what it should be.
-[[nodiscard]] std::vector<Polyhedron> read_cells(std::istream& in, const std::string& name);
 
 /// Cells as blocks. Faces of two blocks that lie in one plane become facets where they overlap.
 /// Throws InputError naming the cell (from 1) that is not closed or convex, or the two that

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Cells of a legacy VTK file.
+// Scope: see the header.
+#include "geometry/files/cell_file.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "geometry/files/import_fault.h"
+#include "geometry/shape/convex_cell.h"
+
+namespace muckpile {
+namespace {
+
+constexpr int kMostFaces = 65535;  // what the numbers of joints' faces hold
+
+using FaceList = std::vector<std::vector<int>>;
+
+/// Faces of the cells that VTK describes by their corners alone (VTK file formats, cell types).
+const std::map<int, FaceList>& fixed_cells() {
+  static const std::map<int, FaceList> faces{
+      {10, {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {0, 2, 3}}},  // tetrahedron
+      {12, {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}},
+      {13, {{0, 1, 2}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}},  // wedge
+      {14, {{0, 1, 2, 3}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}},        // pyramid
+  };
+  return faces;
+}
+constexpr int kPolyhedron = 42;
+
+/// Words of a file in order, with what was expected when they are not there.
+class Words {
+ public:
+  Words(std::istream& in, const std::string& name) : in_(in), name_(name) {}
+  template <class Value>
+  Value next(const std::string& what) {
+    Value value{};
+    if (!(in_ >> value)) fail_import("'", name_, "': ", what, " expected");
+    return value;
+  }
+  std::size_t count(const std::string& what) {
+    constexpr long kMost = 1000000000;
+    const long value = next<long>(what);
+    if (value < 0 || value > kMost)
+      fail_import("'", name_, "': ", what, " must be >= 0 and <= ", kMost, ", got '", value, "'");
+    return static_cast<std::size_t>(value);
+  }
+  void expect(const std::string& word) {
+    const auto got = next<std::string>("'" + word + "'");
+    if (got != word) fail_import("'", name_, "': '", word, "' expected, got '", got, "'");
+  }
+
+ private:
+  std::istream& in_;
+  const std::string& name_;
+};
+
+void read_header(std::istream& in, const std::string& name) {
+  std::string first, title;
+  std::getline(in, first);
+  std::getline(in, title);
+  constexpr const char* kStart = "# vtk DataFile Version ";
+  if (first.rfind(kStart, 0) != 0) fail_import("'", name, "' is no legacy VTK file");
+  if (first.substr(std::string(kStart).size(), 1) > "4")
+    fail_import("'", name, "' has file version 5; write it as version 4.2 or earlier");
+}
+
+std::vector<Vec3> read_points(Words& words) {
+  words.expect("POINTS");
+  std::vector<Vec3> points;  // grows as they come: a count says nothing about the file's length
+  std::size_t left = words.count("number of points");
+  (void)words.next<std::string>("type of the points");
+  for (; left > 0; --left) {
+    Vec3& p = points.emplace_back();
+    for (int c = 0; c < 3; ++c) p[c] = words.next<double>("a coordinate");
+  }
+  return points;
+}
+
+/// The numbers of a CELLS line, the count before them left out.
+std::vector<std::vector<int>> read_lists(Words& words) {
+  words.expect("CELLS");
+  std::vector<std::vector<int>> lists;
+  std::size_t left = words.count("number of cells");
+  (void)words.count("number of words of all cells");
+  for (; left > 0; --left) {
+    std::vector<int>& list = lists.emplace_back();
+    for (std::size_t numbers = words.count("number of words of a cell"); numbers > 0; --numbers)
+      list.push_back(words.next<int>("a number of a cell"));
+  }
+  return lists;
+}
+
+FaceList faces_of(const std::vector<int>& list, int type, std::size_t cell) {
+  FaceList faces;
+  if (type == kPolyhedron) {
+    if (!list.empty() && list[0] > kMostFaces)
+      fail_import("cell ", cell, " must have at most ", kMostFaces, " faces, got '", list[0], "'");
+    std::size_t at = 1;
+    for (int f = 0; !list.empty() && f < list[0]; ++f) {
+      const std::size_t count = at < list.size() ? static_cast<std::size_t>(list[at]) : 0;
+      if (count < 3 || count >= list.size() - at)
+        fail_import("the faces of cell ", cell, " are cut short");
+      const auto from = list.begin() + static_cast<std::ptrdiff_t>(at) + 1;
+      faces.emplace_back(from, from + static_cast<std::ptrdiff_t>(count));
+      at += count + 1;
+    }
+    return faces;
+  }
+  const auto known = fixed_cells().find(type);
+  if (known == fixed_cells().end())
+    fail_import("cell ", cell,
+                " must be a polyhedron, tetrahedron, hexahedron, wedge or pyramid, got type '",
+                type, "'");
+  for (const std::vector<int>& corners : known->second) {
+    faces.emplace_back();
+    for (const int corner : corners) {
+      if (static_cast<std::size_t>(corner) >= list.size())
+        fail_import("cell ", cell, " has too few corners");
+      faces.back().push_back(list[static_cast<std::size_t>(corner)]);
+    }
+  }
+  return faces;
+}
+
+/// With its own vertices, in the order of the file; faces turned so that the cell is behind them.
+Polyhedron cell_of(const FaceList& faces, const std::vector<Vec3>& points, std::size_t cell) {
+  std::set<int> used;
+  for (const auto& face : faces) used.insert(face.begin(), face.end());
+  if (used.empty() || *used.begin() < 0 || *used.rbegin() >= static_cast<int>(points.size()))
+    fail_import("cell ", cell, " has a point that is not in the file");
+  Polyhedron shape;
+  std::map<int, int> number;
+  for (const int v : used) {
+    number[v] = static_cast<int>(shape.vertices.size());
+    shape.vertices.push_back(points[static_cast<std::size_t>(v)]);
+  }
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    shape.faces.emplace_back();
+    for (const int v : faces[f]) shape.faces.back().push_back(number[v]);
+    const FaceGeometry face = face_geometry(shape, static_cast<int>(f));
+    const auto [lowest, highest] = extent(shape, face.normal);
+    if (lowest + highest > 2.0 * face.normal.dot(face.centroid))
+      std::reverse(shape.faces.back().begin(), shape.faces.back().end());
+  }
+  return shape;
+}
+
+}  // namespace
+
+std::vector<Polyhedron> read_cells(std::istream& in, const std::string& name) {
+  read_header(in, name);
+  Words words(in, name);
+  words.expect("ASCII");
+  words.expect("DATASET");
+  words.expect("UNSTRUCTURED_GRID");
+  const std::vector<Vec3> points = read_points(words);
+  const std::vector<std::vector<int>> lists = read_lists(words);
+  words.expect("CELL_TYPES");
+  if (words.count("number of cell types") != lists.size())
+    fail_import("'", name, "': there must be as many cell types as cells");
+  std::vector<Polyhedron> cells;
+  for (std::size_t c = 0; c < lists.size(); ++c)
+    cells.push_back(
+        cell_of(faces_of(lists[c], words.next<int>("a cell type"), c + 1), points, c + 1));
+  if (cells.empty()) fail_import("'", name, "' holds no cell");
+  return cells;
+}
+
+}  // namespace muckpile
