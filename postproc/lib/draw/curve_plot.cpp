@@ -126,7 +126,8 @@ Canvas draw_curves(const CurvePlot& plot) {
   const AxisRange x = plot.x.value_or(range_of(plot, 0, plot.x_scale));
   const AxisRange y = plot.y.value_or(range_of(plot, 1, plot.y_scale));
   const double top = kTop + lay_out_key(plot, nullptr);
-  Canvas canvas(kWidth, static_cast<int>(std::lround(top + kPlotHeight + kBelow)), kWhite);
+  Canvas canvas(kWidth, static_cast<int>(std::lround(top + kPlotHeight + kBelow + plot.room_below)),
+                kWhite);
   const Axes axes({kLeft, top}, {kWidth - kRight, top + kPlotHeight}, x, y, plot.x_scale,
                   plot.y_scale);
   axes.draw_grid(canvas);

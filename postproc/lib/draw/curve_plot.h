@@ -26,7 +26,8 @@ struct CurvePlot {
   Scale x_scale = Scale::kStraight, y_scale = Scale::kStraight;
   std::optional<AxisRange> x, y;
   std::vector<PlotCurve> curves;
-  std::string warning{};  // behind the title, may be empty
+  std::string warning{};    // behind the title, may be empty
+  double room_below = 0.0;  // left free under the plot [px]
 };
 
 // Colours that differ in print and for most eyes (after Okabe and Ito); they repeat.

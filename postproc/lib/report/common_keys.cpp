@@ -23,8 +23,9 @@ nlohmann::ordered_json common_keys(const ResultFolder& folder) {
   keys["joints_broken_fraction"] = history.joints_broken_fraction;
   keys["fastest_block_m_s"] = history.fastest_block;
   keys["energy_balance_error_worst"] = history.worst_balance_error;
-  for (const char* key : {"explosive_energy_J", "wave_work_J", "gas_work_J", "blocks_left_scene",
-                          "mass_left_scene_kg", "blocks_in_solid", "ranks", "still"}) {
+  for (const char* key :
+       {"explosive_energy_J", "wave_work_J", "gas_work_J", "energy_audit_J", "energy_audit_error",
+        "blocks_left_scene", "mass_left_scene_kg", "blocks_in_solid", "ranks", "still"}) {
     if (run.contains(key)) keys[key] = run[key];
   }
   keys["still_note"] = nullptr;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Sub-command energy: where the energy of the run is and where it went, over time.
-// Scope: what fix muckpile/progress wrote of fix muckpile/ledger into history.csv.
+// Scope: what fix muckpile/progress wrote of fix muckpile/ledger into history.csv, and of the audit
+// of the explosive's energy into run.json.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "args/input_error.h"
 #include "draw/curve_plot.h"
 #include "draw/png_file.h"
+#include "draw/share_bar.h"
 #include "io/energy_history.h"
 #include "report/notes.h"
 #include "report/reports.h"
@@ -64,6 +67,30 @@ CurvePlot plot_of(const EnergyHistory& history) {
   return plot;
 }
 
+/// Where the explosive's energy is at the end, as shares; nothing where no charge has fired.
+std::vector<BarShare> audit_of(const ResultFolder& folder) {
+  const nlohmann::ordered_json run = read_json_object(folder.dump("run.json"));
+  constexpr std::array<std::array<const char*, 2>, 10> kNames = {
+      {{"wall_work", "work on the walls"},
+       {"joint_work", "work in joints"},
+       {"crushing", "crushing"},
+       {"rock_heat", "heat in rock"},
+       {"vented", "vented"},
+       {"in_joints", "gas in joints"},
+       {"in_holes", "gas in holes"},
+       {"air_work", "atmosphere"},
+       {"filling", "filling of gaps"},
+       {"not_released", "not released"}}};
+  std::vector<BarShare> shares;
+  const auto audit = run.find("energy_audit_J");
+  if (audit == run.end()) return shares;
+  const double explosive = audit->value("explosive", 0.0);
+  if (!(explosive > 0.0)) return shares;
+  for (const auto& [key, label] : kNames)
+    shares.push_back({label, audit->value(key, 0.0) / explosive});
+  return shares;
+}
+
 }  // namespace
 
 void report_energy(const ResultFolder& folder) {
@@ -73,7 +100,12 @@ void report_energy(const ResultFolder& folder) {
     throw InputError(folder.dump("history.csv").string() + ": needs two rows after time 0");
   CurvePlot plot = plot_of(history);
   plot.warning = motion_warning(folder.is_still());
-  write_png(draw_curves(plot), folder.file("energy.png"));
+  const std::vector<BarShare> audit = audit_of(folder);
+  if (!audit.empty()) plot.room_below = kShareBarHeight;
+  Canvas canvas = draw_curves(plot);
+  if (!audit.empty())
+    draw_share_bar(canvas, canvas.height() - kShareBarHeight, "Energy of the explosive", audit);
+  write_png(canvas, folder.file("energy.png"));
   folder.merge_into_summary(common_keys(folder));
 }
 

@@ -315,6 +315,20 @@ TEST_F(BenchReports, HeapRefusesABench) {
   EXPECT_THROW(report_heap(ResultFolder(temporary_.path()), {}, {}), InputError);
 }
 
+TEST_F(BenchReports, EnergyDrawsTheAuditBelow) {
+  const ResultFolder folder(temporary_.path());
+  report_energy(folder);
+  const int plain = facts_of(folder.file("energy.png")).height;
+  auto run = nlohmann::ordered_json::parse(text_of(folder.dump("run.json")));
+  run["energy_audit_J"] = {{"explosive", 4e6}, {"wall_work", 1e6}, {"rock_heat", 3e6}};
+  run["energy_audit_error"] = 0.001;
+  write_text(folder.dump("run.json"), run.dump());
+  report_energy(folder);
+  EXPECT_GT(facts_of(folder.file("energy.png")).height, plain + 100);
+  EXPECT_DOUBLE_EQ(summary()["energy_audit_J"]["rock_heat"], 3e6);
+  EXPECT_DOUBLE_EQ(summary()["energy_audit_error"], 0.001);
+}
+
 TEST_F(BenchReports, EnergyDrawsTheLedger) {
   const ResultFolder folder(temporary_.path());
   report_energy(folder);
