@@ -2,6 +2,7 @@
 // From options to bodies and facets, and what is printed about them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "args/input_error.h"
@@ -59,6 +60,19 @@ TEST(RockModel, ATargetIsReportedPointByPoint) {
   const std::string text = describe(model, 0.0);
   EXPECT_NE(text.find("P50 0.45 "), std::string::npos) << text;
   EXPECT_EQ(model.sizes->good(), text.find("the target is missed") == std::string::npos);
+}
+
+TEST(RockModel, RingsOfBlocksOnCrushedZonesAreStiffenedUnlessTheWallIsThatOfBlocks) {
+  const auto stiffest = [](const std::string& words) {
+    const RockModel model =
+        cut_rock(cube("size uniform 0.4 hole 1 1 0 1 1 2 0.3 " + words), 1, nothing_is_held());
+    double most = 0.0;
+    for (const Facet& facet : model.facets.facets) most = std::max(most, facet.stiffening);
+    return most;
+  };
+  EXPECT_GT(stiffest(""), 1.2);
+  EXPECT_EQ(stiffest("wall round"), stiffest(""));
+  EXPECT_EQ(stiffest("wall blocks"), 1.0);
 }
 
 }  // namespace

@@ -111,7 +111,8 @@ void FacetNetwork::count_unbonded() {
     sums[b].unbonded = blocks_.constants[b].retired.unbonded;
   for (const BoundaryFace& face : faces_.faces()) {
     const auto b = static_cast<std::size_t>(face.block);
-    sums[b].unbonded += face.area * face.depth_share * face.normal.dot(face.arm) / blocks_.volume(b);
+    sums[b].unbonded +=
+        face.area * face.depth_share * face.normal.dot(face.arm) / blocks_.volume(b);
   }
   for (std::size_t f = 0; f < facet_count(); ++f) {
     const auto [i, j] = tables_.blocks_of(f);
