@@ -48,7 +48,7 @@ unsigned BrokenContact::apart_lanes(const LaneSet& working) const {
                     count = std::min(kGroup, history_.size() - first);
   const std::uint8_t* bonded = history_.bonded_points().data() + first;
   const FacetState* states = history_.states().data() + first;
-  unsigned broken = 0;  // without branches: a third of the time
+  unsigned broken = 0;  // without branches
   for (std::size_t k = 0; k < count; ++k)
     broken |= (bonded[k] == 0 && states[k] != FacetState::retired ? 1u : 0u) << k;
   unsigned lanes = 0;
