@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Broken points of facets that hold at no point: those of a group at once.
 // Scope: as broken_contact.cpp works them out one by one.
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -44,18 +43,14 @@ struct BrokenContact::Parting {
 }
 
 unsigned BrokenContact::apart_lanes(const LaneSet& working) const {
-  const std::size_t first = working.group * kGroup,
-                    count = std::min(kGroup, history_.size() - first);
-  const std::uint8_t* bonded = history_.bonded_points().data() + first;
-  const FacetState* states = history_.states().data() + first;
-  unsigned broken = 0;  // without branches: a third of the time
-  for (std::size_t k = 0; k < count; ++k)
-    broken |= (bonded[k] == 0 && states[k] != FacetState::retired ? 1u : 0u) << k;
   unsigned lanes = 0;
-  each_lane(working.lanes & broken & ~facets_.tables.nonlinear_lanes(working.group),
-            [&](std::size_t k) {
-              if (schedule_.awake(first + k) && !history_.has_extra(first + k)) lanes |= 1u << k;
-            });
+  const unsigned linear = working.lanes & ~facets_.tables.nonlinear_lanes(working.group);
+  each_lane(linear, [&](std::size_t k) {
+    const std::size_t f = working.group * kGroup + k;
+    if (history_.bonded_points(f) == 0 && history_.state(f) != FacetState::retired &&
+        schedule_.awake(f) && !history_.has_extra(f))
+      lanes |= 1u << k;
+  });
   return lanes;
 }
 

@@ -56,9 +56,13 @@ void open_group_of_joints(const FacetKinematics& facets, const LaneSet& set,
   alignas(64) FacetRow<double> area, opened;
   store(points * wide(group.area) / Wide(kFacetPoints), area);
   store(opening / max(points, Wide(1.0)), opened);
+  const unsigned nonlinear = facets.tables.nonlinear_lanes(set.group);  // only they know apertures
   each_lane(set.lanes, [&](std::size_t k) {
-    const std::size_t f = set.group * kGroup + k;
-    open.push_back({area[k], opened[k], mean_apertures(facets, f), (wide_open >> k & 1u) != 0});
+    OpenJoint& joint = open.emplace_back();
+    joint.area = area[k];
+    joint.opening = opened[k];
+    joint.wide = (wide_open >> k & 1u) != 0;
+    if ((nonlinear >> k & 1u) != 0) joint.by_law = mean_apertures(facets, set.group * kGroup + k);
   });
 }
 
