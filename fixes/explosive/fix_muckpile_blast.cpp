@@ -102,7 +102,6 @@ void FixMuckpileBlast::init() {
   limit_.resize(blasts_.size(), 0.0);
   states_.resize(blasts_.size());
   books_.resize(blasts_.size());
-  last_taken_.resize(blasts_.size(), 0.0);
   size_array_rows = static_cast<int>(blasts_.size());
   hole_over_.resize(blasts_.size(), 0);
   surface_->expect_pressure(!over_);
@@ -353,12 +352,9 @@ GasChamber FixMuckpileBlast::chamber(std::size_t hole) const {
   if (hole_over_[hole]) return {};
   const double pressure = blast.gas_pressure(swept_[hole], clock(), states_[hole]);
   const double mass = states_[hole].mass_left * charges_[hole].mass;
-  // What leaves takes the mean enthalpy along of before and after: that of half the last flow.
-  GasState middle = states_[hole];
-  middle.mass_left -= 0.5 * last_taken_[hole];
   return {{pressure, mass / blast.gas_volume(swept_[hole], states_[hole])},
           mass,
-          blast.gas_enthalpy(swept_[hole], clock(), middle)};
+          blast.gas_enthalpy(swept_[hole], clock(), states_[hole])};
 }
 
 void FixMuckpileBlast::let_gas_go() {
@@ -367,8 +363,8 @@ void FixMuckpileBlast::let_gas_go() {
 
 void FixMuckpileBlast::take_gas(std::span<const GasFlow> per_hole) {
   for (std::size_t hole = 0; hole < states_.size(); ++hole) {
-    last_taken_[hole] = per_hole[hole].mass / charges_[hole].mass;
-    states_[hole].mass_left -= last_taken_[hole];
+    blasts_[hole].take_gas(states_[hole], swept_[hole], clock(),
+                           per_hole[hole].mass / charges_[hole].mass, per_hole[hole].energy);
     books_[hole].into_joints += per_hole[hole].energy;
   }
 }

@@ -113,7 +113,6 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix,
   std::vector<double> limit_;          // of the pulse, per hole [Pa]
   std::vector<GasState> states_;       // per hole
   std::vector<HoleBooks> books_;       // per hole
-  std::vector<double> last_taken_;     // share of the products that left a hole last
   std::vector<ChargeEnergy> charges_;  // per hole
   std::vector<char> hole_over_;        // per hole; never turns back
   bool over_ = false;

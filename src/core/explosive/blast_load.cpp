@@ -40,7 +40,7 @@ BlastLoad::BlastLoad(const Parameters& parameters)
 
 double BlastLoad::products_pressure(double volume, double time, const GasState& state) const {
   const double ratio = volume / charge_volume_;
-  if (vent_) return expansion_->pressure(ratio / state.mass_left);
+  if (vent_) return state.hotter * expansion_->pressure(ratio / state.mass_left);
   return expansion_->pressure(ratio) * vent_factor(time, vent_time_, vent_decay_);
 }
 
@@ -58,7 +58,8 @@ double BlastLoad::gas_energy(double swept_volume, double time, const GasState& s
   if (!vent_)
     return charge_volume_ * expansion_->stored_energy(ratio) *
            vent_factor(time, vent_time_, vent_decay_);
-  return state.mass_left * charge_volume_ * expansion_->stored_energy(ratio / state.mass_left);
+  return state.hotter * state.mass_left * charge_volume_ *
+         expansion_->stored_energy(ratio / state.mass_left);
 }
 
 double BlastLoad::gas_enthalpy(double swept_volume, double time, const GasState& state) const {
@@ -66,6 +67,13 @@ double BlastLoad::gas_enthalpy(double swept_volume, double time, const GasState&
   return (gas_energy(swept_volume, time, state) +
           gas_pressure(swept_volume, time, state) * (start_volume_ + swept_volume)) /
          (state.mass_left * products_mass_);
+}
+
+void BlastLoad::take_gas(GasState& state, double swept_volume, double time, double share,
+                         double energy) const {
+  const double left = gas_energy(swept_volume, time, state) - energy;
+  state.mass_left -= share;
+  state.hotter *= left / gas_energy(swept_volume, time, state);
 }
 
 BlastLoad::StartEnergies BlastLoad::start_energies() const {

@@ -29,7 +29,8 @@ namespace muckpile {
 /// V0 is the charge volume, p(V/V0) the isentrope, s the vent factor. Vg is the isentrope's Vk, or
 /// the room of a decoupled charge if that is more. For the two-stage law p_gas is pk (Vk/V)^gamma2
 /// s(t) as long as the wall has not moved inward. With flow in place of s(t) the gas that is left,
-/// a share m of the mass, fills the chamber alone: p_gas = p(V/(m V0)).
+/// a share m of the mass, fills the chamber alone: p_gas = k p(V/(m V0)), k = 1 unless gas of
+/// another temperature has come in or gone (GasState::hotter).
 ///
 /// Limit where the wall gives way: the pulse presses no more than the isentrope gives from the
 /// volume Vp in which the products start, V0 or the room of a decoupled charge:
@@ -64,11 +65,15 @@ class BlastLoad {
   /// What gas takes along that leaves the chamber: its energy and p/rho; 0 without gas [J/kg].
   [[nodiscard]] double gas_enthalpy(double swept_volume, double time,
                                     const GasState& state = {}) const;
+  /// Takes a share of the products and an energy [J] out of the chamber, at one volume; both may be
+  /// negative. What is left is as much hotter than on its isentrope as its energy says.
+  void take_gas(GasState& state, double swept_volume, double time, double share,
+                double energy) const;
   /// Where the energy of the products is as the gas stage starts [J]; zeros without gas.
   struct StartEnergies {
     double products = 0.0;  ///< what their expansion to nothing can do
-    double filling = 0.0;  ///< of that, lost on the way to Vp: the room of a decoupled charge
-    double dense = 0.0;    ///< of that, from Vp to Vg: for the pulse, and to crush the rock
+    double filling = 0.0;   ///< of that, lost on the way to Vp: the room of a decoupled charge
+    double dense = 0.0;     ///< of that, from Vp to Vg: for the pulse, and to crush the rock
   };
   [[nodiscard]] StartEnergies start_energies() const;
   /// p_limit [Pa]. Infinite without gas: then there is no isentrope, and the pulse is as given.

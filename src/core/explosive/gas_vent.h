@@ -13,6 +13,7 @@ struct GasState {
   double stemming_path = 0.0;   ///< way that the stemming has gone towards the collar [m]
   double stemming_speed = 0.0;  ///< [m/s]
   double closed_before = 0.0;  ///< swept volume at firing if the wall had moved inward, else 0 [m3]
+  double hotter = 1.0;         ///< energy over that on the products' isentrope [-]
   double vented_energy = 0.0;  ///< that the gas which left through collar and cracks took along [J]
 };
 template <>
@@ -21,7 +22,7 @@ struct Stored<GasState> {
   static constexpr int kVersion = 2;
   static auto fields(auto& gas) {
     return std::tie(gas.mass_left, gas.stemming_path, gas.stemming_speed, gas.closed_before,
-                    gas.vented_energy);
+                    gas.hotter, gas.vented_energy);
   }
 };
 

@@ -23,6 +23,12 @@ class HoleBlast {
   /// Energy of that gas [J], and what it takes along as it leaves [J/kg]; 0 before the hole fires.
   [[nodiscard]] double gas_energy(double swept_volume, double time, const GasState& state) const;
   [[nodiscard]] double gas_enthalpy(double swept_volume, double time, const GasState& state) const;
+  /// Takes a share of the products and an energy [J] out of the hole; see BlastLoad.
+  void take_gas(GasState& state, double swept_volume, double time, double share,
+                double energy) const {
+    load_.take_gas(state, swept_volume - state.closed_before, time - front_.firing_time(), share,
+                   energy);
+  }
   /// Room of the gas [m3].
   [[nodiscard]] double gas_volume(double swept_volume, const GasState& state) const {
     return load_.start_volume() + swept_volume - state.closed_before;

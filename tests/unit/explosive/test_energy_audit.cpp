@@ -39,8 +39,8 @@ EnergyAudit driven(const BlastLoad& load) {
   for (; time < 0.02; time += kStep) {
     const double swept = kArea * path;
     const double inside = load.gas_pressure(swept, time, gas);
-    const double pressed = load.pressure(time, inside - kAmbient,
-                                         load.pulse_limit(swept, time, gas) - kAmbient);
+    const double pressed =
+        load.pressure(time, inside - kAmbient, load.pulse_limit(swept, time, gas) - kAmbient);
     const double before = speed;
     speed += pressed * kArea / kWallMass * kStep;
     const double way = 0.5 * (before + speed) * kStep;
@@ -64,6 +64,21 @@ TEST(EnergyAudit, ClosesForAWallThatTheChargeDrives) {
   EXPECT_GT(audit.wall_work, 0.02 * kEnergy);
   EXPECT_GT(audit.vented, 0.02 * kEnergy);
   EXPECT_GT(audit.crushing, 0.1 * kEnergy);
+}
+
+TEST(EnergyAudit, GasThatLeavesAndComesBackKeepsTheEnergy) {
+  const BlastLoad load = load_of(227e6);
+  GasState gas;
+  const double full = load.gas_energy(0.01, 1e-3, gas);
+  const double mass = 0.3 * kMass, energy = mass * load.gas_enthalpy(0.01, 1e-3, gas);
+  load.take_gas(gas, 0.01, 1e-3, 0.3, energy);
+  EXPECT_NEAR((load.gas_energy(0.01, 1e-3, gas) + energy) / full, 1.0, 1e-14);
+  EXPECT_LT(gas.hotter, 1.0);  // enthalpy of the start, for all of it
+  const double cold = load.gas_pressure(0.01, 1e-3, gas);
+  load.take_gas(gas, 0.01, 1e-3, -0.1, -0.5 * energy);  // hot gas: half the energy, a third of it
+  EXPECT_NEAR((load.gas_energy(0.01, 1e-3, gas) + 0.5 * energy) / full, 1.0, 1e-14);
+  EXPECT_GT(load.gas_pressure(0.01, 1e-3, gas), cold);
+  EXPECT_NEAR(gas.mass_left, 0.8, 1e-14);
 }
 
 TEST(EnergyAudit, PulseBeyondTheDenseStageIsAnError) {
