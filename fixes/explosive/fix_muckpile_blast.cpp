@@ -99,6 +99,7 @@ void FixMuckpileBlast::init() {
   described_ = true;
   swept_.resize(blasts_.size(), 0.0);
   gas_.resize(blasts_.size(), 0.0);
+  on_wall_.resize(blasts_.size(), 0.0);
   limit_.resize(blasts_.size(), 0.0);
   states_.resize(blasts_.size());
   books_.resize(blasts_.size());
@@ -317,8 +318,9 @@ void FixMuckpileBlast::load_faces(double time) {
   for (std::size_t hole = 0; hole < blasts_.size(); ++hole) {
     const HoleBlast& blast = blasts_[hole];
     gas_[hole] = std::max(0.0, blast.gas_pressure(swept_[hole], time, states_[hole]) - ambient_);
-    if (!hole_over_[hole] && blast.over(time, gas_[hole])) end_hole(hole);
-    if (hole_over_[hole]) gas_[hole] = 0.0;
+    on_wall_[hole] = gas_[hole] * blast.wall_share(swept_[hole], states_[hole]);
+    if (!hole_over_[hole] && blast.over(time, on_wall_[hole])) end_hole(hole);
+    if (hole_over_[hole]) gas_[hole] = on_wall_[hole] = 0.0;
     limit_[hole] = blast.pulse_limit(swept_[hole], time, states_[hole]) - ambient_;
     if (!hole_over_[hole] && time >= blast.firing_time()) ++active_holes_;
   }
@@ -327,8 +329,8 @@ void FixMuckpileBlast::load_faces(double time) {
     const auto hole = static_cast<std::size_t>(faces[i].hole);
     const HoleBlast& blast = blasts_[hole];
     pressures_[i] =
-        hole_over_[hole] ? 0.0 : blast.pressure(arrivals_[i], time, gas_[hole], limit_[hole]);
-    wave_share_[i] = blast.load().wave_share(time - arrivals_[i], gas_[hole], limit_[hole]);
+        hole_over_[hole] ? 0.0 : blast.pressure(arrivals_[i], time, on_wall_[hole], limit_[hole]);
+    wave_share_[i] = blast.load().wave_share(time - arrivals_[i], on_wall_[hole], limit_[hole]);
   }
   surface_->set_pressure(pressures_, wave_share_);
 }

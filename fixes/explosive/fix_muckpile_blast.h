@@ -110,6 +110,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix,
   // At the last force computation: the faces of a block cannot tell once it has changed rank.
   std::vector<double> swept_;          // per hole, all ranks [m3]
   std::vector<double> gas_;            // per hole [Pa]
+  std::vector<double> on_wall_;        // what of that presses on its wall [Pa]
   std::vector<double> limit_;          // of the pulse, per hole [Pa]
   std::vector<GasState> states_;       // per hole
   std::vector<HoleBooks> books_;       // per hole

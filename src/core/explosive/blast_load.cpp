@@ -18,12 +18,17 @@ BlastLoad::BlastLoad(const Parameters& parameters)
       pulse_(parameters.pulse),
       expansion_(parameters.expansion),
       charge_volume_(parameters.charge_volume),
+      zone_volume_(parameters.zone_volume),
+      wall_exponent_(std::sin(parameters.crushed_friction) /
+                     (1.0 + std::sin(parameters.crushed_friction))),
       vent_time_(parameters.vent_time),
       vent_decay_(parameters.vent_decay),
       products_mass_(parameters.products_mass) {
   require_not_negative("peak_pressure", "Pa", wave_peak_);
   if (!expansion_) return;
   require_positive("charge volume", "m3", charge_volume_);
+  require_not_negative("volume of the crushed zone", "m3", zone_volume_);
+  require_not_negative("crushed_friction", "", wall_exponent_);
   if (parameters.flow) {
     vent_.emplace(*parameters.flow);
   } else {
@@ -50,6 +55,12 @@ double BlastLoad::gas_pressure(double swept_volume, double time, const GasState&
 
 double BlastLoad::pulse_limit(double swept_volume, double time, const GasState& state) const {
   return expansion_ ? products_pressure(pulse_volume_ + swept_volume, time, state) : kNoLimit;
+}
+
+double BlastLoad::wall_share(double swept_volume) const {
+  if (!(zone_volume_ > 0.0)) return 1.0;
+  const double gas = start_volume_ + swept_volume, zone = zone_volume_ + swept_volume;
+  return gas < zone ? std::pow(std::max(0.0, gas) / zone, wall_exponent_) : 1.0;
 }
 
 double BlastLoad::gas_energy(double swept_volume, double time, const GasState& state) const {
@@ -122,6 +133,8 @@ bool BlastLoad::pulse_over(double tau) const {
   return tau > pulse_.rise_time() && pulse_.bound(tau) <= kPulseLeft;
 }
 
-double BlastLoad::greatest_pressure() const { return std::max(wave_peak_, gas_pressure(0.0, 0.0)); }
+double BlastLoad::greatest_pressure() const {
+  return std::max(wave_peak_, wall_share(0.0) * gas_pressure(0.0, 0.0));
+}
 
 }  // namespace muckpile

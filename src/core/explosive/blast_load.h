@@ -32,6 +32,13 @@ namespace muckpile {
 /// a share m of the mass, fills the chamber alone: p_gas = k p(V/(m V0)), k = 1 unless gas of
 /// another temperature has come in or gone (GasState::hotter).
 ///
+/// What of it presses on the wall of the crushed zone, r1, is
+///     T p_gas,  T = min(1, (r/r1)^(1 - K)) = min(1, [V/(Vz + swept volume)]^((1 - K)/2)),
+/// K = (1 - sin phi)/(1 + sin phi): the gas presses on the wall of the hole, at r, and crushed rock
+/// that yields by its friction phi keeps sigma_theta = K sigma_r between r and r1, so equilibrium
+/// makes sigma_r fall as r^-(1 - K) (Yu 2000; docs/sources.md). Plane strain, the crushed rock
+/// neither dilates nor lets gas through; Vz is the volume of the crushed zone with the hole. What the
+/// gas does beyond T p_gas dV is spent there. Without Vz or phi T is 1.
 /// Limit where the wall gives way: the pulse presses no more than the isentrope gives from the
 /// volume Vp in which the products start, V0 or the room of a decoupled charge:
 ///     p_limit = p((Vp + swept volume)/V0) s(t)
@@ -47,6 +54,8 @@ class BlastLoad {
     double products_mass = 1.0;                   ///< of the charge [kg]
     double free_volume_ratio = 1.0;               ///< chamber that the products fill over V0 [-]
     double pulse_volume_ratio = 1.0;              ///< Vp/V0, at most free_volume_ratio [-]
+    double zone_volume = 0.0;                     ///< Vz, of the crushed zone and the hole [m3]
+    double crushed_friction = 0.0;                ///< phi, of crushed rock [rad]
     double vent_time;                             ///< since the primer fired [s]
     double vent_decay;                            ///< [s]
     std::optional<GasVent::Parameters> flow{};    ///< in place of those two times
@@ -58,6 +67,8 @@ class BlastLoad {
   /// Gas pressure [Pa] at a swept volume [m3] and a time [s] since the primer fired; 0 without gas.
   [[nodiscard]] double gas_pressure(double swept_volume, double time,
                                     const GasState& state = {}) const;
+  /// T, of a gas pressure what presses on the wall of the crushed zone [-].
+  [[nodiscard]] double wall_share(double swept_volume) const;
   /// What the gas that is left could still do as it expands to nothing, at a swept volume; 0
   /// without gas [J].
   [[nodiscard]] double gas_energy(double swept_volume, double time,
@@ -116,6 +127,8 @@ class BlastLoad {
   std::optional<ProductExpansion> expansion_;  // nothing: no gas
   double charge_volume_;
   double start_volume_ = 0.0;
+  double zone_volume_;   // [m3]; 0: the gas presses on the wall
+  double wall_exponent_;  // (1 - K)/2
   double pulse_volume_ = 0.0;  // Vp [m3]
   double vent_time_;
   double vent_decay_;

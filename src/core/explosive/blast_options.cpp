@@ -62,6 +62,9 @@ void add_gas_keywords(ArgTable& table) {
 }
 
 void add_venting_keywords(ArgTable& table) {
+  table.real("crushed_friction", "deg", Range::right_open(0.0, 90.0), 0.0,
+             "friction angle of crushed rock, through which the gas presses; 0: it presses on the "
+             "wall of the crushed zone itself");
   table.word("venting", {"time", "flow"}, "time",
              "how the gas leaves: by the two times above, or by flow through collar and cracks");
   add_optional(table, "stemming_length", "[m], 0 to 1e6; needed with venting flow");
@@ -144,6 +147,7 @@ void read_venting(BlastOptions& options, const ArgValues& values) {
   options.flow.crack_delay = vent_word(options, values, "crack_delay", "s", delay_range(), true,
                                        " and venting flow (about 1e-3 s per metre of burden)")
                                  .value_or(0.0);
+  options.crushed_friction = values.real("crushed_friction") * M_PI / 180.0;
   options.flow.stemming_density = values.real("stemming_density");
   options.flow.stemming_shear = values.real("stemming_shear");
   options.flow.collar_discharge = values.real("collar_discharge");

@@ -31,6 +31,7 @@ struct BlastOptions {
   bool pulse = true;
   PulseParameters pulse_shape{};
   bool gas = true;
+  double crushed_friction = 0.0;       ///< of rock in the crushed zone, against the gas [rad]
   std::optional<double> vent_time{};   ///< as typed [s]
   std::optional<double> vent_decay{};  ///< as typed [s]
   bool vent_by_flow = false;

@@ -18,6 +18,10 @@ class HoleBlast {
   /// Pressure of the gas in the whole hole [Pa] at a swept volume [m3]; 0 before the hole fires.
   [[nodiscard]] double gas_pressure(double swept_volume, double time,
                                     const GasState& state = {}) const;
+  /// Of that what presses on the wall of the crushed zone [-].
+  [[nodiscard]] double wall_share(double swept_volume, const GasState& state) const {
+    return load_.wall_share(swept_volume - state.closed_before);
+  }
   /// What the products can press at most while the pulse acts [Pa]; see BlastLoad.
   [[nodiscard]] double pulse_limit(double swept_volume, double time, const GasState& state) const;
   /// Energy of that gas [J], and what it takes along as it leaves [J/kg]; 0 before the hole fires.

@@ -2,6 +2,7 @@
 // The loads of all holes; see the header.
 #include "explosive/hole_loads.h"
 
+#include <cmath>
 #include <sstream>
 
 #include "args/input_error.h"
@@ -34,6 +35,8 @@ BlastLoad blast_load(const BlastOptions& options, const LoadedHole& hole, const 
                                    .vent_decay = options.vent_decay.value_or(1.0)};
   if (!options.gas) return BlastLoad(parameters);
   const ProductExpansion expansion = product_expansion(options.charge, hole.explosive);
+  parameters.zone_volume = M_PI * zone.radius * zone.radius * hole.shape.chamber_length;
+  parameters.crushed_friction = options.crushed_friction;
   parameters.expansion = products_in_chamber(expansion, hole.shape, hole.decoupling);
   parameters.free_volume_ratio = free_volume_ratio(hole.shape, hole.decoupling);
   parameters.pulse_volume_ratio = pulse_volume_ratio(hole.wall_pressure / hole.initial_pressure,

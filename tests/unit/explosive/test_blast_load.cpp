@@ -254,5 +254,28 @@ TEST(BlastLoad, RefusesValuesOutOfRange) {
   refused([](auto& p) { p.vent_decay = 0.0; });
 }
 
+TEST(BlastLoad, CrushedRockBearsPartOfTheGas) {
+  // Radial equilibrium of rock that yields: sigma_r r^(1 - K) is the same at hole and wall.
+  BlastLoad::Parameters p{.wave_peak = 0.0,
+                          .expansion = ProductExpansion(TwoStageIsentrope({.initial_pressure = 2e9})),
+                          .charge_volume = 0.01,
+                          .vent_time = 1.0,
+                          .vent_decay = 1.0};
+  p.zone_volume = 0.09;  // three hole radii
+  p.crushed_friction = 35.0 * M_PI / 180.0;
+  const BlastLoad load(p);
+  const double k = (1.0 - std::sin(p.crushed_friction)) / (1.0 + std::sin(p.crushed_friction));
+  for (const double swept : {0.0, 0.01, 0.1}) {
+    const double hole = std::sqrt(load.start_volume() + swept), wall = std::sqrt(0.09 + swept);
+    EXPECT_NEAR(load.wall_share(swept) / std::pow(hole / wall, 1.0 - k), 1.0, 1e-12) << swept;
+  }
+  EXPECT_LT(load.wall_share(0.0), load.wall_share(0.1));
+  p.zone_volume = 0.01;  // nothing crushed: the products have more room than the hole had
+  EXPECT_EQ(BlastLoad(p).wall_share(0.0), 1.0);
+  p.zone_volume = 0.09;
+  p.crushed_friction = 0.0;
+  EXPECT_EQ(BlastLoad(p).wall_share(0.0), 1.0);
+}
+
 }  // namespace
 }  // namespace muckpile
