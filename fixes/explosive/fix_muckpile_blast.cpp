@@ -352,9 +352,12 @@ void FixMuckpileBlast::let_gas_into_joints(double ambient) {
 GasChamber FixMuckpileBlast::chamber(std::size_t hole) const {
   const HoleBlast& blast = blasts_[hole];
   if (hole_over_[hole]) return {};
+  // Gas that has come through the crushed rock presses no more than that does; it has been
+  // throttled.
+  const double share = blast.wall_share(swept_[hole], states_[hole]);
   const double pressure = blast.gas_pressure(swept_[hole], clock(), states_[hole]);
   const double mass = states_[hole].mass_left * charges_[hole].mass;
-  return {{pressure, mass / blast.gas_volume(swept_[hole], states_[hole])},
+  return {{share * pressure, share * mass / blast.gas_volume(swept_[hole], states_[hole])},
           mass,
           blast.gas_enthalpy(swept_[hole], clock(), states_[hole])};
 }

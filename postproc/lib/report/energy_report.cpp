@@ -84,10 +84,13 @@ std::vector<BarShare> audit_of(const ResultFolder& folder) {
   std::vector<BarShare> shares;
   const auto audit = run.find("energy_audit_J");
   if (audit == run.end()) return shares;
-  const double explosive = audit->value("explosive", 0.0);
+  const auto energy = [&](const char* key) {
+    const auto value = audit->find(key);
+    return value != audit->end() && value->is_number() ? value->get<double>() : 0.0;
+  };
+  const double explosive = energy("explosive");
   if (!(explosive > 0.0)) return shares;
-  for (const auto& [key, label] : kNames)
-    shares.push_back({label, audit->value(key, 0.0) / explosive});
+  for (const auto& [key, label] : kNames) shares.push_back({label, energy(key) / explosive});
   return shares;
 }
 

@@ -50,7 +50,7 @@ double BlastLoad::products_pressure(double volume, double time, const GasState& 
 }
 
 double BlastLoad::gas_pressure(double swept_volume, double time, const GasState& state) const {
-  return expansion_ ? products_pressure(start_volume_ + swept_volume, time, state) : 0.0;
+  return expansion_ ? products_pressure(gas_room(swept_volume), time, state) : 0.0;
 }
 
 double BlastLoad::pulse_limit(double swept_volume, double time, const GasState& state) const {
@@ -59,13 +59,13 @@ double BlastLoad::pulse_limit(double swept_volume, double time, const GasState& 
 
 double BlastLoad::wall_share(double swept_volume) const {
   if (!(zone_volume_ > 0.0)) return 1.0;
-  const double gas = start_volume_ + swept_volume, zone = zone_volume_ + swept_volume;
-  return gas < zone ? std::pow(std::max(0.0, gas) / zone, wall_exponent_) : 1.0;
+  const double gas = gas_room(swept_volume), zone = zone_volume_ + swept_volume;
+  return gas < zone ? std::pow(gas / zone, wall_exponent_) : 1.0;
 }
 
 double BlastLoad::gas_energy(double swept_volume, double time, const GasState& state) const {
   if (!expansion_) return 0.0;
-  const double ratio = (start_volume_ + swept_volume) / charge_volume_;
+  const double ratio = gas_room(swept_volume) / charge_volume_;
   if (!vent_)
     return charge_volume_ * expansion_->stored_energy(ratio) *
            vent_factor(time, vent_time_, vent_decay_);
@@ -76,7 +76,7 @@ double BlastLoad::gas_energy(double swept_volume, double time, const GasState& s
 double BlastLoad::gas_enthalpy(double swept_volume, double time, const GasState& state) const {
   if (!expansion_) return 0.0;
   return (gas_energy(swept_volume, time, state) +
-          gas_pressure(swept_volume, time, state) * (start_volume_ + swept_volume)) /
+          gas_pressure(swept_volume, time, state) * gas_room(swept_volume)) /
          (state.mass_left * products_mass_);
 }
 
@@ -104,11 +104,10 @@ void BlastLoad::advance(GasState& state, double swept_volume, double time, doubl
         gas_energy(swept_volume, time, state) - gas_energy(swept_volume, time + dt, state);
     return;
   }
-  const Chamber chamber{
-      .pressure = gas_pressure(swept_volume, time, state),
-      .gas_density = state.mass_left * products_mass_ / (start_volume_ + swept_volume),
-      .swept_volume = swept_volume,
-      .time = time};
+  const Chamber chamber{.pressure = gas_pressure(swept_volume, time, state),
+                        .gas_density = state.mass_left * products_mass_ / gas_room(swept_volume),
+                        .swept_volume = swept_volume,
+                        .time = time};
   const double before = state.mass_left, enthalpy = gas_enthalpy(swept_volume, time, state);
   vent_->advance(state, chamber, dt);
   state.vented_energy += (before - state.mass_left) * products_mass_ * enthalpy;

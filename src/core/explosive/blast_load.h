@@ -4,6 +4,7 @@
 // sweeps; it leaks by a time law, or by flow through collar and cracks (gas_vent.h).
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -37,10 +38,10 @@ namespace muckpile {
 /// K = (1 - sin phi)/(1 + sin phi): the gas presses on the wall of the hole, at r, and crushed rock
 /// that yields by its friction phi keeps sigma_theta = K sigma_r between r and r1, so equilibrium
 /// makes sigma_r fall as r^-(1 - K) (Yu 2000; docs/sources.md). Plane strain, the crushed rock
-/// neither dilates nor lets gas through; Vz is the volume of the crushed zone with the hole. What the
-/// gas does beyond T p_gas dV is spent there. Without Vz or phi T is 1.
-/// Limit where the wall gives way: the pulse presses no more than the isentrope gives from the
-/// volume Vp in which the products start, V0 or the room of a decoupled charge:
+/// neither dilates nor lets gas through; Vz is the volume of the crushed zone with the hole. What
+/// the gas does beyond T p_gas dV is spent there. Without Vz or phi T is 1. Limit where the wall
+/// gives way: the pulse presses no more than the isentrope gives from the volume Vp in which the
+/// products start, V0 or the room of a decoupled charge:
 ///     p_limit = p((Vp + swept volume)/V0) s(t)
 /// As Vg >= Vp, p_gas is never above p_limit: pulse and gas together do no more work than the
 /// products' expansion from Vp.
@@ -67,6 +68,11 @@ class BlastLoad {
   /// Gas pressure [Pa] at a swept volume [m3] and a time [s] since the primer fired; 0 without gas.
   [[nodiscard]] double gas_pressure(double swept_volume, double time,
                                     const GasState& state = {}) const;
+  /// Room of the gas [m3]; a wall that has moved inward leaves it some in the crushed rock.
+  [[nodiscard]] double gas_room(double swept_volume) const {
+    constexpr double kLeast = 0.1;  // of the charge's volume
+    return std::max(start_volume_ + swept_volume, kLeast * charge_volume_);
+  }
   /// T, of a gas pressure what presses on the wall of the crushed zone [-].
   [[nodiscard]] double wall_share(double swept_volume) const;
   /// What the gas that is left could still do as it expands to nothing, at a swept volume; 0
@@ -127,8 +133,8 @@ class BlastLoad {
   std::optional<ProductExpansion> expansion_;  // nothing: no gas
   double charge_volume_;
   double start_volume_ = 0.0;
-  double zone_volume_;   // [m3]; 0: the gas presses on the wall
-  double wall_exponent_;  // (1 - K)/2
+  double zone_volume_;         // [m3]; 0: the gas presses on the wall
+  double wall_exponent_;       // (1 - K)/2
   double pulse_volume_ = 0.0;  // Vp [m3]
   double vent_time_;
   double vent_decay_;

@@ -35,7 +35,7 @@ class HoleBlast {
   }
   /// Room of the gas [m3].
   [[nodiscard]] double gas_volume(double swept_volume, const GasState& state) const {
-    return load_.start_volume() + swept_volume - state.closed_before;
+    return load_.gas_room(swept_volume - state.closed_before);
   }
   /// What the gas and the stemming do in one step [s]. Before the hole fires there is no gas, and a
   /// wall that other holes push inward compresses none: the products start from their own volume
