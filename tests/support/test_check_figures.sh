@@ -164,6 +164,17 @@ fails 2 'table.csv:2: face_velocity_m_s must be a finite number' burden_fit tabl
 table $'0.75,1,-2,1,2,10\n3,1,1,1,2,10\n'
 fails 2 'table.csv:2: face_velocity_m_s must be > 0' burden_fit table.csv fit.json
 
+# Twice the energy, twice the square of the speed; half of it, a quarter.
+printf 'name,factor,value,base\nenergy,2,2,1.41421356237\nmass,2,4,1\nmass,0.5,0.5,1\n' >answers.csv
+holds exponents answers.csv answers.json
+printf '{"case": "answers", "expected": [%s, %s, %s]}' "$(row energy_exponent 0.5 1e-9)" "$(row mass_at_2_exponent 2 1e-12)" \
+  "$(row mass_at_0.5_exponent 1 1e-12)" >expected.json
+holds case expected.json answers.json
+printf 'name,factor,value,base\nenergy,1,2,1\n' >answers.csv
+fails 2 'answers.csv:2: factor must not be 1' exponents answers.csv answers.json
+printf 'name,factor,value,base\nenergy,2,0,1\n' >answers.csv
+fails 2 'answers.csv:2: value must be > 0' exponents answers.csv answers.json
+
 fails 2 '' neer
 holds --help
 holds near --help

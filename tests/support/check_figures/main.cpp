@@ -12,6 +12,7 @@
 
 #include "args/input_error.h"
 #include "check_figures/burden_fit.h"
+#include "check_figures/exponents.h"
 #include "check_figures/expected.h"
 #include "check_figures/figures.h"
 
@@ -82,9 +83,9 @@ void print_figures(const Options& o) {
   std::printf("%s\n", line.c_str());
 }
 
-void write_burden_fit(const Options& o) {
+void write_summary(const Options& o, const Json& figures) {
   std::ofstream out(o.summary);
-  out << fit_burdens(o.table).dump(2) << '\n';
+  out << figures.dump(2) << '\n';
   if (!out.flush()) refuse(o.summary, "cannot be written");
 }
 
@@ -101,7 +102,11 @@ void add_case_commands(CLI::App& app, Options& o, bool& holds) {
   CLI::App* fit = app.add_subcommand("burden_fit", "speed against burden: TABLE to SUMMARY");
   fit->add_option("TABLE", o.table, "a row per run (CSV)")->required();
   fit->add_option("SUMMARY", o.summary, "exponent and means (JSON)")->required();
-  fit->callback([&] { write_burden_fit(o); });
+  fit->callback([&] { write_summary(o, fit_burdens(o.table)); });
+  CLI::App* answers = app.add_subcommand("exponents", "answers to factors: TABLE to SUMMARY");
+  answers->add_option("TABLE", o.table, "name, factor, value, base (CSV)")->required();
+  answers->add_option("SUMMARY", o.summary, "exponent of each row (JSON)")->required();
+  answers->callback([&] { write_summary(o, exponents(o.table)); });
 }
 
 void add_figure_commands(CLI::App& app, Options& o, bool& holds) {
