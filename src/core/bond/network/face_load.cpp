@@ -45,9 +45,6 @@ void FaceLoad::set(std::vector<BoundaryFace> faces, const FacetTables& tables,
   faces_.shrink_to_fit();
   walls_.emplace(tables, faces_, blocks);
   if (walls_->empty()) walls_.reset();
-  int holes = 0;
-  for (const BoundaryFace& face : faces_) holes = std::max(holes, face.hole + 1);
-  hole_work_.assign(static_cast<std::size_t>(holes), 0.0);
   share_load(tables, history);
 }
 
@@ -107,7 +104,7 @@ void FaceLoad::load(const FacetKinematics& facets, BlockFields& blocks, JointBoo
           0.5 * (face.pressure + face.last_pressure) * (rigid + squeezed_now - face.last_squeezed);
       books.pressure_work += work;
       books.wave_work += face.wave_share * work;
-      hole_work_[static_cast<std::size_t>(face.hole)] += work;
+      book_of_hole(static_cast<std::size_t>(face.hole), work);
     }
     if (face.pressure != 0.0) unloaded_ = false;
     face.last_pressure = face.pressure;

@@ -58,6 +58,10 @@ class FaceLoad {
   [[nodiscard]] double bytes_of_walls() const { return walls_ ? walls_->bytes() : 0.0; }
 
  private:
+  void book_of_hole(std::size_t hole, double work) {
+    if (hole >= hole_work_.size()) hole_work_.resize(hole + 1, 0.0);
+    hole_work_[hole] += work;
+  }
   void look_anew(const BlockFields& blocks, const JointMaterial& rock);
   void share_load(const FacetTables& tables, const FacetHistory& history) {
     if (walls_) walls_->share_load(tables, history, faces_);
