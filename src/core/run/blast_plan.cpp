@@ -60,7 +60,7 @@ void add_softening(ArgTable& table) {
             "joint stiffness in the throw over that at the start")
       .real("push_softening", "", Range::closed(1e-3, 1.0), 0.1,
             "joint stiffness while the gas pushes over that at the start; 1: unchanged")
-      .real("push_elastic", "", Range::closed(0.0, 0.1), 0.005,
+      .real("push_elastic", "", Range::closed(0.0, 0.1), 0.01,
             "share of the kinetic energy: with less elastic energy than that the waves have gone")
       .real("push_from", "", Range::closed(0.1, 1.0), 0.35,
             "share of the time from the last firing to wave_end, before which the push does not "
