@@ -40,10 +40,8 @@ void JointGas::set_network(const FacetNetwork& network) {
   changes_.assign(count, {});
   reservoirs_.assign(count, {});
   for (auto* numbers :
-       {&density_, &pressure_, &root_, &gauge_, &walls_, &new_room_, &films_, &stretch_, &cooling_})
+       {&density_, &pressure_, &root_, &gauge_, &walls_, &rooms_, &films_, &stretch_, &cooling_})
     numbers->assign(count, 0.0);
-  broken_.assign(network.facet_count(), 0.0);
-  broken_before_ = false;
   cracks_.clear();
   crack_facets_.clear();
   ending_.clear();
@@ -118,7 +116,6 @@ void JointGas::list_cracks(const FacetNetwork& network) {
     for (std::size_t f = 0; f < network.facet_count(); ++f) ends_.push_back(end_of(network, f));
   }
   mark_reached(network);
-  std::vector<double> broken(broken_.size(), 0.0);  // of those that gas still reaches
   cracks_.clear();
   crack_facets_.clear();
   ending_.clear();
@@ -127,11 +124,9 @@ void JointGas::list_cracks(const FacetNetwork& network) {
     if (reached_[end.i] == 0 && (!end.joint || reached_[end.j] == 0)) continue;
     if (end.hole >= 0 || end.surfaces)
       ending_.push_back(static_cast<std::uint32_t>(cracks_.size()));
-    cracks_.push_back({end, f, 0.0, 0.0, 0.0});
-    broken[f] = broken_[f];
+    cracks_.push_back({end, f, 0.0, 0.0, 0.0, 0.0, 0.0});
     add_facet(crack_facets_, f);
   }
-  broken_ = std::move(broken);
   aperture_.resize(cracks_.size());
   width_.resize(cracks_.size());
   passage_.resize(cracks_.size());
@@ -148,13 +143,12 @@ void JointGas::measure_crack(std::size_t c, const OpenJoint& open) {
   crack.area = aperture_[c] * width_[c];
   const double half = crack.joint ? 0.5 : 1.0;  // a joint's room belongs to two blocks
   crack.volume = half * open.area * apertures.mechanical;
+  crack.wall = open.area;
   // A point that has just broken has not opened yet.
-  const double depth = half * (open.by_law ? apertures.mechanical : p_.residual_aperture);
-  const double new_area = broken_before_ ? open.area - broken_[crack.facet] : 0.0;
-  broken_[crack.facet] = open.area;
+  crack.broken = half * open.area * p_.residual_aperture;
   each_block(crack, [&](std::size_t b) {
-    walls_[b] += open.area;
-    new_room_[b] += depth * new_area;
+    walls_[b] += crack.wall;
+    rooms_[b] += crack.broken;
   });
   if (open.wide) wide_.push_back(static_cast<std::uint32_t>(c));
 }
@@ -180,8 +174,7 @@ void JointGas::find_passages() {
   for (std::size_t c = 0; c < cracks_.size(); ++c) {
     const double friction =
         2.0 * (1.0 / (passage_[c] * passage_[c]) - 1.0) * aperture_[c] / width_[c];
-    film_[c] =
-        heat_.film(friction, 1.0 / cracks_[c].area, heat_capacity) * broken_[cracks_[c].facet];
+    film_[c] = heat_.film(friction, 1.0 / cracks_[c].area, heat_capacity) * cracks_[c].wall;
     cracks_[c].way = cracks_[c].area * passage_[c];
   }
 }
@@ -190,10 +183,9 @@ void JointGas::measure(const FacetNetwork& network, const std::vector<char>& fed
   if (!list_holds(network, fed)) list_cracks(network);
   wide_.clear();
   std::fill(walls_.begin(), walls_.end(), 0.0);
-  std::fill(new_room_.begin(), new_room_.end(), 0.0);
+  std::fill(rooms_.begin(), rooms_.end(), 0.0);
   network.open_joints(crack_facets_, openings_);
   for (std::size_t c = 0; c < cracks_.size(); ++c) measure_crack(c, openings_[c]);
-  broken_before_ = true;
   find_passages();
   for (GasCell& cell : cells_) cell.volume = cell.ways = 0.0;
   chamber_ways_.assign(fed.size(), 0.0);
@@ -205,8 +197,9 @@ void JointGas::measure(const FacetNetwork& network, const std::vector<char>& fed
 /// work into room that has just broken.
 void JointGas::expand() {
   for (std::size_t b = 0; b < cells_.size(); ++b) {
-    const double before = cells_[b].content.volume, now = cells_[b].volume - new_room_[b];
-    const bool works = owned(b) && cells_[b].content.mass > 0.0 && before > 0.0 && now > 0.0;
+    const GasContent& gas = cells_[b].content;
+    const double before = gas.volume, now = cells_[b].volume - (rooms_[b] - gas.broken);
+    const bool works = owned(b) && gas.mass > 0.0 && before > 0.0 && now > 0.0;
     stretch_[b] = works ? before / now : 1.0;
   }
   transform_all(stretch_, stretch_, cooling_,
@@ -215,9 +208,10 @@ void JointGas::expand() {
     if (!owned(b)) continue;
     GasContent& gas = cells_[b].content;
     spent_.work += gas.energy * (1.0 - cooling_[b]);
-    if (stretch_[b] != 1.0) spent_.swept_volume += cells_[b].volume - new_room_[b] - gas.volume;
+    if (stretch_[b] != 1.0) spent_.swept_volume += gas.volume * (1.0 / stretch_[b] - 1.0);
     gas.energy *= cooling_[b];
     gas.volume = cells_[b].volume;
+    gas.broken = rooms_[b];
   }
 }
 

@@ -36,12 +36,15 @@ struct GasContent {
   double energy = 0.0;  ///< internal, U = p V/(gamma - 1) [J]
   double heat = 0.0;    ///< that the block's walls have taken from it [J]
   double volume = 0.0;  ///< that it had at the last measure() [m3]
+  double broken = 0.0;  ///< of that, what its joints had as they broke [m3]
 };
 template <>
 struct Stored<GasContent> {
   static constexpr std::string_view kName = "gas_content";
-  static constexpr int kVersion = 2;
-  static auto fields(auto& gas) { return std::tie(gas.mass, gas.energy, gas.heat, gas.volume); }
+  static constexpr int kVersion = 3;
+  static auto fields(auto& gas) {
+    return std::tie(gas.mass, gas.energy, gas.heat, gas.volume, gas.broken);
+  }
 };
 
 /// Gas that goes from one place to another, with the energy that it carries.
@@ -162,6 +165,8 @@ class JointGas {
   struct Crack : End {                                        // a broken facet that gas can reach
     std::uint32_t facet;
     double volume;                                          // for each of its blocks [m3]
+    double broken;                                          // of that, as it broke [m3]
+    double wall;                                            // broken area [m2]
     double area;                                            // across the flow [m2]
     double way;                                             // conductance: area x passage [m2]
     [[nodiscard]] double end() const { return 0.5 * way; }  // each block has half the aperture
@@ -235,11 +240,9 @@ class JointGas {
   std::vector<std::uint32_t> ending_, wide_;  // of cracks_: in a hole or at a surface; wide
   std::vector<GasFlow> changes_;
   std::vector<double> chamber_ways_;
-  bool broken_before_ = false;  // the areas in broken_ are those of the last measure()
-  std::vector<double> broken_;  // per facet: its area of broken points that gas could reach [m2]
-  // Per block: broken area, of that without work since the last measure() as a volume, mass flow
-  // times film and wall since the last cool().
-  std::vector<double> walls_, new_room_, films_;  // [m2], [m3], [J/K]
+  // Per block: broken area, room of its joints as they broke, mass flow times film and wall since
+  // the last cool().
+  std::vector<double> walls_, rooms_, films_;  // [m2], [m3], [J/K]
   std::vector<double> stretch_, cooling_;         // V before over V now, and the gas by that [-]
   GasSpent spent_;
   // Per block, as refresh() found them.

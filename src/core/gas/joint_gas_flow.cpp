@@ -114,16 +114,20 @@ JointGas::Opened JointGas::open_wide() {
     opened.joints.push_back(cracks_[c].facet);
     keeps_[cracks_[c].facet] = Keeps::nothing;
     listed_ = false;
-    each_block(cracks_[c], [&](std::size_t b) { lost_volume[b] += cracks_[c].volume; });
+    each_block(cracks_[c], [&](std::size_t b) {
+      lost_volume[b] += cracks_[c].volume;
+      rooms_[b] -= cracks_[c].broken;
+    });
   }
   for (std::size_t b = 0; b < cells_.size(); ++b) {
     if (!owned(b) || lost_volume[b] == 0.0) continue;
     GasContent& gas = cells_[b].content;
     const double kept = std::max(0.0, 1.0 - lost_volume[b] / cells_[b].volume);
     // The last joint takes all: no rounding is left behind.
-    const GasContent rest =
-        kept < 1e-12 ? GasContent{.heat = gas.heat}
-                     : GasContent{kept * gas.mass, kept * gas.energy, gas.heat, kept * gas.volume};
+    const GasContent rest = kept < 1e-12
+                                ? GasContent{.heat = gas.heat}
+                                : GasContent{kept * gas.mass, kept * gas.energy, gas.heat,
+                                             kept * gas.volume, rooms_[b]};
     opened.vented += {gas.mass - rest.mass, gas.energy - rest.energy};
     gas = rest;
   }

@@ -141,7 +141,7 @@ TEST(JointGas, SteadyFlowThroughARowIsTheSumOfItsJoints) {
   const auto hold = [&](int b, double pressure) {
     const double volume = 0.5 * aperture, mass = pressure / per_mass * volume;
     row.gas.cells()[static_cast<std::size_t>(b)].content = {
-        mass, pressure * volume / (kGamma - 1.0), 0.0, volume};
+        mass, pressure * volume / (kGamma - 1.0), 0.0, volume, 0.5e-4};
   };
   double through = 0.0;
   for (int n = 0; n < 200000; ++n) {  // 1 s
