@@ -169,6 +169,23 @@ TEST(ProductEnergy, RelativeStrengthsAreThePublishedOnes) {
   expect("Langefors' formula, PETN", langefors(6.12e6, 0.78), 1.17);
 }
 
+TEST(ProductEnergy, CylinderTestOfAnEmulsion) {
+  // Copper cylinders of 40 to 100 mm filled with emulsion E682, 1130 kg/m3: 1.77 MJ/kg of motion,
+  // 0.58 +- 0.03 of its energy, at every diameter (BeFo's report on E682). The tube bursts at 7 to
+  // 10 times its volume. The velocity of detonation is not in the abstract: here the table's.
+  NamedExplosive emulsion = shipped("emulsion");
+  emulsion.density = 1130.0;
+  emulsion.energy = 1.77e6 / 0.58;
+  const ProductExpansion products = two_stage(emulsion);
+  const auto by = [&products](double ratio) {
+    return 1.0 - products.stored_energy(ratio) / products.energy();
+  };
+  std::cout << "work of E682 over its energy by V/V0 = 7 and 10: " << by(7.0) << ", " << by(10.0)
+            << "; measured 0.58 +- 0.03\n";
+  EXPECT_NEAR(by(7.0), 0.58, 0.03);
+  EXPECT_NEAR(by(10.0), 0.58, 0.07);
+}
+
 TEST(ProductEnergy, PressureIsProportionalToTheDensityAndWorkToo) {
   for (const auto& law_of : {static_cast<ProductExpansion (*)(const NamedExplosive&)>(two_stage),
                              static_cast<ProductExpansion (*)(const NamedExplosive&)>(covolume)}) {
