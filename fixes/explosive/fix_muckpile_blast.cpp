@@ -93,7 +93,7 @@ void FixMuckpileBlast::init() {
   const std::vector<Hole> holes = holes_of(*surface_);
   engine::or_engine_error(*lmp, [&] {
     blasts_ = hole_blasts(options_, holes);
-    charges_ = charge_energies(options_, holes);
+    charges_ = hole_charges(options_, holes);
     if (!described_) engine::print_once(*lmp, describe(options_, holes, blasts_));
   });
   described_ = true;
@@ -359,7 +359,9 @@ GasChamber FixMuckpileBlast::chamber(std::size_t hole) const {
   const double mass = states_[hole].mass_left * charges_[hole].mass;
   return {{share * pressure, share * mass / blast.gas_volume(swept_[hole], states_[hole])},
           mass,
-          blast.gas_enthalpy(swept_[hole], clock(), states_[hole])};
+          blast.gas_enthalpy(swept_[hole], clock(), states_[hole]),
+          0.0,
+          charges_[hole].crushed_rock};
 }
 
 void FixMuckpileBlast::let_gas_go() {
@@ -383,7 +385,7 @@ void FixMuckpileBlast::finish() {
 
 BlastEnergies::Energies FixMuckpileBlast::energies() const {
   Energies energies;
-  for (const ChargeEnergy& charge : charges_) energies.explosive += charge.energy;
+  for (const HoleCharge& charge : charges_) energies.explosive += charge.energy;
   if (const BlastSurface* surface = engine::find_view<BlastSurface>(*lmp)) {
     energies.wave = engine::sum_over_ranks(surface->wave_work(), world);
     energies.gas = engine::sum_over_ranks(surface->pressure_work(), world) - energies.wave;
@@ -452,7 +454,7 @@ double FixMuckpileBlast::compute_vector(int index) {
       return energies().explosive;
     case kExplosiveMass:
       return std::accumulate(charges_.begin(), charges_.end(), 0.0,
-                             [](double sum, const ChargeEnergy& c) { return sum + c.mass; });
+                             [](double sum, const HoleCharge& c) { return sum + c.mass; });
     case kGasLeft:
       return states_.front().mass_left;
     default:

@@ -114,7 +114,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix,
   std::vector<double> limit_;          // of the pulse, per hole [Pa]
   std::vector<GasState> states_;       // per hole
   std::vector<HoleBooks> books_;       // per hole
-  std::vector<ChargeEnergy> charges_;  // per hole
+  std::vector<HoleCharge> charges_;  // per hole
   std::vector<char> hole_over_;        // per hole; never turns back
   bool over_ = false;
   bool warned_ = false;  // of a step too long for the pulse

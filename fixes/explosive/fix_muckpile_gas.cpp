@@ -36,6 +36,7 @@ enum Output {
   kEnergyHeld,
   kEnergyVented,
   kAirWork,
+  kBedHeat,
   kOutputCount
 };
 
@@ -55,9 +56,23 @@ const ArgTable& table() {
           .real("ambient_pressure", "Pa", Range::closed(1e3, 1e7), 101325.0, "of the atmosphere")
           .real("effusivity", "W s^0.5/(m2 K)", Range::closed(0.0, 1e5), 2500.0,
                 "of the rock, (k rho c)^(1/2), for the heat that the walls of joints take; 0: none")
+          .real("crushed_grain", "m", Range::closed(0.0, 1.0), 0.0,
+                "diameter of the grains of the crushed zone, which take heat from the gas that "
+                "passes them on its way into joints; 0: they take none")
+          .real("heat_capacity", "J/(m3 K)", Range::closed(1e5, 1e7), 2.1e6,
+                "of the rock by volume, rho c, for those grains")
           .real("rock_temperature", "K", Range::closed(200.0, 400.0), 288.0,
                 "of the rock before the blast");
   return args;
+}
+
+CrushedBed make_bed(LAMMPS_NS::LAMMPS& lmp, const ArgValues& args) {
+  return engine::or_engine_error(lmp, [&] {
+    return CrushedBed({.grain = args.real("crushed_grain"),
+                       .heat_capacity = args.real("heat_capacity"),
+                       .rock = {.effusivity = args.real("effusivity"),
+                                .rock_temperature = args.real("rock_temperature")}});
+  });
 }
 
 JointGas make_gas(LAMMPS_NS::LAMMPS& lmp, const ArgValues& args, const GasChambers& blast) {
@@ -76,7 +91,7 @@ JointGas make_gas(LAMMPS_NS::LAMMPS& lmp, const ArgValues& args, const GasChambe
 const ArgTable& gas_keywords() { return table(); }
 
 FixMuckpileGas::FixMuckpileGas(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
-    : Fix(engine, narg, arg), where_(engine::name_of(*this)), gas_({}) {
+    : Fix(engine, narg, arg), where_(engine::name_of(*this)), gas_({}), bed_({}) {
   engine::refuse_second_fix(*lmp, where_, "muckpile/gas");
   engine::require_id_of_restart(*lmp, where_, *this);
   const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
@@ -89,6 +104,7 @@ FixMuckpileGas::FixMuckpileGas(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     return 0;
   });
   gas_ = make_gas(*lmp, args, *blast);
+  bed_ = make_bed(*lmp, args);
   vector_flag = 1;
   size_vector = kOutputCount;
   global_freq = 1;
@@ -119,7 +135,9 @@ void FixMuckpileGas::init() {
   if (!spent_) joints_->keep_gas_in_joints();
   const auto holes = static_cast<std::size_t>(joints_->hole_count());
   fed_.resize(holes, 0);
+  beds_.resize(holes);
   chambers_.resize(holes);
+  kept_.resize(holes, 1.0);
 }
 
 /// After a restart file the gas has come to its blocks here, not in init().
@@ -268,8 +286,14 @@ void FixMuckpileGas::end_of_step() {
 
 void FixMuckpileGas::read_chambers() {
   for (std::size_t hole = 0; hole < chambers_.size(); ++hole) {
-    chambers_[hole] = blast_->chamber(hole);
-    fed_[hole] = chambers_[hole].gas.pressure > 0.0 ? 1 : 0;
+    GasChamber& chamber = chambers_[hole];
+    chamber = blast_->chamber(hole);
+    fed_[hole] = chamber.gas.pressure > 0.0 ? 1 : 0;
+    if (fed_[hole] == 0) continue;
+    kept_[hole] =
+        bed_.kept(beds_[hole], chamber.crushed_rock, chamber.enthalpy / gas_.heat_capacity());
+    chamber.enthalpy *= kept_[hole];
+    chamber.gas.density /= kept_[hole];
   }
 }
 
@@ -312,15 +336,36 @@ void FixMuckpileGas::flow(double dt) {
   flows.vented += lost_;
   lost_ = {};
   flows.from_hole.push_back(flows.vented);
-  sums_.clear();
+  sums_ = flows.out_of_hole;
   for (const GasFlow& flow : flows.from_hole) sums_.insert(sums_.end(), {flow.mass, flow.energy});
   engine::sum_over_ranks_in_place(sums_, world);
-  for (std::size_t k = 0; k < flows.from_hole.size(); ++k)
-    flows.from_hole[k] = {sums_[2 * k], sums_[2 * k + 1]};
+  const double* sum = sums_.data() + flows.out_of_hole.size();
+  for (GasFlow& flow : flows.from_hole) {
+    flow = {sum[0], sum[1]};
+    sum += 2;
+  }
   vented_ += flows.from_hole.back();
   flows.from_hole.pop_back();
+  heat_beds(flows.from_hole, sums_.data(), dt);
   for (const GasFlow& flow : flows.from_hole) taken_ += flow;
   blast_->take_gas(flows.from_hole);
+}
+
+/// What left the holes, `out` [kg], brought its joints the enthalpy behind the crushed rock; the
+/// holes lose what it had before.
+void FixMuckpileGas::heat_beds(std::vector<GasFlow>& from_hole, const double* out, double dt) {
+  for (std::size_t hole = 0; hole < from_hole.size(); ++hole) {
+    const double heat = out[hole] * chambers_[hole].enthalpy * (1.0 / kept_[hole] - 1.0);
+    from_hole[hole].energy += heat;
+    beds_[hole].heat += heat;
+    beds_[hole].flow = out[hole] * gas_.heat_capacity() / dt;
+  }
+}
+
+double FixMuckpileGas::heat_of_beds() const {
+  double heat = 0.0;
+  for (const CrushedBed::State& bed : beds_) heat += bed.heat;
+  return heat;
 }
 
 void FixMuckpileGas::look_whether_spent() {
@@ -334,6 +379,7 @@ void FixMuckpileGas::write_restart(FILE* file) {
   const JointGasState state{active_,
                             spent_,
                             fed_,
+                            beds_,
                             taken_,
                             vented_,
                             over_ranks(lost_),
@@ -359,6 +405,7 @@ void FixMuckpileGas::restart(char* bytes) {
   active_ = state.active;
   spent_ = state.spent;
   fed_ = std::move(state.fed);
+  beds_ = std::move(state.beds);
   taken_ = state.taken;
   vented_ = state.vented;
   const auto mine = [this](double total) { return engine::share_of_total(*lmp, total); };
@@ -387,7 +434,7 @@ JointGasEnergies::Sums FixMuckpileGas::gas_energies() const {
   const GasSpent spent = spent_by_all();
   return {.work = over_ranks(work_),
           .air_work = ambient_ * spent.swept_volume,
-          .heat = spent.heat,
+          .heat = spent.heat + heat_of_beds(),
           .held = over_ranks(gas_.held().energy),
           .vented = vented_.energy + over_ranks(lost_.energy)};
 }
@@ -403,7 +450,9 @@ double FixMuckpileGas::compute_vector(int n) {
     case kEnergyTaken:
       return taken_.energy;
     case kHeat:
-      return over_ranks(gas_.spent().heat);
+      return over_ranks(gas_.spent().heat) + heat_of_beds();
+    case kBedHeat:
+      return heat_of_beds();
     case kEnergyHeld:
       return over_ranks(gas_.held().energy);
     case kEnergyVented:

@@ -26,13 +26,13 @@ void apply_deck(LoadedHole& hole, const BlastOptions& options, const Deck& deck)
 }
 
 BlastLoad blast_load(const BlastOptions& options, const LoadedHole& hole, const Hole& zone) {
-  BlastLoad::Parameters parameters{.wave_peak = wall_peak(options, hole, zone),
-                                   .pulse = options.pulse_shape,
-                                   .charge_volume = hole.shape.charge_volume(),
-                                   .products_mass =
-                                       hole.explosive.density * hole.shape.charge_volume(),
-                                   .vent_time = options.vent_time.value_or(0.0),
-                                   .vent_decay = options.vent_decay.value_or(1.0)};
+  BlastLoad::Parameters parameters{
+      .wave_peak = wall_peak(options, hole, zone),
+      .pulse = options.pulse_shape,
+      .charge_volume = hole.shape.charge_volume(),
+      .products_mass = hole.explosive.density * hole.shape.charge_volume(),
+      .vent_time = options.vent_time.value_or(0.0),
+      .vent_decay = options.vent_decay.value_or(1.0)};
   if (!options.gas) return BlastLoad(parameters);
   const ProductExpansion expansion = product_expansion(options.charge, hole.explosive);
   parameters.zone_volume = M_PI * zone.radius * zone.radius * hole.shape.chamber_length;
@@ -204,15 +204,17 @@ double gas_constant(const BlastOptions& options, const std::vector<Hole>& crushe
   return mass > 0.0 ? sum / mass : gas_constant(options.charge.explosive);
 }
 
-std::vector<ChargeEnergy> charge_energies(const BlastOptions& options,
-                                          const std::vector<Hole>& crushed_zones) {
-  std::vector<ChargeEnergy> energies;
+std::vector<HoleCharge> hole_charges(const BlastOptions& options,
+                                     const std::vector<Hole>& crushed_zones) {
+  std::vector<HoleCharge> charges;
   for (std::size_t k = 0; k < crushed_zones.size(); ++k) {
     const LoadedHole hole = loaded_hole(options, crushed_zones[k], k);
     const double mass = hole.explosive.density * hole.shape.charge_volume();
-    energies.push_back({mass, hole.energy_known ? mass * hole.explosive.energy : 0.0});
+    const double r0 = hole.shape.hole_radius, r1 = crushed_zones[k].radius;
+    charges.push_back({mass, hole.energy_known ? mass * hole.explosive.energy : 0.0,
+                       M_PI * (r1 * r1 - r0 * r0) * hole.shape.chamber_length});
   }
-  return energies;
+  return charges;
 }
 
 }  // namespace muckpile
