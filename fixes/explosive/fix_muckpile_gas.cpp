@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix muckpile/gas: words, messages, and totals of mass and work; the laws are in core/gas.
+// fix muckpile/gas: its words, and how gas follows its block from rank to rank and ends.
+// Scope: steps and outputs are in the files beside it; the laws are in core/gas.
 #include "fixes/explosive/fix_muckpile_gas.h"
 
-#include <comm.h>
 #include <fix_multisphere.h>
 #include <modify.h>
 #include <mpi.h>
@@ -14,7 +14,6 @@
 #include "fixes/engine/exchange.h"
 #include "fixes/engine/find_view.h"
 #include "fixes/engine/over_ranks.h"
-#include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
 #include "fixes/engine/style_name.h"
@@ -22,28 +21,6 @@
 
 namespace muckpile {
 namespace {
-
-enum Output {
-  kInJoints,
-  kTaken,
-  kVented,
-  kWork,
-  kGreatest,
-  kBlocks,
-  kSpent,
-  kEnergyTaken,
-  kHeat,
-  kEnergyHeld,
-  kEnergyVented,
-  kAirWork,
-  kBedHeat,
-  kOutputCount
-};
-
-constexpr int kCellWidth = 4;                  // mass, energy, volume, ways
-constexpr int kContentWidth = 2;               // mass, energy
-constexpr LAMMPS_NS::bigint kLookEvery = 100;  // steps between looks whether the gas is spent
-constexpr double kSpentShare = 0.2;  // spent: nowhere more than that share above the atmosphere
 
 const ArgTable& table() {
   static const ArgTable args =
@@ -106,7 +83,7 @@ FixMuckpileGas::FixMuckpileGas(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
   gas_ = make_gas(*lmp, args, *blast);
   bed_ = make_bed(*lmp, args);
   vector_flag = 1;
-  size_vector = kOutputCount;
+  size_vector = kOutputs;
   global_freq = 1;
   extvector = 0;
   nevery = 1;
@@ -241,235 +218,6 @@ std::unordered_map<int, GasContent> FixMuckpileGas::contents_here(const std::vec
     });
   });
   return all;
-}
-
-std::span<const double> FixMuckpileGas::pressure_in_joints() {
-  if (!active_) return {};
-  engine::BlockHalo& halo = joints_->halo();
-  gas_.measure(joints_->network(), fed_);
-  numbers_.resize(halo.size() * kCellWidth);
-  const std::span<GasCell> cells = gas_.cells();
-  for (std::size_t b = 0; b < halo.owned(); ++b) {
-    const GasCell& cell = cells[b];
-    const std::array<double, kCellWidth> row = {cell.content.mass, cell.content.energy, cell.volume,
-                                                cell.ways};
-    std::copy(row.begin(), row.end(), numbers_.data() + b * kCellWidth);
-  }
-  halo.forward(numbers_, kCellWidth);
-  for (std::size_t b = halo.owned(); b < halo.size(); ++b) {
-    const double* row = numbers_.data() + b * kCellWidth;
-    cells[b] = {{row[0], row[1]}, row[2], row[3]};
-  }
-  return gas_.press();
-}
-
-void FixMuckpileGas::end_of_step() {
-  if (spent_) return;
-  restored_pressure_ = 0.0;
-  read_chambers();
-  if (!active_) {  // the gas flows from the step after the first hole fires
-    active_ = std::any_of(fed_.begin(), fed_.end(), [](char fed) { return fed != 0; });
-    return;
-  }
-  book_work();
-  count_chamber_ways();
-  for (int k = 0; k < substeps_; ++k) {
-    if (k > 0) refresh();
-    flow(update->dt / substeps_);
-  }
-  gas_.cool(update->dt);
-  const JointGas::Opened opened = gas_.open_wide();
-  joints_->release_gas(opened.joints);
-  lost_ += opened.vented;
-  if (update->ntimestep % kLookEvery == 0) look_whether_spent();
-}
-
-void FixMuckpileGas::read_chambers() {
-  for (std::size_t hole = 0; hole < chambers_.size(); ++hole) {
-    GasChamber& chamber = chambers_[hole];
-    chamber = blast_->chamber(hole);
-    fed_[hole] = chamber.gas.pressure > 0.0 ? 1 : 0;
-    if (fed_[hole] == 0) continue;
-    kept_[hole] =
-        bed_.kept(beds_[hole], chamber.crushed_rock, chamber.enthalpy / gas_.heat_capacity());
-    chamber.enthalpy *= kept_[hole];
-    chamber.gas.density /= kept_[hole];
-  }
-}
-
-void FixMuckpileGas::book_work() {
-  const double work = joints_->gas_power() * update->dt;
-  work_ += work;
-  joints_->book_gas_work(work);
-}
-
-/// Sums the conductance of the ways out of each chamber over ranks, in the pose that measure() saw.
-void FixMuckpileGas::count_chamber_ways() {
-  if (std::none_of(fed_.begin(), fed_.end(), [](char hole) { return hole != 0; })) return;
-  ways_.assign(chambers_.size(), 0.0);
-  std::ranges::copy(gas_.chamber_ways(), ways_.begin());
-  engine::sum_over_ranks_in_place(ways_, world);
-  for (std::size_t hole = 0; hole < ways_.size(); ++hole) chambers_[hole].ways = ways_[hole];
-}
-
-/// Pressures of blocks and chambers after a substep of the flow, for the next one.
-void FixMuckpileGas::refresh() {
-  const std::vector<GasChamber> before = chambers_;
-  read_chambers();
-  for (std::size_t hole = 0; hole < chambers_.size(); ++hole)
-    chambers_[hole].ways = before[hole].ways;
-  engine::BlockHalo& halo = joints_->halo();
-  contents_.resize(halo.size() * kContentWidth);
-  const std::span<GasCell> cells = gas_.cells();
-  for (std::size_t b = 0; b < halo.owned(); ++b) {
-    contents_[b * kContentWidth] = cells[b].content.mass;
-    contents_[b * kContentWidth + 1] = cells[b].content.energy;
-  }
-  halo.forward(contents_, kContentWidth);
-  for (std::size_t b = halo.owned(); b < halo.size(); ++b)
-    cells[b].content = {contents_[b * kContentWidth], contents_[b * kContentWidth + 1]};
-  gas_.refresh();
-}
-
-void FixMuckpileGas::flow(double dt) {
-  JointGas::Flows flows = gas_.flow(chambers_, dt);
-  flows.vented += lost_;
-  lost_ = {};
-  flows.from_hole.push_back(flows.vented);
-  sums_ = flows.out_of_hole;
-  for (const GasFlow& flow : flows.from_hole) sums_.insert(sums_.end(), {flow.mass, flow.energy});
-  engine::sum_over_ranks_in_place(sums_, world);
-  const double* sum = sums_.data() + flows.out_of_hole.size();
-  for (GasFlow& flow : flows.from_hole) {
-    flow = {sum[0], sum[1]};
-    sum += 2;
-  }
-  vented_ += flows.from_hole.back();
-  flows.from_hole.pop_back();
-  heat_beds(flows.from_hole, sums_.data(), dt);
-  for (const GasFlow& flow : flows.from_hole) taken_ += flow;
-  blast_->take_gas(flows.from_hole);
-}
-
-/// What left the holes, `out` [kg], brought its joints the enthalpy behind the crushed rock; the
-/// holes lose what it had before.
-void FixMuckpileGas::heat_beds(std::vector<GasFlow>& from_hole, const double* out, double dt) {
-  for (std::size_t hole = 0; hole < from_hole.size(); ++hole) {
-    const double heat = out[hole] * chambers_[hole].enthalpy * (1.0 / kept_[hole] - 1.0);
-    from_hole[hole].energy += heat;
-    beds_[hole].heat += heat;
-    beds_[hole].flow = out[hole] * gas_.heat_capacity() / dt;
-  }
-}
-
-double FixMuckpileGas::heat_of_beds() const {
-  double heat = 0.0;
-  for (const CrushedBed::State& bed : beds_) heat += bed.heat;
-  return heat;
-}
-
-void FixMuckpileGas::look_whether_spent() {
-  const bool fed = std::any_of(fed_.begin(), fed_.end(), [](char hole) { return hole != 0; });
-  const double greatest = greatest_in_joints();
-  if (fed || !blast_->over() || greatest > (1.0 + kSpentShare) * ambient_) return;
-  end_of_gas("is spent");
-}
-
-void FixMuckpileGas::write_restart(FILE* file) {
-  const JointGasState state{active_,
-                            spent_,
-                            fed_,
-                            beds_,
-                            taken_,
-                            vented_,
-                            over_ranks(lost_),
-                            over_ranks(work_),
-                            spent_by_all(),
-                            softened_,
-                            greatest_pressure()};
-  ByteWriter mine;
-  for (std::size_t b = 0; b < tags_.size(); ++b)
-    mine.put(BlockGas{tags_[b], gas_.cells()[b].content});
-  // Between read_restart and the first run every rank has the gas of all blocks.
-  for (const auto& [tag, content] : restored_) {
-    if (comm->me == 0) mine.put(BlockGas{tag, content});
-  }
-  engine::write_state<BlockGas>(*lmp, style, file, state, std::move(mine));
-}
-
-/// The contents of all blocks, until follow_blocks() picks those of this rank.
-void FixMuckpileGas::restart(char* bytes) {
-  JointGasState state;
-  engine::read_state<BlockGas>(*lmp, style, bytes, state,
-                               [this](const BlockGas& gas) { restored_[gas.tag] = gas.content; });
-  active_ = state.active;
-  spent_ = state.spent;
-  fed_ = std::move(state.fed);
-  beds_ = std::move(state.beds);
-  taken_ = state.taken;
-  vented_ = state.vented;
-  const auto mine = [this](double total) { return engine::share_of_total(*lmp, total); };
-  lost_ = {mine(state.lost.mass), mine(state.lost.energy)};
-  gas_.resume({mine(state.spent_energy.work), mine(state.spent_energy.swept_volume),
-               mine(state.spent_energy.heat)});
-  work_ = mine(state.work);
-  softened_ = state.softened;
-  restored_pressure_ = state.greatest_pressure;
-}
-
-double FixMuckpileGas::over_ranks(double mine, bool greatest) const {
-  return greatest ? engine::greatest_over_ranks(mine, world) : engine::sum_over_ranks(mine, world);
-}
-
-GasFlow FixMuckpileGas::over_ranks(const GasFlow& mine) const {
-  return {over_ranks(mine.mass), over_ranks(mine.energy)};
-}
-
-GasSpent FixMuckpileGas::spent_by_all() const {
-  const GasSpent& mine = gas_.spent();
-  return {over_ranks(mine.work), over_ranks(mine.swept_volume), over_ranks(mine.heat)};
-}
-
-JointGasEnergies::Sums FixMuckpileGas::gas_energies() const {
-  const GasSpent spent = spent_by_all();
-  return {.work = over_ranks(work_),
-          .air_work = ambient_ * spent.swept_volume,
-          .heat = spent.heat + heat_of_beds(),
-          .held = over_ranks(gas_.held().energy),
-          .vented = vented_.energy + over_ranks(lost_.energy)};
-}
-
-double FixMuckpileGas::compute_vector(int n) {
-  switch (n) {
-    case kInJoints:
-      return over_ranks(gas_.held().mass);
-    case kTaken:
-      return taken_.mass;
-    case kVented:
-      return vented_.mass + over_ranks(lost_.mass);
-    case kEnergyTaken:
-      return taken_.energy;
-    case kHeat:
-      return over_ranks(gas_.spent().heat) + heat_of_beds();
-    case kBedHeat:
-      return heat_of_beds();
-    case kEnergyHeld:
-      return over_ranks(gas_.held().energy);
-    case kEnergyVented:
-      return vented_.energy + over_ranks(lost_.energy);
-    case kAirWork:
-      return ambient_ * over_ranks(gas_.spent().swept_volume);
-    case kWork:
-      return over_ranks(work_);
-    case kGreatest:
-      return greatest_in_joints();
-    case kBlocks:
-      return over_ranks(gas_.blocks_with_gas());
-    case kSpent:
-      return spent_ ? 1.0 : 0.0;
-    default:
-      return 0.0;
-  }
 }
 
 }  // namespace muckpile

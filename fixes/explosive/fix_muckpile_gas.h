@@ -76,6 +76,8 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure, public Joint
   [[nodiscard]] Sums gas_energies() const override;
 
  private:
+  static const int kOutputs;  // entries of the vector
+
   void follow_blocks();
   [[nodiscard]] std::unordered_map<int, GasContent> contents_here(const std::vector<int>& tags);
   void read_chambers();
