@@ -27,8 +27,7 @@ std::string number_or_blank(const std::optional<double>& number) {
 
 void print(const ComparedQuantity& row) {
   std::printf("%-34s %14s %14s", row.name.c_str(), row.a.c_str(), row.b.c_str());
-  if (row.difference)
-    std::printf("  difference %.4g, allowed %.4g", *row.difference, *row.allowed);
+  if (row.difference) std::printf("  difference %.4g, allowed %.4g", *row.difference, *row.allowed);
   if (!row.place.empty()) std::printf(", at %s", row.place.c_str());
   std::printf("%s\n", row.same ? "" : "  DIFFERS");
 }
@@ -38,8 +37,8 @@ void write_csv(const std::string& path, const std::vector<ComparedQuantity>& row
   out << "quantity,a,b,difference,allowed,place,same\n";
   for (const ComparedQuantity& row : rows) {
     std::string line = row.name;
-    for (std::string field : {row.a, row.b, number_or_blank(row.difference),
-                              number_or_blank(row.allowed), row.place}) {
+    for (std::string field :
+         {row.a, row.b, number_or_blank(row.difference), number_or_blank(row.allowed), row.place}) {
       std::ranges::replace(field, ',', ';');  // our tables have no quotes
       line += "," + field;
     }

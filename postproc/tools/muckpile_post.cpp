@@ -66,8 +66,9 @@ void add_sizes(CLI::App* command, FragmentOptions& options) {
                    "of Lilly's index: 10 powdery, 50 massive, more where joints decide")
       ->check(CLI::PositiveNumber);
   command
-      ->add_option("--rws", options.weight_strength,
-                   "weight strength of the explosive for Kuz-Ram, ANFO 100 (default: by its energy)")
+      ->add_option(
+          "--rws", options.weight_strength,
+          "weight strength of the explosive for Kuz-Ram, ANFO 100 (default: by its energy)")
       ->check(CLI::PositiveNumber);
   command
       ->add_option("--drilling-deviation", options.drilling_deviation,
@@ -87,10 +88,10 @@ struct Options {
 };
 
 void add_movement_command(CLI::App& app, Options& o) {
-  CLI::App* movement = add_command(
-      app, "movement",
-      "bench: movement.csv, movement.png; where its parts went, by level and distance from the face",
-      o.folder);
+  CLI::App* movement = add_command(app, "movement",
+                                   "bench: movement.csv, movement.png; where its parts went, by "
+                                   "level and distance from the face",
+                                   o.folder);
   add_measure(movement, o.measure);
   movement->add_option("--levels", o.movement.levels, "bands of height")->check(CLI::Range(1, 8));
   movement->add_option("--distances", o.movement.distances, "bands of distance from the face")

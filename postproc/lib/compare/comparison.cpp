@@ -44,8 +44,8 @@ bool counts(const std::string& name, const CompareOptions& options) {
   return !names(keys_of_the_computation(), name) || tolerance_of(name, options).has_value();
 }
 
-ComparedQuantity compare_values(const std::string& name, const check::Json& a,
-                                const check::Json& b, const Tolerance& tolerance) {
+ComparedQuantity compare_values(const std::string& name, const check::Json& a, const check::Json& b,
+                                const Tolerance& tolerance) {
   ComparedQuantity compared{name, shown(a), shown(b), {}, {}, {}, a == b};
   if (!a.is_number() || !b.is_number()) return compared;
   const double reference = a.get<double>();
@@ -59,8 +59,8 @@ ComparedQuantity compare_columns(const std::string& name, const std::string& ove
                                  const std::vector<Vec2>& a, const std::vector<Vec2>& b,
                                  const Tolerance& tolerance) {
   if (a.empty() || b.empty()) {
-    return {name, a.empty() ? "empty" : "filled", b.empty() ? "empty" : "filled", {}, {}, {},
-            a.empty() == b.empty()};
+    return {name, a.empty() ? "empty" : "filled", b.empty() ? "empty" : "filled", {}, {},
+            {},   a.empty() == b.empty()};
   }
   double largest = 0.0;
   for (const Vec2& point : a) largest = std::max(largest, std::abs(point.y()));
@@ -89,8 +89,13 @@ template <class Map>
 std::optional<ComparedQuantity> lacking(const Map& a, const Map& b, const std::string& word,
                                         const std::string& name) {
   if (a.contains(word) && b.contains(word)) return std::nullopt;
-  return ComparedQuantity{name, a.contains(word) ? "there" : kMissing,
-                          b.contains(word) ? "there" : kMissing, {}, {}, {}, false};
+  return ComparedQuantity{name,
+                          a.contains(word) ? "there" : kMissing,
+                          b.contains(word) ? "there" : kMissing,
+                          {},
+                          {},
+                          {},
+                          false};
 }
 
 void compare_tables(const std::string& table, const TableCurves& a, const TableCurves& b,
@@ -120,8 +125,9 @@ void refuse_unknown_names(const RunFigures& a, const RunFigures& b, const Compar
   for (const auto& [name, tolerance] : options.named) given.push_back(name);
   for (const std::string& name : given) {
     if (!known.contains(name))
-      refuse("compare", "neither run has '" + name + "'" +
-                            did_you_mean(name, std::vector<std::string>(known.begin(), known.end())));
+      refuse("compare",
+             "neither run has '" + name + "'" +
+                 did_you_mean(name, std::vector<std::string>(known.begin(), known.end())));
   }
 }
 

@@ -22,14 +22,14 @@ struct Tolerance {
 
 struct CompareOptions {
   Tolerance general;
-  std::map<std::string, Tolerance> named;         // KEY, TABLE or TABLE:COLUMN
+  std::map<std::string, Tolerance> named;          // KEY, TABLE or TABLE:COLUMN
   std::map<std::string, Tolerance> of_the_case{};  // as `named`, but a name may be in neither run
-  std::vector<std::string> ignored;               // as the names of `named`
+  std::vector<std::string> ignored;                // as the names of `named`
 };
 
 struct ComparedQuantity {
-  std::string name;  // KEY or TABLE:COLUMN
-  std::string a, b;  // as text; "missing" where a run does not have it
+  std::string name;                           // KEY or TABLE:COLUMN
+  std::string a, b;                           // as text; "missing" where a run does not have it
   std::optional<double> difference, allowed;  // of numbers
   std::string place;                          // "x_m = 3.5": where a table's column differs most
   bool same;

@@ -30,7 +30,8 @@ RunFigures read_run_figures(const std::filesystem::path& path) {
   RunFigures run{path.string(), {}, {}};
   add_values(summary, "", run);
   if (!is_folder) return run;
-  for (const char* table : {"profile.csv", "crater.csv", "heap.csv", "fragments.csv", "sieve.csv"}) {
+  for (const char* table :
+       {"profile.csv", "crater.csv", "heap.csv", "fragments.csv", "sieve.csv"}) {
     if (std::filesystem::exists(path / table)) run.tables[table] = read_curves(path / table);
   }
   return run;

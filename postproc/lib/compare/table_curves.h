@@ -13,7 +13,7 @@
 namespace muckpile {
 
 struct TableCurves {
-  std::string over;                                      // name of the first column
+  std::string over;                                    // name of the first column
   std::map<std::string, std::vector<Vec2>> of_column;  // points by name; empty fields left out
 };
 

@@ -21,7 +21,8 @@ KuzRamCurve kuz_ram(const KuzRamBlast& b) {
                                                      {"weight strength", b.weight_strength},
                                                      {"rock factor", b.rock_factor}};
   for (const auto& [name, value] : positive) {
-    if (!(value > 0.0)) refuse("Kuz-Ram", std::string(name) + " must be > 0, got " + check::text_of(value));
+    if (!(value > 0.0))
+      refuse("Kuz-Ram", std::string(name) + " must be > 0, got " + check::text_of(value));
   }
   const double powder_factor = b.charge_mass / (b.burden * b.spacing * b.bench_height);  // [kg/m3]
   const double centimetres = b.rock_factor * std::pow(powder_factor, -0.8) *
@@ -32,8 +33,9 @@ KuzRamCurve kuz_ram(const KuzRamBlast& b) {
                    std::sqrt(0.5 * (1.0 + b.spacing / b.burden)) *
                    (1.0 - b.drilling_deviation / b.burden) * b.charge_above_floor / b.bench_height;
   if (!(n > 0.0))
-    refuse("Kuz-Ram", "the exponent must be > 0, got " + check::text_of(n) +
-                          ": the burden is too wide for the hole, or the holes deviate by more than it");
+    refuse("Kuz-Ram",
+           "the exponent must be > 0, got " + check::text_of(n) +
+               ": the burden is too wide for the hole, or the holes deviate by more than it");
   return {0.01 * centimetres, n};
 }
 

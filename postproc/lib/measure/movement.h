@@ -20,11 +20,11 @@ struct PartMovement {
   double level_low, level_high;  // [m]
   double near, far;              // behind the face [m]
   int blocks = 0;
-  double mass = 0.0;                // [kg]
-  double moved = 0.0;               // share of it that was broken out
-  Vec3 start = Vec3::Zero();        // centre of mass [m]
-  Vec3 end = Vec3::Zero();          // [m]
-  double spread = 0.0;              // root mean square of displacements about their mean [m]
+  double mass = 0.0;          // [kg]
+  double moved = 0.0;         // share of it that was broken out
+  Vec3 start = Vec3::Zero();  // centre of mass [m]
+  Vec3 end = Vec3::Zero();    // [m]
+  double spread = 0.0;        // root mean square of displacements about their mean [m]
   [[nodiscard]] Vec3 displacement() const { return end - start; }
 };
 

@@ -20,8 +20,8 @@ double sieve_size(const StartBlock& block);
 // Evenly over half of the sphere, as starts for a piece of many blocks.
 std::vector<Vec3> spread_directions(int count);
 
-// The points that lie farthest along so many spread directions: enough for widths of a piece of many
-// blocks.
+// The points that lie farthest along so many spread directions: enough for widths of a piece of
+// many blocks.
 std::vector<Vec3> outermost(const std::vector<Vec3>& points, int directions);
 
 }  // namespace muckpile

@@ -74,25 +74,24 @@ std::string in_words(const std::string& key, const check::Json& value) {
 }
 
 const std::vector<NamedKey>& key_figures() {
-  static const std::vector<NamedKey> figures{
-      {"throw_cg_m", "Throw of the mass centre"},
-      {"pile_height_m", "Height of the pile"},
-      {"pile_toe_m", "Toe, from the face"},
-      {"swell_factor", "Swell"},
-      {"repose_angle_deg", "Angle of repose"},
-      {"beyond_toe_fraction", "Beyond the old toe"},
-      {"face_velocity_m_s", "Face velocity"},
-      {"crater_radius_m", "Radius of the crater"},
-      {"crater_depth_m", "Depth of the crater"},
-      {"crater_volume_m3", "Volume of the crater"},
-      {"ejecta_mass_kg", "Mass of the ejecta"},
-      {"ejecta_p90_m", "90 % of the ejecta within"},
-      {"sieve_p50_m", "Sieve P50"},
-      {"sieve_p80_m", "Sieve P80"},
-      {"pile_mass_kg", "Rock in the pile"},
-      {"joints_broken_fraction", "Joints broken"},
-      {"explosive_energy_J", "Energy of the explosive"},
-      {"gas_work_J", "Work of the gas"}};
+  static const std::vector<NamedKey> figures{{"throw_cg_m", "Throw of the mass centre"},
+                                             {"pile_height_m", "Height of the pile"},
+                                             {"pile_toe_m", "Toe, from the face"},
+                                             {"swell_factor", "Swell"},
+                                             {"repose_angle_deg", "Angle of repose"},
+                                             {"beyond_toe_fraction", "Beyond the old toe"},
+                                             {"face_velocity_m_s", "Face velocity"},
+                                             {"crater_radius_m", "Radius of the crater"},
+                                             {"crater_depth_m", "Depth of the crater"},
+                                             {"crater_volume_m3", "Volume of the crater"},
+                                             {"ejecta_mass_kg", "Mass of the ejecta"},
+                                             {"ejecta_p90_m", "90 % of the ejecta within"},
+                                             {"sieve_p50_m", "Sieve P50"},
+                                             {"sieve_p80_m", "Sieve P80"},
+                                             {"pile_mass_kg", "Rock in the pile"},
+                                             {"joints_broken_fraction", "Joints broken"},
+                                             {"explosive_energy_J", "Energy of the explosive"},
+                                             {"gas_work_J", "Work of the gas"}};
   return figures;
 }
 

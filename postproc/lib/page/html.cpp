@@ -67,10 +67,11 @@ std::string png_as_data_uri(const std::filesystem::path& path) {
       bytes.compare(bytes.size() - 8, 4, "IEND") != 0)
     refuse(path.string(), "is no whole PNG file");
   std::vector<unsigned char> coded(2 * bytes.size() + 4);
-  const auto length = vtkBase64Utilities::Encode(
-      reinterpret_cast<const unsigned char*>(bytes.data()),
-      static_cast<unsigned long>(bytes.size()), coded.data());
-  return "data:image/png;base64," + std::string(coded.begin(), coded.begin() + static_cast<long>(length));
+  const auto length =
+      vtkBase64Utilities::Encode(reinterpret_cast<const unsigned char*>(bytes.data()),
+                                 static_cast<unsigned long>(bytes.size()), coded.data());
+  return "data:image/png;base64," +
+         std::string(coded.begin(), coded.begin() + static_cast<long>(length));
 }
 
 }  // namespace muckpile

@@ -3,6 +3,7 @@
 // Scope: see the header.
 #include "page/run_page.h"
 
+#include <cmath>
 #include <set>
 
 #include "args/input_error.h"
@@ -61,7 +62,9 @@ std::string title_of(const Content& run) {
 }
 
 void add_warnings(Html& page, const Content& run) {
-  const auto warn = [&](const std::string& text) { page.element("p", text, {{"class", "warning"}}); };
+  const auto warn = [&](const std::string& text) {
+    page.element("p", text, {{"class", "warning"}});
+  };
   for (const char* key : {"still_note", "fragments_note"}) {
     if (const Json* note = find(run, key)) warn(in_words(key, *note));
   }
@@ -70,7 +73,8 @@ void add_warnings(Html& page, const Content& run) {
   }
   const Json* inside = find(run, "blocks_in_solid");
   if (inside != nullptr && *inside != 0)
-    warn(in_words("blocks_in_solid", *inside) + " blocks ended inside the floor or the solid rock.");
+    warn(in_words("blocks_in_solid", *inside) +
+         " blocks ended inside the floor or the solid rock.");
 }
 
 void add_key_figures(Html& page, const Content& run) {
@@ -115,7 +119,8 @@ void add_table(Html& page, const Content& run, const std::vector<NamedKey>& rows
 void add_pile(Html& page, const Content& run) {
   add_picture(page, run, "profile.png", "Section",
               "Section through a hole, with equal scales; table in profile.csv.");
-  add_picture(page, run, "crater.png", "Section", "Section through the charge; table in crater.csv.");
+  add_picture(page, run, "crater.png", "Section",
+              "Section through the charge; table in crater.csv.");
   add_picture(page, run, "heap.png", "Section", "Section of the heap; table in heap.csv.");
   add_picture(page, run, "pile3d.png", "View",
               "The rock as it lies; the blue edges are the rock before the blast.");
@@ -173,11 +178,13 @@ void add_energy(Html& page, const Content& run) {
     const auto head = page.open("tr");
     for (const char* name : {"Energy of the explosive", "", "Share"}) page.element("th", name);
   }
+  constexpr double kRoundOff = 1e-9;  // of the explosive's energy
   for (const AuditTerm& term : audit) {
+    const double kept = std::abs(term.share) < kRoundOff ? 0.0 : 1.0;
     const auto row = page.open("tr");
     page.element("td", term.label);
-    page.element("td", in_words("_J", term.energy), {{"class", "number"}});
-    page.element("td", in_words("_share", term.share), {{"class", "number"}});
+    page.element("td", in_words("_J", kept * term.energy), {{"class", "number"}});
+    page.element("td", in_words("_share", kept * term.share), {{"class", "number"}});
   }
 }
 
@@ -214,12 +221,13 @@ void add_limits(Html& page, const Content& run) {
     page.element("li", "Largest throw: " + in_words("", *note));
   if (find(run, "face_velocity_m_s") != nullptr)
     page.element("li", "The face velocity is a lower bound: snapshots miss the peak.");
-  page.element("li", "Block sizes are an input: nothing finer than a block is simulated, and only joints "
-                     "that held make larger pieces.");
+  page.element("li",
+               "Block sizes are an input: nothing finer than a block is simulated, and only joints "
+               "that held make larger pieces.");
   page.element("li", "One run of one seed: another seed gives another pile.");
   if (const Json* error = find(run, "energy_balance_error_worst"))
-    page.element("li", "Energy that the books miss: at most " +
-                           in_words("_fraction", *error) + " at any time.");
+    page.element("li", "Energy that the books miss: at most " + in_words("_fraction", *error) +
+                           " at any time.");
 }
 
 void add_provenance(Html& page, const Content& run) {
@@ -274,8 +282,9 @@ void add_head(Html& page, const Content& run) {
   page.single("meta", {{"charset", "utf-8"}});
   page.single("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
   // Nothing is fetched, whatever a text of the run holds.
-  page.single("meta", {{"http-equiv", "Content-Security-Policy"},
-                       {"content", "default-src 'none'; img-src data:; style-src 'unsafe-inline'"}});
+  page.single("meta",
+              {{"http-equiv", "Content-Security-Policy"},
+               {"content", "default-src 'none'; img-src data:; style-src 'unsafe-inline'"}});
   page.element("title", title_of(run));
   page.raw(std::string("<style>") + kPageStyle + "</style>\n");
 }
@@ -307,7 +316,8 @@ Json summary_of(const ResultFolder& folder) {
   const auto id = summary.find("run_id");
   const std::string found = id != summary.end() && id->is_string() ? id->get<std::string>() : "";
   if (found != folder.run_id())
-    refuse(path.string(), "is of another run than dump/: measure the run anew, with muckpile-post all");
+    refuse(path.string(),
+           "is of another run than dump/: measure the run anew, with muckpile-post all");
   return summary;
 }
 

@@ -9,7 +9,8 @@
 
 namespace muckpile {
 
-// Throws InputError where summary.json is absent, of another run or no summary, or a picture is cut.
+// Throws InputError where summary.json is absent, of another run or no summary, or a picture is
+// cut.
 std::string page_of(const ResultFolder& folder);
 
 }  // namespace muckpile

@@ -44,8 +44,9 @@ std::string speed_chart(const std::filesystem::path& history) {
   if (points.size() < 2 || !(points.back().x() > 0.0) || !(fastest > 0.0)) return {};
   const AxisRange x{0.0, points.back().x()}, y{0.0, 1.08 * fastest};
   const Axes axes({kLeft, kTop}, {kWidth - kRight, kHeight - kBelow}, x, y);
-  std::string svg = "<svg class=\"chart\" viewBox=\"0 0 720 260\" role=\"img\" "
-                    "aria-label=\"speed of the fastest block over time\">\n";
+  std::string svg =
+      "<svg class=\"chart\" viewBox=\"0 0 720 260\" role=\"img\" "
+      "aria-label=\"speed of the fastest block over time\">\n";
   for (const double tick : straight_ticks(y, 5)) {
     svg += grid_line(axes.place(x.low, tick), axes.place(x.high, tick));
     svg += label(axes.place(x.low, tick) + Vec2(-6.0, 5.0), "end", spelled(tick));

@@ -36,7 +36,9 @@ const std::map<std::string, MakeReport>& makers() {
 
 std::vector<std::string> reports_of(const ResultFolder& folder) {
   static const std::map<std::string, std::vector<std::string>> measures{
-      {"bench", {"profile", "movement", "fragments"}}, {"crater", {"crater", "fragments"}}, {"heap", {"heap"}},
+      {"bench", {"profile", "movement", "fragments"}},
+      {"crater", {"crater", "fragments"}},
+      {"heap", {"heap"}},
       {"other", {"fragments"}}};
   const std::string scene = folder.scene_word("case");
   const auto found = measures.find(scene);

@@ -102,7 +102,7 @@ std::vector<KeyLine> draw_lines(const FragmentCurves& c, const Axes& axes, const
     }
     key.push_back(line);
   };
-  draw(steps(c.block_sieve, x), {"blocks, if every joint broke", kGrey, 2.0, false});
+  draw(steps(c.block_sieve, x), {"blocks by sieve, if every joint broke", kGrey, 2.0, false});
   draw(steps(c.by_volume, x), {"fragments by volume^(1/3)", colour_of_curve(5), 2.0, false});
   draw(steps(c.sieve, x), {"fragments by sieve", kBench, 3.5, false});
   if (c.rosin_rammler)

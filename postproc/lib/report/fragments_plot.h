@@ -15,10 +15,10 @@
 namespace muckpile {
 
 struct FragmentCurves {
-  std::vector<SizePoint> sieve;         // of the pile by sieve size
-  std::vector<SizePoint> by_volume;     // by V^(1/3)
-  std::vector<SizePoint> block_sieve;   // by sieve size, if every joint had broken
-  std::vector<SizePoint> block_volume;  // by V^(1/3), likewise
+  std::vector<SizePoint> sieve;                   // of the pile by sieve size
+  std::vector<SizePoint> by_volume;               // by V^(1/3)
+  std::vector<SizePoint> block_sieve;             // by sieve size, if every joint had broken
+  std::vector<SizePoint> block_volume;            // by V^(1/3), likewise
   std::optional<SizeFit> rosin_rammler, swebrec;  // of `sieve`
   std::optional<KuzRamCurve> kuz_ram;
 };

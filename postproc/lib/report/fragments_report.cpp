@@ -73,8 +73,13 @@ FragmentCurves curves_of(const RunData& run, const std::vector<SizedFragment>& f
     block_sieve.push_back({sizes[b], run.blocks[b].mass});
     block_volume.push_back({run.blocks[b].size, run.blocks[b].mass});
   }
-  FragmentCurves curves{passing_curve(sieve), passing_curve(volume), passing_curve(block_sieve),
-                        passing_curve(block_volume), {}, {}, {}};
+  FragmentCurves curves{passing_curve(sieve),
+                        passing_curve(volume),
+                        passing_curve(block_sieve),
+                        passing_curve(block_volume),
+                        {},
+                        {},
+                        {}};
   curves.rosin_rammler = fit_rosin_rammler(curves.sieve);
   curves.swebrec = fit_swebrec(curves.sieve);
   return curves;

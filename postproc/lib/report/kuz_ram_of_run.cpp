@@ -87,8 +87,9 @@ KuzRamBlast blast_of(SceneNumbers& scene, const ResultFolder& folder,
 }
 
 std::string source_of_rock_factor(const FragmentOptions& options) {
-  return options.rock_factor ? "as given"
-                             : "Lilly's index with a mass rating of " + spelled(options.mass_rating);
+  return options.rock_factor
+             ? "as given"
+             : "Lilly's index with a mass rating of " + spelled(options.mass_rating);
 }
 
 }  // namespace
@@ -98,14 +99,15 @@ KuzRamOfRun kuz_ram_of(const ResultFolder& folder, const FragmentOptions& option
   SceneNumbers scene(folder);
   const KuzRamBlast blast = blast_of(scene, folder, options);
   if (!scene.missing().empty())
-    return {{}, "no Kuz-Ram: " + folder.dump("scene.json").filename().string() + " has no " +
-                    scene.missing()};
+    return {{},
+            "no Kuz-Ram: " + folder.dump("scene.json").filename().string() + " has no " +
+                scene.missing()};
   try {
-    return {kuz_ram(blast), "formula, no result of the simulation: Kuznetsov and Cunningham 1987, "
-                            "rock factor " +
-                                spelled(blast.rock_factor) + " (" + source_of_rock_factor(options) +
-                                "), weight strength " + spelled(blast.weight_strength) +
-                                " (ANFO 100)"};
+    return {kuz_ram(blast),
+            "formula, no result of the simulation: Kuznetsov and Cunningham 1987, "
+            "rock factor " +
+                spelled(blast.rock_factor) + " (" + source_of_rock_factor(options) +
+                "), weight strength " + spelled(blast.weight_strength) + " (ANFO 100)"};
   } catch (const InputError& error) {
     return {{}, error.what()};
   }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Sub-command movement: where the parts of a bench went, by level and by distance from the face.
 // Scope: benches that profile measures; parts reach from the face to the last row of holes.
-#include "measure/movement.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -11,6 +9,7 @@
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
 #include "measure/columns.h"
+#include "measure/movement.h"
 #include "report/bench_scene.h"
 #include "report/not_measurable.h"
 #include "report/reports.h"
@@ -20,15 +19,16 @@ namespace muckpile {
 namespace {
 
 void write_table(const std::filesystem::path& path, const std::vector<PartMovement>& parts) {
-  CsvWriter csv(path,
-                "level_low_m,level_high_m,from_face_m,to_face_m,blocks,mass_kg,broken_out_fraction,"
-                "start_x_m,start_y_m,start_z_m,end_x_m,end_y_m,end_z_m,moved_x_m,moved_y_m,moved_z_m,"
-                "moved_m,spread_m");
+  CsvWriter csv(
+      path,
+      "level_low_m,level_high_m,from_face_m,to_face_m,blocks,mass_kg,broken_out_fraction,"
+      "start_x_m,start_y_m,start_z_m,end_x_m,end_y_m,end_z_m,moved_x_m,moved_y_m,moved_z_m,"
+      "moved_m,spread_m");
   for (const PartMovement& p : parts) {
     const Vec3 moved = p.displacement();
-    csv.row({p.level_low, p.level_high, p.near, p.far, static_cast<double>(p.blocks), p.mass, p.moved,
-             p.start.x(), p.start.y(), p.start.z(), p.end.x(), p.end.y(), p.end.z(), moved.x(),
-             moved.y(), moved.z(), moved.norm(), p.spread});
+    csv.row({p.level_low, p.level_high, p.near, p.far, static_cast<double>(p.blocks), p.mass,
+             p.moved, p.start.x(), p.start.y(), p.start.z(), p.end.x(), p.end.y(), p.end.z(),
+             moved.x(), moved.y(), moved.z(), moved.norm(), p.spread});
   }
 }
 
@@ -71,6 +71,11 @@ SectionPlot section_of(const RunData& run, const BenchScene& bench, const BenchP
   plot.x_label = "distance from the free face, along the throw [m]";
   plot.x = {before.low.x() - 1.0, 1.2 * farthest + 1.0};
   plot.z = {before.low.z() - 0.5, 1.12 * bench.height};
+  plot.lines.push_back({{{before.low.x(), bench.height}, {0.0, bench.height}, {0.0, 0.0}},
+                        kInk,
+                        2.0,
+                        true,
+                        "bench before"});
   const double head = 0.012 * (plot.x.high - plot.x.low);
   int named = -1;
   for (const PartMovement& part : movement) {
@@ -108,7 +113,8 @@ void report_movement(const ResultFolder& folder, const MeasureOptions& measure,
   const BenchScene bench = bench_or_take_back(folder, run);
   const BenchParts parts{bench.height, bench.depth, options.levels, options.distances};
   const std::vector<PartMovement> movement = movement_of(run.blocks, run.last, run.moved, parts);
-  if (movement.empty()) refuse("movement", "no block started between the face and the last row of holes");
+  if (movement.empty())
+    refuse("movement", "no block started between the face and the last row of holes");
   write_table(folder.file("movement.csv"), movement);
   write_png(draw_section(section_of(run, bench, parts, movement)), folder.file("movement.png"));
   nlohmann::ordered_json keys = common_keys(folder);

@@ -26,13 +26,13 @@ void apply_deck(LoadedHole& hole, const BlastOptions& options, const Deck& deck)
 }
 
 BlastLoad blast_load(const BlastOptions& options, const LoadedHole& hole, const Hole& zone) {
-  BlastLoad::Parameters parameters{.wave_peak = wall_peak(options, hole, zone),
-                                   .pulse = options.pulse_shape,
-                                   .charge_volume = hole.shape.charge_volume(),
-                                   .products_mass =
-                                       hole.explosive.density * hole.shape.charge_volume(),
-                                   .vent_time = options.vent_time.value_or(0.0),
-                                   .vent_decay = options.vent_decay.value_or(1.0)};
+  BlastLoad::Parameters parameters{
+      .wave_peak = wall_peak(options, hole, zone),
+      .pulse = options.pulse_shape,
+      .charge_volume = hole.shape.charge_volume(),
+      .products_mass = hole.explosive.density * hole.shape.charge_volume(),
+      .vent_time = options.vent_time.value_or(0.0),
+      .vent_decay = options.vent_decay.value_or(1.0)};
   if (!options.gas) return BlastLoad(parameters);
   const ProductExpansion expansion = product_expansion(options.charge, hole.explosive);
   parameters.zone_volume = M_PI * zone.radius * zone.radius * hole.shape.chamber_length;

@@ -243,7 +243,7 @@ class JointGas {
   // Per block: broken area, room of its joints as they broke, mass flow times film and wall since
   // the last cool().
   std::vector<double> walls_, rooms_, films_;  // [m2], [m3], [J/K]
-  std::vector<double> stretch_, cooling_;         // V before over V now, and the gas by that [-]
+  std::vector<double> stretch_, cooling_;      // V before over V now, and the gas by that [-]
   GasSpent spent_;
   // Per block, as refresh() found them.
   std::vector<double> density_, pressure_, root_;

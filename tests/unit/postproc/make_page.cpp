@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// make_page FOLDER: a made-up bench in a new folder with its pictures and its page, for page_in_browser.sh.
-// Scope: tests only.
+// make_page FOLDER: a made-up bench in a new folder with its pictures and its page, for
+// page_in_browser.sh. Scope: tests only.
 #include <cstdio>
 #include <exception>
 
