@@ -96,6 +96,11 @@ void add_movement_command(CLI::App& app, Options& o) {
   movement->add_option("--levels", o.movement.levels, "bands of height")->check(CLI::Range(1, 8));
   movement->add_option("--distances", o.movement.distances, "bands of distance from the face")
       ->check(CLI::Range(1, 20));
+  movement
+      ->add_option("--polygons", o.movement.polygons,
+                   "polygons of ore to carry into the pile (CSV: polygon, x_m, y_m, z_low_m, "
+                   "z_high_m): polygons.csv, polygons_moved.csv, polygons.png")
+      ->check(CLI::ExistingFile);
   movement->callback([&o] { report_movement(ResultFolder(o.folder), o.measure, o.movement); });
 }
 

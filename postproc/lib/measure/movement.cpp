@@ -4,6 +4,7 @@
 #include "measure/movement.h"
 
 #include <cmath>
+#include <map>
 
 namespace muckpile {
 namespace {
@@ -40,34 +41,40 @@ std::vector<int> levels_of(const std::vector<StartBlock>& blocks, const BenchPar
   return levels;
 }
 
-std::vector<PartMovement> movement_of(const std::vector<StartBlock>& blocks, const Snapshot& last,
-                                      const std::vector<char>& moved, const BenchParts& parts) {
-  std::vector<PartMovement> all;
-  for (int k = 0; k < parts.levels * parts.distances; ++k) all.push_back(empty_part(k, parts));
-  const auto each = [&](auto&& visit) {
-    for (size_t b = 0; b < blocks.size(); ++b) {
-      const int number = part_of(blocks[b], parts);
-      if (number >= 0) visit(all[static_cast<size_t>(number)], b, blocks[b].mass);
-    }
-  };
-  each([&](PartMovement& part, size_t b, double mass) {
-    ++part.blocks;
-    part.mass += mass;
-    part.moved += moved[b] != 0 ? mass : 0.0;
-    part.start += mass * blocks[b].centroid;
-    part.end += mass * last.states[b].centre;
-  });
-  for (PartMovement& part : all) {
-    part.moved /= part.mass;
-    part.start /= part.mass;
-    part.end /= part.mass;
+RockMovement movement_of(const std::vector<size_t>& chosen, const std::vector<StartBlock>& blocks,
+                         const Snapshot& last, const std::vector<char>& moved) {
+  RockMovement rock;
+  for (const size_t b : chosen) {
+    const double mass = blocks[b].mass;
+    ++rock.blocks;
+    rock.mass += mass;
+    rock.moved += moved[b] != 0 ? mass : 0.0;
+    rock.start += mass * blocks[b].centroid;
+    rock.end += mass * last.states[b].centre;
   }
-  each([&](PartMovement& part, size_t b, double mass) {
+  rock.moved /= rock.mass;
+  rock.start /= rock.mass;
+  rock.end /= rock.mass;
+  for (const size_t b : chosen) {
     const Vec3 own = last.states[b].centre - blocks[b].centroid;
-    part.spread += mass / part.mass * (own - part.displacement()).squaredNorm();
-  });
-  for (PartMovement& part : all) part.spread = std::sqrt(part.spread);
-  std::erase_if(all, [](const PartMovement& part) { return part.blocks == 0; });
+    rock.spread += blocks[b].mass / rock.mass * (own - rock.displacement()).squaredNorm();
+  }
+  rock.spread = std::sqrt(rock.spread);
+  return rock;
+}
+
+std::vector<PartMovement> movement_of_parts(const std::vector<StartBlock>& blocks,
+                                            const Snapshot& last, const std::vector<char>& moved,
+                                            const BenchParts& parts) {
+  std::map<int, std::vector<size_t>> members;
+  for (size_t b = 0; b < blocks.size(); ++b) {
+    if (const int number = part_of(blocks[b], parts); number >= 0) members[number].push_back(b);
+  }
+  std::vector<PartMovement> all;
+  for (const auto& [number, chosen] : members) {
+    all.push_back(empty_part(number, parts));
+    all.back().rock = movement_of(chosen, blocks, last, moved);
+  }
   return all;
 }
 

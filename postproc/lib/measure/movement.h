@@ -15,10 +15,8 @@ struct BenchParts {
   int levels, distances;  // bands over each, equally thick
 };
 
-struct PartMovement {
-  int level, distance;           // from the floor up, from the face back; from 0
-  double level_low, level_high;  // [m]
-  double near, far;              // behind the face [m]
+// Of any set of blocks.
+struct RockMovement {
   int blocks = 0;
   double mass = 0.0;          // [kg]
   double moved = 0.0;         // share of it that was broken out
@@ -28,9 +26,21 @@ struct PartMovement {
   [[nodiscard]] Vec3 displacement() const { return end - start; }
 };
 
+// The blocks by index, one at least.
+RockMovement movement_of(const std::vector<size_t>& chosen, const std::vector<StartBlock>& blocks,
+                         const Snapshot& last, const std::vector<char>& moved);
+
+struct PartMovement {
+  int level, distance;           // from the floor up, from the face back; from 0
+  double level_low, level_high;  // [m]
+  double near, far;              // behind the face [m]
+  RockMovement rock;
+};
+
 // Parts in which blocks started, by their centroids; levels from below, within each from the face.
-std::vector<PartMovement> movement_of(const std::vector<StartBlock>& blocks, const Snapshot& last,
-                                      const std::vector<char>& moved, const BenchParts& parts);
+std::vector<PartMovement> movement_of_parts(const std::vector<StartBlock>& blocks,
+                                            const Snapshot& last, const std::vector<char>& moved,
+                                            const BenchParts& parts);
 
 // The level of each block; -1 for those outside of the parts.
 std::vector<int> levels_of(const std::vector<StartBlock>& blocks, const BenchParts& parts);

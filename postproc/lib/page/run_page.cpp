@@ -4,11 +4,10 @@
 #include "page/run_page.h"
 
 #include <cmath>
-#include <set>
 
-#include "args/input_error.h"
 #include "page/figures_table.h"
 #include "page/html.h"
+#include "page/page_parts.h"
 #include "page/page_style.h"
 #include "page/speed_chart.h"
 #include "report/energy_audit.h"
@@ -18,31 +17,7 @@ namespace {
 
 using check::Json;
 
-struct Content {
-  const ResultFolder& folder;
-  Json summary, scene;
-};
-
-// Every figure of the summary on the page carries its key and its exact value.
-void figure(Html& page, const std::string& tag, const std::string& key, const Json& value) {
-  page.element(tag, in_words(key, value),
-               {{"class", value.is_number() ? "number" : "text"},
-                {"data-key", key},
-                {"data-value", value.dump()}});
-}
-
-// Nothing where the summary has no such figure, or no value of it.
-const Json* find(const Content& run, const std::string& key) {
-  const auto found = run.summary.find(key);
-  return found == run.summary.end() || found->is_null() ? nullptr : &*found;
-}
-
-std::string scene_value(const Content& run, const std::string& key) {
-  const auto found = run.scene.find(key);
-  return found == run.scene.end() ? std::string() : in_words(key, *found);
-}
-
-std::string title_of(const Content& run) {
+std::string title_of(const PageContent& run) {
   const std::string scene = run.folder.scene_word("case");
   std::string title = scene == "bench"    ? "Bench blast"
                       : scene == "crater" ? "Crater blast"
@@ -61,7 +36,7 @@ std::string title_of(const Content& run) {
   return title;
 }
 
-void add_warnings(Html& page, const Content& run) {
+void add_warnings(Html& page, const PageContent& run) {
   const auto warn = [&](const std::string& text) {
     page.element("p", text, {{"class", "warning"}});
   };
@@ -77,46 +52,18 @@ void add_warnings(Html& page, const Content& run) {
          " blocks ended inside the floor or the solid rock.");
 }
 
-void add_key_figures(Html& page, const Content& run) {
+void add_key_figures(Html& page, const PageContent& run) {
   const auto list = page.open("dl", {{"class", "figures"}});
   for (const auto& [key, name] : key_figures()) {
     const Json* value = find(run, key);
     if (value == nullptr) continue;
     const auto box = page.open("div");
     page.element("dt", name);
-    figure(page, "dd", key, *value);
+    add_figure(page, "dd", key, *value);
   }
 }
 
-void add_picture(Html& page, const Content& run, const std::string& file,
-                 const std::string& heading, const std::string& caption) {
-  const auto path = run.folder.file(file);
-  if (!std::filesystem::exists(path)) return;
-  if (!heading.empty()) page.element("h2", heading);
-  const auto frame = page.open("figure");
-  {
-    const auto wide = page.open("div", {{"class", "wide"}});
-    page.single("img", {{"alt", caption}, {"src", png_as_data_uri(path)}});
-  }
-  page.element("figcaption", caption);
-}
-
-// Rows of those of the keys that the summary has.
-void add_table(Html& page, const Content& run, const std::vector<NamedKey>& rows) {
-  std::vector<NamedKey> there;
-  for (const NamedKey& row : rows) {
-    if (run.summary.contains(row.key)) there.push_back(row);
-  }
-  if (there.empty()) return;
-  const auto table = page.open("table");
-  for (const auto& [key, name] : there) {
-    const auto row = page.open("tr");
-    page.element("td", name);
-    figure(page, "td", key, run.summary.at(key));
-  }
-}
-
-void add_pile(Html& page, const Content& run) {
+void add_pile(Html& page, const PageContent& run) {
   add_picture(page, run, "profile.png", "Section",
               "Section through a hole, with equal scales; table in profile.csv.");
   add_picture(page, run, "crater.png", "Section",
@@ -128,7 +75,7 @@ void add_pile(Html& page, const Content& run) {
               "From where to where the parts of the bench went; table in movement.csv.");
 }
 
-void add_speeds(Html& page, const Content& run) {
+void add_speeds(Html& page, const PageContent& run) {
   page.element("h2", "Velocities");
   add_table(page, run,
             {{"face_velocity_m_s", "Face, fastest tenth of its height"},
@@ -144,7 +91,7 @@ void add_speeds(Html& page, const Content& run) {
   page.element("figcaption", "Speed of the fastest block [m/s]; from dump/history.csv.");
 }
 
-void add_sizes(Html& page, const Content& run) {
+void add_sizes(Html& page, const PageContent& run) {
   add_picture(page, run, "fragments.png", "Size of the rock",
               "Size curves of the broken-out rock; tables in sieve.csv, fragments.csv and "
               "fragments_list.csv.");
@@ -168,7 +115,7 @@ void add_sizes(Html& page, const Content& run) {
              {"kuz_ram_n", "Kuz-Ram (formula), n"}});
 }
 
-void add_energy(Html& page, const Content& run) {
+void add_energy(Html& page, const PageContent& run) {
   add_picture(page, run, "energy.png", "Energy",
               "Energies of the run over time, and where the explosive's energy is at its end.");
   const std::vector<AuditTerm> audit = energy_audit(run.folder);
@@ -188,30 +135,13 @@ void add_energy(Html& page, const Content& run) {
   }
 }
 
-// Numbers and words of the scene; what the program adds behind them is provenance.
-const std::set<std::string>& provenance_keys() {
-  static const std::set<std::string> keys{"run_id",    "version", "commit",       "compiler",
-                                          "libraries", "ranks",   "command_line", "knobs"};
-  return keys;
-}
-
-void add_rows(Html& page, const Json& object, const std::set<std::string>& left_out) {
-  const auto table = page.open("table");
-  for (const auto& [key, value] : object.items()) {
-    if (left_out.contains(key)) continue;
-    const auto row = page.open("tr");
-    page.element("td", split_unit(key).name);
-    page.element("td", in_words(key, value), {{"class", value.is_number() ? "number" : "text"}});
-  }
-}
-
-void add_design(Html& page, const Content& run) {
+void add_design(Html& page, const PageContent& run) {
   page.element("h2", "Design");
   add_picture(page, run, "plan.png", "", "Plan: holes, and the milliseconds at which they fire.");
   add_rows(page, run.scene, provenance_keys());
 }
 
-void add_limits(Html& page, const Content& run) {
+void add_limits(Html& page, const PageContent& run) {
   page.element("h2", "What this page does not say");
   const auto list = page.open("ul");
   for (const char* key : {"still_note", "fragments_note", "kuz_ram_note"}) {
@@ -230,7 +160,7 @@ void add_limits(Html& page, const Content& run) {
                            " at any time.");
 }
 
-void add_provenance(Html& page, const Content& run) {
+void add_provenance(Html& page, const PageContent& run) {
   page.element("h2", "Provenance");
   {
     const auto table = page.open("table");
@@ -266,18 +196,18 @@ void add_figure_rows(Html& page, const Json& object, const std::string& prefix) 
       const auto cell = page.open("td");
       page.element("code", prefix + key);
     }
-    figure(page, "td", prefix + key, value);
+    add_figure(page, "td", prefix + key, value);
   }
 }
 
-void add_all_figures(Html& page, const Content& run) {
+void add_all_figures(Html& page, const PageContent& run) {
   const auto details = page.open("details");
   page.element("summary", "All figures of summary.json");
   const auto table = page.open("table");
   add_figure_rows(page, run.summary, "");
 }
 
-void add_head(Html& page, const Content& run) {
+void add_head(Html& page, const PageContent& run) {
   const auto head = page.open("head");
   page.single("meta", {{"charset", "utf-8"}});
   page.single("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
@@ -289,7 +219,7 @@ void add_head(Html& page, const Content& run) {
   page.raw(std::string("<style>") + kPageStyle + "</style>\n");
 }
 
-void add_body(Html& page, const Content& run) {
+void add_body(Html& page, const PageContent& run) {
   const auto body = page.open("body");
   const auto main = page.open("main");
   page.element("h1", title_of(run));
@@ -308,23 +238,10 @@ void add_body(Html& page, const Content& run) {
   add_all_figures(page, run);
 }
 
-Json summary_of(const ResultFolder& folder) {
-  const auto path = folder.file("summary.json");
-  if (!std::filesystem::exists(path))
-    refuse(path.string(), "is not there: measure the run first, with muckpile-post all");
-  Json summary = check::read_json_object(path);
-  const auto id = summary.find("run_id");
-  const std::string found = id != summary.end() && id->is_string() ? id->get<std::string>() : "";
-  if (found != folder.run_id())
-    refuse(path.string(),
-           "is of another run than dump/: measure the run anew, with muckpile-post all");
-  return summary;
-}
-
 }  // namespace
 
 std::string page_of(const ResultFolder& folder) {
-  const Content run{folder, summary_of(folder), check::read_json_object(folder.dump("scene.json"))};
+  const PageContent run = page_content(folder);
   Html page;
   page.raw("<!DOCTYPE html>\n");
   {

@@ -40,10 +40,11 @@ std::map<int, std::vector<size_t>> members_of(const Snapshot& last) {
   return members;
 }
 
-double sieve_of(const std::vector<size_t>& members, const RunData& run) {
+double sieve_of(const std::vector<size_t>& members, const RunData& run,
+                const std::vector<double>& blocks) {
   constexpr int kOutline = 500, kStarts = 200;  // directions: widths within a hundredth or two
   static const std::vector<Vec3> starts = spread_directions(kStarts);
-  if (members.size() == 1) return sieve_size(run.blocks[members.front()]);
+  if (members.size() == 1) return blocks[members.front()];
   std::vector<Vec3> points;
   for (const size_t b : members) {
     const std::vector<Vec3> corners = moved_vertices(run.blocks[b], run.last.states[b]);
@@ -52,25 +53,25 @@ double sieve_of(const std::vector<size_t>& members, const RunData& run) {
   return sieve_size(outermost(points, kOutline), starts);
 }
 
-std::vector<SizedFragment> sized_fragments(const RunData& run) {
+std::vector<SizedFragment> sized_fragments(const RunData& run, const std::vector<double>& blocks) {
   const auto members = members_of(run.last);
   std::vector<SizedFragment> sized;
   for (const Fragment& f : fragments_of(run.blocks, run.last, run.moved))
-    sized.push_back({f, f.in_pile ? sieve_of(members.at(f.id), run) : std::nan("")});
+    sized.push_back({f, f.in_pile ? sieve_of(members.at(f.id), run, blocks) : std::nan("")});
   return sized;
 }
 
-FragmentCurves curves_of(const RunData& run, const std::vector<SizedFragment>& fragments) {
+FragmentCurves curves_of(const RunData& run, const std::vector<SizedFragment>& fragments,
+                         const std::vector<double>& block_sizes) {
   std::vector<Piece> sieve, volume, block_sieve, block_volume;
   for (const auto& [f, size] : fragments) {
     if (!f.in_pile) continue;
     sieve.push_back({size, f.mass});
     volume.push_back({f.size, f.mass});
   }
-  const std::vector<double> sizes = block_sieves(run);
   for (size_t b = 0; b < run.blocks.size(); ++b) {
     if (run.moved[b] == 0) continue;
-    block_sieve.push_back({sizes[b], run.blocks[b].mass});
+    block_sieve.push_back({block_sizes[b], run.blocks[b].mass});
     block_volume.push_back({run.blocks[b].size, run.blocks[b].mass});
   }
   FragmentCurves curves{passing_curve(sieve),
@@ -180,8 +181,9 @@ nlohmann::ordered_json pile_keys(const std::vector<SizedFragment>& fragments,
 void report_fragments(const ResultFolder& folder, const MeasureOptions& measure,
                       const FragmentOptions& options) {
   const RunData run(folder, measure);
-  const std::vector<SizedFragment> fragments = sized_fragments(run);
-  FragmentCurves curves = curves_of(run, fragments);
+  const std::vector<double> blocks = block_sieves(run);
+  const std::vector<SizedFragment> fragments = sized_fragments(run, blocks);
+  FragmentCurves curves = curves_of(run, fragments, blocks);
   const KuzRamOfRun formula = kuz_ram_of(folder, options);
   curves.kuz_ram = formula.curve;
   write_tables(folder, curves, fragments, options);

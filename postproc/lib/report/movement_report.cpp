@@ -11,7 +11,9 @@
 #include "measure/columns.h"
 #include "measure/movement.h"
 #include "report/bench_scene.h"
+#include "report/movement_table.h"
 #include "report/not_measurable.h"
+#include "report/polygons_report.h"
 #include "report/reports.h"
 #include "report/run_section.h"
 
@@ -19,23 +21,20 @@ namespace muckpile {
 namespace {
 
 void write_table(const std::filesystem::path& path, const std::vector<PartMovement>& parts) {
-  CsvWriter csv(
-      path,
-      "level_low_m,level_high_m,from_face_m,to_face_m,blocks,mass_kg,broken_out_fraction,"
-      "start_x_m,start_y_m,start_z_m,end_x_m,end_y_m,end_z_m,moved_x_m,moved_y_m,moved_z_m,"
-      "moved_m,spread_m");
+  CsvWriter csv(path,
+                std::string("level_low_m,level_high_m,from_face_m,to_face_m,") + kMovementColumns);
   for (const PartMovement& p : parts) {
-    const Vec3 moved = p.displacement();
-    csv.row({p.level_low, p.level_high, p.near, p.far, static_cast<double>(p.blocks), p.mass,
-             p.moved, p.start.x(), p.start.y(), p.start.z(), p.end.x(), p.end.y(), p.end.z(),
-             moved.x(), moved.y(), moved.z(), moved.norm(), p.spread});
+    std::vector<double> row{p.level_low, p.level_high, p.near, p.far};
+    for (const double value : movement_columns(p.rock)) row.push_back(value);
+    csv.row(row);
   }
 }
 
 // From start to end with a head; a part that moved less than the head is long has none.
 SectionLine arrow(const PartMovement& part, double head, const std::string& name) {
   constexpr double kWidth = 0.35;  // half the head's width over its length
-  const Vec2 from(part.start.x(), part.start.z()), to(part.end.x(), part.end.z());
+  const Vec2 from(part.rock.start.x(), part.rock.start.z()),
+      to(part.rock.end.x(), part.rock.end.z());
   const Vec2 way = to - from;
   SectionLine line{{from, to}, scaled(colour_of_curve(part.level), 0.8), 3.0, false, name};
   if (way.norm() <= head) return line;
@@ -65,7 +64,7 @@ SectionPlot section_of(const RunData& run, const BenchScene& bench, const BenchP
   SectionPlot plot = section_of_run(run, y, ColourBy::kStartHeight);
   colour_by_level(plot, levels_of(run.blocks, parts));
   double farthest = bench.burden;
-  for (const PartMovement& part : movement) farthest = std::max(farthest, part.end.x());
+  for (const PartMovement& part : movement) farthest = std::max(farthest, part.rock.end.x());
   plot.title = "Movement of the bench by level and distance from the face";
   plot.subtitle = "arrows: mass centres of parts of the bench, from before the blast to the end";
   plot.x_label = "distance from the free face, along the throw [m]";
@@ -88,7 +87,7 @@ SectionPlot section_of(const RunData& run, const BenchScene& bench, const BenchP
 nlohmann::ordered_json keys_of(const std::vector<PartMovement>& movement) {
   nlohmann::ordered_json keys;
   keys["movement_parts"] = movement.size();
-  const auto by_way = [](const PartMovement& part) { return part.displacement().norm(); };
+  const auto by_way = [](const PartMovement& part) { return part.rock.displacement().norm(); };
   const auto farthest = std::ranges::max_element(movement, {}, by_way);
   keys["movement_largest_m"] = farthest == movement.end() ? std::nan("") : by_way(*farthest);
   return keys;
@@ -105,16 +104,38 @@ BenchScene bench_or_take_back(const ResultFolder& folder, const RunData& run) {
 
 }  // namespace
 
+std::vector<double> movement_columns(const RockMovement& rock) {
+  const Vec3 moved = rock.displacement();
+  return {static_cast<double>(rock.blocks),
+          rock.mass,
+          rock.moved,
+          rock.start.x(),
+          rock.start.y(),
+          rock.start.z(),
+          rock.end.x(),
+          rock.end.y(),
+          rock.end.z(),
+          moved.x(),
+          moved.y(),
+          moved.z(),
+          moved.norm(),
+          rock.spread};
+}
+
 void report_movement(const ResultFolder& folder, const MeasureOptions& measure,
                      const MovementOptions& options) {
   if (folder.scene_word("case") != "bench")
     refuse("movement", "the run must be a bench, got '" + folder.scene_word("case") + "'");
+  const std::vector<OrePolygon> polygons =
+      options.polygons.empty() ? std::vector<OrePolygon>() : read_ore_polygons(options.polygons);
   const RunData run(folder, measure);
   const BenchScene bench = bench_or_take_back(folder, run);
   const BenchParts parts{bench.height, bench.depth, options.levels, options.distances};
-  const std::vector<PartMovement> movement = movement_of(run.blocks, run.last, run.moved, parts);
+  const std::vector<PartMovement> movement =
+      movement_of_parts(run.blocks, run.last, run.moved, parts);
   if (movement.empty())
     refuse("movement", "no block started between the face and the last row of holes");
+  write_polygons(folder, run, polygons);
   write_table(folder.file("movement.csv"), movement);
   write_png(draw_section(section_of(run, bench, parts, movement)), folder.file("movement.png"));
   nlohmann::ordered_json keys = common_keys(folder);

@@ -25,8 +25,9 @@ struct FragmentOptions {
 };
 
 struct MovementOptions {
-  int levels = 5;     // bands of height between the floor and the top of the bench
-  int distances = 4;  // bands of distance between the face and the last row of holes
+  int levels = 5;        // bands of height between the floor and the top of the bench
+  int distances = 4;     // bands of distance between the face and the last row of holes
+  std::string polygons;  // file of polygons to carry into the pile; "": none
 };
 
 struct SectionOptions {
