@@ -26,7 +26,7 @@ std::string number_or_blank(const std::optional<double>& number) {
 }
 
 void print(const ComparedQuantity& row) {
-  std::printf("%-34s %14s %14s", row.name.c_str(), row.a.c_str(), row.b.c_str());
+  std::printf("%-34s %20s %20s", row.name.c_str(), row.a.c_str(), row.b.c_str());
   if (row.difference) std::printf("  difference %.4g, allowed %.4g", *row.difference, *row.allowed);
   if (!row.place.empty()) std::printf(", at %s", row.place.c_str());
   std::printf("%s\n", row.same ? "" : "  DIFFERS");
@@ -56,7 +56,7 @@ bool compare(const CompareWords& words) {
       compare_runs(read_run_figures(words.a), read_run_figures(words.b), options);
   const auto differing = std::ranges::count(rows, false, &ComparedQuantity::same);
   if (words.all || differing > 0)
-    std::printf("%-34s %14s %14s\n", "quantity", words.a.c_str(), words.b.c_str());
+    std::printf("%-34s %20s %20s\n", "quantity", words.a.c_str(), words.b.c_str());
   for (const ComparedQuantity& row : rows) {
     if (words.all || !row.same) print(row);
   }

@@ -26,7 +26,7 @@ figure { margin: 0 0 1rem; background: var(--card); border: 1px solid var(--line
 .chart .grid { stroke: var(--line); fill: none; } .chart .curve { stroke: var(--accent); stroke-width: 2; fill: none; }
 table { border-collapse: collapse; width: 100%; font-size: .92rem; background: var(--card); }
 th, td { text-align: left; vertical-align: top; padding: .3rem .6rem; border-bottom: 1px solid var(--line); overflow-wrap: anywhere; }
-th { font-weight: 600; } td.number { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
+th { font-weight: 600; } td.text { text-align: right; } td.number { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
 .pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 340px), 1fr)); gap: 0 2rem; align-items: start; }
 code { font-family: ui-monospace, monospace; font-size: .85rem; overflow-wrap: anywhere; }
 details { margin: .8rem 0; } summary { cursor: pointer; color: var(--accent); }

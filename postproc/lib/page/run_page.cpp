@@ -144,9 +144,9 @@ void add_design(Html& page, const PageContent& run) {
 void add_limits(Html& page, const PageContent& run) {
   page.element("h2", "What this page does not say");
   const auto list = page.open("ul");
-  for (const char* key : {"still_note", "fragments_note", "kuz_ram_note"}) {
-    if (const Json* note = find(run, key)) page.element("li", in_words(key, *note));
-  }
+  if (const Json* note = find(run, "still_note")) page.element("li", in_words("", *note));
+  if (const Json* note = find(run, "kuz_ram_note"))
+    page.element("li", "Kuz-Ram: " + in_words("", *note));
   if (const Json* note = find(run, "throw_max_note"))
     page.element("li", "Largest throw: " + in_words("", *note));
   if (find(run, "face_velocity_m_s") != nullptr)

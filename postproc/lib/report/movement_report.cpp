@@ -98,6 +98,7 @@ BenchScene bench_or_take_back(const ResultFolder& folder, const RunData& run) {
     return bench_scene(folder, run.blocks);
   } catch (const NotMeasurable& refusal) {
     take_back(folder, "movement", keys_of({}), refusal);
+    write_polygons(folder, run, {});
     throw;
   }
 }
