@@ -75,6 +75,8 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix,
   void let_gas_go() override;
 
  private:
+  static const int kOutputs, kHoleOutputs;  // entries of the vector, columns of the array
+
   void check_timestep();
   void check_walls() const;
   void require_fired(double bearable) const;
@@ -108,14 +110,14 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix,
   std::vector<double> pressures_;   // per loaded face of this rank [Pa]
   std::vector<double> wave_share_;  // per loaded face of this rank
   // At the last force computation: the faces of a block cannot tell once it has changed rank.
-  std::vector<double> swept_;          // per hole, all ranks [m3]
-  std::vector<double> gas_;            // per hole [Pa]
-  std::vector<double> on_wall_;        // what of that presses on its wall [Pa]
-  std::vector<double> limit_;          // of the pulse, per hole [Pa]
-  std::vector<GasState> states_;       // per hole
-  std::vector<HoleBooks> books_;       // per hole
-  std::vector<ChargeEnergy> charges_;  // per hole
-  std::vector<char> hole_over_;        // per hole; never turns back
+  std::vector<double> swept_;        // per hole, all ranks [m3]
+  std::vector<double> gas_;          // per hole [Pa]
+  std::vector<double> on_wall_;      // what of that presses on its wall [Pa]
+  std::vector<double> limit_;        // of the pulse, per hole [Pa]
+  std::vector<GasState> states_;     // per hole
+  std::vector<HoleBooks> books_;     // per hole
+  std::vector<HoleCharge> charges_;  // per hole
+  std::vector<char> hole_over_;      // per hole; never turns back
   bool over_ = false;
   bool warned_ = false;  // of a step too long for the pulse
   int active_holes_ = 0;

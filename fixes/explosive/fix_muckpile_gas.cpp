@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix muckpile/gas: words, messages, and totals of mass and work; the laws are in core/gas.
+// fix muckpile/gas: its words, and how gas follows its block from rank to rank and ends.
+// Scope: steps and outputs are in the files beside it; the laws are in core/gas.
 #include "fixes/explosive/fix_muckpile_gas.h"
 
-#include <comm.h>
 #include <fix_multisphere.h>
 #include <modify.h>
 #include <mpi.h>
@@ -14,7 +14,6 @@
 #include "fixes/engine/exchange.h"
 #include "fixes/engine/find_view.h"
 #include "fixes/engine/over_ranks.h"
-#include "fixes/engine/restart_file.h"
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
 #include "fixes/engine/style_name.h"
@@ -22,27 +21,6 @@
 
 namespace muckpile {
 namespace {
-
-enum Output {
-  kInJoints,
-  kTaken,
-  kVented,
-  kWork,
-  kGreatest,
-  kBlocks,
-  kSpent,
-  kEnergyTaken,
-  kHeat,
-  kEnergyHeld,
-  kEnergyVented,
-  kAirWork,
-  kOutputCount
-};
-
-constexpr int kCellWidth = 4;                  // mass, energy, volume, ways
-constexpr int kContentWidth = 2;               // mass, energy
-constexpr LAMMPS_NS::bigint kLookEvery = 100;  // steps between looks whether the gas is spent
-constexpr double kSpentShare = 0.2;  // spent: nowhere more than that share above the atmosphere
 
 const ArgTable& table() {
   static const ArgTable args =
@@ -55,9 +33,23 @@ const ArgTable& table() {
           .real("ambient_pressure", "Pa", Range::closed(1e3, 1e7), 101325.0, "of the atmosphere")
           .real("effusivity", "W s^0.5/(m2 K)", Range::closed(0.0, 1e5), 2500.0,
                 "of the rock, (k rho c)^(1/2), for the heat that the walls of joints take; 0: none")
+          .real("crushed_grain", "m", Range::closed(0.0, 1.0), 0.0,
+                "diameter of the grains of the crushed zone, which take heat from the gas that "
+                "passes them on its way into joints; 0: they take none")
+          .real("heat_capacity", "J/(m3 K)", Range::closed(1e5, 1e7), 2.1e6,
+                "of the rock by volume, rho c, for those grains")
           .real("rock_temperature", "K", Range::closed(200.0, 400.0), 288.0,
                 "of the rock before the blast");
   return args;
+}
+
+CrushedBed make_bed(LAMMPS_NS::LAMMPS& lmp, const ArgValues& args) {
+  return engine::or_engine_error(lmp, [&] {
+    return CrushedBed({.grain = args.real("crushed_grain"),
+                       .heat_capacity = args.real("heat_capacity"),
+                       .rock = {.effusivity = args.real("effusivity"),
+                                .rock_temperature = args.real("rock_temperature")}});
+  });
 }
 
 JointGas make_gas(LAMMPS_NS::LAMMPS& lmp, const ArgValues& args, const GasChambers& blast) {
@@ -76,7 +68,7 @@ JointGas make_gas(LAMMPS_NS::LAMMPS& lmp, const ArgValues& args, const GasChambe
 const ArgTable& gas_keywords() { return table(); }
 
 FixMuckpileGas::FixMuckpileGas(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
-    : Fix(engine, narg, arg), where_(engine::name_of(*this)), gas_({}) {
+    : Fix(engine, narg, arg), where_(engine::name_of(*this)), gas_({}), bed_({}) {
   engine::refuse_second_fix(*lmp, where_, "muckpile/gas");
   engine::require_id_of_restart(*lmp, where_, *this);
   const ArgValues args = engine::read_args(*lmp, table(), where_, narg, arg, 3);
@@ -89,8 +81,9 @@ FixMuckpileGas::FixMuckpileGas(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     return 0;
   });
   gas_ = make_gas(*lmp, args, *blast);
+  bed_ = make_bed(*lmp, args);
   vector_flag = 1;
-  size_vector = kOutputCount;
+  size_vector = kOutputs;
   global_freq = 1;
   extvector = 0;
   nevery = 1;
@@ -119,7 +112,9 @@ void FixMuckpileGas::init() {
   if (!spent_) joints_->keep_gas_in_joints();
   const auto holes = static_cast<std::size_t>(joints_->hole_count());
   fed_.resize(holes, 0);
+  beds_.resize(holes);
   chambers_.resize(holes);
+  kept_.resize(holes, 1.0);
 }
 
 /// After a restart file the gas has come to its blocks here, not in init().
@@ -223,204 +218,6 @@ std::unordered_map<int, GasContent> FixMuckpileGas::contents_here(const std::vec
     });
   });
   return all;
-}
-
-std::span<const double> FixMuckpileGas::pressure_in_joints() {
-  if (!active_) return {};
-  engine::BlockHalo& halo = joints_->halo();
-  gas_.measure(joints_->network(), fed_);
-  numbers_.resize(halo.size() * kCellWidth);
-  const std::span<GasCell> cells = gas_.cells();
-  for (std::size_t b = 0; b < halo.owned(); ++b) {
-    const GasCell& cell = cells[b];
-    const std::array<double, kCellWidth> row = {cell.content.mass, cell.content.energy, cell.volume,
-                                                cell.ways};
-    std::copy(row.begin(), row.end(), numbers_.data() + b * kCellWidth);
-  }
-  halo.forward(numbers_, kCellWidth);
-  for (std::size_t b = halo.owned(); b < halo.size(); ++b) {
-    const double* row = numbers_.data() + b * kCellWidth;
-    cells[b] = {{row[0], row[1]}, row[2], row[3]};
-  }
-  return gas_.press();
-}
-
-void FixMuckpileGas::end_of_step() {
-  if (spent_) return;
-  restored_pressure_ = 0.0;
-  read_chambers();
-  if (!active_) {  // the gas flows from the step after the first hole fires
-    active_ = std::any_of(fed_.begin(), fed_.end(), [](char fed) { return fed != 0; });
-    return;
-  }
-  book_work();
-  count_chamber_ways();
-  for (int k = 0; k < substeps_; ++k) {
-    if (k > 0) refresh();
-    flow(update->dt / substeps_);
-  }
-  gas_.cool(update->dt);
-  const JointGas::Opened opened = gas_.open_wide();
-  joints_->release_gas(opened.joints);
-  lost_ += opened.vented;
-  if (update->ntimestep % kLookEvery == 0) look_whether_spent();
-}
-
-void FixMuckpileGas::read_chambers() {
-  for (std::size_t hole = 0; hole < chambers_.size(); ++hole) {
-    chambers_[hole] = blast_->chamber(hole);
-    fed_[hole] = chambers_[hole].gas.pressure > 0.0 ? 1 : 0;
-  }
-}
-
-void FixMuckpileGas::book_work() {
-  const double work = joints_->gas_power() * update->dt;
-  work_ += work;
-  joints_->book_gas_work(work);
-}
-
-/// Sums the conductance of the ways out of each chamber over ranks, in the pose that measure() saw.
-void FixMuckpileGas::count_chamber_ways() {
-  if (std::none_of(fed_.begin(), fed_.end(), [](char hole) { return hole != 0; })) return;
-  ways_.assign(chambers_.size(), 0.0);
-  std::ranges::copy(gas_.chamber_ways(), ways_.begin());
-  engine::sum_over_ranks_in_place(ways_, world);
-  for (std::size_t hole = 0; hole < ways_.size(); ++hole) chambers_[hole].ways = ways_[hole];
-}
-
-/// Pressures of blocks and chambers after a substep of the flow, for the next one.
-void FixMuckpileGas::refresh() {
-  const std::vector<GasChamber> before = chambers_;
-  read_chambers();
-  for (std::size_t hole = 0; hole < chambers_.size(); ++hole)
-    chambers_[hole].ways = before[hole].ways;
-  engine::BlockHalo& halo = joints_->halo();
-  contents_.resize(halo.size() * kContentWidth);
-  const std::span<GasCell> cells = gas_.cells();
-  for (std::size_t b = 0; b < halo.owned(); ++b) {
-    contents_[b * kContentWidth] = cells[b].content.mass;
-    contents_[b * kContentWidth + 1] = cells[b].content.energy;
-  }
-  halo.forward(contents_, kContentWidth);
-  for (std::size_t b = halo.owned(); b < halo.size(); ++b)
-    cells[b].content = {contents_[b * kContentWidth], contents_[b * kContentWidth + 1]};
-  gas_.refresh();
-}
-
-void FixMuckpileGas::flow(double dt) {
-  JointGas::Flows flows = gas_.flow(chambers_, dt);
-  flows.vented += lost_;
-  lost_ = {};
-  flows.from_hole.push_back(flows.vented);
-  sums_.clear();
-  for (const GasFlow& flow : flows.from_hole) sums_.insert(sums_.end(), {flow.mass, flow.energy});
-  engine::sum_over_ranks_in_place(sums_, world);
-  for (std::size_t k = 0; k < flows.from_hole.size(); ++k)
-    flows.from_hole[k] = {sums_[2 * k], sums_[2 * k + 1]};
-  vented_ += flows.from_hole.back();
-  flows.from_hole.pop_back();
-  for (const GasFlow& flow : flows.from_hole) taken_ += flow;
-  blast_->take_gas(flows.from_hole);
-}
-
-void FixMuckpileGas::look_whether_spent() {
-  const bool fed = std::any_of(fed_.begin(), fed_.end(), [](char hole) { return hole != 0; });
-  const double greatest = greatest_in_joints();
-  if (fed || !blast_->over() || greatest > (1.0 + kSpentShare) * ambient_) return;
-  end_of_gas("is spent");
-}
-
-void FixMuckpileGas::write_restart(FILE* file) {
-  const JointGasState state{active_,
-                            spent_,
-                            fed_,
-                            taken_,
-                            vented_,
-                            over_ranks(lost_),
-                            over_ranks(work_),
-                            spent_by_all(),
-                            softened_,
-                            greatest_pressure()};
-  ByteWriter mine;
-  for (std::size_t b = 0; b < tags_.size(); ++b)
-    mine.put(BlockGas{tags_[b], gas_.cells()[b].content});
-  // Between read_restart and the first run every rank has the gas of all blocks.
-  for (const auto& [tag, content] : restored_) {
-    if (comm->me == 0) mine.put(BlockGas{tag, content});
-  }
-  engine::write_state<BlockGas>(*lmp, style, file, state, std::move(mine));
-}
-
-/// The contents of all blocks, until follow_blocks() picks those of this rank.
-void FixMuckpileGas::restart(char* bytes) {
-  JointGasState state;
-  engine::read_state<BlockGas>(*lmp, style, bytes, state,
-                               [this](const BlockGas& gas) { restored_[gas.tag] = gas.content; });
-  active_ = state.active;
-  spent_ = state.spent;
-  fed_ = std::move(state.fed);
-  taken_ = state.taken;
-  vented_ = state.vented;
-  const auto mine = [this](double total) { return engine::share_of_total(*lmp, total); };
-  lost_ = {mine(state.lost.mass), mine(state.lost.energy)};
-  gas_.resume({mine(state.spent_energy.work), mine(state.spent_energy.swept_volume),
-               mine(state.spent_energy.heat)});
-  work_ = mine(state.work);
-  softened_ = state.softened;
-  restored_pressure_ = state.greatest_pressure;
-}
-
-double FixMuckpileGas::over_ranks(double mine, bool greatest) const {
-  return greatest ? engine::greatest_over_ranks(mine, world) : engine::sum_over_ranks(mine, world);
-}
-
-GasFlow FixMuckpileGas::over_ranks(const GasFlow& mine) const {
-  return {over_ranks(mine.mass), over_ranks(mine.energy)};
-}
-
-GasSpent FixMuckpileGas::spent_by_all() const {
-  const GasSpent& mine = gas_.spent();
-  return {over_ranks(mine.work), over_ranks(mine.swept_volume), over_ranks(mine.heat)};
-}
-
-JointGasEnergies::Sums FixMuckpileGas::gas_energies() const {
-  const GasSpent spent = spent_by_all();
-  return {.work = over_ranks(work_),
-          .air_work = ambient_ * spent.swept_volume,
-          .heat = spent.heat,
-          .held = over_ranks(gas_.held().energy),
-          .vented = vented_.energy + over_ranks(lost_.energy)};
-}
-
-double FixMuckpileGas::compute_vector(int n) {
-  switch (n) {
-    case kInJoints:
-      return over_ranks(gas_.held().mass);
-    case kTaken:
-      return taken_.mass;
-    case kVented:
-      return vented_.mass + over_ranks(lost_.mass);
-    case kEnergyTaken:
-      return taken_.energy;
-    case kHeat:
-      return over_ranks(gas_.spent().heat);
-    case kEnergyHeld:
-      return over_ranks(gas_.held().energy);
-    case kEnergyVented:
-      return vented_.energy + over_ranks(lost_.energy);
-    case kAirWork:
-      return ambient_ * over_ranks(gas_.spent().swept_volume);
-    case kWork:
-      return over_ranks(work_);
-    case kGreatest:
-      return greatest_in_joints();
-    case kBlocks:
-      return over_ranks(gas_.blocks_with_gas());
-    case kSpent:
-      return spent_ ? 1.0 : 0.0;
-    default:
-      return 0.0;
-  }
 }
 
 }  // namespace muckpile

@@ -16,6 +16,7 @@
 #include "fixes/interfaces/joint_gas_energies.h"
 #include "fixes/interfaces/joint_pressure.h"
 #include "fixes/interfaces/joints_with_gas.h"
+#include "gas/crushed_bed.h"
 #include "gas/joint_gas.h"
 #include "state/encoding.h"
 
@@ -36,7 +37,8 @@ struct Stored<BlockGas> {
 /// What a restart file holds of the fix that is the same on all ranks.
 struct JointGasState {
   bool active = false, spent = false;
-  std::vector<char> fed;  ///< per hole
+  std::vector<char> fed;                ///< per hole
+  std::vector<CrushedBed::State> beds;  ///< per hole
   GasFlow taken, vented, lost;
   double work = 0.0;  ///< [J]
   GasSpent spent_energy;
@@ -46,10 +48,11 @@ struct JointGasState {
 template <>
 struct Stored<JointGasState> {
   static constexpr std::string_view kName = "joint_gas_state";
-  static constexpr int kVersion = 2;
+  static constexpr int kVersion = 3;
   static auto fields(auto& state) {
-    return std::tie(state.active, state.spent, state.fed, state.taken, state.vented, state.lost,
-                    state.work, state.spent_energy, state.softened, state.greatest_pressure);
+    return std::tie(state.active, state.spent, state.fed, state.beds, state.taken, state.vented,
+                    state.lost, state.work, state.spent_energy, state.softened,
+                    state.greatest_pressure);
   }
 };
 
@@ -73,6 +76,8 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure, public Joint
   [[nodiscard]] Sums gas_energies() const override;
 
  private:
+  static const int kOutputs;  // entries of the vector
+
   void follow_blocks();
   [[nodiscard]] std::unordered_map<int, GasContent> contents_here(const std::vector<int>& tags);
   void read_chambers();
@@ -80,6 +85,8 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure, public Joint
   void count_chamber_ways();
   void refresh();
   void flow(double dt);
+  void heat_beds(std::vector<GasFlow>& from_hole, const double* out, double dt);
+  [[nodiscard]] double heat_of_beds() const;
   [[nodiscard]] double greatest_pressure() const;
   void let_go_of_softened_joints(double in_joints);
   void end_of_gas(const std::string& how);
@@ -98,8 +105,11 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure, public Joint
   std::vector<int> tags_;  // of the owned blocks, in the order of their cells
   std::unordered_map<int, GasContent> restored_;  // by tag, until the first follow_blocks()
   bool active_ = false, spent_ = false;
-  std::vector<char> fed_;                   // per hole
-  std::vector<GasChamber> chambers_;        // per hole
+  std::vector<char> fed_;  // per hole
+  CrushedBed bed_;
+  std::vector<CrushedBed::State> beds_;     // per hole, the same on all ranks
+  std::vector<GasChamber> chambers_;        // per hole; joints get what has passed the bed
+  std::vector<double> kept_;                // per hole: of the enthalpy, behind the bed [-]
   std::vector<double> numbers_, contents_;  // of the cells, for messages
   std::vector<double> ways_, sums_;         // of the chambers, for sums
   double softened_ = 1.0;                   // stiffness of the joints that the gas has seen [-]

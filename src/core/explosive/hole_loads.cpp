@@ -204,15 +204,17 @@ double gas_constant(const BlastOptions& options, const std::vector<Hole>& crushe
   return mass > 0.0 ? sum / mass : gas_constant(options.charge.explosive);
 }
 
-std::vector<ChargeEnergy> charge_energies(const BlastOptions& options,
-                                          const std::vector<Hole>& crushed_zones) {
-  std::vector<ChargeEnergy> energies;
+std::vector<HoleCharge> hole_charges(const BlastOptions& options,
+                                     const std::vector<Hole>& crushed_zones) {
+  std::vector<HoleCharge> charges;
   for (std::size_t k = 0; k < crushed_zones.size(); ++k) {
     const LoadedHole hole = loaded_hole(options, crushed_zones[k], k);
     const double mass = hole.explosive.density * hole.shape.charge_volume();
-    energies.push_back({mass, hole.energy_known ? mass * hole.explosive.energy : 0.0});
+    const double r0 = hole.shape.hole_radius, r1 = crushed_zones[k].radius;
+    charges.push_back({mass, hole.energy_known ? mass * hole.explosive.energy : 0.0,
+                       M_PI * (r1 * r1 - r0 * r0) * hole.shape.chamber_length});
   }
-  return energies;
+  return charges;
 }
 
 }  // namespace muckpile

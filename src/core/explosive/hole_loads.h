@@ -49,13 +49,14 @@ struct LoadedHole {
 [[nodiscard]] double gas_constant(const BlastOptions& options,
                                   const std::vector<Hole>& crushed_zones);
 
-/// Mass and energy of one hole's explosive.
-struct ChargeEnergy {
-  double mass = 0.0;    ///< [kg]
-  double energy = 0.0;  ///< 0 if the explosive's is not known [J]
+/// One hole's explosive, and the rock that it crushes.
+struct HoleCharge {
+  double mass = 0.0;          ///< [kg]
+  double energy = 0.0;        ///< 0 if the explosive's is not known [J]
+  double crushed_rock = 0.0;  ///< between the hole and the wall of its crushed zone [m3]
 };
-[[nodiscard]] std::vector<ChargeEnergy> charge_energies(const BlastOptions& options,
-                                                        const std::vector<Hole>& crushed_zones);
+[[nodiscard]] std::vector<HoleCharge> hole_charges(const BlastOptions& options,
+                                                   const std::vector<Hole>& crushed_zones);
 
 /// For the log: the pressures of the first hole with the alternatives beside them, and the firing
 /// time of each hole.

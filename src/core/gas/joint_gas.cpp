@@ -170,11 +170,10 @@ void JointGas::count_crack(const Crack& crack) {
 void JointGas::find_passages() {
   transform_all(aperture_, width_, passage_,
                 [flow = flow_](double w, double length) { return flow.passage(w, length); });
-  const double heat_capacity = flow_.gamma() * cv();
-  for (std::size_t c = 0; c < cracks_.size(); ++c) {
+    for (std::size_t c = 0; c < cracks_.size(); ++c) {
     const double friction =
         2.0 * (1.0 / (passage_[c] * passage_[c]) - 1.0) * aperture_[c] / width_[c];
-    film_[c] = heat_.film(friction, 1.0 / cracks_[c].area, heat_capacity) * cracks_[c].wall;
+    film_[c] = heat_.film(friction, 1.0 / cracks_[c].area, heat_capacity()) * cracks_[c].wall;
     cracks_[c].way = cracks_[c].area * passage_[c];
   }
 }

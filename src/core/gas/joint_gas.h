@@ -87,10 +87,11 @@ struct GasCell {
 
 /// Gas in a crushed zone.
 struct GasChamber {
-  GasPoint gas;           ///< pressure 0: nothing flows out or in
-  double mass = 0.0;      ///< [kg]
-  double enthalpy = 0.0;  ///< that what leaves it carries [J/kg]
-  double ways = 0.0;      ///< conductance of the joints that end in it [m2]; of all ranks
+  GasPoint gas;               ///< pressure 0: nothing flows out or in
+  double mass = 0.0;          ///< [kg]
+  double enthalpy = 0.0;      ///< that what leaves it carries [J/kg]
+  double ways = 0.0;          ///< conductance of the joints that end in it [m2]; of all ranks
+  double crushed_rock = 0.0;  ///< that the gas passes on its way into them [m3]
 };
 
 class JointGas {
@@ -127,8 +128,9 @@ class JointGas {
   [[nodiscard]] std::span<const double> press();
 
   struct Flows {
-    std::vector<GasFlow> from_hole;  ///< what owned blocks took from each chamber
-    GasFlow vented;                  ///< what they let into the atmosphere
+    std::vector<GasFlow> from_hole;   ///< what owned blocks took from each chamber, net
+    std::vector<double> out_of_hole;  ///< of that the mass that left it [kg]
+    GasFlow vented;                   ///< what they let into the atmosphere
   };
   /// Contents have changed since press(), here or on another rank.
   void refresh();
@@ -146,6 +148,8 @@ class JointGas {
   };
   [[nodiscard]] Opened open_wide();
 
+  /// cp of the products [J/(kg K)].
+  [[nodiscard]] double heat_capacity() const { return flow_.gamma() * cv(); }
   [[nodiscard]] double pressure(const GasCell& cell) const;  ///< absolute; 0 if empty [Pa]
   [[nodiscard]] GasFlow held() const;                        ///< in owned blocks
   [[nodiscard]] const GasSpent& spent() const { return spent_; }

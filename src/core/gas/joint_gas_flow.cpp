@@ -56,7 +56,7 @@ GasFlow JointGas::vent(std::size_t b, std::size_t c, double dt) {
 }
 
 JointGas::Flows JointGas::flow(std::span<const GasChamber> chambers, double dt) {
-  Flows flows{std::vector<GasFlow>(chambers.size()), {}};
+  Flows flows{std::vector<GasFlow>(chambers.size()), std::vector<double>(chambers.size()), {}};
   std::fill(changes_.begin(), changes_.end(), GasFlow{});
   for (std::size_t c = 0; c < cracks_.size(); ++c) {
     if (cracks_[c].joint) exchange(c, dt);
@@ -69,7 +69,9 @@ JointGas::Flows JointGas::flow(std::span<const GasChamber> chambers, double dt) 
       if (!owned(b)) return;
       if (crack.hole >= 0) {
         const auto hole = static_cast<std::size_t>(crack.hole);
-        flows.from_hole[hole] += feed(b, c, inlets[hole], dt);
+        const GasFlow got = feed(b, c, inlets[hole], dt);
+        flows.from_hole[hole] += got;
+        flows.out_of_hole[hole] += std::max(0.0, got.mass);
       }
       if (crack.surfaces) flows.vented += vent(b, c, dt);
     });

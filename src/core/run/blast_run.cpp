@@ -101,10 +101,17 @@ BlastRun::Phase BlastRun::push() {
   }
 }
 
-/// What softening gives up, the elastic energy, is a small share of the kinetic energy then.
-bool BlastRun::waves_have_gone() const {
-  return engine_.stiffness() == 1.0 &&
-         engine_.elastic_energy() < plan_.push_elastic * engine_.kinetic_energy();
+/// What softening gives up, the elastic energy, is a small share of the kinetic energy then; or it
+/// has settled: it does not fall any more, so it is not that of waves but of stresses that are
+/// locked in the rock.
+bool BlastRun::waves_have_gone() {
+  constexpr double kSteady = 0.95, kLocked = 0.1;
+  if (engine_.stiffness() != 1.0) return false;
+  const double elastic = engine_.elastic_energy(), kinetic = engine_.kinetic_energy();
+  const bool settled = elastic > kSteady * elastic_before_ && elastic < kLocked * kinetic;
+  const bool first = elastic_before_ == 0.0;
+  elastic_before_ = elastic;
+  return elastic < plan_.push_elastic * kinetic || (settled && !first);
 }
 
 void BlastRun::soften_for_push() {

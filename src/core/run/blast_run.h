@@ -37,7 +37,7 @@ class BlastRun {
   void begin_settling();
   [[nodiscard]] Phase after_push() const;
   [[nodiscard]] Phase after_gas() const;
-  [[nodiscard]] bool waves_have_gone() const;
+  [[nodiscard]] bool waves_have_gone();
   void soften_for_push();
   void tell_of_joints(double work_share);
   void tell_of_holes();
@@ -50,7 +50,8 @@ class BlastRun {
 
   BlastPlan plan_;
   BlastEngine& engine_;
-  bool in_throw_;  ///< from the start: a restart file of a throw
+  double elastic_before_ = 0.0;  // at the last look whether waves have gone [J]
+  bool in_throw_;                ///< from the start: a restart file of a throw
 };
 
 }  // namespace muckpile

@@ -38,8 +38,8 @@ StoredTypes types_in() {
 /// Of all parts of restart files and all messages.
 StoredTypes all_types() {
   return types_in<BlocksState, BlocksShare, PlacedBlock, NetworkTotals, QuietState, LedgerState,
-                  SleepState, RestRecord, JointGasState, BlockGas, BlastState, StepState,
-                  ProgressState, ContactLosses, ContactRecord>();
+                  SleepState, RestRecord, CrushedBed::State, JointGasState, BlockGas, BlastState,
+                  StepState, ProgressState, ContactLosses, ContactRecord>();
 }
 
 std::string line_of(const StoredType& type) {

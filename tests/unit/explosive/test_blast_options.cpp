@@ -58,8 +58,8 @@ TEST(BlastOptions, ANamedExplosiveBringsItsNumbersAndTypedOnesBeatThem) {
   EXPECT_EQ(dense.charge.explosive.density, 900.0);
   EXPECT_EQ(dense.charge.explosive.detonation_velocity, 4000.0);
   // pi 0.045^2 9 x 900 x 3.8e6 = 0.0572555 x 900 x 3.8e6 = 195.814 MJ
-  EXPECT_NEAR(charge_energies(dense, {kZone})[0].energy, 195.814e6, 1e3);
-  EXPECT_EQ(charge_energies(read(kCharge + kGas), {kZone})[0].energy, 0.0);
+  EXPECT_NEAR(hole_charges(dense, {kZone})[0].energy, 195.814e6, 1e3);
+  EXPECT_EQ(hole_charges(read(kCharge + kGas), {kZone})[0].energy, 0.0);
 }
 
 TEST(BlastOptions, FormulasForP0AreRefusedOutsideTheirRange) {
@@ -99,7 +99,7 @@ TEST(BlastOptions, APatternGivesEachHoleItsOwnChargeAndFiringTime) {
   EXPECT_EQ(blasts[0].firing_time(), 1e-6);
   EXPECT_EQ(blasts[1].firing_time(), 0.025);
   EXPECT_NEAR(blasts[0].load().wave_peak(), 1600e6 * 0.0815064, 0.01e6);  // 3^-2.282051
-  const auto energies = charge_energies(options, {kZone, second});
+  const auto energies = hole_charges(options, {kZone, second});
   EXPECT_NEAR(energies[0].mass, 800 * M_PI * 0.045 * 0.045 * 9, 1e-9);
   EXPECT_NEAR(energies[1].energy, 3e6 * 1100 * M_PI * 0.04 * 0.04 * 9, 1e-3);
   EXPECT_EQ(message(words, {kZone}),
