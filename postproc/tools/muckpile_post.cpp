@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // muckpile-post: measures and draws what a run of Muckpile dumped.
 // Scope: command line only; report/ does the work. Exit code 1 on faulty input, with one line of
-// explanation; 3 where a report has no measures for the scene of a sound run.
+// explanation; 3 where a report has no measures for the scene of a sound run; of compare, see
+// compare_command.h.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "compare_command.h"
 #include "report/all_reports.h"
 #include "report/not_measurable.h"
 #include "report/plan_report.h"
@@ -50,14 +52,57 @@ void add_measure(CLI::App* command, MeasureOptions& options) {
       ->check(CLI::PositiveNumber);
 }
 
+void add_sizes(CLI::App* command, FragmentOptions& options) {
+  command
+      ->add_option("--boulder", options.boulder,
+                   "write fragments of a larger sieve size [m] to boulders.csv, with their places")
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--rock-factor", options.rock_factor,
+                   "A of Kuz-Ram (default: Lilly's index of the run's rock)")
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--mass-rating", options.mass_rating,
+                   "of Lilly's index: 10 powdery, 50 massive, more where joints decide")
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option(
+          "--rws", options.weight_strength,
+          "weight strength of the explosive for Kuz-Ram, ANFO 100 (default: by its energy)")
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--drilling-deviation", options.drilling_deviation,
+                   "of the holes at their toe, for Kuz-Ram [m]")
+      ->check(CLI::NonNegativeNumber);
+}
+
 struct Options {
   std::string folder;
   MeasureOptions measure;
+  FragmentOptions fragments;
+  MovementOptions movement;
   SectionOptions section;
   PictureOptions picture;
   std::string colour = "start_height";
   int every = 1;
 };
+
+void add_movement_command(CLI::App& app, Options& o) {
+  CLI::App* movement = add_command(app, "movement",
+                                   "bench: movement.csv, movement.png; where its parts went, by "
+                                   "level and distance from the face",
+                                   o.folder);
+  add_measure(movement, o.measure);
+  movement->add_option("--levels", o.movement.levels, "bands of height")->check(CLI::Range(1, 8));
+  movement->add_option("--distances", o.movement.distances, "bands of distance from the face")
+      ->check(CLI::Range(1, 20));
+  movement
+      ->add_option("--polygons", o.movement.polygons,
+                   "polygons of ore to carry into the pile (CSV: polygon, x_m, y_m, z_low_m, "
+                   "z_high_m): polygons.csv, polygons_moved.csv, polygons.png")
+      ->check(CLI::ExistingFile);
+  movement->callback([&o] { report_movement(ResultFolder(o.folder), o.measure, o.movement); });
+}
 
 void add_pile_commands(CLI::App& app, Options& o) {
   CLI::App* profile =
@@ -72,10 +117,14 @@ void add_pile_commands(CLI::App& app, Options& o) {
     add_colour(command, o.colour);
     command->add_option("--y", o.section.y, "place of the section [m] (default: through a hole)");
   }
+  add_movement_command(app, o);
   CLI::App* fragments =
       add_command(app, "fragments",
-                  "fragments.csv, fragments_list.csv, fragments.png; P20, P50, P80", o.folder);
+                  "size curves by sieve and volume, fits, Kuz-Ram, boulders: fragments.csv, "
+                  "sieve.csv, fragments_list.csv, fragments.png",
+                  o.folder);
   add_measure(fragments, o.measure);
+  add_sizes(fragments, o.fragments);
   profile->callback([&o] {
     o.section.colour_by = kColours.at(o.colour);
     report_profile(ResultFolder(o.folder), o.measure, o.section);
@@ -88,7 +137,7 @@ void add_pile_commands(CLI::App& app, Options& o) {
     o.section.colour_by = kColours.at(o.colour);
     report_heap(ResultFolder(o.folder), o.measure, o.section);
   });
-  fragments->callback([&o] { report_fragments(ResultFolder(o.folder), o.measure); });
+  fragments->callback([&o] { report_fragments(ResultFolder(o.folder), o.measure, o.fragments); });
 }
 
 void add_picture_commands(CLI::App& app, Options& o) {
@@ -120,6 +169,10 @@ void add_picture_commands(CLI::App& app, Options& o) {
   plan->add_option("table", o.folder, "hole table (CSV), or result folder with dump/holes.csv")
       ->required();
   plan->callback([&o] { report_plan(o.folder); });
+  CLI::App* page = add_command(
+      app, "report", "report.html: one page of the run, of what the other commands have left",
+      o.folder);
+  page->callback([&o] { report_page(ResultFolder(o.folder)); });
   CLI::App* series = add_command(
       app, "series", "vtk/blocks.pvd: all snapshots as polyhedra for ParaView", o.folder);
   series->add_option("--every", o.every, "write only every n-th snapshot and the last")
@@ -148,6 +201,7 @@ void report_all(const std::string& path) {
   say("results in " + path);
   std::fputs(summary_lines(folder).c_str(), stdout);
   for (const auto& picture : pictures_in(folder)) say("picture " + picture.string());
+  say("page " + folder.file("report.html").string());
   if (!refused.empty()) {
     say("not measured:" + refused + "; the reason is above and in " +
         folder.file("summary.json").string());
@@ -173,6 +227,8 @@ int main(int argc, char** argv) {
   add_pile_commands(app, options);
   add_picture_commands(app, options);
   add_all_command(app, options);
+  int status = 0;
+  add_compare_command(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -184,5 +240,5 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "muckpile-post: %s\n", error.what());
     return 1;
   }
-  return 0;
+  return status;
 }

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <initializer_list>
 #include <string>
+#include <vector>
 
 #include "args/input_error.h"
 
@@ -22,8 +23,16 @@ class CsvWriter {
     if (!out_) throw InputError(path.string() + ": cannot be written");
   }
 
-  void row(std::initializer_list<double> values) {
-    const char* separator = "";
+  void row(std::initializer_list<double> values) { row(std::vector<double>(values)); }
+  void row(const std::vector<double>& values) { write("", values); }
+  // A word first, without a comma in it.
+  void row(const std::string& word, const std::vector<double>& values) {
+    out_ << word;
+    write(",", values);
+  }
+
+ private:
+  void write(const char* separator, const std::vector<double>& values) {
     for (const double value : values) {
       out_ << separator;
       if (!std::isnan(value)) out_ << value;
@@ -32,7 +41,6 @@ class CsvWriter {
     out_ << '\n';
   }
 
- private:
   std::ofstream out_;
 };
 

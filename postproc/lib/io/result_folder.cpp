@@ -10,18 +10,6 @@
 #include "io/run_id.h"
 
 namespace muckpile {
-nlohmann::ordered_json read_json_object(const std::filesystem::path& path) {
-  std::ifstream in(path);
-  if (!in) throw InputError(path.string() + ": cannot be opened");
-  nlohmann::ordered_json object;
-  try {
-    object = nlohmann::ordered_json::parse(in);
-  } catch (const nlohmann::json::parse_error& error) {
-    throw InputError(path.string() + ": " + error.what());
-  }
-  if (!object.is_object()) throw InputError(path.string() + ": must hold one JSON object");
-  return object;
-}
 
 ResultFolder::ResultFolder(std::filesystem::path folder) : folder_(std::move(folder)) {
   if (!std::filesystem::is_directory(folder_ / "dump")) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "figures/figures.h"
 #include "io/blocks_file.h"
 #include "io/snapshot.h"
 
@@ -37,6 +38,9 @@ class ResultFolder {
   // Whether the run ended because the rock had come to rest. False where run.json does not say.
   [[nodiscard]] bool is_still() const;
 
+  // Of all files of dump/; "" where no file has one.
+  [[nodiscard]] const std::string& run_id() const { return run_id_; }
+
   // Takes the `dropped` keys out of summary.json, adds or replaces `keys` and keeps its other ones,
   // unless they are another run's. A number that is not finite becomes null.
   void merge_into_summary(const nlohmann::ordered_json& keys,
@@ -45,11 +49,9 @@ class ResultFolder {
  private:
   std::filesystem::path folder_;
   nlohmann::ordered_json scene_;
-  std::string run_id_;  // "" where no file of the run has one
+  std::string run_id_;
 };
 
-// A JSON object from a file. Throws InputError, naming the file and the place, if it is absent or
-// malformed.
-nlohmann::ordered_json read_json_object(const std::filesystem::path& path);
+using check::read_json_object;
 
 }  // namespace muckpile

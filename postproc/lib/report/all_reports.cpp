@@ -19,6 +19,7 @@ using MakeReport = std::function<void(const ResultFolder&)>;
 const std::map<std::string, MakeReport>& makers() {
   static const std::map<std::string, MakeReport> all{
       {"profile", [](const ResultFolder& f) { report_profile(f, {}, {}); }},
+      {"movement", [](const ResultFolder& f) { report_movement(f, {}, {}); }},
       {"crater", [](const ResultFolder& f) { report_crater(f, {}, {}); }},
       {"heap", [](const ResultFolder& f) { report_heap(f, {}, {}); }},
       {"fragments", [](const ResultFolder& f) { report_fragments(f, {}); }},
@@ -26,6 +27,7 @@ const std::map<std::string, MakeReport>& makers() {
       {"render", [](const ResultFolder& f) { report_picture(f, {}); }},
       {"series", [](const ResultFolder& f) { report_series(f, 1); }},
       {"plan", [](const ResultFolder& f) { report_plan(f.file("")); }},
+      {"report", report_page},
   };
   return all;
 }
@@ -34,7 +36,9 @@ const std::map<std::string, MakeReport>& makers() {
 
 std::vector<std::string> reports_of(const ResultFolder& folder) {
   static const std::map<std::string, std::vector<std::string>> measures{
-      {"bench", {"profile", "fragments"}}, {"crater", {"crater", "fragments"}}, {"heap", {"heap"}},
+      {"bench", {"profile", "movement", "fragments"}},
+      {"crater", {"crater", "fragments"}},
+      {"heap", {"heap"}},
       {"other", {"fragments"}}};
   const std::string scene = folder.scene_word("case");
   const auto found = measures.find(scene);
@@ -45,6 +49,7 @@ std::vector<std::string> reports_of(const ResultFolder& folder) {
   std::vector<std::string> names = found->second;
   names.insert(names.end(), {"energy", "render", "series"});
   if (std::filesystem::exists(folder.dump("holes.csv"))) names.emplace_back("plan");
+  names.emplace_back("report");  // shows what the others have left
   return names;
 }
 

@@ -3,7 +3,6 @@
 // Scope: what fix muckpile/progress wrote of fix muckpile/ledger into history.csv, and of the audit
 // of the explosive's energy into run.json.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "args/input_error.h"
@@ -11,6 +10,7 @@
 #include "draw/png_file.h"
 #include "draw/share_bar.h"
 #include "io/energy_history.h"
+#include "report/energy_audit.h"
 #include "report/notes.h"
 #include "report/reports.h"
 
@@ -67,30 +67,9 @@ CurvePlot plot_of(const EnergyHistory& history) {
   return plot;
 }
 
-/// Where the explosive's energy is at the end, as shares; nothing where no charge has fired.
 std::vector<BarShare> audit_of(const ResultFolder& folder) {
-  const nlohmann::ordered_json run = read_json_object(folder.dump("run.json"));
-  constexpr std::array<std::array<const char*, 2>, 10> kNames = {
-      {{"wall_work", "work on the walls"},
-       {"joint_work", "work in joints"},
-       {"crushing", "crushing"},
-       {"rock_heat", "heat in rock"},
-       {"vented", "vented"},
-       {"in_joints", "gas in joints"},
-       {"in_holes", "gas in holes"},
-       {"air_work", "atmosphere"},
-       {"filling", "filling of gaps"},
-       {"not_released", "not released"}}};
   std::vector<BarShare> shares;
-  const auto audit = run.find("energy_audit_J");
-  if (audit == run.end()) return shares;
-  const auto energy = [&](const char* key) {
-    const auto value = audit->find(key);
-    return value != audit->end() && value->is_number() ? value->get<double>() : 0.0;
-  };
-  const double explosive = energy("explosive");
-  if (!(explosive > 0.0)) return shares;
-  for (const auto& [key, label] : kNames) shares.push_back({label, energy(key) / explosive});
+  for (const AuditTerm& term : energy_audit(folder)) shares.push_back({term.label, term.share});
   return shares;
 }
 

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Sub-command fragments: size curve of the broken-out rock and a table of all fragments.
-// Scope: size is volume^(1/3); blocks are the finest pieces that the model knows.
+// Sub-command fragments: size curves of the broken-out rock, fits to them, and a table of all
+// fragments.
+// Scope: by sieve size and by volume^(1/3); blocks are the finest pieces that the model knows.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
-#include "draw/axes.h"
 #include "draw/png_file.h"
-#include "draw/title.h"
 #include "io/csv_writer.h"
-#include "measure/fragments.h"
+#include "measure/sieve_size.h"
+#include "report/fragments_plot.h"
+#include "report/kuz_ram_of_run.h"
 #include "report/notes.h"
 #include "report/reports.h"
 #include "report/run_data.h"
@@ -16,44 +18,111 @@
 namespace muckpile {
 namespace {
 
-std::vector<SizePoint> pile_curve(const std::vector<Fragment>& fragments) {
-  std::vector<Piece> pieces;
-  for (const Fragment& f : fragments) {
-    if (f.in_pile) pieces.push_back({f.size, f.mass});
-  }
-  return passing_curve(std::move(pieces));
-}
+// A fragment of the pile with its sieve size; NaN for the rock that stayed, which no one sieves.
+struct SizedFragment {
+  Fragment fragment;
+  double sieve;  // [m]
+};
 
-std::vector<SizePoint> block_curve(const RunData& run) {
-  std::vector<Piece> pieces;
+// Sieve sizes of the blocks that were broken out, NaN of the others.
+std::vector<double> block_sieves(const RunData& run) {
+  std::vector<double> sizes(run.blocks.size(), std::nan(""));
   for (size_t b = 0; b < run.blocks.size(); ++b) {
-    if (run.moved[b] != 0) pieces.push_back({run.blocks[b].size, run.blocks[b].mass});
+    if (run.moved[b] != 0) sizes[b] = sieve_size(run.blocks[b]);
   }
-  return passing_curve(std::move(pieces));
+  return sizes;
 }
 
-void write_tables(const ResultFolder& folder, const std::vector<SizePoint>& curve,
-                  const std::vector<Fragment>& fragments) {
-  CsvWriter sizes(folder.file("fragments.csv"), "size_m,mass_fraction_passing");
-  for (const SizePoint& point : curve) sizes.row({point.size, point.passing});
-  CsvWriter list(folder.file("fragments_list.csv"),
-                 "fragment_id,blocks,volume_m3,size_m,mass_kg,x_m,y_m,z_m,displacement_m,in_pile");
-  for (const Fragment& f : fragments) {
-    list.row({static_cast<double>(f.id), static_cast<double>(f.blocks), f.volume, f.size, f.mass,
-              f.last.x(), f.last.y(), f.last.z(), (f.last - f.start).norm(),
+// The blocks of each fragment, by its id.
+std::map<int, std::vector<size_t>> members_of(const Snapshot& last) {
+  std::map<int, std::vector<size_t>> members;
+  for (size_t b = 0; b < last.states.size(); ++b) members[last.states[b].fragment].push_back(b);
+  return members;
+}
+
+double sieve_of(const std::vector<size_t>& members, const RunData& run,
+                const std::vector<double>& blocks) {
+  constexpr int kOutline = 500, kStarts = 200;  // directions: widths within a hundredth or two
+  static const std::vector<Vec3> starts = spread_directions(kStarts);
+  if (members.size() == 1) return blocks[members.front()];
+  std::vector<Vec3> points;
+  for (const size_t b : members) {
+    const std::vector<Vec3> corners = moved_vertices(run.blocks[b], run.last.states[b]);
+    points.insert(points.end(), corners.begin(), corners.end());
+  }
+  return sieve_size(outermost(points, kOutline), starts);
+}
+
+std::vector<SizedFragment> sized_fragments(const RunData& run, const std::vector<double>& blocks) {
+  const auto members = members_of(run.last);
+  std::vector<SizedFragment> sized;
+  for (const Fragment& f : fragments_of(run.blocks, run.last, run.moved))
+    sized.push_back({f, f.in_pile ? sieve_of(members.at(f.id), run, blocks) : std::nan("")});
+  return sized;
+}
+
+FragmentCurves curves_of(const RunData& run, const std::vector<SizedFragment>& fragments,
+                         const std::vector<double>& block_sizes) {
+  std::vector<Piece> sieve, volume, block_sieve, block_volume;
+  for (const auto& [f, size] : fragments) {
+    if (!f.in_pile) continue;
+    sieve.push_back({size, f.mass});
+    volume.push_back({f.size, f.mass});
+  }
+  for (size_t b = 0; b < run.blocks.size(); ++b) {
+    if (run.moved[b] == 0) continue;
+    block_sieve.push_back({block_sizes[b], run.blocks[b].mass});
+    block_volume.push_back({run.blocks[b].size, run.blocks[b].mass});
+  }
+  FragmentCurves curves{passing_curve(sieve),
+                        passing_curve(volume),
+                        passing_curve(block_sieve),
+                        passing_curve(block_volume),
+                        {},
+                        {},
+                        {}};
+  curves.rosin_rammler = fit_rosin_rammler(curves.sieve);
+  curves.swebrec = fit_swebrec(curves.sieve);
+  return curves;
+}
+
+void write_list(const std::filesystem::path& path, const std::vector<SizedFragment>& fragments,
+                double least_sieve) {
+  CsvWriter list(path,
+                 "fragment_id,blocks,volume_m3,size_m,sieve_m,mass_kg,x_m,y_m,z_m,displacement_m,"
+                 "in_pile");
+  for (const auto& [f, sieve] : fragments) {
+    if (least_sieve > 0.0 && !(sieve > least_sieve)) continue;
+    list.row({static_cast<double>(f.id), static_cast<double>(f.blocks), f.volume, f.size, sieve,
+              f.mass, f.last.x(), f.last.y(), f.last.z(), (f.last - f.start).norm(),
               f.in_pile ? 1.0 : 0.0});
   }
 }
 
-// A passing curve rises at each size by the mass of the pieces of that size.
-std::vector<Vec2> steps(const std::vector<SizePoint>& curve, const AxisRange& x) {
-  std::vector<Vec2> points{{x.low, 0.0}};
-  for (const SizePoint& p : curve) {
-    points.emplace_back(p.size, points.back().y());
-    points.emplace_back(p.size, 100.0 * p.passing);
+// At sizes of the sieve curve; beyond the blocks' own range fits and formula are no simulation.
+void write_sieve(const std::filesystem::path& path, const FragmentCurves& curves) {
+  CsvWriter csv(path,
+                "sieve_m,mass_fraction_passing,rosin_rammler_fit,swebrec_fit,kuz_ram_formula");
+  const auto passing = [](const auto& law, double size) {
+    return law ? law->curve().passing(size) : std::nan("");
+  };
+  for (const SizePoint& point : curves.sieve) {
+    csv.row({point.size, point.passing, passing(curves.rosin_rammler, point.size),
+             passing(curves.swebrec, point.size), passing(curves.kuz_ram, point.size)});
   }
-  points.emplace_back(x.high, 100.0);
-  return points;
+}
+
+void write_tables(const ResultFolder& folder, const FragmentCurves& curves,
+                  const std::vector<SizedFragment>& fragments, const FragmentOptions& options) {
+  CsvWriter sizes(folder.file("fragments.csv"), "size_m,mass_fraction_passing");
+  for (const SizePoint& point : curves.by_volume) sizes.row({point.size, point.passing});
+  write_sieve(folder.file("sieve.csv"), curves);
+  write_list(folder.file("fragments_list.csv"), fragments, 0.0);
+  if (options.boulder) {
+    write_list(folder.file("boulders.csv"), fragments, *options.boulder);
+  } else {
+    std::filesystem::remove(folder.file("boulders.csv"));
+  }
 }
 
 std::string title_of(double single_share) {
@@ -61,64 +130,76 @@ std::string title_of(double single_share) {
                                     : "Size of the broken-out rock";
 }
 
-Canvas draw_curves(const std::vector<SizePoint>& fragments, const std::vector<SizePoint>& blocks,
-                   const std::string& title, const std::string& warning) {
-  constexpr int kWidth = 1200, kHeight = 760;
-  Canvas canvas(kWidth, kHeight, kWhite);
-  draw_title({105.0, 48.0}, title, warning, 30.0, canvas);
-  if (fragments.empty()) {
-    canvas.text({105.0, 100.0}, "no rock was broken out", 22.0, kInk);
-    return canvas;
+nlohmann::ordered_json size_keys(const FragmentCurves& c) {
+  nlohmann::ordered_json keys;
+  keys["fragment_p20_m"] = size_at(c.by_volume, 0.2);
+  keys["fragment_p50_m"] = size_at(c.by_volume, 0.5);
+  keys["fragment_p80_m"] = size_at(c.by_volume, 0.8);
+  keys["fragment_largest_m"] = size_at(c.by_volume, 1.0);
+  keys["block_p50_m"] = size_at(c.block_volume, 0.5);
+  keys["sieve_p20_m"] = size_at(c.sieve, 0.2);
+  keys["sieve_p50_m"] = size_at(c.sieve, 0.5);
+  keys["sieve_p80_m"] = size_at(c.sieve, 0.8);
+  keys["sieve_largest_m"] = size_at(c.sieve, 1.0);
+  keys["block_sieve_finest_m"] = size_at(c.block_sieve, 0.0);
+  keys["block_sieve_coarsest_m"] = size_at(c.block_sieve, 1.0);
+  const auto fit = [&](const std::string& name, const char* shape,
+                       const std::optional<SizeFit>& of) {
+    keys[name + "_x50_m"] = of ? of->x50 : std::nan("");
+    keys[name + "_" + shape] = of ? of->shape : std::nan("");
+    keys[name + "_rms_fraction"] = of ? of->rms : std::nan("");
+  };
+  fit("rosin_rammler", "n", c.rosin_rammler);
+  fit("swebrec", "b", c.swebrec);
+  return keys;
+}
+
+nlohmann::ordered_json pile_keys(const std::vector<SizedFragment>& fragments,
+                                 const FragmentOptions& options) {
+  double mass = 0.0, boulder_mass = 0.0;
+  int count = 0, boulders = 0;
+  for (const auto& [f, sieve] : fragments) {
+    if (!f.in_pile) continue;
+    mass += f.mass;
+    ++count;
+    if (!options.boulder || !(sieve > *options.boulder)) continue;
+    boulder_mass += f.mass;
+    ++boulders;
   }
-  const AxisRange x{0.8 * std::min(fragments.front().size, blocks.front().size),
-                    1.25 * fragments.back().size};
-  const Axes axes({105.0, 120.0}, {kWidth - 30.0, kHeight - 85.0}, x, {0.0, 100.0},
-                  Scale::kLogarithmic);
-  axes.draw_grid(canvas);
-  canvas.polyline(axes.places(steps(blocks, x)), 2.0, kGrey);
-  canvas.polyline(axes.places(steps(fragments, x)), 3.5, kBench);
-  std::string numbers;
-  for (const int percent : {20, 50, 80}) {
-    const double size = size_at(fragments, 0.01 * percent);
-    const Vec2 guide[] = {axes.place(x.low, percent), axes.place(size, percent),
-                          axes.place(size, 0.0)};
-    canvas.dashes(guide, 1.6, 7.0, kSignal);
-    numbers +=
-        (numbers.empty() ? "P" : " · P") + std::to_string(percent) + " " + spelled(size) + " m";
-  }
-  axes.draw_frame(canvas, "size = volume^(1/3) [m]", "mass passing [%]");
-  canvas.text({105.0, 92.0}, numbers, 22.0, kSignal);
-  canvas.line({620.0, 84.0}, {664.0, 84.0}, 3.5, kBench);
-  canvas.text({672.0, 91.0}, "fragments", 20.0, kInk);
-  canvas.line({820.0, 84.0}, {864.0, 84.0}, 2.0, kGrey);
-  canvas.text({872.0, 91.0}, "blocks, if every joint broke", 20.0, kInk);
-  return canvas;
+  nlohmann::ordered_json keys;
+  keys["fragments_in_pile"] = count;
+  keys["pile_mass_kg"] = mass;
+  if (!options.boulder) return keys;
+  keys["boulder_sieve_m"] = *options.boulder;
+  keys["boulders"] = boulders;
+  keys["boulder_mass_fraction"] = boulder_mass / mass;
+  return keys;
 }
 
 }  // namespace
 
-void report_fragments(const ResultFolder& folder, const MeasureOptions& measure) {
+void report_fragments(const ResultFolder& folder, const MeasureOptions& measure,
+                      const FragmentOptions& options) {
   const RunData run(folder, measure);
-  const std::vector<Fragment> fragments = fragments_of(run.blocks, run.last, run.moved);
-  const std::vector<SizePoint> curve = pile_curve(fragments), blocks = block_curve(run);
-  write_tables(folder, curve, fragments);
-  const double single = single_block_share(fragments);
-  write_png(draw_curves(curve, blocks, title_of(single), motion_warning(run.still)),
+  const std::vector<double> blocks = block_sieves(run);
+  const std::vector<SizedFragment> fragments = sized_fragments(run, blocks);
+  FragmentCurves curves = curves_of(run, fragments, blocks);
+  const KuzRamOfRun formula = kuz_ram_of(folder, options);
+  curves.kuz_ram = formula.curve;
+  write_tables(folder, curves, fragments, options);
+  const double single = single_block_share(fragments_of(run.blocks, run.last, run.moved));
+  write_png(draw_fragments(curves, title_of(single), motion_warning(run.still)),
             folder.file("fragments.png"));
-  double mass = 0.0;
-  for (const Fragment& f : fragments) mass += f.in_pile ? f.mass : 0.0;
   nlohmann::ordered_json keys = common_keys(folder);
-  keys["fragment_p20_m"] = size_at(curve, 0.2);
-  keys["fragment_p50_m"] = size_at(curve, 0.5);
-  keys["fragment_p80_m"] = size_at(curve, 0.8);
-  keys["fragment_largest_m"] = size_at(curve, 1.0);
-  keys["block_p50_m"] = size_at(blocks, 0.5);
+  keys.update(size_keys(curves));
+  keys["kuz_ram_x50_m"] = formula.curve ? formula.curve->x50 : std::nan("");
+  keys["kuz_ram_n"] = formula.curve ? formula.curve->n : std::nan("");
+  keys["kuz_ram_note"] = formula.note;
   keys["fragments_single_block_share"] = single;
   keys["fragments_note"] = nullptr;
   if (is_the_input(single)) keys["fragments_note"] = kBlockSizesNote;
-  keys["fragments_in_pile"] = std::ranges::count_if(fragments, &Fragment::in_pile);
-  keys["pile_mass_kg"] = mass;
-  folder.merge_into_summary(keys);
+  keys.update(pile_keys(fragments, options));
+  folder.merge_into_summary(keys, {"boulder_sieve_m", "boulders", "boulder_mass_fraction"});
 }
 
 }  // namespace muckpile

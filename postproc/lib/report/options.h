@@ -16,6 +16,20 @@ struct MeasureOptions {
   std::optional<double> cell;        // columns [m]; default: a quarter of the run's mean block size
 };
 
+struct FragmentOptions {
+  std::optional<double> boulder;          // fragments of a larger sieve size are boulders [m]
+  std::optional<double> rock_factor;      // A of Kuz-Ram; default: Lilly's index
+  double mass_rating = 50.0;              // of Lilly's index: 10 powdery, 50 massive
+  std::optional<double> weight_strength;  // RWS of Kuz-Ram, ANFO 100; default: by the energies
+  double drilling_deviation = 0.0;        // of Kuz-Ram [m]
+};
+
+struct MovementOptions {
+  int levels = 5;        // bands of height between the floor and the top of the bench
+  int distances = 4;     // bands of distance between the face and the last row of holes
+  std::string polygons;  // file of polygons to carry into the pile; "": none
+};
+
 struct SectionOptions {
   std::optional<double> y;  // of the section [m]; default: through a hole
   ColourBy colour_by = ColourBy::kStartHeight;

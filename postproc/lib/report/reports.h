@@ -13,8 +13,10 @@ namespace muckpile {
 // the measures are not made for, and takes back what an earlier call has left.
 void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
                     const SectionOptions& section);
-// fragments.csv, fragments_list.csv, fragments.png and the size keys.
-void report_fragments(const ResultFolder& folder, const MeasureOptions& measure);
+// fragments.csv, sieve.csv, fragments_list.csv, fragments.png and the size keys; boulders.csv for a
+// size of boulders.
+void report_fragments(const ResultFolder& folder, const MeasureOptions& measure,
+                      const FragmentOptions& options = {});
 // Crater only: crater.csv, crater.png and the crater's keys. Throws NotMeasurable, as
 // report_profile does, for a charge beside the z axis.
 void report_crater(const ResultFolder& folder, const MeasureOptions& measure,
@@ -28,6 +30,12 @@ void report_energy(const ResultFolder& folder);
 void report_picture(const ResultFolder& folder, const PictureOptions& options);
 // vtk/blocks_<step>.vtu of every n-th snapshot and the last, vtk/blocks.pvd.
 void report_series(const ResultFolder& folder, int every);
+
+// Bench only: movement.csv, movement.png.
+void report_movement(const ResultFolder& folder, const MeasureOptions& measure,
+                     const MovementOptions& options);
+// report.html: the page of the run, of what the others have left in the folder.
+void report_page(const ResultFolder& folder);
 
 // Keys that every sub-command writes: size of the run, joints, energy, speed, times.
 nlohmann::ordered_json common_keys(const ResultFolder& folder);

@@ -85,6 +85,7 @@ void draw_key(const SectionPlot& plot, Canvas& canvas) {
     x += kStroke + 36.0 + text_mask(name, kTextSize, 0.0).advance.x();
   };
   for (const SectionLine& line : plot.lines) {
+    if (line.name.empty()) continue;
     const Vec2 from(x, kY), to(x + kStroke, kY);
     if (line.dashed) {
       const Vec2 stroke[] = {from, to};

@@ -18,7 +18,7 @@ struct SectionLine {
   Colour colour;
   double thickness;  // [px]
   bool dashed;
-  std::string name;  // in the legend
+  std::string name;  // in the legend; an empty one is left out of it
 };
 
 struct SectionBar {  // e.g. charge or stemming

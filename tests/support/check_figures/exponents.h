@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "check_figures/figures.h"
+#include "figures/figures.h"
 
 namespace muckpile::check {
 

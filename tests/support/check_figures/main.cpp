@@ -13,8 +13,8 @@
 #include "args/input_error.h"
 #include "check_figures/burden_fit.h"
 #include "check_figures/exponents.h"
-#include "check_figures/expected.h"
-#include "check_figures/figures.h"
+#include "figures/expected.h"
+#include "figures/figures.h"
 
 namespace {
 

@@ -72,8 +72,8 @@ TEST(BlastOptions, FormulasForP0AreRefusedOutsideTheirRange) {
 }
 
 TEST(BlastOptions, ADecoupledChargeHasItsOwnWallPressureAndRoom) {
-  const auto thin = hole_blasts(
-      read(kCharge + kGas + " charge_diameter 0.06 decoupling isentrope"), {kZone});
+  const auto thin =
+      hole_blasts(read(kCharge + kGas + " charge_diameter 0.06 decoupling isentrope"), {kZone});
   // kd = 1.5: 2784.375/1.5^6 = 244.44 MPa on the wall, x 3^-2.282051 on r1
   EXPECT_NEAR(thin[0].load().wave_peak(), 244.444e6 * 0.0815064, 0.01e6);
   // V0 = pi 0.03^2 9, room 2.25 V0 < Vk = 2.40565 V0

@@ -25,13 +25,13 @@ class AllReports : public ::testing::Test {
 
 TEST_F(AllReports, EachCaseHasItsOwn) {
   EXPECT_EQ(reports_of(folder_with(R"({"case": "bench"})")),
-            (Names{"profile", "fragments", "energy", "render", "series"}));
+            (Names{"profile", "movement", "fragments", "energy", "render", "series", "report"}));
   EXPECT_EQ(reports_of(folder_with(R"({"case": "crater"})")),
-            (Names{"crater", "fragments", "energy", "render", "series"}));
+            (Names{"crater", "fragments", "energy", "render", "series", "report"}));
   EXPECT_EQ(reports_of(folder_with(R"({"case": "heap"})")),
-            (Names{"heap", "energy", "render", "series"}));
+            (Names{"heap", "energy", "render", "series", "report"}));
   EXPECT_EQ(reports_of(folder_with(R"({"case": "other"})")),
-            (Names{"fragments", "energy", "render", "series"}));
+            (Names{"fragments", "energy", "render", "series", "report"}));
 }
 
 TEST_F(AllReports, AKnobMayHaveTheNameOfTheCase) {
@@ -42,7 +42,8 @@ TEST_F(AllReports, AKnobMayHaveTheNameOfTheCase) {
 
 TEST_F(AllReports, AHoleTableIsDrawnToo) {
   write_text(temporary_.path() / "dump/holes.csv", "hole\n");
-  EXPECT_EQ(reports_of(folder_with(R"({"case": "bench"})")).back(), "plan");
+  const Names names = reports_of(folder_with(R"({"case": "bench"})"));
+  EXPECT_EQ((Names{names.end() - 2, names.end()}), (Names{"plan", "report"}));
 }
 
 TEST_F(AllReports, AnotherCaseIsRefusedByName) {
@@ -71,6 +72,7 @@ TEST_F(AllReports, OfAHeapLeaveTheirFiles) {
   for (const auto& picture : pictures_in(folder)) pictures.push_back(picture.filename().string());
   EXPECT_EQ(pictures, (Names{"energy.png", "heap.png"}));
   EXPECT_TRUE(std::filesystem::exists(folder.file("vtk/blocks.pvd")));
+  EXPECT_TRUE(std::filesystem::exists(folder.file("report.html")));
   EXPECT_TRUE(read_json_object(folder.file("summary.json")).contains("vtk_snapshots"));
 }
 

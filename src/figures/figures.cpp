@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Figures of a run, by name.
 // Scope: see the header.
-#include "check_figures/figures.h"
+#include "figures/figures.h"
 
 #include <charconv>
 #include <cmath>

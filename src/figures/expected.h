@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "check_figures/figures.h"
+#include "figures/figures.h"
 
 namespace muckpile::check {
 

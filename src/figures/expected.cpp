@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What a case is expected to give.
 // Scope: see the header.
-#include "check_figures/expected.h"
+#include "figures/expected.h"
 
 #include <algorithm>
 #include <cmath>

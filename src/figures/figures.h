@@ -18,6 +18,7 @@ namespace muckpile::check {
 
 using Json = nlohmann::ordered_json;
 
+/// Throws InputError, naming the file and the place, if it is absent or malformed.
 [[nodiscard]] Json read_json_object(const std::filesystem::path& path);
 
 class FigureFile {

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Sub-command movement: where the parts of a bench went, by level and by distance from the face.
+// Scope: benches that profile measures; parts reach from the face to the last row of holes.
+#include <algorithm>
+#include <cmath>
+
+#include "args/input_error.h"
+#include "draw/curve_plot.h"
+#include "draw/png_file.h"
+#include "io/csv_writer.h"
+#include "measure/columns.h"
+#include "measure/movement.h"
+#include "report/bench_scene.h"
+#include "report/movement_table.h"
+#include "report/not_measurable.h"
+#include "report/polygons_report.h"
+#include "report/reports.h"
+#include "report/run_section.h"
+
+namespace muckpile {
+namespace {
+
+void write_table(const std::filesystem::path& path, const std::vector<PartMovement>& parts) {
+  CsvWriter csv(path,
+                std::string("level_low_m,level_high_m,from_face_m,to_face_m,") + kMovementColumns);
+  for (const PartMovement& p : parts) {
+    std::vector<double> row{p.level_low, p.level_high, p.near, p.far};
+    for (const double value : movement_columns(p.rock)) row.push_back(value);
+    csv.row(row);
+  }
+}
+
+// From start to end with a head; a part that moved less than the head is long has none.
+SectionLine arrow(const PartMovement& part, double head, const std::string& name) {
+  constexpr double kWidth = 0.35;  // half the head's width over its length
+  const Vec2 from(part.rock.start.x(), part.rock.start.z()),
+      to(part.rock.end.x(), part.rock.end.z());
+  const Vec2 way = to - from;
+  SectionLine line{{from, to}, scaled(colour_of_curve(part.level), 0.8), 3.0, false, name};
+  if (way.norm() <= head) return line;
+  const Vec2 back = -head * way.normalized(), side = kWidth * Vec2(-back.y(), back.x());
+  for (const Vec2& barb : {Vec2(to + back + side), to, Vec2(to + back - side)})
+    line.points.push_back(barb);
+  return line;
+}
+
+std::string level_name(const PartMovement& part) {
+  return "from " + spelled(part.level_low) + " to " + spelled(part.level_high) + " m";
+}
+
+void colour_by_level(SectionPlot& plot, const std::vector<int>& levels) {
+  constexpr double kPale = 0.6;  // so that arrows show on the rock
+  plot.colours.map.reset();
+  plot.colours.label = "colours: level before the blast";
+  for (size_t b = 0; b < levels.size(); ++b)
+    plot.colours.of_block[b] =
+        levels[b] < 0 ? kRockInPlace : mix(colour_of_curve(levels[b]), kWhite, kPale);
+}
+
+SectionPlot section_of(const RunData& run, const BenchScene& bench, const BenchParts& parts,
+                       const std::vector<PartMovement>& movement) {
+  const double y = y_of_middle_hole(bench, run.blocks);
+  const Extent before = extent_of(run.blocks, start_snapshot(run.blocks).states);
+  SectionPlot plot = section_of_run(run, y, ColourBy::kStartHeight);
+  colour_by_level(plot, levels_of(run.blocks, parts));
+  double farthest = bench.burden;
+  for (const PartMovement& part : movement) farthest = std::max(farthest, part.rock.end.x());
+  plot.title = "Movement of the bench by level and distance from the face";
+  plot.subtitle = "arrows: mass centres of parts of the bench, from before the blast to the end";
+  plot.x_label = "distance from the free face, along the throw [m]";
+  plot.x = {before.low.x() - 1.0, 1.2 * farthest + 1.0};
+  plot.z = {before.low.z() - 0.5, 1.12 * bench.height};
+  plot.lines.push_back({{{before.low.x(), bench.height}, {0.0, bench.height}, {0.0, 0.0}},
+                        kInk,
+                        2.0,
+                        true,
+                        "bench before"});
+  const double head = 0.012 * (plot.x.high - plot.x.low);
+  int named = -1;
+  for (const PartMovement& part : movement) {
+    plot.lines.push_back(arrow(part, head, part.level > named ? level_name(part) : ""));
+    named = part.level;
+  }
+  return plot;
+}
+
+nlohmann::ordered_json keys_of(const std::vector<PartMovement>& movement) {
+  nlohmann::ordered_json keys;
+  keys["movement_parts"] = movement.size();
+  const auto by_way = [](const PartMovement& part) { return part.rock.displacement().norm(); };
+  const auto farthest = std::ranges::max_element(movement, {}, by_way);
+  keys["movement_largest_m"] = farthest == movement.end() ? std::nan("") : by_way(*farthest);
+  return keys;
+}
+
+BenchScene bench_or_take_back(const ResultFolder& folder, const RunData& run) {
+  try {
+    return bench_scene(folder, run.blocks);
+  } catch (const NotMeasurable& refusal) {
+    take_back(folder, "movement", keys_of({}), refusal);
+    write_polygons(folder, run, {});
+    throw;
+  }
+}
+
+}  // namespace
+
+std::vector<double> movement_columns(const RockMovement& rock) {
+  const Vec3 moved = rock.displacement();
+  return {static_cast<double>(rock.blocks),
+          rock.mass,
+          rock.moved,
+          rock.start.x(),
+          rock.start.y(),
+          rock.start.z(),
+          rock.end.x(),
+          rock.end.y(),
+          rock.end.z(),
+          moved.x(),
+          moved.y(),
+          moved.z(),
+          moved.norm(),
+          rock.spread};
+}
+
+void report_movement(const ResultFolder& folder, const MeasureOptions& measure,
+                     const MovementOptions& options) {
+  if (folder.scene_word("case") != "bench")
+    refuse("movement", "the run must be a bench, got '" + folder.scene_word("case") + "'");
+  const std::vector<OrePolygon> polygons =
+      options.polygons.empty() ? std::vector<OrePolygon>() : read_ore_polygons(options.polygons);
+  const RunData run(folder, measure);
+  const BenchScene bench = bench_or_take_back(folder, run);
+  const BenchParts parts{bench.height, bench.depth, options.levels, options.distances};
+  const std::vector<PartMovement> movement =
+      movement_of_parts(run.blocks, run.last, run.moved, parts);
+  if (movement.empty())
+    refuse("movement", "no block started between the face and the last row of holes");
+  write_polygons(folder, run, polygons);
+  write_table(folder.file("movement.csv"), movement);
+  write_png(draw_section(section_of(run, bench, parts, movement)), folder.file("movement.png"));
+  nlohmann::ordered_json keys = common_keys(folder);
+  keys.update(keys_of(movement));
+  folder.merge_into_summary(keys, {refusal_key("movement")});
+}
+
+}  // namespace muckpile

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Polygons of ore carried into the pile: a part of the sub-command movement.
+// Scope: polygons.csv, polygons_moved.csv, polygons.png.
+#pragma once
+
+#include <vector>
+
+#include "io/ore_polygons.h"
+#include "io/result_folder.h"
+#include "report/run_data.h"
+
+namespace muckpile {
+
+// Throws InputError where no block started in a polygon. Without polygons takes away what an
+// earlier call has left.
+void write_polygons(const ResultFolder& folder, const RunData& run,
+                    const std::vector<OrePolygon>& polygons);
+
+}  // namespace muckpile
