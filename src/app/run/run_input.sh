@@ -27,7 +27,7 @@ value_from_root() {
 }
 
 run() {
-  local input='' ranks='' out='' go_on cores engine_args=()
+  local input='' ranks='' out='' go_on cores engine_args=() reports=()
   cores=$(available_cores)
   read_run_words "$@"
   cd "$root"
@@ -36,7 +36,7 @@ run() {
   prepare_folder
   run_in_folder
   refuse_empty_files "$out"
-  post_process "$out"
+  post_process "$out" "${reports[@]}"
 }
 
 read_run_words() {
@@ -57,7 +57,11 @@ read_run_words() {
         out=$(from_root "$2")
         shift 2
         ;;
-      -*) die "unknown option '$1' of run (known: -np, -var, -out)" ;;
+      -vtk)
+        reports=(--vtk)
+        shift
+        ;;
+      -*) die "unknown option '$1' of run (known: -np, -var, -out, -vtk)" ;;
       *)
         [[ -z $input ]] || die "run takes one input, got '$input' and '$1'; values go behind -var NAME"
         input=$(from_root "$1")
@@ -150,10 +154,10 @@ end_without_a_step() {
   exit 0
 }
 
-post_process() {  # post_process OUT
+post_process() {  # post_process OUT [OPTION OF muckpile-post all]...
   if [[ ! -f $1/dump/scene.json ]]; then
     say "no $1/dump/scene.json: nothing to extract"
     return
   fi
-  "$build_dir/postproc/tools/muckpile-post" all "$1" || die "muckpile-post failed; the reason is above"
+  "$build_dir/postproc/tools/muckpile-post" all "$@" || die "muckpile-post failed; the reason is above"
 }
