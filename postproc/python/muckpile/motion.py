@@ -12,7 +12,10 @@ from muckpile.snapshot import Snapshot
 
 
 def _rows(blocks: Blocks, chosen) -> np.ndarray:
-    rows = np.arange(len(blocks))[slice(None) if chosen is None else np.asarray(chosen)]
+    rows = np.arange(len(blocks))
+    if chosen is not None:
+        chosen = np.asarray(chosen)
+        rows = rows[chosen if chosen.size else []]
     if not rows.size:
         raise ResultError("the selection must hold at least one block")
     return rows

@@ -73,7 +73,10 @@ class Run:
     @cached_property
     def history(self) -> np.ndarray:
         """dump/history.csv as a structured array (rows,): `history["kinetic_J"]` is a column."""
-        return load_table(self._dump / "history.csv").rows
+        table = load_table(self._dump / "history.csv")
+        if not table.rows.size:
+            raise ResultError(f"{table.path}: holds no rows")
+        return table.rows
 
     @cached_property
     def blocks(self) -> Blocks:
