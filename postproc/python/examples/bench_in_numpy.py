@@ -25,8 +25,9 @@ print(f"end at {last.time:.3f} s, {'at rest' if run.record['still'] else 'still 
 prism = muckpile.burden_prism(run)
 print(f"\nburden: {prism.sum()} blocks, {blocks.mass[prism].sum() / 1000:.1f} t")
 print("time [s]  throw [m]  speed along x [m/s]")
-for time in last.time * np.geomspace(0.01, 1.0, 8):  # dense at first, when the push is
-    now = run.snapshot(time=min(time, last.time))
+wanted = last.time * np.geomspace(0.003, 1.0, 8)  # dense at first, when the gas pushes
+for k in np.unique([np.argmin(np.abs(run.times - time)) for time in wanted]):
+    now = run.snapshot(k)
     speed = muckpile.mean_velocity(blocks, now, prism)[0]
     print(f"{now.time:8.4f}  {muckpile.throw(run, now):9.4f}  {speed:8.3f}")
 

@@ -5,8 +5,11 @@ Scope: arrays only; blocks_file.py reads them.
 """
 
 from dataclasses import dataclass, fields
+from functools import cached_property
 
 import numpy as np
+
+from muckpile.polyhedra import Tetrahedra
 
 
 def rotated(rotation: np.ndarray, vectors: np.ndarray) -> np.ndarray:
@@ -29,7 +32,6 @@ class Blocks:
     volume: np.ndarray  # (n,) [m3]
     size: np.ndarray  # (n,) volume^(1/3) [m]
     mass: np.ndarray  # (n,) [kg]
-    inertia: np.ndarray  # (n, 3, 3) about the mass centre, in the orientation of the start [kg m2]
     on_free_face: np.ndarray  # (n,) bool: a face of it is a free face, also those at back and sides
     points: np.ndarray  # (p, 3) vertices of all blocks [m]
     vertex_start: np.ndarray  # (n + 1,) block b has points[vertex_start[b]:vertex_start[b + 1]]
@@ -45,6 +47,14 @@ class Blocks:
 
     def __len__(self) -> int:
         return len(self.id)
+
+    @cached_property
+    def inertia(self) -> np.ndarray:
+        """(n, 3, 3) about the mass centre, in the orientation of the start [kg m2]."""
+        unit = Tetrahedra(self.points, self.triangles, self.triangle_block, self.centre).inertia()
+        inertia = (self.mass / self.volume)[:, None, None] * unit
+        inertia.flags.writeable = False
+        return inertia
 
     @property
     def mean_size(self) -> float:

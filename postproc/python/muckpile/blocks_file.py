@@ -12,7 +12,7 @@ import numpy as np
 
 from muckpile.blocks import Blocks
 from muckpile.errors import ResultError
-from muckpile.polyhedra import mass_properties, means, offsets, outward, ranges, triangles_of
+from muckpile.polyhedra import Tetrahedra, means, offsets, outward, ranges, triangles_of
 from muckpile.text_file import RUN_AGAIN, numbers, read_bytes
 
 POLYHEDRON = 42  # VTK's number of the cell type
@@ -29,10 +29,10 @@ class _Sections:
         data = read_bytes(path)
         if not data.startswith(b"# vtk DataFile Version"):
             raise ResultError(f"{path}: is no legacy VTK file; give the folder that a run wrote")
-        body = data.split(b"\n", 2)[2] if data.count(b"\n", 0, 1000) > 1 else b""
-        heads = list(re.finditer(rb"^[A-Z][^\n]*\n", body, re.MULTILINE))
-        ends = [head.start() for head in heads[1:]] + [len(body)]
-        self._rest = [(head.group().decode("ascii", "replace").split(), body[head.end():end])
+        title = data.find(b"\n") + 1  # any words
+        heads = list(re.compile(rb"\n([A-Z][^\n]*)(?=\n)").finditer(data, data.find(b"\n", title)))
+        ends = [head.start() for head in heads[1:]] + [len(data)]
+        self._rest = [(head[1].decode("ascii", "replace").split(), data[head.end():end])
                       for head, end in zip(heads, ends)]
         self._rest.reverse()
 
@@ -172,19 +172,17 @@ def _assemble(path, points, faces, data, order) -> Blocks:
     corner_start = offsets(corner_count)
     used, corners = np.unique(np.repeat(owner, corner_count) * len(points) + corners,
                               return_inverse=True)
-    vertex_block, own = used // len(points), points[used % len(points)]
-    middle = means(own, vertex_block, n)
+    vertex_block, own = np.divmod(used, len(points))
+    vertex_start, own = np.searchsorted(vertex_block, np.arange(n + 1)), points[own]
+    middle = means(own, vertex_start)
     corners = outward(own, middle[owner], corner_start, corners.reshape(-1))
     triangles, face = triangles_of(corner_start, corners)
-    volume, centre, unit_inertia = mass_properties(own, triangles, owner[face], middle)
+    volume, centre = Tetrahedra(own, triangles, owner[face], middle).volumes_and_centroids()
     stated = {name: values[order] for name, values in data.items()}
-    with np.errstate(invalid="ignore", divide="ignore"):  # checked below
-        density = stated["mass_kg"] / volume
     blocks = Blocks(
         id=stated["id"].astype(int), centre=centre, volume=stated["volume_m3"],
         size=stated["size_m"], mass=stated["mass_kg"],
-        inertia=density[:, None, None] * unit_inertia, on_free_face=stated["on_free_face"] != 0.0,
-        points=own, vertex_start=offsets(np.bincount(vertex_block, minlength=n)),
+        on_free_face=stated["on_free_face"] != 0.0, points=own, vertex_start=vertex_start,
         face_start=offsets(np.bincount(owner, minlength=n)), corner_start=corner_start,
         corners=corners, triangles=triangles, triangle_block=owner[face])
     _check(blocks, volume, path)

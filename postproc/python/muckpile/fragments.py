@@ -9,7 +9,6 @@ import numpy as np
 
 from muckpile.blocks import Blocks
 from muckpile.errors import ResultError
-from muckpile.polyhedra import sums
 from muckpile.snapshot import Snapshot
 
 
@@ -32,7 +31,7 @@ def fragments_of(blocks: Blocks, snapshot: Snapshot, moved: np.ndarray | None = 
     ids, owner, count = np.unique(snapshot.fragment, return_inverse=True, return_counts=True)
 
     def total(values):
-        return sums(values, owner, len(ids))
+        return np.bincount(owner, values)
 
     mass = total(blocks.mass)
     fragments = np.zeros(len(ids), dtype=[
@@ -41,9 +40,9 @@ def fragments_of(blocks: Blocks, snapshot: Snapshot, moved: np.ndarray | None = 
     fragments["id"], fragments["blocks"] = ids, count
     fragments["volume_m3"], fragments["mass_kg"] = total(blocks.volume), mass
     fragments["size_m"] = np.cbrt(fragments["volume_m3"])
-    weights = blocks.mass[:, None]
-    fragments["start_m"] = total(weights * blocks.centre) / mass[:, None]
-    fragments["position_m"] = total(weights * snapshot.position) / mass[:, None]
+    for axis in range(3):
+        fragments["start_m"][:, axis] = total(blocks.mass * blocks.centre[:, axis]) / mass
+        fragments["position_m"][:, axis] = total(blocks.mass * snapshot.position[:, axis]) / mass
     fragments["in_pile"] = total(blocks.mass * moved) > 0.5 * mass
     return fragments
 

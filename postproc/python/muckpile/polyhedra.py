@@ -1,10 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Volume, centroid and inertia of many convex polyhedra at once.
 
-Scope: faces as ranges of one list of corners (compressed rows), all polyhedra in one set of arrays.
+Scope: faces as ranges of one list of corners (compressed rows), those of a polyhedron together, all
+polyhedra in one set of arrays. Inside, vectors are stored by component, (3, m), and polyhedra are
+taken in batches: both keep what is worked on within the processor's caches.
 """
 
+from collections.abc import Iterator
+
 import numpy as np
+
+BATCH = 1000  # polyhedra
 
 
 def ranges(starts: np.ndarray, counts: np.ndarray) -> np.ndarray:
@@ -18,16 +24,22 @@ def offsets(counts: np.ndarray) -> np.ndarray:
     return np.concatenate(([0], np.cumsum(counts)))
 
 
-def sums(values: np.ndarray, owner: np.ndarray, owners: int) -> np.ndarray:
-    """Sum of the rows of `values` (m, ...) of each owner 0 .. owners - 1: (owners, ...)."""
-    flat = values.reshape(len(values), -1)
-    total = [np.bincount(owner, column, owners) for column in flat.T]
-    return np.stack(total, axis=1).reshape((owners,) + values.shape[1:])
+def batches(count: int) -> Iterator[slice]:
+    """Slices of at most BATCH that cover 0 .. count - 1."""
+    return (slice(first, min(first + BATCH, count)) for first in range(0, count, BATCH))
 
 
-def means(points: np.ndarray, owner: np.ndarray, owners: int) -> np.ndarray:
-    """Mean of the points (m, 3) of each owner; inside of a convex polyhedron: (owners, 3)."""
-    return sums(points, owner, owners) / np.bincount(owner, minlength=owners)[:, None]
+def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    return np.stack([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
+
+
+def _dot(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def means(points: np.ndarray, starts: np.ndarray) -> np.ndarray:
+    """Mean of the points (p, 3) of each range of `starts` (n + 1,): (n, 3), within a convex body."""
+    return np.add.reduceat(points, starts[:-1], axis=0) / np.diff(starts)[:, None]
 
 
 def outward(points: np.ndarray, inside: np.ndarray, corner_start: np.ndarray, corners: np.ndarray):
@@ -36,15 +48,20 @@ def outward(points: np.ndarray, inside: np.ndarray, corner_start: np.ndarray, co
     points (p, 3) [m]; inside (f, 3) [m], a point within each face's polyhedron; face k has the
     corners[corner_start[k]:corner_start[k + 1]].
     """
-    counts = np.diff(corner_start)
-    face = np.repeat(np.arange(len(counts)), counts)
-    place = np.arange(len(corners))
-    following = np.where(place + 1 == corner_start[face + 1], corner_start[face], place + 1)
-    arm = points[corners] - inside[face]
-    normal = sums(np.cross(arm, arm[following]), face, len(counts))
-    turn = np.einsum("fc,fc->f", normal, sums(arm, face, len(counts))) < 0.0
-    mirrored = corner_start[face] + corner_start[face + 1] - 1 - place
-    return corners[np.where(turn[face], mirrored, place)]
+    turned = np.empty_like(corners)
+    for batch in batches(len(inside)):
+        start = corner_start[batch.start:batch.stop + 1]
+        counts, here = np.diff(start), corners[start[0]:start[-1]]
+        begin = np.repeat(start[:-1] - start[0], counts)
+        last = np.repeat(start[1:] - start[0] - 1, counts)
+        place = np.arange(len(here))
+        arm = points[here].T - np.repeat(inside[batch].T, counts, axis=1)
+        following = np.where(place == last, begin, place + 1)
+        cuts = start[:-1] - start[0]
+        normal = np.add.reduceat(_cross(arm, arm[:, following]), cuts, axis=1)
+        inwards = _dot(normal, np.add.reduceat(arm, cuts, axis=1)) < 0.0
+        turned[start[0]:start[-1]] = here[np.where(np.repeat(inwards, counts), begin + last - place, place)]
+    return turned
 
 
 def triangles_of(corner_start: np.ndarray, corners: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -56,23 +73,45 @@ def triangles_of(corner_start: np.ndarray, corners: np.ndarray) -> tuple[np.ndar
     return np.stack([corners[first], corners[second], corners[second + 1]], axis=1), face
 
 
-def mass_properties(points, triangles, owner, apex):
-    """Volume (n,) [m3], centroid (n, 3) [m] and, for unit density, inertia about it (n, 3, 3) [m5].
+class Tetrahedra:
+    """Polyhedra 0 .. n - 1 cut into tetrahedra from `apex` (n, 3) [m] to the triangles of their
+    faces (t, 3), rows of points (p, 3) [m] and counter-clockwise seen from outside; `owner` (t,),
+    ascending, is the polyhedron of each triangle, and each has one at least."""
 
-    Each polyhedron is cut into tetrahedra from `apex` (n, 3) [m] to its triangles (t, 3), which are
-    counter-clockwise seen from outside; `owner` (t,) is the polyhedron of each.
-    """
-    count = len(apex)
-    arms = points[triangles] - apex[owner][:, None, :]
-    six_volumes = np.einsum("tc,tc->t", arms[:, 0], np.cross(arms[:, 1], arms[:, 2]))
-    volume = sums(six_volumes, owner, count) / 6.0
-    far = arms.sum(axis=1)
-    first = sums(six_volumes[:, None] * far, owner, count) / 24.0
-    # Integral of x x^T over a tetrahedron with one corner at the origin.
-    second = np.einsum("tki,tkj->tij", arms, arms) + far[:, :, None] * far[:, None, :]
-    second = sums(six_volumes[:, None, None] * second, owner, count) / 120.0
-    with np.errstate(invalid="ignore", divide="ignore"):  # the caller checks the volumes
-        offset = first / volume[:, None]
-    spread = second - volume[:, None, None] * offset[:, :, None] * offset[:, None, :]
-    trace = np.einsum("tii->t", spread)
-    return volume, apex + offset, trace[:, None, None] * np.eye(3) - spread
+    def __init__(self, points, triangles, owner, apex):
+        self.points, self.triangles, self.apex = points, triangles, apex
+        self.starts = np.searchsorted(owner, np.arange(len(apex) + 1))
+
+    def _batches(self):
+        """Polyhedra, where their tetrahedra begin, these' edges from the apex and six volumes."""
+        for batch in batches(len(self.apex)):
+            starts = self.starts[batch.start:batch.stop + 1]
+            apex = np.repeat(self.apex[batch].T, np.diff(starts), axis=1)
+            corners = self.triangles[starts[0]:starts[-1]]
+            a, b, c = (self.points[corners[:, k]].T - apex for k in range(3))
+            yield batch, starts[:-1] - starts[0], (a, b, c), _dot(a, _cross(b, c))
+
+    def volumes_and_centroids(self) -> tuple[np.ndarray, np.ndarray]:
+        """(n,) [m3] and (n, 3) [m]."""
+        volume, centroid = np.empty(len(self.apex)), np.empty((len(self.apex), 3))
+        for batch, cuts, (a, b, c), six_volumes in self._batches():
+            volume[batch] = np.add.reduceat(six_volumes, cuts) / 6.0
+            first = np.add.reduceat(six_volumes * (a + b + c), cuts, axis=1) / 24.0
+            with np.errstate(invalid="ignore", divide="ignore"):  # the caller checks the volumes
+                centroid[batch] = self.apex[batch] + (first / volume[batch]).T
+        return volume, centroid
+
+    def inertia(self) -> np.ndarray:
+        """About the apex, which must be the centroid, for unit density: (n, 3, 3) [m5]."""
+        inertia = np.empty((len(self.apex), 3, 3))
+        for batch, cuts, (a, b, c), six_volumes in self._batches():
+            far = a + b + c
+            second = np.empty((batch.stop - batch.start, 3, 3))  # integral of x x^T
+            for i in range(3):
+                for j in range(i, 3):
+                    # A tetrahedron with one corner at the origin: det / 120 (sum v v^T + s s^T).
+                    product = a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + far[i] * far[j]
+                    second[:, i, j] = np.add.reduceat(six_volumes * product, cuts) / 120.0
+                    second[:, j, i] = second[:, i, j]
+            inertia[batch] = np.einsum("tii->t", second)[:, None, None] * np.eye(3) - second
+        return inertia
