@@ -80,7 +80,8 @@ def blocks_file(boxes: dict, density: float = 2000.0, run_id: str = RUN_ID) -> s
 
 def hand_made() -> Path:
     """A bench 1 m high, burden 1 m: a cube of 1 m at the face (id 1) and, behind it, a box of
-    1 x 2 x 3 m (id 7), which the files name first. At 0.5 s both are turned by 90 degrees about z."""
+    1 x 2 x 3 m (id 7), which the files name first. At 0.5 s they have made a quarter turn, the cube
+    about x, the box about z."""
     folder = scratch() / "bench"
     dump = folder / "dump"
     dump.mkdir(parents=True)
@@ -89,7 +90,7 @@ def hand_made() -> Path:
     half = 0.5**0.5
     rows = {0: ("7,-2,0,1.5,1,0,0,0,0,0,0,0,0,0,1,0", "1,-0.5,0,0.5,1,0,0,0,0,0,0,0,0,0,1,0"),
             10: (f"7,-2,0,1.5,{half},0,0,{half},0,0,1,0,3,0,7,0.25",
-                 f"1,2,0,0.5,{half},0,0,{half},4,0,0,0,0,2,1,1")}
+                 f"1,2,0,0.5,{half},{half},0,0,4,0,0,0,0,2,1,1")}
     for step, lines in rows.items():
         (dump / f"blocks_{step:09d}.csv").write_text(
             "\n".join([f"# step={step} time_s={step / 20} run={RUN_ID}", HEADER, *lines]) + "\n")

@@ -76,7 +76,12 @@ class HandMadeRun(unittest.TestCase):
 
     def test_vertices_move_and_turn_with_their_block(self):
         same(self.run_.vertices_at(self.run_.snapshot(0)), self.blocks.points)
-        moved = self.run_.vertices_at(self.last)[self.blocks.vertex_start[1]:]
+        half = 0.5**0.5
+        same(self.last.rotation, np.array([[half, half, 0, 0], [half, 0, 0, half]]))
+        cube, moved = np.split(self.run_.vertices_at(self.last), self.blocks.vertex_start[1:2])
+        # A quarter turn about x takes (y, z) from the centre to (-z, y).
+        arm = self.blocks.vertices(0) - np.array([-0.5, 0, 0.5])
+        same(cube, np.array([2, 0, 0.5]) + np.stack([arm[:, 0], -arm[:, 2], arm[:, 1]], axis=1))
         # A quarter turn about z takes (x, y) from the centre to (-y, x).
         arm = self.blocks.vertices(1) - np.array([-2, 0, 1.5])
         same(moved, np.array([-2, 0, 1.5]) + np.stack([-arm[:, 1], arm[:, 0], arm[:, 2]], axis=1))
