@@ -14,7 +14,7 @@ from muckpile.snapshot import Snapshot
 
 def broken_out(blocks: Blocks, snapshot: Snapshot, least_move: float | None = None) -> np.ndarray:
     """(n,) bool: blocks whose mass centre moved farther than their own size and than `least_move`
-    [m], which is the mean block size unless given (0 for a crater)."""
+    [m], which is the mean block size unless given. The true crater is measured with 0."""
     least = blocks.mean_size if least_move is None else least_move
     moved = np.sqrt(((snapshot.position - blocks.centre)**2).sum(axis=1))
     return moved > np.maximum(least, blocks.size)
@@ -66,7 +66,7 @@ def size_at(size: np.ndarray, mass: np.ndarray, passing: float) -> float:
 
 
 def pile_p50(blocks: Blocks, snapshot: Snapshot) -> float:
-    """P50 by volume^(1/3) of the fragments in the pile [m]: `fragment_p50_m` of a bench."""
+    """P50 by volume^(1/3) of the fragments in the pile [m]: `fragment_p50_m` of the summary."""
     fragments = fragments_of(blocks, snapshot)
     pile = fragments[fragments["in_pile"]]
     return size_at(pile["size_m"], pile["mass_kg"], 0.5)
