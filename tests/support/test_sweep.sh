@@ -88,8 +88,8 @@ burden-2;bench_height-6;seed-1,done,2,6,1
 burden-2;bench_height-6;seed-2,done,2,6,2
 burden-2;bench_height-9;seed-1,done,2,9,1
 burden-2;bench_height-9;seed-2,done,2,9,2' ]] || problem "runs are not listed in order: $(cat $demo/sweep_runs.csv)"
-[[ $(sed -n '1p;$p' $demo/sweep.csv) == 'burden,bench_height,seed,state,throw_cg_m,still
-4,9,2,done,6.2,1' ]] || problem "the table is wrong: $(cat $demo/sweep.csv)"
+[[ $(sed -n '1p;$p' $demo/sweep.csv) == 'burden,bench_height,seed,state,still,throw_cg_m
+4,9,2,done,1,6.2' ]] || problem "the table is wrong: $(cat $demo/sweep.csv)"
 for file in sweep.png sweep_mean.csv sweep_fit.csv burden-2,bench_height-6,seed-1/run.log; do [[ -s $demo/$file ]] || problem "no $file"; done
 told '12 of 12 runs done, 0 failed'
 

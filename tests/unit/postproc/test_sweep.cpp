@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "args/csv_table.h"
 #include "args/input_error.h"
 #include "draw/panels.h"
 #include "sweep/power_law.h"
