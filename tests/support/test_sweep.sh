@@ -8,8 +8,8 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/script.sh"
 post=$(readlink -f "$1")
 source "$here/fake_tree.sh"
-mkdir -p build/release/src/app
-echo engine >build/release/src/app/liggghts-muckpile
+mkdir -p src/{core,figures} fixes postproc cmake
+touch CMake{Lists.txt,Presets.json}
 printf 'variable burden index 3 # m\nvariable seed index 1\nvariable table index none\n' >>inputs/demo/in.demo
 
 # Writes what a run writes. The run whose variables are like the pattern in the file fail stops with an error; that in the file hang waits
@@ -115,7 +115,7 @@ must_do() {  # must_do NUMBER WHY
 echo 1 >elsewhere.csv
 mkdir -p results/two && two
 must_do 0
-echo 2 >build/release/src/app/liggghts-muckpile
+echo 2 >fixes/fix_blast.cpp
 must_do 2 'begins anew burden-2: engine changed since'
 echo '# another' >>inputs/common/mode_slow.in
 must_do 2 'begins anew burden-3: input changed since'
@@ -132,7 +132,7 @@ call run inputs/demo/in.demo -var burden 5 -out results/two/burden-2
 must_do 1 'begins anew burden-2: results changed since'
 rm results/two/burden-3/summary.json
 must_do 1
-echo '# another' >>build/release/postproc/tools/muckpile-post
+echo 2 >postproc/pile.cpp
 must_do 0 'measured again burden-3'
 called '^muckpile-post all results/two/burden-3$'
 must_do 0

@@ -3,6 +3,7 @@
 // Scope: see the header.
 #include "draw/panels.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "draw/title.h"
@@ -23,7 +24,8 @@ Canvas draw_panels(const Panels& panels) {
   const double remark_line = top + kTextSize;
   if (!panels.remark.empty()) top += kLine;
   const double key_top = top, right = kWidth - 0.3 * kLeft;
-  top += lay_out_key(curves, kLeft, right, key_top, nullptr);
+  if (std::ranges::any_of(curves, [](const PlotCurve& curve) { return !curve.label.empty(); }))
+    top += lay_out_key(curves, kLeft, right, key_top, nullptr);
   const size_t rows = (panels.plots.size() + kColumns - 1) / kColumns;
   const double row_height = kAbove + kFrameHeight + kBelow;
   const double height = top + static_cast<double>(rows) * row_height;

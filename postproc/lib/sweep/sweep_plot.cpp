@@ -4,6 +4,7 @@
 #include "sweep/sweep_plot.h"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 
 #include "args/suggestion.h"
@@ -17,6 +18,7 @@ namespace {
 std::string name_of_figure(const std::string& figure) {
   const KeyAndUnit split = split_unit(figure);
   std::string name = split.name;
+  name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
   for (const NamedKey& known : key_figures()) {
     if (figure == known.key) name = known.name;
   }

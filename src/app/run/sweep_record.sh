@@ -7,18 +7,23 @@
 readonly sweep_record=sweep_record.txt
 readonly kept_apart='^(run_id|measured_by) '
 
-print_of() { sha256sum "$@" | sha256sum | cut -c 1-16; }  # print_of FILE...
+print_of() { sha256sum -- "$@" | sha256sum | cut -c 1-16; }  # print_of FILE...
+
+# Of what a program is built from, and how: the program itself has the commit in it, which changes with pages and tests, too.
+print_of_sources() {  # print_of_sources FOLDER...
+  find CMakeLists.txt CMakePresets.json cmake "$@" -type f ! -name '*.sh' -print0 | sort -z | xargs -0 sha256sum | sha256sum | cut -c 1-16
+}
 
 # Programs and inputs are the same for all runs of a sweep.
 read_common_conditions() {
   local files
   mapfile -t files < <({ files_of "$input"; files_named_by "$input"; } | sort -u)
   common_conditions=$(
-    printf 'engine %s\n' "$(print_of "$build_dir/src/app/liggghts-muckpile")"
+    printf 'engine %s\n' "$(print_of_sources src/core src/app fixes)"
     printf 'input %s %s\n' "$input" "$(print_of "${files[@]}")"
     printf 'ranks %s\n' "$ranks"
   )
-  measured_by=$(print_of "$build_dir/postproc/tools/muckpile-post")
+  measured_by=$(print_of_sources src/core src/figures postproc)
 }
 
 conditions() {  # of the run that was chosen last
