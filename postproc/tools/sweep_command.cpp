@@ -29,7 +29,7 @@ void add_sweep_command(CLI::App& app) {
   command->add_option("folder", words->folder, "folder of the sweep; it holds sweep_runs.csv")
       ->required();
   command->add_option("--figures", words->figures,
-                      "keys of summary.json to draw and fit (default: six that suit the scene)");
+                      "keys of summary.json to draw and fit (default: those that suit the scene)");
   command->callback([words] {
     for (const auto& file : report_sweep(words->folder, words->figures))
       std::printf("muckpile-post: %s\n", file.c_str());

@@ -12,7 +12,7 @@ mkdir -p src/{core,figures} fixes postproc cmake
 touch CMake{Lists.txt,Presets.json}
 printf 'variable burden index 3 # m\nvariable seed index 1\nvariable table index none\n' >>inputs/demo/in.demo
 
-# Writes what a run writes. The run whose variables are like the pattern in the file fail stops with an error; that in the file hang waits
+# Writes what a run writes, unless there is a file nothing. The run whose variables are like the pattern in the file fail stops with an error; that in the file hang waits
 # until it is asked to stop.
 fake bin/mpirun '
 out="" knobs=""
@@ -25,6 +25,7 @@ done
 matches() { [[ -e $1 && $knobs == *$(cat "$1")* ]]; }
 echo "begun $(find at_once -type f | wc -l)" >>begun
 touch "at_once/$$" && trap "rm at_once/$$" EXIT
+[[ ! -e nothing ]] || exit 0
 matches fail && { echo "ERROR: no rock (rock.cpp:3)"; exit 1; }
 if matches hang; then
   trap "echo asked >>begun; exit 0" USR2
@@ -33,7 +34,7 @@ if matches hang; then
 fi
 mkdir -p "$out/dump"
 echo "{\"case\": \"bench\", \"run_id\": \"$(md5sum <<<"$knobs" | cut -c -16)\", \"burden_m\": 3, \"knobs\": {${knobs#, }}}" >"$out/dump/scene.json"
-while [[ -e together && $(wc -l <begun) -lt $(cat together) ]]; do sleep 0.05; done'
+for ((k = 0; k < 200; ++k)); do [[ -e together && $(wc -l <begun) -lt $(cat together) ]] || break; sleep 0.05; done'
 # 24 m over the burden, and a tenth of the seed.
 fake build/release/postproc/tools/muckpile-post '
 [[ $1 == all ]] || exec '"$post"' "$@"
@@ -155,6 +156,11 @@ sweep -var burden 2,3 -out results/none
 ended_with 1
 told '0 of 2 runs done, 2 failed'
 rm fail
+touch nothing
+sweep -var burden 2,3 -out results/none
+ended_with 1
+told 'failed burden-2: muckpile: inputs/demo/in.demo has written nothing to its ${out}'
+rm nothing
 
 # A signal stops what is running and begins nothing more; TERM, as INT may be ignored here.
 echo '"burden": 2' >hang

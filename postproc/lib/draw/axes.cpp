@@ -93,7 +93,10 @@ std::vector<double> Axes::x_ticks() const {
 
 std::vector<double> Axes::y_ticks() const {
   const int wanted = static_cast<int>((lower_right_.y() - upper_left_.y()) / kTickSpace) + 1;
-  return y_scale_ == Scale::kStraight ? straight_ticks(y_, wanted) : logarithmic_ticks(y_);
+  if (y_scale_ == Scale::kLogarithmic) return logarithmic_ticks(y_);
+  constexpr size_t kFewest = 3;  // to read values by
+  const std::vector<double> ticks = straight_ticks(y_, wanted);
+  return ticks.size() < kFewest ? straight_ticks(y_, 2 * wanted) : ticks;
 }
 
 std::string Axes::x_text(double x) const {

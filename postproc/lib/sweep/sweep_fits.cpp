@@ -21,8 +21,7 @@ const std::vector<std::string>& figures_of_kind(const std::string& kind) {
        {"crater_radius_m", "crater_depth_m", "crater_volume_m3", "apparent_crater_radius_m",
         "apparent_crater_depth_m", "ejecta_mass_kg"}},
       {"heap",
-       {"repose_angle_deg", "front_slope_deg", "pile_height_m", "pile_toe_m", "swell_factor",
-        "joints_broken_fraction"}}};
+       {"repose_angle_deg", "front_slope_deg", "pile_height_m", "pile_toe_m", "swell_factor"}}};
   static const std::vector<std::string> kOther{"sieve_p50_m",       "sieve_p80_m",
                                                "fastest_block_m_s", "joints_broken_fraction",
                                                "wave_work_J",       "gas_work_J"};

@@ -12,7 +12,7 @@
 
 namespace muckpile {
 
-// Those asked for, or, where none are, six that suit the kind of scene and that the runs have.
+// Those asked for, or, where none are, those that suit the kind of scene and that the runs have.
 // Throws InputError, naming the nearest, for one that no run has.
 [[nodiscard]] std::vector<std::string> shown_figures(const Sweep& sweep,
                                                      const std::vector<std::string>& asked);
