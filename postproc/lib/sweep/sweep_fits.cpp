@@ -45,7 +45,7 @@ std::optional<SweepFit> fit_over(const Sweep& sweep, size_t variable, const std:
     if (!run.is_done()) continue;
     const double x = numbers[run.place[variable]];
     const auto y = run.figure(figure);
-    if (!y || !(*y > 0.0)) {
+    if (!(x > 0.0) || !y || !(*y > 0.0)) {
       ++fit.left_out;
       continue;
     }
@@ -59,11 +59,6 @@ std::optional<SweepFit> fit_over(const Sweep& sweep, size_t variable, const std:
   fit.law = *law;
   fit.runs = points.size();
   return fit;
-}
-
-bool is_positive(const SweptVariable& variable) {
-  return !variable.numbers.empty() &&
-         std::ranges::all_of(variable.numbers, [](double number) { return number > 0.0; });
 }
 
 }  // namespace
@@ -90,9 +85,8 @@ std::vector<SweepFit> fit_sweep(const Sweep& sweep, const std::vector<std::strin
   std::vector<SweepFit> fits;
   for (const std::string& figure : figures) {
     for (size_t variable = 0; variable < sweep.variables.size(); ++variable) {
-      // A seed is a name, not a quantity.
-      if (!is_positive(sweep.variables[variable]) || sweep.variables[variable].name == "seed")
-        continue;
+      const SweptVariable& over = sweep.variables[variable];
+      if (over.numbers.empty() || over.name == "seed") continue;  // a seed is a name, no quantity
       if (const auto fit = fit_over(sweep, variable, figure)) fits.push_back(*fit);
     }
   }

@@ -21,7 +21,7 @@ struct SweepFit {
   std::string figure;
   size_t variable;        // its number in the sweep
   PowerLaw law;           // of the figure over the variable
-  size_t runs, left_out;  // left out: done, but without a positive value of the figure
+  size_t runs, left_out;  // left out: done, but not positive in both
   double from, to;        // values of the variable in it
 };
 

@@ -158,10 +158,13 @@ TEST_F(SweepFiles, ExponentsAreThoseOfVariablesWithThreeValues) {
 
 TEST_F(SweepFiles, AFitLeavesOutWhatIsNotPositiveAndSaysSo) {
   change(first_ + "/summary.json", "12.000000", "-1");
+  write_text(file("sweep_runs.csv"), text_of(file("sweep_runs.csv")) + add_run(-1, 6, 1));
+  change("burden--1,bench_height-6,seed-1/summary.json", "-24.000000", "24");
   report_sweep(temporary_.path(), {"throw_cg_m"});
   const CsvTable table = CsvTable::read(file("sweep_fit.csv"));
   EXPECT_EQ(table.whole(0, table.column("runs")), 11);
-  EXPECT_EQ(table.whole(0, table.column("runs_left_out")), 1);
+  EXPECT_EQ(table.whole(0, table.column("runs_left_out")), 2);
+  EXPECT_EQ(table.number(0, table.column("from")), 2.0);
 }
 
 TEST_F(SweepFiles, WithoutAFitThereIsNoTableOfFits) {
