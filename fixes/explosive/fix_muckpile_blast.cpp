@@ -10,9 +10,7 @@
 #include <update.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <utility>
 
@@ -67,19 +65,12 @@ void FixMuckpileBlast::init() {
   arrivals_known_ = false;
   const std::vector<Hole> holes = holes_of(*surface_);
   engine::or_engine_error(*lmp, [&] {
-    blasts_ = hole_blasts(options_, holes);
-    charges_ = hole_charges(options_, holes);
-    if (!described_) engine::print_once(*lmp, describe(options_, holes, blasts_));
+    std::vector<HoleBlast> blasts = hole_blasts(options_, holes);
+    if (!described_) engine::print_once(*lmp, describe(options_, holes, blasts));
+    holes_.set(std::move(blasts), hole_charges(options_, holes));
   });
   described_ = true;
-  swept_.resize(blasts_.size(), 0.0);
-  gas_.resize(blasts_.size(), 0.0);
-  on_wall_.resize(blasts_.size(), 0.0);
-  limit_.resize(blasts_.size(), 0.0);
-  states_.resize(blasts_.size());
-  books_.resize(blasts_.size());
-  size_array_rows = static_cast<int>(blasts_.size());
-  hole_over_.resize(blasts_.size(), 0);
+  size_array_rows = static_cast<int>(holes_.count());
   surface_->expect_pressure(!over_);
   check_timestep();
 }
@@ -94,7 +85,7 @@ void FixMuckpileBlast::let_go_of_softened_walls() {
   if (softened_ >= before || over_) return;
   require_fired(kBearable * modulus);
   const double pressure = greatest_pressure();
-  if (ambient_ > 0.0 || pressure <= kBearable * modulus) return;
+  if (holes_.ambient() > 0.0 || pressure <= kBearable * modulus) return;
   let_gas_go();
   surface_->unload_softened();
   load_faces(clock());
@@ -105,14 +96,15 @@ void FixMuckpileBlast::let_go_of_softened_walls() {
 }
 
 void FixMuckpileBlast::require_fired(double bearable) const {
-  for (std::size_t hole = 0; hole < blasts_.size(); ++hole) {
-    const double load = blasts_[hole].load().greatest_pressure();
-    if (clock() > blasts_[hole].firing_time() || load <= bearable) continue;
+  for (std::size_t hole = 0; hole < holes_.count(); ++hole) {
+    const HoleBlast& blast = holes_.blast(hole);
+    const double load = blast.load().greatest_pressure();
+    if (clock() > blast.firing_time() || load <= bearable) continue;
     engine::stop(*lmp, where_ +
                            ": joints are to be softened after the last hole has fired, got hole " +
                            std::to_string(hole + 1) + " to fire at " +
-                           number_text(blasts_[hole].firing_time()) + " s with " +
-                           number_text(load) + " Pa, softened at " + number_text(clock()) + " s");
+                           number_text(blast.firing_time()) + " s with " + number_text(load) +
+                           " Pa, softened at " + number_text(clock()) + " s");
   }
 }
 
@@ -141,10 +133,7 @@ void FixMuckpileBlast::check_timestep() {
   constexpr double kRounding = 1e-9;
   const double longest = (1.0 + kRounding) * options_.pulse_shape.rise_time / kStepsPerRise;
   if (warned_ || over_ || update->dt <= longest) return;
-  const double now = clock_started_ ? clock() : clock_restarted_;
-  if (std::all_of(blasts_.begin(), blasts_.end(),
-                  [now](const HoleBlast& blast) { return blast.pulse_over(now); }))
-    return;
+  if (holes_.pulses_over(last_clock())) return;
   warned_ = true;
   if (comm->me != 0) return;
   error->warning(FLERR,
@@ -226,23 +215,16 @@ void FixMuckpileBlast::check_walls() const {
 void FixMuckpileBlast::pre_force(int /*vflag*/) {
   if (over_) return;
   const double time = clock();
-  if (!fired(time)) return;
+  if (!holes_.any_fired(time)) return;
   refresh_arrivals();
   load_faces(time);
-  if (std::all_of(hole_over_.begin(), hole_over_.end(), [](char over) { return over != 0; })) {
-    finish();
-  }
-}
-
-bool FixMuckpileBlast::fired(double time) const {
-  return std::any_of(blasts_.begin(), blasts_.end(),
-                     [time](const HoleBlast& blast) { return time >= blast.firing_time(); });
+  if (holes_.all_over()) finish();
 }
 
 void FixMuckpileBlast::end_of_step() {
-  if (over_ || !fired(clock())) return;
+  if (over_ || !holes_.any_fired(clock())) return;
   sum_over_walls();
-  advance_gas();
+  holes_.advance(clock(), update->dt);
 }
 
 void FixMuckpileBlast::refresh_arrivals() {
@@ -251,7 +233,7 @@ void FixMuckpileBlast::refresh_arrivals() {
   arrivals_.clear();
   for (const LoadedFacet& face : surface_->loaded_facets()) {
     arrivals_.push_back(
-        blasts_[static_cast<std::size_t>(face.hole)].arrival_time(face.start_point));
+        holes_.blast(static_cast<std::size_t>(face.hole)).arrival_time(face.start_point));
   }
   pressures_.assign(arrivals_.size(), 0.0);
   wave_share_.assign(arrivals_.size(), 0.0);
@@ -259,96 +241,48 @@ void FixMuckpileBlast::refresh_arrivals() {
   arrivals_known_ = true;
 }
 
-/// Swept volumes and works of all ranks, and what the gas of each hole has expanded.
+/// Swept volumes and works of all ranks.
 void FixMuckpileBlast::sum_over_walls() {
-  const std::size_t holes = blasts_.size();
+  const std::size_t holes = holes_.count();
   std::vector<double> sums(2 * holes, 0.0);
   const std::span<double> swept(sums.data(), holes), work(sums.data() + holes, holes);
   surface_->swept_volume(swept);
   surface_->work_of_step(work);
   engine::sum_over_ranks_in_place(sums, world);
-  for (std::size_t h = 0; h < holes; ++h) {
-    HoleBooks& books = books_[h];
-    books.wall_work += work[h];
-    if (!hole_over_[h] && clock() >= blasts_[h].firing_time()) {
-      const auto pressure = [&](double volume) {
-        return blasts_[h].gas_pressure(volume, clock(), states_[h]);
-      };
-      const double more = swept[h] - swept_[h];
-      books.expansion += 0.5 * (pressure(swept_[h]) + pressure(swept[h])) * more;
-      books.air_volume += more;
-    }
-    swept_[h] = swept[h];
-  }
-}
-
-void FixMuckpileBlast::advance_gas() {
-  for (std::size_t hole = 0; hole < blasts_.size(); ++hole) {
-    if (!hole_over_[hole]) blasts_[hole].advance(states_[hole], swept_[hole], clock(), update->dt);
-  }
+  holes_.book_walls(swept, work, clock());
 }
 
 void FixMuckpileBlast::load_faces(double time) {
-  active_holes_ = 0;
-  for (std::size_t hole = 0; hole < blasts_.size(); ++hole) {
-    const HoleBlast& blast = blasts_[hole];
-    gas_[hole] = std::max(0.0, blast.gas_pressure(swept_[hole], time, states_[hole]) - ambient_);
-    on_wall_[hole] = gas_[hole] * blast.wall_share(swept_[hole], states_[hole]);
-    if (!hole_over_[hole] && blast.over(time, on_wall_[hole])) end_hole(hole);
-    if (hole_over_[hole]) gas_[hole] = on_wall_[hole] = 0.0;
-    limit_[hole] = blast.pulse_limit(swept_[hole], time, states_[hole]) - ambient_;
-    if (!hole_over_[hole] && time >= blast.firing_time()) ++active_holes_;
-  }
+  holes_.press(time);
   const std::span<const LoadedFacet> faces = surface_->loaded_facets();
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const auto hole = static_cast<std::size_t>(faces[i].hole);
-    const HoleBlast& blast = blasts_[hole];
-    pressures_[i] =
-        hole_over_[hole] ? 0.0 : blast.pressure(arrivals_[i], time, on_wall_[hole], limit_[hole]);
-    wave_share_[i] = blast.load().wave_share(time - arrivals_[i], on_wall_[hole], limit_[hole]);
+    const BlastHoles::OnWall load = holes_.on_wall(hole, arrivals_[i], time);
+    pressures_[i] = load.pressure;
+    wave_share_[i] = load.wave_share;
   }
   surface_->set_pressure(pressures_, wave_share_);
-}
-
-/// What gas is left in a hole that is over goes into the open.
-void FixMuckpileBlast::end_hole(std::size_t hole) {
-  if (hole_over_[hole]) return;
-  books_[hole].let_go += blasts_[hole].gas_energy(swept_[hole], clock(), states_[hole]);
-  hole_over_[hole] = 1;
 }
 
 void FixMuckpileBlast::let_gas_into_joints(double ambient) {
   if (!options_.gas || !options_.vent_by_flow)
     throw InputError(where_ + ": gas in joints needs gas yes and venting flow");
   options_.flow.crack_discharge = 0.0;
-  ambient_ = ambient;
+  holes_.press_against(ambient);
 }
 
 GasChamber FixMuckpileBlast::chamber(std::size_t hole) const {
-  const HoleBlast& blast = blasts_[hole];
-  if (hole_over_[hole]) return {};
-  // Gas that has come through the crushed rock presses no more than that does; it has been
-  // throttled.
-  const double share = blast.wall_share(swept_[hole], states_[hole]);
-  const double pressure = blast.gas_pressure(swept_[hole], clock(), states_[hole]);
-  const double mass = states_[hole].mass_left * charges_[hole].mass;
-  return {{share * pressure, share * mass / blast.gas_volume(swept_[hole], states_[hole])},
-          mass,
-          blast.gas_enthalpy(swept_[hole], clock(), states_[hole]),
-          0.0,
-          charges_[hole].crushed_rock};
+  if (holes_.over(hole)) return {};
+  const BlastHoles::Gas gas = holes_.gas(hole, clock());
+  return {
+      {gas.pressure, gas.density}, gas.mass, gas.enthalpy, 0.0, holes_.charge(hole).crushed_rock};
 }
 
-void FixMuckpileBlast::let_gas_go() {
-  for (std::size_t hole = 0; hole < blasts_.size(); ++hole) end_hole(hole);
-}
+void FixMuckpileBlast::let_gas_go() { holes_.let_go(clock()); }
 
 void FixMuckpileBlast::take_gas(std::span<const GasFlow> per_hole) {
-  for (std::size_t hole = 0; hole < states_.size(); ++hole) {
-    blasts_[hole].take_gas(states_[hole], swept_[hole], clock(),
-                           per_hole[hole].mass / charges_[hole].mass, per_hole[hole].energy);
-    books_[hole].into_joints += per_hole[hole].energy;
-  }
+  for (std::size_t hole = 0; hole < holes_.count(); ++hole)
+    holes_.take_gas(hole, per_hole[hole].mass, per_hole[hole].energy, clock());
 }
 
 /// The last load has just been set to zero on every face; nothing is left to do.

@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "explosive/energy_audit.h"
-#include "explosive/hole_loads.h"
+#include "explosive/blast_holes.h"
 #include "fixes/interfaces/blast_energies.h"
 #include "fixes/interfaces/blast_surface.h"
 #include "fixes/interfaces/charge_timing.h"
@@ -81,22 +80,22 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix,
   void check_walls() const;
   void require_fired(double bearable) const;
   void let_go_of_softened_walls();
-  [[nodiscard]] double clock() const;  // since the first run with this fix [s]
+  [[nodiscard]] double clock() const;        // since the first run with this fix [s]
+  [[nodiscard]] double last_clock() const {  // before a run, too
+    return clock_started_ ? clock() : clock_restarted_;
+  }
   void refresh_arrivals();
-  [[nodiscard]] bool fired(double time) const;
   void sum_over_walls();
-  void advance_gas();
-  void end_hole(std::size_t hole);
-  [[nodiscard]] EnergyAudit audit_of(std::size_t hole) const;
   void load_faces(double time);
   void finish();
 
   std::string where_;
   BlastOptions options_;
-  double ambient_ = 0.0;             // that the gas in the holes works against [Pa]
   BlastSurface* surface_ = nullptr;  // looked up in every init()
   double softened_ = 1.0;            // what the walls have been looked at for [-]
-  std::vector<HoleBlast> blasts_;    // per hole
+  // Swept volumes are those of the last force computation: the faces of a block cannot tell once it
+  // has changed rank.
+  BlastHoles holes_;
   bool described_ = false;
 
   bool clock_started_ = false;
@@ -109,18 +108,8 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix,
   std::vector<double> arrivals_;    // per loaded face of this rank [s]
   std::vector<double> pressures_;   // per loaded face of this rank [Pa]
   std::vector<double> wave_share_;  // per loaded face of this rank
-  // At the last force computation: the faces of a block cannot tell once it has changed rank.
-  std::vector<double> swept_;        // per hole, all ranks [m3]
-  std::vector<double> gas_;          // per hole [Pa]
-  std::vector<double> on_wall_;      // what of that presses on its wall [Pa]
-  std::vector<double> limit_;        // of the pulse, per hole [Pa]
-  std::vector<GasState> states_;     // per hole
-  std::vector<HoleBooks> books_;     // per hole
-  std::vector<HoleCharge> charges_;  // per hole
-  std::vector<char> hole_over_;      // per hole; never turns back
-  bool over_ = false;
-  bool warned_ = false;  // of a step too long for the pulse
-  int active_holes_ = 0;
+  bool over_ = false;               // all holes are
+  bool warned_ = false;             // of a step too long for the pulse
 };
 
 }  // namespace muckpile

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix muckpile/blast: energies and their audit, outputs, restart.
 // Scope: what has been booked; nothing here changes the load.
-#include <algorithm>
 #include <array>
-#include <numeric>
 #include <utility>
 
 #include "fixes/engine/find_view.h"
@@ -45,7 +43,7 @@ const int FixMuckpileBlast::kHoleOutputs = static_cast<int>(kHoleColumns.size())
 
 BlastEnergies::Energies FixMuckpileBlast::energies() const {
   Energies energies;
-  for (const HoleCharge& charge : charges_) energies.explosive += charge.energy;
+  energies.explosive = holes_.explosive_energy();
   if (const BlastSurface* surface = engine::find_view<BlastSurface>(*lmp)) {
     energies.wave = engine::sum_over_ranks(surface->wave_work(), world);
     energies.gas = engine::sum_over_ranks(surface->pressure_work(), world) - energies.wave;
@@ -53,20 +51,9 @@ BlastEnergies::Energies FixMuckpileBlast::energies() const {
   return energies;
 }
 
-/// Without what its gas has done in joints.
-EnergyAudit FixMuckpileBlast::audit_of(std::size_t hole) const {
-  const HoleBlast& blast = blasts_[hole];
-  const double now = clock_started_ ? clock() : clock_restarted_;
-  if (now < blast.firing_time()) return {};
-  const double in_hole =
-      hole_over_[hole] ? 0.0 : blast.gas_energy(swept_[hole], now, states_[hole]);
-  return audit_of_hole(blast.load(), charges_[hole].energy, in_hole, states_[hole], books_[hole],
-                       ambient_);
-}
-
 EnergyAudit FixMuckpileBlast::audit() const {
   EnergyAudit all;
-  for (std::size_t hole = 0; hole < blasts_.size(); ++hole) all += audit_of(hole);
+  for (std::size_t hole = 0; hole < holes_.count(); ++hole) all += holes_.audit(hole, last_clock());
   if (const auto* joints = engine::find_view<JointGasEnergies>(*lmp)) {
     const JointGasEnergies::Sums gas = joints->gas_energies();
     all.joint_work += gas.work;
@@ -80,14 +67,15 @@ EnergyAudit FixMuckpileBlast::audit() const {
 
 double FixMuckpileBlast::compute_array(int row, int column) {
   const auto hole = static_cast<std::size_t>(row), term = static_cast<std::size_t>(column);
-  if (hole >= blasts_.size()) return 0.0;
-  return term < kHoleColumns.size() ? audit_of(hole).*kHoleColumns[term] : books_[hole].into_joints;
+  if (hole >= holes_.count()) return 0.0;
+  return term < kHoleColumns.size() ? holes_.audit(hole, last_clock()).*kHoleColumns[term]
+                                    : holes_.state().books[hole].into_joints;
 }
 
 double FixMuckpileBlast::compute_vector(int index) {
   const BlastSurface* surface =
       engine::find_view<BlastSurface>(*lmp);  // between runs it may have been unfixed
-  if (surface == nullptr || blasts_.empty()) return 0.0;
+  if (surface == nullptr || holes_.count() == 0) return 0.0;
   if (index >= kAudit) {
     const EnergyAudit all = audit();
     const auto term = static_cast<std::size_t>(index - kAudit) + 1;
@@ -97,13 +85,13 @@ double FixMuckpileBlast::compute_vector(int index) {
     case kMaximumPressure:
       return greatest_pressure();
     case kGasPressure:
-      return gas_.front();
+      return holes_.gas_pressure(0);
     case kSweptVolume:
-      return std::accumulate(swept_.begin(), swept_.end(), 0.0);
+      return holes_.swept_volume();
     case kWork:
       return engine::sum_over_ranks(surface->pressure_work(), world);
     case kActiveHoles:
-      return active_holes_;
+      return holes_.active(last_clock());
     case kOver:
       return over_ ? 1.0 : 0.0;
     case kWaveWork:
@@ -113,32 +101,29 @@ double FixMuckpileBlast::compute_vector(int index) {
     case kExplosiveEnergy:
       return energies().explosive;
     case kExplosiveMass:
-      return std::accumulate(charges_.begin(), charges_.end(), 0.0,
-                             [](double sum, const HoleCharge& c) { return sum + c.mass; });
+      return holes_.explosive_mass();
     case kGasLeft:
-      return states_.front().mass_left;
+      return holes_.state().gas.front().mass_left;
     default:
       return 0.0;
   }
 }
 
 void FixMuckpileBlast::write_restart(FILE* file) {
-  const double now = clock_started_ ? clock() : clock_restarted_;
-  const BlastState state{now,   swept_,         states_,   hole_over_,
-                         over_, walls_checked_, softened_, books_};
+  const BlastHoles::State& holes = holes_.state();
+  const BlastState state{last_clock(), holes.swept,    holes.gas, holes.over,
+                         over_,        walls_checked_, softened_, holes.books};
   engine::write_state(*lmp, style, file, state);
 }
 
 void FixMuckpileBlast::restart(char* bytes) {
   auto state = engine::read_state<BlastState>(*lmp, style, bytes);
   clock_restarted_ = state.clock;
-  swept_ = std::move(state.swept);
-  states_ = std::move(state.gas);
-  hole_over_ = std::move(state.hole_over);
+  holes_.resume({std::move(state.swept), std::move(state.gas), std::move(state.hole_over),
+                 std::move(state.books)});
   over_ = state.over;
   walls_checked_ = state.walls_checked;
   softened_ = state.softened;
-  books_ = std::move(state.books);
 }
 
 }  // namespace muckpile

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix muckpile/progress: console line, what history.csv and run.json say, and the checks that stop
-// a run.
-// Scope: see the header.
+// fix muckpile/progress: looks at the run from time to time, and the checks that stop it.
+// Scope: what a look is told as is in run_look.cpp.
 #include "fixes/run/fix_muckpile_progress.h"
 
 #include <atom.h>
@@ -13,16 +12,14 @@
 #include <write_restart.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "args/numbers.h"
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/find_view.h"
-#include "fixes/engine/json_text.h"
 #include "fixes/engine/output_file.h"
 #include "fixes/engine/over_ranks.h"
 #include "fixes/engine/periodic_output.h"
@@ -64,19 +61,6 @@ const ArgTable& table() {
                 "region where no rock can come to be, such as the ground under a floor; a block "
                 "whose centre is inside, but was not at the start, is counted and warned about");
   return args;
-}
-
-/// The cylinders of rock that the charges crush, one per hole.
-nlohmann::ordered_json crushed_zones(const KnownBlocks& blocks) {
-  const auto three = [](const Vec3& p) {
-    return nlohmann::ordered_json::array({p.x(), p.y(), p.z()});
-  };
-  auto zones = nlohmann::ordered_json::array();
-  for (const Hole& hole : blocks.holes()) {
-    zones.push_back(
-        {{"toe_m", three(hole.toe)}, {"collar_m", three(hole.collar)}, {"radius_m", hole.radius}});
-  }
-  return zones;
 }
 
 }  // namespace
@@ -131,7 +115,7 @@ void FixMuckpileProgress::end_of_step() {
 
 void FixMuckpileProgress::look_if_due() {
   if (update->ntimestep % every_ != 0 || last_ == update->ntimestep) return;
-  const Look now = look();
+  const RunLook now = look();
   stop_if_wrong(now);
   write_history(now);
   warn_of_solid(now);
@@ -140,15 +124,17 @@ void FixMuckpileProgress::look_if_due() {
 
 void FixMuckpileProgress::post_run() {
   files_.begin(blocks_->run_id(), last_ < 0 ? update->ntimestep : last_);
-  const Look now = look();
+  const RunLook now = look();
   stop_if_wrong(now);
   if (last_ != update->ntimestep) write_history(now);
   warn_of_solid(now);
   write_run(now);
 }
 
-FixMuckpileProgress::Look FixMuckpileProgress::look() {
-  Look now;
+RunLook FixMuckpileProgress::look() {
+  RunLook now;
+  now.step = update->ntimestep;
+  now.timestep = update->dt;
   now.time = update->get_cur_time();
   now.fastest = ledger_->fastest_block();
   look_at_blocks(now);
@@ -161,7 +147,7 @@ FixMuckpileProgress::Look FixMuckpileProgress::look() {
   return now;
 }
 
-void FixMuckpileProgress::look_at_blocks(Look& now) const {
+void FixMuckpileProgress::look_at_blocks(RunLook& now) const {
   const engine::Bodies bodies(*engine::find_multisphere(*lmp));
   std::array<double, 5> sums{};
   auto& [moving, mass, gone, gone_mass, in_solid] = sums;
@@ -189,7 +175,7 @@ bool FixMuckpileProgress::has_entered_solid(const engine::Bodies& bodies, int b)
 }
 
 /// The count is the same on all ranks.
-void FixMuckpileProgress::warn_of_solid(const Look& now) {
+void FixMuckpileProgress::warn_of_solid(const RunLook& now) {
   if (now.in_solid == 0.0 || warned_of_solid_) return;
   warned_of_solid_ = true;
   const engine::Bodies bodies(*engine::find_multisphere(*lmp));
@@ -207,9 +193,11 @@ void FixMuckpileProgress::warn_of_solid(const Look& now) {
                  .c_str());
 }
 
-bool FixMuckpileProgress::still(const Look& now) const { return now.moving_share < still_share_; }
+bool FixMuckpileProgress::still(const RunLook& now) const {
+  return now.moving_share < still_share_;
+}
 
-void FixMuckpileProgress::stop_if_wrong(const Look& now) {
+void FixMuckpileProgress::stop_if_wrong(const RunLook& now) {
   const std::string at = engine::at_present(*lmp);
   if (!std::isfinite(now.fastest))
     stop_with_restart("a block's velocity is not a number" + at + "; the time step is too long");
@@ -246,26 +234,12 @@ std::string FixMuckpileProgress::write_state() {
   return file;
 }
 
-void FixMuckpileProgress::say(const Look& now) const {
+void FixMuckpileProgress::say(const RunLook& now) const {
   const double done = now.time - phase_time_start_;
   const double left = done > 0.0 && time_end_ < 1e29 ? (MPI_Wtime() - phase_wall_start_) / done *
                                                            std::max(time_end_ - now.time, 0.0)
                                                      : -1.0;
-  char remaining[64] = "";
-  if (left >= 0.0) std::snprintf(remaining, sizeof remaining, " | at most %.0f s left", left);
-  char gone[64] = "";
-  if (now.gone > 0.0) std::snprintf(gone, sizeof gone, " | %.0f blocks left the scene", now.gone);
-  char buried[64] = "";
-  if (now.in_solid > 0.0)
-    std::snprintf(buried, sizeof buried, " | %.0f blocks in the solid", now.in_solid);
-  char text[384];
-  std::snprintf(text, sizeof text,
-                "[%s] t = %.4g s | step %lld of %.2g s | joints broken %.1f %% | fastest %.3g m/s "
-                "| moving %.1f %%%s%s%s\n",
-                phase_.c_str(), now.time, static_cast<long long>(update->ntimestep), update->dt,
-                now.joints > 0.0 ? 100.0 * now.broken / now.joints : 0.0, now.fastest,
-                100.0 * now.moving_share, gone, buried, remaining);
-  engine::print_once(*lmp, text);
+  engine::print_once(*lmp, progress_line(now, phase_, left));
   if (screen != nullptr) std::fflush(screen);
 }
 
@@ -278,60 +252,29 @@ void FixMuckpileProgress::restart(char* state) {
   read_at_ = update->ntimestep;
 }
 
-void FixMuckpileProgress::write_history(const Look& now) {
+void FixMuckpileProgress::write_history(const RunLook& now) {
   last_ = update->ntimestep;
-  files_.add_row(row(now));
+  files_.add_row(history_row(now, phase_, ledger_->ledger(), blocks_->run_id()));
 }
 
-std::string FixMuckpileProgress::row(const Look& now) const {
-  const EnergyLedger& e = ledger_->ledger();
-  std::ostringstream out;
-  out.precision(10);
-  out << update->ntimestep << ',' << now.time << ',' << update->dt << ',' << phase_ << ','
-      << now.joints << ',' << now.broken << ',' << now.fastest;
-  for (double energy : {e.kinetic, e.joint_elastic, e.contact_elastic, e.gravity, e.blast_work,
-                        e.fracture, e.joint_friction, e.joint_damping, e.contact_friction,
-                        e.contact_damping, e.walls, e.quiet, e.sleep, e.given, now.balance}) {
-    out << ',' << energy;
+void FixMuckpileProgress::write_run(const RunLook& now) const {
+  RunFacts facts{.spheres = static_cast<std::int64_t>(atom->natoms),
+                 .wall_time = MPI_Wtime() - wall_start_,
+                 .ranks = comm->nprocs,
+                 .still = still(now),
+                 .energies = {},
+                 .audit = {}};
+  if (const auto* blast = engine::find_view<BlastEnergies>(*lmp)) {
+    facts.energies = blast->energies();
+    facts.audit = blast->audit();
   }
-  out << ',' << blocks_->run_id() << '\n';
-  return out.str();
-}
-
-void FixMuckpileProgress::write_run(const Look& now) const {
-  const auto* blast = engine::find_view<BlastEnergies>(*lmp);
-  const auto energies = blast != nullptr ? blast->energies() : BlastEnergies::Energies{};
-  nlohmann::ordered_json run;
-  run["blocks"] = blocks_->blocks_created();
-  run["spheres"] = atom->natoms;
-  run["joints"] = blocks_->facets_created();
-  run["joints_broken_fraction"] = now.joints > 0.0 ? now.broken / now.joints : 0.0;
-  run["steps"] = update->ntimestep;
-  run["physical_time_s"] = now.time;
-  run["wall_time_s"] = MPI_Wtime() - wall_start_;
-  run["ranks"] = comm->nprocs;
-  run["energy_balance_error"] = now.balance;
-  run["explosive_energy_J"] = energies.explosive;
-  run["wave_work_J"] = energies.wave;
-  run["gas_work_J"] = energies.gas;
-  const EnergyAudit audit = blast != nullptr ? blast->audit() : EnergyAudit{};
-  for (const EnergyAudit::Term& term : EnergyAudit::kTerms)
-    run["energy_audit_J"][std::string(term.name)] = audit.*term.value;
-  run["energy_audit_error"] = audit.explosive > 0.0 ? audit.error() / audit.explosive : 0.0;
-  run["blocks_left_scene"] = std::lround(now.gone);
-  run["mass_left_scene_kg"] = now.gone_mass;
-  run["blocks_in_solid"] = std::lround(now.in_solid);
-  run["version"] = MUCKPILE_VERSION;
-  run["still"] = still(now);
-  run["run_id"] = blocks_->run_id();
-  run["holes"] = crushed_zones(*blocks_);
-  files_.write_run(engine::json_text(run));
+  files_.write_run(run_json(now, facts, *blocks_));
 }
 
 double FixMuckpileProgress::compute_scalar() { return still(look()) ? 1.0 : 0.0; }
 
 double FixMuckpileProgress::compute_vector(int n) {
-  const Look now = look();
+  const RunLook now = look();
   return std::array{now.fastest, now.moving_share, now.gone,
                     now.in_solid}[static_cast<std::size_t>(n)];
 }

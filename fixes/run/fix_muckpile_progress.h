@@ -5,11 +5,11 @@
 
 #include <fix.h>
 
-#include <array>
 #include <string>
 
 #include "fixes/interfaces/state_writer.h"
 #include "fixes/run/run_files.h"
+#include "fixes/run/run_look.h"
 #include "state/encoding.h"
 
 namespace muckpile {
@@ -49,29 +49,16 @@ class FixMuckpileProgress : public LAMMPS_NS::Fix, public StateWriter {
   std::string write_state() override;
 
  private:
-  struct Look {
-    double time = 0.0;          // [s]
-    double fastest = 0.0;       // [m/s]
-    double moving_share = 0.0;  // mass share of blocks in the scene faster than still_speed [-]
-    double gone = 0.0;          // blocks outside of the scene
-    double gone_mass = 0.0;     // [kg]
-    double in_solid = 0.0;      // blocks that came to where no rock can be
-    double joints = 0.0, broken = 0.0;
-    int bodies = 0;
-    double balance = 0.0;
-  };
-
   void look_if_due();
-  [[nodiscard]] Look look();
-  void look_at_blocks(Look& now) const;
+  [[nodiscard]] RunLook look();
+  void look_at_blocks(RunLook& now) const;
   [[nodiscard]] bool has_entered_solid(const engine::Bodies& bodies, int b) const;
-  void warn_of_solid(const Look& now);
-  void say(const Look& now) const;
-  void write_history(const Look& now);
-  [[nodiscard]] std::string row(const Look& now) const;
-  void write_run(const Look& now) const;
-  void stop_if_wrong(const Look& now);
-  [[nodiscard]] bool still(const Look& now) const;
+  void warn_of_solid(const RunLook& now);
+  void say(const RunLook& now) const;
+  void write_history(const RunLook& now);
+  void write_run(const RunLook& now) const;
+  void stop_if_wrong(const RunLook& now);
+  [[nodiscard]] bool still(const RunLook& now) const;
   [[noreturn]] void stop_with_restart(const std::string& why);
 
   EnergyAccount* ledger_ = nullptr;

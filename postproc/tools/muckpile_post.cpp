@@ -86,6 +86,7 @@ struct Options {
   PictureOptions picture;
   std::string colour = "start_height";
   int every = 1;
+  bool vtk = false;  // all: series too
 };
 
 void add_movement_command(CLI::App& app, Options& o) {
@@ -187,10 +188,10 @@ void say(const std::string& text) {
 }
 
 // A report that has no measures for the scene is no failure of the others.
-void report_all(const std::string& path) {
+void report_all(const std::string& path, bool vtk) {
   const ResultFolder folder(path);
   std::string refused;
-  for (const std::string& name : reports_of(folder)) {
+  for (const std::string& name : reports_of(folder, vtk)) {
     say(name + " " + path);
     try {
       make_report(folder, name);
@@ -213,7 +214,8 @@ void add_all_command(CLI::App& app, Options& o) {
   CLI::App* all = add_command(
       app, "all", "what fits the scene of those above, and the key figures on the screen",
       o.folder);
-  all->callback([&o] { report_all(o.folder); });
+  all->add_flag("--vtk", o.vtk, "also series, the snapshots as polyhedra for ParaView");
+  all->callback([&o] { report_all(o.folder, o.vtk); });
 }
 
 }  // namespace

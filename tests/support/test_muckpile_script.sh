@@ -56,6 +56,8 @@ done
 must_work run inputs/demo/in.demo -np 1 -var bench_height 10 -var rock_density 2.6e3
 called '^mpirun -np 1 .*-in inputs/demo/in.demo .*-var out results/demo -var bench_height 10 -var rock_density 2.6e3$'
 called '^muckpile-post all results/demo$'
+must_work run inputs/demo/in.demo -np 1 -vtk
+called '^muckpile-post all results/demo --vtk$'
 ! grep -q '^apt-get' calls || problem "apt-get ran though nothing is missing"
 grep -qE 'throw_cg_m +8.5' <<<"$output" || problem "the key figures are not shown"
 

@@ -8,7 +8,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/script.sh"
 post=$(readlink -f "$1")
 source "$here/fake_tree.sh"
-mkdir -p src/{core,figures} fixes postproc cmake
+mkdir -p src/{core,figures} fixes postproc/{lib,tools} cmake
 touch CMake{Lists.txt,Presets.json}
 printf 'variable burden index 3 # m\nvariable seed index 1\nvariable table index none\n' >>inputs/demo/in.demo
 
@@ -68,7 +68,7 @@ must_refuse "has no variable 'burdn'; did you mean 'burden'?" sweep inputs/demo/
 must_refuse "-var mode must be one of slow, got 'fast'" sweep inputs/demo/in.demo -var mode slow,fast
 must_refuse "-var mode must be one of slow, got 'fast'" sweep inputs/demo/in.demo -var mode fast,slow
 must_refuse "a sweep begins each run anew" sweep inputs/demo/in.demo -var burden 2,3 -var go_on 1
-must_refuse "unknown option '-frames' of sweep (known: -np, -var, -out, -seeds, -jobs)" sweep inputs/demo/in.demo -frames 3
+must_refuse "unknown option '-frames' of sweep (known: -np, -var, -out, -vtk, -seeds, -jobs)" sweep inputs/demo/in.demo -frames 3
 must_refuse "two runs would have the same folder 'table-a_b'" sweep inputs/demo/in.demo -var table 'a:b,a;b'
 for number in 0 -1 two 1.5 '' 12345; do
   must_refuse "-seeds must be a whole number from 1 to 9999, got '$number'" sweep inputs/demo/in.demo -var burden 2,3 -seeds "$number"
@@ -103,9 +103,10 @@ told '12 runs, 12 done before; 2 at once with -np 1 on 2 cores'
 sweep -var patience 5 -var burden 2,3,4 -var bench_height 6,9 -seeds 3 -jobs 1
 ended_with 0 && runs_were 6
 at_once_were 1
-sweep -var burden 2,3 -np 2 -out results/two_ranks
+sweep -var burden 2,3 -np 2 -vtk -out results/two_ranks
 ended_with 0 && runs_were 2
 told '1 at once with -np 2 on 2 cores'
+called '^muckpile-post all results/two_ranks/burden-3 --vtk$'
 at_once_were 1
 
 # What a run came of has changed: another build, input, file, value; other results in the folder; another muckpile-post.
@@ -135,7 +136,7 @@ call run inputs/demo/in.demo -var burden 5 -out results/two/burden-2
 must_do 1 'begins anew burden-2: results changed since'
 rm results/two/burden-3/summary.json
 must_do 1
-echo 2 >postproc/pile.cpp
+echo 2 >postproc/lib/pile.cpp
 must_do 0 'measured again burden-3'
 called '^muckpile-post all results/two/burden-3$'
 must_do 0

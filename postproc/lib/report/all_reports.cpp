@@ -34,7 +34,7 @@ const std::map<std::string, MakeReport>& makers() {
 
 }  // namespace
 
-std::vector<std::string> reports_of(const ResultFolder& folder) {
+std::vector<std::string> reports_of(const ResultFolder& folder, bool with_series) {
   static const std::map<std::string, std::vector<std::string>> measures{
       {"bench", {"profile", "movement", "fragments"}},
       {"crater", {"crater", "fragments"}},
@@ -47,7 +47,8 @@ std::vector<std::string> reports_of(const ResultFolder& folder) {
                      ": case must be bench, crater, heap or other, got '" + scene + "'");
   }
   std::vector<std::string> names = found->second;
-  names.insert(names.end(), {"energy", "render", "series"});
+  names.insert(names.end(), {"energy", "render"});
+  if (with_series) names.emplace_back("series");
   if (std::filesystem::exists(folder.dump("holes.csv"))) names.emplace_back("plan");
   names.emplace_back("report");  // shows what the others have left
   return names;

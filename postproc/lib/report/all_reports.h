@@ -12,8 +12,9 @@
 namespace muckpile {
 
 // The names of the sub-commands for the scene of a run, in the order in which they are made.
-// Throws InputError if its case is not bench, crater, heap or other.
-std::vector<std::string> reports_of(const ResultFolder& folder);
+// The polyhedra of all snapshots, some hundred MB, are among them only `with_series`. Throws InputError
+// if its case is not bench, crater, heap or other.
+std::vector<std::string> reports_of(const ResultFolder& folder, bool with_series);
 
 // Makes one of them. Throws NotMeasurable where it has no measures for the scene.
 void make_report(const ResultFolder& folder, const std::string& name);

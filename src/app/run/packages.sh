@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # shellcheck shell=bash
-# The Debian packages that Muckpile is built with, and the installation of those that are missing.
+# The Debian packages that Muckpile is built and tested with, and the installation of those that are missing.
 # Scope: sourced by muckpile, whose say() and die() it uses; Debian 12 and its kin.
 readonly packages=(g++ cmake ninja-build libliggghts-dev libopenmpi-dev openmpi-bin libeigen3-dev
-  voro++-dev libvtk9-dev libgtest-dev libcli11-dev nlohmann-json3-dev)
+  voro++-dev libvtk9-dev libgtest-dev libcli11-dev nlohmann-json3-dev python3-numpy)
 
 missing_packages() {  # missing_packages PACKAGE...
   # dpkg-query fails when it does not know one of the packages; its output is still right.

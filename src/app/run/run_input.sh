@@ -27,8 +27,8 @@ value_from_root() {
 }
 
 run() {
-  local command=run known_options='-np, -var, -out' default_folder=results/
-  local input='' ranks='' out='' go_on cores engine_args=()
+  local command=run known_options='-np, -var, -out, -vtk' default_folder=results/
+  local input='' ranks='' out='' go_on cores engine_args=() reports=()
   cores=$(available_cores)
   read_run_words "$@"
   cd "$root"
@@ -37,7 +37,7 @@ run() {
   prepare_folder
   run_in_folder
   refuse_empty_files "$out"
-  post_process "$out"
+  post_process "$out" "${reports[@]}"
 }
 
 read_run_words() {
@@ -57,6 +57,10 @@ read_run_words() {
         [[ -n ${2-} ]] || die "-out needs a folder"
         out=$(from_root "$2")
         shift 2
+        ;;
+      -vtk)
+        reports=(--vtk)
+        shift
         ;;
       -*) die "unknown option '$1' of $command (known: $known_options)" ;;
       *)
@@ -151,10 +155,10 @@ end_without_a_step() {
   exit 0
 }
 
-post_process() {  # post_process OUT
+post_process() {  # post_process OUT [OPTION OF muckpile-post all]...
   if [[ ! -f $1/dump/scene.json ]]; then
     say "no $1/dump/scene.json: nothing to extract"
     return
   fi
-  "$build_dir/postproc/tools/muckpile-post" all "$1" || die "muckpile-post failed; the reason is above"
+  "$build_dir/postproc/tools/muckpile-post" all "$@" || die "muckpile-post failed; the reason is above"
 }

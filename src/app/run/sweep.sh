@@ -5,8 +5,8 @@
 # run_input.sh, in a process and a folder of its own. The parts of sweep() share its local variables.
 
 sweep() {
-  local command=sweep known_options='-np, -var, -out, -seeds, -jobs' default_folder=results/sweep_
-  local input='' ranks='' out='' jobs='' seeds='' go_on cores engine_args=() folder
+  local command=sweep known_options='-np, -var, -out, -vtk, -seeds, -jobs' default_folder=results/sweep_
+  local input='' ranks='' out='' jobs='' seeds='' go_on cores engine_args=() reports=() folder
   # Of run k: "NAME<tab>VALUE<line end>"... of what is swept, and waiting, measure, done, failed or interrupted.
   local swept=() fixed=() runs=() states=() common_conditions measured_by
   local -A values_of=()
@@ -183,7 +183,7 @@ run_one() {  # run_one STATE: in a process of its own
     run_in_folder
     refuse_empty_files "$out"
   fi
-  post_process "$out"
+  post_process "$out" "${reports[@]}"
   [[ -s $out/summary.json ]] || die "the run has left no $out/summary.json"
   write_record
   say "took $SECONDS s"

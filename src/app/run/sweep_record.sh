@@ -23,7 +23,7 @@ read_common_conditions() {
     printf 'input %s %s\n' "$input" "$(print_of "${files[@]}")"
     printf 'ranks %s\n' "$ranks"
   )
-  measured_by=$(print_of_sources src/core src/figures postproc)
+  measured_by=$(print_of_sources src/core src/figures postproc/lib postproc/tools)
 }
 
 conditions() {  # of the run that was chosen last

@@ -24,31 +24,36 @@ class AllReports : public ::testing::Test {
 };
 
 TEST_F(AllReports, EachCaseHasItsOwn) {
-  EXPECT_EQ(reports_of(folder_with(R"({"case": "bench"})")),
-            (Names{"profile", "movement", "fragments", "energy", "render", "series", "report"}));
-  EXPECT_EQ(reports_of(folder_with(R"({"case": "crater"})")),
-            (Names{"crater", "fragments", "energy", "render", "series", "report"}));
-  EXPECT_EQ(reports_of(folder_with(R"({"case": "heap"})")),
+  EXPECT_EQ(reports_of(folder_with(R"({"case": "bench"})"), false),
+            (Names{"profile", "movement", "fragments", "energy", "render", "report"}));
+  EXPECT_EQ(reports_of(folder_with(R"({"case": "crater"})"), false),
+            (Names{"crater", "fragments", "energy", "render", "report"}));
+  EXPECT_EQ(reports_of(folder_with(R"({"case": "heap"})"), false),
+            (Names{"heap", "energy", "render", "report"}));
+  EXPECT_EQ(reports_of(folder_with(R"({"case": "other"})"), false),
+            (Names{"fragments", "energy", "render", "report"}));
+}
+
+TEST_F(AllReports, TheSeriesIsMadeWhereItIsAskedFor) {
+  EXPECT_EQ(reports_of(folder_with(R"({"case": "heap"})"), true),
             (Names{"heap", "energy", "render", "series", "report"}));
-  EXPECT_EQ(reports_of(folder_with(R"({"case": "other"})")),
-            (Names{"fragments", "energy", "render", "series", "report"}));
 }
 
 TEST_F(AllReports, AKnobMayHaveTheNameOfTheCase) {
-  const Names heap = reports_of(folder_with(R"({"case": "heap"})"));
-  EXPECT_EQ(reports_of(folder_with(R"({"knobs": {"case": "bench"}, "case": "heap"})")), heap);
-  EXPECT_EQ(reports_of(folder_with(R"({ "case" : "heap", "knobs": {"case": "bench"}})")), heap);
+  const Names heap = reports_of(folder_with(R"({"case": "heap"})"), false);
+  EXPECT_EQ(reports_of(folder_with(R"({"knobs": {"case": "bench"}, "case": "heap"})"), false), heap);
+  EXPECT_EQ(reports_of(folder_with(R"({ "case" : "heap", "knobs": {"case": "bench"}})"), false), heap);
 }
 
 TEST_F(AllReports, AHoleTableIsDrawnToo) {
   write_text(temporary_.path() / "dump/holes.csv", "hole\n");
-  const Names names = reports_of(folder_with(R"({"case": "bench"})"));
+  const Names names = reports_of(folder_with(R"({"case": "bench"})"), false);
   EXPECT_EQ((Names{names.end() - 2, names.end()}), (Names{"plan", "report"}));
 }
 
 TEST_F(AllReports, AnotherCaseIsRefusedByName) {
   for (const char* scene : {R"({"case": "quarry"})", "{}", R"({"knobs": {"case": "bench"}})"})
-    EXPECT_THROW(reports_of(folder_with(scene)), InputError) << scene;
+    EXPECT_THROW(reports_of(folder_with(scene), false), InputError) << scene;
 }
 
 TEST_F(AllReports, TheSummaryIsShownKeyByKey) {
@@ -65,7 +70,7 @@ TEST_F(AllReports, OfAHeapLeaveTheirFiles) {
   TemporaryFolder temporary;
   write_heap(temporary.path());
   const ResultFolder folder(temporary.path());
-  for (const std::string& name : reports_of(folder)) {
+  for (const std::string& name : reports_of(folder, true)) {
     if (name != "render") make_report(folder, name);  // seconds at its full size
   }
   Names pictures;
