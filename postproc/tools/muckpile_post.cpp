@@ -15,6 +15,7 @@
 #include "report/not_measurable.h"
 #include "report/plan_report.h"
 #include "report/reports.h"
+#include "sweep_command.h"
 
 namespace {
 
@@ -231,6 +232,7 @@ int main(int argc, char** argv) {
   add_all_command(app, options);
   int status = 0;
   add_compare_command(app, status);
+  add_sweep_command(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

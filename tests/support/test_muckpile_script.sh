@@ -6,54 +6,13 @@
 # shellcheck disable=SC2016  # the bodies of the fakes expand when they run
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/script.sh"
-readonly script=$root/muckpile tree=$out
-cp "$script" "$tree/muckpile"
-mkdir -p "$tree/src/app" && cp -r "$(dirname "$script")/src/app/run" "$tree/src/app/run"
-mkdir -p "$tree"/{bin,inputs/demo,inputs/common,build/release/postproc/tools}
-touch "$tree/build/release/build.ninja"
-cd "$tree"
-
-printf 'include inputs/common/rock.in\nvariable bench_height index 12 # m\nvariable out index x\n' \
-  >inputs/demo/in.demo
-printf 'variable mode index slow\nvariable rock_density index 2700 # kg/m3\nvariable step equal 1\ninclude inputs/common/mode_${mode}.in\n' >inputs/common/rock.in
-printf 'variable patience index 4\nvariable go_on index 0\nvariable from index none\n' >inputs/common/mode_slow.in
-
-fake() {  # fake NAME BODY
-  printf '#!/bin/bash\necho "%s $*" >>%s/calls\n%s\n' "$(basename "$1")" "$tree" "$2" >"$1"
-  chmod +x "$1"
-}
-all_installed='shift 2; for p in "$@"; do echo "$p installed"; done'
+source "$here/fake_tree.sh"
 engine_ok="mkdir -p results/demo/dump; echo '{\"case\": \"bench\"}' >results/demo/dump/scene.json"
 healthy() {
-  fake bin/dpkg-query "$all_installed"
-  fake bin/apt-get ''
-  fake bin/cmake ''
+  fake_tools
   fake bin/mpirun "$engine_ok"
   fake build/release/postproc/tools/muckpile-post "touch results/demo/summary.json results/demo/profile.png; echo throw_cg_m 8.5"
 }
-
-call() {  # call ARGUMENT...: runs the script on the fakes, keeps output and status
-  rm -f calls
-  status=0
-  output=$(PATH="$tree/bin:$PATH" ./muckpile "$@" 2>&1) || status=$?
-}
-problem() {
-  printf '%s\n' "$1" "--- status $status, output:" "$output" "--- calls:" "$(cat calls 2>/dev/null)"
-  exit 1
-}
-must_refuse() {  # must_refuse TEXT ARGUMENT...
-  local text=$1
-  shift
-  call "$@"
-  [[ $status -ne 0 ]] || problem "accepted: $*"
-  grep -qF -- "$text" <<<"$output" || problem "wrong message for: $*"
-  ! grep -q '^mpirun' calls 2>/dev/null || problem "the engine ran for: $*"
-}
-must_work() {
-  call "$@"
-  [[ $status -eq 0 ]] || problem "failed: $*"
-}
-called() { grep -qE -- "$1" calls || problem "no call like: $1"; }
 
 healthy
 must_refuse "unknown command 'rnu'" rnu
@@ -121,7 +80,6 @@ interrupt() {  # interrupt END: the engine writes 77, ending so, and stops
   fake bin/mpirun "printf 'state%s$1%016d' '' 0 >restart_forced_liggghts_77.data
     echo \"interrupted: the state is in 'restart_forced_liggghts_77.data'\" >results/demo/log.liggghts"
 }
-told() { grep -qF -- "$1" <<<"$output" || problem "not told: $1"; }
 touch -d '1 hour' restart_forced_liggghts_5.data
 interrupt MuckSeal
 call run inputs/demo/in.demo

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 namespace muckpile {
 namespace {
@@ -81,13 +82,25 @@ std::vector<Vec2> Axes::places(const std::vector<Vec2>& points) const {
 }
 
 std::vector<double> Axes::x_ticks() const {
+  if (!x_words_.empty()) {
+    std::vector<double> places(x_words_.size());
+    std::iota(places.begin(), places.end(), 1.0);
+    return places;
+  }
   const int wanted = static_cast<int>((lower_right_.x() - upper_left_.x()) / kTickSpace);
   return x_scale_ == Scale::kStraight ? straight_ticks(x_, wanted) : logarithmic_ticks(x_);
 }
 
 std::vector<double> Axes::y_ticks() const {
   const int wanted = static_cast<int>((lower_right_.y() - upper_left_.y()) / kTickSpace) + 1;
-  return y_scale_ == Scale::kStraight ? straight_ticks(y_, wanted) : logarithmic_ticks(y_);
+  if (y_scale_ == Scale::kLogarithmic) return logarithmic_ticks(y_);
+  constexpr size_t kFewest = 3;  // to read values by
+  const std::vector<double> ticks = straight_ticks(y_, wanted);
+  return ticks.size() < kFewest ? straight_ticks(y_, 2 * wanted) : ticks;
+}
+
+std::string Axes::x_text(double x) const {
+  return x_words_.empty() ? spelled(x) : x_words_.at(static_cast<size_t>(std::lround(x)) - 1);
 }
 
 void Axes::draw_grid(Canvas& canvas) const {
@@ -105,7 +118,7 @@ void Axes::draw_frame(Canvas& canvas, const std::string& x_label,
   for (const double x : x_ticks()) {
     const Vec2 at = place(x, y_.low);
     canvas.line(at, at + Vec2(0.0, kTick), 1.2, kInk);
-    canvas.text(at + Vec2(0.0, kTick + kTextSize), spelled(x), kTextSize, kInk, Anchor::kCentre);
+    canvas.text(at + Vec2(0.0, kTick + kTextSize), x_text(x), kTextSize, kInk, Anchor::kCentre);
   }
   for (const double y : y_ticks()) {
     const Vec2 at = place(x_.low, y);

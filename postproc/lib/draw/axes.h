@@ -25,16 +25,21 @@ class Axes {
   [[nodiscard]] Vec2 place(double x, double y) const;  // [px]
   [[nodiscard]] std::vector<Vec2> places(const std::vector<Vec2>& points) const;
 
+  // The x axis has these words at 1, 2, 3 ... in place of numbers.
+  void name_x(std::vector<std::string> words) { x_words_ = std::move(words); }
+
   void draw_grid(Canvas& canvas) const;
   void draw_frame(Canvas& canvas, const std::string& x_label, const std::string& y_label) const;
 
  private:
   [[nodiscard]] std::vector<double> x_ticks() const;
   [[nodiscard]] std::vector<double> y_ticks() const;
+  [[nodiscard]] std::string x_text(double x) const;
 
   Vec2 upper_left_, lower_right_;
   AxisRange x_, y_;
   Scale x_scale_, y_scale_;
+  std::vector<std::string> x_words_;
 };
 
 // Multiples of 1, 2 or 5 times a power of ten inside the range, about `wanted` of them.

@@ -18,19 +18,31 @@ constexpr double kLeft = 110.0, kRight = 30.0, kBelow = 85.0, kPlotHeight = 620.
 constexpr double kTitleSize = 28.0, kKeySize = 20.0, kKeyLine = 30.0, kKeyStroke = 40.0;
 constexpr double kTop = 66.0;  // of the key [px]
 constexpr double kThickness = 3.0, kDash = 9.0, kPointSize = 5.0;
+constexpr double kBarThickness = 1.6, kBarCap = 5.0;
 
 AxisRange range_of(const CurvePlot& plot, int axis, Scale scale) {
   double low = 1e300, high = -1e300;
+  const auto take = [&](const Vec2& p) {
+    low = std::min(low, p[axis]);
+    high = std::max(high, p[axis]);
+  };
   for (const PlotCurve& curve : plot.curves) {
-    for (const Vec2& p : curve.points) {
-      low = std::min(low, p[axis]);
-      high = std::max(high, p[axis]);
+    for (const Vec2& p : curve.points) take(p);
+    for (const PlotBar& bar : curve.bars) {
+      take({bar.x, bar.low});
+      take({bar.x, bar.high});
     }
   }
   if (low > high) return {1.0, 2.0};
   if (scale == Scale::kLogarithmic) return {low / 1.15, high * 1.15};
   const double margin = high > low ? 0.04 * (high - low) : 0.5 * std::max(std::abs(high), 1.0);
   return {low - margin, high + margin};
+}
+
+AxisRange x_range_of(const CurvePlot& plot) {
+  if (plot.x) return *plot.x;
+  if (!plot.x_words.empty()) return {0.5, static_cast<double>(plot.x_words.size()) + 0.5};
+  return range_of(plot, 0, plot.x_scale);
 }
 
 bool is_inside(const Vec2& p, const AxisRange& x, const AxisRange& y) {
@@ -49,6 +61,11 @@ void draw_marker(Canvas& canvas, const Vec2& at, int corners, Colour colour) {
   canvas.fill(polygon, colour);
 }
 
+void draw_markers(Canvas& canvas, const std::vector<Vec2>& points, int curve) {
+  for (const Vec2& p : points)
+    draw_marker(canvas, p, marker_corners(curve), colour_of_curve(curve));
+}
+
 void draw_stroke(Canvas& canvas, const std::vector<Vec2>& points, const PlotCurve& curve) {
   const Colour colour = colour_of_curve(curve.colour);
   switch (curve.style) {
@@ -59,34 +76,21 @@ void draw_stroke(Canvas& canvas, const std::vector<Vec2>& points, const PlotCurv
       canvas.dashes(points, kThickness, kDash, colour);
       break;
     case CurveStyle::kPoints:
-      for (const Vec2& p : points) draw_marker(canvas, p, marker_corners(curve.colour), colour);
+      draw_markers(canvas, points, curve.colour);
+      break;
+    case CurveStyle::kLineAndPoints:
+      canvas.polyline(points, kThickness, colour);
+      draw_markers(canvas, points, curve.colour);
       break;
   }
 }
 
-// Places the labels in lines; draws them if there is a canvas. Returns the height that they take
-// [px].
-double lay_out_key(const CurvePlot& plot, Canvas* canvas) {
-  double x = kLeft, y = kTop + kKeySize;
-  for (const PlotCurve& curve : plot.curves) {
-    if (curve.label.empty()) continue;
-    const double width = kKeyStroke + 40.0 + text_mask(curve.label, kKeySize, 0.0).advance.x();
-    if (x > kLeft && x + width > kWidth - kRight) {
-      x = kLeft;
-      y += kKeyLine;
-    }
-    if (canvas != nullptr) {
-      const double middle = y - 0.35 * kKeySize;
-      if (curve.style == CurveStyle::kPoints) {
-        draw_stroke(*canvas, {{x + 0.5 * kKeyStroke, middle}}, curve);
-      } else {
-        draw_stroke(*canvas, {{x, middle}, {x + kKeyStroke, middle}}, curve);
-      }
-      canvas->text({x + kKeyStroke + 8.0, y}, curve.label, kKeySize, kInk);
-    }
-    x += width;
-  }
-  return y + 0.7 * kKeyLine - kTop;
+void draw_bar(Canvas& canvas, const Axes& axes, const PlotBar& bar, Colour colour) {
+  const Vec2 low = axes.place(bar.x, bar.low), high = axes.place(bar.x, bar.high);
+  const Vec2 cap(kBarCap, 0.0);
+  canvas.line(low, high, kBarThickness, colour);
+  canvas.line(low - cap, low + cap, kBarThickness, colour);
+  canvas.line(high - cap, high + cap, kBarThickness, colour);
 }
 
 void draw_curve(Canvas& canvas, const Axes& axes, const PlotCurve& curve, const AxisRange& x,
@@ -101,6 +105,7 @@ void draw_curve(Canvas& canvas, const Axes& axes, const PlotCurve& curve, const 
     part.clear();
   }
   draw_stroke(canvas, part, curve);
+  for (const PlotBar& bar : curve.bars) draw_bar(canvas, axes, bar, colour_of_curve(curve.colour));
 }
 
 }  // namespace
@@ -122,19 +127,49 @@ int marker_corners(int number) {
   return kCorners[static_cast<size_t>(number) / kCurveColours % kCorners.size()];
 }
 
-Canvas draw_curves(const CurvePlot& plot) {
-  const AxisRange x = plot.x.value_or(range_of(plot, 0, plot.x_scale));
+double lay_out_key(const std::vector<PlotCurve>& curves, double left, double right, double top,
+                   Canvas* canvas) {
+  double x = left, y = top + kKeySize;
+  for (const PlotCurve& curve : curves) {
+    if (curve.label.empty()) continue;
+    const double width = kKeyStroke + 40.0 + text_mask(curve.label, kKeySize, 0.0).advance.x();
+    if (x > left && x + width > right) {
+      x = left;
+      y += kKeyLine;
+    }
+    if (canvas != nullptr) {
+      const double middle = y - 0.35 * kKeySize;
+      if (curve.style == CurveStyle::kPoints) {
+        draw_stroke(*canvas, {{x + 0.5 * kKeyStroke, middle}}, curve);
+      } else {
+        draw_stroke(*canvas, {{x, middle}, {x + kKeyStroke, middle}}, curve);
+      }
+      canvas->text({x + kKeyStroke + 8.0, y}, curve.label, kKeySize, kInk);
+    }
+    x += width;
+  }
+  return y + 0.7 * kKeyLine - top;
+}
+
+void draw_frame_of(const CurvePlot& plot, const Vec2& upper_left, const Vec2& lower_right,
+                   Canvas& canvas) {
+  const AxisRange x = x_range_of(plot);
   const AxisRange y = plot.y.value_or(range_of(plot, 1, plot.y_scale));
-  const double top = kTop + lay_out_key(plot, nullptr);
-  Canvas canvas(kWidth, static_cast<int>(std::lround(top + kPlotHeight + kBelow + plot.room_below)),
-                kWhite);
-  const Axes axes({kLeft, top}, {kWidth - kRight, top + kPlotHeight}, x, y, plot.x_scale,
-                  plot.y_scale);
+  Axes axes(upper_left, lower_right, x, y, plot.x_scale, plot.y_scale);
+  axes.name_x(plot.x_words);
   axes.draw_grid(canvas);
   for (const PlotCurve& curve : plot.curves) draw_curve(canvas, axes, curve, x, y);
   axes.draw_frame(canvas, plot.x_label, plot.y_label);
+}
+
+Canvas draw_curves(const CurvePlot& plot) {
+  const double right = kWidth - kRight;
+  const double top = kTop + lay_out_key(plot.curves, kLeft, right, kTop, nullptr);
+  Canvas canvas(kWidth, static_cast<int>(std::lround(top + kPlotHeight + kBelow + plot.room_below)),
+                kWhite);
+  draw_frame_of(plot, {kLeft, top}, {right, top + kPlotHeight}, canvas);
   draw_title({kLeft, 42.0}, plot.title, plot.warning, kTitleSize, canvas);
-  lay_out_key(plot, &canvas);
+  lay_out_key(plot.curves, kLeft, right, kTop, &canvas);
   return canvas;
 }
 

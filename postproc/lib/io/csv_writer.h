@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "args/input_error.h"
+#include "args/suggestion.h"
 
 namespace muckpile {
 
@@ -27,7 +28,11 @@ class CsvWriter {
   void row(const std::vector<double>& values) { write("", values); }
   // A word first, without a comma in it.
   void row(const std::string& word, const std::vector<double>& values) {
-    out_ << word;
+    row(std::vector<std::string>{word}, values);
+  }
+  // Words first, one at least, without commas in them.
+  void row(const std::vector<std::string>& words, const std::vector<double>& values) {
+    out_ << joined(words, ",");
     write(",", values);
   }
 

@@ -16,6 +16,17 @@ files_of() {
 
 included_by() { sed -nE 's/^[[:space:]]*include[[:space:]]+([^[:space:]]+).*/\1/p' "$@"; }  # included_by FILE...: names as written
 
+# What a value, or a word of the input's files, names.
+files_named_by() {  # files_named_by INPUT [-var NAME VALUE]...
+  local word
+  {
+    files_of "$1" | xargs -d '\n' sed 's/#.*//' | tr -s "[:space:]\"'" '\n'
+    printf '%s\n' "${@:2}"
+  } | sort -u | while read -r word; do
+    if [[ -f $word ]]; then printf '%s\n' "$word"; fi
+  done
+}
+
 # "NAME STYLE" of every variable that an input and the files that it includes define.
 variables_of() {
   files_of "$1" | xargs -d '\n' sed -nE 's/^[[:space:]]*variable[[:space:]]+([A-Za-z0-9_]+)[[:space:]]+([a-z]+).*/\1 \2/p'

@@ -47,7 +47,7 @@ results_in() {  # results_in FOLDER: paths from there
 
 # Names, sizes and times, to see whether any has changed.
 listed() { find "$@" -type f -printf '%P %s %T@\n' | sort; }                         # listed FOLDER [TEST]...
-written_in() { listed "$1" ! -path "$1/.previous*" ! -path "$1/.lock" ! -name log.liggghts; }  # written_in OUT
+written_in() { listed "$1" ! -path "$1/.previous*" ! -path "$1/.lock" ! -path "$1/run.log" ! -name log.liggghts; }  # written_in OUT
 steps_in() { listed "$1/dump" -maxdepth 1 \( -name history.csv -o -name 'blocks_[0-9]*.csv' \); }  # steps_in OUT
 
 # History and snapshots of the set-up show one step, that from which the run starts. Copies of what is set aside are as old as that.
@@ -75,16 +75,12 @@ move_results() {  # move_results FROM TO
   done
 }
 
-# Results in OUT that a new run reads: those that a value, or a word of the input's files, names.
+# Results in OUT that a new run reads.
 results_read_by() {  # results_read_by OUT INPUT [-var NAME VALUE]...: paths from OUT
-  local folder word path
+  local folder file path
   folder=$(realpath -- "$1")/
-  {
-    files_of "$2" | xargs -d '\n' sed 's/#.*//' | tr -s "[:space:]\"'" '\n'
-    printf '%s\n' "${@:3}"
-  } | sort -u | while read -r word; do
-    [[ -f $word ]] || continue
-    path=$(realpath -- "$word")
+  files_named_by "${@:2}" | while read -r file; do
+    path=$(realpath -- "$file")
     if [[ $path == "$folder"* ]]; then printf '%s\n' "${path#"$folder"}"; fi
   done
 }

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # shellcheck shell=bash disable=SC2034,SC2154
 # ./muckpile run: reads its words, runs an input in its folder of results, and lets muckpile-post measure what came of it.
-# Scope: sourced by muckpile together with the files beside it. The parts of run() share its local variables.
+# Scope: sourced by muckpile together with the files beside it. The parts of run() share its local variables; sweep.sh uses them, too.
 
 # More ranks than this gain little on 10,000 blocks.
 readonly most_default_ranks=4
@@ -27,6 +27,7 @@ value_from_root() {
 }
 
 run() {
+  local command=run known_options='-np, -var, -out, -vtk' default_folder=results/
   local input='' ranks='' out='' go_on cores engine_args=() reports=()
   cores=$(available_cores)
   read_run_words "$@"
@@ -61,15 +62,15 @@ read_run_words() {
         reports=(--vtk)
         shift
         ;;
-      -*) die "unknown option '$1' of run (known: -np, -var, -out, -vtk)" ;;
+      -*) die "unknown option '$1' of $command (known: $known_options)" ;;
       *)
-        [[ -z $input ]] || die "run takes one input, got '$input' and '$1'; values go behind -var NAME"
+        [[ -z $input ]] || die "$command takes one input, got '$input' and '$1'; values go behind -var NAME"
         input=$(from_root "$1")
         shift
         ;;
     esac
   done
-  [[ -n $input ]] || die "run needs an input, e.g. ./muckpile run inputs/bench/in.bench"
+  [[ -n $input ]] || die "$command needs an input, e.g. inputs/bench/in.bench"
 }
 
 # Sets what was not given, too.
@@ -78,7 +79,7 @@ check_run_words() {
   check_variables
   go_on=$(value_of go_on "${engine_args[@]}")
   [[ $go_on == 1 || -z $(value_of from "${engine_args[@]}") ]] || die "-var from FILE needs -var go_on 1 with it"
-  : "${out:=results/$(basename "$(dirname "$(realpath "$input")")")}"
+  : "${out:=$default_folder$(basename "$(dirname "$(realpath "$input")")")}"
   [[ $out != *[[:space:]]* ]] || die "LIGGGHTS splits names at blanks; choose another folder than '$out'"
   [[ $out != *[%*]* ]] || die "% and * mean something else in LIGGGHTS' names of files; choose another folder than '$out'"
   ((${#ranks} < 6 && ranks <= most_ranks_per_core * cores)) ||

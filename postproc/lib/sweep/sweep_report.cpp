@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Sub-command sweep: tables and plots of the runs of ./muckpile sweep.
+// Scope: see the header.
+#include "sweep/sweep_report.h"
+
+#include "draw/png_file.h"
+#include "sweep/sweep_fits.h"
+#include "sweep/sweep_plot.h"
+#include "sweep/sweep_tables.h"
+
+namespace muckpile {
+
+std::vector<std::filesystem::path> report_sweep(const std::filesystem::path& folder,
+                                                const std::vector<std::string>& figures) {
+  const Sweep sweep = read_sweep(folder);
+  const std::vector<std::string> shown = shown_figures(sweep, figures);
+  const std::vector<SweepFit> fits = fit_sweep(sweep, shown);
+  write_runs_table(sweep);
+  write_spread_table(sweep);
+  write_fit_table(sweep, fits);
+  write_png(draw_panels(plot_of_sweep(sweep, shown, fits)), folder / "sweep.png");
+  std::vector<std::filesystem::path> written{folder / "sweep.csv", folder / "sweep_mean.csv"};
+  if (!fits.empty()) written.push_back(folder / "sweep_fit.csv");
+  written.push_back(folder / "sweep.png");
+  return written;
+}
+
+}  // namespace muckpile
