@@ -23,6 +23,15 @@ namespace {
 constexpr double kTogether = 8e-3;  // [s], as most_decks_within_8_ms of plan
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
+void require_charge_mass(const ResultFolder& folder) {
+  const auto has = [&](const char* key) { return folder.scene_has(key); };
+  if (std::filesystem::exists(folder.dump("holes.csv")) || has("charge_mass_kg") ||
+      (has("hole_diameter_m") && has("charge_length_m") && has("explosive_density_kg_m3")))
+    return;
+  throw NotMeasurable("waves: needs the mass of a charge for the scaled distance: charge_mass_kg in " +
+                      folder.dump("scene.json").string() + ", by write_scene");
+}
+
 // The end of the first phase of the run, in which the waves pass; the end of the run where there is
 // no history.
 double end_of_waves(const ResultFolder& folder) {
@@ -157,6 +166,7 @@ void report_waves(const ResultFolder& folder, const WavesOptions& options) {
   if (!std::filesystem::exists(path))
     throw NotMeasurable("waves: needs " + path.string() +
                         "; run the input with gauges (fix muckpile/gauges)");
+  require_charge_mass(folder);
   const std::vector<GaugeHistory> gauges = read_gauges(path, folder.run_id());
   const std::vector<FiredCharge> charges = fired_charges(folder);
   const double mass = largest_mass_within(charges, kTogether);

@@ -14,9 +14,9 @@ namespace muckpile {
 /// Cauchy stress of each of `blocks` [Pa], tension positive: the symmetric part of the sum of
 /// A t (x) r over facets and loaded faces, over the volume; r from the block's centre to where the
 /// traction t acts. Joints, contact of broken ones without its dashpots, what softening points
-/// still hold, gas in joints and pressure on the crushed zone's wall; no contact of spheres. The
-/// mean over a body in motion of its stress, but for its own rotation (Gurtin 1981, mean stress
-/// theorem; see docs/styles/fix_muckpile_gauges.md). `blocks`: indices of owned blocks, each once.
+/// still hold, gas in joints and pressure on the crushed zone's wall; no contact of spheres. Why
+/// that is the mean of the body's stress: docs/styles/fix_muckpile_gauges.md. `blocks`: indices of
+/// owned blocks, each once.
 [[nodiscard]] std::vector<Mat3> block_stresses(const FacetNetwork& network,
                                                std::span<const int> blocks);
 
