@@ -113,13 +113,12 @@ void FixMuckpileGauges::bind() {
   std::vector<double> distances(gauges_.size(), std::numeric_limits<double>::max());
   std::vector<int> mine(gauges_.size(), -1), tags(gauges_.size(), std::numeric_limits<int>::max());
   for (std::size_t g = 0; g < gauges_.size(); ++g) {
-    const std::vector<double> outside =
-        distances_from_blocks(joints_->network(), gauges_[g].start);
+    const std::vector<double> outside = distances_from_blocks(joints_->network(), gauges_[g].start);
     for (int b = 0; b < bodies.count(); ++b) {
       const auto k = static_cast<std::size_t>(b);
       if (blocks_->records()[k].mass == 0.0) continue;  // not made by create_blocks
-      const bool nearer = outside[k] < distances[g] ||
-                          (outside[k] == distances[g] && bodies.tag(b) < tags[g]);
+      const bool nearer =
+          outside[k] < distances[g] || (outside[k] == distances[g] && bodies.tag(b) < tags[g]);
       if (!nearer) continue;
       distances[g] = outside[k];
       tags[g] = bodies.tag(b);
@@ -241,8 +240,9 @@ void FixMuckpileGauges::restart(char* bytes) {
   for (std::size_t g = 0; same && g < gauges_.size(); ++g)
     same = state.gauges[g].start == gauges_[g].start;
   if (!same)
-    engine::stop(*lmp, where_ + ": must have the gauges that it had when the restart file was "
-                                "written, " +
+    engine::stop(*lmp, where_ +
+                           ": must have the gauges that it had when the restart file was "
+                           "written, " +
                            std::to_string(state.gauges.size()) + " in number, got " +
                            std::to_string(gauges_.size()) + "; give the same words");
   gauges_ = std::move(state.gauges);

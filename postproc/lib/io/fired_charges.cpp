@@ -31,8 +31,7 @@ std::vector<FiredCharge> charges_of_decks(const ResultFolder& folder,
   for (const Deck& deck : table.decks()) {
     const double volume = cylinder(deck.charge_diameter.value_or(deck.diameter),
                                    deck.charge_length.value_or(deck.to - deck.from));
-    charges.push_back(
-        {deck.toe, deck.collar, volume * density_of(deck, folder), deck.firing_time});
+    charges.push_back({deck.toe, deck.collar, volume * density_of(deck, folder), deck.firing_time});
   }
   return charges;
 }
@@ -74,10 +73,9 @@ double distance_to_charges(const Vec3& point, const std::vector<FiredCharge>& ch
   for (const FiredCharge& charge : charges) {
     const Vec3 axis = charge.collar - charge.toe;
     const double length_squared = axis.squaredNorm();
-    const double along =
-        length_squared > 0.0
-            ? std::clamp((point - charge.toe).dot(axis) / length_squared, 0.0, 1.0)
-            : 0.0;
+    const double along = length_squared > 0.0
+                             ? std::clamp((point - charge.toe).dot(axis) / length_squared, 0.0, 1.0)
+                             : 0.0;
     nearest = std::min(nearest, (point - charge.toe - along * axis).norm());
   }
   return nearest;

@@ -12,9 +12,9 @@
 namespace muckpile {
 
 struct FiredCharge {
-  Vec3 toe, collar;   // ends of the axis [m]
-  double mass;        // [kg]
-  double firing_time; // [s]
+  Vec3 toe, collar;    // ends of the axis [m]
+  double mass;         // [kg]
+  double firing_time;  // [s]
 };
 
 // Never empty. Throws InputError where neither the table nor the scene tells the mass.

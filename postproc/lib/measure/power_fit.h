@@ -16,18 +16,19 @@ struct Interval {
 
 // y = K x^-n.
 struct PowerFit {
-  double factor;           // K, in the unit of y
-  double exponent;         // n
-  Interval factor_range;   // 95 % confidence
-  Interval exponent_range; // 95 % confidence
-  double r_squared;        // of the logarithms
+  double factor;            // K, in the unit of y
+  double exponent;          // n
+  Interval factor_range;    // 95 % confidence
+  Interval exponent_range;  // 95 % confidence
+  double r_squared;         // of the logarithms
   size_t points;
 
   [[nodiscard]] double at(double x) const;
   // In which a further point at x lies with 95 % probability.
   [[nodiscard]] Interval band(double x) const;
 
-  double student, scatter, mean_x, spread_x;  // of log10: t, residual's deviation, mean, sum of squares
+  double student, scatter, mean_x,
+      spread_x;  // of log10: t, residual's deviation, mean, sum of squares
 };
 
 // Nothing for fewer than three points or points at one x. All numbers must be > 0.

@@ -32,7 +32,7 @@ struct MovementOptions {
 
 struct WavesOptions {
   std::string file = "gauges.csv";  // in dump/
-  std::optional<double> until;      // peaks and pictures end there [s]; default: the first phase's end
+  std::optional<double> until;  // peaks and pictures end there [s]; default: the first phase's end
 };
 
 struct SectionOptions {

@@ -28,8 +28,9 @@ void require_charge_mass(const ResultFolder& folder) {
   if (std::filesystem::exists(folder.dump("holes.csv")) || has("charge_mass_kg") ||
       (has("hole_diameter_m") && has("charge_length_m") && has("explosive_density_kg_m3")))
     return;
-  throw NotMeasurable("waves: needs the mass of a charge for the scaled distance: charge_mass_kg in " +
-                      folder.dump("scene.json").string() + ", by write_scene");
+  throw NotMeasurable(
+      "waves: needs the mass of a charge for the scaled distance: charge_mass_kg in " +
+      folder.dump("scene.json").string() + ", by write_scene");
 }
 
 // The end of the first phase of the run, in which the waves pass; the end of the run where there is

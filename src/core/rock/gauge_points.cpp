@@ -19,8 +19,8 @@ Vec3 point_of(const std::vector<std::string>& words, std::size_t first, const st
               const std::string& keyword) {
   Vec3 point;
   for (std::size_t d = 0; d < 3; ++d)
-    point[static_cast<Eigen::Index>(d)] = parse_real(where, keyword, words[first + d], "m",
-                                                     Range::closed(-kFarthest, kFarthest));
+    point[static_cast<Eigen::Index>(d)] =
+        parse_real(where, keyword, words[first + d], "m", Range::closed(-kFarthest, kFarthest));
   return point;
 }
 
@@ -37,8 +37,7 @@ void add_line(const std::vector<std::string>& words, const std::string& where,
     throw InputError(where + ": line must have two different ends, got '" + place(from) +
                      "' twice; give a single point as gauge");
   for (long k = 0; k < count; ++k)
-    points.push_back(from +
-                     static_cast<double>(k) / static_cast<double>(count - 1) * (to - from));
+    points.push_back(from + static_cast<double>(k) / static_cast<double>(count - 1) * (to - from));
 }
 
 void require_apart(const std::vector<Vec3>& points, const std::string& where) {

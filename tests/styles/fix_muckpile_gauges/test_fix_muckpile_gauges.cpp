@@ -61,8 +61,8 @@ TEST(FixMuckpileGauges, PlaneWaveArrivesAsDAlembertSays) {
     ASSERT_EQ(history.size(), 271U);
     const GaugeRow peak = *std::ranges::max_element(
         history, {}, [](const GaugeRow& row) { return row.velocity.x(); });
-    const GaugeRow most =
-        *std::ranges::min_element(history, {}, [](const GaugeRow& row) { return row.stress(0, 0); });
+    const GaugeRow most = *std::ranges::min_element(
+        history, {}, [](const GaugeRow& row) { return row.stress(0, 0); });
     const double stress = -0.5 * kDensity * kWave * kSpeed;
     EXPECT_NEAR(peak.velocity.x() / (0.5 * kSpeed), 1.0, kAllowed);
     EXPECT_NEAR(peak.time / ((place - kMiddle) / kWave), 1.0, kAllowed);
@@ -77,7 +77,7 @@ TEST(FixMuckpileGauges, PlaneWaveArrivesAsDAlembertSays) {
 }
 
 /// A lump that flies to the right and spins about z, over the border between ranks.
-constexpr double kFlight = 20.0, kSpin = 3.0;  // [m/s], [rad/s]
+constexpr double kFlight = 60.0, kSpin = 3.0;  // [m/s], [rad/s]
 
 void throw_lump(RockScene& scene, const std::filesystem::path& folder, const std::string& gauges) {
   scene.cut("-1 1 -0.5 0.5 -0.5 0.5",
@@ -99,36 +99,36 @@ Vec3 flown(const Vec3& start, double time) {
 TEST(FixMuckpileGauges, RideWithRockThatFliesAndTurnsOnAllRanks) {
   const ScratchFolder folder("gauges_flight");
   RockScene scene(MPI_COMM_WORLD, "-3 9 -3 3 -3 3");
-  throw_lump(scene, folder / "", "interval 0.01 gauge 0.9 0.4 0.1 line -0.9 -0.3 0 0.1 0.2 0.3 3");
-  scene.run(13000, 2e-5);  // 5.2 m
+  throw_lump(scene, folder / "", "interval 0.005 gauge 0.9 0.4 0.1 line -0.9 -0.3 0 0.1 0.2 0.3 3");
+  scene.run(4000, 2e-5);  // 4.8 m
   const auto rows = gauge_rows(folder / "gauges.csv");
-  ASSERT_EQ(rows.size(), 4U * 27U);
+  ASSERT_EQ(rows.size(), 4U * 17U);
   EXPECT_NEAR((rows[2].start - Vec3(-0.4, -0.05, 0.15)).norm(), 0.0, 1e-12);  // middle of the line
   for (const GaugeRow& row : rows) {
     const Vec3 moved = flown(row.start, row.time);
     const Vec3 velocity =
-        Vec3(kFlight, 0, 0) + Vec3(0, 0, kSpin).cross(Vec3(row.start + moved - Vec3(kFlight * row.time, 0, 0)));
-    EXPECT_NEAR((row.moved - moved).norm(), 0.0, 1e-4);       // strain by its own spin: 1e-6
+        Vec3(kFlight, 0, 0) +
+        Vec3(0, 0, kSpin).cross(Vec3(row.start + moved - Vec3(kFlight * row.time, 0, 0)));
+    EXPECT_NEAR((row.moved - moved).norm(), 0.0, 1e-4);        // strain by its own spin: 1e-6
     EXPECT_NEAR((row.velocity - velocity).norm(), 0.0, 0.01);  // it swings as it starts
   }
-  EXPECT_NEAR(rows.back().time, 0.26, 1e-4);
+  EXPECT_NEAR(rows.back().time, 0.08, 1e-9);
 }
 
 /// Each rank alone against all of them together.
 TEST(FixMuckpileGauges, AreTheSameOnAnyNumberOfRanks) {
   const ScratchFolder folder("gauges_ranks");
   const std::string words = "every 20 line -0.9 -0.3 0 0.9 0.2 0.3 5";
-  RockScene together(MPI_COMM_WORLD, "-3 9 -3 3 -3 3");
-  std::filesystem::create_directories(folder.own("alone"));
   {
     RockScene alone(MPI_COMM_SELF, "-3 9 -3 3 -3 3");
     throw_lump(alone, folder.own("alone"), words);
-    alone.run(5000, 2e-5);
+    alone.run(2000, 2e-5);
   }
+  RockScene together(MPI_COMM_WORLD, "-3 9 -3 3 -3 3");
   throw_lump(together, folder / "together", words);
-  together.run(5000, 2e-5);
+  together.run(2000, 2e-5);
   const auto all = gauge_rows(folder / "together/gauges.csv");
-  EXPECT_EQ(all.size(), 5U * 251U);
+  EXPECT_EQ(all.size(), 5U * 101U);
   EXPECT_LT(difference(all, gauge_rows(folder.own("alone") / "gauges.csv")), 1e-4);
 }
 
@@ -137,10 +137,10 @@ TEST(FixMuckpileGauges, ABlockThatLeavesTheBoxTakesItsGaugeWithIt) {
   RockScene scene(MPI_COMM_WORLD, "-3 3 -3 3 -3 3");
   scene.command("thermo_modify lost ignore");
   throw_lump(scene, folder / "", "every 100 gauge 0.9 0.1 0.1 gauge -0.9 0.1 0.1");
-  scene.run(6000, 2e-5);  // 2.4 m: of the two ends only one has left
+  scene.run(2400, 2e-5);  // 2.9 m: of the two ends only one has left
   const auto rows = gauge_rows(folder / "gauges.csv");
-  EXPECT_LT(rows_of(rows, 1).size(), 61U);
-  EXPECT_EQ(rows_of(rows, 2).size(), 61U);
+  EXPECT_LT(rows_of(rows, 1).size(), 25U);
+  EXPECT_EQ(rows_of(rows, 2).size(), 25U);
 }
 
 }  // namespace

@@ -26,8 +26,8 @@ TEST(BlockStress, IsTheContinuumsInAHomogeneousStrain) {
   scene.deform(e);
   scene.compute();
   const JointMaterial& material = scene.network().material();
-  const Mat3 exact = material.lame_lambda() * e.trace() * Mat3::Identity() +
-                     2.0 * material.shear_modulus() * e;
+  const Mat3 exact =
+      material.lame_lambda() * e.trace() * Mat3::Identity() + 2.0 * material.shear_modulus() * e;
   const int middle = 2 + 5 * (2 + 5 * 2);
   EXPECT_LT((stress_of(scene, middle) - exact).norm() / exact.norm(), 1e-4);
 }

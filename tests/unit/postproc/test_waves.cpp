@@ -35,8 +35,8 @@ TEST(PowerFit, StudentsTIsThatOfTheTables) {
 // so n = 1.1, log10 K = 1.1. Residuals -0.1, 0.2, -0.1: their squares sum to 0.06, one degree of
 // freedom, s = sqrt(0.06) = 0.244949, t = 12.7062. Syy = 1 + 0.04 + 1.44 = 2.48.
 TEST(PowerFit, IsThatWorkedByHand) {
-  const auto fit = fit_power_law(
-      {{1.0, 10.0}, {10.0, std::pow(10.0, 0.2)}, {100.0, std::pow(10.0, -1.2)}});
+  const auto fit =
+      fit_power_law({{1.0, 10.0}, {10.0, std::pow(10.0, 0.2)}, {100.0, std::pow(10.0, -1.2)}});
   ASSERT_TRUE(fit);
   EXPECT_NEAR(fit->exponent, 1.1, 1e-12);
   EXPECT_NEAR(fit->factor, 12.5893, 1e-4);
@@ -47,7 +47,7 @@ TEST(PowerFit, IsThatWorkedByHand) {
   EXPECT_NEAR(std::log10(fit->factor_range.high), 1.1 + start, 1e-4);
   EXPECT_NEAR(std::log10(fit->factor_range.low), 1.1 - start, 1e-4);
   EXPECT_NEAR(fit->r_squared, 1.0 - 0.06 / 2.48, 1e-12);
-  EXPECT_NEAR(fit->at(10.0), 1.0, 1e-12);  // 10^(1.1 - 1.1)
+  EXPECT_NEAR(fit->at(10.0), 1.0, 1e-12);                               // 10^(1.1 - 1.1)
   const double band = 12.7062 * 0.244949 * std::sqrt(1.0 + 1.0 / 3.0);  // 3.59386 at the mean
   EXPECT_NEAR(std::log10(fit->band(10.0).high), band, 1e-4);
   EXPECT_NEAR(std::log10(fit->band(10.0).low), -band, 1e-4);
@@ -60,10 +60,11 @@ TEST(PowerFit, NeedsThreePointsAtDifferentPlaces) {
 
 TEST(FiredCharges, WithinAWindowAreAddedUp) {
   std::vector<FiredCharge> charges;
-  for (const auto& [mass, time] :
-       {std::pair(40.0, 0.017), std::pair(10.0, 0.0), std::pair(30.0, 0.008), std::pair(20.0, 0.005)})
+  for (const auto& [mass, time] : {std::pair(40.0, 0.017), std::pair(10.0, 0.0),
+                                   std::pair(30.0, 0.008), std::pair(20.0, 0.005)})
     charges.push_back({Vec3::Zero(), Vec3::UnitZ(), mass, time});
-  EXPECT_DOUBLE_EQ(largest_mass_within(charges, 8e-3), 50.0);  // at 5 and 8 ms, not those at 0 and 8
+  EXPECT_DOUBLE_EQ(largest_mass_within(charges, 8e-3),
+                   50.0);  // at 5 and 8 ms, not those at 0 and 8
   EXPECT_DOUBLE_EQ(largest_mass_within(charges, 1.0), 100.0);
 }
 

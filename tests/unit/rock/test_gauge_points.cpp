@@ -17,8 +17,8 @@ GaugeOptions read(const std::vector<std::string>& words) {
 }
 
 TEST(GaugePoints, SinglePointsComeFirstAndLinesAreDividedEvenly) {
-  const GaugeOptions options = read({"interval", "1e-4", "line", "0", "0", "0", "3", "6", "-3", "4",
-                                     "gauge", "7", "8", "9"});
+  const GaugeOptions options = read(
+      {"interval", "1e-4", "line", "0", "0", "0", "3", "6", "-3", "4", "gauge", "7", "8", "9"});
   ASSERT_EQ(options.points.size(), 5U);
   EXPECT_EQ(options.points[0], Vec3(7, 8, 9));
   for (int k = 0; k < 4; ++k)
@@ -31,7 +31,9 @@ TEST(GaugePoints, SinglePointsComeFirstAndLinesAreDividedEvenly) {
 
 TEST(GaugePoints, RefuseWhatDoesNotFitTogether) {
   using Words = std::vector<std::string>;
-  const auto refused = [](const Words& words) { return input_error_of([&] { (void)read(words); }); };
+  const auto refused = [](const Words& words) {
+    return input_error_of([&] { (void)read(words); });
+  };
   EXPECT_NE(refused({"gauge", "0", "0", "0"}).find("either every"), std::string::npos);
   EXPECT_NE(refused({"every", "1", "interval", "1", "gauge", "0", "0", "0"}).find("got both"),
             std::string::npos);
@@ -40,8 +42,9 @@ TEST(GaugePoints, RefuseWhatDoesNotFitTogether) {
   EXPECT_NE(refused({"every", "1", "gauge", "0", "0", "2e5"}).find("2e5"), std::string::npos);
   EXPECT_NE(refused({"every", "1", "line", "0", "0", "0", "1", "0", "0", "1"}).find(">= 2"),
             std::string::npos);
-  EXPECT_NE(refused({"every", "1", "line", "0", "0", "0", "0", "0", "0", "3"}).find("two different"),
-            std::string::npos);
+  EXPECT_NE(
+      refused({"every", "1", "line", "0", "0", "0", "0", "0", "0", "3"}).find("two different"),
+      std::string::npos);
   EXPECT_NE(refused({"every", "1", "gauge", "1", "0", "0", "gauge", "1", "0", "0"}).find("1 0 0"),
             std::string::npos);
   for (const char* name : {"a/b.csv", "gauges.txt"})

@@ -19,8 +19,8 @@ LaneVec tractions(const FacetNetwork& network, std::size_t f, const FacetMotion&
   LaneVec carried;
   if (bonded > 0) {
     const LaneMask holds = is_point() && !where_contact(facets.history.traces(f));
-    carried = choose(holds, Lanes(1.0), 0.0) *
-              bonded_tractions(facets, network.leaning(), f, motion);
+    carried =
+        choose(holds, Lanes(1.0), 0.0) * bonded_tractions(facets, network.leaning(), f, motion);
   }
   if (facets.history.state(f) == FacetState::retired) return carried;
   if (bonded < kFacetPoints) carried += contact_tractions(facets, f, motion);

@@ -41,14 +41,12 @@ PlaneContact<Lanes> linear_contact(const FacetKinematics& facets, std::size_t f,
 }  // namespace
 
 /// No time passes, and nothing moves: dashpots carry nothing then.
-LaneVec contact_tractions(const FacetKinematics& facets, std::size_t f,
-                          const FacetMotion& motion) {
+LaneVec contact_tractions(const FacetKinematics& facets, std::size_t f, const FacetMotion& motion) {
   const ContactConstants contact = facets.tables.contact(f);
   const PlanePoint<Lanes> at = contact_points(facets, f, motion, LaneVec());
-  const PlanePull<Lanes> pull =
-      facets.tables.nonlinear_law(f) == nullptr
-          ? plane_pull<Lanes>(linear_contact(facets, f, contact), at, 0.0)
-          : nonlinear_pull(facets, f, contact, at, 0.0);
+  const PlanePull<Lanes> pull = facets.tables.nonlinear_law(f) == nullptr
+                                    ? plane_pull<Lanes>(linear_contact(facets, f, contact), at, 0.0)
+                                    : nonlinear_pull(facets, f, contact, at, 0.0);
   return choose(at.broken, Lanes(1.0), 0.0) * pull.traction;
 }
 

@@ -97,7 +97,8 @@ unsigned GasLoad::pressed_lanes(const FacetKinematics& facets, const LaneSet& ac
   unsigned lanes = 0;
   each_lane(active.lanes & ~facets.history.intact_lanes(active.group), [&](std::size_t k) {
     const std::size_t f = active.group * kGroup + k;
-    pressure[k] = between(static_cast<std::size_t>(group.i[k]), static_cast<std::size_t>(group.j[k]));
+    pressure[k] =
+        between(static_cast<std::size_t>(group.i[k]), static_cast<std::size_t>(group.j[k]));
     if (pressure[k] != 0.0 && !facets.history.traces(f).over()) lanes |= 1u << k;
   });
   return lanes;
