@@ -87,8 +87,6 @@ void FixMuckpileGauges::setup(int) {
     return;
   }
   bind();
-  next_ = update->get_cur_time();
-  due();  // the next one is an interval later
   sample();
 }
 
@@ -97,14 +95,15 @@ void FixMuckpileGauges::end_of_step() {
   if (due()) sample();
 }
 
-/// By interval: multiples that fall into one step give one sample.
-bool FixMuckpileGauges::due() {
+/// So many intervals have passed since time 0, but for the rounding of time, a sum of steps.
+double FixMuckpileGauges::intervals() const {
+  constexpr double kRounding = 1e-9;
+  return update->get_cur_time() / options_.interval + kRounding;
+}
+
+bool FixMuckpileGauges::due() const {
   if (options_.every > 0) return update->ntimestep % options_.every == 0;
-  constexpr double kRounding = 1e-9;  // of the interval: time is a sum of steps
-  const double now = update->get_cur_time() / options_.interval + kRounding;
-  if (now * options_.interval < next_) return false;
-  next_ = (std::floor(now) + 1.0) * options_.interval;
-  return true;
+  return intervals() * options_.interval >= next_;
 }
 
 /// The block that a gauge lies in, or the nearest one; of equally near ones the lowest tag.
@@ -188,6 +187,8 @@ std::vector<double> FixMuckpileGauges::rows_of_this_rank() const {
 void FixMuckpileGauges::sample() {
   if (last_ == update->ntimestep) return;
   last_ = update->ntimestep;
+  // Multiples that fall into one step give one sample.
+  if (options_.every == 0) next_ = (std::floor(intervals()) + 1.0) * options_.interval;
   const std::vector<double> all = engine::gather_all(rows_of_this_rank(), world);
   std::vector<std::vector<double>> rows(gauges_.size());
   std::vector<bool> seen(gauges_.size(), false);

@@ -62,7 +62,8 @@ class FixMuckpileGauges : public LAMMPS_NS::Fix {
  private:
   void bind();
   void say_where(const std::vector<double>& distances) const;
-  [[nodiscard]] bool due();
+  [[nodiscard]] double intervals() const;
+  [[nodiscard]] bool due() const;
   void sample();
   [[nodiscard]] std::vector<double> rows_of_this_rank() const;
   void note_lost(const std::vector<bool>& seen);
