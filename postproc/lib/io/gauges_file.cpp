@@ -16,6 +16,7 @@ struct GaugeColumns {
   explicit GaugeColumns(const CsvTable& table)
       : time(table.column("time_s")),
         gauge(table.column("gauge")),
+        block(table.column("block")),
         pressure(table.column("pressure_Pa")),
         run(table.column("run_id")),
         place{table.column("x_m"), table.column("y_m"), table.column("z_m")},
@@ -26,7 +27,7 @@ struct GaugeColumns {
             table.number(row, columns[2])};
   }
 
-  size_t time, gauge, pressure, run;
+  size_t time, gauge, block, pressure, run;
   std::array<size_t, 3> place, velocity;
 };
 
@@ -35,7 +36,8 @@ void add_row(const CsvTable& table, const GaugeColumns& columns, size_t row,
   const int number = table.whole(row, columns.gauge);
   const Vec3 place = GaugeColumns::vector(table, row, columns.place);
   const double time = table.number(row, columns.time);
-  const auto [found, fresh] = gauges.try_emplace(number, GaugeHistory{number, place, {}, {}, {}});
+  const auto [found, fresh] = gauges.try_emplace(
+      number, GaugeHistory{number, table.whole(row, columns.block), place, {}, {}, {}});
   GaugeHistory& gauge = found->second;
   if (gauge.place != place)
     throw InputError(table.where(row) + "gauge " + std::to_string(number) +

@@ -13,6 +13,7 @@ namespace muckpile {
 
 struct GaugeHistory {
   int number = 0;                // from 1
+  int block = 0;                 // that carries it
   Vec3 place = Vec3::Zero();     // at the start [m]
   std::vector<double> time;      // rising [s]
   std::vector<Vec3> velocity;    // [m/s]

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "args/csv_table.h"
 #include "args/input_error.h"
@@ -78,11 +79,19 @@ std::vector<GaugePeak> peaks_of(const std::vector<GaugeHistory>& gauges,
   return peaks;
 }
 
-std::optional<PowerFit> fit_of(const std::vector<GaugePeak>& peaks) {
+// Gauges of one block move as one: they are one point, at their mean logarithms.
+std::vector<Vec2> points_of_blocks(const std::vector<GaugePeak>& peaks) {
+  std::map<int, std::pair<Vec2, int>> sums;  // of the logarithms, by block
+  for (const GaugePeak& peak : peaks) {
+    if (peak.speed <= 0.0 || peak.scaled <= 0.0) continue;
+    auto& [sum, count] = sums.try_emplace(peak.gauge->block, Vec2::Zero(), 0).first->second;
+    sum += Vec2(std::log(peak.scaled), std::log(peak.speed));
+    ++count;
+  }
   std::vector<Vec2> points;
-  for (const GaugePeak& peak : peaks)
-    if (peak.speed > 0.0 && peak.scaled > 0.0) points.emplace_back(peak.scaled, peak.speed);
-  return fit_power_law(points);
+  for (const auto& [block, of] : sums)
+    points.emplace_back((of.first / of.second).array().exp().matrix());
+  return points;
 }
 
 void write_histories(const ResultFolder& folder, const std::vector<GaugePeak>& peaks,
@@ -119,11 +128,12 @@ void write_peaks(const ResultFolder& folder, const std::vector<GaugePeak>& peaks
 nlohmann::ordered_json keys_of_fit(const std::optional<PowerFit>& fit) {
   nlohmann::ordered_json keys;
   for (const char* key : {"ppv_fit_K_m_s", "ppv_fit_K_low_m_s", "ppv_fit_K_high_m_s", "ppv_fit_n",
-                          "ppv_fit_n_low", "ppv_fit_n_high", "ppv_fit_r_squared"})
+                          "ppv_fit_n_low", "ppv_fit_n_high", "ppv_fit_r_squared", "ppv_fit_blocks"})
     keys[key] = nullptr;
   keys["ppv_fit_note"] = "PPV = K (R/sqrt(W))^-n, R in m, W in kg; low and high: 95 % confidence";
   if (!fit) {
-    keys["ppv_fit_note"] = "no fit: it needs three gauges that moved, at different distances";
+    keys["ppv_fit_note"] =
+        "no fit: it needs gauges in three blocks that moved, at different distances";
     return keys;
   }
   keys["ppv_fit_K_m_s"] = fit->factor;
@@ -133,6 +143,7 @@ nlohmann::ordered_json keys_of_fit(const std::optional<PowerFit>& fit) {
   keys["ppv_fit_n_low"] = fit->exponent_range.low;
   keys["ppv_fit_n_high"] = fit->exponent_range.high;
   keys["ppv_fit_r_squared"] = fit->r_squared;
+  keys["ppv_fit_blocks"] = fit->points;
   return keys;
 }
 
@@ -174,7 +185,7 @@ void report_waves(const ResultFolder& folder, const WavesOptions& options) {
   if (!(mass > 0.0)) throw InputError(path.string() + ": no charge has a mass above 0 kg");
   const double until = options.until.value_or(end_of_waves(folder));
   const std::vector<GaugePeak> peaks = peaks_of(gauges, charges, mass, until);
-  const std::optional<PowerFit> fit = fit_of(peaks);
+  const std::optional<PowerFit> fit = fit_power_law(points_of_blocks(peaks));
   write_histories(folder, peaks, until);
   write_peaks(folder, peaks, fit);
   write_png(draw_waves(peaks, until), folder.file("waves.png"));

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <sstream>
 #include <string>
 
@@ -64,6 +65,10 @@ TEST(FixMuckpileGauges, PlaneWaveArrivesAsDAlembertSays) {
     const GaugeRow most = *std::ranges::min_element(
         history, {}, [](const GaugeRow& row) { return row.stress(0, 0); });
     const double stress = -0.5 * kDensity * kWave * kSpeed;
+    std::cout << "gauge " << gauge << ": speed " << peak.velocity.x() / (0.5 * kSpeed) << ", time "
+              << peak.time / ((place - kMiddle) / kWave) << ", stress "
+              << most.stress(0, 0) / stress << ", lateral "
+              << most.stress(1, 1) / most.stress(0, 0) * (1 - kPoisson) / kPoisson << '\n';
     EXPECT_NEAR(peak.velocity.x() / (0.5 * kSpeed), 1.0, kAllowed);
     EXPECT_NEAR(peak.time / ((place - kMiddle) / kWave), 1.0, kAllowed);
     EXPECT_NEAR(most.stress(0, 0) / stress, 1.0, kAllowed);

@@ -112,6 +112,7 @@ class Waves : public ::testing::Test {
     write_text(scene, text.insert(1, "\"charge_mass_kg\": 64.0, "));
     write_gauges("");
   }
+  static int block(int gauge) { return 6 + gauge; }
   void write_gauges(const std::string& more) {
     std::ostringstream out;
     out.precision(12);
@@ -121,8 +122,8 @@ class Waves : public ::testing::Test {
     for (int k = 0; k < 5; ++k) {
       for (int g = 1; g <= 4; ++g) {
         const double distance = std::pow(2.0, g - 1);
-        out << 10 * k << ',' << (k < 4 ? 1e-3 * k : 0.5) << ',' << g << ",7," << -5.0 - distance
-            << ",0,4,0,0,0," << 0.6 * shares[k] * speed(distance) << ",0,"
+        out << 10 * k << ',' << (k < 4 ? 1e-3 * k : 0.5) << ',' << g << ',' << block(g) << ','
+            << -5.0 - distance << ",0,4,0,0,0," << 0.6 * shares[k] * speed(distance) << ",0,"
             << 0.8 * shares[k] * speed(distance) << ",0,0,0,0,0,0," << 1e6 * shares[k] << ",\n";
       }
     }
@@ -169,6 +170,21 @@ TEST_F(Waves, TablesTellEachGauge) {
   EXPECT_EQ(CsvTable::read(folder().file("waves.csv")).rows(), 16U);  // without the flight
 }
 
+// Two gauges at 8 m in one block: the fit has four points as before, with t of two degrees of
+// freedom. The same gauge in a block of its own would be a fifth.
+TEST_F(Waves, GaugesOfOneBlockAreOnePoint) {
+  std::ostringstream more;
+  more.precision(12);
+  for (const double share : {0.0, 1.0})
+    more << "20," << 2e-3 * share << ",5,10,-13,0,4.5,0,0,0," << share * speed(8.0)
+         << ",0,0,0,0,0,0,0,0,0,\n";
+  write_gauges(more.str());
+  report_waves(folder());
+  EXPECT_EQ(summary()["gauges"], 5);
+  EXPECT_EQ(summary()["ppv_fit_blocks"], 4);
+  EXPECT_NEAR(summary()["ppv_fit_n"], 1.5, 1e-9);
+}
+
 TEST_F(Waves, GoOnForAsLongAsAsked) {
   report_waves(folder(), {"gauges.csv", 1.0});
   EXPECT_NEAR(summary()["ppv_largest_m_s"], 20.0 * speed(1.0), 1e-6);
@@ -186,16 +202,17 @@ TEST_F(Waves, FaultyFilesAreRefusedByLine) {
     return input_error_of([&] { report_waves(folder()); });
   };
   const std::string rest = ",0,0,0,0,0,0,0,0,0,0,0,0,0,\n";
-  EXPECT_NE(refused("50,0.6,4,7,-99,0,4" + rest).find("gauges.csv:22: gauge 4 is at another place"),
+  EXPECT_NE(
+      refused("50,0.6,4,10,-99,0,4" + rest).find("gauges.csv:22: gauge 4 is at another place"),
+      std::string::npos);
+  EXPECT_NE(refused("50,0.4,4,10,-13,0,4" + rest).find("gauge 4 goes back in time"),
             std::string::npos);
-  EXPECT_NE(refused("50,0.4,4,7,-13,0,4" + rest).find("gauge 4 goes back in time"),
-            std::string::npos);
-  EXPECT_NE(refused("50,0.6,4,7,-13,0").find("gauges.csv"), std::string::npos);  // cut off
+  EXPECT_NE(refused("50,0.6,4,10,-13,0").find("gauges.csv"), std::string::npos);  // cut off
 }
 
 TEST_F(Waves, OfAnotherRunAreRefused) {
   const std::string other = "fedcba9876543210";
-  write_gauges("50,0.6,4,7,-13,0,4,0,0,0,0,0,0,0,0,0,0,0,0,0," + other + "\n");
+  write_gauges("50,0.6,4,10,-13,0,4,0,0,0,0,0,0,0,0,0,0,0,0,0," + other + "\n");
   EXPECT_NE(input_error_of([&] { report_waves(folder()); }).find(other), std::string::npos);
 }
 
