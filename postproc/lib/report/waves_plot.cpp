@@ -12,13 +12,21 @@
 namespace muckpile {
 namespace {
 
-// The nearest, the farthest, and others at even steps in the order of distance.
+// Gauges of one block draw one curve: of each block the nearest; of those the nearest, the
+// farthest, and others at even steps in the order of distance.
 std::vector<GaugePeak> chosen(std::vector<GaugePeak> peaks) {
   std::ranges::sort(peaks, {}, &GaugePeak::distance);
-  if (peaks.size() <= kCurveColours) return peaks;
+  std::vector<GaugePeak> all;
+  for (const GaugePeak& peak : peaks) {
+    const auto same = [&](const GaugePeak& other) {
+      return other.gauge->block == peak.gauge->block;
+    };
+    if (std::ranges::none_of(all, same)) all.push_back(peak);
+  }
+  if (all.size() <= kCurveColours) return all;
   std::vector<GaugePeak> few;
   for (size_t k = 0; k < kCurveColours; ++k)
-    few.push_back(peaks[k * (peaks.size() - 1) / (kCurveColours - 1)]);
+    few.push_back(all[k * (all.size() - 1) / (kCurveColours - 1)]);
   return few;
 }
 
@@ -41,7 +49,9 @@ std::string law_of(const PowerFit& fit) {
 
 }  // namespace
 
-Canvas draw_waves(const std::vector<GaugePeak>& peaks, double until) {
+Canvas draw_waves(const std::vector<GaugePeak>& peaks) {
+  constexpr double kRoom = 3.0;  // times that of the last peak
+  const double until = kRoom * std::ranges::max(peaks, {}, &GaugePeak::time).time;
   CurvePlot plot;
   plot.title = "Speed at gauges";
   plot.x_label = "time [ms]";
@@ -76,7 +86,7 @@ Canvas draw_peaks(const std::vector<GaugePeak>& peaks, const std::optional<Power
   if (fit) {
     plot.curves.push_back(
         along(law_of(*fit), CurveStyle::kLine, 0, x, [&](double at) { return fit->at(at); }));
-    plot.curves.push_back(along("95 % band for a gauge", CurveStyle::kDashed, 6, x,
+    plot.curves.push_back(along("95 % band for a further gauge", CurveStyle::kDashed, 6, x,
                                 [&](double at) { return fit->band(at).low; }));
     plot.curves.push_back(
         along("", CurveStyle::kDashed, 6, x, [&](double at) { return fit->band(at).high; }));

@@ -23,8 +23,9 @@ struct GaugePeak {
   double pressure;  // largest mean pressure [Pa]
 };
 
-// Speed of at most eight gauges, spread over the distances, until the time `until` [s].
-Canvas draw_waves(const std::vector<GaugePeak>& peaks, double until);
+// Speed of at most eight gauges of as many blocks, spread over the distances, from time 0 to three
+// times that of the last peak.
+Canvas draw_waves(const std::vector<GaugePeak>& peaks);
 
 // `charge`: per delay [kg].
 Canvas draw_peaks(const std::vector<GaugePeak>& peaks, const std::optional<PowerFit>& fit,

@@ -34,8 +34,8 @@ void require_charge_mass(const ResultFolder& folder) {
       folder.dump("scene.json").string() + ", by write_scene");
 }
 
-// The end of the first phase of the run, in which the waves pass; the end of the run where there is
-// no history.
+// The last row of the first phase of the run, in which the waves pass, or the first of the second
+// where there is no such row after time 0; the end of the run where there is no history.
 double end_of_waves(const ResultFolder& folder) {
   const std::filesystem::path path = folder.dump("history.csv");
   constexpr double kAll = std::numeric_limits<double>::max();
@@ -44,8 +44,10 @@ double end_of_waves(const ResultFolder& folder) {
   const auto phase = table.find_column("phase");
   if (!phase || table.rows() == 0) return kAll;
   const size_t time = table.column("time_s");
-  for (size_t row = 1; row < table.rows(); ++row)
-    if (table.word(row, *phase) != table.word(0, *phase)) return table.number(row, time);
+  for (size_t row = 1; row < table.rows(); ++row) {
+    if (table.word(row, *phase) != table.word(0, *phase))
+      return row > 1 ? table.number(row - 1, time) : table.number(row, time);
+  }
   return kAll;
 }
 
@@ -188,7 +190,7 @@ void report_waves(const ResultFolder& folder, const WavesOptions& options) {
   const std::optional<PowerFit> fit = fit_power_law(points_of_blocks(peaks));
   write_histories(folder, peaks, until);
   write_peaks(folder, peaks, fit);
-  write_png(draw_waves(peaks, until), folder.file("waves.png"));
+  write_png(draw_waves(peaks), folder.file("waves.png"));
   write_png(draw_peaks(peaks, fit, mass), folder.file("ppv.png"));
   nlohmann::ordered_json keys;
   if (std::filesystem::exists(folder.dump("run.json"))) keys = common_keys(folder);
