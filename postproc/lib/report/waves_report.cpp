@@ -151,7 +151,7 @@ nlohmann::ordered_json keys_of_fit(const std::optional<PowerFit>& fit) {
 
 // Of a bench whose charges are alike; nothing where the scene does not tell what the formula needs.
 nlohmann::ordered_json keys_of_fly_rock(const ResultFolder& folder, double mass) {
-  nlohmann::ordered_json keys;
+  auto keys = nlohmann::ordered_json::object();
   const bool bench = folder.scene_word("case") == "bench" && folder.scene_has("burden_m") &&
                      folder.scene_has("stemming_m") && folder.scene_has("charge_length_m") &&
                      !std::filesystem::exists(folder.dump("holes.csv"));

@@ -47,10 +47,11 @@ void strike_bar(RockScene& scene, const std::filesystem::path& folder, const std
   scene.command("fix gauges all muckpile/gauges directory " + folder.string() + " " + gauges);
 }
 
-/// The right-going half of the pulse has half the speed, and at the gauge the stress rho c v. Short
-/// waves of the network are slow by less than a per cent; 2 % are allowed.
+/// The right-going half of the pulse has half the speed, and at the gauge the stress rho c v. Of
+/// speed, time and stress 0.6 % are off at most, which for the time is less than a step, of the
+/// lateral stress 1.6 %.
 TEST(FixMuckpileGauges, PlaneWaveArrivesAsDAlembertSays) {
-  constexpr double kAllowed = 0.02, kStep = 3e-6;
+  constexpr double kAllowed = 0.01, kLateral = 0.02, kStep = 3e-6;
   const ScratchFolder folder("gauges_wave");
   RockScene scene(MPI_COMM_WORLD, "-0.3 6.3 -0.3 0.3 -0.3 0.3");
   strike_bar(scene, folder / "", "every 1 gauge 3.25 0 0 gauge 4.25 0.03 -0.02");
@@ -73,8 +74,8 @@ TEST(FixMuckpileGauges, PlaneWaveArrivesAsDAlembertSays) {
     EXPECT_NEAR(peak.time / ((place - kMiddle) / kWave), 1.0, kAllowed);
     EXPECT_NEAR(most.stress(0, 0) / stress, 1.0, kAllowed);
     EXPECT_NEAR(most.time / ((place - kMiddle) / kWave), 1.0, kAllowed);
-    EXPECT_NEAR(most.stress(1, 1) / most.stress(0, 0), kPoisson / (1 - kPoisson), kAllowed);
-    EXPECT_NEAR(most.stress(2, 2) / most.stress(0, 0), kPoisson / (1 - kPoisson), kAllowed);
+    EXPECT_NEAR(most.stress(1, 1) / most.stress(0, 0), kPoisson / (1 - kPoisson), kLateral);
+    EXPECT_NEAR(most.stress(2, 2) / most.stress(0, 0), kPoisson / (1 - kPoisson), kLateral);
     EXPECT_NEAR(most.pressure, -most.stress.trace() / 3.0, 1e-6 * std::abs(stress));
     // The integral of the right-going pulse.
     EXPECT_NEAR(history.back().moved.x() / (0.5 * kSpeed * kHalfWidth / kWave), 1.0, kAllowed);

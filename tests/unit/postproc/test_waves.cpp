@@ -190,6 +190,15 @@ TEST_F(Waves, GoOnForAsLongAsAsked) {
   EXPECT_NEAR(summary()["ppv_largest_m_s"], 20.0 * speed(1.0), 1e-6);
 }
 
+TEST_F(Waves, FlyRockOfOtherScenesThanBenchesIsLeftOut) {
+  const auto scene = temporary_.path() / "dump/scene.json";
+  std::string text = text_of(scene);
+  write_text(scene, text.replace(text.find("bench\""), 5, "other"));
+  report_waves(folder());
+  EXPECT_FALSE(summary().contains("formula_note"));
+  EXPECT_NEAR(summary()["ppv_fit_n"], 1.5, 1e-9);
+}
+
 TEST_F(Waves, RunWithoutGaugesOrMassIsNotMeasured) {
   EXPECT_THROW(report_waves(folder(), {"other.csv", {}}), NotMeasurable);
   write_text(temporary_.path() / "dump/scene.json", "{\"case\": \"heap\"}");
