@@ -10,10 +10,10 @@
 #include <modify.h>
 #include <update.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
 
 #include "args/numbers.h"
 #include "bond/network/block_stress.h"
@@ -106,50 +106,59 @@ bool FixMuckpileGauges::due() const {
   return intervals() * options_.interval >= next_;
 }
 
-/// The block that a gauge lies in, or the nearest one; of equally near ones the lowest tag.
-void FixMuckpileGauges::bind() {
+/// Of this rank's blocks the one that a point lies in, or the nearest; of equally near ones the
+/// lowest tag. Without blocks it is infinitely far.
+FixMuckpileGauges::Nearest FixMuckpileGauges::nearest_to(const Vec3& point) const {
   const engine::Bodies bodies(*engine::find_multisphere(*lmp));
-  std::vector<double> distances(gauges_.size(), std::numeric_limits<double>::max());
-  std::vector<int> mine(gauges_.size(), -1), tags(gauges_.size(), std::numeric_limits<int>::max());
-  for (std::size_t g = 0; g < gauges_.size(); ++g) {
-    const std::vector<double> outside = distances_from_blocks(joints_->network(), gauges_[g].start);
-    for (int b = 0; b < bodies.count(); ++b) {
-      const auto k = static_cast<std::size_t>(b);
-      if (blocks_->records()[k].mass == 0.0) continue;  // not made by create_blocks
-      const bool nearer =
-          outside[k] < distances[g] || (outside[k] == distances[g] && bodies.tag(b) < tags[g]);
-      if (!nearer) continue;
-      distances[g] = outside[k];
-      tags[g] = bodies.tag(b);
-      mine[g] = b;
-    }
+  const std::vector<double> outside = distances_from_blocks(joints_->network(), point);
+  Nearest nearest;
+  for (int b = 0; b < bodies.count(); ++b) {
+    const auto k = static_cast<std::size_t>(b);
+    if (blocks_->records()[k].mass == 0.0) continue;  // not made by create_blocks
+    const bool nearer = outside[k] < nearest.distance ||
+                        (outside[k] == nearest.distance && bodies.tag(b) < nearest.tag);
+    if (nearer) nearest = {outside[k], b, bodies.tag(b)};
   }
-  std::vector<double> nearest = distances;
-  engine::least_over_ranks_in_place(nearest, world);
+  return nearest;
+}
+
+/// All ranks agree on the block of each gauge; its owner tells where the gauge is on it.
+void FixMuckpileGauges::bind() {
+  std::vector<Nearest> mine;
+  std::vector<double> distances;
+  for (const Gauge& gauge : gauges_) {
+    mine.push_back(nearest_to(gauge.start));
+    distances.push_back(mine.back().distance);
+  }
+  engine::least_over_ranks_in_place(distances, world);
+  std::vector<int> tags;
   for (std::size_t g = 0; g < gauges_.size(); ++g)
-    if (distances[g] > nearest[g]) tags[g] = std::numeric_limits<int>::max();
-  std::vector<int> owners = tags;
-  engine::least_over_ranks_in_place(owners, world);
-  std::vector<double> rows(4 * gauges_.size(), 0.0);  // offset and size of the block
+    tags.push_back(mine[g].distance > distances[g] ? Nearest{}.tag : mine[g].tag);
+  engine::least_over_ranks_in_place(tags, world);
+  std::vector<double> rows(4 * gauges_.size(), 0.0);  // offset on the block, and its size [m]
+  const engine::Bodies bodies(*engine::find_multisphere(*lmp));
   for (std::size_t g = 0; g < gauges_.size(); ++g) {
-    if (mine[g] < 0 || tags[g] != owners[g]) continue;
-    const Vec3 offset =
-        bodies.axes(mine[g]).transpose() * (gauges_[g].start - Vec3(bodies.centre(mine[g])));
-    for (Eigen::Index d = 0; d < 3; ++d) rows[4 * g + static_cast<std::size_t>(d)] = offset[d];
-    rows[4 * g + 3] = std::cbrt(blocks_->records()[static_cast<std::size_t>(mine[g])].volume);
+    const int b = mine[g].body;
+    if (b < 0 || mine[g].tag != tags[g]) continue;
+    const Vec3 offset = bodies.axes(b).transpose() * (gauges_[g].start - Vec3(bodies.centre(b)));
+    std::copy_n(offset.data(), 3, rows.begin() + static_cast<std::ptrdiff_t>(4 * g));
+    rows[4 * g + 3] = std::cbrt(blocks_->records()[static_cast<std::size_t>(b)].volume);
   }
   engine::sum_over_ranks_in_place(rows, world);
   for (std::size_t g = 0; g < gauges_.size(); ++g) {
-    const double size = rows[4 * g + 3];
-    if (!(nearest[g] <= size))
-      engine::stop(*lmp, where_ + ": gauge " + std::to_string(g + 1) + " at '" +
-                             place(gauges_[g].start) +
-                             "' m must lie in the rock or within a block of it; move it");
-    gauges_[g].block = owners[g];
+    require_near(g, distances[g], rows[4 * g + 3]);
+    gauges_[g].block = tags[g];
     gauges_[g].offset = Vec3(rows.data() + 4 * g);
-    of_block_.emplace(owners[g], g);
+    of_block_.emplace(tags[g], g);
   }
-  say_where(nearest);
+  say_where(distances);
+}
+
+void FixMuckpileGauges::require_near(std::size_t g, double distance, double size) const {
+  if (distance <= size) return;
+  engine::stop(*lmp, where_ + ": gauge " + std::to_string(g + 1) + " at '" +
+                         place(gauges_[g].start) +
+                         "' m must lie in the rock or within a block of it; move it");
 }
 
 void FixMuckpileGauges::say_where(const std::vector<double>& distances) const {

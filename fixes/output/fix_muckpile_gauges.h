@@ -6,6 +6,7 @@
 
 #include <fix.h>
 
+#include <limits>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -60,7 +61,15 @@ class FixMuckpileGauges : public LAMMPS_NS::Fix {
   void restart(char* state) override;
 
  private:
+  /// The block nearest to a point.
+  struct Nearest {
+    double distance = std::numeric_limits<double>::max();  // to its faces, outside [m]
+    int body = -1;
+    int tag = std::numeric_limits<int>::max();
+  };
+  [[nodiscard]] Nearest nearest_to(const Vec3& point) const;
   void bind();
+  void require_near(std::size_t g, double distance, double size) const;
   void say_where(const std::vector<double>& distances) const;
   [[nodiscard]] double intervals() const;
   [[nodiscard]] bool due() const;
