@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The facet network of a rank, for reading.
-// Scope: an interface only; fix muckpile/joint implements it, fix muckpile/gauges reads it.
+// Scope: an interface only; fix muckpile/joint implements it, fix muckpile/gauges and fix
+// muckpile/gas read it.
 #pragma once
 
 #include "bond/network/facet_network.h"

@@ -21,7 +21,6 @@
 #include "fixes/interfaces/joint_pressure.h"
 #include "fixes/interfaces/joint_view.h"
 #include "fixes/interfaces/joints_with_gas.h"
-#include "fixes/interfaces/network_view.h"
 #include "fixes/interfaces/rock_view.h"
 #include "fixes/interfaces/step_limit.h"
 #include "fixes/interfaces/yielding_supports.h"
@@ -39,7 +38,6 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
                          public JoinedBlocks,
                          public StepLimit,
                          public JointsWithGas,
-                         public NetworkView,
                          public JointEnergies,
                          public JointFragments,
                          public JointDamage,
