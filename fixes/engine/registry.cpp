@@ -31,6 +31,7 @@
 #include "fixes/joints/fix_muckpile_joint.h"
 #include "fixes/joints/fix_muckpile_quiet.h"
 #include "fixes/output/fix_muckpile_dump.h"
+#include "fixes/output/fix_muckpile_gauges.h"
 #include "fixes/output/fix_muckpile_ledger.h"
 #include "fixes/output/write_scene.h"
 #include "fixes/run/fix_muckpile_progress.h"
@@ -121,6 +122,7 @@ const std::map<std::string, FixCreator>& fixes() {
       {"muckpile/contact/history", &create_fix<FixMuckpileContactHistory>},
       {"muckpile/dump", &create_fix<FixMuckpileDump>},
       {"muckpile/gas", &create_fix<FixMuckpileGas>},
+      {"muckpile/gauges", &create_fix<FixMuckpileGauges>},
       {"muckpile/ground", &create_fix<FixMuckpileGround>},
       {"muckpile/joint", &create_fix<FixMuckpileJoint>},
       {"muckpile/ledger", &create_fix<FixMuckpileLedger>},

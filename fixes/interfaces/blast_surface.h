@@ -63,8 +63,8 @@ class BlastSurface {
   /// has counted as lost.
   virtual void unload_softened() = 0;
 
-  /// Work [J] of the last force computation's pressures on the faces of each hole, this rank's faces
-  /// only; hole_count() values.
+  /// Work [J] of the last force computation's pressures on the faces of each hole, this rank's
+  /// faces only; hole_count() values.
   virtual void work_of_step(std::span<double> per_hole) const = 0;
   /// Work done by the pressure so far on this rank's faces [J].
   [[nodiscard]] virtual double pressure_work() const = 0;

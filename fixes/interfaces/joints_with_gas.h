@@ -8,17 +8,13 @@
 #include <span>
 #include <vector>
 
-#include "bond/network/facet_network.h"
 #include "fixes/engine/block_halo.h"
+#include "fixes/interfaces/network_view.h"
 
 namespace muckpile {
 
-class JointsWithGas {
+class JointsWithGas : public NetworkView {
  public:
-  virtual ~JointsWithGas() = default;
-
-  /// Blocks, joints and faces, as the force computation sees them. For reading.
-  [[nodiscard]] virtual const FacetNetwork& network() const = 0;
   /// Grows whenever the lists of blocks and joints in it may have changed.
   [[nodiscard]] virtual std::uint64_t lists_version() const = 0;
   /// Tags of the owned blocks, in the order of their bodies.

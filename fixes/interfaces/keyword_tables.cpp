@@ -19,6 +19,7 @@ std::vector<ArgTable> keyword_tables() {
                                   cut_table(),
                                   dump_keywords(),
                                   gas_keywords(),
+                                  gauges_keywords(),
                                   joint_keywords(),
                                   progress_keywords(),
                                   quiet_keywords(),

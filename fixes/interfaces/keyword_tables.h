@@ -13,6 +13,7 @@ namespace muckpile {
 [[nodiscard]] const ArgTable& block_motion_keywords();
 [[nodiscard]] const ArgTable& dump_keywords();
 [[nodiscard]] const ArgTable& gas_keywords();
+[[nodiscard]] const ArgTable& gauges_keywords();
 [[nodiscard]] const ArgTable& joint_keywords();
 [[nodiscard]] const ArgTable& progress_keywords();
 [[nodiscard]] const ArgTable& quiet_keywords();

@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "fixes/engine/run_table.h"
+
 namespace LAMMPS_NS {
 class LAMMPS;
 }
@@ -18,13 +20,16 @@ class RunFiles {
   RunFiles() = default;
   /// `where` starts every message; `folder` exists.
   RunFiles(LAMMPS_NS::LAMMPS& lmp, std::string where, std::string folder)
-      : lmp_(&lmp), where_(std::move(where)), folder_(std::move(folder)) {}
+      : lmp_(&lmp),
+        where_(std::move(where)),
+        folder_(std::move(folder)),
+        history_(lmp, where_, folder_ + "/history.csv", kHeader) {}
 
   /// Once, as the first step is taken: keeps the rows of that run from steps before `first_step`,
   /// and removes its run.json.
   void begin(const std::string& run_id, std::int64_t first_step);
   /// A line of history.csv, with its end; in the columns of kHeader. Waits for begin().
-  void add_row(const std::string& row);
+  void add_row(const std::string& row) { history_.add(row); }
   void write_run(const std::string& json) const;
 
   static constexpr const char* kHeader =
@@ -37,14 +42,11 @@ class RunFiles {
 
  private:
   void remove_own_run(const std::string& run_id) const;
-  [[nodiscard]] std::string rows_before(const std::string& run_id, std::int64_t step) const;
-  [[nodiscard]] std::string history() const { return folder_ + "/history.csv"; }
   [[nodiscard]] std::string run() const { return folder_ + "/run.json"; }
 
   LAMMPS_NS::LAMMPS* lmp_ = nullptr;
   std::string where_, folder_;
-  std::string pending_rows_;  // until a step is taken
-  bool begun_ = false;
+  engine::RunTable history_;
 };
 
 }  // namespace muckpile

@@ -82,6 +82,7 @@ struct Options {
   MeasureOptions measure;
   FragmentOptions fragments;
   MovementOptions movement;
+  WavesOptions waves;
   SectionOptions section;
   PictureOptions picture;
   std::string colour = "start_height";
@@ -106,6 +107,19 @@ void add_movement_command(CLI::App& app, Options& o) {
   movement->callback([&o] { report_movement(ResultFolder(o.folder), o.measure, o.movement); });
 }
 
+void add_waves_command(CLI::App& app, Options& o) {
+  CLI::App* waves = add_command(app, "waves",
+                                "runs with gauges: waves.csv, waves.png, ppv.csv, ppv.png; speeds "
+                                "at gauges, peak velocity against scaled distance",
+                                o.folder);
+  waves->add_option("--gauges", o.waves.file, "file of fix muckpile/gauges in dump/");
+  waves
+      ->add_option("--until", o.waves.until,
+                   "peaks and pictures end there [s] (default: the end of the run's first phase)")
+      ->check(CLI::PositiveNumber);
+  waves->callback([&o] { report_waves(ResultFolder(o.folder), o.waves); });
+}
+
 void add_pile_commands(CLI::App& app, Options& o) {
   CLI::App* profile =
       add_command(app, "profile",
@@ -120,6 +134,7 @@ void add_pile_commands(CLI::App& app, Options& o) {
     command->add_option("--y", o.section.y, "place of the section [m] (default: through a hole)");
   }
   add_movement_command(app, o);
+  add_waves_command(app, o);
   CLI::App* fragments =
       add_command(app, "fragments",
                   "size curves by sieve and volume, fits, Kuz-Ram, boulders: fragments.csv, "

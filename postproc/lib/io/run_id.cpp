@@ -38,7 +38,7 @@ std::string id_in_json(const std::filesystem::path& path) {
 }
 
 // One for each id that the rows have: a second run may have gone on writing at the end.
-void add_history(const std::filesystem::path& path, std::vector<Origin>& origins) {
+void add_table(const std::filesystem::path& path, std::vector<Origin>& origins) {
   const CsvTable table = CsvTable::read(path);
   const auto column = table.find_column("run_id");
   if (!column) {
@@ -66,7 +66,8 @@ std::vector<Origin> origins_in(const std::filesystem::path& dump) {
   // A script that prints this file by itself gives it no id.
   if (std::filesystem::exists(dump / "scene.json") && !id_in_json(dump / "scene.json").empty())
     add(dump / "scene.json", id_in_json);
-  if (std::filesystem::exists(dump / "history.csv")) add_history(dump / "history.csv", origins);
+  for (const char* name : {"history.csv", "gauges.csv"})
+    if (std::filesystem::exists(dump / name)) add_table(dump / name, origins);
   for (const auto& path : snapshot_files(dump))
     add(path, [](const auto& snapshot) { return id_in_line(snapshot, 1); });
   return origins;

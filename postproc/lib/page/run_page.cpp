@@ -91,6 +91,23 @@ void add_speeds(Html& page, const PageContent& run) {
   page.element("figcaption", "Speed of the fastest block [m/s]; from dump/history.csv.");
 }
 
+void add_waves(Html& page, const PageContent& run) {
+  add_picture(page, run, "waves.png", "Waves", "Speed at gauges in the rock; table in waves.csv.");
+  add_picture(page, run, "ppv.png", "",
+              "Peak particle velocity at the gauges against scaled distance; table in ppv.csv.");
+  if (find(run, "ppv_fit_n") == nullptr) return;
+  add_table(page, run,
+            {{"charge_within_8_ms_kg", "Largest charge within 8 ms"},
+             {"ppv_fit_K_m_s", "Fit, K"},
+             {"ppv_fit_n", "Fit, exponent n"},
+             {"ppv_fit_n_low", "n, lower end of its 95 % confidence"},
+             {"ppv_fit_n_high", "n, upper end"},
+             {"formula_face_burst_low_m", "Fly rock by face burst (formula), k = 14"},
+             {"formula_face_burst_high_m", "Fly rock by face burst (formula), k = 30"},
+             {"formula_cratering_low_m", "Fly rock by cratering (formula), k = 14"},
+             {"formula_cratering_high_m", "Fly rock by cratering (formula), k = 30"}});
+}
+
 void add_sizes(Html& page, const PageContent& run) {
   add_picture(page, run, "fragments.png", "Size of the rock",
               "Size curves of the broken-out rock; tables in sieve.csv, fragments.csv and "
@@ -230,6 +247,7 @@ void add_body(Html& page, const PageContent& run) {
   add_key_figures(page, run);
   add_pile(page, run);
   add_speeds(page, run);
+  add_waves(page, run);
   add_sizes(page, run);
   add_energy(page, run);
   add_design(page, run);

@@ -30,6 +30,11 @@ struct MovementOptions {
   std::string polygons;  // file of polygons to carry into the pile; "": none
 };
 
+struct WavesOptions {
+  std::string file = "gauges.csv";  // in dump/
+  std::optional<double> until;  // peaks and pictures end there [s]; default: the first phase's end
+};
+
 struct SectionOptions {
   std::optional<double> y;  // of the section [m]; default: through a hole
   ColourBy colour_by = ColourBy::kStartHeight;

@@ -34,6 +34,9 @@ void report_series(const ResultFolder& folder, int every);
 // Bench only: movement.csv, movement.png.
 void report_movement(const ResultFolder& folder, const MeasureOptions& measure,
                      const MovementOptions& options);
+// waves.csv, waves.png, ppv.csv, ppv.png: what the gauges of the run felt. Throws NotMeasurable for
+// a run without gauges.
+void report_waves(const ResultFolder& folder, const WavesOptions& options = {});
 // report.html: the page of the run, of what the others have left in the folder.
 void report_page(const ResultFolder& folder);
 

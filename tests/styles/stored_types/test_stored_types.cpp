@@ -19,6 +19,7 @@
 #include "fixes/explosive/fix_muckpile_blast.h"
 #include "fixes/explosive/fix_muckpile_gas.h"
 #include "fixes/joints/fix_muckpile_quiet.h"
+#include "fixes/output/fix_muckpile_gauges.h"
 #include "fixes/output/fix_muckpile_ledger.h"
 #include "fixes/run/fix_muckpile_progress.h"
 #include "fixes/run/fix_muckpile_timestep.h"
@@ -39,7 +40,7 @@ StoredTypes types_in() {
 StoredTypes all_types() {
   return types_in<BlocksState, BlocksShare, PlacedBlock, NetworkTotals, QuietState, LedgerState,
                   SleepState, RestRecord, CrushedBed::State, JointGasState, BlockGas, BlastState,
-                  StepState, ProgressState, ContactLosses, ContactRecord>();
+                  StepState, ProgressState, ContactLosses, ContactRecord, GaugesState>();
 }
 
 std::string line_of(const StoredType& type) {

@@ -51,6 +51,12 @@ TEST_F(AllReports, AHoleTableIsDrawnToo) {
   EXPECT_EQ((Names{names.end() - 2, names.end()}), (Names{"plan", "report"}));
 }
 
+TEST_F(AllReports, GaugesAreMeasuredToo) {
+  write_text(temporary_.path() / "dump/gauges.csv", "step,run_id\n");
+  const Names names = reports_of(folder_with(R"({"case": "bench"})"));
+  EXPECT_EQ((Names{names.end() - 2, names.end()}), (Names{"waves", "report"}));
+}
+
 TEST_F(AllReports, AnotherCaseIsRefusedByName) {
   for (const char* scene : {R"({"case": "quarry"})", "{}", R"({"knobs": {"case": "bench"}})"})
     EXPECT_THROW(reports_of(folder_with(scene), false), InputError) << scene;

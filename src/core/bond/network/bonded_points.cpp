@@ -38,6 +38,11 @@ Vec3 bulk_traction(const FacetKinematics& facets, const LeaningFaces* leaning, s
   return pull;
 }
 
+LaneVec bonded_tractions(const FacetKinematics& facets, const LeaningFaces* leaning, std::size_t f,
+                         const FacetMotion& motion) {
+  return pull_of(facets, leaning, f, motion).traction;
+}
+
 Vec3 mean_traction(const FacetKinematics& facets, const LeaningFaces* leaning, std::size_t f) {
   const BondConstants bond = facets.tables.bond(f);
   const FacetMotion motion = facets.motion(f);

@@ -12,6 +12,9 @@ namespace muckpile {
 /// Part of a facet's traction that is the same at all points: of bulk stresses and leaning [Pa].
 [[nodiscard]] Vec3 bulk_traction(const FacetKinematics& facets, const LeaningFaces* leaning,
                                  std::size_t f, const FacetOpenings& openings);
+/// Of the points, as if all of them were bonded, on block i, without dashpots [Pa].
+[[nodiscard]] LaneVec bonded_tractions(const FacetKinematics& facets, const LeaningFaces* leaning,
+                                       std::size_t f, const FacetMotion& motion);
 /// Of an intact facet on its block i [Pa].
 [[nodiscard]] Vec3 mean_traction(const FacetKinematics& facets, const LeaningFaces* leaning,
                                  std::size_t f);

@@ -19,7 +19,36 @@ double slid_squared(const LaneVec& apart, const Vec3& normal) {
   return std::max(dot(apart, apart)[0] - opened * opened, 0.0);
 }
 
+PlanePoint<Lanes> contact_points(const FacetKinematics& facets, std::size_t f,
+                                 const FacetMotion& motion, const LaneVec& rate) {
+  const FacetTraces& traces = facets.history.traces(f);
+  const LaneVec offset = lanes_of(facets.history.contacts().get(f).offset);
+  return {LaneVec(motion.normal), motion.jump() - rotated(motion.axes(), offset), rate,
+          facets.history.bonded_points(f) == 0 ? is_point() : where_contact(traces),
+          LaneMask(traces.open)};
+}
+
+PlaneContact<Lanes> linear_contact(const FacetKinematics& facets, std::size_t f,
+                                   const ContactConstants& contact) {
+  const JointLaws& laws = facets.tables.laws();
+  const double fade = facets.history.contacts().fade(f);
+  return {{fade * contact.closure.normal},
+          fade * contact.shear,
+          fade * laws.contact_damping(),
+          laws.friction(Lanes(facets.tables.residual_friction(f)))};
+}
+
 }  // namespace
+
+/// No time passes, and nothing moves: dashpots carry nothing then.
+LaneVec contact_tractions(const FacetKinematics& facets, std::size_t f, const FacetMotion& motion) {
+  const ContactConstants contact = facets.tables.contact(f);
+  const PlanePoint<Lanes> at = contact_points(facets, f, motion, LaneVec());
+  const PlanePull<Lanes> pull = facets.tables.nonlinear_law(f) == nullptr
+                                    ? plane_pull<Lanes>(linear_contact(facets, f, contact), at, 0.0)
+                                    : nonlinear_pull(facets, f, contact, at, 0.0);
+  return choose(at.broken, Lanes(1.0), 0.0) * pull.traction;
+}
 
 bool slid_away(const FacetMotion& motion, const ContactConstants& contact) {
   return slid_squared(motion.apart, motion.normal) >
@@ -28,21 +57,14 @@ bool slid_away(const FacetMotion& motion, const ContactConstants& contact) {
 
 void BrokenContact::add_tractions(std::size_t f, const FacetMotion& motion,
                                   const ContactConstants& contact, FacetPull& pull) {
-  const FacetTraces& traces = history_.traces(f);
-  const JointLaws& laws = facets_.tables.laws();
   ContactRows& contacts = history_.contacts();
-  const double fade = contacts.fade(f), shear = fade * contact.shear;
+  const double shear = contacts.fade(f) * contact.shear;
   const Mat3 axes = motion.axes();
-  const LaneMask broken = history_.bonded_points(f) == 0 ? is_point() : where_contact(traces);
-  const LaneVec spring = pull.jump - rotated(axes, lanes_of(contacts.get(f).offset));
-  const PlanePoint<Lanes> at = {pull.normal, spring, pull.rate, broken, LaneMask(traces.open)};
-  const PlaneContact<Lanes> linear = {{fade * contact.closure.normal},
-                                      shear,
-                                      fade * laws.contact_damping(),
-                                      laws.friction(Lanes(facets_.tables.residual_friction(f)))};
+  const PlanePoint<Lanes> at = contact_points(facets_, f, motion, pull.rate);
+  const LaneMask broken = at.broken;
   const PlanePull<Lanes> at_points =
       facets_.tables.nonlinear_law(f) == nullptr
-          ? plane_pull<Lanes>(linear, at, dt_)
+          ? plane_pull<Lanes>(linear_contact(facets_, f, contact), at, dt_)
           : nonlinear_plane_pull(facets_, history_, f, contact, at, dt_);
   history_.set_open(f, false);
   pull.traction = choose(broken, at_points.traction, pull.traction);

@@ -16,6 +16,11 @@ namespace muckpile {
 /// Whether a facet has slid so far that it begins to fade.
 [[nodiscard]] bool slid_away(const FacetMotion& motion, const ContactConstants& contact);
 
+/// Of the points that have left the dilatations, on block i: what their springs carry, without
+/// dashpots; 0 at the others [Pa].
+[[nodiscard]] LaneVec contact_tractions(const FacetKinematics& facets, std::size_t f,
+                                        const FacetMotion& motion);
+
 class BrokenContact {
  public:
   BrokenContact(const FacetKinematics& facets, FacetHistory& history, FacetSchedule& schedule,

@@ -155,6 +155,11 @@ class FacetNetwork {
   void set_gas_pressure(std::span<const double> pressure);
   [[nodiscard]] std::span<const Vec3> gas_force() const;  ///< in force() too; empty: none [N]
   [[nodiscard]] std::span<const Vec3> gas_torque() const;
+  /// In the joint of facet f, more than the atmosphere [Pa].
+  [[nodiscard]] double gas_pressure(std::size_t f) const {
+    const auto [i, j] = tables_.blocks_of(f);
+    return gas_ ? gas_->between(i, j) : 0.0;
+  }
   void release_gas(std::size_t f) { history_.release_gas(f); }
   void release_gas();  ///< all of it, for good
   /// Work of the gas on owned blocks [J], to be part of pressure_work().

@@ -94,14 +94,11 @@ unsigned GasLoad::pressed_lanes(const FacetKinematics& facets, const LaneSet& ac
                                 FacetRow<double>& pressure) const {
   if (!presses()) return 0;
   const FacetGroup& group = facets.tables.group(active.group);
-  const auto ground = static_cast<int>(facets.blocks.size()) - 1;
   unsigned lanes = 0;
   each_lane(active.lanes & ~facets.history.intact_lanes(active.group), [&](std::size_t k) {
     const std::size_t f = active.group * kGroup + k;
-    const double of_i = pressure_[static_cast<std::size_t>(group.i[k])];
-    const double of_j =
-        group.j[k] == ground ? of_i : pressure_[static_cast<std::size_t>(group.j[k])];
-    pressure[k] = 0.5 * (of_i + of_j);
+    pressure[k] =
+        between(static_cast<std::size_t>(group.i[k]), static_cast<std::size_t>(group.j[k]));
     if (pressure[k] != 0.0 && !facets.history.traces(f).over()) lanes |= 1u << k;
   });
   return lanes;

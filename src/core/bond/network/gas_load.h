@@ -40,6 +40,11 @@ class GasLoad {
     torque_.clear();
   }
   [[nodiscard]] bool presses() const { return !pressure_.empty(); }
+  /// In the joints between blocks i and j [Pa]: the mean of the two; on the ground what i has.
+  [[nodiscard]] double between(std::size_t i, std::size_t j) const {
+    if (!presses()) return 0.0;
+    return 0.5 * (pressure_[i] + (j + 1 == pressure_.size() ? pressure_[i] : pressure_[j]));
+  }
 
   [[nodiscard]] std::span<const Vec3> force() const { return force_; }    ///< [N]
   [[nodiscard]] std::span<const Vec3> torque() const { return torque_; }  ///< [N m]

@@ -80,15 +80,21 @@ double nonlinear_contact_energy(const FacetKinematics& facets, std::size_t f,
   return 0.5 * contact.point_area * sum(choose(points && joint.traction(gap) < 0.0, stored, 0.0));
 }
 
-PlanePull<Lanes> nonlinear_plane_pull(const FacetKinematics& facets, FacetHistory& history,
-                                      std::size_t f, const ContactConstants& contact,
-                                      const PlanePoint<Lanes>& at, double dt) {
+PlanePull<Lanes> nonlinear_pull(const FacetKinematics& facets, std::size_t f,
+                                const ContactConstants& contact, const PlanePoint<Lanes>& at,
+                                double dt) {
   const JointLaws& laws = facets.tables.laws();
-  const double fade = history.contacts().fade(f);
+  const double fade = facets.history.contacts().fade(f);
   const PlaneContact<Lanes, NonlinearContact, NonlinearFriction> law = {
       nonlinear_contact(facets, f, fade), fade * contact.shear, fade * laws.contact_damping(),
       nonlinear_friction(facets, f)};
-  const PlanePull<Lanes> pull = plane_pull<Lanes>(law, at, dt);
+  return plane_pull<Lanes>(law, at, dt);
+}
+
+PlanePull<Lanes> nonlinear_plane_pull(const FacetKinematics& facets, FacetHistory& history,
+                                      std::size_t f, const ContactConstants& contact,
+                                      const PlanePoint<Lanes>& at, double dt) {
+  const PlanePull<Lanes> pull = nonlinear_pull(facets, f, contact, at, dt);
   const Lanes rate = dot(at.normal, at.rate);
   const LaneVec slip = at.rate - rate * at.normal;
   const LaneMask slips = at.broken && pull.rests && dot(at.normal, pull.traction) < 0.0;

@@ -25,7 +25,11 @@ namespace muckpile {
 [[nodiscard]] double nonlinear_contact_energy(const FacetKinematics& facets, std::size_t f,
                                               const FacetMotion& motion,
                                               const ContactConstants& contact);
-/// Tractions of broken points over a step dt [s]; remembers their slip.
+/// Tractions of broken points over a step dt [s].
+[[nodiscard]] PlanePull<Lanes> nonlinear_pull(const FacetKinematics& facets, std::size_t f,
+                                              const ContactConstants& contact,
+                                              const PlanePoint<Lanes>& at, double dt);
+/// The same; remembers their slip.
 [[nodiscard]] PlanePull<Lanes> nonlinear_plane_pull(const FacetKinematics& facets,
                                                     FacetHistory& history, std::size_t f,
                                                     const ContactConstants& contact,

@@ -32,4 +32,22 @@ void add_cohesion(const FacetKinematics& facets, FacetHistory& history, JointLos
   if (!history.softens(f) && facets.tables.is_joint(f)) history.stop_softening(f);
 }
 
+LaneVec cohesion_tractions(const FacetKinematics& facets, std::size_t f,
+                           const FacetMotion& motion) {
+  LaneVec held;
+  if (!facets.history.softens(f)) return held;
+  const Mat3 axes = motion.axes();
+  for (int p = 0; p < kFacetPoints; ++p) {
+    const auto k = static_cast<std::size_t>(p);
+    const Cohesion& c = facets.history.cohesion(f, k);
+    if (!c.holds()) continue;
+    const double parting = c.parting(axes.transpose() * motion.jump().at(p));
+    const Vec3 traction = c.traction(parting, std::max(parting, c.worst)) * (axes * c.direction);
+    held.x[k] += traction.x();
+    held.y[k] += traction.y();
+    held.z[k] += traction.z();
+  }
+  return held;
+}
+
 }  // namespace muckpile

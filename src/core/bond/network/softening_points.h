@@ -15,4 +15,8 @@ namespace muckpile {
 void add_cohesion(const FacetKinematics& facets, FacetHistory& history, JointLosses& losses,
                   std::size_t f, const FacetMotion& motion, FacetPull& pull, double dt);
 
+/// What the points of facet f hold in this pose, on block i; 0 at those that do not soften [Pa].
+[[nodiscard]] LaneVec cohesion_tractions(const FacetKinematics& facets, std::size_t f,
+                                         const FacetMotion& motion);
+
 }  // namespace muckpile

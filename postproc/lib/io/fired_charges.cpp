@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The charges of a run with their masses and when they fire.
+// Scope: see the header.
+#include "io/fired_charges.h"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+#include "explosive/explosive_table.h"
+#include "explosive/hole_table.h"
+#include "io/charges.h"
+
+namespace muckpile {
+namespace {
+
+double cylinder(double diameter, double length) {
+  return 0.25 * std::numbers::pi * diameter * diameter * length;
+}
+
+// A deck without an explosive of its own has the scene's.
+double density_of(const Deck& deck, const ResultFolder& folder) {
+  if (!deck.explosive) return folder.scene_number("explosive_density_kg_m3");
+  return ExplosiveTable::shipped().find(*deck.explosive, "waves").density;
+}
+
+std::vector<FiredCharge> charges_of_decks(const ResultFolder& folder,
+                                          const std::filesystem::path& path) {
+  std::vector<FiredCharge> charges;
+  const HoleTable table = HoleTable::read(path.string());
+  for (const Deck& deck : table.decks()) {
+    const double volume = cylinder(deck.charge_diameter.value_or(deck.diameter),
+                                   deck.charge_length.value_or(deck.to - deck.from));
+    charges.push_back({deck.toe, deck.collar, volume * density_of(deck, folder), deck.firing_time});
+  }
+  return charges;
+}
+
+double mass_by_scene(const ResultFolder& folder) {
+  if (folder.scene_has("charge_mass_kg")) return folder.scene_number("charge_mass_kg");
+  return cylinder(folder.scene_number("hole_diameter_m"), folder.scene_number("charge_length_m")) *
+         folder.scene_number("explosive_density_kg_m3");
+}
+
+}  // namespace
+
+std::vector<FiredCharge> fired_charges(const ResultFolder& folder) {
+  const std::filesystem::path table = folder.dump("holes.csv");
+  if (std::filesystem::exists(table)) return charges_of_decks(folder, table);
+  const double mass = mass_by_scene(folder);
+  std::vector<FiredCharge> charges;
+  for (const Charge& charge : charges_of(folder))
+    charges.push_back({charge.toe, charge.collar, mass, 0.0});
+  return charges;
+}
+
+double largest_mass_within(std::vector<FiredCharge> charges, double window) {
+  std::ranges::sort(charges, {}, &FiredCharge::firing_time);
+  double largest = 0.0;
+  for (size_t from = 0; from < charges.size(); ++from) {
+    double mass = 0.0;
+    for (size_t k = from; k < charges.size(); ++k) {
+      if (charges[k].firing_time >= charges[from].firing_time + window) break;
+      mass += charges[k].mass;
+    }
+    largest = std::max(largest, mass);
+  }
+  return largest;
+}
+
+double distance_to_charges(const Vec3& point, const std::vector<FiredCharge>& charges) {
+  double nearest = std::numeric_limits<double>::max();
+  for (const FiredCharge& charge : charges) {
+    const Vec3 axis = charge.collar - charge.toe;
+    const double length_squared = axis.squaredNorm();
+    const double along = length_squared > 0.0
+                             ? std::clamp((point - charge.toe).dot(axis) / length_squared, 0.0, 1.0)
+                             : 0.0;
+    nearest = std::min(nearest, (point - charge.toe - along * axis).norm());
+  }
+  return nearest;
+}
+
+}  // namespace muckpile
