@@ -8,7 +8,6 @@
 
 #include "args/input_error.h"
 #include "args/numbers.h"
-#include "explosive/hole_table.h"
 
 namespace muckpile {
 namespace {
@@ -76,7 +75,11 @@ double HolePattern::front_burden(double height) const {
 ArgTable hole_pattern_table() {
   ArgTable table("hole_pattern");
   const Range length = Range::left_open(0.0, 100.0);
+  const Range delays = Range::closed(0.0, 10.0);  // 17 is one in milliseconds
   table.word("file", {}, std::nullopt, "CSV file to write")
+      .word("take", {}, "none",
+            "a hole table of one's own, which is checked and copied to `file` instead; what the "
+            "other keywords say is then not looked at")
       .integer("rows", "", Range::closed(1, 1000), std::nullopt, "rows of holes behind the face")
       .integer("holes_per_row", "", Range::closed(1, 1000), std::nullopt, "holes in each row")
       .real("burden", "m", length, std::nullopt,
@@ -95,13 +98,13 @@ ArgTable hole_pattern_table() {
             "of the free face, from the horizontal; 90: upright")
       .real("hole_angle", "deg", Range::closed(45.0, 90.0), 90.0,
             "of the holes, from the horizontal; below 90 the collar lies behind the toe")
-      .real("delay_in_row", "s", delay_range(), 0.0, "from hole to hole of a row")
-      .real("delay_between_rows", "s", delay_range(), 0.0,
+      .real("delay_in_row", "s", delays, 0.0, "from hole to hole of a row")
+      .real("delay_between_rows", "s", delays, 0.0,
             "from the first hole of a row to that of the next")
-      .real("in_hole_delay", "s", delay_range(), 0.0, "of the detonators")
+      .real("in_hole_delay", "s", delays, 0.0, "of the detonators")
       .integer("decks", "", Range::closed(1, 20), 1, "charges in each hole, of equal lengths")
       .real("deck_stemming", "m", Range::closed(0.0, 50.0), 0.0, "between two of them")
-      .real("deck_delay", "s", delay_range(), 0.0, "from a deck to the one above it");
+      .real("deck_delay", "s", delays, 0.0, "from a deck to the one above it");
   return table;
 }
 
