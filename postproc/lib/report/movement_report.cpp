@@ -67,10 +67,12 @@ SectionPlot section_of(const RunData& run, const BenchScene& bench, const BenchP
   for (const PartMovement& part : movement) farthest = std::max(farthest, part.rock.end.x());
   plot.title = "Movement of the bench by level and distance from the face";
   plot.subtitle = "arrows: mass centres of parts of the bench, from before the blast to the end";
-  plot.x_label = "distance from the free face, along the throw [m]";
+  plot.x_label = "distance from the toe of the free face, along the throw [m]";
   plot.x = {before.low.x() - 1.0, 1.2 * farthest + 1.0};
   plot.z = {before.low.z() - 0.5, 1.12 * bench.height};
-  plot.lines.push_back({{{before.low.x(), bench.height}, {0.0, bench.height}, {0.0, 0.0}},
+  plot.lines.push_back({{{before.low.x(), bench.height},
+                         {-bench.planes.face_back * bench.height, bench.height},
+                         {0.0, 0.0}},
                         kInk,
                         2.0,
                         true,
@@ -131,7 +133,8 @@ void report_movement(const ResultFolder& folder, const MeasureOptions& measure,
       options.polygons.empty() ? std::vector<OrePolygon>() : read_ore_polygons(options.polygons);
   const RunData run(folder, measure);
   const BenchScene bench = bench_or_take_back(folder, run);
-  const BenchParts parts{bench.height, bench.depth, options.levels, options.distances};
+  const BenchParts parts{bench.height, bench.depth, options.levels, options.distances,
+                         bench.planes};
   const std::vector<PartMovement> movement =
       movement_of_parts(run.blocks, run.last, run.moved, parts);
   if (movement.empty())
