@@ -130,10 +130,9 @@ PileProfile pile_profile(const std::vector<StartBlock>& blocks, const Snapshot& 
                          const BenchPlanes& planes) {
   const Snapshot start = start_snapshot(blocks);
   const Extent before = extent_of(blocks, start.states), after = extent_of(blocks, last.states);
-  const ColumnGrid grid =
-      column_grid(std::min(before.low.x(), after.low.x()), std::max(after.high.x(), 0.0) + cell,
-                  std::max(before.low.y(), planes.y_low), std::min(before.high.y(), planes.y_high),
-                  cell);
+  const ColumnGrid grid = column_grid(
+      std::min(before.low.x(), after.low.x()), std::max(after.high.x(), 0.0) + cell,
+      std::max(before.low.y(), planes.y_low), std::min(before.high.y(), planes.y_high), cell);
   const std::vector<char> all(blocks.size(), 1);
   std::vector<char> stayed(moved), broken(moved);
   for (size_t b = 0; b < moved.size(); ++b) {

@@ -58,9 +58,9 @@ double back_of_holes(const BenchScene& bench) {
     const Vec2 off = along.head<2>() - along.z() * Vec2(lean_of(first).x(), 0.0);
     if (off.norm() <= kHoleOff * bench.burden && along.x() <= kHoleOff * bench.burden) continue;
     refuse("holes must be parallel and upright, or lean straight back, got one from x = " +
-           spelled(charge.toe.x()) + ", y = " + spelled(charge.toe.y()) + " m at its toe to x = " +
-           spelled(charge.collar.x()) + ", y = " + spelled(charge.collar.y()) +
-           " m at its upper end");
+           spelled(charge.toe.x()) + ", y = " + spelled(charge.toe.y()) +
+           " m at its toe to x = " + spelled(charge.collar.x()) +
+           ", y = " + spelled(charge.collar.y()) + " m at its upper end");
   }
   return std::max(-lean_of(first).x(), 0.0);
 }
@@ -101,6 +101,16 @@ BenchScene bench_scene(const ResultFolder& folder, const std::vector<StartBlock>
     set_width(bench, folder.scene_number("spacing_m"));
   bench.one_row = bench.depth < 1.5 * bench.burden;
   return bench;
+}
+
+BenchScene bench_or_take_back(const ResultFolder& folder, const std::vector<StartBlock>& blocks,
+                              const std::string& report, const nlohmann::ordered_json& own_keys) {
+  try {
+    return bench_scene(folder, blocks);
+  } catch (const NotMeasurable& refusal) {
+    take_back(folder, report, own_keys, refusal);
+    throw;
+  }
 }
 
 double y_of_middle_hole(const BenchScene& bench, const std::vector<StartBlock>& blocks) {

@@ -33,6 +33,11 @@ Vec2 foot_of(const Charge& charge);
 // lacks a number.
 BenchScene bench_scene(const ResultFolder& folder, const std::vector<StartBlock>& blocks);
 
+// The same; where it throws NotMeasurable, what an earlier call of the report has left is taken
+// back first.
+BenchScene bench_or_take_back(const ResultFolder& folder, const std::vector<StartBlock>& blocks,
+                              const std::string& report, const nlohmann::ordered_json& own_keys);
+
 // y of the front row's charge nearest to the middle of the rock's width [m].
 double y_of_middle_hole(const BenchScene& bench, const std::vector<StartBlock>& blocks);
 

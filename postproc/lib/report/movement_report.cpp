@@ -95,11 +95,10 @@ nlohmann::ordered_json keys_of(const std::vector<PartMovement>& movement) {
   return keys;
 }
 
-BenchScene bench_or_take_back(const ResultFolder& folder, const RunData& run) {
+BenchScene bench_or_nothing(const ResultFolder& folder, const RunData& run) {
   try {
-    return bench_scene(folder, run.blocks);
-  } catch (const NotMeasurable& refusal) {
-    take_back(folder, "movement", keys_of({}), refusal);
+    return bench_or_take_back(folder, run.blocks, "movement", keys_of({}));
+  } catch (const NotMeasurable&) {
     write_polygons(folder, run, {});
     throw;
   }
@@ -132,7 +131,7 @@ void report_movement(const ResultFolder& folder, const MeasureOptions& measure,
   const std::vector<OrePolygon> polygons =
       options.polygons.empty() ? std::vector<OrePolygon>() : read_ore_polygons(options.polygons);
   const RunData run(folder, measure);
-  const BenchScene bench = bench_or_take_back(folder, run);
+  const BenchScene bench = bench_or_nothing(folder, run);
   const BenchParts parts{bench.height, bench.depth, options.levels, options.distances,
                          bench.planes};
   const std::vector<PartMovement> movement =

@@ -81,7 +81,8 @@ double collapse_of(const BenchScene& bench, const Throw& thrown, const PileShape
 BenchFigures figures_of(const ResultFolder& folder, const RunData& run, const BenchScene& bench,
                         const PileProfile& profile) {
   BenchFigures figures{face_speed_of(folder, run.blocks, bench),
-                       throw_of(run.blocks, run.last, bench.burden, bench.planes), PileShape::none(), 0.0};
+                       throw_of(run.blocks, run.last, bench.burden, bench.planes),
+                       PileShape::none(), 0.0};
   if (run.still)
     figures.pile = pile_shape(profile, bench.depth, mean_block_size(run.blocks, run.moved));
   figures.collapse = collapse_of(bench, figures.thrown, figures.pile, profile.width);
@@ -125,14 +126,13 @@ std::string subtitle_of(const BenchScene& bench, const BenchFigures& figures) {
   const struct {
     const char *name, *unit;
     double value;
-  } facts[] = {
-      {bench.one_row ? "throw of the mass centre " : "throw of the front row's mass centre ", " m",
-       figures.thrown.centre_of_mass},
-      {"height ", " m", pile.height},
-      {"toe ", " m", pile.toe},
-      {"swell ", "", pile.swell},
-      {"rest angle ", "°", degrees(pile.rest_angle)},
-      {"face ", " m/s", figures.face.peak}};
+  } facts[] = {{bench.one_row ? "throw of the mass centre " : "throw of the front row ", " m",
+                figures.thrown.centre_of_mass},
+               {"height ", " m", pile.height},
+               {"toe ", " m", pile.toe},
+               {"swell ", "", pile.swell},
+               {"rest angle ", "°", degrees(pile.rest_angle)},
+               {"face ", " m/s", figures.face.peak}};
   std::string text;
   for (const auto& [name, unit, value] : facts) {
     if (std::isnan(value)) continue;
@@ -172,15 +172,6 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run, const Pil
   return plot;
 }
 
-BenchScene bench_or_take_back(const ResultFolder& folder, const RunData& run) {
-  try {
-    return bench_scene(folder, run.blocks);
-  } catch (const NotMeasurable& refusal) {
-    take_back(folder, "profile", keys_of({}, run), refusal);
-    throw;
-  }
-}
-
 }  // namespace
 
 void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
@@ -189,7 +180,7 @@ void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
     throw InputError("profile: the run must be a bench, got 'crater'; use the sub-command crater");
   }
   const RunData run(folder, measure);
-  const BenchScene bench = bench_or_take_back(folder, run);
+  const BenchScene bench = bench_or_take_back(folder, run.blocks, "profile", keys_of({}, run));
   const PileProfile profile =
       pile_profile(run.blocks, run.last, run.moved, run.cell, run.lies, bench.planes);
   const BenchFigures figures = figures_of(folder, run, bench, profile);

@@ -34,6 +34,11 @@ void report_series(const ResultFolder& folder, int every);
 // Bench only: movement.csv, movement.png.
 void report_movement(const ResultFolder& folder, const MeasureOptions& measure,
                      const MovementOptions& options);
+// Bench with a hole table only: rows.csv, face_velocity.csv, face_velocity.png and the keys of the
+// rows.
+void report_rows(const ResultFolder& folder, const MeasureOptions& measure);
+// Bench only: heights.csv, heights.png, backbreak, toe left, volumes.
+void report_heights(const ResultFolder& folder, const MeasureOptions& measure);
 // report.html: the page of the run, of what the others have left in the folder.
 void report_page(const ResultFolder& folder);
 

@@ -53,10 +53,11 @@ void check_front(const HolePattern& p, const std::string& where) {
   for (const double height : {0.0, p.bench_height}) {
     const double burden = p.front_burden(height);
     if (burden > p.hole_diameter) continue;
-    refuse(where, "burden, face_angle and hole_angle must keep the first row behind the face, got "
-                  "a burden of " +
-                      short_text(burden) + " m at the height of " + short_text(height) +
-                      " m; take a larger burden or a hole_angle nearer to the face_angle");
+    refuse(where,
+           "burden, face_angle and hole_angle must keep the first row behind the face, got "
+           "a burden of " +
+               short_text(burden) + " m at the height of " + short_text(height) +
+               " m; take a larger burden or a hole_angle nearer to the face_angle");
   }
 }
 
@@ -168,8 +169,9 @@ std::string describe(const HolePattern& p) {
   text.precision(4);
   text << "hole_pattern: " << p.rows << " rows of " << p.holes_per_row << " holes of "
        << p.hole_length() << " m, " << p.charged_length() << " m of it charged in " << p.decks
-       << (p.decks == 1 ? " deck" : " decks") << "\n  shortest way from the first row to the face: "
-       << p.front_burden(0.0) << " m at the floor, " << p.front_burden(p.bench_height)
+       << (p.decks == 1 ? " deck" : " decks")
+       << "\n  shortest way from the first row to the face: " << p.front_burden(0.0)
+       << " m at the floor, " << p.front_burden(p.bench_height)
        << " m at the collars\n  rock of a hole: " << p.burden * p.spacing * p.bench_height
        << " m3; the last deck fires at " << last << " s\n";
   return text.str();

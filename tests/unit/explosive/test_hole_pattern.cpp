@@ -21,9 +21,9 @@ namespace {
 HolePattern pattern(const std::string& more) {
   std::istringstream in(more);
   std::vector<std::string> words{std::istream_iterator<std::string>(in), {}};
-  const std::map<std::string, std::string> usual{
-      {"file", "f.csv"},      {"burden", "3"},   {"spacing", "4"},
-      {"bench_height", "10"}, {"stemming", "2"}, {"hole_diameter", "0.1"}};
+  const std::map<std::string, std::string> usual{{"file", "f.csv"}, {"burden", "3"},
+                                                 {"spacing", "4"},  {"bench_height", "10"},
+                                                 {"stemming", "2"}, {"hole_diameter", "0.1"}};
   for (const auto& [name, value] : usual) {
     if (std::ranges::find(words, name) == words.end()) words.insert(words.end(), {name, value});
   }
@@ -85,8 +85,8 @@ TEST(HolePattern, BurdenIsTheShortestWayToTheFace) {
 }
 
 TEST(HolePattern, DelaysRunAlongEachRowFromItsFirstHole) {
-  const HoleTable holes = table(
-      "rows 2 holes_per_row 3 delay_in_row 0.017 delay_between_rows 0.042 in_hole_delay 0.5");
+  const HoleTable holes =
+      table("rows 2 holes_per_row 3 delay_in_row 0.017 delay_between_rows 0.042 in_hole_delay 0.5");
   EXPECT_DOUBLE_EQ(holes.decks()[0].firing_time, 0.5);
   EXPECT_NEAR(holes.decks()[2].firing_time, 0.534, 1e-12);  // 2 x 17 ms
   EXPECT_NEAR(holes.decks()[3].firing_time, 0.542, 1e-12);
