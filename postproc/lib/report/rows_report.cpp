@@ -155,6 +155,7 @@ CurvePlot face_plot(const Rows& rows, const RunData& run) {
   plot.x_label = "largest outward velocity over the snapshots [m/s]";
   plot.y_label = "height above the floor [m]";
   plot.warning = motion_warning(run.still);
+  double fastest = 1.0, top = 0.0;  // a face that stands still has a scale, too [m/s], [m]
   for (const FaceBand& band : rows.bands) {
     if (plot.curves.empty() || plot.curves.back().label != band.name) {
       const bool all = band.name == "all";
@@ -163,9 +164,13 @@ CurvePlot face_plot(const Rows& rows, const RunData& run) {
                              static_cast<int>(plot.curves.size()),
                              {}});
     }
+    fastest = std::fmax(fastest, band.peak);
+    top = std::max(top, band.high);
     if (!std::isnan(band.peak))
       plot.curves.back().points.emplace_back(band.peak, 0.5 * (band.low + band.high));
   }
+  plot.x = AxisRange{0.0, 1.05 * fastest};
+  plot.y = AxisRange{0.0, top};
   return plot;
 }
 
