@@ -19,7 +19,9 @@ namespace {
 // Far above what rounding leaves of a cut along x = 0, far below what a face must lean for the
 // measures to feel it.
 constexpr double kFaceOff = 0.05;    // from the plane, of the mean block size
-constexpr double kFaceShare = 0.01;  // of the face's area that may lie farther off
+constexpr double kFaceShare = 0.01;  // of an upright face's area that may lie farther off
+// Of a leaning one: cuts of coarse blocks round the edges of a region that is no box.
+constexpr double kLeaningShare = 0.05;
 constexpr double kHoleOff = 0.05;    // of a hole from where it is taken to be, of the burden
 
 constexpr const char* kInstead =
@@ -36,7 +38,7 @@ std::string to_mm(double metres) { return spelled(1e-3 * std::round(1e3 * metres
 double back_of_face(const std::vector<StartBlock>& blocks) {
   const double size = mean_block_size(blocks, std::vector<char>(blocks.size(), 1));
   const FreeFace face = free_face(blocks, kFaceOff * size);
-  if (face.off_plane <= kFaceShare) return face.back;
+  if (face.off_plane <= (face.back > 0.0 ? kLeaningShare : kFaceShare)) return face.back;
   refuse(
       "the free face must be a plane from the toe x = 0, z = 0 to the top, upright or leaning "
       "back, got rock that begins between x = " +
