@@ -22,7 +22,7 @@ constexpr double kFaceOff = 0.05;    // from the plane, of the mean block size
 constexpr double kFaceShare = 0.01;  // of an upright face's area that may lie farther off
 // Of a leaning one: cuts of coarse blocks round the edges of a region that is no box.
 constexpr double kLeaningShare = 0.05;
-constexpr double kHoleOff = 0.05;    // of a hole from where it is taken to be, of the burden
+constexpr double kHoleOff = 0.05;  // of a hole from where it is taken to be, of the burden
 
 constexpr const char* kInstead =
     "; throw, face velocity, swell and the section are not measured (fragments, energy, render and "
