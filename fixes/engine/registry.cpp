@@ -28,6 +28,7 @@
 #include "fixes/explosive/charge_design.h"
 #include "fixes/explosive/fix_muckpile_blast.h"
 #include "fixes/explosive/fix_muckpile_gas.h"
+#include "fixes/explosive/hole_pattern.h"
 #include "fixes/joints/fix_muckpile_joint.h"
 #include "fixes/joints/fix_muckpile_quiet.h"
 #include "fixes/output/fix_muckpile_dump.h"
@@ -95,6 +96,7 @@ const std::map<std::string, CommandCreator>& commands() {
       {"block_motion", &run_command<BlockMotionCommand>},
       {"charge_design", &run_command<ChargeDesignCommand>},
       {"create_blocks", &run_command<CreateBlocks>},
+      {"hole_pattern", &run_command<HolePatternCommand>},
       {"muckpile_styles", &register_again},
       {"rank_grid", &run_command<RankGridCommand>},
       {"require", &run_command<Require>},

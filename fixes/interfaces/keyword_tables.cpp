@@ -6,6 +6,7 @@
 #include "bond/law/joint_law_table.h"
 #include "explosive/blast_options.h"
 #include "explosive/charge_design.h"
+#include "explosive/hole_pattern.h"
 #include "rock/cut_table.h"
 #include "run/blast_plan.h"
 
@@ -20,6 +21,7 @@ std::vector<ArgTable> keyword_tables() {
                                   dump_keywords(),
                                   gas_keywords(),
                                   gauges_keywords(),
+                                  hole_pattern_table(),
                                   joint_keywords(),
                                   progress_keywords(),
                                   quiet_keywords(),

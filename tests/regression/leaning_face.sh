@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# leaning_face.sh LIGGGHTS_MUCKPILE MUCKPILE_POST: the bench with a free face of 76 degrees, as a user would write it with regions.
-# `profile` must refuse it with exit status 3 and its slope, leave no figures, and take back those that lie there; the other reports work.
+# leaning_face.sh LIGGGHTS_MUCKPILE MUCKPILE_POST: the bench with a free face of 76 degrees, as a user would write it with regions: `profile`
+# measures it. The same with a face that is turned about z, too: `profile` must refuse it with exit status 3 and its slope, leave no figures, and
+# take back those that lie there; the other reports work.
 # Scope: the shortest run of the smallest bench; inputs/bench/in.bench is taken with other regions.
 set -euo pipefail
 program=$1 post=$2
@@ -10,18 +11,26 @@ source "$(dirname "${BASH_SOURCE[0]}")/runs.sh"
 input=$out/in.leaning
 upright='^region +rock block '
 [[ $(grep -cE "$upright" inputs/bench/in.bench) -eq 1 ]] || fail "inputs/bench/in.bench has not one line '$upright'"
-# Normal (-sin, 0, -cos) of 76 degrees, which points into the rock.
-sed -E "s/$upright(.*)/region whole block \1\nregion behind_face plane 0 0 0 -0.970296 0 -0.241922 units box\nregion rock intersect 2 whole behind_face/" \
-  inputs/bench/in.bench >"$input"
-run_input run 1 "$input" -var bench_height 3 -var burden 1.5 -var hole_diameter 0.05 -var fragment_x50 0.4 -var block_min 0.25 \
-  -var block_max 0.7 -var time_end 0.02
+run_with_face() {  # run_with_face FOLDER NORMAL: of a plane through the toe in the middle of the row, into the rock
+  sed -E "s/$upright(.*)/region whole block \\1\nregion behind_face plane 0 0 0 $2 units box\nregion rock intersect 2 whole behind_face/" \
+    inputs/bench/in.bench >"$input"
+  run_input "$1" 1 "$input" -var bench_height 3 -var burden 1.5 -var hole_diameter 0.05 -var fragment_x50 0.4 -var block_min 0.25 \
+    -var block_max 0.7 -var time_end 0.02
+}
 
+run_with_face leaning "-0.970296 0 -0.241922"  # 76 degrees
+"$post" profile "$out/leaning"
+for key in throw_cg_m face_velocity_m_s; do
+  grep -qE "\"$key\": [0-9]" "$out/leaning/summary.json" || fail "$key of the leaning face was not measured"
+done
+
+run_with_face run "-0.940 -0.242 -0.241"
 echo "old" | tee "$out/run/profile.csv" >"$out/run/profile.png"
 status=0
 "$post" profile "$out/run" 2>"$out/message" || status=$?
 cat "$out/message"
 [[ $status -eq 3 ]] || fail "profile: exit status $status, should be 3"
-grep -q 'the free face must be the plane x = 0 .* stands at 7[567].* to the horizontal' "$out/message" || fail "another message"
+grep -q 'the free face must be a plane from the toe x = 0, z = 0 .* stands at .* to the horizontal' "$out/message" || fail "another message"
 [[ ! -e $out/run/profile.csv && ! -e $out/run/profile.png ]] || fail "old profile.* are still there"
 ! grep -qE '"(throw_cg_m|face_velocity_m_s|swell_factor|pile_toe_m)"' "$out/run/summary.json" || fail "figures in summary.json"
 grep -q '"profile_refused"' "$out/run/summary.json" || fail "no reason in summary.json"

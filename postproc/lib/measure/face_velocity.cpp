@@ -13,23 +13,26 @@ namespace {
 
 // The file's on_free_face also marks the back and the sides of the model, so the block's own
 // vertices decide.
-bool touches_face(const StartBlock& block) {
+bool touches_face(const StartBlock& block, const BenchPlanes& planes) {
   constexpr double kTouch = 1e-3;  // of the block's size: far above the digits of the file
-  return std::ranges::any_of(block.shape.vertices,
-                             [&](const Vec3& p) { return std::abs(p.x()) <= kTouch * block.size; });
+  return std::ranges::any_of(block.shape.vertices, [&](const Vec3& p) {
+    return std::abs(planes.behind_face(p)) <= kTouch * block.size;
+  });
 }
 
 }  // namespace
 
 std::vector<size_t> face_layer(const std::vector<StartBlock>& blocks, double burden, double low,
-                               double high) {
+                               double high, const BenchPlanes& planes) {
   std::vector<char> at_face;
-  for (const StartBlock& block : blocks) at_face.push_back(touches_face(block));
+  for (const StartBlock& block : blocks) at_face.push_back(touches_face(block, planes));
   const double depth = std::max(0.25 * burden, mean_block_size(blocks, at_face));
   std::vector<size_t> layer;
   for (size_t b = 0; b < blocks.size(); ++b) {
     const Vec3& start = blocks[b].centroid;
-    if (start.x() > -depth && start.x() < 0.0 && start.z() >= low && start.z() <= high)
+    const double behind = planes.behind_face(start);
+    if (behind < depth && behind > 0.0 && start.z() >= low && start.z() <= high &&
+        planes.abreast(start))
       layer.push_back(b);
   }
   return layer;

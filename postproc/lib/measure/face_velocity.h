@@ -8,14 +8,15 @@
 
 #include "io/blocks_file.h"
 #include "io/snapshot.h"
+#include "measure/bench_planes.h"
 
 namespace muckpile {
 
-// Indices of the blocks that started within max(0.25 burden, one block of the free face) of x = 0,
-// in the middle half of the charge's height, z from `low` to `high` [m]. "One block" is the mean
-// size of the blocks that touch x = 0.
+// Indices of the blocks that started within max(0.25 burden, one block of the free face) of the
+// face, abreast of the holes, z from `low` to `high` [m]. "One block" is the mean size of the
+// blocks that touch the face.
 std::vector<size_t> face_layer(const std::vector<StartBlock>& blocks, double burden, double low,
-                               double high);
+                               double high, const BenchPlanes& planes = {});
 
 // Mass mean of the velocity along +x [m/s]; 0 for no blocks.
 double mean_outward_velocity(const std::vector<StartBlock>& blocks, const Snapshot& snapshot,

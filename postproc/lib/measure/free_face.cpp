@@ -3,6 +3,7 @@
 // Scope: columns_through on rock that has been turned, so that its free face is its top.
 #include "measure/free_face.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -40,13 +41,36 @@ class Plane {
   double n_ = 0.0, x_ = 0.0, z_ = 0.0, zz_ = 0.0, xz_ = 0.0;
 };
 
+// Share of the lines along which the rock begins farther from the plane than the tolerance.
+double off_plane(const Columns& lines, double back, double tolerance) {
+  double off = 0.0;
+  for (size_t k = 0; k < lines.grid.cells(); ++k) {
+    const double height = lines.grid.x(static_cast<int>(k % static_cast<size_t>(lines.grid.nx)));
+    if (!(std::abs(lines.top[k] + back * height) <= tolerance)) off += 1.0;
+  }
+  return off / static_cast<double>(lines.grid.cells());
+}
+
+// The middle one of all lines' ways back per height, which a few blocks that stand out do not move.
+double middle_back(const Columns& lines) {
+  std::vector<double> back;
+  for (size_t k = 0; k < lines.grid.cells(); ++k) {
+    const double height = lines.grid.x(static_cast<int>(k % static_cast<size_t>(lines.grid.nx)));
+    if (lines.top[k] != kNoRock) back.push_back(-lines.top[k] / height);
+  }
+  if (back.empty()) return 0.0;
+  const auto middle = back.begin() + static_cast<std::ptrdiff_t>(back.size() / 2);
+  std::ranges::nth_element(back, middle);
+  return std::max(*middle, 0.0);
+}
+
 }  // namespace
 
 FreeFace free_face(const std::vector<StartBlock>& blocks, double tolerance) {
   const std::vector<char> all(blocks.size(), 1);
   const std::vector<BlockState> states = turned(blocks);
   const Extent extent = extent_of(blocks, states);
-  FreeFace face{kNan, kNan, kNan, 1.0};
+  FreeFace face{kNan, kNan, kNan, 0.0, 1.0};
   const double top = extent.high.x(), cell = mean_block_size(blocks, all) / kLinesPerBlock;
   if (!(top > cell)) return face;
   // Whole cells only: the centre of a last one might lie above the rock.
@@ -55,11 +79,9 @@ FreeFace free_face(const std::vector<StartBlock>& blocks, double tolerance) {
       column_grid(0.0, rows * cell * (1.0 - 1e-9), extent.low.y(), extent.high.y(), cell), blocks,
       states, all);
   Plane plane;
-  double off = 0.0;
   for (int j = 0; j < lines.grid.ny; ++j) {
     for (int i = 0; i < lines.grid.nx; ++i) {
       const double x = lines.top[lines.grid.at(i, j)];
-      if (!(std::abs(x) <= tolerance)) off += 1.0;
       if (x == kNoRock) continue;
       plane.add(x, lines.grid.x(i));
       face.x_low = std::fmin(face.x_low, x);
@@ -67,7 +89,12 @@ FreeFace free_face(const std::vector<StartBlock>& blocks, double tolerance) {
     }
   }
   face.slope = plane.slope();
-  face.off_plane = off / static_cast<double>(lines.grid.cells());
+  face.off_plane = off_plane(lines, 0.0, tolerance);
+  const double back = middle_back(lines), off = off_plane(lines, back, tolerance);
+  if (off < face.off_plane) {
+    face.back = back;
+    face.off_plane = off;
+  }
   return face;
 }
 

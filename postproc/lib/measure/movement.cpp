@@ -12,9 +12,11 @@ namespace {
 // Number of the part of a block, levels outside; -1 outside of all.
 int part_of(const StartBlock& block, const BenchParts& parts) {
   const Vec3& c = block.centroid;
-  if (!(c.z() > 0.0 && c.z() < parts.height && c.x() < 0.0 && c.x() > -parts.depth)) return -1;
+  const double behind = parts.planes.behind_face(c);
+  if (!(c.z() < parts.height && behind < parts.depth && parts.planes.in_front_of(parts.depth, c)))
+    return -1;
   const int level = static_cast<int>(c.z() / parts.height * parts.levels);
-  const int distance = static_cast<int>(-c.x() / parts.depth * parts.distances);
+  const int distance = static_cast<int>(behind / parts.depth * parts.distances);
   return level * parts.distances + distance;
 }
 

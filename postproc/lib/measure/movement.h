@@ -7,12 +7,14 @@
 
 #include "io/blocks_file.h"
 #include "io/snapshot.h"
+#include "measure/bench_planes.h"
 
 namespace muckpile {
 
 struct BenchParts {
   double height, depth;   // of the rock in front of the last row of holes [m]
   int levels, distances;  // bands over each, equally thick
+  BenchPlanes planes{};
 };
 
 // Of any set of blocks.

@@ -126,13 +126,13 @@ double rest_slope(const PileProfile& p, double depth, double block_size, double 
 }  // namespace
 
 PileProfile pile_profile(const std::vector<StartBlock>& blocks, const Snapshot& last,
-                         const std::vector<char>& moved, double cell,
-                         const std::vector<char>& lies) {
+                         const std::vector<char>& moved, double cell, const std::vector<char>& lies,
+                         const BenchPlanes& planes) {
   const Snapshot start = start_snapshot(blocks);
   const Extent before = extent_of(blocks, start.states), after = extent_of(blocks, last.states);
-  const ColumnGrid grid =
-      column_grid(std::min(before.low.x(), after.low.x()), std::max(after.high.x(), 0.0) + cell,
-                  before.low.y(), before.high.y(), cell);
+  const ColumnGrid grid = column_grid(
+      std::min(before.low.x(), after.low.x()), std::max(after.high.x(), 0.0) + cell,
+      std::max(before.low.y(), planes.y_low), std::min(before.high.y(), planes.y_high), cell);
   const std::vector<char> all(blocks.size(), 1);
   std::vector<char> stayed(moved), broken(moved);
   for (size_t b = 0; b < moved.size(); ++b) {
@@ -179,13 +179,13 @@ PileShape pile_shape(const PileProfile& p, double depth, double block_size) {
   return shape;
 }
 
-Throw throw_of(const std::vector<StartBlock>& blocks, const Snapshot& last, double burden) {
+Throw throw_of(const std::vector<StartBlock>& blocks, const Snapshot& last, double burden,
+               const BenchPlanes& planes) {
   Throw result{};
   for (size_t b = 0; b < blocks.size(); ++b) {
     const double moved = last.states[b].centre.x() - blocks[b].centroid.x();
     result.largest = std::max(result.largest, moved);
-    const Vec3& start = blocks[b].centroid;
-    if (!(start.x() > -burden && start.x() < 0.0 && start.z() > 0.0)) continue;
+    if (!planes.in_front_of(burden, blocks[b].centroid)) continue;
     result.prism_mass += blocks[b].mass;
     result.prism_volume += blocks[b].volume;
     result.centre_of_mass += blocks[b].mass * moved;

@@ -8,6 +8,7 @@
 
 #include "io/blocks_file.h"
 #include "io/snapshot.h"
+#include "measure/bench_planes.h"
 #include "measure/columns.h"
 
 namespace muckpile {
@@ -30,10 +31,10 @@ struct PileProfile {
   double width;  // along y [m]
 };
 
-// Blocks that `lies` leaves out are in no surface after.
+// Blocks that `lies` leaves out are in no surface after. Abreast of the holes of `planes`.
 PileProfile pile_profile(const std::vector<StartBlock>& blocks, const Snapshot& last,
-                         const std::vector<char>& moved, double cell,
-                         const std::vector<char>& lies);
+                         const std::vector<char>& moved, double cell, const std::vector<char>& lies,
+                         const BenchPlanes& planes = {});
 
 struct PileShape {
   static PileShape none();  // no measure has a meaning
@@ -53,13 +54,14 @@ struct PileShape {
 PileShape pile_shape(const PileProfile& profile, double depth, double block_size);
 
 struct Throw {
-  double prism_mass;      // of the burden prism: blocks that start at -burden < x < 0, z > 0 [kg]
+  double prism_mass;      // of the burden prism: blocks that start in front of the front row [kg]
   double prism_volume;    // [m3]
   double centre_of_mass;  // mean displacement of the prism along x [m]
   double largest;         // largest displacement along x of one block [m]
   double beyond_toe;      // share of the prism's mass that ends at x > 0, beyond the bench's toe
 };
 
-Throw throw_of(const std::vector<StartBlock>& blocks, const Snapshot& last, double burden);
+Throw throw_of(const std::vector<StartBlock>& blocks, const Snapshot& last, double burden,
+               const BenchPlanes& planes = {});
 
 }  // namespace muckpile

@@ -73,10 +73,27 @@ void add_pile(Html& page, const PageContent& run) {
               "The rock as it lies; the blue edges are the rock before the blast.");
   add_picture(page, run, "movement.png", "Movement",
               "From where to where the parts of the bench went; table in movement.csv.");
+  add_picture(page, run, "heights.png", "From above",
+              "Heights of the pile and of the rock that stayed; table in heights.csv.");
+  add_table(page, run,
+            {{"blast_volume_m3", "Rock of the holes"},
+             {"blast_specific_charge_kg_m3", "Explosive per rock of the holes"},
+             {"front_row_throw_m", "Throw, rock of the first row"},
+             {"last_row_throw_m", "Throw, rock of the last row"},
+             {"hole_throw_least_m", "Throw, hole of the least"},
+             {"hole_throw_most_m", "Throw, hole of the most"},
+             {"moved_volume_m3", "Rock that was broken out"},
+             {"pile_survey_swell", "Swell, survey from above"},
+             {"backbreak_m", "Backbreak, largest"},
+             {"backbreak_mean_m", "Backbreak, mean along the row"},
+             {"toe_left_volume_m3", "Rock left in front of the last row"},
+             {"largest_charge_within_8_ms_kg", "Explosive within 8 ms"}});
 }
 
 void add_speeds(Html& page, const PageContent& run) {
   page.element("h2", "Velocities");
+  add_picture(page, run, "face_velocity.png", "Face",
+              "Velocity of the face over height; tables in face_velocity.csv and rows.csv.");
   add_table(page, run,
             {{"face_velocity_m_s", "Face, fastest tenth of its height"},
              {"face_velocity_mean_m_s", "Face, middle half of the charge"},

@@ -20,6 +20,8 @@ const std::map<std::string, MakeReport>& makers() {
   static const std::map<std::string, MakeReport> all{
       {"profile", [](const ResultFolder& f) { report_profile(f, {}, {}); }},
       {"movement", [](const ResultFolder& f) { report_movement(f, {}, {}); }},
+      {"rows", [](const ResultFolder& f) { report_rows(f, {}); }},
+      {"heights", [](const ResultFolder& f) { report_heights(f, {}); }},
       {"crater", [](const ResultFolder& f) { report_crater(f, {}, {}); }},
       {"heap", [](const ResultFolder& f) { report_heap(f, {}, {}); }},
       {"fragments", [](const ResultFolder& f) { report_fragments(f, {}); }},
@@ -48,9 +50,11 @@ std::vector<std::string> reports_of(const ResultFolder& folder, bool with_series
                      ": case must be bench, crater, heap or other, got '" + scene + "'");
   }
   std::vector<std::string> names = found->second;
+  const bool pattern = std::filesystem::exists(folder.dump("holes.csv"));
+  if (pattern && scene == "bench") names.insert(names.end(), {"rows", "heights"});
   names.insert(names.end(), {"energy", "render"});
   if (with_series) names.emplace_back("series");
-  if (std::filesystem::exists(folder.dump("holes.csv"))) names.emplace_back("plan");
+  if (pattern) names.emplace_back("plan");
   if (std::filesystem::exists(folder.dump("gauges.csv"))) names.emplace_back("waves");
   names.emplace_back("report");  // shows what the others have left
   return names;

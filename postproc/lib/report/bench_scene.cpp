@@ -19,8 +19,10 @@ namespace {
 // Far above what rounding leaves of a cut along x = 0, far below what a face must lean for the
 // measures to feel it.
 constexpr double kFaceOff = 0.05;    // from the plane, of the mean block size
-constexpr double kFaceShare = 0.01;  // of the face's area that may lie farther off
-constexpr double kHoleOff = 0.05;    // of a hole from where it is taken to be, of the burden
+constexpr double kFaceShare = 0.01;  // of an upright face's area that may lie farther off
+// Of a leaning one: cuts of coarse blocks round the edges of a region that is no box.
+constexpr double kLeaningShare = 0.05;
+constexpr double kHoleOff = 0.05;  // of a hole from where it is taken to be, of the burden
 
 constexpr const char* kInstead =
     "; throw, face velocity, swell and the section are not measured (fragments, energy, render and "
@@ -32,51 +34,85 @@ constexpr const char* kInstead =
 
 std::string to_mm(double metres) { return spelled(1e-3 * std::round(1e3 * metres)); }
 
-void require_vertical_face(const std::vector<StartBlock>& blocks) {
+// How far the face runs back per height.
+double back_of_face(const std::vector<StartBlock>& blocks) {
   const double size = mean_block_size(blocks, std::vector<char>(blocks.size(), 1));
   const FreeFace face = free_face(blocks, kFaceOff * size);
-  if (face.off_plane <= kFaceShare) return;
+  if (face.off_plane <= (face.back > 0.0 ? kLeaningShare : kFaceShare)) return face.back;
   refuse(
-      "the free face must be the plane x = 0 from the floor z = 0 to the top, got rock that "
-      "begins between x = " +
+      "the free face must be a plane from the toe x = 0, z = 0 to the top, upright or leaning "
+      "back, got rock that begins between x = " +
       to_mm(face.x_low) + " and " + to_mm(face.x_high) + " m and stands at " +
       spelled(degrees(face.slope)) + "° to the horizontal");
 }
 
-double middle_x(const Charge& charge) { return 0.5 * (charge.toe.x() + charge.collar.x()); }
+// Way of the axis along x and y per height.
+Vec2 lean_of(const Charge& charge) {
+  const Vec3 along = charge.collar - charge.toe;
+  return along.head<2>() / along.z();
+}
 
-void require_vertical_holes(const BenchScene& bench) {
+// The holes lean back by this much per height, all alike.
+double back_of_holes(const BenchScene& bench) {
+  const Charge& first = bench.charges.front();
   for (const Charge& charge : bench.charges) {
     const Vec3 along = charge.collar - charge.toe;
-    const double off = along.head<2>().norm();
-    if (off <= kHoleOff * bench.burden) continue;
-    refuse("holes must be vertical, got one that leans by " +
-           spelled(degrees(std::atan2(off, std::abs(along.z())))) +
-           "° from the vertical, from x = " + spelled(charge.toe.x()) +
-           " m at its toe to x = " + spelled(charge.collar.x()) + " m at its upper end");
+    const Vec2 off = along.head<2>() - along.z() * Vec2(lean_of(first).x(), 0.0);
+    if (off.norm() <= kHoleOff * bench.burden && along.x() <= kHoleOff * bench.burden) continue;
+    refuse("holes must be parallel and upright, or lean straight back, got one from x = " +
+           spelled(charge.toe.x()) + ", y = " + spelled(charge.toe.y()) +
+           " m at its toe to x = " + spelled(charge.collar.x()) +
+           ", y = " + spelled(charge.collar.y()) + " m at its upper end");
   }
+  return std::max(-lean_of(first).x(), 0.0);
+}
+
+double depth_of(const Charge& charge) { return -foot_of(charge).x(); }
+
+// Half a spacing beside the outermost holes.
+void set_width(BenchScene& bench, double spacing) {
+  const auto y = [](const Charge& charge) { return foot_of(charge).y(); };
+  const auto [low, high] = std::ranges::minmax(bench.charges, {}, y);
+  bench.planes.y_low = y(low) - 0.5 * spacing;
+  bench.planes.y_high = y(high) + 0.5 * spacing;
 }
 
 }  // namespace
 
+Vec2 foot_of(const Charge& charge) {
+  return charge.toe.head<2>() - charge.toe.z() * lean_of(charge);
+}
+
 BenchScene bench_scene(const ResultFolder& folder, const std::vector<StartBlock>& blocks) {
-  require_vertical_face(blocks);
   BenchScene bench{};
+  bench.planes.face_back = back_of_face(blocks);
   bench.height = folder.scene_number("bench_height_m");
   bench.burden = folder.scene_number("burden_m");
   bench.charge_top = bench.height - folder.scene_number("stemming_m");
   bench.charge_bottom = bench.charge_top - folder.scene_number("charge_length_m");
   bench.hole_radius = 0.5 * folder.scene_number("hole_diameter_m");
   bench.charges = charges_of(folder);
-  require_vertical_holes(bench);
-  const auto [last, front] = std::ranges::minmax(bench.charges, {}, middle_x);
-  bench.depth = -middle_x(last);
-  if (!(std::abs(middle_x(front) + bench.burden) <= kHoleOff * bench.burden)) {
+  bench.planes.hole_back = back_of_holes(bench);
+  const auto [front, last] = std::ranges::minmax(bench.charges, {}, depth_of);
+  bench.depth = depth_of(last);
+  if (!(std::abs(depth_of(front) - bench.burden) <= kHoleOff * bench.burden)) {
     refuse("the front row of holes must stand at x = " + spelled(-bench.burden) +
-           " m, the burden_m of scene.json, got x = " + spelled(middle_x(front)) + " m");
+           " m, the burden_m of scene.json, got x = " + spelled(-depth_of(front)) + " m");
   }
+  if (std::filesystem::exists(folder.dump("holes.csv")) && folder.scene_has("spacing_m"))
+    set_width(bench, folder.scene_number("spacing_m"));
   bench.one_row = bench.depth < 1.5 * bench.burden;
   return bench;
+}
+
+BenchScene bench_or_take_back(const ResultFolder& folder, const std::vector<StartBlock>& blocks,
+                              const std::string& report, const nlohmann::ordered_json& own_keys) {
+  try {
+    return bench_scene(folder, blocks);
+  } catch (const NotMeasurable& refusal) {
+    take_back(folder, report, own_keys, refusal);
+    throw;
+  }
 }
 
 double y_of_middle_hole(const BenchScene& bench, const std::vector<StartBlock>& blocks) {
@@ -84,7 +120,7 @@ double y_of_middle_hole(const BenchScene& bench, const std::vector<StartBlock>& 
   const double middle = 0.5 * (rock.low.y() + rock.high.y());
   double nearest = std::nan("");
   for (const Charge& charge : bench.charges) {
-    if (middle_x(charge) < -1.5 * bench.burden) continue;
+    if (depth_of(charge) > 1.5 * bench.burden) continue;
     const double y = charge.toe.y();
     // Of two that are as near the one at the larger y.
     const double nearer = std::abs(nearest - middle) - std::abs(y - middle);
@@ -97,16 +133,16 @@ std::vector<SectionBar> hole_bars(const BenchScene& bench, double y) {
   std::vector<SectionBar> charges, stemming;
   for (const Charge& charge : bench.charges) {
     if (std::abs(charge.toe.y() - y) > charge.radius) continue;
-    const Vec2 half(bench.hole_radius, 0.0), toe(charge.toe.x(), charge.toe.z()),
-        collar(charge.collar.x(), charge.collar.z());
-    charges.push_back({toe - half, collar + half, kSignal, charges.empty() ? "charge before" : ""});
+    const double half = bench.hole_radius;
+    const Vec2 toe(charge.toe.x(), charge.toe.z()), collar(charge.collar.x(), charge.collar.z());
+    charges.push_back({toe, collar, half, kSignal, charges.empty() ? "charge before" : ""});
     const bool highest = std::ranges::none_of(bench.charges, [&](const Charge& other) {
-      return (other.collar - charge.collar).head<2>().norm() < charge.radius &&
+      return (foot_of(other) - foot_of(charge)).norm() < charge.radius &&
              other.collar.z() > charge.collar.z();
     });
     if (!highest || collar.y() >= bench.height) continue;
-    stemming.push_back({collar - half, Vec2(collar.x(), bench.height) + half, kGrey,
-                        stemming.empty() ? "stemming before" : ""});
+    const Vec2 mouth(collar.x() + lean_of(charge).x() * (bench.height - collar.y()), bench.height);
+    stemming.push_back({collar, mouth, half, kGrey, stemming.empty() ? "stemming before" : ""});
   }
   charges.insert(charges.end(), stemming.begin(), stemming.end());
   return charges;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The bench that the measures of `profile` are made for, and whether a run is one.
-// Scope: vertical free face x = 0, pit floor z = 0, vertical holes whose front row stands at
-// x = -burden.
+// Scope: a plane free face through the toe x = 0, z = 0 that is upright or leans back, pit floor
+// z = 0, holes parallel to each other that lean straight back or not at all, the front row burden
+// behind the toe.
 #pragma once
 
 #include <vector>
@@ -9,6 +10,7 @@
 #include "io/blocks_file.h"
 #include "io/charges.h"
 #include "io/result_folder.h"
+#include "measure/bench_planes.h"
 #include "report/section_plot.h"
 
 namespace muckpile {
@@ -16,16 +18,25 @@ namespace muckpile {
 struct BenchScene {
   double height;                     // [m]
   double burden;                     // of the front row [m]
-  double depth;                      // of the last row behind the face [m]
+  double depth;                      // of the last row behind the toe, at the floor [m]
   double charge_top, charge_bottom;  // of the scene [m]
   double hole_radius;                // [m]
   std::vector<Charge> charges;
   bool one_row;
+  BenchPlanes planes;  // with the width of the holes where a hole table says how they stand
 };
+
+// Where a charge's axis meets the height of the floor (x, y) [m].
+Vec2 foot_of(const Charge& charge);
 
 // Throws NotMeasurable, with what is not as the measures assume, and InputError where scene.json
 // lacks a number.
 BenchScene bench_scene(const ResultFolder& folder, const std::vector<StartBlock>& blocks);
+
+// The same; where it throws NotMeasurable, what an earlier call of the report has left is taken
+// back first.
+BenchScene bench_or_take_back(const ResultFolder& folder, const std::vector<StartBlock>& blocks,
+                              const std::string& report, const nlohmann::ordered_json& own_keys);
 
 // y of the front row's charge nearest to the middle of the rock's width [m].
 double y_of_middle_hole(const BenchScene& bench, const std::vector<StartBlock>& blocks);

@@ -81,7 +81,7 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run,
       {both_sides(rings, &CraterRing::true_surface), kInk, 2.5, true, "rock that stayed"}};
   const double half =
       folder.scene_has("hole_diameter_m") ? 0.5 * folder.scene_number("hole_diameter_m") : 0.1;
-  plot.bars = {{{-half, -burial - half}, {half, -burial + half}, kSignal, "charge before"}};
+  plot.bars = {{{0.0, -burial - half}, {0.0, -burial + half}, half, kSignal, "charge before"}};
   return plot;
 }
 

@@ -67,10 +67,12 @@ SectionPlot section_of(const RunData& run, const BenchScene& bench, const BenchP
   for (const PartMovement& part : movement) farthest = std::max(farthest, part.rock.end.x());
   plot.title = "Movement of the bench by level and distance from the face";
   plot.subtitle = "arrows: mass centres of parts of the bench, from before the blast to the end";
-  plot.x_label = "distance from the free face, along the throw [m]";
+  plot.x_label = "distance from the toe of the free face, along the throw [m]";
   plot.x = {before.low.x() - 1.0, 1.2 * farthest + 1.0};
   plot.z = {before.low.z() - 0.5, 1.12 * bench.height};
-  plot.lines.push_back({{{before.low.x(), bench.height}, {0.0, bench.height}, {0.0, 0.0}},
+  plot.lines.push_back({{{before.low.x(), bench.height},
+                         {-bench.planes.face_back * bench.height, bench.height},
+                         {0.0, 0.0}},
                         kInk,
                         2.0,
                         true,
@@ -93,11 +95,10 @@ nlohmann::ordered_json keys_of(const std::vector<PartMovement>& movement) {
   return keys;
 }
 
-BenchScene bench_or_take_back(const ResultFolder& folder, const RunData& run) {
+BenchScene bench_or_nothing(const ResultFolder& folder, const RunData& run) {
   try {
-    return bench_scene(folder, run.blocks);
-  } catch (const NotMeasurable& refusal) {
-    take_back(folder, "movement", keys_of({}), refusal);
+    return bench_or_take_back(folder, run.blocks, "movement", keys_of({}));
+  } catch (const NotMeasurable&) {
     write_polygons(folder, run, {});
     throw;
   }
@@ -130,8 +131,9 @@ void report_movement(const ResultFolder& folder, const MeasureOptions& measure,
   const std::vector<OrePolygon> polygons =
       options.polygons.empty() ? std::vector<OrePolygon>() : read_ore_polygons(options.polygons);
   const RunData run(folder, measure);
-  const BenchScene bench = bench_or_take_back(folder, run);
-  const BenchParts parts{bench.height, bench.depth, options.levels, options.distances};
+  const BenchScene bench = bench_or_nothing(folder, run);
+  const BenchParts parts{bench.height, bench.depth, options.levels, options.distances,
+                         bench.planes};
   const std::vector<PartMovement> movement =
       movement_of_parts(run.blocks, run.last, run.moved, parts);
   if (movement.empty())

@@ -14,6 +14,7 @@
 #include "io/charges.h"
 #include "measure/contours.h"
 #include "report/block_colours.h"
+#include "report/pattern_charges.h"
 #include "report/reports.h"
 
 namespace muckpile {
@@ -113,18 +114,10 @@ Canvas draw(const HoleTable& table) {
   return canvas;
 }
 
-// Charges that fire within 8 ms are usually counted as one in vibration practice.
 size_t most_decks_together(const HoleTable& table) {
-  constexpr double kTogether = 8e-3;  // [s]
-  std::vector<double> times;
-  for (const Deck& deck : table.decks()) times.push_back(deck.firing_time);
-  std::ranges::sort(times);
-  size_t most = 0;
-  for (size_t from = 0, to = 0; from < times.size(); ++from) {
-    while (to < times.size() && times[to] < times[from] + kTogether) ++to;
-    most = std::max(most, to - from);
-  }
-  return most;
+  std::vector<TimedCharge> decks;
+  for (const Deck& deck : table.decks()) decks.push_back({deck.firing_time, 1.0});
+  return static_cast<size_t>(std::lround(largest_within(decks, kVibrationWindow)));
 }
 
 // The table may be one that another run has left, or have been changed since.
@@ -163,6 +156,8 @@ void report_plan(const std::filesystem::path& what) {
   keys["first_firing_s"] = std::ranges::min(table.decks(), {}, firing).firing_time;
   keys["last_firing_s"] = std::ranges::max(table.decks(), {}, firing).firing_time;
   keys["most_decks_within_8_ms"] = most_decks_together(table);
+  keys["largest_charge_within_8_ms_kg"] =
+      largest_within(charges_of_decks(folder, table), kVibrationWindow);
   folder.merge_into_summary(keys);
 }
 

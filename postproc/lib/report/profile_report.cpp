@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Sub-command profile: section, profile and measures of the muck pile of a bench.
-// Scope: bench coordinates, free face at x = 0, pit floor at z = 0.
+// Scope: bench coordinates, toe of the free face at x = 0, pit floor at z = 0.
 #include <algorithm>
 #include <cmath>
 
@@ -32,11 +32,11 @@ FaceSpeed face_speed_of(const ResultFolder& folder, const std::vector<StartBlock
                         const BenchScene& bench) {
   const double low = std::max(bench.charge_bottom, 0.0), quarter = 0.25 * (bench.charge_top - low);
   const std::vector<size_t> middle =
-      face_layer(blocks, bench.burden, low + quarter, bench.charge_top - quarter);
+      face_layer(blocks, bench.burden, low + quarter, bench.charge_top - quarter, bench.planes);
   std::vector<std::vector<size_t>> bands;
   for (int k = 0; k < kFaceBands; ++k) {
     const double step = bench.height / kFaceBands;
-    bands.push_back(face_layer(blocks, bench.burden, k * step, (k + 1) * step));
+    bands.push_back(face_layer(blocks, bench.burden, k * step, (k + 1) * step, bench.planes));
   }
   FaceSpeed speed;
   for (const auto& path : folder.snapshots()) {
@@ -69,10 +69,11 @@ struct BenchFigures {
   double collapse;  // beyond the old toe without any throw, share of the burden prism
 };
 
-// Of one row: rock of further rows would slump over the first one's.
+// Of one row behind an upright face: rock of further rows would slump over the first one's, and the
+// formula is for a wall.
 double collapse_of(const BenchScene& bench, const Throw& thrown, const PileShape& pile,
                    double width) {
-  if (!bench.one_row) return std::nan("");
+  if (!bench.one_row || bench.planes.face_back > 0.0) return std::nan("");
   return collapsed_beyond_toe(
       {bench.height, bench.burden, thrown.prism_volume / width, pile.swell, pile.rest_angle});
 }
@@ -80,7 +81,8 @@ double collapse_of(const BenchScene& bench, const Throw& thrown, const PileShape
 BenchFigures figures_of(const ResultFolder& folder, const RunData& run, const BenchScene& bench,
                         const PileProfile& profile) {
   BenchFigures figures{face_speed_of(folder, run.blocks, bench),
-                       throw_of(run.blocks, run.last, bench.burden), PileShape::none(), 0.0};
+                       throw_of(run.blocks, run.last, bench.burden, bench.planes),
+                       PileShape::none(), 0.0};
   if (run.still)
     figures.pile = pile_shape(profile, bench.depth, mean_block_size(run.blocks, run.moved));
   figures.collapse = collapse_of(bench, figures.thrown, figures.pile, profile.width);
@@ -124,14 +126,13 @@ std::string subtitle_of(const BenchScene& bench, const BenchFigures& figures) {
   const struct {
     const char *name, *unit;
     double value;
-  } facts[] = {
-      {bench.one_row ? "throw of the mass centre " : "throw of the front row's mass centre ", " m",
-       figures.thrown.centre_of_mass},
-      {"height ", " m", pile.height},
-      {"toe ", " m", pile.toe},
-      {"swell ", "", pile.swell},
-      {"rest angle ", "°", degrees(pile.rest_angle)},
-      {"face ", " m/s", figures.face.peak}};
+  } facts[] = {{bench.one_row ? "throw of the mass centre " : "throw of the front row ", " m",
+                figures.thrown.centre_of_mass},
+               {"height ", " m", pile.height},
+               {"toe ", " m", pile.toe},
+               {"swell ", "", pile.swell},
+               {"rest angle ", "°", degrees(pile.rest_angle)},
+               {"face ", " m/s", figures.face.peak}};
   std::string text;
   for (const auto& [name, unit, value] : facts) {
     if (std::isnan(value)) continue;
@@ -155,7 +156,7 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run, const Pil
   const double top = std::max(bench.height, *std::ranges::max_element(p.mean));
   SectionPlot plot = section_of_run(run, y, options.colour_by);
   plot.title = title_of(folder);
-  plot.x_label = "distance from the free face, along the throw [m]";
+  plot.x_label = "distance from the toe of the free face, along the throw [m]";
   plot.x = {before.low.x() - 1.0, reach_of(p, bench, run) + 1.0};
   plot.z = {before.low.z() - 0.5, top + 0.12 * bench.height};
   plot.bars = hole_bars(bench, y);
@@ -171,15 +172,6 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run, const Pil
   return plot;
 }
 
-BenchScene bench_or_take_back(const ResultFolder& folder, const RunData& run) {
-  try {
-    return bench_scene(folder, run.blocks);
-  } catch (const NotMeasurable& refusal) {
-    take_back(folder, "profile", keys_of({}, run), refusal);
-    throw;
-  }
-}
-
 }  // namespace
 
 void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
@@ -188,8 +180,9 @@ void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
     throw InputError("profile: the run must be a bench, got 'crater'; use the sub-command crater");
   }
   const RunData run(folder, measure);
-  const BenchScene bench = bench_or_take_back(folder, run);
-  const PileProfile profile = pile_profile(run.blocks, run.last, run.moved, run.cell, run.lies);
+  const BenchScene bench = bench_or_take_back(folder, run.blocks, "profile", keys_of({}, run));
+  const PileProfile profile =
+      pile_profile(run.blocks, run.last, run.moved, run.cell, run.lies, bench.planes);
   const BenchFigures figures = figures_of(folder, run, bench, profile);
   write_profile(profile, folder.file("profile.csv"));
   SectionPlot plot = section_of(folder, run, profile, bench, section);

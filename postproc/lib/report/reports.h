@@ -37,6 +37,11 @@ void report_movement(const ResultFolder& folder, const MeasureOptions& measure,
 // waves.csv, waves.png, ppv.csv, ppv.png: what the gauges of the run felt. Throws NotMeasurable for
 // a run without gauges.
 void report_waves(const ResultFolder& folder, const WavesOptions& options = {});
+// Bench with a hole table only: rows.csv, face_velocity.csv, face_velocity.png and the keys of the
+// rows.
+void report_rows(const ResultFolder& folder, const MeasureOptions& measure);
+// Bench only: heights.csv, heights.png, backbreak, toe left, volumes.
+void report_heights(const ResultFolder& folder, const MeasureOptions& measure);
 // report.html: the page of the run, of what the others have left in the folder.
 void report_page(const ResultFolder& folder);
 

@@ -67,13 +67,15 @@ constexpr double kLeastBar = 5.0;
 
 void draw_bars(const SectionPlot& plot, const Axes& axes, Canvas& canvas) {
   for (const SectionBar& bar : plot.bars) {
-    Vec2 low = axes.place(bar.low.x(), bar.low.y()), high = axes.place(bar.high.x(), bar.high.y());
-    const double middle = 0.5 * (low.x() + high.x()),
-                 half = std::max(0.5 * (high.x() - low.x()), 0.5 * kLeastBar);
-    low.x() = middle - half;
-    high.x() = middle + half;
-    canvas.rectangle(low - Vec2(1.0, -1.0), high + Vec2(1.0, -1.0), kWhite, 0.8);
-    canvas.rectangle(low, high, bar.colour);
+    const Vec2 low = axes.place(bar.low.x(), bar.low.y()),
+               high = axes.place(bar.high.x(), bar.high.y());
+    const double width = axes.place(bar.low.x() + bar.half, bar.low.y()).x() - low.x();
+    const Vec2 half(std::max(width, 0.5 * kLeastBar), 0.0), rim(1.0, 0.0), end(0.0, 1.0);
+    const Vec2 around[] = {low - half - rim + end, low + half + rim + end, high + half + rim - end,
+                           high - half - rim - end};
+    const Vec2 bar_itself[] = {low - half, low + half, high + half, high - half};
+    canvas.fill(around, kWhite, 0.8);
+    canvas.fill(bar_itself, bar.colour);
   }
 }
 

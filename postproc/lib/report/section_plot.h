@@ -22,7 +22,8 @@ struct SectionLine {
 };
 
 struct SectionBar {  // e.g. charge or stemming
-  Vec2 low, high;    // corners (x, z) [m]
+  Vec2 low, high;    // ends of its axis (x, z) [m]
+  double half;       // of its level width [m]
   Colour colour;
   std::string name;  // in the legend; an empty one is left out of it
 };

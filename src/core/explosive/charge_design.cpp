@@ -9,6 +9,7 @@
 #include "args/input_error.h"
 #include "explosive/attenuation.h"
 #include "explosive/charge_options.h"
+#include "explosive/charge_window.h"
 #include "explosive/crushed_zone.h"
 #include "geometry/size/size_law.h"
 
@@ -118,6 +119,17 @@ void add_harries(std::ostream& text, ChargeDesign& design, const CrushedZoneInpu
   text << " the last ends at " << harries_reach(harries) << " m\n";
 }
 
+std::vector<TimedCharge> timed_charges(const HoleTable& pattern, const ChargeOptions& charge,
+                                       const std::string& where) {
+  std::vector<TimedCharge> charges;
+  for (const Deck& deck : pattern.decks()) {
+    const double density = deck.explosive ? charge.table.find(*deck.explosive, where).density
+                                          : charge.explosive.density;
+    charges.push_back({deck.firing_time, charge_mass(deck, density)});
+  }
+  return charges;
+}
+
 }  // namespace
 
 ArgTable charge_design_table() {
@@ -183,8 +195,13 @@ ChargeDesign charge_design(const ArgValues& values, const std::string& where) {
   }
   if (const std::string& file = values.word("hole_table"); file != "none") {
     design.pattern = HoleTable::read(file);
+    const std::vector<TimedCharge> charges = timed_charges(*design.pattern, charge, where);
+    for (const TimedCharge& each : charges) design.pattern_mass += each.mass;
+    design.window_mass = largest_within(charges, kVibrationWindow);
     text << "  pattern: " << design.pattern->holes() << " holes, " << design.pattern->decks().size()
-         << " charged decks, the last fires at " << design.pattern->last_firing_time() << " s\n";
+         << " charged decks, the last fires at " << design.pattern->last_firing_time() << " s; "
+         << design.pattern_mass << " kg of explosive, at most " << design.window_mass
+         << " kg within " << 1e3 * kVibrationWindow << " ms\n";
   }
   design.report = text.str();
   return design;

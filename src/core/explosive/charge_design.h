@@ -19,6 +19,8 @@ struct ChargeDesign {
   std::optional<double> crushed_radius{};  ///< with a hole_diameter [m]
   std::optional<double> harries_strain{};  ///< on the crushed zone, with the rock's stiffness
   std::optional<HoleTable> pattern{};      ///< with a hole_table
+  double pattern_mass = 0.0;               ///< explosive of all its decks [kg]
+  double window_mass = 0.0;                ///< the most of it within kVibrationWindow [kg]
   std::string report{};                    ///< the choice with the alternatives beside it
 };
 

@@ -53,7 +53,7 @@ TEST_F(AllReports, AHoleTableIsDrawnToo) {
 
 TEST_F(AllReports, GaugesAreMeasuredToo) {
   write_text(temporary_.path() / "dump/gauges.csv", "step,run_id\n");
-  const Names names = reports_of(folder_with(R"({"case": "bench"})"));
+  const Names names = reports_of(folder_with(R"({"case": "bench"})"), false);
   EXPECT_EQ((Names{names.end() - 2, names.end()}), (Names{"waves", "report"}));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Whether the free face of a bench is the plane x = 0, for both kinds of cut, upright and leaning.
+// The plane of a bench's free face, for both kinds of cut, upright and leaning.
 // Scope: measure/free_face.
 #include <gtest/gtest.h>
 
@@ -34,6 +34,7 @@ TessellationOptions rock() {
 void expect_upright(const std::vector<Block>& blocks) {
   const FreeFace face = free_face(as_start_blocks(blocks), kNear);
   EXPECT_EQ(face.off_plane, 0.0);
+  EXPECT_EQ(face.back, 0.0);
   EXPECT_NEAR(face.x_low, 0.0, 1e-9);
   EXPECT_NEAR(face.x_high, 0.0, 1e-9);
   EXPECT_NEAR(face.slope, kUpright, 1e-9);
@@ -51,10 +52,19 @@ TEST(FreeFace, ThatLeansIsSeenWithItsSlope) {
   std::vector<Block> blocks = tessellate(rock()).blocks;
   shear(blocks, 76.0);
   const FreeFace face = free_face(as_start_blocks(blocks), kNear);
-  EXPECT_GT(face.off_plane, 0.9);
+  EXPECT_EQ(face.off_plane, 0.0);
+  EXPECT_NEAR(face.back, 1.0 / std::tan(76.0 * std::numbers::pi / 180.0), 1e-9);
   EXPECT_NEAR(face.slope, 76.0 * std::numbers::pi / 180.0, 1e-9);
   EXPECT_NEAR(face.x_low, -3.0 / std::tan(76.0 * std::numbers::pi / 180.0), 0.05);
   EXPECT_NEAR(face.x_high, 0.0, 0.05);
+}
+
+TEST(FreeFace, ThatLeansForwardIsOffThePlane) {
+  std::vector<Block> blocks = tessellate(rock()).blocks;
+  shear(blocks, 104.0);
+  const FreeFace face = free_face(as_start_blocks(blocks), kNear);
+  EXPECT_GT(face.off_plane, 0.9);
+  EXPECT_EQ(face.back, 0.0);
 }
 
 TEST(FreeFace, ThatStandsElsewhereIsOffThePlane) {

@@ -25,7 +25,7 @@ class Refusals : public ::testing::Test {
   [[nodiscard]] BenchScene bench() const { return bench_scene(folder(), folder().blocks()); }
   void lean_face() {
     std::vector<Block> blocks = bench_run().shapes;
-    shear(blocks, 76.0);
+    shear(blocks, 104.0);  // over the floor
     write_blocks(folder().dump("blocks.vtk").string(), blocks, 1, kDensity);
   }
   void set_holes(const std::string& holes) {
@@ -44,12 +44,12 @@ class Refusals : public ::testing::Test {
   TemporaryFolder temporary_;
 };
 
-TEST_F(Refusals, FaceThatLeansIsNotMeasured) {
+TEST_F(Refusals, FaceThatLeansForwardIsNotMeasured) {
   lean_face();
   expect_refused(
-      "profile: the free face must be the plane x = 0 from the floor z = 0 to the top, "
-      "got rock that begins between x = -2.6");
-  expect_refused("stands at 76° to the horizontal");
+      "profile: the free face must be a plane from the toe x = 0, z = 0 to the top, upright or "
+      "leaning back, got rock that begins between x = 0");
+  expect_refused("stands at 104° to the horizontal");
 }
 
 TEST_F(Refusals, NothingThatLooksCurrentStays) {
@@ -86,10 +86,49 @@ TEST_F(Refusals, AreForgottenOnceTheBenchIsMeasured) {
   EXPECT_FALSE(read_json_object(folder().file("summary.json")).contains("profile_refused"));
 }
 
-TEST_F(Refusals, HoleThatLeansIsNotMeasured) {
-  // 2.3 m aside over 9 m: 14.3 degrees.
-  set_holes("[{\"toe_m\": [-5, 0, -1], \"collar_m\": [-7.3, 0, 8], \"radius_m\": 0.15}]");
-  expect_refused("profile: holes must be vertical, got one that leans by 14.3°");
+TEST_F(Refusals, HolesThatLeanAsideOrForwardOrUnlikeAreNotMeasured) {
+  const std::string message = "profile: holes must be parallel and upright, or lean straight back";
+  const std::string upright =
+      "{\"toe_m\": [-5, 0, -1], \"collar_m\": [-5, 0, 8], \"radius_m\": 0.15}";
+  set_holes("[{\"toe_m\": [-5, 0, -1], \"collar_m\": [-5, 0.3, 8], \"radius_m\": 0.15}]");
+  expect_refused(message + ", got one from x = -5, y = 0 m at its toe to x = -5, y = 0.3 m");
+  set_holes("[{\"toe_m\": [-5, 0, -1], \"collar_m\": [-4.7, 0, 8], \"radius_m\": 0.15}]");
+  expect_refused(message);
+  set_holes("[" + upright +
+            ", {\"toe_m\": [-8, 0, -1], \"collar_m\": [-10, 0, 8], \"radius_m\": 0.15}]");
+  expect_refused(message);
+}
+
+TEST_F(Refusals, HolesThatLeanBackAreMeasuredFromTheFloor) {
+  // 0.25 m back per metre of height; 5 m behind the toe at the floor.
+  set_holes("[{\"toe_m\": [-4.75, 0, -1], \"collar_m\": [-7, 0, 8], \"radius_m\": 0.15}]");
+  const BenchScene leaning = bench();
+  EXPECT_DOUBLE_EQ(leaning.planes.hole_back, 0.25);
+  EXPECT_DOUBLE_EQ(leaning.depth, 5.0);
+  const auto bars = hole_bars(leaning, 0.0);
+  ASSERT_EQ(bars.size(), 2U);
+  EXPECT_DOUBLE_EQ(bars[0].low.x(), -4.75);
+  EXPECT_DOUBLE_EQ(bars[0].high.x(), -7.0);
+  EXPECT_DOUBLE_EQ(bars[1].high.x(), -7.625);  // 2.5 m higher
+  EXPECT_DOUBLE_EQ(bars[1].high.y(), kBenchHeight);
+}
+
+TEST_F(Refusals, FaceThatLeansBackIsMeasuredBehindItsPlane) {
+  std::vector<Block> blocks = bench_run().shapes;
+  shear(blocks, 76.0);
+  write_blocks(folder().dump("blocks.vtk").string(), blocks, 1, kDensity);
+  set_holes("[{\"toe_m\": [-4.75, 0, -1], \"collar_m\": [-7, 0, 8], \"radius_m\": 0.15}]");
+  const double back = 1.0 / std::tan(76.0 * M_PI / 180.0);
+  EXPECT_NEAR(bench().planes.face_back, back, 1e-5);
+  report_profile(folder(), {kCube, 0.125}, {});
+  const auto keys = read_json_object(folder().file("summary.json"));
+  // The cubes that were the prism of the upright bench still are: hole and face lean alike, to
+  // 0.25 and 0.249328, and the middle of the rearmost cube is 0.25 m in front of the holes.
+  EXPECT_NEAR(keys["beyond_toe_fraction"], 1.0, 1e-12);
+  EXPECT_NEAR(keys["face_velocity_m_s"], 14.0, 1e-6);
+  // As upright, 507.5/105 + 2.5, and by as much more as the prism leans back at its mean height.
+  EXPECT_NEAR(keys["throw_cg_m"], 507.5 / 105.0 + 2.5 + 5.25 * back, 1e-5);
+  EXPECT_TRUE(keys["beyond_toe_fraction_collapse"].is_null());
 }
 
 TEST_F(Refusals, FrontRowMustStandAtTheBurden) {
@@ -134,7 +173,8 @@ TEST_F(Refusals, SectionShowsTheHolesThatItCutsAndNoOther) {
   EXPECT_DOUBLE_EQ(y_of_middle_hole(bench(), folder().blocks()), 0.5);
   const auto front = hole_bars(bench(), 0.5);
   ASSERT_EQ(front.size(), 2U);
-  EXPECT_DOUBLE_EQ(front[0].low.x(), -5.05);  // a hole of 0.1 m
+  EXPECT_DOUBLE_EQ(front[0].low.x(), -5.0);
+  EXPECT_DOUBLE_EQ(front[0].half, 0.05);  // a hole of 0.1 m
   EXPECT_DOUBLE_EQ(front[0].high.y(), 8.0);
   EXPECT_DOUBLE_EQ(front[1].high.y(), kBenchHeight);
   const auto back = hole_bars(bench(), -0.5);

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The explosive in the decks of a run's hole table.
+// Scope: see the header.
+#include "report/pattern_charges.h"
+
+#include <cmath>
+
+#include "args/input_error.h"
+#include "explosive/explosive_table.h"
+
+namespace muckpile {
+namespace {
+
+double density_of(const std::string& explosive) {
+  static const ExplosiveTable shipped = ExplosiveTable::shipped();
+  try {
+    return shipped.find(explosive, "").density;
+  } catch (const InputError&) {
+    return std::nan("");
+  }
+}
+
+}  // namespace
+
+std::vector<TimedCharge> charges_of_decks(const ResultFolder& folder, const HoleTable& table) {
+  constexpr const char* kDensity = "explosive_density_kg_m3";
+  const double usual = folder.scene_has(kDensity) ? folder.scene_number(kDensity) : std::nan("");
+  std::vector<TimedCharge> charges;
+  for (const Deck& deck : table.decks()) {
+    const double density = deck.explosive ? density_of(*deck.explosive) : usual;
+    charges.push_back({deck.firing_time, charge_mass(deck, density)});
+  }
+  return charges;
+}
+
+}  // namespace muckpile

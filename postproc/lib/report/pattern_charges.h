@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The explosive in the decks of a run's hole table.
+// Scope: densities of scene.json and of the shipped table of explosives.
+#pragma once
+
+#include <vector>
+
+#include "explosive/charge_window.h"
+#include "io/result_folder.h"
+
+namespace muckpile {
+
+// Of each deck, in the table's order: when it fires and how much it holds. NaN [kg] where the deck
+// names an explosive that is not in the shipped table, or scene.json has no density.
+std::vector<TimedCharge> charges_of_decks(const ResultFolder& folder, const HoleTable& table);
+
+}  // namespace muckpile

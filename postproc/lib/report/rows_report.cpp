@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Sub-command rows: throw, velocity and moved volume of each hole and row, velocity of the face in
+// front of each hole of the first row.
+// Scope: benches that profile measures, with a hole table.
+#include <algorithm>
+#include <cmath>
+
+#include "draw/curve_plot.h"
+#include "draw/png_file.h"
+#include "io/csv_writer.h"
+#include "measure/face_velocity.h"
+#include "measure/hole_rock.h"
+#include "report/bench_scene.h"
+#include "report/not_measurable.h"
+#include "report/notes.h"
+#include "report/pattern_charges.h"
+#include "report/reports.h"
+#include "report/run_data.h"
+
+namespace muckpile {
+namespace {
+
+constexpr int kBands = 10;  // of height, as those of face_velocity_m_s
+
+// A hole, a row, or all: a line of rows.csv.
+struct Line {
+  std::string name;
+  double row, x, y, fires, charge;
+  std::vector<size_t> chosen;
+  CastRock rock{};
+};
+
+// A band of height of the face in front of a hole, or of all.
+struct FaceBand {
+  std::string name;
+  double low, high;  // [m]
+  std::vector<size_t> layer;
+  double peak = std::nan(""), time = std::nan("");  // [m/s], [s]
+};
+
+struct Rows {
+  std::vector<PatternHole> holes;
+  std::vector<Line> lines;
+  std::vector<FaceBand> bands;
+};
+
+Line line_of(const PatternHole& hole) {
+  return {hole.name,
+          static_cast<double>(hole.row + 1),
+          hole.foot.x(),
+          hole.foot.y(),
+          hole.firing_time,
+          hole.charge,
+          {},
+          {}};
+}
+
+// Several holes as one: rocks and charges together, the first firing.
+Line together(const std::string& name, double row, const std::vector<Line>& holes) {
+  Line all{name, row, 0.0, std::nan(""), holes.front().fires, 0.0, {}, {}};
+  for (const Line& hole : holes) {
+    all.x += hole.x / static_cast<double>(holes.size());
+    all.fires = std::min(all.fires, hole.fires);
+    all.charge += hole.charge;
+    all.chosen.insert(all.chosen.end(), hole.chosen.begin(), hole.chosen.end());
+  }
+  return all;
+}
+
+std::vector<Line> lines_of(const std::vector<PatternHole>& holes, const std::vector<int>& nearest) {
+  std::vector<Line> single;
+  for (const PatternHole& hole : holes) single.push_back(line_of(hole));
+  for (size_t b = 0; b < nearest.size(); ++b) {
+    if (nearest[b] >= 0) single[static_cast<size_t>(nearest[b])].chosen.push_back(b);
+  }
+  std::vector<Line> lines = single;
+  for (int row = 0; row <= holes.back().row; ++row) {
+    std::vector<Line> of_row;
+    std::ranges::copy_if(single, std::back_inserter(of_row),
+                         [&](const Line& line) { return line.row == row + 1; });
+    lines.push_back(together("row " + std::to_string(row + 1), row + 1, of_row));
+  }
+  lines.push_back(together("all", std::nan(""), single));
+  return lines;
+}
+
+std::vector<FaceBand> bands_of(const RunData& run, const BenchScene& bench,
+                               const std::vector<PatternHole>& holes,
+                               const std::vector<int>& nearest) {
+  std::vector<FaceBand> bands;
+  const double step = bench.height / kBands;
+  const auto add = [&](const std::string& name, auto&& belongs) {
+    for (int k = 0; k < kBands; ++k) {
+      FaceBand band{name, k * step, (k + 1) * step, {}};
+      for (const size_t b : face_layer(run.blocks, bench.burden, band.low, band.high, bench.planes))
+        if (belongs(nearest[b])) band.layer.push_back(b);
+      bands.push_back(std::move(band));
+    }
+  };
+  add("all", [](int) { return true; });
+  for (size_t h = 0; h < holes.size() && holes[h].row == 0; ++h)
+    add(holes[h].name, [&](int hole) { return hole == static_cast<int>(h); });
+  return bands;
+}
+
+void add_velocities(Rows& rows, const ResultFolder& folder, const RunData& run) {
+  for (const auto& path : folder.snapshots()) {
+    const Snapshot now = read_snapshot(path, run.blocks);
+    for (Line& line : rows.lines) add_velocity(line.rock, line.chosen, run.blocks, now);
+    for (FaceBand& band : rows.bands) {
+      if (band.layer.empty()) continue;
+      const double velocity = mean_outward_velocity(run.blocks, now, band.layer);
+      if (velocity <= band.peak) continue;
+      band.peak = velocity;
+      band.time = now.time;
+    }
+  }
+}
+
+Rows rows_of(const ResultFolder& folder, const RunData& run, const BenchScene& bench) {
+  const HoleTable table = HoleTable::read(folder.dump("holes.csv").string());
+  std::vector<double> masses;
+  for (const TimedCharge& charge : charges_of_decks(folder, table)) masses.push_back(charge.mass);
+  Rows rows;
+  rows.holes = pattern_holes(table, masses, bench.burden);
+  const std::vector<int> nearest =
+      hole_of_blocks(run.blocks, rows.holes, bench.planes, bench.burden);
+  rows.lines = lines_of(rows.holes, nearest);
+  for (Line& line : rows.lines) line.rock = cast_rock(line.chosen, run.blocks, run.last, run.moved);
+  rows.bands = bands_of(run, bench, rows.holes, nearest);
+  add_velocities(rows, folder, run);
+  return rows;
+}
+
+void write_tables(const Rows& rows, const ResultFolder& folder) {
+  CsvWriter csv(folder.file("rows.csv"),
+                "hole,row,x_m,y_m,fires_s,charge_kg,blocks,volume_m3,mass_kg,specific_charge_kg_m3,"
+                "moved_volume_m3,throw_m,velocity_m_s,velocity_at_s");
+  for (const Line& line : rows.lines) {
+    const CastRock& rock = line.rock;
+    csv.row(line.name,
+            {line.row, line.x, line.y, line.fires, line.charge, static_cast<double>(rock.blocks),
+             rock.volume, rock.mass, line.charge / rock.volume, rock.moved_volume, rock.throw_mean,
+             rock.velocity, rock.velocity_time});
+  }
+  CsvWriter face(folder.file("face_velocity.csv"),
+                 "hole,height_low_m,height_high_m,velocity_m_s,velocity_at_s");
+  for (const FaceBand& band : rows.bands)
+    face.row(band.name, {band.low, band.high, band.peak, band.time});
+}
+
+CurvePlot face_plot(const Rows& rows, const RunData& run) {
+  CurvePlot plot;
+  plot.title = "Face velocity over height, in front of each hole of the first row";
+  plot.x_label = "largest outward velocity over the snapshots [m/s]";
+  plot.y_label = "height above the floor [m]";
+  plot.warning = motion_warning(run.still);
+  double fastest = 1.0, top = 0.0;  // a face that stands still has a scale, too [m/s], [m]
+  for (const FaceBand& band : rows.bands) {
+    if (plot.curves.empty() || plot.curves.back().label != band.name) {
+      const bool all = band.name == "all";
+      plot.curves.push_back({band.name,
+                             all ? CurveStyle::kDashed : CurveStyle::kLine,
+                             static_cast<int>(plot.curves.size()),
+                             {}});
+    }
+    fastest = std::fmax(fastest, band.peak);
+    top = std::max(top, band.high);
+    if (!std::isnan(band.peak))
+      plot.curves.back().points.emplace_back(band.peak, 0.5 * (band.low + band.high));
+  }
+  plot.x = AxisRange{0.0, 1.05 * fastest};
+  plot.y = AxisRange{0.0, top};
+  return plot;
+}
+
+nlohmann::ordered_json keys_of(const Rows& rows) {
+  nlohmann::ordered_json keys;
+  const size_t holes = rows.holes.size();
+  const auto line = [&](size_t k) { return k < rows.lines.size() ? rows.lines[k] : Line{}; };
+  const Line front = line(holes), last = line(rows.lines.size() - 2),
+             all = line(rows.lines.size() - 1);
+  double least = std::nan(""), most = std::nan("");
+  for (size_t h = 0; h < holes; ++h) {
+    least = std::fmin(least, rows.lines[h].rock.throw_mean);
+    most = std::fmax(most, rows.lines[h].rock.throw_mean);
+  }
+  keys["rows"] = holes > 0 ? rows.holes.back().row + 1 : 0;
+  keys["blast_charge_kg"] = all.charge;
+  keys["blast_volume_m3"] = all.rock.volume;
+  keys["blast_moved_volume_m3"] = all.rock.moved_volume;
+  keys["blast_specific_charge_kg_m3"] = all.charge / all.rock.volume;
+  keys["blast_throw_m"] = all.rock.throw_mean;
+  keys["front_row_throw_m"] = front.rock.throw_mean;
+  keys["last_row_throw_m"] = last.rock.throw_mean;
+  keys["hole_throw_least_m"] = least;
+  keys["hole_throw_most_m"] = most;
+  keys["front_row_velocity_m_s"] = front.rock.velocity;
+  keys["last_row_velocity_m_s"] = last.rock.velocity;
+  return keys;
+}
+
+}  // namespace
+
+void report_rows(const ResultFolder& folder, const MeasureOptions& measure) {
+  if (!std::filesystem::exists(folder.dump("holes.csv")))
+    refuse("rows", "needs the run's hole table, dump/holes.csv");
+  const RunData run(folder, measure);
+  const BenchScene bench = bench_or_take_back(folder, run.blocks, "rows", keys_of({}));
+  const Rows rows = rows_of(folder, run, bench);
+  write_tables(rows, folder);
+  write_png(draw_curves(face_plot(rows, run)), folder.file("face_velocity.png"));
+  nlohmann::ordered_json keys = common_keys(folder);
+  keys.update(keys_of(rows));
+  folder.merge_into_summary(keys, {refusal_key("rows")});
+}
+
+}  // namespace muckpile

@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# hole_pattern.sh LIGGGHTS_MUCKPILE: the command writes the same table on one and two ranks, which charge_design reads on all of them; a table of
+# one's own is taken as it is, and its folder is made.
+# Scope: no rock; the numbers of the table are in the unit tests.
+set -euo pipefail
+program=$1
+source "$(dirname "${BASH_SOURCE[0]}")/runs.sh"
+
+cat >"$out/in.table" <<'END'
+units si
+atom_style granular
+hole_pattern file ${table} take ${own} rows 2 holes_per_row 3 burden 2.5 spacing 3 bench_height 10 subdrill 0.75 stemming 2.2 hole_diameter 0.089 &
+  face_angle 76 hole_angle 76 delay_in_row 0.017 delay_between_rows 0.042
+charge_design explosive anfo hole_table ${table}
+print "holes ${pattern_holes} last ${pattern_last_firing}"
+END
+for ranks in 1 2; do
+  on_ranks "$ranks" -in "$out/in.table" -log none -var own none -var table "$out/new/$ranks.csv" >"$out/screen$ranks"
+  grep -q '^holes 6 last 0.076' "$out/screen$ranks" || fail "charge_design has not read the table of $ranks ranks: $(tail -n 3 "$out/screen$ranks")"
+done
+cmp "$out/new/1.csv" "$out/new/2.csv" || fail "the tables of one and two ranks differ"
+[[ $(grep -c '^r[12]h[123],' "$out/new/1.csv") -eq 6 ]] || fail "not six holes"
+
+sed 's/0\.042/0.05/' "$out/new/1.csv" >"$out/own.csv"
+on_ranks 2 -in "$out/in.table" -log none -var own "$out/own.csv" -var table "$out/taken/holes.csv" >"$out/screen3"
+cmp "$out/own.csv" "$out/taken/holes.csv" || fail "the table of one's own was changed"
+grep -q '^holes 6 last 0.084' "$out/screen3" || fail "the table of one's own was not read"
