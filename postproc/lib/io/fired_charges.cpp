@@ -7,16 +7,12 @@
 #include <limits>
 #include <numbers>
 
+#include "explosive/charge_window.h"
 #include "explosive/explosive_table.h"
-#include "explosive/hole_table.h"
 #include "io/charges.h"
 
 namespace muckpile {
 namespace {
-
-double cylinder(double diameter, double length) {
-  return 0.25 * std::numbers::pi * diameter * diameter * length;
-}
 
 // A deck without an explosive of its own has the scene's.
 double density_of(const Deck& deck, const ResultFolder& folder) {
@@ -29,16 +25,16 @@ std::vector<FiredCharge> charges_of_decks(const ResultFolder& folder,
   std::vector<FiredCharge> charges;
   const HoleTable table = HoleTable::read(path.string());
   for (const Deck& deck : table.decks()) {
-    const double volume = cylinder(deck.charge_diameter.value_or(deck.diameter),
-                                   deck.charge_length.value_or(deck.to - deck.from));
-    charges.push_back({deck.toe, deck.collar, volume * density_of(deck, folder), deck.firing_time});
+    const double mass = charge_mass(deck, density_of(deck, folder));
+    charges.push_back({deck.toe, deck.collar, mass, deck.firing_time});
   }
   return charges;
 }
 
 double mass_by_scene(const ResultFolder& folder) {
   if (folder.scene_has("charge_mass_kg")) return folder.scene_number("charge_mass_kg");
-  return cylinder(folder.scene_number("hole_diameter_m"), folder.scene_number("charge_length_m")) *
+  const double diameter = folder.scene_number("hole_diameter_m");
+  return 0.25 * std::numbers::pi * diameter * diameter * folder.scene_number("charge_length_m") *
          folder.scene_number("explosive_density_kg_m3");
 }
 
@@ -54,18 +50,10 @@ std::vector<FiredCharge> fired_charges(const ResultFolder& folder) {
   return charges;
 }
 
-double largest_mass_within(std::vector<FiredCharge> charges, double window) {
-  std::ranges::sort(charges, {}, &FiredCharge::firing_time);
-  double largest = 0.0;
-  for (size_t from = 0; from < charges.size(); ++from) {
-    double mass = 0.0;
-    for (size_t k = from; k < charges.size(); ++k) {
-      if (charges[k].firing_time >= charges[from].firing_time + window) break;
-      mass += charges[k].mass;
-    }
-    largest = std::max(largest, mass);
-  }
-  return largest;
+double largest_mass_within(const std::vector<FiredCharge>& charges, double window) {
+  std::vector<TimedCharge> timed;
+  for (const FiredCharge& charge : charges) timed.push_back({charge.firing_time, charge.mass});
+  return largest_within(timed, window);
 }
 
 double distance_to_charges(const Vec3& point, const std::vector<FiredCharge>& charges) {

@@ -21,7 +21,7 @@ struct FiredCharge {
 std::vector<FiredCharge> fired_charges(const ResultFolder& folder);
 
 // The largest mass that fires within less than `window` [s], in kg.
-double largest_mass_within(std::vector<FiredCharge> charges, double window);
+double largest_mass_within(const std::vector<FiredCharge>& charges, double window);
 
 // From a point to the nearest point of the nearest axis [m].
 double distance_to_charges(const Vec3& point, const std::vector<FiredCharge>& charges);

@@ -10,6 +10,7 @@
 #include "args/csv_table.h"
 #include "args/input_error.h"
 #include "draw/png_file.h"
+#include "explosive/charge_window.h"
 #include "io/csv_writer.h"
 #include "io/fired_charges.h"
 #include "io/gauges_file.h"
@@ -21,7 +22,6 @@
 namespace muckpile {
 namespace {
 
-constexpr double kTogether = 8e-3;  // [s], as most_decks_within_8_ms of plan
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 void require_charge_mass(const ResultFolder& folder) {
@@ -183,7 +183,7 @@ void report_waves(const ResultFolder& folder, const WavesOptions& options) {
   require_charge_mass(folder);
   const std::vector<GaugeHistory> gauges = read_gauges(path, folder.run_id());
   const std::vector<FiredCharge> charges = fired_charges(folder);
-  const double mass = largest_mass_within(charges, kTogether);
+  const double mass = largest_mass_within(charges, kVibrationWindow);
   if (!(mass > 0.0)) throw InputError(path.string() + ": no charge has a mass above 0 kg");
   const double until = options.until.value_or(end_of_waves(folder));
   const std::vector<GaugePeak> peaks = peaks_of(gauges, charges, mass, until);
