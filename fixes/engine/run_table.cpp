@@ -8,7 +8,7 @@
 #include <lammps.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <charconv>
 #include <filesystem>
 #include <fstream>
 
@@ -16,9 +16,21 @@
 
 namespace muckpile::engine {
 
+namespace {
+
+/// The step that a row begins with; -1 where it begins with none.
+std::int64_t step_of(const std::string& row) {
+  std::int64_t step = -1;
+  const char* const end = row.data() + std::min(row.find(','), row.size());
+  const auto [stop, fault] = std::from_chars(row.data(), end, step);
+  return fault == std::errc() && stop == end ? step : -1;
+}
+
+}  // namespace
+
 /// A line that was not cut off, nor written on by another.
 bool RunTable::is_whole_row(const std::string& line, const std::string& run_id) const {
-  return line.ends_with(',' + run_id) &&
+  return line.ends_with(',' + run_id) && step_of(line) >= 0 &&
          std::ranges::count(line, ',') == std::ranges::count(header_, ',');
 }
 
@@ -31,7 +43,7 @@ std::string RunTable::rows_before(const std::string& run_id, std::int64_t step) 
   int dropped = 0;
   while (std::getline(in, line)) {
     if (good && is_whole_row(line, run_id)) {
-      if (std::atoll(line.c_str()) >= step) break;
+      if (step_of(line) >= step) break;
       kept += line + '\n';
     } else {
       good = false;

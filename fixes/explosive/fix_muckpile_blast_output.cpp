@@ -91,7 +91,7 @@ double FixMuckpileBlast::compute_vector(int index) {
     case kWork:
       return engine::sum_over_ranks(surface->pressure_work(), world);
     case kActiveHoles:
-      return holes_.active(last_clock());
+      return clock_started_ ? holes_.active(clock()) : 0;
     case kOver:
       return over_ ? 1.0 : 0.0;
     case kWaveWork:

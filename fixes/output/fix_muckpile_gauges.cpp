@@ -38,10 +38,6 @@ constexpr const char* kHeader =
     "sxx_Pa,syy_Pa,szz_Pa,sxy_Pa,syz_Pa,szx_Pa,pressure_Pa,run_id\n";
 constexpr std::size_t kWidth = 13;  // number of the gauge, displacement, velocity, stress
 
-std::string place(const Vec3& p) {
-  return number_text(p.x()) + " " + number_text(p.y()) + " " + number_text(p.z());
-}
-
 void append(std::string& text, double number, int digits) {
   std::array<char, 32> word{};
   const auto end =
@@ -76,6 +72,18 @@ void FixMuckpileGauges::init() {
     engine::stop(*lmp, where_ + ": needs a fix muckpile/joint, which knows the stress of blocks");
   if (engine::place_of<NetworkView>(*lmp) > modify->find_fix(id))
     engine::stop(*lmp, where_ + ": must be defined after fix muckpile/joint");
+  refuse_shared_file();
+}
+
+void FixMuckpileGauges::refuse_shared_file() const {
+  for (int k = 0; k < modify->nfix; ++k) {
+    const auto* other = dynamic_cast<const FixMuckpileGauges*>(modify->fix[k]);
+    if (other == nullptr || other == this || other->options_.file != options_.file ||
+        other->options_.directory != options_.directory)
+      continue;
+    engine::stop(*lmp, where_ + ": file '" + options_.directory + "/" + options_.file +
+                           "' is that of fix '" + other->id + "', too; give another name");
+  }
 }
 
 /// In setup() the joints know where all blocks are.
@@ -157,7 +165,7 @@ void FixMuckpileGauges::bind() {
 void FixMuckpileGauges::require_near(std::size_t g, double distance, double size) const {
   if (distance <= size) return;
   engine::stop(*lmp, where_ + ": gauge " + std::to_string(g + 1) + " at '" +
-                         place(gauges_[g].start) +
+                         place_text(gauges_[g].start) +
                          "' m must lie in the rock or within a block of it; move it");
 }
 
@@ -246,15 +254,19 @@ void FixMuckpileGauges::write_restart(FILE* file) {
 
 void FixMuckpileGauges::restart(char* bytes) {
   GaugesState state = engine::read_state<GaugesState>(*lmp, style, bytes);
-  bool same = state.gauges.size() == gauges_.size();
-  for (std::size_t g = 0; same && g < gauges_.size(); ++g)
-    same = state.gauges[g].start == gauges_[g].start;
-  if (!same)
+  if (state.gauges.size() != gauges_.size())
     engine::stop(*lmp, where_ +
                            ": must have the gauges that it had when the restart file was "
                            "written, " +
                            std::to_string(state.gauges.size()) + " in number, got " +
                            std::to_string(gauges_.size()) + "; give the same words");
+  for (std::size_t g = 0; g < gauges_.size(); ++g) {
+    if (state.gauges[g].start == gauges_[g].start) continue;
+    engine::stop(*lmp, where_ + ": gauge " + std::to_string(g + 1) + " must be at '" +
+                           place_text(state.gauges[g].start) +
+                           "' m as when the restart file was written, got '" +
+                           place_text(gauges_[g].start) + "'; give the same words");
+  }
   gauges_ = std::move(state.gauges);
   next_ = state.next;
   restored_ = gauges_.empty() || gauges_.front().block != 0;

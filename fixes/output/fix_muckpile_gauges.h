@@ -68,6 +68,7 @@ class FixMuckpileGauges : public LAMMPS_NS::Fix {
     int tag = std::numeric_limits<int>::max();
   };
   [[nodiscard]] Nearest nearest_to(const Vec3& point) const;
+  void refuse_shared_file() const;
   void bind();
   void require_near(std::size_t g, double distance, double size) const;
   void say_where(const std::vector<double>& distances) const;

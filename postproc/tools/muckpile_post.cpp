@@ -120,6 +120,20 @@ void add_waves_command(CLI::App& app, Options& o) {
   waves->callback([&o] { report_waves(ResultFolder(o.folder), o.waves); });
 }
 
+void add_pattern_commands(CLI::App& app, Options& o) {
+  CLI::App* rows = add_command(app, "rows",
+                               "bench with a hole table: rows.csv, face_velocity.csv, "
+                               "face_velocity.png; what became of the rock of each hole and row",
+                               o.folder);
+  CLI::App* heights = add_command(app, "heights",
+                                  "bench: heights.csv, heights.png; pile and bench from above, "
+                                  "backbreak, toe left, volumes",
+                                  o.folder);
+  for (CLI::App* command : {rows, heights}) add_measure(command, o.measure);
+  rows->callback([&o] { report_rows(ResultFolder(o.folder), o.measure); });
+  heights->callback([&o] { report_heights(ResultFolder(o.folder), o.measure); });
+}
+
 void add_pile_commands(CLI::App& app, Options& o) {
   CLI::App* profile =
       add_command(app, "profile",
@@ -135,17 +149,7 @@ void add_pile_commands(CLI::App& app, Options& o) {
   }
   add_movement_command(app, o);
   add_waves_command(app, o);
-  CLI::App* rows = add_command(app, "rows",
-                               "bench with a hole table: rows.csv, face_velocity.csv, "
-                               "face_velocity.png; what became of the rock of each hole and row",
-                               o.folder);
-  CLI::App* heights = add_command(app, "heights",
-                                  "bench: heights.csv, heights.png; pile and bench from above, "
-                                  "backbreak, toe left, volumes",
-                                  o.folder);
-  for (CLI::App* command : {rows, heights}) add_measure(command, o.measure);
-  rows->callback([&o] { report_rows(ResultFolder(o.folder), o.measure); });
-  heights->callback([&o] { report_heights(ResultFolder(o.folder), o.measure); });
+  add_pattern_commands(app, o);
   CLI::App* fragments =
       add_command(app, "fragments",
                   "size curves by sieve and volume, fits, Kuz-Ram, boulders: fragments.csv, "

@@ -7,26 +7,20 @@
 #include <limits>
 #include <numbers>
 
-#include "explosive/charge_window.h"
-#include "explosive/explosive_table.h"
 #include "io/charges.h"
+#include "io/pattern_charges.h"
 
 namespace muckpile {
 namespace {
 
-// A deck without an explosive of its own has the scene's.
-double density_of(const Deck& deck, const ResultFolder& folder) {
-  if (!deck.explosive) return folder.scene_number("explosive_density_kg_m3");
-  return ExplosiveTable::shipped().find(*deck.explosive, "waves").density;
-}
-
-std::vector<FiredCharge> charges_of_decks(const ResultFolder& folder,
+std::vector<FiredCharge> charges_of_table(const ResultFolder& folder,
                                           const std::filesystem::path& path) {
   std::vector<FiredCharge> charges;
   const HoleTable table = HoleTable::read(path.string());
-  for (const Deck& deck : table.decks()) {
-    const double mass = charge_mass(deck, density_of(deck, folder));
-    charges.push_back({deck.toe, deck.collar, mass, deck.firing_time});
+  const std::vector<TimedCharge> timed = charges_of_decks(folder, table);
+  for (size_t k = 0; k < timed.size(); ++k) {
+    const Deck& deck = table.decks()[k];
+    charges.push_back({deck.toe, deck.collar, timed[k].mass, timed[k].time});
   }
   return charges;
 }
@@ -42,7 +36,7 @@ double mass_by_scene(const ResultFolder& folder) {
 
 std::vector<FiredCharge> fired_charges(const ResultFolder& folder) {
   const std::filesystem::path table = folder.dump("holes.csv");
-  if (std::filesystem::exists(table)) return charges_of_decks(folder, table);
+  if (std::filesystem::exists(table)) return charges_of_table(folder, table);
   const double mass = mass_by_scene(folder);
   std::vector<FiredCharge> charges;
   for (const Charge& charge : charges_of(folder))

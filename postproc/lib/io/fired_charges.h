@@ -17,7 +17,8 @@ struct FiredCharge {
   double firing_time;  // [s]
 };
 
-// Never empty. Throws InputError where neither the table nor the scene tells the mass.
+// Never empty; masses are NaN where the table has an explosive whose density is not known. Throws
+// InputError where there is no table and the scene does not tell the mass.
 std::vector<FiredCharge> fired_charges(const ResultFolder& folder);
 
 // The largest mass that fires within less than `window` [s], in kg.

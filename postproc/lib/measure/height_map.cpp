@@ -19,7 +19,11 @@ std::vector<double> above_floor(std::vector<double> tops) {
 HeightMap height_map(const std::vector<StartBlock>& blocks, const Snapshot& last,
                      const std::vector<char>& moved, const std::vector<char>& lies, double cell) {
   const std::vector<BlockState> start = start_snapshot(blocks).states;
-  const Extent before = extent_of(blocks, start), after = extent_of(blocks, last.states);
+  // Blocks that still fly make no map wider: they are in none of its heights.
+  std::vector<BlockState> resting = last.states;
+  for (size_t b = 0; b < blocks.size(); ++b)
+    if (lies[b] == 0) resting[b] = start[b];
+  const Extent before = extent_of(blocks, start), after = extent_of(blocks, resting);
   HeightMap map;
   map.grid = column_grid(
       std::min(before.low.x(), after.low.x()), std::max(before.high.x(), after.high.x()),

@@ -58,7 +58,8 @@ std::vector<PatternHole> pattern_holes(const HoleTable& table, const std::vector
 std::vector<int> hole_of_blocks(const std::vector<StartBlock>& blocks,
                                 const std::vector<PatternHole>& holes, const BenchPlanes& planes,
                                 double burden) {
-  const double behind = 0.5 * burden - holes.back().foot.x();
+  const auto across = [](const PatternHole& hole) { return hole.foot.x(); };
+  const double behind = 0.5 * burden - std::ranges::min(holes, {}, across).foot.x();
   std::vector<int> nearest(blocks.size(), -1);
   for (size_t b = 0; b < blocks.size(); ++b) {
     const Vec3& start = blocks[b].centroid;

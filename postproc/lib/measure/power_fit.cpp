@@ -3,6 +3,7 @@
 // Scope: see the header.
 #include "measure/power_fit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -62,7 +63,7 @@ double student_two_sided_95(size_t degrees_of_freedom) {
   return 0.5 * (low + high);
 }
 
-std::optional<PowerFit> fit_power_law(const std::vector<Vec2>& points) {
+std::optional<PowerFit> fit_decay_law(const std::vector<Vec2>& points) {
   constexpr double kOnePlace = 1e-12;
   if (points.size() < 3) return std::nullopt;
   const Logarithms logs(points);

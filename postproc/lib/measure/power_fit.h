@@ -27,12 +27,14 @@ struct PowerFit {
   // In which a further point at x lies with 95 % probability.
   [[nodiscard]] Interval band(double x) const;
 
-  double student, scatter, mean_x,
-      spread_x;  // of log10: t, residual's deviation, mean, sum of squares
+  double student;   // t of 95 % confidence
+  double scatter;   // deviation of the residuals of log10 y
+  double mean_x;    // of log10 x
+  double spread_x;  // sum of the squares of log10 x about that
 };
 
 // Nothing for fewer than three points or points at one x. All numbers must be > 0.
-std::optional<PowerFit> fit_power_law(const std::vector<Vec2>& points);
+std::optional<PowerFit> fit_decay_law(const std::vector<Vec2>& points);
 
 // t that a variable of Student's distribution exceeds in magnitude with probability 0.05.
 double student_two_sided_95(size_t degrees_of_freedom);

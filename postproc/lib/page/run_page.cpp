@@ -114,8 +114,7 @@ void add_waves(Html& page, const PageContent& run) {
               "Peak particle velocity at the gauges against scaled distance; table in ppv.csv.");
   if (find(run, "ppv_fit_n") == nullptr) return;
   add_table(page, run,
-            {{"charge_within_8_ms_kg", "Largest charge within 8 ms"},
-             {"ppv_fit_K_m_s", "Fit, K"},
+            {{"ppv_fit_K_m_s", "Fit, K"},
              {"ppv_fit_n", "Fit, exponent n"},
              {"ppv_fit_n_low", "n, lower end of its 95 % confidence"},
              {"ppv_fit_n_high", "n, upper end"},

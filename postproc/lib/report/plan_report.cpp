@@ -14,7 +14,7 @@
 #include "io/charges.h"
 #include "measure/contours.h"
 #include "report/block_colours.h"
-#include "report/pattern_charges.h"
+#include "io/pattern_charges.h"
 #include "report/reports.h"
 
 namespace muckpile {

@@ -8,12 +8,12 @@
 #include "draw/curve_plot.h"
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
+#include "io/pattern_charges.h"
 #include "measure/face_velocity.h"
 #include "measure/hole_rock.h"
 #include "report/bench_scene.h"
 #include "report/not_measurable.h"
 #include "report/notes.h"
-#include "report/pattern_charges.h"
 #include "report/reports.h"
 #include "report/run_data.h"
 
@@ -25,7 +25,10 @@ constexpr int kBands = 10;  // of height, as those of face_velocity_m_s
 // A hole, a row, or all: a line of rows.csv.
 struct Line {
   std::string name;
-  double row, x, y, fires, charge;
+  double row = std::nan("");                  // counted from 1; NaN for all
+  double x = std::nan(""), y = std::nan("");  // of the hole at the floor [m]
+  double fires = std::nan("");                // [s]
+  double charge = 0.0;                        // [kg]
   std::vector<size_t> chosen;
   CastRock rock{};
 };
@@ -132,6 +135,11 @@ Rows rows_of(const ResultFolder& folder, const RunData& run, const BenchScene& b
   return rows;
 }
 
+// NaN for a hole without a block [kg/m3].
+double specific_charge(const Line& line) {
+  return line.rock.volume > 0.0 ? line.charge / line.rock.volume : std::nan("");
+}
+
 void write_tables(const Rows& rows, const ResultFolder& folder) {
   CsvWriter csv(folder.file("rows.csv"),
                 "hole,row,x_m,y_m,fires_s,charge_kg,blocks,volume_m3,mass_kg,specific_charge_kg_m3,"
@@ -140,7 +148,7 @@ void write_tables(const Rows& rows, const ResultFolder& folder) {
     const CastRock& rock = line.rock;
     csv.row(line.name,
             {line.row, line.x, line.y, line.fires, line.charge, static_cast<double>(rock.blocks),
-             rock.volume, rock.mass, line.charge / rock.volume, rock.moved_volume, rock.throw_mean,
+             rock.volume, rock.mass, specific_charge(line), rock.moved_volume, rock.throw_mean,
              rock.velocity, rock.velocity_time});
   }
   CsvWriter face(folder.file("face_velocity.csv"),
@@ -189,7 +197,7 @@ nlohmann::ordered_json keys_of(const Rows& rows) {
   keys["blast_charge_kg"] = all.charge;
   keys["blast_volume_m3"] = all.rock.volume;
   keys["blast_moved_volume_m3"] = all.rock.moved_volume;
-  keys["blast_specific_charge_kg_m3"] = all.charge / all.rock.volume;
+  keys["blast_specific_charge_kg_m3"] = specific_charge(all);
   keys["blast_throw_m"] = all.rock.throw_mean;
   keys["front_row_throw_m"] = front.rock.throw_mean;
   keys["last_row_throw_m"] = last.rock.throw_mean;
@@ -200,13 +208,23 @@ nlohmann::ordered_json keys_of(const Rows& rows) {
   return keys;
 }
 
+BenchScene bench_or_nothing(const ResultFolder& folder, const RunData& run) {
+  try {
+    return bench_or_take_back(folder, run.blocks, "rows", keys_of({}));
+  } catch (const NotMeasurable&) {
+    for (const char* ending : {".csv", ".png"})
+      std::filesystem::remove(folder.file(std::string("face_velocity") + ending));
+    throw;
+  }
+}
+
 }  // namespace
 
 void report_rows(const ResultFolder& folder, const MeasureOptions& measure) {
   if (!std::filesystem::exists(folder.dump("holes.csv")))
     refuse("rows", "needs the run's hole table, dump/holes.csv");
   const RunData run(folder, measure);
-  const BenchScene bench = bench_or_take_back(folder, run.blocks, "rows", keys_of({}));
+  const BenchScene bench = bench_or_nothing(folder, run);
   const Rows rows = rows_of(folder, run, bench);
   write_tables(rows, folder);
   write_png(draw_curves(face_plot(rows, run)), folder.file("face_velocity.png"));

@@ -51,8 +51,9 @@ double end_of_waves(const ResultFolder& folder) {
   return kAll;
 }
 
+// `until` is not before the first sample.
 GaugePeak peak_of(const GaugeHistory& gauge, double until) {
-  GaugePeak peak{&gauge, 0.0, 0.0, 0.0, 0.0, 0.0, -std::numeric_limits<double>::max()};
+  GaugePeak peak{&gauge, 0.0, 0.0, 0.0, 0.0, kNaN, -std::numeric_limits<double>::max()};
   const auto passes = [&](size_t k) { return k < gauge.time.size() && gauge.time[k] <= until; };
   for (size_t k = 0; passes(k); ++k) {
     peak.pressure = std::max(peak.pressure, gauge.pressure[k]);
@@ -60,7 +61,7 @@ GaugePeak peak_of(const GaugeHistory& gauge, double until) {
     peak.speed = gauge.velocity[k].norm();
     peak.time = gauge.time[k];
   }
-  for (size_t k = 0; passes(k); ++k) {
+  for (size_t k = 0; peak.speed > 0.0 && passes(k); ++k) {
     if (gauge.velocity[k].norm() < 0.1 * peak.speed) continue;
     peak.arrival = gauge.time[k];
     break;
@@ -173,9 +174,15 @@ nlohmann::ordered_json keys_of_fly_rock(const ResultFolder& folder, double mass)
   return keys;
 }
 
-}  // namespace
+void require_samples(const std::vector<GaugeHistory>& gauges, double until) {
+  for (const GaugeHistory& gauge : gauges)
+    if (gauge.time.empty() || gauge.time.front() > until)
+      throw NotMeasurable("waves: gauge " + std::to_string(gauge.number) +
+                          " has no sample before " + std::to_string(until) +
+                          " s, the end of the waves (--until)");
+}
 
-void report_waves(const ResultFolder& folder, const WavesOptions& options) {
+void measure_waves(const ResultFolder& folder, const WavesOptions& options) {
   const std::filesystem::path path = folder.dump(options.file);
   if (!std::filesystem::exists(path))
     throw NotMeasurable("waves: needs " + path.string() +
@@ -184,10 +191,14 @@ void report_waves(const ResultFolder& folder, const WavesOptions& options) {
   const std::vector<GaugeHistory> gauges = read_gauges(path, folder.run_id());
   const std::vector<FiredCharge> charges = fired_charges(folder);
   const double mass = largest_mass_within(charges, kVibrationWindow);
-  if (!(mass > 0.0)) throw InputError(path.string() + ": no charge has a mass above 0 kg");
+  if (!(mass > 0.0))
+    throw NotMeasurable(
+        "waves: needs the mass of the charges: an explosive of the hole table is not among the "
+        "shipped ones");
   const double until = options.until.value_or(end_of_waves(folder));
+  require_samples(gauges, until);
   const std::vector<GaugePeak> peaks = peaks_of(gauges, charges, mass, until);
-  const std::optional<PowerFit> fit = fit_power_law(points_of_blocks(peaks));
+  const std::optional<PowerFit> fit = fit_decay_law(points_of_blocks(peaks));
   write_histories(folder, peaks, until);
   write_peaks(folder, peaks, fit);
   write_png(draw_waves(peaks), folder.file("waves.png"));
@@ -195,11 +206,26 @@ void report_waves(const ResultFolder& folder, const WavesOptions& options) {
   nlohmann::ordered_json keys;
   if (std::filesystem::exists(folder.dump("run.json"))) keys = common_keys(folder);
   keys["gauges"] = gauges.size();
-  keys["charge_within_8_ms_kg"] = mass;
+  keys["largest_charge_within_8_ms_kg"] = mass;
   keys["ppv_largest_m_s"] = std::ranges::max(peaks, {}, &GaugePeak::speed).speed;
   keys.update(keys_of_fit(fit));
   keys.update(keys_of_fly_rock(folder, charges.front().mass));
-  folder.merge_into_summary(keys);
+  folder.merge_into_summary(keys, {refusal_key("waves")});
+}
+
+}  // namespace
+
+void report_waves(const ResultFolder& folder, const WavesOptions& options) {
+  try {
+    measure_waves(folder, options);
+  } catch (const NotMeasurable& why) {
+    for (const char* ending : {".csv", ".png"})
+      std::filesystem::remove(folder.file(std::string("ppv") + ending));
+    nlohmann::ordered_json keys = keys_of_fit(std::nullopt);
+    for (const char* key : {"gauges", "ppv_largest_m_s", "formula_note"}) keys[key] = nullptr;
+    if (std::filesystem::exists(folder.dump("run.json"))) take_back(folder, "waves", keys, why);
+    throw;
+  }
 }
 
 }  // namespace muckpile

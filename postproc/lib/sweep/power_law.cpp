@@ -3,6 +3,7 @@
 // Scope: see the header.
 #include "sweep/power_law.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>

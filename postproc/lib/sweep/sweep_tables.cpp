@@ -3,6 +3,8 @@
 // Scope: see the header.
 #include "sweep/sweep_tables.h"
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
 
@@ -64,10 +66,16 @@ void write_runs_table(const Sweep& sweep) {
 }
 
 void write_spread_table(const Sweep& sweep) {
+  const bool only_seeds = sweep.variables.size() == 1 && sweep.variables.front().name == "seed";
+  std::vector<std::vector<const SweepRun*>> combinations = combinations_of(sweep);
+  for (size_t k = 1; only_seeds && k < combinations.size(); ++k)
+    std::ranges::copy(combinations[k], std::back_inserter(combinations.front()));
+  if (only_seeds && !combinations.empty()) combinations.resize(1);
+  const std::vector<std::string> names = only_seeds ? std::vector<std::string>{} : names_of(sweep);
   CsvWriter table(sweep.folder / "sweep_mean.csv",
-                  header(names_of(sweep), {"figure", "runs", "mean", "standard_deviation", "least",
-                                           "p10", "p50", "p90", "largest"}));
-  for (const auto& runs : combinations_of(sweep)) {
+                  header(names, {"figure", "runs", "mean", "standard_deviation", "least", "p10",
+                                 "p50", "p90", "largest"}));
+  for (const auto& runs : combinations) {
     for (const std::string& figure : sweep.figures) {
       std::vector<double> found;
       for (const SweepRun* run : runs) {
@@ -75,7 +83,8 @@ void write_spread_table(const Sweep& sweep) {
       }
       if (found.empty()) continue;
       const Spread s = spread_of(found);
-      std::vector<std::string> words = values_of(sweep, *runs.front());
+      std::vector<std::string> words =
+          only_seeds ? std::vector<std::string>{} : values_of(sweep, *runs.front());
       words.push_back(figure);
       table.row(words, {static_cast<double>(s.count), s.mean, s.deviation, s.least, s.p10, s.p50,
                         s.p90, s.largest});

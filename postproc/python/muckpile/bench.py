@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Throw and face velocity of a bench, as muckpile-post defines them.
 
-Scope: vertical free face x = 0 and vertical holes. muckpile-post looks at face and holes and
-refuses others; here only the scene's case and that refusal are looked at.
+Scope: vertical free face x = 0 and one row of vertical holes along the whole width. Others, which
+muckpile-post measures too, are refused.
 """
 
 import numpy as np
@@ -29,6 +29,14 @@ def _require_bench(run: Run) -> None:
         raise ResultError(f"{run.folder}: the run must be a bench, got '{run.scene.get('case')}'")
     if reason := (run.summary or {}).get("profile_refused"):
         raise ResultError(f"{run.folder}: {reason}")
+    there = "read throw_cg_m and face_velocity_m_s of summary.json, which muckpile-post has measured"
+    if (run.folder / "dump" / "holes.csv").exists():
+        raise ResultError(f"{run.folder}: the bench must be without a hole table; {there}")
+    blocks = run.blocks
+    upper = blocks.points[:, 2] > 0.5 * scene_number(run, "bench_height_m")
+    in_face = np.abs(blocks.points[:, 0]) <= TOUCH * blocks.size[blocks.point_block]
+    if upper.any() and not (upper & in_face).any():
+        raise ResultError(f"{run.folder}: the face must be the plane x = 0; {there}")
 
 
 def burden_prism(run: Run) -> np.ndarray:

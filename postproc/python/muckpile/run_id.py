@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Which run wrote the files of a dump folder, by the run id that each of them carries.
 
-Scope: the rule of muckpile-post: blocks.vtk, run.json, history.csv, the snapshots, and scene.json
+Scope: the rule of muckpile-post: blocks.vtk, run.json, history.csv, gauges.csv, the snapshots, and scene.json
 where it has an id; files that are not there are no strangers.
 """
 
@@ -38,7 +38,7 @@ def id_in_json(content: dict) -> str:
     return word if isinstance(word, str) and re.fullmatch(ID, word) else ""
 
 
-def _ids_of_history(path: Path) -> list[tuple[str, str]]:
+def _ids_of_table(path: Path) -> list[tuple[str, str]]:
     """One for each change of id: a second run may have gone on writing at the end."""
     table = load_table(path)
     if "run_id" not in table.rows.dtype.names:
@@ -63,8 +63,9 @@ def _origins(dump: Path) -> list[tuple[str, str]]:
     # A script that prints this file by itself gives it no id.
     if scene.exists() and (word := id_in_json(read_json(scene))):
         found.append((str(scene), word))
-    if (dump / "history.csv").exists():
-        found += _ids_of_history(dump / "history.csv")
+    for name in ("history.csv", "gauges.csv"):
+        if (dump / name).exists():
+            found += _ids_of_table(dump / name)
     for path in snapshot_files(dump):
         found.append((str(path), _id_in("".join(first_lines(path, 1)))))
     return found

@@ -14,7 +14,7 @@ from muckpile.errors import ResultError
 from muckpile.text_file import read_text
 
 # Columns that hold words, and those that hold whole numbers, in any table of a run.
-WORDS = ("phase", "run_id", "polygon")
+WORDS = ("phase", "run_id", "polygon", "hole", "figure", "variable", "state", "folder")
 WHOLE = ("id", "step", "blocks", "joints", "joints_broken", "fragment_id", "in_pile")
 
 

@@ -4,6 +4,9 @@
 # Scope: sourced by muckpile together with the files beside it; sweep_record.sh knows which runs have ended well before. Each run is that of
 # run_input.sh, in a process and a folder of its own. The parts of sweep() share its local variables.
 
+readonly most_runs=10000
+readonly longest_folder_name=255  # of a file system
+
 sweep() {
   local command=sweep known_options='-np, -var, -out, -vtk, -seeds, -jobs' default_folder=results/sweep_
   local input='' ranks='' out='' jobs='' seeds='' go_on cores engine_args=() reports=() folder
@@ -57,6 +60,7 @@ sort_out_variables() {
   local i name value
   for ((i = 0; i < ${#engine_args[@]}; i += 3)); do
     name=${engine_args[i + 1]} value=${engine_args[i + 2]}
+    [[ $name =~ ^[A-Za-z0-9_]+$ ]] || die "-var needs a name and a value, got the name '$name'"
     if [[ $value == *,* ]]; then
       [[ ,$value, != *,,* ]] || die "-var $name has an empty value in '$value'"
       sweep_over "$name" "$(each_from_root "${value//,/$'\n'}")"
@@ -77,7 +81,7 @@ sweep_over() {  # sweep_over NAME VALUES: one on each line
   [[ -z ${values_of[$1]-} ]] || die "-var $1 is given twice"
   [[ $2 != *[,\"\#]* ]] || die "-var $1 must not have , # or a double quote in a value"
   twice=$(while IFS= read -r value; do
-    if [[ $value =~ ^[-+]?[0-9.]+([eE][-+]?[0-9]+)?$ ]]; then LC_ALL=C printf '%.12g\n' "$value"; else printf '%s\n' "$value"; fi
+    if [[ $value =~ ^[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?$ ]]; then LC_ALL=C printf '%.12g\n' "$value"; else printf '%s\n' "$value"; fi
   done <<<"$2" | sort | uniq -d | head -n 1)
   [[ -z $twice ]] || die "-var $1 has the value $twice twice"
   swept+=("$1")
@@ -104,7 +108,9 @@ check_sweep_words() {
 
 # Every combination, the last variable fastest.
 list_runs() {
-  local name value run longer
+  local name value run longer count=1
+  for name in "${swept[@]}"; do count=$((count * $(wc -l <<<"${values_of[$name]}"))); done
+  ((count <= most_runs)) || die "a sweep does at most $most_runs runs, got $count"
   runs=('')
   for name in "${swept[@]}"; do
     longer=()
@@ -134,6 +140,10 @@ refuse_one_folder_for_two() {
     choose "$run"
     printf '%s\n' "$folder"
   done | sort | uniq -d | head -n 1)
+  for run in "${runs[@]}"; do
+    choose "$run"
+    ((${#folder} <= longest_folder_name)) || die "the folder of a run would be '$folder', longer than $longest_folder_name letters; use shorter values"
+  done
   [[ -z $twice ]] || die "two runs would have the same folder '$twice', as names of folders have letters, digits and . _ + , - only"
 }
 
@@ -192,7 +202,14 @@ run_one() {  # run_one STATE: in a process of its own
 wait_for_one() {
   local process='' status=0 k
   wait -n -p process "${!running[@]}" || status=$?
-  [[ -n ${process-} ]] || return 0  # a signal has ended the waiting
+  if [[ -z ${process-} ]]; then  # a signal has ended the waiting, or the shell has taken notice of the end before
+    for k in "${!running[@]}"; do
+      kill -0 "$k" 2>/dev/null || { process=$k && break; }
+    done
+    [[ -n ${process-} ]] || return 0
+    status=0
+    wait "$process" || status=$?
+  fi
   k=${running[$process]}
   unset "running[$process]"
   choose "${runs[k]}"
@@ -222,7 +239,10 @@ tell() {  # tell K WORD [MORE]: of the run that was chosen last
 
 # Ending
 
-end_sweep() {
+end_readonly most_runs=10000
+readonly longest_folder_name=255  # of a file system
+
+sweep() {
   local k failed=() done_count=0 interrupted=''
   for k in "${!runs[@]}"; do
     case ${states[k]} in

@@ -11,7 +11,8 @@ print_of() { sha256sum -- "$@" | sha256sum | cut -c 1-16; }  # print_of FILE...
 
 # Of what a program is built from, and how: the program itself has the commit in it, which changes with pages and tests, too.
 print_of_sources() {  # print_of_sources FOLDER...
-  find CMakeLists.txt CMakePresets.json cmake "$@" -type f ! -name '*.sh' -print0 | sort -z | xargs -0 sha256sum | sha256sum | cut -c 1-16
+  find CMakeLists.txt CMakePresets.json cmake "$@" -type f \( -name '*.cpp' -o -name '*.h' -o -name '*.in' -o -name '*.csv' -o -name CMakeLists.txt \
+    -o -name CMakePresets.json -o -name '*.cmake' \) -print0 | sort -z | xargs -0 sha256sum | sha256sum | cut -c 1-16
 }
 
 # Programs and inputs are the same for all runs of a sweep.

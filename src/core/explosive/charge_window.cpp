@@ -3,6 +3,7 @@
 #include "explosive/charge_window.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <vector>
 
@@ -25,6 +26,7 @@ double largest_within(std::span<const TimedCharge> charges, double window) {
     for (auto each = first; each != by_time.end() && each->time < first->time + window - kRounding;
          ++each)
       sum += each->mass;
+    if (std::isnan(sum)) return sum;
     largest = std::max(largest, sum);
   }
   return largest;

@@ -21,7 +21,8 @@ struct TimedCharge {
   double mass = 0.0;  ///< [kg]
 };
 
-/// Largest sum of charges that fire less than `window` [s] apart, first to last; 0 for none [kg].
+/// Largest sum of charges that fire less than `window` [s] apart, first to last; 0 for none, NaN
+/// where one is not known [kg].
 [[nodiscard]] double largest_within(std::span<const TimedCharge> charges, double window);
 
 }  // namespace muckpile

@@ -79,8 +79,8 @@ ArgTable hole_pattern_table() {
   const Range delays = Range::closed(0.0, 10.0);  // 17 is one in milliseconds
   table.word("file", {}, std::nullopt, "CSV file to write")
       .word("take", {}, "none",
-            "a hole table of one's own, which is checked and copied to `file` instead; what the "
-            "other keywords say is then not looked at")
+            "a hole table of one's own, which is checked and copied to `file` instead; the other "
+            "keywords are then only checked for their ranges")
       .integer("rows", "", Range::closed(1, 1000), std::nullopt, "rows of holes behind the face")
       .integer("holes_per_row", "", Range::closed(1, 1000), std::nullopt, "holes in each row")
       .real("burden", "m", length, std::nullopt,
@@ -127,6 +127,11 @@ HolePattern hole_pattern(const ArgValues& values, const std::string& where) {
                       .decks = values.integer("decks"),
                       .deck_stemming = values.real("deck_stemming"),
                       .deck_delay = values.real("deck_delay")};
+  constexpr long kMost = 10000;
+  if (p.rows * p.holes_per_row * p.decks > kMost)
+    throw InputError(where + ": rows, holes_per_row and decks must make at most " +
+                     std::to_string(kMost) + " charges, got '" +
+                     std::to_string(p.rows * p.holes_per_row * p.decks) + "'");
   check_lengths(p, where);
   check_front(p, where);
   return p;

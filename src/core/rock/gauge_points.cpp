@@ -13,7 +13,7 @@ namespace muckpile {
 namespace {
 
 constexpr double kFarthest = 1e5;  // [m]
-constexpr long kMostOnALine = 10000;
+constexpr long kMost = 10000;  // gauges, and on one line
 
 Vec3 point_of(const std::vector<std::string>& words, std::size_t first, const std::string& where,
               const std::string& keyword) {
@@ -24,17 +24,13 @@ Vec3 point_of(const std::vector<std::string>& words, std::size_t first, const st
   return point;
 }
 
-std::string place(const Vec3& p) {
-  return number_text(p.x()) + " " + number_text(p.y()) + " " + number_text(p.z());
-}
-
 void add_line(const std::vector<std::string>& words, const std::string& where,
               std::vector<Vec3>& points) {
   const Vec3 from = point_of(words, 0, where, "line"), to = point_of(words, 3, where, "line");
   const long count = parse_integer(where, "number of points of line", words[6], "",
-                                   Range::closed(2, kMostOnALine));
+                                   Range::closed(2, kMost));
   if (from == to)
-    throw InputError(where + ": line must have two different ends, got '" + place(from) +
+    throw InputError(where + ": line must have two different ends, got '" + place_text(from) +
                      "' twice; give a single point as gauge");
   for (long k = 0; k < count; ++k)
     points.push_back(from + static_cast<double>(k) / static_cast<double>(count - 1) * (to - from));
@@ -48,7 +44,7 @@ void require_apart(const std::vector<Vec3>& points, const std::string& where) {
   std::ranges::sort(sorted, before);
   const auto twice = std::ranges::adjacent_find(sorted);
   if (twice != sorted.end())
-    throw InputError(where + ": gauges must be at different places, got two at '" + place(*twice) +
+    throw InputError(where + ": gauges must be at different places, got two at '" + place_text(*twice) +
                      "' m; leave one out");
 }
 
@@ -62,6 +58,10 @@ void read_pace(GaugeOptions& options, const ArgValues& values, const std::string
 
 }  // namespace
 
+std::string place_text(const Vec3& p) {
+  return number_text(p.x()) + " " + number_text(p.y()) + " " + number_text(p.z());
+}
+
 const ArgTable& gauge_table() {
   static const ArgTable args =
       ArgTable("fix muckpile/gauges")
@@ -71,7 +71,7 @@ const ArgTable& gauge_table() {
                 "between samples: one is taken at the first step at or after each multiple; 0: by "
                 "`every`")
           .word("directory", {}, std::nullopt, "where the file goes")
-          .word("file", {}, "gauges.csv", "name of the file, which ends in .csv")
+          .word("file", {}, "gauges.csv", "name of the file, which begins with gauges and ends in .csv")
           .group("gauge", 3, 3, true, "x y z of a point in the rock, at the start [m]")
           .group("line", 7, 7, true,
                  "x y z, x y z, N: N points at equal distances from the first point to the second "
@@ -84,14 +84,20 @@ GaugeOptions gauge_options(const ArgValues& values, const std::string& where) {
   read_pace(options, values, where);
   options.directory = values.word("directory");
   options.file = values.word("file");
-  if (options.file.find('/') != std::string::npos || !options.file.ends_with(".csv"))
-    throw InputError(where + ": file must be a name that ends in .csv, in the directory, got '" +
+  if (options.file.find('/') != std::string::npos || !options.file.starts_with("gauges") ||
+      !options.file.ends_with(".csv"))
+    throw InputError(where +
+                     ": file must be a name that begins with gauges and ends in .csv, in the "
+                     "directory, got '" +
                      options.file + "'");
   for (const auto& words : values.groups("gauge"))
     options.points.push_back(point_of(words, 0, where, "gauge"));
   for (const auto& words : values.groups("line")) add_line(words, where, options.points);
   if (options.points.empty())
     throw InputError(where + ": needs a gauge or a line of them, got none");
+  if (options.points.size() > static_cast<std::size_t>(kMost))
+    throw InputError(where + ": gauges must be at most " + std::to_string(kMost) + ", got '" +
+                     std::to_string(options.points.size()) + "'");
   require_apart(options.points, where);
   return options;
 }

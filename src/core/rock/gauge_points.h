@@ -18,11 +18,14 @@ struct GaugeOptions {
   std::vector<Vec3> points;  ///< single ones first, then those of the lines [m]
 };
 
+/// The three coordinates with blanks between them.
+[[nodiscard]] std::string place_text(const Vec3& point);
+
 [[nodiscard]] const ArgTable& gauge_table();
 
 /// Throws InputError that starts with `where`: both or none of every and interval, no gauge at all,
-/// a line of one point or without length, a number that is none, two gauges at one place, a file
-/// name that is no CSV file's.
+/// a line of one point or without length, a number that is none, more than 10,000 gauges, two at one
+/// place, a file name that is not gauges*.csv.
 [[nodiscard]] GaugeOptions gauge_options(const ArgValues& values, const std::string& where);
 
 }  // namespace muckpile

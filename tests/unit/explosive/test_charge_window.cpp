@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <string>
 
@@ -26,6 +27,11 @@ TEST(ChargeWindow, ChargesAWholeWindowApartAreApart) {
   // 3 x 17 ms and 42 + 17 ms, as sums of delays are rounded.
   const std::array<TimedCharge, 2> charges{{{0.017 + 0.017 + 0.017, 5.0}, {0.042 + 0.017, 6.0}}};
   EXPECT_DOUBLE_EQ(largest_within(charges, kVibrationWindow), 6.0);
+}
+
+TEST(ChargeWindow, OfAChargeThatIsNotKnownIsNotKnown) {
+  const std::array<TimedCharge, 2> charges{{{0.0, 5.0}, {0.1, std::nan("")}}};
+  EXPECT_TRUE(std::isnan(largest_within(charges, kVibrationWindow)));
 }
 
 TEST(ChargeWindow, MassIsThatOfTheChargeAndNotOfItsChamber) {

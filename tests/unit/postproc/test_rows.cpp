@@ -186,7 +186,8 @@ TEST_F(Rows, OfARefusedBenchLeaveNoFigures) {
   shear(blocks, 104.0);
   write_blocks(folder().dump("blocks.vtk").string(), blocks, 1, kDensity);
   EXPECT_THROW(report_rows(folder(), {}), NotMeasurable);
-  EXPECT_FALSE(std::filesystem::exists(folder().file("rows.csv")));
+  for (const char* file : {"rows.csv", "face_velocity.csv", "face_velocity.png"})
+    EXPECT_FALSE(std::filesystem::exists(folder().file(file))) << file;
   EXPECT_FALSE(summary().contains("front_row_throw_m"));
   EXPECT_TRUE(summary().contains("rows_refused"));
 }

@@ -140,6 +140,16 @@ TEST_F(SweepFiles, TheSpreadIsThatOverSeeds) {
       << table;
 }
 
+TEST_F(SweepFiles, SeedsAloneAreOneCombination) {
+  write_text(file("sweep_runs.csv"),
+             "folder,state,seed\nburden-2;bench_height-6;seed-1,done,1\n"
+             "burden-2;bench_height-6;seed-2,done,2\n");
+  report_sweep(temporary_.path(), {});
+  const std::string table = text_of(file("sweep_mean.csv"));
+  EXPECT_TRUE(table.starts_with("figure,runs,mean,")) << table;
+  EXPECT_NE(table.find("\nthrow_cg_m,2,12.6,"), std::string::npos) << table;
+}
+
 TEST_F(SweepFiles, ExponentsAreThoseOfVariablesWithThreeValues) {
   report_sweep(temporary_.path(), {"throw_cg_m"});
   const CsvTable table = CsvTable::read(file("sweep_fit.csv"));

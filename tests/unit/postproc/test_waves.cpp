@@ -36,7 +36,7 @@ TEST(PowerFit, StudentsTIsThatOfTheTables) {
 // freedom, s = sqrt(0.06) = 0.244949, t = 12.7062. Syy = 1 + 0.04 + 1.44 = 2.48.
 TEST(PowerFit, IsThatWorkedByHand) {
   const auto fit =
-      fit_power_law({{1.0, 10.0}, {10.0, std::pow(10.0, 0.2)}, {100.0, std::pow(10.0, -1.2)}});
+      fit_decay_law({{1.0, 10.0}, {10.0, std::pow(10.0, 0.2)}, {100.0, std::pow(10.0, -1.2)}});
   ASSERT_TRUE(fit);
   EXPECT_NEAR(fit->exponent, 1.1, 1e-12);
   EXPECT_NEAR(fit->factor, 12.5893, 1e-4);
@@ -54,8 +54,8 @@ TEST(PowerFit, IsThatWorkedByHand) {
 }
 
 TEST(PowerFit, NeedsThreePointsAtDifferentPlaces) {
-  EXPECT_FALSE(fit_power_law({{1.0, 2.0}, {2.0, 1.0}}));
-  EXPECT_FALSE(fit_power_law({{2.0, 2.0}, {2.0, 1.0}, {2.0, 3.0}}));
+  EXPECT_FALSE(fit_decay_law({{1.0, 2.0}, {2.0, 1.0}}));
+  EXPECT_FALSE(fit_decay_law({{2.0, 2.0}, {2.0, 1.0}, {2.0, 3.0}}));
 }
 
 TEST(FiredCharges, WithinAWindowAreAddedUp) {
@@ -143,7 +143,7 @@ TEST_F(Waves, FindTheLawOfTheirGauges) {
   EXPECT_NEAR(keys["ppv_fit_n"], 1.5, 1e-9);
   EXPECT_NEAR(keys["ppv_fit_n_low"], 1.5, 1e-6);
   EXPECT_NEAR(keys["ppv_fit_r_squared"], 1.0, 1e-9);
-  EXPECT_EQ(keys["charge_within_8_ms_kg"], kMass);
+  EXPECT_EQ(keys["largest_charge_within_8_ms_kg"], kMass);
   EXPECT_EQ(keys["gauges"], 4);
   EXPECT_NEAR(keys["ppv_largest_m_s"], speed(1.0), 1e-9);
   // 64 kg in 9 m, burden 5 m: 14^2/9.81 (sqrt(7.1111)/5)^2.6 = 19.9796 x 0.195100.
@@ -188,6 +188,17 @@ TEST_F(Waves, GaugesOfOneBlockAreOnePoint) {
 TEST_F(Waves, GoOnForAsLongAsAsked) {
   report_waves(folder(), {"gauges.csv", 1.0});
   EXPECT_NEAR(summary()["ppv_largest_m_s"], 20.0 * speed(1.0), 1e-6);
+}
+
+TEST_F(Waves, WithoutASampleInTimeLeaveNoFigures) {
+  report_waves(folder());
+  EXPECT_THROW(report_waves(folder(), {"gauges.csv", -1.0}), NotMeasurable);
+  for (const char* file : {"waves.png", "ppv.png", "waves.csv", "ppv.csv"})
+    EXPECT_FALSE(std::filesystem::exists(folder().file(file))) << file;
+  EXPECT_FALSE(summary().contains("ppv_fit_n"));
+  EXPECT_TRUE(summary().contains("waves_refused"));
+  report_waves(folder());
+  EXPECT_FALSE(summary().contains("waves_refused"));
 }
 
 TEST_F(Waves, FlyRockOfOtherScenesThanBenchesIsLeftOut) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The explosive in the decks of a run's hole table.
 // Scope: see the header.
-#include "report/pattern_charges.h"
+#include "io/pattern_charges.h"
 
 #include <cmath>
 
