@@ -239,10 +239,7 @@ tell() {  # tell K WORD [MORE]: of the run that was chosen last
 
 # Ending
 
-end_readonly most_runs=10000
-readonly longest_folder_name=255  # of a file system
-
-sweep() {
+end_sweep() {
   local k failed=() done_count=0 interrupted=''
   for k in "${!runs[@]}"; do
     case ${states[k]} in
