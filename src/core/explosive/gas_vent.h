@@ -12,7 +12,7 @@ struct GasState {
   double mass_left = 1.0;       ///< share of the products still in the chamber
   double stemming_path = 0.0;   ///< way that the stemming has gone towards the collar [m]
   double stemming_speed = 0.0;  ///< [m/s]
-  double closed_before = 0.0;  ///< swept volume at firing if the wall had moved inward, else 0 [m3]
+  double swept_before = 0.0;  ///< swept volume at firing, by other holes [m3]
   double hotter = 1.0;         ///< energy over that on the products' isentrope [-]
   double vented_energy = 0.0;  ///< that the gas which left through collar and cracks took along [J]
 };
@@ -21,7 +21,7 @@ struct Stored<GasState> {
   static constexpr std::string_view kName = "gas_state";
   static constexpr int kVersion = 2;
   static auto fields(auto& gas) {
-    return std::tie(gas.mass_left, gas.stemming_path, gas.stemming_speed, gas.closed_before,
+    return std::tie(gas.mass_left, gas.stemming_path, gas.stemming_speed, gas.swept_before,
                     gas.hotter, gas.vented_energy);
   }
 };

@@ -20,7 +20,7 @@ class HoleBlast {
                                     const GasState& state = {}) const;
   /// Of that what presses on the wall of the crushed zone [-].
   [[nodiscard]] double wall_share(double swept_volume, const GasState& state) const {
-    return load_.wall_share(swept_volume - state.closed_before);
+    return load_.wall_share(swept_volume - state.swept_before);
   }
   /// What the products can press at most while the pulse acts [Pa]; see BlastLoad.
   [[nodiscard]] double pulse_limit(double swept_volume, double time, const GasState& state) const;
@@ -30,16 +30,17 @@ class HoleBlast {
   /// Takes a share of the products and an energy [J] out of the hole; see BlastLoad.
   void take_gas(GasState& state, double swept_volume, double time, double share,
                 double energy) const {
-    load_.take_gas(state, swept_volume - state.closed_before, time - front_.firing_time(), share,
+    load_.take_gas(state, swept_volume - state.swept_before, time - front_.firing_time(), share,
                    energy);
   }
   /// Room of the gas [m3].
   [[nodiscard]] double gas_volume(double swept_volume, const GasState& state) const {
-    return load_.gas_room(swept_volume - state.closed_before);
+    return load_.gas_room(swept_volume - state.swept_before);
   }
-  /// What the gas and the stemming do in one step [s]. Before the hole fires there is no gas, and a
-  /// wall that other holes push inward compresses none: the products start from their own volume
-  /// wherever the wall stands by then. (A wall that has opened leaves them more room.)
+  /// What the gas and the stemming do in one step [s]. Before the hole fires there is no gas, and the
+  /// products start from their own volume wherever other holes have moved the wall by then: it is
+  /// the rock of the crushed zone, not yet crushed, that has been strained, and the hole in it by
+  /// its small share of that.
   void advance(GasState& state, double swept_volume, double time, double dt) const;
   /// Load [Pa] on a wall point of that arrival time.
   [[nodiscard]] double pressure(double arrival_time, double time, double gas_pressure,
