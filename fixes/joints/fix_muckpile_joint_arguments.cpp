@@ -62,9 +62,6 @@ const ArgTable& table() {
                 "speed of slip above which friction of broken joints falls; 0: it does not")
           .real("weakened_friction_angle", "deg", Range::right_open(0.0, 90.0), 11.3,
                 "towards which it then falls")
-          .integer(
-              "open_sleep", "steps", Range::closed(0, 1000), 20,
-              "longest time that a broken, open facet is left alone while its gap lasts; 0: never")
           .integer("step_check", "steps", Range::closed(0, 1000000), 2500,
                    "between looks whether the joints bear the time step, in a run without fix "
                    "muckpile/timestep; 0: none, for runs that are to become unstable")
@@ -117,7 +114,6 @@ JointArguments joint_arguments(LAMMPS_NS::LAMMPS& lmp, const std::string& where,
   p.reference_rate_shear = in_shear > 0.0 ? in_shear : p.reference_rate;
   p.weakening_speed = args.real("weakening_speed");
   p.weakened_friction_angle = args.real("weakened_friction_angle") * kDegree;
-  p.longest_sleep = static_cast<double>(args.integer("open_sleep"));
   return engine::or_engine_error(lmp, [&] {
     return JointArguments{FacetNetwork(JointMaterial(p), words.classes),
                           static_cast<int>(args.integer("step_check")),

@@ -24,7 +24,6 @@ JointParameters rock_of(double strength, double damping = 0.0) {
   rock.residual_friction_angle = 0.6;
   rock.damping = damping;
   rock.contact_damping = 0.05;
-  rock.longest_sleep = 20.0;
   return rock;
 }
 

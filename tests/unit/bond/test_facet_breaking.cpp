@@ -372,10 +372,8 @@ TEST(FacetNetwork, BrokenFacetRetiresOnceItHasOpenedATenthOfItsRadius) {
 }
 
 /// Speed of block 1 after two blocks with a broken, open facet have met at 5 m/s and parted.
-double rebound(double longest_sleep) {
-  JointParameters p = weak_rock(0.25);
-  p.longest_sleep = longest_sleep;
-  Pair pair(p);
+double rebound() {
+  Pair pair;
   pair.at({-1e-5, 0.004, 0});
   EXPECT_TRUE(pair.cracked());
   pair.at({1e-6, 0.004, 0});            // opens, as in a run: by far less than the gap in a step
@@ -387,9 +385,8 @@ double rebound(double longest_sleep) {
   return pair.scene.block(1).velocity.x();
 }
 
-TEST(FacetNetwork, OpenFacetThatIsLeftAloneClosesInTime) {
-  EXPECT_EQ(rebound(20.0), rebound(0.0));
-  EXPECT_NEAR(rebound(20.0), 0.0, 0.01);  // equal masses swap their speeds, slid by 4 mm off-centre
+TEST(FacetNetwork, OpenFacetClosesAgain) {
+  EXPECT_NEAR(rebound(), 0.0, 0.01);  // equal masses swap their speeds, slid by 4 mm off-centre
 }
 
 TEST(FacetNetwork, BrokenFacetRetiresOnceItHasTurnedAway) {

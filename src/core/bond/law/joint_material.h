@@ -31,7 +31,6 @@ struct JointParameters {
   double reference_rate_shear = 1e-6;    ///< the same of cohesion [1/s]
   double weakening_speed = 0.0;          ///< of slip, above which friction falls; 0: never [m/s]
   double weakened_friction_angle = 0.0;  ///< towards which it falls [rad]
-  double longest_sleep = 0.0;  ///< steps for which a broken open facet may be left alone [-]
 };
 
 class JointLaw;

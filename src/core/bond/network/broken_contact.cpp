@@ -105,7 +105,6 @@ bool BrokenContact::remains(std::size_t f, const FacetMotion& motion,
   const double gap = opened - lengths[1] - lengths[2] - tilted;
   if (gap <= 0.0) return true;
   history_.set_open(f, true);
-  let_sleep(f, gap, radius);
   return false;
 }
 
@@ -113,20 +112,6 @@ void BrokenContact::retire(std::size_t f) {
   if (history_.state(f) == FacetState::cracked) books_.newly_let_go = true;
   history_.retire(f);
   schedule_.note_change();
-}
-
-/// Leaves an open facet alone for as long as its gap lasts at twice the present speed of approach,
-/// for a bounded time, because other forces may change that speed.
-void BrokenContact::let_sleep(std::size_t f, double gap, double radius) {
-  const FacetTables& tables = facets_.tables;
-  const BlockState& si = facets_.blocks.state_of(tables.i_of(f));
-  const BlockState& sj = facets_.blocks.state_of(tables.j_of(f));
-  const double reach = tables.arm_i(f).norm() + tables.depths(f).second + 3.0 * radius;
-  const double speed =
-      (sj.velocity - si.velocity).norm() + (si.spin.norm() + sj.spin.norm()) * reach;
-  if (dt_ <= 0.0) return;
-  const double steps = 0.5 * gap / (std::max(speed, 1e-30) * dt_);
-  schedule_.sleep(f, std::min(steps, tables.laws().rock().parameters().longest_sleep));
 }
 
 /// A facet whose faces match less than before gives up spring energy, which is booked as friction.

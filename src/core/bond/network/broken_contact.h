@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Broken points of facets: plane contact while the two faces still match, and what ends it. A facet
-// fades as it slides or turns away, is left alone while it is open, and retires once it is wide.
+// fades as it slides or turns away, carries nothing while it is open, and retires once it is wide.
 // Scope: a pass over the parts of a network, made for one step of dt [s]; one facet at a time, or
 // those of a group that hold at no point. What happens once to a facet is done one by one. The law
 // is bond/law/plane_contact.h, the formulas are in docs/styles/fix_muckpile_joint.md. SI units.
@@ -27,15 +27,14 @@ class BrokenContact {
                 JointBooks& books, double dt)
       : facets_(facets), history_(history), schedule_(schedule), books_(books), dt_(dt) {}
 
-  /// Lets a broken facet fade, retire or sleep; false if it carries nothing in this step.
+  /// Lets a broken facet fade or retire; false if it carries nothing in this step.
   [[nodiscard]] bool remains(std::size_t f, const FacetMotion& motion,
                              const ContactConstants& contact);
   /// Tractions of the points that have left the dilatations.
   void add_tractions(std::size_t f, const FacetMotion& motion, const ContactConstants& contact,
                      FacetPull& pull);
 
-  /// Those of a group's facets that are broken at all points, awake, of the linear law and do not
-  /// soften.
+  /// Those of a group's facets that are broken at all points, of the linear law and do not soften.
   [[nodiscard]] unsigned apart_lanes(const LaneSet& working) const;
   /// Forces of those of `lanes`, which are apart, that touch; returns which.
   [[nodiscard]] unsigned find_forces(std::size_t g, unsigned lanes, const WidePose& pose,
@@ -47,7 +46,6 @@ class BrokenContact {
 
   void fade(std::size_t f, const FacetMotion& motion, double matching);
   void retire(std::size_t f);
-  void let_sleep(std::size_t f, double gap, double radius);
   [[nodiscard]] Remembered remembered(std::size_t g, unsigned lanes);
   [[nodiscard]] static Parting parting_of(const FacetGroup& group, const WidePose& pose);
   void fade_lanes(std::size_t g, unsigned lanes, const Parting& parting,

@@ -48,7 +48,7 @@ unsigned BrokenContact::apart_lanes(const LaneSet& working) const {
   each_lane(linear, [&](std::size_t k) {
     const std::size_t f = working.group * kGroup + k;
     if (history_.bonded_points(f) == 0 && history_.state(f) != FacetState::retired &&
-        schedule_.awake(f) && !history_.has_extra(f))
+        !history_.has_extra(f))
       lanes |= 1u << k;
   });
   return lanes;
@@ -90,12 +90,8 @@ unsigned BrokenContact::remaining_lanes(std::size_t g, unsigned lanes, const Wid
   each_lane(gone, [&](std::size_t k) { retire(g * kGroup + k); });
   unsigned open = lanes & ~gone & parting.open_by(kSurelyOpen);
   if (open == 0) return lanes & ~gone;
-  const Wide gap = parting.gap(), radius = sqrt(parting.radius_squared);
-  open &= bits_of<Wide>(gap > 0.0);
-  each_lane(open, [&](std::size_t k) {
-    history_.set_open(g * kGroup + k, true);
-    let_sleep(g * kGroup + k, gap[k], radius[k]);
-  });
+  open &= bits_of<Wide>(parting.gap() > 0.0);
+  each_lane(open, [&](std::size_t k) { history_.set_open(g * kGroup + k, true); });
   return lanes & ~gone & ~open;
 }
 

@@ -47,7 +47,6 @@ void FacetNetwork::derive_anew() {
 }
 
 void FacetNetwork::list_anew() {
-  schedule_.reset_facets(facet_count());
   list_facets();
   if (!ground_ && YieldingGround::exists_in(history_)) ground_.emplace(QuietGround());
   if (ground_) ground_->list(history_);
@@ -158,7 +157,6 @@ void FacetNetwork::step(double dt, const RankTeam& team) {
   if (slanted()) leaning_->pull(kinematics(), schedule_.working(), blocks_.torque);
   GasLoad* gas = gas_ && gas_->presses() ? &*gas_ : nullptr;
   TractionPass(breaking_parts(), gas, ground_yields(), dt).run();
-  schedule_.count_call();
   faces_.load(kinematics(), blocks_, books_);
   if (gas != nullptr) gas->add_forces_to(blocks_);
   if (!books_.newly_cracked) return;

@@ -7,14 +7,8 @@
 
 namespace muckpile {
 
-void FacetSchedule::reset_facets(std::size_t count) {
-  asleep_.assign(count, 0);
-  calls_ = 0;
-}
-
 void FacetSchedule::release() {
   bonded_ = {}, active_ = {}, working_ = {}, opening_ = {}, coupled_ = {};
-  asleep_ = {};
 }
 
 void FacetSchedule::list(const FacetTables& tables, const FacetHistory& history,
@@ -83,10 +77,6 @@ double FacetSchedule::bytes_of_lists() const {
   for (const auto* list : {&bonded_, &active_, &working_, &opening_, &coupled_})
     sets += list->capacity();
   return static_cast<double>(sets * sizeof(LaneSet));
-}
-
-double FacetSchedule::bytes_of_sleep() const {
-  return static_cast<double>(asleep_.capacity() * sizeof(asleep_[0]));
 }
 
 double FacetSchedule::bytes_of_rest() const {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Which facets a pass visits: those that are not retired, those that are bonded, those of blocks
-// that move; and until when an open one is left alone.
+// that move.
 // Scope: owned by the network; lists of facets in groups (LaneSet), in order, one row per block
 // where blocks are listed. Lists may have facets too many, never too few: passes look at the
 // history. They are listed anew once a quarter of the active facets has changed.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -20,8 +19,6 @@ class FacetSchedule {
  public:
   /// New blocks, none at rest.
   void reset_blocks(std::size_t count) { rests_.assign(count, 0); }
-  /// New facets, or a history that was worked out anew: nothing sleeps.
-  void reset_facets(std::size_t count);
   /// Lists what is active and what is bonded. `leaning`: there are leaning faces, whose facets are
   /// not told apart by rest. `faces` are loaded where they have a hole.
   void list(const FacetTables& tables, const FacetHistory& history,
@@ -50,12 +47,6 @@ class FacetSchedule {
   [[nodiscard]] bool stirred(std::size_t block) const { return stirred_[block] != 0; }
   [[nodiscard]] bool any_rests() const { return any_rests_; }
 
-  /// Facets of one call of the tractions, in which an open one sleeps or not.
-  void count_call() { ++calls_; }
-  [[nodiscard]] bool awake(std::size_t f) const { return asleep_[f] <= calls_; }
-  void sleep(std::size_t f, double steps) {
-    asleep_[f] = calls_ + 1 + static_cast<std::uint32_t>(steps);
-  }
   /// A facet has retired or lost its last bonded point: the lists have it wrong.
   void note_change() { ++changed_; }
 
@@ -68,7 +59,6 @@ class FacetSchedule {
   void set_resting_known(bool known) { resting_known_ = known; }
 
   [[nodiscard]] double bytes_of_lists() const;
-  [[nodiscard]] double bytes_of_sleep() const;
   [[nodiscard]] double bytes_of_rest() const;
 
  private:
@@ -78,10 +68,8 @@ class FacetSchedule {
   std::vector<char> rests_, stirred_;  // per block
   std::vector<double> resting_sums_;   // per block
   bool resting_known_ = false, any_rests_ = false;
-  std::size_t changed_ = 0;            // facets that the lists have wrong
-  std::size_t active_count_ = 0;       // facets in active_
-  std::vector<std::uint32_t> asleep_;  // per facet: call up to which an open one is left alone
-  std::uint32_t calls_ = 0;            // of the tractions, since the facets were set
+  std::size_t changed_ = 0;       // facets that the lists have wrong
+  std::size_t active_count_ = 0;  // facets in active_
 };
 
 }  // namespace muckpile

@@ -80,7 +80,6 @@ std::vector<FacetNetwork::TableSize> FacetNetwork::table_sizes() const {
       {"facet_groups", tables_.bytes_of_groups()},
       {"facet_names", tables_.bytes_of_names()},
       {"facet_traces", history_.bytes_of_traces()},
-      {"facet_sleep", schedule_.bytes_of_sleep()},
       {"facet_lists", schedule_.bytes_of_lists() + (ground_ ? bytes(ground_->supports()) : 0.0)},
       {"contact", history_.bytes_of_contacts()},
       {"softening_and_ground", history_.bytes_of_extra()},

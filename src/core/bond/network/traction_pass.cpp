@@ -114,11 +114,7 @@ unsigned TractionPass::intact_forces(std::size_t g, unsigned lanes, const WidePo
 
 /// Waiting for what broken facets remember took longer than working with it.
 void TractionPass::fetch_contacts(const LaneSet& working) const {
-  unsigned awake = 0;
-  each_lane(working.lanes, [&](std::size_t k) {
-    awake |= (parts_.schedule.awake(working.group * kGroup + k) ? 1u : 0u) << k;
-  });
-  facets_.history.contacts().fetch(working.group, awake);
+  facets_.history.contacts().fetch(working.group, working.lanes);
 }
 
 /// Gas presses between blocks at rest, too.
@@ -149,7 +145,7 @@ void TractionPass::work_group(const LaneSet& working, const LaneSet& active) {
   };
   FacetRow<double> pressure{};
   if ((whole | apart) == 0 && pressed_lanes(pressure) == 0)
-    return each_lane(working.lanes, [&](std::size_t k) { work_awake(g * kGroup + k); });
+    return each_lane(working.lanes, [&](std::size_t k) { work_alone(g * kGroup + k); });
   const WidePose pose = pose_of(facets_.tables.group(g), facets_.blocks.state.front());
   GroupForces sums;
   if (whole != 0) sums.intact = intact_forces(g, whole, pose, sums.of_intact);
@@ -175,13 +171,13 @@ void TractionPass::work_group(const LaneSet& working, const LaneSet& active) {
       if (damping != 0.0)
         parts_.books.losses.damping += facets_.tables.name(f).weight * sums.of_intact.damped[k];
     } else {
-      work_awake(f);
+      work_alone(f);
     }
   });
 }
 
-void TractionPass::work_awake(std::size_t f) {
-  if (facets_.history.state(f) != FacetState::retired && parts_.schedule.awake(f)) work_facet(f);
+void TractionPass::work_alone(std::size_t f) {
+  if (facets_.history.state(f) != FacetState::retired) work_facet(f);
 }
 
 /// Forces of any facet: breaks points, and handles broken and damped ones.

@@ -36,7 +36,7 @@ class TractionPass {
 
   void work_group(const LaneSet& working, const LaneSet& active);
   void add(const LaneSet& working, const GroupForces& sums);
-  void work_awake(std::size_t f);
+  void work_alone(std::size_t f);
   void fetch_contacts(const LaneSet& working) const;
   [[nodiscard]] unsigned intact_forces(std::size_t g, unsigned lanes, const WidePose& pose,
                                        WideForces& forces) const;
