@@ -19,8 +19,8 @@ struct BlockColours {
   std::optional<ColourMap> map;  // none where colours only name things
 };
 
-// `fixed_high` ends the range of speeds, so that frames share one legend [m/s]; default: the
-// snapshot's fastest.
+// `fixed_high` ends the range of speeds [m/s] or displacements [m], so that frames share one
+// legend; default: the snapshot's largest.
 BlockColours block_colours(ColourBy by, const std::vector<StartBlock>& blocks,
                            const Snapshot& snapshot,
                            std::optional<double> fixed_high = std::nullopt);
