@@ -8,6 +8,7 @@
 #include <string>
 
 #include "args/rounded_text.h"
+#include "draw/axes.h"
 #include "report/reports.h"
 
 namespace muckpile {
@@ -29,7 +30,7 @@ void print_row(const std::string& name, const nlohmann::ordered_json& low,
                const nlohmann::ordered_json& high, double factor) {
   const std::string range =
       low == high ? in_metres(high) : in_metres(low) + " to " + in_metres(high);
-  std::printf("%-44s %16s %16s\n", name.c_str(), range.c_str(), in_metres(high, factor).c_str());
+  std::printf("%-54s %16s %16s\n", name.c_str(), range.c_str(), in_metres(high, factor).c_str());
 }
 
 void print_table(const nlohmann::ordered_json& keys) {
@@ -37,7 +38,7 @@ void print_table(const nlohmann::ordered_json& keys) {
   const std::string low = rounded_text(keys["formula_flyrock_k_low"]),
                     high = rounded_text(keys["formula_flyrock_k_high"]);
   const std::string k = ", k = " + (low == high ? high : low + " to " + high);
-  std::printf("%s\n%-44s %16s %16s\n", keys["formula_flyrock_note"].get<std::string>().c_str(), "",
+  std::printf("%s\n%-54s %16s %16s\n", keys["formula_flyrock_note"].get<std::string>().c_str(), "",
               "range L [m]", ("clearance " + rounded_text(factor) + " L [m]").c_str());
   const auto row = [&](const std::string& name, const std::string& key) {
     print_row(name + k, keys["formula_" + key + "_low_m"], keys["formula_" + key + "_high_m"],
@@ -46,10 +47,10 @@ void print_table(const nlohmann::ordered_json& keys) {
   row("Richards & Moore: face burst", "face_burst");
   row("Richards & Moore: cratering", "cratering");
   row("Richards & Moore: gun-barrelling", "gun_barrelling");
-  print_row("McKenzie: scaled depth of burial " +
-                rounded_text(keys["formula_depth_of_burial_m_kg033"]) + " m/kg^(1/3)",
+  print_row("McKenzie: scaled depth of burial " + spelled(keys["formula_depth_of_burial_m_kg033"]) +
+                " m/kg^(1/3)",
             keys["formula_mckenzie_m"], keys["formula_mckenzie_m"], factor);
-  std::printf("%-44s %16s   %s\n", "farthest block of this run",
+  std::printf("%-54s %16s   %s\n", "farthest block of this run",
               in_metres(keys["farthest_block_m"]).c_str(),
               keys["farthest_block_note"].get<std::string>().c_str());
 }

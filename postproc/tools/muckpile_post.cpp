@@ -194,6 +194,9 @@ void add_render_command(CLI::App& app, Options& o) {
   CLI::App* render =
       add_command(app, "render", "pile3d.png: the pile in three dimensions", o.folder);
   add_colour(render, o.colour);
+  render->add_option("--colour-range", o.picture.colour_range,
+                     "LOW HIGH of the colours, where one block would take them all (default: that "
+                     "of the blocks)");
   render
       ->add_option("--frames", o.picture.frames,
                    "also this many pictures over the run, pile3d_0000.png ...")
@@ -214,6 +217,9 @@ void add_render_command(CLI::App& app, Options& o) {
   add_view(render, o.picture);
   render->callback([&o] {
     o.picture.colour_by = kColours.at(o.colour);
+    const auto& range = o.picture.colour_range;
+    if (range && !((*range)[0] < (*range)[1]))
+      throw CLI::ValidationError("--colour-range", "LOW must be below HIGH");
     report_picture(ResultFolder(o.folder), o.picture);
   });
 }

@@ -58,7 +58,8 @@ ColourMap map_of(ColourBy by, double low, double high) {
 }  // namespace
 
 BlockColours block_colours(ColourBy by, const std::vector<StartBlock>& blocks,
-                           const Snapshot& snapshot, std::optional<double> fixed_high) {
+                           const Snapshot& snapshot, std::optional<double> fixed_high,
+                           std::optional<std::array<double, 2>> range) {
   std::vector<double> values;
   for (size_t b = 0; b < blocks.size(); ++b)
     values.push_back(property(by, blocks[b], snapshot.states[b]));
@@ -72,6 +73,7 @@ BlockColours block_colours(ColourBy by, const std::vector<StartBlock>& blocks,
   const bool share = by == ColourBy::kBroken;
   const bool from_zero = share || by == ColourBy::kSpeed || by == ColourBy::kDisplacement;
   colours.map = map_of(by, from_zero ? 0.0 : low, share ? 1.0 : fixed_high.value_or(high));
+  if (range) colours.map = map_of(by, (*range)[0], (*range)[1]);
   for (const double value : values) colours.of_block.push_back(colours.map->at(value));
   return colours;
 }

@@ -3,6 +3,7 @@
 // Scope: chosen from the start blocks and one snapshot.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,7 +24,8 @@ struct BlockColours {
 // legend; default: the snapshot's largest.
 BlockColours block_colours(ColourBy by, const std::vector<StartBlock>& blocks,
                            const Snapshot& snapshot,
-                           std::optional<double> fixed_high = std::nullopt);
+                           std::optional<double> fixed_high = std::nullopt,
+                           std::optional<std::array<double, 2>> range = std::nullopt);
 
 // A bar of the colours with end values, its upper left corner at `place` [px].
 void draw_legend(const BlockColours& colours, const Vec2& place, Canvas& canvas);

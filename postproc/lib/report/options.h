@@ -58,6 +58,7 @@ struct SectionOptions {
 
 struct PictureOptions {
   ColourBy colour_by = ColourBy::kStartHeight;
+  std::optional<std::array<double, 2>> colour_range;  // default: that of the blocks
   int frames = 0;                   // pictures over the whole run beside the last one
   int mirror = 0;                   // reflected copies of a bench on each side of it
   int width = 1600;                 // [px]

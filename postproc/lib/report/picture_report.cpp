@@ -45,7 +45,8 @@ class Picture {
   void write(const Snapshot& snapshot, const std::string& warning, std::optional<double> largest,
              const std::filesystem::path& path) const {
     Canvas canvas(options_.width, options_.height, kWhite);
-    const BlockColours colours = block_colours(options_.colour_by, blocks_, snapshot, largest);
+    const BlockColours colours =
+        block_colours(options_.colour_by, blocks_, snapshot, largest, options_.colour_range);
     const View view = framing_view(framed_, to_eye_, options_, canvas);
     draw_scene(scene_of(snapshot, colours), view.camera, canvas);
     draw_words(snapshot, warning, colours, canvas);
@@ -62,7 +63,7 @@ class Picture {
       for (const int copy : {-options_.mirror, options_.mirror}) {
         const Vec3 place = Reflection(copy, rock_).of(state.centre);
         const bool near = (place.head<2>().array() >= box_.low.head<2>().array()).all() &&
-                          (place.head<2>().array() <= box_.high.head<2>().array()).all();
+                          (place.array() <= box_.high.array()).all();
         if (near) framed_.push_back(place);
       }
     }
@@ -92,6 +93,11 @@ class Picture {
 
   void draw_words(const Snapshot& snapshot, const std::string& warning, const BlockColours& colours,
                   Canvas& canvas) const {
+    // Rock may reach behind the words.
+    constexpr double kVeil = 0.65, kAbove = 92.0, kBelow = 66.0;  // opacity; heights [px]
+    const double right = options_.width, bottom = options_.height;
+    canvas.rectangle({0.0, 0.0}, {right, kAbove}, kWhite, kVeil);
+    canvas.rectangle({0.0, bottom - kBelow}, {right, bottom}, kWhite, kVeil);
     char time[64];
     std::snprintf(time, sizeof time, "t = %.3f s", snapshot.time);
     draw_title({28.0, 46.0}, time, warning, 28.0, canvas);

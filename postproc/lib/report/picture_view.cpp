@@ -35,10 +35,10 @@ void add_circle(double radius, double z, std::vector<Vec3>& points) {
 
 Extent framed_box(const std::vector<StartBlock>& blocks, const Snapshot& last) {
   constexpr double kRoom = 1.0;  // [m]
-  constexpr double kFew = 0.01;
+  constexpr double kFew = 0.005;  // of the blocks, to each side
   Extent box = extent_of(blocks, start_snapshot(blocks).states);
-  for (const Eigen::Index axis : {0, 1}) {
-    box.low[axis] = std::min(box.low[axis], place_of_share(last, axis, kFew) - kRoom);
+  for (const Eigen::Index axis : {0, 1, 2}) {
+    if (axis < 2) box.low[axis] = std::min(box.low[axis], place_of_share(last, axis, kFew) - kRoom);
     box.high[axis] = std::max(box.high[axis], place_of_share(last, axis, 1.0 - kFew) + kRoom);
   }
   return box;
@@ -49,19 +49,23 @@ std::vector<Vec3> framed_crater(const std::vector<StartBlock>& blocks, const Sna
   constexpr double kEjecta = 0.75;               // of them, by where they lie
   constexpr double kRim = 1.5, kFarthest = 2.5;  // of the crater's radius
   const std::vector<char> moved = broken_out(blocks, last.states, 0.0);
+  const std::vector<char> flying = on_the_move(last.states);
   std::vector<double> start, end, height;
   for (size_t b = 0; b < blocks.size(); ++b) {
     if (moved[b] == 0) continue;
     start.push_back(blocks[b].centroid.head<2>().norm());
+    if (flying[b] != 0) continue;
     end.push_back(last.states[b].centre.head<2>().norm());
     height.push_back(last.states[b].centre.z());
   }
   if (start.empty()) return {};
   const double radius = value_of_share(start, kMost);
-  const double reach = std::clamp(value_of_share(end, kEjecta), kRim * radius, kFarthest * radius);
+  const double lies = end.empty() ? 0.0 : value_of_share(end, kEjecta);
+  const double top = height.empty() ? 0.0 : value_of_share(height, kMost);
+  const double reach = std::clamp(lies, kRim * radius, kFarthest * radius);
   std::vector<Vec3> points;
   add_circle(reach, 0.0, points);
-  add_circle(0.5 * radius, std::max(0.0, value_of_share(height, kMost)), points);
+  add_circle(0.5 * radius, std::clamp(top, 0.0, radius), points);
   return points;
 }
 

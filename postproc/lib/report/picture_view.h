@@ -19,8 +19,8 @@ namespace muckpile {
 // that flew farthest.
 Extent framed_box(const std::vector<StartBlock>& blocks, const Snapshot& last);
 
-// Points that the picture of a crater must show: rim, pit and the ejecta next to it. Empty where no
-// rock was broken out.
+// Points that the picture of a crater must show: rim, pit and the ejecta that lie next to it. Empty
+// where no rock was broken out.
 std::vector<Vec3> framed_crater(const std::vector<StartBlock>& blocks, const Snapshot& last);
 
 // Unit vector from the rock to the eye.
