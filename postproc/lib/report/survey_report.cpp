@@ -133,7 +133,7 @@ Comparison compared(const RunData& run, const RunSurface& surface, const ColumnG
 struct ProfileFrame {
   bool any = false;
   BenchPlanes planes;
-  double depth = 0.0;  // of the last row behind the toe [m]
+  double depth = 0.0;  // highest rock is looked for from there on, behind the toe [m]
 };
 
 ProfileFrame profile_frame(const ResultFolder& folder, const RunData& run) {
@@ -142,7 +142,8 @@ ProfileFrame profile_frame(const ResultFolder& folder, const RunData& run) {
   if (scene != "bench") return {};
   try {
     const BenchScene bench = bench_scene(folder, run.blocks);
-    return {true, bench.planes, bench.depth};
+    // The wall behind the last row is never quite sharp in a survey.
+    return {true, bench.planes, bench.depth - run.block_size};
   } catch (const NotMeasurable&) {
     return {};
   }
