@@ -53,7 +53,8 @@ std::vector<std::string> reports_of(const ResultFolder& folder, bool with_series
   std::vector<std::string> names = found->second;
   const bool pattern = std::filesystem::exists(folder.dump("holes.csv"));
   if (pattern && scene == "bench") names.insert(names.end(), {"rows", "heights"});
-  if (scene == "bench" && folder.scene_has("explosive_density_kg_m3")) names.emplace_back("flyrock");
+  if (scene == "bench" && folder.scene_has("explosive_density_kg_m3"))
+    names.emplace_back("flyrock");
   names.insert(names.end(), {"energy", "render"});
   if (with_series) names.emplace_back("series");
   if (pattern) names.emplace_back("plan");

@@ -30,16 +30,8 @@ struct Heights {
   double moved = 0.0;  // all that was broken out [m3]
 };
 
-// Where no hole table bounds it, the width is the rock's.
-BenchPlanes bounded(BenchPlanes planes, const std::vector<StartBlock>& blocks) {
-  const Extent rock = extent_of(blocks, start_snapshot(blocks).states);
-  planes.y_low = std::max(planes.y_low, rock.low.y());
-  planes.y_high = std::min(planes.y_high, rock.high.y());
-  return planes;
-}
-
 Heights heights_of(const RunData& run, const BenchScene& bench) {
-  const BenchPlanes planes = bounded(bench.planes, run.blocks);
+  const BenchPlanes planes = bounded_by_rock(bench.planes, run.blocks);
   Heights heights;
   heights.map = height_map(run.blocks, run.last, run.moved, run.lies, run.cell);
   heights.shifted = backbreak(run.blocks, shifted(run.blocks, run.last, kShift), planes,

@@ -34,7 +34,7 @@ void add_circle(double radius, double z, std::vector<Vec3>& points) {
 }  // namespace
 
 Extent framed_box(const std::vector<StartBlock>& blocks, const Snapshot& last) {
-  constexpr double kRoom = 1.0;  // [m]
+  constexpr double kRoom = 1.0;   // [m]
   constexpr double kFew = 0.005;  // of the blocks, to each side
   Extent box = extent_of(blocks, start_snapshot(blocks).states);
   for (const Eigen::Index axis : {0, 1, 2}) {

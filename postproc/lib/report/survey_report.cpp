@@ -138,12 +138,12 @@ struct ProfileFrame {
 
 ProfileFrame profile_frame(const ResultFolder& folder, const RunData& run) {
   const std::string scene = folder.scene_word("case");
-  if (scene == "heap") return {true, {}, 0.0};
+  if (scene == "heap") return {true, bounded_by_rock({}, run.blocks), 0.0};
   if (scene != "bench") return {};
   try {
     const BenchScene bench = bench_scene(folder, run.blocks);
     // The wall behind the last row is never quite sharp in a survey.
-    return {true, bench.planes, bench.depth - run.block_size};
+    return {true, bounded_by_rock(bench.planes, run.blocks), bench.depth - run.block_size};
   } catch (const NotMeasurable&) {
     return {};
   }
