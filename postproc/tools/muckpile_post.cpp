@@ -11,10 +11,12 @@
 #include <vector>
 
 #include "compare_command.h"
+#include "flyrock_command.h"
 #include "report/all_reports.h"
 #include "report/not_measurable.h"
 #include "report/plan_report.h"
 #include "report/reports.h"
+#include "survey_command.h"
 #include "sweep_command.h"
 
 namespace {
@@ -26,7 +28,8 @@ const std::map<std::string, ColourBy> kColours{{"start_height", ColourBy::kStart
                                                {"fragment", ColourBy::kFragment},
                                                {"size", ColourBy::kSize},
                                                {"speed", ColourBy::kSpeed},
-                                               {"displacement", ColourBy::kDisplacement}};
+                                               {"displacement", ColourBy::kDisplacement},
+                                               {"broken", ColourBy::kBroken}};
 
 CLI::App* add_command(CLI::App& app, const char* name, const char* help, std::string& folder) {
   CLI::App* command = app.add_subcommand(name, help);
@@ -172,28 +175,57 @@ void add_pile_commands(CLI::App& app, Options& o) {
   fragments->callback([&o] { report_fragments(ResultFolder(o.folder), o.measure, o.fragments); });
 }
 
-void add_picture_commands(CLI::App& app, Options& o) {
+void add_view(CLI::App* render, PictureOptions& picture) {
+  render->add_option("--width", picture.width, "[px]")->check(CLI::Range(200, 8000));
+  render->add_option("--height", picture.height, "[px]")->check(CLI::Range(200, 8000));
+  render->add_option("--azimuth", picture.azimuth,
+                     "of the eye, from the throw direction towards -y [deg]");
+  render
+      ->add_option("--elevation", picture.elevation,
+                   "of the eye [deg] (default: 28, of a crater 45)")
+      ->check(CLI::Range(1.0, 89.0));
+  render->add_option("--zoom", picture.zoom, "the eye comes nearer by this factor")
+      ->check(CLI::Range(0.05, 100.0));
+  render->add_option("--focus", picture.focus,
+                     "X Y Z in the middle of the picture [m] (default: of what it shows)");
+}
+
+void add_render_command(CLI::App& app, Options& o) {
   CLI::App* render =
       add_command(app, "render", "pile3d.png: the pile in three dimensions", o.folder);
   add_colour(render, o.colour);
+  render->add_option("--colour-range", o.picture.colour_range,
+                     "LOW HIGH of the colours, where one block would take them all (default: that "
+                     "of the blocks)");
   render
       ->add_option("--frames", o.picture.frames,
                    "also this many pictures over the run, pile3d_0000.png ...")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0, 9999));
+  CLI::Option* mirror = render
+                            ->add_option("--mirror", o.picture.mirror,
+                                         "mirror images of a bench to show on each side of it")
+                            ->check(CLI::Range(0, 5));
   render
-      ->add_option("--mirror", o.picture.mirror,
-                   "mirror images of a bench to show on each side of it")
-      ->check(CLI::Range(0, 5));
-  render->add_option("--width", o.picture.width, "[px]")->check(CLI::Range(200, 8000));
-  render->add_option("--height", o.picture.height, "[px]")->check(CLI::Range(200, 8000));
-  render->add_option("--azimuth", o.picture.azimuth,
-                     "of the eye, from the throw direction towards -y [deg]");
-  render->add_option("--elevation", o.picture.elevation, "of the eye [deg]")
-      ->check(CLI::Range(1.0, 89.0));
+      ->add_option("--section", o.picture.section,
+                   "cut away the rock between the eye and the plane at this y [m]")
+      ->excludes(mirror);
+  CLI::Option* film = render->add_option(
+      "--mp4", o.picture.film, "film of all snapshots, or of those of --frames; needs ffmpeg");
+  render->add_option("--fps", o.picture.frames_per_second, "pictures per second of the film")
+      ->check(CLI::Range(1, 60))
+      ->needs(film);
+  add_view(render, o.picture);
   render->callback([&o] {
     o.picture.colour_by = kColours.at(o.colour);
+    const auto& range = o.picture.colour_range;
+    if (range && !((*range)[0] < (*range)[1]))
+      throw CLI::ValidationError("--colour-range", "LOW must be below HIGH");
     report_picture(ResultFolder(o.folder), o.picture);
   });
+}
+
+void add_picture_commands(CLI::App& app, Options& o) {
+  add_render_command(app, o);
   CLI::App* energy =
       add_command(app, "energy", "energy.png: where the energy is and went, over time", o.folder);
   energy->callback([&o] { report_energy(ResultFolder(o.folder)); });
@@ -262,6 +294,8 @@ int main(int argc, char** argv) {
   add_all_command(app, options);
   int status = 0;
   add_compare_command(app, status);
+  add_flyrock_command(app);
+  add_survey_command(app);
   add_sweep_command(app);
   try {
     app.parse(argc, argv);

@@ -54,6 +54,16 @@ ColourMap strata_map(double low, double high) {
            {0.96F, 0.86F, 0.62F}}};
 }
 
+ColourMap difference_map(double reach) {
+  return {-reach,
+          reach,
+          {{0.02F, 0.19F, 0.38F},
+           {0.26F, 0.58F, 0.76F},
+           {0.93F, 0.93F, 0.92F},
+           {0.90F, 0.53F, 0.40F},
+           {0.50F, 0.05F, 0.12F}}};
+}
+
 Colour colour_of_name(int number) {
   constexpr double kGolden =
       0.6180339887498949;  // steps by the golden ratio never come close to an earlier hue

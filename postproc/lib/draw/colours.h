@@ -35,6 +35,8 @@ class ColourMap {
 ColourMap amount_map(double low, double high);
 // Earth tones from deep brown to pale sand, for where rock came from.
 ColourMap strata_map(double low, double high);
+// Blue for less than 0, nearly white at 0, red for more; both ends as far from 0.
+ColourMap difference_map(double reach);
 // One of many well separated colours for a number that only names something.
 Colour colour_of_name(int number);
 

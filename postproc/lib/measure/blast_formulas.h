@@ -17,4 +17,20 @@ double richards_moore_range(double constant, double mass_per_metre, double confi
 // The constant's usual range.
 inline constexpr double kRichardsMooreLow = 14.0, kRichardsMooreHigh = 30.0;
 
+// The same by gun-barrelling: stemming is blown out of a hole at this angle to the horizontal
+// [rad].
+double gun_barrelling_range(double constant, double mass_per_metre, double stemming, double angle);
+
+// McKenzie's scaled depth of burial [m/kg^(1/3)]: depth of the middle of the charge that counts
+// over the cube root of its mass. That is the upper ten diameters of it, of holes below 100 mm
+// eight.
+double scaled_depth_of_burial(double stemming, double charge_length, double diameter,
+                              double mass_per_metre);
+
+// Largest range [m] of fly rock of any size after McKenzie, with air: 9.74 SDoB^-2.167 d^(2/3), and
+// the size of the fragment that flies so far [m]: 3 SDoB^-2.167 (2600/density) d^(2/3) [mm]; the
+// diameter d of the hole in mm in both.
+double mckenzie_range(double depth_of_burial, double diameter);
+double mckenzie_fragment(double depth_of_burial, double diameter, double rock_density);
+
 }  // namespace muckpile

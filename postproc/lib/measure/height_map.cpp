@@ -16,18 +16,24 @@ std::vector<double> above_floor(std::vector<double> tops) {
 
 }  // namespace
 
-HeightMap height_map(const std::vector<StartBlock>& blocks, const Snapshot& last,
-                     const std::vector<char>& moved, const std::vector<char>& lies, double cell) {
+ColumnGrid plan_grid(const std::vector<StartBlock>& blocks, const Snapshot& last,
+                     const std::vector<char>& lies, double cell) {
   const std::vector<BlockState> start = start_snapshot(blocks).states;
-  // Blocks that still fly make no map wider: they are in none of its heights.
+  // Blocks that still fly are in none of the heights.
   std::vector<BlockState> resting = last.states;
   for (size_t b = 0; b < blocks.size(); ++b)
     if (lies[b] == 0) resting[b] = start[b];
   const Extent before = extent_of(blocks, start), after = extent_of(blocks, resting);
-  HeightMap map;
-  map.grid = column_grid(
+  return column_grid(
       std::min(before.low.x(), after.low.x()), std::max(before.high.x(), after.high.x()),
       std::min(before.low.y(), after.low.y()), std::max(before.high.y(), after.high.y()), cell);
+}
+
+HeightMap height_map(const std::vector<StartBlock>& blocks, const Snapshot& last,
+                     const std::vector<char>& moved, const std::vector<char>& lies, double cell) {
+  const std::vector<BlockState> start = start_snapshot(blocks).states;
+  HeightMap map;
+  map.grid = plan_grid(blocks, last, lies, cell);
   const std::vector<char> all(blocks.size(), 1);
   std::vector<char> stayed(moved);
   for (size_t b = 0; b < moved.size(); ++b) {

@@ -20,6 +20,10 @@ struct HeightMap {
   double solid_volume = 0.0;  // of the broken-out rock that lies above the floor [m3]
 };
 
+// Columns over all rock before and after; blocks that `lies` leaves out make it no wider.
+ColumnGrid plan_grid(const std::vector<StartBlock>& blocks, const Snapshot& last,
+                     const std::vector<char>& lies, double cell);
+
 // Blocks that `lies` leaves out are in no surface after.
 HeightMap height_map(const std::vector<StartBlock>& blocks, const Snapshot& last,
                      const std::vector<char>& moved, const std::vector<char>& lies, double cell);

@@ -73,6 +73,8 @@ void add_pile(Html& page, const PageContent& run) {
               "The rock as it lies; the blue edges are the rock before the blast.");
   add_picture(page, run, "movement.png", "Movement",
               "From where to where the parts of the bench went; table in movement.csv.");
+  add_picture(page, run, "survey.png", "Survey",
+              "Surface of the run less the surveyed one; table in survey.csv.");
   add_picture(page, run, "heights.png", "From above",
               "Heights of the pile and of the rock that stayed; table in heights.csv.");
   add_table(page, run,
@@ -87,6 +89,9 @@ void add_pile(Html& page, const PageContent& run) {
              {"backbreak_m", "Backbreak, largest"},
              {"backbreak_mean_m", "Backbreak, mean along the row"},
              {"toe_left_volume_m3", "Rock left in front of the last row"},
+             {"survey_run_above_m3", "Run higher than the survey"},
+             {"survey_run_below_m3", "Run lower than the survey"},
+             {"survey_rms_difference_m", "Run and survey, RMS of the vertical difference"},
              {"largest_charge_within_8_ms_kg", "Explosive within 8 ms"}});
 }
 
@@ -117,11 +122,25 @@ void add_waves(Html& page, const PageContent& run) {
             {{"ppv_fit_K_m_s", "Fit, K"},
              {"ppv_fit_n", "Fit, exponent n"},
              {"ppv_fit_n_low", "n, lower end of its 95 % confidence"},
-             {"ppv_fit_n_high", "n, upper end"},
-             {"formula_face_burst_low_m", "Fly rock by face burst (formula), k = 14"},
-             {"formula_face_burst_high_m", "Fly rock by face burst (formula), k = 30"},
-             {"formula_cratering_low_m", "Fly rock by cratering (formula), k = 14"},
-             {"formula_cratering_high_m", "Fly rock by cratering (formula), k = 30"}});
+             {"ppv_fit_n_high", "n, upper end"}});
+}
+
+// Formulas of practice, and beside them what the run has.
+void add_fly_rock(Html& page, const PageContent& run) {
+  const Json* note = find(run, "formula_flyrock_note");
+  if (note == nullptr || !note->is_string()) return;
+  page.element("h2", "Fly rock, by formulas");
+  page.element("p", in_words("", *note));
+  add_table(page, run,
+            {{"formula_face_burst_low_m", "Face burst, range, from"},
+             {"formula_face_burst_high_m", "to"},
+             {"formula_cratering_low_m", "Cratering, range, from"},
+             {"formula_cratering_high_m", "to"},
+             {"formula_gun_barrelling_low_m", "Gun-barrelling, range, from"},
+             {"formula_gun_barrelling_high_m", "to"},
+             {"formula_mckenzie_m", "McKenzie, largest range"},
+             {"formula_clearance_m", "Largest of them times the factor of safety"},
+             {"farthest_block_m", "Farthest block of this run"}});
 }
 
 void add_sizes(Html& page, const PageContent& run) {
@@ -264,6 +283,7 @@ void add_body(Html& page, const PageContent& run) {
   add_pile(page, run);
   add_speeds(page, run);
   add_waves(page, run);
+  add_fly_rock(page, run);
   add_sizes(page, run);
   add_energy(page, run);
   add_design(page, run);

@@ -25,6 +25,7 @@ const std::map<std::string, MakeReport>& makers() {
       {"crater", [](const ResultFolder& f) { report_crater(f, {}, {}); }},
       {"heap", [](const ResultFolder& f) { report_heap(f, {}, {}); }},
       {"fragments", [](const ResultFolder& f) { report_fragments(f, {}); }},
+      {"flyrock", [](const ResultFolder& f) { report_flyrock(f); }},
       {"energy", report_energy},
       {"render", [](const ResultFolder& f) { report_picture(f, {}); }},
       {"series", [](const ResultFolder& f) { report_series(f, 1); }},
@@ -52,6 +53,8 @@ std::vector<std::string> reports_of(const ResultFolder& folder, bool with_series
   std::vector<std::string> names = found->second;
   const bool pattern = std::filesystem::exists(folder.dump("holes.csv"));
   if (pattern && scene == "bench") names.insert(names.end(), {"rows", "heights"});
+  if (scene == "bench" && folder.scene_has("explosive_density_kg_m3"))
+    names.emplace_back("flyrock");
   names.insert(names.end(), {"energy", "render"});
   if (with_series) names.emplace_back("series");
   if (pattern) names.emplace_back("plan");

@@ -115,6 +115,13 @@ BenchScene bench_or_take_back(const ResultFolder& folder, const std::vector<Star
   }
 }
 
+BenchPlanes bounded_by_rock(BenchPlanes planes, const std::vector<StartBlock>& blocks) {
+  const Extent rock = extent_of(blocks, start_snapshot(blocks).states);
+  planes.y_low = std::max(planes.y_low, rock.low.y());
+  planes.y_high = std::min(planes.y_high, rock.high.y());
+  return planes;
+}
+
 double y_of_middle_hole(const BenchScene& bench, const std::vector<StartBlock>& blocks) {
   const Extent rock = extent_of(blocks, start_snapshot(blocks).states);
   const double middle = 0.5 * (rock.low.y() + rock.high.y());

@@ -38,6 +38,9 @@ BenchScene bench_scene(const ResultFolder& folder, const std::vector<StartBlock>
 BenchScene bench_or_take_back(const ResultFolder& folder, const std::vector<StartBlock>& blocks,
                               const std::string& report, const nlohmann::ordered_json& own_keys);
 
+// The planes with a width: where no hole table bounds it, the rock's before the blast.
+BenchPlanes bounded_by_rock(BenchPlanes planes, const std::vector<StartBlock>& blocks);
+
 // y of the front row's charge nearest to the middle of the rock's width [m].
 double y_of_middle_hole(const BenchScene& bench, const std::vector<StartBlock>& blocks);
 

@@ -22,6 +22,8 @@ double property(ColourBy by, const StartBlock& block, const BlockState& state) {
       return state.velocity.norm();
     case ColourBy::kDisplacement:
       return (state.centre - block.centroid).norm();
+    case ColourBy::kBroken:
+      return state.broken_fraction;
     case ColourBy::kFragment:
       break;
   }
@@ -40,6 +42,8 @@ const char* label_of(ColourBy by) {
       return "speed [m/s]";
     case ColourBy::kDisplacement:
       return "displacement [m]";
+    case ColourBy::kBroken:
+      return "broken share of joint area";
     case ColourBy::kFragment:
       break;
   }
@@ -54,7 +58,8 @@ ColourMap map_of(ColourBy by, double low, double high) {
 }  // namespace
 
 BlockColours block_colours(ColourBy by, const std::vector<StartBlock>& blocks,
-                           const Snapshot& snapshot, std::optional<double> fixed_high) {
+                           const Snapshot& snapshot, std::optional<double> fixed_high,
+                           std::optional<std::array<double, 2>> range) {
   std::vector<double> values;
   for (size_t b = 0; b < blocks.size(); ++b)
     values.push_back(property(by, blocks[b], snapshot.states[b]));
@@ -65,8 +70,10 @@ BlockColours block_colours(ColourBy by, const std::vector<StartBlock>& blocks,
     return colours;
   }
   const auto [low, high] = std::ranges::minmax(values);
-  const bool from_zero = by == ColourBy::kSpeed || by == ColourBy::kDisplacement;
-  colours.map = map_of(by, from_zero ? 0.0 : low, fixed_high.value_or(high));
+  const bool share = by == ColourBy::kBroken;
+  const bool from_zero = share || by == ColourBy::kSpeed || by == ColourBy::kDisplacement;
+  colours.map = map_of(by, from_zero ? 0.0 : low, share ? 1.0 : fixed_high.value_or(high));
+  if (range) colours.map = map_of(by, (*range)[0], (*range)[1]);
   for (const double value : values) colours.of_block.push_back(colours.map->at(value));
   return colours;
 }

@@ -3,6 +3,7 @@
 // Scope: chosen from the start blocks and one snapshot.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,11 +20,12 @@ struct BlockColours {
   std::optional<ColourMap> map;  // none where colours only name things
 };
 
-// `fixed_high` ends the range of speeds, so that frames share one legend [m/s]; default: the
-// snapshot's fastest.
+// `fixed_high` ends the range of speeds [m/s] or displacements [m], so that frames share one
+// legend; default: the snapshot's largest.
 BlockColours block_colours(ColourBy by, const std::vector<StartBlock>& blocks,
                            const Snapshot& snapshot,
-                           std::optional<double> fixed_high = std::nullopt);
+                           std::optional<double> fixed_high = std::nullopt,
+                           std::optional<std::array<double, 2>> range = std::nullopt);
 
 // A bar of the colours with end values, its upper left corner at `place` [px].
 void draw_legend(const BlockColours& colours, const Vec2& place, Canvas& canvas);

@@ -9,6 +9,7 @@
 #include "draw/title.h"
 #include "io/csv_writer.h"
 #include "measure/height_map.h"
+#include "measure/places.h"
 #include "report/bench_scene.h"
 #include "report/block_colours.h"
 #include "report/not_measurable.h"
@@ -29,16 +30,8 @@ struct Heights {
   double moved = 0.0;  // all that was broken out [m3]
 };
 
-// Where no hole table bounds it, the width is the rock's.
-BenchPlanes bounded(BenchPlanes planes, const std::vector<StartBlock>& blocks) {
-  const Extent rock = extent_of(blocks, start_snapshot(blocks).states);
-  planes.y_low = std::max(planes.y_low, rock.low.y());
-  planes.y_high = std::min(planes.y_high, rock.high.y());
-  return planes;
-}
-
 Heights heights_of(const RunData& run, const BenchScene& bench) {
-  const BenchPlanes planes = bounded(bench.planes, run.blocks);
+  const BenchPlanes planes = bounded_by_rock(bench.planes, run.blocks);
   Heights heights;
   heights.map = height_map(run.blocks, run.last, run.moved, run.lies, run.cell);
   heights.shifted = backbreak(run.blocks, shifted(run.blocks, run.last, kShift), planes,
@@ -63,14 +56,6 @@ void write_table(const HeightMap& map, const std::filesystem::path& path) {
   }
 }
 
-// The value that this share of the blocks lies below, by their places at the end.
-double place_of_share(const RunData& run, Eigen::Index axis, double share) {
-  std::vector<double> places;
-  for (const BlockState& state : run.last.states) places.push_back(state.centre[axis]);
-  std::ranges::sort(places);
-  return places[static_cast<size_t>(share * static_cast<double>(places.size() - 1))];
-}
-
 struct Frame {
   AxisRange x, y;  // [m]
 };
@@ -84,9 +69,10 @@ Frame frame_of(const RunData& run, const HeightMap& map) {
     return std::clamp(value, low, high);
   };
   const double x_end = g.x0 + g.nx * g.dx, y_end = g.y0 + g.ny * g.dy;
-  return {{g.x0, inside(before.high.x(), place_of_share(run, 0, 0.995) + kRoom, x_end)},
-          {inside(g.y0, std::min(before.low.y(), place_of_share(run, 1, 0.002)) - kRoom, y_end),
-           inside(g.y0, std::max(before.high.y(), place_of_share(run, 1, 0.998)) + kRoom, y_end)}};
+  return {
+      {g.x0, inside(before.high.x(), place_of_share(run.last, 0, 0.995) + kRoom, x_end)},
+      {inside(g.y0, std::min(before.low.y(), place_of_share(run.last, 1, 0.002)) - kRoom, y_end),
+       inside(g.y0, std::max(before.high.y(), place_of_share(run.last, 1, 0.998)) + kRoom, y_end)}};
 }
 
 void draw_cells(const HeightMap& map, const Frame& frame, const ColourMap& colours,

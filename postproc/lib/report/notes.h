@@ -24,6 +24,10 @@ inline std::string motion_note(double time) {
 inline constexpr const char* kLargestThrowNote =
     "no clearance distance: the farthest block of one run of a model without fly rock";
 
+inline constexpr const char* kFlyrockNote =
+    "formulas, no results of the simulation: ranges of fly rock after Richards & Moore, and after "
+    "McKenzie; a clearance needs a constant k of the site";
+
 inline constexpr const char* kBlockSizesNote = "block sizes: the input, not a prediction";
 
 // Above this share of single blocks in the pile's mass the size curve is that of the cut.

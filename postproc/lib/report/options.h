@@ -3,12 +3,13 @@
 // Scope: values only; tools/ fills them from the command line.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
 namespace muckpile {
 
-enum class ColourBy { kStartHeight, kStartDepth, kFragment, kSize, kSpeed, kDisplacement };
+enum class ColourBy { kStartHeight, kStartDepth, kFragment, kSize, kSpeed, kDisplacement, kBroken };
 
 struct MeasureOptions {
   std::optional<double> least_move;  // a block that moved less stayed [m]; default: the run's mean
@@ -35,6 +36,21 @@ struct WavesOptions {
   std::optional<double> until;  // peaks and pictures end there [s]; default: the first phase's end
 };
 
+struct FlyrockOptions {
+  std::optional<double> site_constant;  // k of Richards & Moore; default: its usual range
+  double launch_angle_deg = 80.0;       // of stemming, to the horizontal
+  double safety_factor = 2.0;           // clearance over range
+};
+
+struct SurveyOptions {
+  std::string surface;                         // file of the surveyed surface
+  std::array<double, 3> shift{0.0, 0.0, 0.0};  // of the surface, before it is turned [m]
+  double turn_deg = 0.0;                       // about the run's z axis, counter-clockwise
+  double unit = 1.0;                           // of the file's numbers [m]
+  std::optional<double> gap;                   // longest side of a triangle between points [m];
+                                               // default: five times their spacing
+};
+
 struct SectionOptions {
   std::optional<double> y;  // of the section [m]; default: through a hole
   ColourBy colour_by = ColourBy::kStartHeight;
@@ -42,12 +58,19 @@ struct SectionOptions {
 
 struct PictureOptions {
   ColourBy colour_by = ColourBy::kStartHeight;
-  int frames = 0;           // pictures over the whole run beside the last one
-  int mirror = 0;           // reflected copies of a bench on each side of it
-  int width = 1600;         // [px]
-  int height = 900;         // [px]
-  double azimuth = 55.0;    // of the eye, from the throw direction towards -y [deg]
-  double elevation = 28.0;  // of the eye above the floor [deg]
+  std::optional<std::array<double, 2>> colour_range;  // default: that of the blocks
+  int frames = 0;                   // pictures over the whole run beside the last one
+  int mirror = 0;                   // reflected copies of a bench on each side of it
+  int width = 1600;                 // [px]
+  int height = 900;                 // [px]
+  double azimuth = 55.0;            // of the eye, from the throw direction towards -y [deg]
+  std::optional<double> elevation;  // of the eye above the floor [deg]; default: 28, of a crater 45
+  double zoom = 1.0;                // the eye comes nearer by this factor
+  std::optional<std::array<double, 3>> focus;  // middle of the picture [m]; default: of what it
+                                               // is to show
+  std::optional<double> section;  // rock in front of the plane at this y is cut away [m]
+  std::string film;               // MP4 file of all frames; "": none
+  int frames_per_second = 10;     // of the film
 };
 
 }  // namespace muckpile

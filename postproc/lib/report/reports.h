@@ -42,6 +42,13 @@ void report_waves(const ResultFolder& folder, const WavesOptions& options = {});
 void report_rows(const ResultFolder& folder, const MeasureOptions& measure);
 // Bench only: heights.csv, heights.png, backbreak, toe left, volumes.
 void report_heights(const ResultFolder& folder, const MeasureOptions& measure);
+// survey.csv, survey.png: the surface of the run at its end against a surveyed one. Throws
+// NotMeasurable for a run that has not come to rest.
+void report_survey(const ResultFolder& folder, const MeasureOptions& measure,
+                   const SurveyOptions& options);
+// Bench only: flyrock.csv, what formulas say of fly rock. Throws NotMeasurable for other scenes and
+// where the charges are not known.
+void report_flyrock(const ResultFolder& folder, const FlyrockOptions& options = {});
 // report.html: the page of the run, of what the others have left in the folder.
 void report_page(const ResultFolder& folder);
 

@@ -150,30 +150,6 @@ nlohmann::ordered_json keys_of_fit(const std::optional<PowerFit>& fit) {
   return keys;
 }
 
-// Of a bench whose charges are alike; nothing where the scene does not tell what the formula needs.
-nlohmann::ordered_json keys_of_fly_rock(const ResultFolder& folder, double mass) {
-  auto keys = nlohmann::ordered_json::object();
-  const bool bench = folder.scene_word("case") == "bench" && folder.scene_has("burden_m") &&
-                     folder.scene_has("stemming_m") && folder.scene_has("charge_length_m") &&
-                     !std::filesystem::exists(folder.dump("holes.csv"));
-  if (!bench) return keys;
-  const double per_metre = mass / folder.scene_number("charge_length_m");
-  const auto range = [&](const std::string& name, const std::string& over) {
-    const double confinement = folder.scene_number(over);
-    if (confinement <= 0.0) return;
-    keys["formula_" + name + "_low_m"] =
-        richards_moore_range(kRichardsMooreLow, per_metre, confinement);
-    keys["formula_" + name + "_high_m"] =
-        richards_moore_range(kRichardsMooreHigh, per_metre, confinement);
-  };
-  range("face_burst", "burden_m");
-  range("cratering", "stemming_m");
-  keys["formula_note"] =
-      "formulas, no results of the simulation: ranges of fly rock after Richards & Moore with k = "
-      "14 and 30, without a factor of safety";
-  return keys;
-}
-
 void require_samples(const std::vector<GaugeHistory>& gauges, double until) {
   for (const GaugeHistory& gauge : gauges)
     if (gauge.time.empty() || gauge.time.front() > until)
@@ -209,7 +185,6 @@ void measure_waves(const ResultFolder& folder, const WavesOptions& options) {
   keys["largest_charge_within_8_ms_kg"] = mass;
   keys["ppv_largest_m_s"] = std::ranges::max(peaks, {}, &GaugePeak::speed).speed;
   keys.update(keys_of_fit(fit));
-  keys.update(keys_of_fly_rock(folder, charges.front().mass));
   folder.merge_into_summary(keys, {refusal_key("waves")});
 }
 
@@ -222,7 +197,7 @@ void report_waves(const ResultFolder& folder, const WavesOptions& options) {
     for (const char* ending : {".csv", ".png"})
       std::filesystem::remove(folder.file(std::string("ppv") + ending));
     nlohmann::ordered_json keys = keys_of_fit(std::nullopt);
-    for (const char* key : {"gauges", "ppv_largest_m_s", "formula_note"}) keys[key] = nullptr;
+    for (const char* key : {"gauges", "ppv_largest_m_s"}) keys[key] = nullptr;
     if (std::filesystem::exists(folder.dump("run.json"))) take_back(folder, "waves", keys, why);
     throw;
   }

@@ -89,13 +89,9 @@ TEST(FiredCharges, OfAHoleTableHaveItsMassesAndTimes) {
   EXPECT_DOUBLE_EQ(charges[0].firing_time, 0.025);
 }
 
-TEST(BlastFormulas, AreThoseOfTheirSources) {
+TEST(BlastFormulas, VibrationIsThatOfTheBureauOfMines) {
   // 10 ft/lb^0.5: 234 x 10^-1.62 = 234 x 0.0239883 = 5.61327 in/s = 0.142577 m/s.
   EXPECT_NEAR(bureau_of_mines_ppv(10.0 * 0.3048 / std::sqrt(0.45359237)), 0.142577, 1e-6);
-  // sqrt(16)/4 = 1: k^2/g = 400/9.81.
-  EXPECT_NEAR(richards_moore_range(20.0, 16.0, 4.0), 40.7747, 1e-4);
-  // sqrt(16)/2 = 2: 2^2.6 = 6.06287 times as far.
-  EXPECT_NEAR(richards_moore_range(20.0, 16.0, 2.0), 40.7747 * 6.06287, 1e-2);
 }
 
 // Gauges at 1, 2, 4 and 8 m behind the hole of the bench at x = -5; their speed is
@@ -146,9 +142,6 @@ TEST_F(Waves, FindTheLawOfTheirGauges) {
   EXPECT_EQ(keys["largest_charge_within_8_ms_kg"], kMass);
   EXPECT_EQ(keys["gauges"], 4);
   EXPECT_NEAR(keys["ppv_largest_m_s"], speed(1.0), 1e-9);
-  // 64 kg in 9 m, burden 5 m: 14^2/9.81 (sqrt(7.1111)/5)^2.6 = 19.9796 x 0.195100.
-  EXPECT_NEAR(keys["formula_face_burst_low_m"], 19.9796 * std::pow(std::sqrt(64.0 / 9.0) / 5, 2.6),
-              1e-3);
   for (const char* file : {"waves.png", "ppv.png", "waves.csv"})
     EXPECT_GT(std::filesystem::file_size(folder().file(file)), 200U) << file;
 }
@@ -199,15 +192,6 @@ TEST_F(Waves, WithoutASampleInTimeLeaveNoFigures) {
   EXPECT_TRUE(summary().contains("waves_refused"));
   report_waves(folder());
   EXPECT_FALSE(summary().contains("waves_refused"));
-}
-
-TEST_F(Waves, FlyRockOfOtherScenesThanBenchesIsLeftOut) {
-  const auto scene = temporary_.path() / "dump/scene.json";
-  std::string text = text_of(scene);
-  write_text(scene, text.replace(text.find("bench\""), 5, "other"));
-  report_waves(folder());
-  EXPECT_FALSE(summary().contains("formula_note"));
-  EXPECT_NEAR(summary()["ppv_fit_n"], 1.5, 1e-9);
 }
 
 TEST_F(Waves, RunWithoutGaugesOrMassIsNotMeasured) {

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A surveyed surface from a file, by the ending of its name.
+// Scope: points (.xyz, .csv, .txt) or triangles (.stl), in the file's own axes.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "io/stl_file.h"
+#include "math/types.h"
+
+namespace muckpile {
+
+// One of the two is empty.
+struct SurveyedSurface {
+  std::vector<Vec3> points;            // [m]
+  std::vector<StlTriangle> triangles;  // [m]
+};
+
+// `unit` is what the file's numbers count in [m]. Throws InputError as io/point_file.h and
+// io/stl_file.h tell, and for another ending.
+SurveyedSurface read_survey(const std::filesystem::path& path, double unit);
+
+}  // namespace muckpile

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What formulas of fly rock ask of each hole of a bench.
+// Scope: see the header.
+#include "report/flyrock_holes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "io/fired_charges.h"
+#include "io/pattern_charges.h"
+#include "measure/hole_rock.h"
+#include "report/not_measurable.h"
+
+namespace muckpile {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+struct ChargedDeck {
+  const Deck* deck;
+  double length;     // of its charge [m]
+  double per_metre;  // [kg/m]
+};
+
+std::vector<ChargedDeck> decks_of(const std::string& hole, const HoleTable& table,
+                                  const std::vector<TimedCharge>& charges) {
+  std::vector<ChargedDeck> decks;
+  for (size_t k = 0; k < charges.size(); ++k) {
+    const Deck& deck = table.decks()[k];
+    if (deck.hole != hole) continue;
+    const double length = deck.charge_length.value_or(deck.to - deck.from);
+    decks.push_back({&deck, length, charges[k].mass / length});
+  }
+  return decks;
+}
+
+std::vector<FlyrockHole> holes_of_table(const ResultFolder& folder, const std::string& path) {
+  const HoleTable table = HoleTable::read(path);
+  const std::vector<TimedCharge> charges = charges_of_decks(folder, table);
+  const double burden = folder.scene_number("burden_m");
+  std::vector<double> masses;
+  for (const TimedCharge& charge : charges) masses.push_back(charge.mass);
+  std::vector<FlyrockHole> holes;
+  for (const PatternHole& hole : pattern_holes(table, masses, burden)) {
+    const std::vector<ChargedDeck> decks = decks_of(hole.name, table, charges);
+    const ChargedDeck top =
+        *std::ranges::min_element(decks, {}, [](const ChargedDeck& d) { return d.deck->from; });
+    const double heaviest = std::ranges::max(decks, {}, &ChargedDeck::per_metre).per_metre;
+    // An air deck above a shorter charge holds nothing back.
+    const double stemming = top.deck->from;
+    holes.push_back({hole.name, hole.row, top.deck->diameter, hole.row == 0 ? burden : kNaN,
+                     stemming, heaviest, top.per_metre, top.length});
+  }
+  return holes;
+}
+
+std::vector<FlyrockHole> holes_of_scene(const ResultFolder& folder) {
+  const double length = folder.scene_number("charge_length_m");
+  const double per_metre = fired_charges(folder).front().mass / length;
+  return {{"all", 0, folder.scene_number("hole_diameter_m"), folder.scene_number("burden_m"),
+           folder.scene_number("stemming_m"), per_metre, per_metre, length}};
+}
+
+}  // namespace
+
+std::vector<FlyrockHole> flyrock_holes(const ResultFolder& folder) {
+  if (folder.scene_word("case") != "bench")
+    throw NotMeasurable("flyrock: the formulas are for a bench, got '" + folder.scene_word("case") +
+                        "'");
+  const std::filesystem::path path = folder.dump("holes.csv");
+  const bool table = std::filesystem::exists(path);
+  if (!table && !folder.scene_has("charge_mass_kg") && !folder.scene_has("explosive_density_kg_m3"))
+    throw NotMeasurable("flyrock: needs charge_mass_kg in " + folder.dump("scene.json").string() +
+                        ", by write_scene");
+  std::vector<FlyrockHole> holes =
+      table ? holes_of_table(folder, path.string()) : holes_of_scene(folder);
+  for (const FlyrockHole& hole : holes) {
+    if (hole.mass_per_metre > 0.0 && hole.top_per_metre > 0.0) continue;
+    throw NotMeasurable("flyrock: needs the mass of the charge of hole '" + hole.name +
+                        "'; its explosive is not among the shipped ones");
+  }
+  return holes;
+}
+
+}  // namespace muckpile

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What a picture of the rock holds.
+// Scope: see the header.
+#include "report/picture_scene.h"
+
+#include <algorithm>
+
+#include "measure/section.h"
+
+namespace muckpile {
+namespace {
+
+constexpr Colour kGround{0.74F, 0.72F, 0.68F};
+
+std::vector<Vec3> kept(const CutPlane& plane, const std::vector<Vec3>& polygon) {
+  const auto inside = [&](const Vec3& p) { return (p.y() >= plane.y) == plane.keep_high; };
+  std::vector<Vec3> part;
+  for (size_t k = 0; k < polygon.size(); ++k) {
+    const Vec3 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    if (inside(a)) part.push_back(a);
+    if (inside(a) != inside(b))
+      part.emplace_back(a + (b - a) * ((plane.y - a.y()) / (b.y() - a.y())));
+  }
+  return part;
+}
+
+}  // namespace
+
+void add_blocks(const std::vector<StartBlock>& blocks, const Snapshot& snapshot,
+                const std::vector<Colour>& colours, const Reflection& reflection, Scene& scene) {
+  for (size_t b = 0; b < blocks.size(); ++b) {
+    const std::vector<Vec3> vertices = moved_vertices(blocks[b], snapshot.states[b]);
+    for (const std::vector<int>& face : blocks[b].shape.faces) {
+      ScenePolygon polygon{{}, colours[b], static_cast<int>(b)};
+      for (const int v : face)
+        polygon.corners.push_back(reflection.of(vertices[static_cast<size_t>(v)]));
+      if (reflection.turns_over()) std::ranges::reverse(polygon.corners);
+      scene.polygons.push_back(std::move(polygon));
+    }
+  }
+}
+
+void add_ground(const Extent& rock, double x_high, double margin, Scene& scene) {
+  const double x0 = rock.low.x() - margin, x1 = rock.low.x(), x2 = rock.high.x(),
+               x3 = x_high + margin;
+  const double y0 = rock.low.y() - margin, y1 = rock.low.y(), y2 = rock.high.y(),
+               y3 = rock.high.y() + margin;
+  const auto add = [&](double xl, double yl, double xh, double yh) {
+    scene.polygons.push_back(
+        {{{xl, yl, 0}, {xh, yl, 0}, {xh, yh, 0}, {xl, yh, 0}}, kGround, kGroundObject});
+  };
+  add(x0, y0, x3, y1);
+  add(x0, y2, x3, y3);
+  add(x0, y1, x1, y2);
+  add(x2, y1, x3, y2);
+}
+
+std::vector<SceneLine> edges_of(const Extent& rock) {
+  const double low = rock.high.z() > 0.0 ? std::max(0.0, rock.low.z()) : rock.low.z();
+  const auto corner = [&](int k) {
+    return Vec3(k & 1 ? rock.high.x() : rock.low.x(), k & 2 ? rock.high.y() : rock.low.y(),
+                k & 4 ? rock.high.z() : low);
+  };
+  std::vector<SceneLine> edges;
+  for (int from = 0; from < 8; ++from) {
+    for (const int bit : {1, 2, 4}) {
+      if ((from & bit) == 0) edges.push_back({corner(from), corner(from | bit)});
+    }
+  }
+  return edges;
+}
+
+void cut_away(const CutPlane& plane, Scene& scene) {
+  for (ScenePolygon& polygon : scene.polygons) polygon.corners = kept(plane, polygon.corners);
+  std::erase_if(scene.polygons, [](const ScenePolygon& p) { return p.corners.size() < 3; });
+}
+
+void add_cut_faces(const CutPlane& plane, const std::vector<StartBlock>& blocks,
+                   const Snapshot& snapshot, const std::vector<Colour>& colours, Scene& scene) {
+  for (const SectionPolygon& cut : section_at(plane.y, blocks, snapshot.states)) {
+    ScenePolygon face{{}, colours[cut.block], static_cast<int>(cut.block)};
+    // In order of rising angle from x to z, so counter-clockwise seen from smaller y.
+    for (const Vec2& p : cut.outline) face.corners.emplace_back(p.x(), plane.y, p.y());
+    if (!plane.keep_high) std::ranges::reverse(face.corners);
+    scene.polygons.push_back(std::move(face));
+  }
+}
+
+}  // namespace muckpile

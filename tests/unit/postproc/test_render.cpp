@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Sub-command render: what a picture frames, what a section leaves, films.
+// Scope: report/picture_view, picture_scene, film, and small pictures of made-up runs.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "input_error_of.h"
+#include "report/picture_scene.h"
+#include "report/picture_view.h"
+#include "report/reports.h"
+#include "synthetic_run.h"
+
+namespace muckpile {
+namespace {
+
+using namespace testing;
+
+Vec3 normal_of(const std::vector<Vec3>& corners) {
+  return (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+}
+
+// Rock within 4 m of the axis was thrown 20 m: the rim is framed, its ejecta are not.
+TEST(PictureOfACrater, ShowsTheRimAndNotTheFarthestEjecta) {
+  const BenchRun run = crater_run();
+  const std::vector<Vec3> points = framed_crater(run.blocks, run.last);
+  double reach = 0.0;
+  for (const Vec3& p : points) reach = std::max(reach, p.head<2>().norm());
+  EXPECT_GT(reach, 1.5 * 3.7);
+  EXPECT_LT(reach, 2.5 * 4.0);
+}
+
+TEST(PictureOfACrater, WithoutOneShowsAllRock) {
+  const BenchRun run = crater_run();
+  EXPECT_TRUE(framed_crater(run.blocks, start_snapshot(run.blocks)).empty());
+}
+
+TEST(PictureOfABench, IsFramedWithoutTheFewBlocksThatFlewFarthest) {
+  BenchRun run = bench_run();
+  run.last.states[5].centre = {300.0, -80.0, 0.0};
+  const Extent box = framed_box(run.blocks, run.last);
+  EXPECT_LT(box.high.x(), 16.0);
+  EXPECT_NEAR(box.low.y(), -1.75, 0.01);  // a metre beside the cubes at -0.75
+  EXPECT_NEAR(box.low.x(), -8.75, 0.01);
+}
+
+TEST(View, GoesToItsFocusAndComesNearer) {
+  const Canvas canvas(320, 180, kWhite);
+  const std::vector<Vec3> points{{0, 0, 0}, {10, 0, 0}, {0, 5, 3}};
+  const Vec3 to_eye = direction_of_eye(90.0, 30.0);
+  EXPECT_NEAR((to_eye - Vec3(0.0, -std::sqrt(0.75), 0.5)).norm(), 0.0, 1e-12);
+  PictureOptions options;
+  const View whole = framing_view(points, to_eye, options, canvas);
+  options.zoom = 2.0;
+  options.focus = {10.0, 0.0, 0.0};
+  const View near = framing_view(points, to_eye, options, canvas);
+  EXPECT_NEAR((near.target - Vec3(10.0, 0.0, 0.0)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR(near.camera.depth(near.target), 0.5 * whole.camera.depth(whole.target), 1e-9);
+  const Vec2 middle = near.camera.place(near.target);
+  EXPECT_NEAR(middle.x(), 0.5 * canvas.sample_width(), 1e-9);
+  EXPECT_NEAR(middle.y(), 0.5 * canvas.sample_height(), 1e-9);
+}
+
+// Two cubes side by side along y, cut through the first at y = 0.25.
+class Section : public ::testing::Test {
+ protected:
+  void cut(bool keep_high) {
+    const CutPlane plane{0.25, keep_high};
+    const std::vector<Colour> colours(blocks_.size(), kGrey);
+    const Snapshot start = start_snapshot(blocks_);
+    add_blocks(blocks_, start, colours, Reflection(0, extent_of(blocks_, start.states)), scene_);
+    cut_away(plane, scene_);
+    add_cut_faces(plane, blocks_, start, colours, scene_);
+  }
+  std::vector<StartBlock> blocks_ = as_start_blocks(cubes_in({0, 0, 0}, {0.5, 1.0, 0.5}));
+  Scene scene_;
+};
+
+TEST_F(Section, LeavesWhatIsBehindItAndAFaceTowardsTheEye) {
+  cut(true);
+  ASSERT_EQ(scene_.polygons.size(), 5U + 6U + 1U);  // the first cube has lost its front
+  for (const ScenePolygon& polygon : scene_.polygons)
+    for (const Vec3& p : polygon.corners) EXPECT_GE(p.y(), 0.25 - 1e-12);
+  EXPECT_EQ(scene_.polygons.back().object, 0);
+  EXPECT_NEAR(normal_of(scene_.polygons.back().corners).normalized().y(), -1.0, 1e-12);
+}
+
+TEST_F(Section, FacesAnEyeOnTheOtherSideToo) {
+  cut(false);
+  ASSERT_EQ(scene_.polygons.size(), 5U + 1U);
+  EXPECT_NEAR(normal_of(scene_.polygons.back().corners).normalized().y(), 1.0, 1e-12);
+}
+
+class Render : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    write_heap(temporary_.path());
+    options_.width = 320;
+    options_.height = 180;
+  }
+  ~Render() override { setenv("PATH", path_.c_str(), 1); }
+  [[nodiscard]] std::filesystem::path file(const std::string& name) const {
+    return temporary_.path() / name;
+  }
+  void draw() const { report_picture(ResultFolder(temporary_.path()), options_); }
+  // A program that writes its words to the film in place of ffmpeg.
+  void install_ffmpeg(const std::string& body) const {
+    write_text(file("bin/ffmpeg"), "#!/bin/sh\n" + body + "\n");
+    std::filesystem::permissions(file("bin/ffmpeg"), std::filesystem::perms::owner_all);
+    setenv("PATH", (file("bin").string() + ":" + path_).c_str(), 1);
+  }
+  TemporaryFolder temporary_;
+  PictureOptions options_;
+  std::string path_ = std::getenv("PATH");
+};
+
+TEST_F(Render, DrawsASectionInTheBrokenShare) {
+  options_.section = 0.0;
+  options_.colour_by = ColourBy::kBroken;
+  draw();
+  EXPECT_GT(std::filesystem::file_size(file("pile3d.png")), 2000U);
+}
+
+TEST_F(Render, WithoutFfmpegSaysWhatToInstallAndDrawsNothing) {
+  setenv("PATH", file("nowhere").c_str(), 1);
+  options_.film = file("film.mp4");
+  EXPECT_NE(input_error_of([&] { draw(); }).find("not installed (Debian and Ubuntu: apt install"),
+            std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(file("pile3d.png")));
+}
+
+TEST_F(Render, MakesAFilmOfAllSnapshotsAndLeavesNoFrames) {
+  install_ffmpeg("for last; do :; done; ls \"${8%/*}\" > \"$last\"");
+  options_.film = file("film.mp4");
+  draw();
+  EXPECT_EQ(text_of(file("film.mp4")), "pile3d_0000.png\npile3d_0001.png\n");
+  EXPECT_FALSE(std::filesystem::exists(file(".film")));
+  EXPECT_FALSE(std::filesystem::exists(file("pile3d_0000.png")));
+}
+
+TEST_F(Render, TellsThatFfmpegFailed) {
+  install_ffmpeg("exit 4");
+  options_.film = file("film.mp4");
+  EXPECT_NE(input_error_of([&] { draw(); })
+                .find("film.mp4: cannot be written: ffmpeg ended with "
+                      "status 4"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace muckpile
