@@ -53,6 +53,35 @@ TEST(RockModel, SupportsAndJointClassesReachTheFacets) {
   EXPECT_NEAR(natural, 4.0, 1e-9);
 }
 
+TEST(RockModel, FacetsInTheDiscsOfASetAreTheShareOfItsPlanes) {
+  // nine planes or so of 4 m2 at least; two seeds have other planes, so bounds are wide
+  for (const std::string seed : {"1", "2"}) {
+    CutOptions whole = cube("size uniform 0.3 seed " + seed + " natural_joints 90 90 0.5 3"),
+               discs = cube("size uniform 0.3 seed " + seed +
+                            " natural_joints 90 90 0.5 3 persistence 0.5 0.4");
+    lay_natural_joint_sets(whole);
+    lay_natural_joint_sets(discs);
+    const auto area = [](const CutOptions& options) {
+      double sum = 0.0;
+      for (const Facet& facet : cut_rock(options, 1, nothing_is_held()).facets.facets)
+        sum += facet.joint_class == 3 ? facet.area : 0.0;
+      return sum;
+    };
+    const double planes = 4.0 * static_cast<double>(whole.rock.planes.size());
+    EXPECT_NEAR(area(whole), planes, 1e-3 * planes) << seed;
+    EXPECT_NEAR(area(discs) / planes, 0.5, 0.2) << seed;
+  }
+}
+
+TEST(RockModel, TheReportSaysHowMuchOfTheRockIsNaturalJoint) {
+  const std::string text =
+      describe(cut_rock(cube("size uniform 0.5 joint_plane 1 1 1 90 90 3"), 1, nothing_is_held()),
+               0.0);
+  EXPECT_NE(text.find("natural joints: 1 planes, 4 m2 of facets with a joint class, 0.5 m2 per m3"),
+            std::string::npos)
+      << text;
+}
+
 TEST(RockModel, ATargetIsReportedPointByPoint) {
   const RockModel model =
       cut_rock(cube("size target kuz_ram 0.45 3 hole 1 1 0 1 1 2 0.3"), 1, nothing_is_held());
