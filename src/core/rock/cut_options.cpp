@@ -195,8 +195,10 @@ CutOptions read(const ArgValues& args, std::size_t memory) {
     options.natural_joints.push_back(joint_plane_of(words));
   for (const JointPlane& plane : options.natural_joints)
     rock.planes.push_back({plane.point, plane.normal});
-  for (const Words& words : args.groups("natural_joints"))
-    options.natural_joint_sets.push_back(natural_joint_set_of(words, options.limits));
+  for (const Words& words : args.groups("natural_joints")) {
+    if (const auto set = natural_joint_set_of(words, options.limits))
+      options.natural_joint_sets.push_back(*set);
+  }
   rock.seed = static_cast<unsigned long>(args.integer("seed"));
   rock.sweeps = static_cast<int>(args.integer("sweeps"));
   rock.max_blocks = args.integer("max_blocks") > 0

@@ -25,7 +25,7 @@ struct CutOptions {
   std::vector<JointPlane> natural_joints{};  ///< the planes in rock.planes with their joint class
   /// Their planes follow once the box of the rock is known: lay_natural_joint_sets().
   std::vector<NaturalJointSet> natural_joint_sets{};
-  double density = 0.0;                      ///< [kg/m3]
+  double density = 0.0;  ///< [kg/m3]
   int spheres_per_block = 0;
   double sphere_growth = 1.0;
   bool round_walls = true;  ///< crushed zones have the stiffness of round holes (wall_facets.h)

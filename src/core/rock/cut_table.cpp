@@ -54,7 +54,8 @@ const ArgTable& cut_table() {
               "optionally a radius about the point [m] beyond which its facets are like all others")
           .group("natural_joints", 4, 11, true,
                  "a set of natural joints at random places: dip and dip direction [degrees], mean "
-                 "spacing [m; >= block_min], number of the `joint_class`, and optionally "
+                 "spacing [m; >= block_min, or 0: no such set], number of the `joint_class`, and "
+                 "optionally "
                  "`persistence SHARE RADIUS` (joint is that share of each plane, in discs of that "
                  "radius [m; >= block_min]), `fisher K` (scatter of the normals, 5 to 1e6), "
                  "`spacings exponential` (default) or `spacings even`")

@@ -56,6 +56,13 @@ class SetWords {
   std::size_t at_, name_ = 0;
 };
 
+/// 0, or at least block_min.
+double spacing_of(const std::string& word, const SizeLimits& limits) {
+  const double any = real_of(kSet + " spacing", word, "m", Range::closed(0.0, 1e4));
+  if (any == 0.0) return any;
+  return real_of(kSet + " spacing", word, "m", Range::closed(limits.smallest, 1e4));
+}
+
 void read_persistence(NaturalJointSet& set, SetWords& words, const SizeLimits& limits) {
   set.persistence = words.real("the share of the planes", "", Range::left_open(0.0, 1.0));
   set.radius = words.real("the radius of the discs", "m", Range::closed(limits.smallest, 1e7));
@@ -86,12 +93,11 @@ JointPlane joint_plane_of(const Words& words) {
   return plane;
 }
 
-NaturalJointSet natural_joint_set_of(const Words& words, const SizeLimits& limits) {
+std::optional<NaturalJointSet> natural_joint_set_of(const Words& words, const SizeLimits& limits) {
   NaturalJointSet set;
   set.normal = normal_of_dip(radians_of(kSet + " dip", words[0], 90.0),
                              radians_of(kSet + " dip direction", words[1], 360.0));
-  set.spacing =
-      real_of(kSet + " spacing", words[2], "m", Range::closed(limits.smallest, 1e4));
+  set.spacing = spacing_of(words[2], limits);
   set.least_spacing = kLeastSpacing * limits.smallest;
   set.joint_class = class_of(kSet + " class", words[3]);
   for (SetWords rest(words, 4); !rest.at_end();) {
@@ -108,6 +114,7 @@ NaturalJointSet natural_joint_set_of(const Words& words, const SizeLimits& limit
                                 "'" + did_you_mean(name, known));
     }
   }
+  if (set.spacing == 0.0) return std::nullopt;
   return set;
 }
 

@@ -4,6 +4,7 @@
 // Scope: words and their limits; what the planes do is in joint_plane.h and natural_joint_set.h.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,9 +24,9 @@ inline constexpr int kMostPlanes = 1000;
 /// Of the words behind `joint_plane`. Throws InputError.
 [[nodiscard]] JointPlane joint_plane_of(const std::vector<std::string>& words);
 
-/// Of the words behind `natural_joints`. Throws InputError.
-[[nodiscard]] NaturalJointSet natural_joint_set_of(const std::vector<std::string>& words,
-                                                   const SizeLimits& limits);
+/// Of the words behind `natural_joints`; none for the spacing 0. Throws InputError.
+[[nodiscard]] std::optional<NaturalJointSet> natural_joint_set_of(
+    const std::vector<std::string>& words, const SizeLimits& limits);
 
 /// Adds the planes of all sets to those that the cut follows, once the box of the rock is known;
 /// set k has its own random numbers, so that one more set leaves the others as they are. Throws

@@ -58,9 +58,10 @@ TEST(CutOptions, NaturalJointsAreCutPlanesToo) {
 }
 
 TEST(CutOptions, ASetOfNaturalJointsIsReadWithItsOptions) {
-  const CutOptions options = read(kRock +
-                                  "size uniform 0.3 natural_joints 90 0 1.5 2 natural_joints 30 90 "
-                                  "2 1 persistence 0.5 3 fisher 40 spacings even seed 4");
+  const CutOptions options =
+      read(kRock +
+           "size uniform 0.3 natural_joints 90 0 1.5 2 natural_joints 30 90 "
+           "2 1 persistence 0.5 3 fisher 40 spacings even natural_joints 0 0 0 1 seed 4");
   ASSERT_EQ(options.natural_joint_sets.size(), 2u);
   const NaturalJointSet &plain = options.natural_joint_sets[0],
                         &full = options.natural_joint_sets[1];
@@ -87,8 +88,9 @@ CutOptions laid(const std::string& words) {
 
 TEST(CutOptions, PlanesOfSetsFollowSinglePlanesAndDoNotDependOnLaterSets) {
   const CutOptions one = laid("joint_plane 1 2 3 90 90 2 natural_joints 60 120 1 1"),
-                   two = laid("natural_joints 60 120 1 1 natural_joints 0 0 0.5 2 joint_plane 1 2 "
-                              "3 90 90 2");
+                   two = laid(
+                       "natural_joints 60 120 1 1 natural_joints 0 0 0.5 2 joint_plane 1 2 "
+                       "3 90 90 2");
   ASSERT_GT(one.rock.planes.size(), 8u);
   ASSERT_GT(two.rock.planes.size(), one.rock.planes.size() + 10);
   ASSERT_EQ(one.natural_joints.size(), one.rock.planes.size());
@@ -103,8 +105,7 @@ TEST(CutOptions, ASetThatIsRefusedSaysWhichOfItsWordsIs) {
   };
   const std::string name = "create_blocks: natural_joints ";
   EXPECT_EQ(refused("95 0 1 1"), name + "dip must be >= 0 and <= 90 deg, got '95'");
-  EXPECT_EQ(refused("5 361 1 1"),
-            name + "dip direction must be >= 0 and <= 360 deg, got '361'");
+  EXPECT_EQ(refused("5 361 1 1"), name + "dip direction must be >= 0 and <= 360 deg, got '361'");
   EXPECT_EQ(refused("5 0 0.05 1"), name + "spacing must be >= 0.1 and <= 10000 m, got '0.05'");
   EXPECT_EQ(refused("5 0 1 256"), name + "class must be >= 0 and <= 255, got '256'");
   EXPECT_EQ(refused("5 0 1 1 persistence 1.2 3"),
@@ -112,15 +113,17 @@ TEST(CutOptions, ASetThatIsRefusedSaysWhichOfItsWordsIs) {
   EXPECT_EQ(refused("5 0 1 1 persistence 0.5"),
             name + "persistence needs the radius of the discs after it, got nothing");
   EXPECT_EQ(refused("5 0 1 1 persistence 0.5 0.01"),
-            name + "persistence, the radius of the discs must be >= 0.1 and <= 10000000 m, got "
-                   "'0.01'");
+            name +
+                "persistence, the radius of the discs must be >= 0.1 and <= 10000000 m, got "
+                "'0.01'");
   EXPECT_EQ(refused("5 0 1 1 fisher 2"),
             name + "fisher, the constant K must be >= 5 and <= 1000000, got '2'");
   EXPECT_EQ(refused("5 0 1 1 spacings evne"),
             name + "spacings must be exponential or even, got 'evne'; did you mean 'even'?");
   EXPECT_EQ(refused("5 0 1 1 persistense 0.5 2"),
-            name + "takes persistence, fisher, spacings after its class, got 'persistense'; did "
-                   "you mean 'persistence'?");
+            name +
+                "takes persistence, fisher, spacings after its class, got 'persistense'; did "
+                "you mean 'persistence'?");
 }
 
 TEST(CutOptions, MorePlanesThanTheCutIsMeasuredWithAreRefused) {

@@ -74,9 +74,8 @@ TEST(RockModel, FacetsInTheDiscsOfASetAreTheShareOfItsPlanes) {
 }
 
 TEST(RockModel, TheReportSaysHowMuchOfTheRockIsNaturalJoint) {
-  const std::string text =
-      describe(cut_rock(cube("size uniform 0.5 joint_plane 1 1 1 90 90 3"), 1, nothing_is_held()),
-               0.0);
+  const std::string text = describe(
+      cut_rock(cube("size uniform 0.5 joint_plane 1 1 1 90 90 3"), 1, nothing_is_held()), 0.0);
   EXPECT_NE(text.find("natural joints: 1 planes, 4 m2 of facets with a joint class, 0.5 m2 per m3"),
             std::string::npos)
       << text;

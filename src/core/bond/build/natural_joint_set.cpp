@@ -50,7 +50,8 @@ double distance_from_box(const Vec3& point, const Vec3& lo, const Vec3& hi) {
 /// plane is filled from one end; discs that do not reach the box are left out.
 std::vector<Vec3> disc_centres(const NaturalJointSet& set, const JointPlane& plane, const Vec3& lo,
                                const Vec3& hi, Random& random) {
-  const double per_area = -std::log1p(-set.persistence) / (std::numbers::pi * set.radius * set.radius);
+  const double per_area =
+      -std::log1p(-set.persistence) / (std::numbers::pi * set.radius * set.radius);
   const double half = 0.5 * (hi - lo).norm() + set.radius;
   const Vec3 first = plane.normal.unitOrthogonal(), second = plane.normal.cross(first);
   std::vector<Vec3> centres;

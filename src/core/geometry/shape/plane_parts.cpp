@@ -65,9 +65,7 @@ Vec3 mirrored(const CutPlane& plane, const Vec3& p) {
 }
 
 /// Nowhere are blocks larger [m].
-double largest_size(const TessellationOptions& options) {
-  return options.size.limits().largest;
-}
+double largest_size(const TessellationOptions& options) { return options.size.limits().largest; }
 
 bool is_within(const std::vector<CutPlane>& bounds, const Vec3& point) {
   return std::all_of(bounds.begin(), bounds.end(),
@@ -129,8 +127,7 @@ std::vector<SeededCell> cells_between(const TessellationOptions& options,
   for (std::size_t k = 0; k < planes.size(); ++k) {
     std::vector<SeededCell> next;
     for (SeededCell& whole : cells) {
-      auto halves =
-          divided(whole.cell, planes[k].point, planes[k].normal, static_cast<int>(k));
+      auto halves = divided(whole.cell, planes[k].point, planes[k].normal, static_cast<int>(k));
       const bool thin = halves && cuts_sliver_off(*halves, ground, kThinnestPart);
       merged += thin ? 1 : 0;
       if (!halves || thin) {
@@ -227,8 +224,7 @@ RockParts parts_of(const TessellationOptions& options) {
   for (std::size_t k = 0; k < planes.size(); ++k) mirror_layer(planes, ground, largest, k, seeds);
   RockParts found;
   FurtherSeeds further(options, ground);
-  for (SeededCell& cell :
-       cells_between(options, planes, ground, std::move(seeds), found.merged)) {
+  for (SeededCell& cell : cells_between(options, planes, ground, std::move(seeds), found.merged)) {
     RockPart part{bounds_of(cell.cell, planes), std::move(cell.seeds)};
     const Vec3 middle = centroid_of(cell.cell);
     if (part.seeds.empty() && ground.is_rock(middle)) part.seeds = {middle};
