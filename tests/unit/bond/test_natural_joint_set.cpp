@@ -57,7 +57,7 @@ TEST(NaturalJointSet, EvenPlanesAreSpacedAlongTheirNormal) {
   ASSERT_LE(planes.size(), 9u);
   for (std::size_t k = 1; k < planes.size(); ++k) {
     EXPECT_NEAR(normal.dot(planes[k].point - planes[k - 1].point), 1.25, 1e-12);
-    EXPECT_EQ((planes[k].normal - normal).norm(), 0.0);
+    EXPECT_NEAR((planes[k].normal - normal).norm(), 0.0, 1e-15);
   }
 }
 

@@ -93,7 +93,7 @@ TEST(KirraTable, RefusesWithFileAndLine) {
   EXPECT_EQ(refused("1,0,0,10,0,0,-1,0.089,P,1,0,red\n"),
             "plan.csv:1: holeDiameter must be >= 5 and <= 1000 mm, got '0.089'");
   EXPECT_EQ(refused("1,0,a,10,0,0,-1,89,P,1,0,red\n"),
-            "plan.csv:1: startYLocation must be a number [m], got 'a'");
+            "plan.csv:1: startYLocation must be a number in m, got 'a'");
   EXPECT_EQ(refused("1,0,0,10,0,0,8,89,P,1,0,red\n"),
             "plan.csv:1: hole '1' must be longer than 3 m, its stemming, got '2'");
   EXPECT_EQ(refused("1,0,0,10,0,0,-1,89,P,5,0,red\n"),

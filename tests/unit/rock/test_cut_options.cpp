@@ -114,10 +114,10 @@ TEST(CutOptions, ASetThatIsRefusedSaysWhichOfItsWordsIs) {
             name + "persistence needs the radius of the discs after it, got nothing");
   EXPECT_EQ(refused("5 0 1 1 persistence 0.5 0.01"),
             name +
-                "persistence, the radius of the discs must be >= 0.1 and <= 10000000 m, got "
+                "persistence, the radius of the discs must be >= 0.1 and <= 1e+07 m, got "
                 "'0.01'");
   EXPECT_EQ(refused("5 0 1 1 fisher 2"),
-            name + "fisher, the constant K must be >= 5 and <= 1000000, got '2'");
+            name + "fisher, the constant K must be >= 5 and <= 1e+06, got '2'");
   EXPECT_EQ(refused("5 0 1 1 spacings evne"),
             name + "spacings must be exponential or even, got 'evne'; did you mean 'even'?");
   EXPECT_EQ(refused("5 0 1 1 persistense 0.5 2"),

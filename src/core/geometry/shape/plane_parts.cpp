@@ -271,11 +271,12 @@ std::vector<SeedPair> pairs_across(const TessellationOptions& options,
   return pairs;
 }
 
-void make_symmetric(const CutPlane& across, const RockPart& part, Vec3& seed,
+void make_symmetric(const Ground& ground, const CutPlane& across, const RockPart& part, Vec3& seed,
                     const RockPart& other_part, Vec3& other) {
   const CutPlane plane{across.point, across.normal.normalized()};
   const Vec3 mean = 0.5 * (seed + mirrored(plane, other)), image = mirrored(plane, mean);
   if (!is_within(part.bounds, mean) || !is_within(other_part.bounds, image)) return;
+  if (!ground.is_rock(mean) || !ground.is_rock(image)) return;
   seed = mean;
   other = image;
 }
