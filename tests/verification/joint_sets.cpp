@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bond/build/natural_joint_set.h"
+#include "bond/build/joint_plane.h"
 #include "framework/cases.h"
 #include "framework/rock_samples.h"
 #include "framework/standing_wave.h"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kRatio = 0.25;  // Poisson's
 constexpr double kSpacing = 1.25;
-constexpr double kTolerance = 0.02;
+constexpr double kTolerance = 0.02;  // slabs between joints are one block thick or two
 constexpr double kStepShare = 0.5, kPeriods = 2.0;
 const Vec3 kBox(10.0, 4.0, 4.0);  // holds half a wavelength
 
@@ -40,12 +40,12 @@ double exact_speed(double modulus, double density, double stiffness, double q) {
   return low / q;
 }
 
-/// Planes of the set through the box, as create_blocks lays them.
+/// Half a spacing off the walls at both ends, so that the reflections of the box continue the set.
 std::vector<JointPlane> planes() {
-  NaturalJointSet set;
-  set.normal = Vec3::UnitX();
-  set.spacing = set.least_spacing = kSpacing;
-  return planes_of(set, Vec3::Zero(), kBox, 1);
+  std::vector<JointPlane> all;
+  for (double x = 0.5 * kSpacing; x < kBox.x(); x += kSpacing)
+    all.push_back({Vec3(x, 0.0, 0.0), Vec3::UnitX(), 1});
+  return all;
 }
 
 RockSample cut_along(const std::vector<JointPlane>& joints) {
@@ -78,7 +78,7 @@ void wave_speed(Report& report) {
                       static_speed, kTolerance);
       report.relative(
           {name, "speed across the joints, their dispersion counted", "m/s", "Bloch waves"}, speed,
-          exact_speed(modulus, density, stiffness, wave.wave_number), 0.5 * kTolerance);
+          exact_speed(modulus, density, stiffness, wave.wave_number), kTolerance);
     }
   }
 }
