@@ -127,7 +127,7 @@ Vec3 turned_back(const Vec3& p, double bearing) {
   return {s * p.x() - c * p.y(), c * p.x() + s * p.y(), p.z()};
 }
 
-/// The frame's origin in turned coordinates: the floor is the mean of the holes' lower ends less
+/// In the mine's coordinates, to a millimetre: the floor is the mean of the holes' lower ends and
 /// their subdrill, y = 0 the middle of the collars.
 Vec3 origin_by_holes(const std::vector<KirraHole>& holes, const KirraFrame& frame) {
   double floor = 0.0;
@@ -144,7 +144,9 @@ Vec3 origin_by_holes(const std::vector<KirraHole>& holes, const KirraFrame& fram
     low = std::min(low, collar.y());
     high = std::max(high, collar.y());
   }
-  return {front + frame.burden, 0.5 * (low + high), floor};
+  const Vec3 origin(front + frame.burden, 0.5 * (low + high), floor);
+  const Vec3 millimetres = 1e3 * turned_back(origin, frame.throw_bearing);
+  return millimetres.array().round() / 1e3;
 }
 
 /// To a micrometre: Kirra writes a tenth of a millimetre.
@@ -169,9 +171,9 @@ ConvertedHoles convert_kirra(const std::string& text, const std::string& name,
   for (std::size_t row = 0; row < csv.rows(); ++row) holes.push_back(hole_of(csv, row));
   if (holes.empty()) throw InputError(name + ": has no hole");
   const Names names = names_of(csv, holes);
-  const Vec3 origin =
-      frame.origin ? turned(*frame.origin, frame.throw_bearing) : origin_by_holes(holes, frame);
-  ConvertedHoles converted{"", holes.size(), turned_back(origin, frame.throw_bearing)};
+  ConvertedHoles converted{"", holes.size(),
+                           frame.origin ? *frame.origin : origin_by_holes(holes, frame)};
+  const Vec3 origin = turned(converted.origin, frame.throw_bearing);
   std::ostringstream table;
   table << "# holes of Kirra's file " << name << "; origin in its coordinates "
         << place_text(converted.origin) << " m\n"
