@@ -18,7 +18,7 @@ struct CutOptions;
 
 /// Least distance of two planes of a set, over block_min: rock between nearer ones would be plates.
 inline constexpr double kLeastSpacing = 0.5;
-/// Most planes of all sets together: what a cut has been measured with (docs/theory/cuts.md).
+/// Most planes of all sets together; docs/theory/cuts.md has what many planes cost.
 inline constexpr int kMostPlanes = 1000;
 
 /// Of the words behind `joint_plane`. Throws InputError.

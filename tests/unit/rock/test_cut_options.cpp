@@ -126,7 +126,7 @@ TEST(CutOptions, ASetThatIsRefusedSaysWhichOfItsWordsIs) {
                 "you mean 'persistence'?");
 }
 
-TEST(CutOptions, MorePlanesThanTheCutIsMeasuredWithAreRefused) {
+TEST(CutOptions, MoreThanAThousandPlanesAreRefused) {
   std::string words;  // 10 sqrt(3) / 0.1 = 174 planes each
   for (int set = 0; set < 6; ++set) words += "natural_joints 0 0 0.1 1 ";
   EXPECT_EQ(input_error_of([&] { (void)laid(words); }),
