@@ -82,6 +82,7 @@ void CreateBlocks::command(int narg, char** arg) {
   engine::or_engine_error(*lmp, [&] {
     options = cut_options(args, installed_memory());
     bound(options.rock, rock);
+    lay_natural_joint_sets(options);
     supports = support(args);
     return 0;
   });

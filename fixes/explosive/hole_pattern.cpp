@@ -3,14 +3,17 @@
 // Scope: see the header.
 #include "fixes/explosive/hole_pattern.h"
 
+#include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <system_error>
 
+#include "args/csv_table.h"
+#include "args/input_error.h"
+#include "args/numbers.h"
 #include "explosive/hole_pattern.h"
 #include "explosive/hole_table.h"
+#include "explosive/kirra_table.h"
 #include "fixes/engine/output_file.h"
 #include "fixes/engine/style_args.h"
 
@@ -21,17 +24,65 @@ struct TableText {
   std::string text, report;
 };
 
-TableText table_and_report(const ArgValues& values, const std::string& where) {
-  const std::string& own = values.word("take");
-  if (own == "none") {
-    const HolePattern pattern = hole_pattern(values, where);
-    return {hole_table_text(pattern), describe(pattern)};
-  }
-  const HoleTable table = HoleTable::read(own);  // finds what is wrong with it
-  std::ostringstream text;
-  text << std::ifstream(own).rdbuf();
-  return {text.str(), where + ": " + std::to_string(table.holes()) + " holes, " +
+TableText taken(const std::string& own, const std::string& where) {
+  const CsvTable csv = CsvTable::read(own);
+  const HoleTable table(csv);  // finds what is wrong with it
+  return {csv.text(), where + ": " + std::to_string(table.holes()) + " holes, " +
                           std::to_string(table.decks().size()) + " decks of " + own + "\n"};
+}
+
+KirraFrame frame_of(const ArgValues& values, const std::string& where) {
+  KirraFrame frame;
+  frame.throw_bearing = values.real("throw_bearing") * M_PI / 180.0;
+  frame.burden = values.real("burden");
+  frame.subdrill = values.real("subdrill");
+  for (const auto& words : values.groups("origin")) {
+    Vec3 origin;
+    for (int c = 0; c < 3; ++c)
+      origin[c] =
+          parse_real(where, "origin", words[static_cast<std::size_t>(c)], "m", place_range());
+    frame.origin = origin;
+  }
+  return frame;
+}
+
+TableText converted(const std::string& file, const ArgValues& values, const std::string& where) {
+  if (values.integer("decks") != 1)
+    refuse(where,
+           "decks must be 1 with kirra, got '" + std::to_string(values.integer("decks")) + "'");
+  const ConvertedHoles holes =
+      convert_kirra(whole_file(file), file, frame_of(values, where),
+                    {values.real("stemming"), values.real("in_hole_delay")});
+  (void)HoleTable(CsvTable::parse(holes.table, file + ", converted"));
+  const Vec3& o = holes.origin;
+  return {holes.table, where + ": " + std::to_string(holes.holes) + " holes of " + file +
+                           " by Kirra\n  place 0 0 0 is " + number_text(o.x()) + ' ' +
+                           number_text(o.y()) + ' ' + number_text(o.z()) +
+                           " m there; x looks to the bearing " +
+                           number_text(values.real("throw_bearing")) + " degrees\n"};
+}
+
+/// Faults of the user's file start with the command and its keyword.
+template <class Read>
+TableText of_file(const std::string& where, const std::string& keyword, const Read& read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    throw InputError(text.rfind(where, 0) == 0 ? text : where + ": " + keyword + " " + text);
+  }
+}
+
+TableText table_and_report(const ArgValues& values, const std::string& where) {
+  const std::string &own = values.word("take"), &kirra = values.word("kirra");
+  if (own != "none" && kirra != "none")
+    refuse(where, "takes either take or kirra, got both '" + own + "' and '" + kirra + "'");
+  if (kirra != "none")
+    return of_file(where, "kirra", [&] { return converted(kirra, values, where); });
+  if (values.given("origin")) refuse(where, "origin needs kirra");
+  if (own != "none") return of_file(where, "take", [&] { return taken(own, where); });
+  const HolePattern pattern = hole_pattern(values, where);
+  return {hole_table_text(pattern), describe(pattern)};
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ void FixMuckpileJoint::check_classes() const {
   const int most = engine::greatest_over_ranks(store_->highest_joint_class(), world);
   const auto given = static_cast<int>(network_.natural_classes());
   if (most <= given) return;
-  engine::stop(*lmp, engine::name_of(*this) + ": create_blocks has a joint_plane of class " +
+  engine::stop(*lmp, engine::name_of(*this) + ": create_blocks has natural joints of class " +
                          std::to_string(most) + ", but joint_class is given " +
                          std::to_string(given) + " time(s)");
 }

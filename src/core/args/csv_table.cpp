@@ -15,14 +15,6 @@
 namespace muckpile {
 namespace {
 
-std::string whole_file(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw InputError(path.string() + ": cannot be opened");
-  std::ostringstream text;
-  text << in.rdbuf();
-  return std::move(text).str();
-}
-
 std::string_view next_line(std::string_view& rest) {
   const size_t end = rest.find('\n');
   std::string_view line = rest.substr(0, end);
@@ -65,13 +57,22 @@ bool parse_all(std::string_view text, Number& value) {
 
 }  // namespace
 
+std::string whole_file(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw InputError(path.string() + ": cannot be opened");
+  std::ostringstream text;
+  text << in.rdbuf();
+  return std::move(text).str();
+}
+
 CsvTable CsvTable::read(const std::filesystem::path& path) {
   return parse(whole_file(path), path.string());
 }
 
-CsvTable CsvTable::parse(std::string text, const std::string& name) {
+CsvTable CsvTable::parse(std::string text, const std::string& name, std::string_view header) {
   CsvTable table;
   table.name_ = name;
+  if (!header.empty()) split(header, table.header_);
   table.text_ = std::make_shared<const std::string>(std::move(text));
   std::string_view rest = *table.text_;
   if (rest.substr(0, kByteOrderMark.size()) == kByteOrderMark)

@@ -19,9 +19,12 @@ class CsvTable {
   // Throws InputError, naming the file and the line, if it is absent, has no header or a ragged
   // row.
   static CsvTable read(const std::filesystem::path& path);
-  // The same from a text; `name` stands for the file in messages.
-  static CsvTable parse(std::string text, const std::string& name);
+  // The same from a text; `name` stands for the file in messages. A text without a header line has
+  // the names of `header`, which must outlive the table.
+  static CsvTable parse(std::string text, const std::string& name, std::string_view header = {});
 
+  // All that was read.
+  [[nodiscard]] const std::string& text() const { return *text_; }
   [[nodiscard]] const std::vector<std::string_view>& header() const { return header_; }
   [[nodiscard]] size_t rows() const { return lines_.size(); }
   [[nodiscard]] const std::vector<std::string_view>& remarks() const { return remarks_; }
@@ -51,6 +54,9 @@ class CsvTable {
   std::vector<std::string_view> remarks_, header_, fields_;
   std::vector<size_t> lines_;  // line number of each row, from 1
 };
+
+// A file as one text. Throws InputError if it cannot be opened.
+[[nodiscard]] std::string whole_file(const std::filesystem::path& path);
 
 // The finite number that the whole of `text` spells. Throws InputError with `context` before it.
 double parse_number(std::string_view text, const std::string& context);

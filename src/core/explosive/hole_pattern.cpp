@@ -81,17 +81,29 @@ ArgTable hole_pattern_table() {
       .word("take", {}, "none",
             "a hole table of one's own, which is checked and copied to `file` instead; the other "
             "keywords are then only checked for their ranges")
+      .word(
+          "kirra", {}, "none",
+          "a CSV file of holes that Kirra has exported, which is converted to `file` instead, with "
+          "`stemming` and `in_hole_delay`; of the other keywords only those below that say so "
+          "are used")
+      .real("throw_bearing", "deg", Range::closed(0.0, 360.0), 90.0,
+            "with `kirra`: that the face looks to, from north over east; it becomes the x axis")
+      .group("origin", 3, 3, false,
+             "with `kirra`: x y z of the face's toe in the coordinates of the file [m]; without it "
+             "the holes set it")
       .integer("rows", "", Range::closed(1, 1000), std::nullopt, "rows of holes behind the face")
       .integer("holes_per_row", "", Range::closed(1, 1000), std::nullopt, "holes in each row")
-      .real("burden", "m", length, std::nullopt,
-            "from the face's toe to the first row, and from row to row, at the height of the floor")
+      .real(
+          "burden", "m", length, std::nullopt,
+          "from the face's toe to the first row, and from row to row, at the height of the floor; "
+          "with `kirra` and no `origin`: of the foremost hole")
       .real("spacing", "m", length, std::nullopt, "between the holes of a row")
       .real("stagger", "", Range::closed(0.0, 1.0), 0.5,
             "by which every second row is moved along the row, of spacing; 0: a rectangle")
       .real("bench_height", "m", Range::closed(0.1, 100.0), std::nullopt,
             "of the collars above the floor")
       .real("subdrill", "m", Range::closed(0.0, 50.0), 0.0,
-            "depth of the holes' lower ends below the floor")
+            "depth of the holes' lower ends below the floor; with `kirra`: where its file has none")
       .real("stemming", "m", Range::closed(0.0, 150.0), std::nullopt,
             "from the collar to the highest charge, along the hole")
       .real("hole_diameter", "m", Range::closed(5e-3, 1.0), std::nullopt, "of all holes")

@@ -151,20 +151,6 @@ std::vector<Hole> crushed_zones(const ArgValues& args) {
   return holes;
 }
 
-JointPlane natural_joint(const Words& words) {
-  const auto metres = [&](std::size_t k, const Range& range) {
-    return real_of("joint_plane", words[k], "m", range);
-  };
-  JointPlane plane;
-  plane.point = {metres(0, place_range()), metres(1, place_range()), metres(2, place_range())};
-  plane.normal = normal_of_dip(radians_of("joint_plane", words[3], 90.0),
-                               radians_of("joint_plane", words[4], 360.0));
-  plane.joint_class =
-      static_cast<std::uint8_t>(whole_of("joint_plane", words[5], Range::closed(0, 255)));
-  if (words.size() > 6) plane.radius = metres(6, Range::left_open(0.0, 1e7));
-  return plane;
-}
-
 JointSetCut joint_sets(const ArgValues& args) {
   JointSetCut how{{}, args.real("sliver")};
   for (const Words& words : args.groups("joint_set")) {
@@ -206,9 +192,13 @@ CutOptions read(const ArgValues& args, std::size_t memory) {
   TessellationOptions& rock = options.rock;
   rock.holes = crushed_zones(args);
   for (const Words& words : args.groups("joint_plane"))
-    options.natural_joints.push_back(natural_joint(words));
+    options.natural_joints.push_back(joint_plane_of(words));
   for (const JointPlane& plane : options.natural_joints)
     rock.planes.push_back({plane.point, plane.normal});
+  for (const Words& words : args.groups("natural_joints")) {
+    if (const auto set = natural_joint_set_of(words, options.limits))
+      options.natural_joint_sets.push_back(*set);
+  }
   rock.seed = static_cast<unsigned long>(args.integer("seed"));
   rock.sweeps = static_cast<int>(args.integer("sweeps"));
   rock.max_blocks = args.integer("max_blocks") > 0

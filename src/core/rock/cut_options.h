@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "args/parse_args.h"
-#include "bond/build/joint_plane.h"
 #include "geometry/cut/joint_set_cut.h"
 #include "geometry/cut/tessellation.h"
 #include "geometry/size/size_target.h"
+#include "rock/natural_joints.h"
 
 namespace muckpile {
 
@@ -23,7 +23,9 @@ struct CutOptions {
   std::optional<std::string> import_file{};  ///< blocks are in this file, in place of a cut
   std::optional<JointSetCut> joint_sets{};   ///< cut by them, in place of Voronoi cells
   std::vector<JointPlane> natural_joints{};  ///< the planes in rock.planes with their joint class
-  double density = 0.0;                      ///< [kg/m3]
+  /// Their planes follow once the box of the rock is known: lay_natural_joint_sets().
+  std::vector<NaturalJointSet> natural_joint_sets{};
+  double density = 0.0;  ///< [kg/m3]
   int spheres_per_block = 0;
   double sphere_growth = 1.0;
   bool round_walls = true;  ///< crushed zones have the stiffness of round holes (wall_facets.h)

@@ -52,6 +52,13 @@ const ArgTable& cut_table() {
               "natural joint: x y z of a point [m], dip and dip direction [degrees; y is north, x "
               "is east], number of the `joint_class` of fix muckpile/joint (0: none), and "
               "optionally a radius about the point [m] beyond which its facets are like all others")
+          .group("natural_joints", 4, 11, true,
+                 "a set of natural joints at random places: dip and dip direction [degrees], mean "
+                 "spacing [m; >= block_min, or 0: no such set], number of the `joint_class`, and "
+                 "optionally "
+                 "`persistence SHARE RADIUS` (joint is that share of each plane, in discs of that "
+                 "radius [m; >= block_min]), `fisher K` (scatter of the normals, 5 to 1e6), "
+                 "`spacings exponential` (default) or `spacings even`")
           .word("cut", {"voronoi", "joint_sets"}, "voronoi",
                 "how the rock is cut: graded Voronoi blocks, or joint sets in concentric bands")
           .group("joint_set", 2, 3, true,

@@ -68,6 +68,20 @@ std::string describe_blocks(const RockModel& model, double seconds) {
   return text.str();
 }
 
+/// How much of the rock's facets is natural joint, as a survey gives it: area per volume (P32).
+std::string describe_natural_joints(const RockModel& model) {
+  if (model.natural_planes == 0) return "";
+  double area = 0.0, volume = 0.0;
+  for (const Facet& facet : model.facets.facets)
+    area += facet.kind == FacetKind::joint && facet.joint_class > 0 ? facet.area : 0.0;
+  for (const Block& block : model.rock.blocks) volume += block.mass.volume;
+  std::ostringstream text;
+  text.precision(4);
+  text << "  natural joints: " << model.natural_planes << " planes, " << area
+       << " m2 of facets with a joint class, " << area / volume << " m2 per m3 of blocks\n";
+  return text.str();
+}
+
 std::string describe_parts(const TessellationStatistics& statistics) {
   std::string text;
   if (statistics.merged_parts > 0) {
@@ -121,8 +135,8 @@ std::string describe_target(const SizeComparison& sizes, const std::string& why)
 }  // namespace
 
 std::string describe(const RockModel& model, double seconds) {
-  std::string text = describe_blocks(model, seconds) + describe_parts(model.rock.statistics) +
-                     describe_filling(model);
+  std::string text = describe_blocks(model, seconds) + describe_natural_joints(model) +
+                     describe_parts(model.rock.statistics) + describe_filling(model);
   if (model.sizes) text += describe_target(*model.sizes, model.why_missed);
   return text;
 }

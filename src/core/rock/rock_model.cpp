@@ -56,6 +56,7 @@ RockModel cut_rock(const CutOptions& options, int first_tag, const SupportRule& 
   model.facets = build_facets(blocks, first_tag, support, leans ? Leaning::much : Leaning::little);
   if (options.round_walls)
     fit_walls(blocks, first_tag, holes_as_cut(options, model.rock), model.facets);
+  model.natural_planes = options.natural_joints.size();
   assign_joint_classes(options.natural_joints, blocks, first_tag, model.facets.facets);
   return model;
 }

@@ -21,6 +21,7 @@ struct RockModel {
   double largest_overlap = 0.0;           ///< of spheres of two blocks, in radii
   std::optional<SizeComparison> sizes{};  ///< with a size target
   std::string why_missed{};               ///< the target, if it is
+  std::size_t natural_planes = 0;         ///< of natural joints
 };
 
 /// Throws InputError as the cuts do (tessellation.h, joint_set_cut.h, size_target.h,

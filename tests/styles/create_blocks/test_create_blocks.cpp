@@ -78,6 +78,18 @@ TEST(CreateBlocks, MakesTheSameBlocksBesideAJointOnAnyNumberOfRanks) {
   EXPECT_EQ(alone.first, shared.first);
 }
 
+TEST(CreateBlocks, MakesTheSameBlocksBetweenSetsOfNaturalJointsOnAnyNumberOfRanks) {
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  const ScratchFolder base("create_blocks_sets");
+  const std::string sets =
+      "natural_joints 80 90 1 0 fisher 60 natural_joints 20 200 0.8 0 persistence 0.5 0.6 ";
+  const auto alone = files(MPI_COMM_SELF, base / ("alone" + std::to_string(rank)), sets);
+  const auto shared = files(MPI_COMM_WORLD, base / "shared", sets);
+  ASSERT_GT(alone.first.size(), 10000u);
+  EXPECT_EQ(alone.first, shared.first);
+}
+
 /// The rock of kCut, cut without the engine.
 Tessellation rock() {
   TessellationOptions options;

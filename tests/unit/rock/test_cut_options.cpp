@@ -57,6 +57,83 @@ TEST(CutOptions, NaturalJointsAreCutPlanesToo) {
   EXPECT_NEAR(std::abs(options.rock.planes[0].normal.x()), 1.0, 1e-15);  // dips to the east
 }
 
+TEST(CutOptions, ASetOfNaturalJointsIsReadWithItsOptions) {
+  const CutOptions options =
+      read(kRock +
+           "size uniform 0.3 natural_joints 90 0 1.5 2 natural_joints 30 90 "
+           "2 1 persistence 0.5 3 fisher 40 spacings even natural_joints 0 0 0 1 seed 4");
+  ASSERT_EQ(options.natural_joint_sets.size(), 2u);
+  const NaturalJointSet &plain = options.natural_joint_sets[0],
+                        &full = options.natural_joint_sets[1];
+  EXPECT_NEAR(plain.normal.y(), 1.0, 1e-15);  // upright, dips to the north
+  EXPECT_EQ(plain.spacing, 1.5);
+  EXPECT_EQ(plain.least_spacing, 0.05);  // half of block_min
+  EXPECT_EQ(plain.joint_class, 2);
+  EXPECT_EQ(plain.persistence, 1.0);
+  EXPECT_NEAR(full.normal.x(), 0.5, 1e-15);  // dips to the east
+  EXPECT_EQ(full.persistence, 0.5);
+  EXPECT_EQ(full.radius, 3.0);
+  EXPECT_EQ(full.concentration, 40.0);
+  EXPECT_EQ(full.least_spacing, 2.0);
+  EXPECT_EQ(options.rock.seed, 4u);
+}
+
+/// Planes through a box of 10 m.
+CutOptions laid(const std::string& words) {
+  CutOptions options = read(kRock + "size uniform 0.3 " + words);
+  options.rock.hi = Vec3::Constant(10.0);
+  lay_natural_joint_sets(options);
+  return options;
+}
+
+TEST(CutOptions, PlanesOfSetsFollowSinglePlanesAndDoNotDependOnLaterSets) {
+  const CutOptions one = laid("joint_plane 1 2 3 90 90 2 natural_joints 60 120 1 1"),
+                   two = laid(
+                       "natural_joints 60 120 1 1 natural_joints 0 0 0.5 2 joint_plane 1 2 "
+                       "3 90 90 2");
+  ASSERT_GT(one.rock.planes.size(), 8u);
+  ASSERT_GT(two.rock.planes.size(), one.rock.planes.size() + 10);
+  ASSERT_EQ(one.natural_joints.size(), one.rock.planes.size());
+  EXPECT_EQ(one.natural_joints[0].joint_class, 2);
+  for (std::size_t k = 0; k < one.rock.planes.size(); ++k)
+    EXPECT_EQ((one.rock.planes[k].point - two.rock.planes[k].point).norm(), 0.0);
+}
+
+TEST(CutOptions, ASetThatIsRefusedSaysWhichOfItsWordsIs) {
+  const auto refused = [](const std::string& words) {
+    return message(kRock + "size uniform 0.3 natural_joints " + words);
+  };
+  const std::string name = "create_blocks: natural_joints ";
+  EXPECT_EQ(refused("95 0 1 1"), name + "dip must be >= 0 and <= 90 deg, got '95'");
+  EXPECT_EQ(refused("5 361 1 1"), name + "dip direction must be >= 0 and <= 360 deg, got '361'");
+  EXPECT_EQ(refused("5 0 0.05 1"), name + "spacing must be >= 0.1 and <= 10000 m, got '0.05'");
+  EXPECT_EQ(refused("5 0 1 256"), name + "class must be >= 0 and <= 255, got '256'");
+  EXPECT_EQ(refused("5 0 1 1 persistence 1.2 3"),
+            name + "persistence, the share of the planes must be > 0 and <= 1, got '1.2'");
+  EXPECT_EQ(refused("5 0 1 1 persistence 0.5"),
+            name + "persistence needs the radius of the discs after it, got nothing");
+  EXPECT_EQ(refused("5 0 1 1 persistence 0.5 0.01"),
+            name +
+                "persistence, the radius of the discs must be >= 0.1 and <= 1e+07 m, got "
+                "'0.01'");
+  EXPECT_EQ(refused("5 0 1 1 fisher 2"),
+            name + "fisher, the constant K must be >= 5 and <= 1e+06, got '2'");
+  EXPECT_EQ(refused("5 0 1 1 spacings evne"),
+            name + "spacings must be exponential or even, got 'evne'; did you mean 'even'?");
+  EXPECT_EQ(refused("5 0 1 1 persistense 0.5 2"),
+            name +
+                "takes persistence, fisher, spacings after its class, got 'persistense'; did "
+                "you mean 'persistence'?");
+}
+
+TEST(CutOptions, MoreThanAThousandPlanesAreRefused) {
+  std::string words;  // 10 sqrt(3) / 0.1 = 174 planes each
+  for (int set = 0; set < 6; ++set) words += "natural_joints 0 0 0.1 1 ";
+  EXPECT_EQ(input_error_of([&] { (void)laid(words); }),
+            "create_blocks: natural_joints must be at most 1000 planes through the rock, all sets "
+            "together, got up to '1040' with the set of spacing 0.1 m; take a wider spacing");
+}
+
 TEST(CutOptions, OtherCutsAreNotPlain) {
   EXPECT_FALSE(read(kRock + "size target kuz_ram 0.3 1.2").is_plain_voronoi());
   EXPECT_FALSE(read(kRock + "size import rock.vtk").is_plain_voronoi());

@@ -12,10 +12,18 @@ namespace {
 /// Coordinates of neighbouring blocks agree to about 1e-11 of their size.
 constexpr double kRounding = 1e-6;
 
-bool contains(const JointPlane& plane, const Facet& facet, const Vec3& centroid) {
-  const Vec3 normal = plane.normal.normalized(), from = centroid - plane.point;
-  return std::abs(normal.dot(from)) < kRounding * std::sqrt(facet.area) &&
-         normal.cross(facet.normal).norm() < kRounding && from.norm() <= plane.radius;
+bool in_a_disc(const JointPlane& plane, const Vec3& centroid) {
+  if (plane.centres.empty()) return (centroid - plane.point).norm() <= plane.radius;
+  return std::any_of(plane.centres.begin(), plane.centres.end(), [&](const Vec3& centre) {
+    return (centroid - centre).norm() <= plane.radius;
+  });
+}
+
+/// `normal` is the plane's, of length 1.
+bool contains(const JointPlane& plane, const Vec3& normal, const Facet& facet,
+              const Vec3& centroid) {
+  return std::abs(normal.dot(centroid - plane.point)) < kRounding * std::sqrt(facet.area) &&
+         normal.cross(facet.normal).norm() < kRounding && in_a_disc(plane, centroid);
 }
 
 }  // namespace
@@ -29,16 +37,18 @@ std::size_t assign_joint_classes(const std::vector<JointPlane>& planes,
                                  const std::vector<Block>& blocks, int first_tag,
                                  std::vector<Facet>& facets) {
   std::size_t count = 0;
+  std::vector<Vec3> normals;
+  for (const JointPlane& plane : planes) normals.push_back(plane.normal.normalized());
   for (Facet& facet : facets) {
     if (facet.kind != FacetKind::joint) continue;
     const auto block = static_cast<std::size_t>(facet.tag_i - first_tag);
     const Vec3 centroid = blocks[block].mass.centroid + facet.arm_i;
-    const auto plane = std::find_if(planes.begin(), planes.end(), [&](const JointPlane& p) {
-      return contains(p, facet, centroid);
-    });
-    if (plane == planes.end()) continue;
-    facet.joint_class = plane->joint_class;
-    ++count;
+    for (std::size_t p = 0; p < planes.size(); ++p) {
+      if (!contains(planes[p], normals[p], facet, centroid)) continue;
+      facet.joint_class = planes[p].joint_class;
+      ++count;
+      break;
+    }
   }
   return count;
 }

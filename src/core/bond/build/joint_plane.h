@@ -13,12 +13,14 @@
 
 namespace muckpile {
 
-/// A disc, or the whole plane.
+/// A disc, several discs of one radius, or the whole plane.
 struct JointPlane {
   Vec3 point = Vec3::Zero();     ///< on the plane, centre of the disc [m]
   Vec3 normal = Vec3::UnitZ();   ///< of any length but 0
   std::uint8_t joint_class = 1;  ///< see Facet
   double radius = std::numeric_limits<double>::infinity();  ///< [m]
+  std::vector<Vec3>
+      centres{};  ///< of the discs, all in the plane; none: one disc about `point` [m]
 };
 
 /// Upward normal of a plane by its dip and dip direction [rad]: x is east, y is north, z is up; the

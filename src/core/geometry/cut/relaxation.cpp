@@ -20,6 +20,14 @@ namespace {
 constexpr double kFirstReach =
     1.5;  // [block sizes] most neighbours of a relaxed cell are within it
 
+/// Whether a hole lies behind one of the planes as a whole.
+bool is_beyond(const std::vector<CutPlane>& bounds, const Hole& hole) {
+  return std::any_of(bounds.begin(), bounds.end(), [&](const CutPlane& bound) {
+    const auto height = [&](const Vec3& p) { return bound.normal.dot(p - bound.point); };
+    return std::min(height(hole.toe), height(hole.collar)) > hole.radius;
+  });
+}
+
 }  // namespace
 
 Relaxation::Relaxation(const TessellationOptions& options)
@@ -33,8 +41,9 @@ Relaxation::Relaxation(const TessellationOptions& options, std::vector<Vec3> see
       bounds_(std::move(bounds)),
       mirrored_holes_(options.holes) {
   for (const Hole& hole : options.holes) {
-    cylinder_volumes_.push_back(
-        cylinder_volume_where(hole, [&](const Vec3& p) { return ground_.in_region(p); }));
+    const auto in_part = [&](const Vec3& p) { return ground_.in_region(p); };
+    cylinder_volumes_.push_back(is_beyond(bounds_, hole) ? 0.0
+                                                         : cylinder_volume_where(hole, in_part));
   }
 }
 

@@ -135,6 +135,7 @@ class RelaxedParts {
  public:
   explicit RelaxedParts(const TessellationOptions& options) : rock_(parts_of(options)) {
     const std::vector<RockPart>& parts = rock_.parts;
+    const Ground ground(options);
     const std::vector<SeedPair> pairs = pairs_across(options, parts);
     for (const RockPart& part : parts) alone_.push_back(options_of(options, part));
     for (std::size_t p = 0; p < parts.size(); ++p)
@@ -142,7 +143,7 @@ class RelaxedParts {
     for (int k = 0; k < options.sweeps; ++k) {
       for (Relaxation& relaxation : relaxations_) relaxation.sweep();
       for (const SeedPair& pair : pairs) {
-        make_symmetric(options.planes[pair.plane], parts[pair.part],
+        make_symmetric(ground, options.planes[pair.plane], parts[pair.part],
                        relaxations_[pair.part].seed(pair.seed), parts[pair.other_part],
                        relaxations_[pair.other_part].seed(pair.other_seed));
       }

@@ -112,10 +112,10 @@ ConvexCell box_cell(const Vec3& lo, const Vec3& hi) {
 
 std::optional<HalfCells> divided(const ConvexCell& cell, const Vec3& point, const Vec3& normal,
                                  int number) {
-  Polyhedron all = cell.shape;
-  std::vector<double> heights = heights_over(all, point, normal);
+  std::vector<double> heights = heights_over(cell.shape, point, normal);
   const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
   if (!(*lowest < 0.0 && *highest > 0.0)) return std::nullopt;
+  Polyhedron all = cell.shape;
   Crossings crossings(all, heights);
   HalfCells halves;
   for (std::size_t f = 0; f < cell.shape.faces.size(); ++f) {

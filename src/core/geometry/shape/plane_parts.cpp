@@ -14,39 +14,58 @@
 namespace muckpile {
 namespace {
 
+constexpr double kLayer = 1.5;  // blocks: the ones at a plane, and those that show between them
+
+// Normals of planes have length 1 in all of this file.
 double height(const CutPlane& plane, const Vec3& point) {
-  return plane.normal.normalized().dot(point - plane.point);
+  return plane.normal.dot(point - plane.point);
 }
 
-/// Faces in the plane of blocks below (`side` 1) or above it (-1).
-std::vector<PlaneFace> faces_in(const PlaneFrame& frame, const std::vector<Block>& blocks,
-                                double side) {
-  constexpr double kRounding = 1e-7;  // of the block size, and radians
-  std::vector<PlaneFace> found;
+std::vector<CutPlane> with_unit_normals(std::vector<CutPlane> planes) {
+  for (CutPlane& plane : planes) plane.normal.normalize();
+  return planes;
+}
+
+/// A face with nothing behind it.
+struct BareFace {
+  std::size_t block, face;
+  Vec3 centroid, normal;
+  double rounding;  // [m]
+};
+
+std::vector<BareFace> bare_faces(const std::vector<Block>& blocks) {
+  constexpr double kRounding = 1e-7;  // of the block size
+  std::vector<BareFace> found;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
-    const Block& block = blocks[b];
-    for (std::size_t f = 0; f < block.neighbour.size(); ++f) {
-      if (block.neighbour[f] != kFreeFace) continue;
-      const FaceGeometry face = face_geometry(block.shape, static_cast<int>(f));
-      const double off = frame.normal.dot(face.centroid - frame.origin);
-      if (std::abs(off) > kRounding * std::cbrt(block.mass.volume)) continue;
-      if ((face.normal - side * frame.normal).norm() > kRounding) continue;
-      found.push_back(plane_face(frame, blocks, b, f, side));
+    for (std::size_t f = 0; f < blocks[b].neighbour.size(); ++f) {
+      if (blocks[b].neighbour[f] != kFreeFace) continue;
+      const FaceGeometry face = face_geometry(blocks[b].shape, static_cast<int>(f));
+      found.push_back(
+          {b, f, face.centroid, face.normal, kRounding * std::cbrt(blocks[b].mass.volume)});
     }
   }
   return found;
 }
 
-/// Which side of each plane a point is on.
-std::vector<bool> sides_of(const std::vector<CutPlane>& planes, const Vec3& point) {
-  std::vector<bool> sides;
-  for (const CutPlane& plane : planes) sides.push_back(height(plane, point) > 0.0);
-  return sides;
+/// Those in the plane, of blocks below (`side` 1) or above it (-1).
+std::vector<PlaneFace> faces_in(const PlaneFrame& frame, const std::vector<BareFace>& faces,
+                                const std::vector<Block>& blocks, double side) {
+  constexpr double kRounding = 1e-7;  // radians
+  std::vector<PlaneFace> found;
+  for (const BareFace& face : faces) {
+    if (std::abs(frame.normal.dot(face.centroid - frame.origin)) > face.rounding) continue;
+    if ((face.normal - side * frame.normal).norm() > kRounding) continue;
+    found.push_back(plane_face(frame, blocks, face.block, face.face, side));
+  }
+  return found;
 }
 
 Vec3 mirrored(const CutPlane& plane, const Vec3& p) {
-  return p - 2.0 * height(plane, p) * plane.normal.normalized();
+  return p - 2.0 * height(plane, p) * plane.normal;
 }
+
+/// Nowhere are blocks larger [m].
+double largest_size(const TessellationOptions& options) { return options.size.limits().largest; }
 
 bool is_within(const std::vector<CutPlane>& bounds, const Vec3& point) {
   return std::all_of(bounds.begin(), bounds.end(),
@@ -54,72 +73,95 @@ bool is_within(const std::vector<CutPlane>& bounds, const Vec3& point) {
 }
 
 /// Whether the image of a point is rock just behind this plane and no other.
-bool has_image(const TessellationOptions& options, const Ground& ground, std::size_t plane,
+bool has_image(const std::vector<CutPlane>& planes, const Ground& ground, std::size_t plane,
                const Vec3& p) {
-  const Vec3 image = mirrored(options.planes[plane], p);
+  const Vec3 image = mirrored(planes[plane], p);
   if (!ground.is_rock(image)) return false;
-  const std::vector<bool> here = sides_of(options.planes, p),
-                          there = sides_of(options.planes, image);
-  for (std::size_t k = 0; k < here.size(); ++k) {
-    if ((here[k] != there[k]) != (k == plane)) return false;
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    const bool parted = (height(planes[k], p) > 0.0) != (height(planes[k], image) > 0.0);
+    if (parted != (k == plane)) return false;
   }
   return true;
 }
 
-/// Replaces the layer of seeds below the plane by the images of the one above it.
-void mirror_layer(const TessellationOptions& options, const Ground& ground, std::size_t number,
-                  std::vector<Vec3>& seeds) {
-  constexpr double kLayer = 1.5;  // blocks: the ones at the plane, and those that show between them
-  const CutPlane& plane = options.planes[number];
+/// Replaces the layer of seeds below the plane by the images of the one above it. No block is wider
+/// than `largest` [m].
+void mirror_layer(const std::vector<CutPlane>& planes, const Ground& ground, double largest,
+                  std::size_t number, std::vector<Vec3>& seeds) {
+  const CutPlane& plane = planes[number];
   const auto in_layer = [&](const Vec3& p) {
-    return std::abs(height(plane, p)) < kLayer * ground.size(p);
+    const double away = std::abs(height(plane, p));
+    return away < kLayer * largest && away < kLayer * ground.size(p);
   };
   std::vector<Vec3> images;
   for (const Vec3& seed : seeds) {
-    if (height(plane, seed) > 0.0 && in_layer(seed) && has_image(options, ground, number, seed))
+    if (height(plane, seed) > 0.0 && in_layer(seed) && has_image(planes, ground, number, seed))
       images.push_back(mirrored(plane, seed));
   }
   std::erase_if(seeds, [&](const Vec3& p) {
     return height(plane, p) <= 0.0 && in_layer(mirrored(plane, p)) &&
-           has_image(options, ground, number, p);
+           has_image(planes, ground, number, p);
   });
   seeds.insert(seeds.end(), images.begin(), images.end());
 }
 
-struct BoundedCell {
+/// A part as it is divided: its faces know which plane made them, and its seeds go with it.
+struct SeededCell {
   ConvexCell cell;
-  std::vector<CutPlane> bounds;
+  std::vector<Vec3> seeds;
 };
 
-std::vector<BoundedCell> cells_between(const TessellationOptions& options, const Ground& ground,
-                                       std::size_t& merged) {
-  std::vector<BoundedCell> cells{{box_cell(options.lo, options.hi), {}}};
-  for (const CutPlane& plane : options.planes) {
-    const Vec3 normal = plane.normal.normalized();
-    std::vector<BoundedCell> next;
-    for (BoundedCell& whole : cells) {
-      auto halves = divided(whole.cell, plane.point, normal, 0);
+/// The seeds on the two sides of a plane, in their order; those in it are below.
+std::pair<std::vector<Vec3>, std::vector<Vec3>> parted(const CutPlane& plane,
+                                                       const std::vector<Vec3>& seeds) {
+  std::pair<std::vector<Vec3>, std::vector<Vec3>> sides;
+  for (const Vec3& seed : seeds)
+    (height(plane, seed) <= 0.0 ? sides.first : sides.second).push_back(seed);
+  return sides;
+}
+
+std::vector<SeededCell> cells_between(const TessellationOptions& options,
+                                      const std::vector<CutPlane>& planes, const Ground& ground,
+                                      std::vector<Vec3> seeds, std::size_t& merged) {
+  std::vector<SeededCell> cells{{box_cell(options.lo, options.hi), std::move(seeds)}};
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    std::vector<SeededCell> next;
+    for (SeededCell& whole : cells) {
+      auto halves = divided(whole.cell, planes[k].point, planes[k].normal, static_cast<int>(k));
       const bool thin = halves && cuts_sliver_off(*halves, ground, kThinnestPart);
       merged += thin ? 1 : 0;
       if (!halves || thin) {
         next.push_back(std::move(whole));
         continue;
       }
-      next.push_back({std::move(halves->below), whole.bounds});
-      next.back().bounds.push_back({plane.point, normal});
-      next.push_back({std::move(halves->above), std::move(whole.bounds)});
-      next.back().bounds.push_back({plane.point, -normal});
+      auto [below, above] = parted(planes[k], whole.seeds);
+      next.push_back({std::move(halves->below), std::move(below)});
+      next.push_back({std::move(halves->above), std::move(above)});
     }
     cells = std::move(next);
   }
   return cells;
 }
 
+/// The planes that made the cell's faces, looking out.
+std::vector<CutPlane> bounds_of(const ConvexCell& cell, const std::vector<CutPlane>& planes) {
+  const Vec3 middle = centroid_of(cell);
+  std::vector<CutPlane> bounds;
+  for (const int number : cell.made_by) {
+    if (number < 0) continue;
+    const CutPlane& plane = planes[static_cast<std::size_t>(number)];
+    const double out = height(plane, middle) <= 0.0 ? 1.0 : -1.0;
+    bounds.push_back({plane.point, out * plane.normal});
+  }
+  return bounds;
+}
+
 /// Rock in a part, by counting points of a grid around it [m3].
-double rock_volume(const Ground& ground, const BoundedCell& part) {
+double rock_volume(const Ground& ground, const ConvexCell& cell,
+                   const std::vector<CutPlane>& bounds) {
   constexpr int kPoints = 16;  // per axis
-  Vec3 lo = part.cell.shape.vertices.front(), hi = lo;
-  for (const Vec3& v : part.cell.shape.vertices) {
+  Vec3 lo = cell.shape.vertices.front(), hi = lo;
+  for (const Vec3& v : cell.shape.vertices) {
     lo = lo.cwiseMin(v);
     hi = hi.cwiseMax(v);
   }
@@ -128,25 +170,42 @@ double rock_volume(const Ground& ground, const BoundedCell& part) {
   for (int k = 0; k < kPoints * kPoints * kPoints; ++k) {
     const Vec3 place(k % kPoints + 0.5, k / kPoints % kPoints + 0.5, k / (kPoints * kPoints) + 0.5);
     const Vec3 point = lo + place.cwiseProduct(step);
-    hits += is_within(part.bounds, point) && ground.is_rock(point) ? 1 : 0;
+    hits += is_within(bounds, point) && ground.is_rock(point) ? 1 : 0;
   }
   return hits * step.prod();
 }
 
-/// A place in the rock of a part that no seed fell into: its middle, or a random one.
-std::vector<Vec3> any_seed(const TessellationOptions& options, const Ground& ground,
-                           const BoundedCell& part) {
-  constexpr unsigned long kLooks = 8;
-  const Vec3 middle = centroid_of(part.cell);
-  if (ground.is_rock(middle)) return {middle};
-  TessellationOptions again = options;
-  for (unsigned long k = 1; k <= kLooks; ++k) {
-    again.seed = options.seed + k;
-    for (const Vec3& point : scatter_seeds(again, ground))
-      if (is_within(part.bounds, point)) return {point};
+/// Looks for places in the rock of parts that no seed fell into: the first of other random seeds,
+/// which are made once for all parts.
+class FurtherSeeds {
+ public:
+  FurtherSeeds(const TessellationOptions& options, const Ground& ground)
+      : options_(options), ground_(ground) {}
+
+  [[nodiscard]] std::vector<Vec3> in(const std::vector<CutPlane>& bounds) {
+    for (unsigned long k = 1; k <= kLooks; ++k) {
+      for (const Vec3& point : scattered(k))
+        if (is_within(bounds, point)) return {point};
+    }
+    return {};
   }
-  return {};
-}
+
+ private:
+  static constexpr unsigned long kLooks = 8;
+
+  const std::vector<Vec3>& scattered(unsigned long k) {
+    if (scattered_.size() < k) {
+      TessellationOptions again = options_;
+      again.seed = options_.seed + k;
+      scattered_.push_back(scatter_seeds(again, ground_));
+    }
+    return scattered_[k - 1];
+  }
+
+  const TessellationOptions& options_;
+  const Ground& ground_;
+  std::vector<std::vector<Vec3>> scattered_;
+};
 
 }  // namespace
 
@@ -159,23 +218,23 @@ bool cuts_sliver_off(const HalfCells& halves, const Ground& ground, double thinn
 
 RockParts parts_of(const TessellationOptions& options) {
   const Ground ground(options);
+  const std::vector<CutPlane> planes = with_unit_normals(options.planes);
+  const double largest = largest_size(options);
   std::vector<Vec3> seeds = scatter_seeds(options, ground);
-  for (std::size_t k = 0; k < options.planes.size(); ++k) mirror_layer(options, ground, k, seeds);
+  for (std::size_t k = 0; k < planes.size(); ++k) mirror_layer(planes, ground, largest, k, seeds);
   RockParts found;
-  for (const BoundedCell& cell : cells_between(options, ground, found.merged)) {
-    RockPart part{cell.bounds, {}};
-    const auto others = std::stable_partition(
-        seeds.begin(), seeds.end(), [&](const Vec3& p) { return is_within(part.bounds, p); });
-    part.seeds.assign(seeds.begin(), others);
-    seeds.erase(seeds.begin(), others);
-    if (part.seeds.empty()) part.seeds = any_seed(options, ground, cell);
+  FurtherSeeds further(options, ground);
+  for (SeededCell& cell : cells_between(options, planes, ground, std::move(seeds), found.merged)) {
+    RockPart part{bounds_of(cell.cell, planes), std::move(cell.seeds)};
+    const Vec3 middle = centroid_of(cell.cell);
+    if (part.seeds.empty() && ground.is_rock(middle)) part.seeds = {middle};
     if (part.seeds.empty()) {
-      const double rock = rock_volume(ground, cell);
-      found.lost += rock > 0.0 ? 1 : 0;
-      found.lost_volume += rock;
-    } else {
-      found.parts.push_back(std::move(part));
+      const double rock = rock_volume(ground, cell.cell, part.bounds);
+      if (rock > 0.0) part.seeds = further.in(part.bounds);
+      found.lost += rock > 0.0 && part.seeds.empty() ? 1 : 0;
+      found.lost_volume += part.seeds.empty() ? rock : 0.0;
     }
+    if (!part.seeds.empty()) found.parts.push_back(std::move(part));
   }
   return found;
 }
@@ -184,6 +243,8 @@ std::vector<SeedPair> pairs_across(const TessellationOptions& options,
                                    const std::vector<RockPart>& parts) {
   constexpr double kRounding = 1e-6;  // of the block size
   const Ground ground(options);
+  const std::vector<CutPlane> planes = with_unit_normals(options.planes);
+  const double farthest = kLayer * largest_size(options);
   std::vector<Vec3> all;
   std::vector<std::pair<std::size_t, std::size_t>> place;  // part, seed
   for (std::size_t p = 0; p < parts.size(); ++p) {
@@ -195,10 +256,11 @@ std::vector<SeedPair> pairs_across(const TessellationOptions& options,
   const PointIndex index(all);
   PointIndex::Found twins;
   std::vector<SeedPair> pairs;
-  for (std::size_t k = 0; k < options.planes.size(); ++k) {
+  for (std::size_t k = 0; k < planes.size(); ++k) {
     for (std::size_t n = 0; n < all.size(); ++n) {
-      if (height(options.planes[k], all[n]) <= 0.0) continue;
-      const Vec3 image = mirrored(options.planes[k], all[n]);
+      const double above = height(planes[k], all[n]);
+      if (above <= 0.0 || above > farthest) continue;
+      const Vec3 image = mirrored(planes[k], all[n]);
       index.shell(image, 0.0, kRounding * ground.size(image), twins);
       if (twins.empty()) continue;
       const auto [part, seed] = place[n];
@@ -209,10 +271,12 @@ std::vector<SeedPair> pairs_across(const TessellationOptions& options,
   return pairs;
 }
 
-void make_symmetric(const CutPlane& plane, const RockPart& part, Vec3& seed,
+void make_symmetric(const Ground& ground, const CutPlane& across, const RockPart& part, Vec3& seed,
                     const RockPart& other_part, Vec3& other) {
+  const CutPlane plane{across.point, across.normal.normalized()};
   const Vec3 mean = 0.5 * (seed + mirrored(plane, other)), image = mirrored(plane, mean);
   if (!is_within(part.bounds, mean) || !is_within(other_part.bounds, image)) return;
+  if (!ground.is_rock(mean) || !ground.is_rock(image)) return;
   seed = mean;
   other = image;
 }
@@ -230,10 +294,11 @@ TessellationOptions options_of(const TessellationOptions& options, const RockPar
 }
 
 void join_in_planes(const std::vector<CutPlane>& planes, std::vector<Block>& blocks) {
+  const std::vector<BareFace> bare = bare_faces(blocks);
   for (const CutPlane& plane : planes) {
     const PlaneFrame frame(plane.point, plane.normal);
-    std::vector<PlaneFace> below = faces_in(frame, blocks, 1.0),
-                           above = faces_in(frame, blocks, -1.0);
+    std::vector<PlaneFace> below = faces_in(frame, bare, blocks, 1.0),
+                           above = faces_in(frame, bare, blocks, -1.0);
     Pieces pieces;
     share_faces(frame, below, above, pieces);
     divide_faces(pieces, blocks);

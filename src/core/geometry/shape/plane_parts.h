@@ -42,8 +42,8 @@ struct SeedPair {
 [[nodiscard]] std::vector<SeedPair> pairs_across(const TessellationOptions& options,
                                                  const std::vector<RockPart>& parts);
 /// Puts both seeds of a pair where they and their images are on average, unless that is outside
-/// the part of one.
-void make_symmetric(const CutPlane& plane, const RockPart& part, Vec3& seed,
+/// the part of one, or no rock: a crushed zone may lie across the plane.
+void make_symmetric(const Ground& ground, const CutPlane& plane, const RockPart& part, Vec3& seed,
                     const RockPart& other_part, Vec3& other);
 
 /// The same options for one part alone.
