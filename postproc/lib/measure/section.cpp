@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Vertical section: the polygons in which a plane y = const cuts the posed blocks.
-// Scope: convex blocks; the crossings of edges are put in order by their angle about their mean.
+// Scope: convex blocks; the crossings of edges are put in order by their angle about their mean. A
+// face may be made of several polygons whose corners lie on the edges of faces beside it, as on a
+// natural joint, so an edge need not belong to two polygons.
 #include "measure/section.h"
 
 #include <algorithm>
@@ -9,13 +11,12 @@
 namespace muckpile {
 namespace {
 
+/// An edge that belongs to two faces gives the same point twice.
 std::vector<Vec2> crossings(double y, const std::vector<Vec3>& vertices, const Polyhedron& shape) {
   std::vector<Vec2> points;
   for (const std::vector<int>& face : shape.faces) {
     for (size_t k = 0; k < face.size(); ++k) {
-      const int from = face[k], to = face[(k + 1) % face.size()];
-      if (from > to)
-        continue;  // each edge belongs to two faces, which run along it in opposite senses
+      const auto [from, to] = std::minmax(face[k], face[(k + 1) % face.size()]);
       const Vec3 &a = vertices[static_cast<size_t>(from)], &b = vertices[static_cast<size_t>(to)];
       if ((a.y() <= y) == (b.y() <= y)) continue;
       const double t = (y - a.y()) / (b.y() - a.y());
@@ -30,6 +31,7 @@ void put_in_order(std::vector<Vec2>& points) {
   for (const Vec2& p : points) mean += p / static_cast<double>(points.size());
   std::ranges::sort(points, {},
                     [&](const Vec2& p) { return std::atan2(p.y() - mean.y(), p.x() - mean.x()); });
+  points.erase(std::ranges::unique(points).begin(), points.end());
 }
 
 }  // namespace
@@ -39,8 +41,8 @@ std::vector<SectionPolygon> section_at(double y, const std::vector<StartBlock>& 
   std::vector<SectionPolygon> section;
   for (size_t b = 0; b < blocks.size(); ++b) {
     std::vector<Vec2> outline = crossings(y, moved_vertices(blocks[b], states[b]), blocks[b].shape);
-    if (outline.size() < 3) continue;
     put_in_order(outline);
+    if (outline.size() < 3) continue;
     section.push_back({b, std::move(outline)});
   }
   return section;
