@@ -20,6 +20,7 @@ void add_optional(ArgTable& table, const std::string& name, const std::string& t
                                                   const std::string& name, const std::string& unit,
                                                   Range range);
 
+/// In the order of kModels (charge_options.cpp).
 enum class BoreholeModel {
   explosion_state,
   explosion_state_fit,
@@ -30,6 +31,7 @@ enum class BoreholeModel {
 };
 
 /// Laws of ProductExpansion.
+/// In the order of kExpansions (charge_options.cpp).
 enum class Expansion { two_stage, jwl, covolume };
 
 struct ChargeOptions {
@@ -40,7 +42,8 @@ struct ChargeOptions {
   std::optional<double> typed_pressure{};  ///< P0 [Pa]
   std::optional<double> rock_impedance{};  ///< [Pa s/m]
   Expansion expansion = Expansion::two_stage;
-  TwoStageIsentrope::Parameters isentrope{};  ///< without its initial pressure
+  /// Without its initial pressure: p_k of every law, exponents of two_stage and covolume.
+  TwoStageIsentrope::Parameters isentrope{};
   bool switch_by_energy = true;  ///< its switch pressure follows from the explosive's energy
   bool switch_typed = false;     ///< the script says how the switch pressure is found
   double energy_share = 1.0;     ///< of the explosive's energy, what is released in time [-]

@@ -12,8 +12,8 @@ struct GasState {
   double mass_left = 1.0;       ///< share of the products still in the chamber
   double stemming_path = 0.0;   ///< way that the stemming has gone towards the collar [m]
   double stemming_speed = 0.0;  ///< [m/s]
-  double swept_before = 0.0;  ///< swept volume at firing, by other holes [m3]
-  double hotter = 1.0;         ///< energy over that on the products' isentrope [-]
+  double swept_before = 0.0;    ///< swept volume at firing [m3]
+  double hotter = 1.0;          ///< energy over that on the products' isentrope [-]
   double vented_energy = 0.0;  ///< that the gas which left through collar and cracks took along [J]
 };
 template <>

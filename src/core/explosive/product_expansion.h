@@ -13,8 +13,8 @@ namespace muckpile {
 
 class ProductExpansion {
  public:
-  /// Each has the member functions below. A new law: its type joins this list, its name and case
-  /// charge_products.cpp.
+  /// Each has the member functions below. A new law: its type joins this list, its name
+  /// charge_options.cpp, its case charge_products.cpp.
   using Law = std::variant<TwoStageIsentrope, JwlGas, CovolumeIsentrope>;
 
   explicit ProductExpansion(const Law& law);

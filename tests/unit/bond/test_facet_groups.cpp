@@ -129,7 +129,7 @@ TEST(FacetGroups, IntactBrokenAndRetiredFacetsOfAGroupHaveTheForcesThatEachHasAl
 }
 
 // However strong: a soft joint would follow a turn that its forces do not know.
-/// Broken at all points: closed and stuck, closed and slipping, open, asleep until now, faded a
+/// Broken at all points: closed and stuck, closed and slipping, open until now, faded a
 /// little, slid far enough to fade.
 FacetMemory broken_in_one_way(std::size_t f) {
   FacetMemory memory;

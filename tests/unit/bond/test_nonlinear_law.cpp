@@ -52,7 +52,8 @@ BondScene cubes(int nx, int ny, double poisson_ratio, const BartonBandis& joint)
   return cubes(nx, ny, poisson_ratio, barton_bandis_class(joint, 2e10));
 }
 
-/// A joint that closes over some 1e-4 m: whether it can break, and whether closure stays.
+/// A joint that closes over some 1e-4 m: whether it can break, and whether closure stays; a law
+/// without hysteresis leaves the latter aside.
 struct Wanted {
   bool breaks = false, keeps_closure = false;
 };
@@ -171,8 +172,12 @@ TEST_P(EachNonlinearLaw, CyclesTakeWhatIsBooked) {
   const double taken = scene.network().losses().friction;
   std::printf("cycles: %.3g of the energy taken by closure, account off by %.2g\n", taken / start,
               worst);
-  EXPECT_GT(taken, 0.05 * start);
   EXPECT_LT(worst, 1e-3);  // leapfrog, of second order in the step
+  if (closing.law->taken(Lanes(1e-4))[0] == 0.0) {
+    EXPECT_EQ(taken, 0.0);
+    return;
+  }
+  EXPECT_GT(taken, 0.05 * start);
   // What was taken is that of the largest closure, the same at all points.
   const double closure = scene.network().memory(0).extra.get().joint[0].closure;
   EXPECT_NEAR(taken / closing.law->taken(closure)[0], 1.0, 1e-6);

@@ -64,6 +64,7 @@ TEST(PulseShape, EveryKindPeaksAtItsRiseTimeAndItsBoundHolds) {
     const PulseShape pulse(parameters);
     EXPECT_DOUBLE_EQ(pulse.rise_time(), kRise);
     EXPECT_EQ(pulse.ramp(kRise), 1.0);
+    EXPECT_EQ(pulse.shape(0.0), 0.0);
     const double peak = pulse.shape(kRise);
     double before = 0.0;
     for (double t = 0.0; t < 8e-4; t += 1e-6) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A set of natural joints by its statistics, and random planes that have them.
 // Scope: joints that run through a box as planes, or as discs in such planes; the same numbers give
-// the same planes on every machine and number of ranks.
+// the same planes on every number of ranks, and to rounding on every machine.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace muckpile {
 struct NaturalJointSet {
   Vec3 normal = Vec3::UnitZ();  ///< mean of the set, of any length but 0
   double spacing = 1.0;         ///< mean distance of neighbouring planes [m]
-  /// Neighbours are no nearer than this [m]. What lies beyond it has an exponential distribution; 0
+  /// Neighbours that are parallel are no nearer than this [m]. What lies beyond it has an exponential distribution; 0
   /// gives a Poisson process, `spacing` equal distances.
   double least_spacing = 0.0;
   std::uint8_t joint_class = 1;  ///< see Facet
@@ -28,7 +28,7 @@ struct NaturalJointSet {
 /// Most planes of the set that a box can hold, on average: its diagonal over the spacing.
 [[nodiscard]] double most_planes(const NaturalJointSet& set, const Vec3& lo, const Vec3& hi);
 
-/// The planes that meet the box, in the order of their distance from one of its corners. Their mean
+/// The planes that meet the box, in the order of their signed distances from its middle. Their mean
 /// area per volume of the box (P32) is persistence / spacing, whatever the scatter of the normals.
 [[nodiscard]] std::vector<JointPlane> planes_of(const NaturalJointSet& set, const Vec3& lo,
                                                 const Vec3& hi, std::uint64_t seed);

@@ -42,7 +42,8 @@ struct JointApertures {
 };
 
 /// Closure c, pressure s(c) and largest closure c_r so far of a point. What a law must keep to:
-/// - s(c) is one number for each c_r, grows with c, and is negative exactly where the joint is
+/// - s(c) is one number for each c_r, grows with c, and so does ds/dc, or stays, along each branch,
+///   on which the bound of the time step relies. It is negative exactly where the joint is
 ///   pulled open; first loading and loading again meet at c_r. So close() has one solution, its
 ///   closure and pressure grow with the jump, and rate is U/(U + ds/dc), U the rock's stiffness.
 /// - stored() is the integral of s along the branch that unloading takes, 0 where s is, also for
@@ -72,10 +73,12 @@ class JointLaw {
   [[nodiscard]] virtual Lanes stored(const Lanes& closure, const Lanes& largest) const = 0;
   [[nodiscard]] virtual Lanes taken(const Lanes& largest) const = 0;
   /// Whether bonded points fail; `normal` traction is positive in tension [Pa], the whole shear
-  /// squared [Pa2]; `faster`: strength over that at rest; 0 where a point has slipped and opens.
+  /// squared [Pa2]; `faster`: tensile strength over that at rest; 0 where a point has slipped and
+  /// opens.
   [[nodiscard]] virtual LaneMask fails(const Lanes& normal, const Lanes& shear_squared,
                                        const Lanes& faster) const = 0;
-  /// Friction of broken points at slow slip under a pressure [Pa], after a slip [m] -> [-].
+  /// Friction of broken points at slow slip under a pressure [Pa], after a slip [m] -> [-]; finite
+  /// at pressure 0 too.
   [[nodiscard]] virtual Lanes friction(const Lanes& pressure, const Lanes& slip) const = 0;
   /// What gas finds at that closure [m]; none: as in joints with the linear law.
   [[nodiscard]] virtual std::optional<JointApertures> apertures(double closure) const = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Broken points of one facet: plane contact, fading, sleeping, retiring.
+// Broken points of one facet: plane contact, fading, retiring.
 // Scope: see the header.
 #include "bond/network/broken_contact.h"
 

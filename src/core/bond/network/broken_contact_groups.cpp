@@ -79,7 +79,7 @@ void BrokenContact::fade_lanes(std::size_t g, unsigned lanes, const Parting& par
   });
 }
 
-/// Those of `lanes` that touch; the others fall asleep or retire.
+/// Those of `lanes` that touch; the others are open or retire.
 unsigned BrokenContact::remaining_lanes(std::size_t g, unsigned lanes, const WidePose& pose,
                                         const ContactGroup& memory) {
   const Parting parting = parting_of(facets_.tables.group(g), pose);
