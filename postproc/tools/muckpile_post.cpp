@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "compare_command.h"
+#include "damage_command.h"
 #include "flyrock_command.h"
 #include "report/all_reports.h"
 #include "report/not_measurable.h"
@@ -294,6 +295,7 @@ int main(int argc, char** argv) {
   add_all_command(app, options);
   int status = 0;
   add_compare_command(app, status);
+  add_damage_command(app);
   add_flyrock_command(app);
   add_survey_command(app);
   add_sweep_command(app);

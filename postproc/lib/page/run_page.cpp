@@ -75,6 +75,8 @@ void add_pile(Html& page, const PageContent& run) {
               "From where to where the parts of the bench went; table in movement.csv.");
   add_picture(page, run, "survey.png", "Survey",
               "Surface of the run less the surveyed one; table in survey.csv.");
+  add_picture(page, run, "damage.png", "Broken joints",
+              "Broken share of the joints around the charges; table in damage.csv.");
   add_picture(page, run, "heights.png", "From above",
               "Heights of the pile and of the rock that stayed; table in heights.csv.");
   add_table(page, run,
