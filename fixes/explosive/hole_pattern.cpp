@@ -11,6 +11,7 @@
 #include "args/csv_table.h"
 #include "args/input_error.h"
 #include "args/numbers.h"
+#include "args/rounded_text.h"
 #include "explosive/hole_pattern.h"
 #include "explosive/hole_table.h"
 #include "explosive/kirra_table.h"
@@ -46,6 +47,17 @@ KirraFrame frame_of(const ArgValues& values, const std::string& where) {
   return frame;
 }
 
+/// The bench is cut at bench_height, so the holes of the plan must be those of such a bench.
+void check_bench_height(const ConvertedHoles& holes, double bench_height,
+                        const std::string& where) {
+  constexpr double kMost = 0.5;  // [m]
+  if (std::abs(holes.collar_height - bench_height) <= kMost) return;
+  refuse(where, "bench_height must be within " + number_text(kMost) +
+                    " m of the collars' mean height above the floor, " +
+                    rounded_text(holes.collar_height) + " m by the file of kirra, got '" +
+                    number_text(bench_height) + "'; the floor is that of origin or subdrill");
+}
+
 TableText converted(const std::string& file, const ArgValues& values, const std::string& where) {
   if (values.integer("decks") != 1)
     refuse(where,
@@ -53,6 +65,7 @@ TableText converted(const std::string& file, const ArgValues& values, const std:
   const ConvertedHoles holes =
       convert_kirra(whole_file(file), file, frame_of(values, where),
                     {values.real("stemming"), values.real("in_hole_delay")});
+  check_bench_height(holes, values.real("bench_height"), where);
   (void)HoleTable(CsvTable::parse(holes.table, file + ", converted"));
   const Vec3& o = holes.origin;
   return {holes.table, where + ": " + std::to_string(holes.holes) + " holes of " + file +

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # hole_pattern.sh LIGGGHTS_MUCKPILE: the command writes the same table on one and two ranks, which charge_design reads on all of them; a table of
-# one's own is taken as it is, and its folder is made.
+# one's own is taken as it is, and its folder is made; holes of Kirra come from the mine's coordinates into those of the bench.
 # Scope: no rock; the numbers of the table are in the unit tests.
 set -euo pipefail
 program=$1
@@ -26,3 +26,22 @@ sed 's/0\.042/0.05/' "$out/new/1.csv" >"$out/own.csv"
 on_ranks 2 -in "$out/in.table" -log none -var own "$out/own.csv" -var table "$out/taken/holes.csv" >"$out/screen3"
 cmp "$out/own.csv" "$out/taken/holes.csv" || fail "the table of one's own was changed"
 grep -q '^holes 6 last 0.084' "$out/screen3" || fail "the table of one's own was not read"
+
+# The face looks to the north: x is north of the origin, y west of it.
+cat >"$out/plan.csv" <<'END'
+NORTH,hole,1,478327.7000,6772294.1000,210.0000,478327.7000,6772294.1000,198.5000,165.0000,Production,NORTH:::1,0,#FFFFFF
+NORTH,hole,2,478327.7000,6772299.1000,210.0000,478327.7000,6772299.1000,198.5000,165.0000,Production,NORTH:::1,42,#FFFFFF
+END
+cat >"$out/in.kirra" <<'END'
+units si
+atom_style granular
+hole_pattern file ${table} kirra ${plan} throw_bearing 0 origin 478330 6772300 200 rows 1 holes_per_row 1 burden 4.6 spacing 5 bench_height 10 &
+  stemming 3.5 hole_diameter 0.165 in_hole_delay 0.5
+END
+on_ranks 2 -in "$out/in.kirra" -log none -var plan "$out/plan.csv" -var table "$out/kirra.csv" >"$out/screen4"
+diff - "$out/kirra.csv" <<END || fail "the holes of Kirra are in other places"
+# holes of Kirra's file $out/plan.csv; origin in its coordinates 478330,6772300,200 m
+hole,collar_x_m,collar_y_m,collar_z_m,toe_x_m,toe_y_m,toe_z_m,diameter_m,from_m,after,surface_delay_s,in_hole_delay_s
+1,-5.9,2.3,10,-5.9,2.3,-1.5,0.165,3.5,,0,0.5
+2,-0.9,2.3,10,-0.9,2.3,-1.5,0.165,3.5,1,0.042,0.5
+END

@@ -48,6 +48,11 @@ CsvTable rows_of(const std::string& text, const std::string& name) {
                    std::to_string(columns) + "' columns");
 }
 
+[[noreturn]] void refuse_remark(const std::string& where, std::string_view column,
+                                const std::string& name) {
+  throw InputError(where + std::string(column) + " must not begin with '#', got '" + name + "'");
+}
+
 double number(const CsvTable& csv, std::size_t row, std::string_view column, const char* unit,
               const Range& range) {
   std::string where = csv.where(row);
@@ -65,12 +70,30 @@ Vec3 point(const CsvTable& csv, std::size_t row, const std::string& end) {
   return at;
 }
 
+/// In the table of ours a line that begins with # is a remark.
+std::string name_in(const CsvTable& csv, std::size_t row, std::size_t column) {
+  const std::string name(csv.word(row, column));
+  if (name.rfind('#', 0) == 0) refuse_remark(csv.where(row), csv.header()[column], name);
+  return name;
+}
+
+/// A hole whose first field begins with # has been read as a remark.
+void refuse_holes_in_remarks(const CsvTable& csv, const std::string& file) {
+  for (const std::string_view remark : csv.remarks()) {
+    const auto fields = 1 + std::count(remark.begin(), remark.end(), ',');
+    if (static_cast<std::size_t>(fields) != csv.header().size()) continue;
+    const auto line = 1 + std::count(csv.text().data(), remark.data(), '\n');
+    refuse_remark(file + ":" + std::to_string(line) + ": ", csv.header().front(),
+                  std::string(1, '#').append(remark.substr(0, remark.find(','))));
+  }
+}
+
 KirraHole hole_of(const CsvTable& csv, std::size_t row) {
   KirraHole hole;
   hole.row = row;
   const auto blast = csv.find_column("entityName");
-  hole.blast = blast ? std::string(csv.word(row, *blast)) : "";
-  hole.name = std::string(csv.word(row, csv.column("holeID")));
+  hole.blast = blast ? name_in(csv, row, *blast) : "";
+  hole.name = name_in(csv, row, csv.column("holeID"));
   if (hole.name.empty()) throw InputError(csv.where(row) + "holeID is missing");
   hole.collar = point(csv, row, "start");
   hole.toe = point(csv, row, "end");
@@ -78,7 +101,8 @@ KirraHole hole_of(const CsvTable& csv, std::size_t row) {
   hole.diameter = 1e-3 * number(csv, row, "holeDiameter", "mm", millimetres);
   const Range milliseconds = Range::closed(0.0, 60000.0);
   hole.delay = 1e-3 * number(csv, row, "timingDelayMilliseconds", "ms", milliseconds);
-  if (csv.find_column("subdrillAmount"))
+  const auto subdrill = csv.find_column("subdrillAmount");
+  if (subdrill && !csv.word(row, *subdrill).empty())
     hole.subdrill = number(csv, row, "subdrillAmount", "m", Range::closed(-50.0, 50.0));
   const std::string from(csv.word(row, csv.column("fromHoleID")));
   hole.from = from;
@@ -167,6 +191,7 @@ std::string place_text(const Vec3& at) {
 ConvertedHoles convert_kirra(const std::string& text, const std::string& name,
                              const KirraFrame& frame, const KirraCharge& charge) {
   const CsvTable csv = rows_of(text, name);
+  refuse_holes_in_remarks(csv, name);
   std::vector<KirraHole> holes;
   for (std::size_t row = 0; row < csv.rows(); ++row) holes.push_back(hole_of(csv, row));
   if (holes.empty()) throw InputError(name + ": has no hole");
@@ -186,6 +211,8 @@ ConvertedHoles convert_kirra(const std::string& text, const std::string& name,
                        number_text(charge.stemming) + " m, its stemming, got '" +
                        short_text(length) + "'");
     }
+    converted.collar_height +=
+        (hole.collar.z() - converted.origin.z()) / static_cast<double>(holes.size());
     table << names.at({hole.blast, hole.name}) << ','
           << place_text(turned(hole.collar, frame.throw_bearing) - origin) << ','
           << place_text(turned(hole.toe, frame.throw_bearing) - origin) << ','

@@ -28,7 +28,8 @@ struct KirraCharge {
 struct ConvertedHoles {
   std::string table;  ///< CSV text that HoleTable reads
   std::size_t holes = 0;
-  Vec3 origin;  ///< that was taken, in the mine's coordinates [m]
+  Vec3 origin;                 ///< that was taken, in the mine's coordinates [m]
+  double collar_height = 0.0;  ///< mean, above the floor [m]
 };
 
 /// `text` is Kirra's file: 12 or 14 columns without names, or columns with names. `name` stands for

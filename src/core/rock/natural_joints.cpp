@@ -2,10 +2,12 @@
 // Words of create_blocks for natural joints; see the header.
 #include "rock/natural_joints.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "args/input_error.h"
 #include "args/numbers.h"
+#include "args/rounded_text.h"
 #include "args/suggestion.h"
 #include "explosive/hole_table.h"
 #include "math/random.h"
@@ -58,9 +60,11 @@ class SetWords {
 
 /// 0, or at least block_min.
 double spacing_of(const std::string& word, const SizeLimits& limits) {
-  const double any = real_of(kSet + " spacing", word, "m", Range::closed(0.0, 1e4));
-  if (any == 0.0) return any;
-  return real_of(kSet + " spacing", word, "m", Range::closed(limits.smallest, 1e4));
+  const double spacing = real_of(kSet + " spacing", word, "m", Range::closed(0.0, 1e4));
+  const Range range = Range::closed(limits.smallest, 1e4);
+  if (spacing == 0.0 || range.contains(spacing)) return spacing;
+  refuse(kCreateBlocks,
+         kSet + " spacing must be " + range.text() + " m, got '" + word + "'; 0 is allowed too");
 }
 
 void read_persistence(NaturalJointSet& set, SetWords& words, const SizeLimits& limits) {
@@ -76,6 +80,26 @@ void read_spacings(NaturalJointSet& set, SetWords& words) {
                               did_you_mean(how, known));
   }
   if (how == "even") set.least_spacing = set.spacing;
+}
+
+/// To three digits, upwards, so that a least value is accepted as it is printed.
+std::string rounded_up(double value) {
+  const double step = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
+  return rounded_text(std::ceil(value / step) * step);
+}
+
+/// `discs`: of this set and those before it; `here`: of this set.
+void check_discs(const NaturalJointSet& set, const Vec3& lo, const Vec3& hi, double discs,
+                 double here) {
+  if (discs <= kMostDiscs) return;
+  const double least = least_radius(set, lo, hi, kMostDiscs - (discs - here));
+  refuse(kCreateBlocks,
+         kSet + " persistence must be at most " + std::to_string(kMostDiscs) +
+             " discs, all sets together, got up to '" + number_text(std::ceil(discs)) +
+             "' with the set of spacing " + number_text(set.spacing) + " m and radius " +
+             number_text(set.radius) + " m; take " +
+             (std::isfinite(least) ? "a radius of at least " + rounded_up(least) + " m"
+                                   : "wider discs in the sets before it"));
 }
 
 }  // namespace
@@ -100,8 +124,12 @@ std::optional<NaturalJointSet> natural_joint_set_of(const Words& words, const Si
   set.spacing = spacing_of(words[2], limits);
   set.least_spacing = kLeastSpacing * limits.smallest;
   set.joint_class = class_of(kSet + " class", words[3]);
+  Words taken;
   for (SetWords rest(words, 4); !rest.at_end();) {
     const std::string name = rest.name();
+    if (std::find(taken.begin(), taken.end(), name) != taken.end())
+      refuse(kCreateBlocks, kSet + " takes " + name + " once");
+    taken.push_back(name);
     if (name == "persistence") {
       read_persistence(set, rest, limits);
     } else if (name == "fisher") {
@@ -121,7 +149,7 @@ std::optional<NaturalJointSet> natural_joint_set_of(const Words& words, const Si
 void lay_natural_joint_sets(CutOptions& options) {
   constexpr std::uint64_t kStream = 0x6e61747572616c00;  // apart from the seeds of the cut
   const Vec3 &lo = options.rock.lo, &hi = options.rock.hi;
-  double planes = 0.0;
+  double planes = 0.0, discs = 0.0;
   for (std::size_t k = 0; k < options.natural_joint_sets.size(); ++k) {
     const NaturalJointSet& set = options.natural_joint_sets[k];
     planes += most_planes(set, lo, hi);
@@ -131,6 +159,9 @@ void lay_natural_joint_sets(CutOptions& options) {
                                 number_text(std::ceil(planes)) + "' with the set of spacing " +
                                 number_text(set.spacing) + " m; take a wider spacing");
     }
+    const double here = most_discs(set, lo, hi);
+    discs += here;
+    check_discs(set, lo, hi, discs, here);
     const std::uint64_t seed = random_bits(kStream + options.rock.seed, k);
     for (JointPlane& plane : planes_of(set, lo, hi, seed)) {
       options.rock.planes.push_back({plane.point, plane.normal});

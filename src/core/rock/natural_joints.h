@@ -20,6 +20,8 @@ struct CutOptions;
 inline constexpr double kLeastSpacing = 0.5;
 /// Most planes of all sets together; docs/theory/cuts.md has what many planes cost.
 inline constexpr int kMostPlanes = 1000;
+/// Most discs of all sets together: each is kept, and looked for at every facet of its plane.
+inline constexpr int kMostDiscs = 1'000'000;
 
 /// Of the words behind `joint_plane`. Throws InputError.
 [[nodiscard]] JointPlane joint_plane_of(const std::vector<std::string>& words);
@@ -30,7 +32,7 @@ inline constexpr int kMostPlanes = 1000;
 
 /// Adds the planes of all sets to those that the cut follows, once the box of the rock is known;
 /// set k has its own random numbers, so that one more set leaves the others as they are. Throws
-/// InputError where they are more than kMostPlanes.
+/// InputError where they are more than kMostPlanes, or their discs more than kMostDiscs.
 void lay_natural_joint_sets(CutOptions& options);
 
 }  // namespace muckpile

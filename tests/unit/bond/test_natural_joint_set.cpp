@@ -135,6 +135,17 @@ TEST(NaturalJointSet, DiscsCoverTheShareOfThePlanes) {
   EXPECT_NEAR(covered.value(), 0.4, covered.four_errors());
 }
 
+TEST(NaturalJointSet, TheLeastRadiusGivesTheNumberOfDiscs) {
+  NaturalJointSet set = set_of(Vec3::UnitX(), 2.0, 0.5);
+  EXPECT_EQ(most_discs(set, kLo, kHi), 0.0);
+  set.persistence = 0.4;
+  set.radius = least_radius(set, kLo, kHi, 5000.0);
+  EXPECT_NEAR(most_discs(set, kLo, kHi), 5000.0, 1e-6);  // round-off
+  // the widest discs: sqrt(200) m / 2 m = 7.07 planes, -ln(0.6) 4 / pi = 0.65 in each
+  EXPECT_FALSE(std::isfinite(least_radius(set, kLo, kHi, 4.5)));
+  EXPECT_TRUE(std::isfinite(least_radius(set, kLo, kHi, 4.7)));
+}
+
 TEST(NaturalJointSet, PersistenceLeavesThePlanesWhereTheyAre) {
   NaturalJointSet set = set_of(Vec3(1.0, 1.0, 0.0), 1.0, 0.2);
   set.concentration = 50.0;

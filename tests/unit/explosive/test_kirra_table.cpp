@@ -58,6 +58,7 @@ TEST(KirraTable, AnOriginIsTakenAsItIsAndGivenBack) {
   in.origin = Vec3(478330.0, 6772300.0, 200.0);
   const ConvertedHoles holes = convert_kirra(kFourteen, "plan.csv", in, {3.0, 0.0});
   EXPECT_NEAR((holes.origin - *in.origin).norm(), 0.0, 1e-6);
+  EXPECT_NEAR(holes.collar_height, 10.0, 1e-9);
   const HoleTable table(CsvTable::parse(holes.table, "table"));
   // 5.9 m south and 2.3 m west of it
   EXPECT_NEAR((table.decks()[0].hole_collar - Vec3(-5.9, 2.3, 10.0)).norm(), 0.0, 1e-6);
@@ -71,6 +72,17 @@ TEST(KirraTable, NamedColumnsGiveTheSubdrillAndHolesOfSeveralBlasts) {
   EXPECT_NEAR(table.decks()[0].hole_toe.z(), -1.5, 1e-9);
   // x at the floor, an eighth of the way up from the toe at 102 to the collar at 100: 101.75
   EXPECT_NEAR(table.decks()[0].hole_toe.x(), -4.0 + 0.25, 1e-9);
+}
+
+TEST(KirraTable, ASubdrillThatIsEmptyIsThatOfTheFrame) {
+  std::string text = kNamed;
+  for (std::size_t at; (at = text.find(",1.5,1.52")) != std::string::npos;)
+    text.replace(at, 9, ",,1.52");
+  KirraFrame in = frame();
+  in.subdrill = 2.0;
+  const ConvertedHoles holes = convert_kirra(text, "plan.csv", in, {3.0, 0.0});
+  EXPECT_NEAR(holes.origin.z(), 48.0 + 2.0, 1e-9);
+  EXPECT_NEAR(holes.collar_height, 60.0 - 50.0, 1e-9);
 }
 
 TEST(KirraTable, TwelveColumnsHaveNoBlast) {
@@ -99,6 +111,12 @@ TEST(KirraTable, RefusesWithFileAndLine) {
   EXPECT_EQ(refused("1,0,0,10,0,0,-1,89,P,5,0,red\n"),
             "plan.csv:1: fromHoleID must be a hole of the file, got '5'");
   EXPECT_EQ(refused(kFourteen + kFourteen), "plan.csv:3: hole '1' is there twice");
+  EXPECT_EQ(refused("1,0,0,10,0,0,-1,89,P,1,0,red\n#2,0,3,10,0,3,-1,89,P,1,17,red\n"),
+            "plan.csv:2: holeID must not begin with '#', got '#2'");
+  EXPECT_EQ(refused("#A" + kFourteen),
+            "plan.csv:1: entityName must not begin with '#', got '#ANORTH'");
+  EXPECT_EQ(refused("A,hole,#1,0,0,10,0,0,-1,89,P,#1,0,red\n"),
+            "plan.csv:1: holeID must not begin with '#', got '#1'");
   EXPECT_EQ(refused("entityName,holeID,startXLocation\nA,1,2\n"),
             "plan.csv: has no column 'startYLocation'");
 }

@@ -106,7 +106,8 @@ TEST(CutOptions, ASetThatIsRefusedSaysWhichOfItsWordsIs) {
   const std::string name = "create_blocks: natural_joints ";
   EXPECT_EQ(refused("95 0 1 1"), name + "dip must be >= 0 and <= 90 deg, got '95'");
   EXPECT_EQ(refused("5 361 1 1"), name + "dip direction must be >= 0 and <= 360 deg, got '361'");
-  EXPECT_EQ(refused("5 0 0.05 1"), name + "spacing must be >= 0.1 and <= 10000 m, got '0.05'");
+  EXPECT_EQ(refused("5 0 0.05 1"),
+            name + "spacing must be >= 0.1 and <= 10000 m, got '0.05'; 0 is allowed too");
   EXPECT_EQ(refused("5 0 1 256"), name + "class must be >= 0 and <= 255, got '256'");
   EXPECT_EQ(refused("5 0 1 1 persistence 1.2 3"),
             name + "persistence, the share of the planes must be > 0 and <= 1, got '1.2'");
@@ -132,6 +133,30 @@ TEST(CutOptions, MoreThanAThousandPlanesAreRefused) {
   EXPECT_EQ(input_error_of([&] { (void)laid(words); }),
             "create_blocks: natural_joints must be at most 1000 planes through the rock, all sets "
             "together, got up to '1040' with the set of spacing 0.1 m; take a wider spacing");
+}
+
+TEST(CutOptions, MoreThanAMillionDiscsAreRefusedWithTheLeastRadius) {
+  // 173.2 planes, covered -ln(0.4) = 0.916 times, in squares of 10 sqrt(3) m + 2 radii: with 0.1 m
+  // 173.2 0.916 / pi 175.2^2 = 1.55e6 discs; (17.32 m / radius + 2)^2 at most pi 1e6 / (173.2
+  // 0.916)
+  const std::string set = "natural_joints 0 0 0.1 1 persistence 0.6 ";
+  const std::string text = input_error_of([&] { (void)laid(set + "0.1"); });
+  EXPECT_EQ(text.rfind("create_blocks: natural_joints persistence must be at most 1000000 discs, "
+                       "all sets together, got up to '155",
+                       0),
+            0u)
+      << text;
+  EXPECT_NE(text.find("with the set of spacing 0.1 m and radius 0.1 m; take a radius of at least "
+                      "0.125 m"),
+            std::string::npos)
+      << text;
+  EXPECT_NO_THROW((void)laid(set + "0.125"));
+  EXPECT_NE(input_error_of([&] { (void)laid(set + "0.125 " + set + "0.125"); }), "");
+}
+
+TEST(CutOptions, AnOptionOfASetIsTakenOnce) {
+  EXPECT_EQ(message(kRock + "size uniform 0.3 natural_joints 5 0 1 1 fisher 20 fisher 20"),
+            "create_blocks: natural_joints takes fisher once");
 }
 
 TEST(CutOptions, OtherCutsAreNotPlain) {

@@ -41,17 +41,19 @@ Vec3 scattered(const Vec3& mean, double concentration, Random& random) {
   return cosine * mean + sine * (std::cos(azimuth) * first + std::sin(azimuth) * second);
 }
 
+/// How many times the discs would cover the plane if none overlapped: they are so many that they
+/// cover the share asked for where they overlap too, 1 - exp(-number per area x area of one).
+double covered_times(const NaturalJointSet& set) { return -std::log1p(-set.persistence); }
+
 double distance_from_box(const Vec3& point, const Vec3& lo, const Vec3& hi) {
   return (point - point.cwiseMax(lo).cwiseMin(hi)).norm();
 }
 
-/// Centres of discs at random in the plane (a Poisson process), so many that they cover the share
-/// of it asked for where they overlap too: 1 - exp(-number per area x area of one). A strip of the
-/// plane is filled from one end; discs that do not reach the box are left out.
+/// Centres of discs at random in the plane (a Poisson process). A square of it is filled from one
+/// end; discs that do not reach the box are left out.
 std::vector<Vec3> disc_centres(const NaturalJointSet& set, const JointPlane& plane, const Vec3& lo,
                                const Vec3& hi, Random& random) {
-  const double per_area =
-      -std::log1p(-set.persistence) / (std::numbers::pi * set.radius * set.radius);
+  const double per_area = covered_times(set) / (std::numbers::pi * set.radius * set.radius);
   const double half = 0.5 * (hi - lo).norm() + set.radius;
   const Vec3 first = plane.normal.unitOrthogonal(), second = plane.normal.cross(first);
   std::vector<Vec3> centres;
@@ -74,6 +76,21 @@ bool meets_box(const JointPlane& plane, const Vec3& lo, const Vec3& hi) {
 
 double most_planes(const NaturalJointSet& set, const Vec3& lo, const Vec3& hi) {
   return (hi - lo).norm() / set.spacing;
+}
+
+// The square that disc_centres() fills is as wide as the diagonal and a disc.
+double most_discs(const NaturalJointSet& set, const Vec3& lo, const Vec3& hi) {
+  if (set.persistence >= 1.0) return 0.0;
+  const double width_in_radii = (hi - lo).norm() / set.radius + 2.0;
+  return most_planes(set, lo, hi) * covered_times(set) * width_in_radii * width_in_radii /
+         std::numbers::pi;
+}
+
+double least_radius(const NaturalJointSet& set, const Vec3& lo, const Vec3& hi, double discs) {
+  const double width_in_radii = std::sqrt(std::numbers::pi * std::max(discs, 0.0) /
+                                          (most_planes(set, lo, hi) * covered_times(set)));
+  if (width_in_radii <= 2.0) return std::numeric_limits<double>::infinity();
+  return (hi - lo).norm() / (width_in_radii - 2.0);
 }
 
 std::vector<JointPlane> planes_of(const NaturalJointSet& set, const Vec3& lo, const Vec3& hi,

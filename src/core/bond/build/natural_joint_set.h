@@ -28,6 +28,14 @@ struct NaturalJointSet {
 /// Most planes of the set that a box can hold, on average: its diagonal over the spacing.
 [[nodiscard]] double most_planes(const NaturalJointSet& set, const Vec3& lo, const Vec3& hi);
 
+/// Most discs of the set that a box can hold, on average; 0 without discs. Falls with the radius.
+[[nodiscard]] double most_discs(const NaturalJointSet& set, const Vec3& lo, const Vec3& hi);
+
+/// The least radius with which most_discs() is at most `discs`; infinite where none is large enough
+/// [m].
+[[nodiscard]] double least_radius(const NaturalJointSet& set, const Vec3& lo, const Vec3& hi,
+                                  double discs);
+
 /// The planes that meet the box, in the order of their signed distances from its middle. Their mean
 /// area per volume of the box (P32) is persistence / spacing, whatever the scatter of the normals.
 [[nodiscard]] std::vector<JointPlane> planes_of(const NaturalJointSet& set, const Vec3& lo,
