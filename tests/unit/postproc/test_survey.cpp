@@ -96,6 +96,26 @@ TEST_F(Survey, ThatLiesLowerIsLowerByAsMuch) {
   EXPECT_GT(std::filesystem::file_size(folder().file("survey.png")), 2000U);
 }
 
+// The bench goes on beside the model, which ends at |y| = 1 m, and nobody knows how. Compared are
+// the 34 m2 as ever, and the block, 0.5 m high on 0.25 m2, over a surveyed floor at -0.2 m.
+TEST_F(Survey, OfABlockThatRestsAsideHasNoFloorInTheBenchBesideTheModel) {
+  BenchRun run = bench_run();
+  run.last.states[0].centre = {2.0, 6.0, 0.25};  // from below the floor
+  write_snapshot(folder().dump("blocks_000002000.csv"), run.blocks, run.last);
+  std::ostringstream wide;
+  for (double y = -2.0 + 0.5 * kCell; y < 7.0; y += kCell) {
+    for (double x = -10.0 + 0.5 * kCell; x < 16.0; x += kCell) {
+      const double height = x < 0.0 || std::abs(y) < 1.0 ? run_height(x) : 0.0;
+      wide << x << ' ' << y << ' ' << height - 0.2 << '\n';
+    }
+  }
+  write_text(temporary_.path() / "pile.xyz", wide.str());
+  measure("pile.xyz");
+  EXPECT_NEAR(summary()["survey_compared_area_m2"], 34.25, 1e-9);
+  EXPECT_NEAR(summary()["survey_run_below_m3"], 0.0, 1e-5);
+  EXPECT_NEAR(summary()["survey_run_above_m3"], 6.8 + 0.25 * 0.7, 1e-5);
+}
+
 TEST_F(Survey, TableHasEachComparedColumn) {
   write_text(temporary_.path() / "pile.xyz", points(0.2, [](const Vec3& p) { return p; }));
   measure("pile.xyz");
@@ -167,6 +187,13 @@ constexpr const char* kPlane =
     "endloop\nendfacet\nfacet normal 0 0 1\nouter loop\nvertex -10 -2 1\nvertex 16 2 1\n"
     "vertex -10 2 1\nendloop\nendfacet\nendsolid pile\n";
 
+// The two triangles of the plane, each a solid of its own.
+std::string two_solids() {
+  std::string text = kPlane;
+  return text.insert(text.find("facet", text.find("endfacet") + 8),
+                     "endsolid pile\n\nsolid more of it\n");
+}
+
 std::string binary_plane(float z) {
   std::string bytes(80, ' ');
   const auto add = [&](const auto& value) {
@@ -186,6 +213,9 @@ std::string binary_plane(float z) {
 TEST_F(Survey, TrianglesAreReadFromTextAndBytes) {
   write_text(temporary_.path() / "text.stl", kPlane);
   measure("text.stl");
+  expect_plane(summary());
+  write_text(temporary_.path() / "solids.stl", two_solids());
+  measure("solids.stl");
   expect_plane(summary());
   write_text(temporary_.path() / "bytes.STL", binary_plane(1.0F));
   measure("bytes.STL");
@@ -229,6 +259,11 @@ TEST_F(Survey, StlFilesAreRefusedByLine) {
   expect_in("a.stl:5: vertex must be a finite number, got 'x'", refused("a.stl", text));
   text.replace(text.find("16 x 1"), 6, "16 1");
   expect_in("a.stl:5: vertex must have three numbers, got 2", refused("a.stl", text));
+  text = kPlane;
+  text.replace(text.find("endfacet\n"), 9, "");
+  expect_in("a.stl:8: facet before the endfacet of the facet before", refused("a.stl", text));
+  expect_in("a.stl:18: must begin with solid after endsolid, got 'facet'",
+            refused("a.stl", kPlane + std::string("\nfacet normal 0 0 1\n")));
   const std::string bytes = binary_plane(1.0F);
   expect_in("a.stl: must have 184 bytes for its 2 triangles, got 180; it is cut",
             refused("a.stl", bytes.substr(0, 180)));
