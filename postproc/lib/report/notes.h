@@ -28,6 +28,9 @@ inline constexpr const char* kFlyrockNote =
     "formulas, no results of the simulation: ranges of fly rock after Richards & Moore, and after "
     "McKenzie; a clearance needs a constant k of the site";
 
+inline constexpr const char* kOpenHoleNote =
+    "no clearance: a hole without stemming shoots into the open, and no formula tells how far";
+
 inline constexpr const char* kBlockSizesNote = "block sizes: the input, not a prediction";
 
 // Above this share of single blocks in the pile's mass the size curve is that of the cut.
