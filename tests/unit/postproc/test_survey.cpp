@@ -14,6 +14,7 @@
 #include "input_error_of.h"
 #include "io/point_file.h"
 #include "io/stl_file.h"
+#include "measure/survey_heights.h"
 #include "report/not_measurable.h"
 #include "report/reports.h"
 #include "synthetic_run.h"
@@ -233,6 +234,57 @@ TEST_F(Survey, FarFromTheRunSaysHowToShiftIt) {
   in_plan.shift = {-355000.0, -6200000.0, 0.0};
   expect_in("z 412 to 422.5", refused("far.xyz", far, in_plan));
   expect_in(" -412", refused("far.xyz", far, in_plan));
+}
+
+TEST_F(Survey, ThatIsTurnedAndFarIsTakenWithThePrintedShift) {
+  const Vec3 origin(355000.0, 6200000.0, 412.0);
+  SurveyOptions options;
+  options.turn_deg = -90.0;
+  const std::string message =
+      refused("far.xyz",
+              points(0.0, [&](const Vec3& p) { return Vec3(Vec3(-p.y(), p.x(), p.z()) + origin); }),
+              options);
+  const std::string words = "for a start by --shift ";
+  ASSERT_NE(message.find(words), std::string::npos) << message;
+  std::istringstream shift(message.substr(message.find(words) + words.size()));
+  for (double& each : options.shift) shift >> each;
+  ASSERT_FALSE(shift.fail()) << message;
+  EXPECT_NO_THROW(measure("far.xyz", options));
+}
+
+// Over cells 0.1 m wide, heights of a wall from z = 0 to 10 m that leans by 1e-7 m.
+TEST(SurveyedWall, HasHeightsWithinItsCorners) {
+  const ColumnGrid grid{6.2e6, 0.0, 0.1, 0.1, 50, 10};
+  SurveyedSurface wall;
+  for (int i = 0; i < grid.nx; ++i) {
+    const double x = grid.x(i);
+    wall.triangles.push_back({Vec3(x - 1e-7, 0.0, 0.0), {x + 1e-7, 0.0, 10.0}, {x, 1.0, 5.0}});
+  }
+  for (const double height : heights_over(grid, wall, std::nullopt)) {
+    if (std::isnan(height)) continue;
+    EXPECT_GE(height, 0.0);
+    EXPECT_LE(height, 10.0);
+  }
+}
+
+TEST(SurveyedWall, ThatStandsUprightHasNone) {
+  const ColumnGrid grid{0.0, 0.0, 1.0, 1.0, 1, 1};
+  SurveyedSurface wall;
+  wall.triangles.push_back({Vec3(0.5, 0.0, 0.0), {0.5 + 1e-12, 2.0, 0.0}, {0.5, 1.0, 10.0}});
+  EXPECT_TRUE(std::isnan(heights_over(grid, wall, std::nullopt)[0]));
+}
+
+// Two strips of points 0.5 m apart, 6 m from each other.
+TEST(SurveyedPoints, AcrossAGapAreNotJoinedWhereOneStraysFarOff) {
+  const ColumnGrid grid{0.0, 0.0, 0.5, 0.5, 24, 8};
+  SurveyedSurface strips;
+  for (double y = 0.25; y < 4.0; y += 0.5)
+    for (double x = 0.25; x < 12.0; x += 0.5)
+      if (x < 3.0 || x > 9.0) strips.points.emplace_back(x, y, 1.0);
+  const auto in_the_gap = [&] { return heights_over(grid, strips, std::nullopt)[grid.at(12, 4)]; };
+  EXPECT_TRUE(std::isnan(in_the_gap()));
+  strips.points.emplace_back(5000.0, 5000.0, 0.0);
+  EXPECT_TRUE(std::isnan(in_the_gap()));
 }
 
 TEST_F(Survey, PointFilesAreRefusedByLine) {
