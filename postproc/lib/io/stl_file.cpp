@@ -43,7 +43,8 @@ void require_area(const StlTriangle& t, const std::string& where) {
                    ") has no area; clean the mesh, or give its points as .xyz");
 }
 
-// The lines of a text file, which may hold several solids: facet, outer loop, three times vertex, endloop, endfacet.
+// The lines of a text file, which may hold several solids: facet, outer loop, three times vertex,
+// endloop, endfacet.
 class StlText {
  public:
   StlText(std::string path, const std::string& text) : path_(std::move(path)), in_(text) {}
