@@ -50,6 +50,8 @@ void print_table(const nlohmann::ordered_json& keys) {
   print_row("McKenzie: scaled depth of burial " + spelled(keys["formula_depth_of_burial_m_kg033"]) +
                 " m/kg^(1/3)",
             keys["formula_mckenzie_m"], keys["formula_mckenzie_m"], factor);
+  if (const auto& note = keys["formula_clearance_note"]; note.is_string())
+    std::printf("%s\n", note.get<std::string>().c_str());
   std::printf("%-54s %16s   %s\n", "farthest block of this run",
               in_metres(keys["farthest_block_m"]).c_str(),
               keys["farthest_block_note"].get<std::string>().c_str());

@@ -43,19 +43,20 @@ void require_area(const StlTriangle& t, const std::string& where) {
                    ") has no area; clean the mesh, or give its points as .xyz");
 }
 
-// The lines of a text file: facet, outer loop, three times vertex, endloop, endfacet.
+// The lines of a text file, which may hold several solids: facet, outer loop, three times vertex,
+// endloop, endfacet.
 class StlText {
  public:
   StlText(std::string path, const std::string& text) : path_(std::move(path)), in_(text) {}
 
   std::vector<StlTriangle> triangles() {
-    for (std::string line; !ended_ && std::getline(in_, line);) {
+    for (std::string line; std::getline(in_, line);) {
       ++number_;
       std::istringstream words(line);
       std::string word;
       if (words >> word) take(word, words);
     }
-    if (!ended_)
+    if (in_solid_)
       refuse(path_, "ends at line " + std::to_string(number_) + " without endsolid: it is cut");
     return std::move(triangles_);
   }
@@ -64,9 +65,15 @@ class StlText {
   [[nodiscard]] std::string where() const { return path_ + ":" + std::to_string(number_) + ": "; }
 
   void take(const std::string& word, std::istringstream& words) {
-    if (word == "vertex") {
+    if (!in_solid_) {
+      if (word != "solid" && number_ != 1)  // "solidpile" begins a file, too
+        throw InputError(where() + "must begin with solid after endsolid, got '" + word + "'");
+      in_solid_ = true;
+    } else if (word == "vertex") {
       add_corner(words);
     } else if (word == "facet") {
+      require_closed(word);
+      in_facet_ = true;
       corners_ = 0;
     } else if (word == "endfacet") {
       if (corners_ != 3)
@@ -74,11 +81,17 @@ class StlText {
                          std::to_string(corners_));
       require_area(triangle_, where());
       triangles_.push_back(triangle_);
+      in_facet_ = false;
     } else if (word == "endsolid") {
-      ended_ = true;
-    } else if (word != "outer" && word != "endloop" && number_ != 1) {
+      require_closed(word);
+      in_solid_ = false;
+    } else if (word != "outer" && word != "endloop") {
       throw InputError(where() + "must begin with a word of an STL file, got '" + word + "'");
     }
+  }
+
+  void require_closed(const std::string& word) const {
+    if (in_facet_) throw InputError(where() + word + " before the endfacet of the facet before");
   }
 
   void add_corner(std::istringstream& words) {
@@ -98,7 +111,7 @@ class StlText {
   std::istringstream in_;
   size_t number_ = 0;  // of the line
   size_t corners_ = 0;
-  bool ended_ = false;
+  bool in_solid_ = false, in_facet_ = false;
   StlTriangle triangle_;
   std::vector<StlTriangle> triangles_;
 };

@@ -25,9 +25,6 @@ Vec3 face_normal(const std::vector<Vec3>& vertices, const std::vector<int>& face
   return normal;
 }
 
-// A face this close to upright covers no column: 1e-9 of its area is far below one cell.
-constexpr double kUpright = 1e-9;
-
 class ColumnFiller {
  public:
   explicit ColumnFiller(Columns& columns) : out_(columns) {}

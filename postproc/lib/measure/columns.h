@@ -29,6 +29,9 @@ struct ColumnGrid {
 // is filled exactly. Throws InputError if the grid would have more than 50 million cells.
 ColumnGrid column_grid(double x_low, double x_high, double y_low, double y_high, double cell);
 
+// A face this close to upright covers no column: 1e-9 of its area is far below one cell.
+inline constexpr double kUpright = 1e-9;
+
 inline constexpr double kNoRock = -std::numeric_limits<double>::infinity();
 
 struct Columns {

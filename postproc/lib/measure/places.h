@@ -4,18 +4,24 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "io/snapshot.h"
 
 namespace muckpile {
 
+// The value that this share of them lies below; there must be one at least.
+inline double value_of_share(std::vector<double> values, double share) {
+  std::ranges::sort(values);
+  return values[static_cast<size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
 // The coordinate that this share of the blocks lies below [m].
 inline double place_of_share(const Snapshot& snapshot, Eigen::Index axis, double share) {
   std::vector<double> places;
   for (const BlockState& state : snapshot.states) places.push_back(state.centre[axis]);
-  std::ranges::sort(places);
-  return places[static_cast<size_t>(share * static_cast<double>(places.size() - 1))];
+  return value_of_share(std::move(places), share);
 }
 
 }  // namespace muckpile

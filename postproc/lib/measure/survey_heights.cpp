@@ -25,7 +25,9 @@ class HeightRaster {
 
   void add(const StlTriangle& t) {
     const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
-    if (normal.z() == 0.0) return;
+    if (std::abs(normal.z()) <= kUpright * normal.norm()) return;
+    const double bottom = std::min({t[0].z(), t[1].z(), t[2].z()});
+    const double top = std::max({t[0].z(), t[1].z(), t[2].z()});
     std::array<Vec2, 3> outline;
     for (size_t k = 0; k < 3; ++k)
       outline.at(k) = {(t.at(k).x() - grid_.x0) / grid_.dx, (t.at(k).y() - grid_.y0) / grid_.dy};
@@ -34,7 +36,8 @@ class HeightRaster {
       for (int i = begin; i < end; ++i) {
         const Vec2 from(grid_.x(i) - t[0].x(), grid_.y(j) - t[0].y());
         double& height = heights_[grid_.at(i, j)];
-        height = std::fmax(height, t[0].z() + slope.dot(from));
+        // Of a steep one rounding in plan is large in height.
+        height = std::fmax(height, std::clamp(t[0].z() + slope.dot(from), bottom, top));
       }
     });
   }
@@ -47,13 +50,24 @@ class HeightRaster {
   std::vector<double> crossings_;
 };
 
-// The mean of the points of each cell, of the grid and a margin around it.
-std::vector<Vec3> thinned(const ColumnGrid& grid, const std::vector<Vec3>& points, double margin) {
-  const double side_x = margin / grid.dx, side_y = margin / grid.dy;
+// Those over the grid and a margin around it [m].
+std::vector<Vec3> points_near(const ColumnGrid& grid, const std::vector<Vec3>& points,
+                              double margin) {
+  const double x_high = grid.x0 + grid.nx * grid.dx, y_high = grid.y0 + grid.ny * grid.dy;
+  std::vector<Vec3> near;
+  for (const Vec3& p : points) {
+    if (p.x() < grid.x0 - margin || p.x() > x_high + margin) continue;
+    if (p.y() < grid.y0 - margin || p.y() > y_high + margin) continue;
+    near.push_back(p);
+  }
+  return near;
+}
+
+// The mean of the points of each cell.
+std::vector<Vec3> thinned(const ColumnGrid& grid, const std::vector<Vec3>& points) {
   std::map<std::pair<long, long>, std::pair<Vec3, int>> sums;
   for (const Vec3& p : points) {
     const double i = (p.x() - grid.x0) / grid.dx, j = (p.y() - grid.y0) / grid.dy;
-    if (i < -side_x || i > grid.nx + side_x || j < -side_y || j > grid.ny + side_y) continue;
     const auto cell = std::pair(std::lround(std::floor(j)), std::lround(std::floor(i)));
     auto& [sum, count] = sums.try_emplace(cell, Vec3::Zero(), 0).first->second;
     sum += p;
@@ -64,8 +78,9 @@ std::vector<Vec3> thinned(const ColumnGrid& grid, const std::vector<Vec3>& point
   return means;
 }
 
-// Mean distance of neighbours of points that cover their box in plan evenly.
+// Mean distance of neighbours of points that cover their box in plan evenly [m]; 0 of none.
 double spacing_of(const std::vector<Vec3>& points) {
+  if (points.empty()) return 0.0;
   Vec3 low = points.front(), high = points.front();
   for (const Vec3& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
   const Vec2 size = (high - low).head<2>();
@@ -112,10 +127,12 @@ std::vector<double> heights_over(const ColumnGrid& grid, const SurveyedSurface& 
   HeightRaster raster(grid);
   for (const StlTriangle& triangle : surface.triangles) raster.add(triangle);
   if (surface.points.empty()) return raster.take();
-  const double reach =
-      gap.value_or(kGapOverSpacing * std::max(spacing_of(surface.points), grid.dx));
+  const double margin = kMargin * std::max(grid.dx, grid.dy);
+  // A point that strays far off would make the spacing of all too wide.
+  const double spacing = spacing_of(points_near(grid, surface.points, margin));
+  const double reach = gap.value_or(kGapOverSpacing * std::max(spacing, grid.dx));
   const std::vector<Vec3> few =
-      thinned(grid, surface.points, std::max(reach, kMargin * std::max(grid.dx, grid.dy)));
+      thinned(grid, points_near(grid, surface.points, std::max(reach, margin)));
   for (const StlTriangle& triangle : joined_to_triangles(few, reach)) raster.add(triangle);
   return raster.take();
 }

@@ -30,7 +30,7 @@ Extent extent_of(const SurveyedSurface& surface);
 
 // Height of the surface at each cell [m], NaN where it has none. Points are thinned to their means
 // over a cell and joined to triangles whose sides are no longer than `gap` [m] in plan; by default
-// five times the mean distance of neighbours.
+// five times the mean distance of neighbours over the grid and a few cells around it.
 std::vector<double> heights_over(const ColumnGrid& grid, const SurveyedSurface& surface,
                                  std::optional<double> gap);
 

@@ -203,6 +203,8 @@ void add_limits(Html& page, const PageContent& run) {
     page.element("li", "Kuz-Ram: " + in_words("", *note));
   if (const Json* note = find(run, "throw_max_note"))
     page.element("li", "Largest throw: " + in_words("", *note));
+  if (const Json* note = find(run, "farthest_block_note"))
+    page.element("li", "Farthest block: " + in_words("", *note));
   if (find(run, "face_velocity_m_s") != nullptr)
     page.element("li", "The face velocity is a lower bound: snapshots miss the peak.");
   page.element("li",

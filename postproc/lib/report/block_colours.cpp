@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "args/input_error.h"
 #include "draw/axes.h"
 
 namespace muckpile {
@@ -65,6 +66,7 @@ BlockColours block_colours(ColourBy by, const std::vector<StartBlock>& blocks,
     values.push_back(property(by, blocks[b], snapshot.states[b]));
   BlockColours colours{{}, label_of(by), std::nullopt};
   if (by == ColourBy::kFragment) {
+    if (range) refuse("render", "--colour-range has no meaning for the colours of fragments");
     for (const double value : values)
       colours.of_block.push_back(colour_of_name(static_cast<int>(value)));
     return colours;

@@ -46,13 +46,14 @@ void require_ffmpeg() {
          "ffmpeg); --frames N writes the pictures alone");
 }
 
-void make_film(const std::filesystem::path& folder, int frames_per_second,
+void make_film(const std::filesystem::path& folder, int frames, int frames_per_second,
                const std::filesystem::path& film) {
   // H.264 has an even number of pixels each way.
-  const int status = run_program(
-      {"ffmpeg", "-y", "-nostdin", "-loglevel", "error", "-framerate",
-       std::to_string(frames_per_second), "-i", (folder / "pile3d_%04d.png").string(), "-vf",
-       "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-f", "mp4", film.string()});
+  const int status =
+      run_program({"ffmpeg", "-y", "-nostdin", "-loglevel", "error", "-framerate",
+                   std::to_string(frames_per_second), "-i", (folder / "pile3d_%04d.png").string(),
+                   "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-frames:v", std::to_string(frames),
+                   "-pix_fmt", "yuv420p", "-f", "mp4", film.string()});
   if (status != 0)
     refuse(film.string(), "cannot be written: ffmpeg ended with status " + std::to_string(status));
 }

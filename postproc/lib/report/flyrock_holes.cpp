@@ -23,12 +23,19 @@ struct ChargedDeck {
   double per_metre;  // [kg/m]
 };
 
+void require_mass(const std::string& hole, double mass) {
+  if (mass > 0.0) return;
+  throw NotMeasurable("flyrock: needs the mass of every charge of hole '" + hole +
+                      "': neither the shipped explosives nor scene.json give its density");
+}
+
 std::vector<ChargedDeck> decks_of(const std::string& hole, const HoleTable& table,
                                   const std::vector<TimedCharge>& charges) {
   std::vector<ChargedDeck> decks;
   for (size_t k = 0; k < charges.size(); ++k) {
     const Deck& deck = table.decks()[k];
     if (deck.hole != hole) continue;
+    require_mass(hole, charges[k].mass);
     const double length = deck.charge_length.value_or(deck.to - deck.from);
     decks.push_back({&deck, length, charges[k].mass / length});
   }
@@ -57,7 +64,9 @@ std::vector<FlyrockHole> holes_of_table(const ResultFolder& folder, const std::s
 
 std::vector<FlyrockHole> holes_of_scene(const ResultFolder& folder) {
   const double length = folder.scene_number("charge_length_m");
-  const double per_metre = fired_charges(folder).front().mass / length;
+  const double mass = fired_charges(folder).front().mass;
+  require_mass("all", mass);
+  const double per_metre = mass / length;
   return {{"all", 0, folder.scene_number("hole_diameter_m"), folder.scene_number("burden_m"),
            folder.scene_number("stemming_m"), per_metre, per_metre, length}};
 }
@@ -73,14 +82,7 @@ std::vector<FlyrockHole> flyrock_holes(const ResultFolder& folder) {
   if (!table && !folder.scene_has("charge_mass_kg") && !folder.scene_has("explosive_density_kg_m3"))
     throw NotMeasurable("flyrock: needs charge_mass_kg in " + folder.dump("scene.json").string() +
                         ", by write_scene");
-  std::vector<FlyrockHole> holes =
-      table ? holes_of_table(folder, path.string()) : holes_of_scene(folder);
-  for (const FlyrockHole& hole : holes) {
-    if (hole.mass_per_metre > 0.0 && hole.top_per_metre > 0.0) continue;
-    throw NotMeasurable("flyrock: needs the mass of the charge of hole '" + hole.name +
-                        "'; its explosive is not among the shipped ones");
-  }
-  return holes;
+  return table ? holes_of_table(folder, path.string()) : holes_of_scene(folder);
 }
 
 }  // namespace muckpile

@@ -32,6 +32,7 @@ struct FlyrockRanges {
   double depth_of_burial = kNaN;  // the least [m/kg^(1/3)]
   double mckenzie = kNaN;
   double fragment = kNaN;  // of McKenzie's range [m]
+  bool open = false;       // a hole without stemming
 };
 
 struct Constants {
@@ -65,6 +66,7 @@ FlyrockRanges ranges_of(const FlyrockHole& hole, const Constants& k, double rock
       scaled_depth_of_burial(hole.stemming, hole.top_length, hole.diameter, hole.top_per_metre);
   r.mckenzie = mckenzie_range(r.depth_of_burial, hole.diameter);
   r.fragment = mckenzie_fragment(r.depth_of_burial, hole.diameter, rock_density);
+  r.open = !(hole.stemming > 0.0);
   return r;
 }
 
@@ -74,6 +76,7 @@ FlyrockRanges largest_of(const std::vector<FlyrockRanges>& holes) {
     all.face_burst.widen(hole.face_burst);
     all.cratering.widen(hole.cratering);
     all.gun_barrelling.widen(hole.gun_barrelling);
+    all.open = all.open || hole.open;
     if (hole.mckenzie <= all.mckenzie) continue;
     all.mckenzie = hole.mckenzie;
     all.depth_of_burial = hole.depth_of_burial;
@@ -128,7 +131,9 @@ nlohmann::ordered_json keys_of(const FlyrockRanges& r, const Constants& k, doubl
   keys["formula_mckenzie_fragment_m"] = r.fragment;
   const double largest = std::fmax(std::fmax(r.face_burst.high, r.cratering.high),
                                    std::fmax(r.gun_barrelling.high, r.mckenzie));
-  keys["formula_clearance_m"] = safety_factor * largest;
+  keys["formula_clearance_m"] = r.open ? kNaN : safety_factor * largest;
+  keys["formula_clearance_note"] = nullptr;
+  if (r.open) keys["formula_clearance_note"] = kOpenHoleNote;
   keys["formula_flyrock_note"] = kFlyrockNote;
   keys["farthest_block_m"] = nullptr;
   keys["farthest_block_note"] = kLargestThrowNote;

@@ -26,7 +26,10 @@ inline constexpr const char* kLargestThrowNote =
 
 inline constexpr const char* kFlyrockNote =
     "formulas, no results of the simulation: ranges of fly rock after Richards & Moore, and after "
-    "McKenzie; a clearance needs a constant k of the site";
+    "McKenzie; a clearance needs a constant k of the site, and a factor of 2 is none for people";
+
+inline constexpr const char* kOpenHoleNote =
+    "no clearance: a hole without stemming shoots into the open, and no formula tells how far";
 
 inline constexpr const char* kBlockSizesNote = "block sizes: the input, not a prediction";
 

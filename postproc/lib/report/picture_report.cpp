@@ -131,6 +131,11 @@ class Frames {
 
   [[nodiscard]] bool any() const { return options_.frames > 0 || !options_.film.empty(); }
 
+  // A film shows every snapshot where no number is given.
+  [[nodiscard]] int count() const {
+    return options_.frames > 0 ? options_.frames : static_cast<int>(snapshots_.size());
+  }
+
   // Of speeds and displacements over the whole run, so that all pictures share one legend.
   [[nodiscard]] std::optional<double> largest() const {
     const bool speed = options_.colour_by == ColourBy::kSpeed;
@@ -147,12 +152,12 @@ class Frames {
     return largest;
   }
 
-  // pile3d_0000.png ... in a folder. A film shows every snapshot where no number is given.
+  // pile3d_0000.png ... in a folder.
   void write(const Picture& picture, const std::string& warning, std::optional<double> largest,
              const std::filesystem::path& into) const {
-    const int count = options_.frames > 0 ? options_.frames : static_cast<int>(snapshots_.size());
-    for (int frame = 0; frame < count; ++frame) {
-      const double share = count > 1 ? static_cast<double>(frame) / (count - 1) : 1.0;
+    const int all = count();
+    for (int frame = 0; frame < all; ++frame) {
+      const double share = all > 1 ? static_cast<double>(frame) / (all - 1) : 1.0;
       const auto which =
           static_cast<size_t>(std::lround(share * static_cast<double>(snapshots_.size() - 1)));
       char name[32];
@@ -201,11 +206,11 @@ void report_picture(const ResultFolder& folder, const PictureOptions& options) {
   picture.write(last, warning, largest, folder.file("pile3d.png"));
   if (options.frames > 0) frames.write(picture, warning, largest, folder.file(""));
   if (!options.film.empty() && options.frames > 0) {
-    make_film(folder.file(""), options.frames_per_second, options.film);
+    make_film(folder.file(""), frames.count(), options.frames_per_second, options.film);
   } else if (!options.film.empty()) {
     const FilmFolder pictures(folder.file(".film"));
     frames.write(picture, warning, largest, pictures.path());
-    make_film(pictures.path(), options.frames_per_second, options.film);
+    make_film(pictures.path(), frames.count(), options.frames_per_second, options.film);
   }
   folder.merge_into_summary(common_keys(folder));
 }

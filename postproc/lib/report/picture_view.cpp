@@ -18,11 +18,6 @@ constexpr double kOpening = 30.0 * std::numbers::pi / 180.0;  // vertical angle 
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 
-double value_of_share(std::vector<double> values, double share) {
-  std::ranges::sort(values);
-  return values[static_cast<size_t>(share * static_cast<double>(values.size() - 1))];
-}
-
 void add_circle(double radius, double z, std::vector<Vec3>& points) {
   constexpr int kPoints = 24;
   for (int k = 0; k < kPoints; ++k) {

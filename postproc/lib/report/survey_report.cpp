@@ -46,15 +46,28 @@ struct RunSurface {
   std::vector<char> pile;       // whose top was broken out
 };
 
+// Behind the face of a bench its neighbour goes on where the model ends: no floor there.
+bool beside_the_model(double x, double y, const Extent& start) {
+  return x < 0.0 && (x < start.low.x() || y < start.low.y() || y > start.high.y());
+}
+
 // Where there is no rock, there is the floor or the free surface at z = 0, but for a scene of one's
 // own. Rock lies above a floor; a crater reaches below its surface.
 RunSurface surface_of(const RunData& run, const ColumnGrid& grid, const std::string& scene) {
   const Columns columns = columns_through(grid, run.blocks, run.last.states, run.lies);
+  const Extent start = extent_of(run.blocks, start_snapshot(run.blocks).states);
   const bool on_floor = scene == "bench" || scene == "heap";
+  const auto without_rock = [&](size_t k) {
+    const auto columns_x = static_cast<size_t>(grid.nx);
+    const double x = grid.x(static_cast<int>(k % columns_x));
+    const double y = grid.y(static_cast<int>(k / columns_x));
+    const bool unknown = scene == "other" || (scene == "bench" && beside_the_model(x, y, start));
+    return unknown ? kNaN : 0.0;
+  };
   RunSurface surface;
   for (size_t k = 0; k < grid.cells(); ++k) {
     const bool known = columns.top_block[k] >= 0;
-    double height = known ? columns.top[k] : scene == "other" ? kNaN : 0.0;
+    double height = known ? columns.top[k] : without_rock(k);
     if (on_floor) height = std::max(height, 0.0);
     const bool rock = known && !(on_floor && height <= 0.0);
     surface.heights.push_back(height);

@@ -89,6 +89,27 @@ TEST(Section, CutsCubesInSquaresAndTurnedCubesInRhombi) {
   EXPECT_NEAR(area_of(section[1].outline), 0.25, 1e-12);
 }
 
+// The top is two polygons, x = 0 and x = 1 are one each: an edge along y at the top belongs to one
+// polygon only, the whole one as the halves.
+Block cube_with_a_top_of_two() {
+  Block block;
+  block.shape.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},   {0, 0, 1},
+                          {1, 0, 1}, {1, 1, 1}, {0, 1, 1}, {0, 0.5, 1}, {1, 0.5, 1}};
+  block.shape.faces = {{0, 3, 2, 1}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 4, 7, 3},
+                       {1, 2, 6, 5}, {4, 5, 9, 8}, {8, 9, 6, 7}};
+  block.mass = mass_properties(block.shape);
+  return block;
+}
+
+TEST(Section, CutsFacesOfSeveralPolygonsWhole) {
+  const auto blocks = as_start_blocks({cube_with_a_top_of_two()});
+  for (const double y : {0.2, 0.7}) {
+    const auto section = section_at(y, blocks, start_snapshot(blocks).states);
+    ASSERT_EQ(section.size(), 1U);
+    EXPECT_NEAR(area_of(section[0].outline), 1.0, 1e-12);
+  }
+}
+
 TEST(Section, CutsACubeAcrossItsDiagonalInAHexagon) {
   const auto blocks = as_start_blocks({cube_at({-0.25, -0.25, -0.25})});
   Snapshot s = start_snapshot(blocks);

@@ -7,10 +7,12 @@
 #include <numbers>
 
 #include "args/csv_table.h"
+#include "input_error_of.h"
 #include "measure/blast_formulas.h"
 #include "report/all_reports.h"
 #include "report/flyrock_holes.h"
 #include "report/not_measurable.h"
+#include "report/notes.h"
 #include "report/reports.h"
 #include "synthetic_run.h"
 
@@ -101,8 +103,9 @@ TEST_F(Flyrock, TakesTheConstantOfTheSiteAndAFactor) {
   const auto keys = summary();
   EXPECT_EQ(keys["formula_face_burst_low_m"], keys["formula_face_burst_high_m"]);
   EXPECT_EQ(keys["formula_flyrock_k_high"], 20.0);
-  EXPECT_GE(keys["formula_clearance_m"].get<double>(),
-            3.0 * keys["formula_cratering_high_m"].get<double>());
+  const double mckenzie = keys["formula_mckenzie_m"];  // farther than the others
+  EXPECT_GT(mckenzie, keys["formula_cratering_high_m"].get<double>());
+  EXPECT_NEAR(keys["formula_clearance_m"], 3.0 * mckenzie, 1e-6);
 }
 
 // Two decks in the front hole, the upper one of half the diameter.
@@ -128,6 +131,35 @@ TEST_F(Flyrock, OfAHoleTableLooksAtEachHoleAndDeck) {
   EXPECT_NEAR(keys["formula_face_burst_high_m"], richards_moore_range(30.0, 7.85398, 5.0), 1e-3);
   EXPECT_NEAR(keys["formula_cratering_high_m"], richards_moore_range(30.0, 7.85398, 1.5), 1e-2);
   EXPECT_TRUE(keys["formula_mckenzie_fragment_m"].is_number());
+}
+
+constexpr const char* kTableHeader =
+    "hole,collar_x_m,collar_y_m,collar_z_m,toe_x_m,toe_y_m,toe_z_m,diameter_m,from_m,to_m,"
+    "explosive\n";
+
+TEST_F(Flyrock, OfAHoleWithoutStemmingHasNoClearance) {
+  add_to_scene("\"explosive_density_kg_m3\": 1000, ");
+  report_flyrock(folder());
+  EXPECT_TRUE(summary()["formula_clearance_note"].is_null());
+  write_text(folder().dump("holes.csv"), std::string(kTableHeader) +
+                                             "a,-5,0,10.5,-5,0,-1,0.1,3,11.5,\n"
+                                             "b,-5,2,10.5,-5,2,-1,0.1,0,11.5,\n");
+  report_flyrock(folder());
+  EXPECT_TRUE(summary()["formula_cratering_high_m"].is_number());  // of the other hole
+  EXPECT_TRUE(summary()["formula_clearance_m"].is_null());
+  EXPECT_EQ(summary()["formula_clearance_note"], kOpenHoleNote);
+}
+
+TEST_F(Flyrock, NeedsTheMassOfEachDeck) {
+  add_to_scene("\"explosive_density_kg_m3\": 1000, ");
+  write_text(folder().dump("holes.csv"), std::string(kTableHeader) +
+                                             "a,-5,0,10.5,-5,0,-1,0.1,3,5,\n"
+                                             "a,-5,0,10.5,-5,0,-1,0.1,6,11.5,homemade\n");
+  const std::string message = input_error_of([&] { report_flyrock(folder()); });
+  EXPECT_NE(message.find("of hole 'a': neither the shipped explosives nor scene.json"),
+            std::string::npos)
+      << message;
+  EXPECT_THROW(report_flyrock(folder()), NotMeasurable);
 }
 
 TEST_F(Flyrock, IsMadeWithTheOthersWhereTheChargeIsKnown) {

@@ -115,10 +115,13 @@ class Render : public ::testing::Test {
 };
 
 TEST_F(Render, DrawsASectionInTheBrokenShare) {
-  options_.section = 0.0;
   options_.colour_by = ColourBy::kBroken;
   draw();
+  const std::string whole = text_of(file("pile3d.png"));
+  options_.section = 0.0;
+  draw();
   EXPECT_GT(std::filesystem::file_size(file("pile3d.png")), 2000U);
+  EXPECT_NE(text_of(file("pile3d.png")), whole);
 }
 
 TEST_F(Render, WithoutFfmpegSaysWhatToInstallAndDrawsNothing) {
@@ -136,6 +139,21 @@ TEST_F(Render, MakesAFilmOfAllSnapshotsAndLeavesNoFrames) {
   EXPECT_EQ(text_of(file("film.mp4")), "pile3d_0000.png\npile3d_0001.png\n");
   EXPECT_FALSE(std::filesystem::exists(file(".film")));
   EXPECT_FALSE(std::filesystem::exists(file("pile3d_0000.png")));
+}
+
+TEST_F(Render, MakesAFilmOfItsOwnFramesAlone) {
+  install_ffmpeg("for last; do :; done; echo \"$*\" > \"$last\"");
+  write_text(file("pile3d_0003.png"), "of an earlier call");
+  options_.film = file("film.mp4");
+  options_.frames = 3;
+  draw();
+  EXPECT_NE(text_of(file("film.mp4")).find(" -frames:v 3 "), std::string::npos);
+}
+
+TEST_F(Render, RefusesARangeForColoursThatOnlyName) {
+  options_.colour_by = ColourBy::kFragment;
+  options_.colour_range = {0.0, 10.0};
+  EXPECT_NE(input_error_of([&] { draw(); }).find("--colour-range"), std::string::npos);
 }
 
 TEST_F(Render, TellsThatFfmpegFailed) {

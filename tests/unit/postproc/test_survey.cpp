@@ -14,6 +14,7 @@
 #include "input_error_of.h"
 #include "io/point_file.h"
 #include "io/stl_file.h"
+#include "measure/survey_heights.h"
 #include "report/not_measurable.h"
 #include "report/reports.h"
 #include "synthetic_run.h"
@@ -96,6 +97,26 @@ TEST_F(Survey, ThatLiesLowerIsLowerByAsMuch) {
   EXPECT_GT(std::filesystem::file_size(folder().file("survey.png")), 2000U);
 }
 
+// The bench goes on beside the model, which ends at |y| = 1 m, and nobody knows how. Compared are
+// the 34 m2 as ever, and the block, 0.5 m high on 0.25 m2, over a surveyed floor at -0.2 m.
+TEST_F(Survey, OfABlockThatRestsAsideHasNoFloorInTheBenchBesideTheModel) {
+  BenchRun run = bench_run();
+  run.last.states[0].centre = {2.0, 6.0, 0.25};  // from below the floor
+  write_snapshot(folder().dump("blocks_000002000.csv"), run.blocks, run.last);
+  std::ostringstream wide;
+  for (double y = -2.0 + 0.5 * kCell; y < 7.0; y += kCell) {
+    for (double x = -10.0 + 0.5 * kCell; x < 16.0; x += kCell) {
+      const double height = x < 0.0 || std::abs(y) < 1.0 ? run_height(x) : 0.0;
+      wide << x << ' ' << y << ' ' << height - 0.2 << '\n';
+    }
+  }
+  write_text(temporary_.path() / "pile.xyz", wide.str());
+  measure("pile.xyz");
+  EXPECT_NEAR(summary()["survey_compared_area_m2"], 34.25, 1e-9);
+  EXPECT_NEAR(summary()["survey_run_below_m3"], 0.0, 1e-5);
+  EXPECT_NEAR(summary()["survey_run_above_m3"], 6.8 + 0.25 * 0.7, 1e-5);
+}
+
 TEST_F(Survey, TableHasEachComparedColumn) {
   write_text(temporary_.path() / "pile.xyz", points(0.2, [](const Vec3& p) { return p; }));
   measure("pile.xyz");
@@ -167,6 +188,13 @@ constexpr const char* kPlane =
     "endloop\nendfacet\nfacet normal 0 0 1\nouter loop\nvertex -10 -2 1\nvertex 16 2 1\n"
     "vertex -10 2 1\nendloop\nendfacet\nendsolid pile\n";
 
+// The two triangles of the plane, each a solid of its own.
+std::string two_solids() {
+  std::string text = kPlane;
+  return text.insert(text.find("facet", text.find("endfacet") + 8),
+                     "endsolid pile\n\nsolid more of it\n");
+}
+
 std::string binary_plane(float z) {
   std::string bytes(80, ' ');
   const auto add = [&](const auto& value) {
@@ -187,6 +215,9 @@ TEST_F(Survey, TrianglesAreReadFromTextAndBytes) {
   write_text(temporary_.path() / "text.stl", kPlane);
   measure("text.stl");
   expect_plane(summary());
+  write_text(temporary_.path() / "solids.stl", two_solids());
+  measure("solids.stl");
+  expect_plane(summary());
   write_text(temporary_.path() / "bytes.STL", binary_plane(1.0F));
   measure("bytes.STL");
   expect_plane(summary());
@@ -203,6 +234,57 @@ TEST_F(Survey, FarFromTheRunSaysHowToShiftIt) {
   in_plan.shift = {-355000.0, -6200000.0, 0.0};
   expect_in("z 412 to 422.5", refused("far.xyz", far, in_plan));
   expect_in(" -412", refused("far.xyz", far, in_plan));
+}
+
+TEST_F(Survey, ThatIsTurnedAndFarIsTakenWithThePrintedShift) {
+  const Vec3 origin(355000.0, 6200000.0, 412.0);
+  SurveyOptions options;
+  options.turn_deg = -90.0;
+  const std::string message =
+      refused("far.xyz",
+              points(0.0, [&](const Vec3& p) { return Vec3(Vec3(-p.y(), p.x(), p.z()) + origin); }),
+              options);
+  const std::string words = "for a start by --shift ";
+  ASSERT_NE(message.find(words), std::string::npos) << message;
+  std::istringstream shift(message.substr(message.find(words) + words.size()));
+  for (double& each : options.shift) shift >> each;
+  ASSERT_FALSE(shift.fail()) << message;
+  EXPECT_NO_THROW(measure("far.xyz", options));
+}
+
+// Over cells 0.1 m wide, heights of a wall from z = 0 to 10 m that leans by 1e-7 m.
+TEST(SurveyedWall, HasHeightsWithinItsCorners) {
+  const ColumnGrid grid{6.2e6, 0.0, 0.1, 0.1, 50, 10};
+  SurveyedSurface wall;
+  for (int i = 0; i < grid.nx; ++i) {
+    const double x = grid.x(i);
+    wall.triangles.push_back({Vec3(x - 1e-7, 0.0, 0.0), {x + 1e-7, 0.0, 10.0}, {x, 1.0, 5.0}});
+  }
+  for (const double height : heights_over(grid, wall, std::nullopt)) {
+    if (std::isnan(height)) continue;
+    EXPECT_GE(height, 0.0);
+    EXPECT_LE(height, 10.0);
+  }
+}
+
+TEST(SurveyedWall, ThatStandsUprightHasNone) {
+  const ColumnGrid grid{0.0, 0.0, 1.0, 1.0, 1, 1};
+  SurveyedSurface wall;
+  wall.triangles.push_back({Vec3(0.5, 0.0, 0.0), {0.5 + 1e-12, 2.0, 0.0}, {0.5, 1.0, 10.0}});
+  EXPECT_TRUE(std::isnan(heights_over(grid, wall, std::nullopt)[0]));
+}
+
+// Two strips of points 0.5 m apart, 6 m from each other.
+TEST(SurveyedPoints, AcrossAGapAreNotJoinedWhereOneStraysFarOff) {
+  const ColumnGrid grid{0.0, 0.0, 0.5, 0.5, 24, 8};
+  SurveyedSurface strips;
+  for (double y = 0.25; y < 4.0; y += 0.5)
+    for (double x = 0.25; x < 12.0; x += 0.5)
+      if (x < 3.0 || x > 9.0) strips.points.emplace_back(x, y, 1.0);
+  const auto in_the_gap = [&] { return heights_over(grid, strips, std::nullopt)[grid.at(12, 4)]; };
+  EXPECT_TRUE(std::isnan(in_the_gap()));
+  strips.points.emplace_back(5000.0, 5000.0, 0.0);
+  EXPECT_TRUE(std::isnan(in_the_gap()));
 }
 
 TEST_F(Survey, PointFilesAreRefusedByLine) {
@@ -229,6 +311,11 @@ TEST_F(Survey, StlFilesAreRefusedByLine) {
   expect_in("a.stl:5: vertex must be a finite number, got 'x'", refused("a.stl", text));
   text.replace(text.find("16 x 1"), 6, "16 1");
   expect_in("a.stl:5: vertex must have three numbers, got 2", refused("a.stl", text));
+  text = kPlane;
+  text.replace(text.find("endfacet\n"), 9, "");
+  expect_in("a.stl:8: facet before the endfacet of the facet before", refused("a.stl", text));
+  expect_in("a.stl:18: must begin with solid after endsolid, got 'facet'",
+            refused("a.stl", kPlane + std::string("\nfacet normal 0 0 1\n")));
   const std::string bytes = binary_plane(1.0F);
   expect_in("a.stl: must have 184 bytes for its 2 triangles, got 180; it is cut",
             refused("a.stl", bytes.substr(0, 180)));
