@@ -13,6 +13,7 @@
 #include "compare_command.h"
 #include "damage_command.h"
 #include "flyrock_command.h"
+#include "measure_words.h"
 #include "report/all_reports.h"
 #include "report/not_measurable.h"
 #include "report/plan_report.h"
@@ -43,18 +44,6 @@ void add_colour(CLI::App* command, std::string& colour) {
   for (const auto& [name, by] : kColours) names.push_back(name);
   command->add_option("--colour", colour, "what the colours of blocks show")
       ->check(CLI::IsMember(names));
-}
-
-void add_measure(CLI::App* command, MeasureOptions& options) {
-  command
-      ->add_option("--moved", options.least_move,
-                   "a block that moved less than this stayed [m] (default: mean block size; of a "
-                   "crater: 0, its own size alone counts)")
-      ->check(CLI::NonNegativeNumber);
-  command
-      ->add_option("--cell", options.cell,
-                   "width of the measuring columns [m] (default: 1/4 of mean block size)")
-      ->check(CLI::PositiveNumber);
 }
 
 void add_sizes(CLI::App* command, FragmentOptions& options) {

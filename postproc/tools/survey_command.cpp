@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 
+#include "measure_words.h"
 #include "report/reports.h"
 
 namespace muckpile {
@@ -62,14 +63,7 @@ void add_survey_command(CLI::App& app) {
                    "points farther apart in plan are not joined [m] (default: five times their "
                    "mean spacing)")
       ->check(CLI::PositiveNumber);
-  command
-      ->add_option("--moved", words->measure.least_move,
-                   "a block that moved less stayed [m] (default: mean block size)")
-      ->check(CLI::NonNegativeNumber);
-  command
-      ->add_option("--cell", words->measure.cell,
-                   "width of the measuring columns [m] (default: 1/4 of mean block size)")
-      ->check(CLI::PositiveNumber);
+  add_measure(command, words->measure);
   command->callback([words] { survey(*words); });
 }
 

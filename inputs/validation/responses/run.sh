@@ -2,30 +2,17 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # run.sh [RESULTS [LIGGGHTS_MUCKPILE MUCKPILE_POST]]: a small bench blast, and the same with one thing changed at a time; exponents of what it answers.
 # Writes RESULTS/answers.csv and RESULTS/summary.json. RESULTS is results/responses unless given.
-# Scope: takes the programs of build/release unless others are named; fails if a figure is missing or outside what expected.json allows.
+# Scope: fails if a figure is missing or outside what expected.json allows.
 set -euo pipefail
-root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../../..")
-case_dir=inputs/validation/responses
-cd "$root"
-results=${1:-results/responses}
-program=${2:-build/release/src/app/liggghts-muckpile} post=${3:-build/release/postproc/tools/muckpile-post}
-source tests/support/check_figures.sh
-mkdir -p "$results"
+# shellcheck source=tests/support/validation_case.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../../../tests/support/validation_case.sh" responses "$@"
 table=$results/answers.csv
 echo "name,factor,value,base" >"$table"
 
 # blast NAME [VAR VALUE]...: runs the scene until the burden is in flight, prints face velocity [m/s] and work of the gas [J].
 blast() {
-  local out=$results/$1 words=()
-  shift
-  while (($#)); do
-    words+=(-var "$1" "$2")
-    shift 2
-  done
-  rm -rf "$out" && mkdir -p "$out/dump"
-  OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_btl_vader_single_copy_mechanism=none \
-    mpirun -np 1 --bind-to none "$program" -in inputs/bench/in.bench -log none -var out "$out" "${words[@]}" \
-    -var accuracy quick -var bench_height 4 -var burden 1.8 -var hole_diameter 0.06 -var time_end 0.1 >"$out/screen"
+  local out=$results/$1
+  run_input inputs/bench/in.bench "$out" "${@:2}" accuracy quick bench_height 4 burden 1.8 hole_diameter 0.06 time_end 0.1
   "$post" profile "$out" >/dev/null
   check_figures print "$out/summary.json:face_velocity_mean_m_s" "$out/summary.json:gas_work_J"
 }
@@ -49,4 +36,4 @@ answer charge 0.5 speed hole_diameter 0.0424264
 answer blocks 0.8 work block_min 0.188 block_max 0.52 fragment_x50 0.272
 answer blocks 1.3 work block_min 0.3055 block_max 0.845 fragment_x50 0.442
 check_figures exponents "$table" "$results/summary.json"
-check_figures case $case_dir/expected.json "$results/summary.json"
+check_figures case "$case_dir/expected.json" "$results/summary.json"

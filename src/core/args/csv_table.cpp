@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "args/input_error.h"
+#include "args/numbers.h"
 #include "args/suggestion.h"
 
 namespace muckpile {
@@ -123,8 +124,16 @@ std::string_view CsvTable::word(size_t row, size_t column) const {
   return fields_.at(row * header_.size() + column);
 }
 
-std::string CsvTable::where(size_t row) const {
-  return name_ + ":" + std::to_string(lines_.at(row)) + ": ";
+std::string CsvTable::place(size_t row) const {
+  return name_ + ":" + std::to_string(lines_.at(row));
+}
+
+std::string CsvTable::where(size_t row) const { return place(row) + ": "; }
+
+double CsvTable::real(size_t row, size_t column, const std::string& unit,
+                      const Range& range) const {
+  return parse_real(place(row), std::string(header_[column]), std::string(word(row, column)), unit,
+                    range);
 }
 
 template <class Number>

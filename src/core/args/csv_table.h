@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "args/range.h"
+
 namespace muckpile {
 
 // A whole file, split into fields. Every row has as many fields as the header has names.
@@ -41,11 +43,15 @@ class CsvTable {
   // One field as a whole number. Same errors.
   [[nodiscard]] int whole(size_t row, size_t column) const;
   [[nodiscard]] std::string_view word(size_t row, size_t column) const;
+  // One field as a real number [unit] in `range`, as strict as parse_real(). Same errors.
+  [[nodiscard]] double real(size_t row, size_t column, const std::string& unit,
+                            const Range& range) const;
 
   // "<file>:<line>: ", for a caller's own message about a row.
   [[nodiscard]] std::string where(size_t row) const;
 
  private:
+  [[nodiscard]] std::string place(size_t row) const;  // "<file>:<line>"
   template <class Number>
   Number parsed(size_t row, size_t column, const char* kind) const;
 

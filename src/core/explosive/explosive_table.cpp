@@ -6,7 +6,6 @@
 #include <array>
 
 #include "args/input_error.h"
-#include "args/numbers.h"
 #include "args/suggestion.h"
 #include "explosive/shipped_explosives.h"  // made of explosives.csv at configuration
 
@@ -35,9 +34,7 @@ std::optional<double> in_range_or_empty(const CsvTable& csv, size_t row, const s
                                         Range range = Range::positive()) {
   const auto column = csv.find_column(name);
   if (!column || csv.word(row, *column).empty()) return std::nullopt;
-  std::string where = csv.where(row);
-  where.resize(where.size() - 2);  // parse_real() adds its own ": "
-  return parse_real(where, name, std::string(csv.word(row, *column)), "", range);
+  return csv.real(row, *column, "", range);
 }
 
 double in_range(const CsvTable& csv, size_t row, const std::string& name, Range range) {

@@ -49,11 +49,8 @@ std::string text(const CsvTable& csv, size_t row, const std::string& name) {
 /// Nothing if the column is missing or the field empty.
 std::optional<double> number(const CsvTable& csv, size_t row, const std::string& name,
                              Range range) {
-  const std::string word = text(csv, row, name);
-  if (word.empty()) return std::nullopt;
-  std::string where = csv.where(row);
-  where.resize(where.size() - 2);  // parse_real() adds its own ": "
-  return parse_real(where, name, word, "", range);
+  if (text(csv, row, name).empty()) return std::nullopt;
+  return csv.real(row, csv.column(name), "", range);
 }
 
 double required(const CsvTable& csv, size_t row, const std::string& name, Range range) {

@@ -55,10 +55,7 @@ CsvTable rows_of(const std::string& text, const std::string& name) {
 
 double number(const CsvTable& csv, std::size_t row, std::string_view column, const char* unit,
               const Range& range) {
-  std::string where = csv.where(row);
-  where.resize(where.size() - 2);  // parse_real() adds its own ": "
-  return parse_real(where, std::string(column), std::string(csv.word(row, csv.column(column))),
-                    unit, range);
+  return csv.real(row, csv.column(column), unit, range);
 }
 
 Vec3 point(const CsvTable& csv, std::size_t row, const std::string& end) {

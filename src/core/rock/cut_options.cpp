@@ -19,19 +19,6 @@ using Words = std::vector<std::string>;
 
 [[noreturn]] void refuse_cut(const std::string& text) { refuse(kCreateBlocks, text); }
 
-double real_of(const std::string& keyword, const std::string& word, const char* unit,
-               const Range& range) {
-  return parse_real(kCreateBlocks, keyword, word, unit, range);
-}
-
-long whole_of(const std::string& keyword, const std::string& word, const Range& range) {
-  return parse_integer(kCreateBlocks, keyword, word, "", range);
-}
-
-double radians_of(const std::string& keyword, const std::string& word, double most_degrees) {
-  return real_of(keyword, word, "deg", Range::closed(0.0, most_degrees)) * M_PI / 180.0;
-}
-
 SizeLimits size_limits(const ArgValues& args) {
   const SizeLimits limits{args.real("block_min"), args.real("block_max")};
   if (limits.largest < limits.smallest) {
@@ -43,7 +30,7 @@ SizeLimits size_limits(const ArgValues& args) {
 
 /// Value k of `size LAW ...`.
 double size_value(const Words& words, std::size_t k, const char* unit) {
-  return real_of("size " + words[0], words[k], unit, Range::closed(0.0, 1e9));
+  return cut_real("size " + words[0], words[k], unit, Range::closed(0.0, 1e9));
 }
 
 /// Fails unless `size LAW` has so many values behind it.
@@ -87,7 +74,7 @@ SizeLaw size_law(const Words& words, const SizeLimits& limits) {
 
 SizeTarget size_target(const Words& words) {
   const auto number = [&](std::size_t k, const char* unit) {
-    return real_of("size target " + words[1], words[k], unit, Range::left_open(0.0, 1e3));
+    return cut_real("size target " + words[1], words[k], unit, Range::left_open(0.0, 1e3));
   };
   if (words.size() == 4 && words[1] == "kuz_ram")
     return SizeTarget::kuz_ram(number(2, "m"), number(3, ""));
@@ -121,16 +108,16 @@ void read_size(CutOptions& options, const ArgValues& args) {
 Hole hole_of(const std::string& keyword, const Words& words, std::size_t first) {
   std::array<double, 7> v{};
   for (std::size_t k = 0; k < v.size(); ++k)
-    v[k] =
-        real_of(keyword, words[first + k], "m", k < 6 ? place_range() : Range::left_open(0.0, 1e3));
+    v[k] = cut_real(keyword, words[first + k], "m",
+                    k < 6 ? place_range() : Range::left_open(0.0, 1e3));
   return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, v[6]};
 }
 
 void add_row(std::vector<Hole>& holes, const Words& words) {
-  const long count = whole_of("hole_row", words[0], Range::closed(1, 100000));
+  const long count = cut_whole("hole_row", words[0], Range::closed(1, 100000));
   Vec3 shift;
   for (int c = 0; c < 3; ++c)
-    shift[c] = real_of("hole_row", words[static_cast<std::size_t>(c) + 1], "m", place_range());
+    shift[c] = cut_real("hole_row", words[static_cast<std::size_t>(c) + 1], "m", place_range());
   const Hole first = hole_of("hole_row", words, 4);
   for (long k = 0; k < count; ++k) {
     const Vec3 by = static_cast<double>(k) * shift;
@@ -143,7 +130,7 @@ std::vector<Hole> crushed_zones(const ArgValues& args) {
   for (const Words& words : args.groups("hole")) holes.push_back(hole_of("hole", words, 0));
   for (const Words& words : args.groups("hole_row")) add_row(holes, words);
   for (const Words& words : args.groups("hole_table")) {
-    const double ratio = real_of("hole_table", words[1], "", Range::closed(1.0, 20.0));
+    const double ratio = cut_real("hole_table", words[1], "", Range::closed(1.0, 20.0));
     const std::vector<Hole> pattern = HoleTable::read(words[0]).crushed_zones(ratio);
     holes.insert(holes.end(), pattern.begin(), pattern.end());
   }
@@ -154,10 +141,10 @@ std::vector<Hole> crushed_zones(const ArgValues& args) {
 JointSetCut joint_sets(const ArgValues& args) {
   JointSetCut how{{}, args.real("sliver")};
   for (const Words& words : args.groups("joint_set")) {
-    JointSet set{normal_of_dip(radians_of("joint_set", words[0], 90.0),
-                               radians_of("joint_set", words[1], 360.0))};
+    JointSet set{normal_of_dip(cut_radians("joint_set", words[0], 90.0),
+                               cut_radians("joint_set", words[1], 360.0))};
     if (words.size() > 2)
-      set.spacing = real_of("joint_set", words[2], "", Range::closed(0.1, 10.0));
+      set.spacing = cut_real("joint_set", words[2], "", Range::closed(0.1, 10.0));
     how.sets.push_back(set);
   }
   return how;

@@ -2,6 +2,9 @@
 // The keywords of create_blocks; see the header.
 #include "rock/cut_table.h"
 
+#include <cmath>
+
+#include "args/numbers.h"
 #include "geometry/cut/tessellation.h"
 
 namespace muckpile {
@@ -85,6 +88,19 @@ const ArgTable& cut_table() {
                    "at most 5 million")
           .word("file", {}, "none", "VTK file for the blocks in the start configuration, or none");
   return args;
+}
+
+double cut_real(const std::string& keyword, const std::string& word, const char* unit,
+                const Range& range) {
+  return parse_real(kCreateBlocks, keyword, word, unit, range);
+}
+
+long cut_whole(const std::string& keyword, const std::string& word, const Range& range) {
+  return parse_integer(kCreateBlocks, keyword, word, "", range);
+}
+
+double cut_radians(const std::string& keyword, const std::string& word, double most_degrees) {
+  return cut_real(keyword, word, "deg", Range::closed(0.0, most_degrees)) * M_PI / 180.0;
 }
 
 std::string in_create_blocks(const std::string& message) {

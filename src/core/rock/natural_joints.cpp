@@ -21,18 +21,8 @@ using Words = std::vector<std::string>;
 
 const std::string kSet = "natural_joints";
 
-double real_of(const std::string& keyword, const std::string& word, const char* unit,
-               const Range& range) {
-  return parse_real(kCreateBlocks, keyword, word, unit, range);
-}
-
-double radians_of(const std::string& keyword, const std::string& word, double most_degrees) {
-  return real_of(keyword, word, "deg", Range::closed(0.0, most_degrees)) * M_PI / 180.0;
-}
-
 std::uint8_t class_of(const std::string& keyword, const std::string& word) {
-  return static_cast<std::uint8_t>(
-      parse_integer(kCreateBlocks, keyword, word, "", Range::closed(0, 255)));
+  return static_cast<std::uint8_t>(cut_whole(keyword, word, Range::closed(0, 255)));
 }
 
 /// The optional words of a set, one name with its values after the other.
@@ -50,7 +40,7 @@ class SetWords {
     refuse(kCreateBlocks, kSet + " " + words_[name_] + " needs " + what + " after it, got nothing");
   }
   [[nodiscard]] double real(const std::string& what, const char* unit, const Range& range) {
-    return real_of(kSet + " " + words_[name_] + ", " + what, value(what), unit, range);
+    return cut_real(kSet + " " + words_[name_] + ", " + what, value(what), unit, range);
   }
 
  private:
@@ -60,7 +50,7 @@ class SetWords {
 
 /// 0, or at least block_min.
 double spacing_of(const std::string& word, const SizeLimits& limits) {
-  const double spacing = real_of(kSet + " spacing", word, "m", Range::closed(0.0, 1e4));
+  const double spacing = cut_real(kSet + " spacing", word, "m", Range::closed(0.0, 1e4));
   const Range range = Range::closed(limits.smallest, 1e4);
   if (spacing == 0.0 || range.contains(spacing)) return spacing;
   refuse(kCreateBlocks,
@@ -106,12 +96,12 @@ void check_discs(const NaturalJointSet& set, const Vec3& lo, const Vec3& hi, dou
 
 JointPlane joint_plane_of(const Words& words) {
   const auto metres = [&](std::size_t k, const Range& range) {
-    return real_of("joint_plane", words[k], "m", range);
+    return cut_real("joint_plane", words[k], "m", range);
   };
   JointPlane plane;
   plane.point = {metres(0, place_range()), metres(1, place_range()), metres(2, place_range())};
-  plane.normal = normal_of_dip(radians_of("joint_plane", words[3], 90.0),
-                               radians_of("joint_plane", words[4], 360.0));
+  plane.normal = normal_of_dip(cut_radians("joint_plane", words[3], 90.0),
+                               cut_radians("joint_plane", words[4], 360.0));
   plane.joint_class = class_of("joint_plane", words[5]);
   if (words.size() > 6) plane.radius = metres(6, Range::left_open(0.0, 1e7));
   return plane;
@@ -119,8 +109,8 @@ JointPlane joint_plane_of(const Words& words) {
 
 std::optional<NaturalJointSet> natural_joint_set_of(const Words& words, const SizeLimits& limits) {
   NaturalJointSet set;
-  set.normal = normal_of_dip(radians_of(kSet + " dip", words[0], 90.0),
-                             radians_of(kSet + " dip direction", words[1], 360.0));
+  set.normal = normal_of_dip(cut_radians(kSet + " dip", words[0], 90.0),
+                             cut_radians(kSet + " dip direction", words[1], 360.0));
   set.spacing = spacing_of(words[2], limits);
   set.least_spacing = kLeastSpacing * limits.smallest;
   set.joint_class = class_of(kSet + " class", words[3]);

@@ -54,7 +54,7 @@ TEST(RockModel, SupportsAndJointClassesReachTheFacets) {
 }
 
 TEST(RockModel, FacetsInTheDiscsOfASetAreTheShareOfItsPlanes) {
-  // nine planes or so of 4 m2 at least; two seeds have other planes, so bounds are wide
+  // a handful of planes of 4 m2: few discs lie in them, so the bound of their share is wide
   for (const std::string seed : {"1", "2"}) {
     CutOptions whole = cube("size uniform 0.3 seed " + seed + " natural_joints 90 90 0.5 3"),
                discs = cube("size uniform 0.3 seed " + seed +
@@ -74,7 +74,7 @@ TEST(RockModel, FacetsInTheDiscsOfASetAreTheShareOfItsPlanes) {
 }
 
 TEST(RockModel, SetsThatCrossACrushedZoneMoveNoSeedIntoIt) {
-  // In five of 25 scenes like this one seeds that mirror each other in a plane met in the zone.
+  // Seeds that mirror each other in a plane would meet in the zone if they kept off it one by one.
   CutOptions options = cube(
       "size uniform 0.5 seed 15 hole 0 0 -2 0 0 3 0.3 natural_joints 75 90 1 1 natural_joints 85 0 "
       "1 1 natural_joints 10 270 1 1");
