@@ -170,7 +170,7 @@ void JointGas::count_crack(const Crack& crack) {
 void JointGas::find_passages() {
   transform_all(aperture_, width_, passage_,
                 [flow = flow_](double w, double length) { return flow.passage(w, length); });
-    for (std::size_t c = 0; c < cracks_.size(); ++c) {
+  for (std::size_t c = 0; c < cracks_.size(); ++c) {
     const double friction =
         2.0 * (1.0 / (passage_[c] * passage_[c]) - 1.0) * aperture_[c] / width_[c];
     film_[c] = heat_.film(friction, 1.0 / cracks_[c].area, heat_capacity()) * cracks_[c].wall;
