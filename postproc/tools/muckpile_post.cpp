@@ -18,6 +18,7 @@
 #include "report/not_measurable.h"
 #include "report/plan_report.h"
 #include "report/reports.h"
+#include "sample_command.h"
 #include "survey_command.h"
 #include "sweep_command.h"
 
@@ -287,6 +288,7 @@ int main(int argc, char** argv) {
   add_damage_command(app);
   add_flyrock_command(app);
   add_survey_command(app);
+  add_sample_command(app);
   add_sweep_command(app);
   try {
     app.parse(argc, argv);

@@ -68,13 +68,20 @@ must_refuse "has no variable 'burdn'; did you mean 'burden'?" sweep inputs/demo/
 must_refuse "-var mode must be one of slow, got 'fast'" sweep inputs/demo/in.demo -var mode slow,fast
 must_refuse "-var mode must be one of slow, got 'fast'" sweep inputs/demo/in.demo -var mode fast,slow
 must_refuse "a sweep begins each run anew" sweep inputs/demo/in.demo -var burden 2,3 -var go_on 1
-must_refuse "unknown option '-frames' of sweep (known: -np, -var, -out, -vtk, -seeds, -jobs)" sweep inputs/demo/in.demo -frames 3
+must_refuse "unknown option '-frames' of sweep (known: -np, -var, -out, -vtk, -seeds, -samples, -jobs)" sweep inputs/demo/in.demo -frames 3
 must_refuse "two runs would have the same folder 'table-a_b'" sweep inputs/demo/in.demo -var table 'a:b,a;b'
 for number in 0 -1 two 1.5 '' 12345; do
   must_refuse "-seeds must be a whole number from 1 to 9999, got '$number'" sweep inputs/demo/in.demo -var burden 2,3 -seeds "$number"
   must_refuse "-jobs must be a whole number from 1 to 9999, got '$number'" sweep inputs/demo/in.demo -var burden 2,3 -jobs "$number"
 done
 must_refuse "-jobs times -np must be at most 32 on 2 cores, got '17' times '2'" sweep inputs/demo/in.demo -var burden 2,3 -np 2 -jobs 17
+must_refuse "-samples needs a range to take values from" sweep inputs/demo/in.demo -var burden 2,3 -samples 4
+must_refuse "-var burden 2..3 is a range; -samples N says how many runs" sweep inputs/demo/in.demo -var burden 2..3
+must_refuse "-seeds is for lists of values" sweep inputs/demo/in.demo -var burden 2..3 -samples 4 -seeds 2
+must_refuse "ranges go with single values" sweep inputs/demo/in.demo -var burden 2..3 -var bench_height 6,9 -samples 4
+must_refuse "has no variable 'burdn'; did you mean 'burden'?" sweep inputs/demo/in.demo -var burdn 2..3 -samples 4
+must_refuse "'burden=3..2' must rise" sweep inputs/demo/in.demo -var burden 3..2 -samples 4
+must_refuse "-samples must be a whole number from 1 to 9999, got '0'" sweep inputs/demo/in.demo -var burden 2..3 -samples 0
 [[ ! -e results ]] || problem "a refused sweep has made a folder"
 
 # Every combination, the last fastest, each with its own folder; two at once on two cores.
@@ -95,6 +102,20 @@ burden-2;bench_height-9;seed-2,done,2,9,2' ]] || problem "runs are not listed in
 4,9,2,done,1,6.2' ]] || problem "the table is wrong: $(cat $demo/sweep.csv)"
 for file in sweep.png sweep_mean.csv sweep_fit.csv burden-2,bench_height-6,seed-1/run.log; do [[ -s $demo/$file ]] || problem "no $file"; done
 told '12 of 12 runs done, 0 failed'
+
+# Samples of ranges: each run has values and a seed of its own, and the same again.
+sweep -var burden 2..4 -var patience 5 -var bench_height log:6..12 -samples 4 -out results/sampled
+ended_with 0 && runs_were 4
+sampled=results/sampled
+[[ $(sed -n 2,3p $sampled/sweep_runs.csv) == '# sampled burden=2..4 bench_height=log:6..12
+folder,state,burden,bench_height,seed' ]] || problem "the list does not say what was sampled: $(cat $sampled/sweep_runs.csv)"
+[[ $(tail -n +4 $sampled/sweep_runs.csv | cut -d, -f 2,5) == $'done,1\ndone,2\ndone,3\ndone,4' ]] || problem "not a seed for each: $(cat $sampled/sweep_runs.csv)"
+for file in sweep.csv sweep_mean.csv sweep_influence.csv sweep.png; do [[ -s $sampled/$file ]] || problem "no $file"; done
+sweep -var burden 2..4 -var patience 5 -var bench_height log:6..12 -samples 4 -out results/sampled
+ended_with 0 && runs_were 0
+sweep -var burden 2..4 -var seed 7 -samples 2 -out results/one_seed
+ended_with 0 && runs_were 2
+[[ $(sed -n 3p results/one_seed/sweep_runs.csv) == folder,state,burden ]] || problem "a seed that was given is sampled"
 
 # Nothing to do; more values; fewer cores.
 sweep -var burden 2,3,4 -var patience 5 -var bench_height 6,9 -seeds 2

@@ -17,4 +17,10 @@ namespace muckpile {
 [[nodiscard]] Panels plot_of_sweep(const Sweep& sweep, const std::vector<std::string>& figures,
                                    const std::vector<SweepFit>& fits);
 
+// In words, with its unit: "Throw of the mass centre [m]".
+[[nodiscard]] std::string name_of_figure(const std::string& figure);
+
+// Runs that are missing or were still moving, "" where there are none.
+[[nodiscard]] std::string warning_of(const Sweep& sweep);
+
 }  // namespace muckpile

@@ -4,16 +4,37 @@
 #include "sweep/sweep_report.h"
 
 #include "draw/png_file.h"
+#include "sweep/influence.h"
+#include "sweep/influence_plot.h"
+#include "sweep/profile_bands.h"
 #include "sweep/sweep_fits.h"
 #include "sweep/sweep_plot.h"
 #include "sweep/sweep_tables.h"
 
 namespace muckpile {
+namespace {
+
+std::vector<std::filesystem::path> report_samples(const Sweep& sweep,
+                                                  const std::vector<std::string>& shown) {
+  const std::vector<FigureInfluences> influences = influences_of(sweep, shown);
+  write_runs_table(sweep);
+  write_spread_table(sweep);
+  write_influence_table(sweep, influences);
+  write_png(draw_panels(plot_of_samples(sweep, influences)), sweep.folder / "sweep.png");
+  std::vector<std::filesystem::path> written;
+  for (const char* name : {"sweep.csv", "sweep_mean.csv", "sweep_influence.csv", "sweep.png"})
+    written.push_back(sweep.folder / name);
+  for (const auto& file : write_profile_bands(sweep, profile_bands(sweep))) written.push_back(file);
+  return written;
+}
+
+}  // namespace
 
 std::vector<std::filesystem::path> report_sweep(const std::filesystem::path& folder,
                                                 const std::vector<std::string>& figures) {
   const Sweep sweep = read_sweep(folder);
   const std::vector<std::string> shown = shown_figures(sweep, figures);
+  if (sweep.is_sampled) return report_samples(sweep, shown);
   const std::vector<SweepFit> fits = fit_sweep(sweep, shown);
   write_runs_table(sweep);
   write_spread_table(sweep);

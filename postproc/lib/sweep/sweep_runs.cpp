@@ -157,6 +157,8 @@ Sweep read_sweep(const std::filesystem::path& folder) {
   const CsvTable table = read_list(folder);
   Sweep sweep;
   sweep.folder = folder;
+  sweep.is_sampled = std::ranges::any_of(
+      table.remarks(), [](std::string_view remark) { return remark.starts_with(" sampled "); });
   sweep.has_seeds =
       table.find_column(kSeed).has_value() && table.header().size() > kFirstVariable + 1;
   std::vector<size_t> columns;

@@ -36,6 +36,7 @@ struct Sweep {
   std::filesystem::path folder;
   std::string kind;                      // `case` of the runs; "" while none is done
   std::vector<SweptVariable> variables;  // without the seed, unless nothing else is swept
+  bool is_sampled = false;               // values from ranges, another for each run
   bool has_seeds = false;                // each combination of values was run with several seeds
   std::vector<SweepRun> runs;            // in the order of the sweep
   std::vector<std::string> figures;      // every key that has a number in some run, by name

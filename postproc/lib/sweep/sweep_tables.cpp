@@ -66,12 +66,14 @@ void write_runs_table(const Sweep& sweep) {
 }
 
 void write_spread_table(const Sweep& sweep) {
-  const bool only_seeds = sweep.variables.size() == 1 && sweep.variables.front().name == "seed";
+  const bool all_together =
+      sweep.is_sampled || (sweep.variables.size() == 1 && sweep.variables.front().name == "seed");
   std::vector<std::vector<const SweepRun*>> combinations = combinations_of(sweep);
-  for (size_t k = 1; only_seeds && k < combinations.size(); ++k)
+  for (size_t k = 1; all_together && k < combinations.size(); ++k)
     std::ranges::copy(combinations[k], std::back_inserter(combinations.front()));
-  if (only_seeds && !combinations.empty()) combinations.resize(1);
-  const std::vector<std::string> names = only_seeds ? std::vector<std::string>{} : names_of(sweep);
+  if (all_together && !combinations.empty()) combinations.resize(1);
+  const std::vector<std::string> names =
+      all_together ? std::vector<std::string>{} : names_of(sweep);
   CsvWriter table(sweep.folder / "sweep_mean.csv",
                   header(names, {"figure", "runs", "mean", "standard_deviation", "least", "p10",
                                  "p50", "p90", "largest"}));
@@ -84,7 +86,7 @@ void write_spread_table(const Sweep& sweep) {
       if (found.empty()) continue;
       const Spread s = spread_of(found);
       std::vector<std::string> words =
-          only_seeds ? std::vector<std::string>{} : values_of(sweep, *runs.front());
+          all_together ? std::vector<std::string>{} : values_of(sweep, *runs.front());
       words.push_back(figure);
       table.row(words, {static_cast<double>(s.count), s.mean, s.deviation, s.least, s.p10, s.p50,
                         s.p90, s.largest});

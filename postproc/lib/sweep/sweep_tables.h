@@ -15,7 +15,7 @@ namespace muckpile {
 void write_runs_table(const Sweep& sweep);
 
 // A row for each combination of values and each figure that has one there: its spread over the
-// seeds.
+// seeds. Runs with samples of ranges are one combination.
 void write_spread_table(const Sweep& sweep);
 
 // A row for each fit; no file where there is none.

@@ -8,8 +8,9 @@ readonly most_runs=10000
 readonly longest_folder_name=255  # of a file system
 
 sweep() {
-  local command=sweep known_options='-np, -var, -out, -vtk, -seeds, -jobs' default_folder=results/sweep_
-  local input='' ranks='' out='' jobs='' seeds='' go_on cores engine_args=() reports=() folder
+  local command=sweep known_options='-np, -var, -out, -vtk, -seeds, -samples, -jobs' default_folder=results/sweep_
+  local input='' ranks='' out='' jobs='' seeds='' samples='' go_on cores engine_args=() reports=() folder
+  local ranges=()  # "NAME=FROM..TO" of what is sampled
   # Of run k: "NAME<tab>VALUE<line end>"... of what is swept, and waiting, measure, done, failed or interrupted.
   local swept=() fixed=() runs=() states=() common_conditions measured_by
   local -A values_of=()
@@ -36,6 +37,11 @@ read_sweep_words() {
         seeds=$2
         shift 2
         ;;
+      -samples)
+        [[ ${2-} =~ ^[1-9][0-9]{0,3}$ ]] || die "-samples must be a whole number from 1 to 9999, got '${2-}'"
+        samples=$2
+        shift 2
+        ;;
       -jobs)
         [[ ${2-} =~ ^[1-9][0-9]{0,3}$ ]] || die "-jobs must be a whole number from 1 to 9999, got '${2-}'"
         jobs=$2
@@ -55,13 +61,17 @@ read_sweep_words() {
   sort_out_variables
 }
 
-# Which variables are swept, and which have one value.
+# Which variables are swept or sampled, and which have one value.
 sort_out_variables() {
-  local i name value
+  local i name value number='[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?'
   for ((i = 0; i < ${#engine_args[@]}; i += 3)); do
     name=${engine_args[i + 1]} value=${engine_args[i + 2]}
     [[ $name =~ ^[A-Za-z0-9_]+$ ]] || die "-var needs a name and a value, got the name '$name'"
-    if [[ $value == *,* ]]; then
+    if [[ $value =~ ^(log:)?$number\.\.$number$ ]]; then
+      ranges+=("$name=$value")
+      value=${value#log:}
+      sweep_over "$name" "${value%%..*}"$'\n'"${value#*..}"
+    elif [[ $value == *,* ]]; then
       [[ ,$value, != *,,* ]] || die "-var $name has an empty value in '$value'"
       sweep_over "$name" "$(each_from_root "${value//,/$'\n'}")"
     else
@@ -69,6 +79,17 @@ sort_out_variables() {
     fi
   done
   [[ -z $seeds ]] || sweep_over seed "$(seq "$seeds")"
+  check_samples
+}
+
+check_samples() {
+  if ((${#ranges[@]} == 0)); then
+    [[ -z $samples ]] || die "-samples needs a range to take values from: -var NAME FROM..TO"
+    return
+  fi
+  [[ -n $samples ]] || die "-var ${ranges[0]/=/ } is a range; -samples N says how many runs take their values from it"
+  [[ -z $seeds ]] || die "-seeds is for lists of values; of samples each run has a seed of its own"
+  ((${#ranges[@]} == ${#swept[@]})) || die "ranges go with single values, not with lists of values"
 }
 
 each_from_root() {  # each_from_root VALUES
@@ -91,7 +112,7 @@ sweep_over() {  # sweep_over NAME VALUES: one on each line
 # Sets what was not given, too.
 check_sweep_words() {
   local name value most=$((most_ranks_per_core * cores))
-  list_runs
+  list_runs  # of samples the ends of the ranges, until the words are checked
   ((${#runs[@]} > 1)) ||
     die "sweep needs two runs at least: -var NAME V1,V2,... with a comma between the values, or -seeds N; ./muckpile run does one"
   : "${ranks:=1}"
@@ -101,9 +122,25 @@ check_sweep_words() {
   for name in "${swept[@]}"; do
     while IFS= read -r value; do check_variable "$input" "$name" "$value"; done <<<"${values_of[$name]}"
   done
+  [[ -z $samples ]] || sample_runs
   refuse_one_folder_for_two
   : "${jobs:=$((cores > ranks ? cores / ranks : 1))}"
   ((jobs * ranks <= most)) || die "-jobs times -np must be at most $most on $cores cores, got '$jobs' times '$ranks'"
+}
+
+# A run for each sample; they differ in their seeds, too, where the input has a seed and none is given.
+sample_runs() {
+  local values run k shares
+  build muckpile-post
+  shares=$("$build_dir/postproc/tools/muckpile-post" sample --runs "$samples" "${ranges[@]}") || die "the ranges cannot be sampled; the reason is above"
+  [[ -n $(value_of seed "${fixed[@]}") ]] || ! variables_of "$input" | grep -qx 'seed index' || swept+=(seed)
+  runs=()
+  while IFS=$'\t' read -r -a values; do
+    [[ ${#values[@]} -eq ${#swept[@]} ]] || values+=("$((${#runs[@]} + 1))")
+    run=''
+    for k in "${!swept[@]}"; do run+="${swept[k]}"$'\t'"${values[k]}"$'\n'; done
+    runs+=("$run")
+  done <<<"$shares"
 }
 
 # Every combination, the last variable fastest.

@@ -86,6 +86,7 @@ write_runs() {
   local k name value values
   {
     printf '# %s%s\n' "$input" "$(printf ' %s' "${fixed[@]}")"
+    [[ -z $samples ]] || printf '# sampled%s\n' "$(printf ' %s' "${ranges[@]}")"
     printf 'folder,state%s\n' "$(printf ',%s' "${swept[@]}")"
     for k in "${!runs[@]}"; do
       choose "${runs[k]}"
