@@ -3,6 +3,7 @@
 // Scope: see the header.
 #include "sweep/correlation.h"
 
+#include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
