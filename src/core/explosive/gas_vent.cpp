@@ -39,6 +39,11 @@ double GasVent::open_area(const GasState& state, const Chamber& chamber) const {
   return area;
 }
 
+double GasVent::cleared_room(const GasState& state) const {
+  return std::numbers::pi * p_.hole_radius * p_.hole_radius *
+         std::min(state.stemming_path, p_.stemming_length);
+}
+
 void GasVent::advance(GasState& state, const Chamber& chamber, double dt) const {
   if (chamber.time < 0.0) return;
   const double flow =
@@ -46,7 +51,12 @@ void GasVent::advance(GasState& state, const Chamber& chamber, double dt) const 
   // Over a step the flow falls in proportion to the mass: never below zero, exact for a steady
   // rate.
   state.mass_left *= std::exp(-flow * dt / (state.mass_left * p_.products_mass));
-  if (state.stemming_path >= p_.stemming_length) return;
+  if (state.stemming_out >= 0.0) return;
+  if (state.stemming_path < p_.stemming_length) push_stemming(state, chamber, dt);
+  if (state.stemming_path >= p_.stemming_length) state.stemming_out = chamber.time + dt;
+}
+
+void GasVent::push_stemming(GasState& state, const Chamber& chamber, double dt) const {
   const double in_hole = p_.stemming_length - state.stemming_path;
   const double drive = chamber.pressure - 2.0 * p_.stemming_shear * in_hole / p_.hole_radius;
   state.stemming_speed =
