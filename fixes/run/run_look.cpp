@@ -67,7 +67,8 @@ std::string progress_line(const RunLook& look, std::string_view phase, double se
                 "| moving %.1f %%",
                 look.time, static_cast<long long>(look.step), look.timestep,
                 100.0 * look.broken_share(), look.fastest, 100.0 * look.moving_share);
-  return "[" + std::string(phase) + text +
+  std::string line = "[";
+  return line.append(phase).append(text) +
          remark(look.gone > 0.0, "%.0f blocks left the scene", look.gone) +
          remark(look.in_solid > 0.0, "%.0f blocks in the solid", look.in_solid) +
          remark(seconds_left >= 0.0, "at most %.0f s left", seconds_left) + "\n";

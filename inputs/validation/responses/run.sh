@@ -36,12 +36,20 @@ run_all() {
   while read -r name words; do
     while (($(jobs -rp | wc -l) >= 2)); do wait -n; done
     # shellcheck disable=SC2086
-    blast "$name" $words &
+    blast "$name" $words </dev/null &
   done < <(rows_of runs.txt)
   while (($(jobs -p | wc -l) > 0)); do wait -n; done
 }
 
-figure() { check_figures print "$results/$1/summary.json:$2"; }  # figure RUN QUANTITY
+# figure RUN QUANTITY: of its summary.json; or burden_speed_m_s, the way of the mass centre of the burden over the time; or load_work_J, of wave and gas.
+figure() {
+  local summary=$results/$1/summary.json
+  case $2 in
+    burden_speed_m_s) check_figures print "$summary:throw_cg_m" "$summary:physical_time_s" | awk '{ print $1 / $2 }' ;;
+    load_work_J) check_figures print "$summary:wave_work_J" "$summary:gas_work_J" | awk '{ print $1 + $2 }' ;;
+    *) check_figures print "$summary:$2" ;;
+  esac
+}
 
 # A row per line of answers.txt: name, factor (or -), quantity, run, run to compare with (or -).
 write_answers() {
@@ -55,17 +63,19 @@ write_answers() {
   done < <(rows_of answers.txt)
 }
 
-# A line of Markdown per run: speed, shares of the explosive's energy [%], when the stemming was out.
+# A line of Markdown per run of the bench: speeds, shares of the explosive's energy [%], when the stemming was out.
 write_tables() {
-  local name rest out numbers
-  echo "| run | face velocity, m/s | over base | work of the wave | of the gas | crushing | heat into rock | vented | stemming | missing | stemming out, ms |"
-  echo "|---|---|---|---|---|---|---|---|---|---|---|"
-  while read -r name rest; do
+  local name scene rest out numbers summary
+  echo "| run | face velocity, m/s | burden, m/s | over base | work of the wave | of the gas | crushing | heat into rock | vented | stemming | missing | stemming out, ms |"
+  echo "|---|---|---|---|---|---|---|---|---|---|---|---|"
+  while read -r name scene rest; do
+    [[ $scene == bench ]] || continue
+    summary=$results/$name/summary.json
     out=$(figure "$name" stemming_out_s 2>/dev/null) || out=-
-    numbers="$(figure base face_velocity_mean_m_s) $(check_figures print "$results/$name/summary.json:"{face_velocity_mean_m_s,explosive_energy_J,wave_work_J,gas_work_J} \
-      "$results/$name/summary.json:energy_audit_J."{crushing,rock_heat,vented,stemming} "$results/$name/summary.json:energy_audit_error") $out"
-    awk -v name="$name" '{ printf "| %s | %.1f | %.2f", name, $2, $2 / $1; for (i = 4; i <= 9; ++i) printf " | %.1f", 100 * $i / $3
-      printf " | %.2f | %s |\n", 100 * $10, $11 == "-" ? "-" : sprintf("%.1f", 1000 * $11) }' <<<"$numbers"
+    numbers="$(figure base burden_speed_m_s) $(figure "$name" burden_speed_m_s) $(check_figures print "$summary:"{explosive_energy_J,face_velocity_mean_m_s} \
+      "$summary:"{wave_work_J,gas_work_J} "$summary:energy_audit_J."{crushing,rock_heat,vented,stemming} "$summary:energy_audit_error") $out"
+    awk -v name="$name" '{ printf "| %s | %.1f | %.2f | %.2f", name, $4, $2, $2 / $1; for (i = 5; i <= 10; ++i) printf " | %.1f", 100 * $i / $3
+      printf " | %.2f | %s |\n", 100 * $11, $12 == "-" ? "-" : sprintf("%.1f", 1000 * $12) }' <<<"$numbers"
   done < <(rows_of runs.txt)
 }
 
