@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # run.sh [RESULTS [LIGGGHTS_MUCKPILE MUCKPILE_POST]]: a small bench blast, and the same with one thing changed at a time; exponents and ratios of what it
-# answers. Writes RESULTS/answers.csv, RESULTS/summary.json and RESULTS/tables.md, the tables of README.md and of docs/theory/charge.md.
-# RESULTS is results/responses unless given. Two runs at once.
+# answers. Writes RESULTS/answers.csv, RESULTS/summary.json and RESULTS/bench.md, RESULTS/assumed.md, the tables of README.md and docs/theory/charge.md,
+# which WRITE_PAGES=1 in the environment puts there. RESULTS is results/responses unless given. Two runs at once.
 # Scope: fails if a figure is missing or outside what expected.json allows. The runs and the rows are in runs.txt, answers.txt beside this file.
 set -euo pipefail
 # shellcheck source=tests/support/validation_case.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../../../tests/support/validation_case.sh" responses "$@"
-readonly table=$results/answers.csv tables=$results/tables.md
+readonly table=$results/answers.csv
 
 # Lines of a file beside this script without comments and empty ones.
 rows_of() { sed -e 's/[[:space:]]*#.*//' -e '/^[[:space:]]*$/d' "$case_dir/$1"; }
@@ -16,7 +16,7 @@ rows_of() { sed -e 's/[[:space:]]*#.*//' -e '/^[[:space:]]*$/d' "$case_dir/$1"; 
 blast() {
   local name=$1 scene=$2 fixed=()
   shift 2
-  if [[ $scene == bench ]]; then
+  if [[ $scene != slice ]]; then
     fixed=(accuracy quick bench_height 4 time_end 0.1)
     scene=inputs/bench/in.bench
     [[ " $* " == *" burden "* ]] || fixed+=(burden 1.8)
@@ -63,13 +63,13 @@ write_answers() {
   done < <(rows_of answers.txt)
 }
 
-# A line of Markdown per run of the bench: speeds, shares of the explosive's energy [%], when the stemming was out.
-write_tables() {
+# write_table SCENE: a line of Markdown per run of it: speeds, shares of the explosive's energy [%], when the stemming was out.
+write_table() {
   local name scene rest out numbers summary
   echo "| run | face velocity, m/s | burden, m/s | over base | work of the wave | of the gas | crushing | heat into rock | vented | stemming | missing | stemming out, ms |"
   echo "|---|---|---|---|---|---|---|---|---|---|---|---|"
   while read -r name scene rest; do
-    [[ $scene == bench ]] || continue
+    [[ $scene == "$1" || $name == base ]] || continue
     summary=$results/$name/summary.json
     out=$(figure "$name" stemming_out_s 2>/dev/null) || out=-
     numbers="$(figure base burden_speed_m_s) $(figure "$name" burden_speed_m_s) $(check_figures print "$summary:"{explosive_energy_J,face_velocity_mean_m_s} \
@@ -79,9 +79,22 @@ write_tables() {
   done < <(rows_of runs.txt)
 }
 
+# fill_page PAGE SCENE: its table in a page, between a line <!-- runs: SCENE --> and the next <!-- end of runs -->.
+fill_page() {
+  local page
+  page=$(awk -v mark="<!-- runs: $2 -->" -v table="$results/$2.md" '
+    /^<!-- end of runs -->$/ { inside = 0 }
+    !inside { print }
+    $0 == mark { inside = 1; while ((getline line < table) > 0) print line }' "$1")
+  printf '%s\n' "$page" >"$1"
+}
+
 run_all
 write_answers
-write_tables >"$tables"
-cat "$tables"
+for kind in bench assumed; do write_table "$kind" | tee "$results/$kind.md"; done
+if [[ -n ${WRITE_PAGES-} ]]; then
+  fill_page "$case_dir/README.md" bench
+  fill_page docs/theory/charge.md assumed
+fi
 check_figures exponents "$table" "$results/summary.json"
 check_figures case "$case_dir/expected.json" "$results/summary.json"
