@@ -30,7 +30,6 @@ void add_audit(nlohmann::ordered_json& zone, const HoleAudit& hole) {
     zone["energy_audit_J"].erase(of_all);
   zone["energy_audit_J"]["into_joints"] = hole.into_joints;
   zone["energy_audit_error"] = share(hole.error(), hole.energy.explosive);
-  zone["stemming_out_s"] = nullptr;
   if (hole.stemming_out >= 0.0) zone["stemming_out_s"] = hole.stemming_out;
   zone["stemming_speed_m_s"] = hole.stemming_speed;
 }

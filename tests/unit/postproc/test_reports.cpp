@@ -336,7 +336,6 @@ TEST_F(BenchReports, EnergyWritesTheAuditOfEachHole) {
   auto run = nlohmann::ordered_json::parse(text_of(folder.dump("run.json")));
   const nlohmann::ordered_json held = {{"energy_audit_J", {{"explosive", 4e6}, {"stemming", 5e4}}},
                                        {"energy_audit_error", 0.001},
-                                       {"stemming_out_s", nullptr},
                                        {"stemming_speed_m_s", 3.0}};
   auto left = held;
   left["energy_audit_error"] = -0.002;
