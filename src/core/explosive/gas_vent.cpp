@@ -28,10 +28,12 @@ GasVent::GasVent(const Parameters& parameters) : p_(parameters) {
   require_not_negative("crack_discharge", "", p_.crack_discharge);
 }
 
+double GasVent::bore() const { return std::numbers::pi * p_.hole_radius * p_.hole_radius; }
+
 double GasVent::open_area(const GasState& state, const Chamber& chamber) const {
   double area = 0.0;
   if (state.stemming_path >= p_.stemming_length) {
-    area += p_.collar_discharge * std::numbers::pi * p_.hole_radius * p_.hole_radius;
+    area += p_.collar_discharge * bore();
   }
   if (chamber.time >= p_.crack_delay) {
     area += p_.crack_discharge * std::max(0.0, chamber.swept_volume) / p_.zone_radius;
@@ -40,8 +42,7 @@ double GasVent::open_area(const GasState& state, const Chamber& chamber) const {
 }
 
 double GasVent::cleared_room(const GasState& state) const {
-  return std::numbers::pi * p_.hole_radius * p_.hole_radius *
-         std::min(state.stemming_path, p_.stemming_length);
+  return bore() * std::min(state.stemming_path, p_.stemming_length);
 }
 
 void GasVent::advance(GasState& state, const Chamber& chamber, double dt) const {

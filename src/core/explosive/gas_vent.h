@@ -73,6 +73,8 @@ class GasVent {
   void advance(GasState& state, const Chamber& chamber, double dt) const;
 
  private:
+  /// Cross section of the hole [m2].
+  [[nodiscard]] double bore() const;
   void push_stemming(GasState& state, const Chamber& chamber, double dt) const;
 
   Parameters p_;
