@@ -61,6 +61,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix,
 
   [[nodiscard]] Energies energies() const override;
   [[nodiscard]] EnergyAudit audit() const override;
+  [[nodiscard]] std::vector<HoleAudit> hole_audits() const override;
   [[nodiscard]] double greatest_pressure() const override;
   [[nodiscard]] bool over() const override { return over_; }
   [[nodiscard]] BlastTiming timing() const override;

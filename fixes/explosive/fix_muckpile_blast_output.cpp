@@ -30,16 +30,25 @@ enum Output {
   kOutputCount = kAudit + static_cast<int>(EnergyAudit::kTerms.size())
 };
 
-// What compute_array() returns of a hole, by column.
+// What compute_array() returns of a hole, by column, before what its gas took into joints and the
+// rest.
 constexpr std::array kHoleColumns = {&EnergyAudit::explosive, &EnergyAudit::not_released,
                                      &EnergyAudit::filling,   &EnergyAudit::crushing,
                                      &EnergyAudit::wall_work, &EnergyAudit::in_holes,
                                      &EnergyAudit::vented};
 
+constexpr std::size_t kMoreHoleColumns = 6;
+
+/// Those after kHoleColumns.
+std::array<double, kMoreHoleColumns> more_of(const HoleAudit& hole) {
+  return {hole.into_joints,  hole.energy.stemming, hole.energy.air_work,
+          hole.stemming_out, hole.stemming_speed,  hole.error()};
+}
+
 }  // namespace
 
 const int FixMuckpileBlast::kOutputs = kOutputCount;
-const int FixMuckpileBlast::kHoleOutputs = static_cast<int>(kHoleColumns.size()) + 1;
+const int FixMuckpileBlast::kHoleOutputs = static_cast<int>(kHoleColumns.size() + kMoreHoleColumns);
 
 BlastEnergies::Energies FixMuckpileBlast::energies() const {
   Energies energies;
@@ -65,11 +74,19 @@ EnergyAudit FixMuckpileBlast::audit() const {
   return all;
 }
 
+std::vector<HoleAudit> FixMuckpileBlast::hole_audits() const {
+  std::vector<HoleAudit> audits;
+  for (std::size_t hole = 0; hole < holes_.count(); ++hole)
+    audits.push_back(holes_.hole_audit(hole, last_clock()));
+  return audits;
+}
+
 double FixMuckpileBlast::compute_array(int row, int column) {
   const auto hole = static_cast<std::size_t>(row), term = static_cast<std::size_t>(column);
   if (hole >= holes_.count()) return 0.0;
-  return term < kHoleColumns.size() ? holes_.audit(hole, last_clock()).*kHoleColumns[term]
-                                    : holes_.state().books[hole].into_joints;
+  const HoleAudit audit = holes_.hole_audit(hole, last_clock());
+  return term < kHoleColumns.size() ? audit.energy.*kHoleColumns[term]
+                                    : more_of(audit).at(term - kHoleColumns.size());
 }
 
 double FixMuckpileBlast::compute_vector(int index) {

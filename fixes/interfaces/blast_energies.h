@@ -4,6 +4,8 @@
 // muckpile/progress and run_blast read it.
 #pragma once
 
+#include <vector>
+
 #include "explosive/energy_audit.h"
 
 namespace muckpile {
@@ -20,6 +22,8 @@ class BlastEnergies {
   [[nodiscard]] virtual Energies energies() const = 0;
   /// Where the energy of the charges that have fired is. Collective.
   [[nodiscard]] virtual EnergyAudit audit() const = 0;
+  /// The same hole by hole; zeros before a hole fires.
+  [[nodiscard]] virtual std::vector<HoleAudit> hole_audits() const = 0;
   /// On a wall of a crushed zone now, of all ranks [Pa]. Collective.
   [[nodiscard]] virtual double greatest_pressure() const = 0;
   /// True once no hole will press any more.

@@ -267,6 +267,7 @@ void FixMuckpileProgress::write_run(const RunLook& now) const {
   if (const auto* blast = engine::find_view<BlastEnergies>(*lmp)) {
     facts.energies = blast->energies();
     facts.audit = blast->audit();
+    facts.holes = blast->hole_audits();
   }
   files_.write_run(run_json(now, facts, *blocks_));
 }

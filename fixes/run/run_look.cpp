@@ -13,8 +13,30 @@
 namespace muckpile {
 namespace {
 
-/// The cylinders of rock that the charges crush, one per hole.
-nlohmann::ordered_json crushed_zones(const KnownBlocks& blocks) {
+/// Terms of an audit by name [J].
+nlohmann::ordered_json terms_of(const EnergyAudit& audit) {
+  nlohmann::ordered_json terms;
+  for (const EnergyAudit::Term& term : EnergyAudit::kTerms)
+    terms[std::string(term.name)] = audit.*term.value;
+  return terms;
+}
+
+double share(double error, double explosive) { return explosive > 0.0 ? error / explosive : 0.0; }
+
+/// What one hole's charge has done; its gas in joints is that of all holes.
+void add_audit(nlohmann::ordered_json& zone, const HoleAudit& hole) {
+  zone["energy_audit_J"] = terms_of(hole.energy);
+  for (const char* of_all : {"joint_work", "rock_heat", "in_joints"})
+    zone["energy_audit_J"].erase(of_all);
+  zone["energy_audit_J"]["into_joints"] = hole.into_joints;
+  zone["energy_audit_error"] = share(hole.error(), hole.energy.explosive);
+  if (hole.stemming_out >= 0.0) zone["stemming_out_s"] = hole.stemming_out;
+  zone["stemming_speed_m_s"] = hole.stemming_speed;
+}
+
+/// The cylinders of rock that the charges crush, one per hole, and where their energy is.
+nlohmann::ordered_json crushed_zones(const KnownBlocks& blocks,
+                                     const std::vector<HoleAudit>& audits) {
   const auto three = [](const Vec3& p) {
     return nlohmann::ordered_json::array({p.x(), p.y(), p.z()});
   };
@@ -22,6 +44,7 @@ nlohmann::ordered_json crushed_zones(const KnownBlocks& blocks) {
   for (const Hole& hole : blocks.holes()) {
     zones.push_back(
         {{"toe_m", three(hole.toe)}, {"collar_m", three(hole.collar)}, {"radius_m", hole.radius}});
+    if (zones.size() <= audits.size()) add_audit(zones.back(), audits[zones.size() - 1]);
   }
   return zones;
 }
@@ -43,7 +66,8 @@ std::string progress_line(const RunLook& look, std::string_view phase, double se
                 "| moving %.1f %%",
                 look.time, static_cast<long long>(look.step), look.timestep,
                 100.0 * look.broken_share(), look.fastest, 100.0 * look.moving_share);
-  return "[" + std::string(phase) + text +
+  std::string line = "[";
+  return line.append(phase).append(text) +
          remark(look.gone > 0.0, "%.0f blocks left the scene", look.gone) +
          remark(look.in_solid > 0.0, "%.0f blocks in the solid", look.in_solid) +
          remark(seconds_left >= 0.0, "at most %.0f s left", seconds_left) + "\n";
@@ -78,17 +102,15 @@ std::string run_json(const RunLook& look, const RunFacts& facts, const KnownBloc
   run["explosive_energy_J"] = facts.energies.explosive;
   run["wave_work_J"] = facts.energies.wave;
   run["gas_work_J"] = facts.energies.gas;
-  for (const EnergyAudit::Term& term : EnergyAudit::kTerms)
-    run["energy_audit_J"][std::string(term.name)] = facts.audit.*term.value;
-  run["energy_audit_error"] =
-      facts.audit.explosive > 0.0 ? facts.audit.error() / facts.audit.explosive : 0.0;
+  run["energy_audit_J"] = terms_of(facts.audit);
+  run["energy_audit_error"] = share(facts.audit.error(), facts.audit.explosive);
   run["blocks_left_scene"] = std::lround(look.gone);
   run["mass_left_scene_kg"] = look.gone_mass;
   run["blocks_in_solid"] = std::lround(look.in_solid);
   run["version"] = MUCKPILE_VERSION;
   run["still"] = facts.still;
   run["run_id"] = blocks.run_id();
-  run["holes"] = crushed_zones(blocks);
+  run["holes"] = crushed_zones(blocks, facts.holes);
   return engine::json_text(run);
 }
 

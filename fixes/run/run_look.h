@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "explosive/energy_audit.h"
 #include "fixes/interfaces/blast_energies.h"
@@ -48,6 +49,7 @@ struct RunFacts {
   bool still = false;
   BlastEnergies::Energies energies;
   EnergyAudit audit;
+  std::vector<HoleAudit> holes{};  ///< none without charges
 };
 [[nodiscard]] std::string run_json(const RunLook& look, const RunFacts& facts,
                                    const KnownBlocks& blocks);

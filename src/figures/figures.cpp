@@ -25,6 +25,16 @@ double finite(const Json& value, const std::string& where) {
   return value.get<double>();
 }
 
+/// Of a key, or KEY.INNER of an object in it; nullptr if there is none.
+const Json* value_of(const Json& object, const std::string& key) {
+  if (const auto found = object.find(key); found != object.end()) return &*found;
+  const size_t dot = key.find('.');
+  if (dot == std::string::npos) return nullptr;
+  const auto outer = object.find(key.substr(0, dot));
+  return outer != object.end() && outer->is_object() ? value_of(*outer, key.substr(dot + 1))
+                                                     : nullptr;
+}
+
 void require_no_null(const Json& value, const std::string& where) {
   if (value.is_null()) throw InputError(where + " must have a value, got null");
   if (!value.is_structured()) return;
@@ -84,8 +94,8 @@ double FigureFile::mean(size_t column) const {
 
 std::optional<double> FigureFile::find(const std::string& quantity) const {
   if (const auto* object = std::get_if<Json>(&content_)) {
-    const auto found = object->find(quantity);
-    if (found == object->end()) return std::nullopt;
+    const Json* found = value_of(*object, quantity);
+    if (found == nullptr) return std::nullopt;
     return finite(*found, name_ + ": " + quantity);
   }
   const auto& table = std::get<CsvTable>(content_);

@@ -174,6 +174,22 @@ printf 'name,factor,value,base\nenergy,1,2,1\n' >answers.csv
 fails 2 'answers.csv:2: factor must not be 1' exponents answers.csv answers.json
 printf 'name,factor,value,base\nenergy,2,0,1\n' >answers.csv
 fails 2 'answers.csv:2: value must be > 0' exponents answers.csv answers.json
+# Without a factor the ratio, without a base the value.
+printf 'name,factor,value,base\nprimer,,3,4\nstemming_out_s,,0.015,\n' >answers.csv
+holds exponents answers.csv answers.json
+printf '{"case": "answers", "expected": [%s, %s]}' "$(row primer_ratio 0.75 1e-12)" "$(row stemming_out_s 0.015 0)" >expected.json
+holds case expected.json answers.json
+printf 'name,factor,value,base\nprimer,,3,4\nprimer,,3,4\n' >answers.csv
+fails 2 'primer_ratio is there twice' exponents answers.csv answers.json
+
+# A figure within a figure.
+echo '{"audit_J": {"vented": 3, "deep": {"er": 4}, "word": "x"}, "a.b": 5}' >inner.json
+holds near vented inner.json:audit_J.vented 3 0
+holds near deeper inner.json:audit_J.deep.er 4 0
+holds near dotted inner.json:a.b 5 0
+fails 2 "has no 'audit_J.none'" print inner.json:audit_J.none
+fails 2 "has no 'audit_J.vented.none'" print inner.json:audit_J.vented.none
+fails 2 'must be a finite number' print inner.json:audit_J.word
 
 fails 2 '' neer
 holds --help

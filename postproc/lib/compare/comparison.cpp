@@ -168,7 +168,8 @@ const std::vector<std::string>& keys_of_the_computation() {
                                              "still_note",
                                              "energy_balance_error",
                                              "energy_balance_error_worst",
-                                             "energy_audit_error"};
+                                             "energy_audit_error",
+                                             "energy_audit_error_worst_hole"};
   return keys;
 }
 

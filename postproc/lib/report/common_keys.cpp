@@ -3,6 +3,7 @@
 // times. Scope: copied from dump/run.json, or totals of dump/history.csv.
 #include "args/input_error.h"
 #include "io/history.h"
+#include "report/hole_audit.h"
 #include "report/notes.h"
 #include "report/reports.h"
 
@@ -28,6 +29,7 @@ nlohmann::ordered_json common_keys(const ResultFolder& folder) {
         "blocks_left_scene", "mass_left_scene_kg", "blocks_in_solid", "ranks", "still"}) {
     if (run.contains(key)) keys[key] = run[key];
   }
+  keys.update(hole_audit_keys(run));
   keys["still_note"] = nullptr;
   if (!folder.is_still()) keys["still_note"] = motion_note(run["physical_time_s"].get<double>());
   return keys;

@@ -8,12 +8,13 @@
 namespace muckpile {
 
 std::vector<AuditTerm> energy_audit(const ResultFolder& folder) {
-  constexpr std::array<std::array<const char*, 2>, 10> kNames = {
+  constexpr std::array<std::array<const char*, 2>, 11> kNames = {
       {{"wall_work", "work on the walls"},
        {"joint_work", "work in joints"},
        {"crushing", "crushing"},
        {"rock_heat", "heat in rock"},
        {"vented", "vented"},
+       {"stemming", "stemming"},
        {"in_joints", "gas in joints"},
        {"in_holes", "gas in holes"},
        {"air_work", "atmosphere"},

@@ -11,6 +11,7 @@
 #include "draw/share_bar.h"
 #include "io/energy_history.h"
 #include "report/energy_audit.h"
+#include "report/hole_audit.h"
 #include "report/notes.h"
 #include "report/reports.h"
 
@@ -88,6 +89,7 @@ void report_energy(const ResultFolder& folder) {
   if (!audit.empty())
     draw_share_bar(canvas, canvas.height() - kShareBarHeight, "Energy of the explosive", audit);
   write_png(canvas, folder.file("energy.png"));
+  write_hole_audits(folder);
   folder.merge_into_summary(common_keys(folder));
 }
 

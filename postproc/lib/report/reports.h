@@ -24,7 +24,7 @@ void report_crater(const ResultFolder& folder, const MeasureOptions& measure,
 // Heap only: heap.csv, heap.png and the angle of repose.
 void report_heap(const ResultFolder& folder, const MeasureOptions& measure,
                  const SectionOptions& section);
-// energy.png: the energies of history.csv over time.
+// energy.png: the energies of history.csv over time. energy_holes.csv: those of each charge.
 void report_energy(const ResultFolder& folder);
 // pile3d.png, and pile3d_<number>.png for frames.
 void report_picture(const ResultFolder& folder, const PictureOptions& options);

@@ -117,6 +117,11 @@ EnergyAudit BlastHoles::audit(std::size_t hole, double time) const {
                        ambient_);
 }
 
+HoleAudit BlastHoles::hole_audit(std::size_t hole, double time) const {
+  const GasState& gas = state_.gas[hole];
+  return {audit(hole, time), state_.books[hole].into_joints, gas.stemming_out, gas.stemming_speed};
+}
+
 double BlastHoles::swept_volume() const {
   return std::accumulate(state_.swept.begin(), state_.swept.end(), 0.0);
 }

@@ -79,6 +79,8 @@ class BlastHoles {
 
   /// Without what the gas has done in joints; zeros before the hole fires.
   [[nodiscard]] EnergyAudit audit(std::size_t hole, double time) const;
+  /// That, with what has gone into joints, and the stemming.
+  [[nodiscard]] HoleAudit hole_audit(std::size_t hole, double time) const;
   [[nodiscard]] double swept_volume() const;      ///< of all holes [m3]
   [[nodiscard]] double explosive_mass() const;    ///< of all holes [kg]
   [[nodiscard]] double explosive_energy() const;  ///< of all holes [J]

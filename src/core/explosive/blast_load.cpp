@@ -50,11 +50,12 @@ double BlastLoad::products_pressure(double volume, double time, const GasState& 
 }
 
 double BlastLoad::gas_pressure(double swept_volume, double time, const GasState& state) const {
-  return expansion_ ? products_pressure(gas_room(swept_volume), time, state) : 0.0;
+  return expansion_ ? products_pressure(gas_room(swept_volume, state), time, state) : 0.0;
 }
 
 double BlastLoad::pulse_limit(double swept_volume, double time, const GasState& state) const {
-  return expansion_ ? products_pressure(pulse_volume_ + swept_volume, time, state) : kNoLimit;
+  if (!expansion_) return kNoLimit;
+  return products_pressure(pulse_volume_ + swept_volume + cleared_room(state), time, state);
 }
 
 double BlastLoad::wall_share(double swept_volume) const {
@@ -65,7 +66,7 @@ double BlastLoad::wall_share(double swept_volume) const {
 
 double BlastLoad::gas_energy(double swept_volume, double time, const GasState& state) const {
   if (!expansion_) return 0.0;
-  const double ratio = gas_room(swept_volume) / charge_volume_;
+  const double ratio = gas_room(swept_volume, state) / charge_volume_;
   if (!vent_)
     return charge_volume_ * expansion_->stored_energy(ratio) *
            vent_factor(time, vent_time_, vent_decay_);
@@ -76,7 +77,7 @@ double BlastLoad::gas_energy(double swept_volume, double time, const GasState& s
 double BlastLoad::gas_enthalpy(double swept_volume, double time, const GasState& state) const {
   if (!expansion_) return 0.0;
   return (gas_energy(swept_volume, time, state) +
-          gas_pressure(swept_volume, time, state) * gas_room(swept_volume)) /
+          gas_pressure(swept_volume, time, state) * gas_room(swept_volume, state)) /
          (state.mass_left * products_mass_);
 }
 
@@ -104,13 +105,21 @@ void BlastLoad::advance(GasState& state, double swept_volume, double time, doubl
         gas_energy(swept_volume, time, state) - gas_energy(swept_volume, time + dt, state);
     return;
   }
-  const Chamber chamber{.pressure = gas_pressure(swept_volume, time, state),
-                        .gas_density = state.mass_left * products_mass_ / gas_room(swept_volume),
-                        .swept_volume = swept_volume,
-                        .time = time};
+  const Chamber chamber{
+      .pressure = gas_pressure(swept_volume, time, state),
+      .gas_density = state.mass_left * products_mass_ / gas_room(swept_volume, state),
+      .swept_volume = swept_volume,
+      .time = time};
   const double before = state.mass_left, enthalpy = gas_enthalpy(swept_volume, time, state);
+  const GasState plug = state;
   vent_->advance(state, chamber, dt);
   state.vented_energy += (before - state.mass_left) * products_mass_ * enthalpy;
+  if (state.stemming_path > plug.stemming_path) {
+    GasState unmoved = state;
+    unmoved.stemming_path = plug.stemming_path;
+    state.stemming_work +=
+        gas_energy(swept_volume, time, unmoved) - gas_energy(swept_volume, time, state);
+  }
 }
 
 double BlastLoad::pressure(double tau, double gas_pressure, double pulse_limit) const {

@@ -43,6 +43,7 @@ namespace muckpile {
 /// gives way: the pulse presses no more than the isentrope gives from the volume Vp in which the
 /// products start, V0 or the room of a decoupled charge:
 ///     p_limit = p((Vp + swept volume)/V0) s(t)
+/// To all these volumes of gas comes what the stemming has cleared, with venting by flow.
 /// As Vg >= Vp, p_gas is never above p_limit: pulse and gas together do no more work than the
 /// products' expansion from Vp.
 class BlastLoad {
@@ -72,6 +73,10 @@ class BlastLoad {
   [[nodiscard]] double gas_room(double swept_volume) const {
     constexpr double kLeast = 0.1;  // of the charge's volume
     return std::max(start_volume_ + swept_volume, kLeast * charge_volume_);
+  }
+  /// That, and what the stemming has cleared [m3].
+  [[nodiscard]] double gas_room(double swept_volume, const GasState& state) const {
+    return gas_room(swept_volume) + cleared_room(state);
   }
   /// T, of a gas pressure what presses on the wall of the crushed zone [-].
   [[nodiscard]] double wall_share(double swept_volume) const;
@@ -127,6 +132,9 @@ class BlastLoad {
 
  private:
   [[nodiscard]] double products_pressure(double volume, double time, const GasState& state) const;
+  [[nodiscard]] double cleared_room(const GasState& state) const {
+    return vent_ ? vent_->cleared_room(state) : 0.0;
+  }
 
   double wave_peak_;
   PulseShape pulse_;

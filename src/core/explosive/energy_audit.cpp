@@ -6,7 +6,7 @@
 
 namespace muckpile {
 
-const std::array<EnergyAudit::Term, 11> EnergyAudit::kTerms = {
+const std::array<EnergyAudit::Term, 12> EnergyAudit::kTerms = {
     {{"explosive", &EnergyAudit::explosive},
      {"not_released", &EnergyAudit::not_released},
      {"filling", &EnergyAudit::filling},
@@ -17,7 +17,8 @@ const std::array<EnergyAudit::Term, 11> EnergyAudit::kTerms = {
      {"rock_heat", &EnergyAudit::rock_heat},
      {"in_holes", &EnergyAudit::in_holes},
      {"in_joints", &EnergyAudit::in_joints},
-     {"vented", &EnergyAudit::vented}}};
+     {"vented", &EnergyAudit::vented},
+     {"stemming", &EnergyAudit::stemming}}};
 
 EnergyAudit& EnergyAudit::operator+=(const EnergyAudit& more) {
   for (const Term& term : kTerms) this->*term.value += more.*term.value;
@@ -39,6 +40,7 @@ EnergyAudit audit_of_hole(const BlastLoad& load, double explosive, double in_hol
   audit.in_holes = in_hole;
   // What is in joints now is booked there.
   audit.vented = gas.vented_energy + books.let_go;
+  audit.stemming = gas.stemming_work;
   return audit;
 }
 

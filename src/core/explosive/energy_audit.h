@@ -47,10 +47,11 @@ struct EnergyAudit {
   double in_holes = 0.0;      ///< internal energy of the gas there
   double in_joints = 0.0;     ///< internal energy of the gas there
   double vented = 0.0;        ///< with the gas that is in the open
+  double stemming = 0.0;      ///< work on the stemming of the holes, and on what lies above it
 
   [[nodiscard]] double error() const {
     return explosive - (not_released + filling + crushing + wall_work + joint_work + air_work +
-                        rock_heat + in_holes + in_joints + vented);
+                        rock_heat + in_holes + in_joints + vented + stemming);
   }
   EnergyAudit& operator+=(const EnergyAudit& more);
 
@@ -59,7 +60,17 @@ struct EnergyAudit {
     double EnergyAudit::*value;
   };
   /// All of them, in the order above.
-  static const std::array<Term, 11> kTerms;
+  static const std::array<Term, 12> kTerms;
+};
+
+/// What is known of one hole.
+struct HoleAudit {
+  EnergyAudit energy;        ///< without what its gas does in joints
+  double into_joints = 0.0;  ///< with the gas that flowed into joints, less what came back [J]
+  double stemming_out = GasState::kHolds;  ///< since the primer fired [s]; kHolds: it is in
+  double stemming_speed = 0.0;             ///< now, or as it left [m/s]
+
+  [[nodiscard]] double error() const { return energy.error() - into_joints; }
 };
 
 /// Of a hole that has fired, without what its gas does in joints. `explosive` is the energy of its

@@ -28,15 +28,21 @@ GasVent::GasVent(const Parameters& parameters) : p_(parameters) {
   require_not_negative("crack_discharge", "", p_.crack_discharge);
 }
 
+double GasVent::bore() const { return std::numbers::pi * p_.hole_radius * p_.hole_radius; }
+
 double GasVent::open_area(const GasState& state, const Chamber& chamber) const {
   double area = 0.0;
   if (state.stemming_path >= p_.stemming_length) {
-    area += p_.collar_discharge * std::numbers::pi * p_.hole_radius * p_.hole_radius;
+    area += p_.collar_discharge * bore();
   }
   if (chamber.time >= p_.crack_delay) {
     area += p_.crack_discharge * std::max(0.0, chamber.swept_volume) / p_.zone_radius;
   }
   return area;
+}
+
+double GasVent::cleared_room(const GasState& state) const {
+  return bore() * std::min(state.stemming_path, p_.stemming_length);
 }
 
 void GasVent::advance(GasState& state, const Chamber& chamber, double dt) const {
@@ -46,7 +52,12 @@ void GasVent::advance(GasState& state, const Chamber& chamber, double dt) const 
   // Over a step the flow falls in proportion to the mass: never below zero, exact for a steady
   // rate.
   state.mass_left *= std::exp(-flow * dt / (state.mass_left * p_.products_mass));
-  if (state.stemming_path >= p_.stemming_length) return;
+  if (state.stemming_out >= 0.0) return;
+  if (state.stemming_path < p_.stemming_length) push_stemming(state, chamber, dt);
+  if (state.stemming_path >= p_.stemming_length) state.stemming_out = chamber.time + dt;
+}
+
+void GasVent::push_stemming(GasState& state, const Chamber& chamber, double dt) const {
   const double in_hole = p_.stemming_length - state.stemming_path;
   const double drive = chamber.pressure - 2.0 * p_.stemming_shear * in_hole / p_.hole_radius;
   state.stemming_speed =

@@ -15,14 +15,18 @@ struct GasState {
   double swept_before = 0.0;    ///< swept volume at firing [m3]
   double hotter = 1.0;          ///< energy over that on the products' isentrope [-]
   double vented_energy = 0.0;  ///< that the gas which left through collar and cracks took along [J]
+  double stemming_work = 0.0;  ///< of the gas on the stemming, with what lies above it [J]
+  double stemming_out = kHolds;  ///< since the primer fired, when the stemming had left [s]
+
+  static constexpr double kHolds = -1.0;  ///< of stemming_out: it is in the hole
 };
 template <>
 struct Stored<GasState> {
   static constexpr std::string_view kName = "gas_state";
-  static constexpr int kVersion = 2;
+  static constexpr int kVersion = 3;
   static auto fields(auto& gas) {
     return std::tie(gas.mass_left, gas.stemming_path, gas.stemming_speed, gas.swept_before,
-                    gas.hotter, gas.vented_energy);
+                    gas.hotter, gas.vented_energy, gas.stemming_work, gas.stemming_out);
   }
 };
 
@@ -61,11 +65,18 @@ class GasVent {
   /// charge's length: swept volume / r1 (all stretch taken by open radial cracks; ours).
   [[nodiscard]] double open_area(const GasState& state, const Chamber& chamber) const;
 
+  /// Room in the hole that the stemming has cleared [m3], which the gas fills.
+  [[nodiscard]] double cleared_room(const GasState& state) const;
+
   /// One step on [s]. The stemming is a plug: density x length x acceleration = pressure - 2 shear
   /// x remaining length / hole radius. The mass falls by the choked flux through open_area().
   void advance(GasState& state, const Chamber& chamber, double dt) const;
 
  private:
+  /// Cross section of the hole [m2].
+  [[nodiscard]] double bore() const;
+  void push_stemming(GasState& state, const Chamber& chamber, double dt) const;
+
   Parameters p_;
 };
 

@@ -35,12 +35,12 @@ class HoleBlast {
   }
   /// Room of the gas [m3].
   [[nodiscard]] double gas_volume(double swept_volume, const GasState& state) const {
-    return load_.gas_room(swept_volume - state.swept_before);
+    return load_.gas_room(swept_volume - state.swept_before, state);
   }
-  /// What the gas and the stemming do in one step [s]. Before the hole fires there is no gas, and the
-  /// products start from their own volume wherever other holes have moved the wall by then: it is
-  /// the rock of the crushed zone, not yet crushed, that has been strained, and the hole in it by
-  /// its small share of that.
+  /// What the gas and the stemming do in one step [s]. Before the hole fires there is no gas, and
+  /// the products start from their own volume wherever other holes have moved the wall by then: it
+  /// is the rock of the crushed zone, not yet crushed, that has been strained, and the hole in it
+  /// by its small share of that.
   void advance(GasState& state, double swept_volume, double time, double dt) const;
   /// Load [Pa] on a wall point of that arrival time.
   [[nodiscard]] double pressure(double arrival_time, double time, double gas_pressure,

@@ -58,6 +58,10 @@ class Engine {
   [[nodiscard]] LAMMPS_NS::LAMMPS& lmp() { return *lmp_; }
   /// f_load[n], f_joints[n], n from 1.
   [[nodiscard]] double load(int n) { return fix("load").compute_vector(n - 1); }
+  /// f_load[hole][column], both from 1.
+  [[nodiscard]] double hole(int hole, int column) {
+    return fix("load").compute_array(hole - 1, column - 1);
+  }
   /// f_energy[n]; n = 0: f_energy.
   [[nodiscard]] double ledger(int n) {
     return n == 0 ? fix("energy").compute_scalar() : fix("energy").compute_vector(n - 1);
@@ -203,6 +207,37 @@ TEST(FixMuckpileBlast, GasThatFlowsOutIsMissingAndPressesLess) {
   EXPECT_LT(open.load(11), 0.999);
   EXPECT_GT(open.load(11), 0.5);
   EXPECT_LT(open.load(2), closed.load(2));
+}
+
+TEST(FixMuckpileBlast, EachHoleAccountsForItsCharge) {
+  constexpr int kStemming = 9, kOut = 11, kSpeed = 12, kError = 13;
+  Engine engine(
+      "youngs_modulus 55e9 poisson_ratio 0.25" + kStrong,
+      "explosive emulsion hole_diameter 0.1 poisson_ratio 0.25 rise_time 2e-5 venting flow "
+      "stemming_length 0.02 crack_delay 1 interval 1e-4",
+      "1e-6");
+  engine.command("run 90");
+  EXPECT_EQ(engine.hole(2, 1), 0.0);  // it has not fired
+  EXPECT_EQ(engine.hole(2, kOut), -1.0);
+  engine.command("run 310");
+  double stemming = 0.0, error = 0.0;
+  for (const int hole : {1, 2}) {
+    const double charge = engine.hole(hole, 1);
+    // pi 0.05^2 0.6 x 1100 x 3.0e6; hole 2 is 0.602 m long
+    EXPECT_NEAR(charge, M_PI * 0.0025 * 0.601 * 1100 * 3.0e6, 0.002 * charge) << hole;
+    EXPECT_NEAR(engine.hole(hole, kError) / charge, 0.0, 1e-3) << hole;
+    // 36 kg/m2 under 558 MPa or less: after 51 us at the earliest, with 790 m/s at most
+    EXPECT_GT(engine.hole(hole, kOut), 5e-5) << hole;
+    EXPECT_LT(engine.hole(hole, kOut), 1e-4) << hole;
+    EXPECT_LT(engine.hole(hole, kSpeed), 790.0) << hole;
+    // half of 36 kg/m2 pi 0.05^2 m2 times that speed squared; the plug moves in steps
+    const double motion = 0.5 * 36.0 * M_PI * 0.0025 * std::pow(engine.hole(hole, kSpeed), 2.0);
+    EXPECT_NEAR(engine.hole(hole, kStemming) / motion, 1.0, 0.03) << hole;
+    stemming += engine.hole(hole, kStemming);
+    error += engine.hole(hole, kError);
+  }
+  EXPECT_NEAR(engine.load(22) / stemming, 1.0, 1e-12);
+  EXPECT_NEAR(engine.load(23), error, 1e-9 * engine.load(9));
 }
 
 /// Joints of 22 kPa under some 100 MPa: the walls would give way by thousands of the crushed zone's

@@ -85,6 +85,35 @@ TEST(BlastHoles, GasThatIsTakenIsBookedAndMissing) {
   EXPECT_NEAR((inside - holes.audit(0, 0.01).in_holes) / energy, 1.0, 1e-9);
 }
 
+TEST(BlastHoles, EachHoleAccountsForItsOwnCharge) {
+  BlastHoles holes = two_holes();
+  std::array<double, 2> swept{};
+  for (double time = 0.0; time < 0.06; time += 1e-5) {
+    holes.press(time);
+    std::array<double, 2> work{};
+    for (std::size_t h = 0; h < 2; ++h) {
+      // A wall that gives way at a steady pace takes what presses on it.
+      const double more = time >= holes.blast(h).firing_time() ? 2e-5 : 0.0;
+      work[h] = holes.gas_pressure(h) * more;
+      swept[h] += more;
+    }
+    holes.book_walls(swept, work, time);
+    holes.advance(time, 1e-5);
+    if (holes.active(time) == 2) holes.take_gas(1, 1e-3, 1e-3 * holes.gas(1, time).enthalpy, time);
+  }
+  for (std::size_t h = 0; h < 2; ++h) {
+    const HoleAudit audit = holes.hole_audit(h, 0.06);
+    EXPECT_NEAR(audit.error() / audit.energy.explosive, 0.0, 1e-3) << h;
+    EXPECT_GT(audit.energy.stemming, 0.01 * audit.energy.explosive) << h;
+    EXPECT_GT(audit.stemming_out, 5e-3) << h;
+    EXPECT_GT(audit.stemming_speed, 10.0) << h;
+    EXPECT_EQ(audit.energy.in_joints, 0.0) << h;
+  }
+  EXPECT_EQ(holes.hole_audit(0, 0.06).into_joints, 0.0);
+  EXPECT_GT(holes.hole_audit(1, 0.06).into_joints, 0.0);
+  EXPECT_EQ(two_holes().hole_audit(1, 0.01).stemming_out, GasState::kHolds);
+}
+
 TEST(BlastHoles, WhatIsLeftOfAnEndedHoleGoesIntoTheOpen) {
   BlastHoles holes = two_holes();
   const double inside = holes.audit(0, 0.01).in_holes;

@@ -38,7 +38,9 @@ TEST(GasVent, StemmingIsAPlugUnderConstantPressure) {
     time += kStep;
   }
   EXPECT_NEAR(time, 40.249e-3, 2e-6);  // one step
-  EXPECT_EQ(state.mass_left, 1.0);     // closed until now, and the cracks have no width
+  EXPECT_NEAR(state.stemming_out, time, 1e-12);
+  EXPECT_NEAR(gas.cleared_room(state), 3.0 * std::numbers::pi * 0.045 * 0.045, 1e-12);
+  EXPECT_EQ(state.mass_left, 1.0);  // closed until now, and the cracks have no width
 }
 
 TEST(GasVent, ShearOnTheWallHoldsAPlugThatIsLongEnough) {
@@ -96,6 +98,35 @@ TEST(GasVent, GasThatIsLeftFillsTheChamberAlone) {
   half.mass_left = 0.5;
   EXPECT_NEAR(load.gas_pressure(0.0, 1.0, {}), 200e6, 1.0);  // no time law
   EXPECT_NEAR(load.gas_pressure(0.0, 1.0, half), 200e6 / std::pow(2.0, 1.4), 1.0);
+}
+
+TEST(GasVent, WhatTheStemmingGetsTheGasHasLost) {
+  // A tight chamber of constant volume: all that its gas loses is the motion of the plug, 1800
+  // kg/m3 x 3 m x area x v^2/2, as nothing else takes work from it. The plug's speed is that of the
+  // explicit step.
+  const BlastLoad load(
+      {.wave_peak = 0.0,
+       .expansion = ProductExpansion(TwoStageIsentrope({.initial_pressure = 2.784375e9})),
+       .charge_volume = 0.01,
+       .vent_time = 0.0,
+       .vent_decay = 1.0,
+       .flow = vent()});
+  GasState state;
+  const double full = load.gas_energy(0.0, 0.0, state);
+  double time = 0.0;
+  constexpr double kStep = 1e-6;
+  while (state.stemming_out < 0.0) load.advance(state, 0.0, time += kStep, kStep);
+  const double area = std::numbers::pi * 0.045 * 0.045, speed = state.stemming_speed;
+  const double motion = 0.5 * 1800.0 * 3.0 * area * speed * speed;
+  ASSERT_GT(motion, 0.05 * full);
+  EXPECT_NEAR(state.stemming_work / motion, 1.0, 1e-3);  // first order in the step
+  EXPECT_NEAR((full - load.gas_energy(0.0, time, state)) / state.stemming_work, 1.0, 1e-9);
+  EXPECT_EQ(state.mass_left, 1.0);
+  // Afterwards it takes nothing more.
+  const double work = state.stemming_work;
+  load.advance(state, 0.0, time, kStep);
+  EXPECT_EQ(state.stemming_work, work);
+  EXPECT_LT(state.mass_left, 1.0);
 }
 
 TEST(GasVent, RefusesValuesOutOfRange) {

@@ -327,6 +327,29 @@ TEST_F(BenchReports, EnergyDrawsTheAuditBelow) {
   EXPECT_GT(facts_of(folder.file("energy.png")).height, plain + 100);
   EXPECT_DOUBLE_EQ(summary()["energy_audit_J"]["rock_heat"], 3e6);
   EXPECT_DOUBLE_EQ(summary()["energy_audit_error"], 0.001);
+  EXPECT_FALSE(summary().contains("energy_audit_error_worst_hole"));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("energy_holes.csv")));
+}
+
+TEST_F(BenchReports, EnergyWritesTheAuditOfEachHole) {
+  const ResultFolder folder(temporary_.path());
+  auto run = nlohmann::ordered_json::parse(text_of(folder.dump("run.json")));
+  const nlohmann::ordered_json held = {{"energy_audit_J", {{"explosive", 4e6}, {"stemming", 5e4}}},
+                                       {"energy_audit_error", 0.001},
+                                       {"stemming_speed_m_s", 3.0}};
+  auto left = held;
+  left["energy_audit_error"] = -0.002;
+  left["stemming_out_s"] = 0.015;
+  left["stemming_speed_m_s"] = 120.0;
+  run["holes"] = {held, left};
+  write_text(folder.dump("run.json"), run.dump());
+  report_energy(folder);
+  EXPECT_EQ(text_of(folder.file("energy_holes.csv")),
+            "hole,explosive_J,stemming_J,error_share,stemming_out_s,stemming_speed_m_s\n"
+            "1,4e+06,50000,0.001,,3\n2,4e+06,50000,-0.002,0.015,120\n");
+  EXPECT_DOUBLE_EQ(summary()["energy_audit_error_worst_hole"], -0.002);
+  EXPECT_DOUBLE_EQ(summary()["stemming_out_s"], 0.015);
+  EXPECT_DOUBLE_EQ(summary()["stemming_speed_m_s"], 120.0);
 }
 
 TEST_F(BenchReports, EnergyDrawsTheLedger) {
