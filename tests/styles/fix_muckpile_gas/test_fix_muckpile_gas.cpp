@@ -76,10 +76,19 @@ TEST(FixMuckpileGas, LessOfTheWorkGoesIntoFriction) {  // the gas bears what pre
 }
 
 TEST(FixMuckpileGas, NarrowJointsTakeLess) {
-  Burst narrow(MPI_COMM_WORLD, "residual_aperture 1e-6 roughness 1e-4"), wide(MPI_COMM_WORLD);
+  Burst narrow(MPI_COMM_WORLD, "residual_aperture 1e-6"), wide(MPI_COMM_WORLD);
   narrow.scene.run(100, kStep);
   wide.scene.run(100, kStep);
   EXPECT_LT(narrow.gas(2), wide.gas(2));
+}
+
+TEST(FixMuckpileGas, StressKeepsGasOutOfClosedJoints) {
+  Burst tight(MPI_COMM_WORLD, "residual_aperture 1e-4 closure_share 0.45 roughness_coefficient 10"),
+      constant(MPI_COMM_WORLD, "residual_aperture 1e-4 closure_share 0 roughness_coefficient 0");
+  tight.scene.run(100, kStep);
+  constant.scene.run(100, kStep);
+  EXPECT_LT(tight.gas(2), 0.99 * constant.gas(2));
+  EXPECT_GT(tight.gas(2), 0.5 * constant.gas(2));
 }
 
 TEST(FixMuckpileGas, AnyNumberOfRanksDoesTheSame) {
