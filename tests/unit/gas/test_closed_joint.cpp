@@ -36,7 +36,7 @@ TEST(ClosedJoint, ClosesOnTheHyperbolaOfTheJointLaw) {
 TEST(ClosedJoint, FreshGraniteByHand) {
   const ClosedJoint joint(fresh());
   EXPECT_DOUBLE_EQ(joint.apertures(0.0, 0.0).mechanical, 2e-4);
-  EXPECT_NEAR(joint.apertures(0.0, 0.0).hydraulic, 200.0 * 200.0 / 316.2278 * 1e-6, 1e-11);
+  EXPECT_NEAR(joint.apertures(0.0, 0.0).hydraulic, 200.0 * 200.0 / 316.22777 * 1e-6, 1e-11);
   // k V = 2.25 MPa closes half of V = 0.09 mm.
   EXPECT_NEAR(joint.closed(2.25e6), 1.55e-4, 1e-12);
   EXPECT_NEAR(joint.closed(1e12), 1.1e-4, 1e-9);

@@ -152,7 +152,9 @@ TEST(JointGas, SmallChamberIsNotEmptiedByManyJoints) {
   EXPECT_GT((kGamma - 1.0) * least / room / together, 1.0 - 1e-9);  // falls to it from above
   EXPECT_NEAR((kGamma - 1.0) * left.energy / room / together, 1.0, 1e-3);
   for (const GasCell& cell : cube.gas.cells()) {
-    if (cell.volume > 0.0) EXPECT_NEAR(cube.gas.pressure(cell) / together, 1.0, 1e-2);
+    if (cell.volume > 0.0) {
+      EXPECT_NEAR(cube.gas.pressure(cell) / together, 1.0, 1e-2);
+    }
   }
   EXPECT_NEAR((cube.gas.held().mass + cube.vented + left.mass) / start, 1.0, 1e-12);
 }
