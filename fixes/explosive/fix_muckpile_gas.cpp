@@ -25,13 +25,13 @@ namespace {
 const ArgTable& table() {
   static const ArgTable args =
       ArgTable("fix muckpile/gas")
-          .real("residual_aperture", "m", Range::closed(1e-8, 0.1), 1e-4,
+          .real("residual_aperture", "m", Range::closed(1e-8, 0.1), 2e-4,
                 "of a broken joint that is closed, without normal stress; the opening comes on top")
-          .real("closure_share", "-", Range::right_open(0.0, 1.0), 0.0,
+          .real("closure_share", "-", Range::right_open(0.0, 1.0), 0.45,
                 "of that what endless normal stress closes; 0: stress closes nothing")
           .real("closure_stiffness", "Pa/m", Range::closed(1e6, 1e15), 2.5e10,
                 "normal stiffness of the faces on each other without stress, k_ni")
-          .real("roughness_coefficient", "-", Range::closed(0.0, 20.0), 0.0,
+          .real("roughness_coefficient", "-", Range::closed(0.0, 20.0), 10.0,
                 "JRC, for the hydraulic aperture; 0: it is the mechanical one")
           .real("roughness", "m", Range::closed(0.0, 0.1), 1e-4,
                 "height of the asperities, for the friction of the flow")
