@@ -25,10 +25,21 @@ namespace {
 const ArgTable& table() {
   static const ArgTable args =
       ArgTable("fix muckpile/gas")
-          .real("residual_aperture", "m", Range::closed(1e-8, 0.1), 1e-4,
-                "of a broken joint that is closed; the opening comes on top")
+          .real("residual_aperture", "m", Range::closed(1e-8, 0.1), 2e-4,
+                "of a broken joint that is closed, without normal stress; the opening comes on top")
+          .real("closure_share", "-", Range::right_open(0.0, 1.0), 0.45,
+                "of that what endless normal stress closes; 0: stress closes nothing")
+          .real("closure_stiffness", "Pa/m", Range::closed(1e6, 1e15), 2.5e10,
+                "normal stiffness of the faces on each other without stress, k_ni")
+          .real("roughness_coefficient", "-", Range::closed(0.0, 20.0), 10.0,
+                "JRC, for the hydraulic aperture; 0: it is the mechanical one")
           .real("roughness", "m", Range::closed(0.0, 0.1), 1e-4,
                 "height of the asperities, for the friction of the flow")
+          .real(
+              "open_gas", "-", Range::closed(1.0, 100.0), 1.0,
+              "how far a joint may part, in radii of opening or slip or in rad of turn, before its "
+              "gas goes to the atmosphere; beyond 1 it is a void between two blocks, which keeps "
+              "gas that has not expanded to the atmosphere")
           .integer("substeps", "-", Range::closed(1, 1000), 2, "of the flow in a step")
           .real("ambient_pressure", "Pa", Range::closed(1e3, 1e7), 101325.0, "of the atmosphere")
           .real("effusivity", "W s^0.5/(m2 K)", Range::closed(0.0, 1e5), 2500.0,
@@ -57,8 +68,12 @@ JointGas make_gas(LAMMPS_NS::LAMMPS& lmp, const ArgValues& args, const GasChambe
     return JointGas({.flow = {.gamma = blast.gas_gamma(), .roughness = args.real("roughness")},
                      .heat = {.effusivity = args.real("effusivity"),
                               .rock_temperature = args.real("rock_temperature")},
+                     .open_gas = args.real("open_gas"),
                      .gas_constant = blast.gas_constant(),
-                     .residual_aperture = args.real("residual_aperture"),
+                     .joint = {.residual_aperture = args.real("residual_aperture"),
+                               .closure_share = args.real("closure_share"),
+                               .closure_stiffness = args.real("closure_stiffness"),
+                               .roughness = args.real("roughness_coefficient")},
                      .ambient = args.real("ambient_pressure")});
   });
 }

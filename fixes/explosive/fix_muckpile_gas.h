@@ -42,17 +42,18 @@ struct JointGasState {
   GasFlow taken, vented, lost;
   double work = 0.0;  ///< [J]
   GasSpent spent_energy;
-  double softened = 1.0;           ///< [-]
-  double greatest_pressure = 0.0;  ///< [Pa]
+  double softened = 1.0;                 ///< [-]
+  double in_open = 0.0, could_do = 0.0;  ///< [J]
+  double greatest_pressure = 0.0;        ///< [Pa]
 };
 template <>
 struct Stored<JointGasState> {
   static constexpr std::string_view kName = "joint_gas_state";
-  static constexpr int kVersion = 3;
+  static constexpr int kVersion = 4;
   static auto fields(auto& state) {
     return std::tie(state.active, state.spent, state.fed, state.beds, state.taken, state.vented,
                     state.lost, state.work, state.spent_energy, state.softened,
-                    state.greatest_pressure);
+                    state.greatest_pressure, state.in_open, state.could_do);
   }
 };
 
@@ -118,6 +119,9 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure, public Joint
       0.0;             // greatest in joints, of a restart file, until the next step [Pa]
   GasFlow lost_;       // with blocks that left the box, not yet in vented_
   double work_ = 0.0;  // on the blocks of this rank, so far [J]
+  // Of wide joints of this rank, so far: energy of the gas that they let go, and the work that it
+  // could still have done [J].
+  double in_open_ = 0.0, could_do_ = 0.0;
 };
 
 }  // namespace muckpile

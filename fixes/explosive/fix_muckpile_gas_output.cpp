@@ -24,6 +24,8 @@ enum Output {
   kEnergyVented,
   kAirWork,
   kBedHeat,
+  kInOpen,
+  kCouldDo,
   kOutputCount
 };
 
@@ -42,7 +44,9 @@ void FixMuckpileGas::write_restart(FILE* file) {
                             over_ranks(work_),
                             spent_by_all(),
                             softened_,
-                            greatest_pressure()};
+                            greatest_pressure(),
+                            over_ranks(in_open_),
+                            over_ranks(could_do_)};
   ByteWriter mine;
   for (std::size_t b = 0; b < tags_.size(); ++b)
     mine.put(BlockGas{tags_[b], gas_.cells()[b].content});
@@ -69,6 +73,8 @@ void FixMuckpileGas::restart(char* bytes) {
   gas_.resume({mine(state.spent_energy.work), mine(state.spent_energy.swept_volume),
                mine(state.spent_energy.heat)});
   work_ = mine(state.work);
+  in_open_ = mine(state.in_open);
+  could_do_ = mine(state.could_do);
   softened_ = state.softened;
   restored_pressure_ = state.greatest_pressure;
 }
@@ -115,6 +121,10 @@ double FixMuckpileGas::compute_vector(int n) {
       return vented_.energy + over_ranks(lost_.energy);
     case kAirWork:
       return ambient_ * over_ranks(gas_.spent().swept_volume);
+    case kInOpen:
+      return over_ranks(in_open_);
+    case kCouldDo:
+      return over_ranks(could_do_);
     case kWork:
       return over_ranks(work_);
     case kGreatest:

@@ -58,6 +58,8 @@ void FixMuckpileGas::end_of_step() {
   const JointGas::Opened opened = gas_.open_wide();
   joints_->release_gas(opened.joints);
   lost_ += opened.vented;
+  in_open_ += opened.vented.energy;
+  could_do_ += opened.could_do;
   if (update->ntimestep % kLookEvery == 0) look_whether_spent();
 }
 

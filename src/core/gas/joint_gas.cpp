@@ -24,12 +24,13 @@ void transform_all(const std::vector<double>& a, const std::vector<double>& b,
 
 JointGas::JointGas(const Parameters& parameters)
     : p_(parameters),
+      joint_(parameters.joint),
       flow_(parameters.flow),
       heat_(parameters.heat),
       outside_(flow_.head({parameters.ambient, 0.0})) {
   require_positive("gas_constant", "J/(kg K)", p_.gas_constant);
-  require_positive("residual_aperture", "m", p_.residual_aperture);
   require_not_negative("ambient_pressure", "Pa", p_.ambient);
+  if (!(p_.open_gas >= 1.0)) refuse_value("open_gas", ">= 1", "", p_.open_gas);
 }
 
 void JointGas::set_network(const FacetNetwork& network) {
@@ -136,21 +137,22 @@ void JointGas::list_cracks(const FacetNetwork& network) {
 
 void JointGas::measure_crack(std::size_t c, const OpenJoint& open) {
   Crack& crack = cracks_[c];
-  const double smooth = p_.residual_aperture + open.opening;
-  const JointApertures apertures = open.by_law.value_or(JointApertures{smooth, smooth});
+  const JointApertures apertures =
+      open.by_law ? *open.by_law : joint_.apertures(open.pressure, open.opening);
   aperture_[c] = apertures.hydraulic;
   width_[c] = 2.0 * std::sqrt(open.area / M_PI);
   crack.area = aperture_[c] * width_[c];
   const double half = crack.joint ? 0.5 : 1.0;  // a joint's room belongs to two blocks
   crack.volume = half * open.area * apertures.mechanical;
   crack.wall = open.area;
-  // A point that has just broken has not opened yet.
-  crack.broken = half * open.area * p_.residual_aperture;
+  crack.broken = half * open.area * joint_.closed(open.by_law ? 0.0 : open.pressure);
   each_block(crack, [&](std::size_t b) {
     walls_[b] += crack.wall;
     rooms_[b] += crack.broken;
   });
-  if (open.wide) wide_.push_back(static_cast<std::uint32_t>(c));
+  if (open.parted_squared > 1.0)
+    wide_.push_back(
+        {static_cast<std::uint32_t>(c), open.parted_squared > p_.open_gas * p_.open_gas});
 }
 
 /// To the volumes and ways of its blocks, and to the ways out of its hole.
@@ -193,7 +195,7 @@ void JointGas::measure(const FacetNetwork& network, const std::vector<char>& fed
 }
 
 /// The gas of owned blocks follows its joints: adiabatically where they open and close, without
-/// work into room that has just broken.
+/// work into and out of the room of closed ones.
 void JointGas::expand() {
   for (std::size_t b = 0; b < cells_.size(); ++b) {
     const GasContent& gas = cells_[b].content;
@@ -217,6 +219,13 @@ void JointGas::expand() {
 double JointGas::pressure(const GasCell& cell) const {
   if (!(cell.content.mass > 0.0) || !(cell.volume > 0.0)) return 0.0;
   return (flow_.gamma() - 1.0) * cell.content.energy / cell.volume;
+}
+
+double JointGas::work_to_ambient(double pressure, double volume) const {
+  if (!(pressure > p_.ambient) || !(p_.ambient > 0.0)) return 0.0;
+  const double grows = std::pow(pressure / p_.ambient, 1.0 / flow_.gamma());
+  const double work = (pressure - p_.ambient * grows) * volume / (flow_.gamma() - 1.0);
+  return work - p_.ambient * (grows - 1.0) * volume;
 }
 
 std::span<const double> JointGas::press() {

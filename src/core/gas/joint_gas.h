@@ -2,17 +2,19 @@
 // Gas of the charges in broken joints: finite volumes on the blocks of a facet network.
 // Scope: how much gas is where, how hot it is and what it presses; no engine, no communication. The
 // gas of a block is that between it and the middle of each of its broken facets: V = sum of
-// A_broken w/2 (w at a support), w = residual aperture + mean opening, or the mechanical aperture
-// of a joint whose law has one: the volume grows as the faces part, with the work that the pressure
-// does on them. The flow has the same w, or that law's hydraulic aperture. A crack through the edge
-// of a block has two of the three facets there, and those share a block: so the gas goes wherever
-// cracks hang together. Two blocks exchange gas through the broken facet that they share. Where
-// both have a face on the same crushed zone their facet ends there and takes gas from the chamber,
-// and where both have a free face it lets gas out. In both cases each block has half the aperture.
+// A_broken w/2 (w at a support), w = mean opening + what normal stress leaves of the closed joint
+// (closed_joint.h), or the mechanical aperture of a joint whose law has one: the volume grows as
+// the faces part, with the work that the pressure does on them. The flow has the hydraulic
+// aperture. A crack through the edge of a block has two of the three facets there, and those share
+// a block: so the gas goes wherever cracks hang together. Two blocks exchange gas through the
+// broken facet that they share. Where both have a face on the same crushed zone their facet ends
+// there and takes gas from the chamber, and where both have a free face it lets gas out. In both
+// cases each block has half the aperture.
 //
 // An ideal gas with mass and energy of its own in every block: p = (gamma - 1) U/V. What flows
-// carries its enthalpy; a joint that opens costs the gas p dV, one that has just broken is room
-// without work; the walls take heat (wall_heat.h).
+// carries its enthalpy; a joint that opens costs the gas p dV; what a closed one has between its
+// asperities is room without work, as it breaks and as stress narrows it: no block moves by it, so
+// the gas keeps its energy. The walls take heat (wall_heat.h).
 //
 // A step: the caller fills the contents of owned blocks; measure(), then copies get the numbers of
 // their owners, then press(); after the forces flow(), then cool(). Both owners of a facet compute
@@ -24,6 +26,7 @@
 #include <vector>
 
 #include "bond/network/facet_network.h"
+#include "gas/closed_joint.h"
 #include "gas/crack_flow.h"
 #include "gas/wall_heat.h"
 #include "state/encoding.h"
@@ -36,7 +39,7 @@ struct GasContent {
   double energy = 0.0;  ///< internal, U = p V/(gamma - 1) [J]
   double heat = 0.0;    ///< that the block's walls have taken from it [J]
   double volume = 0.0;  ///< that it had at the last measure() [m3]
-  double broken = 0.0;  ///< of that, what its joints had as they broke [m3]
+  double broken = 0.0;  ///< of that, what its joints have while they are closed [m3]
 };
 template <>
 struct Stored<GasContent> {
@@ -99,9 +102,10 @@ class JointGas {
   struct Parameters {
     CrackFlow::Parameters flow;
     WallHeat::Parameters heat;
-    double gas_constant = 370.0;      ///< R of the products, p = rho R T [J/(kg K)]
-    double residual_aperture = 1e-4;  ///< of a closed joint [m]
-    double ambient = 101325.0;        ///< pressure of the atmosphere [Pa]
+    double open_gas = 1.0;          ///< parting up to which a joint keeps gas (open_wide()) [-]
+    double gas_constant = 370.0;    ///< R of the products, p = rho R T [J/(kg K)]
+    ClosedJoint::Parameters joint;  ///< where no law of the joint's own knows
+    double ambient = 101325.0;      ///< pressure of the atmosphere [Pa]
   };
 
   /// InputError on a value out of range.
@@ -140,18 +144,24 @@ class JointGas {
   [[nodiscard]] Flows flow(std::span<const GasChamber> chambers, double dt);
   /// The walls take heat for a time dt [s], through the film of the flows since the last cool().
   void cool(double dt);
-  /// Joints that measure() found wide lose what they hold and hold nothing from now on; the caller
-  /// tells the network of them.
+  /// A joint that has parted by its radius is more void than joint. It goes on as the void between
+  /// its two blocks, until press() found no more than the pressure of the atmosphere in both, or it
+  /// has parted by `open_gas` radii: then it loses what it holds and holds nothing from now on; the
+  /// caller tells the network of it.
   struct Opened {
     std::vector<std::uint32_t> joints;
-    GasFlow vented;  ///< what owned blocks let into the atmosphere so
+    GasFlow vented;         ///< what owned blocks let into the atmosphere so
+    double could_do = 0.0;  ///< work of that gas if it pushed on until it has ambient pressure [J]
   };
   [[nodiscard]] Opened open_wide();
 
   /// cp of the products [J/(kg K)].
   [[nodiscard]] double heat_capacity() const { return flow_.gamma() * cv(); }
   [[nodiscard]] double pressure(const GasCell& cell) const;  ///< absolute; 0 if empty [Pa]
-  [[nodiscard]] GasFlow held() const;                        ///< in owned blocks
+  /// Net work of a volume [m3] of gas at a pressure [Pa] that expands along its isentrope to that
+  /// of the atmosphere, and pushes that away [J].
+  [[nodiscard]] double work_to_ambient(double pressure, double volume) const;
+  [[nodiscard]] GasFlow held() const;  ///< in owned blocks
   [[nodiscard]] const GasSpent& spent() const { return spent_; }
   /// To go on from a restart file.
   void resume(const GasSpent& spent) { spent_ = spent; }
@@ -169,7 +179,7 @@ class JointGas {
   struct Crack : End {                                        // a broken facet that gas can reach
     std::uint32_t facet;
     double volume;                                          // for each of its blocks [m3]
-    double broken;                                          // of that, as it broke [m3]
+    double broken;                                          // of that, while it is closed [m3]
     double wall;                                            // broken area [m2]
     double area;                                            // across the flow [m2]
     double way;                                             // conductance: area x passage [m2]
@@ -220,6 +230,7 @@ class JointGas {
   [[nodiscard]] double cv() const { return p_.gas_constant / (flow_.gamma() - 1.0); }
 
   Parameters p_;
+  ClosedJoint joint_;
   CrackFlow flow_;
   WallHeat heat_;
   GasHead outside_;  // of the atmosphere, but for its density
@@ -241,11 +252,16 @@ class JointGas {
   std::vector<OpenJoint> openings_;                 // of cracks_
   std::vector<double> aperture_, width_, passage_;  // of cracks_, for the flow [m], [m], [-]
   std::vector<double> film_;  // of cracks_: film x wall per mass flow through them [J/(kg K)]
-  std::vector<std::uint32_t> ending_, wide_;  // of cracks_: in a hole or at a surface; wide
+  struct Void {
+    std::uint32_t crack;
+    bool gone;  // parted by open_gas
+  };
+  std::vector<std::uint32_t> ending_;  // of cracks_: in a hole or at a surface
+  std::vector<Void> wide_;             // of cracks_: parted by their radius
   std::vector<GasFlow> changes_;
   std::vector<double> chamber_ways_;
-  // Per block: broken area, room of its joints as they broke, mass flow times film and wall since
-  // the last cool().
+  // Per block: broken area, room of its joints while they are closed, mass flow times film and wall
+  // since the last cool().
   std::vector<double> walls_, rooms_, films_;  // [m2], [m3], [J/K]
   std::vector<double> stretch_, cooling_;      // V before over V now, and the gas by that [-]
   GasSpent spent_;

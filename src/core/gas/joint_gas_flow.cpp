@@ -110,9 +110,12 @@ void JointGas::cool(double dt) {
 
 JointGas::Opened JointGas::open_wide() {
   Opened opened;
-  if (wide_.empty()) return opened;
-  std::vector<double> lost_volume(cells_.size(), 0.0);
-  for (const std::uint32_t c : wide_) {
+  std::vector<double> lost_volume;
+  for (const auto [c, gone] : wide_) {
+    bool pushes = false;
+    each_block(cracks_[c], [&](std::size_t b) { pushes = pushes || gauge_[b] > 0.0; });
+    if (pushes && !gone) continue;
+    lost_volume.resize(cells_.size(), 0.0);
     opened.joints.push_back(cracks_[c].facet);
     keeps_[cracks_[c].facet] = Keeps::nothing;
     listed_ = false;
@@ -121,7 +124,7 @@ JointGas::Opened JointGas::open_wide() {
       rooms_[b] -= cracks_[c].broken;
     });
   }
-  for (std::size_t b = 0; b < cells_.size(); ++b) {
+  for (std::size_t b = 0; b < lost_volume.size(); ++b) {
     if (!owned(b) || lost_volume[b] == 0.0) continue;
     GasContent& gas = cells_[b].content;
     const double kept = std::max(0.0, 1.0 - lost_volume[b] / cells_[b].volume);
@@ -130,6 +133,7 @@ JointGas::Opened JointGas::open_wide() {
                                          : GasContent{kept * gas.mass, kept * gas.energy, gas.heat,
                                                       kept * gas.volume, rooms_[b]};
     opened.vented += {gas.mass - rest.mass, gas.energy - rest.energy};
+    opened.could_do += work_to_ambient(pressure(cells_[b]), (1.0 - kept) * cells_[b].volume);
     gas = rest;
   }
   return opened;

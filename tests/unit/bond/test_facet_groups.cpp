@@ -249,7 +249,7 @@ TEST(FacetGroups, ForcesAreThoseOfThePointsSummedOneByOne) {
 
 /// Gas in one facet, point by point: how far the broken ones are open, and what it presses.
 struct GasOneByOne {
-  double opening = 0.0;
+  double opening = 0.0, closure = 0.0;  // [m]
   Vec3 force = Vec3::Zero(), torque_i = Vec3::Zero(), torque_j = Vec3::Zero();
 
   GasOneByOne(FacetNetwork& network, std::size_t f, double pressure) {
@@ -267,13 +267,16 @@ struct GasOneByOne {
       const Vec3 at = std::cos(angle) * facet.half_axes[0] + std::sin(angle) * facet.half_axes[1];
       const Vec3 on_i = i.rotation * Vec3(facet.arm_i + at);
       const Vec3 jump = j.centre + j.rotation * Vec3(facet.arm_j + at) - i.centre - on_i;
-      opening += std::max(0.0, n.dot(jump) - memory.contact.get().offset[q].x());
+      const double apart = n.dot(jump) - memory.contact.get().offset[q].x();
+      opening += std::max(0.0, apart);
+      closure += std::max(0.0, -apart);
       const Vec3 push = -pressure * facet.area / kFacetPoints * n, arm = on_i + 0.5 * jump;
       force += push;
       torque_i += arm.cross(push);
       torque_j -= (arm + i.centre - j.centre).cross(push);
     }
     opening /= std::max(broken, 1);
+    closure /= std::max(broken, 1);
   }
 };
 
@@ -304,13 +307,17 @@ TEST(FacetGroups, GasPressesOnTheBrokenPointsOfEachFacetAndFindsThemAsFarOpenAsT
   for (const std::size_t f : asked) add_facet(sets, f);
   network.open_joints(sets, open);
   ASSERT_EQ(open.size(), asked.size());
+  int pressed = 0;
   for (std::size_t k = 0; k < asked.size(); ++k) {
     const std::size_t f = asked[k], broken = std::min<std::size_t>(f % 5, kFacetPoints);
     const GasOneByOne expected(network, f, kPressure);
     EXPECT_NEAR(open[k].area, static_cast<double>(broken) / 3.0 * network.area(f), 1e-12) << f;
     EXPECT_NEAR(open[k].opening, expected.opening, 1e-12) << f;  // rounding of centres metres away
     EXPECT_EQ(open[k].opening > 1e-6, broken > 0) << f;
-    EXPECT_FALSE(open[k].wide) << f;
+    const double stiffness = network.tables().contact(f).closure.normal;
+    EXPECT_NEAR(open[k].pressure, stiffness * expected.closure, 1e-12 * stiffness) << f;
+    pressed += open[k].pressure > 1e-6 * stiffness ? 1 : 0;
+    EXPECT_LT(open[k].parted_squared, 1.0) << f;
   }
   for (std::size_t f = 0; f < chosen.size(); ++f) {
     const bool none = f % 5 == 0 || f == 9 || f == 11;

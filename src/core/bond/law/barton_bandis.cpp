@@ -81,9 +81,11 @@ double barton_bandis_aperture(double roughness, double wall_strength, double com
   return 1e-3 * roughness / 5.0 * (0.2 * compressive_strength / wall_strength - 0.1);
 }
 
+double smooth_from_aperture(double roughness) { return kMicron * std::pow(roughness, 2.5); }
+
 JointApertures BartonBandis::apertures(double closure) const {
-  const double mechanical = initial_aperture - closure, microns = mechanical / kMicron;
-  return {mechanical, std::min(mechanical, kMicron * microns * microns / std::pow(roughness, 2.5))};
+  const double mechanical = initial_aperture - closure;
+  return {mechanical, hydraulic_aperture(mechanical, smooth_from_aperture(roughness))};
 }
 
 BartonBandis BartonBandis::softened(double factor) const {

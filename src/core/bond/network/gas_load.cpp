@@ -11,10 +11,6 @@
 namespace muckpile {
 namespace {
 
-// A joint that has retired still holds gas between its two blocks. It is in the open once it has
-// opened or slid by its radius, or turned by a radian: there is more void than joint then.
-constexpr double kWide = 1.0;
-
 using PointLanes = std::array<unsigned, kFacetPoints>;  // bit per facet of a group
 
 /// Per point, those of some facets of a group of which `of` has it.
@@ -26,6 +22,19 @@ PointLanes lanes_with(const FacetHistory& history, const LaneSet& set, const Of&
     for (std::size_t p = 0; p < kFacetPoints; ++p) lanes[p] |= (points[p] ? 1u : 0u) << k;
   });
   return lanes;
+}
+
+/// Normal stiffness of the closed facets of a group, of those that carry contact [Pa/m].
+Wide closed_stiffness(const FacetKinematics& facets, const LaneSet& set) {
+  const FacetGroup& group = facets.tables.group(set.group);
+  FacetRow<double> rock_share = ContactGroup::all(1.0), carries{};
+  each_lane(set.lanes, [&](std::size_t k) {
+    const std::size_t f = set.group * kGroup + k;
+    rock_share[k] = facets.tables.rock_share(f);
+    carries[k] = facets.history.state(f) == FacetState::retired ? 0.0 : 1.0;
+  });
+  const LinearClosure<Wide> bonded{wide(group.shear), wide(group.normal_extra)};
+  return wide(carries) * facets.tables.laws().contact(bonded, wide(rock_share)).normal;
 }
 
 /// How far each broken point has opened since it broke, by what it remembers of that.
@@ -42,26 +51,31 @@ void open_group_of_joints(const FacetKinematics& facets, const LaneSet& set,
   const WideField jump = jump_of(group, pose);
   const Wide mean = dot(pose.normal, jump.mean), along_1 = dot(pose.normal, jump.along_1),
              along_2 = dot(pose.normal, jump.along_2);
-  Wide opening = 0.0, points = 0.0;
+  Wide opening = 0.0, closure = 0.0, points = 0.0;
   for (std::size_t p = 0; p < kFacetPoints; ++p) {
-    const Wide start = choose(mask_of<Wide>(parted[p]), wide(contact.offset[p][0]), kNever);
+    const WideMask is_broken = mask_of<Wide>(broken[p]);
+    const Wide zero = wide(contact.offset[p][0]),
+               start = choose(mask_of<Wide>(parted[p]), zero, kNever);
     const Wide now = mean + kOnFirst[p] * along_1 + kOnSecond[p] * along_2;
     opening += max(Wide(0.0), now - start);
-    points += choose(mask_of<Wide>(broken[p]), Wide(1.0), 0.0);
+    closure += choose(is_broken, max(Wide(0.0), zero - now), 0.0);
+    points += choose(is_broken, Wide(1.0), 0.0);
   }
   const Wide radius_squared = M_1_PI * wide(group.area);
-  const unsigned wide_open =
-      bits_of<Wide>(points > 0.0 && (dot(pose.jump, pose.jump) > kWide * kWide * radius_squared ||
-                                     turn_of(group, pose).exceeds(kWide)));
-  alignas(64) FacetRow<double> area, opened;
+  alignas(64) FacetRow<double> area, opened, pressure, parted_squared;
+  store(max(dot(pose.jump, pose.jump) / radius_squared, turn_of(group, pose).squared()),
+        parted_squared);
   store(points * wide(group.area) / Wide(kFacetPoints), area);
   store(opening / max(points, Wide(1.0)), opened);
+  store(wide(contact.fade) * closed_stiffness(facets, set) * closure / max(points, Wide(1.0)),
+        pressure);
   const unsigned nonlinear = facets.tables.nonlinear_lanes(set.group);  // only they know apertures
   each_lane(set.lanes, [&](std::size_t k) {
     OpenJoint& joint = open.emplace_back();
     joint.area = area[k];
     joint.opening = opened[k];
-    joint.wide = (wide_open >> k & 1u) != 0;
+    joint.pressure = pressure[k];
+    joint.parted_squared = parted_squared[k];
     if ((nonlinear >> k & 1u) != 0) joint.by_law = mean_apertures(facets, set.group * kGroup + k);
   });
 }

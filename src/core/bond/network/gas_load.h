@@ -19,9 +19,13 @@ namespace muckpile {
 struct OpenJoint {
   double area = 0.0;     ///< of broken points [m2]
   double opening = 0.0;  ///< mean over them [m]
+  /// Mean over them of what presses the faces onto each other, by the closed facet's own normal
+  /// stiffness, that of uniaxial strain; where no law knows the apertures [Pa].
+  double pressure = 0.0;
   /// Means over them, where the joint has a law that knows them.
   std::optional<JointApertures> by_law;
-  bool wide = false;  ///< so far open, slid or turned that it is no joint for gas either
+  /// Square of how far it has opened or slid, in radii, or turned, in rad, whichever is more [-].
+  double parted_squared = 0.0;
 };
 
 /// Of each of `facets`, in order, into `open`.
