@@ -3,8 +3,6 @@
 // Scope: see the header.
 #include "geometry/files/panel_mesh.h"
 
-#include <cstdio>
-
 #include "args/input_error.h"
 #include "args/numbers.h"
 
@@ -13,12 +11,11 @@ namespace {
 
 constexpr std::size_t kCoordinates = 12;
 
-/// 15 digits, as numbers that LIGGGHTS prints; no negative zero.
+/// Every digit of the numbers; no negative zero.
 void append(std::string& text, const char* word, const Vec3& v) {
-  char line[128];
-  std::snprintf(line, sizeof line, "%s %.15g %.15g %.15g\n", word, v.x() + 0.0, v.y() + 0.0,
-                v.z() + 0.0);
-  text += line;
+  text += word;
+  for (const double value : v) text += " " + number_text(value + 0.0);
+  text += '\n';
 }
 
 void append_triangle(std::string& text, const Vec3& a, const Vec3& b, const Vec3& c) {
