@@ -55,7 +55,7 @@ void BlocksRun::begin(double end) {
   engine_.prepare(news, {.share = plan_.stable_share});
   engine_.begin_phase(news);
   engine_.bound_step({.share = plan_.stable_share,
-                      .longest = 1e30,
+                      .longest = plan_.collision.longest(),
                       .collision = plan_.collision.step,
                       .collision_speed = plan_.collision.speed()});
   engine_.set_up();

@@ -3,6 +3,8 @@
 // Scope: see the header.
 #include "run/run_words.h"
 
+#include <cmath>
+
 #include "contact/collision_time.h"
 
 namespace muckpile {
@@ -35,6 +37,8 @@ void add_collision_words(ArgTable& table) {
             "longest step of loose blocks, as a share of the longest stable one; the rest is for "
             "contacts that become stiffer between two checks");
 }
+
+double CollisionStep::longest() const { return step * std::pow(kSpeed / kSlow, 0.2); }
 
 CollisionStep collision_step(const ArgValues& words, double density,
                              const BlockContacts& contacts) {

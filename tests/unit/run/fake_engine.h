@@ -21,6 +21,7 @@ class FakeEngine : public RunEngine {
   bool at_rest = false, quit = false;
   std::function<void()> after_run = [] {};
   std::vector<std::string> told, lines, warnings;
+  StepRule rule{};  ///< the last one
   long steps = 0;
 
   double time() const override { return now; }
@@ -39,7 +40,8 @@ class FakeEngine : public RunEngine {
     now += static_cast<double>(count) * dt;
     after_run();
   }
-  void bound_step(const StepRule& rule) override {
+  void bound_step(const StepRule& bound) override {
+    rule = bound;
     told.push_back(rule.collision ? "step for collisions"
                                   : (*rule.longest < 1.0 ? "step for pulse" : "step for joints"));
   }

@@ -71,6 +71,14 @@ TEST(BlocksRun, SaysThatTimeIsOver) {
             "rock still moves.");
 }
 
+/// Nothing bounds the step of blocks that start from rest in the air.
+TEST(BlocksRun, StepsNoLongerThanASlowCollisionAllows) {
+  FakeEngine engine;
+  BlocksRun(plan_of({}), engine).go();
+  // 8.604 ms at 20 m/s in 8 steps; at 1 m/s by Hertz 20^(1/5) = 1.8206 times as long.
+  EXPECT_NEAR(*engine.rule.longest, 1.8206 * 8.604e-3 / 8.0, 1e-6);
+}
+
 /// As a script does that goes on after a restart file.
 TEST(BlocksRun, TakesNoStepsInAPhaseThatIsOver) {
   FakeEngine engine;
