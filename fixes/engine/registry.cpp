@@ -34,12 +34,14 @@
 #include "fixes/output/fix_muckpile_dump.h"
 #include "fixes/output/fix_muckpile_gauges.h"
 #include "fixes/output/fix_muckpile_ledger.h"
+#include "fixes/output/write_panels.h"
 #include "fixes/output/write_scene.h"
 #include "fixes/run/fix_muckpile_progress.h"
 #include "fixes/run/fix_muckpile_timestep.h"
 #include "fixes/run/read_sealed_restart.h"
 #include "fixes/run/require.h"
 #include "fixes/run/run_blast.h"
+#include "fixes/run/run_blocks.h"
 
 namespace muckpile::engine {
 namespace {
@@ -101,6 +103,8 @@ const std::map<std::string, CommandCreator>& commands() {
       {"rank_grid", &run_command<RankGridCommand>},
       {"require", &run_command<Require>},
       {"run_blast", &run_command<RunBlastCommand>},
+      {"run_blocks", &run_command<RunBlocksCommand>},
+      {"write_panels", &run_command<WritePanelsCommand>},
       {"write_scene", &run_command<WriteScene>},
   };
   return table;

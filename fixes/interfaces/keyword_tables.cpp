@@ -7,8 +7,10 @@
 #include "explosive/blast_options.h"
 #include "explosive/charge_design.h"
 #include "explosive/hole_pattern.h"
+#include "geometry/files/panel_mesh.h"
 #include "rock/cut_table.h"
 #include "run/blast_plan.h"
+#include "run/blocks_run.h"
 
 namespace muckpile {
 
@@ -27,8 +29,10 @@ std::vector<ArgTable> keyword_tables() {
                                   quiet_keywords(),
                                   rank_grid_keywords(),
                                   run_blast_table(),
+                                  run_blocks_table(),
                                   sleep_keywords(),
-                                  timestep_keywords()};
+                                  timestep_keywords(),
+                                  write_panels_table()};
   for (const JointLawEntry& law : joint_law_entries()) tables.push_back(law.table);
   return tables;
 }

@@ -16,6 +16,7 @@
 #include "fixes/interfaces/charge_timing.h"
 #include "fixes/interfaces/rock_view.h"
 #include "fixes/run/script_engine.h"
+#include "fixes/run/script_rock.h"
 #include "run/blast_plan.h"
 #include "run/blast_run.h"
 
@@ -27,8 +28,9 @@ void RunBlastCommand::command(int narg, char** arg) {
   const BlastScene found = scene();
   engine::or_engine_error(*lmp, [&] {
     const BlastPlan plan = blast_plan(words, found, kStyle);
-    ScriptEngine script(lmp, words);
-    BlastRun(plan, script, kStyle).go();
+    ScriptEngine script(lmp, kStyle, words);
+    ScriptRock rock(lmp, words.real("sleep_distance"));
+    BlastRun(plan, script, rock, kStyle).go();
     return 0;
   });
 }

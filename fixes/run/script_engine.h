@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// LIGGGHTS as the phases of a blast drive it: by the commands that a user's script would give.
-// Scope: core's BlastEngine; what a phase decides is BlastRun's. Collective.
+// LIGGGHTS as the phases of a run drive it: by the commands that a user's script would give.
+// Scope: core's RunEngine; when a phase ends is decided there. Collective.
 #pragma once
 
 #include <pointers.h>
 
-#include <optional>
 #include <string>
 
 #include "args/parse_args.h"
-#include "run/blast_engine.h"
+#include "run/run_engine.h"
 
 namespace LAMMPS_NS {
 class Fix;
@@ -17,25 +16,13 @@ class Fix;
 
 namespace muckpile {
 
-class BlastEnergies;
-class BlastSurface;
-class EnergyAccount;
-class JointEnergies;
-class JointPressure;
-
-class ScriptEngine : public BlastEngine, protected LAMMPS_NS::Pointers {
+class ScriptEngine : public RunEngine, protected LAMMPS_NS::Pointers {
  public:
-  /// `words` of run_blast. Needs fix muckpile/joint and fix muckpile/blast.
-  ScriptEngine(LAMMPS_NS::LAMMPS* engine, const ArgValues& words);
+  /// `words` of the command, with those of run/run_words.h.
+  ScriptEngine(LAMMPS_NS::LAMMPS* engine, std::string command, const ArgValues& words);
 
   [[nodiscard]] double time() const override;
   [[nodiscard]] double step() const override;
-  [[nodiscard]] double stiffness() const override;
-  [[nodiscard]] double elastic_energy() const override;
-  [[nodiscard]] double kinetic_energy() const override;
-  [[nodiscard]] double blast_work() const override;
-  [[nodiscard]] double wall_pressure() const override;
-  [[nodiscard]] double joint_pressure() const override;
   [[nodiscard]] bool still() const override;
   [[nodiscard]] bool interrupted() const override;
 
@@ -43,29 +30,20 @@ class ScriptEngine : public BlastEngine, protected LAMMPS_NS::Pointers {
   void set_up() override;
   void run(long steps, bool afresh) override;
   void bound_step(const StepRule& rule) override;
-  void soften(double factor, std::optional<double> damping) override;
   void begin_phase(const PhaseNews& news) override;
   void take_snapshots_every(long steps) override;
-  void let_blocks_rest() override;
   void say(const std::string& line) override;
   void warn(const std::string& line) override;
 
  private:
-  void tell(const std::string& command) const;
-  [[nodiscard]] LAMMPS_NS::Fix* find(const std::string& style) const;
-  /// True if it was not there.
-  bool make(const std::string& style, const std::string& id, const std::string& words) const;
+  void tell(const std::string& line) const;
   void write_table() const;
   [[nodiscard]] std::string id_of(const std::string& style) const;
 
+  std::string command_;
   ArgValues words_;
   std::string directory_;
-  const BlastSurface* surface_;
-  const JointEnergies* joints_;
-  const BlastEnergies* blast_;
-  const JointPressure* gas_;          ///< no gas in joints: null
-  EnergyAccount* account_ = nullptr;  ///< known after prepare(), as the next
-  LAMMPS_NS::Fix* progress_ = nullptr;
+  LAMMPS_NS::Fix* progress_ = nullptr;                 ///< known after prepare()
   bool own_snapshots_ = false, own_progress_ = false;  ///< made by prepare()
 };
 

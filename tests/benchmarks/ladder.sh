@@ -3,7 +3,7 @@
 # ladder.sh LIGGGHTS_MUCKPILE MUCKPILE_POST LADDER_REPORT OUT [quick]: run time against error of a bench of half the height, one knob at a time; writes
 # OUT/ladder.csv, OUT/ladder.md, OUT/scatter.md and OUT/cases/ladder.json.
 # Scope: CPU seconds of one rank, so that other work on the machine and runs side by side disturb little. Error: distance from the run that
-# is finest in everything. `quick` makes every second run only, and ends them earlier: a trial of the command, not a result.
+# is finest in everything. `quick` ends the runs earlier: a trial of the command, not a result.
 set -euo pipefail
 program=$(readlink -f "$1") post=$(readlink -f "$2") report=$(readlink -f "$3") out=$(realpath -m "$4") quick=${5-}
 root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")

@@ -27,7 +27,7 @@ std::string short_text(double value) {
 }
 
 std::string name_of(long row, long hole) {
-  return "r" + std::to_string(row + 1) + "h" + std::to_string(hole + 1);
+  return std::string("r").append(std::to_string(row + 1)) + "h" + std::to_string(hole + 1);
 }
 
 double first_y(const HolePattern& p, long row) {

@@ -10,44 +10,22 @@
 #include "args/input_error.h"
 #include "args/numbers.h"
 #include "args/rounded_text.h"
-#include "contact/collision_time.h"
 
 namespace muckpile {
 namespace {
 
-void add_ends(ArgTable& table) {
+void add_phases(ArgTable& table) {
   table
-      .word("directory", {}, {},
-            "where snapshots, history.csv, run.json and restart files go, unless fixes of the "
-            "script say otherwise")
-      .real("time_end", "s", Range::left_open(0.0, 1000.0), 12.0, "the run ends then at the latest")
       .word("wave_end", {}, "auto",
             "earliest end of wave and gas push [s], > 0 and <= 1000; auto: last firing + vent_time "
             "+ 5 vent_decay of fix muckpile/blast, or the end of its last pulse if that is later")
-      .real("still_share", "", Range::right_open(1e-6, 1.0), 0.01,
-            "mass share that may still move when the run ends")
-      .word("throw_name", {}, "throw", "of the last phase, for screen and history.csv")
-      .word("scene", {}, "all", "region, as in fix muckpile/progress")
-      .word("solid", {}, "none", "region, as in fix muckpile/progress")
-      .integer("restart_every", "steps", Range::closed(0, 2147483647), 0,
-               "between restart files, a.restart and b.restart in turn; 0: none");
+      .word("throw_name", {}, "throw", "of the last phase, for screen and history.csv");
 }
 
 void add_steps(ArgTable& table) {
   table
-      .real("block_min", "m", Range::closed(1e-3, 100.0), {},
-            "as in create_blocks, for the step of the throw: with a larger one collisions are "
-            "stepped too coarsely, with a smaller one the run takes longer")
-      .integer("spheres_per_block", "", Range::closed(1, 64), 8,
-               "as in create_blocks, for the same: with fewer the step can be too long")
       .real("wave_share", "", Range::closed(0.01, 1.0), 0.9,
             "longest step, as a share of the longest stable one, until the gas has gone")
-      .real("stable_share", "", Range::closed(0.01, 1.0), 0.8,
-            "the same in the throw; the rest is for contacts that become stiffer between two "
-            "checks")
-      .real("steps_per_contact", "", Range::closed(5.0, 1000.0), 8.0,
-            "least number of steps in a collision of two smallest blocks at the speed of the "
-            "fastest, in the throw")
       .integer("sleep", "", Range::closed(0, 1), 1,
                "1: blocks at rest among blocks at rest are left alone in the throw; 0: none")
       .real("sleep_distance", "m", Range::closed(1e-6, 0.1), 5e-3,
@@ -98,23 +76,6 @@ double share_of_squeezable(double share, double poisson_ratio) {
   return share * (0.05 + 0.95 * squeezable * squeezable);
 }
 
-void plan_throw(const ArgValues& words, const BlastScene& scene, BlastPlan& plan) {
-  const BlockContacts& contacts = scene.contacts;
-  const long spheres = words.integer("spheres_per_block");
-  const SmallBlocks blocks{
-      .edge = words.real("block_min"),
-      .density = scene.rock.density,
-      .spheres = spheres,
-      .effective_modulus = contacts.youngs_modulus /
-                           (2.0 * (1.0 - contacts.poisson_ratio * contacts.poisson_ratio))};
-  plan.collision_step =
-      collision_time_of(blocks, BlastPlan::kCollisionSpeed) / words.real("steps_per_contact");
-  // With 64 spheres a step 0.7 as long as the crowd's was unstable, one 0.6 as long was not; the
-  // crowd's factor leaves 0.43, and the step stays that of kCollisionSpeed.
-  plan.follows_collisions = crowd_factor(spheres) <= 1.0;
-  plan.closed_damping = closed_damping(contacts.restitution);
-}
-
 void check(const BlastPlan& plan, const BlastTiming& timing, const std::string& where) {
   const auto refuse = [&where](const std::string& why) { throw InputError(where + ": " + why); };
   if (std::abs(timing.start) > 1e-9 * plan.time_end)
@@ -135,7 +96,9 @@ void check(const BlastPlan& plan, const BlastTiming& timing, const std::string& 
 
 ArgTable run_blast_table() {
   ArgTable table("run_blast");
-  add_ends(table);
+  add_end_words(table);
+  add_phases(table);
+  add_collision_words(table);
   add_steps(table);
   add_softening(table);
   return table;
@@ -170,7 +133,8 @@ BlastPlan blast_plan(const ArgValues& words, const BlastScene& scene, const std:
   plan.gas_patience = words.real("gas_patience");
   plan.softening = words.real("softening");
   plan.sleep = words.integer("sleep") == 1;
-  plan_throw(words, scene, plan);
+  plan.collision = collision_step(words, rock.density, scene.contacts);
+  plan.closed_damping = closed_damping(scene.contacts.restitution);
   check(plan, scene.timing, where);
   return plan;
 }

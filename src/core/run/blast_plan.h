@@ -7,6 +7,7 @@
 
 #include "args/parse_args.h"
 #include "run/blast_scene.h"
+#include "run/run_words.h"
 
 namespace muckpile {
 
@@ -33,13 +34,10 @@ struct BlastPlan {
   double gas_rest = 0.0;      ///< of the blast's work, added in a twentieth of wave_end [-]
   double gas_patience = 1.0;  ///< times wave_end: then what is left is let go [-]
 
-  double softening = 1.0;          ///< stiffness in the throw over that at the start [-]
-  double closed_damping = 0.0;     ///< of closed joints then [-]
-  double collision_step = 0.0;     ///< that resolves a collision at kCollisionSpeed [s]
-  bool follows_collisions = true;  ///< the step follows the speed of the fastest block
-  bool sleep = true;               ///< blocks at rest are left alone in the throw
-
-  static constexpr double kCollisionSpeed = 20.0;  // m/s
+  double softening = 1.0;       ///< stiffness in the throw over that at the start [-]
+  double closed_damping = 0.0;  ///< of closed joints then [-]
+  CollisionStep collision{};    ///< in the throw
+  bool sleep = true;            ///< blocks at rest are left alone in the throw
 };
 
 /// `where` starts every message. InputError where the plan does not fit the scene.

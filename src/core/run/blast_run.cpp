@@ -8,16 +8,13 @@
 
 #include "args/input_error.h"
 #include "args/rounded_text.h"
+#include "run/run_laps.h"
 
 namespace muckpile {
 namespace {
 
 constexpr double kRounding = 1.000001;  // of a stiffness that was multiplied up from factors
-constexpr long kNever = 1000000;        // steps between snapshots: each run ends with one
-constexpr double kLap = 0.1;            // s, of the throw, from one check of rest to the next
-constexpr int kLapsASetUp = 4;          // the ranks share the blocks anew at every fourth
 constexpr double kStretch = 0.05;       // of wave_end, from one check of the gas to the next
-constexpr double kMostSteps = 1e9;      // of one run: the engine counts them in an int
 
 /// Gas stays in joints whose shear modulus is 100 times its pressure (fix muckpile/gas); a tenth
 /// more is for what the pressure may still rise.
@@ -25,16 +22,12 @@ constexpr double kBearing = 110.0;
 /// A step that grows by less is not worth the change.
 constexpr double kPays = 0.5;
 
-/// The next whole number, but for rounding; what is beyond any run is left to the next one.
-long whole_steps(double steps) {
-  return static_cast<long>(std::min(std::ceil(steps - 1e-6), kMostSteps));
-}
-
 }  // namespace
 
-BlastRun::BlastRun(const BlastPlan& plan, BlastEngine& engine, const std::string& where)
-    : plan_(plan), engine_(engine) {
-  const double left = engine_.stiffness();
+BlastRun::BlastRun(const BlastPlan& plan, RunEngine& engine, BlastedRock& rock,
+                   const std::string& where)
+    : plan_(plan), engine_(engine), rock_(rock) {
+  const double left = rock_.stiffness();
   in_throw_ = left < 1.0 && left < kRounding * plan_.softening;
   if (plan_.softening > kRounding * left) {
     throw InputError(where + ": softening must be <= " + rounded_text(left) +
@@ -47,7 +40,7 @@ BlastRun::Phase BlastRun::go() {
   prepare();
   Phase phase = in_throw_ ? Phase::settling : Phase::wave;
   while (phase != Phase::rest && phase != Phase::interrupted) phase = step_through(phase);
-  if (phase == Phase::rest) tell_of_rest();
+  if (phase == Phase::rest) tell_of_rest(engine_, plan_.still_share);
   return phase;
 }
 
@@ -55,7 +48,7 @@ void BlastRun::prepare() {
   engine_.prepare({in_throw_ ? plan_.throw_name : kFirstName, plan_.wave_end, 200},
                   {.share = plan_.wave_share});
   // What blocks rest is in the restart file, for a fix that is there before the first run.
-  if (in_throw_ && plan_.sleep) engine_.let_blocks_rest();
+  if (in_throw_ && plan_.sleep) rock_.let_blocks_rest();
 }
 
 BlastRun::Phase BlastRun::step_through(Phase phase) {
@@ -79,7 +72,7 @@ BlastRun::Phase BlastRun::step_through(Phase phase) {
 
 /// Stiff joints carry the wave, in steps that resolve the pulse.
 BlastRun::Phase BlastRun::wave() {
-  if (engine_.stiffness() == 1.0)
+  if (rock_.stiffness() == 1.0)
     engine_.bound_step({.share = plan_.wave_share, .longest = plan_.pulse_step});
   engine_.set_up();
   engine_.take_snapshots_every(steps_of(0.1 * plan_.wave_end));
@@ -106,8 +99,8 @@ BlastRun::Phase BlastRun::push() {
 /// locked in the rock.
 bool BlastRun::waves_have_gone() {
   constexpr double kSteady = 0.95, kLocked = 0.1;
-  if (engine_.stiffness() != 1.0) return false;
-  const double elastic = engine_.elastic_energy(), kinetic = engine_.kinetic_energy();
+  if (rock_.stiffness() != 1.0) return false;
+  const double elastic = rock_.elastic_energy(), kinetic = rock_.kinetic_energy();
   const bool settled = elastic > kSteady * elastic_before_ && elastic < kLocked * kinetic;
   const bool first = elastic_before_ == 0.0;
   elastic_before_ = elastic;
@@ -115,10 +108,10 @@ bool BlastRun::waves_have_gone() {
 }
 
 void BlastRun::soften_for_push() {
-  const double gas = std::max(engine_.wall_pressure(), engine_.joint_pressure());  // [Pa]
+  const double gas = std::max(rock_.wall_pressure(), rock_.joint_pressure());  // [Pa]
   const double softer = std::max(plan_.push_softening, kBearing * gas / plan_.shear_modulus);
   if (!(softer < kPays && softer > plan_.softening)) return;
-  engine_.soften(softer, {});
+  rock_.soften(softer, {});
   engine_.bound_step({.share = plan_.wave_share, .longest = 1e30});
   engine_.set_up();
 }
@@ -145,9 +138,9 @@ BlastRun::Phase BlastRun::wait_for_joints() {
   for (;;) {
     const long left = steps_until(plan_.time_end);
     if (left <= 0) return Phase::rest;
-    const double before = engine_.blast_work();  // [J]
+    const double before = rock_.blast_work();  // [J]
     if (!run(std::min(left, steps_of(kStretch * plan_.wave_end)))) return Phase::interrupted;
-    const double work = engine_.blast_work();
+    const double work = rock_.blast_work();
     const double added = work != 0.0 ? std::abs((work - before) / work) : 0.0;
     if (added >= plan_.gas_rest && engine_.time() <= plan_.gas_patience * plan_.wave_end) continue;
     tell_of_joints(added);
@@ -160,12 +153,12 @@ void BlastRun::tell_of_joints(double work_share) {
     engine_.warn("the gas still works; it is let go now. A larger gas_patience waits longer.");
   engine_.say("The first phase ends after " + rounded_text(engine_.time()) +
               " s: the last twentieth of wave_end added " + rounded_text(work_share) +
-              " of its work, and " + rounded_text(engine_.joint_pressure()) +
+              " of its work, and " + rounded_text(rock_.joint_pressure()) +
               " Pa at most are left in a joint.");
 }
 
 BlastRun::Phase BlastRun::wait_for_holes() {
-  while (engine_.wall_pressure() >= plan_.hole_rest &&
+  while (rock_.wall_pressure() >= plan_.hole_rest &&
          engine_.time() <= plan_.gas_patience * plan_.wave_end) {
     const long left = steps_until(plan_.time_end);
     if (left <= 0) return Phase::rest;
@@ -176,7 +169,7 @@ BlastRun::Phase BlastRun::wait_for_holes() {
 }
 
 void BlastRun::tell_of_holes() {
-  const double pressure = engine_.wall_pressure();
+  const double pressure = rock_.wall_pressure();
   engine_.say("The first phase ends after " + rounded_text(engine_.time()) + " s with " +
               rounded_text(pressure) + " Pa at most on a wall.");
   if (pressure > plan_.hole_rest) {
@@ -188,33 +181,21 @@ void BlastRun::tell_of_holes() {
 /// Flight, landing and settling, on soft joints: laps to time_end, or until the rock rests.
 BlastRun::Phase BlastRun::settle() {
   begin_settling();
-  for (int lap = 0;; lap = (lap + 1) % kLapsASetUp) {
-    const long left = steps_until(plan_.time_end);
-    if (left <= 0) return Phase::rest;
-    if (!run(std::min(left, steps_of(kLap)), lap == 0)) return Phase::interrupted;
-    if (engine_.still()) return Phase::rest;
-  }
+  return run_laps(engine_, plan_.time_end, true) == LapsEnd::interrupted ? Phase::interrupted
+                                                                         : Phase::rest;
 }
 
 /// From here on closed joints rebound as sphere contacts do, by their restitution.
 void BlastRun::begin_settling() {
-  if (!in_throw_) engine_.soften(plan_.softening / engine_.stiffness(), plan_.closed_damping);
+  if (!in_throw_) rock_.soften(plan_.softening / rock_.stiffness(), plan_.closed_damping);
   engine_.begin_phase({plan_.throw_name, plan_.time_end, 1000});
-  engine_.bound_step(
-      {.share = plan_.stable_share,
-       .longest = 1e30,
-       .collision = plan_.collision_step,
-       .collision_speed = plan_.follows_collisions ? BlastPlan::kCollisionSpeed : 0.0});
+  engine_.bound_step({.share = plan_.stable_share,
+                      .longest = 1e30,
+                      .collision = plan_.collision.step,
+                      .collision_speed = plan_.collision.speed()});
   engine_.set_up();
-  if (!in_throw_ && plan_.sleep) engine_.let_blocks_rest();
-  engine_.take_snapshots_every(kNever);
-}
-
-void BlastRun::tell_of_rest() {
-  const std::string after = " after " + rounded_text(engine_.time()) + " s of physical time";
-  engine_.say(engine_.still() ? "The rock rests" + after + "."
-                              : "time_end is reached" + after + "; more than still_share " +
-                                    rounded_text(plan_.still_share) + " of the rock still moves.");
+  if (!in_throw_ && plan_.sleep) rock_.let_blocks_rest();
+  engine_.take_snapshots_every(kNoSnapshots);
 }
 
 bool BlastRun::run(long steps, bool afresh) {
@@ -222,13 +203,8 @@ bool BlastRun::run(long steps, bool afresh) {
   return !engine_.interrupted();
 }
 
-/// 0 or less: the time has come, or it has but for rounding.
-long BlastRun::steps_until(double time) const {
-  return whole_steps((time - engine_.time()) / engine_.step());
-}
+long BlastRun::steps_until(double time) const { return muckpile::steps_until(engine_, time); }
 
-long BlastRun::steps_of(double duration) const {
-  return std::max(1L, whole_steps(duration / engine_.step()));
-}
+long BlastRun::steps_of(double duration) const { return muckpile::steps_of(engine_, duration); }
 
 }  // namespace muckpile

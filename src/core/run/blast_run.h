@@ -7,8 +7,9 @@
 
 #include <string>
 
-#include "run/blast_engine.h"
 #include "run/blast_plan.h"
+#include "run/blasted_rock.h"
+#include "run/run_engine.h"
 
 namespace muckpile {
 
@@ -17,7 +18,7 @@ class BlastRun {
   enum class Phase { wave, push, gas_in_joints, gas_in_holes, settling, rest, interrupted };
 
   /// InputError, which begins with `where`: the joints are softer already than the plan has them.
-  BlastRun(const BlastPlan& plan, BlastEngine& engine, const std::string& where);
+  BlastRun(const BlastPlan& plan, RunEngine& engine, BlastedRock& rock, const std::string& where);
 
   /// All phases, from the one that the engine is in. What it returns is rest or interrupted.
   Phase go();
@@ -41,7 +42,6 @@ class BlastRun {
   void soften_for_push();
   void tell_of_joints(double work_share);
   void tell_of_holes();
-  void tell_of_rest();
 
   /// False: the engine has been asked to end.
   bool run(long steps, bool afresh = false);
@@ -49,7 +49,8 @@ class BlastRun {
   [[nodiscard]] long steps_of(double duration) const;
 
   BlastPlan plan_;
-  BlastEngine& engine_;
+  RunEngine& engine_;
+  BlastedRock& rock_;
   double elastic_before_ = 0.0;  // at the last look whether waves have gone [J]
   bool in_throw_;                ///< from the start: a restart file of a throw
 };

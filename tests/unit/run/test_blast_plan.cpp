@@ -83,11 +83,11 @@ TEST(BlastPlan, StepsNearlyIncompressibleRockFiner) {
 TEST(BlastPlan, ResolvesTheCollisionOfTwoSmallestBlocks) {
   // 8.604 ms at 20 m/s (CollisionTime.OfTheSmallestBlocksOfTheBench) in 8 steps.
   const BlastPlan plan = plan_of({"spheres_per_block", "5"});
-  EXPECT_NEAR(plan.collision_step, 8.604e-3 / 8.0, 2e-7);
-  EXPECT_TRUE(plan.follows_collisions);
+  EXPECT_NEAR(plan.collision.step, 8.604e-3 / 8.0, 2e-7);
+  EXPECT_TRUE(plan.collision.follows_fastest);
   const BlastPlan crowded = plan_of({"spheres_per_block", "40"});
-  EXPECT_NEAR(crowded.collision_step, 0.5 * plan.collision_step, 1e-12);
-  EXPECT_FALSE(crowded.follows_collisions);
+  EXPECT_NEAR(crowded.collision.step, 0.5 * plan.collision.step, 1e-12);
+  EXPECT_FALSE(crowded.collision.follows_fastest);
 }
 
 TEST(BlastPlan, DampsClosedJointsAsContactsAre) {

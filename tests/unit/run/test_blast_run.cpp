@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "args/input_error.h"
+#include "fake_engine.h"
 #include "run/blast_run.h"
 
 namespace muckpile {
@@ -17,57 +18,29 @@ namespace {
 
 using Phase = BlastRun::Phase;
 
-/// Steps of one millisecond. `happens` sets the state after each run.
-class FakeEngine : public BlastEngine {
+/// `happens` sets the state of engine and rock after each run.
+class FakeBlast : public test::FakeEngine, public BlastedRock {
  public:
-  double now = 0.0, dt = 1e-3, joints = 1.0;
+  double joints = 1.0;
   double elastic = 1.0, kinetic = 1.0, work = 1.0, on_walls = 0.0, in_joints = 0.0;
-  bool at_rest = false, quit = false;
-  std::function<void(FakeEngine&)> happens = [](FakeEngine&) {};
-  std::vector<std::string> told, lines, warnings;
-  long steps = 0;
+  std::function<void(FakeBlast&)> happens = [](FakeBlast&) {};
 
-  double time() const override { return now; }
-  double step() const override { return dt; }
+  FakeBlast() {
+    after_run = [this] { happens(*this); };
+  }
+
   double stiffness() const override { return joints; }
   double elastic_energy() const override { return elastic; }
   double kinetic_energy() const override { return kinetic; }
   double blast_work() const override { return work; }
   double wall_pressure() const override { return on_walls; }
   double joint_pressure() const override { return in_joints; }
-  bool still() const override { return at_rest; }
-  bool interrupted() const override { return quit; }
 
-  void prepare(const PhaseNews& first, const StepRule&) override {
-    told.push_back("prepare " + first.name);
-  }
-  void set_up() override { told.push_back("set up"); }
-  void run(long count, bool afresh) override {
-    EXPECT_GT(count, 0);
-    told.push_back((afresh ? "run afresh " : "run ") + std::to_string(count));
-    steps += count;
-    now += static_cast<double>(count) * dt;
-    happens(*this);
-  }
-  void bound_step(const StepRule& rule) override {
-    told.push_back(rule.collision ? "step for collisions"
-                                  : (*rule.longest < 1.0 ? "step for pulse" : "step for joints"));
-  }
   void soften(double factor, std::optional<double> damping) override {
     joints *= factor;
     told.push_back(damping ? "soften and damp" : "soften");
   }
-  void begin_phase(const PhaseNews& news) override { told.push_back("phase " + news.name); }
-  void take_snapshots_every(long count) override {
-    told.push_back("snapshots " + std::to_string(count));
-  }
   void let_blocks_rest() override { told.push_back("sleep"); }
-  void say(const std::string& line) override { lines.push_back(line); }
-  void warn(const std::string& line) override { warnings.push_back(line); }
-
-  [[nodiscard]] bool was_told(const std::string& what) const {
-    return std::ranges::find(told, what) != told.end();
-  }
 };
 
 /// Wave until 35 ms, push until 100 ms, throw until 1 s.
@@ -88,13 +61,13 @@ BlastPlan plan() {
   return plan;
 }
 
-Phase go(const BlastPlan& plan, FakeEngine& engine) {
-  return BlastRun(plan, engine, "run_blast").go();
+Phase go(const BlastPlan& plan, FakeBlast& engine) {
+  return BlastRun(plan, engine, engine, "run_blast").go();
 }
 
 TEST(BlastRun, GoesThroughItsPhases) {
-  FakeEngine engine;
-  engine.happens = [](FakeEngine& e) {
+  FakeBlast engine;
+  engine.happens = [](FakeBlast& e) {
     if (e.now > 0.05) e.elastic = 1e-3;  // the waves have gone
     e.at_rest = e.now > 0.25;
   };
@@ -137,9 +110,9 @@ TEST(BlastRun, GoesThroughItsPhases) {
 
 TEST(BlastRun, StressesLockedInTheRockAreNoWaves) {
   for (const double locked : {0.08, 0.12}) {
-    FakeEngine engine;
+    FakeBlast engine;
     double softened_at = 1.0;
-    engine.happens = [&](FakeEngine& e) {
+    engine.happens = [&](FakeBlast& e) {
       e.elastic = locked + 10.0 * std::max(0.0, 0.06 - e.now);
       if (e.joints < 1.0) softened_at = std::min(softened_at, e.now);
       e.at_rest = e.now > 0.25;
@@ -151,17 +124,17 @@ TEST(BlastRun, StressesLockedInTheRockAreNoWaves) {
 }
 
 TEST(BlastRun, WaitsForTheLastChargeBeforeThePush) {
-  FakeEngine engine;
+  FakeBlast engine;
   engine.elastic = 0.0;
   BlastPlan with_delays = plan();
   with_delays.last_firing = 0.06;
-  engine.happens = [](FakeEngine& e) { e.quit = e.joints < 1.0; };
+  engine.happens = [](FakeBlast& e) { e.quit = e.joints < 1.0; };
   EXPECT_EQ(go(with_delays, engine), Phase::interrupted);
   EXPECT_TRUE(engine.was_told("run 74"));  // 60 + 0.35 * 40 ms
 }
 
 TEST(BlastRun, KeepsStiffJointsWhileWavesGo) {
-  FakeEngine engine;
+  FakeBlast engine;
   engine.at_rest = true;
   EXPECT_EQ(go(plan(), engine), Phase::rest);
   EXPECT_FALSE(engine.was_told("soften"));
@@ -169,17 +142,17 @@ TEST(BlastRun, KeepsStiffJointsWhileWavesGo) {
 }
 
 TEST(BlastRun, SoftensForThePushNoFurtherThanTheGasAllows) {
-  FakeEngine engine;
+  FakeBlast engine;
   engine.elastic = 0.0;
   engine.on_walls = 1e7;
   engine.in_joints = 4e7;  // 110 * 4e7 / 22e9 = 0.2
-  engine.happens = [](FakeEngine& e) { e.quit = e.joints < 1.0; };
+  engine.happens = [](FakeBlast& e) { e.quit = e.joints < 1.0; };
   EXPECT_EQ(go(plan(), engine), Phase::interrupted);
   EXPECT_NEAR(engine.joints, 0.2, 1e-12);
 }
 
 TEST(BlastRun, DoesNotSoftenForAPushThatGainsLittle) {
-  FakeEngine engine;
+  FakeBlast engine;
   engine.elastic = 0.0;
   engine.on_walls = 1.1e8;  // 110 * 1.1e8 / 22e9 = 0.55
   engine.at_rest = true;
@@ -188,7 +161,7 @@ TEST(BlastRun, DoesNotSoftenForAPushThatGainsLittle) {
 }
 
 TEST(BlastRun, DoesNotSoftenThePushBelowTheThrow) {
-  FakeEngine engine;
+  FakeBlast engine;
   engine.elastic = 0.0;
   engine.at_rest = true;
   BlastPlan stiff_throw = plan();
@@ -198,10 +171,10 @@ TEST(BlastRun, DoesNotSoftenThePushBelowTheThrow) {
 }
 
 TEST(BlastRun, WaitsUntilGasInJointsHasDoneItsWork) {
-  FakeEngine engine;
+  FakeBlast engine;
   BlastPlan gassy = plan();
   gassy.gas = Gas::in_joints;
-  engine.happens = [](FakeEngine& e) {
+  engine.happens = [](FakeBlast& e) {
     e.work += e.now < 0.15 ? 1.0 : 1e-4;
     e.at_rest = true;
   };
@@ -213,10 +186,10 @@ TEST(BlastRun, WaitsUntilGasInJointsHasDoneItsWork) {
 }
 
 TEST(BlastRun, LetsGasGoThatNeverEnds) {
-  FakeEngine engine;
+  FakeBlast engine;
   BlastPlan gassy = plan();
   gassy.gas = Gas::in_joints;
-  engine.happens = [](FakeEngine& e) {
+  engine.happens = [](FakeBlast& e) {
     e.work *= 1.1;
     e.at_rest = true;
   };
@@ -227,7 +200,7 @@ TEST(BlastRun, LetsGasGoThatNeverEnds) {
 }
 
 TEST(BlastRun, DoesNotWaitForGasThatDoesNoWork) {
-  FakeEngine engine;
+  FakeBlast engine;
   engine.work = 0.0;
   BlastPlan gassy = plan();
   gassy.gas = Gas::in_joints;
@@ -237,11 +210,11 @@ TEST(BlastRun, DoesNotWaitForGasThatDoesNoWork) {
 }
 
 TEST(BlastRun, WaitsUntilHolesAreEmpty) {
-  FakeEngine engine;
+  FakeBlast engine;
   engine.on_walls = 1e6;
   BlastPlan venting = plan();
   venting.gas = Gas::in_holes;
-  engine.happens = [](FakeEngine& e) {
+  engine.happens = [](FakeBlast& e) {
     if (e.now > 0.202) e.on_walls = 2e5;
     e.at_rest = e.joints < 0.1;
   };
@@ -251,7 +224,7 @@ TEST(BlastRun, WaitsUntilHolesAreEmpty) {
 }
 
 TEST(BlastRun, LetsHolesGoThatNeverEmpty) {
-  FakeEngine engine;
+  FakeBlast engine;
   engine.on_walls = 1e6;
   engine.at_rest = true;
   BlastPlan venting = plan();
@@ -263,9 +236,9 @@ TEST(BlastRun, LetsHolesGoThatNeverEmpty) {
 
 TEST(BlastRun, EndsWhereTimeRunsOutWhileGasWorks) {
   for (const Gas gas : {Gas::in_joints, Gas::in_holes}) {
-    FakeEngine engine;
+    FakeBlast engine;
     engine.on_walls = 1e6;
-    engine.happens = [](FakeEngine& e) { e.work *= 1.1; };
+    engine.happens = [](FakeBlast& e) { e.work *= 1.1; };
     BlastPlan gassy = plan();
     gassy.gas = gas;
     gassy.time_end = 0.12;
@@ -278,14 +251,14 @@ TEST(BlastRun, EndsWhereTimeRunsOutWhileGasWorks) {
 }
 
 TEST(BlastRun, EndsWhereTimeRunsOutInTheThrow) {
-  FakeEngine engine;
+  FakeBlast engine;
   EXPECT_EQ(go(plan(), engine), Phase::rest);
   EXPECT_NEAR(engine.now, 1.0, 1e-9);
   EXPECT_EQ(engine.lines.back().substr(0, 25), "time_end is reached after");
 }
 
 TEST(BlastRun, SetsUpEveryFourthLap) {
-  FakeEngine engine;
+  FakeBlast engine;
   EXPECT_EQ(go(plan(), engine), Phase::rest);
   const std::vector<std::string> laps(engine.told.end() - 9, engine.told.end());
   const std::vector<std::string> expected{"run afresh 100", "run 100",        "run 100",
@@ -295,7 +268,7 @@ TEST(BlastRun, SetsUpEveryFourthLap) {
 }
 
 TEST(BlastRun, GoesOnInTheMiddleOfTheThrow) {
-  FakeEngine engine;
+  FakeBlast engine;
   engine.now = 0.95;
   engine.joints = 2e-4;
   EXPECT_EQ(go(plan(), engine), Phase::rest);
@@ -307,11 +280,11 @@ TEST(BlastRun, GoesOnInTheMiddleOfTheThrow) {
 }
 
 TEST(BlastRun, GoesOnInTheMiddleOfThePush) {
-  FakeEngine engine;
+  FakeBlast engine;
   engine.now = 0.08;
   engine.joints = 0.1;
   engine.elastic = 0.0;
-  engine.happens = [](FakeEngine& e) { e.quit = e.now > 0.085; };
+  engine.happens = [](FakeBlast& e) { e.quit = e.now > 0.085; };
   EXPECT_EQ(go(plan(), engine), Phase::interrupted);
   const std::vector<std::string> expected{"prepare wave_and_gas", "set up", "snapshots 10", "run 5",
                                           "run 5"};
@@ -319,7 +292,7 @@ TEST(BlastRun, GoesOnInTheMiddleOfThePush) {
 }
 
 TEST(BlastRun, GoesOnWhileGasIsWaitedFor) {
-  FakeEngine engine;
+  FakeBlast engine;
   engine.now = 0.2;
   engine.joints = 0.1;
   engine.at_rest = true;
@@ -331,12 +304,12 @@ TEST(BlastRun, GoesOnWhileGasIsWaitedFor) {
 
 TEST(BlastRun, TakesNoStepAfterASignal) {
   for (const double at : {0.01, 0.05, 0.11, 0.3}) {  // wave, push, gas, throw
-    FakeEngine engine;
+    FakeBlast engine;
     engine.on_walls = 1e6;
     BlastPlan venting = plan();
     venting.gas = Gas::in_holes;
     long runs_after = 0;
-    engine.happens = [&](FakeEngine& e) {
+    engine.happens = [&](FakeBlast& e) {
       if (e.quit) ++runs_after;
       e.quit = e.now >= at;
       if (e.now > 0.2) e.on_walls = 0.0;
@@ -349,7 +322,7 @@ TEST(BlastRun, TakesNoStepAfterASignal) {
 }
 
 TEST(BlastRun, LeavesBlocksAwakeWhereNoneMaySleep) {
-  FakeEngine engine;
+  FakeBlast engine;
   engine.at_rest = true;
   BlastPlan sleepless = plan();
   sleepless.sleep = false;
@@ -358,7 +331,7 @@ TEST(BlastRun, LeavesBlocksAwakeWhereNoneMaySleep) {
 }
 
 TEST(BlastRun, RefusesJointsThatAreSofterAlready) {
-  FakeEngine engine;
+  FakeBlast engine;
   engine.joints = 1e-4;
   try {
     (void)go(plan(), engine);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the phases of a blast ask of the engine that computes them, and tell it.
+// What the phases of a run ask of the engine that takes the steps, and tell it.
 // Scope: an interface only; fixes/run implements it on LIGGGHTS, tests on a fake. With several
 // ranks every call is made by all of them and answered alike.
 #pragma once
@@ -24,20 +24,13 @@ struct StepRule {
   double collision_speed = 0.0;       ///< of it [m/s]: follows the fastest block; 0: fixed
 };
 
-class BlastEngine {
+class RunEngine {
  public:
-  virtual ~BlastEngine() = default;
+  virtual ~RunEngine() = default;
 
   [[nodiscard]] virtual double time() const = 0;  ///< [s]
   [[nodiscard]] virtual double step() const = 0;  ///< present time step [s]
-  /// Stiffness of the joints over that at the start [-]; 1 until they are softened.
-  [[nodiscard]] virtual double stiffness() const = 0;
-  [[nodiscard]] virtual double elastic_energy() const = 0;  ///< of the joints [J]
-  [[nodiscard]] virtual double kinetic_energy() const = 0;  ///< [J]
-  [[nodiscard]] virtual double blast_work() const = 0;      ///< done on the rock so far [J]
-  [[nodiscard]] virtual double wall_pressure() const = 0;   ///< greatest on a hole's wall [Pa]
-  [[nodiscard]] virtual double joint_pressure() const = 0;  ///< of gas in any joint, or 0 [Pa]
-  [[nodiscard]] virtual bool still() const = 0;             ///< the rock has come to rest
+  [[nodiscard]] virtual bool still() const = 0;   ///< the rock has come to rest
   /// A signal has asked the engine to end: no further step is taken.
   [[nodiscard]] virtual bool interrupted() const = 0;
 
@@ -48,12 +41,8 @@ class BlastEngine {
   /// `afresh`: with a set-up, at which the ranks share the blocks anew.
   virtual void run(long steps, bool afresh) = 0;
   virtual void bound_step(const StepRule& rule) = 0;
-  /// Multiplies the stiffness of the joints; `damping` of closed ones as a share of the softer
-  /// rock's impedance [-].
-  virtual void soften(double factor, std::optional<double> damping) = 0;
   virtual void begin_phase(const PhaseNews& news) = 0;
   virtual void take_snapshots_every(long steps) = 0;
-  virtual void let_blocks_rest() = 0;  ///< blocks at rest are left alone from now on
   virtual void say(const std::string& line) = 0;
   virtual void warn(const std::string& line) = 0;
 };

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Steps of a run: to a time, or in laps until the rock is still.
+// Scope: see the header.
+#include "run/run_laps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "args/rounded_text.h"
+
+namespace muckpile {
+namespace {
+
+constexpr double kLap = 0.1;        // s, from one check of rest to the next
+constexpr int kLapsASetUp = 4;      // the ranks share the blocks anew at every fourth
+constexpr double kMostSteps = 1e9;  // of one run: the engine counts them in an int
+
+/// The next whole number, but for rounding; what is beyond any run is left to the next one.
+long whole_steps(double steps) {
+  return static_cast<long>(std::min(std::ceil(steps - 1e-6), kMostSteps));
+}
+
+}  // namespace
+
+long steps_until(const RunEngine& engine, double time) {
+  return whole_steps((time - engine.time()) / engine.step());
+}
+
+long steps_of(const RunEngine& engine, double duration) {
+  return std::max(1L, whole_steps(duration / engine.step()));
+}
+
+LapsEnd run_laps(RunEngine& engine, double end, bool to_rest) {
+  for (int lap = 0;; lap = (lap + 1) % kLapsASetUp) {
+    const long left = steps_until(engine, end);
+    if (left <= 0) return LapsEnd::time;
+    engine.run(std::min(left, steps_of(engine, kLap)), lap == 0);
+    if (engine.interrupted()) return LapsEnd::interrupted;
+    if (to_rest && engine.still()) return LapsEnd::still;
+  }
+}
+
+void tell_of_rest(RunEngine& engine, double still_share) {
+  const std::string after = " after " + rounded_text(engine.time()) + " s of physical time";
+  engine.say(engine.still() ? "The rock rests" + after + "."
+                            : "time_end is reached" + after + "; more than still_share " +
+                                  rounded_text(still_share) + " of the rock still moves.");
+}
+
+}  // namespace muckpile
