@@ -3,6 +3,7 @@
 // Scope: normal incidence, unbroken, undamped; exact results of the continuum.
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 #include "bond/law/joint_material.h"
 #include "framework/cases.h"
@@ -13,12 +14,13 @@
 namespace muckpile::verification {
 namespace {
 
-constexpr double kTolerance = 0.01;    // of the issue: 1 %
-constexpr double kDeviations = 4.0;    // half length of a pulse over the deviation of its envelope
-constexpr double kEnvelope = 0.7;      // deviation of the envelope over the wavelength
-constexpr double kAmplitude = 1e-6;    // of displacement [m]
-constexpr double kStepShare = 0.5;     // of the stable step
-constexpr double kPerWavelength = 20;  // blocks, in the slower rock
+constexpr double kTolerance = 0.01;  // of the issue: 1 %
+constexpr double kDeviations = 4.0;  // half length of a pulse over the deviation of its envelope
+constexpr double kEnvelope = 0.7;    // deviation of the envelope over the wavelength
+constexpr double kAmplitude = 1e-6;  // of displacement [m]
+constexpr double kStepShare = 0.5;   // of the stable step
+constexpr double kAway = 6.0, kReach = 2.0;  // of the stations from the plane [m]
+constexpr double kPerWavelength = 20;        // blocks, in the slower rock
 
 /// Softer and lighter than the rock of the other cases.
 JointParameters soft_rock() {
@@ -64,7 +66,6 @@ struct Passage {
 
 Passage pass(const Column& column, const Pair& rocks, bool two, WaveSpeed speed, double wavelength,
              double dt) {
-  constexpr double kAway = 6.0, kReach = 2.0;  // of the stations [m]
   test::Zones zones{{rocks.into}, {}};
   for (const Block& block : column.sample.blocks)
     zones.of.push_back(two && block.mass.centroid.x() > column.plane ? 1 : 0);
@@ -87,6 +88,18 @@ Passage pass(const Column& column, const Pair& rocks, bool two, WaveSpeed speed,
   return {before.velocity(), behind.velocity(), dt};
 }
 
+/// What a station at x sees of a wave, whose phases differ over its blocks.
+double seen(const Column& column, double x, double wave_number) {
+  std::complex<double> sum = 0.0;
+  double volume = 0.0;
+  for (const Block& block : column.sample.blocks) {
+    if (std::abs(block.mass.centroid.x() - x) > kReach) continue;
+    sum += block.mass.volume * std::polar(1.0, wave_number * block.mass.centroid.x());
+    volume += block.mass.volume;
+  }
+  return std::abs(sum) / volume;
+}
+
 void measure_boundary(Report& report, bool voronoi, const Pair& rocks, Polarisation kind) {
   const WaveSpeed speed{kind};
   const double from = speed.of(rocks.from), into = speed.of(rocks.into);
@@ -97,17 +110,19 @@ void measure_boundary(Report& report, bool voronoi, const Pair& rocks, Polarisat
   const Passage without = pass(where, rocks, false, speed, wavelength, with.dt);
   std::vector<double> returned = with.before;
   for (std::size_t n = 0; n < returned.size(); ++n) returned[n] -= without.before[n];
-  const auto size = [&](const std::vector<double>& v) {
-    return std::abs(spectrum(v, with.dt, omega)) /
-           std::abs(spectrum(without.before, with.dt, omega));
+  const auto size = [&](const std::vector<double>& v, double x, double wave_speed) {
+    return std::abs(spectrum(v, with.dt, omega)) / seen(where, x, omega / wave_speed);
   };
+  const double before = where.plane - kAway, behind = where.plane + kAway;
+  const double incident = size(without.before, before, from);
   const double z1 = speed.impedance(rocks.from), z2 = speed.impedance(rocks.into);
   const std::string name = std::string(voronoi ? "Voronoi" : "cuboids") + ", " + rocks.name + ", " +
                            (kind == Polarisation::p ? "P" : "S");
   report.relative({name, "transmitted over incident velocity", "", "2 Z1/(Z1 + Z2)"},
-                  size(with.behind), 2.0 * z1 / (z1 + z2), kTolerance);
+                  size(with.behind, behind, into) / incident, 2.0 * z1 / (z1 + z2), kTolerance);
   report.difference({name, "reflected over incident velocity", "", "|Z1 - Z2|/(Z1 + Z2)"},
-                    size(returned), std::abs(z1 - z2) / (z1 + z2), kTolerance);
+                    size(returned, before, from) / incident, std::abs(z1 - z2) / (z1 + z2),
+                    kTolerance);
 }
 
 void transmission(Report& report, bool voronoi) {
@@ -122,20 +137,20 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 /// Stress per strain of a box that its reflections continue, components xx yy zz yz xz xy.
 Matrix6 stiffness(const RockSample& sample, const test::Zones& zones) {
   constexpr int kRow[6] = {0, 1, 2, 1, 0, 0}, kColumn[6] = {0, 1, 2, 2, 2, 1};
-  constexpr double kStrain = 1e-5, kResidual = 1e-8;
+  constexpr double kProbe = 1e-5, kResidual = 1e-8;  // strain, of the equilibrium
   Matrix6 c;
   for (int n = 0; n < 6; ++n) {
     Mat3 strain = Mat3::Zero();
-    strain(kRow[n], kColumn[n]) += 0.5 * kStrain;
-    strain(kColumn[n], kRow[n]) += 0.5 * kStrain;
+    strain(kRow[n], kColumn[n]) += 0.5 * kProbe;
+    strain(kColumn[n], kRow[n]) += 0.5 * kProbe;
     Vec3 parity = Vec3::Ones();
     if (n >= 3) parity[kRow[n]] = parity[kColumn[n]] = -1.0;
     BlockRun run(sample.blocks, {rock(0.25)}, walls_with(parity, sample.box), {}, sample.leaning,
                  {}, zones);
     run.set_average_strain(strain);
-    settle(run, kStrain, kResidual);
+    settle(run, kProbe, kResidual);
     const Mat3 stress = run.average_stress();
-    for (int m = 0; m < 6; ++m) c(m, n) = stress(kRow[m], kColumn[m]) / kStrain;
+    for (int m = 0; m < 6; ++m) c(m, n) = stress(kRow[m], kColumn[m]) / kProbe;
   }
   return c;
 }
@@ -161,6 +176,11 @@ void measure_layers(Report& report, const std::string& name, const RockSample& s
   row("lambda + 2G across the layers: harmonic mean", c(2, 2), across);
   row("G across the layers: harmonic mean", c(4, 4),
       1.0 / mean([](Rock r) { return 1.0 / r.shear_modulus(); }));
+  if (tolerance < kTolerance)
+    report.known_shortfall(
+        "blocks beside the boundary cannot turn apart: their facets resist bending, as shear "
+        "across rigid blocks of two rocks "
+        "would have it; the error falls with the blocks per layer");
   row("G in their planes: arithmetic mean", c(5, 5),
       mean([](Rock r) { return r.shear_modulus(); }));
   row("stiffness along the layers, c11", c(0, 0), along + coupled * coupled * across);
