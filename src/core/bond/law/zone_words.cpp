@@ -22,7 +22,7 @@ std::vector<std::string> take(const ArgTable& zone, const ArgTable& style,
     const bool known = zone.find(words[at]) != nullptr;
     if (!known && style.find(words[at]) != nullptr) break;
     mine.push_back(words[at++]);
-    if (known && at < words.size()) mine.push_back(words[at++]);
+    if (at < words.size()) mine.push_back(words[at++]);
     if (!known) break;
   }
   return mine;
