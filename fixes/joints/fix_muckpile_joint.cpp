@@ -101,12 +101,8 @@ void FixMuckpileJoint::check_classes() const {
     engine::stop(*lmp, engine::name_of(*this) + ": create_blocks has natural joints of class " +
                            std::to_string(most) + ", but joint_class is given " +
                            std::to_string(given) + " time(s)");
-  for (std::size_t k = 0; k < store_->zones().size(); ++k) {
-    if (k < zones_.size() && zones_[k] == store_->zones()[k]) continue;
-    engine::stop(*lmp, engine::name_of(*this) + ": create_blocks has a zone '" +
-                           store_->zones()[k] + "', so 'zone " + store_->zones()[k] +
-                           " keyword value ...' must be given");
-  }
+  if (zones_ != store_->zones())
+    engine::stop(*lmp, engine::name_of(*this) + ": must be given after all zones of create_blocks");
 }
 
 FacetLists FixMuckpileJoint::copy() const {
