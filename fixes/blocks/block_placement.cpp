@@ -66,11 +66,12 @@ FacesOfBlocks faces_of_blocks(const RockModel& model, int first_tag) {
 
 }  // namespace
 
-BlockPlacement::BlockPlacement(LAMMPS_NS::LAMMPS* engine, int type, double density)
+BlockPlacement::BlockPlacement(LAMMPS_NS::LAMMPS* engine, int type, const CutOptions& options)
     : Pointers(engine),
       multisphere_(engine::find_multisphere(*engine)),
       type_(type),
-      density_(density) {
+      densities_(options.densities()) {
+  for (const RockZone& zone : options.zones) zones_.push_back(zone.name);
   first_tag_ = multisphere_->tag_max_body() + 1;
   int mine = 0;
   for (int i = 0; i < atom->nlocal; ++i) mine = std::max(mine, static_cast<int>(atom->tag[i]));
@@ -110,7 +111,8 @@ std::vector<ByteWriter> BlockPlacement::hand_out(const RockModel& model) const {
   int atom_tag = first_atom_tag_;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const RigidBody& body = model.bodies[b];
-    PlacedBlock placed{first_tag_ + static_cast<int>(b), atom_tag, body, of.faces[b], {}};
+    const std::uint8_t zone = model.zone_of.empty() ? std::uint8_t{0} : model.zone_of[b];
+    PlacedBlock placed{first_tag_ + static_cast<int>(b), atom_tag, zone, body, of.faces[b], {}};
     for (const Facet* facet : of.facets[b]) placed.facets.push_back(*facet);
     outgoing[boxes.owner(body.centre)].put(placed);
     atom_tag += static_cast<int>(body.spheres.size());
@@ -125,8 +127,9 @@ void BlockPlacement::create(std::vector<ByteWriter>& outgoing, const std::vector
   std::vector<BoundaryFace> faces;
   const auto create_one = [&](const PlacedBlock& placed) {
     const RigidBody& body = placed.body;
-    create_body(body, placed.tag, placed.first_atom_tag);
-    records.push_back({placed.tag, body.volume, body.mass, body.centre, body.axes, {}});
+    create_body(placed);
+    records.push_back(
+        {placed.tag, body.volume, body.mass, body.centre, body.axes, {}, placed.zone});
     faces.insert(faces.end(), placed.faces.begin(), placed.faces.end());
     facets.insert(facets.end(), placed.facets.begin(), placed.facets.end());
   };
@@ -137,7 +140,14 @@ void BlockPlacement::create(std::vector<ByteWriter>& outgoing, const std::vector
   });
   count_atoms();
   multisphere_->add_body_finalize();
-  FixMuckpileBlocks::find_or_make(*lmp).add(records, facets, faces, holes, blocks);
+  FixMuckpileBlocks& store = FixMuckpileBlocks::find_or_make(*lmp);
+  const std::vector<std::uint8_t> numbers = store.zone_numbers(zones_);
+  for (BlockRecord& record : records) record.zone = numbers[record.zone];
+  for (Facet& facet : facets) {
+    facet.zone_i = numbers[facet.zone_i];
+    facet.zone_j = numbers[facet.zone_j];
+  }
+  store.add(records, facets, faces, holes, blocks);
 }
 
 void BlockPlacement::count_atoms() {
@@ -150,27 +160,29 @@ void BlockPlacement::count_atoms() {
 }
 
 /// `displace`: of each sphere from the centre, in the body's axes [m].
-void BlockPlacement::create_spheres(const RigidBody& body, const std::vector<double*>& displace,
-                                    int tag, int first_atom_tag) {
+void BlockPlacement::create_spheres(const PlacedBlock& placed,
+                                    const std::vector<double*>& displace) {
+  const RigidBody& body = placed.body;
   const auto count = static_cast<double>(body.spheres.size());
   for (std::size_t k = 0; k < body.spheres.size(); ++k) {
     const Sphere& sphere = body.spheres[k];
     Vec3 at = sphere.centre;
     atom->avec->create_atom(type_, at.data());
     const int m = atom->nlocal - 1;
-    atom->tag[m] = first_atom_tag + static_cast<int>(k);
+    atom->tag[m] = placed.first_atom_tag + static_cast<int>(k);
     atom->mask[m] = 1;
     atom->radius[m] = sphere.radius;
-    atom->density[m] = density_;
+    atom->density[m] = density_of(placed);
     atom->rmass[m] = body.mass;
     for (int f = 0; f < modify->nfix; ++f) {
       if (modify->fix[f]->create_attribute != 0) modify->fix[f]->set_arrays(m);
     }
-    multisphere_->set_body_displace(m, displace[k], tag, 1.0 / count);
+    multisphere_->set_body_displace(m, displace[k], placed.tag, 1.0 / count);
   }
 }
 
-void BlockPlacement::create_body(const RigidBody& body, int tag, int first_atom_tag) {
+void BlockPlacement::create_body(const PlacedBlock& placed) {
+  const RigidBody& body = placed.body;
   double reach = 0.0;
   std::vector<Vec3> displace;
   std::vector<double*> rows;
@@ -180,17 +192,17 @@ void BlockPlacement::create_body(const RigidBody& body, int tag, int first_atom_
     rows.push_back(displace.back().data());
     reach = std::max(reach, displace.back().norm() + sphere.radius);
   }
-  create_spheres(body, rows, tag, first_atom_tag);
+  create_spheres(placed, rows);
   Vec3 centre = body.centre, zero = Vec3::Zero(), inertia = body.inertia;
   Mat3 axes = body.axes;
   std::array<bool, 3> free{true, true, true};
   multisphere_->data().add_body(static_cast<int>(rows.size()), centre.data(), zero.data(), reach,
-                                zero.data(), zero.data(), body.mass, density_, type_, 1,
+                                zero.data(), zero.data(), body.mass, density_of(placed), type_, 1,
                                 inertia.data(), axes.col(0).data(), axes.col(1).data(),
                                 axes.col(2).data(), rows.data(), free.data(), free.data());
   auto* ids = multisphere_->data().prop().getElementProperty<LAMMPS_NS::ScalarContainer<int>>(
       "id_multisphere");
-  ids->set(multisphere_->n_body() - 1, tag);
+  ids->set(multisphere_->n_body() - 1, placed.tag);
 }
 
 }  // namespace muckpile

@@ -6,6 +6,7 @@
 
 #include <pointers.h>
 
+#include <string>
 #include <vector>
 
 #include "rock/rock_model.h"
@@ -19,6 +20,7 @@ namespace muckpile {
 /// What the rank that gets a block needs to make it.
 struct PlacedBlock {
   int tag = 0, first_atom_tag = 0;
+  std::uint8_t zone = 0;  ///< of rock, as the command numbers them
   RigidBody body;
   std::vector<BoundaryFace> faces;
   std::vector<Facet> facets;
@@ -26,16 +28,17 @@ struct PlacedBlock {
 template <>
 struct Stored<PlacedBlock> {
   static constexpr std::string_view kName = "placed_block";
-  static constexpr int kVersion = 1;
+  static constexpr int kVersion = 2;
   static auto fields(auto& block) {
-    return std::tie(block.tag, block.first_atom_tag, block.body, block.faces, block.facets);
+    return std::tie(block.tag, block.first_atom_tag, block.zone, block.body, block.faces,
+                    block.facets);
   }
 };
 
 class BlockPlacement : protected LAMMPS_NS::Pointers {
  public:
-  /// Spheres get this atom type and density [kg/m3].
-  BlockPlacement(LAMMPS_NS::LAMMPS* engine, int type, double density);
+  /// Spheres get this atom type; of the options densities and zones count.
+  BlockPlacement(LAMMPS_NS::LAMMPS* engine, int type, const CutOptions& options);
 
   /// Tag of the first new block.
   [[nodiscard]] int first_tag() const { return first_tag_; }
@@ -46,14 +49,17 @@ class BlockPlacement : protected LAMMPS_NS::Pointers {
   void settle_new_fixes();
   [[nodiscard]] std::vector<ByteWriter> hand_out(const RockModel& model) const;
   void create(std::vector<ByteWriter>& outgoing, const std::vector<Hole>& holes, int blocks);
-  void create_body(const RigidBody& body, int tag, int first_atom_tag);
-  void create_spheres(const RigidBody& body, const std::vector<double*>& displace, int tag,
-                      int first_atom_tag);
+  void create_body(const PlacedBlock& placed);
+  void create_spheres(const PlacedBlock& placed, const std::vector<double*>& displace);
+  [[nodiscard]] double density_of(const PlacedBlock& placed) const {
+    return densities_[placed.zone];
+  }
   void count_atoms();
 
   LAMMPS_NS::FixMultisphere* multisphere_;
   int type_;
-  double density_;
+  std::vector<double> densities_;   // of the rock, then of the zones [kg/m3]
+  std::vector<std::string> zones_;  // their names
   int first_tag_ = 1;
   int first_atom_tag_ = 1;
 };

@@ -83,10 +83,13 @@ void CreateBlocks::command(int narg, char** arg) {
     options = cut_options(args, installed_memory());
     bound(options.rock, rock);
     lay_natural_joint_sets(options);
+    find_zone_regions(options.zones);
+    lay_zones(options);
     supports = support(args);
     return 0;
   });
-  BlockPlacement placement(lmp, type, options.density);
+  const std::vector<double> densities = options.densities();
+  BlockPlacement placement(lmp, type, options);
   if (comm->nprocs > 1 && options.is_plain_voronoi()) share_sweeps_of_rank_0(options.rock);
   RockModel model;
   on_rank_0(*lmp, [&] { model = cut_rock(options, placement.first_tag(), supports); });
@@ -94,7 +97,7 @@ void CreateBlocks::command(int narg, char** arg) {
   on_rank_0(*lmp, [&] {
     const std::string& file = args.word("file");
     if (file != "none")
-      write_blocks(file, model.rock.blocks, placement.first_tag(), options.density, run);
+      write_blocks(file, model.rock.blocks, placement.first_tag(), densities, model.zone_of, run);
   });
   placement.place(model, options.rock.holes);
   FixMuckpileBlocks::find(*lmp)->record().begin(run);
@@ -171,6 +174,15 @@ void CreateBlocks::bound(TessellationOptions& what, LAMMPS_NS::Region& rock) con
     throw InputError(name + " must lie inside the simulation box");
   const bool is_box = std::strcmp(rock.style, "block") == 0 && rock.interior != 0;
   if (!is_box) what.region = query(rock);
+}
+
+void CreateBlocks::find_zone_regions(std::vector<RockZone>& zones) const {
+  for (RockZone& zone : zones) {
+    if (zone.region.empty()) continue;
+    zone.holds = [where = &region(zone.region)](const Vec3& at) {
+      return where->match(at.x(), at.y(), at.z()) != 0;
+    };
+  }
 }
 
 SupportRule CreateBlocks::support(const ArgValues& args) const {

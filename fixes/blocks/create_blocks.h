@@ -32,6 +32,7 @@ class CreateBlocks : protected LAMMPS_NS::Pointers {
   [[nodiscard]] LAMMPS_NS::Region& region(const std::string& id) const;
   void check_overlap(LAMMPS_NS::Region& rock) const;
   void bound(TessellationOptions& what, LAMMPS_NS::Region& rock) const;
+  void find_zone_regions(std::vector<RockZone>& zones) const;
   [[nodiscard]] SupportRule support(const ArgValues& args) const;
   void share_sweeps_of_rank_0(TessellationOptions& what) const;
 };

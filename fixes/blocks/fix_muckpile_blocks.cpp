@@ -77,6 +77,16 @@ void FixMuckpileBlocks::add(const std::vector<BlockRecord>& records,
   synchronise();
 }
 
+std::vector<std::uint8_t> FixMuckpileBlocks::zone_numbers(const std::vector<std::string>& names) {
+  std::vector<std::uint8_t> numbers{0};
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find(zones_, name);
+    numbers.push_back(static_cast<std::uint8_t>(1 + (found - zones_.begin())));
+    if (found == zones_.end()) zones_.push_back(name);
+  }
+  return numbers;
+}
+
 std::vector<int> FixMuckpileBlocks::body_tags() {
   const engine::Bodies bodies(*multisphere_);
   std::vector<int> tags(static_cast<std::size_t>(bodies.count()));

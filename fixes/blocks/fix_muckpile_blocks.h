@@ -60,16 +60,17 @@ struct BlocksState {
   double time = 0.0;  ///< of the engine, which does not keep it [s]
   int highest_joint_class = 0;
   std::vector<Hole> holes;
+  std::vector<std::string> zones;
   int blocks_created = 0, facets_created = 0;
   RecordedRun run;
 };
 template <>
 struct Stored<BlocksState> {
   static constexpr std::string_view kName = "blocks_state";
-  static constexpr int kVersion = 1;
+  static constexpr int kVersion = 2;
   static auto fields(auto& state) {
-    return std::tie(state.time, state.highest_joint_class, state.holes, state.blocks_created,
-                    state.facets_created, state.run);
+    return std::tie(state.time, state.highest_joint_class, state.holes, state.zones,
+                    state.blocks_created, state.facets_created, state.run);
   }
 };
 
@@ -111,6 +112,9 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix,
   [[nodiscard]] FacetLists hand_over() override;
   [[nodiscard]] std::uint64_t version() const override { return version_; }
   [[nodiscard]] int highest_joint_class() const override { return highest_joint_class_; }
+  [[nodiscard]] const std::vector<std::string>& zones() const override { return zones_; }
+  /// Numbers of the rock beside the zones (0) and of these zones; new names get the next ones.
+  [[nodiscard]] std::vector<std::uint8_t> zone_numbers(const std::vector<std::string>& names);
   [[nodiscard]] const std::vector<int>& copy_tags() const override { return copy_tags_; }
   [[nodiscard]] engine::BlockHalo& halo() override { return halo_; }
   [[nodiscard]] bool restored() const override { return restored_; }
@@ -152,6 +156,7 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix,
   std::uint64_t version_ = 0;
   bool handed_over_ = false, restored_ = false, contact_warned_ = false;
   double given_ = 0.0;  // [J]
+  std::vector<std::string> zones_;
   int blocks_created_ = 0, lost_before_ = 0, facets_created_ = 0, highest_joint_class_ = 0;
 };
 

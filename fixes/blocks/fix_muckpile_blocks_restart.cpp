@@ -46,9 +46,13 @@ ByteWriter in_shares(const std::vector<BlockRecord>& records, FacetLists lists) 
 void FixMuckpileBlocks::write_restart(FILE* file) {
   FacetLists lists = handed_over_ ? keeper_->copy() : FacetLists{facets_, memory_, faces_};
   update->update_time();  // from here on both runs count from the same moment
-  const BlocksState state{update->atime,   engine::greatest_over_ranks(highest_joint_class_, world),
-                          holes_,          blocks_created_,
-                          facets_created_, record_.recorded(*lmp)};
+  const BlocksState state{update->atime,
+                          engine::greatest_over_ranks(highest_joint_class_, world),
+                          holes_,
+                          zones_,
+                          blocks_created_,
+                          facets_created_,
+                          record_.recorded(*lmp)};
   engine::write_state<BlocksShare>(*lmp, style, file, state, in_shares(records_, std::move(lists)));
 }
 
@@ -74,6 +78,7 @@ void FixMuckpileBlocks::restart(char* bytes) {
   update->atimestep = update->ntimestep;
   highest_joint_class_ = state.highest_joint_class;
   holes_ = std::move(state.holes);
+  zones_ = std::move(state.zones);
   blocks_created_ = state.blocks_created;
   facets_created_ = state.facets_created;
   record_.go_on_from(std::move(state.run));

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "bond/facet.h"
@@ -52,6 +53,8 @@ class FacetStore {
   [[nodiscard]] virtual int facets_created() const = 0;
   /// Highest joint class of a facet of this rank so far.
   [[nodiscard]] virtual int highest_joint_class() const = 0;
+  /// Names of the zones of rock, from 1 on, the same on every rank.
+  [[nodiscard]] virtual const std::vector<std::string>& zones() const = 0;
   /// Tags of the copies of other ranks' blocks, in halo order after the owned ones.
   [[nodiscard]] virtual const std::vector<int>& copy_tags() const = 0;
   [[nodiscard]] virtual engine::BlockHalo& halo() = 0;

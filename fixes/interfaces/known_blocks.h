@@ -22,14 +22,15 @@ struct BlockRecord {
   Mat3 start_axes =
       Mat3::Identity();  ///< principal axes of inertia in the start configuration, columns
   RetiredFacets retired{};
+  std::uint8_t zone = 0;  ///< of rock: 0 or, from 1 on, a place in FacetStore::zones()
 };
 template <>
 struct Stored<BlockRecord> {
   static constexpr std::string_view kName = "block_record";
-  static constexpr int kVersion = 1;
+  static constexpr int kVersion = 2;
   static auto fields(auto& record) {
     return std::tie(record.tag, record.volume, record.mass, record.start, record.start_axes,
-                    record.retired);
+                    record.retired, record.zone);
   }
 };
 

@@ -38,6 +38,7 @@ FixMuckpileJoint::FixMuckpileJoint(LAMMPS_NS::LAMMPS* engine, int narg, char** a
                                    JointArguments arguments)
     : Fix(engine, narg, arg),
       network_(std::move(arguments.network)),
+      zones_(std::move(arguments.zones)),
       step_check_(arguments.step_check, engine::name_of_fix(arg)),
       contact_check_(arguments.contact_check) {
   engine::refuse_second_fix(*lmp, engine::name_of_fix(arg), "muckpile/joint");
@@ -96,10 +97,12 @@ void FixMuckpileJoint::init() {
 void FixMuckpileJoint::check_classes() const {
   const int most = engine::greatest_over_ranks(store_->highest_joint_class(), world);
   const auto given = static_cast<int>(network_.natural_classes());
-  if (most <= given) return;
-  engine::stop(*lmp, engine::name_of(*this) + ": create_blocks has natural joints of class " +
-                         std::to_string(most) + ", but joint_class is given " +
-                         std::to_string(given) + " time(s)");
+  if (most > given)
+    engine::stop(*lmp, engine::name_of(*this) + ": create_blocks has natural joints of class " +
+                           std::to_string(most) + ", but joint_class is given " +
+                           std::to_string(given) + " time(s)");
+  if (zones_ != store_->zones())
+    engine::stop(*lmp, engine::name_of(*this) + ": must be given after all zones of create_blocks");
 }
 
 FacetLists FixMuckpileJoint::copy() const {
@@ -118,13 +121,19 @@ void FixMuckpileJoint::follow_blocks() {
   version_ = store_->version();
   std::vector<BlockConstants> blocks;
   for (const BlockRecord& r : store_->records())
-    blocks.push_back({r.tag, true, std::max(r.volume, 1e-300), r.mass, r.retired});
-  // Both ranks that know a facet need the volumes of its two blocks when it breaks.
-  std::vector<double> volumes(store_->halo().size(), 1.0);
-  for (std::size_t b = 0; b < blocks.size(); ++b) volumes[b] = blocks[b].volume;
+    blocks.push_back({r.tag, true, std::max(r.volume, 1e-300), r.mass, r.retired, r.zone});
+  // Both ranks that know a facet need the volumes of its two blocks when it breaks, and their rock.
+  std::vector<double> volumes(store_->halo().size(), 1.0), zones(store_->halo().size(), 0.0);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    volumes[b] = blocks[b].volume;
+    zones[b] = blocks[b].zone;
+  }
   store_->halo().forward(volumes, 1);
-  for (int tag : store_->copy_tags())
-    blocks.push_back({tag, false, volumes[blocks.size()], 1.0, {}});
+  store_->halo().forward(zones, 1);
+  for (int tag : store_->copy_tags()) {
+    const std::size_t b = blocks.size();
+    blocks.push_back({tag, false, volumes[b], 1.0, {}, static_cast<std::uint8_t>(zones[b])});
+  }
   network_.set_blocks(std::move(blocks));
   FacetLists lists = store_->hand_over();
   network_.set_facets(std::move(lists.facets), std::move(lists.memory));

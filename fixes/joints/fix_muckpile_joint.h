@@ -8,6 +8,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "bond/network/facet_network.h"
@@ -155,6 +156,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   [[nodiscard]] RankTeam team() const;
 
   FacetNetwork network_;
+  std::vector<std::string> zones_;  // names, from 1 on
   JointStepCheck step_check_;
   bool contact_check_;
   FacetStore* store_ = nullptr;

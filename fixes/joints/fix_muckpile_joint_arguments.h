@@ -15,8 +15,9 @@ namespace muckpile {
 
 struct JointArguments {
   FacetNetwork network;
-  int step_check;      ///< steps between looks at the time step, 0: none
-  bool contact_check;  ///< whether a joint that lets go stops a run without contact law
+  std::vector<std::string> zones;  ///< names of the network's, from 1 on
+  int step_check;                  ///< steps between looks at the time step, 0: none
+  bool contact_check;              ///< whether a joint that lets go stops a run without contact law
 };
 
 /// `arg`: all words of the fix command from its ID on; `where` begins every message.

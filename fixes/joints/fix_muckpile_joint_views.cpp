@@ -55,12 +55,30 @@ void FixMuckpileJoint::set_pressure(std::span<const double> pressure,
 
 void FixMuckpileJoint::expect_pressure(bool expected) { network_.expect_pressure(expected); }
 
+/// Where there are zones, what a run must heed of all of them: the lightest blocks, the softest
+/// rock, and that which is least compressible.
 RockConstants FixMuckpileJoint::rock() const {
-  const JointParameters& now = network_.material().parameters();
-  return {now.density, now.youngs_modulus / softened(), now.poisson_ratio};
+  const JointLaws& laws = network_.tables().laws();
+  const JointParameters& first = network_.material().parameters();
+  if (!laws.zoned()) return {first.density, first.youngs_modulus / softened(), first.poisson_ratio};
+  RockConstants all{first.density, 0.0, first.poisson_ratio};
+  for (std::size_t zone = 1; zone < laws.zones(); ++zone) {
+    const JointParameters& rock = laws.rock(zone).parameters();
+    all.density = std::min(all.density, rock.density);
+    all.poisson_ratio = std::max(all.poisson_ratio, rock.poisson_ratio);
+  }
+  all.youngs_modulus = 2.0 * (1.0 + all.poisson_ratio) * shear_modulus() / softened();
+  return all;
 }
 
-double FixMuckpileJoint::shear_modulus() const { return network_.material().shear_modulus(); }
+/// Of the softest.
+double FixMuckpileJoint::shear_modulus() const {
+  const JointLaws& laws = network_.tables().laws();
+  double least = laws.rock().shear_modulus();
+  for (std::size_t zone = 1; zone < laws.zones(); ++zone)
+    least = std::min(least, laws.rock(zone).shear_modulus());
+  return least;
+}
 
 void FixMuckpileJoint::unload_softened() { network_.take_off_pressures(false); }
 

@@ -25,14 +25,18 @@ struct Facet {
   int face = 0;              ///< number of the face in block i's polyhedron
   int i = -1, j = -1;        ///< local indices; j = ground() for a support
   FacetKind kind = FacetKind::joint;
-  std::uint8_t joint_class = 0;   ///< 0: made by the cut alone; from 1: natural joints
-  Vec3 normal;                    ///< unit, from i to j
+  std::uint8_t joint_class = 0;         ///< 0: made by the cut alone; from 1: natural joints
+  std::uint8_t zone_i = 0, zone_j = 0;  ///< of rock, of blocks i and j; of the ground that of i
+  Vec3 normal;                          ///< unit, from i to j
   Vec3 arm_i, arm_j;              ///< facet centroid minus block centre (ground: the origin) [m]
   Vec3 opening_i, opening_j;      ///< m of blocks i and j: how the jump dilates them [-]
   std::array<Vec3, 2> half_axes;  ///< sqrt(2) x radii of gyration along the in-plane axes [m]
   double area = 0.0;              ///< [m2]
   double stiffening = 1.0;        ///< of its rock, at a crushed zone (wall_facets.h) [-]
-  bool sharpened = true;          ///< D counts; not at the blocks of fixed supports
+  /// Between two rocks, of blocks i and j: volume over the area of all their facets to other rocks
+  /// [m]; 0: the relief of border_relief.h is not for this facet.
+  std::array<float, 2> border_room{0.0f, 0.0f};
+  bool sharpened = true;  ///< D counts; not at blocks of fixed supports or beside another rock
   std::array<bool, 2> slanted{false, false};  ///< blocks i and j have the terms of leaning_faces.h
   double weight = 1.0;  ///< share of the facet's energy that this rank books [-]
 };

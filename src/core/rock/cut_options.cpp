@@ -186,6 +186,7 @@ CutOptions read(const ArgValues& args, std::size_t memory) {
     if (const auto set = natural_joint_set_of(words, options.limits))
       options.natural_joint_sets.push_back(*set);
   }
+  for (const Words& words : args.groups("zone")) options.zones.push_back(rock_zone_of(words));
   rock.seed = static_cast<unsigned long>(args.integer("seed"));
   rock.sweeps = static_cast<int>(args.integer("sweeps"));
   rock.max_blocks = args.integer("max_blocks") > 0
@@ -197,6 +198,12 @@ CutOptions read(const ArgValues& args, std::size_t memory) {
 }
 
 }  // namespace
+
+std::vector<double> CutOptions::densities() const {
+  std::vector<double> all{density};
+  for (const RockZone& zone : zones) all.push_back(zone.density);
+  return all;
+}
 
 CutOptions cut_options(const ArgValues& args, std::size_t memory) {
   try {

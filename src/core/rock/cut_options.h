@@ -13,6 +13,7 @@
 #include "geometry/cut/tessellation.h"
 #include "geometry/size/size_target.h"
 #include "rock/natural_joints.h"
+#include "rock/rock_zones.h"
 
 namespace muckpile {
 
@@ -25,7 +26,10 @@ struct CutOptions {
   std::vector<JointPlane> natural_joints{};  ///< the planes in rock.planes with their joint class
   /// Their planes follow once the box of the rock is known: lay_natural_joint_sets().
   std::vector<NaturalJointSet> natural_joint_sets{};
-  double density = 0.0;  ///< [kg/m3]
+  double density = 0.0;                   ///< of the rock beside the zones [kg/m3]
+  std::vector<RockZone> zones{};          ///< see lay_zones()
+  std::vector<JointPlane> zone_joints{};  ///< borders of zones that are natural joints
+  [[nodiscard]] std::vector<double> densities() const;  ///< of the rock, then of the zones [kg/m3]
   int spheres_per_block = 0;
   double sphere_growth = 1.0;
   bool round_walls = true;  ///< crushed zones have the stiffness of round holes (wall_facets.h)

@@ -18,7 +18,7 @@ const ArgTable& cut_table() {
   static const ArgTable args =
       ArgTable(kCreateBlocks)
           .real("density", "kg/m3", Range::closed(100.0, 30000.0), std::nullopt,
-                "density of the rock")
+                "density of the rock beside the zones")
           .group("size", 2, 2 * kMostBands + 1, false,
                  "block size V^(1/3) against distance from the nearest charge: `harries b K T "
                  "alpha` (hole "
@@ -62,6 +62,14 @@ const ArgTable& cut_table() {
                  "`persistence SHARE RADIUS` (joint is that share of each plane, in discs of that "
                  "radius [m; >= block_min]), `fisher K` (scatter of the normals, 5 to 1e6), "
                  "`spacings exponential` (default) or `spacings even`")
+          .group("zone", 4, 11, true,
+                 "zone of other rock: NAME, its density [kg/m3], where it is, and optionally "
+                 "`class N` "
+                 "(number of the `joint_class` of its plane borders; 0: none). Where: `above` or "
+                 "`below` x y z dip direction (a point of its border [m], dip and dip direction "
+                 "[degrees]), `layer` x y z dip direction thickness (above that plane, [m]), or "
+                 "`region ID`. A block is of the first zone that holds its centroid; the cut "
+                 "follows plane borders")
           .word("cut", {"voronoi", "joint_sets"}, "voronoi",
                 "how the rock is cut: graded Voronoi blocks, or joint sets in concentric bands")
           .group("joint_set", 2, 3, true,

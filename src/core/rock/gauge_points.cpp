@@ -13,7 +13,7 @@ namespace muckpile {
 namespace {
 
 constexpr double kFarthest = 1e5;  // [m]
-constexpr long kMost = 10000;  // gauges, and on one line
+constexpr long kMost = 10000;      // gauges, and on one line
 
 Vec3 point_of(const std::vector<std::string>& words, std::size_t first, const std::string& where,
               const std::string& keyword) {
@@ -27,8 +27,8 @@ Vec3 point_of(const std::vector<std::string>& words, std::size_t first, const st
 void add_line(const std::vector<std::string>& words, const std::string& where,
               std::vector<Vec3>& points) {
   const Vec3 from = point_of(words, 0, where, "line"), to = point_of(words, 3, where, "line");
-  const long count = parse_integer(where, "number of points of line", words[6], "",
-                                   Range::closed(2, kMost));
+  const long count =
+      parse_integer(where, "number of points of line", words[6], "", Range::closed(2, kMost));
   if (from == to)
     throw InputError(where + ": line must have two different ends, got '" + place_text(from) +
                      "' twice; give a single point as gauge");
@@ -44,8 +44,8 @@ void require_apart(const std::vector<Vec3>& points, const std::string& where) {
   std::ranges::sort(sorted, before);
   const auto twice = std::ranges::adjacent_find(sorted);
   if (twice != sorted.end())
-    throw InputError(where + ": gauges must be at different places, got two at '" + place_text(*twice) +
-                     "' m; leave one out");
+    throw InputError(where + ": gauges must be at different places, got two at '" +
+                     place_text(*twice) + "' m; leave one out");
 }
 
 void read_pace(GaugeOptions& options, const ArgValues& values, const std::string& where) {
@@ -71,7 +71,8 @@ const ArgTable& gauge_table() {
                 "between samples: one is taken at the first step at or after each multiple; 0: by "
                 "`every`")
           .word("directory", {}, std::nullopt, "where the file goes")
-          .word("file", {}, "gauges.csv", "name of the file, which begins with gauges and ends in .csv")
+          .word("file", {}, "gauges.csv",
+                "name of the file, which begins with gauges and ends in .csv")
           .group("gauge", 3, 3, true, "x y z of a point in the rock, at the start [m]")
           .group("line", 7, 7, true,
                  "x y z, x y z, N: N points at equal distances from the first point to the second "

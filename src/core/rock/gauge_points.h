@@ -24,8 +24,8 @@ struct GaugeOptions {
 [[nodiscard]] const ArgTable& gauge_table();
 
 /// Throws InputError that starts with `where`: both or none of every and interval, no gauge at all,
-/// a line of one point or without length, a number that is none, more than 10,000 gauges, two at one
-/// place, a file name that is not gauges*.csv.
+/// a line of one point or without length, a number that is none, more than 10,000 gauges, two at
+/// one place, a file name that is not gauges*.csv.
 [[nodiscard]] GaugeOptions gauge_options(const ArgValues& values, const std::string& where);
 
 }  // namespace muckpile

@@ -68,6 +68,28 @@ std::string describe_blocks(const RockModel& model, double seconds) {
   return text.str();
 }
 
+std::string describe_zones(const RockModel& model) {
+  if (model.zones.empty()) return "";
+  std::vector<double> volume(model.zones.size() + 1, 0.0);
+  std::vector<std::size_t> count(volume.size(), 0);
+  for (std::size_t b = 0; b < model.zone_of.size(); ++b) {
+    volume[model.zone_of[b]] += model.rock.blocks[b].mass.volume;
+    ++count[model.zone_of[b]];
+  }
+  std::ostringstream text;
+  text.precision(4);
+  text << "  zones:";
+  for (std::size_t k = 0; k < volume.size(); ++k)
+    text << ' ' << (k == 0 ? "rock" : model.zones[k - 1]) << ' ' << count[k] << " blocks, "
+         << volume[k] << (k + 1 < volume.size() ? " m3;" : " m3\n");
+  for (std::size_t k = 1; k < count.size(); ++k)
+    if (count[k] == 0)
+      text << "WARNING: create_blocks: zone '" << model.zones[k - 1]
+           << "' holds the centroid of no block; is it where the rock is, not within a zone before "
+              "it, and not thinner than the blocks?\n";
+  return text.str();
+}
+
 /// How much of the rock's facets is natural joint, as a survey gives it: area per volume (P32).
 std::string describe_natural_joints(const RockModel& model) {
   if (model.natural_planes == 0) return "";
@@ -135,8 +157,9 @@ std::string describe_target(const SizeComparison& sizes, const std::string& why)
 }  // namespace
 
 std::string describe(const RockModel& model, double seconds) {
-  std::string text = describe_blocks(model, seconds) + describe_natural_joints(model) +
-                     describe_parts(model.rock.statistics) + describe_filling(model);
+  std::string text = describe_blocks(model, seconds) + describe_zones(model) +
+                     describe_natural_joints(model) + describe_parts(model.rock.statistics) +
+                     describe_filling(model);
   if (model.sizes) text += describe_target(*model.sizes, model.why_missed);
   return text;
 }

@@ -28,6 +28,13 @@ void cut_blocks(RockModel& model, const CutOptions& options) {
   }
 }
 
+void choose_zones(RockModel& model, const CutOptions& options) {
+  for (const RockZone& zone : options.zones) model.zones.push_back(zone.name);
+  if (model.zones.empty()) return;
+  for (const Block& block : model.rock.blocks)
+    model.zone_of.push_back(zone_at(options.zones, block.mass.centroid));
+}
+
 /// With the radii of cylinders as wide as the voids that the cut left.
 std::vector<Hole> holes_as_cut(const CutOptions& options, const Tessellation& rock) {
   std::vector<Hole> holes = options.rock.holes;
@@ -47,17 +54,24 @@ RockModel cut_rock(const CutOptions& options, int first_tag, const SupportRule& 
   const std::vector<Block>& blocks = model.rock.blocks;
   if (blocks.empty())
     throw InputError("the region holds no block; block sizes are too large for it");
-  for (const Block& block : blocks) {
+  choose_zones(model, options);
+  const std::vector<double> densities = options.densities();
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const double density = model.zones.empty() ? options.density : densities[model.zone_of[b]];
     model.bodies.push_back(
-        rigid_body(block, options.density, options.spheres_per_block, options.sphere_growth));
+        rigid_body(blocks[b], density, options.spheres_per_block, options.sphere_growth));
   }
   model.largest_overlap = largest_overlap(blocks, model.bodies);
-  const bool leans = options.joint_sets.has_value() || !options.rock.planes.empty();
-  model.facets = build_facets(blocks, first_tag, support, leans ? Leaning::much : Leaning::little);
+  // Blocks on both sides of a zone's border are mirror images, and face each other squarely.
+  const bool leans = options.joint_sets.has_value() || !options.natural_joints.empty();
+  model.facets = build_facets(blocks, first_tag, support, leans ? Leaning::much : Leaning::little,
+                              model.zone_of);
   if (options.round_walls)
     fit_walls(blocks, first_tag, holes_as_cut(options, model.rock), model.facets);
-  model.natural_planes = options.natural_joints.size();
-  assign_joint_classes(options.natural_joints, blocks, first_tag, model.facets.facets);
+  std::vector<JointPlane> joints = options.natural_joints;
+  joints.insert(joints.end(), options.zone_joints.begin(), options.zone_joints.end());
+  model.natural_planes = joints.size();
+  assign_joint_classes(joints, blocks, first_tag, model.facets.facets);
   return model;
 }
 

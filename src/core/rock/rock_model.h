@@ -22,6 +22,8 @@ struct RockModel {
   std::optional<SizeComparison> sizes{};  ///< with a size target
   std::string why_missed{};               ///< the target, if it is
   std::size_t natural_planes = 0;         ///< of natural joints
+  std::vector<std::string> zones{};       ///< names of those of rock
+  std::vector<std::uint8_t> zone_of{};    ///< per block; k: zones[k - 1]; empty: there are none
 };
 
 /// Throws InputError as the cuts do (tessellation.h, joint_set_cut.h, size_target.h,

@@ -204,11 +204,11 @@ double largest_difference(const RockScene& a, const RockScene& b) {
   return most;
 }
 
-void share_elastic_body(const std::string& cut) {
+void share_elastic_body(const std::string& cut, const std::string& zones = "") {
   RockScene alone(MPI_COMM_SELF, "-4 4 -4 4 -4 4"),
       shared(MPI_COMM_WORLD, "-4 4 -4 4 -4 4", "* * 1");
   for (RockScene* scene : {&alone, &shared}) {
-    make_lump(*scene, "cohesion 1e12 friction_angle 45 tension 1e12", cut);
+    make_lump(*scene, "cohesion 1e12 friction_angle 45 tension 1e12" + zones, cut);
     scene->set_motion([](int, const Vec3& at) { return spinning(at, 20.0); });
     scene->run(1000, 1e-5);
   }
@@ -222,6 +222,11 @@ void share_elastic_body(const std::string& cut) {
 TEST(FixMuckpileJoint, RanksShareAnElasticBodyWithoutChangingIt) { share_elastic_body(""); }
 
 TEST(FixMuckpileJoint, RanksShareABodyOfLeaningBlocks) { share_elastic_body(kLeaning); }
+
+TEST(FixMuckpileJoint, RanksShareABodyOfTwoRocks) {
+  share_elastic_body(" zone soft 2200 above 0 0 0.1 10 90",
+                     " zone soft youngs_modulus 10e9 poisson_ratio 0.35 density 2200");
+}
 
 const std::string kStrength = "cohesion 4e6 friction_angle 50 tension 2e6";
 // Blocks of 0.5 m hold 17 and 67 J/m2 when they reach their strength.

@@ -149,6 +149,12 @@ TEST(Restart, NonlinearJointsKeepTheirHistory) {
       "", 1e-3, " joint_plane 0 0 0 30 90 1");
 }
 
+TEST(Restart, ZonesKeepTheirRock) {
+  go_on_and_restart(
+      kStrength + " zone soft youngs_modulus 10e9 poisson_ratio 0.35 density 2200 cohesion 2e6", "",
+      2e-3, " zone soft 2200 above 0 0 0.1 10 90");
+}
+
 TEST(Restart, SoftenedRockStaysSoft) {
   go_on_and_restart(kStrength, "fix_modify joint soften 0.1");
 }

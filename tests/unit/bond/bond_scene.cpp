@@ -69,19 +69,23 @@ Mat3 turn(const Vec3& angle) {
 }
 
 BondScene::BondScene(const std::vector<Block>& blocks, const JointParameters& parameters,
-                     const SupportRule& support, const NaturalJoints& natural, Leaning leaning)
-    : network_(JointMaterial(parameters), natural.classes),
+                     const SupportRule& support, const NaturalJoints& natural, Leaning leaning,
+                     const Zones& zones)
+    : zones_(zones.rocks.begin(), zones.rocks.end()),
+      network_(JointMaterial(parameters), natural.classes, zones_),
       angular_momentum_(blocks.size(), Vec3::Zero()) {
   std::vector<BlockConstants> constants;
   for (const Block& block : blocks) {
-    mass_.push_back(parameters.density * block.mass.volume);
-    inertia_.push_back(parameters.density * block.mass.inertia);
+    const std::uint8_t zone = zones.of.empty() ? std::uint8_t{0} : zones.of[constants.size()];
+    const double density = zone == 0 ? parameters.density : zones.rocks[zone - 1u].density;
+    mass_.push_back(density * block.mass.volume);
+    inertia_.push_back(density * block.mass.inertia);
     start_.push_back(block.mass.centroid);
     constants.push_back(
-        {static_cast<int>(constants.size()) + 1, true, block.mass.volume, mass_.back()});
+        {static_cast<int>(constants.size()) + 1, true, block.mass.volume, mass_.back(), {}, zone});
   }
   network_.set_blocks(constants);
-  FacetSet set = build_facets(blocks, 1, support, leaning);
+  FacetSet set = build_facets(blocks, 1, support, leaning, zones.of);
   assign_joint_classes(natural.planes, blocks, 1, set.facets);
   for (Facet& facet : set.facets) {
     facet.i = facet.tag_i - 1;
@@ -171,7 +175,7 @@ double BondScene::energy_account() {
 }
 
 Vec3 BondScene::facet_force(std::size_t f) {
-  FacetNetwork alone(network_.material());
+  FacetNetwork alone(network_.material(), {}, zones_);
   std::vector<BlockConstants> blocks = network_.blocks();
   blocks.pop_back();  // the ground, which set_blocks appends
   alone.set_blocks(blocks);
@@ -188,6 +192,61 @@ Vec3 BondScene::facet_force(std::size_t f) {
                std::ranges::copy(fields[field++], values.begin());
              }});
   return alone.force()[static_cast<std::size_t>(network_.facets()[f].i)];
+}
+
+namespace {
+
+/// Elastic energy less the work that constant pressures do about the pose `from`.
+double potential(BondScene& scene, const std::vector<Mat3>& from) {
+  FacetNetwork& network = scene.network();
+  network.find_stresses();
+  double energy = network.elastic_energy();
+  for (const BoundaryFace& face : network.faces()) {
+    if (face.pressure == 0.0) continue;
+    const auto b = static_cast<std::size_t>(face.block);
+    const BlockState& s = network.state()[b];
+    const Vec3 moved = s.centre + s.rotation * face.arm - face.start;
+    // The face's own displacement by the network; the block's anew, along the normal of `from`,
+    // about which the derivative is taken.
+    const double own = network.volume_swept(face) - face.rigid_swept;
+    energy -= face.pressure * (own - face.area * (from[b] * face.normal).dot(moved));
+  }
+  return energy;
+}
+
+}  // namespace
+
+GradientError gradient_error(BondScene& scene, double step) {
+  scene.compute();
+  const std::vector<Vec3> force(scene.network().force().begin(), scene.network().force().end());
+  const std::vector<Vec3> torque(scene.network().torque().begin(), scene.network().torque().end());
+  std::vector<Mat3> from;
+  for (std::size_t b = 0; b < scene.size(); ++b) from.push_back(scene.block(b).rotation);
+  GradientError error{0.0, 0.0};
+  double forces = 0.0, torques = 0.0;
+  for (std::size_t b = 0; b < scene.size(); ++b) {
+    BlockState& s = scene.block(b);
+    const BlockState home = s;
+    for (int k = 0; k < 3; ++k) {
+      const auto slope = [&](auto&& move) {
+        move(step);
+        const double up = potential(scene, from);
+        s = home;
+        move(-step);
+        const double down = potential(scene, from);
+        s = home;
+        return -(up - down) / (2.0 * step);
+      };
+      const double f = slope([&](double by) { s.centre[k] += by; });
+      const double t =
+          slope([&](double by) { s.rotation = turn(by * Vec3::Unit(k)) * home.rotation; });
+      error.force = std::max(error.force, std::abs(f - force[b][k]));
+      error.torque = std::max(error.torque, std::abs(t - torque[b][k]));
+    }
+    forces = std::max(forces, force[b].norm());
+    torques = std::max(torques, torque[b].norm());
+  }
+  return {error.force / forces, error.torque / torques};
 }
 
 }  // namespace muckpile::test

@@ -27,12 +27,19 @@ std::vector<Block> voronoi_blocks(double edge, unsigned long seed, int sweeps = 
 /// faces lean against the lines between centres: dip and dip direction 75 90, 85 0, 10 270 degrees.
 std::vector<Block> leaning_blocks(double edge);
 
+/// Rock beside that of a scene.
+struct Zones {
+  std::vector<JointParameters> rocks;  ///< of the zones from 1
+  std::vector<std::uint8_t> of;        ///< zone of each block; none: 0
+};
+
 class BondScene {
  public:
   BondScene(
       const std::vector<Block>& blocks, const JointParameters& parameters,
       const SupportRule& support = [](const Vec3&) { return Support::free; },
-      const NaturalJoints& natural = {}, Leaning leaning = Leaning::little);
+      const NaturalJoints& natural = {}, Leaning leaning = Leaning::little,
+      const Zones& zones = {});
 
   [[nodiscard]] FacetNetwork& network() { return network_; }
   [[nodiscard]] std::size_t size() const { return mass_.size(); }
@@ -64,6 +71,7 @@ class BondScene {
  private:
   void kick(double dt);
 
+  std::vector<JointMaterial> zones_;
   FacetNetwork network_;
   std::vector<double> mass_;
   std::vector<Vec3> start_;
@@ -73,6 +81,13 @@ class BondScene {
 
 /// Free leaning blocks with the terms of leaning_faces.h.
 BondScene leaning_scene(double edge, const JointParameters& parameters);
+
+struct GradientError {
+  double force, torque;  ///< largest, over the largest force and torque
+};
+/// Of the forces against the slope of the elastic energy, less the work of constant pressures, over
+/// `step` [m, rad] about the present pose.
+GradientError gradient_error(BondScene& scene, double step);
 
 /// Rotation by the vector's length about its direction.
 Mat3 turn(const Vec3& angle);

@@ -146,61 +146,6 @@ TEST(FacetNetwork, SlowsAPlaneWaveInARowOfCubesAsItsDispersionLawSays) {
   }
 }
 
-/// Elastic energy less the work that constant pressures do about the pose `from`.
-double potential(BondScene& scene, const std::vector<Mat3>& from) {
-  FacetNetwork& network = scene.network();
-  network.find_stresses();
-  double energy = network.elastic_energy();
-  for (const BoundaryFace& face : network.faces()) {
-    if (face.pressure == 0.0) continue;
-    const auto b = static_cast<std::size_t>(face.block);
-    const BlockState& s = network.state()[b];
-    const Vec3 moved = s.centre + s.rotation * face.arm - face.start;
-    // The face's own displacement by the network; the block's anew, along the normal of `from`,
-    // about which the derivative is taken.
-    const double own = network.volume_swept(face) - face.rigid_swept;
-    energy -= face.pressure * (own - face.area * (from[b] * face.normal).dot(moved));
-  }
-  return energy;
-}
-
-struct GradientError {
-  double force, torque;  ///< largest, over the largest force and torque
-};
-
-GradientError gradient_error(BondScene& scene, double step) {
-  scene.compute();
-  const std::vector<Vec3> force(scene.network().force().begin(), scene.network().force().end());
-  const std::vector<Vec3> torque(scene.network().torque().begin(), scene.network().torque().end());
-  std::vector<Mat3> from;
-  for (std::size_t b = 0; b < scene.size(); ++b) from.push_back(scene.block(b).rotation);
-  GradientError error{0.0, 0.0};
-  double forces = 0.0, torques = 0.0;
-  for (std::size_t b = 0; b < scene.size(); ++b) {
-    BlockState& s = scene.block(b);
-    const BlockState home = s;
-    for (int k = 0; k < 3; ++k) {
-      const auto slope = [&](auto&& move) {
-        move(step);
-        const double up = potential(scene, from);
-        s = home;
-        move(-step);
-        const double down = potential(scene, from);
-        s = home;
-        return -(up - down) / (2.0 * step);
-      };
-      const double f = slope([&](double by) { s.centre[k] += by; });
-      const double t =
-          slope([&](double by) { s.rotation = turn(by * Vec3::Unit(k)) * home.rotation; });
-      error.force = std::max(error.force, std::abs(f - force[b][k]));
-      error.torque = std::max(error.torque, std::abs(t - torque[b][k]));
-    }
-    forces = std::max(forces, force[b].norm());
-    torques = std::max(torques, torque[b].norm());
-  }
-  return {error.force / forces, error.torque / torques};
-}
-
 TEST(FacetNetwork, ForcesAreTheGradientOfTheEnergyFarFromTheStart) {
   for (const double nu : {0.0, 0.3}) {
     BondScene scene(voronoi_blocks(3.0, 5), rock(nu));

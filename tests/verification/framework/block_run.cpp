@@ -44,10 +44,11 @@ WallRule walls_with(const Vec3& parity, const Vec3& box) {
 
 BlockRun::BlockRun(const std::vector<Block>& blocks, const std::vector<JointParameters>& networks,
                    const WallRule& walls, const NaturalJoints& natural, Leaning leaning,
-                   std::span<const Hole> holes)
+                   std::span<const Hole> holes, const test::Zones& zones)
     : angular_momentum_(blocks.size(), Vec3::Zero()) {
-  const double density = networks.front().density;
   for (const Block& block : blocks) {
+    const std::uint8_t zone = zones.of.empty() ? std::uint8_t{0} : zones.of[mass_.size()];
+    const double density = zone == 0 ? networks.front().density : zones.rocks[zone - 1u].density;
     mass_.push_back(density * block.mass.volume);
     volume_.push_back(block.mass.volume);
     inertia_.push_back(density * block.mass.inertia);
@@ -55,7 +56,7 @@ BlockRun::BlockRun(const std::vector<Block>& blocks, const std::vector<JointPara
     start_.push_back(block.mass.centroid);
     state_.push_back({Mat3::Identity(), block.mass.centroid, Vec3::Zero(), Vec3::Zero()});
   }
-  make_networks(blocks, networks, walls, natural, leaning, holes);
+  make_networks(blocks, networks, walls, natural, leaning, holes, zones);
   force_.assign(state_.size(), Vec3::Zero());
   torque_.assign(state_.size(), Vec3::Zero());
 }
@@ -63,14 +64,17 @@ BlockRun::BlockRun(const std::vector<Block>& blocks, const std::vector<JointPara
 void BlockRun::make_networks(const std::vector<Block>& blocks,
                              const std::vector<JointParameters>& networks, const WallRule& walls,
                              const NaturalJoints& natural, Leaning leaning,
-                             std::span<const Hole> holes) {
+                             std::span<const Hole> holes, const test::Zones& zones) {
   FacetSet set = build_facets(
-      blocks, 1, [&](const Vec3& at) { return support_of(walls(at)); }, leaning);
+      blocks, 1, [&](const Vec3& at) { return support_of(walls(at)); }, leaning, zones.of);
   fit_walls(blocks, 1, holes, set);
   assign_joint_classes(natural.planes, blocks, 1, set.facets);
+  const auto zone_of = [&](std::size_t b) {
+    return zones.of.empty() ? std::uint8_t{0} : zones.of[b];
+  };
   std::vector<BlockConstants> constants;
   for (std::size_t b = 0; b < size(); ++b) {
-    constants.push_back({static_cast<int>(b) + 1, true, volume_[b], mass_[b], {}});
+    constants.push_back({static_cast<int>(b) + 1, true, volume_[b], mass_[b], {}, zone_of(b)});
   }
   std::vector<Facet*> grounded;
   for (Facet& facet : set.facets) {
@@ -98,7 +102,7 @@ void BlockRun::make_networks(const std::vector<Block>& blocks,
     facet.opening_j = (wall == Wall::repeat ? 1.0 : -1.0) * map * facet.opening_i;
     facet.slanted[1] = facet.slanted[0];
     facet.weight = 0.5;  // the other half belongs to the reflected rock
-    constants.push_back({facet.tag_j, false, volume_[b], mass_[b], {}});
+    constants.push_back({facet.tag_j, false, volume_[b], mass_[b], {}, zone_of(b)});
   }
   for (BoundaryFace& face : set.faces) face.block = face.tag - 1;
   for (Facet* facet : grounded) facet->j = static_cast<int>(constants.size());
@@ -107,7 +111,8 @@ void BlockRun::make_networks(const std::vector<Block>& blocks,
     classes.resize(natural.classes.size());
     classes.push_back({1e30, 1e30, 0.0, 0.0, parameters.normal_stiffness,
                        parameters.shear_stiffness});  // of joints with images: they hold
-    networks_.emplace_back(JointMaterial(parameters), classes);
+    networks_.emplace_back(JointMaterial(parameters), classes,
+                           std::vector<JointMaterial>(zones.rocks.begin(), zones.rocks.end()));
     networks_.back().set_blocks(constants);
     networks_.back().set_facets(set.facets, {});
     networks_.back().set_faces(set.faces);

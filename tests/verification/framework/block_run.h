@@ -11,6 +11,7 @@
 #include "bond/build/joint_plane.h"
 #include "bond/network/facet_network.h"
 #include "geometry/block_model.h"
+#include "unit/bond/bond_scene.h"
 
 namespace muckpile::verification {
 
@@ -33,7 +34,8 @@ class BlockRun {
   /// Every element of `networks` is a facet network of its own over all facets; their forces add.
   BlockRun(const std::vector<Block>& blocks, const std::vector<JointParameters>& networks,
            const WallRule& walls, const NaturalJoints& natural = {},
-           Leaning leaning = Leaning::little, std::span<const Hole> holes = {});
+           Leaning leaning = Leaning::little, std::span<const Hole> holes = {},
+           const test::Zones& zones = {});
 
   [[nodiscard]] std::size_t size() const { return mass_.size(); }
   [[nodiscard]] double mass(std::size_t b) const { return mass_[b]; }
@@ -77,7 +79,7 @@ class BlockRun {
   };
   void make_networks(const std::vector<Block>& blocks, const std::vector<JointParameters>& networks,
                      const WallRule& walls, const NaturalJoints& natural, Leaning leaning,
-                     std::span<const Hole> holes);
+                     std::span<const Hole> holes, const test::Zones& zones);
   void reflect(std::size_t k);
   void reflect_scalars(std::span<double> values) const;
   void reflect_tensors(std::span<double> values) const;  // nine numbers per block

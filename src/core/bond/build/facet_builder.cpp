@@ -36,10 +36,37 @@ void choose_sharpened(const std::vector<Block>& blocks, int first_tag, FacetSet&
   }
 }
 
+/// See Facet::border_room; not at the blocks of fixed supports, as above. The relief of a block's
+/// facets to other rocks changes its dilatation without theta, so D is not for its facets either.
+void choose_border_rooms(const std::vector<Block>& blocks, int first_tag, FacetSet& set) {
+  std::vector<double> area(blocks.size(), 0.0);
+  const auto number = [&](int tag) { return static_cast<std::size_t>(tag - first_tag); };
+  for (const Facet& facet : set.facets) {
+    if (facet.zone_i == facet.zone_j) continue;
+    area[number(facet.tag_i)] += facet.area;
+    area[number(facet.tag_j)] += facet.area;
+  }
+  const auto room = [&](int tag) {
+    return static_cast<float>(blocks[number(tag)].mass.volume / area[number(tag)]);
+  };
+  for (Facet& facet : set.facets) {
+    if (facet.zone_i != facet.zone_j && facet.sharpened)
+      facet.border_room = {room(facet.tag_i), room(facet.tag_j)};
+  }
+  for (Facet& facet : set.facets) {
+    if (area[number(facet.tag_i)] > 0.0 ||
+        (facet.kind == FacetKind::joint && area[number(facet.tag_j)] > 0.0))
+      facet.sharpened = false;
+  }
+}
+
 }  // namespace
 
 FacetSet build_facets(const std::vector<Block>& blocks, int first_tag, const SupportRule& support,
-                      Leaning leaning) {
+                      Leaning leaning, const std::vector<std::uint8_t>& zones) {
+  const auto zone = [&](int block) {
+    return zones.empty() ? std::uint8_t{0} : zones[static_cast<std::size_t>(block)];
+  };
   FacetSet set;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const Block& block = blocks[b];
@@ -58,6 +85,8 @@ FacetSet build_facets(const std::vector<Block>& blocks, int first_tag, const Sup
         facet.tag_i = tag;
         facet.face = static_cast<int>(k);
         facet.tag_j = other >= 0 ? first_tag + other : kGroundTag;
+        facet.zone_i = zone(static_cast<int>(b));
+        facet.zone_j = other >= 0 ? zone(other) : facet.zone_i;
         if (at_face == Support::fixed) facet.kind = FacetKind::fixed;
         if (at_face == Support::mirror) facet.kind = FacetKind::mirror;
         set.facets.push_back(facet);
@@ -77,6 +106,7 @@ FacetSet build_facets(const std::vector<Block>& blocks, int first_tag, const Sup
   }
   set_openings(blocks, first_tag, leaning, set);
   choose_sharpened(blocks, first_tag, set);
+  choose_border_rooms(blocks, first_tag, set);
   return set;
 }
 

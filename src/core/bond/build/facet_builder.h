@@ -28,7 +28,9 @@ inline constexpr double kSmallestFacetShare = 1e-6;
 /// cells; much where planes or joint sets cut, which takes the terms of leaning_faces.h.
 enum class Leaning : std::uint8_t { little, much };
 
+/// `zones`: the zone of rock of each block; none: all have one rock.
 [[nodiscard]] FacetSet build_facets(const std::vector<Block>& blocks, int first_tag,
-                                    const SupportRule& support, Leaning leaning = Leaning::little);
+                                    const SupportRule& support, Leaning leaning = Leaning::little,
+                                    const std::vector<std::uint8_t>& zones = {});
 
 }  // namespace muckpile

@@ -79,14 +79,17 @@ class OpeningSearch {
     }
   }
 
-  /// All but the blocks of fixed supports, whose ground is solved for without these terms.
+  /// All but the blocks of fixed supports, whose ground is solved for without these terms, and
+  /// those beside another rock: the gradient of a block is that of one rock.
   void mark_slanted() {
-    std::vector<bool> fixed(blocks_.size(), false);
+    std::vector<bool> plain(blocks_.size(), false);
     for (const Facet& facet : set_.facets) {
-      if (facet.kind == FacetKind::fixed) fixed[number(facet.tag_i)] = true;
+      if (facet.kind == FacetKind::fixed) plain[number(facet.tag_i)] = true;
+      if (facet.zone_i == facet.zone_j) continue;
+      plain[number(facet.tag_i)] = plain[number(facet.tag_j)] = true;
     }
     for (Facet& facet : set_.facets) {
-      facet.slanted = {!fixed[number(facet.tag_i)], is_joint(facet) && !fixed[number(facet.tag_j)]};
+      facet.slanted = {!plain[number(facet.tag_i)], is_joint(facet) && !plain[number(facet.tag_j)]};
     }
   }
 

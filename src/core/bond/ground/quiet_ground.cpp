@@ -19,4 +19,14 @@ QuietGround::QuietGround(const JointMaterial& rock, double rock_behind) {
   shear_stiffness = rock.shear_modulus() / rock_behind;
 }
 
+QuietGround QuietGround::of_rock(const JointMaterial& mine, const JointMaterial& other) const {
+  const double density = other.parameters().density / mine.parameters().density;
+  QuietGround ground;
+  ground.normal_impedance = normal_impedance * density * other.p_wave_speed() / mine.p_wave_speed();
+  ground.shear_impedance = shear_impedance * density * other.s_wave_speed() / mine.s_wave_speed();
+  ground.normal_stiffness = normal_stiffness * other.p_wave_modulus() / mine.p_wave_modulus();
+  ground.shear_stiffness = shear_stiffness * other.shear_modulus() / mine.shear_modulus();
+  return ground;
+}
+
 }  // namespace muckpile

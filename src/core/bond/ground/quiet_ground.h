@@ -28,6 +28,9 @@ struct QuietGround {
   QuietGround() = default;
   /// `rock_behind`: thickness L [m], > 0; throws InputError otherwise.
   QuietGround(const JointMaterial& rock, double rock_behind);
+
+  /// This one is of rock `mine`: that of `other`, of the same thickness.
+  [[nodiscard]] QuietGround of_rock(const JointMaterial& mine, const JointMaterial& other) const;
 };
 
 /// Trapezoidal rule over one step: the ground ends at predicted - compliance x (t at the end).

@@ -23,6 +23,13 @@ Vec3 start_of(const FacetKinematics& facets, std::size_t f) {
 
 }  // namespace
 
+/// Behind a support lies the rock of its block.
+QuietGround YieldingGround::rock_behind(const FacetTables& tables, std::size_t f) const {
+  const JointLaws& laws = tables.laws();
+  const std::size_t zone = laws.zoned() ? tables.zone_i(f) : 0;
+  return zone == 0 ? rock_ : rock_.of_rock(laws.rock(), laws.rock(zone));
+}
+
 bool YieldingGround::exists_in(const FacetHistory& history) {
   for (std::size_t f = 0; f < history.size(); ++f)
     if (yields(history, f)) return true;
@@ -52,12 +59,13 @@ int YieldingGround::let_yield(const FacetKinematics& facets, FacetHistory& histo
     if (!chosen(arm_j)) continue;  // the ground's centre is the origin
     GroundMemory& memory = history.ground_of_support(f);
     memory.place(arm_j);
+    const QuietGround rock = rock_behind(facets.tables, f);
     const Vec3 n = facets.motion(f).normal;
     const Vec3 at = memory.displacement, across = along(at, n);
     memory.yields = true;
     memory.traction = traction(f);
     memory.static_traction =
-        memory.traction + rock_.normal_stiffness * across + rock_.shear_stiffness * (at - across);
+        memory.traction + rock.normal_stiffness * across + rock.shear_stiffness * (at - across);
     ++more;
   }
   list(history);
@@ -92,14 +100,15 @@ YieldingGround::Plan YieldingGround::plan(const FacetKinematics& facets, std::si
   const BondConstants bond = facets.tables.bond(f);
   const Vec3& n = motion.normal;
   const double moved = n.dot(memory.displacement);
-  const GroundStep normal = ground_step(rock_.normal_impedance, rock_.normal_stiffness, moved,
+  const QuietGround rock = rock_behind(facets.tables, f);
+  const GroundStep normal = ground_step(rock.normal_impedance, rock.normal_stiffness, moved,
                                         n.dot(memory.traction), n.dot(memory.static_traction), dt);
   Plan plan;
   plan.normal_end = normal.predicted;
   plan.normal_give = normal.compliance;
   for (int k = 0; k < 3; ++k) {
     const GroundStep shear =
-        ground_step(rock_.shear_impedance, rock_.shear_stiffness, memory.displacement[k],
+        ground_step(rock.shear_impedance, rock.shear_stiffness, memory.displacement[k],
                     memory.traction[k], memory.static_traction[k], dt);
     plan.shear_end[k] = shear.predicted;
     plan.shear_give = shear.compliance;
@@ -124,10 +133,10 @@ void YieldingGround::yield_beside_block(const FacetKinematics& facets, const Cha
                                         std::size_t first, std::size_t last, double dt) const {
   const FacetTables& tables = facets.tables;
   const auto b = static_cast<std::size_t>(tables.i_of(supports_[first]));
-  const double lambda = tables.laws().rock().lame_lambda();
+  const double lambda = facets.blocks.rock[b].lame_lambda;
   const BlockSums& sums = changes.sums[b];
   double opened = sums.bonded + sums.loaded;
-  double volume = facets.blocks.volume(b) * BlockFields::stiffening(sums, tables.laws().rock());
+  double volume = facets.blocks.volume(b) * facets.blocks.stiffening(b, sums);
   for (std::size_t y = first; y < last; ++y) {
     const std::size_t f = supports_[y];
     const Plan to = plan(facets, f, dt);
@@ -164,12 +173,13 @@ void YieldingGround::yield_support(const FacetKinematics& facets, const Changes&
 void YieldingGround::book(const FacetKinematics& facets, JointLosses& losses, std::size_t f,
                           const Vec3& step, const Vec3& traction, double dt) const {
   if (dt <= 0.0) return;
+  const QuietGround rock = rock_behind(facets.tables, f);
   const double booked = facets.tables.weight(f) * facets.tables.area(f);
   const double normal = facets.motion(f).normal.dot(step);
   losses.quiet -= booked * traction.dot(step);
   losses.radiated += booked / dt *
-                     (rock_.normal_impedance * normal * normal +
-                      rock_.shear_impedance * (step.squaredNorm() - normal * normal));
+                     (rock.normal_impedance * normal * normal +
+                      rock.shear_impedance * (step.squaredNorm() - normal * normal));
 }
 
 }  // namespace muckpile

@@ -51,6 +51,7 @@ class YieldingGround {
 
  private:
   struct Plan;
+  [[nodiscard]] QuietGround rock_behind(const FacetTables& tables, std::size_t f) const;
   [[nodiscard]] Plan plan(const FacetKinematics& facets, std::size_t f, double dt) const;
   void yield_beside_block(const FacetKinematics& facets, const Changes& changes, std::size_t first,
                           std::size_t last, double dt) const;
@@ -59,7 +60,7 @@ class YieldingGround {
   void book(const FacetKinematics& facets, JointLosses& losses, std::size_t f, const Vec3& step,
             const Vec3& traction, double dt) const;
 
-  QuietGround rock_;
+  QuietGround rock_;  // of zone 0
   std::vector<std::size_t> supports_;
 };
 

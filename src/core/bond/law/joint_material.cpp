@@ -71,8 +71,8 @@ double JointMaterial::contact_damping_coefficient() const {
 }
 
 FacetStiffness JointMaterial::facet_stiffness(double h) const {
-  return joint_in_rock(2.0 * shear_modulus_ / h, p_wave_modulus() / h, parameters_.normal_stiffness,
-                       parameters_.shear_stiffness);
+  return joint_in_rock(2.0 * shear_modulus_ / h, 2.0 * shear_modulus_ / h, p_wave_modulus() / h,
+                       parameters_.normal_stiffness, parameters_.shear_stiffness);
 }
 
 JointMaterial JointMaterial::with_joints(const JointClass& joint) const {

@@ -26,17 +26,18 @@ struct FacetStiffness {
   return std::isinf(b) ? a : a * b / (a + b);
 }
 
-/// A joint of stiffness kn and ks [Pa/m; infinite: rigid] between rock of 2G/h (`rock`) and
-/// (lambda + 2G)/h (`uniaxial`) [Pa/m]. The share of the jump that strains the rock is exact for
-/// uniaxial strain normal to the joint.
-[[nodiscard]] inline FacetStiffness joint_in_rock(double rock, double uniaxial, double kn,
-                                                  double ks) {
+/// A joint of stiffness kn and ks [Pa/m; infinite: rigid] between rock of 2G/h along the normal and
+/// along the facet (`normal`, `shear`; they differ between two rocks) and (lambda + 2G)/h
+/// (`uniaxial`) [Pa/m]. The share of the jump that strains the rock is exact for uniaxial strain
+/// normal to the joint.
+[[nodiscard]] inline FacetStiffness joint_in_rock(double normal, double shear, double uniaxial,
+                                                  double kn, double ks) {
   FacetStiffness k{};
   k.rock_share = std::isinf(kn) ? 1.0 : kn / (kn + uniaxial);
   const double joint_share = 1.0 - k.rock_share;
   const double joint_part = std::isinf(kn) ? 0.0 : kn * joint_share * joint_share;
-  k.normal = rock * k.rock_share * k.rock_share + joint_part;
-  k.shear = in_series(rock, ks);
+  k.normal = normal * k.rock_share * k.rock_share + joint_part;
+  k.shear = in_series(shear, ks);
   return k;
 }
 
@@ -60,8 +61,9 @@ struct LinearClosure {
   /// Normal stiffness of the closed broken facet, rock and joint in series. With U = (lambda +
   /// 2G)/h, s the share of the rock and k the joint's own stiffness it is c = s U = (1 - s) k, and
   ///     normal = 2G/h s^2 + k (1 - s)^2 = c (s 2G/(lambda + 2G) + 1 - s).
+  template <class Ratio>
   [[nodiscard, gnu::always_inline]] Number contact(const Number& rock_share,
-                                                   double shear_over_p_wave) const {
+                                                   const Ratio& shear_over_p_wave) const {
     return normal() / (1.0 - rock_share * (1.0 - shear_over_p_wave));
   }
 };

@@ -69,7 +69,6 @@ void LinearNetwork::set_points(Spring& spring, const FacetNetwork& network, std:
   const LaneVec jump = motion.jump(), side = motion.side();
   const BondConstants bond = facets.tables.bond(f);
   const FacetTraces& traces = facets.history.traces(f);
-  const JointLaws& laws = facets.tables.laws();
   const FacetEnds ends = network.ends(f);
   const Vec3 between =
       facets.blocks.state_of(ends.i).centre - facets.blocks.state_of(ends.j).centre;
@@ -81,8 +80,8 @@ void LinearNetwork::set_points(Spring& spring, const FacetNetwork& network, std:
     const double fade = bonded ? 1.0 : facets.history.contacts().fade(f);
     const StiffestNormal stiffest = stiffest_normal(facets, f, bonded);
     spring.normal_share[p] = stiffest.share;
-    const double dashpot =
-        damping_rate * (bonded && !rubs ? laws.damping() : laws.contact_damping());
+    const double dashpot = damping_rate * (bonded && !rubs ? facets.tables.damping(f)
+                                                           : facets.tables.contact_damping(f));
     spring.bonded[p] = bonded;
     spring.law[p] = {bond.point_area * (fade * bond.shear + (bonded && !rubs ? dashpot : 0.0)),
                      bond.point_area * (fade * (stiffest.stiffness - bond.shear) +
@@ -92,12 +91,10 @@ void LinearNetwork::set_points(Spring& spring, const FacetNetwork& network, std:
 
 void LinearNetwork::set_blocks(const FacetNetwork& network, BreakView view) {
   const BlockFields& blocks = network.block_fields();
-  const JointMaterial& rock = network.material();
   const LeaningFaces* leaning = view == BreakView::as_it_is ? network.leaning() : nullptr;
-  lambda_ = rock.lame_lambda();
-  two_g_ = 2.0 * rock.shear_modulus();
+  rock_ = blocks.rock;
   for (std::size_t b = 0; b + 1 < blocks.size(); ++b) {
-    volume_.push_back(blocks.volume(b) * BlockFields::stiffening(blocks.sums[b], rock));
+    volume_.push_back(blocks.volume(b) * blocks.stiffening(b, blocks.sums[b]));
     rock_volume_.push_back(blocks.volume(b));
     moment_.push_back(leaning != nullptr ? leaning->moment(b, blocks.state[b].rotation)
                                          : Mat3(Mat3::Zero()));
@@ -133,7 +130,7 @@ void LinearNetwork::bulk_stresses(std::span<const double> motion, const RankTeam
     bulk_[j] -= uneven;
   }
   for (std::size_t b = 0; b < bulk_.size(); ++b)
-    bulk_[b] = lambda_ * theta_[b] + bulk_[b] / volume_[b];
+    bulk_[b] = rock_[b].lame_lambda * theta_[b] + bulk_[b] / volume_[b];
   team.fill_copies(bulk_, 1);
 }
 
@@ -159,7 +156,7 @@ void LinearNetwork::slant_stresses(std::span<const double> motion, const RankTea
     }
   }
   for (std::size_t b = 0; b < slants_.size(); ++b)
-    slants_[b].stress = two_g_ * (slants_[b].gradient * moment_[b] - slants_[b].excess);
+    slants_[b].stress = rock_[b].two_g * (slants_[b].gradient * moment_[b] - slants_[b].excess);
   static_assert(sizeof(Slant) == 27 * sizeof(double));
   team.fill_copies(
       {slants_.empty() ? nullptr : slants_.front().gradient.data(), 27 * slants_.size()}, 27);
@@ -169,8 +166,9 @@ void LinearNetwork::slant_stresses(std::span<const double> motion, const RankTea
 Vec3 LinearNetwork::slant_pull(const Spring& s) const {
   Vec3 pull = Vec3::Zero();
   const auto add = [&](int block, double share, const Vec3& opening, const Vec3& lean) {
-    const Slant& slant = slants_[static_cast<std::size_t>(block)];
-    pull += share * (slant.stress * opening - two_g_ * (slant.gradient * lean));
+    const auto b = static_cast<std::size_t>(block);
+    const Slant& slant = slants_[b];
+    pull += share * (slant.stress * opening - rock_[b].two_g * (slant.gradient * lean));
   };
   if (s.slanted[0]) add(s.i, s.pull_i, s.opening_i, s.lean[0]);
   if (s.slanted[1]) add(s.j, s.pull_j, s.opening_j, s.lean[1]);

@@ -70,9 +70,9 @@ class LinearNetwork {
   [[nodiscard]] Vec3 slant_pull(const Spring& spring) const;
 
   std::vector<Spring> springs_;
-  double lambda_ = 0.0, two_g_ = 0.0;  // [Pa]
-  std::vector<Mat3> moment_;           // Q of leaning_faces.h, per block [-]
-  std::vector<double> rock_volume_;    // [m3]
+  std::vector<BlockRock> rock_;      // per block
+  std::vector<Mat3> moment_;         // Q of leaning_faces.h, per block [-]
+  std::vector<double> rock_volume_;  // [m3]
   struct Slant {
     Mat3 gradient, stress, excess;
   };

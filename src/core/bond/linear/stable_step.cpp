@@ -120,8 +120,11 @@ class StepSearch {
       most_ = static_cast<int>(std::min<double>(products_needed(unknowns), unknowns));
     // A dashpot of share d of rho c_P is at most 2 d of its facet's stiffness at the limit, and the
     // step goes with the square root: an error in the step assumed for the dashpots shrinks by d.
-    const JointParameters& p = network.material().parameters();
-    shrink_ = std::min(1.0, 2.0 * std::max(p.damping, p.contact_damping));
+    const JointLaws& laws = network.tables().laws();
+    for (std::size_t zone = 0; zone < laws.zones(); ++zone) {
+      const JointParameters& p = laws.rock(zone).parameters();
+      shrink_ = std::max(shrink_, std::min(1.0, 2.0 * std::max(p.damping, p.contact_damping)));
+    }
   }
 
   [[nodiscard]] double longest(BreakView view, double guess) {

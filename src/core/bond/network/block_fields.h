@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "bond/law/joint_material.h"
 #include "bond/network/facet_group.h"
+#include "bond/network/joint_laws.h"
 #include "bond/network/network_block.h"
 #include "math/types.h"
 
@@ -24,25 +24,43 @@ struct BlockSums {
   double uneven = 0.0;    ///< sum of D A h (theta - theta of the neighbour) [J]
 };
 
+/// Elastic constants of a block's rock [Pa].
+struct BlockRock {
+  double lame_lambda, two_g;
+};
+
 struct BlockFields {
   std::vector<BlockConstants> constants;
+  std::vector<BlockRock> rock;
   std::vector<BlockState> state;
   std::vector<BlockSums> sums;
   std::vector<double> theta;        ///< dilatation [-]
   std::vector<double> bulk_stress;  ///< [Pa]
   std::vector<Vec3> force, torque;  ///< of facets, faces and gas [N], [N m]
+  /// Of FacetTables::borders(), what border_relief.h adds along the normal [Pa].
+  std::vector<double> border_traction;
 
   /// Adds the ground; all blocks lie at the origin with no motion, force or sum.
-  void reset(std::vector<BlockConstants> blocks) {
+  void reset(std::vector<BlockConstants> blocks, const JointLaws& laws) {
     constants = std::move(blocks);
     constants.reserve(constants.size() + 1);
     constants.push_back({kGroundTag, false, 1.0, 1.0, {}});
+    find_rock(laws);
     state.assign(size(), {Mat3::Identity(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
     sums.assign(size(), {});
     theta.assign(size(), 0.0);
     bulk_stress.assign(size(), 0.0);
     force.assign(size(), Vec3::Zero());
     torque.assign(size(), Vec3::Zero());
+  }
+
+  /// As soft as it is now.
+  void find_rock(const JointLaws& laws) {
+    rock.clear();
+    for (const BlockConstants& block : constants) {
+      const JointMaterial& of = laws.rock(block.zone);
+      rock.push_back({of.lame_lambda(), 2.0 * of.shear_modulus()});
+    }
   }
 
   [[nodiscard]] std::size_t size() const { return constants.size(); }  ///< with the ground
@@ -52,20 +70,19 @@ struct BlockFields {
     return state[static_cast<std::size_t>(block)];
   }
 
-  /// s of facet_network.h [-].
-  [[nodiscard]] static double stiffening(const BlockSums& of, const JointMaterial& rock) {
-    return 1.0 + of.unbonded * rock.lame_lambda() / (2.0 * rock.shear_modulus());
+  /// s of facet_network.h of block b with these sums [-].
+  [[nodiscard]] double stiffening(std::size_t b, const BlockSums& of) const {
+    return 1.0 + of.unbonded * rock[b].lame_lambda / rock[b].two_g;
   }
   /// By its sums [-].
-  [[nodiscard]] double dilatation(std::size_t b, const JointMaterial& rock) const {
-    return (sums[b].bonded + sums[b].loaded) / (volume(b) * stiffening(sums[b], rock));
+  [[nodiscard]] double dilatation(std::size_t b) const {
+    return (sums[b].bonded + sums[b].loaded) / (volume(b) * stiffening(b, sums[b]));
   }
   /// Energy of the dilatation that block b has with these sums, less the potential of the pressures
   /// on its faces [J].
-  [[nodiscard]] double potential(std::size_t b, const BlockSums& of,
-                                 const JointMaterial& rock) const {
+  [[nodiscard]] double potential(std::size_t b, const BlockSums& of) const {
     const double opened = of.bonded + of.loaded;
-    return 0.5 * rock.lame_lambda() * opened * opened / (volume(b) * stiffening(of, rock));
+    return 0.5 * rock[b].lame_lambda * opened * opened / (volume(b) * stiffening(b, of));
   }
 };
 

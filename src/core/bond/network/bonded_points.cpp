@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bond/law/plane_contact.h"
+#include "bond/network/border_relief.h"
 #include "bond/network/broken_contact.h"
 #include "bond/network/nonlinear_points.h"
 
@@ -16,7 +17,9 @@ Vec3 bulk_traction(const FacetKinematics& facets, const LeaningFaces* leaning, s
   const BondConstants bond = facets.tables.bond(f);
   const std::vector<double>& stress = facets.blocks.bulk_stress;
   const auto [i, j] = facets.tables.blocks_of(f);
-  const Vec3 bulk = bond.bulk_i * stress[i] * openings.i + bond.bulk_j * stress[j] * openings.j;
+  Vec3 bulk = bond.bulk_i * stress[i] * openings.i + bond.bulk_j * stress[j] * openings.j;
+  if (!facets.tables.borders().empty())
+    bulk += border_traction(facets, f) * facets.motion(f).normal;
   return leaning != nullptr ? Vec3(bulk + leaning->traction(f)) : bulk;
 }
 
@@ -72,7 +75,7 @@ static LaneMask failing(const FacetKinematics& facets, std::size_t f, const Face
   if (!laws.depends_on_rate() || none_of(slowly)) return slowly;
   const auto [depth_i, depth_j] = facets.tables.depths(f);
   const Lanes rate = sqrt(dot(pull.rate, pull.rate)) / (depth_i + depth_j);
-  const JointParameters& p = laws.rock().parameters();
+  const JointParameters& p = facets.tables.parameters(f);
   const auto faster = [&](double reference_rate) {
     return Lanes(
         [&](auto lane) { return rate_factor(rate[lane], reference_rate, p.rate_exponent); });
@@ -140,14 +143,13 @@ static Lanes slip_share(double through, const ContactConstants& contact, const L
 /// facet and its dilatations.
 void BondedPoints::rub(std::size_t f, const FacetMotion& motion, const ContactConstants& contact,
                        FacetPull& pull, double dt) {
-  const JointLaws& laws = facets_.tables.laws();
   ContactRows& contacts = parts_.history.contacts();
   JointLosses& losses = parts_.books.losses;
   const LaneMask slipping = where_slipping(facets_.history.traces(f));
   const Lanes rate = dot(pull.normal, pull.rate);
   const Lanes elastic = choose(slipping, dot(pull.normal, pull.traction), 0.0);
   const Lanes normal =
-      min(elastic + choose(slipping, laws.contact_damping() * rate, 0.0), Lanes(0.0));
+      min(elastic + choose(slipping, facets_.tables.contact_damping(f) * rate, 0.0), Lanes(0.0));
   const LaneVec shear = choose(slipping, Lanes(1.0), 0.0) * pull.traction - elastic * pull.normal;
   const LaneVec slip = pull.rate - rate * pull.normal;
   const auto [slips, kept] =

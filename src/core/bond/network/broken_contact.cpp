@@ -34,7 +34,7 @@ PlaneContact<Lanes> linear_contact(const FacetKinematics& facets, std::size_t f,
   const double fade = facets.history.contacts().fade(f);
   return {{fade * contact.closure.normal},
           fade * contact.shear,
-          fade * laws.contact_damping(),
+          fade * facets.tables.contact_damping(f),
           laws.friction(Lanes(facets.tables.residual_friction(f)))};
 }
 

@@ -13,6 +13,7 @@ namespace muckpile {
 struct BrokenContact::Remembered {
   ContactGroup* memory;
   FacetRow<double> fresh{}, tan_residual{}, weight{}, rock_share{};
+  FacetRow<double> shear_over_p_wave{}, dashpot{};  // where there is more than one rock
 };
 
 /// How far the two sides of each facet have parted.
@@ -62,6 +63,9 @@ BrokenContact::Remembered BrokenContact::remembered(std::size_t g, unsigned lane
     contact.weight[k] = facets_.tables.name(f).weight;
     contact.rock_share[k] = facets_.tables.rock_share(f);
     contact.tan_residual[k] = facets_.tables.residual_friction(f);
+    if (!facets_.tables.laws().zoned()) return;
+    contact.shear_over_p_wave[k] = facets_.tables.shear_over_p_wave(f);
+    contact.dashpot[k] = facets_.tables.contact_damping(f);
   });
   return contact;
 }
@@ -109,11 +113,13 @@ void BrokenContact::touch(std::size_t g, unsigned lanes, const WidePose& pose,
   const Wide fade = choose(mask_of<Wide>(lanes), wide(memory.fade), 0.0),
              shear = fade * wide(group.shear);
   const LinearClosure<Wide> bonded{wide(group.shear), wide(group.normal_extra)};
-  const Wide closed = laws.contact(bonded, wide(contact.rock_share)).normal;
-  const PlaneContact<Wide> law = {{fade * closed},
-                                  shear,
-                                  fade * laws.contact_damping(),
-                                  laws.friction(wide(contact.tan_residual))};
+  const bool zoned = laws.zoned();
+  const Wide shear_over_p_wave =
+      zoned ? wide(contact.shear_over_p_wave) : Wide(laws.shear_over_p_wave());
+  const Wide dashpot = zoned ? wide(contact.dashpot) : Wide(laws.contact_damping());
+  const Wide closed = bonded.contact(wide(contact.rock_share), shear_over_p_wave);
+  const PlaneContact<Wide> law = {
+      {fade * closed}, shear, fade * dashpot, laws.friction(wide(contact.tan_residual))};
   const WideMask broken = fade > 0.0, fresh = wide(contact.fresh) > 0.0;
   WideVec traction, moment;
   Wide damped = 0.0, rubbed = 0.0;

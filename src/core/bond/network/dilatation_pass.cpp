@@ -4,6 +4,7 @@
 // Scope: see the header.
 #include "bond/network/dilatation_pass.h"
 
+#include "bond/network/border_relief.h"
 #include "bond/network/facet_wide.h"
 
 namespace muckpile {
@@ -65,8 +66,7 @@ void DilatationPass::open_one(std::size_t f) {
 }
 
 void DilatationPass::find_theta() {
-  const JointMaterial& rock = facets_.tables.laws().rock();
-  for (std::size_t b = 0; b < blocks_.size(); ++b) blocks_.theta[b] = blocks_.dilatation(b, rock);
+  for (std::size_t b = 0; b < blocks_.size(); ++b) blocks_.theta[b] = blocks_.dilatation(b);
   blocks_.theta.back() = 0.0;  // the ground
 }
 
@@ -88,12 +88,11 @@ void DilatationPass::find_bulk_stresses() {
       sums[j].uneven -= part;
     }
   }
-  const JointMaterial& rock = tables.laws().rock();
+  if (!tables.borders().empty()) relieve_borders(facets_, blocks_);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (!all && !schedule_.stirred(b)) continue;  // no facet that works reads it
-    blocks_.bulk_stress[b] =
-        rock.lame_lambda() * theta[b] +
-        sums[b].uneven / (blocks_.volume(b) * BlockFields::stiffening(sums[b], rock));
+    blocks_.bulk_stress[b] = blocks_.rock[b].lame_lambda * theta[b] +
+                             sums[b].uneven / (blocks_.volume(b) * blocks_.stiffening(b, sums[b]));
   }
   blocks_.bulk_stress.back() = 0.0;  // the ground
 }

@@ -10,9 +10,10 @@ namespace muckpile {
 namespace {
 
 /// By the face's own displacement [m3].
-double squeezed(const BoundaryFace& face, const BlockFields& blocks, const JointMaterial& rock) {
-  const double two_g = 2.0 * rock.shear_modulus();
-  const double bulk_stress = blocks.bulk_stress[static_cast<std::size_t>(face.block)];
+double squeezed(const BoundaryFace& face, const BlockFields& blocks) {
+  const auto b = static_cast<std::size_t>(face.block);
+  const double two_g = blocks.rock[b].two_g;
+  const double bulk_stress = blocks.bulk_stress[b];
   return face.area * (face.pressure + bulk_stress) * face.depth_share * face.normal.dot(face.arm) /
          two_g;
 }
@@ -60,35 +61,33 @@ void FaceLoad::expect_pressure(bool expected) {
   moved_unseen_ = true;
 }
 
-void FaceLoad::squeeze(BlockFields& blocks, const JointMaterial& rock) {
-  const double two_g = 2.0 * rock.shear_modulus();
+void FaceLoad::squeeze(BlockFields& blocks) {
   energy_ = 0.0;
   for (const BoundaryFace& face : faces_) {
     if (face.pressure == 0.0) continue;
     const auto b = static_cast<std::size_t>(face.block);
-    const double squeezed =
-        face.area * face.pressure * face.depth_share * face.normal.dot(face.arm) / two_g;
+    const double squeezed = face.area * face.pressure * face.depth_share *
+                            face.normal.dot(face.arm) / blocks.rock[b].two_g;
     blocks.sums[b].loaded -= squeezed;
     if (blocks.owned(b)) energy_ += 0.5 * squeezed * face.pressure;
   }
 }
 
 /// What faces have moved while no pressure was expected is not swept.
-void FaceLoad::look_anew(const BlockFields& blocks, const JointMaterial& rock) {
+void FaceLoad::look_anew(const BlockFields& blocks) {
   moved_unseen_ = false;
   for (BoundaryFace& face : faces_) {
     const double swept = face.rigid_swept;
     sweep(face, blocks);
     face.rigid_swept = swept;
-    face.last_squeezed = squeezed(face, blocks, rock);
+    face.last_squeezed = squeezed(face, blocks);
   }
 }
 
 void FaceLoad::load(const FacetKinematics& facets, BlockFields& blocks, JointBooks& books) {
   std::fill(hole_work_.begin(), hole_work_.end(), 0.0);
   if (unloaded_) return;
-  const JointMaterial& rock = facets.tables.laws().rock();
-  if (moved_unseen_) look_anew(blocks, rock);
+  if (moved_unseen_) look_anew(blocks);
   unloaded_ = !pressure_expected_;
   for (BoundaryFace& face : faces_) {
     if (face.hole < 0) continue;
@@ -97,7 +96,7 @@ void FaceLoad::load(const FacetKinematics& facets, BlockFields& blocks, JointBoo
     const Vec3 force = -face.pressure * face.area * face.last_normal;
     blocks.force[b] += force;
     blocks.torque[b] += (face.last_centroid - blocks.state[b].centre).cross(force);
-    const double squeezed_now = squeezed(face, blocks, rock);
+    const double squeezed_now = squeezed(face, blocks);
     if (softer_since_) keep_swept_volume(face, squeezed_now);
     if (blocks.owned(b)) {
       const double work =
@@ -114,9 +113,8 @@ void FaceLoad::load(const FacetKinematics& facets, BlockFields& blocks, JointBoo
   share_load(facets.tables, facets.history);
 }
 
-double FaceLoad::volume_swept(const BoundaryFace& face, const BlockFields& blocks,
-                              const JointMaterial& rock) {
-  return face.rigid_swept + squeezed(face, blocks, rock);
+double FaceLoad::volume_swept(const BoundaryFace& face, const BlockFields& blocks) {
+  return face.rigid_swept + squeezed(face, blocks);
 }
 
 }  // namespace muckpile

@@ -39,7 +39,7 @@ class FaceLoad {
   }
 
   /// Adds what the pressures of `faces()` add to BlockSums::loaded.
-  void squeeze(BlockFields& blocks, const JointMaterial& rock);
+  void squeeze(BlockFields& blocks);
   /// What they store in owned blocks beside the dilatations, the sum of A d p^2/(4G), as the last
   /// squeeze() found it [J].
   [[nodiscard]] double energy() const { return energy_; }
@@ -49,8 +49,7 @@ class FaceLoad {
   /// end has none.
   [[nodiscard]] std::span<const double> work_per_hole() const { return hole_work_; }
   /// By a loaded face since the start [m3].
-  [[nodiscard]] static double volume_swept(const BoundaryFace& face, const BlockFields& blocks,
-                                           const JointMaterial& rock);
+  [[nodiscard]] static double volume_swept(const BoundaryFace& face, const BlockFields& blocks);
 
   [[nodiscard]] double bytes_of_faces() const {
     return static_cast<double>(faces_.capacity() * sizeof(BoundaryFace));
@@ -62,7 +61,7 @@ class FaceLoad {
     if (hole >= hole_work_.size()) hole_work_.resize(hole + 1, 0.0);
     hole_work_[hole] += work;
   }
-  void look_anew(const BlockFields& blocks, const JointMaterial& rock);
+  void look_anew(const BlockFields& blocks);
   void share_load(const FacetTables& tables, const FacetHistory& history) {
     if (walls_) walls_->share_load(tables, history, faces_);
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bond/network/border_relief.h"
 #include "bond/network/nonlinear_points.h"
 
 namespace muckpile {
@@ -13,18 +14,18 @@ namespace muckpile {
 SlipThroughBlocks slip_through_blocks(const FacetKinematics& facets, const LeaningFaces* leaning,
                                       std::size_t f) {
   const FacetTables& tables = facets.tables;
-  const JointMaterial& rock = tables.laws().rock();
   const BondConstants bond = tables.bond(f);
   const Vec3 normal = tables.normal(f);
   SlipThroughBlocks sum{0.0, 0.0};
   const auto add = [&](std::size_t side, int block, double area, const Vec3& opening) {
-    const double volume = facets.blocks.volume(static_cast<std::size_t>(block));
+    const auto b = static_cast<std::size_t>(block);
+    const double volume = facets.blocks.volume(b);
     const double share = area * area / (volume * bond.shear * tables.area(f));
     const Vec3 in_plane = opening - normal.dot(opening) * normal;
-    sum.dilatations += share * rock.lame_lambda() * in_plane.squaredNorm();
+    sum.dilatations += share * facets.blocks.rock[b].lame_lambda * in_plane.squaredNorm();
     if (!tables.name(f).slanted()[side]) return;
     const double m = opening.norm(), g = leaning->facet(f).lean[side].norm();
-    sum.leaning += share * 2.0 * rock.shear_modulus() * m * (m + 2.0 * g);
+    sum.leaning += share * facets.blocks.rock[b].two_g * m * (m + 2.0 * g);
   };
   add(0, tables.i_of(f), bond.area_i, bond.opening_i);
   add(1, tables.j_of(f), bond.area_j, bond.opening_j);
@@ -67,9 +68,8 @@ FacetBreaking::Remnant FacetBreaking::remnant_of(std::size_t f, const PointBreak
   const bool linear = tables.nonlinear_law(f) == nullptr;
   if (tables.laws().softens() && first && linear) {
     const Mat3 to_axes = broken.axes.transpose();
-    left.cohesion =
-        cohesion_after(to_axes * left.dropped, to_axes * broken.jump, contact.closure.normal,
-                       contact.shear, tables.laws().rock().parameters());
+    left.cohesion = cohesion_after(to_axes * left.dropped, to_axes * broken.jump,
+                                   contact.closure.normal, contact.shear, tables.parameters(f));
   }
   left.slips = first && normal < 0.0 && !broken.torn && may_slip(f);
   left.lost = broken.elastic;
@@ -101,6 +101,7 @@ Vec3 FacetBreaking::break_point(std::size_t f, const PointBreak& broken, double 
   if (contact.shear > 0.0) spring += left.shear / contact.shear;
   const Vec3 rests_at = left.slips ? left.lost : Vec3(broken.jump - spring);
   history.contacts().set_offset(f, q, broken.axes.transpose() * rests_at);
+  parts_.books.losses.fracture += facets_.tables.weight(f) * border_energy(facets_, f);  // it ends
   history.break_point(f, q, left.slips, parts_.keeps_gas);
   parts_.books.newly_cracked = true;
   book_break(f, broken, left, dt);
@@ -164,7 +165,6 @@ void FacetBreaking::drop_from_dilatation(std::size_t f, const PointBreak& broken
 
 void FacetBreaking::book_step() {
   BlockFields& blocks = parts_.blocks;
-  const JointMaterial& rock = facets_.tables.laws().rock();
   std::vector<JointBooks::Dropped>& dropped = parts_.books.dropped;
   const std::vector<double> theta_before = blocks.theta;
   std::ranges::stable_sort(dropped, {}, &JointBooks::Dropped::block);
@@ -180,12 +180,13 @@ void FacetBreaking::book_step() {
     blocks.sums[b].unbonded += unbonded;
     if (!blocks.owned(b)) continue;
     parts_.books.losses.fracture +=
-        blocks.potential(b, before, rock) - blocks.potential(b, blocks.sums[b], rock);
-    blocks.theta[b] = blocks.dilatation(b, rock);
+        blocks.potential(b, before) - blocks.potential(b, blocks.sums[b]);
+    blocks.theta[b] = blocks.dilatation(b);
   }
   dropped.clear();
   book_sharpening(theta_before);
-  if (parts_.leaning != nullptr) parts_.leaning->book(blocks, rock, parts_.books.losses);
+  book_borders(facets_, theta_before, parts_.books.losses);
+  if (parts_.leaning != nullptr) parts_.leaning->book(blocks, parts_.books.losses);
 }
 
 /// Books what the energy of uneven dilatation loses as breaking changes theta. The part of a block

@@ -3,6 +3,7 @@
 // Scope: see the header.
 #include "bond/network/facet_energy.h"
 
+#include "bond/network/border_relief.h"
 #include "bond/network/nonlinear_points.h"
 
 namespace muckpile {
@@ -53,7 +54,7 @@ double facet_energy(const FacetKinematics& facets, std::size_t f) {
     stored += bonded_energy_at(facets, f, q, motion.normal, jumps.at(p));
   }
   return 0.5 * (bond.point_area * stored + coupling.sharpening * uneven * uneven) +
-         contact_energy(facets, f, motion) +
+         contact_energy(facets, f, motion) + border_energy(facets, f) +
          (facets.tables.laws().softens() ? cohesion_energy(facets, f, motion) : 0.0);
 }
 

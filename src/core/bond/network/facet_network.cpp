@@ -10,11 +10,12 @@
 
 namespace muckpile {
 
-FacetNetwork::FacetNetwork(const JointMaterial& material, const std::vector<JointClass>& natural)
-    : tables_(material, natural) {}
+FacetNetwork::FacetNetwork(const JointMaterial& material, const std::vector<JointClass>& natural,
+                           const std::vector<JointMaterial>& zones)
+    : tables_(material, natural, zones) {}
 
 void FacetNetwork::set_blocks(std::vector<BlockConstants> blocks) {
-  blocks_.reset(std::move(blocks));
+  blocks_.reset(std::move(blocks), tables_.laws());
   schedule_.reset_blocks(blocks_.size());
   if (gas_) gas_->clear_pressure();
 }
@@ -135,7 +136,7 @@ void FacetNetwork::find_stresses(double dt, const RankTeam& team) {
   DilatationPass dilatation(kinematics(), blocks_, schedule_, ground_yields());
   dilatation.sum_openings();
   if (slanted()) leaning_->stretch(kinematics(), schedule_.bonded());
-  faces_.squeeze(blocks_, material());
+  faces_.squeeze(blocks_);
   if (ground_yields())
     ground_->yield(kinematics(), {tables_, history_, blocks_.sums, books_.losses}, dt);
   dilatation.find_theta();
@@ -215,6 +216,7 @@ void FacetNetwork::soften(double factor, std::optional<double> damping, const Ra
   if (damping) books_.damping_given = damping;
   schedule_.set_resting_known(false);
   tables_.soften(factor, damping, history_.bonded_points());
+  blocks_.find_rock(tables_.laws());
 }
 
 NetworkTotals FacetNetwork::totals() const {
@@ -233,6 +235,7 @@ void FacetNetwork::resume(const NetworkTotals& totals) {
   faces_.resume(totals.moved_unseen, totals.softer_since);
   if (books_.softened == 1.0 && !totals.damping) return;
   tables_.soften(books_.softened, totals.damping, history_.bonded_points());
+  blocks_.find_rock(tables_.laws());
 }
 
 }  // namespace muckpile

@@ -4,8 +4,8 @@
 // Scope: forces from the poses of the blocks; no integration, no engine. The caller fills state()
 // and calls step(), which gets what other ranks own through the team that it is given; then it
 // reads force() and torque(). Blocks: one row each, owned ones first, then copies of other ranks'
-// blocks, the ground last. SI units; tension is positive. InputError comes from JointMaterial
-// alone.
+// blocks, the ground last. SI units; tension is positive. InputError comes from JointMaterial and
+// JointLaws alone.
 //
 // Elasticity (Muckpile's own; kin: Chen, Lin, Jiao & Liu 2014, Asahina et al. 2015): a facet with
 // normal n (from i to j), centre distance h along n and jump u = displacement of j minus that of i
@@ -22,6 +22,8 @@
 // cuboid's axis, 3/5 of that where facets face all directions. kSharpening of D stands between.
 // Cuts whose faces lean against the lines between the centres also have the terms of
 // leaning_faces.h.
+// Where blocks i and j are of two rocks their facet has the law of two_rocks.h, the jump strains
+// both in series, with the relief of border_relief.h; D is 0 at all facets of these blocks.
 // Fixed supports, whose ground may yield, have m = n, and their blocks p = lambda theta; of a
 // mirror only the part of m along n counts. A support whose ground yields (yielding_ground.h) is a
 // bonded facet whose far side moves.
@@ -51,8 +53,10 @@ namespace muckpile {
 
 class FacetNetwork {
  public:
-  /// `natural`: the joint classes from 1; class 0 is that of `material`.
-  explicit FacetNetwork(const JointMaterial& material, const std::vector<JointClass>& natural = {});
+  /// `natural`: the joint classes from 1; class 0 is that of `material`. `zones`: the rocks of the
+  /// zones from 1; `material` is that of zone 0. InputError: see JointLaws.
+  explicit FacetNetwork(const JointMaterial& material, const std::vector<JointClass>& natural = {},
+                        const std::vector<JointMaterial>& zones = {});
 
   // Blocks first (the ground is appended), then facets and faces with their indices set.
   void set_blocks(std::vector<BlockConstants> blocks);
@@ -92,6 +96,7 @@ class FacetNetwork {
     return leaning_ && leaning_->any() ? &*leaning_ : nullptr;
   }
   [[nodiscard]] bool slanted() const { return leaning() != nullptr; }
+  /// Of zone 0.
   [[nodiscard]] const JointMaterial& material() const { return tables_.laws().rock(); }
   [[nodiscard]] std::size_t natural_classes() const { return tables_.laws().natural_classes(); }
   [[nodiscard]] const std::vector<BlockConstants>& blocks() const { return blocks_.constants; }
@@ -129,7 +134,7 @@ class FacetNetwork {
   [[nodiscard]] std::span<BoundaryFace> faces() { return faces_.faces(); }
   void expect_pressure(bool expected) { faces_.expect_pressure(expected); }  ///< see FaceLoad
   [[nodiscard]] double volume_swept(const BoundaryFace& face) const {  ///< by a loaded face [m3]
-    return FaceLoad::volume_swept(face, blocks_, material());
+    return FaceLoad::volume_swept(face, blocks_);
   }
   /// By the pressures of each hole in the last step on owned blocks; see FaceLoad [J].
   [[nodiscard]] std::span<const double> work_per_hole() const { return faces_.work_per_hole(); }

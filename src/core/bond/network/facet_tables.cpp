@@ -3,6 +3,8 @@
 // Scope: see the header.
 #include "bond/network/facet_tables.h"
 
+#include <algorithm>
+
 namespace muckpile {
 namespace {
 
@@ -32,6 +34,8 @@ void FacetTables::reset(std::size_t count) {
   groups_.assign((count + kGroup - 1) / kGroup, empty);
   stiffening_ = {};
   nonlinear_laws_.assign(laws_.any_nonlinear() ? groups_.size() : 0, 0);
+  borders_ = {};
+  border_lanes_.assign(laws_.zoned() ? groups_.size() : 0, 0);
 }
 
 void FacetTables::release() {
@@ -39,6 +43,8 @@ void FacetTables::release() {
   names_ = {};
   groups_ = {};
   nonlinear_laws_ = {};
+  borders_ = {};
+  border_lanes_ = {};
 }
 
 void FacetTables::stiffen(std::size_t f, double stiffening) {
@@ -51,7 +57,7 @@ Vec3 FacetTables::place(std::size_t f, const Facet& facet) {
   FacetName& name = names_[f];
   name.weight = static_cast<float>(facet.weight);
   name.face = static_cast<std::uint16_t>(facet.face);
-  name.joint_class = facet.joint_class;
+  name.law = laws_.law_of(facet.joint_class, facet.zone_i, facet.zone_j);
   name.kind = facet.kind;
   name.sharpened = facet.sharpened;
   name.slanted_i = facet.slanted[0];
@@ -72,7 +78,57 @@ Vec3 FacetTables::place(std::size_t f, const Facet& facet) {
   const Vec3 rounded = at_lane(group.arm, lane) - facet.arm_i;  // the same place from j
   const Vec3 arm_j = facet.arm_j + rounded;
   set_lane(group.arm_j, lane, arm_j);
+  if (is_border(f)) split_jump(f, facet);
   return arm_j;
+}
+
+/// Facets are placed in order.
+void FacetTables::split_jump(std::size_t f, const Facet& facet) {
+  FacetGroup& group = groups_[f / kGroup];
+  const std::size_t k = lane_of(f);
+  const Vec3 m_i = at_lane(group.opening_i, k), m_j = at_lane(group.opening_j, k), n = normal(f);
+  borders_.push_back({f, m_i.cast<float>(), m_j.cast<float>(), facet.border_room});
+  border_lanes_[f / kGroup] = static_cast<std::uint8_t>(border_lanes_[f / kGroup] | 1u << k);
+  const TwoRocks both = two_rocks(f);
+  set_lane(group.opening_i, k, both.opening(0, m_i, n));
+  set_lane(group.opening_j, k, both.opening(1, m_j, n));
+}
+
+std::size_t FacetTables::border_of(std::size_t f) const {
+  return static_cast<std::size_t>(std::ranges::lower_bound(borders_, f, {}, &Border::facet) -
+                                  borders_.begin());
+}
+
+/// Formulas are in border_relief.h.
+void FacetTables::derive_border(std::size_t f) {
+  Border& border = borders_[border_of(f)];
+  if (border.room[0] == 0.0f || nonlinear_law(f) != nullptr) return;
+  const auto [depth_i, depth_j] = depths(f);
+  const double depth[2] = {depth_i / stiffening(f), depth_j / stiffening(f)};
+  const double h = depth[0] + depth[1];
+  const JointMaterial* const rock[2] = {&laws_.rock(laws_.zone_i(names_[f].law)),
+                                        &laws_.rock(laws_.zone_j(names_[f].law))};
+  const Vec3 m[2] = {border.opening_i.cast<double>(), border.opening_j.cast<double>()};
+  const TwoRocks both = two_rocks(f);
+  double stiffness = 0.0, pull[2];
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double g = 0.5 * h * m[k].dot(normal(f)) / depth[k];
+    pull[k] = rock[k]->lame_lambda() * g;
+    stiffness += 2.0 * rock[k]->shear_modulus() / depth[k] + pull[k] * g / double{border.room[k]};
+  }
+  border.push =
+      2.0 * rock_share(f) / h *
+      (rock[0]->shear_modulus() * both.along[0] - rock[1]->shear_modulus() * both.along[1]);
+  border.pull_i = pull[0];
+  border.pull_j = pull[1];
+  border.give = 1.0 / stiffness;
+}
+
+TwoRocks FacetTables::two_rocks(std::size_t f) const {
+  const std::size_t law = names_[f].law;
+  const auto [depth_i, depth_j] = depths(f);
+  return muckpile::two_rocks(laws_.rock(laws_.zone_i(law)), depth_i / stiffening(f),
+                             laws_.rock(laws_.zone_j(law)), depth_j / stiffening(f));
 }
 
 Facet FacetTables::facet(std::size_t f) const {
@@ -84,12 +140,20 @@ Facet FacetTables::facet(std::size_t f) const {
   facet.j = group.j[k];
   facet.face = name.face;
   facet.kind = name.kind;
-  facet.joint_class = name.joint_class;
+  facet.joint_class = laws_.class_of(name.law);
+  facet.zone_i = laws_.zone_i(name.law);
+  facet.zone_j = laws_.zone_j(name.law);
   facet.normal = at_lane(group.normal, k);
   facet.arm_i = at_lane(group.arm, k);
   facet.arm_j = at_lane(group.arm_j, k);
   facet.opening_i = at_lane(group.opening_i, k);
   facet.opening_j = at_lane(group.opening_j, k);
+  if (facet.zone_i != facet.zone_j) {
+    const Border& border = borders_[border_of(f)];
+    facet.opening_i = border.opening_i.cast<double>();
+    facet.opening_j = border.opening_j.cast<double>();
+    facet.border_room = border.room;
+  }
   facet.half_axes = {at_lane(group.half_1, k), at_lane(group.half_2, k)};
   facet.area = group.area[k];
   facet.stiffening = stiffening(f);
@@ -99,27 +163,38 @@ Facet FacetTables::facet(std::size_t f) const {
   return facet;
 }
 
+FacetStiffness FacetTables::stiffness(std::size_t f, const Facet& facet) const {
+  const JointMaterial& law = laws_.of_law(names_[f].law);
+  if (facet.zone_i != facet.zone_j) {
+    const TwoRocks both = two_rocks(f);
+    return joint_in_rock(both.normal, both.shear, both.uniaxial, law.parameters().normal_stiffness,
+                         law.parameters().shear_stiffness);
+  }
+  const auto [depth_i, depth_j] = depths(f);
+  return law.facet_stiffness((depth_i + depth_j) / facet.stiffening);
+}
+
 void FacetTables::derive(std::size_t f, int bonded_points) {
   const Facet facet = this->facet(f);
   const bool grounded = facet.kind != FacetKind::joint, smooth = facet.kind == FacetKind::mirror;
   const double depth_i = facet.normal.dot(facet.arm_i);
   const double depth_j = grounded ? 0.0 : -facet.normal.dot(facet.arm_j);
-  const FacetStiffness k =
-      laws_.of_class(facet.joint_class).facet_stiffness((depth_i + depth_j) / facet.stiffening);
+  const FacetStiffness k = stiffness(f, facet);
   const double shear = smooth ? 0.0 : k.shear, point_area = facet.area / kFacetPoints;
-  const JointMaterial& rock = laws_.rock();
+  const JointMaterial& rock = laws_.rock(facet.zone_i);
   const double d = kSharpening * (2.0 * rock.lame_lambda() + rock.shear_modulus()) / 6.0;  // [Pa]
-  const double stiffness = facet.sharpened ? d * k.rock_share * (depth_i + depth_j) : 0.0;
+  const double uneven = facet.sharpened ? d * k.rock_share * (depth_i + depth_j) : 0.0;
 
   if (nonlinear_law(f) != nullptr)
     nonlinear_laws_[f / kGroup] =
         static_cast<std::uint8_t>(nonlinear_laws_[f / kGroup] | 1u << lane_of(f));
   FacetGroup& group = groups_[f / kGroup];
   const std::size_t lane = lane_of(f);
-  group.sharpening[lane] = stiffness * point_area * bonded_points;
+  group.sharpening[lane] = uneven * point_area * bonded_points;
   group.shear[lane] = shear;
   group.normal_extra[lane] = k.normal - shear;
   group.bulk[lane] = (grounded ? 1.0 : 0.5) * k.rock_share;
+  if (facet.zone_i != facet.zone_j) derive_border(f);
 }
 
 void FacetTables::derive_all(const std::vector<std::uint8_t>& bonded_points) {

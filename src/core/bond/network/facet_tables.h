@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "bond/facet.h"
+#include "bond/law/two_rocks.h"
 #include "bond/network/facet_group.h"
 #include "bond/network/joint_laws.h"
 
@@ -28,7 +29,7 @@ inline constexpr double kSharpening = 2.0 / 3.0;
 struct FacetName {
   float weight;        ///< as in Facet
   std::uint16_t face;  ///< cells from files have at most so many, cut ones far fewer
-  std::uint8_t joint_class;
+  std::uint8_t law;    ///< of JointLaws
   FacetKind kind : 2;
   bool sharpened : 1, slanted_i : 1, slanted_j : 1;
 
@@ -67,8 +68,28 @@ struct DilatationCoupling {
 
 class FacetTables {
  public:
-  FacetTables(const JointMaterial& material, const std::vector<JointClass>& natural)
-      : laws_(material, natural) {}
+  FacetTables(const JointMaterial& material, const std::vector<JointClass>& natural,
+              const std::vector<JointMaterial>& zones = {})
+      : laws_(material, natural, zones) {}
+
+  /// A facet between two rocks.
+  struct Border {
+    std::size_t facet;
+    /// m of the two blocks as they were placed: in the groups each is that of the whole jump
+    /// (TwoRocks::opening).
+    Eigen::Vector3f opening_i, opening_j;
+    std::array<float, 2> room;  ///< as in Facet [m]
+    // Of border_relief.h: per jump [Pa/m], per theta [Pa]; 1/K [m/Pa], 0: no relief.
+    double push = 0.0, pull_i = 0.0, pull_j = 0.0, give = 0.0;
+  };
+  /// In the order of the facets; none where there is one rock.
+  [[nodiscard]] const std::vector<Border>& borders() const { return borders_; }
+  /// Place of a border among them.
+  [[nodiscard]] std::size_t border_of(std::size_t f) const;
+  /// Of a group, bit per facet: those that are borders.
+  [[nodiscard]] unsigned border_lanes(std::size_t g) const {
+    return border_lanes_.empty() ? 0u : border_lanes_[g];
+  }
 
   [[nodiscard]] const JointLaws& laws() const { return laws_; }
   /// `bonded_points`: per facet, how many of its points are in the dilatations.
@@ -109,11 +130,11 @@ class FacetTables {
     return (is_joint(f) ? 2.0 : 1.0) * group_of(f).bulk[lane_of(f)];
   }
   [[nodiscard]] const CoulombStrength<double>& strength(std::size_t f) const {
-    return laws_.strength(names_[f].joint_class).bonded;
+    return laws_.strength(names_[f].law).bonded;
   }
   /// The nonlinear law of a facet's joint; nullptr: it has the linear one.
   [[nodiscard]] const JointLaw* nonlinear_law(std::size_t f) const {
-    return laws_.nonlinear(names_[f].joint_class);
+    return laws_.nonlinear(names_[f].law);
   }
   /// Of a group, bit per facet: those that have one. They are worked on one by one.
   [[nodiscard]] unsigned nonlinear_lanes(std::size_t g) const {
@@ -123,15 +144,37 @@ class FacetTables {
   [[nodiscard]] double stiffening(std::size_t f) const {
     return stiffening_.empty() ? 1.0 : double{stiffening_[f]};
   }
+  /// What the facet's own law takes: strengths, rates, fracture energies.
+  [[nodiscard]] const JointParameters& parameters(std::size_t f) const {
+    return laws_.of_law(names_[f].law).parameters();
+  }
+  /// Of the rock of its block i.
+  [[nodiscard]] std::size_t zone_i(std::size_t f) const { return laws_.zone_i(names_[f].law); }
+  /// It lies between two rocks.
+  [[nodiscard]] bool is_border(std::size_t f) const { return laws_.is_border(names_[f].law); }
+  /// Dashpots of bonded points and of closed broken ones [Pa s/m].
+  [[nodiscard]] double damping(std::size_t f) const { return laws_.damping(names_[f].law); }
+  [[nodiscard]] double contact_damping(std::size_t f) const {
+    return laws_.contact_damping(names_[f].law);
+  }
   /// Stiffness of the rock between the two centres, (lambda + 2G)/h [Pa/m].
   [[nodiscard]] double uniaxial_stiffness(std::size_t f) const {
+    if (laws_.zoned() && is_border(f)) return two_rocks(f).uniaxial;
     const auto [depth_i, depth_j] = depths(f);
-    return laws_.rock().p_wave_modulus() / ((depth_i + depth_j) / stiffening(f));
+    return laws_.rock(laws_.zoned() ? zone_i(f) : 0).p_wave_modulus() /
+           ((depth_i + depth_j) / stiffening(f));
+  }
+  /// 2G/(lambda + 2G) of the rock there, of both in series [-].
+  [[nodiscard]] double shear_over_p_wave(std::size_t f) const {
+    if (!laws_.zoned()) return laws_.shear_over_p_wave();
+    if (!is_border(f)) return laws_.shear_over_p_wave(zone_i(f));
+    const TwoRocks both = two_rocks(f);
+    return both.normal / both.uniaxial;
   }
   /// Of slow slip [-]; a mirror has none.
   [[nodiscard]] double residual_friction(std::size_t f) const {
     const FacetName& name = names_[f];
-    return name.kind == FacetKind::mirror ? 0.0 : laws_.strength(name.joint_class).tan_residual;
+    return name.kind == FacetKind::mirror ? 0.0 : laws_.strength(name.law).tan_residual;
   }
   [[nodiscard]] DilatationCoupling coupling(std::size_t f) const {
     return {i_of(f), j_of(f), group_of(f).sharpening[lane_of(f)]};
@@ -152,13 +195,20 @@ class FacetTables {
   }
   [[nodiscard]] double bytes_of_names() const {
     return static_cast<double>(names_.capacity() * sizeof(FacetName) +
-                               stiffening_.capacity() * sizeof(float));
+                               stiffening_.capacity() * sizeof(float) +
+                               borders_.capacity() * sizeof(Border));
   }
 
  private:
   void stiffen(std::size_t f, double stiffening);
+  void split_jump(std::size_t f, const Facet& facet);
+  void derive_border(std::size_t f);
+  [[nodiscard]] FacetStiffness stiffness(std::size_t f, const Facet& facet) const;
+  [[nodiscard]] TwoRocks two_rocks(std::size_t f) const;
 
   JointLaws laws_;
+  std::vector<Border> borders_;
+  std::vector<std::uint8_t> border_lanes_;  // empty where there is one rock
   std::vector<FacetName> names_;
   std::vector<float> stiffening_;  // empty: 1 for all
   std::vector<FacetGroup> groups_;
@@ -184,10 +234,12 @@ class FacetTables {
 [[gnu::always_inline]] inline ContactConstants FacetTables::contact(std::size_t f) const {
   const FacetGroup& group = group_of(f);
   const std::size_t k = lane_of(f);
-  return {
-      names_[f].weight, group.area[k] / kFacetPoints,
-      laws_.contact(LinearClosure<double>{group.shear[k], group.normal_extra[k]}, rock_share(f)),
-      group.shear[k], M_1_PI * group.area[k]};
+  return {names_[f].weight,
+          group.area[k] / kFacetPoints,
+          {LinearClosure<double>{group.shear[k], group.normal_extra[k]}.contact(
+              rock_share(f), shear_over_p_wave(f))},
+          group.shear[k],
+          M_1_PI * group.area[k]};
 }
 
 }  // namespace muckpile

@@ -1,18 +1,33 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The rock and the joint classes of a network: constants derived from them.
+// The rocks and the joint classes of a network: constants derived from them.
 // Scope: see the header.
 #include "bond/network/joint_laws.h"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "args/input_error.h"
+#include "bond/law/two_rocks.h"
 
 namespace muckpile {
 
-JointLaws::JointLaws(const JointMaterial& material, const std::vector<JointClass>& natural)
-    : classes_{material}, nonlinear_{nullptr} {
-  for (const JointClass& joint : natural) {
-    classes_.push_back(material.with_joints(joint));
-    nonlinear_.push_back(joint.law);
+JointLaws::JointLaws(const JointMaterial& material, const std::vector<JointClass>& natural,
+                     const std::vector<JointMaterial>& zones)
+    : natural_classes_(natural.size()), rocks_{material}, nonlinear_{nullptr} {
+  rocks_.insert(rocks_.end(), zones.begin(), zones.end());
+  if ((natural.size() + 1) * rocks_.size() * rocks_.size() > kMost)
+    throw InputError("(joint classes + 1) (zones + 1)^2 must be <= " + std::to_string(kMost) +
+                     ", got " + std::to_string(natural.size()) + " classes and " +
+                     std::to_string(zones.size()) + " zones");
+  for (const JointClass& joint : natural) nonlinear_.push_back(joint.law);
+  for (std::size_t k = 0; k <= natural.size(); ++k) {
+    for (const JointMaterial& i : rocks_)
+      for (const JointMaterial& j : rocks_) {
+        const JointMaterial between =
+            &i == &j ? i : JointMaterial(weaker_of(i.parameters(), j.parameters()));
+        laws_.push_back(k == 0 ? between : between.with_joints(natural[k - 1]));
+      }
   }
   derive();
 }
@@ -22,24 +37,32 @@ bool JointLaws::any_nonlinear() const {
 }
 
 void JointLaws::soften(double factor, std::optional<double> damping) {
-  for (JointMaterial& material : classes_) material = material.softened(factor, damping);
+  for (JointMaterial& material : rocks_) material = material.softened(factor, damping);
+  for (JointMaterial& material : laws_) material = material.softened(factor, damping);
   for (auto& law : nonlinear_)
     if (law != nullptr) law = law->softened(factor);
   derive();
 }
 
 void JointLaws::derive() {
-  const JointParameters& parameters = rock().parameters();
-  softens_ = parameters.fracture_energy_tension > 0.0 || parameters.fracture_energy_shear > 0.0;
-  depends_on_rate_ = parameters.rate_exponent > 0.0;
+  softens_ = depends_on_rate_ = damps_ = false;
   strengths_.clear();
-  for (const JointMaterial& joint : classes_)
+  damping_.clear();
+  contact_damping_.clear();
+  shear_over_p_wave_.clear();
+  for (const JointMaterial& joint : laws_) {
+    const JointParameters& p = joint.parameters();
+    softens_ = softens_ || p.fracture_energy_tension > 0.0 || p.fracture_energy_shear > 0.0;
+    depends_on_rate_ = depends_on_rate_ || p.rate_exponent > 0.0;
     strengths_.push_back(
-        {{joint.parameters().tension, joint.parameters().cohesion, joint.tan_friction()},
-         joint.tan_residual_friction()});
-  damping_ = rock().damping_coefficient();
-  contact_damping_ = rock().contact_damping_coefficient();
-  shear_over_p_wave_ = 2.0 * rock().shear_modulus() / rock().p_wave_modulus();
+        {{p.tension, p.cohesion, joint.tan_friction()}, joint.tan_residual_friction()});
+    damping_.push_back(joint.damping_coefficient());
+    contact_damping_.push_back(joint.contact_damping_coefficient());
+    damps_ = damps_ || damping_.back() != 0.0;
+  }
+  for (const JointMaterial& rock : rocks_)
+    shear_over_p_wave_.push_back(2.0 * rock.shear_modulus() / rock.p_wave_modulus());
+  const JointParameters& parameters = rock().parameters();
   slip_weakening_ = {parameters.weakening_speed, std::tan(parameters.weakened_friction_angle)};
 }
 

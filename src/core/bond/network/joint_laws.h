@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The rock and the joint classes of a network, with the constants that the passes over facets read.
+// The rocks and the joint classes of a network, with the constants that the passes over facets
+// read. A law is what a facet has by its joint class and by the zones of rock of its two blocks.
 // Scope: constants; they change only as the rock is softened. SI units. The laws themselves are in
 // bond/law.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -25,21 +27,44 @@ struct JointStrength {
 
 class JointLaws {
  public:
-  /// `natural`: the joint classes from 1; class 0 is that of `material`.
-  JointLaws(const JointMaterial& material, const std::vector<JointClass>& natural);
+  /// `natural`: the joint classes from 1; class 0 is that of `material`. `zones`: the rocks of the
+  /// zones from 1; `material` is that of zone 0. Throws InputError if there are more laws than
+  /// kMost.
+  JointLaws(const JointMaterial& material, const std::vector<JointClass>& natural,
+            const std::vector<JointMaterial>& zones = {});
 
-  [[nodiscard]] const JointMaterial& rock() const { return classes_.front(); }
-  [[nodiscard]] const JointMaterial& of_class(std::size_t joint_class) const {
-    return classes_.at(joint_class);
-  }
-  [[nodiscard]] std::size_t natural_classes() const { return classes_.size() - 1; }
-  [[nodiscard]] const JointStrength& strength(std::size_t joint_class) const {
-    return strengths_[joint_class];
-  }
+  static constexpr std::size_t kMost = 256;  ///< classes, with that of rock, times zones squared
 
-  /// The nonlinear law of a class; nullptr: it has the linear one.
-  [[nodiscard]] const JointLaw* nonlinear(std::size_t joint_class) const {
-    return nonlinear_[joint_class].get();
+  [[nodiscard]] const JointMaterial& rock() const { return rocks_.front(); }
+  [[nodiscard]] const JointMaterial& rock(std::size_t zone) const { return rocks_.at(zone); }
+  [[nodiscard]] std::size_t zones() const { return rocks_.size(); }
+  /// There is more than one rock.
+  [[nodiscard]] bool zoned() const { return rocks_.size() > 1; }
+  [[nodiscard]] std::size_t natural_classes() const { return natural_classes_; }
+
+  /// A facet of that class between those zones.
+  [[nodiscard]] std::uint8_t law_of(std::size_t joint_class, std::size_t zone_i,
+                                    std::size_t zone_j) const {
+    return static_cast<std::uint8_t>((joint_class * zones() + zone_i) * zones() + zone_j);
+  }
+  [[nodiscard]] std::uint8_t class_of(std::size_t law) const {
+    return static_cast<std::uint8_t>(law / (zones() * zones()));
+  }
+  [[nodiscard]] std::uint8_t zone_i(std::size_t law) const {
+    return static_cast<std::uint8_t>(law / zones() % zones());
+  }
+  [[nodiscard]] std::uint8_t zone_j(std::size_t law) const {
+    return static_cast<std::uint8_t>(law % zones());
+  }
+  /// A facet between two rocks.
+  [[nodiscard]] bool is_border(std::size_t law) const { return zone_i(law) != zone_j(law); }
+  /// Of a border the strengths, damping and fracture energies alone (weaker_of()).
+  [[nodiscard]] const JointMaterial& of_law(std::size_t law) const { return laws_.at(law); }
+  [[nodiscard]] const JointStrength& strength(std::size_t law) const { return strengths_[law]; }
+
+  /// The nonlinear law of a facet; nullptr: it has the linear one.
+  [[nodiscard]] const JointLaw* nonlinear(std::size_t law) const {
+    return nonlinear_[class_of(law)].get();
   }
   [[nodiscard]] bool any_nonlinear() const;
 
@@ -51,8 +76,14 @@ class JointLaws {
   [[nodiscard]] bool softens() const { return softens_; }
   /// Strength grows with the rate of strain.
   [[nodiscard]] bool depends_on_rate() const { return depends_on_rate_; }
-  [[nodiscard]] double damping() const { return damping_; }  ///< of bonded points [Pa s/m]
-  [[nodiscard]] double contact_damping() const { return contact_damping_; }  ///< [Pa s/m]
+  /// There are dashpots at bonded points.
+  [[nodiscard]] bool damps() const { return damps_; }
+  /// Of rock that is the same everywhere, at bonded points and at closed broken ones [Pa s/m].
+  [[nodiscard]] double damping() const { return damping_.front(); }
+  [[nodiscard]] double contact_damping() const { return contact_damping_.front(); }
+  /// The same of any law.
+  [[nodiscard]] double damping(std::size_t law) const { return damping_[law]; }
+  [[nodiscard]] double contact_damping(std::size_t law) const { return contact_damping_[law]; }
   [[nodiscard]] const SlipWeakening& slip_weakening() const { return slip_weakening_; }
   /// Of the linear law; `tan_residual`: of slow slip [-].
   template <class Number>
@@ -60,24 +91,22 @@ class JointLaws {
       const Number& tan_residual) const {
     return {tan_residual, slip_weakening_};
   }
-  [[nodiscard]] double shear_over_p_wave() const { return shear_over_p_wave_; }  ///< [-]
-
-  /// Stiffness along the normal of the closed broken facet whose bonded points have that closure.
-  template <class Number>
-  [[nodiscard, gnu::always_inline]] LinearContact<Number> contact(
-      const LinearClosure<Number>& bonded, const Number& rock_share) const {
-    return {bonded.contact(rock_share, shear_over_p_wave_)};
+  /// 2G/(lambda + 2G) of a zone [-].
+  [[nodiscard]] double shear_over_p_wave(std::size_t zone = 0) const {
+    return shear_over_p_wave_[zone];
   }
 
  private:
   void derive();
 
-  std::vector<JointMaterial> classes_;  // the rock is the same in all
-  std::vector<JointStrength> strengths_;
-  std::vector<std::shared_ptr<const JointLaw>> nonlinear_;
-  bool softens_ = false, depends_on_rate_ = false;
-  double damping_ = 0.0, contact_damping_ = 0.0;
-  double shear_over_p_wave_ = 1.0;  // 2G/(lambda + 2G) [-]
+  std::size_t natural_classes_;
+  std::vector<JointMaterial> rocks_;  // of the zones
+  std::vector<JointMaterial> laws_;
+  std::vector<JointStrength> strengths_;                    // of the laws
+  std::vector<std::shared_ptr<const JointLaw>> nonlinear_;  // of the classes
+  bool softens_ = false, depends_on_rate_ = false, damps_ = false;
+  std::vector<double> damping_, contact_damping_;  // of the laws [Pa s/m]
+  std::vector<double> shear_over_p_wave_;          // of the zones, 2G/(lambda + 2G) [-]
   SlipWeakening slip_weakening_;
 };
 

@@ -51,8 +51,8 @@ void LeaningFaces::set(const FacetTables& tables, std::size_t blocks) {
     const Vec3 along = between / normal.dot(between);
     const BondConstants bond = tables.bond(f);
     facets_[f].lean = {along - bond.opening_i, along - bond.opening_j};
-    const double rock =
-        2.0 * tables.laws().rock().shear_modulus() / (normal.dot(between) / tables.stiffening(f));
+    const double rock = 2.0 * tables.laws().rock(tables.zone_i(f)).shear_modulus() /
+                        (normal.dot(between) / tables.stiffening(f));
     facets_[f].shear_share = bond.shear / rock / (bond.bulk_i + bond.bulk_j);
   }
 }
@@ -99,24 +99,22 @@ void LeaningFaces::stretch(const FacetKinematics& facets, const std::vector<Lane
     if (leans[0]) add(facets.tables.i_of(f), bond.area_i, openings.i, facets_[f].lean[0]);
     if (leans[1]) add(facets.tables.j_of(f), bond.area_j, openings.j, facets_[f].lean[1]);
   });
-  const double shear_modulus = facets.tables.laws().rock().shear_modulus();
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-    stresses_[b] = stress(b, blocks.state[b].rotation, shear_modulus);
+  for (std::size_t b = 0; b < blocks.size(); ++b) stresses_[b] = stress(b, blocks);
 }
 
 /// T of a block [Pa].
-Mat3 LeaningFaces::stress(std::size_t b, const Mat3& r, double shear_modulus) const {
-  return 2.0 * shear_modulus *
+Mat3 LeaningFaces::stress(std::size_t b, const BlockFields& blocks) const {
+  const Mat3& r = blocks.state[b].rotation;
+  return blocks.rock[b].two_g *
          (gradients_[b] * (r * blocks_[b].moment * r.transpose()) - blocks_[b].excess);
 }
 
-double LeaningFaces::energy(std::size_t b, const BlockFields& blocks,
-                            const JointMaterial& rock) const {
+double LeaningFaces::energy(std::size_t b, const BlockFields& blocks) const {
   // G (F:F Q - 2 F:E) = F:T/2 - G F:E.
-  const Mat3 t = stress(b, blocks.state[b].rotation, rock.shear_modulus());
+  const Mat3 t = stress(b, blocks);
   return blocks.volume(b) *
          (0.5 * gradients_[b].cwiseProduct(t).sum() -
-          rock.shear_modulus() * gradients_[b].cwiseProduct(blocks_[b].excess).sum());
+          0.5 * blocks.rock[b].two_g * gradients_[b].cwiseProduct(blocks_[b].excess).sum());
 }
 
 /// On a block that turns its moment Q against its gradient [N m].
@@ -133,7 +131,7 @@ Vec3 LeaningFaces::moment_torque(std::size_t b, const Mat3& r, double volume,
 void LeaningFaces::pull(const FacetKinematics& facets, const std::vector<LaneSet>& working,
                         std::vector<Vec3>& torque) {
   const FacetTables& tables = facets.tables;
-  const double shear_modulus = tables.laws().rock().shear_modulus(), two_g = 2.0 * shear_modulus;
+  const BlockFields& blocks = facets.blocks;
   each_facet(working, [&](std::size_t f) {
     const std::array<bool, 2> leans = tables.name(f).slanted();
     if (facets.history.bonded_points(f) == 0 || !(leans[0] || leans[1])) return;
@@ -144,7 +142,7 @@ void LeaningFaces::pull(const FacetKinematics& facets, const std::vector<LaneSet
     Vec3 traction = Vec3::Zero(), turning = Vec3::Zero();
     const auto add = [&](int block, double share, const Vec3& opening, const Vec3& start) {
       const auto b = static_cast<std::size_t>(block);
-      const Vec3 lean = two_g * facets.turned(f, start, motion.scale);
+      const Vec3 lean = blocks.rock[b].two_g * facets.turned(f, start, motion.scale);
       traction += share * (stresses_[b] * opening - gradients_[b] * lean);
       turning += share * (opening.cross(Vec3(stresses_[b].transpose() * jump)) -
                           lean.cross(Vec3(gradients_[b].transpose() * jump)));
@@ -157,9 +155,9 @@ void LeaningFaces::pull(const FacetKinematics& facets, const std::vector<LaneSet
     torque[i] += turning;
     torque[j] += turning;
   });
-  const BlockFields& blocks = facets.blocks;
   for (std::size_t b = 0; b < blocks.size(); ++b)
-    torque[b] += moment_torque(b, blocks.state[b].rotation, blocks.volume(b), shear_modulus);
+    torque[b] +=
+        moment_torque(b, blocks.state[b].rotation, blocks.volume(b), 0.5 * blocks.rock[b].two_g);
 }
 
 void LeaningFaces::drop(const FacetKinematics& facets, std::size_t f, const LostPoint& point) {
@@ -182,17 +180,17 @@ void LeaningFaces::drop(const FacetKinematics& facets, std::size_t f, const Lost
   take(1, tables.j_of(f), bond.area_j, point.openings.j);
 }
 
-void LeaningFaces::book(const BlockFields& blocks, const JointMaterial& rock, JointLosses& losses) {
+void LeaningFaces::book(const BlockFields& blocks, JointLosses& losses) {
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     BlockLean& block = blocks_[b];
     LostLean& lost = lost_[b];
     if (blocks.owned(b)) {
-      const double before = energy(b, blocks, rock);
+      const double before = energy(b, blocks);
       gradients_[b] -= lost.gradient;
       block.excess -= lost.excess;
       block.moment -= lost.moment;
-      losses.fracture += before - energy(b, blocks, rock);
-      stresses_[b] = stress(b, blocks.state[b].rotation, rock.shear_modulus());
+      losses.fracture += before - energy(b, blocks);
+      stresses_[b] = stress(b, blocks);
     }
     lost = {};
   }

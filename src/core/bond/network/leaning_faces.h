@@ -74,8 +74,7 @@ class LeaningFaces {
   void pull(const FacetKinematics& facets, const std::vector<LaneSet>& working,
             std::vector<Vec3>& torque);
   /// Of a block [J].
-  [[nodiscard]] double energy(std::size_t b, const BlockFields& blocks,
-                              const JointMaterial& rock) const;
+  [[nodiscard]] double energy(std::size_t b, const BlockFields& blocks) const;
 
   /// Point of a facet that breaks: what its blocks lose. `lost` is the jump that leaves the
   /// dilatations [m], `opening` the m of both blocks in the present pose.
@@ -87,7 +86,7 @@ class LeaningFaces {
   void drop(const FacetKinematics& facets, std::size_t f, const LostPoint& point);
   /// Takes out what broke in this step and books what the energy loses by it; what blocks of other
   /// ranks lose is booked there.
-  void book(const BlockFields& blocks, const JointMaterial& rock, JointLosses& losses);
+  void book(const BlockFields& blocks, JointLosses& losses);
 
   [[nodiscard]] double bytes() const;
 
@@ -101,7 +100,7 @@ class LeaningFaces {
   };
 
   [[nodiscard]] Mat3 point_moment(const FacetTables& tables, std::size_t f, int side) const;
-  [[nodiscard]] Mat3 stress(std::size_t b, const Mat3& rotation, double shear_modulus) const;
+  [[nodiscard]] Mat3 stress(std::size_t b, const BlockFields& blocks) const;
   [[nodiscard]] Vec3 moment_torque(std::size_t b, const Mat3& rotation, double volume,
                                    double shear_modulus) const;
 

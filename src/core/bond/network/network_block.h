@@ -31,6 +31,7 @@ struct BlockConstants {
   double volume = 0.0;  ///< [m3]
   double mass = 0.0;    ///< [kg]
   RetiredFacets retired{};
+  std::uint8_t zone = 0;  ///< of rock; 0: that of the network's material
 };
 
 struct BlockState {

@@ -40,9 +40,8 @@ double FacetNetwork::elastic_energy() const {
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (!blocks_.owned(b)) continue;
     const BlockSums& sums = blocks_.sums[b];
-    const double leaning = slanted() ? leaning_->energy(b, blocks_, material()) : 0.0;
-    energy +=
-        blocks_.potential(b, sums, material()) - blocks_.bulk_stress[b] * sums.loaded + leaning;
+    const double leaning = slanted() ? leaning_->energy(b, blocks_) : 0.0;
+    energy += blocks_.potential(b, sums) - blocks_.bulk_stress[b] * sums.loaded + leaning;
   }
   return energy;
 }

@@ -46,7 +46,7 @@ NonlinearClosure nonlinear_closure(const FacetKinematics& facets, std::size_t f)
   const double uniaxial = tables.uniaxial_stiffness(f);
   return {tables.nonlinear_law(f),
           tables.bond(f).shear,
-          tables.laws().shear_over_p_wave() * uniaxial,
+          tables.shear_over_p_wave(f) * uniaxial,
           uniaxial,
           tables.rock_share(f),
           joint_history(facets.history, f)};
@@ -83,11 +83,10 @@ double nonlinear_contact_energy(const FacetKinematics& facets, std::size_t f,
 PlanePull<Lanes> nonlinear_pull(const FacetKinematics& facets, std::size_t f,
                                 const ContactConstants& contact, const PlanePoint<Lanes>& at,
                                 double dt) {
-  const JointLaws& laws = facets.tables.laws();
   const double fade = facets.history.contacts().fade(f);
   const PlaneContact<Lanes, NonlinearContact, NonlinearFriction> law = {
-      nonlinear_contact(facets, f, fade), fade * contact.shear, fade * laws.contact_damping(),
-      nonlinear_friction(facets, f)};
+      nonlinear_contact(facets, f, fade), fade * contact.shear,
+      fade * facets.tables.contact_damping(f), nonlinear_friction(facets, f)};
   return plane_pull<Lanes>(law, at, dt);
 }
 

@@ -19,11 +19,12 @@ namespace muckpile {
 template <>
 struct Stored<Facet> {
   static constexpr std::string_view kName = "facet";
-  static constexpr int kVersion = 2;
+  static constexpr int kVersion = 3;
   static auto fields(auto& facet) {
     return std::tie(facet.tag_i, facet.tag_j, facet.face, facet.kind, facet.joint_class,
-                    facet.normal, facet.arm_i, facet.arm_j, facet.opening_i, facet.opening_j,
-                    facet.half_axes, facet.area, facet.stiffening, facet.sharpened, facet.slanted);
+                    facet.zone_i, facet.zone_j, facet.normal, facet.arm_i, facet.arm_j,
+                    facet.opening_i, facet.opening_j, facet.half_axes, facet.area, facet.stiffening,
+                    facet.border_room, facet.sharpened, facet.slanted);
   }
 };
 

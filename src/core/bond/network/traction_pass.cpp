@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "bond/network/border_relief.h"
 #include "bond/network/nonlinear_points.h"
 #include "bond/network/softening_points.h"
 
@@ -72,6 +73,10 @@ template <class Of>
   const FacetGroup& group = tables.group(g);
   FacetRow<double> dashpot;
   dashpot.fill(tables.laws().damping());
+  if (tables.laws().zoned()) {
+    for (std::size_t k = 0, f = g * kGroup; k < kGroup && f < tables.size(); ++k, ++f)
+      dashpot[k] = tables.damping(f);
+  }
   if (ground_yields_) {  // that ground has a dashpot itself
     for (std::size_t k = 0, f = g * kGroup; k < kGroup && f < tables.size(); ++k, ++f)
       if (!tables.is_joint(f) && facets_.history.ground(f).yields) dashpot[k] = 0.0;
@@ -100,8 +105,14 @@ unsigned TractionPass::intact_forces(std::size_t g, unsigned lanes, const WidePo
     };
     pull.mean += WideVec(leaning(0), leaning(1), leaning(2));
   }
+  if (const unsigned borders = facets_.tables.border_lanes(g); borders != 0) {
+    FacetRow<double> relief{};
+    each_lane(borders,
+              [&](std::size_t k) { relief[k] = border_traction(facets_, g * kGroup + k); });
+    pull.mean += wide(relief) * pose.normal;
+  }
   lanes = unbroken_lanes(g, lanes, pose, pull);
-  if (facets_.tables.laws().damping() != 0.0) damp_group(g, pose, pull, forces);
+  if (facets_.tables.laws().damps()) damp_group(g, pose, pull, forces);
   const Wide area = wide(group.area);
   const WideVec arm = pose.arm();
   const WideVec turning = cross(pose.sum * wide(group.half_1), pull.along_1) +
@@ -161,14 +172,14 @@ void TractionPass::work_group(const LaneSet& working, const LaneSet& active) {
   const std::size_t g = working.group;
   const FacetGroup& group = facets_.tables.group(g);
   BlockFields& blocks = parts_.blocks;
-  const double damping = facets_.tables.laws().damping();
+  const bool damps = facets_.tables.laws().damps();
   each_lane(working.lanes, [&](std::size_t k) {
     const std::size_t f = g * kGroup + k;
     if ((sums.touching >> k & 1u) != 0) {
       add_forces(group, k, sums.of_touching, blocks.force, blocks.torque);
     } else if ((sums.intact >> k & 1u) != 0) {
       add_forces(group, k, sums.of_intact, blocks.force, blocks.torque);
-      if (damping != 0.0)
+      if (damps)
         parts_.books.losses.damping += facets_.tables.name(f).weight * sums.of_intact.damped[k];
     } else {
       work_alone(f);

@@ -52,6 +52,12 @@ void write_scalars(std::ofstream& out, const char* name, const char* type, std::
 
 void write_blocks(const std::string& path, const std::vector<Block>& blocks, int first_id,
                   double density, const std::string& run_id) {
+  write_blocks(path, blocks, first_id, std::span<const double>(&density, 1), {}, run_id);
+}
+
+void write_blocks(const std::string& path, const std::vector<Block>& blocks, int first_id,
+                  std::span<const double> density, std::span<const std::uint8_t> zones,
+                  const std::string& run_id) {
   std::error_code ignored;
   const auto folder = std::filesystem::path(path).parent_path();
   if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
@@ -74,11 +80,13 @@ void write_blocks(const std::string& path, const std::vector<Block>& blocks, int
   write_scalars(out, "size_m", "double", blocks.size(),
                 [&](std::size_t b) { return std::cbrt(volume(b)); });
   write_scalars(out, "mass_kg", "double", blocks.size(),
-                [&](std::size_t b) { return density * volume(b); });
+                [&](std::size_t b) { return density[zones.empty() ? 0 : zones[b]] * volume(b); });
   write_scalars(out, "on_free_face", "int", blocks.size(), [&](std::size_t b) {
     const auto& n = blocks[b].neighbour;
     return std::count(n.begin(), n.end(), kFreeFace) > 0 ? 1 : 0;
   });
+  if (!zones.empty())
+    write_scalars(out, "zone", "int", blocks.size(), [&](std::size_t b) { return int{zones[b]}; });
   if (!out.flush()) throw InputError("cannot write '" + path + "': " + std::strerror(errno));
 }
 

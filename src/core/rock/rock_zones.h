@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Zones of rock: where each lies, what create_blocks must know of it, and which one a block is of.
+// Scope: the words behind `zone` of create_blocks; a block is of one zone, the first that holds its
+// centroid, or of the rock around all of them. Elastic constants and strengths of the zones are
+// words of fix muckpile/joint.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "geometry/cut/tessellation.h"
+
+namespace muckpile {
+
+struct CutOptions;
+
+struct RockZone {
+  std::string name;
+  double density = 0.0;  ///< [kg/m3]
+  std::function<bool(const Vec3& point)> holds{};
+  std::vector<CutPlane> borders{};  ///< those of layers, which the cut follows
+  std::string region{};             ///< of the engine, which sets `holds`; empty: none
+  int joint_class = 0;              ///< of the facets in its borders; 0: rock that is whole
+};
+
+/// Most zones beside the rock around them: a block has a byte for its zone, and JointLaws a law for
+/// each pair.
+inline constexpr std::size_t kMostZones = 10;
+
+/// Of the words behind `zone`. Throws InputError.
+[[nodiscard]] RockZone rock_zone_of(const std::vector<std::string>& words);
+
+/// Adds the borders of layers to the planes that the cut follows, once the box of the rock is
+/// known. Throws InputError where a border lies outside the rock, and for two zones of one name.
+void lay_zones(CutOptions& options);
+
+/// 0: none of `zones` holds the point; k: zones[k - 1] does, and none before it.
+[[nodiscard]] std::uint8_t zone_at(const std::vector<RockZone>& zones, const Vec3& point);
+
+}  // namespace muckpile
