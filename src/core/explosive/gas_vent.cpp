@@ -31,7 +31,7 @@ GasVent::GasVent(const Parameters& parameters) : p_(parameters) {
 double GasVent::open_area(const GasState& state, const Chamber& chamber) const {
   double area = 0.0;
   if (state.stemming_path >= p_.stemming_length) {
-    area += p_.collar_discharge * std::numbers::pi * p_.hole_radius * p_.hole_radius;
+    area += p_.collar_discharge * p_.share * std::numbers::pi * p_.hole_radius * p_.hole_radius;
   }
   if (chamber.time >= p_.crack_delay) {
     area += p_.crack_discharge * std::max(0.0, chamber.swept_volume) / p_.zone_radius;

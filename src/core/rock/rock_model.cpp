@@ -9,6 +9,7 @@
 #include "args/input_error.h"
 #include "bond/build/wall_facets.h"
 #include "geometry/files/block_import.h"
+#include "rock/mirrored_holes.h"
 
 namespace muckpile {
 namespace {
@@ -54,6 +55,7 @@ RockModel cut_rock(const CutOptions& options, int first_tag, const SupportRule& 
   model.largest_overlap = largest_overlap(blocks, model.bodies);
   const bool leans = options.joint_sets.has_value() || !options.rock.planes.empty();
   model.facets = build_facets(blocks, first_tag, support, leans ? Leaning::much : Leaning::little);
+  model.holes = holes_between_mirrors(options.rock.holes, blocks, first_tag, model.facets);
   if (options.round_walls)
     fit_walls(blocks, first_tag, holes_as_cut(options, model.rock), model.facets);
   model.natural_planes = options.natural_joints.size();
