@@ -40,20 +40,18 @@ struct Cohesion {
 };
 
 /// `dropped`: what breaking would drop at once [Pa], with the stiffness of the facet normal to it
-/// and along it [Pa/m]; that along a mirror is 0. Holds nothing if the fracture energy is 0, or no
-/// more than the elastic energy at the strength: then blocks are too large for it.
+/// and along it [Pa/m]. Holds nothing if the fracture energy is 0, or no more than the elastic
+/// energy at the strength: then blocks are too large for it.
 [[nodiscard]] inline Cohesion cohesion_after(const Vec3& dropped, const Vec3& jump,
                                              double normal_stiffness, double shear_stiffness,
                                              const JointParameters& p) {
   const double size = dropped.norm();
   Cohesion c;
-  if (size == 0.0) return c;
-  // Share of the energy that is tension's.
-  const double opens = shear_stiffness > 0.0 ? std::pow(dropped.x() / size, 2) : 1.0;
+  if (size == 0.0 || shear_stiffness == 0.0) return c;
+  const double opens = std::pow(dropped.x() / size, 2);  // share of the energy that is tension's
   const double toughness =
       opens * p.fracture_energy_tension + (1.0 - opens) * p.fracture_energy_shear;
-  const double first =
-      size * (opens / normal_stiffness + (opens < 1.0 ? (1.0 - opens) / shear_stiffness : 0.0));
+  const double first = size * (opens / normal_stiffness + (1.0 - opens) / shear_stiffness);
   const double end = 2.0 * toughness / size;
   if (end <= first) return c;
   c.direction = dropped / size;

@@ -78,8 +78,10 @@ FacetBreaking::Remnant FacetBreaking::remnant_of(std::size_t f, const PointBreak
   const bool linear = tables.nonlinear_law(f) == nullptr;
   if (tables.laws().softens() && first && linear) {
     const Mat3 to_axes = broken.axes.transpose();
+    // At a mirror, which has no shear, nothing along it is dropped: any stiffness will do.
+    const double along = contact.shear > 0.0 ? contact.shear : contact.closure.normal;
     left.cohesion = cohesion_after(to_axes * left.dropped, to_axes * broken.jump,
-                                   contact.closure.normal, contact.shear, toughness_of(tables, f));
+                                   contact.closure.normal, along, toughness_of(tables, f));
   }
   left.slips = first && normal < 0.0 && !broken.torn && may_slip(f);
   left.lost = broken.elastic;
