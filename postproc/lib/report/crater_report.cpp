@@ -55,7 +55,7 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run,
                        const std::vector<CraterRing>& rings, const CraterShape& apparent,
                        const CraterShape& whole, const SectionOptions& options) {
   // Blocks of a model with a symmetry plane end at y = 0: they are cut beside it.
-  constexpr double kBeside = 1e-3;  // of a block
+  constexpr double kBeside = 0.1;  // of a block: beside the crack that often runs there
   const double y = options.y.value_or(folder.symmetry() > 1 ? kBeside * run.block_size : 0.0);
   const double burial = folder.scene_number("burial_depth_m");
   const Extent before = extent_of(run.blocks, start_snapshot(run.blocks).states);

@@ -84,7 +84,9 @@ TEST(MirroredHoles, AxesBesideOrAtAnAngleToTheMirrorAreRefused) {
                       "zone clear of that plane, got toe and collar '0.01 0.01' m in front of it "
                       "and a radius of 0.3 m"),
             std::string::npos);
-  EXPECT_NE(message("0 1 0.5 0.2 1 1.5").find("got toe and collar '0 0.2' m"), std::string::npos);
+  const std::string leaning = message("0 1 0.5 0.2 1 1.5");
+  EXPECT_NE(leaning.find("the axis of hole 1 must lie in the mirror plane"), std::string::npos)
+      << leaning;
   EXPECT_NE(message("0 0.1 0.5 0 0.1 1.5").find("got toe and collar '0.1 0.1' m"),
             std::string::npos);
 }
