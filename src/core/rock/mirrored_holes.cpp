@@ -63,7 +63,7 @@ bool cuts(const Mirror& mirror, const Hole& hole) {
   text << "the axis of hole " << h + 1
        << " must lie in the mirror plane at its wall, or its crushed zone clear of that plane, got "
           "toe and collar '"
-       << -mirror.height(hole.toe) << ' ' << -mirror.height(hole.collar)
+       << 0.0 - mirror.height(hole.toe) << ' ' << 0.0 - mirror.height(hole.collar)
        << "' m in front of it and a radius of " << hole.radius << " m";
   throw InputError(text.str());
 }

@@ -43,8 +43,8 @@ TEST(Images, MoveAsReflectionsOfTheModel) {
     for (size_t v = 0; v < original.size(); ++v) {
       EXPECT_LT((image[v] - reflected(original[v], signs)).norm(), 1e-12);
       // so do the points' velocities
-      const auto after = [&](const BlockState& s, const Vec3& p) {
-        return Vec3(s.velocity + s.spin.cross(p - s.centre)) * kStep;
+      const auto after = [&](const BlockState& s, const Vec3& p) -> Vec3 {
+        return kStep * (s.velocity + s.spin.cross(p - s.centre));
       };
       EXPECT_LT(
           (after(states[b], image[v]) - reflected(after(states[model], original[v]), signs)).norm(),
