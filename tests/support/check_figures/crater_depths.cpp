@@ -19,7 +19,7 @@ constexpr double kPokrovskii = 0.33;  // [-]
 
 struct Crater {
   double mass = 0.0, depth = 0.0;  // [kg], [m]
-  double radius = 0.0, volume = 0.0, apparent = 0.0, seeds = 0.0;
+  double radius = 0.0, volume = 0.0, apparent = 0.0, seeds = 0.0, at_rest = 0.0;
 };
 
 /// By depth in hundredths of m/kg^(1/3).
@@ -40,11 +40,14 @@ std::map<int, Crater> mean_craters(const CsvTable& table) {
     c.depth = depth;
     c.radius += number(row, "crater_radius_m", 0.0);
     c.volume += number(row, "crater_volume_m3", -1e9);
-    c.apparent += number(row, "apparent_crater_depth_m", 0.0);
     c.seeds += 1.0;
+    if (table.word(row, table.column("apparent_crater_depth_m")).empty()) continue;
+    c.apparent += number(row, "apparent_crater_depth_m", 0.0);
+    c.at_rest += 1.0;
   }
   for (auto& [at, c] : craters) {
-    for (double* sum : {&c.radius, &c.volume, &c.apparent}) *sum /= c.seeds;
+    for (double* sum : {&c.radius, &c.volume}) *sum /= c.seeds;
+    c.apparent /= c.at_rest;
   }
   return craters;
 }
@@ -70,10 +73,11 @@ Json crater_depths(const std::filesystem::path& table) {
     const std::string of = "_at_" + std::to_string(at);
     figures["crater_radius_m" + of] = c.radius;
     figures["crater_volume_m3" + of] = c.volume;
-    figures["apparent_depth_m" + of] = c.apparent;
+    if (c.at_rest > 0.0) figures["apparent_depth_m" + of] = c.apparent;
     const double n = boreskov_index(c), visible = kPokrovskii * c.depth * (2.0 * n - 1.0);
     if (n > 0.0) figures["radius_over_boreskov" + of] = c.radius / (n * c.depth);
-    if (visible > 0.0) figures["apparent_over_pokrovskii" + of] = c.apparent / visible;
+    if (visible > 0.0 && c.at_rest > 0.0)
+      figures["apparent_over_pokrovskii" + of] = c.apparent / visible;
   }
   int maxima = 0;
   for (size_t k = 0; k < volumes.size(); ++k) {

@@ -10,7 +10,8 @@
 namespace muckpile::check {
 
 /// Of a table with the columns charge_mass_kg, burial_depth_m, crater_radius_m, crater_volume_m3,
-/// apparent_crater_depth_m; rows of one depth are seeds, and count by their mean. Gives
+/// apparent_crater_depth_m (empty where rock is still in flight); rows of one depth are seeds, and
+/// count by their mean. Gives
 ///   volume_maxima: local maxima of the volume over the depth;
 ///   largest_volume_at_m_kg13: the depth of the largest, over the cube root of the mass;
 ///   crater_radius_m_at_D, crater_volume_m3_at_D, apparent_depth_m_at_D for each depth D in
