@@ -52,6 +52,15 @@ std::size_t installed_memory() {
          static_cast<std::size_t>(sysconf(_SC_PAGE_SIZE));
 }
 
+/// All ranks know the holes, but rank 0 alone how much of each the rock holds.
+std::vector<Hole> with_shares(std::vector<Hole> holes, const RockModel& model, MPI_Comm world) {
+  std::vector<double> shares(holes.size(), 1.0);
+  for (std::size_t h = 0; h < model.holes.size(); ++h) shares[h] = model.holes[h].share;
+  MPI_Bcast(shares.data(), static_cast<int>(shares.size()), MPI_DOUBLE, 0, world);
+  for (std::size_t h = 0; h < holes.size(); ++h) holes[h].share = shares[h];
+  return holes;
+}
+
 RegionQuery query(LAMMPS_NS::Region& rock) {
   RegionQuery region;
   region.inside = [&rock](const Vec3& p) { return rock.match(p.x(), p.y(), p.z()) != 0; };
@@ -99,7 +108,7 @@ void CreateBlocks::command(int narg, char** arg) {
     if (file != "none")
       write_blocks(file, model.rock.blocks, placement.first_tag(), densities, model.zone_of, run);
   });
-  placement.place(model, options.rock.holes);
+  placement.place(model, with_shares(options.rock.holes, model, world));
   FixMuckpileBlocks::find(*lmp)->record().begin(run);
   if (comm->me == 0) engine::print_once(*lmp, describe(model, MPI_Wtime() - start));
 }

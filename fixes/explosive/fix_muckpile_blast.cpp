@@ -187,11 +187,12 @@ void FixMuckpileBlast::setup_pre_force(int vflag) {
   let_go_of_softened_walls();
 }
 
-/// Refuses a hole that lies in part outside the rock, as on a symmetry plane: half a wall would
-/// sweep half the volume, but with the gas of a whole charge.
+/// Refuses a hole that lies in part outside the rock and not behind mirror planes: half a wall
+/// would sweep half the volume, but with the gas of a whole charge.
 void FixMuckpileBlast::check_walls() const {
-  constexpr double kLeastShare =
-      0.75;                      // of the cylinder; its wall is a prism of six sides at least
+  // Of the modelled part of the cylinder. Its wall is a prism of six sides at least; that of a part
+  // has a few faces only.
+  constexpr double kLeastShare = 0.75, kLeastOfPart = 0.6;
   constexpr double kEnd = 1e-3;  // faces nearer to an end than this share of the length are caps
   std::vector<double> area(static_cast<std::size_t>(surface_->hole_count()), 0.0);
   for (const LoadedFacet& face : surface_->loaded_facets()) {
@@ -204,9 +205,10 @@ void FixMuckpileBlast::check_walls() const {
   for (std::size_t h = 0; h < area.size(); ++h) {
     const Hole& hole = surface_->hole(static_cast<int>(h));
     const double share = area[h] / (2.0 * M_PI * hole.radius * hole_length(hole));
-    if (share >= kLeastShare) continue;
+    const double least = hole.share < 1.0 ? kLeastOfPart : kLeastShare;
+    if (share >= least * hole.share) continue;
     engine::stop(*lmp, where_ + ": hole " + std::to_string(h + 1) +
-                           " must lie whole in the rock, got " +
+                           " must lie whole in the rock, or with its axis in mirror planes, got " +
                            std::to_string(std::lround(100.0 * share)) +
                            " % of the wall of its crushed zone");
   }

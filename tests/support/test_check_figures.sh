@@ -191,6 +191,22 @@ fails 2 "has no 'audit_J.none'" print inner.json:audit_J.none
 fails 2 "has no 'audit_J.vented.none'" print inner.json:audit_J.vented.none
 fails 2 'must be a finite number' print inner.json:audit_J.word
 
+# K = 1.5: 12 kg at 2 m have n = 1, a radius of 2 m and a pit of 0.66 m; at 3 m 0.4 K w^3 = 16.2 kg is more than the charge.
+craters() { printf 'charge_mass_kg,burial_depth_m,crater_radius_m,crater_volume_m3,apparent_crater_depth_m\n%s' "$1" >craters.csv; }
+craters $'12,1,2,3,0\n12,2,1,4,0.33\n12,2,2,8,0.99\n12,3,0,0,\n'
+holds crater_depths craters.csv craters.json
+printf '{"case": "craters", "expected": [%s, %s, %s, %s, %s]}' "$(row volume_maxima 1 0)" "$(row largest_volume_at_m_kg13 0.87 1e-9)" \
+  "$(row crater_volume_m3_at_87 6 1e-12)" "$(row radius_over_boreskov_at_87 0.75 1e-9)" "$(row apparent_over_pokrovskii_at_87 1 1e-9)" >expected.json
+holds case expected.json craters.json
+craters $'12,1,2,3,0\n12,2,1,2,0\n12,3,2,8,0\n'
+holds crater_depths craters.csv craters.json
+printf '{"case": "craters", "expected": [%s]}' "$(row volume_maxima 2 0)" >expected.json
+holds case expected.json craters.json
+craters $'12,1,2,3,0\n12,2,1,2,0\n'
+fails 2 'three depths' crater_depths craters.csv craters.json
+craters $'12,1,-2,3,0\n12,2,1,2,0\n12,3,1,2,0\n'
+fails 2 'craters.csv:2: crater_radius_m must be >= 0' crater_depths craters.csv craters.json
+
 fails 2 '' neer
 holds --help
 holds near --help

@@ -20,6 +20,7 @@ struct StartBlock {
   double size;       // volume^(1/3) [m]
   double mass;       // [kg]
   bool on_free_face;
+  int image = 0;  // 0: of the model; else behind its symmetry planes (io/images.h)
 };
 
 // All blocks, in ascending order of id. Throws InputError, naming the file, if the file

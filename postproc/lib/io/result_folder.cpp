@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "args/input_error.h"
+#include "io/images.h"
 #include "io/run_id.h"
 
 namespace muckpile {
@@ -17,6 +18,22 @@ ResultFolder::ResultFolder(std::filesystem::path folder) : folder_(std::move(fol
   }
   scene_ = read_json_object(dump("scene.json"));
   run_id_ = run_id_of(folder_ / "dump");
+}
+
+std::vector<StartBlock> ResultFolder::blocks() const {
+  std::vector<StartBlock> blocks = read_blocks(dump("blocks.vtk"));
+  add_images(blocks, symmetry());
+  return blocks;
+}
+
+int ResultFolder::symmetry() const {
+  if (!scene_has("symmetry")) return 1;
+  const double number = scene_number("symmetry");
+  for (const int each : {1, 2, 4}) {
+    if (number == each) return each;
+  }
+  throw InputError(dump("scene.json").string() + ": symmetry must be 1, 2 or 4, got '" +
+                   scene_["symmetry"].dump() + "'");
 }
 
 bool ResultFolder::is_still() const {

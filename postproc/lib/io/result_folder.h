@@ -28,7 +28,11 @@ class ResultFolder {
 
   // dump/blocks_<step>.csv in order of step. Throws InputError if there is none.
   [[nodiscard]] std::vector<std::filesystem::path> snapshots() const;
-  [[nodiscard]] std::vector<StartBlock> blocks() const { return read_blocks(dump("blocks.vtk")); }
+  // Of the whole blast: those of the model, then their images behind its symmetry planes.
+  [[nodiscard]] std::vector<StartBlock> blocks() const;
+  // How many times the model makes the blast: 1, or 2 or 4 by the scene's key symmetry. Throws
+  // InputError on another number.
+  [[nodiscard]] int symmetry() const;
 
   [[nodiscard]] std::string scene_word(const std::string& key) const;  // "" if absent
   [[nodiscard]] bool scene_has(const std::string& key) const { return scene_.contains(key); }

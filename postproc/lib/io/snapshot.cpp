@@ -9,6 +9,7 @@
 
 #include "args/csv_table.h"
 #include "args/input_error.h"
+#include "io/images.h"
 #include "provenance/run_files.h"
 
 namespace muckpile {
@@ -79,11 +80,12 @@ Snapshot read_snapshot(const std::filesystem::path& path, const std::vector<Star
   snapshot.step = std::lround(remark_number(table, path.string(), "step"));
   snapshot.time = remark_number(table, path.string(), "time_s");
   snapshot.states.resize(blocks.size());
-  std::vector<char> seen(blocks.size(), 0);
+  const auto images = blocks.begin() + static_cast<std::ptrdiff_t>(modelled(blocks));
+  std::vector<char> seen(modelled(blocks), 0);
   for (size_t row = 0; row < table.rows(); ++row) {
     const int id = table.whole(row, column.id);
-    const auto found = std::ranges::lower_bound(blocks, id, {}, &StartBlock::id);
-    if (found == blocks.end() || found->id != id) {
+    const auto found = std::ranges::lower_bound(blocks.begin(), images, id, {}, &StartBlock::id);
+    if (found == images || found->id != id) {
       throw InputError(table.where(row) + "id " + std::to_string(id) +
                        " is not a block of blocks.vtk");
     }
@@ -99,6 +101,7 @@ Snapshot read_snapshot(const std::filesystem::path& path, const std::vector<Star
                      std::to_string(blocks[static_cast<size_t>(missing - seen.begin())].id) +
                      " has no row");
   }
+  add_image_states(blocks, snapshot.states);
   return snapshot;
 }
 

@@ -29,8 +29,8 @@ struct Snapshot {
 // The files blocks_<step>.csv of a dump folder in order of step; none is no error.
 std::vector<std::filesystem::path> snapshot_files(const std::filesystem::path& dump);
 
-// Throws InputError, naming file and line, on a malformed row, an unknown or repeated id, or a
-// missing block.
+// With the states of images that the blocks hold. Throws InputError, naming file and line, on a
+// malformed row, an unknown or repeated id, or a missing block.
 Snapshot read_snapshot(const std::filesystem::path& path, const std::vector<StartBlock>& blocks);
 
 // A point [m] of the block at the start, moved with the block as a rigid body.

@@ -54,7 +54,10 @@ std::vector<Vec2> both_sides(const std::vector<CraterRing>& rings, double Crater
 SectionPlot section_of(const ResultFolder& folder, const RunData& run,
                        const std::vector<CraterRing>& rings, const CraterShape& apparent,
                        const CraterShape& whole, const SectionOptions& options) {
-  const double y = options.y.value_or(0.0), burial = folder.scene_number("burial_depth_m");
+  // Blocks of a model with a symmetry plane end at y = 0: they are cut beside it.
+  constexpr double kBeside = 0.1;  // of a block: beside the crack that often runs there
+  const double y = options.y.value_or(folder.symmetry() > 1 ? kBeside * run.block_size : 0.0);
+  const double burial = folder.scene_number("burial_depth_m");
   const Extent before = extent_of(run.blocks, start_snapshot(run.blocks).states);
   const double reach = std::max(std::abs(before.low.x()), before.high.x());
   double top = 0.5 * burial;

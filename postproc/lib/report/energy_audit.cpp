@@ -31,7 +31,7 @@ std::vector<AuditTerm> energy_audit(const ResultFolder& folder) {
   if (!(explosive > 0.0)) return {};
   std::vector<AuditTerm> terms;
   for (const auto& [key, label] : kNames)
-    terms.push_back({key, label, energy(key), energy(key) / explosive});
+    terms.push_back({key, label, folder.symmetry() * energy(key), energy(key) / explosive});
   return terms;
 }
 

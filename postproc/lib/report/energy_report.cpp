@@ -34,6 +34,14 @@ EnergyUnit unit_for(double largest) {
   return {1.0, "J"};
 }
 
+EnergyHistory whole_blast(const ResultFolder& folder) {
+  EnergyHistory history = read_energies(folder.dump("history.csv"));
+  for (EnergyGroup& group : history.groups) {
+    for (double& energy : group.energy) energy *= folder.symmetry();
+  }
+  return history;
+}
+
 double largest_of(const EnergyHistory& history) {
   double largest = 0.0;
   for (const EnergyGroup& group : history.groups) {
@@ -77,7 +85,7 @@ std::vector<BarShare> audit_of(const ResultFolder& folder) {
 }  // namespace
 
 void report_energy(const ResultFolder& folder) {
-  const EnergyHistory history = read_energies(folder.dump("history.csv"));
+  const EnergyHistory history = whole_blast(folder);
   const auto after_start = [](double time) { return time > 0.0; };
   if (std::ranges::count_if(history.time, after_start) < 2)
     throw InputError(folder.dump("history.csv").string() + ": needs two rows after time 0");

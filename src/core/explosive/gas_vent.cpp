@@ -28,7 +28,9 @@ GasVent::GasVent(const Parameters& parameters) : p_(parameters) {
   require_not_negative("crack_discharge", "", p_.crack_discharge);
 }
 
-double GasVent::bore() const { return std::numbers::pi * p_.hole_radius * p_.hole_radius; }
+double GasVent::bore() const {
+  return p_.share * std::numbers::pi * p_.hole_radius * p_.hole_radius;
+}
 
 double GasVent::open_area(const GasState& state, const Chamber& chamber) const {
   double area = 0.0;

@@ -49,6 +49,7 @@ class GasVent {
     double zone_radius;                ///< r1, of the crushed zone [m]
     double products_mass;              ///< of the charge [kg]
     double gamma = 1.4;                ///< of the expanded gas, > 1
+    double share = 1.0;                ///< of the hole that is modelled, as its mass is (Hole)
     double stemming_length = 0.0;      ///< 0: the collar is open from the start [m]
     double stemming_density = 1800.0;  ///< [kg/m3]
     double stemming_shear = 0.0;       ///< resistance per wall area [Pa]

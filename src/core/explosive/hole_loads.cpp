@@ -25,17 +25,24 @@ void apply_deck(LoadedHole& hole, const BlastOptions& options, const Deck& deck)
   hole.firing_time = deck.firing_time;
 }
 
+/// Of the charge: pressures follow from ratios of volumes, so half a charge in half a hole presses
+/// as the whole does [m3].
+double modelled_volume(const LoadedHole& hole, const Hole& zone) {
+  return zone.share * hole.shape.charge_volume();
+}
+
 BlastLoad blast_load(const BlastOptions& options, const LoadedHole& hole, const Hole& zone) {
   BlastLoad::Parameters parameters{
       .wave_peak = wall_peak(options, hole, zone),
       .pulse = options.pulse_shape,
-      .charge_volume = hole.shape.charge_volume(),
-      .products_mass = hole.explosive.density * hole.shape.charge_volume(),
+      .charge_volume = modelled_volume(hole, zone),
+      .products_mass = hole.explosive.density * modelled_volume(hole, zone),
       .vent_time = options.vent_time.value_or(0.0),
       .vent_decay = options.vent_decay.value_or(1.0)};
   if (!options.gas) return BlastLoad(parameters);
   const ProductExpansion expansion = product_expansion(options.charge, hole.explosive);
-  parameters.zone_volume = M_PI * zone.radius * zone.radius * hole.shape.chamber_length;
+  parameters.zone_volume =
+      zone.share * M_PI * zone.radius * zone.radius * hole.shape.chamber_length;
   parameters.crushed_friction = options.crushed_friction;
   parameters.expansion = products_in_chamber(expansion, hole.shape, hole.decoupling);
   parameters.free_volume_ratio = free_volume_ratio(hole.shape, hole.decoupling);
@@ -46,6 +53,7 @@ BlastLoad blast_load(const BlastOptions& options, const LoadedHole& hole, const 
     parameters.flow->gamma = expansion.gamma();
     parameters.flow->hole_radius = hole.shape.hole_radius;
     parameters.flow->zone_radius = zone.radius;
+    parameters.flow->share = zone.share;
     parameters.flow->products_mass = parameters.products_mass;
   }
   return BlastLoad(parameters);
@@ -197,7 +205,7 @@ double gas_constant(const BlastOptions& options, const std::vector<Hole>& crushe
   double mass = 0.0, sum = 0.0;
   for (std::size_t k = 0; k < crushed_zones.size(); ++k) {
     const LoadedHole hole = loaded_hole(options, crushed_zones[k], k);
-    const double charge = hole.explosive.density * hole.shape.charge_volume();
+    const double charge = hole.explosive.density * modelled_volume(hole, crushed_zones[k]);
     mass += charge;
     sum += charge * gas_constant(hole.explosive);
   }
@@ -209,10 +217,11 @@ std::vector<HoleCharge> hole_charges(const BlastOptions& options,
   std::vector<HoleCharge> charges;
   for (std::size_t k = 0; k < crushed_zones.size(); ++k) {
     const LoadedHole hole = loaded_hole(options, crushed_zones[k], k);
-    const double mass = hole.explosive.density * hole.shape.charge_volume();
+    const double mass = hole.explosive.density * modelled_volume(hole, crushed_zones[k]);
     const double r0 = hole.shape.hole_radius, r1 = crushed_zones[k].radius;
-    charges.push_back({mass, hole.energy_known ? mass * hole.explosive.energy : 0.0,
-                       M_PI * (r1 * r1 - r0 * r0) * hole.shape.chamber_length});
+    charges.push_back(
+        {mass, hole.energy_known ? mass * hole.explosive.energy : 0.0,
+         crushed_zones[k].share * M_PI * (r1 * r1 - r0 * r0) * hole.shape.chamber_length});
   }
   return charges;
 }

@@ -49,7 +49,7 @@ struct LoadedHole {
 [[nodiscard]] double gas_constant(const BlastOptions& options,
                                   const std::vector<Hole>& crushed_zones);
 
-/// One hole's explosive, and the rock that it crushes.
+/// One hole's explosive, and the rock that it crushes; the share of both that is modelled.
 struct HoleCharge {
   double mass = 0.0;          ///< [kg]
   double energy = 0.0;        ///< 0 if the explosive's is not known [J]

@@ -87,6 +87,8 @@ std::string describe(const BlastOptions& options, const std::vector<Hole>& crush
     text << "  gas from " << load.gas_pressure(0.0, 0.0) / kMPa
          << " MPa at Vg = " << load.start_volume()
          << " m3, charge volume V0 = " << load.charge_volume() << " m3, ";
+    if (zone.share < 1.0)
+      text << "both " << zone.share << " of the whole, whose axis is in mirror planes, ";
     if (options.vent_by_flow) {
       text << "leaves through the collar once " << options.flow.stemming_length
            << " m of stemming are out, and through cracks from " << options.flow.crack_delay

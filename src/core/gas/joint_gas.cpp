@@ -66,13 +66,14 @@ void JointGas::set_network(const FacetNetwork& network) {
 JointGas::End JointGas::end_of(const FacetNetwork& network, std::size_t f) const {
   const FacetEnds facet = network.ends(f);
   const auto i = static_cast<std::size_t>(facet.i), j = static_cast<std::size_t>(facet.j);
-  const bool joint = facet.kind == FacetKind::joint;
-  const int hole_i = touches_[i] / 2 - 1, hole_j = touches_[j] / 2 - 1;
+  const bool joint = facet.kind == FacetKind::joint, mirror = facet.kind == FacetKind::mirror;
+  const int of_i = touches_[i], of_j = mirror ? of_i : joint ? touches_[j] : 0;
   return {.i = static_cast<std::uint32_t>(i),
           .j = static_cast<std::uint32_t>(j),
-          .hole = joint && hole_i == hole_j ? hole_i : -1,
+          .hole = of_i / 2 == of_j / 2 ? of_i / 2 - 1 : -1,
           .joint = joint,
-          .surfaces = joint && (touches_[i] & touches_[j] & 1) != 0};
+          .mirror = mirror,
+          .surfaces = (of_i & of_j & 1) != 0};
 }
 
 /// Whether cracks_ is still right. A list depends on which facets are broken, and on which blocks
@@ -137,12 +138,14 @@ void JointGas::list_cracks(const FacetNetwork& network) {
 
 void JointGas::measure_crack(std::size_t c, const OpenJoint& open) {
   Crack& crack = cracks_[c];
+  const double parted = crack.mirror ? 2.0 * open.opening : open.opening;  // the image moves, too
   const JointApertures apertures =
-      open.by_law ? *open.by_law : joint_.apertures(open.pressure, open.opening);
+      open.by_law ? *open.by_law : joint_.apertures(open.pressure, parted);
   aperture_[c] = apertures.hydraulic;
   width_[c] = 2.0 * std::sqrt(open.area / M_PI);
   crack.area = aperture_[c] * width_[c];
-  const double half = crack.joint ? 0.5 : 1.0;  // a joint's room belongs to two blocks
+  // A joint's room belongs to two blocks; that at a mirror to the block and its image.
+  const double half = crack.joint || crack.mirror ? 0.5 : 1.0;
   crack.volume = half * open.area * apertures.mechanical;
   crack.wall = open.area;
   crack.broken = half * open.area * joint_.closed(open.by_law ? 0.0 : open.pressure);

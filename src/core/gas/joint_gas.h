@@ -10,6 +10,8 @@
 // broken facet that they share. Where both have a face on the same crushed zone their facet ends
 // there and takes gas from the chamber, and where both have a free face it lets gas out. In both
 // cases each block has half the aperture.
+// Behind a mirror stands the block's image, with the same gas: the joint there has opened by twice
+// what the block has moved, and has room and ends as one between two blocks.
 //
 // An ideal gas with mass and energy of its own in every block: p = (gamma - 1) U/V. What flows
 // carries its enthalpy; a joint that opens costs the gas p dV; what a closed one has between its
@@ -173,6 +175,7 @@ class JointGas {
     std::uint32_t i, j;
     int hole;  // that it ends in, -1: none
     bool joint;
+    bool mirror;    // between a block and its image, which holds the same gas
     bool surfaces;  // ends on a free face
   };
   enum class Keeps : std::uint8_t { unknown, gas, nothing };  // of a broken facet

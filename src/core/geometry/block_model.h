@@ -15,12 +15,15 @@ struct Hole {
   Vec3 toe = Vec3::Zero();     // lower end of the axis [m]
   Vec3 collar = Vec3::Zero();  // upper end of the axis [m]
   double radius = 0.0;         // [m]
+  double share = 1.0;  // that is modelled: 1/2 with the axis in a mirror plane, 1/4 in two [-]
 };
 template <>
 struct Stored<Hole> {
   static constexpr std::string_view kName = "hole";
-  static constexpr int kVersion = 1;
-  static auto fields(auto& hole) { return std::tie(hole.toe, hole.collar, hole.radius); }
+  static constexpr int kVersion = 2;
+  static auto fields(auto& hole) {
+    return std::tie(hole.toe, hole.collar, hole.radius, hole.share);
+  }
 };
 
 inline constexpr int kFreeFace = -1;  // neighbour code: face on the boundary of the region

@@ -9,6 +9,7 @@
 #include "args/input_error.h"
 #include "bond/build/wall_facets.h"
 #include "geometry/files/block_import.h"
+#include "rock/mirrored_holes.h"
 
 namespace muckpile {
 namespace {
@@ -66,6 +67,7 @@ RockModel cut_rock(const CutOptions& options, int first_tag, const SupportRule& 
   const bool leans = options.joint_sets.has_value() || !options.natural_joints.empty();
   model.facets = build_facets(blocks, first_tag, support, leans ? Leaning::much : Leaning::little,
                               model.zone_of);
+  model.holes = holes_between_mirrors(options.rock.holes, blocks, first_tag, model.facets);
   if (options.round_walls)
     fit_walls(blocks, first_tag, holes_as_cut(options, model.rock), model.facets);
   std::vector<JointPlane> joints = options.natural_joints;

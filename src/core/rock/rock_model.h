@@ -18,6 +18,7 @@ struct RockModel {
   Tessellation rock;
   std::vector<RigidBody> bodies;  ///< one per block
   FacetSet facets;
+  std::vector<Hole> holes;                ///< with the shares of them that are modelled
   double largest_overlap = 0.0;           ///< of spheres of two blocks, in radii
   std::optional<SizeComparison> sizes{};  ///< with a size target
   std::string why_missed{};               ///< the target, if it is
@@ -27,7 +28,7 @@ struct RockModel {
 };
 
 /// Throws InputError as the cuts do (tessellation.h, joint_set_cut.h, size_target.h,
-/// block_import.h), and where the region holds no block.
+/// block_import.h) and mirrored_holes.h, and where the region holds no block.
 [[nodiscard]] RockModel cut_rock(const CutOptions& options, int first_tag,
                                  const SupportRule& support);
 

@@ -12,6 +12,7 @@
 
 #include "args/input_error.h"
 #include "check_figures/burden_fit.h"
+#include "check_figures/crater_depths.h"
 #include "check_figures/exponents.h"
 #include "figures/expected.h"
 #include "figures/figures.h"
@@ -103,6 +104,10 @@ void add_case_commands(CLI::App& app, Options& o, bool& holds) {
   fit->add_option("TABLE", o.table, "a row per run (CSV)")->required();
   fit->add_option("SUMMARY", o.summary, "exponent and means (JSON)")->required();
   fit->callback([&] { write_summary(o, fit_burdens(o.table)); });
+  CLI::App* depths = app.add_subcommand("crater_depths", "craters against depth: TABLE to SUMMARY");
+  depths->add_option("TABLE", o.table, "a row per run (CSV)")->required();
+  depths->add_option("SUMMARY", o.summary, "means beside rules (JSON)")->required();
+  depths->callback([&] { write_summary(o, crater_depths(o.table)); });
   CLI::App* answers = app.add_subcommand("exponents", "answers to factors: TABLE to SUMMARY");
   answers->add_option("TABLE", o.table, "name, factor, value, base (CSV)")->required();
   answers->add_option("SUMMARY", o.summary, "exponent of each row (JSON)")->required();

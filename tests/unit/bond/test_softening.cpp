@@ -86,6 +86,25 @@ TEST(Softening, PullingApartTakesTheFractureEnergy) {
   EXPECT_EQ(pull.scene.network().force()[0].norm(), 0.0);
 }
 
+TEST(Softening, PullingABlockOffAMirrorTakesHalfTheFractureEnergy) {  // its image takes the rest
+  BondScene scene(cuboids(1, 1, 1, {0.4, 1, 1}), tough_rock(),  // room for a toughness of 50 J/m2
+                  [](const Vec3& at) { return at.x() < 1e-6 ? Support::mirror : Support::free; });
+  scene.compute();
+  constexpr double kPath = 1e-4, kSpeed = 1e-3;  // [m], [m/s]
+  constexpr int kSteps = 4000;
+  double work = 0.0;
+  scene.block(0).velocity = {kSpeed, 0.0, 0.0};
+  for (int k = 0; k < kSteps; ++k) {
+    const double before = scene.network().force()[0].x();
+    scene.block(0).centre.x() += kPath / kSteps;
+    scene.compute(kPath / kSteps / kSpeed);
+    work -= 0.5 * (before + scene.network().force()[0].x()) * kPath / kSteps;
+  }
+  EXPECT_NEAR(work / (0.5 * kToughness), 1.0, 2e-3);
+  EXPECT_NEAR(scene.network().losses().fracture / work, 1.0, 2e-3);
+  EXPECT_EQ(scene.network().force()[0].norm(), 0.0);
+}
+
 TEST(Softening, UnloadingGivesBackWhatIsStored) {
   HandTest pull(tough_rock());
   pull.move({7e-5, 0, 0}, 1e-3, 1400);

@@ -32,6 +32,17 @@ SlipThroughBlocks slip_through_blocks(const FacetKinematics& facets, const Leani
   return sum;
 }
 
+namespace {
+
+/// Behind a mirror the image parts by as much, so a block pays half of what a facet takes.
+JointParameters toughness_of(const FacetTables& tables, std::size_t f) {
+  JointParameters rock = tables.laws().rock().parameters();
+  if (tables.name(f).kind == FacetKind::mirror) rock.fracture_energy_tension *= 0.5;
+  return rock;
+}
+
+}  // namespace
+
 struct FacetBreaking::Remnant {
   double normal;      // traction along the normal, not positive [Pa]
   Vec3 shear;         // [Pa]
@@ -68,8 +79,10 @@ FacetBreaking::Remnant FacetBreaking::remnant_of(std::size_t f, const PointBreak
   const bool linear = tables.nonlinear_law(f) == nullptr;
   if (tables.laws().softens() && first && linear) {
     const Mat3 to_axes = broken.axes.transpose();
+    // At a mirror, which has no shear, nothing along it is dropped: any stiffness will do.
+    const double along = contact.shear > 0.0 ? contact.shear : contact.closure.normal;
     left.cohesion = cohesion_after(to_axes * left.dropped, to_axes * broken.jump,
-                                   contact.closure.normal, contact.shear, tables.parameters(f));
+                                   contact.closure.normal, along, tables.parameters(f));
   }
   left.slips = first && normal < 0.0 && !broken.torn && may_slip(f);
   left.lost = broken.elastic;
@@ -128,7 +141,7 @@ void FacetBreaking::book_break(std::size_t f, const PointBreak& broken, const Re
   const double undone = softens ? 0.0 : (left.dropped + ahead).dot(broken.rate) * dt;
   if (softens) {
     // The sides have parted by `first` beside the stretch of the spring that friction holds.
-    const double rubbed = left.shear.dot(left.dropped) / contact.shear;
+    const double rubbed = contact.shear > 0.0 ? left.shear.dot(left.dropped) / contact.shear : 0.0;
     losses.friction += contact.weight * bond.point_area * rubbed;
     after += 2.0 * (left.cohesion.energy(left.cohesion.first) + rubbed);
   }

@@ -199,7 +199,8 @@ Tessellation import_blocks(const std::string& path, const TessellationOptions& r
     find_hole_faces(rock, ground, block);
   }
   for (const Hole& hole : rock.holes)
-    result.statistics.cylinder_volume.push_back(cylinder_volume(hole));
+    result.statistics.cylinder_volume.push_back(
+        cylinder_volume_where(hole, [&](const Vec3& p) { return ground.in_region(p); }));
   add_statistics(rock, result);
   return result;
 }
