@@ -38,7 +38,7 @@ struct FacetEntry {
 template <>
 struct Stored<FacetEntry> {
   static constexpr std::string_view kName = "facet_entry";
-  static constexpr int kVersion = 2;
+  static constexpr int kVersion = 3;
   static auto fields(auto& entry) { return std::tie(entry.facet, entry.memory); }
 };
 
