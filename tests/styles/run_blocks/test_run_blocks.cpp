@@ -78,8 +78,7 @@ TEST(RunBlocks, RunsOnUntilTheRockRests) {
   EXPECT_LT(scene.variable("now"), 6.0);
 }
 
-/// The fastest block bounds the step: 8 steps in a collision at 20 m/s are T = 19.1 ms / 8 after
-/// Hertz, and more at the speed of these blocks.
+/// The step is that of a collision, whatever the blocks do.
 TEST(RunBlocks, ResolvesCollisions) {
   const ScratchFolder folder("run_blocks_step");
   RockScene scene = loose_blocks();
