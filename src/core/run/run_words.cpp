@@ -3,8 +3,6 @@
 // Scope: see the header.
 #include "run/run_words.h"
 
-#include <cmath>
-
 #include "contact/collision_time.h"
 
 namespace muckpile {
@@ -31,14 +29,12 @@ void add_collision_words(ArgTable& table) {
       .integer("spheres_per_block", "", Range::closed(1, 64), 8,
                "as in create_blocks, for the same: with fewer the step can be too long")
       .real("steps_per_contact", "", Range::closed(5.0, 1000.0), 8.0,
-            "least number of steps in a collision of two smallest blocks at the speed of the "
-            "fastest")
+            "least number of steps in a fast collision of two smallest blocks: at the speed of the "
+            "fastest in run_blast, at 20 m/s in run_blocks")
       .real("stable_share", "", Range::closed(0.01, 1.0), 0.8,
             "longest step of loose blocks, as a share of the longest stable one; the rest is for "
             "contacts that become stiffer between two checks");
 }
-
-double CollisionStep::longest() const { return step * std::pow(kSpeed / kSlow, 0.2); }
 
 CollisionStep collision_step(const ArgValues& words, double density,
                              const BlockContacts& contacts) {

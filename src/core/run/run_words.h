@@ -20,12 +20,10 @@ struct CollisionStep {
   double step = 0.0;            ///< that resolves a collision at kSpeed [s]
   bool follows_fastest = true;  ///< the step follows the speed of the fastest block
 
-  static constexpr double kSpeed = 20.0, kSlow = 1.0;  ///< [m/s]
+  static constexpr double kSpeed = 20.0;  ///< [m/s]
 
   /// 0: it stays that of kSpeed.
   [[nodiscard]] double speed() const { return follows_fastest ? kSpeed : 0.0; }
-  /// Of a collision at kSlow, by Hertz: as long as the step may become where nothing moves yet [s].
-  [[nodiscard]] double longest() const;
 };
 
 /// `density` of the blocks [kg/m3].

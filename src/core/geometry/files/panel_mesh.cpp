@@ -3,6 +3,8 @@
 // Scope: see the header.
 #include "geometry/files/panel_mesh.h"
 
+#include <cstdio>
+
 #include "args/input_error.h"
 #include "args/numbers.h"
 
@@ -11,11 +13,13 @@ namespace {
 
 constexpr std::size_t kCoordinates = 12;
 
-/// Every digit of the numbers; no negative zero.
+/// 15 digits, as numbers that LIGGGHTS prints, so that rounding does not part points that panels
+/// share; no negative zero.
 void append(std::string& text, const char* word, const Vec3& v) {
-  text += word;
-  for (const double value : v) text += " " + number_text(value + 0.0);
-  text += '\n';
+  char line[128];
+  std::snprintf(line, sizeof line, "%s %.15g %.15g %.15g\n", word, v.x() + 0.0, v.y() + 0.0,
+                v.z() + 0.0);
+  text += line;
 }
 
 void append_triangle(std::string& text, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -93,9 +97,10 @@ std::vector<Panel> panels_of(const ArgValues& words, const std::string& where) {
 }
 
 std::string stl_text(const std::string& name, std::span<const Panel> panels) {
-  std::string text = "solid " + name + "\n";
+  std::string text = "solid ";
+  text.append(name).append("\n");
   for (const Panel& panel : panels) append_panel(text, panel);
-  return text + "endsolid " + name + "\n";
+  return text.append("endsolid ").append(name).append("\n");
 }
 
 }  // namespace muckpile

@@ -27,7 +27,7 @@ struct Panel {
 /// panel has no area.
 [[nodiscard]] std::vector<Panel> panels_of(const ArgValues& words, const std::string& where);
 
-/// Coordinates have all their digits. Panels with an edge and its number of parts in common share the
+/// Coordinates have 15 digits. Panels with an edge and its number of parts in common share the
 /// points on it to the last digit.
 [[nodiscard]] std::string stl_text(const std::string& name, std::span<const Panel> panels);
 
