@@ -15,17 +15,6 @@
 namespace muckpile {
 namespace {
 
-std::string name_of_figure(const std::string& figure) {
-  const KeyAndUnit split = split_unit(figure);
-  std::string name = split.name;
-  name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
-  for (const NamedKey& known : key_figures()) {
-    if (figure == known.key) name = known.name;
-  }
-  // Shares are drawn as they stand in the tables.
-  return split.unit.empty() || split.unit == "%" ? name : name + " [" + split.unit + "]";
-}
-
 // Where a run stands on the first variable's axis: its number, or the place of its word from 1 on.
 double across(const Sweep& sweep, const SweepRun& run) {
   const SweptVariable& variable = sweep.variables.front();
@@ -90,6 +79,17 @@ std::string warning_of(const Sweep& sweep) {
 }
 
 }  // namespace
+
+std::string name_of_figure(const std::string& figure) {
+  const KeyAndUnit split = split_unit(figure);
+  std::string name = split.name;
+  name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+  for (const NamedKey& known : key_figures()) {
+    if (figure == known.key) name = known.name;
+  }
+  // Shares are drawn as they stand in the tables.
+  return split.unit.empty() || split.unit == "%" ? name : name + " [" + split.unit + "]";
+}
 
 Panels plot_of_sweep(const Sweep& sweep, const std::vector<std::string>& figures,
                      const std::vector<SweepFit>& fits) {

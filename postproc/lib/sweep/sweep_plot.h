@@ -17,4 +17,7 @@ namespace muckpile {
 [[nodiscard]] Panels plot_of_sweep(const Sweep& sweep, const std::vector<std::string>& figures,
                                    const std::vector<SweepFit>& fits);
 
+// Of a key, as pictures name it: "Throw of the mass centre [m]".
+[[nodiscard]] std::string name_of_figure(const std::string& figure);
+
 }  // namespace muckpile
