@@ -28,7 +28,7 @@ nlohmann::ordered_json write_ore_model(const ResultFolder& folder, const RunData
                                        const std::string& file, const SurveyPose& pose) {
   const std::filesystem::path path = folder.file("model_moved.csv");
   std::filesystem::remove(path);
-  if (file.empty()) return {};
+  if (file.empty()) return nlohmann::ordered_json::object();
   const CsvTable table = CsvTable::read(file);
   const size_t x = table.column("x_m"), y = table.column("y_m"), z = table.column("z_m");
   std::vector<std::string> header(table.header().begin(), table.header().end());

@@ -40,7 +40,9 @@ std::vector<std::string> shown_columns(const std::vector<std::filesystem::path>&
       const auto found = tables[k].of_column.find(column);
       if (found == tables[k].of_column.end() || found->second.empty())
         refuse(paths[k].string(),
-               "has no value in a column '" + column + "'" + did_you_mean(column, known));
+               "has no value in a column '" + column + "'" +
+                   (std::ranges::find(known, column) == known.end() ? did_you_mean(column, known)
+                                                                    : ""));
     }
   }
   if (!asked.empty()) return asked;

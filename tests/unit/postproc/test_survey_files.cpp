@@ -149,7 +149,7 @@ std::string drawing(const std::string& entities) {
 }
 
 std::string corner(int code, double x, double y, double z) {
-  return " " + std::to_string(code) + "\n" + std::to_string(x) + "\n " + std::to_string(code + 10) +
+  return std::to_string(code) + "\n" + std::to_string(x) + "\n " + std::to_string(code + 10) +
          "\n" + std::to_string(y) + "\n " + std::to_string(code + 20) + "\n" + std::to_string(z) +
          "\n";
 }
@@ -191,7 +191,7 @@ TEST_F(SurveyFiles, PointsOfADrawingAreASurfaceWhereItHasNoFaces) {
 
 TEST_F(SurveyFiles, DamagedDxfIsRefused) {
   const std::string face = "  0\n3DFACE\n" + corner(10, 0, 0, 1) + corner(11, 2, 0, 1);
-  expect_in("a.dxf:15: 3DFACE has no group 12", dxf_refused(drawing(face)));
+  expect_in("a.dxf:16: 3DFACE has no group 12", dxf_refused(drawing(face)));
   std::string text = drawing(face + corner(12, 2, 2, 1));
   expect_in("without EOF: it is cut", dxf_refused(text.substr(0, text.size() - 8)));
   expect_in("3DFACE group 20 must be a finite number, got 'x.000000'",
