@@ -50,7 +50,7 @@ CurvePlot frame(const PlottedConstant& constant, Index column, const PlottedFigu
   plot.curves.push_back(
       level("", CurveStyle::kDashed, low, high, figure.measured + figure.uncertainty));
   plot.curves.push_back({"fitted",
-                         CurveStyle::kLineAndPoints,
+                         CurveStyle::kPoints,
                          kEstimate,
                          {{here, target.surface.at(calibration.place)}},
                          {}});
