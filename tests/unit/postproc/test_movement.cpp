@@ -62,7 +62,10 @@ TEST(Movement, OfAllPartsIsTheThrowOfTheBurden) {
   TemporaryFolder temporary;
   write_bench(temporary.path());
   const ResultFolder folder(temporary.path());
-  report_movement(folder, {kCube, 0.125}, {3, 2});
+  MovementOptions options;
+  options.levels = 3;
+  options.distances = 2;
+  report_movement(folder, {kCube, 0.125}, options);
   const CsvTable table = CsvTable::read(folder.file("movement.csv"));
   ASSERT_EQ(table.rows(), 6U);
   double mass = 0.0, moment = 0.0;
