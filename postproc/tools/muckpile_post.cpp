@@ -10,10 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "calibrate_command.h"
 #include "compare_command.h"
 #include "damage_command.h"
 #include "flyrock_command.h"
 #include "measure_words.h"
+#include "overlay_command.h"
 #include "report/all_reports.h"
 #include "report/not_measurable.h"
 #include "report/plan_report.h"
@@ -85,10 +87,11 @@ struct Options {
 };
 
 void add_movement_command(CLI::App& app, Options& o) {
-  CLI::App* movement = add_command(app, "movement",
-                                   "bench: movement.csv, movement.png; where its parts went, by "
-                                   "level and distance from the face",
-                                   o.folder);
+  CLI::App* movement =
+      add_command(app, "movement",
+                  "bench: movement.csv, movement.dxf, movement.png; where its parts went, by "
+                  "level and distance from the face",
+                  o.folder);
   add_measure(movement, o.measure);
   movement->add_option("--levels", o.movement.levels, "bands of height")->check(CLI::Range(1, 8));
   movement->add_option("--distances", o.movement.distances, "bands of distance from the face")
@@ -96,8 +99,20 @@ void add_movement_command(CLI::App& app, Options& o) {
   movement
       ->add_option("--polygons", o.movement.polygons,
                    "polygons of ore to carry into the pile (CSV: polygon, x_m, y_m, z_low_m, "
-                   "z_high_m): polygons.csv, polygons_moved.csv, polygons.png")
+                   "z_high_m): polygons.csv, polygons_moved.csv, polygons.dxf, polygons.png")
       ->check(CLI::ExistingFile);
+  movement
+      ->add_option(
+          "--model", o.movement.model,
+          "block model to carry into the pile (CSV: x_m, y_m, z_m of the middles, and what "
+          "else it has): model_moved.csv")
+      ->check(CLI::ExistingFile);
+  movement->add_option("--shift", o.movement.shift,
+                       "of polygons and model along x, y and z [m], before they are turned; "
+                       "drawings and moved places are in their axes");
+  movement->add_option("--turn", o.movement.turn_deg,
+                       "of the shifted ones about the run's z axis, counter-clockwise seen from "
+                       "above [deg]");
   movement->callback([&o] { report_movement(ResultFolder(o.folder), o.measure, o.movement); });
 }
 
@@ -284,9 +299,11 @@ int main(int argc, char** argv) {
   add_picture_commands(app, options);
   add_all_command(app, options);
   int status = 0;
+  add_calibrate_command(app, status);
   add_compare_command(app, status);
   add_damage_command(app);
   add_flyrock_command(app);
+  add_overlay_command(app);
   add_survey_command(app);
   add_sample_command(app);
   add_sweep_command(app);

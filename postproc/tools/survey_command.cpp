@@ -50,7 +50,7 @@ void add_survey_command(CLI::App& app) {
       ->required();
   command
       ->add_option("surface", options.surface,
-                   "points x y z (.xyz, .csv, .txt) or triangles (.stl)")
+                   "points x y z (.xyz, .csv, .txt, .las) or triangles (.stl, .dxf)")
       ->required();
   command->add_option("--shift", options.shift,
                       "of the surface along x, y and z [m], before it is turned");

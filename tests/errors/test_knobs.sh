@@ -9,7 +9,7 @@ shift 2
 source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
 cd "$root"
 source src/app/run/input_variables.sh
-readonly kWords=' out from holes_by holes_of hole_table pulse_table gas_file '
+readonly kWords=' out site from holes_by holes_of hole_table pulse_table gas_file '
 mkdir "$out/dump"
 
 knobs() {  # of the input and what it includes, with one value each

@@ -18,6 +18,7 @@ constexpr double kLeft = 110.0, kRight = 30.0, kBelow = 85.0, kPlotHeight = 620.
 constexpr double kTitleSize = 28.0, kKeySize = 20.0, kKeyLine = 30.0, kKeyStroke = 40.0;
 constexpr double kTop = 66.0;  // of the key [px]
 constexpr double kThickness = 3.0, kDash = 9.0, kPointSize = 5.0;
+constexpr double kThinLine = 1.2, kBandOpacity = 0.25;
 constexpr double kBarThickness = 1.6, kBarCap = 5.0;
 
 AxisRange range_of(const CurvePlot& plot, int axis, Scale scale) {
@@ -72,6 +73,12 @@ void draw_stroke(Canvas& canvas, const std::vector<Vec2>& points, const PlotCurv
     case CurveStyle::kLine:
       canvas.polyline(points, kThickness, colour);
       break;
+    case CurveStyle::kThin:
+      canvas.polyline(points, kThinLine, colour);
+      break;
+    case CurveStyle::kBand:
+      canvas.fill(points, colour, kBandOpacity);
+      break;
     case CurveStyle::kDashed:
       canvas.dashes(points, kThickness, kDash, colour);
       break;
@@ -95,6 +102,8 @@ void draw_bar(Canvas& canvas, const Axes& axes, const PlotBar& bar, Colour colou
 
 void draw_curve(Canvas& canvas, const Axes& axes, const PlotCurve& curve, const AxisRange& x,
                 const AxisRange& y) {
+  if (curve.style == CurveStyle::kBand)
+    return draw_stroke(canvas, axes.places(curve.points), curve);
   std::vector<Vec2> part;
   for (const Vec2& p : curve.points) {
     if (is_inside(p, x, y)) {
@@ -141,6 +150,9 @@ double lay_out_key(const std::vector<PlotCurve>& curves, double left, double rig
       const double middle = y - 0.35 * kKeySize;
       if (curve.style == CurveStyle::kPoints) {
         draw_stroke(*canvas, {{x + 0.5 * kKeyStroke, middle}}, curve);
+      } else if (curve.style == CurveStyle::kBand) {
+        const Vec2 half(0.0, 0.4 * kKeySize), from(x, middle), to(x + kKeyStroke, middle);
+        draw_stroke(*canvas, {from - half, to - half, to + half, from + half}, curve);
       } else {
         draw_stroke(*canvas, {{x, middle}, {x + kKeyStroke, middle}}, curve);
       }

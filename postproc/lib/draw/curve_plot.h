@@ -13,7 +13,9 @@
 
 namespace muckpile {
 
-enum class CurveStyle { kLine, kDashed, kPoints, kLineAndPoints };
+// kThin: one of many, such as each run behind a mean. kBand: the points go around an area, which is
+// filled palely; it knows no range of the plot.
+enum class CurveStyle { kLine, kThin, kDashed, kPoints, kLineAndPoints, kBand };
 
 struct PlotBar {
   double x, low, high;

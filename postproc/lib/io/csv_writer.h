@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
@@ -15,6 +16,13 @@
 #include "args/suggestion.h"
 
 namespace muckpile {
+
+// A place of a mine grid [m] to the millimetre, for which six digits are too few.
+inline std::string place_text(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.3f", value);
+  return text;
+}
 
 class CsvWriter {
  public:

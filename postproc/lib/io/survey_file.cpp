@@ -7,19 +7,38 @@
 #include <cctype>
 
 #include "args/input_error.h"
+#include "args/suggestion.h"
+#include "io/dxf_file.h"
+#include "io/las_file.h"
 #include "io/point_file.h"
 
 namespace muckpile {
 
+namespace {
+
+SurveyedSurface in_unit_of_file(const std::filesystem::path& path, const std::string& ending) {
+  if (ending == ".las") return {read_las(path), {}};
+  if (ending != ".dxf") return {read_points(path), {}};
+  DxfSurface drawing = read_dxf(path);
+  if (drawing.triangles.empty()) return {std::move(drawing.points), {}};
+  return {{}, std::move(drawing.triangles)};
+}
+
+}  // namespace
+
 SurveyedSurface read_survey(const std::filesystem::path& path, double unit) {
+  static const std::vector<std::string> kEndings{".xyz", ".csv", ".txt", ".las", ".stl", ".dxf"};
   std::string ending = path.extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (std::ranges::find(kEndings, ending) == kEndings.end())
+    refuse(path.string(),
+           "must be a surface in one of " + joined(kEndings) + ", got '" + ending + "'");
   if (ending == ".stl") return {{}, read_stl(path, unit)};
-  if (ending != ".xyz" && ending != ".csv" && ending != ".txt")
-    refuse(path.string(), "must be a surface in .xyz, .csv, .txt or .stl, got '" + ending + "'");
-  std::vector<Vec3> points = read_points(path);
-  for (Vec3& point : points) point *= unit;
-  return {std::move(points), {}};
+  SurveyedSurface surface = in_unit_of_file(path, ending);
+  for (Vec3& point : surface.points) point *= unit;
+  for (StlTriangle& triangle : surface.triangles)
+    for (Vec3& corner : triangle) corner *= unit;
+  return surface;
 }
 
 }  // namespace muckpile

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A surveyed surface from a file, by the ending of its name.
-// Scope: points (.xyz, .csv, .txt) or triangles (.stl), in the file's own axes.
+// Scope: points (.xyz, .csv, .txt, .las, points of .dxf) or triangles (.stl, faces of .dxf), in the
+// file's own axes.
 #pragma once
 
 #include <filesystem>
@@ -17,8 +18,8 @@ struct SurveyedSurface {
   std::vector<StlTriangle> triangles;  // [m]
 };
 
-// `unit` is what the file's numbers count in [m]. Throws InputError as io/point_file.h and
-// io/stl_file.h tell, and for another ending.
+// `unit` is what the file's numbers count in [m]. Throws InputError as io/point_file.h,
+// io/las_file.h, io/stl_file.h and io/dxf_file.h tell, and for another ending.
 SurveyedSurface read_survey(const std::filesystem::path& path, double unit);
 
 }  // namespace muckpile

@@ -19,6 +19,10 @@ struct SurveyPose {
   [[nodiscard]] Vec3 of(const Vec3& point) const {
     return Eigen::AngleAxisd(turn, Vec3::UnitZ()) * (point + shift);
   }
+  // The inverse of that.
+  [[nodiscard]] Vec3 back(const Vec3& point) const {
+    return Eigen::AngleAxisd(-turn, Vec3::UnitZ()) * point - shift;
+  }
   // The shift that brings `point` to `place`.
   [[nodiscard]] Vec3 shift_to(const Vec3& point, const Vec3& place) const {
     return Eigen::AngleAxisd(-turn, Vec3::UnitZ()) * place - point;

@@ -3,16 +3,19 @@
 // Scope: benches that profile measures; parts reach from the face to the last row of holes.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "args/input_error.h"
 #include "draw/curve_plot.h"
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
+#include "io/dxf_file.h"
 #include "measure/columns.h"
 #include "measure/movement.h"
 #include "report/bench_scene.h"
 #include "report/movement_table.h"
 #include "report/not_measurable.h"
+#include "report/ore_model_report.h"
 #include "report/polygons_report.h"
 #include "report/reports.h"
 #include "report/run_section.h"
@@ -28,6 +31,15 @@ void write_table(const std::filesystem::path& path, const std::vector<PartMoveme
     for (const double value : movement_columns(p.rock)) row.push_back(value);
     csv.row(row);
   }
+}
+
+// Ways of the mass centres in the axes of the polygons and models, a layer for each level.
+void write_drawing(const std::filesystem::path& path, const std::vector<PartMovement>& parts,
+                   const SurveyPose& pose) {
+  DxfWriter drawing(path);
+  for (const PartMovement& part : parts)
+    drawing.line("level_" + std::to_string(part.level + 1), pose.back(part.rock.start),
+                 pose.back(part.rock.end));
 }
 
 // From start to end with a head; a part that moved less than the head is long has none.
@@ -99,7 +111,9 @@ BenchScene bench_or_nothing(const ResultFolder& folder, const RunData& run) {
   try {
     return bench_or_take_back(folder, run.blocks, "movement", keys_of({}));
   } catch (const NotMeasurable&) {
-    write_polygons(folder, run, {});
+    write_polygons(folder, run, {}, {});
+    write_ore_model(folder, run, "", {});
+    std::filesystem::remove(folder.file("movement.dxf"));
     throw;
   }
 }
@@ -138,12 +152,18 @@ void report_movement(const ResultFolder& folder, const MeasureOptions& measure,
       movement_of_parts(run.blocks, run.last, run.moved, parts);
   if (movement.empty())
     refuse("movement", "no block started between the face and the last row of holes");
-  write_polygons(folder, run, polygons);
+  const SurveyPose pose{{options.shift[0], options.shift[1], options.shift[2]},
+                        options.turn_deg * std::numbers::pi / 180.0};
+  write_polygons(folder, run, polygons, pose);
+  const nlohmann::ordered_json of_model = write_ore_model(folder, run, options.model, pose);
   write_table(folder.file("movement.csv"), movement);
+  write_drawing(folder.file("movement.dxf"), movement, pose);
   write_png(draw_section(section_of(run, bench, parts, movement)), folder.file("movement.png"));
   nlohmann::ordered_json keys = common_keys(folder);
   keys.update(keys_of(movement));
-  folder.merge_into_summary(keys, {refusal_key("movement")});
+  keys.update(of_model);
+  folder.merge_into_summary(keys,
+                            {refusal_key("movement"), "model_cells", "model_cells_in_blocks"});
 }
 
 }  // namespace muckpile

@@ -29,6 +29,9 @@ struct MovementOptions {
   int levels = 5;        // bands of height between the floor and the top of the bench
   int distances = 4;     // bands of distance between the face and the last row of holes
   std::string polygons;  // file of polygons to carry into the pile; "": none
+  std::string model;     // file of a block model to carry into the pile; "": none
+  std::array<double, 3> shift{0.0, 0.0, 0.0};  // of both, before they are turned [m]
+  double turn_deg = 0.0;                       // about the run's z axis, counter-clockwise
 };
 
 struct WavesOptions {

@@ -7,6 +7,7 @@
 #include "draw/curve_plot.h"
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
+#include "io/dxf_file.h"
 #include "measure/dug_polygon.h"
 #include "report/movement_table.h"
 #include "report/notes.h"
@@ -30,7 +31,36 @@ CarriedPolygon carried(const OrePolygon& polygon, const RunData& run) {
   return {polygon, chosen, dug_polygon(polygon, chosen, run.blocks, run.last, run.moved)};
 }
 
-void write_tables(const ResultFolder& folder, const std::vector<CarriedPolygon>& polygons) {
+// Corners in the run's axes, at a height of them, in those of the polygons.
+std::vector<Vec3> in_file(const std::vector<Vec2>& corners, double z, const SurveyPose& pose) {
+  std::vector<Vec3> places;
+  for (const Vec2& corner : corners) places.push_back(pose.back({corner.x(), corner.y(), z}));
+  return places;
+}
+
+// At the heights of the rock's mass centre, before the blast and after.
+void write_drawing(const std::filesystem::path& path, const std::vector<CarriedPolygon>& polygons,
+                   const SurveyPose& pose) {
+  constexpr double kLetters = 0.5;  // [m]
+  DxfWriter drawing(path);
+  for (const CarriedPolygon& each : polygons) {
+    const RockMovement& rock = each.dug.rock;
+    drawing.outline(each.start.name + "_before", in_file(each.start.corners, rock.start.z(), pose));
+    drawing.outline(each.start.name + "_after", in_file(each.dug.outline, rock.end.z(), pose));
+    drawing.text(each.start.name + "_after", pose.back(rock.end), kLetters, each.start.name);
+    drawing.line(each.start.name + "_way", pose.back(rock.start), pose.back(rock.end));
+  }
+}
+
+OrePolygon placed(OrePolygon polygon, const SurveyPose& pose) {
+  for (Vec2& corner : polygon.corners) corner = pose.of({corner.x(), corner.y(), 0.0}).head<2>();
+  polygon.low += pose.shift.z();
+  polygon.high += pose.shift.z();
+  return polygon;
+}
+
+void write_tables(const ResultFolder& folder, const std::vector<CarriedPolygon>& polygons,
+                  const SurveyPose& pose) {
   CsvWriter table(folder.file("polygons.csv"), std::string("polygon,") + kMovementColumns +
                                                    ",recovered_fraction,dilution_fraction");
   CsvWriter outlines(folder.file("polygons_moved.csv"), "polygon,x_m,y_m");
@@ -39,8 +69,10 @@ void write_tables(const ResultFolder& folder, const std::vector<CarriedPolygon>&
     row.push_back(each.dug.recovered);
     row.push_back(each.dug.dilution);
     table.row(each.start.name, row);
-    for (const Vec2& corner : each.dug.outline)
-      outlines.row(each.start.name, {corner.x(), corner.y()});
+    for (const Vec3& corner : in_file(each.dug.outline, 0.0, pose))
+      outlines.row(
+          std::vector<std::string>{each.start.name, place_text(corner.x()), place_text(corner.y())},
+          {});
   }
 }
 
@@ -71,15 +103,16 @@ CurvePlot plot_of(const std::vector<CarriedPolygon>& polygons, const RunData& ru
 }  // namespace
 
 void write_polygons(const ResultFolder& folder, const RunData& run,
-                    const std::vector<OrePolygon>& polygons) {
+                    const std::vector<OrePolygon>& polygons, const SurveyPose& pose) {
   if (polygons.empty()) {
-    for (const char* ending : {".csv", "_moved.csv", ".png"})
+    for (const char* ending : {".csv", "_moved.csv", ".png", ".dxf"})
       std::filesystem::remove(folder.file(std::string("polygons") + ending));
     return;
   }
   std::vector<CarriedPolygon> all;
-  for (const OrePolygon& polygon : polygons) all.push_back(carried(polygon, run));
-  write_tables(folder, all);
+  for (const OrePolygon& polygon : polygons) all.push_back(carried(placed(polygon, pose), run));
+  write_tables(folder, all, pose);
+  write_drawing(folder.file("polygons.dxf"), all, pose);
   write_png(draw_curves(plot_of(all, run)), folder.file("polygons.png"));
 }
 

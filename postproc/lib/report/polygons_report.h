@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Polygons of ore carried into the pile: a part of the sub-command movement.
-// Scope: polygons.csv, polygons_moved.csv, polygons.png.
+// Scope: polygons.csv, polygons_moved.csv, polygons.dxf, polygons.png.
 #pragma once
 
 #include <vector>
 
 #include "io/ore_polygons.h"
 #include "io/result_folder.h"
+#include "measure/survey_heights.h"
 #include "report/run_data.h"
 
 namespace muckpile {
 
-// Throws InputError where no block started in a polygon. Without polygons takes away what an
-// earlier call has left.
+// `pose` brings the axes of the polygons to those of the run; outlines in files are in the
+// polygons'. Throws InputError where no block started in a polygon. Without polygons takes away
+// what an earlier call has left.
 void write_polygons(const ResultFolder& folder, const RunData& run,
-                    const std::vector<OrePolygon>& polygons);
+                    const std::vector<OrePolygon>& polygons, const SurveyPose& pose);
 
 }  // namespace muckpile

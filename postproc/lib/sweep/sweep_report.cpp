@@ -6,13 +6,26 @@
 #include "draw/png_file.h"
 #include "sweep/influence.h"
 #include "sweep/influence_plot.h"
-#include "sweep/profile_bands.h"
+#include "sweep/overlay_report.h"
 #include "sweep/sweep_fits.h"
 #include "sweep/sweep_plot.h"
 #include "sweep/sweep_tables.h"
 
 namespace muckpile {
 namespace {
+
+// The surface of the pile in all runs that have measured one, three at least.
+std::vector<std::filesystem::path> overlay_profiles(const Sweep& sweep) {
+  constexpr size_t kFewest = 3;
+  OverlayOptions options{{}, "profile.csv", {"pile_mean_m"}, sweep.folder.string()};
+  for (const SweepRun& run : sweep.runs) {
+    const std::filesystem::path folder = sweep.folder / run.folder;
+    if (run.is_done() && std::filesystem::exists(folder / options.table))
+      options.runs.push_back(folder.string());
+  }
+  return options.runs.size() < kFewest ? std::vector<std::filesystem::path>{}
+                                       : report_overlay(options);
+}
 
 std::vector<std::filesystem::path> report_samples(const Sweep& sweep,
                                                   const std::vector<std::string>& shown) {
@@ -24,7 +37,7 @@ std::vector<std::filesystem::path> report_samples(const Sweep& sweep,
   std::vector<std::filesystem::path> written;
   for (const char* name : {"sweep.csv", "sweep_mean.csv", "sweep_influence.csv", "sweep.png"})
     written.push_back(sweep.folder / name);
-  for (const auto& file : write_profile_bands(sweep, profile_bands(sweep))) written.push_back(file);
+  for (const auto& file : overlay_profiles(sweep)) written.push_back(file);
   return written;
 }
 

@@ -8,6 +8,8 @@ files_of() {
   local pattern included
   printf '%s\n' "$1"
   while read -r pattern; do
+    # What is a variable and nothing else is a file of the user's, of any name.
+    [[ ! $pattern =~ ^\$\{[^}]*\}$ ]] || continue
     while read -r included; do
       if [[ -f $included ]]; then files_of "$included"; fi
     done < <(compgen -G "$(sed -E 's/\$\{[^}]*\}/*/g' <<<"$pattern")")

@@ -11,7 +11,6 @@
 #include "sweep/influence.h"
 #include "sweep/influence_plot.h"
 #include "sweep/latin_hypercube.h"
-#include "sweep/profile_bands.h"
 #include "sweep/sweep_report.h"
 #include "temporary_folder.h"
 
@@ -164,22 +163,22 @@ TEST_F(SampledFiles, EachFigureIsDrawnOverWhatItFollowsMost) {
 }
 
 // Heights 1, 2, 3, 4, 5 up to 10 m: P10 at place 0.4. At 20 m that of run 5 is 6 m.
-TEST_F(SampledFiles, BandsAreOfAllProfiles) {
-  const auto bands = profile_bands(read_sweep(temporary_.path()));
-  ASSERT_EQ(bands.size(), 3U);
-  EXPECT_NEAR(bands[1].p10, 1.4, 1e-12);
-  EXPECT_NEAR(bands[1].p50, 3.0, 1e-12);
-  EXPECT_NEAR(bands[1].p90, 4.6, 1e-12);
-  EXPECT_NEAR(bands[2].x, 20.0, 1e-12);
-  EXPECT_NEAR(bands[2].p90, 4.0 + 0.6 * 2.0, 1e-12);
+TEST_F(SampledFiles, TheSurfacesOfAllRunsAreLaidOverEachOther) {
   report_sweep(temporary_.path(), {});
-  EXPECT_TRUE(std::filesystem::exists(file("profile_bands.png")));
+  const CsvTable table = CsvTable::read(file("overlay_profile.csv"));
+  ASSERT_EQ(table.rows(), 3U);
+  EXPECT_NEAR(table.number(1, table.column("p10")), 1.4, 1e-6);
+  EXPECT_NEAR(table.number(1, table.column("p50")), 3.0, 1e-6);
+  EXPECT_NEAR(table.number(1, table.column("p90")), 4.6, 1e-6);
+  EXPECT_NEAR(table.number(2, table.column("p90")), 4.0 + 0.6 * 2.0, 1e-6);
+  EXPECT_TRUE(std::filesystem::exists(file("overlay_profile.png")));
 }
 
-TEST_F(SampledFiles, TwoProfilesAreNoBand) {
+TEST_F(SampledFiles, TwoSurfacesAreNoBand) {
   for (const char* run : {"run-1", "run-2", "run-3"})
     std::filesystem::remove(file(std::string(run) + "/profile.csv"));
-  EXPECT_TRUE(profile_bands(read_sweep(temporary_.path())).empty());
+  report_sweep(temporary_.path(), {});
+  EXPECT_FALSE(std::filesystem::exists(file("overlay_profile.csv")));
 }
 
 }  // namespace

@@ -296,7 +296,7 @@ TEST_F(Survey, PointFilesAreRefusedByLine) {
   expect_in("a.csv:1: a header must name one of z, z_m", refused("a.csv", "x,y,depth\n1,2,3\n"));
   expect_in("a.csv:2: x must be a finite number, got '1,5'", refused("a.csv", "2;3;4\n1,5;2;3\n"));
   expect_in("a.csv: must have three points at least, got 0", refused("a.csv", ""));
-  expect_in("a.las: must be a surface in .xyz", refused("a.las", "LASF"));
+  expect_in("a.laz: must be a surface in one of .xyz", refused("a.laz", "LASF"));
   expect_in("none.xyz: cannot be opened", input_error_of([&] { measure("none.xyz"); }));
 }
 

@@ -27,14 +27,16 @@ PointLanes lanes_with(const FacetHistory& history, const LaneSet& set, const Of&
 /// Normal stiffness of the closed facets of a group, of those that carry contact [Pa/m].
 Wide closed_stiffness(const FacetKinematics& facets, const LaneSet& set) {
   const FacetGroup& group = facets.tables.group(set.group);
-  FacetRow<double> rock_share = ContactGroup::all(1.0), carries{};
+  FacetRow<double> rock_share = ContactGroup::all(1.0), shear_share = ContactGroup::all(1.0),
+                   carries{};
   each_lane(set.lanes, [&](std::size_t k) {
     const std::size_t f = set.group * kGroup + k;
     rock_share[k] = facets.tables.rock_share(f);
+    shear_share[k] = facets.tables.shear_over_p_wave(f);
     carries[k] = facets.history.state(f) == FacetState::retired ? 0.0 : 1.0;
   });
   const LinearClosure<Wide> bonded{wide(group.shear), wide(group.normal_extra)};
-  return wide(carries) * facets.tables.laws().contact(bonded, wide(rock_share)).normal;
+  return wide(carries) * bonded.contact(wide(rock_share), wide(shear_share)).normal;
 }
 
 /// How far each broken point has opened since it broke, by what it remembers of that.

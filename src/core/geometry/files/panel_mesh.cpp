@@ -3,10 +3,9 @@
 // Scope: see the header.
 #include "geometry/files/panel_mesh.h"
 
-#include <cstdio>
-
 #include "args/input_error.h"
 #include "args/numbers.h"
+#include "args/rounded_text.h"
 
 namespace muckpile {
 namespace {
@@ -16,10 +15,10 @@ constexpr std::size_t kCoordinates = 12;
 /// 15 digits, as numbers that LIGGGHTS prints, so that rounding does not part points that panels
 /// share; no negative zero.
 void append(std::string& text, const char* word, const Vec3& v) {
-  char line[128];
-  std::snprintf(line, sizeof line, "%s %.15g %.15g %.15g\n", word, v.x() + 0.0, v.y() + 0.0,
-                v.z() + 0.0);
-  text += line;
+  constexpr int kDigits = 15;
+  text += word;
+  for (const double value : v) text += " " + rounded_text(value + 0.0, kDigits);
+  text += '\n';
 }
 
 void append_triangle(std::string& text, const Vec3& a, const Vec3& b, const Vec3& c) {
