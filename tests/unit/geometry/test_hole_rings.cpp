@@ -5,13 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <barrier>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "cut_checks.h"
@@ -19,7 +15,6 @@
 #include "geometry/cut/tessellation.h"
 #include "geometry/holes/hole_surface.h"
 #include "input_error_of.h"
-#include "shapes.h"
 
 namespace muckpile {
 namespace {
@@ -62,7 +57,7 @@ void expect_exact_voids(const TessellationOptions& options, double share = 1.0) 
 }
 
 TEST(HoleRings, TheVoidIsTheCylinderForBlocksOfTwoToSixRadii) {
-  for (const double radius : {1.0 / 1.8, 0.5, 1.0 / 3.0, 0.25, 1.0 / 6.0})
+  for (const double radius : {0.5, 0.45, 1.0 / 3.0, 0.25, 1.0 / 6.0})
     expect_exact_voids(with_holes({{Vec3(0.2, 0.1, 0.0), Vec3(0.2, 0.1, 7.0), radius}}));
 }
 
@@ -136,7 +131,8 @@ TEST(HoleRings, AJointPlaneThroughAHoleLeavesWholeBlocks) {
     const double volume = cylinder_volume(options.holes[0]);
     for (const Block& block : cut.blocks) test::expect_convex_and_closed(block);
     (void)test::expect_shared_faces(cut.blocks);
-    std::printf("dip %g void/cylinder %g\n", dip, cut.statistics.void_volume / volume);
+    EXPECT_GT(cut.statistics.void_volume, 0.99 * volume);
+    EXPECT_LT(cut.statistics.void_volume, 1.5 * volume);  // 1, 1, 1.18 and 1.39 measured
   }
 }
 

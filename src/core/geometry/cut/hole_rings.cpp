@@ -31,15 +31,16 @@ struct Ringed {
   Hole hole;
   double size, length;
   int levels;
-  double below = 0.0, above = 0.0;          // from its ends to its first and last level
+  double below = 0.0, above = 0.0;            // from its ends to its first and last level
   bool cap_below = false, cap_above = false;  // rings beyond the ends
   int columns = 4;
+  double spread = 0.0;  // height that all rings on one line are spread for; 0: that of the levels
 
   [[nodiscard]] double height() const { return length / levels; }
   /// Beyond the cells of the rings.
   [[nodiscard]] double outer() const {
     constexpr double kLowest = 0.65;  // levels, in blocks: discs do not get wider
-    const double h = std::max(height(), kLowest * size);
+    const double h = std::max(spread > 0.0 ? spread : height(), kLowest * size);
     return std::sqrt(columns * size * size * size / (kPi * h) + hole.radius * hole.radius);
   }
   [[nodiscard]] double seeds_at() const { return outer() - 0.5 * size; }
@@ -52,8 +53,8 @@ struct Ringed {
   [[nodiscard]] double reach() const {
     constexpr double kSlack = 1.02;
     const double edge = apothem() / std::cos(kPi / columns), rho = seeds_at();
-    const double nearest = std::sqrt(rho * rho + edge * edge - 2.0 * rho * apothem() +
-                                     0.25 * height() * height());
+    const double nearest =
+        std::sqrt(rho * rho + edge * edge - 2.0 * rho * apothem() + 0.25 * height() * height());
     return std::max(outer(), kSlack * (edge + nearest));
   }
 };
@@ -93,8 +94,7 @@ double rock_beyond(const Ground& ground, const Vec3& end, const Vec3& out, doubl
 bool lies_in_wall(const TessellationOptions& options, const Hole& hole, Vec3& normal) {
   for (int c = 0; c < 3; ++c) {
     if (std::abs(direction(hole)[c]) > kSame) continue;
-    const double from_wall =
-        std::min(hole.toe[c] - options.lo[c], options.hi[c] - hole.toe[c]);
+    const double from_wall = std::min(hole.toe[c] - options.lo[c], options.hi[c] - hole.toe[c]);
     if (from_wall > kSame * hole.radius) continue;
     normal = Vec3::Unit(c);
     return true;
@@ -183,6 +183,13 @@ void set_ends(const Ground& ground, std::vector<Ringed>& line) {
   }
 }
 
+/// Rings of decks stand at the same distance from the axis, so that planes between them are ends.
+void spread_alike(std::vector<Ringed>& line) {
+  double highest = 0.0;
+  for (const Ringed& ring : line) highest = std::max(highest, ring.height());
+  for (Ringed& ring : line) ring.spread = highest;
+}
+
 /// Of the levels of a hole from its toe [m].
 std::vector<double> levels(const Ringed& ring) {
   if (ring.levels == 1) return {0.5 * ring.length};
@@ -197,7 +204,8 @@ void add_seeds(const TessellationOptions& options, const Ground& ground, const R
                std::vector<RingSeed>& seeds) {
   constexpr double kShared = 0.3;  // [block sizes]
   const Hole& hole = ring.hole;
-  const Vec3 along = direction(hole), first = first_edge(options, hole), second = along.cross(first);
+  const Vec3 along = direction(hole), first = first_edge(options, hole),
+             second = along.cross(first);
   std::vector<std::pair<double, bool>> rings;  // from the toe [m], beside the void
   for (const double at : levels(ring)) rings.emplace_back(at, true);
   if (ring.cap_below) rings.emplace_back(-ring.below, false);
@@ -208,7 +216,7 @@ void add_seeds(const TessellationOptions& options, const Ground& ground, const R
       const Vec3 out = std::cos(angle) * first + std::sin(angle) * second;
       const Vec3 place = hole.toe + at * along + ring.seeds_at() * out;
       const auto is_there = [&](const RingSeed& seed) {
-        return (seed.at - place).norm() < kShared * ring.size;
+        return seed.hole < 0 && (seed.at - place).norm() < kShared * ring.size;
       };
       if (!ground.in_region(place)) continue;
       if (!beside && std::any_of(seeds.begin(), seeds.end(), is_there)) continue;
@@ -244,7 +252,7 @@ std::vector<std::vector<Ringed>> ringed_lines(const TessellationOptions& options
   std::vector<std::vector<Ringed>> lines;
   for (std::size_t h = 0; h < options.holes.size(); ++h) {
     const Hole& hole = options.holes[h];
-    if (options.size.at(hole.radius) <= kRingedFrom * hole.radius) continue;
+    if (options.size.at(hole.radius) < kRingedFrom * hole.radius) continue;
     Ringed ring = ringed(options, ground, h);
     const auto line = std::find_if(lines.begin(), lines.end(), [&](const auto& other) {
       return on_one_line(other.front().hole, hole);
@@ -295,6 +303,7 @@ HoleRings::HoleRings(const TessellationOptions& options) {
   reach_.assign(options.holes.size(), 0.0);
   for (std::vector<Ringed>& line : lines) {
     set_ends(ground, line);
+    spread_alike(line);
     for (const Ringed& ring : line) {
       reach_[ring.number] = ring.reach();
       add_seeds(options, ground, ring, seeds_);
