@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Static pressure on the wall of a crushed zone in blocks of 0.25 to 2 radii: what the wall sweeps
+// Static pressure on the wall of a crushed zone in blocks of 0.25 to 6 radii: what the wall sweeps
 // and how far around rock moves, against Lame's cylinder, with and without wall_facets.h.
 // Scope: a full circle of 1 m radius between mirror planes in a box whose far sides hold; undamped
 // equilibrium of unbroken rock.
@@ -16,14 +16,20 @@
 namespace muckpile::verification {
 namespace {
 
-constexpr double kPressure = 1e6;      // [Pa]
-constexpr double kTolerance = 0.05;    // wanted of the wall
-constexpr double kFar[] = {2.5, 6.0};  // where the rock around is looked at [m]
+constexpr double kPressure = 1e6;        // [Pa]
+constexpr double kTolerance = 0.05;      // wanted of the wall
+constexpr double kVoidTolerance = 0.02;  // wanted of its volume
 
 struct Scene {
   double size;          ///< of the blocks at the wall [m]
   double ratio = 0.25;  ///< Poisson's
   unsigned long seed = 1;
+};
+
+/// Where the rock around is looked at [m]: to three blocks.
+struct Far {
+  explicit Far(double size) : to(std::max(6.0, 3.0 * size)) {}
+  double from = 2.5, to;
 };
 
 struct Ring {
@@ -34,8 +40,8 @@ struct Ring {
 
 Ring cut(const Scene& scene) {
   constexpr double kGrowth = 0.3;  // size per distance
-  const double half = scene.size < 0.5 ? 8.0 : 10.0,
-               far = std::clamp(2.0 * scene.size, scene.size, 2.0);
+  const double half = scene.size < 0.5 ? 8.0 : std::max(10.0, 6.0 * scene.size),
+               far = std::max(scene.size, std::min(2.0 * scene.size, 2.0));
   const double thickness = (scene.size < 0.5 ? 3.0 : 6.0) * scene.size;
   TessellationOptions options;
   options.lo = Vec3(-half, -half, 0.0);
@@ -94,12 +100,13 @@ Yield press(const Ring& ring, const Scene& scene, bool round) {
   const Lame lame(ring, run.network().material());
   for (const BoundaryFace& face : run.network().faces())
     if (face.hole >= 0) yield.swept += run.network().volume_swept(face) / (top * lame.swept());
+  const Far far(scene.size);
   double got = 0.0, exact = 0.0;
   for (std::size_t b = 0; b < run.size(); ++b) {
     Vec3 out = run.start(b);
     out.z() = 0.0;
     const double r = out.norm(), u = lame.moved(r);
-    if (r < kFar[0] || r > kFar[1]) continue;
+    if (r < far.from || r > far.to) continue;
     got += run.volume(b) * u * run.displacement(b).dot(out / r);
     exact += run.volume(b) * u * u;
   }
@@ -120,11 +127,14 @@ void compare(Report& report, const std::vector<Scene>& scenes) {
     const Yield with = press(ring, scene, true), without = press(ring, scene, false);
     report.relative({name, "volume swept by the wall over Lame's", "", "Lame"}, with.swept, 1.0,
                     kTolerance);
-    report.relative({name, "displacement at 2.5 to 6 radii over Lame's", "", "Lame"}, with.far, 1.0,
+    report.relative({name, "displacement from 2.5 radii on over Lame's", "", "Lame"}, with.far, 1.0,
                     kTolerance);
+    if (scene.size == 3.0)
+      report.known_shortfall("Blocks beyond the ring move too little, in every cut.");
     report.measured({name, "volume swept, wall blocks", "", ""}, without.swept);
     report.measured({name, "displacement, wall blocks", "", ""}, without.far);
-    report.measured({name, "void over cylinder", "", ""}, ring.radius * ring.radius);
+    report.relative({name, "void over cylinder", "", "cylinder"}, ring.radius * ring.radius, 1.0,
+                    kVoidTolerance);
     report.measured({name, "stable step over that of wall blocks", "", ""},
                     with.step / without.step);
     on.points.emplace_back(scene.size, 100.0 * (with.swept - 1.0));
@@ -140,7 +150,11 @@ void compare(Report& report, const std::vector<Scene>& scenes) {
 const Cases kCases = {
     {"sizes",
      [](Report& report) {
-       compare(report, {{0.25}, {0.5}, {0.75}, {1.0}, {1.33}, {1.75}, {2.0}});
+       compare(report, {{0.25}, {0.5}, {0.75}, {1.0}, {1.33}, {1.75}});
+     }},
+    {"coarse",
+     [](Report& report) {
+       compare(report, {{2.0}, {3.0}, {4.0}, {6.0}});
      }},
     {"cuts",
      [](Report& report) {

@@ -11,9 +11,9 @@ namespace muckpile {
 namespace {
 
 // A ring that would have to be softened or stiffened by more is none: a few blocks at the rock's
-// edge, or facets that hardly join them. Ours; rings of blocks up to two radii wide take 1.0
-// to 2.3.
-constexpr double kLeast = 0.5, kMost = 4.0;
+// edge, or facets that hardly join them. Ours; rings of blocks up to six radii wide take 1.0
+// to 5.
+constexpr double kLeast = 0.5, kMost = 8.0;
 
 /// Lame's displacement around one hole.
 class HoleField {

@@ -17,6 +17,8 @@
 namespace muckpile {
 namespace {
 
+constexpr int kBound = -7;  // -1 to -6 are the walls of the box
+
 // A point farther than twice the farthest vertex cannot cut the cell. voro++ keeps doubled vertex
 // coordinates, and max_radius_squared is about those: the factor two is in it.
 double reach_of(voro::voronoicell_neighbor& cell) { return std::sqrt(cell.max_radius_squared()); }
@@ -28,7 +30,7 @@ struct CellCutter::Impl {
        std::vector<CutPlane> ends)
       : points(all), bounds(std::move(ends)), lo(box_lo), hi(box_hi), index(all) {}
 
-  void cut_at_bounds();
+  void cut_at(const CutPlane& bound, int number);
 
   const std::vector<Vec3>& points;
   const std::vector<CutPlane> bounds;
@@ -40,13 +42,11 @@ struct CellCutter::Impl {
   int highest_met = -1;
 };
 
-void CellCutter::Impl::cut_at_bounds() {
-  constexpr int kBound = -7;  // -1 to -6 are the walls of the box
-  for (const CutPlane& bound : bounds) {
-    const Vec3& n = bound.normal;
-    if (!cell.nplane(n.x(), n.y(), n.z(), 2.0 * n.dot(bound.point - centre), kBound))
-      throw std::runtime_error("a seed lies outside its part of the rock");
-  }
+// The plane's unit normal looks out of the cell.
+void CellCutter::Impl::cut_at(const CutPlane& bound, int number) {
+  const Vec3& n = bound.normal;
+  if (!cell.nplane(n.x(), n.y(), n.z(), 2.0 * n.dot(bound.point - centre), number))
+    throw std::runtime_error("a seed lies outside its part of the rock");
 }
 
 CellCutter::CellCutter(const std::vector<Vec3>& points, const Vec3& lo, const Vec3& hi,
@@ -55,13 +55,14 @@ CellCutter::CellCutter(const std::vector<Vec3>& points, const Vec3& lo, const Ve
 
 CellCutter::~CellCutter() = default;
 
-void CellCutter::cut(int point, double reach) {
+void CellCutter::cut(int point, double reach, const CutPlane* wall) {
   Impl& m = *impl_;
   m.centre = m.points[static_cast<std::size_t>(point)];
   m.highest_met = -1;
   const Vec3 lo = m.lo - m.centre, hi = m.hi - m.centre;
   m.cell.init(lo.x(), hi.x(), lo.y(), hi.y(), lo.z(), hi.z());
-  m.cut_at_bounds();
+  for (const CutPlane& bound : m.bounds) m.cut_at(bound, kBound);
+  if (wall) m.cut_at({wall->point, -wall->normal}, kOwnWall);
   double needed = reach_of(m.cell);
   for (double inner = 0.0, outer = reach; inner < needed;) {
     m.index.shell(m.centre, inner, outer, m.found);

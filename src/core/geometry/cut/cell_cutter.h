@@ -12,6 +12,9 @@
 
 namespace muckpile {
 
+// Behind the face of a cell at its own wall; -1 to -7 are the box's walls and the bounds.
+inline constexpr int kOwnWall = -8;
+
 class CellCutter {
  public:
   // The points must outlive the cutter. Box corners in metres. Cells end at the bounds,
@@ -21,8 +24,9 @@ class CellCutter {
   ~CellCutter();
 
   // Makes the cell of one point the present cell. `reach` [m] > 0 is a guess of how far its
-  // neighbours are; it changes the speed, not the result.
-  void cut(int point, double reach);
+  // neighbours are; it changes the speed, not the result. `wall`: a plane at which this cell alone
+  // ends; its unit normal looks to the point.
+  void cut(int point, double reach, const CutPlane* wall = nullptr);
 
   [[nodiscard]] double volume() const;  // of the present cell [m3]
   [[nodiscard]] Vec3 centroid() const;  // of the present cell [m]

@@ -22,7 +22,11 @@ AxisIndex axes_of(const TessellationOptions& options) {
 
 }  // namespace
 
-Ground::Ground(const TessellationOptions& options) : options_(options), axes_(axes_of(options)) {
+Ground::Ground(const TessellationOptions& options, HoleRings rings)
+    : options_(options),
+      axes_(axes_of(options)),
+      rings_(std::move(rings)),
+      largest_radius_(rings_.largest_reach()) {
   for (const Hole& hole : options.holes) largest_radius_ = std::max(largest_radius_, hole.radius);
 }
 
@@ -36,6 +40,7 @@ bool Ground::is_rock(const Vec3& point) const {
   if (!in_region(point)) return false;
   return !axes_.any_within(point, largest_radius_, [&](int axis) {
     const auto h = static_cast<std::size_t>(axis);
+    if (rings_.around(h)) return axes_[axis].distance(point) < rings_.reach(h);
     return h < options_.holes.size() && inside_hole(options_.holes[h], point);
   });
 }
@@ -76,6 +81,10 @@ Vec3 Ground::log_size_gradient(const Vec3& point) const {
     gradient[i] = std::log(size(point + shift) / size(point - shift)) / (2.0 * step);
   }
   return gradient;
+}
+
+Ground voronoi_ground(const TessellationOptions& options) {
+  return Ground(options, HoleRings(options));
 }
 
 }  // namespace muckpile

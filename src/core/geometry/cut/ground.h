@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "geometry/cut/hole_rings.h"
 #include "geometry/cut/tessellation.h"
 #include "geometry/index/axis_index.h"
 
@@ -12,11 +13,12 @@ namespace muckpile {
 
 class Ground {
  public:
-  explicit Ground(const TessellationOptions& options);
+  // Around a hole that has rings there is rock for other seeds from its reach on.
+  explicit Ground(const TessellationOptions& options, HoleRings rings = {});
 
   // In the box and in the region, holes or not.
   [[nodiscard]] bool in_region(const Vec3& point) const;
-  // In the region and in no hole.
+  // In the region and in no hole, nor within reach of its rings.
   [[nodiscard]] bool is_rock(const Vec3& point) const;
   // Distance from the nearest charge or fine axis; infinity without any [m].
   [[nodiscard]] double charge_distance(const Vec3& point) const;
@@ -35,8 +37,12 @@ class Ground {
   [[nodiscard]] double size_nearer(const Vec3& point, double nearer) const;
 
   const TessellationOptions& options_;
-  AxisIndex axes_;               // of the holes, then the fine axes
-  double largest_radius_ = 0.0;  // of the holes [m]
+  AxisIndex axes_;  // of the holes, then the fine axes
+  HoleRings rings_;
+  double largest_radius_ = 0.0;  // of the holes, or reach of their rings [m]
 };
+
+// For a Voronoi cut.
+[[nodiscard]] Ground voronoi_ground(const TessellationOptions& options);
 
 }  // namespace muckpile

@@ -265,7 +265,9 @@ Tessellation cut_by_joint_sets(const TessellationOptions& rock, const JointSetCu
   if (!(how.sliver >= 0.0 && how.sliver <= 0.3))
     refuse_joint_sets("sliver must be >= 0 and <= 0.3, got '", how.sliver, "'");
   Tessellation result;
-  result.statistics.expected_blocks = checked_block_count(rock);
+  TessellationOptions without_rings = rock;
+  without_rings.rings = false;
+  result.statistics.expected_blocks = checked_block_count(without_rings);
   Cutting cutting(rock, how);
   result.blocks = cutting.run();
   if (result.blocks.empty()) refuse_joint_sets("the rock holds no block");

@@ -31,15 +31,20 @@ bool is_beyond(const std::vector<CutPlane>& bounds, const Hole& hole) {
 }  // namespace
 
 Relaxation::Relaxation(const TessellationOptions& options)
-    : Relaxation(options, scatter_seeds(options, Ground(options)), {}) {}
+    : Relaxation(options, scatter_seeds(options, voronoi_ground(options)), {}) {}
 
 Relaxation::Relaxation(const TessellationOptions& options, std::vector<Vec3> seeds,
                        std::vector<CutPlane> bounds)
     : options_(options),
-      ground_(options),
+      rings_(options),
+      ground_(options, rings_),
       seeds_(std::move(seeds)),
+      first_ring_(seeds_.size()),
       bounds_(std::move(bounds)),
       mirrored_holes_(options.holes) {
+  for (const RingSeed& ring : rings_.seeds()) seeds_.push_back(ring.at);
+  for (std::size_t h = 0; h < mirrored_holes_.size(); ++h)
+    if (rings_.around(h)) mirrored_holes_[h].radius = 0.0;
   for (const Hole& hole : options.holes) {
     const auto in_part = [&](const Vec3& p) { return ground_.in_region(p); };
     cylinder_volumes_.push_back(is_beyond(bounds_, hole) ? 0.0
@@ -59,7 +64,7 @@ std::vector<int> Relaxation::face_codes(const std::vector<int>& points,
   std::vector<int> codes;
   codes.reserve(points.size());
   for (const int p : points) {
-    codes.push_back(p < 0       ? kFreeFace
+    codes.push_back(p < 0       ? kFreeFace  // also a wall of its own: make_blocks()
                     : p < seeds ? p
                                 : images.face_codes[static_cast<std::size_t>(p - seeds)]);
   }
@@ -94,11 +99,17 @@ void Relaxation::add_hole_volumes(const Polyhedron& shape, const std::vector<int
 // zone, the least radius stops that: few planes enclose half as much again, or more.
 void Relaxation::adjust_radii(const std::vector<double>& hole_volumes) {
   for (std::size_t h = 0; h < mirrored_holes_.size(); ++h) {
-    if (!(hole_volumes[h] > 0.0)) continue;
+    if (!(hole_volumes[h] > 0.0) || rings_.around(h)) continue;
     const double radius = options_.holes[h].radius;
     const double scale = std::sqrt(cylinder_volumes_[h] / hole_volumes[h]);
     mirrored_holes_[h].radius = std::clamp(mirrored_holes_[h].radius * scale, 0.6 * radius, radius);
   }
+}
+
+void Relaxation::cut(CellCutter& cutter, std::size_t seed) const {
+  const RingSeed* ring = ring_seed(seed);
+  cutter.cut(static_cast<int>(seed), kFirstReach * ground_.size(seeds_[seed]),
+             ring && ring->hole >= 0 ? &ring->wall : nullptr);
 }
 
 Relaxation::Swept Relaxation::sweep_part(std::size_t first, std::size_t last) const {
@@ -109,7 +120,11 @@ Relaxation::Swept Relaxation::sweep_part(std::size_t first, std::size_t last) co
   Polyhedron shape;
   std::vector<int> behind;
   for (std::size_t i = first; i < last; ++i) {
-    cutter.cut(static_cast<int>(i), kFirstReach * ground_.size(seeds_[i]));
+    if (ring_seed(i)) {
+      swept.seeds.insert(swept.seeds.end(), seeds_[i].begin(), seeds_[i].end());
+      continue;
+    }
+    cut(cutter, i);
     const Vec3 next = relaxed(seeds_[i], cutter.centroid(), cutter.volume());
     swept.seeds.insert(swept.seeds.end(), next.begin(), next.end());
     if (!cutter.met_point_from(static_cast<int>(seeds_.size()))) continue;
@@ -155,11 +170,16 @@ std::vector<Block> Relaxation::make_blocks() const {
   std::vector<int> behind;
   for (std::size_t i = 0; i < seeds_.size(); ++i) {
     Block& block = blocks[i];
-    cutter.cut(static_cast<int>(i), kFirstReach * ground_.size(seeds_[i]));
+    cut(cutter, i);
     cutter.extract(block.shape, behind);
     block.neighbour = face_codes(behind, images);
+    if (const RingSeed* ring = ring_seed(i)) {
+      for (std::size_t f = 0; f < behind.size(); ++f)
+        if (behind[f] == kOwnWall) block.neighbour[f] = hole_face(ring->hole);
+    }
     block.mass = mass_properties(block.shape);
     block.target_size = ground_.size(block.mass.centroid);
+    open_to_voids(rings_.seeds(), static_cast<int>(first_ring_), static_cast<int>(i), block);
   }
   return blocks;
 }

@@ -7,7 +7,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "geometry/cut/cell_cutter.h"
 #include "geometry/cut/ground.h"
+#include "geometry/cut/hole_rings.h"
 #include "geometry/cut/tessellation.h"
 #include "geometry/shape/mirror.h"
 
@@ -17,7 +19,8 @@ class Relaxation {
  public:
   // Scatters the seeds. The options must be valid and outlive this object.
   explicit Relaxation(const TessellationOptions& options);
-  // With these seeds, and cells that end at these planes, whose unit normals look out.
+  // With these seeds, and cells that end at these planes, whose unit normals look out. The seeds of
+  // rings around holes come behind them.
   Relaxation(const TessellationOptions& options, std::vector<Vec3> seeds,
              std::vector<CutPlane> bounds = {});
 
@@ -36,6 +39,11 @@ class Relaxation {
   [[nodiscard]] Swept sweep_part(std::size_t first, std::size_t last) const;
   [[nodiscard]] Swept shared_sweep() const;
   [[nodiscard]] std::vector<Vec3> points_with(const Images& images) const;
+  // Of a ring; none of another seed.
+  [[nodiscard]] const RingSeed* ring_seed(std::size_t seed) const {
+    return seed < first_ring_ ? nullptr : &rings_.seeds()[seed - first_ring_];
+  }
+  void cut(CellCutter& cutter, std::size_t seed) const;
   [[nodiscard]] Vec3 relaxed(const Vec3& seed, const Vec3& centroid, double volume) const;
   void add_hole_volumes(const Polyhedron& shape, const std::vector<int>& codes,
                         std::vector<double>& carved) const;
@@ -44,10 +52,13 @@ class Relaxation {
   void adjust_radii(const std::vector<double>& hole_volumes);
 
   const TessellationOptions& options_;
+  HoleRings rings_;
   Ground ground_;
   std::vector<Vec3> seeds_;  // [m]
+  std::size_t first_ring_;   // number of the first seed of a ring, up to the last of all
   std::vector<CutPlane> bounds_;
-  std::vector<Hole> mirrored_holes_;  // radii shrunk so that the carved volume is the cylinder's
+  // Radii shrunk so that the carved volume is the cylinder's; 0 where rings make the void.
+  std::vector<Hole> mirrored_holes_;
   std::vector<double> cylinder_volumes_;  // [m3]
 };
 

@@ -13,6 +13,7 @@
 #include "args/input_error.h"
 #include "geometry/cut/conformity.h"
 #include "geometry/cut/ground.h"
+#include "geometry/cut/hole_rings.h"
 #include "geometry/cut/relaxation.h"
 #include "geometry/cut/seeding.h"
 #include "geometry/holes/hole_surface.h"
@@ -48,7 +49,7 @@ void check_hole(const TessellationOptions& options, std::size_t h) {
     }
   }
   const double size = options.size.at(hole.radius);
-  if (size > 2.0 * hole.radius) {
+  if (!options.rings && size > 2.0 * hole.radius) {
     fail("blocks at the wall of hole ", h + 1, " must be <= its crushed-zone diameter ",
          2.0 * hole.radius, " m, got '", size, "'");
   }
@@ -69,6 +70,13 @@ void check(const TessellationOptions& options) {
       fail("a plane of the cut needs a point and a normal");
   }
   for (std::size_t h = 0; h < options.holes.size(); ++h) check_hole(options, h);
+}
+
+/// Those of the rings too.
+double seeds_expected(const TessellationOptions& options, double give_up) {
+  const HoleRings rings(options);
+  return static_cast<double>(rings.seeds().size()) +
+         integrate_density(options, Ground(options, rings), give_up);
 }
 
 double median(std::vector<double> values) {
@@ -135,7 +143,7 @@ class RelaxedParts {
  public:
   explicit RelaxedParts(const TessellationOptions& options) : rock_(parts_of(options)) {
     const std::vector<RockPart>& parts = rock_.parts;
-    const Ground ground(options);
+    const Ground ground = voronoi_ground(options);
     const std::vector<SeedPair> pairs = pairs_across(options, parts);
     for (const RockPart& part : parts) alone_.push_back(options_of(options, part));
     for (std::size_t p = 0; p < parts.size(); ++p)
@@ -176,7 +184,7 @@ void cut_parts(const TessellationOptions& options, Tessellation& result) {
 double checked_block_count(const TessellationOptions& options) {
   check(options);
   const double allowed = static_cast<double>(options.max_blocks);
-  const double count = integrate_density(options, Ground(options), allowed);
+  const double count = seeds_expected(options, allowed);
   if (count > allowed) {
     fail("more than ", options.max_blocks,
          " blocks are expected, which is the limit; enlarge the blocks, shrink the rock or raise "
@@ -193,7 +201,7 @@ void add_statistics(const TessellationOptions& options, Tessellation& result) {
 
 double expected_block_count(const TessellationOptions& options, double give_up) {
   check(options);
-  return integrate_density(options, Ground(options), give_up);
+  return seeds_expected(options, give_up);
 }
 
 void share_sweeps(const TessellationOptions& options) {

@@ -56,6 +56,7 @@ struct TessellationOptions {
   // Each goes through all of the rock, but cuts no sliver off (kThinnestPart). A crushed zone that
   // crosses a plane is carved on each side for itself.
   std::vector<CutPlane> planes;
+  bool rings = true;  // of seeds around holes narrow against their blocks (hole_rings.h)
   SweepTeam team;
 };
 
@@ -91,7 +92,8 @@ void add_statistics(const TessellationOptions& options, Tessellation& result);
 // The same options give the same blocks. Faces between two blocks agree to rounding; in a plane of
 // the cut a block has one face for each block behind it.
 // Throws InputError: empty box, plane without normal, hole axis outside the box, blocks at a hole
-// larger than its diameter, half a region query, or more blocks expected than max_blocks.
+// larger than its diameter without rings, what hole_rings.h refuses, half a region query, or more
+// blocks expected than max_blocks.
 // With a team, the other members call share_sweeps(); the blocks are the same to the last bit.
 [[nodiscard]] Tessellation tessellate(const TessellationOptions& options);
 // The sweeps of tessellate() without its blocks. Throws as it does before the first sweep.

@@ -20,6 +20,7 @@ constexpr double kRegionReach = 1.0;
 // An image deeper than the axis would come out on the other side and push blocks off there, so
 // the depth ends at the axis: the plane then stays farther out and the hole is still kept free.
 void mirror_at_hole(const Vec3& seed, const Hole& hole, int number, double reach, Images& images) {
+  if (!(hole.radius > 0.0)) return;
   const Vec3 surface = closest_on_hole(hole, seed);
   const double distance = (seed - surface).norm();
   if (distance > reach || !(distance > 0.0)) return;

@@ -15,7 +15,7 @@ struct Images {
   std::vector<int> face_codes;  // kFreeFace or hole_face(h) for a block's face against the image
 };
 
-// `holes` are the options' holes with the radii that are mirrored at now.
+// `holes` are the options' holes with the radii that are mirrored at now; none at a radius of 0.
 [[nodiscard]] Images mirror_seeds(const std::vector<Vec3>& seeds, const std::vector<Hole>& holes,
                                   const RegionQuery& region, const Ground& ground);
 

@@ -217,7 +217,7 @@ bool cuts_sliver_off(const HalfCells& halves, const Ground& ground, double thinn
 }
 
 RockParts parts_of(const TessellationOptions& options) {
-  const Ground ground(options);
+  const Ground ground = voronoi_ground(options);
   const std::vector<CutPlane> planes = with_unit_normals(options.planes);
   const double largest = largest_size(options);
   std::vector<Vec3> seeds = scatter_seeds(options, ground);
@@ -242,7 +242,7 @@ RockParts parts_of(const TessellationOptions& options) {
 std::vector<SeedPair> pairs_across(const TessellationOptions& options,
                                    const std::vector<RockPart>& parts) {
   constexpr double kRounding = 1e-6;  // of the block size
-  const Ground ground(options);
+  const Ground ground = voronoi_ground(options);
   const std::vector<CutPlane> planes = with_unit_normals(options.planes);
   const double farthest = kLayer * largest_size(options);
   std::vector<Vec3> all;

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Seeds in rings around holes that are narrow against their blocks, and the planes that cut the
+// void out of their cells.
+// Scope: Voronoi cut. Start positions that no sweep moves; from the options alone, so they are the
+// same on any number of ranks.
+//
+// A plane between a seed and its image cannot lie nearer to the axis than half the seed's distance,
+// so a hole not wider than its blocks cannot be cut that way. Here 4 to 8 seeds stand around the
+// axis, level above level, at the same angles: their cells meet at the axis like slices of a cake,
+// and each is cut at one side of a prism with the cylinder's cross section. The sides of all levels
+// are the same, so the void is that prism. A ring of seeds beyond each end makes the end plane.
+//   With n cells of volume s^3 in levels of height h around a hole of radius a the ring reaches to
+// R, and its seeds stand half a block inside:
+//     pi (R^2 - a^2) h / n = s^3,     rho = R - s/2
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "geometry/cut/tessellation.h"
+
+namespace muckpile {
+
+struct RingSeed {
+  Vec3 at = Vec3::Zero();  // [m]
+  int hole = -1;           // whose void its cell ends at; -1 beyond the ends of a hole
+  CutPlane wall;           // side of the void's prism; unit normal, away from the axis
+};
+
+class HoleRings {
+ public:
+  HoleRings() = default;
+  // Throws InputError: blocks wider than kCoarsest radii, a hole shorter than a quarter of its
+  // blocks, and two holes whose rings would meet.
+  explicit HoleRings(const TessellationOptions& options);
+
+  // Whether rings stand around a hole, the alternative to images of the seeds behind its wall.
+  [[nodiscard]] bool around(std::size_t hole) const {
+    return hole < reach_.size() && reach_[hole] > 0.0;
+  }
+  // No other seed is so near to the axis of a hole [m]; 0 where there are no rings.
+  [[nodiscard]] double reach(std::size_t hole) const { return around(hole) ? reach_[hole] : 0.0; }
+  [[nodiscard]] double largest_reach() const;  // of all holes [m]
+  [[nodiscard]] const std::vector<RingSeed>& seeds() const { return seeds_; }
+
+ private:
+  std::vector<double> reach_;    // per hole [m]; empty without rings
+  std::vector<RingSeed> seeds_;  // in the rock
+};
+
+// Blocks over radius of a hole that get rings: from the first, where images fail, up to the second,
+// to which the volume that the wall sweeps is right within 5 % (docs/theory/wall.md).
+inline constexpr double kRingedFrom = 2.0, kCoarsest = 6.0;
+
+// What lies behind the wall of a ring's cell is void, for the cells beside it, too: divides those
+// faces of block `number`, and says that the part is on the hole. The seeds numbered from
+// `first_ring` on are those of the rings.
+void open_to_voids(std::span<const RingSeed> rings, int first_ring, int number, Block& block);
+
+}  // namespace muckpile

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Holes narrow against their blocks: the void is the cylinder's, blocks are whole, and holes that
+// leave no room are refused.
+// Scope: boxes of some hundred blocks of about 1 m; lengths in metres.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "cut_checks.h"
+#include "geometry/cut/hole_rings.h"
+#include "geometry/cut/tessellation.h"
+#include "geometry/holes/hole_surface.h"
+#include "input_error_of.h"
+
+namespace muckpile {
+namespace {
+
+constexpr double kExact = 1e-6;  // vertices of two cells agree to 1e-7 of a block
+
+/// A box of 8 x 8 x 7 m in blocks of 1 m.
+TessellationOptions box() {
+  TessellationOptions options;
+  options.lo = Vec3(-4.0, -4.0, 0.0);
+  options.hi = Vec3(4.0, 4.0, 7.0);
+  options.size = SizeLaw::uniform(1.0);
+  options.seed = 3;
+  return options;
+}
+
+TessellationOptions with_holes(std::vector<Hole> holes) {
+  TessellationOptions options = box();
+  options.holes = std::move(holes);
+  return options;
+}
+
+double cylinders(const std::vector<Hole>& holes) {
+  double sum = 0.0;
+  for (const Hole& hole : holes) sum += cylinder_volume(hole);
+  return sum;
+}
+
+/// All of the rock but so much of the cylinders is in whole blocks, and each void is closed.
+void expect_exact_voids(const TessellationOptions& options, double share = 1.0) {
+  const Tessellation cut = tessellate(options);
+  const double rock = (options.hi - options.lo).prod(), gone = share * cylinders(options.holes);
+  test::expect_sound_cut(cut.blocks, rock - gone);
+  EXPECT_NEAR(cut.statistics.void_volume, gone, kExact * gone);
+  for (std::size_t h = 0; h < options.holes.size(); ++h) {
+    const double volume = share * cylinder_volume(options.holes[h]);
+    EXPECT_NEAR(cut.statistics.hole_volume[h], volume, kExact * volume) << "hole " << h + 1;
+  }
+  EXPECT_EQ(test::slivers(cut.blocks, 0.15), 0u);
+}
+
+TEST(HoleRings, TheVoidIsTheCylinderForBlocksOfTwoToSixRadii) {
+  for (const double radius : {0.5, 0.45, 1.0 / 3.0, 0.25, 1.0 / 6.0})
+    expect_exact_voids(with_holes({{Vec3(0.2, 0.1, 0.0), Vec3(0.2, 0.1, 7.0), radius}}));
+}
+
+TEST(HoleRings, AHoleThatEndsInTheRockHasPlaneEnds) {
+  const std::vector<Hole> holes = {{Vec3(0.0, 0.0, 1.6), Vec3(0.0, 0.0, 5.1), 0.25}};
+  const TessellationOptions options = with_holes(holes);
+  expect_exact_voids(options);
+  Vec3 ends = Vec3::Zero();  // the areas that look along the axis [m2]
+  for (const Block& block : tessellate(options).blocks) {
+    for (std::size_t f = 0; f < block.neighbour.size(); ++f) {
+      if (block.neighbour[f] != hole_face(0)) continue;
+      const FaceGeometry face = face_geometry(block.shape, static_cast<int>(f));
+      ends += face.area * face.normal.cwiseAbs();
+      EXPECT_TRUE(std::abs(face.normal.z()) < 1e-9 || std::abs(face.normal.z()) > 1.0 - 1e-9);
+    }
+  }
+  const double section = std::numbers::pi * 0.25 * 0.25;
+  EXPECT_NEAR(ends.z(), 2.0 * section, kExact * section);
+}
+
+TEST(HoleRings, HolesMayLeanAndBeShort) {
+  expect_exact_voids(with_holes({{Vec3(-0.8, -0.5, 1.4), Vec3(0.9, 0.6, 5.3), 0.25}}));
+  expect_exact_voids(with_holes({{Vec3(0.0, 0.0, 3.0), Vec3(0.4, 0.0, 3.3), 0.25}}));
+  expect_exact_voids(with_holes({{Vec3(-1.5, 0.0, 3.0), Vec3(1.5, 0.0, 3.0), 0.2}}));
+}
+
+TEST(HoleRings, HolesKeepTheirOwnVoids) {
+  expect_exact_voids(with_holes({{Vec3(-2.0, -1.5, 1.5), Vec3(-2.0, -1.5, 5.0), 0.25},
+                                 {Vec3(1.8, 1.6, 1.2), Vec3(2.0, 1.6, 5.5), 0.4}}));
+}
+
+TEST(HoleRings, DecksOfOneHoleMayBeNearToEachOther) {
+  for (const double stemming : {0.3, 0.7, 1.2, 2.5})
+    expect_exact_voids(with_holes({{Vec3(0, 0, 1.0), Vec3(0, 0, 2.5), 0.25},
+                                   {Vec3(0, 0, 2.5 + stemming), Vec3(0, 0, 5.8), 0.25}}));
+}
+
+TEST(HoleRings, HalfAndQuarterHolesOnWallsHaveTheirShare) {
+  for (const double radius : {0.25, 0.5}) {
+    expect_exact_voids(with_holes({{Vec3(-4.0, 0.3, 0.0), Vec3(-4.0, 0.3, 7.0), radius}}), 0.5);
+    expect_exact_voids(with_holes({{Vec3(0.3, 4.0, 1.5), Vec3(0.9, 4.0, 5.0), radius}}), 0.5);
+    expect_exact_voids(with_holes({{Vec3(-4.0, -4.0, 0.0), Vec3(-4.0, -4.0, 7.0), radius}}), 0.25);
+  }
+}
+
+TEST(HoleRings, RockThinnerThanAQuarterBlockBeyondAnEndGoesWithTheVoid) {
+  const std::vector<Hole> holes = {{Vec3(0, 0, 0.2), Vec3(0, 0, 6.9), 0.25}};
+  const double gone = tessellate(with_holes(holes)).statistics.void_volume;
+  EXPECT_NEAR(gone, std::numbers::pi * 0.25 * 0.25 * 7.0, 1e-5);
+}
+
+TEST(HoleRings, BlocksAroundHaveTheSizeAskedFor) {
+  for (const double radius : {0.5, 0.25}) {
+    TessellationOptions options = with_holes({{Vec3(0, 0, 1.6), Vec3(0, 0, 5.1), radius}});
+    options.size = SizeLaw::power({0.6, 1.0}, {1.0, 1.6});
+    for (const Block& block : tessellate(options).blocks) {
+      const auto& behind = block.neighbour;
+      if (std::find(behind.begin(), behind.end(), hole_face(0)) == behind.end()) continue;
+      const double size = std::cbrt(block.mass.volume) / block.target_size;
+      EXPECT_GT(size, 0.8);
+      EXPECT_LT(size, 1.35);
+    }
+  }
+}
+
+TEST(HoleRings, AJointPlaneThroughAHoleLeavesWholeBlocks) {
+  for (const double dip : {0.0, 0.4, 1.0, 1.4}) {
+    TessellationOptions options = with_holes({{Vec3(0, 0, 1.6), Vec3(0, 0, 5.1), 0.25}});
+    options.planes = {{Vec3(0.1, 0.2, 3.3), Vec3(std::sin(dip), 0.0, std::cos(dip))}};
+    const Tessellation cut = tessellate(options);
+    const double volume = cylinder_volume(options.holes[0]);
+    for (const Block& block : cut.blocks) test::expect_convex_and_closed(block);
+    (void)test::expect_shared_faces(cut.blocks);
+    EXPECT_GT(cut.statistics.void_volume, 0.99 * volume);
+    EXPECT_LT(cut.statistics.void_volume, 1.5 * volume);  // 1, 1, 1.18 and 1.39 measured
+  }
+}
+
+TEST(HoleRings, FineBlocksAndOtherCutsHaveNone) {
+  TessellationOptions options = with_holes({{Vec3(0, 0, 1.6), Vec3(0, 0, 5.1), 0.6}});
+  EXPECT_TRUE(HoleRings(options).seeds().empty());
+  options.holes[0].radius = 0.25;
+  EXPECT_FALSE(HoleRings(options).seeds().empty());
+  options.rings = false;
+  EXPECT_TRUE(HoleRings(options).seeds().empty());
+}
+
+TEST(HoleRings, RefusesWhatLeavesNoRoom) {
+  const auto message = [](std::vector<Hole> holes) {
+    return input_error_of([&] { (void)tessellate(with_holes(std::move(holes))); });
+  };
+  EXPECT_EQ(message({{Vec3(0, 0, 1), Vec3(0, 0, 5), 0.16}}),
+            "block tessellation: blocks at the wall of hole 1 must be <= 6 times its crushed-zone "
+            "radius 0.16 m, got '1'");
+  EXPECT_EQ(message({{Vec3(0, 0, 3), Vec3(0, 0, 3.2), 0.25}}),
+            "block tessellation: hole 1 must be at least 0.25 of the blocks' 1 m long, got '0.2'");
+  EXPECT_EQ(message({{Vec3(0, 0, 1), Vec3(0, 0, 5), 0.25}, {Vec3(1, 0, 1), Vec3(1, 0, 5), 0.25}}),
+            "block tessellation: holes 1 and 2 are too near to each other for blocks of '1' m "
+            "around both; make the blocks smaller or move the holes apart");
+}
+
+}  // namespace
+}  // namespace muckpile
