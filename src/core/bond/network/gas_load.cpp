@@ -36,7 +36,7 @@ Wide closed_stiffness(const FacetKinematics& facets, const LaneSet& set) {
     carries[k] = facets.history.state(f) == FacetState::retired ? 0.0 : 1.0;
   });
   const LinearClosure<Wide> bonded{wide(group.shear), wide(group.normal_extra)};
-  return wide(carries) * bonded.contact(wide(rock_share), wide(shear_share)).normal;
+  return wide(carries) * bonded.contact(wide(rock_share), wide(shear_share));
 }
 
 /// How far each broken point has opened since it broke, by what it remembers of that.
