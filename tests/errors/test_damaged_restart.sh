@@ -102,7 +102,7 @@ other_version() {  # other_version WORD BYTES_BEHIND MESSAGE: the byte that far 
 }
 other_version network_totals 0 "muckpile/joint: 'network_totals': version 1 expected, version 9 in the file"
 other_version blast_state 0 "muckpile/blast: 'blast_state': version 2 expected, version 9 in the file"
-other_version block_record 0 "muckpile/blocks: 'block_record': version 1 expected, version 9 in the file"
+other_version block_record 0 "muckpile/blocks: 'block_record': version 2 expected, version 9 in the file"
 other_version boundary_face 12 "muckpile/blocks: 'boundary_face': version 2 expected, with the fields "
 other_version MuckPart -1 "muckpile/blocks: the file is of an earlier version of Muckpile, or of another program"
 write_file empty.restart 1e-3 50 0

@@ -43,6 +43,17 @@ JointParameters toughness_of(const FacetTables& tables, std::size_t f) {
 
 }  // namespace
 
+namespace {
+
+/// Behind a mirror the image parts by as much, so a block pays half of what a facet takes.
+JointParameters toughness_of(const FacetTables& tables, std::size_t f) {
+  JointParameters own = tables.parameters(f);
+  if (tables.name(f).kind == FacetKind::mirror) own.fracture_energy_tension *= 0.5;
+  return own;
+}
+
+}  // namespace
+
 struct FacetBreaking::Remnant {
   double normal;      // traction along the normal, not positive [Pa]
   Vec3 shear;         // [Pa]
@@ -82,7 +93,7 @@ FacetBreaking::Remnant FacetBreaking::remnant_of(std::size_t f, const PointBreak
     // At a mirror, which has no shear, nothing along it is dropped: any stiffness will do.
     const double along = contact.shear > 0.0 ? contact.shear : contact.closure.normal;
     left.cohesion = cohesion_after(to_axes * left.dropped, to_axes * broken.jump,
-                                   contact.closure.normal, along, tables.parameters(f));
+                                   contact.closure.normal, along, toughness_of(tables, f));
   }
   left.slips = first && normal < 0.0 && !broken.torn && may_slip(f);
   left.lost = broken.elastic;
