@@ -133,7 +133,7 @@ sample_runs() {
   local values run k shares
   build muckpile-post
   shares=$("$build_dir/postproc/tools/muckpile-post" sample --runs "$samples" "${ranges[@]}") || die "the ranges cannot be sampled; the reason is above"
-  [[ -n $(value_of seed "${fixed[@]}") ]] || ! variables_of "$input" | grep -qx 'seed index' || swept+=(seed)
+  [[ -n $(value_of seed "${fixed[@]}") ]] || ! variables_of "$input" | grep -cx 'seed index' >/dev/null || swept+=(seed)
   runs=()
   while IFS=$'\t' read -r -a values; do
     [[ ${#values[@]} -eq ${#swept[@]} ]] || values+=("$((${#runs[@]} + 1))")

@@ -36,17 +36,6 @@ namespace {
 
 /// Behind a mirror the image parts by as much, so a block pays half of what a facet takes.
 JointParameters toughness_of(const FacetTables& tables, std::size_t f) {
-  JointParameters rock = tables.laws().rock().parameters();
-  if (tables.name(f).kind == FacetKind::mirror) rock.fracture_energy_tension *= 0.5;
-  return rock;
-}
-
-}  // namespace
-
-namespace {
-
-/// Behind a mirror the image parts by as much, so a block pays half of what a facet takes.
-JointParameters toughness_of(const FacetTables& tables, std::size_t f) {
   JointParameters own = tables.parameters(f);
   if (tables.name(f).kind == FacetKind::mirror) own.fracture_energy_tension *= 0.5;
   return own;
