@@ -108,7 +108,7 @@ void go_on_and_restart(const std::string& strength, const std::string& between =
   went_on.run(kBefore, kStep);
   if (!between.empty()) went_on.command(between);
   const double broken = went_on.output("joint", 2);
-  EXPECT_GT(broken, 10.0);
+  EXPECT_GT(broken, 5.0);  // rock is breaking as the file is written
   went_on.command("write_restart " + file);
   went_on.run(kSoon, kStep);
 
