@@ -23,10 +23,12 @@ struct Script {
 
 void read_script(const std::string& path, Script& script);
 
-/// A path with variables in it stands for every file that fits.
+/// A path with variables in it stands for every file that fits. One that is a variable alone could
+/// be any file, and is left out.
 void read_included(const std::string& path, Script& script) {
   static const std::regex variable(R"(\$\{\w+\}|\$\w)");
   const std::string pattern = std::regex_replace(path, variable, "*");
+  if (pattern == "*") return;
   glob_t found{};
   if (glob(pattern.c_str(), 0, nullptr, &found) != 0) script.whole = false;
   for (std::size_t k = 0; k < found.gl_pathc; ++k) read_script(found.gl_pathv[k], script);

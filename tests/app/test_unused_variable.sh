@@ -31,5 +31,9 @@ output=$("$program" -log none -in in.x -var burdn 4 -var h 1 2>&1 </dev/null) ||
 grep -qF "did you mean 'burden'?" <<<"$output" || fail "burden must be named"
 [[ $(warnings in.x -var density 4 -var again 1 -var h 1) -eq 4 ]] || fail "a keyword and a label are no variables"
 [[ $(warnings in.x -var burden 4 -var h 1 -var spacing 2 -var case a) -eq 0 ]] || fail "variables must not be told"
+# Its own file is a variable: no file of the folder is meant, neither the one that would use the name.
+printf 'variable site index none.in\ninclude ${site}\n' >in.any
+echo 'print "${burdn}"' >in.other && touch none.in
+[[ $(warnings in.any -var site none.in -var burdn 4) -eq 2 ]] || fail "a file that is a variable alone stands for none"
 [[ $(warnings in.lost -var burdn 4 -var case b) -eq 0 ]] || fail "a file that is not there may use any name"
 [[ $("$program" --version) == Muckpile\ * ]] || fail "--version must print the version"
