@@ -114,6 +114,8 @@ Vec3 FacetBreaking::break_point(std::size_t f, const PointBreak& broken, double 
   if (contact.shear > 0.0) spring += left.shear / contact.shear;
   const Vec3 rests_at = left.slips ? left.lost : Vec3(broken.jump - spring);
   history.contacts().set_offset(f, q, broken.axes.transpose() * rests_at);
+  if (facets_.tables.nonlinear_law(f) != nullptr && !history.traces(f).broken[q])
+    remember_break(facets_, history, f, q, broken.normal, broken.elastic, normal, left.slips);
   parts_.books.losses.fracture += facets_.tables.weight(f) * border_energy(facets_, f);  // it ends
   history.break_point(f, q, left.slips, parts_.keeps_gas);
   parts_.books.newly_cracked = true;
