@@ -110,9 +110,8 @@ FacetLists FixMuckpileJoint::copy() const {
   return {network_.facets(), network_.memory(), network_.faces()};
 }
 
-/// Collective, but for the end of the fix, after which nobody reads its books.
 FacetLists FixMuckpileJoint::hand_back() {
-  if (!ends_) network_.settle_books(team());
+  if (!ends_) network_.settle_books(team());  // collective
   FacetLists lists;
   network_.give_up(lists.facets, lists.memory, lists.faces);
   return lists;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Gas in broken joints: where gas can be, how much room it has, what it presses; see the header.
-// Scope: flow and heat are joint_gas_flow.cpp.
+// Scope: apertures are joint_gas_apertures.cpp, flow and heat joint_gas_flow.cpp.
 #include "gas/joint_gas.h"
 
 #include <algorithm>
@@ -132,94 +132,6 @@ void JointGas::list_cracks(const FacetNetwork& network) {
   for (auto* numbers : {&wall_, &closed_, &mechanical_, &aperture_, &area_, &passage_, &film_})
     numbers->resize(cracks_.size());
   listed_ = true;
-}
-
-void JointGas::find_apertures(const FacetNetwork& network) {
-  network.open_joints(crack_facets_, openings_);
-  for (std::size_t c = 0; c < cracks_.size(); ++c) {
-    const OpenJoint& open = openings_[c];
-    wall_[c] = open.area;
-    closed_[c] = open.pressure;
-    mechanical_[c] = open.opening;
-    if (open.parted_squared > 1.0)
-      wide_.push_back(
-          {static_cast<std::uint32_t>(c), open.parted_squared > p_.open_gas * p_.open_gas});
-  }
-  close_joints();
-  for (std::size_t c = 0; c < cracks_.size(); ++c) {
-    const std::optional<BrokenApertures>& law = openings_[c].by_law;
-    if (!law) continue;
-    closed_[c] = law->at_break;
-    mechanical_[c] = law->mechanical;
-    aperture_[c] = law->hydraulic;
-  }
-}
-
-/// Of stress and opening in closed_ and mechanical_; in a form that the compiler vectorises.
-void JointGas::close_joints() {
-  const ClosedJoint joint = joint_;  // which no store can change
-  double* const __restrict closed = closed_.data(), * const __restrict mechanical =
-                                                        mechanical_.data();
-  double* const __restrict aperture = aperture_.data();
-  for (std::size_t c = 0, count = cracks_.size(); c < count; ++c) {
-    closed[c] = joint.closed(closed[c]);
-    mechanical[c] += closed[c];
-    aperture[c] = joint.hydraulic(mechanical[c]);
-  }
-}
-
-/// How easily gas passes each crack, and the film that it makes there: the friction is in the
-/// passage, (1 + f L/(2w))^(-1/2).
-void JointGas::find_passages() {
-  const CrackFlow flow = flow_;
-  const WallHeat heat = heat_;
-  const double capacity = heat_capacity();
-  const double* const __restrict aperture = aperture_.data(), * const __restrict wall =
-                                                                  wall_.data();
-  double *const __restrict area = area_.data(), *const __restrict passage = passage_.data(),
-                           *const __restrict film = film_.data();
-  for (std::size_t c = 0, count = cracks_.size(); c < count; ++c) {
-    const double width = 2.0 * std::sqrt(wall[c] / M_PI);
-    area[c] = aperture[c] * width;
-    passage[c] = flow.passage(aperture[c], width);
-    const double friction = 2.0 * (1.0 / (passage[c] * passage[c]) - 1.0) * aperture[c] / width;
-    film[c] = heat.film(friction, 1.0 / area[c], capacity) * wall[c];
-  }
-}
-
-/// To its blocks' volumes, walls and ways, and to the ways out of its hole. The way to an image has
-/// its share of the room, too, though nothing goes along it.
-void JointGas::count_crack(std::size_t c) {
-  Crack& crack = cracks_[c];
-  // A joint's room belongs to two blocks; that at a mirror to the block and its image.
-  const double half = crack.joint || crack.mirror ? 0.5 : 1.0;
-  crack.volume = half * wall_[c] * mechanical_[c];
-  crack.broken = half * wall_[c] * closed_[c];
-  crack.area = area_[c];
-  crack.way = area_[c] * passage_[c];
-  const double ways = (crack.joint || crack.mirror ? crack.way : 0.0) +
-                      (crack.hole >= 0 ? crack.end() : 0.0) + (crack.surfaces ? crack.end() : 0.0);
-  each_block(crack, [&](std::size_t b) {
-    walls_[b] += wall_[c];
-    rooms_[b] += crack.broken;
-    cells_[b].volume += crack.volume;
-    cells_[b].ways += ways;
-    if (crack.hole >= 0 && owned(b))
-      chamber_ways_[static_cast<std::size_t>(crack.hole)] += crack.end();
-  });
-}
-
-void JointGas::measure(const FacetNetwork& network, const std::vector<char>& fed) {
-  if (!list_holds(network, fed)) list_cracks(network);
-  wide_.clear();
-  std::fill(walls_.begin(), walls_.end(), 0.0);
-  std::fill(rooms_.begin(), rooms_.end(), 0.0);
-  for (GasCell& cell : cells_) cell.volume = cell.ways = 0.0;
-  chamber_ways_.assign(fed.size(), 0.0);
-  find_apertures(network);
-  find_passages();
-  for (std::size_t c = 0; c < cracks_.size(); ++c) count_crack(c);
-  expand();
 }
 
 /// The gas of owned blocks follows its joints: adiabatically where they open and close, without

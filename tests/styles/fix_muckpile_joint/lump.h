@@ -35,7 +35,8 @@ inline Motion spinning(const Vec3& at, double rate) {
 }
 
 /// Faces lean against the lines between centres: the terms of leaning_faces.h act.
-inline const std::string kLeaning = " cut joint_sets joint_set 75 90 joint_set 85 0 joint_set 10 270";
+inline const std::string kLeaning =
+    " cut joint_sets joint_set 75 90 joint_set 85 0 joint_set 10 270";
 
 /// A bonded lump of some 40 blocks about the origin.
 inline void make_lump(RockScene& scene, const std::string& strength, const std::string& cut = "") {

@@ -96,7 +96,8 @@ double broken_on_ranks(const std::string& strength, const std::string& cut = "")
   const double off = shared.output("joint", fracture) / taken - 1.0;
   std::cout << "fracture energy on ranks: off by " << off << '\n';
   EXPECT_NEAR(off, 0.0, 1e-6);  // measured 6e-13 on 2 and 4 ranks
-  EXPECT_NEAR(shared.output("joint", broken_share) / alone.output("joint", broken_share), 1.0, 1e-9);
+  EXPECT_NEAR(shared.output("joint", broken_share) / alone.output("joint", broken_share), 1.0,
+              1e-9);
   return count;
 }
 

@@ -112,8 +112,8 @@ TEST(TwoRocks, DampAFacetThatIsWorkedOnAloneAsOneInAGroup) {
   const NaturalJoints alone{{barton_bandis_class(law, 1e13)}, {{Vec3(1, 0, 0), Vec3::UnitX(), 1}}};
   for (const bool hard_first : {true, false})
     for (const NaturalJoints& joint : {NaturalJoints{}, alone}) {
-      const ZonedBlocks rock = in_zones(
-          cuboids(2, 1, 1), [&](const Vec3& x) { return (x.x() < 1.0) != hard_first; });
+      const ZonedBlocks rock =
+          in_zones(cuboids(2, 1, 1), [&](const Vec3& x) { return (x.x() < 1.0) != hard_first; });
       BondScene scene(rock.blocks, of.hard, [](const Vec3&) { return Support::free; }, joint,
                       Leaning::little, {{of.other}, rock.of});
       ASSERT_EQ(scene.network().tables().nonlinear_lanes(0), joint.classes.empty() ? 0u : 1u);

@@ -25,7 +25,8 @@ struct ZonedBlocks {
   std::vector<std::uint8_t> of;
 };
 
-inline ZonedBlocks in_zones(std::vector<Block> blocks, const std::function<bool(const Vec3&)>& is_soft) {
+inline ZonedBlocks in_zones(std::vector<Block> blocks,
+                            const std::function<bool(const Vec3&)>& is_soft) {
   ZonedBlocks zoned{std::move(blocks), {}};
   for (const Block& block : zoned.blocks) zoned.of.push_back(is_soft(block.mass.centroid) ? 1 : 0);
   return zoned;
@@ -39,7 +40,7 @@ inline bool checkered(const Vec3& x) {
 }
 
 inline BondScene scene_of(const ZonedBlocks& rock, const JointParameters& hard,
-                   const JointParameters& other, Leaning leaning = Leaning::little) {
+                          const JointParameters& other, Leaning leaning = Leaning::little) {
   return {rock.blocks, hard,    [](const Vec3&) { return Support::free; },
           {},          leaning, {{other}, rock.of}};
 }

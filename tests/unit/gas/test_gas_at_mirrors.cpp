@@ -51,8 +51,7 @@ struct Row {
     const double middle = half ? 0.0 : 3.0;
     for (const double stretch : {1e-4, -2e-5}) {  // breaks, then closes again
       for (std::size_t b = 0; b < scene.size(); ++b)
-        scene.block(b).centre.x() =
-            scene.start(b).x() + stretch * (scene.start(b).x() - middle);
+        scene.block(b).centre.x() = scene.start(b).x() + stretch * (scene.start(b).x() - middle);
       scene.compute();
     }
     gas.set_network(scene.network());
@@ -115,11 +114,10 @@ TEST(GasAtMirrors, HalfOfARowIsHalfOfTheRow) {
   }
   drift /= half.taken;
   std::cout << "half of a row at a mirror: off by " << worst << ", parted by "
-            << 2.0 * half.parted(0) << " m, " << half.speed(2)
-            << " m/s, work " << half.gas.spent().work / half.taken << " of the gas, account off by "
-            << drift << ", work of the forces over that of the gas "
-            << half.pushed / half.gas.spent().work << ", let go " << half.let_go / half.taken
-            << '\n';
+            << 2.0 * half.parted(0) << " m, " << half.speed(2) << " m/s, work "
+            << half.gas.spent().work / half.taken << " of the gas, account off by " << drift
+            << ", work of the forces over that of the gas " << half.pushed / half.gas.spent().work
+            << ", let go " << half.let_go / half.taken << '\n';
   EXPECT_GT(half.gas.spent().work, 0.05 * half.taken);
   EXPECT_GT(whole.let_go, 0.0);  // parted by more than a radius
   EXPECT_NEAR(2.0 * half.let_go / whole.let_go, 1.0, 1e-6);

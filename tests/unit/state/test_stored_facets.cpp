@@ -37,7 +37,8 @@ FacetMemory remembering() {
          numbers.next(),   numbers.next(), numbers.next()};
   extra.ground = {true, numbers.vector(), numbers.vector(), numbers.vector(), numbers.vector(),
                   true};
-  for (JointHistory& history : extra.joint) history = {numbers.next(), numbers.next(), numbers.next()};
+  for (JointHistory& history : extra.joint)
+    history = {numbers.next(), numbers.next(), numbers.next()};
   return memory;
 }
 

@@ -34,7 +34,7 @@ struct BlockFields {
   std::vector<BlockRock> rock;
   std::vector<BlockState> state;
   std::vector<BlockSums> sums;
-  std::vector<double> theta;        ///< dilatation [-]
+  std::vector<double> theta;  ///< dilatation [-]
   /// What breaking in the last step has taken from theta; of copies what their owners told since.
   std::vector<double> theta_lost;
   std::vector<double> bulk_stress;  ///< [Pa]

@@ -127,8 +127,8 @@ std::optional<BrokenApertures> mean_apertures(const FacetKinematics& facets, std
     if (!at) return std::nullopt;
     mean.mechanical += at->mechanical / traces.broken.count();
     mean.hydraulic += at->hydraulic / traces.broken.count();
-    mean.at_break += law->apertures(facets.history.joint(f, p).broke_at)->mechanical /
-                     traces.broken.count();
+    mean.at_break +=
+        law->apertures(facets.history.joint(f, p).broke_at)->mechanical / traces.broken.count();
   }
   return mean;
 }

@@ -51,7 +51,7 @@ struct BrokenApertures : JointApertures {
   double at_break;  ///< mechanical one just after each point broke [m]
 };
 [[nodiscard]] std::optional<BrokenApertures> mean_apertures(const FacetKinematics& facets,
-                                                           std::size_t f);
+                                                            std::size_t f);
 /// What friction can hold at the points under a normal traction, not positive, at that speed of
 /// slip, squared [Pa], [m2/s2].
 [[nodiscard]] Lanes friction_limit(const FacetKinematics& facets, std::size_t f,
