@@ -22,7 +22,7 @@
 namespace muckpile {
 
 /// Share of D (facet_network.h) that counts: 1 would be right for cuboids, 3/5 for facets that face
-/// all directions.
+/// all directions. Wave speeds with it: tests/verification/waves.cpp, docs/verification.md.
 inline constexpr double kSharpening = 2.0 / 3.0;
 
 /// What the passes hardly read of a facet; the rest is in its group.
