@@ -11,6 +11,7 @@
 #include "explosive/hole_table.h"
 #include "geometry/holes/hole_overlap.h"
 #include "rock/cut_table.h"
+#include "rock/rock_surfaces.h"
 
 namespace muckpile {
 namespace {
@@ -176,6 +177,8 @@ CutOptions read(const ArgValues& args, std::size_t memory) {
   options.spheres_per_block = static_cast<int>(args.integer("spheres_per_block"));
   read_size(options, args);
   read_cut(options, args);
+  read_surfaces(options, args);
+  options.burden = args.real("burden");
   TessellationOptions& rock = options.rock;
   rock.holes = crushed_zones(args);
   for (const Words& words : args.groups("joint_plane"))

@@ -8,9 +8,9 @@
 #include <functional>
 
 #include "input_error_of.h"
-#include "io/dxf_file.h"
-#include "io/las_file.h"
-#include "io/survey_file.h"
+#include "geometry/files/dxf_file.h"
+#include "geometry/files/las_file.h"
+#include "geometry/files/survey_file.h"
 #include "temporary_folder.h"
 
 namespace muckpile {
