@@ -44,7 +44,7 @@ CutRock cut(const std::vector<RockSurface>& surfaces, const Vec3& lo, const Vec3
 
 TEST(SurfaceCut, BallHasItsVolume) {
   const std::vector<RockSurface> rock{test::surface_of(test::ball(1.0, 4))};
-  for (const double size : {0.15, 0.2, 0.25, 0.3}) {
+  for (const double size : {0.15, 0.3}) {
     const CutRock made = cut(rock, Vec3::Constant(-1.1), Vec3::Constant(1.1), size, "ball");
     EXPECT_LT(std::abs(made.volume_error), 0.01);
     EXPECT_LT(made.fit.largest_distance, 0.25);
@@ -70,7 +70,7 @@ TEST(SurfaceCut, RoughGroundIsFollowed) {
   const std::vector<RockSurface> rock{
       test::surface_of(test::heights(lo - Vec3::Constant(0.5), hi + Vec3::Constant(0.5), 60, rough),
                        SurfaceIs::terrain)};
-  for (const double size : {0.2, 0.4}) {
+  for (const double size : {0.25, 0.4}) {
     const CutRock made = cut(rock, lo, hi, size, "rough ground");
     EXPECT_LT(std::abs(made.volume_error), 0.01);
     EXPECT_GT(made.fit.within_a_quarter, 0.95);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "geometry/cut/tessellation.h"
 #include "rock/hole_burdens.h"
 
 namespace muckpile {

@@ -30,8 +30,8 @@ bool in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {
   const double uu = u.squaredNorm(), vv = v.squaredNorm(), ww = w.squaredNorm();
   const double value = u.x() * (v.y() * ww - vv * w.y()) - u.y() * (v.x() * ww - vv * w.x()) +
                        uu * (v.x() * w.y() - v.y() * w.x());
-  const double size = std::max({uu, vv, ww});
-  return value > kInCircle * size * size;
+  const double u1 = std::sqrt(uu), v1 = std::sqrt(vv), w1 = std::sqrt(ww);
+  return value > kInCircle * u1 * v1 * w1 * (u1 + v1 + w1);
 }
 
 class Mesh {

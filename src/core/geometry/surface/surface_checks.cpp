@@ -16,8 +16,12 @@
 namespace muckpile {
 namespace {
 
+/// To a millimetre, and all digits of mine coordinates.
 std::string place_text(const Vec3& p) {
-  return rounded_text(p.x()) + ' ' + rounded_text(p.y()) + ' ' + rounded_text(p.z());
+  std::string text;
+  for (const double value : p)
+    text += (text.empty() ? "" : " ") + rounded_text(std::round(1e3 * value) / 1e3 + 0.0, 10);
+  return text;
 }
 
 /// Corners that are one to rounding have one number.

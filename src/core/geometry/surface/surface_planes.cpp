@@ -17,8 +17,8 @@ constexpr double kFlat = 1e-7;      // misfit over reach of what is flat
 constexpr double kSmooth = 0.03;    // misfit over reach for which one plane is enough
 constexpr double kGain = 0.6;       // misfit of one more plane over that before
 constexpr double kCoarsest = 0.25;  // longest edge of a piece of the surface, over reach
-constexpr double kNearest = 0.05;   // from the point to a plane, over reach
-constexpr double kHighest = 0.3;    // of the point over a plane, which then moves, over reach
+constexpr double kNearest = 0.05, kNearestFlat = 1e-4;  // from the point to a plane, over reach
+constexpr double kHighest = 0.3;                        // of the point over a plane, over reach
 
 struct Sample {
   Vec3 at, normal;
@@ -147,11 +147,16 @@ Planes planes_of(const std::vector<Sample>& samples, std::size_t count, const Ve
   for (std::size_t p = 0; p < count; ++p) {
     Plane plane;
     if (!fit(samples, of_piece, p, reach, plane)) return {};
-    const double height = plane.height(point);
-    if (height > kHighest * reach) return {};
-    plane.at += std::max(0.0, height + kNearest * reach) * plane.normal;
+    if (plane.height(point) > kHighest * reach) return {};
     planes.push_back(plane);
   }
+  return planes;
+}
+
+/// Moved outward where the point is too near to them, or outside.
+Planes moved(Planes planes, const Vec3& point, double nearest) {
+  for (Plane& plane : planes)
+    plane.at += std::max(0.0, plane.height(point) + nearest) * plane.normal;
   return planes;
 }
 
@@ -162,14 +167,14 @@ Planes best_planes(const std::vector<Sample>& samples, const Vec3& point, double
     const Planes planes = planes_of(samples, count, point, reach);
     if (planes.empty()) continue;
     const double off = misfit(samples, planes);
-    if (off < kFlat * reach) return planes;
+    if (off < kFlat * reach) return moved(planes, point, kNearestFlat * reach);
     const bool rough = least > kSmooth * reach;
     if (best.empty() || (rough && off < kGain * least)) {
       best = planes;
       least = off;
     }
   }
-  return best;
+  return moved(best, point, kNearest * reach);
 }
 
 }  // namespace
