@@ -47,6 +47,7 @@ Ring cut(const Scene& scene) {
   options.lo = Vec3(-half, -half, 0.0);
   options.hi = Vec3(half, half, thickness);
   options.seed = scene.seed;
+  options.rings_from = 1.75;
   options.holes = {{Vec3::Zero(), thickness * Vec3::UnitZ(), 1.0}};
   const double near = 1.0 + 0.5 * scene.size;
   options.size =

@@ -251,7 +251,7 @@ std::vector<std::vector<Ringed>> ringed_lines(const TessellationOptions& options
   std::vector<std::vector<Ringed>> lines;
   for (std::size_t h = 0; h < options.holes.size(); ++h) {
     const Hole& hole = options.holes[h];
-    if (options.size.at(hole.radius) < kRingedFrom * hole.radius) continue;
+    if (options.size.at(hole.radius) < options.rings_from * hole.radius) continue;
     Ringed ring = ringed(options, ground, h);
     const auto line = std::find_if(lines.begin(), lines.end(), [&](const auto& other) {
       return on_one_line(other.front().hole, hole);
