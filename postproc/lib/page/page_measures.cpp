@@ -24,6 +24,8 @@ void add_pile(Html& page, const PageContent& run) {
               "The rock as it lies; the blue edges are the rock before the blast.");
   add_picture(page, run, "movement.png", "Movement",
               "From where to where the parts of the bench went; table in movement.csv.");
+  add_picture(page, run, "dig.png", "Dig line",
+              "Ore and waste at the end, and the dig line; table in dig.csv.");
   add_picture(page, run, "survey.png", "Survey",
               "Surface of the run less the surveyed one; table in survey.csv.");
   add_picture(page, run, "damage.png", "Broken joints",
@@ -42,6 +44,10 @@ void add_pile(Html& page, const PageContent& run) {
              {"backbreak_m", "Backbreak, largest"},
              {"backbreak_mean_m", "Backbreak, mean along the row"},
              {"toe_left_volume_m3", "Rock left in front of the last row"},
+             {"dig_rock_t", "Rock within the dig line"},
+             {"dig_dilution_fraction", "Dilution"},
+             {"dig_ore_loss_t", "Ore loss"},
+             {"dig_ore_loss_fraction", "Ore loss, share of the ore"},
              {"survey_run_above_m3", "Run higher than the survey"},
              {"survey_run_below_m3", "Run lower than the survey"},
              {"survey_rms_difference_m", "Run and survey, RMS of the vertical difference"},

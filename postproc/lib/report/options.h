@@ -26,10 +26,13 @@ struct FragmentOptions {
 };
 
 struct MovementOptions {
-  int levels = 5;        // bands of height between the floor and the top of the bench
-  int distances = 4;     // bands of distance between the face and the last row of holes
-  std::string polygons;  // file of polygons to carry into the pile; "": none
-  std::string model;     // file of a block model to carry into the pile; "": none
+  int levels = 5;          // bands of height between the floor and the top of the bench
+  int distances = 4;       // bands of distance between the face and the last row of holes
+  std::string polygons;    // file of polygons to carry into the pile; "": none
+  std::string model;       // file of a block model to carry into the pile; "": none
+  std::string dig;         // file of polygons within which the pile is dug; "": none
+  std::string ore_column;  // of the model; "": ore is what lies in the polygons
+  double cutoff = 0.0;     // a cell with that much in the column is ore
   std::array<double, 3> shift{0.0, 0.0, 0.0};  // of both, before they are turned [m]
   double turn_deg = 0.0;                       // about the run's z axis, counter-clockwise
 };
