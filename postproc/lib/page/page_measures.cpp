@@ -106,6 +106,8 @@ void add_sizes(Html& page, const PageContent& run) {
   add_picture(page, run, "fragments.png", "Size of the rock",
               "Size curves of the broken-out rock; tables in sieve.csv, fragments.csv and "
               "fragments_list.csv.");
+  add_picture(page, run, "fines.png", "",
+              "Fines by a law, which is no result of the simulation; table in fines.csv.");
   const auto pair = page.open("div", {{"class", "pair"}});
   add_table(page, run,
             {{"sieve_p20_m", "Sieve P20"},
@@ -123,7 +125,8 @@ void add_sizes(Html& page, const PageContent& run) {
              {"swebrec_b", "Swebrec fit, b"},
              {"swebrec_rms_fraction", "Swebrec fit, RMS of the mass passing"},
              {"kuz_ram_x50_m", "Kuz-Ram (formula), x50"},
-             {"kuz_ram_n", "Kuz-Ram (formula), n"}});
+             {"kuz_ram_n", "Kuz-Ram (formula), n"},
+             {"fines_law_mass_fraction", "Fines (law), share of the mass"}});
 }
 
 void add_energy(Html& page, const PageContent& run) {

@@ -23,6 +23,9 @@ struct FragmentOptions {
   double mass_rating = 50.0;              // of Lilly's index: 10 powdery, 50 massive
   std::optional<double> weight_strength;  // RWS of Kuz-Ram, ANFO 100; default: by the energies
   double drilling_deviation = 0.0;        // of Kuz-Ram [m]
+  std::optional<double> fines_radius;     // rock this near a charge is fines by a law [hole radii]
+  double fines_top = 1e-3;                // 99 % of them are finer [m]
+  double fines_exponent = 1.0;            // of their Rosin-Rammler curve
 };
 
 struct MovementOptions {
