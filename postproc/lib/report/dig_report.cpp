@@ -69,8 +69,8 @@ void write_table(const std::filesystem::path& path, const std::vector<OrePolygon
   row("all", kNaN, kNaN, dug.all, dug.loss() / kTonne, dug.loss_share());
 }
 
-PlotCurve outline_of(const OrePolygon& line) {
-  PlotCurve outline{line.name, CurveStyle::kLine, 2, line.corners};
+PlotCurve outline_of(const OrePolygon& line, int colour) {
+  PlotCurve outline{line.name, CurveStyle::kLine, colour, line.corners};
   outline.points.push_back(line.corners.front());
   return outline;
 }
@@ -92,7 +92,8 @@ CurvePlot plot_of(const std::vector<OrePolygon>& lines, const RunData& run,
   plot.y_label = "y [m]";
   plot.warning = motion_warning(run.still);
   plot.curves = {waste, of_ore};
-  for (const OrePolygon& line : lines) plot.curves.push_back(outline_of(line));
+  int colour = 2;  // of the next line
+  for (const OrePolygon& line : lines) plot.curves.push_back(outline_of(line, colour++));
   return plot;
 }
 

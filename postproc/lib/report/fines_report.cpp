@@ -93,12 +93,14 @@ std::vector<double> sizes_of(const PileWithFines& pile, const FinesLaw& law) {
 
 CurvePlot plot_of(const PileWithFines& pile, const FinesLaw& law,
                   const std::vector<double>& sizes) {
+  constexpr double kLeastShare = 0.01;  // that is drawn [%]
   CurvePlot plot;
   plot.title = "Fines by a law (dashed), not simulated";
   plot.x_label = "size [m]";
   plot.y_label = "mass passing [%]";
   plot.x_scale = Scale::kLogarithmic;
-  plot.y = AxisRange{0.0, 100.0};
+  plot.y_scale = Scale::kLogarithmic;  // shares of fines are small
+  plot.y = AxisRange{kLeastShare, 100.0};
   PlotCurve simulated{"fragments by sieve, simulated", CurveStyle::kLine, 0, {}};
   PlotCurve both{"with the fines of the law", CurveStyle::kDashed, 1, {}};
   PlotCurve fines{"fines of the law: rock within " + spelled(law.radius) + " hole radii, " +
@@ -107,9 +109,10 @@ CurvePlot plot_of(const PileWithFines& pile, const FinesLaw& law,
                   2,
                   {}};
   for (const double size : sizes) {
-    simulated.points.emplace_back(size, 100.0 * pile.simulated(size));
-    both.points.emplace_back(size, 100.0 * pile.both(size));
-    fines.points.emplace_back(size, 100.0 * pile.share() * pile.law(size));
+    for (const auto& [curve, share] :
+         {std::pair(&simulated, pile.simulated(size)), std::pair(&both, pile.both(size)),
+          std::pair(&fines, pile.share() * pile.law(size))})
+      if (100.0 * share >= kLeastShare) curve->points.emplace_back(size, 100.0 * share);
   }
   plot.curves = {simulated, both, fines};
   return plot;
