@@ -42,6 +42,23 @@ void add_sizes(CLI::App* command, FragmentOptions& options) {
       ->check(CLI::NonNegativeNumber);
 }
 
+void add_fines(CLI::App* command, FragmentOptions& options) {
+  CLI::Option* fines =
+      command
+          ->add_option("--fines", options.fines_radius,
+                       "fines by a law, no simulation: rock within this many hole radii of a "
+                       "charge is crushed; fines.csv, fines.png (default: none)")
+          ->check(CLI::Range(1.0, 20.0));
+  command->add_option("--fines-top", options.fines_top, "99 % of the fines pass this size [m]")
+      ->check(CLI::Range(1e-6, 1.0))
+      ->needs(fines);
+  command
+      ->add_option("--fines-exponent", options.fines_exponent,
+                   "of the Rosin-Rammler curve of the fines")
+      ->check(CLI::Range(0.2, 5.0))
+      ->needs(fines);
+}
+
 }  // namespace
 
 void add_fragments_command(CLI::App& app) {
@@ -53,6 +70,7 @@ void add_fragments_command(CLI::App& app) {
                   o->folder);
   add_measure(fragments, o->measure);
   add_sizes(fragments, o->options);
+  add_fines(fragments, o->options);
   fragments->callback([o] { report_fragments(ResultFolder(o->folder), o->measure, o->options); });
 }
 

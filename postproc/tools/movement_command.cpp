@@ -42,6 +42,18 @@ void add_movement_command(CLI::App& app) {
           "block model to carry into the pile (CSV: x_m, y_m, z_m of the middles, and what "
           "else it has): model_moved.csv")
       ->check(CLI::ExistingFile);
+  CLI::Option* dig =
+      movement
+          ->add_option("--dig", o->options.dig,
+                       "polygons within which the pile is dug, at levels (CSV as --polygons): "
+                       "dig.csv, dig.png, dilution and ore loss; ore is what lies in --polygons, "
+                       "or of --ore-column")
+          ->check(CLI::ExistingFile);
+  CLI::Option* column = movement
+                            ->add_option("--ore-column", o->options.ore_column,
+                                         "of --model: cells with --cutoff or more in it are ore")
+                            ->needs(dig);
+  movement->add_option("--cutoff", o->options.cutoff, "in the column's unit")->needs(column);
   movement->add_option("--shift", o->options.shift,
                        "of polygons and model along x, y and z [m], before they are turned; "
                        "drawings and moved places are in their axes");

@@ -24,6 +24,8 @@ void add_pile(Html& page, const PageContent& run) {
               "The rock as it lies; the blue edges are the rock before the blast.");
   add_picture(page, run, "movement.png", "Movement",
               "From where to where the parts of the bench went; table in movement.csv.");
+  add_picture(page, run, "dig.png", "Dig line",
+              "Ore and waste at the end, and the dig line; table in dig.csv.");
   add_picture(page, run, "survey.png", "Survey",
               "Surface of the run less the surveyed one; table in survey.csv.");
   add_picture(page, run, "damage.png", "Broken joints",
@@ -42,6 +44,10 @@ void add_pile(Html& page, const PageContent& run) {
              {"backbreak_m", "Backbreak, largest"},
              {"backbreak_mean_m", "Backbreak, mean along the row"},
              {"toe_left_volume_m3", "Rock left in front of the last row"},
+             {"dig_rock_t", "Rock within the dig line"},
+             {"dig_dilution_fraction", "Dilution"},
+             {"dig_ore_loss_t", "Ore loss"},
+             {"dig_ore_loss_fraction", "Ore loss, share of the ore"},
              {"survey_run_above_m3", "Run higher than the survey"},
              {"survey_run_below_m3", "Run lower than the survey"},
              {"survey_rms_difference_m", "Run and survey, RMS of the vertical difference"},
@@ -100,6 +106,8 @@ void add_sizes(Html& page, const PageContent& run) {
   add_picture(page, run, "fragments.png", "Size of the rock",
               "Size curves of the broken-out rock; tables in sieve.csv, fragments.csv and "
               "fragments_list.csv.");
+  add_picture(page, run, "fines.png", "",
+              "Fines by a law, which is no result of the simulation; table in fines.csv.");
   const auto pair = page.open("div", {{"class", "pair"}});
   add_table(page, run,
             {{"sieve_p20_m", "Sieve P20"},
@@ -117,7 +125,8 @@ void add_sizes(Html& page, const PageContent& run) {
              {"swebrec_b", "Swebrec fit, b"},
              {"swebrec_rms_fraction", "Swebrec fit, RMS of the mass passing"},
              {"kuz_ram_x50_m", "Kuz-Ram (formula), x50"},
-             {"kuz_ram_n", "Kuz-Ram (formula), n"}});
+             {"kuz_ram_n", "Kuz-Ram (formula), n"},
+             {"fines_law_mass_fraction", "Fines (law), share of the mass"}});
 }
 
 void add_energy(Html& page, const PageContent& run) {

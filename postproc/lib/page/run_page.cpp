@@ -72,6 +72,8 @@ void add_limits(Html& page, const PageContent& run) {
   if (const Json* note = find(run, "still_note")) page.element("li", in_words("", *note));
   if (const Json* note = find(run, "kuz_ram_note"))
     page.element("li", "Kuz-Ram: " + in_words("", *note));
+  if (const Json* note = find(run, "fines_law_note"))
+    page.element("li", "Fines: " + in_words("", *note));
   if (const Json* note = find(run, "throw_max_note"))
     page.element("li", "Largest throw: " + in_words("", *note));
   if (const Json* note = find(run, "farthest_block_note"))
