@@ -52,13 +52,6 @@ void write_drawing(const std::filesystem::path& path, const std::vector<CarriedP
   }
 }
 
-OrePolygon placed(OrePolygon polygon, const SurveyPose& pose) {
-  for (Vec2& corner : polygon.corners) corner = pose.of({corner.x(), corner.y(), 0.0}).head<2>();
-  polygon.low += pose.shift.z();
-  polygon.high += pose.shift.z();
-  return polygon;
-}
-
 void write_tables(const ResultFolder& folder, const std::vector<CarriedPolygon>& polygons,
                   const SurveyPose& pose) {
   CsvWriter table(folder.file("polygons.csv"), std::string("polygon,") + kMovementColumns +
@@ -110,7 +103,7 @@ void write_polygons(const ResultFolder& folder, const RunData& run,
     return;
   }
   std::vector<CarriedPolygon> all;
-  for (const OrePolygon& polygon : polygons) all.push_back(carried(placed(polygon, pose), run));
+  for (const OrePolygon& polygon : polygons) all.push_back(carried(polygon, run));
   write_tables(folder, all, pose);
   write_drawing(folder.file("polygons.dxf"), all, pose);
   write_png(draw_curves(plot_of(all, run)), folder.file("polygons.png"));

@@ -138,9 +138,8 @@ void JointGas::list_cracks(const FacetNetwork& network) {
 
 void JointGas::measure_crack(std::size_t c, const OpenJoint& open) {
   Crack& crack = cracks_[c];
-  const double parted = crack.mirror ? 2.0 * open.opening : open.opening;  // the image moves, too
   const JointApertures apertures =
-      open.by_law ? *open.by_law : joint_.apertures(open.pressure, parted);
+      open.by_law ? JointApertures(*open.by_law) : joint_.apertures(open.pressure, open.opening);
   aperture_[c] = apertures.hydraulic;
   width_[c] = 2.0 * std::sqrt(open.area / M_PI);
   crack.area = aperture_[c] * width_[c];
@@ -148,7 +147,8 @@ void JointGas::measure_crack(std::size_t c, const OpenJoint& open) {
   const double half = crack.joint || crack.mirror ? 0.5 : 1.0;
   crack.volume = half * open.area * apertures.mechanical;
   crack.wall = open.area;
-  crack.broken = half * open.area * joint_.closed(open.by_law ? 0.0 : open.pressure);
+  const double closed = open.by_law ? open.by_law->at_break : joint_.closed(open.pressure);
+  crack.broken = half * open.area * closed;
   each_block(crack, [&](std::size_t b) {
     walls_[b] += crack.wall;
     rooms_[b] += crack.broken;
@@ -158,9 +158,10 @@ void JointGas::measure_crack(std::size_t c, const OpenJoint& open) {
         {static_cast<std::uint32_t>(c), open.parted_squared > p_.open_gas * p_.open_gas});
 }
 
-/// To the volumes and ways of its blocks, and to the ways out of its hole.
+/// To the volumes and ways of its blocks, and to the ways out of its hole. The way to an image has
+/// its share of the room, too, though nothing goes along it.
 void JointGas::count_crack(const Crack& crack) {
-  const double ways = (crack.joint ? crack.way : 0.0) + (crack.hole >= 0 ? crack.end() : 0.0) +
+  const double ways = (crack.joint || crack.mirror ? crack.way : 0.0) + (crack.hole >= 0 ? crack.end() : 0.0) +
                       (crack.surfaces ? crack.end() : 0.0);
   each_block(crack, [&](std::size_t b) {
     cells_[b].volume += crack.volume;

@@ -157,6 +157,9 @@ void read_cut(CutOptions& options, const ArgValues& args) {
   } else if (args.given("joint_set") || args.given("sliver")) {
     refuse_cut("joint_set and sliver need 'cut joint_sets'");
   }
+  if (args.given("rings_from") && (options.joint_sets || options.import_file))
+    refuse_cut("rings_from needs 'cut voronoi'");
+  options.rock.rings_from = args.real("rings_from");
   if (options.joint_sets && options.target)
     refuse_cut("size target needs 'cut voronoi': joint sets halve block sizes in steps");
   if (options.import_file && args.given("cut"))

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "args/numbers.h"
+#include "geometry/cut/hole_rings.h"
 #include "geometry/cut/tessellation.h"
 
 namespace muckpile {
@@ -96,6 +97,9 @@ const ArgTable& cut_table() {
           .real("sliver", "", Range::closed(0.0, 0.3), kThinnestPart,
                 "for `cut joint_sets`: no block gets 3 volume / surface below this share of the "
                 "size asked for")
+          .real("rings_from", "", Range::closed(kImagesTooLarge, kImagesFail), kImagesFail,
+                "for `cut voronoi`: block size over radius of a crushed zone from which on blocks "
+                "stand in rings around it")
           .word("wall", {"round", "blocks"}, "round",
                 "how stiff the rock around a crushed zone is: `round`, its wall gives way to a "
                 "pressure as that of a round hole does, whatever the block size; `blocks`, the "

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "bond/network/nonlinear_points.h"
-
 namespace muckpile {
 namespace {
 
@@ -63,12 +61,16 @@ void open_group_of_joints(const FacetKinematics& facets, const LaneSet& set,
     closure += choose(is_broken, max(Wide(0.0), zero - now), 0.0);
     points += choose(is_broken, Wide(1.0), 0.0);
   }
-  const Wide radius_squared = M_1_PI * wide(group.area);
+  // Behind a mirror, which alone has no shear, the image opens and turns by as much the other way
+  // and slides along.
+  const WideMask mirror = wide(group.shear) == 0.0;
+  const Wide sides = choose(mirror, Wide(2.0), 1.0), along = sides * dot(pose.normal, pose.jump);
+  const Wide far = choose(mirror, along * along, dot(pose.jump, pose.jump)),
+             radius_squared = M_1_PI * wide(group.area);
   alignas(64) FacetRow<double> area, opened, pressure, parted_squared;
-  store(max(dot(pose.jump, pose.jump) / radius_squared, turn_of(group, pose).squared()),
-        parted_squared);
+  store(max(far / radius_squared, sides * sides * turn_of(group, pose).squared()), parted_squared);
   store(points * wide(group.area) / Wide(kFacetPoints), area);
-  store(opening / max(points, Wide(1.0)), opened);
+  store(sides * opening / max(points, Wide(1.0)), opened);
   store(wide(contact.fade) * closed_stiffness(facets, set) * closure / max(points, Wide(1.0)),
         pressure);
   const unsigned nonlinear = facets.tables.nonlinear_lanes(set.group);  // only they know apertures

@@ -66,7 +66,8 @@ struct TessellationOptions {
   // Each goes through all of the rock, but cuts no sliver off (kThinnestPart). A crushed zone that
   // crosses a plane is carved on each side for itself.
   std::vector<CutPlane> planes;
-  bool rings = true;  // of seeds around holes narrow against their blocks (hole_rings.h)
+  bool rings = true;        // of seeds around holes narrow against their blocks (hole_rings.h)
+  double rings_from = 2.0;  // blocks over radius of a hole that get them
   SweepTeam team;
 };
 
