@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "measure_words.h"
+#include "command_words.h"
 #include "report/reports.h"
 
 namespace muckpile {

@@ -81,7 +81,10 @@ must_refuse "-seeds is for lists of values" sweep inputs/demo/in.demo -var burde
 must_refuse "ranges go with single values" sweep inputs/demo/in.demo -var burden 2..3 -var bench_height 6,9 -samples 4
 must_refuse "has no variable 'burdn'; did you mean 'burden'?" sweep inputs/demo/in.demo -var burdn 2..3 -samples 4
 must_refuse "'burden=3..2' must rise" sweep inputs/demo/in.demo -var burden 3..2 -samples 4
-must_refuse "-samples must be a whole number from 1 to 9999, got '0'" sweep inputs/demo/in.demo -var burden 2..3 -samples 0
+for number in 0 1 1.5; do
+  must_refuse "-samples must be a whole number from 2 to 9999, got '$number'" sweep inputs/demo/in.demo -var burden 2..3 -samples "$number"
+done
+must_refuse "-var seed cannot be a range" sweep inputs/demo/in.demo -var burden 2..3 -var seed 1..9 -samples 4
 [[ ! -e results ]] || problem "a refused sweep has made a folder"
 
 # Every combination, the last fastest, each with its own folder; two at once on two cores.
@@ -113,6 +116,14 @@ folder,state,burden,bench_height,seed' ]] || problem "the list does not say what
 for file in sweep.csv sweep_mean.csv sweep_influence.csv sweep.png; do [[ -s $sampled/$file ]] || problem "no $file"; done
 sweep -var burden 2..4 -var patience 5 -var bench_height log:6..12 -samples 4 -out results/sampled
 ended_with 0 && runs_were 0
+# Of fourteen ranges a run is checked at each end, not at all combinations of their ends, which would be more than a sweep does.
+many=()
+for k in {1..14}; do
+  printf 'variable k%s index 1\n' "$k" >>inputs/demo/in.demo
+  many+=(-var "k$k" 1..2)
+done
+sweep "${many[@]}" -samples 2 -out results/many
+ended_with 0 && runs_were 2
 sweep -var burden 2..4 -var seed 7 -samples 2 -out results/one_seed
 ended_with 0 && runs_were 2
 [[ $(sed -n 3p results/one_seed/sweep_runs.csv) == folder,state,burden ]] || problem "a seed that was given is sampled"

@@ -159,6 +159,10 @@ void require_name(const std::string& name) {
     refuse("calibrate", "--site must be a name of letters, digits, _ and -, got '" + name + "'");
 }
 
+std::filesystem::path site_path(const Fitting& f, const FitOptions& options) {
+  return f.sweep.folder / ("site_" + options.site + ".in");
+}
+
 std::filesystem::path write_site(const Fitting& f, const FitOptions& options,
                                  const std::vector<std::string>& notes) {
   std::vector<std::string> remarks{
@@ -173,7 +177,7 @@ std::filesystem::path write_site(const Fitting& f, const FitOptions& options,
     constants.emplace_back(f.sweep.variables[i].name, rounded_text(estimate(f, i)));
     beside.push_back(line_of_constant(f, i));
   }
-  const auto path = f.sweep.folder / ("site_" + options.site + ".in");
+  const std::filesystem::path path = site_path(f, options);
   write_site_file(path, remarks, constants, beside);
   return path;
 }
@@ -192,9 +196,11 @@ std::vector<std::string> report_calibration(const FitOptions& options) {
   std::vector<std::string> lines{f.order == SurfaceOrder::kLinear ? "linear surfaces"
                                                                   : "quadratic surfaces"};
   for (size_t k = 0; k < f.targets.size(); ++k) lines.push_back(line_of_figure(f, k));
-  if (f.result.resolved() == 0)
+  if (f.result.resolved() == 0) {
+    std::filesystem::remove(site_path(f, options));  // of an earlier fit: no run is to include it
     refuse("calibrate", "the measures tell no combination of " + names_of(f.sweep) +
                             "; there is no site file. " + joined(lines, "; "));
+  }
   for (size_t i = 0; i < f.constants.size(); ++i)
     lines.push_back(f.sweep.variables[i].name + " " + rounded_text(estimate(f, i)) + ": " +
                     line_of_constant(f, i));

@@ -20,7 +20,8 @@ struct FitOptions {
 // calibrate.png and the site file into the sweep's folder. Gives back what to tell the user, a line
 // each. Throws InputError as read_sweep and read_measured do; on a constant that is swept over
 // fewer than two values or over one that is not a positive number; on a figure that no run has;
-// and, after the tables, where the measures resolve no combination of constants.
+// and, after the tables, where the measures resolve no combination of constants: a site file of
+// that name is then removed.
 std::vector<std::string> report_calibration(const FitOptions& options);
 
 struct CheckOptions {

@@ -20,7 +20,7 @@ constexpr Unit kUnits[] = {{"_kg_m3", "kg/m³"}, {"_J_kg", "J/kg"}, {"_rad_s", "
                            {"_m_s", "m/s"},     {"_m3", "m³"},     {"_m2", "m²"},
                            {"_deg", "°"},       {"_kg", "kg"},     {"_Pa", "Pa"},
                            {"_fraction", "%"},  {"_share", "%"},   {"_m", "m"},
-                           {"_s", "s"},         {"_J", "J"}};
+                           {"_s", "s"},         {"_J", "J"},       {"_t", "t"}};
 
 constexpr const char* kNoBreak = "\u202f";  // narrow no-break space
 

@@ -9,6 +9,7 @@
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
 #include "measure/sieve_size.h"
+#include "report/fines_report.h"
 #include "report/fragments_plot.h"
 #include "report/kuz_ram_of_run.h"
 #include "report/notes.h"
@@ -176,6 +177,18 @@ nlohmann::ordered_json pile_keys(const std::vector<SizedFragment>& fragments,
   return keys;
 }
 
+nlohmann::ordered_json fines_of(const ResultFolder& folder, const RunData& run,
+                                const std::vector<SizedFragment>& sized,
+                                const FragmentOptions& options) {
+  std::vector<Fragment> fragments;
+  std::vector<double> sieves;
+  for (const auto& [fragment, sieve] : sized) {
+    fragments.push_back(fragment);
+    sieves.push_back(sieve);
+  }
+  return write_fines(folder, run, fragments, sieves, options);
+}
+
 }  // namespace
 
 void report_fragments(const ResultFolder& folder, const MeasureOptions& measure,
@@ -199,7 +212,11 @@ void report_fragments(const ResultFolder& folder, const MeasureOptions& measure,
   keys["fragments_note"] = nullptr;
   if (is_the_input(single)) keys["fragments_note"] = kBlockSizesNote;
   keys.update(pile_keys(fragments, options));
-  folder.merge_into_summary(keys, {"boulder_sieve_m", "boulders", "boulder_mass_fraction"});
+  keys.update(fines_of(folder, run, fragments, options));
+  std::vector<std::string> dropped = fines_keys();
+  for (const char* key : {"boulder_sieve_m", "boulders", "boulder_mass_fraction"})
+    dropped.emplace_back(key);
+  folder.merge_into_summary(keys, dropped);
 }
 
 }  // namespace muckpile

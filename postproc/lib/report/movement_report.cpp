@@ -9,10 +9,12 @@
 #include "draw/curve_plot.h"
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
-#include "io/dxf_file.h"
+#include "io/dxf_writer.h"
 #include "measure/columns.h"
 #include "measure/movement.h"
+#include "measure/ore_shares.h"
 #include "report/bench_scene.h"
+#include "report/dig_report.h"
 #include "report/movement_table.h"
 #include "report/not_measurable.h"
 #include "report/ore_model_report.h"
@@ -109,13 +111,25 @@ nlohmann::ordered_json keys_of(const std::vector<PartMovement>& movement) {
 
 BenchScene bench_or_nothing(const ResultFolder& folder, const RunData& run) {
   try {
-    return bench_or_take_back(folder, run.blocks, "movement", keys_of({}));
+    nlohmann::ordered_json own = keys_of({});
+    for (const std::string& key : dig_keys()) own[key] = nullptr;
+    return bench_or_take_back(folder, run.blocks, "movement", own);
   } catch (const NotMeasurable&) {
     write_polygons(folder, run, {}, {});
     write_ore_model(folder, run, "", {});
+    write_dig(folder, run, {}, {}, {});
     std::filesystem::remove(folder.file("movement.dxf"));
     throw;
   }
+}
+
+// In the run's axes.
+std::vector<OrePolygon> polygons_of(const MovementOptions& options, const SurveyPose& pose) {
+  std::vector<OrePolygon> polygons;
+  if (options.polygons.empty()) return polygons;
+  for (const OrePolygon& each : read_ore_polygons(options.polygons))
+    polygons.push_back(placed(each, pose));
+  return polygons;
 }
 
 }  // namespace
@@ -142,8 +156,9 @@ void report_movement(const ResultFolder& folder, const MeasureOptions& measure,
                      const MovementOptions& options) {
   if (folder.scene_word("case") != "bench")
     refuse("movement", "the run must be a bench, got '" + folder.scene_word("case") + "'");
-  const std::vector<OrePolygon> polygons =
-      options.polygons.empty() ? std::vector<OrePolygon>() : read_ore_polygons(options.polygons);
+  const SurveyPose pose{{options.shift[0], options.shift[1], options.shift[2]},
+                        options.turn_deg * std::numbers::pi / 180.0};
+  const std::vector<OrePolygon> polygons = polygons_of(options, pose);
   const RunData run(folder, measure);
   const BenchScene bench = bench_or_nothing(folder, run);
   const BenchParts parts{bench.height, bench.depth, options.levels, options.distances,
@@ -152,8 +167,6 @@ void report_movement(const ResultFolder& folder, const MeasureOptions& measure,
       movement_of_parts(run.blocks, run.last, run.moved, parts);
   if (movement.empty())
     refuse("movement", "no block started between the face and the last row of holes");
-  const SurveyPose pose{{options.shift[0], options.shift[1], options.shift[2]},
-                        options.turn_deg * std::numbers::pi / 180.0};
   write_polygons(folder, run, polygons, pose);
   const nlohmann::ordered_json of_model = write_ore_model(folder, run, options.model, pose);
   write_table(folder.file("movement.csv"), movement);
@@ -162,8 +175,12 @@ void report_movement(const ResultFolder& folder, const MeasureOptions& measure,
   nlohmann::ordered_json keys = common_keys(folder);
   keys.update(keys_of(movement));
   keys.update(of_model);
-  folder.merge_into_summary(keys,
-                            {refusal_key("movement"), "model_cells", "model_cells_in_blocks"});
+  keys.update(write_dig(folder, run, options, polygons, pose));
+  std::vector<std::string> dropped = dig_keys();
+  for (const std::string& key :
+       {refusal_key("movement"), std::string("model_cells"), std::string("model_cells_in_blocks")})
+    dropped.push_back(key);
+  folder.merge_into_summary(keys, dropped);
 }
 
 }  // namespace muckpile

@@ -31,6 +31,9 @@ inline constexpr const char* kFlyrockNote =
 inline constexpr const char* kOpenHoleNote =
     "no clearance: a hole without stemming shoots into the open, and no formula tells how far";
 
+inline constexpr const char* kFinesLawNote =
+    "a law, no result of the simulation: broken-out rock near the charges is fine, in the form of "
+    "Djordjevic 1999; radius and sizes are chosen, not measured";
 inline constexpr const char* kBlockSizesNote = "block sizes: the input, not a prediction";
 
 // Above this share of single blocks in the pile's mass the size curve is that of the cut.

@@ -23,13 +23,19 @@ struct FragmentOptions {
   double mass_rating = 50.0;              // of Lilly's index: 10 powdery, 50 massive
   std::optional<double> weight_strength;  // RWS of Kuz-Ram, ANFO 100; default: by the energies
   double drilling_deviation = 0.0;        // of Kuz-Ram [m]
+  std::optional<double> fines_radius;     // rock this near a charge is fines by a law [hole radii]
+  double fines_top = 1e-3;                // 99 % of them are finer [m]
+  double fines_exponent = 1.0;            // of their Rosin-Rammler curve
 };
 
 struct MovementOptions {
-  int levels = 5;        // bands of height between the floor and the top of the bench
-  int distances = 4;     // bands of distance between the face and the last row of holes
-  std::string polygons;  // file of polygons to carry into the pile; "": none
-  std::string model;     // file of a block model to carry into the pile; "": none
+  int levels = 5;          // bands of height between the floor and the top of the bench
+  int distances = 4;       // bands of distance between the face and the last row of holes
+  std::string polygons;    // file of polygons to carry into the pile; "": none
+  std::string model;       // file of a block model to carry into the pile; "": none
+  std::string dig;         // file of polygons within which the pile is dug; "": none
+  std::string ore_column;  // of the model; "": ore is what lies in the polygons
+  double cutoff = 0.0;     // a cell with that much in the column is ore
   std::array<double, 3> shift{0.0, 0.0, 0.0};  // of both, before they are turned [m]
   double turn_deg = 0.0;                       // about the run's z axis, counter-clockwise
 };

@@ -7,7 +7,7 @@
 #include "draw/curve_plot.h"
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
-#include "io/dxf_file.h"
+#include "io/dxf_writer.h"
 #include "measure/dug_polygon.h"
 #include "report/movement_table.h"
 #include "report/notes.h"
@@ -50,13 +50,6 @@ void write_drawing(const std::filesystem::path& path, const std::vector<CarriedP
     drawing.text(each.start.name + "_after", pose.back(rock.end), kLetters, each.start.name);
     drawing.line(each.start.name + "_way", pose.back(rock.start), pose.back(rock.end));
   }
-}
-
-OrePolygon placed(OrePolygon polygon, const SurveyPose& pose) {
-  for (Vec2& corner : polygon.corners) corner = pose.of({corner.x(), corner.y(), 0.0}).head<2>();
-  polygon.low += pose.shift.z();
-  polygon.high += pose.shift.z();
-  return polygon;
 }
 
 void write_tables(const ResultFolder& folder, const std::vector<CarriedPolygon>& polygons,
@@ -110,7 +103,7 @@ void write_polygons(const ResultFolder& folder, const RunData& run,
     return;
   }
   std::vector<CarriedPolygon> all;
-  for (const OrePolygon& polygon : polygons) all.push_back(carried(placed(polygon, pose), run));
+  for (const OrePolygon& polygon : polygons) all.push_back(carried(polygon, run));
   write_tables(folder, all, pose);
   write_drawing(folder.file("polygons.dxf"), all, pose);
   write_png(draw_curves(plot_of(all, run)), folder.file("polygons.png"));

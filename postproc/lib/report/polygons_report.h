@@ -12,8 +12,8 @@
 
 namespace muckpile {
 
-// `pose` brings the axes of the polygons to those of the run; outlines in files are in the
-// polygons'. Throws InputError where no block started in a polygon. Without polygons takes away
+// Polygons in the run's axes; `pose` brings those of their file to them, in which the outlines are
+// written. Throws InputError where no block started in a polygon. Without polygons takes away
 // what an earlier call has left.
 void write_polygons(const ResultFolder& folder, const RunData& run,
                     const std::vector<OrePolygon>& polygons, const SurveyPose& pose);

@@ -27,18 +27,31 @@ std::vector<std::filesystem::path> overlay_profiles(const Sweep& sweep) {
                                        : report_overlay(options);
 }
 
+// What a sweep of the other kind, or with more runs, has left in the folder.
+void remove_older(const Sweep& sweep, const std::vector<const char*>& names) {
+  for (const char* name : names) std::filesystem::remove(sweep.folder / name);
+}
+
+// What a sweep has beside sweep.csv, sweep_mean.csv and sweep.png.
 std::vector<std::filesystem::path> report_samples(const Sweep& sweep,
                                                   const std::vector<std::string>& shown) {
+  remove_older(sweep, {"sweep_fit.csv", "overlay_profile.csv", "overlay_profile.png"});
   const std::vector<FigureInfluences> influences = influences_of(sweep, shown);
-  write_runs_table(sweep);
-  write_spread_table(sweep);
   write_influence_table(sweep, influences);
   write_png(draw_panels(plot_of_samples(sweep, influences)), sweep.folder / "sweep.png");
-  std::vector<std::filesystem::path> written;
-  for (const char* name : {"sweep.csv", "sweep_mean.csv", "sweep_influence.csv", "sweep.png"})
-    written.push_back(sweep.folder / name);
+  std::vector<std::filesystem::path> written{sweep.folder / "sweep_influence.csv"};
   for (const auto& file : overlay_profiles(sweep)) written.push_back(file);
   return written;
+}
+
+std::vector<std::filesystem::path> report_values(const Sweep& sweep,
+                                                 const std::vector<std::string>& shown) {
+  remove_older(sweep, {"sweep_fit.csv", "sweep_influence.csv"});
+  const std::vector<SweepFit> fits = fit_sweep(sweep, shown);
+  write_png(draw_panels(plot_of_sweep(sweep, shown, fits)), sweep.folder / "sweep.png");
+  if (fits.empty()) return {};
+  write_fit_table(sweep, fits);
+  return {sweep.folder / "sweep_fit.csv"};
 }
 
 }  // namespace
@@ -47,14 +60,11 @@ std::vector<std::filesystem::path> report_sweep(const std::filesystem::path& fol
                                                 const std::vector<std::string>& figures) {
   const Sweep sweep = read_sweep(folder);
   const std::vector<std::string> shown = shown_figures(sweep, figures);
-  if (sweep.is_sampled) return report_samples(sweep, shown);
-  const std::vector<SweepFit> fits = fit_sweep(sweep, shown);
   write_runs_table(sweep);
   write_spread_table(sweep);
-  write_fit_table(sweep, fits);
-  write_png(draw_panels(plot_of_sweep(sweep, shown, fits)), folder / "sweep.png");
+  const auto more = sweep.is_sampled ? report_samples(sweep, shown) : report_values(sweep, shown);
   std::vector<std::filesystem::path> written{folder / "sweep.csv", folder / "sweep_mean.csv"};
-  if (!fits.empty()) written.push_back(folder / "sweep_fit.csv");
+  written.insert(written.end(), more.begin(), more.end());
   written.push_back(folder / "sweep.png");
   return written;
 }

@@ -95,10 +95,7 @@ void write_spread_table(const Sweep& sweep) {
 }
 
 void write_fit_table(const Sweep& sweep, const std::vector<SweepFit>& fits) {
-  const std::filesystem::path path = sweep.folder / "sweep_fit.csv";
-  std::filesystem::remove(path);
-  if (fits.empty()) return;
-  CsvWriter table(path,
+  CsvWriter table(sweep.folder / "sweep_fit.csv",
                   "figure,variable,exponent,standard_error,residual_ln,runs,runs_left_out,from,to");
   for (const SweepFit& fit : fits) {
     table.row({fit.figure, sweep.variables[fit.variable].name},

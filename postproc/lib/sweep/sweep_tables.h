@@ -18,7 +18,7 @@ void write_runs_table(const Sweep& sweep);
 // seeds. Runs with samples of ranges are one combination.
 void write_spread_table(const Sweep& sweep);
 
-// A row for each fit; no file where there is none.
+// A row for each fit.
 void write_fit_table(const Sweep& sweep, const std::vector<SweepFit>& fits);
 
 // Runs that are done, by their places among the values, in the order of the sweep.

@@ -38,7 +38,7 @@ read_sweep_words() {
         shift 2
         ;;
       -samples)
-        [[ ${2-} =~ ^[1-9][0-9]{0,3}$ ]] || die "-samples must be a whole number from 1 to 9999, got '${2-}'"
+        [[ ${2-} =~ ^[1-9][0-9]{0,3}$ && $2 -gt 1 ]] || die "-samples must be a whole number from 2 to 9999, got '${2-}'"
         samples=$2
         shift 2
         ;;
@@ -90,6 +90,7 @@ check_samples() {
   [[ -n $samples ]] || die "-var ${ranges[0]/=/ } is a range; -samples N says how many runs take their values from it"
   [[ -z $seeds ]] || die "-seeds is for lists of values; of samples each run has a seed of its own"
   ((${#ranges[@]} == ${#swept[@]})) || die "ranges go with single values, not with lists of values"
+  [[ -z ${values_of[seed]-} ]] || die "-var seed cannot be a range; of samples each run has a seed of its own, unless -var seed gives one for all"
 }
 
 each_from_root() {  # each_from_root VALUES
@@ -112,7 +113,7 @@ sweep_over() {  # sweep_over NAME VALUES: one on each line
 # Sets what was not given, too.
 check_sweep_words() {
   local name value most=$((most_ranks_per_core * cores))
-  list_runs  # of samples the ends of the ranges, until the words are checked
+  if [[ -n $samples ]]; then list_ends; else list_runs; fi
   ((${#runs[@]} > 1)) ||
     die "sweep needs two runs at least: -var NAME V1,V2,... with a comma between the values, or -seeds N; ./muckpile run does one"
   : "${ranks:=1}"
@@ -155,6 +156,16 @@ list_runs() {
       while IFS= read -r value; do longer+=("$run$name"$'\t'"$value"$'\n'); done <<<"${values_of[$name]}"
     done
     runs=("${longer[@]}")
+  done
+}
+
+# Of samples, until the words are checked: the run at the lower ends of all ranges and that at the upper ends.
+list_ends() {
+  local name
+  runs=('' '')
+  for name in "${swept[@]}"; do
+    runs[0]+="$name"$'\t'"$(head -n 1 <<<"${values_of[$name]}")"$'\n'
+    runs[1]+="$name"$'\t'"$(tail -n 1 <<<"${values_of[$name]}")"$'\n'
   done
 }
 

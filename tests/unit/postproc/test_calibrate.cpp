@@ -236,7 +236,9 @@ TEST_F(CalibrateFiles, TheSiteFileIsWhatInputsInclude) {
             std::string::npos);
 }
 
-TEST_F(CalibrateFiles, MeasuresThatTellNothingMakeNoSiteFile) {
+TEST_F(CalibrateFiles, MeasuresThatTellNothingLeaveNoSiteFile) {
+  report_calibration(options());
+  ASSERT_TRUE(std::filesystem::exists(file("site_north.in")));
   measure("throw_cg_m,11,50\n");
   expect_refused("tell no combination of energy_share,friction; there is no site file");
   EXPECT_FALSE(std::filesystem::exists(file("site_north.in")));

@@ -174,7 +174,16 @@ TEST_F(SampledFiles, TheSurfacesOfAllRunsAreLaidOverEachOther) {
   EXPECT_TRUE(std::filesystem::exists(file("overlay_profile.png")));
 }
 
+TEST_F(SampledFiles, TablesOfListsOfValuesAreNotLeftBeside) {
+  write_text(file("sweep_fit.csv"), "of an earlier sweep");
+  for (const auto& path : report_sweep(temporary_.path(), {}))
+    EXPECT_GT(std::filesystem::file_size(path), 50U) << path;
+  EXPECT_FALSE(std::filesystem::exists(file("sweep_fit.csv")));
+}
+
 TEST_F(SampledFiles, TwoSurfacesAreNoBand) {
+  report_sweep(temporary_.path(), {});
+  ASSERT_TRUE(std::filesystem::exists(file("overlay_profile.csv")));
   for (const char* run : {"run-1", "run-2", "run-3"})
     std::filesystem::remove(file(std::string(run) + "/profile.csv"));
   report_sweep(temporary_.path(), {});

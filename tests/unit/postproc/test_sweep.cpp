@@ -179,11 +179,13 @@ TEST_F(SweepFiles, AFitLeavesOutWhatIsNotPositiveAndSaysSo) {
 
 TEST_F(SweepFiles, WithoutAFitThereIsNoTableOfFits) {
   write_text(file("sweep_fit.csv"), "of an earlier sweep");
+  write_text(file("sweep_influence.csv"), "of an earlier sweep over ranges");
   write_text(file("sweep_runs.csv"),
              "folder,state,burden\nburden-2;bench_height-6;seed-1,done,2\n"
              "burden-3;bench_height-6;seed-1,done,3\n");
   report_sweep(temporary_.path(), {});
   EXPECT_FALSE(std::filesystem::exists(file("sweep_fit.csv")));
+  EXPECT_FALSE(std::filesystem::exists(file("sweep_influence.csv")));
 }
 
 TEST_F(SweepFiles, ThePlotHasACurveForEachValueOfTheSecondVariable) {

@@ -14,6 +14,7 @@
 #include "geometry/cut/conformity.h"
 #include "geometry/cut/ground.h"
 #include "geometry/cut/hole_rings.h"
+#include "geometry/cut/joined_parts.h"
 #include "geometry/cut/relaxation.h"
 #include "geometry/cut/seeding.h"
 #include "geometry/holes/hole_surface.h"

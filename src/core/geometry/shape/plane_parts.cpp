@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Rock that planes cut through and through: its parts, and how they are joined again.
+// Rock that planes cut through and through: its parts and their seeds.
 // Scope: see the header.
 #include "geometry/shape/plane_parts.h"
 
@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "geometry/cut/seeding.h"
-#include "geometry/cut/shared_faces.h"
 #include "geometry/index/point_index.h"
 
 namespace muckpile {
@@ -24,40 +23,6 @@ double height(const CutPlane& plane, const Vec3& point) {
 std::vector<CutPlane> with_unit_normals(std::vector<CutPlane> planes) {
   for (CutPlane& plane : planes) plane.normal.normalize();
   return planes;
-}
-
-/// A face with nothing behind it.
-struct BareFace {
-  std::size_t block, face;
-  Vec3 centroid, normal;
-  double rounding;  // [m]
-};
-
-std::vector<BareFace> bare_faces(const std::vector<Block>& blocks) {
-  constexpr double kRounding = 1e-7;  // of the block size
-  std::vector<BareFace> found;
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    for (std::size_t f = 0; f < blocks[b].neighbour.size(); ++f) {
-      if (blocks[b].neighbour[f] != kFreeFace) continue;
-      const FaceGeometry face = face_geometry(blocks[b].shape, static_cast<int>(f));
-      found.push_back(
-          {b, f, face.centroid, face.normal, kRounding * std::cbrt(blocks[b].mass.volume)});
-    }
-  }
-  return found;
-}
-
-/// Those in the plane, of blocks below (`side` 1) or above it (-1).
-std::vector<PlaneFace> faces_in(const PlaneFrame& frame, const std::vector<BareFace>& faces,
-                                const std::vector<Block>& blocks, double side) {
-  constexpr double kRounding = 1e-7;  // radians
-  std::vector<PlaneFace> found;
-  for (const BareFace& face : faces) {
-    if (std::abs(frame.normal.dot(face.centroid - frame.origin)) > face.rounding) continue;
-    if ((face.normal - side * frame.normal).norm() > kRounding) continue;
-    found.push_back(plane_face(frame, blocks, face.block, face.face, side));
-  }
-  return found;
 }
 
 Vec3 mirrored(const CutPlane& plane, const Vec3& p) {
@@ -291,18 +256,6 @@ TessellationOptions options_of(const TessellationOptions& options, const RockPar
   if (!whole.surface_points)
     alone.region.surface_points = [](const Vec3&, double) { return std::vector<Vec3>{}; };
   return alone;
-}
-
-void join_in_planes(const std::vector<CutPlane>& planes, std::vector<Block>& blocks) {
-  const std::vector<BareFace> bare = bare_faces(blocks);
-  for (const CutPlane& plane : planes) {
-    const PlaneFrame frame(plane.point, plane.normal);
-    std::vector<PlaneFace> below = faces_in(frame, bare, blocks, 1.0),
-                           above = faces_in(frame, bare, blocks, -1.0);
-    Pieces pieces;
-    share_faces(frame, below, above, pieces);
-    divide_faces(pieces, blocks);
-  }
 }
 
 }  // namespace muckpile

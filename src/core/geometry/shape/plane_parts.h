@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Rock that planes cut through and through: one tessellation per part, joined again in the planes.
+// Rock that planes cut through and through: the parts between them, one tessellation each.
 // Scope: serial and deterministic. Parts are convex, and their cells end at their planes, whatever
 // the seeds are. Seeds next to a plane come in mirror pairs, so that the blocks on its two sides
-// face each other as anywhere in the rock. Where they do not match, at crossings, their faces in
-// the plane are divided into what each pair of blocks shares: a block may have several.
+// face each other as anywhere in the rock. joined_parts.h makes one rock of them again.
 #pragma once
 
 #include <vector>
@@ -49,8 +48,5 @@ void make_symmetric(const Ground& ground, const CutPlane& plane, const RockPart&
 /// The same options for one part alone.
 [[nodiscard]] TessellationOptions options_of(const TessellationOptions& options,
                                              const RockPart& part);
-
-/// Makes neighbours of blocks whose free faces overlap in one of the planes.
-void join_in_planes(const std::vector<CutPlane>& planes, std::vector<Block>& blocks);
 
 }  // namespace muckpile

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Words that several sub-commands have.
+// Scope: see the header.
+#include "command_words.h"
+
+#include <map>
+#include <vector>
+
+namespace muckpile {
+namespace {
+
+const std::map<std::string, ColourBy> kColours{{"start_height", ColourBy::kStartHeight},
+                                               {"start_depth", ColourBy::kStartDepth},
+                                               {"fragment", ColourBy::kFragment},
+                                               {"size", ColourBy::kSize},
+                                               {"speed", ColourBy::kSpeed},
+                                               {"displacement", ColourBy::kDisplacement},
+                                               {"broken", ColourBy::kBroken}};
+
+}  // namespace
+
+CLI::App* add_command(CLI::App& app, const char* name, const char* help, std::string& folder) {
+  CLI::App* command = app.add_subcommand(name, help);
+  command->add_option("folder", folder, "result folder of the run; it holds dump/")->required();
+  return command;
+}
+
+void add_measure(CLI::App* command, MeasureOptions& options) {
+  command
+      ->add_option("--moved", options.least_move,
+                   "a block that moved less than this stayed [m] (default: mean block size; of a "
+                   "crater: 0, its own size alone counts)")
+      ->check(CLI::NonNegativeNumber);
+  command
+      ->add_option("--cell", options.cell,
+                   "width of the measuring columns [m] (default: 1/4 of mean block size)")
+      ->check(CLI::PositiveNumber);
+}
+
+void add_colour(CLI::App* command, std::string& colour) {
+  std::vector<std::string> names;
+  for (const auto& [name, by] : kColours) names.push_back(name);
+  command->add_option("--colour", colour, "what the colours of blocks show")
+      ->check(CLI::IsMember(names));
+}
+
+ColourBy colour_named(const std::string& name) { return kColours.at(name); }
+
+}  // namespace muckpile

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Words that several sub-commands have: the folder of a run, how a pile is measured, colours.
+// Scope: the strings and options handed over must outlive the command.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "report/options.h"
+
+namespace muckpile {
+
+/// A sub-command of a run, whose result folder is its first word.
+CLI::App* add_command(CLI::App& app, const char* name, const char* help, std::string& folder);
+
+/// --moved and --cell.
+void add_measure(CLI::App* command, MeasureOptions& options);
+
+/// --colour, one of the names that colour_named knows.
+void add_colour(CLI::App* command, std::string& colour);
+[[nodiscard]] ColourBy colour_named(const std::string& name);
+
+}  // namespace muckpile

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Sub-command render of muckpile-post.
+// Scope: see the header.
+#include "render_command.h"
+
+#include <memory>
+#include <string>
+
+#include "command_words.h"
+#include "report/reports.h"
+
+namespace muckpile {
+namespace {
+
+struct PictureWords {
+  std::string folder;
+  PictureOptions picture;
+  std::string colour = "start_height";
+};
+
+void add_view(CLI::App* render, PictureOptions& picture) {
+  render->add_option("--width", picture.width, "[px]")->check(CLI::Range(200, 8000));
+  render->add_option("--height", picture.height, "[px]")->check(CLI::Range(200, 8000));
+  render->add_option("--azimuth", picture.azimuth,
+                     "of the eye, from the throw direction towards -y [deg]");
+  render
+      ->add_option("--elevation", picture.elevation,
+                   "of the eye [deg] (default: 28, of a crater 45)")
+      ->check(CLI::Range(1.0, 89.0));
+  render->add_option("--zoom", picture.zoom, "the eye comes nearer by this factor")
+      ->check(CLI::Range(0.05, 100.0));
+  render->add_option("--focus", picture.focus,
+                     "X Y Z in the middle of the picture [m] (default: of what it shows)");
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app) {
+  const auto o = std::make_shared<PictureWords>();
+  CLI::App* render =
+      add_command(app, "render", "pile3d.png: the pile in three dimensions", o->folder);
+  add_colour(render, o->colour);
+  render->add_option("--colour-range", o->picture.colour_range,
+                     "LOW HIGH of the colours, where one block would take them all (default: that "
+                     "of the blocks)");
+  render
+      ->add_option("--frames", o->picture.frames,
+                   "also this many pictures over the run, pile3d_0000.png ...")
+      ->check(CLI::Range(0, 9999));
+  CLI::Option* mirror = render
+                            ->add_option("--mirror", o->picture.mirror,
+                                         "mirror images of a bench to show on each side of it")
+                            ->check(CLI::Range(0, 5));
+  render
+      ->add_option("--section", o->picture.section,
+                   "cut away the rock between the eye and the plane at this y [m]")
+      ->excludes(mirror);
+  CLI::Option* film = render->add_option(
+      "--mp4", o->picture.film, "film of all snapshots, or of those of --frames; needs ffmpeg");
+  render->add_option("--fps", o->picture.frames_per_second, "pictures per second of the film")
+      ->check(CLI::Range(1, 60))
+      ->needs(film);
+  add_view(render, o->picture);
+  render->callback([o] {
+    o->picture.colour_by = colour_named(o->colour);
+    const auto& range = o->picture.colour_range;
+    if (range && !((*range)[0] < (*range)[1]))
+      throw CLI::ValidationError("--colour-range", "LOW must be below HIGH");
+    report_picture(ResultFolder(o->folder), o->picture);
+  });
+}
+
+}  // namespace muckpile
