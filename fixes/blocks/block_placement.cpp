@@ -141,7 +141,8 @@ void BlockPlacement::create(std::vector<ByteWriter>& outgoing, const std::vector
   count_atoms();
   multisphere_->add_body_finalize();
   FixMuckpileBlocks& store = FixMuckpileBlocks::find_or_make(*lmp);
-  const std::vector<std::uint8_t> numbers = store.zone_numbers(zones_);
+  const std::vector<std::uint8_t> numbers =
+      engine::or_engine_error(*lmp, [&] { return store.zone_numbers(zones_); });
   for (BlockRecord& record : records) record.zone = numbers[record.zone];
   for (Facet& facet : facets) {
     facet.zone_i = numbers[facet.zone_i];

@@ -24,6 +24,7 @@
 #include "fixes/engine/over_ranks.h"
 #include "geometry/files/block_file.h"
 #include "rock/cut_table.h"
+#include "rock/rock_surfaces.h"
 
 namespace muckpile {
 namespace {
@@ -91,6 +92,7 @@ void CreateBlocks::command(int narg, char** arg) {
   engine::or_engine_error(*lmp, [&] {
     options = cut_options(args, installed_memory());
     bound(options.rock, rock);
+    lay_surfaces(options);
     lay_natural_joint_sets(options);
     find_zone_regions(options.zones);
     lay_zones(options);
@@ -110,7 +112,9 @@ void CreateBlocks::command(int narg, char** arg) {
   });
   placement.place(model, with_shares(options.rock.holes, model, world));
   FixMuckpileBlocks::find(*lmp)->record().begin(run);
-  if (comm->me == 0) engine::print_once(*lmp, describe(model, MPI_Wtime() - start));
+  if (comm->me == 0)
+    engine::print_once(
+        *lmp, describe(model, MPI_Wtime() - start) + describe_surfaces(options, model.rock));
 }
 
 /// All rock of a run has the id that comes with the first.

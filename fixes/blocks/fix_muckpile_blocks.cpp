@@ -4,13 +4,16 @@
 #include "fixes/blocks/fix_muckpile_blocks.h"
 
 #include <algorithm>
+#include <string>
 #include <unordered_map>
 #include <utility>
 
+#include "args/input_error.h"
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/over_ranks.h"
 #include "fixes/engine/pair_style_check.h"
 #include "fixes/engine/style_args.h"
+#include "rock/rock_zones.h"
 
 namespace muckpile {
 namespace {
@@ -81,6 +84,9 @@ std::vector<std::uint8_t> FixMuckpileBlocks::zone_numbers(const std::vector<std:
   std::vector<std::uint8_t> numbers{0};
   for (const std::string& name : names) {
     const auto found = std::ranges::find(zones_, name);
+    if (found == zones_.end() && zones_.size() == kMostZones)
+      throw InputError("create_blocks: zone must be one of at most " + std::to_string(kMostZones) +
+                       " names, all create_blocks together, got one more, '" + name + "'");
     numbers.push_back(static_cast<std::uint8_t>(1 + (found - zones_.begin())));
     if (found == zones_.end()) zones_.push_back(name);
   }

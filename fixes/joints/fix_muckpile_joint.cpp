@@ -68,6 +68,7 @@ FixMuckpileJoint::FixMuckpileJoint(LAMMPS_NS::LAMMPS* engine, int narg, char** a
 }
 
 FixMuckpileJoint::~FixMuckpileJoint() {
+  ends_ = true;
   if (store_ != nullptr) store_->set_keeper(nullptr);
 }
 
@@ -109,7 +110,9 @@ FacetLists FixMuckpileJoint::copy() const {
   return {network_.facets(), network_.memory(), network_.faces()};
 }
 
+/// Collective, but for the end of the fix, after which nobody reads its books.
 FacetLists FixMuckpileJoint::hand_back() {
+  if (!ends_) network_.settle_books(team());
   FacetLists lists;
   network_.give_up(lists.facets, lists.memory, lists.faces);
   return lists;
@@ -230,7 +233,7 @@ RankTeam FixMuckpileJoint::team() const {
   return {[this](std::span<double> values, std::size_t width) {
             store_->halo().forward(values, width);
           },
-          [this](double mine) { return sum(mine); }};
+          [this](double mine) { return sum(mine); }, comm->nprocs};
 }
 
 void FixMuckpileJoint::gather_state() {

@@ -173,6 +173,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   bool cracked_since_build_ = false;
   int softenings_ = 0;
   bool contact_missed_ = false;  ///< a joint has let go, and there is no contact law
+  bool ends_ = false;            ///< this fix is being deleted
   bool goes_on_ = false;         ///< after a restart file: what does not go on has ended
 };
 

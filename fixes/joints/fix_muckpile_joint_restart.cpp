@@ -23,6 +23,7 @@ std::array<double*, 7> sums_of(NetworkTotals& totals) {
 }  // namespace
 
 void FixMuckpileJoint::write_restart(FILE* file) {
+  network_.settle_books(team());
   NetworkTotals totals = network_.totals();
   for (double* mine : sums_of(totals)) *mine = sum(*mine);
   engine::write_state(*lmp, style, file, totals);

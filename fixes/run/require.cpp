@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -25,9 +26,9 @@ namespace {
 constexpr const char* kStyle = "require";
 
 bool starts_a_rule(const std::string& word) {
-  constexpr std::array<const char*, 10> kWords{"above",     "at_least", "below", "at_most",
-                                               "or",        "whole",    "unit",  "one_of",
-                                               "script_in", "advice"};
+  constexpr std::array<const char*, 11> kWords{"above",     "at_least", "below",       "at_most",
+                                               "or",        "whole",    "unit",        "one_of",
+                                               "script_in", "advice",   "file_or_none"};
   return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }
 
@@ -71,7 +72,7 @@ Rule read_rule(const std::vector<std::string>& words) {
       throw InputError(
           std::string(kStyle) + ": unknown keyword '" + word +
           "' (known: above, at_least, below, at_most, or, whole, unit, advice, one_of, "
-          "script_in)");
+          "script_in, file_or_none)");
     }
   }
   return rule;
@@ -137,7 +138,22 @@ std::vector<std::string> allowed_words(const std::string& rule, std::vector<std:
   return scripts_in(words.front());
 }
 
+/// Whether a word is the name of a file that can be read; false for none.
+bool is_file(const std::string& name, const std::string& word) {
+  if (word == "none") return false;
+  if (std::ifstream(word) && !std::filesystem::is_directory(word)) return true;
+  throw InputError("input: " + name + " must be a file, or none, got '" + word +
+                   "', which cannot be opened");
+}
+
 }  // namespace
+
+/// LIGGGHTS compares numbers only: a script asks for 1 or 0.
+void Require::set_flag(std::string name, bool value) const {
+  std::string style = "string", text = value ? "1" : "0";
+  std::array<char*, 3> words{name.data(), style.data(), text.data()};
+  input->variable->set(static_cast<int>(words.size()), words.data());
+}
 
 void Require::command(int narg, char** arg) {
   engine::or_engine_error(*lmp, [&] {
@@ -150,10 +166,15 @@ void Require::command(int narg, char** arg) {
     // An empty variable leaves no word: its rule has taken the value's place.
     if (starts_a_rule(arg[1])) throw InputError(std::string("input: ") + arg[0] + " has no value");
     const std::string rule = narg > 2 ? arg[2] : "";
-    if (rule == "one_of" || rule == "script_in")
+    if (rule == "file_or_none") {
+      if (narg != 4)
+        throw InputError(std::string(kStyle) + ": file_or_none takes the name of a variable");
+      set_flag(arg[3], is_file(arg[0], arg[1]));
+    } else if (rule == "one_of" || rule == "script_in") {
       check_word(arg[0], arg[1], allowed_words(rule, {arg + 3, arg + narg}));
-    else
+    } else {
       check(arg[0], arg[1], read_rule({arg + 2, arg + narg}));
+    }
     return 0;
   });
 }

@@ -5,12 +5,17 @@
 
 #include <pointers.h>
 
+#include <string>
+
 namespace muckpile {
 
 class Require : protected LAMMPS_NS::Pointers {
  public:
   explicit Require(LAMMPS_NS::LAMMPS* engine) : Pointers(engine) {}
   void command(int narg, char** arg);
+
+ private:
+  void set_flag(std::string name, bool value) const;
 };
 
 }  // namespace muckpile

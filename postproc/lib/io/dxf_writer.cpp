@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Drawings in DXF: lines and outlines out.
 // Scope: see the header; release 12.
+#include "io/dxf_writer.h"
+
 #include <algorithm>
 #include <cctype>
 
 #include "args/input_error.h"
-#include "io/dxf_file.h"
 
 namespace muckpile {
 namespace {

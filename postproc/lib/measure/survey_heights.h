@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "io/survey_file.h"
+#include "geometry/files/survey_file.h"
 #include "measure/columns.h"
 
 namespace muckpile {

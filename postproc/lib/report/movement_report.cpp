@@ -9,7 +9,7 @@
 #include "draw/curve_plot.h"
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
-#include "io/dxf_file.h"
+#include "io/dxf_writer.h"
 #include "measure/columns.h"
 #include "measure/movement.h"
 #include "measure/ore_shares.h"

@@ -7,7 +7,7 @@
 #include "draw/curve_plot.h"
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
-#include "io/dxf_file.h"
+#include "io/dxf_writer.h"
 #include "measure/dug_polygon.h"
 #include "report/movement_table.h"
 #include "report/notes.h"

@@ -2,6 +2,8 @@
 // How wide a broken joint is for gas; equations in the header.
 #include "gas/closed_joint.h"
 
+#include <limits>
+
 #include "args/require.h"
 
 namespace muckpile {
@@ -9,7 +11,7 @@ namespace muckpile {
 ClosedJoint::ClosedJoint(const Parameters& parameters)
     : p_(parameters),
       limit_(p_.closure_share * p_.residual_aperture),
-      half_stress_(p_.closure_stiffness * limit_),
+      half_stress_(std::max(p_.closure_stiffness * limit_, std::numeric_limits<double>::min())),
       smooth_from_(smooth_from_aperture(p_.roughness)) {
   require_positive("residual_aperture", "m", p_.residual_aperture);
   if (!(p_.closure_share >= 0.0 && p_.closure_share < 1.0))

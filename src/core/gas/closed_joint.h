@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // How wide a broken joint is for gas: under normal stress its faces close onto each other.
-// Scope: a pure function of normal stress and opening; no history. Without stress the faces are E_0
+// Scope: a pure function of normal stress and opening, without branches, so that a loop over it is
+// vectorised; no history. Without stress the faces are E_0
 // apart in the mean; stress s closes them on the hyperbola of first loading,
 //     s = k c/(1 - c/V),     E = E_0 - c + opening
 // (Bandis, Lumsden & Barton 1983), and smooth walls that let as much water through are
 //     e = E^2/JRC^2.5 in um, at most E
 // apart (Barton, Bandis & Bakhtar 1985).
 #pragma once
+
+#include <algorithm>
 
 #include "bond/law/barton_bandis.h"
 
@@ -26,13 +29,16 @@ class ClosedJoint {
 
   /// E of faces that touch under a normal stress [Pa] -> [m].
   [[nodiscard]] double closed(double stress) const {
-    return stress > 0.0 ? p_.residual_aperture - limit_ * stress / (stress + half_stress_)
-                        : p_.residual_aperture;
+    const double pressed = std::max(stress, 0.0);
+    return p_.residual_aperture - limit_ * pressed / (pressed + half_stress_);
   }
   /// Of faces that are so far apart on top [m].
   [[nodiscard]] JointApertures apertures(double stress, double opening) const {
     const double mechanical = closed(stress) + opening;
-    return {mechanical, hydraulic_aperture(mechanical, smooth_from_)};
+    return {mechanical, hydraulic(mechanical)};
+  }
+  [[nodiscard]] double hydraulic(double mechanical) const {
+    return hydraulic_aperture(mechanical, smooth_from_);
   }
 
  private:

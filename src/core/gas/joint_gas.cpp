@@ -126,43 +126,82 @@ void JointGas::list_cracks(const FacetNetwork& network) {
     if (reached_[end.i] == 0 && (!end.joint || reached_[end.j] == 0)) continue;
     if (end.hole >= 0 || end.surfaces)
       ending_.push_back(static_cast<std::uint32_t>(cracks_.size()));
-    cracks_.push_back({end, f, 0.0, 0.0, 0.0, 0.0, 0.0});
+    cracks_.push_back({end, f, 0.0, 0.0, 0.0, 0.0});
     add_facet(crack_facets_, f);
   }
-  aperture_.resize(cracks_.size());
-  width_.resize(cracks_.size());
-  passage_.resize(cracks_.size());
-  film_.resize(cracks_.size());
+  for (auto* numbers : {&wall_, &closed_, &mechanical_, &aperture_, &area_, &passage_, &film_})
+    numbers->resize(cracks_.size());
   listed_ = true;
 }
 
-void JointGas::measure_crack(std::size_t c, const OpenJoint& open) {
-  Crack& crack = cracks_[c];
-  const double parted = crack.mirror ? 2.0 * open.opening : open.opening;  // the image moves, too
-  const JointApertures apertures =
-      open.by_law ? *open.by_law : joint_.apertures(open.pressure, parted);
-  aperture_[c] = apertures.hydraulic;
-  width_[c] = 2.0 * std::sqrt(open.area / M_PI);
-  crack.area = aperture_[c] * width_[c];
-  // A joint's room belongs to two blocks; that at a mirror to the block and its image.
-  const double half = crack.joint || crack.mirror ? 0.5 : 1.0;
-  crack.volume = half * open.area * apertures.mechanical;
-  crack.wall = open.area;
-  crack.broken = half * open.area * joint_.closed(open.by_law ? 0.0 : open.pressure);
-  each_block(crack, [&](std::size_t b) {
-    walls_[b] += crack.wall;
-    rooms_[b] += crack.broken;
-  });
-  if (open.parted_squared > 1.0)
-    wide_.push_back(
-        {static_cast<std::uint32_t>(c), open.parted_squared > p_.open_gas * p_.open_gas});
+void JointGas::find_apertures(const FacetNetwork& network) {
+  network.open_joints(crack_facets_, openings_);
+  for (std::size_t c = 0; c < cracks_.size(); ++c) {
+    const OpenJoint& open = openings_[c];
+    wall_[c] = open.area;
+    closed_[c] = open.pressure;
+    mechanical_[c] = open.opening;
+    if (open.parted_squared > 1.0)
+      wide_.push_back(
+          {static_cast<std::uint32_t>(c), open.parted_squared > p_.open_gas * p_.open_gas});
+  }
+  close_joints();
+  for (std::size_t c = 0; c < cracks_.size(); ++c) {
+    const std::optional<BrokenApertures>& law = openings_[c].by_law;
+    if (!law) continue;
+    closed_[c] = law->at_break;
+    mechanical_[c] = law->mechanical;
+    aperture_[c] = law->hydraulic;
+  }
 }
 
-/// To the volumes and ways of its blocks, and to the ways out of its hole.
-void JointGas::count_crack(const Crack& crack) {
-  const double ways = (crack.joint ? crack.way : 0.0) + (crack.hole >= 0 ? crack.end() : 0.0) +
-                      (crack.surfaces ? crack.end() : 0.0);
+/// Of stress and opening in closed_ and mechanical_; in a form that the compiler vectorises.
+void JointGas::close_joints() {
+  const ClosedJoint joint = joint_;  // which no store can change
+  double* const __restrict closed = closed_.data(), * const __restrict mechanical =
+                                                        mechanical_.data();
+  double* const __restrict aperture = aperture_.data();
+  for (std::size_t c = 0, count = cracks_.size(); c < count; ++c) {
+    closed[c] = joint.closed(closed[c]);
+    mechanical[c] += closed[c];
+    aperture[c] = joint.hydraulic(mechanical[c]);
+  }
+}
+
+/// How easily gas passes each crack, and the film that it makes there: the friction is in the
+/// passage, (1 + f L/(2w))^(-1/2).
+void JointGas::find_passages() {
+  const CrackFlow flow = flow_;
+  const WallHeat heat = heat_;
+  const double capacity = heat_capacity();
+  const double* const __restrict aperture = aperture_.data(), * const __restrict wall =
+                                                                  wall_.data();
+  double *const __restrict area = area_.data(), *const __restrict passage = passage_.data(),
+                           *const __restrict film = film_.data();
+  for (std::size_t c = 0, count = cracks_.size(); c < count; ++c) {
+    const double width = 2.0 * std::sqrt(wall[c] / M_PI);
+    area[c] = aperture[c] * width;
+    passage[c] = flow.passage(aperture[c], width);
+    const double friction = 2.0 * (1.0 / (passage[c] * passage[c]) - 1.0) * aperture[c] / width;
+    film[c] = heat.film(friction, 1.0 / area[c], capacity) * wall[c];
+  }
+}
+
+/// To its blocks' volumes, walls and ways, and to the ways out of its hole. The way to an image has
+/// its share of the room, too, though nothing goes along it.
+void JointGas::count_crack(std::size_t c) {
+  Crack& crack = cracks_[c];
+  // A joint's room belongs to two blocks; that at a mirror to the block and its image.
+  const double half = crack.joint || crack.mirror ? 0.5 : 1.0;
+  crack.volume = half * wall_[c] * mechanical_[c];
+  crack.broken = half * wall_[c] * closed_[c];
+  crack.area = area_[c];
+  crack.way = area_[c] * passage_[c];
+  const double ways = (crack.joint || crack.mirror ? crack.way : 0.0) +
+                      (crack.hole >= 0 ? crack.end() : 0.0) + (crack.surfaces ? crack.end() : 0.0);
   each_block(crack, [&](std::size_t b) {
+    walls_[b] += wall_[c];
+    rooms_[b] += crack.broken;
     cells_[b].volume += crack.volume;
     cells_[b].ways += ways;
     if (crack.hole >= 0 && owned(b))
@@ -170,30 +209,16 @@ void JointGas::count_crack(const Crack& crack) {
   });
 }
 
-/// How easily gas passes each crack, and the film that it makes there: the friction is in the
-/// passage, (1 + f L/(2w))^(-1/2).
-void JointGas::find_passages() {
-  transform_all(aperture_, width_, passage_,
-                [flow = flow_](double w, double length) { return flow.passage(w, length); });
-  for (std::size_t c = 0; c < cracks_.size(); ++c) {
-    const double friction =
-        2.0 * (1.0 / (passage_[c] * passage_[c]) - 1.0) * aperture_[c] / width_[c];
-    film_[c] = heat_.film(friction, 1.0 / cracks_[c].area, heat_capacity()) * cracks_[c].wall;
-    cracks_[c].way = cracks_[c].area * passage_[c];
-  }
-}
-
 void JointGas::measure(const FacetNetwork& network, const std::vector<char>& fed) {
   if (!list_holds(network, fed)) list_cracks(network);
   wide_.clear();
   std::fill(walls_.begin(), walls_.end(), 0.0);
   std::fill(rooms_.begin(), rooms_.end(), 0.0);
-  network.open_joints(crack_facets_, openings_);
-  for (std::size_t c = 0; c < cracks_.size(); ++c) measure_crack(c, openings_[c]);
-  find_passages();
   for (GasCell& cell : cells_) cell.volume = cell.ways = 0.0;
   chamber_ways_.assign(fed.size(), 0.0);
-  for (const Crack& crack : cracks_) count_crack(crack);
+  find_apertures(network);
+  find_passages();
+  for (std::size_t c = 0; c < cracks_.size(); ++c) count_crack(c);
   expand();
 }
 

@@ -183,7 +183,6 @@ class JointGas {
     std::uint32_t facet;
     double volume;                                          // for each of its blocks [m3]
     double broken;                                          // of that, while it is closed [m3]
-    double wall;                                            // broken area [m2]
     double area;                                            // across the flow [m2]
     double way;                                             // conductance: area x passage [m2]
     [[nodiscard]] double end() const { return 0.5 * way; }  // each block has half the aperture
@@ -201,9 +200,10 @@ class JointGas {
   void mark_reached(const FacetNetwork& network);
   void list_cracks(const FacetNetwork& network);
   void find_pressures();
-  void measure_crack(std::size_t c, const OpenJoint& open);
-  void count_crack(const Crack& crack);
+  void find_apertures(const FacetNetwork& network);
+  void close_joints();
   void find_passages();
+  void count_crack(std::size_t c);
   void expand();
   template <class Act>
   void each_block(const Crack& crack, const Act& act) const {
@@ -246,15 +246,16 @@ class JointGas {
   std::vector<char> fed_, holds_;
   bool listed_ = false;
 
-  std::vector<End> ends_;                           // per facet
-  std::vector<Keeps> keeps_;                        // per facet
-  std::vector<std::uint32_t> open_to_gas_;          // broken facets
-  std::vector<char> reached_;                       // per block: gas is in it or beside it
-  std::vector<Crack> cracks_;                       // those of them that gas can reach
-  std::vector<LaneSet> crack_facets_;               // of cracks_
-  std::vector<OpenJoint> openings_;                 // of cracks_
-  std::vector<double> aperture_, width_, passage_;  // of cracks_, for the flow [m], [m], [-]
-  std::vector<double> film_;  // of cracks_: film x wall per mass flow through them [J/(kg K)]
+  std::vector<End> ends_;                   // per facet
+  std::vector<Keeps> keeps_;                // per facet
+  std::vector<std::uint32_t> open_to_gas_;  // broken facets
+  std::vector<char> reached_;               // per block: gas is in it or beside it
+  std::vector<Crack> cracks_;               // those of them that gas can reach
+  std::vector<LaneSet> crack_facets_;       // of cracks_
+  std::vector<OpenJoint> openings_;         // of cracks_
+  // Of cracks_: broken area [m2], apertures while closed, mechanical and hydraulic [m], area across
+  // the flow [m2], passage [-], film x wall per mass flow through them [J/(kg K)].
+  std::vector<double> wall_, closed_, mechanical_, aperture_, area_, passage_, film_;
   struct Void {
     std::uint32_t crack;
     bool gone;  // parted by open_gas

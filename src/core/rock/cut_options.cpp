@@ -11,6 +11,7 @@
 #include "explosive/hole_table.h"
 #include "geometry/holes/hole_overlap.h"
 #include "rock/cut_table.h"
+#include "rock/rock_surfaces.h"
 
 namespace muckpile {
 namespace {
@@ -156,6 +157,9 @@ void read_cut(CutOptions& options, const ArgValues& args) {
   } else if (args.given("joint_set") || args.given("sliver")) {
     refuse_cut("joint_set and sliver need 'cut joint_sets'");
   }
+  if (args.given("rings_from") && (options.joint_sets || options.import_file))
+    refuse_cut("rings_from needs 'cut voronoi'");
+  options.rock.rings_from = args.real("rings_from");
   if (options.joint_sets && options.target)
     refuse_cut("size target needs 'cut voronoi': joint sets halve block sizes in steps");
   if (options.import_file && args.given("cut"))
@@ -176,6 +180,8 @@ CutOptions read(const ArgValues& args, std::size_t memory) {
   options.spheres_per_block = static_cast<int>(args.integer("spheres_per_block"));
   read_size(options, args);
   read_cut(options, args);
+  read_surfaces(options, args);
+  options.burden = args.real("burden");
   TessellationOptions& rock = options.rock;
   rock.holes = crushed_zones(args);
   for (const Words& words : args.groups("joint_plane"))

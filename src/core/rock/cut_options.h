@@ -12,6 +12,7 @@
 #include "geometry/cut/joint_set_cut.h"
 #include "geometry/cut/tessellation.h"
 #include "geometry/size/size_target.h"
+#include "geometry/surface/surface_fit.h"
 #include "rock/natural_joints.h"
 #include "rock/rock_zones.h"
 
@@ -26,6 +27,11 @@ struct CutOptions {
   std::vector<JointPlane> natural_joints{};  ///< the planes in rock.planes with their joint class
   /// Their planes follow once the box of the rock is known: lay_natural_joint_sets().
   std::vector<NaturalJointSet> natural_joint_sets{};
+  std::vector<RockSurface> surfaces{};    ///< see rock_surfaces.h
+  MineFrame mine{};                       ///< that their files have
+  bool unit_given = false;                ///< of the files: not to be doubted
+  double burden = 0.0;                    ///< of the plan; 0: not told [m]
+  RegionQuery region_alone{};             ///< without the surfaces
   double density = 0.0;                   ///< of the rock beside the zones [kg/m3]
   std::vector<RockZone> zones{};          ///< see lay_zones()
   std::vector<JointPlane> zone_joints{};  ///< borders of zones that are natural joints

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "args/numbers.h"
+#include "geometry/cut/hole_rings.h"
 #include "geometry/cut/tessellation.h"
 
 namespace muckpile {
@@ -30,6 +31,24 @@ const ArgTable& cut_table() {
                  "or `target "
                  "swebrec x50 xmax b` (fitted to that size curve, m), `import FILE` (blocks as a "
                  "VTK file has them); required")
+          .word(
+              "surface", {}, "none",
+              "file of a closed surface (.stl, or faces of .dxf) that holds the rock: what of the "
+              "region lies outside is cut off")
+          .word("terrain", {}, "none",
+                "file of a ground surface, one height everywhere (.xyz, .csv, .txt, .las, .stl, "
+                ".dxf): what of the region lies above is cut off")
+          .group("origin", 3, 3, false,
+                 "x y z that the files of `surface` and `terrain` have at 0 0 0 of the run [m], as "
+                 "east, north and height of a mine; default 0 0 0")
+          .real("x_bearing", "deg", Range::closed(0.0, 360.0), 90.0,
+                "that the x axis of the run looks to in those files, from north (y) over east (x)")
+          .real("unit", "m", Range::closed(1e-4, 1e4), 1.0,
+                "what the numbers of those files count in: 0.3048 for feet")
+          .real("burden", "m", Range::closed(0.0, 1e3), 0.0,
+                "of the plan: the report has a table of the burden of each hole along its charge, "
+                "and warns below 0.6 and above 1.5 of this; 0: a table only with `surface` or "
+                "`terrain`, and no warning")
           .flag("superpose", false,
                 "with `size harries`: the cracks of all charges add up, not those of the nearest "
                 "alone")
@@ -78,6 +97,9 @@ const ArgTable& cut_table() {
           .real("sliver", "", Range::closed(0.0, 0.3), kThinnestPart,
                 "for `cut joint_sets`: no block gets 3 volume / surface below this share of the "
                 "size asked for")
+          .real("rings_from", "", Range::closed(kImagesTooLarge, kImagesFail), kImagesFail,
+                "for `cut voronoi`: block size over radius of a crushed zone from which on blocks "
+                "stand in rings around it")
           .word("wall", {"round", "blocks"}, "round",
                 "how stiff the rock around a crushed zone is: `round`, its wall gives way to a "
                 "pressure as that of a round hole does, whatever the block size; `blocks`, the "

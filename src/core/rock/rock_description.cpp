@@ -160,6 +160,7 @@ std::string describe(const RockModel& model, double seconds) {
   std::string text = describe_blocks(model, seconds) + describe_zones(model) +
                      describe_natural_joints(model) + describe_parts(model.rock.statistics) +
                      describe_filling(model);
+  if (!model.burdens.empty()) text += describe_burdens(model.burdens, model.plan_burden);
   if (model.sizes) text += describe_target(*model.sizes, model.why_missed);
   return text;
 }

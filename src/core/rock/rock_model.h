@@ -11,6 +11,7 @@
 #include "bond/build/facet_builder.h"
 #include "bond/build/rigid_body.h"
 #include "rock/cut_options.h"
+#include "rock/hole_burdens.h"
 
 namespace muckpile {
 
@@ -23,6 +24,8 @@ struct RockModel {
   std::optional<SizeComparison> sizes{};  ///< with a size target
   std::string why_missed{};               ///< the target, if it is
   std::size_t natural_planes = 0;         ///< of natural joints
+  std::vector<HoleBurden> burdens{};      ///< of the holes, where a plan's is told or surfaces are
+  double plan_burden = 0.0;               ///< 0: not told [m]
   std::vector<std::string> zones{};       ///< names of those of rock
   std::vector<std::uint8_t> zone_of{};    ///< per block; k: zones[k - 1]; empty: there are none
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix muckpile/joint in the engine: strength, vibration, momentum, energy, migration, softening.
-// Scope: up to some hundred blocks; run with mpirun -np 1, 2 and 4. Scenes on MPI_COMM_SELF are the
-// one-rank run that the shared run must equal.
+// fix muckpile/joint in the engine: strength, vibration, momentum, energy, softening.
+// Scope: up to some hundred blocks; run with mpirun -np 1 and 2.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,27 +10,12 @@
 #include <utility>
 #include <vector>
 
-#include "rock_scene.h"
+#include "lump.h"
 
 namespace muckpile::test {
 namespace {
 
 const std::string kUnbreakable = " density 2600 cohesion 1e12 friction_angle 45 tension 1e12";
-enum Joint {
-  joints = 1,
-  broken = 2,
-  elastic = 4,
-  fracture = 5,
-  friction = 6,
-  damping = 7,
-  stable_step = 8
-};
-
-std::string uniform(double size, int seed = 3) {
-  const std::string s = std::to_string(size);
-  return "density 2600 size uniform " + s + " block_min " + s + " block_max " + s +
-         " spheres_per_block 2 seed " + std::to_string(seed);
-}
 
 TEST(FixMuckpileJoint, TwoBlocksPulledApartBreakAtTheTensileStrength) {
   RockScene scene(MPI_COMM_WORLD, "-3 3 -2 2 -2 2");
@@ -139,26 +123,6 @@ TEST(FixMuckpileJoint, ZeroStrengthJointEqualsNoJoint) {
   }
 }
 
-Motion spinning(const Vec3& at, double rate) {
-  const Vec3 spin(0.2 * rate, -0.3 * rate, rate);
-  return {Vec3(3, -2, 1) + spin.cross(at) +
-              0.02 * rate * Vec3(std::sin(3 * at.y()), std::cos(2 * at.z()), 0),
-          spin};
-}
-
-/// Faces lean against the lines between centres: the terms of leaning_faces.h act.
-const std::string kLeaning = " cut joint_sets joint_set 75 90 joint_set 85 0 joint_set 10 270";
-
-/// A bonded lump of some 40 blocks about the origin.
-void make_lump(RockScene& scene, const std::string& strength, const std::string& cut = "") {
-  scene.cut("-1 1 -1 1 -0.6 0.6", uniform(0.5) + cut);
-  scene.command(
-      "fix joint all muckpile/joint youngs_modulus 50e9 poisson_ratio 0.25 density 2600 "
-      "contact_check no " +
-      strength);
-  scene.command("fix ledger all muckpile/ledger");
-}
-
 TEST(FixMuckpileJoint, FreeSpinningBodyKeepsMomentumAndEnergy) {
   RockScene scene(MPI_COMM_WORLD, "-4 4 -4 4 -4 4");
   make_lump(scene, "cohesion 1e12 friction_angle 45 tension 1e12");
@@ -190,177 +154,6 @@ TEST(FixMuckpileJoint, FreeSpinningBodyKeepsMomentumAndEnergy) {
   // Rounding of 4000 steps: measured 4e-15 and 2e-15.
   EXPECT_LT((end.first - start.first).norm(), 1e-13 * start.first.norm());
   EXPECT_LT((end.second - start.second).norm(), 1e-13 * start.second.norm());
-}
-
-double largest_difference(const RockScene& a, const RockScene& b) {
-  const auto one = a.blocks(), two = b.blocks();
-  EXPECT_EQ(one.size(), two.size());
-  double most = 0.0;
-  for (const auto& [tag, block] : one) {
-    most = std::max(most, (block.centre - two.at(tag).centre).norm());
-    most = std::max(most, (block.velocity - two.at(tag).velocity).norm() / 10.0);
-    most = std::max(most, (block.spin - two.at(tag).spin).norm() / 20.0);
-  }
-  return most;
-}
-
-void share_elastic_body(const std::string& cut, const std::string& zones = "") {
-  RockScene alone(MPI_COMM_SELF, "-4 4 -4 4 -4 4"),
-      shared(MPI_COMM_WORLD, "-4 4 -4 4 -4 4", "* * 1");
-  for (RockScene* scene : {&alone, &shared}) {
-    make_lump(*scene, "cohesion 1e12 friction_angle 45 tension 1e12" + zones, cut);
-    scene->set_motion([](int, const Vec3& at) { return spinning(at, 20.0); });
-    scene->run(1000, 1e-5);
-  }
-  EXPECT_LT(largest_difference(alone, shared),
-            1e-9);  // sums in another order; breaking amplifies them
-  EXPECT_NEAR(shared.output("joint", elastic) / alone.output("joint", elastic), 1.0, 1e-9);
-  EXPECT_NEAR(shared.output("joint", stable_step) / alone.output("joint", stable_step), 1.0, 1e-6);
-  EXPECT_LT(shared.output("ledger", 0), 2e-6);  // as of the spinning body
-}
-
-TEST(FixMuckpileJoint, RanksShareAnElasticBodyWithoutChangingIt) { share_elastic_body(""); }
-
-TEST(FixMuckpileJoint, RanksShareABodyOfLeaningBlocks) { share_elastic_body(kLeaning); }
-
-TEST(FixMuckpileJoint, RanksShareABodyOfTwoRocks) {
-  share_elastic_body(" zone soft 2200 above 0 0 0.1 10 90",
-                     " zone soft youngs_modulus 10e9 poisson_ratio 0.35 density 2200");
-}
-
-const std::string kStrength = "cohesion 4e6 friction_angle 50 tension 2e6";
-// Blocks of 0.5 m hold 17 and 67 J/m2 when they reach their strength.
-const std::string kSoftening = kStrength + " fracture_energy_tension 40 fracture_energy_shear 160";
-// The lump parts at some 10/s: strengths of 1.4 times those at rest.
-const std::string kRate = kStrength + " rate_exponent 0.02";
-
-void spin_to_pieces(RockScene& scene, const std::string& strength, const std::string& cut = "") {
-  make_lump(scene, strength, cut);
-  scene.set_motion([](int, const Vec3& at) { return spinning(at, 20.0); });
-  scene.run(1500, 1e-5);
-}
-
-/// Broken joints of that lump on one rank.
-double broken_alone(const std::string& strength) {
-  RockScene alone(MPI_COMM_SELF, "-4 4 -4 4 -4 4");
-  spin_to_pieces(alone, strength);
-  return alone.output("joint", broken);
-}
-
-/// The lump on one rank and on all: the same. Returns how many joints broke.
-double broken_on_ranks(const std::string& strength, const std::string& cut = "",
-                       double books = 1e-3) {
-  RockScene alone(MPI_COMM_SELF, "-4 4 -4 4 -4 4"),
-      shared(MPI_COMM_WORLD, "-4 4 -4 4 -4 4", "* * 1");
-  for (RockScene* scene : {&alone, &shared}) spin_to_pieces(*scene, strength, cut);
-  const double count = alone.output("joint", broken);
-  EXPECT_GT(count, 20.0);
-  EXPECT_LT(count, alone.output("joint", joints));
-  EXPECT_EQ(count, shared.output("joint", broken));
-  // Ranks sum forces in another order, and running cracks amplify rounding: 1e-16 m before they run
-  // becomes 1e-16 to 8e-7 m, as compilers round. The lump turns by 0.3 rad.
-  EXPECT_LT(largest_difference(alone, shared), 1e-5);
-  const double taken = alone.output("joint", fracture);
-  for (const int n : {friction, damping}) {
-    EXPECT_NEAR(shared.output("joint", n), alone.output("joint", n), 1e-6 * taken) << n;
-  }
-  // Where two neighbours on different ranks crack in one step, the product of the changes of their
-  // dilatations is not booked: measured 3e-4 and 6e-4 on 2 and 4 ranks.
-  EXPECT_NEAR(shared.output("joint", fracture), taken, books * taken);
-  return count;
-}
-
-TEST(FixMuckpileJoint, RanksShareABreakingBodyWithoutChangingIt) { broken_on_ranks(kStrength); }
-
-TEST(FixMuckpileJoint, RanksShareABreakingBodyOfLeaningBlocks) {
-  broken_on_ranks(kStrength, kLeaning, 3e-3);  // 1.3e-3; 1.5e-3 with the law of Voronoi blocks
-}
-
-TEST(FixMuckpileJoint, RanksShareASofteningBodyWithoutChangingIt) {
-  EXPECT_NE(broken_on_ranks(kSoftening), broken_alone(kStrength));
-}
-
-TEST(FixMuckpileJoint, RanksShareABodyWhoseStrengthGrowsWithItsRate) {
-  EXPECT_NE(broken_on_ranks(kRate), broken_alone(kStrength));
-}
-
-// How slip is taken depends on the volumes of both blocks, also of those of other ranks.
-TEST(FixMuckpileJoint, RanksShareALeaningBodyThatSlipsUnderPressure) {
-  RockScene alone(MPI_COMM_SELF, "-4 4 -4 4 -4 4"),
-      shared(MPI_COMM_WORLD, "-4 4 -4 4 -4 4", "* * 1");
-  for (RockScene* scene : {&alone, &shared}) {
-    make_lump(*scene, "cohesion 1e5 friction_angle 40 residual_friction_angle 20 tension 1e12",
-              kLeaning);
-    scene->set_motion([](int, const Vec3& at) {
-      return Motion{-20.0 * at + Vec3(0.0, 20.0 * at.z(), 0.0), Vec3::Zero()};
-    });
-    scene->run(60, 1e-5);
-  }
-  EXPECT_GT(alone.output("joint", broken), 20.0);
-  EXPECT_EQ(alone.output("joint", broken), shared.output("joint", broken));
-  const double rubbed = alone.output("joint", friction);
-  EXPECT_GT(rubbed, 0.01 * alone.kinetic_energy());
-  // Sums in another order; with a wrong volume on the other rank 1e-3 and 7e-5.
-  EXPECT_NEAR(shared.output("joint", friction) / rubbed, 1.0, 1e-9);
-  EXPECT_LT(largest_difference(alone, shared), 1e-10);
-}
-
-/// Friction on one rank and on all.
-std::pair<double, double> fly_from_rank_to_rank(const std::string& strength,
-                                                const std::string& cut = "") {
-  const std::string box = "-4 4 -3 3 -3 3";
-  RockScene alone(MPI_COMM_SELF, box), shared(MPI_COMM_WORLD, box);
-  int here = 0;
-  for (RockScene* scene : {&alone, &shared}) {
-    scene->cut("-3 -1.5 -0.6 0.6 -0.6 0.6", uniform(0.5) + cut);
-    scene->command(
-        "fix joint all muckpile/joint youngs_modulus 50e9 poisson_ratio 0.25 density 2600 "
-        "contact_check no " +
-        strength);
-    here = scene->own_blocks();
-    // Strong enough a swing to break some joints at once; the others must outlast the flight.
-    scene->set_motion([](int, const Vec3& at) {
-      return Motion{
-          Vec3(100, 0, 0) + Vec3(0, 0, 5).cross(at) + 0.3 * Vec3(std::sin(5 * at.x()), 0, 0),
-          Vec3(0, 0, 5)};
-    });
-    scene->run(2250, 2e-5);  // 4.5 m: from x = -2.25 to 2.25 m, over every rank border on the way
-  }
-  int ranks = 1;
-  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-  if (ranks > 1) {
-    EXPECT_NE(here, shared.own_blocks());
-  }
-  EXPECT_EQ(alone.output("joint", broken), shared.output("joint", broken));
-  EXPECT_GT(alone.output("joint", broken), 0.0);
-  EXPECT_LT(alone.output("joint", broken), 0.8 * alone.output("joint", joints));
-  EXPECT_LT(largest_difference(alone, shared),
-            1e-9);  // sums in another order; breaking amplifies them
-  EXPECT_NEAR(shared.output("joint", elastic) / alone.output("joint", elastic), 1.0, 1e-6);
-  return {alone.output("joint", friction), shared.output("joint", friction)};
-}
-
-TEST(FixMuckpileJoint, LumpThatFliesFromRankToRankKeepsItsFacets) {
-  fly_from_rank_to_rank(kStrength);
-}
-
-TEST(FixMuckpileJoint, LeaningBlocksThatFlyFromRankToRankStaySlanted) {
-  fly_from_rank_to_rank(kStrength, kLeaning);
-}
-
-TEST(FixMuckpileJoint, LumpThatFliesFromRankToRankKeepsWhatItsCracksHold) {
-  fly_from_rank_to_rank(kSoftening);
-}
-
-// Closure that stays and wear of the roughness: a point that lost either would book it once more.
-TEST(FixMuckpileJoint, JointsThatFlyFromRankToRankKeepTheirClosureAndSlip) {
-  const auto [alone, shared] = fly_from_rank_to_rank(
-      kStrength +
-          " joint_class 1 law barton_bandis initial_stiffness 1e10 closure_limit 1e-4 roughness 10 "
-          "wall_strength 1e8 residual_friction_angle 30 irrecoverable_closure 0.4 peak_slip 1e-3",
-      " joint_plane -2.25 0 0 30 90 1");
-  EXPECT_GT(alone, 0.0);
-  EXPECT_NEAR(shared / alone, 1.0, 1e-6);
 }
 
 TEST(FixMuckpileJoint, SofteningBooksTheEnergyThatItTakes) {

@@ -1,110 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Facets between two rocks: the split of the jump, layered rock, energy, breaking, the stable step.
+// Rock of two zones in the network: layered rock, energy, breaking, the stable step.
 // Scope: cuboids and Voronoi blocks of about 1 m; poses are set by hand or by leapfrog.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
+#include <limits>
 
-#include "args/input_error.h"
-#include "bond/law/two_rocks.h"
-#include "bond_scene.h"
+#include "zoned_scene.h"
 
 namespace muckpile::test {
 namespace {
-
-/// Softer, lighter, and of another Poisson ratio than rock(0.25).
-JointParameters soft(double poisson_ratio = 0.4) {
-  JointParameters p = rock(poisson_ratio);
-  p.youngs_modulus = 10e9;
-  p.density = 2200.0;
-  return p;
-}
-
-struct ZonedBlocks {
-  std::vector<Block> blocks;
-  std::vector<std::uint8_t> of;
-};
-
-ZonedBlocks in_zones(std::vector<Block> blocks, const std::function<bool(const Vec3&)>& is_soft) {
-  ZonedBlocks zoned{std::move(blocks), {}};
-  for (const Block& block : zoned.blocks) zoned.of.push_back(is_soft(block.mass.centroid) ? 1 : 0);
-  return zoned;
-}
-
-bool below_3(const Vec3& x) { return x.z() < 3.0; }
-bool lower_part(const Vec3& x) { return x.z() < 0.1; }  // of a cube about the origin
-bool odd_layer(const Vec3& x) { return static_cast<int>(std::floor(x.z())) % 2 != 0; }
-bool checkered(const Vec3& x) {
-  return (static_cast<int>(std::floor(x.x()) + std::floor(x.y()) + std::floor(x.z())) & 1) != 0;
-}
-
-BondScene scene_of(const ZonedBlocks& rock, const JointParameters& hard,
-                   const JointParameters& other, Leaning leaning = Leaning::little) {
-  return {rock.blocks, hard,    [](const Vec3&) { return Support::free; },
-          {},          leaning, {{other}, rock.of}};
-}
-
-TEST(TwoRocks, AreInSeries) {
-  // nu = 0: 2G = lambda + 2G = E. d/E = 0.5/50e9 + 0.25/10e9 = 1e-11 + 2.5e-11 = 3.5e-11 m/Pa.
-  JointParameters other = soft(0.0);
-  const TwoRocks both = two_rocks(JointMaterial(rock(0.0)), 0.5, JointMaterial(other), 0.25);
-  EXPECT_NEAR(both.uniaxial, 1.0 / 3.5e-11, 1e-3);
-  EXPECT_NEAR(both.shear, 1.0 / 3.5e-11, 1e-3);
-  EXPECT_NEAR(both.normal, 1.0 / 3.5e-11, 1e-3);
-  // Strain of the hard side per jump: U/E = 1/(3.5e-11 x 50e9) = 0.571 1/m, times 0.75 m.
-  EXPECT_NEAR(both.along[0], 0.75 / 1.75, 1e-12);
-  EXPECT_NEAR(both.along[1], 0.75 / 0.35, 1e-12);
-  EXPECT_NEAR(both.across[0], 0.75 / 1.75, 1e-12);
-  // d_i e_i + d_j e_j is the jump.
-  EXPECT_NEAR((0.5 * both.along[0] + 0.25 * both.along[1]) / 0.75, 1.0, 1e-12);
-}
-
-TEST(TwoRocks, OfTheSameRockAreThatRock) {
-  const JointMaterial one(rock(0.3));
-  const TwoRocks both = two_rocks(one, 0.4, one, 0.7);
-  const FacetStiffness k = one.facet_stiffness(1.1);
-  EXPECT_NEAR(both.normal, k.normal, 1e-5);
-  EXPECT_NEAR(both.shear, k.shear, 1e-5);
-  for (const double share : {both.along[0], both.along[1], both.across[0], both.across[1]})
-    EXPECT_NEAR(share, 1.0, 1e-14);
-}
-
-TEST(TwoRocks, AreAsStrongAsTheWeakerOfThem) {
-  JointParameters a = rock(0.25), b = soft();
-  a.tension = 8e6, b.tension = 2e6;
-  a.cohesion = 1e6, b.cohesion = 3e6;
-  a.friction_angle = 0.8, b.friction_angle = 0.7;
-  a.fracture_energy_tension = 50.0, b.fracture_energy_tension = 20.0;
-  a.reference_rate = 1.0, b.reference_rate = 30.0;
-  const JointLaws laws(JointMaterial(a), {}, {JointMaterial(b)});
-  for (const auto& [i, j] : {std::pair{0, 1}, {1, 0}}) {
-    const JointParameters& p = laws.of_law(laws.law_of(0, i, j)).parameters();
-    EXPECT_EQ(p.tension, 2e6);
-    EXPECT_EQ(p.cohesion, 1e6);
-    EXPECT_EQ(p.friction_angle, 0.7);
-    EXPECT_EQ(p.fracture_energy_tension, 20.0);
-    EXPECT_EQ(p.reference_rate, 30.0);
-  }
-  EXPECT_EQ(laws.of_law(laws.law_of(0, 1, 1)).parameters().cohesion, 3e6);
-}
-
-TEST(TwoRocks, HaveTheJointOfTheirBorderWhereItIsNatural) {
-  JointClass open;
-  open.friction_angle = 0.5;
-  const JointLaws laws(JointMaterial(rock(0.25)), {open}, {JointMaterial(soft())});
-  const std::uint8_t law = laws.law_of(1, 0, 1);
-  EXPECT_EQ(laws.class_of(law), 1);
-  EXPECT_EQ(laws.zone_i(law), 0);
-  EXPECT_EQ(laws.zone_j(law), 1);
-  EXPECT_EQ(laws.of_law(law).parameters().tension, 0.0);
-}
-
-TEST(JointLaws, RefuseMoreZonesThanTheyHaveNumbersFor) {
-  const std::vector<JointMaterial> zones(12, JointMaterial(soft()));
-  const std::vector<JointClass> classes(1);
-  EXPECT_THROW(JointLaws(JointMaterial(rock(0.25)), classes, zones), InputError);
-}
 
 /// The state that layers normal to z can all be in: one strain in their planes, one traction.
 struct Laminate {

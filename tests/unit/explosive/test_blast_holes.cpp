@@ -16,7 +16,7 @@ constexpr double kDelay = 0.02;  // of the second hole [s]
 const std::vector<Hole> kZones = {{.toe = {0, 0, 0}, .collar = {0, 0, 9}, .radius = 0.135},
                                   {.toe = {0, 4, 0}, .collar = {0, 4, 9}, .radius = 0.135}};
 
-BlastHoles two_holes(BlastHoles::State state = {}) {
+BlastHoles two_holes(BlastHoles::State state = {}, const std::vector<Hole>& zones = kZones) {
   std::istringstream text(
       "explosive anfo hole_diameter 0.09 poisson_ratio 0.22 venting flow stemming_length 3 "
       "crack_delay 1 crack_discharge 0 interval 0.02");
@@ -25,7 +25,7 @@ BlastHoles two_holes(BlastHoles::State state = {}) {
   const BlastOptions options = blast_options(parse_args(blast_table(), kWhere, words), kWhere);
   BlastHoles holes;
   holes.resume(std::move(state));
-  holes.set(hole_blasts(options, kZones), hole_charges(options, kZones));
+  holes.set(hole_blasts(options, zones), hole_charges(options, zones));
   return holes;
 }
 
@@ -48,6 +48,25 @@ TEST(BlastHoles, EachPressesFromItsFiringTimeOn) {
   // pi 0.045^2 x 9 m x 800 kg/m3 x 3.8 MJ/kg
   EXPECT_NEAR(holes.audit(0, 0.01).explosive, 174.06e6, 0.01e6);
   EXPECT_NEAR(holes.explosive_energy(), 348.11e6, 0.02e6);
+}
+
+TEST(BlastHoles, OneOnSymmetryPlanesHasItsShareOfEveryEnergy) {
+  std::vector<Hole> zones = kZones;
+  zones[0].share = 0.25;
+  BlastHoles part = two_holes({}, zones), whole = two_holes();
+  for (BlastHoles* holes : {&part, &whole}) {
+    const double share = holes == &part ? 0.25 : 1.0;
+    holes->press(0.01);
+    sweep(*holes, 0.01 * share, 0.0, 0.01);
+  }
+  EXPECT_NEAR(part.gas_pressure(0) / whole.gas_pressure(0), 1.0, 1e-12);
+  const HoleAudit quarter = part.hole_audit(0, 0.01), all = whole.hole_audit(0, 0.01);
+  EXPECT_NEAR(quarter.energy.explosive, 0.25 * 174.06e6, 0.01e6);
+  for (const EnergyAudit::Term& term : EnergyAudit::kTerms)
+    EXPECT_NEAR(quarter.energy.*term.value, 0.25 * (all.energy.*term.value),
+                1e-9 * all.energy.explosive)
+        << term.name;
+  EXPECT_NEAR(quarter.error(), 0.25 * all.error(), 1e-9 * all.energy.explosive);
 }
 
 TEST(BlastHoles, TheGasPressesByItsExcessOverTheAtmosphere) {

@@ -159,6 +159,42 @@ TEST(JointGas, VolumeOfARoughJointGrowsByWhatItsPressureWorksOn) {
   EXPECT_NEAR(joint.scene.network().force()[1].x() / pressure, 1.0, 1e-9);
 }
 
+TEST(JointGas, RoughJointBreaksWithTheApertureOfItsOwnLaw) {
+  // A row whose second joint slips under pressure, closed, beside gas in the first: Joule's
+  // expansion into E_0 less the closure, whatever `residual_aperture` joints of no law have.
+  const RoughJoint pair;
+  BondScene scene(test::cuboids(3, 1, 1), weak(), [](const Vec3&) { return Support::free; },
+                  {{barton_bandis_class(pair.law, 2e10)},
+                   {{Vec3(1, 0, 0), Vec3::UnitX(), 1}, {Vec3(2, 0, 0), Vec3::UnitX(), 1}}});
+  scene.network().keep_gas_in_joints();
+  const auto move = [&](double first, double second, double along) {
+    for (const std::size_t b : {1u, 2u}) scene.block(b).centre = scene.start(b);
+    scene.block(1).centre.x() += first;
+    scene.block(2).centre += Vec3(first + second, along, 0.0);
+    scene.compute(1e-6);
+  };
+  move(1e-9, 0.0, 0.0);
+  JointGas gas(closed());
+  gas.set_network(scene.network());
+  seal(gas);
+  for (const std::size_t b : {0u, 1u}) gas.cells()[b].content = {0.01, 5e3};
+  gas.measure(scene.network(), {});
+  const double energy = gas.held().energy, volume = gas.cells()[1].volume;
+  constexpr double kCloser = 5e-5;
+  move(1e-9, -kCloser, 2e-4);
+  ASSERT_NE(scene.network().states()[1], FacetState::intact);
+  gas.measure(scene.network(), {});
+  const double closure = pair.law.close(kCloser, 50e9, 0.0).closure;
+  ASSERT_GT(closure, 2e-5);
+  EXPECT_NEAR((gas.cells()[1].volume - volume) / (0.5 * (2e-4 - closure)), 1.0, 1e-6);
+  EXPECT_NEAR(gas.held().energy / energy, 1.0, 1e-6);
+  EXPECT_NEAR(gas.spent().swept_volume, 0.0, 1e-12);
+  // What it parts from there on works.
+  move(1e-9, 1e-4, 2e-4);
+  gas.measure(scene.network(), {});
+  EXPECT_NEAR(gas.spent().swept_volume / (0.5 * (1e-4 + closure)), 1.0, 1e-3);
+}
+
 TEST(JointGas, FlowOfARoughJointHasItsHydraulicAperture) {
   RoughJoint joint;
   joint.open(1e-4);  // e = 300^2/10^2.5 = 284.6 um

@@ -11,9 +11,9 @@
 #include <sstream>
 
 #include "args/csv_table.h"
+#include "geometry/files/point_file.h"
+#include "geometry/files/stl_file.h"
 #include "input_error_of.h"
-#include "io/point_file.h"
-#include "io/stl_file.h"
 #include "measure/survey_heights.h"
 #include "report/not_measurable.h"
 #include "report/reports.h"

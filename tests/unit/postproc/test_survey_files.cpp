@@ -7,10 +7,11 @@
 #include <cstring>
 #include <functional>
 
+#include "geometry/files/dxf_file.h"
+#include "geometry/files/las_file.h"
+#include "geometry/files/survey_file.h"
 #include "input_error_of.h"
-#include "io/dxf_file.h"
-#include "io/las_file.h"
-#include "io/survey_file.h"
+#include "io/dxf_writer.h"
 #include "temporary_folder.h"
 
 namespace muckpile {

@@ -175,6 +175,16 @@ TEST(CutOptions, MemoryBoundsTheBlocksUnlessTheUserDoes) {
   EXPECT_EQ(read(kRock + "size uniform 0.3 max_blocks 77").rock.max_blocks, 77u);
 }
 
+TEST(CutOptions, RingsAroundHolesBeginAtTwoRadiiOrWhereAsked) {
+  const std::string hole = "size uniform 0.3 hole 0 0 0 0 0 5 0.16 ";
+  EXPECT_EQ(read(kRock + hole).rock.rings_from, 2.0);
+  EXPECT_EQ(read(kRock + hole + "rings_from 1.75").rock.rings_from, 1.75);
+  EXPECT_EQ(message(kRock + hole + "rings_from 1.5"),
+            "create_blocks: rings_from must be >= 1.75 and <= 2, got '1.5'");
+  EXPECT_EQ(message(kRock + hole + "rings_from 1.8 cut joint_sets joint_set 90 0 joint_set 90 90"),
+            "create_blocks: rings_from needs 'cut voronoi'");
+}
+
 TEST(CutOptions, RefusesWhatDoesNotFitTogether) {
   EXPECT_EQ(message("density 2700 block_min 0.5 block_max 0.1 size uniform 0.3"),
             "create_blocks: block_max must be >= block_min (0.5 m), got '0.1'");

@@ -37,7 +37,7 @@ FacetMemory remembering() {
          numbers.next(),   numbers.next(), numbers.next()};
   extra.ground = {true, numbers.vector(), numbers.vector(), numbers.vector(), numbers.vector(),
                   true};
-  for (JointHistory& history : extra.joint) history = {numbers.next(), numbers.next()};
+  for (JointHistory& history : extra.joint) history = {numbers.next(), numbers.next(), numbers.next()};
   return memory;
 }
 
@@ -70,6 +70,7 @@ TEST(StoredFacets, HistoryOfJointsWithANonlinearLawComesBack) {
     EXPECT_GT(a.slip, 1.0);
     EXPECT_EQ(b.closure, a.closure);
     EXPECT_EQ(b.slip, a.slip);
+    EXPECT_EQ(b.broke_at, a.broke_at);
   }
 }
 

@@ -108,7 +108,7 @@ struct BartonBandis {
 /// [m]; and the hydraulic aperture of any [m] (Barton, Bandis & Bakhtar 1985).
 [[nodiscard]] double smooth_from_aperture(double roughness);
 [[nodiscard]] inline double hydraulic_aperture(double mechanical, double smooth_from) {
-  return mechanical < smooth_from ? mechanical * mechanical / smooth_from : mechanical;
+  return std::min(mechanical, mechanical * mechanical / smooth_from);
 }
 
 /// E_0 = JRC/5 (0.2 UCS/JCS - 0.1) mm (Bandis, Lumsden & Barton 1983) [m].

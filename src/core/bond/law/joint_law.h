@@ -18,8 +18,9 @@ namespace muckpile {
 
 /// What a point of such a joint remembers; it travels with the facet.
 struct JointHistory {
-  double closure = 0.0;  ///< largest so far [m]
-  double slip = 0.0;     ///< since it broke [m]
+  double closure = 0.0;    ///< largest so far [m]
+  double slip = 0.0;       ///< since it broke [m]
+  double broke_at = 0.0;   ///< closure just after it broke [m]
 };
 /// Of the points of a facet.
 template <class Number>

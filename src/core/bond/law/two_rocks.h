@@ -38,8 +38,8 @@ struct TwoRocks {
 [[nodiscard]] TwoRocks two_rocks(const JointMaterial& rock_i, double depth_i,
                                  const JointMaterial& rock_j, double depth_j);
 
-/// What lies between two rocks: of every strength, friction, stiffness of the joint itself, damping
-/// and fracture energy the lesser; strength that grows less with the rate of strain.
+/// What lies between two rocks: of every strength, friction, stiffness of the joint itself, share of
+/// damping and fracture energy the lesser; strength that grows less with the rate of strain.
 [[nodiscard]] JointParameters weaker_of(const JointParameters& a, const JointParameters& b);
 
 }  // namespace muckpile

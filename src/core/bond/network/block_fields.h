@@ -35,6 +35,8 @@ struct BlockFields {
   std::vector<BlockState> state;
   std::vector<BlockSums> sums;
   std::vector<double> theta;        ///< dilatation [-]
+  /// What breaking in the last step has taken from theta; of copies what their owners told since.
+  std::vector<double> theta_lost;
   std::vector<double> bulk_stress;  ///< [Pa]
   std::vector<Vec3> force, torque;  ///< of facets, faces and gas [N], [N m]
   /// Of FacetTables::borders(), what border_relief.h adds along the normal [Pa].
@@ -49,6 +51,7 @@ struct BlockFields {
     state.assign(size(), {Mat3::Identity(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
     sums.assign(size(), {});
     theta.assign(size(), 0.0);
+    theta_lost.assign(size(), 0.0);
     bulk_stress.assign(size(), 0.0);
     force.assign(size(), Vec3::Zero());
     torque.assign(size(), Vec3::Zero());

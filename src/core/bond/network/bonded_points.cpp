@@ -90,7 +90,6 @@ FacetPull BondedPoints::pull(std::size_t f, const FacetMotion& motion) const {
 void BondedPoints::work(std::size_t f, const FacetMotion& motion, const ContactConstants& contact,
                         FacetPull& pull, double dt) {
   const FacetTraces& traces = facets_.history.traces(f);
-  const JointLaws& laws = facets_.tables.laws();
   const bool smooth = contact.shear == 0.0;  // a mirror: see slid_along()
   const bool away = (smooth || traces.slipping.any()) && slid_away(motion, contact);
   const bool torn = motion.turned(kTurnStart) || (smooth && away);
@@ -112,12 +111,13 @@ void BondedPoints::work(std::size_t f, const FacetMotion& motion, const ContactC
                                torn};
     pull.add(p, -breaking_.break_point(f, broken, dt));
   }
-  if (laws.damping() != 0.0 && !facets_.history.ground(f).yields) {  // it has a dashpot itself
+  const double damping = facets_.tables.damping(f);
+  if (damping != 0.0 && !facets_.history.ground(f).yields) {  // it has a dashpot itself
     const LaneMask bonded = is_point() && !where_broken(traces);
     const LaneVec rate = choose(bonded, Lanes(1.0), 0.0) * pull.rate;
-    pull.traction += Lanes(laws.damping()) * rate;
+    pull.traction += Lanes(damping) * rate;
     parts_.books.losses.damping +=
-        contact.weight * contact.point_area * laws.damping() * dt * sum(dot(rate, rate));
+        contact.weight * contact.point_area * damping * dt * sum(dot(rate, rate));
   }
   if (traces.slipping.any()) rub(f, motion, contact, pull, dt);
 }

@@ -60,8 +60,16 @@ void book_borders(const FacetKinematics& facets, std::span<const double> theta_b
   for (const Border& border : facets.tables.borders()) {
     if (!acts(facets, border)) continue;
     losses.fracture +=
-        facets.tables.weight(border.facet) *
-        (energy(facets, border, theta_before) - energy(facets, border, facets.blocks.theta));
+        energy(facets, border, theta_before) - energy(facets, border, facets.blocks.theta);
+  }
+}
+
+void book_shared_borders(const FacetKinematics& facets,
+                         const std::function<double(std::size_t)>& product, JointLosses& losses) {
+  for (const Border& border : facets.tables.borders()) {
+    if (!acts(facets, border)) continue;
+    losses.fracture -= facets.tables.area(border.facet) * border.give * border.pull_i *
+                       border.pull_j * product(border.facet);
   }
 }
 

@@ -15,6 +15,8 @@
 // larger then, and the traction of such a facet between that of the fixed split and the true one).
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <span>
 
 #include "bond/network/facet_kinematics.h"
@@ -32,8 +34,13 @@ void relieve_borders(const FacetKinematics& facets, BlockFields& blocks);
 /// Of facet f, with the present thetas; never positive [J].
 [[nodiscard]] double border_energy(const FacetKinematics& facets, std::size_t f);
 
-/// Books what breaking, which has changed theta, changes of it.
+/// Books what breaking, which has changed theta, changes of it. A block of another rank still has
+/// its theta before: that rank books its part.
 void book_borders(const FacetKinematics& facets, std::span<const double> theta_before,
                   JointLosses& losses);
+/// Books what is left: `product` of a facet is that of the changes of both thetas, times its weight
+/// (FacetBreaking::book_shared_changes()).
+void book_shared_borders(const FacetKinematics& facets,
+                         const std::function<double(std::size_t)>& product, JointLosses& losses);
 
 }  // namespace muckpile

@@ -114,6 +114,8 @@ Vec3 FacetBreaking::break_point(std::size_t f, const PointBreak& broken, double 
   if (contact.shear > 0.0) spring += left.shear / contact.shear;
   const Vec3 rests_at = left.slips ? left.lost : Vec3(broken.jump - spring);
   history.contacts().set_offset(f, q, broken.axes.transpose() * rests_at);
+  if (facets_.tables.nonlinear_law(f) != nullptr && !history.traces(f).broken[q])
+    remember_break(facets_, history, f, q, broken.normal, broken.elastic, normal, left.slips);
   parts_.books.losses.fracture += facets_.tables.weight(f) * border_energy(facets_, f);  // it ends
   history.break_point(f, q, left.slips, parts_.keeps_gas);
   parts_.books.newly_cracked = true;
@@ -197,13 +199,36 @@ void FacetBreaking::book_step() {
     blocks.theta[b] = blocks.dilatation(b);
   }
   dropped.clear();
+  note_losses(theta_before);
   book_sharpening(theta_before);
   book_borders(facets_, theta_before, parts_.books.losses);
   if (parts_.leaning != nullptr) parts_.leaning->book(blocks, parts_.books.losses);
 }
 
+void FacetBreaking::note_losses(const std::vector<double>& theta_before) {
+  BlockFields& blocks = parts_.blocks;
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    blocks.theta_lost[b] = blocks.owned(b) ? theta_before[b] - blocks.theta[b] : 0.0;
+}
+
+/// The energies are quadratic in both thetas: each rank has booked what follows from the change of
+/// its own block alone, and the product of both changes is left.
+void FacetBreaking::book_shared_changes() {
+  const BlockFields& blocks = parts_.blocks;
+  const auto product = [&](std::size_t f) {
+    const auto [i, j] = facets_.tables.blocks_of(f);
+    return blocks.owned(i) == blocks.owned(j)
+               ? 0.0
+               : facets_.tables.weight(f) * blocks.theta_lost[i] * blocks.theta_lost[j];
+  };
+  each_facet(parts_.schedule.bonded(), [&](std::size_t f) {
+    parts_.books.losses.fracture += facets_.tables.coupling(f).sharpening * product(f);
+  });
+  book_shared_borders(facets_, product, parts_.books.losses);
+}
+
 /// Books what the energy of uneven dilatation loses as breaking changes theta. The part of a block
-/// of another rank is booked there; only the product of both changes is left out.
+/// of another rank is booked there.
 void FacetBreaking::book_sharpening(const std::vector<double>& theta_before) {
   const std::vector<double>& theta = facets_.blocks.theta;
   each_facet(parts_.schedule.bonded(), [&](std::size_t f) {

@@ -51,8 +51,11 @@ class FacetBreaking {
   /// Returns what the point no longer carries [Pa].
   Vec3 break_point(std::size_t f, const PointBreak& broken, double dt);
   /// Takes what broke in this step from the sums of its blocks and books what that costs; theta of
-  /// owned blocks is right after it, bulk stresses are not.
+  /// owned blocks is right after it, bulk stresses are not. What is due to the changes of both
+  /// thetas of a facet whose blocks belong to two ranks is left to book_shared_changes().
   void book_step();
+  /// Both ranks know BlockFields::theta_lost of all their blocks and copies.
+  void book_shared_changes();
 
  private:
   struct Remnant;  // what a point that broke still carries
@@ -62,6 +65,7 @@ class FacetBreaking {
   void book_break(std::size_t f, const PointBreak& broken, const Remnant& left, double dt);
   void drop_from_dilatation(std::size_t f, const PointBreak& broken, const Remnant& left);
   void book_sharpening(const std::vector<double>& theta_before);
+  void note_losses(const std::vector<double>& theta_before);
 
   Parts parts_;
   FacetKinematics facets_;

@@ -141,13 +141,42 @@ void FacetNetwork::find_stresses(double dt, const RankTeam& team) {
     ground_->yield(kinematics(), {tables_, history_, blocks_.sums, books_.losses}, dt);
   dilatation.find_theta();
   const std::size_t count = blocks_.size() > 0 ? blocks_.size() - 1 : 0;  // but for the ground
-  team.fill_copies(std::span(blocks_.theta).first(count), 1);
+  if (team.ranks == 1)
+    team.fill_copies(std::span(blocks_.theta).first(count), 1);
+  else
+    share_thetas(count, team);
   if (leaning_) {
     team.fill_copies(leaning_->gradients(count), 9);
     team.fill_copies(leaning_->stresses(count), 9);
   }
   dilatation.find_bulk_stresses();
   team.fill_copies(std::span(blocks_.bulk_stress).first(count), 1);
+}
+
+/// With what breaking has taken from them in the last step, for the books: both in one message.
+void FacetNetwork::share_thetas(std::size_t count, const RankTeam& team) {
+  std::vector<double> both(2 * count);
+  for (std::size_t b = 0; b < count; ++b) {
+    both[2 * b] = blocks_.theta[b];
+    both[2 * b + 1] = blocks_.theta_lost[b];
+  }
+  team.fill_copies(both, 2);
+  for (std::size_t b = 0; b < count; ++b) {
+    blocks_.theta[b] = both[2 * b];
+    blocks_.theta_lost[b] = both[2 * b + 1];
+  }
+  book_shared_changes();
+}
+
+void FacetNetwork::book_shared_changes() {
+  if (books_.newly_cracked) FacetBreaking(breaking_parts()).book_shared_changes();
+  std::fill(blocks_.theta_lost.begin(), blocks_.theta_lost.end(), 0.0);
+}
+
+void FacetNetwork::settle_books(const RankTeam& team) {
+  if (team.ranks == 1 || blocks_.size() == 0) return;
+  team.fill_copies(std::span(blocks_.theta_lost).first(blocks_.size() - 1), 1);
+  book_shared_changes();
 }
 
 void FacetNetwork::step(double dt, const RankTeam& team) {

@@ -76,6 +76,9 @@ class FacetNetwork {
   /// Dilatations and bulk stresses of this pose alone, with no time passing: what
   /// elastic_energy() and mean_traction() read.
   void find_stresses(const RankTeam& team = {}) { find_stresses(0.0, team); }
+  /// A rank learns a step later what breaking has cost facets whose two blocks belong to two ranks.
+  /// Before facets are given up or totals() are kept: books it now. Collective.
+  void settle_books(const RankTeam& team);
   [[nodiscard]] std::span<const Vec3> force() const { return blocks_.force; }    ///< [N]
   [[nodiscard]] std::span<const Vec3> torque() const { return blocks_.torque; }  ///< [N m]
   [[nodiscard]] std::span<const double> theta() const { return blocks_.theta; }  ///< [-]
@@ -211,6 +214,8 @@ class FacetNetwork {
 
  private:
   void find_stresses(double dt, const RankTeam& team);
+  void share_thetas(std::size_t count, const RankTeam& team);
+  void book_shared_changes();
   [[nodiscard]] bool ground_yields() const { return ground_ && ground_->any(); }
   [[nodiscard]] FacetBreaking::Parts breaking_parts();
   void list_anew();

@@ -6,37 +6,44 @@
 #include <algorithm>
 #include <limits>
 
-#include "bond/network/nonlinear_points.h"
-
 namespace muckpile {
 namespace {
 
 using PointLanes = std::array<unsigned, kFacetPoints>;  // bit per facet of a group
 
-/// Per point, those of some facets of a group of which `of` has it.
-template <class Of>
-PointLanes lanes_with(const FacetHistory& history, const LaneSet& set, const Of& of) {
-  PointLanes lanes{};
-  each_lane(set.lanes, [&](std::size_t k) {
-    const PointSet points = of(history.traces(set.group * kGroup + k));
-    for (std::size_t p = 0; p < kFacetPoints; ++p) lanes[p] |= (points[p] ? 1u : 0u) << k;
-  });
-  return lanes;
-}
+/// Per point, the facets of a group in which it is broken, and in which it is in contact.
+struct BrokenLanes {
+  PointLanes broken{}, contact{};
+  unsigned retired = 0;  // carry no contact
 
-/// Normal stiffness of the closed facets of a group, of those that carry contact [Pa/m].
+  BrokenLanes(const FacetHistory& history, const LaneSet& set) {
+    each_lane(set.lanes, [&](std::size_t k) {
+      const FacetTraces& traces = history.traces(set.group * kGroup + k);
+      retired |= (traces.state == FacetState::retired ? 1u : 0u) << k;
+      const unsigned points = traces.broken.bits(), apart = traces.contact().bits();
+      for (std::size_t p = 0; p < kFacetPoints; ++p) {
+        broken[p] |= (points >> p & 1u) << k;
+        contact[p] |= (apart >> p & 1u) << k;
+      }
+    });
+  }
+};
+
+/// Normal stiffness of the closed facets of a group [Pa/m].
 Wide closed_stiffness(const FacetKinematics& facets, const LaneSet& set) {
   const FacetGroup& group = facets.tables.group(set.group);
-  FacetRow<double> rock_share = ContactGroup::all(1.0), shear_share = ContactGroup::all(1.0),
-                   carries{};
-  each_lane(set.lanes, [&](std::size_t k) {
-    const std::size_t f = set.group * kGroup + k;
-    rock_share[k] = facets.tables.rock_share(f);
-    shear_share[k] = facets.tables.shear_over_p_wave(f);
-    carries[k] = facets.history.state(f) == FacetState::retired ? 0.0 : 1.0;
-  });
+  const auto ground = static_cast<std::int32_t>(facets.blocks.size() - 1);
+  const Wide sides([&](auto lane) { return group.j[lane] == ground ? 1.0 : 2.0; });
+  Wide shear_share(facets.tables.laws().shear_over_p_wave());
+  if (facets.tables.laws().zoned()) {
+    FacetRow<double> of_each = ContactGroup::all(1.0);
+    each_lane(set.lanes, [&](std::size_t k) {
+      of_each[k] = facets.tables.shear_over_p_wave(set.group * kGroup + k);
+    });
+    shear_share = wide(of_each);
+  }
   const LinearClosure<Wide> bonded{wide(group.shear), wide(group.normal_extra)};
-  return wide(carries) * bonded.contact(wide(rock_share), wide(shear_share));
+  return bonded.contact(sides * wide(group.bulk), shear_share);
 }
 
 /// How far each broken point has opened since it broke, by what it remembers of that.
@@ -45,10 +52,7 @@ void open_group_of_joints(const FacetKinematics& facets, const LaneSet& set,
   constexpr double kNever = std::numeric_limits<double>::max();  // a point in the dilatations
   const FacetGroup& group = facets.tables.group(set.group);
   const ContactGroup& contact = facets.history.contacts().of(set.group);
-  const PointLanes broken =
-      lanes_with(facets.history, set, [](const FacetTraces& m) { return m.broken; });
-  const PointLanes parted =
-      lanes_with(facets.history, set, [](const FacetTraces& m) { return m.contact(); });
+  const auto [broken, parted, retired] = BrokenLanes(facets.history, set);
   const WidePose pose = pose_of(group, facets.blocks.state.front());
   const WideField jump = jump_of(group, pose);
   const Wide mean = dot(pose.normal, jump.mean), along_1 = dot(pose.normal, jump.along_1),
@@ -63,14 +67,22 @@ void open_group_of_joints(const FacetKinematics& facets, const LaneSet& set,
     closure += choose(is_broken, max(Wide(0.0), zero - now), 0.0);
     points += choose(is_broken, Wide(1.0), 0.0);
   }
-  const Wide radius_squared = M_1_PI * wide(group.area);
+  // Behind a mirror, which alone has no shear, the image opens and turns by as much the other way
+  // and slides along.
+  const WideMask mirror = wide(group.shear) == 0.0;
+  const Wide sides = choose(mirror, Wide(2.0), 1.0), along = sides * dot(pose.normal, pose.jump);
+  const Wide far = choose(mirror, along * along, dot(pose.jump, pose.jump)),
+             radius_squared = M_1_PI * wide(group.area);
   alignas(64) FacetRow<double> area, opened, pressure, parted_squared;
-  store(max(dot(pose.jump, pose.jump) / radius_squared, turn_of(group, pose).squared()),
-        parted_squared);
+  store(max(far / radius_squared, sides * sides * turn_of(group, pose).squared()), parted_squared);
   store(points * wide(group.area) / Wide(kFacetPoints), area);
-  store(opening / max(points, Wide(1.0)), opened);
-  store(wide(contact.fade) * closed_stiffness(facets, set) * closure / max(points, Wide(1.0)),
-        pressure);
+  store(sides * opening / max(points, Wide(1.0)), opened);
+  Wide closed_by(0.0);  // most joints with gas are open
+  closure = choose(mask_of<Wide>(retired), Wide(0.0), closure);
+  if (any_of(closure > 0.0))
+    closed_by =
+        wide(contact.fade) * closed_stiffness(facets, set) * closure / max(points, Wide(1.0));
+  store(closed_by, pressure);
   const unsigned nonlinear = facets.tables.nonlinear_lanes(set.group);  // only they know apertures
   each_lane(set.lanes, [&](std::size_t k) {
     OpenJoint& joint = open.emplace_back();
@@ -123,8 +135,7 @@ unsigned GasLoad::pressed_lanes(const FacetKinematics& facets, const LaneSet& ac
 void GasLoad::press(const FacetKinematics& facets, const LaneSet& pressed,
                     const FacetRow<double>& pressure, const WidePose& pose) {
   const FacetGroup& group = facets.tables.group(pressed.group);
-  const PointLanes broken =
-      lanes_with(facets.history, pressed, [](const FacetTraces& m) { return m.broken; });
+  const PointLanes broken = BrokenLanes(facets.history, pressed).broken;
   Wide points = 0.0, on_first = 0.0, on_second = 0.0;  // of the broken ones
   for (std::size_t p = 0; p < kFacetPoints; ++p) {
     const Wide is = choose(mask_of<Wide>(broken[p]), Wide(1.0), 0.0);

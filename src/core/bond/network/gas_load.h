@@ -12,18 +12,19 @@
 
 #include "bond/network/facet_kinematics.h"
 #include "bond/network/facet_wide.h"
+#include "bond/network/nonlinear_points.h"
 
 namespace muckpile {
 
-/// How far a joint is open for gas.
+/// How far a joint is open for gas: one at a mirror as that between its block and the image.
 struct OpenJoint {
   double area = 0.0;     ///< of broken points [m2]
   double opening = 0.0;  ///< mean over them [m]
   /// Mean over them of what presses the faces onto each other, by the closed facet's own normal
   /// stiffness, that of uniaxial strain; where no law knows the apertures [Pa].
   double pressure = 0.0;
-  /// Means over them, where the joint has a law that knows them.
-  std::optional<JointApertures> by_law;
+  /// Means over them, where the joint has a law that knows them; no law is at a mirror.
+  std::optional<BrokenApertures> by_law;
   /// Square of how far it has opened or slid, in radii, or turned, in rad, whichever is more [-].
   double parted_squared = 0.0;
 };

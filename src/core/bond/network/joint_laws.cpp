@@ -50,14 +50,18 @@ void JointLaws::derive() {
   damping_.clear();
   contact_damping_.clear();
   shear_over_p_wave_.clear();
-  for (const JointMaterial& joint : laws_) {
+  for (std::size_t law = 0; law < laws_.size(); ++law) {
+    const JointMaterial& joint = laws_[law];
+    const JointMaterial& turned = laws_[law_of(class_of(law), zone_j(law), zone_i(law))];
     const JointParameters& p = joint.parameters();
     softens_ = softens_ || p.fracture_energy_tension > 0.0 || p.fracture_energy_shear > 0.0;
     depends_on_rate_ = depends_on_rate_ || p.rate_exponent > 0.0;
     strengths_.push_back(
         {{p.tension, p.cohesion, joint.tan_friction()}, joint.tan_residual_friction()});
-    damping_.push_back(joint.damping_coefficient());
-    contact_damping_.push_back(joint.contact_damping_coefficient());
+    // Both have the lesser share, each of the impedance of its own rock i.
+    damping_.push_back(std::min(joint.damping_coefficient(), turned.damping_coefficient()));
+    contact_damping_.push_back(
+        std::min(joint.contact_damping_coefficient(), turned.contact_damping_coefficient()));
     damps_ = damps_ || damping_.back() != 0.0;
   }
   for (const JointMaterial& rock : rocks_)

@@ -81,7 +81,7 @@ class JointLaws {
   /// Of rock that is the same everywhere, at bonded points and at closed broken ones [Pa s/m].
   [[nodiscard]] double damping() const { return damping_.front(); }
   [[nodiscard]] double contact_damping() const { return contact_damping_.front(); }
-  /// The same of any law.
+  /// The same of any law; of a border the lesser share of the lesser impedance.
   [[nodiscard]] double damping(std::size_t law) const { return damping_[law]; }
   [[nodiscard]] double contact_damping(std::size_t law) const { return contact_damping_[law]; }
   [[nodiscard]] const SlipWeakening& slip_weakening() const { return slip_weakening_; }

@@ -101,7 +101,17 @@ PlanePull<Lanes> nonlinear_plane_pull(const FacetKinematics& facets, FacetHistor
   return pull;
 }
 
-std::optional<JointApertures> mean_apertures(const FacetKinematics& facets, std::size_t f) {
+void remember_break(const FacetKinematics& facets, FacetHistory& history, std::size_t f,
+                    std::size_t p, const Vec3& normal, const Vec3& elastic, double traction,
+                    bool slips) {
+  const NonlinearContact contact = nonlinear_contact(facets, f, 1.0);
+  const Lanes closure =
+      slips ? nonlinear_closure(facets, f).parts(Lanes(normal.dot(elastic))).joint.closure
+            : contact.closure(contact.gap(traction));
+  history.joint_of_point(f, p).broke_at = closure[p];
+}
+
+std::optional<BrokenApertures> mean_apertures(const FacetKinematics& facets, std::size_t f) {
   const JointLaw* law = facets.tables.nonlinear_law(f);
   const FacetTraces& traces = facets.history.traces(f);
   if (law == nullptr || !traces.broken.any()) return std::nullopt;
@@ -109,7 +119,7 @@ std::optional<JointApertures> mean_apertures(const FacetKinematics& facets, std:
   const Lanes bonded = bonded_closure(facets, f, motion);
   const Lanes gap = dot(LaneVec(motion.normal), contact_spring(facets, f, motion));
   const Lanes apart = nonlinear_contact(facets, f, 1.0).closure(gap);
-  JointApertures mean{0.0, 0.0};
+  BrokenApertures mean{{0.0, 0.0}, 0.0};
   for (std::size_t p = 0; p < kFacetPoints; ++p) {
     if (!traces.broken[p]) continue;
     const std::optional<JointApertures> at =
@@ -117,6 +127,8 @@ std::optional<JointApertures> mean_apertures(const FacetKinematics& facets, std:
     if (!at) return std::nullopt;
     mean.mechanical += at->mechanical / traces.broken.count();
     mean.hydraulic += at->hydraulic / traces.broken.count();
+    mean.at_break += law->apertures(facets.history.joint(f, p).broke_at)->mechanical /
+                     traces.broken.count();
   }
   return mean;
 }

@@ -34,6 +34,11 @@ namespace muckpile {
                                                     FacetHistory& history, std::size_t f,
                                                     const ContactConstants& contact,
                                                     const PlanePoint<Lanes>& at, double dt);
+/// Of a point that has just broken and left the dilatations, closed under that normal traction, or
+/// slips in them with that elastic jump: the closure that gas finds first.
+void remember_break(const FacetKinematics& facets, FacetHistory& history, std::size_t f,
+                    std::size_t p, const Vec3& normal, const Vec3& elastic, double traction,
+                    bool slips);
 void remember_slip(FacetHistory& history, std::size_t f, const LaneMask& slips, const Lanes& path);
 /// The largest closure of each point; what the joint takes for good as that grows is booked as
 /// friction, of its asperities.
@@ -42,7 +47,10 @@ void remember_joint(const FacetKinematics& facets, FacetHistory& history, JointL
 
 // Of a facet of any law.
 /// What gas finds of the broken points, in the mean; none where the law knows no apertures.
-[[nodiscard]] std::optional<JointApertures> mean_apertures(const FacetKinematics& facets,
+struct BrokenApertures : JointApertures {
+  double at_break;  ///< mechanical one just after each point broke [m]
+};
+[[nodiscard]] std::optional<BrokenApertures> mean_apertures(const FacetKinematics& facets,
                                                            std::size_t f);
 /// What friction can hold at the points under a normal traction, not positive, at that speed of
 /// slip, squared [Pa], [m2/s2].

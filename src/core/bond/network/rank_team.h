@@ -17,6 +17,7 @@ struct RankTeam {
       [](std::span<double>, std::size_t) {};
   /// Over all ranks.
   std::function<double(double)> sum = [](double mine) { return mine; };
+  int ranks = 1;
 };
 
 }  // namespace muckpile

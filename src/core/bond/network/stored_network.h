@@ -110,14 +110,16 @@ struct Stored<GroundMemory> {
 template <>
 struct Stored<JointHistory> {
   static constexpr std::string_view kName = "joint_history";
-  static constexpr int kVersion = 1;
-  static auto fields(auto& history) { return std::tie(history.closure, history.slip); }
+  static constexpr int kVersion = 2;
+  static auto fields(auto& history) {
+    return std::tie(history.closure, history.slip, history.broke_at);
+  }
 };
 
 template <>
 struct Stored<ExtraMemory> {
   static constexpr std::string_view kName = "extra_memory";
-  static constexpr int kVersion = 2;
+  static constexpr int kVersion = 3;
   static auto fields(auto& extra) { return std::tie(extra.cohesion, extra.ground, extra.joint); }
 };
 

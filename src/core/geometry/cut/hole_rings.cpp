@@ -33,7 +33,7 @@ struct Ringed {
   int levels;
   double below = 0.0, above = 0.0;            // from its ends to its first and last level
   bool cap_below = false, cap_above = false;  // rings beyond the ends
-  int columns = 4;
+  int columns = 6;
   double spread = 0.0;  // height that all rings on one line are spread for; 0: that of the levels
 
   [[nodiscard]] double height() const { return length / levels; }
@@ -111,10 +111,9 @@ Vec3 first_edge(const TessellationOptions& options, const Hole& hole) {
   return (x.norm() > 0.5 ? x : y).normalized();
 }
 
-/// With quarters of them on both sides of two walls at right angles.
-int column_count(const TessellationOptions& options, const Hole& hole, double size) {
-  constexpr double kFewFrom = 2.5;  // blocks over radius: four fill a ring
-  if (size > kFewFrom * hole.radius) return 4;
+/// Blocks of a ring: six fill it, eight where quarters of it lie on both sides of two walls at
+/// right angles. With four the rock around moves a tenth too little at three radii.
+int column_count(const TessellationOptions& options, const Hole& hole) {
   Vec3 normal;
   return lies_in_wall(options, hole, normal) ? 8 : 6;
 }
@@ -129,7 +128,7 @@ Ringed ringed(const TessellationOptions& options, const Ground& ground, std::siz
          rounded_text(wall_size) + "'");
   }
   Ringed ring{h, hole, wall_size, hole_length(hole), 1};
-  ring.columns = column_count(options, hole, wall_size);
+  ring.columns = column_count(options, hole);
   const Vec3 middle = 0.5 * (hole.toe + hole.collar), out = first_edge(options, hole);
   constexpr int kRounds = 4;  // sizes grow with distance
   for (int k = 0; k < kRounds; ++k) ring.size = ground.size(middle + ring.seeds_at() * out);
@@ -252,7 +251,7 @@ std::vector<std::vector<Ringed>> ringed_lines(const TessellationOptions& options
   std::vector<std::vector<Ringed>> lines;
   for (std::size_t h = 0; h < options.holes.size(); ++h) {
     const Hole& hole = options.holes[h];
-    if (options.size.at(hole.radius) < kRingedFrom * hole.radius) continue;
+    if (options.size.at(hole.radius) < options.rings_from * hole.radius) continue;
     Ringed ring = ringed(options, ground, h);
     const auto line = std::find_if(lines.begin(), lines.end(), [&](const auto& other) {
       return on_one_line(other.front().hole, hole);

@@ -5,10 +5,11 @@
 // same on any number of ranks.
 //
 // A plane between a seed and its image cannot lie nearer to the axis than half the seed's distance,
-// so a hole not wider than its blocks cannot be cut that way. Here 4 to 8 seeds stand around the
-// axis, level above level, at the same angles: their cells meet at the axis like slices of a cake,
-// and each is cut at one side of a prism with the cylinder's cross section. The sides of all levels
-// are the same, so the void is that prism. A ring of seeds beyond each end makes the end plane.
+// so a hole not wider than its blocks cannot be cut that way. Here six or eight seeds stand around
+// the axis, level above level, at the same angles: their cells meet at the axis like slices of a
+// cake, and each is cut at one side of a prism with the cylinder's cross section. The sides of all
+// levels are the same, so the void is that prism. A ring of seeds beyond each end makes the end
+// plane.
 //   With n cells of volume s^3 in levels of height h around a hole of radius a the ring reaches to
 // R, and its seeds stand half a block inside:
 //     pi (R^2 - a^2) h / n = s^3,     rho = R - s/2
@@ -50,9 +51,10 @@ class HoleRings {
   std::vector<RingSeed> seeds_;  // in the rock
 };
 
-// Blocks over radius of a hole that get rings: from the first, where images fail, up to the second,
-// to which the volume that the wall sweeps is right within 5 % (docs/theory/wall.md).
-inline constexpr double kRingedFrom = 2.0, kCoarsest = 6.0;
+// Blocks over radius of a hole that may get rings (TessellationOptions::rings_from): from the first
+// two, where images make the void too large and then fail, up to the last, to which the volume that
+// the wall sweeps is right within 5 % (docs/theory/wall.md).
+inline constexpr double kImagesTooLarge = 1.75, kImagesFail = 2.0, kCoarsest = 6.0;
 
 // What lies behind the wall of a ring's cell is void, for the cells beside it, too: divides those
 // faces of block `number`, and says that the part is on the hole. The seeds numbered from

@@ -163,7 +163,8 @@ void Relaxation::sweep() {
 }
 
 std::vector<Block> Relaxation::make_blocks() const {
-  const Images images = mirror_seeds(seeds_, mirrored_holes_, options_.region, ground_);
+  Images images = mirror_seeds(seeds_, mirrored_holes_, options_.region, ground_);
+  bound_by_fitted(images);
   const std::vector<Vec3> points = points_with(images);
   CellCutter cutter(points, options_.lo, options_.hi, bounds_);
   std::vector<Block> blocks(seeds_.size());

@@ -50,6 +50,10 @@ class Relaxation {
   [[nodiscard]] std::vector<int> face_codes(const std::vector<int>& points,
                                             const Images& images) const;
   void adjust_radii(const std::vector<double>& hole_volumes);
+  // Of relaxation_fitted.cpp: what fitted surfaces ask of the last cells.
+  void bound_by_fitted(Images& images) const;
+  void stop_leaks(Images& images) const;
+  void fit_images(Images& images) const;
 
   const TessellationOptions& options_;
   HoleRings rings_;

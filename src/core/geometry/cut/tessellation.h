@@ -13,6 +13,14 @@
 
 namespace muckpile {
 
+// A rough surface of the rock, to which planes are fitted as wide as a block.
+struct FittedSurface {
+  // Feet of the perpendiculars from a point in the rock to these planes, within `cutoff` [m].
+  std::function<std::vector<Vec3>(const Vec3& point, double cutoff)> feet;
+  std::function<double(const Vec3& point)> height;  // distance, positive out of the rock [m]
+  std::function<Vec3(const Vec3& point)> closest;   // point of the surface itself
+};
+
 // A region inside the box, for rock that is not a box. Both functions or none. Plane faces come out
 // plane. Inner edges (toe of a bench) lose a chamfer of about one block; air features narrower than
 // a few blocks are not resolved.
@@ -21,6 +29,8 @@ struct RegionQuery {
   // The closest point of each smooth piece of the region's surface that lies within `cutoff` [m]
   // of `point`; several near a convex edge of the rock, all different. No box walls.
   std::function<std::vector<Vec3>(const Vec3& point, double cutoff)> surface_points;
+  // Surfaces that `inside` heeds as well, but that blocks follow by fitted planes.
+  std::vector<FittedSurface> fitted{};
 };
 
 // Plane that the cut follows: blocks end on both sides of it.
@@ -56,7 +66,8 @@ struct TessellationOptions {
   // Each goes through all of the rock, but cuts no sliver off (kThinnestPart). A crushed zone that
   // crosses a plane is carved on each side for itself.
   std::vector<CutPlane> planes;
-  bool rings = true;  // of seeds around holes narrow against their blocks (hole_rings.h)
+  bool rings = true;        // of seeds around holes narrow against their blocks (hole_rings.h)
+  double rings_from = 2.0;  // blocks over radius of a hole that get them
   SweepTeam team;
 };
 

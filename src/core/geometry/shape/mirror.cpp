@@ -29,25 +29,43 @@ void mirror_at_hole(const Vec3& seed, const Hole& hole, int number, double reach
   images.face_codes.push_back(hole_face(number));
 }
 
+/// False behind a thin slit of air: no image, no harm.
+bool mirror_at_surface(const Vec3& seed, const Vec3& surface, const RegionQuery& region,
+                       Images& images) {
+  const Vec3 image = 2.0 * surface - seed;
+  if (region.inside(image)) return false;
+  images.points.push_back(image);
+  images.face_codes.push_back(kFreeFace);
+  return true;
+}
+
+void mirror_at_fitted(const Vec3& seed, std::size_t number, double reach, const RegionQuery& region,
+                      Images& images) {
+  for (std::size_t s = 0; s < region.fitted.size(); ++s) {
+    for (const Vec3& foot : region.fitted[s].feet(seed, reach)) {
+      if (mirror_at_surface(seed, foot, region, images))
+        images.fitted.push_back({images.points.size() - 1, number, s});
+    }
+  }
+}
+
 }  // namespace
 
 Images mirror_seeds(const std::vector<Vec3>& seeds, const std::vector<Hole>& holes,
                     const RegionQuery& region, const Ground& ground) {
   Images images;
   std::vector<int> near;
-  for (const Vec3& seed : seeds) {
+  for (std::size_t n = 0; n < seeds.size(); ++n) {
+    const Vec3& seed = seeds[n];
     const double size = ground.size(seed);
     ground.holes_near(seed, kHoleReach * size, near);
     for (const int h : near) {
       mirror_at_hole(seed, holes[static_cast<std::size_t>(h)], h, kHoleReach * size, images);
     }
     if (!region.surface_points) continue;
-    for (const Vec3& surface : region.surface_points(seed, kRegionReach * size)) {
-      const Vec3 image = 2.0 * surface - seed;
-      if (region.inside(image)) continue;  // behind a thin slit of air: no image, no harm
-      images.points.push_back(image);
-      images.face_codes.push_back(kFreeFace);
-    }
+    for (const Vec3& surface : region.surface_points(seed, kRegionReach * size))
+      (void)mirror_at_surface(seed, surface, region, images);
+    mirror_at_fitted(seed, n, kRegionReach * size, region, images);
   }
   return images;
 }

@@ -4,6 +4,7 @@
 // A hole is convex, so that plane never cuts into it; blocks stay cells of one Voronoi diagram.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "geometry/cut/ground.h"
@@ -13,6 +14,10 @@ namespace muckpile {
 struct Images {
   std::vector<Vec3> points;     // [m]
   std::vector<int> face_codes;  // kFreeFace or hole_face(h) for a block's face against the image
+  struct Fitted {
+    std::size_t image, seed, surface;
+  };
+  std::vector<Fitted> fitted;  // those behind planes of fitted surfaces
 };
 
 // `holes` are the options' holes with the radii that are mirrored at now; none at a radius of 0.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Triangles of an STL file.
 // Scope: see the header; numbers of a binary file are little-endian, as is this machine.
-#include "io/stl_file.h"
+#include "geometry/files/stl_file.h"
 
 #include <algorithm>
 #include <bit>

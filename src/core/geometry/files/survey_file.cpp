@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A surveyed surface from a file, by the ending of its name.
 // Scope: see the header.
-#include "io/survey_file.h"
+#include "geometry/files/survey_file.h"
 
 #include <algorithm>
 #include <cctype>
 
 #include "args/input_error.h"
 #include "args/suggestion.h"
-#include "io/dxf_file.h"
-#include "io/las_file.h"
-#include "io/point_file.h"
+#include "geometry/files/dxf_file.h"
+#include "geometry/files/las_file.h"
+#include "geometry/files/point_file.h"
 
 namespace muckpile {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Drawings in DXF: surfaces in, lines and outlines out.
-// Scope: text DXF. Read are 3DFACE, polyface meshes and POINT of the section ENTITIES, whatever
-// their layer; written is release 12, which every program reads.
+// Drawings in DXF: lines and outlines out.
+// Scope: release 12, which every program reads.
 #pragma once
 
 #include <filesystem>
@@ -9,20 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "io/stl_file.h"
 #include "math/types.h"
 
 namespace muckpile {
-
-struct DxfSurface {
-  std::vector<StlTriangle> triangles;  // of faces; one of four corners is two
-  std::vector<Vec3> points;
-};
-
-// In the file's own axes and unit. Throws InputError, with file and line, on a file that is cut, is
-// binary or no DXF, has a face with a corner that is no finite number or is not there, or neither a
-// face nor three points.
-DxfSurface read_dxf(const std::filesystem::path& path);
 
 class DxfWriter {
  public:

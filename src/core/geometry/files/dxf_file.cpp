@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Drawings in DXF: surfaces in.
-// Scope: see the header; dxf_writer.cpp writes.
-#include "io/dxf_file.h"
+// Scope: see the header.
+#include "geometry/files/dxf_file.h"
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <map>
 
 #include "args/csv_table.h"

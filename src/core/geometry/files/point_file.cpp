@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Points of a surveyed surface from a text file.
 // Scope: see the header.
-#include "io/point_file.h"
+#include "geometry/files/point_file.h"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "io/stl_file.h"
+#include "geometry/files/stl_file.h"
 #include "math/types.h"
 
 namespace muckpile {
@@ -18,8 +18,8 @@ struct SurveyedSurface {
   std::vector<StlTriangle> triangles;  // [m]
 };
 
-// `unit` is what the file's numbers count in [m]. Throws InputError as io/point_file.h,
-// io/las_file.h, io/stl_file.h and io/dxf_file.h tell, and for another ending.
+// `unit` is what the file's numbers count in [m]. Throws InputError as geometry/files/point_file.h,
+// geometry/files/las_file.h, stl_file.h and dxf_file.h tell, and for another ending.
 SurveyedSurface read_survey(const std::filesystem::path& path, double unit);
 
 }  // namespace muckpile

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Points of a LAS file.
 // Scope: see the header; its numbers are little-endian, as are this machine's.
-#include "io/las_file.h"
+#include "geometry/files/las_file.h"
 
 #include <array>
 #include <bit>

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What is refused of a surface that shall bound rock, with what to do.
+// Scope: `where` begins each message; lengths in metres, in the frame of the run.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/surface/surface_index.h"
+
+namespace muckpile {
+
+/// Throws InputError where edges have a triangle on one side only, more than two triangles meet at
+/// an edge, or two are turned against each other.
+void require_closed(const std::vector<StlTriangle>& triangles, const std::string& where);
+
+/// Volume that a closed surface encloses [m3]; negative if its triangles look inward.
+[[nodiscard]] double enclosed_volume(const std::vector<StlTriangle>& triangles);
+
+/// Throws InputError for a closed surface whose triangles look inward, or that overlaps itself.
+void require_outward(const SurfaceIndex& surface, const std::string& where);
+
+/// Throws InputError for a terrain that hangs over, or does not cover the box in plan.
+void require_height_field(const SurfaceIndex& surface, const Vec3& lo, const Vec3& hi,
+                          const std::string& where);
+
+/// Throws InputError for a surface (`body`, else a terrain) of a size that tells of another unit
+/// than the metre, as it stands beside the box.
+void require_likely_unit(const Vec3& surface_lo, const Vec3& surface_hi, bool body, const Vec3& lo,
+                         const Vec3& hi, const std::string& where);
+
+/// Throws InputError for a surface that is nowhere near the box.
+void require_at_box(const Vec3& surface_lo, const Vec3& surface_hi, bool body, const Vec3& lo,
+                    const Vec3& hi, const std::string& where);
+
+}  // namespace muckpile

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Surfaces of the rock from files.
+// Scope: see the header.
+#include "rock/rock_surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <sstream>
+
+#include "args/input_error.h"
+#include "args/numbers.h"
+#include "explosive/hole_table.h"
+#include "geometry/surface/surface_checks.h"
+#include "rock/cut_table.h"
+
+namespace muckpile {
+namespace {
+
+std::string name_of(const RockSurface& surface) {
+  return (surface.kind == SurfaceIs::body ? "surface " : "terrain ") + surface.file;
+}
+
+[[noreturn]] void refuse_words(const std::string& text) { refuse(kCreateBlocks, text); }
+
+MineFrame frame_of(const ArgValues& args) {
+  MineFrame frame;
+  frame.bearing = args.real("x_bearing") * M_PI / 180.0;
+  for (const auto& words : args.groups("origin")) {
+    for (int c = 0; c < 3; ++c)
+      frame.origin[c] = cut_real("origin", words[static_cast<std::size_t>(c)], "m", place_range());
+  }
+  return frame;
+}
+
+SurveyedSurface placed(SurveyedSurface survey, const MineFrame& frame) {
+  for (Vec3& point : survey.points) point = frame.to_run(point);
+  for (StlTriangle& triangle : survey.triangles)
+    for (Vec3& corner : triangle) corner = frame.to_run(corner);
+  return survey;
+}
+
+RockSurface read_surface(const std::string& file, SurfaceIs kind, double unit,
+                         const MineFrame& frame) {
+  RockSurface surface{file, kind, nullptr};
+  const std::string where = name_of(surface);
+  SurveyedSurface survey = placed(read_survey(file, unit), frame);
+  if (kind == SurfaceIs::body && survey.triangles.empty())
+    refuse(where, "must be triangles, as .stl or .dxf has, got points; give those as terrain");
+  std::vector<StlTriangle> triangles =
+      kind == SurfaceIs::body ? std::move(survey.triangles) : terrain_triangles(survey);
+  if (triangles.empty()) refuse(where, "must have points that do not lie on one line in plan");
+  if (kind == SurfaceIs::body) require_closed(triangles, where);
+  surface.index = std::make_shared<const SurfaceIndex>(std::move(triangles));
+  if (kind == SurfaceIs::body) require_outward(*surface.index, where);
+  return surface;
+}
+
+void require_rock(const CutOptions& options) {
+  constexpr int kPoints = 24;  // per axis
+  const Vec3& lo = options.rock.lo;
+  const Vec3 step = (options.rock.hi - lo) / kPoints;
+  for (int k = 0; k < kPoints * kPoints * kPoints; ++k) {
+    const Vec3 place(k % kPoints + 0.5, k / kPoints % kPoints + 0.5, k / (kPoints * kPoints) + 0.5);
+    if (options.rock.region.inside(lo + place.cwiseProduct(step))) return;
+  }
+  refuse_words(
+      "region and surfaces share no rock: is the region where the surfaces leave rock, and "
+      "is the ground below the terrain in it?");
+}
+
+}  // namespace
+
+void read_surfaces(CutOptions& options, const ArgValues& args) {
+  const std::string &body = args.word("surface"), &terrain = args.word("terrain");
+  if (body == "none" && terrain == "none") {
+    // An input with a knob for the terrain says `terrain none`, and gives the rest all the same.
+    const bool none = args.given("surface") || args.given("terrain");
+    for (const char* word : {"origin", "x_bearing", "unit"})
+      if (args.given(word) && !none) refuse_words(std::string(word) + " needs surface or terrain");
+    return;
+  }
+  if (options.joint_sets) refuse_words("surface and terrain need 'cut voronoi'");
+  if (options.import_file)
+    refuse_words("size import leaves nothing to cut: no surface and no terrain");
+  options.mine = frame_of(args);
+  options.unit_given = args.given("unit");
+  const double unit = args.real("unit");
+  if (body != "none")
+    options.surfaces.push_back(read_surface(body, SurfaceIs::body, unit, options.mine));
+  if (terrain != "none")
+    options.surfaces.push_back(read_surface(terrain, SurfaceIs::terrain, unit, options.mine));
+}
+
+void lay_surfaces(CutOptions& options) {
+  if (options.surfaces.empty()) return;
+  const Vec3 lo = options.rock.lo, hi = options.rock.hi;
+  for (const RockSurface& surface : options.surfaces) {
+    const bool body = surface.kind == SurfaceIs::body;
+    const std::string where = std::string(kCreateBlocks) + ": " + name_of(surface);
+    const SurfaceIndex& index = *surface.index;
+    if (!options.unit_given) require_likely_unit(index.lo(), index.hi(), body, lo, hi, where);
+    require_at_box(index.lo(), index.hi(), body, lo, hi, where);
+    if (!body) require_height_field(index, lo, hi, where);
+  }
+  options.region_alone = options.rock.region;
+  options.rock.region = within(options.region_alone, options.surfaces);
+  require_rock(options);
+}
+
+SurfaceOutcome surface_outcome(const CutOptions& options, const Tessellation& cut) {
+  constexpr int kColumns = 300;
+  const Vec3 &lo = options.rock.lo, &hi = options.rock.hi;
+  SurfaceOutcome outcome{surface_fit(cut.blocks, options.surfaces, lo, hi), 0.0, 0.0};
+  outcome.rock = rock_volume(options.surfaces, options.region_alone, lo, hi, kColumns);
+  const std::vector<double>& voids = cut.statistics.hole_volume;
+  outcome.cut = std::accumulate(voids.begin(), voids.end(), cut.statistics.block_volume);
+  return outcome;
+}
+
+std::string describe_surfaces(const CutOptions& options, const Tessellation& cut) {
+  if (options.surfaces.empty()) return "";
+  const SurfaceOutcome outcome = surface_outcome(options, cut);
+  std::ostringstream text;
+  for (const RockSurface& surface : options.surfaces)
+    text << "  " << name_of(surface) << ": " << surface.index->triangles().size() << " triangles\n";
+  const Vec3& o = options.mine.origin;
+  text << "  place 0 0 0 is " << number_text(o.x()) << ' ' << number_text(o.y()) << ' '
+       << number_text(o.z()) << " m of their files; x looks to the bearing "
+       << number_text(options.mine.bearing * 180.0 / M_PI) << " degrees\n";
+  text.precision(4);
+  text << "  rock within region and surfaces " << outcome.rock << " m3, blocks and crushed zones "
+       << outcome.cut << " m3 (" << std::showpos << 100.0 * (outcome.cut / outcome.rock - 1.0)
+       << std::noshowpos << " %); faces on the surfaces lie off them by "
+       << outcome.fit.mean_distance << " blocks in the mean, " << outcome.fit.largest_distance
+       << " at most, " << 100.0 * outcome.fit.within_a_quarter
+       << " % of their area within a quarter\n";
+  return text.str();
+}
+
+}  // namespace muckpile

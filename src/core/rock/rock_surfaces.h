@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The surfaces that bound the rock: from the words of create_blocks to what the cut follows.
+// Scope: files of points or triangles in mine coordinates or those of the run.
+#pragma once
+
+#include <string>
+
+#include "rock/cut_options.h"
+
+namespace muckpile {
+
+/// Reads `surface`, `terrain`, `origin`, `x_bearing` and `unit`. Throws InputError where a file
+/// cannot be read or a body is not closed.
+void read_surfaces(CutOptions& options, const ArgValues& args);
+
+/// Bounds the rock by them, once its region is known. Throws InputError where they do not fit it.
+void lay_surfaces(CutOptions& options);
+
+/// What the blocks make of them.
+struct SurfaceOutcome {
+  SurfaceFit fit;
+  double rock = 0.0;  ///< that the surfaces hold [m3]
+  double cut = 0.0;   ///< blocks and crushed zones [m3]
+};
+[[nodiscard]] SurfaceOutcome surface_outcome(const CutOptions& options, const Tessellation& cut);
+
+/// Lines of the log; "" without surfaces.
+[[nodiscard]] std::string describe_surfaces(const CutOptions& options, const Tessellation& cut);
+
+}  // namespace muckpile

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# test_wall_notes.sh LIGGGHTS_MUCKPILE: blocks at the wall of a crushed zone are as wide as widest_wall_block lets them be, and inputs note it where they are cut
+# down or where a pulse rises faster than a wave crosses a block.
+set -euo pipefail
+program=$1
+source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
+cd "$root"
+
+wrong=0
+try() { "$program" -log none "$@" >"$out/screen" 2>&1 </dev/null || true; }
+says() {  # says COUNT TEXT: on so many lines
+  [[ $(grep -cF -- "$2" "$out/screen") -eq $1 ]] || { echo "not $1 times: $2"; tail -n 5 "$out/screen"; wrong=1; }
+}
+
+cat >"$out/in.wall" <<'END'
+variable crushed_radius index 0.1
+variable block_min index 0.5
+include inputs/common/wall_blocks.in
+print 'block_min is ${block_min} m'
+END
+try -in "$out/in.wall"
+says 1 'NOTE: block_min 0.5 m is wider than 2 radii of the crushed zone; 0.1999 m is taken'
+says 1 'block_min is 0.1999 m'
+try -in "$out/in.wall" -var widest_wall_block 6
+says 0 'NOTE'
+says 1 'block_min is 0.5 m'
+
+# The run stops at time_end, after the check of the pulse.
+try -in inputs/pattern/in.pattern -var out "$out" -var time_end 0.1 -var rise_time 1e-4
+says 1 'NOTE: the pulse rises (rise_time 1e-4 s) faster than a wave crosses a block of block_min 0.95 m'
+says 1 'ERROR: input: time_end'
+try -in inputs/pattern/in.pattern -var out "$out" -var time_end 0.1 -var rise_time 3e-4
+says 0 'NOTE'
+says 1 'ERROR: input: time_end'
+exit $wrong

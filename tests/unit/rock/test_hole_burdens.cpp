@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Burden along charges, against plane faces for which it is known.
+// Scope: blocks of one size; lengths in metres.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "geometry/cut/tessellation.h"
+#include "rock/hole_burdens.h"
+
+namespace muckpile {
+namespace {
+
+constexpr double kFaceAngle = 70.0 * M_PI / 180.0;
+
+/// A bench 4 m high whose face leans back from the toe at x = 0, z = 0; free there and on top.
+std::vector<Block> bench(const std::vector<Hole>& holes) {
+  TessellationOptions options;
+  options.lo = Vec3(-6.0, -3.0, 0.0);
+  options.hi = Vec3(0.0, 3.0, 4.0);
+  options.size = SizeLaw::uniform(0.6);
+  options.sweeps = 3;
+  options.holes = holes;
+  const Vec3 normal(std::sin(kFaceAngle), 0.0, std::cos(kFaceAngle));
+  options.region.inside = [normal](const Vec3& p) { return normal.dot(p) < 0.0; };
+  options.region.surface_points = [normal](const Vec3& p, double cutoff) {
+    const double below = -normal.dot(p);
+    return below <= cutoff ? std::vector<Vec3>{p + below * normal} : std::vector<Vec3>{};
+  };
+  return tessellate(options).blocks;
+}
+
+Support support_of_bench(const Vec3& at) {
+  const bool held = std::abs(at.y()) > 3.0 - 1e-6 || at.x() < -6.0 + 1e-6 || at.z() < 1e-6;
+  return held ? Support::fixed : Support::free;
+}
+
+// Upright: at height z the face is z cot(70) nearer. In each twentieth the nearest counts, its top.
+TEST(HoleBurdens, OfAnUprightHoleShrinkUpward) {
+  const std::vector<Hole> holes{{Vec3(-3.0, 0.0, 0.2), Vec3(-3.0, 0.0, 2.2), 0.3}};
+  const HoleBurden burden = hole_burdens(bench(holes), holes, support_of_bench).front();
+  const auto at = [](double z) { return 3.0 - z / std::tan(kFaceAngle); };
+  EXPECT_NEAR(burden.least.value(), at(2.2), 1e-6);
+  EXPECT_NEAR(burden.greatest.value(), at(0.3), 1e-6);
+  EXPECT_NEAR(burden.mean.value(), at(1.25), 1e-6);
+  EXPECT_EQ(burden.bare, 0.0);
+  EXPECT_FALSE(burden.in_front);
+}
+
+TEST(HoleBurdens, OfAHoleAlongTheFaceAreOneAndRowsHaveTheHoleInFront) {
+  const Vec3 along(-std::cos(kFaceAngle), 0.0, std::sin(kFaceAngle));
+  const auto hole = [&](double x) {
+    return Hole{Vec3(x, 0.0, 0.4), Vec3(x, 0.0, 0.4) + 2.0 * along, 0.3};
+  };
+  const std::vector<Hole> holes{hole(-1.8), hole(-3.6)};
+  const auto burdens = hole_burdens(bench(holes), holes, support_of_bench);
+  const double first = 1.8 * std::sin(kFaceAngle) - 0.4 * std::cos(kFaceAngle);
+  EXPECT_NEAR(burdens[0].least.value(), first, 1e-6);
+  EXPECT_NEAR(burdens[0].greatest.value(), first, 1e-6);
+  EXPECT_FALSE(burdens[0].in_front);
+  ASSERT_EQ(burdens[1].in_front, 0U);
+  EXPECT_NEAR(burdens[1].to_front, 1.8 * std::sin(kFaceAngle), 1e-9);
+  // 1.55 m are within 0.6 and 1.5 of a plan's 1.7 m, but not of 1 m, nor of 2.7 m.
+  const auto warnings = [&](double plan) {
+    const std::string text = describe_burdens(burdens, plan);
+    std::size_t count = 0;
+    for (auto at = text.find("WARNING"); at != std::string::npos; at = text.find("WARNING", at + 1))
+      ++count;
+    return count;
+  };
+  EXPECT_EQ(warnings(0.0), 0U);
+  EXPECT_EQ(warnings(1.7), 0U);
+  EXPECT_EQ(warnings(1.0), 2U);
+  EXPECT_EQ(warnings(2.7), 1U);
+}
+
+TEST(HoleBurdens, AreNoneWithoutAFaceBesideTheCharge) {
+  const std::vector<Hole> holes{{Vec3(-3.0, 0.0, 0.2), Vec3(-3.0, 0.0, 2.2), 0.3}};
+  const auto burdens =
+      hole_burdens(bench(holes), holes, [](const Vec3&) { return Support::fixed; });
+  EXPECT_FALSE(burdens.front().mean);
+  EXPECT_NE(describe_burdens(burdens, 3.0).find("no free face beside it"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace muckpile
