@@ -68,6 +68,8 @@ void write_history(const std::filesystem::path& path) {
 void write_run(const std::filesystem::path& folder, size_t count, int snapshots) {
   TessellationOptions options = graded_bench({count, kRatio, 3});
   options.sweeps = 0;
+  options.region = {};  // a box, whose face is as plane as profile wants it
+  options.hi.x() = 0.0;
   const std::vector<Block> shapes = tessellate(options).blocks;
   const std::vector<StartBlock> blocks = testing::as_start_blocks(shapes);
   const std::filesystem::path dump = folder / "dump";

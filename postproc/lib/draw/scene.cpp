@@ -9,6 +9,8 @@
 #include <limits>
 #include <numbers>
 
+#include "parallel/in_parallel.h"
+
 namespace muckpile {
 namespace {
 
@@ -95,17 +97,20 @@ class Shader {
         sun_(Camera::parallel(-scene.to_sun, ball_.middle, ball_.radius, kSunSize)),
         seen_(canvas.sample_width(), canvas.sample_height()),
         lit_(kSunSize, kSunSize) {
-    seen_.draw(scene.polygons, camera, true);
-    lit_.draw(scene.polygons, sun_, false);
+    in_parallel(2, [&](size_t part) {
+      if (part == 0) seen_.draw(scene.polygons, camera, true);
+      if (part == 1) lit_.draw(scene.polygons, sun_, false);
+    });
     for (const ScenePolygon& p : scene.polygons)
       normals_.push_back(normal_of(p.corners).normalized());
   }
 
   void shade(Canvas& canvas) const {
-    for (int y = 0; y < canvas.sample_height(); ++y) {
+    in_parallel(static_cast<size_t>(canvas.sample_height()), [&](size_t row) {
+      const int y = static_cast<int>(row);
       for (int x = 0; x < canvas.sample_width(); ++x)
         canvas.set_sample(x, y, colour_at(x, y, canvas.sample_height()));
-    }
+    });
   }
 
   [[nodiscard]] bool is_hidden(const Vec3& p) const {

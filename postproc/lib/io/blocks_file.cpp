@@ -6,47 +6,45 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <string>
 
+#include "args/csv_table.h"
 #include "args/input_error.h"
 #include "geometry/files/cell_file.h"
+#include "parallel/in_parallel.h"
 
 namespace muckpile {
 namespace {
 
 using CellData = std::map<std::string, std::vector<double>>;
 
-std::vector<double> read_scalars(std::istream& in, size_t cells, const std::string& where) {
-  std::string type, table, name;
-  std::getline(in, type);  // and the number of components, which may be left out
-  if (!(in >> table >> name) || table != "LOOKUP_TABLE")
-    throw InputError(where + "LOOKUP_TABLE expected, got '" + table + "'");
-  std::vector<double> values;
-  while (values.size() < cells) {
-    if (!(in >> values.emplace_back())) {
+std::vector<double> read_scalars(TextWords& text, size_t cells, const std::string& where) {
+  (void)text.line();  // type and the number of components, which may be left out
+  const std::string_view table = text.word();
+  if (table != "LOOKUP_TABLE" || text.word().empty())
+    throw InputError(where + "LOOKUP_TABLE expected, got '" + std::string(table) + "'");
+  std::vector<double> values(cells);
+  for (size_t k = 0; k < cells; ++k)
+    if (!text.number(values[k]))
       throw InputError(where + "must have a number for each of " + std::to_string(cells) +
-                       " cells, got " + std::to_string(values.size() - 1));
-    }
-  }
+                       " cells, got " + std::to_string(k));
   return values;
 }
 
 // What stands behind the cells.
-CellData read_cell_data(std::istream& in, size_t cells, const std::string& file) {
-  std::string word;
+CellData read_cell_data(TextWords& text, size_t cells, const std::string& file) {
   size_t count = 0;
-  if (!(in >> word >> count) || word != "CELL_DATA" || count != cells)
+  if (text.word() != "CELL_DATA" || !text.number(count) || count != cells)
     throw InputError(file + ": 'CELL_DATA " + std::to_string(cells) +
                      "' expected behind the cells");
   CellData data;
-  while (in >> word) {
-    std::string name;
-    if (word != "SCALARS" || !(in >> name))
+  for (std::string word(text.word()); !word.empty(); word = text.word()) {
+    const std::string name(text.word());
+    if (word != "SCALARS" || name.empty())
       throw InputError(file + ": 'SCALARS' and a name expected, got '" + word + "'");
-    data[name] = read_scalars(in, cells, file + ": " + name + ": ");
+    data[name] = read_scalars(text, cells, file + ": " + name + ": ");
   }
   return data;
 }
@@ -91,27 +89,24 @@ void check(const StartBlock& block, double measured, const std::string& file) {
 std::vector<StartBlock> read_blocks(const std::filesystem::path& path) {
   const std::string file = path.string();
   if (!std::filesystem::is_regular_file(path)) throw InputError(file + ": is not a file");
-  std::ifstream in(path);
-  if (!in) throw InputError(file + ": cannot be opened");
-  std::vector<Polyhedron> cells = read_cells(in, file);
-  const CellData data = read_cell_data(in, cells.size(), file);
+  TextWords text(whole_file(path));
+  std::vector<Polyhedron> cells = read_cells(text, file);
+  const CellData data = read_cell_data(text, cells.size(), file);
   const auto& id = cell_array(data, "id", file);
   const auto& volume = cell_array(data, "volume_m3", file);
   const auto& size = cell_array(data, "size_m", file);
   const auto& mass = cell_array(data, "mass_kg", file);
   const auto& free_face = cell_array(data, "on_free_face", file);
 
-  std::vector<StartBlock> blocks;
-  blocks.reserve(cells.size());
-  for (size_t c = 0; c < cells.size(); ++c) {
-    StartBlock block{
+  std::vector<StartBlock> blocks(cells.size());
+  each_in_parallel(cells.size(), [&](size_t c) {
+    blocks[c] = {
         whole_id(id[c], file), std::move(cells[c]), Vec3::Zero(), volume[c], size[c], mass[c],
         free_face[c] != 0.0};
-    const MassProperties exact = mass_properties(block.shape);
-    block.centroid = exact.centroid;
-    check(block, exact.volume, file);
-    blocks.push_back(std::move(block));
-  }
+    const MassProperties exact = mass_properties(blocks[c].shape);
+    blocks[c].centroid = exact.centroid;
+    check(blocks[c], exact.volume, file);
+  });
   std::ranges::sort(blocks, {}, &StartBlock::id);
   const auto twin = std::ranges::adjacent_find(blocks, {}, &StartBlock::id);
   if (twin != blocks.end())

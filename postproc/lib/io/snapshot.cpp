@@ -10,6 +10,7 @@
 #include "args/csv_table.h"
 #include "args/input_error.h"
 #include "io/images.h"
+#include "io/plain_snapshot.h"
 #include "provenance/run_files.h"
 
 namespace muckpile {
@@ -59,6 +60,36 @@ BlockState state_of(const CsvTable& table, size_t row, const Columns& column) {
           table.whole(row, column.fragment),      table.number(row, column.broken)};
 }
 
+// The first line of a text, with its end.
+std::string_view first_line(std::string_view text) { return text.substr(0, text.find('\n') + 1); }
+
+// Any order of rows and columns, and what is wrong with a faulty file.
+void read_table(const CsvTable& table, const std::string& file,
+                const std::vector<StartBlock>& blocks, std::vector<BlockState>& states) {
+  const Columns column(table);
+  const auto images = blocks.begin() + static_cast<std::ptrdiff_t>(modelled(blocks));
+  std::vector<char> seen(modelled(blocks), 0);
+  for (size_t row = 0; row < table.rows(); ++row) {
+    const int id = table.whole(row, column.id);
+    const auto found = std::ranges::lower_bound(blocks.begin(), images, id, {}, &StartBlock::id);
+    if (found == images || found->id != id) {
+      throw InputError(table.where(row) + "id " + std::to_string(id) +
+                       " is not a block of blocks.vtk");
+    }
+    const auto index = static_cast<size_t>(found - blocks.begin());
+    if (seen[index])
+      throw InputError(table.where(row) + "id " + std::to_string(id) + " occurs twice");
+    seen[index] = 1;
+    states[index] = state_of(table, row, column);
+  }
+  const auto missing = std::ranges::find(seen, 0);
+  if (missing != seen.end()) {
+    throw InputError(file + ": block " +
+                     std::to_string(blocks[static_cast<size_t>(missing - seen.begin())].id) +
+                     " has no row");
+  }
+}
+
 }  // namespace
 
 std::vector<std::filesystem::path> snapshot_files(const std::filesystem::path& dump) {
@@ -74,33 +105,18 @@ std::vector<std::filesystem::path> snapshot_files(const std::filesystem::path& d
 }
 
 Snapshot read_snapshot(const std::filesystem::path& path, const std::vector<StartBlock>& blocks) {
-  const CsvTable table = CsvTable::read(path);
-  const Columns column(table);
+  const std::string file = path.string(), text = whole_file(path);
+  const std::string_view remark = first_line(text);
+  const CsvTable head = CsvTable::parse(
+      std::string(remark) + std::string(first_line(std::string_view(text).substr(remark.size()))),
+      file);
   Snapshot snapshot;
-  snapshot.step = std::lround(remark_number(table, path.string(), "step"));
-  snapshot.time = remark_number(table, path.string(), "time_s");
+  snapshot.step = std::lround(remark_number(head, file, "step"));
+  snapshot.time = remark_number(head, file, "time_s");
   snapshot.states.resize(blocks.size());
-  const auto images = blocks.begin() + static_cast<std::ptrdiff_t>(modelled(blocks));
-  std::vector<char> seen(modelled(blocks), 0);
-  for (size_t row = 0; row < table.rows(); ++row) {
-    const int id = table.whole(row, column.id);
-    const auto found = std::ranges::lower_bound(blocks.begin(), images, id, {}, &StartBlock::id);
-    if (found == images || found->id != id) {
-      throw InputError(table.where(row) + "id " + std::to_string(id) +
-                       " is not a block of blocks.vtk");
-    }
-    const auto index = static_cast<size_t>(found - blocks.begin());
-    if (seen[index])
-      throw InputError(table.where(row) + "id " + std::to_string(id) + " occurs twice");
-    seen[index] = 1;
-    snapshot.states[index] = state_of(table, row, column);
-  }
-  const auto missing = std::ranges::find(seen, 0);
-  if (missing != seen.end()) {
-    throw InputError(path.string() + ": block " +
-                     std::to_string(blocks[static_cast<size_t>(missing - seen.begin())].id) +
-                     " has no row");
-  }
+  if (!read_plain_rows(std::string_view(text).substr(remark.size()), blocks, modelled(blocks),
+                       kUnitTolerance, snapshot.states))
+    read_table(CsvTable::parse(text, file), file, blocks, snapshot.states);
   add_image_states(blocks, snapshot.states);
   return snapshot;
 }

@@ -9,6 +9,7 @@
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
 #include "measure/sieve_size.h"
+#include "parallel/in_parallel.h"
 #include "report/fines_report.h"
 #include "report/fragments_plot.h"
 #include "report/kuz_ram_of_run.h"
@@ -28,9 +29,9 @@ struct SizedFragment {
 // Sieve sizes of the blocks that were broken out, NaN of the others.
 std::vector<double> block_sieves(const RunData& run) {
   std::vector<double> sizes(run.blocks.size(), std::nan(""));
-  for (size_t b = 0; b < run.blocks.size(); ++b) {
+  each_in_parallel(run.blocks.size(), [&](size_t b) {
     if (run.moved[b] != 0) sizes[b] = sieve_size(run.blocks[b]);
-  }
+  });
   return sizes;
 }
 
@@ -58,7 +59,11 @@ std::vector<SizedFragment> sized_fragments(const RunData& run, const std::vector
   const auto members = members_of(run.last);
   std::vector<SizedFragment> sized;
   for (const Fragment& f : fragments_of(run.blocks, run.last, run.moved))
-    sized.push_back({f, f.in_pile ? sieve_of(members.at(f.id), run, blocks) : std::nan("")});
+    sized.push_back({f, std::nan("")});
+  each_in_parallel(sized.size(), [&](size_t k) {
+    const Fragment& f = sized[k].fragment;
+    if (f.in_pile) sized[k].sieve = sieve_of(members.at(f.id), run, blocks);
+  });
   return sized;
 }
 

@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 
 #include "args/input_error.h"
 #include "args/numbers.h"
@@ -61,9 +61,13 @@ bool parse_all(std::string_view text, Number& value) {
 std::string whole_file(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw InputError(path.string() + ": cannot be opened");
-  std::ostringstream text;
-  text << in.rdbuf();
-  return std::move(text).str();
+  std::error_code no_size;  // of a pipe, say
+  const std::uintmax_t size = std::filesystem::file_size(path, no_size);
+  std::string text(no_size ? 0 : static_cast<std::size_t>(size), '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  if (in) text.append(std::istreambuf_iterator<char>(in), {});
+  return text;
 }
 
 CsvTable CsvTable::read(const std::filesystem::path& path) {

@@ -84,8 +84,8 @@ std::string file_of(const std::string& cells) {
 }
 
 std::vector<Block> blocks_of(const std::string& cells) {
-  std::istringstream in(file_of(cells));
-  return joined_blocks(read_cells(in, "test.vtk"));
+  TextWords text(file_of(cells));
+  return joined_blocks(read_cells(text, "test.vtk"));
 }
 
 /// A cube of 1 m and one of 0.5 m on the middle of its top, moved by `dx`, `dz`, as hexahedra.
@@ -135,9 +135,9 @@ TEST(BlockImport, NamesWhatIsWrong) {
   EXPECT_EQ(refusal("POINTS 1 double\n0 0"), "block import: 'test.vtk': a coordinate expected");
   EXPECT_EQ(refusal("POINTS -3 double\n"),
             "block import: 'test.vtk': number of points must be >= 0 and <= 1000000000, got '-3'");
-  std::istringstream no_vtk("hello\n");
+  TextWords no_vtk("hello\n");
   EXPECT_THROW((void)read_cells(no_vtk, "x"), InputError);
-  std::istringstream new_vtk("# vtk DataFile Version 5.1\nt\nASCII\n");
+  TextWords new_vtk("# vtk DataFile Version 5.1\nt\nASCII\n");
   EXPECT_THROW((void)read_cells(new_vtk, "x"), InputError);
   TessellationOptions rock;
   EXPECT_THROW((void)import_blocks("/no/such/file.vtk", rock), InputError);

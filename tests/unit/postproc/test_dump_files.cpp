@@ -65,6 +65,22 @@ TEST_F(DumpFiles, SnapshotsComeBackInTheOrderOfTheBlocks) {
   }
 }
 
+// A file as the engine writes it is read by another way than one with blanks in it.
+TEST_F(DumpFiles, BlanksInARowChangeNothing) {
+  const auto blocks = read_blocks(dump("blocks.vtk"));
+  const Snapshot plain = read_snapshot(dump("blocks_000002000.csv"), blocks);
+  edit("blocks_000002000.csv", "\n1472,", "\n1472 , ");
+  const Snapshot spaced = read_snapshot(dump("blocks_000002000.csv"), blocks);
+  for (size_t b = 0; b < blocks.size(); ++b) {
+    EXPECT_EQ(plain.states[b].centre, spaced.states[b].centre);
+    EXPECT_EQ(plain.states[b].rotation.coeffs(), spaced.states[b].rotation.coeffs());
+    EXPECT_EQ(plain.states[b].velocity, spaced.states[b].velocity);
+    EXPECT_EQ(plain.states[b].spin, spaced.states[b].spin);
+    EXPECT_EQ(plain.states[b].fragment, spaced.states[b].fragment);
+    EXPECT_EQ(plain.states[b].broken_fraction, spaced.states[b].broken_fraction);
+  }
+}
+
 TEST_F(DumpFiles, MovedPointTurnsAboutTheCentroid) {
   const auto blocks = as_start_blocks({cube_at({1.0, 0.0, 0.0})});
   Snapshot s = start_snapshot(blocks);

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <utility>
 
+#include "args/csv_table.h"
 #include "geometry/cut/ground.h"
 #include "geometry/cut/shared_faces.h"
 #include "geometry/files/cell_file.h"
@@ -174,10 +175,10 @@ std::vector<Block> joined_blocks(std::vector<Polyhedron> cells) {
 }
 
 Tessellation import_blocks(const std::string& path, const TessellationOptions& rock) {
-  std::ifstream in(path);
-  if (!in) fail_import("cannot read '", path, "'");
+  if (!std::ifstream(path)) fail_import("cannot read '", path, "'");
+  TextWords text(whole_file(path));
   Tessellation result;
-  std::vector<Polyhedron> cells = read_cells(in, path);
+  std::vector<Polyhedron> cells = read_cells(text, path);
   if (cells.size() > rock.max_blocks)
     fail_import("'", path, "' holds ", cells.size(), " cells, more than max_blocks ",
                 rock.max_blocks);

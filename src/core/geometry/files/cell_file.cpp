@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <utility>
 
+#include "args/text_words.h"
 #include "geometry/files/import_fault.h"
 #include "geometry/shape/convex_cell.h"
 
@@ -33,14 +33,14 @@ constexpr int kPolyhedron = 42;
 /// Words of a file in order, with what was expected when they are not there.
 class Words {
  public:
-  Words(std::istream& in, const std::string& name) : in_(in), name_(name) {}
-  template <class Value>
-  Value next(const std::string& what) {
-    Value value{};
-    if (!(in_ >> value)) fail_import("'", name_, "': ", what, " expected");
+  Words(TextWords& text, const std::string& name) : text_(text), name_(name) {}
+  template <class Number>
+  Number next(const char* what) {
+    Number value{};
+    if (!text_.number(value)) fail_import("'", name_, "': ", what, " expected");
     return value;
   }
-  std::size_t count(const std::string& what) {
+  std::size_t count(const char* what) {
     constexpr long kMost = 1000000000;
     const long value = next<long>(what);
     if (value < 0 || value > kMost)
@@ -48,19 +48,22 @@ class Words {
     return static_cast<std::size_t>(value);
   }
   void expect(const std::string& word) {
-    const auto got = next<std::string>("'" + word + "'");
+    const std::string got(text_.word());
+    if (got.empty()) fail_import("'", name_, "': '", word, "' expected");
     if (got != word) fail_import("'", name_, "': '", word, "' expected, got '", got, "'");
+  }
+  void skip(const char* what) {
+    if (text_.word().empty()) fail_import("'", name_, "': ", what, " expected");
   }
 
  private:
-  std::istream& in_;
+  TextWords& text_;
   const std::string& name_;
 };
 
-void read_header(std::istream& in, const std::string& name) {
-  std::string first, title;
-  std::getline(in, first);
-  std::getline(in, title);
+void read_header(TextWords& text, const std::string& name) {
+  const std::string first(text.line());
+  (void)text.line();  // the title
   constexpr const char* kStart = "# vtk DataFile Version ";
   if (first.rfind(kStart, 0) != 0) fail_import("'", name, "' is no legacy VTK file");
   if (first.substr(std::string(kStart).size(), 1) > "4")
@@ -71,7 +74,7 @@ std::vector<Vec3> read_points(Words& words) {
   words.expect("POINTS");
   std::vector<Vec3> points;  // grows as they come: a count says nothing about the file's length
   std::size_t left = words.count("number of points");
-  (void)words.next<std::string>("type of the points");
+  words.skip("type of the points");
   for (; left > 0; --left) {
     Vec3& p = points.emplace_back();
     for (int c = 0; c < 3; ++c) p[c] = words.next<double>("a coordinate");
@@ -126,21 +129,20 @@ FaceList faces_of(const std::vector<int>& list, int type, std::size_t cell) {
 }
 
 /// With its own vertices, in the order of the file; faces turned so that the cell is behind them.
-Polyhedron cell_of(const FaceList& faces, const std::vector<Vec3>& points, std::size_t cell) {
-  std::set<int> used;
-  for (const auto& face : faces) used.insert(face.begin(), face.end());
-  if (used.empty() || *used.begin() < 0 || *used.rbegin() >= static_cast<int>(points.size()))
+Polyhedron cell_of(FaceList faces, const std::vector<Vec3>& points, std::size_t cell) {
+  std::vector<int> used;
+  for (const auto& face : faces) used.insert(used.end(), face.begin(), face.end());
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  if (used.empty() || used.front() < 0 || used.back() >= static_cast<int>(points.size()))
     fail_import("cell ", cell, " has a point that is not in the file");
   Polyhedron shape;
-  std::map<int, int> number;
-  for (const int v : used) {
-    number[v] = static_cast<int>(shape.vertices.size());
-    shape.vertices.push_back(points[static_cast<std::size_t>(v)]);
-  }
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    shape.faces.emplace_back();
-    for (const int v : faces[f]) shape.faces.back().push_back(number[v]);
-    const FaceGeometry face = face_geometry(shape, static_cast<int>(f));
+  for (const int v : used) shape.vertices.push_back(points[static_cast<std::size_t>(v)]);
+  for (std::vector<int>& corners : faces) {
+    for (int& v : corners)
+      v = static_cast<int>(std::lower_bound(used.begin(), used.end(), v) - used.begin());
+    shape.faces.push_back(std::move(corners));
+    const FaceGeometry face = face_geometry(shape, static_cast<int>(shape.faces.size()) - 1);
     const auto [lowest, highest] = extent(shape, face.normal);
     if (lowest + highest > 2.0 * face.normal.dot(face.centroid))
       std::reverse(shape.faces.back().begin(), shape.faces.back().end());
@@ -150,9 +152,9 @@ Polyhedron cell_of(const FaceList& faces, const std::vector<Vec3>& points, std::
 
 }  // namespace
 
-std::vector<Polyhedron> read_cells(std::istream& in, const std::string& name) {
-  read_header(in, name);
-  Words words(in, name);
+std::vector<Polyhedron> read_cells(TextWords& text, const std::string& name) {
+  read_header(text, name);
+  Words words(text, name);
   words.expect("ASCII");
   words.expect("DATASET");
   words.expect("UNSTRUCTURED_GRID");

@@ -4,16 +4,17 @@
 // pyramids; lengths in metres. What the cells are worth as blocks is checked in block_import.h.
 #pragma once
 
-#include <istream>
 #include <string>
 #include <vector>
 
+#include "args/text_words.h"
 #include "geometry/shape/polyhedron.h"
 
 namespace muckpile {
 
 /// The cells as they stand in the file, faces turned outwards. `name` is used in messages. Throws
 /// InputError where the file is not what it should be.
-[[nodiscard]] std::vector<Polyhedron> read_cells(std::istream& in, const std::string& name);
+/// What stands behind the cells is left in `text`.
+[[nodiscard]] std::vector<Polyhedron> read_cells(TextWords& text, const std::string& name);
 
 }  // namespace muckpile

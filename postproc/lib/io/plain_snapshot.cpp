@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Snapshots as the engine writes them.
+// Scope: see the header.
+#include "io/plain_snapshot.h"
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "parallel/in_parallel.h"
+
+namespace muckpile {
+namespace {
+
+constexpr std::string_view kHeader =
+    "id,x_m,y_m,z_m,qw,qx,qy,qz,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s,fragment_id,"
+    "broken_fraction\n";
+constexpr size_t kNumbers = 13;  // between id and fragment: place, rotation, velocity, spin
+
+struct PlainRow {
+  int id, fragment;
+  double numbers[kNumbers], broken;
+};
+
+// Reads the row at `at` and goes behind its line end.
+bool read_row(const char*& at, const char* end, PlainRow& row) {
+  const auto next = [&](auto& value, char behind) {
+    const auto [stop, error] = std::from_chars(at, end, value);
+    if (error != std::errc() || stop == end || *stop != behind) return false;
+    at = stop + 1;
+    return true;
+  };
+  if (!next(row.id, ',')) return false;
+  for (double& number : row.numbers)
+    if (!next(number, ',') || !std::isfinite(number)) return false;
+  return next(row.fragment, ',') && next(row.broken, '\n') && std::isfinite(row.broken);
+}
+
+class RowReader {
+ public:
+  RowReader(const std::vector<StartBlock>& blocks, size_t modelled, double unit_tolerance,
+            std::vector<BlockState>& states)
+      : blocks_(blocks),
+        modelled_(modelled),
+        unit_tolerance_(unit_tolerance),
+        states_(states),
+        seen_(modelled, 0) {}
+
+  bool read(std::string_view rows) {
+    const char *at = rows.data(), *end = at + rows.size();
+    PlainRow row{};
+    for (size_t hint = 0; at != end;) {
+      if (!read_row(at, end, row)) return false;
+      const auto block = find(row.id, hint);
+      if (!block || std::atomic_ref<char>(seen_[*block]).exchange(1) != 0) return false;
+      if (!put(row, states_[*block])) return false;
+      hint = *block + 1;
+    }
+    return true;
+  }
+  [[nodiscard]] bool has_seen_all() const { return std::ranges::find(seen_, 0) == seen_.end(); }
+
+ private:
+  // Rows mostly follow each other as the blocks do.
+  [[nodiscard]] std::optional<size_t> find(int id, size_t hint) const {
+    if (hint < modelled_ && blocks_[hint].id == id) return hint;
+    const auto end = blocks_.begin() + static_cast<std::ptrdiff_t>(modelled_);
+    const auto found = std::ranges::lower_bound(blocks_.begin(), end, id, {}, &StartBlock::id);
+    if (found == end || found->id != id) return std::nullopt;
+    return static_cast<size_t>(found - blocks_.begin());
+  }
+  [[nodiscard]] bool put(const PlainRow& row, BlockState& state) const {
+    const auto& n = row.numbers;
+    const Quat rotation(n[3], n[4], n[5], n[6]);
+    if (std::abs(rotation.norm() - 1.0) > unit_tolerance_) return false;
+    state = {{n[0], n[1], n[2]},    rotation.normalized(), {n[7], n[8], n[9]},
+             {n[10], n[11], n[12]}, row.fragment,          row.broken};
+    return true;
+  }
+
+  const std::vector<StartBlock>& blocks_;
+  size_t modelled_;
+  double unit_tolerance_;
+  std::vector<BlockState>& states_;
+  std::vector<char> seen_;
+};
+
+// Whole lines.
+std::vector<std::string_view> pieces_of(std::string_view rows) {
+  constexpr size_t kPiece = 1 << 20;  // bytes
+  std::vector<std::string_view> pieces;
+  while (!rows.empty()) {
+    const size_t line_end = rows.find('\n', std::min(kPiece, rows.size() - 1));
+    const size_t length = line_end == std::string_view::npos ? rows.size() : line_end + 1;
+    pieces.push_back(rows.substr(0, length));
+    rows.remove_prefix(length);
+  }
+  return pieces;
+}
+
+}  // namespace
+
+bool read_plain_rows(std::string_view rows, const std::vector<StartBlock>& blocks, size_t modelled,
+                     double unit_tolerance, std::vector<BlockState>& states) {
+  if (!rows.starts_with(kHeader)) return false;
+  const std::vector<std::string_view> pieces = pieces_of(rows.substr(kHeader.size()));
+  RowReader reader(blocks, modelled, unit_tolerance, states);
+  std::vector<char> plain(pieces.size(), 0);
+  in_parallel(pieces.size(),
+              [&](size_t piece) { plain[piece] = reader.read(pieces[piece]) ? 1 : 0; });
+  return std::ranges::find(plain, 0) == plain.end() && reader.has_seen_all();
+}
+
+}  // namespace muckpile

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Snapshots as the engine writes them, read on all cores.
+// Scope: numbers with nothing but a comma between them, columns in the engine's order; what is
+// written otherwise, faulty files among it, is left to read_snapshot.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "io/snapshot.h"
+
+namespace muckpile {
+
+// Of a text that is the rows of a snapshot without its remark, header first. Fills the states of
+// `blocks` by their ids, each once; false where a row is not plain, a number is not finite, an id
+// is none of the blocks', occurs twice or is missing, or a quaternion is no unit one to within
+// `unit_tolerance`.
+bool read_plain_rows(std::string_view rows, const std::vector<StartBlock>& blocks, size_t modelled,
+                     double unit_tolerance, std::vector<BlockState>& states);
+
+}  // namespace muckpile
