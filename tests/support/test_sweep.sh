@@ -118,12 +118,14 @@ sweep -var burden 2..4 -var patience 5 -var bench_height log:6..12 -samples 4 -o
 ended_with 0 && runs_were 0
 # Of fourteen ranges a run is checked at each end, not at all combinations of their ends, which would be more than a sweep does.
 many=()
+cp inputs/demo/in.demo in.demo.before
 for k in {1..14}; do
   printf 'variable k%s index 1\n' "$k" >>inputs/demo/in.demo
   many+=(-var "k$k" 1..2)
 done
 sweep "${many[@]}" -samples 2 -out results/many
 ended_with 0 && runs_were 2
+mv in.demo.before inputs/demo/in.demo
 sweep -var burden 2..4 -var seed 7 -samples 2 -out results/one_seed
 ended_with 0 && runs_were 2
 [[ $(sed -n 3p results/one_seed/sweep_runs.csv) == folder,state,burden ]] || problem "a seed that was given is sampled"
