@@ -10,32 +10,12 @@
 #include <numeric>
 #include <utility>
 
+#include "geometry/surface/triangle_point.h"
+
 namespace muckpile {
 namespace {
 
 constexpr int kLeafSize = 4;
-
-/// Closest point of a triangle (Ericson, Real-Time Collision Detection, 2005, section 5.1.5).
-Vec3 closest_on(const StlTriangle& t, const Vec3& p) {
-  const Vec3 ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0];
-  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-  if (d1 <= 0.0 && d2 <= 0.0) return t[0];
-  const Vec3 bp = p - t[1];
-  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-  if (d3 >= 0.0 && d4 <= d3) return t[1];
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return t[0] + d1 / (d1 - d3) * ab;
-  const Vec3 cp = p - t[2];
-  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d6 >= 0.0 && d5 <= d6) return t[2];
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return t[0] + d2 / (d2 - d6) * ac;
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0)
-    return t[1] + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (t[2] - t[1]);
-  const double sum = va + vb + vc;
-  return t[0] + vb / sum * ab + vc / sum * ac;
-}
 
 double distance_to_box(const Vec3& lo, const Vec3& hi, const Vec3& p) {
   return (lo - p).cwiseMax(p - hi).cwiseMax(0.0).norm();
@@ -111,7 +91,7 @@ void SurfaceIndex::look_for_closest(std::size_t number, const Vec3& from, Closes
   if (node.right == 0) {
     for (int k = node.first; k < node.last; ++k) {
       const auto triangle = static_cast<std::size_t>(order_[static_cast<std::size_t>(k)]);
-      const Vec3 at = closest_on(triangles_[triangle], from);
+      const Vec3 at = closest_on(triangles_[triangle], from).at;
       const double distance = (at - from).norm();
       if (distance < best.distance) best = {at, distance, triangle};
     }
@@ -148,7 +128,7 @@ void SurfaceIndex::near(const Vec3& place, double distance, std::vector<std::siz
     }
     for (int k = node.first; k < node.last; ++k) {
       const auto triangle = static_cast<std::size_t>(order_[static_cast<std::size_t>(k)]);
-      if ((closest_on(triangles_[triangle], place) - place).norm() <= distance)
+      if ((closest_on(triangles_[triangle], place).at - place).norm() <= distance)
         found.push_back(triangle);
     }
   }
