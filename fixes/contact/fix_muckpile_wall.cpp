@@ -106,16 +106,25 @@ void FixMuckpileWall::list_candidates() {
   parts_.clear();
   std::vector<std::size_t> near;
   for (int k = 0; k < atom->nlocal; ++k) {
-    const bool wanted = (atom->mask[k] & groupbit) != 0;
-    const double reach = atom->radius[k] + neighbor->skin;
-    if (!wanted || !options_.surface->within(engine::vector_of(atom->x[0], k), reach, near)) {
-      contacts_[static_cast<std::size_t>(k)].clear();
-      continue;
+    std::vector<WallContact>& contacts = contacts_[static_cast<std::size_t>(k)];
+    const Vec3 centre = engine::vector_of(atom->x[0], k);
+    double gap = HUGE_VAL;
+    if ((atom->mask[k] & groupbit) != 0) {
+      const double reach = atom->radius[k] + neighbor->skin;
+      gap = options_.surface->distance(centre, reach, near) - atom->radius[k];
     }
+    if (gap > 0.0) contacts.clear();
+    if (gap == HUGE_VAL) continue;
     const std::size_t first = parts_.size();
     parts_.insert(parts_.end(), near.begin(), near.end());
-    candidates_.push_back({k, first, parts_.size()});
+    candidates_.push_back({k, first, parts_.size(), centre, gap});
   }
+}
+
+/// It has not moved far enough to touch since it was listed.
+bool FixMuckpileWall::still_apart(const Candidate& candidate) const {
+  const Vec3 way = engine::vector_of(atom->x[0], candidate.sphere) - candidate.place;
+  return candidate.gap > 0.0 && way.squaredNorm() < candidate.gap * candidate.gap;
 }
 
 WallSphere FixMuckpileWall::sphere(int k) const {
@@ -140,7 +149,9 @@ void FixMuckpileWall::step(double memory_step) {
   const std::span<const char> rests =
       some_rest ? resting_->resting_spheres() : std::span<const char>{};
   for (Candidate& candidate : candidates_) {
-    if (some_rest && rests[static_cast<std::size_t>(candidate.sphere)] != 0)
+    if (still_apart(candidate))
+      contacts_[static_cast<std::size_t>(candidate.sphere)].clear();
+    else if (some_rest && rests[static_cast<std::size_t>(candidate.sphere)] != 0)
       leave_alone(candidate);
     else
       work_on(candidate, memory_step);

@@ -75,6 +75,8 @@ class FixMuckpileWall : public LAMMPS_NS::Fix {
   struct Candidate {
     int sphere;
     std::size_t first, last;  ///< in parts_
+    Vec3 place;               ///< of its centre, when it was listed [m]
+    double gap;               ///< between its surface and the wall then [m]
     double resting = -1.0;    ///< elastic energy while its block rests, below 0: not known [J]
   };
   /// Of this rank, in the last step.
@@ -85,6 +87,7 @@ class FixMuckpileWall : public LAMMPS_NS::Fix {
   };
   void refuse_spheres_in_the_ground() const;
   void list_candidates();
+  [[nodiscard]] bool still_apart(const Candidate& candidate) const;
   void step(double memory_step);
   void work_on(Candidate& candidate, double memory_step);
   void leave_alone(Candidate& candidate);

@@ -4,6 +4,8 @@
 #include "wall/wall_mesh.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace muckpile {
@@ -13,9 +15,15 @@ constexpr double kSlack = 1e-6;  // of the radius: points as near as that are on
 
 }  // namespace
 
-bool WallMesh::within(const Vec3& place, double reach, std::vector<std::size_t>& parts) const {
+double WallMesh::distance(const Vec3& place, double reach, std::vector<std::size_t>& parts) const {
+  double least = std::numeric_limits<double>::infinity();
+  parts.clear();
+  const Vec3 outside = (index_.lo() - place).cwiseMax(place - index_.hi());
+  if (outside.maxCoeff() > reach) return least;
   index_.near(place, reach, parts);
-  return !parts.empty();
+  for (const std::size_t number : parts)
+    least = std::min(least, (closest_on(index_.triangles()[number], place).at - place).norm());
+  return least;
 }
 
 /// A point on an edge or corner is no touch if it belongs to another triangle that comes nearer.
@@ -56,14 +64,26 @@ void WallMesh::find_touches(const Vec3& centre, double radius, std::span<const s
   touches.clear();
   thread_local std::vector<Hit> hits;
   hits.clear();
-  const double slack = kSlack * radius;
   for (const std::size_t number : parts) {
-    const StlTriangle& triangle = index_.triangles()[number];
-    const Vec3 at = closest_on(triangle, centre).at;
-    const double distance = (centre - at).norm();
-    // Neighbours must agree on what is an edge or a corner.
-    if (distance < radius) hits.push_back({distance, number, snapped(triangle, at, slack)});
+    const TrianglePoint point = closest_on(index_.triangles()[number], centre);
+    const double squared = (centre - point.at).squaredNorm();
+    if (squared < radius * radius) hits.push_back({std::sqrt(squared), number, point});
   }
+  if (hits.empty()) return;
+  if (hits.size() == 1 && hits[0].point.on == TrianglePoint::On::face) {
+    const Vec3& normal = index_.unit_normal(hits[0].triangle);
+    touches.add({normal, radius - normal.dot(centre - hits[0].point.at)});
+    return;
+  }
+  sift(hits, centre, radius, touches);
+}
+
+/// Leaves those hits that are touches.
+void WallMesh::sift(std::vector<Hit>& hits, const Vec3& centre, double radius,
+                    WallTouches& touches) const {
+  const double slack = kSlack * radius;
+  for (Hit& hit : hits)  // neighbours must agree on what is an edge or a corner
+    hit.point = snapped(index_.triangles()[hit.triangle], hit.point.at, slack);
   std::ranges::sort(hits, {}, [](const Hit& h) { return std::pair(h.distance, h.triangle); });
   for (std::size_t k = 0; k < hits.size(); ++k) {
     const Hit& hit = hits[k];

@@ -15,8 +15,8 @@ class WallMesh : public WallSurface {
  public:
   explicit WallMesh(std::vector<StlTriangle> triangles) : index_(std::move(triangles)) {}
 
-  [[nodiscard]] bool within(const Vec3& place, double reach,
-                            std::vector<std::size_t>& parts) const override;
+  [[nodiscard]] double distance(const Vec3& place, double reach,
+                                std::vector<std::size_t>& parts) const override;
   void find_touches(const Vec3& centre, double radius, std::span<const std::size_t> parts,
                     WallTouches& touches) const override;
   [[nodiscard]] double depth(const Vec3& place) const override;
@@ -33,6 +33,7 @@ class WallMesh : public WallSurface {
     Vec3 outward = Vec3::Zero();  ///< out of the ground, not of unit length
     bool border = false;          ///< the surface ends here
   };
+  void sift(std::vector<Hit>& hits, const Vec3& centre, double radius, WallTouches& touches) const;
   [[nodiscard]] bool is_nearest_around(std::span<const Hit> hits, std::size_t k,
                                        double slack) const;
   [[nodiscard]] Place place_of(std::span<const Hit> hits, const Hit& hit, double slack) const;

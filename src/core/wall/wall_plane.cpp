@@ -4,15 +4,17 @@
 #include "wall/wall_plane.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace muckpile {
 
 WallPlane::WallPlane(const Vec3& point, const Vec3& normal)
     : point_(point), normal_(normal.normalized()) {}
 
-bool WallPlane::within(const Vec3& place, double reach, std::vector<std::size_t>& parts) const {
+double WallPlane::distance(const Vec3& place, double reach, std::vector<std::size_t>& parts) const {
   parts.clear();
-  return normal_.dot(place - point_) <= reach;
+  const double height = normal_.dot(place - point_);
+  return height <= reach ? height : std::numeric_limits<double>::infinity();
 }
 
 void WallPlane::find_touches(const Vec3& centre, double radius, std::span<const std::size_t>,

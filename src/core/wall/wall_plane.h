@@ -12,8 +12,8 @@ class WallPlane : public WallSurface {
   /// `normal` points out of the ground, of any length but 0.
   WallPlane(const Vec3& point, const Vec3& normal);
 
-  [[nodiscard]] bool within(const Vec3& place, double reach,
-                            std::vector<std::size_t>& parts) const override;
+  [[nodiscard]] double distance(const Vec3& place, double reach,
+                                std::vector<std::size_t>& parts) const override;
   void find_touches(const Vec3& centre, double radius, std::span<const std::size_t> parts,
                     WallTouches& touches) const override;
   [[nodiscard]] double depth(const Vec3& place) const override;

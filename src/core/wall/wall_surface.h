@@ -51,10 +51,10 @@ class WallSurface {
   WallSurface& operator=(const WallSurface&) = delete;
   virtual ~WallSurface() = default;
 
-  /// Whether a point of the wall, or its ground if that is all there is behind it, lies within
-  /// `reach` [m] of a place; `parts` become what touches() must look at then.
-  [[nodiscard]] virtual bool within(const Vec3& place, double reach,
-                                    std::vector<std::size_t>& parts) const = 0;
+  /// Distance of a place from the wall, for a plane negative behind it [m]; infinity where that is
+  /// more than `reach` [m]. `parts` become what find_touches() must look at within that reach.
+  [[nodiscard]] virtual double distance(const Vec3& place, double reach,
+                                        std::vector<std::size_t>& parts) const = 0;
   /// Of a sphere, all of whose parts are in `parts`.
   virtual void find_touches(const Vec3& centre, double radius, std::span<const std::size_t> parts,
                             WallTouches& touches) const = 0;

@@ -72,7 +72,7 @@ class Ride {
   WallPush evaluate(double memory_step) {
     std::vector<std::size_t> parts;
     WallTouches touches;
-    if (wall_.within(sphere_.centre, 1.2 * kRadius, parts))
+    if (wall_.distance(sphere_.centre, 1.2 * kRadius, parts) < kRadius)
       wall_.find_touches(sphere_.centre, kRadius, parts, touches);
     return law_.push(sphere_, touches, dt_, memory_step, contacts_);
   }

@@ -23,7 +23,7 @@ std::vector<WallTouch> touches_of(const WallSurface& wall, const Vec3& centre,
                                   double radius = kRadius) {
   std::vector<std::size_t> parts;
   WallTouches touches;
-  if (!wall.within(centre, radius + 0.1, parts)) return {};
+  if (std::isinf(wall.distance(centre, radius + 0.1, parts))) return {};
   wall.find_touches(centre, radius, parts, touches);
   return {touches.all().begin(), touches.all().end()};
 }
@@ -190,7 +190,7 @@ TEST(WallMesh, NearTrianglesAreThoseWithinReach) {
     std::vector<std::size_t> parts, expected;
     for (std::size_t t = 0; t < triangles.size(); ++t)
       if ((closest_on(triangles[t], at).at - at).norm() <= 4.0) expected.push_back(t);
-    EXPECT_EQ(floor.within(at, 4.0, parts), !expected.empty());
+    EXPECT_EQ(std::isfinite(floor.distance(at, 4.0, parts)), !expected.empty());
     std::ranges::sort(parts);
     EXPECT_EQ(parts, expected);
   }
