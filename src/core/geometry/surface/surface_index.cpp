@@ -9,6 +9,8 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/surface/triangle_point.h"
+
 namespace muckpile {
 namespace {
 
@@ -21,28 +23,6 @@ std::vector<BoxTree::Item> boxes_of(const std::vector<StlTriangle>& triangles) {
     items.push_back({t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2]),
                      t[0] + t[1] + t[2]});
   return items;
-}
-
-/// Closest point of a triangle (Ericson, Real-Time Collision Detection, 2005, section 5.1.5).
-Vec3 closest_on(const StlTriangle& t, const Vec3& p) {
-  const Vec3 ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0];
-  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-  if (d1 <= 0.0 && d2 <= 0.0) return t[0];
-  const Vec3 bp = p - t[1];
-  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-  if (d3 >= 0.0 && d4 <= d3) return t[1];
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return t[0] + d1 / (d1 - d3) * ab;
-  const Vec3 cp = p - t[2];
-  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d6 >= 0.0 && d5 <= d6) return t[2];
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return t[0] + d2 / (d2 - d6) * ac;
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0)
-    return t[1] + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (t[2] - t[1]);
-  const double sum = va + vb + vc;
-  return t[0] + vb / sum * ab + vc / sum * ac;
 }
 
 double distance_to_box(const BoxTree::Node& node, const Vec3& p) {
@@ -99,7 +79,7 @@ void SurfaceIndex::look_for_closest(std::size_t number, const Vec3& from, Closes
   if (node.right == 0) {
     for (int k = node.first; k < node.last; ++k) {
       const std::size_t triangle = tree_.item(k);
-      const Vec3 at = closest_on(triangles_[triangle], from);
+      const Vec3 at = closest_on(triangles_[triangle], from).at;
       const double distance = (at - from).norm();
       if (distance < best.distance) best = {at, distance, triangle};
     }
@@ -124,7 +104,7 @@ void SurfaceIndex::near(const Vec3& place, double distance, std::vector<std::siz
   found.clear();
   tree_.any([&](const BoxTree::Node& node) { return distance_to_box(node, place) <= distance; },
             [&](std::size_t triangle) {
-              if ((closest_on(triangles_[triangle], place) - place).norm() <= distance)
+              if ((closest_on(triangles_[triangle], place).at - place).norm() <= distance)
                 found.push_back(triangle);
               return false;
             });
