@@ -25,6 +25,7 @@
 #include "geometry/files/block_file.h"
 #include "rock/cut_table.h"
 #include "rock/rock_surfaces.h"
+#include "rock/zone_bodies.h"
 
 namespace muckpile {
 namespace {
@@ -113,8 +114,9 @@ void CreateBlocks::command(int narg, char** arg) {
   placement.place(model, with_shares(options.rock.holes, model, world));
   FixMuckpileBlocks::find(*lmp)->record().begin(run);
   if (comm->me == 0)
-    engine::print_once(
-        *lmp, describe(model, MPI_Wtime() - start) + describe_surfaces(options, model.rock));
+    engine::print_once(*lmp, describe(model, MPI_Wtime() - start) +
+                                 describe_surfaces(options, model.rock) +
+                                 describe_zone_bodies(options, model));
 }
 
 /// All rock of a run has the id that comes with the first.

@@ -12,6 +12,7 @@
 #include "geometry/holes/hole_overlap.h"
 #include "rock/cut_table.h"
 #include "rock/rock_surfaces.h"
+#include "rock/zone_bodies.h"
 
 namespace muckpile {
 namespace {
@@ -180,6 +181,7 @@ CutOptions read(const ArgValues& args, std::size_t memory) {
   options.spheres_per_block = static_cast<int>(args.integer("spheres_per_block"));
   read_size(options, args);
   read_cut(options, args);
+  read_mine_frame(options, args);
   read_surfaces(options, args);
   options.burden = args.real("burden");
   TessellationOptions& rock = options.rock;
@@ -193,6 +195,7 @@ CutOptions read(const ArgValues& args, std::size_t memory) {
       options.natural_joint_sets.push_back(*set);
   }
   for (const Words& words : args.groups("zone")) options.zones.push_back(rock_zone_of(words));
+  read_zone_bodies(options);
   rock.seed = static_cast<unsigned long>(args.integer("seed"));
   rock.sweeps = static_cast<int>(args.integer("sweeps"));
   rock.max_blocks = args.integer("max_blocks") > 0

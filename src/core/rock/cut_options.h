@@ -29,7 +29,8 @@ struct CutOptions {
   std::vector<NaturalJointSet> natural_joint_sets{};
   std::vector<RockSurface> surfaces{};    ///< see rock_surfaces.h
   MineFrame mine{};                       ///< that their files have
-  bool unit_given = false;                ///< of the files: not to be doubted
+  double unit = 1.0;                      ///< that the files count in [m]
+  bool unit_given = false;                ///< not to be doubted
   double burden = 0.0;                    ///< of the plan; 0: not told [m]
   RegionQuery region_alone{};             ///< without the surfaces
   double density = 0.0;                   ///< of the rock beside the zones [kg/m3]

@@ -39,8 +39,8 @@ const ArgTable& cut_table() {
                 "file of a ground surface, one height everywhere (.xyz, .csv, .txt, .las, .stl, "
                 ".dxf): what of the region lies above is cut off")
           .group("origin", 3, 3, false,
-                 "x y z that the files of `surface` and `terrain` have at 0 0 0 of the run [m], as "
-                 "east, north and height of a mine; default 0 0 0")
+                 "x y z that the files of `surface`, `terrain` and zones have at 0 0 0 of the run "
+                 "[m], as east, north and height of a mine; default 0 0 0")
           .real("x_bearing", "deg", Range::closed(0.0, 360.0), 90.0,
                 "that the x axis of the run looks to in those files, from north (y) over east (x)")
           .real("unit", "m", Range::closed(1e-4, 1e4), 1.0,
@@ -86,8 +86,9 @@ const ArgTable& cut_table() {
                  "`class N` "
                  "(number of the `joint_class` of its plane borders; 0: none). Where: `above` or "
                  "`below` x y z dip direction (a point of its border [m], dip and dip direction "
-                 "[degrees]), `layer` x y z dip direction thickness (above that plane, [m]), or "
-                 "`region ID`. A block is of the first zone that holds its centroid; the cut "
+                 "[degrees]), `layer` x y z dip direction thickness (above that plane, [m]), "
+                 "`region ID`, or `inside FILE` (of a closed surface, .stl or faces of "
+                 ".dxf). A block is of the first zone that holds its centroid; the cut "
                  "follows plane borders")
           .word("cut", {"voronoi", "joint_sets"}, "voronoi",
                 "how the rock is cut: graded Voronoi blocks, or joint sets in concentric bands")

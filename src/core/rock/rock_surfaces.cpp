@@ -34,26 +34,20 @@ MineFrame frame_of(const ArgValues& args) {
   return frame;
 }
 
-SurveyedSurface placed(SurveyedSurface survey, const MineFrame& frame) {
-  for (Vec3& point : survey.points) point = frame.to_run(point);
+SurveyedSurface read_placed(const std::string& file, const CutOptions& options) {
+  SurveyedSurface survey = read_survey(file, options.unit);
+  for (Vec3& point : survey.points) point = options.mine.to_run(point);
   for (StlTriangle& triangle : survey.triangles)
-    for (Vec3& corner : triangle) corner = frame.to_run(corner);
+    for (Vec3& corner : triangle) corner = options.mine.to_run(corner);
   return survey;
 }
 
-RockSurface read_surface(const std::string& file, SurfaceIs kind, double unit,
-                         const MineFrame& frame) {
-  RockSurface surface{file, kind, nullptr};
-  const std::string where = name_of(surface);
-  SurveyedSurface survey = placed(read_survey(file, unit), frame);
-  if (kind == SurfaceIs::body && survey.triangles.empty())
-    refuse(where, "must be triangles, as .stl or .dxf has, got points; give those as terrain");
-  std::vector<StlTriangle> triangles =
-      kind == SurfaceIs::body ? std::move(survey.triangles) : terrain_triangles(survey);
-  if (triangles.empty()) refuse(where, "must have points that do not lie on one line in plan");
-  if (kind == SurfaceIs::body) require_closed(triangles, where);
+RockSurface read_terrain(const std::string& file, const CutOptions& options) {
+  RockSurface surface{file, SurfaceIs::terrain, nullptr};
+  std::vector<StlTriangle> triangles = terrain_triangles(read_placed(file, options));
+  if (triangles.empty())
+    refuse(name_of(surface), "must have points that do not lie on one line in plan");
   surface.index = std::make_shared<const SurfaceIndex>(std::move(triangles));
-  if (kind == SurfaceIs::body) require_outward(*surface.index, where);
   return surface;
 }
 
@@ -72,25 +66,42 @@ void require_rock(const CutOptions& options) {
 
 }  // namespace
 
+void read_mine_frame(CutOptions& options, const ArgValues& args) {
+  // An input with a knob for the terrain says `terrain none`, and gives the rest all the same.
+  const bool files = args.given("surface") || args.given("terrain") ||
+                     std::ranges::any_of(args.groups("zone"), names_a_file);
+  for (const char* word : {"origin", "x_bearing", "unit"})
+    if (args.given(word) && !files)
+      refuse_words(std::string(word) +
+                   " needs a file in mine coordinates, such as surface or terrain");
+  options.mine = frame_of(args);
+  options.unit_given = args.given("unit");
+  options.unit = args.real("unit");
+}
+
+std::shared_ptr<const SurfaceIndex> read_body(const std::string& file, const std::string& where,
+                                              const CutOptions& options) {
+  std::vector<StlTriangle> triangles = read_placed(file, options).triangles;
+  if (triangles.empty())
+    refuse(where, "must be triangles, as .stl or .dxf has, got points; give those as terrain");
+  require_closed(triangles, where);
+  auto index = std::make_shared<const SurfaceIndex>(std::move(triangles));
+  require_outward(*index, where);
+  return index;
+}
+
 void read_surfaces(CutOptions& options, const ArgValues& args) {
   const std::string &body = args.word("surface"), &terrain = args.word("terrain");
-  if (body == "none" && terrain == "none") {
-    // An input with a knob for the terrain says `terrain none`, and gives the rest all the same.
-    const bool none = args.given("surface") || args.given("terrain");
-    for (const char* word : {"origin", "x_bearing", "unit"})
-      if (args.given(word) && !none) refuse_words(std::string(word) + " needs surface or terrain");
-    return;
-  }
+  if (body == "none" && terrain == "none") return;
   if (options.joint_sets) refuse_words("surface and terrain need 'cut voronoi'");
   if (options.import_file)
     refuse_words("size import leaves nothing to cut: no surface and no terrain");
-  options.mine = frame_of(args);
-  options.unit_given = args.given("unit");
-  const double unit = args.real("unit");
-  if (body != "none")
-    options.surfaces.push_back(read_surface(body, SurfaceIs::body, unit, options.mine));
-  if (terrain != "none")
-    options.surfaces.push_back(read_surface(terrain, SurfaceIs::terrain, unit, options.mine));
+  if (body != "none") {
+    RockSurface surface{body, SurfaceIs::body, nullptr};
+    surface.index = read_body(body, name_of(surface), options);
+    options.surfaces.push_back(std::move(surface));
+  }
+  if (terrain != "none") options.surfaces.push_back(read_terrain(terrain, options));
 }
 
 void lay_surfaces(CutOptions& options) {
@@ -101,7 +112,10 @@ void lay_surfaces(CutOptions& options) {
     const std::string where = std::string(kCreateBlocks) + ": " + name_of(surface);
     const SurfaceIndex& index = *surface.index;
     if (!options.unit_given) require_likely_unit(index.lo(), index.hi(), body, lo, hi, where);
-    require_at_box(index.lo(), index.hi(), body, lo, hi, where);
+    // Ground above all of the region cuts nothing off, ground below leaves nothing.
+    const bool above = !body && index.lo().z() > hi.z();
+    require_at_box(index.lo(), index.hi(), lo, hi, where,
+                   above ? "it cuts nothing off" : "no rock is left");
     if (!body) require_height_field(index, lo, hi, where);
   }
   options.region_alone = options.rock.region;
@@ -119,16 +133,20 @@ SurfaceOutcome surface_outcome(const CutOptions& options, const Tessellation& cu
   return outcome;
 }
 
+std::string describe_mine_frame(const CutOptions& options) {
+  const Vec3& o = options.mine.origin;
+  return "  place 0 0 0 is " + number_text(o.x()) + ' ' + number_text(o.y()) + ' ' +
+         number_text(o.z()) + " m of their files; x looks to the bearing " +
+         number_text(options.mine.bearing * 180.0 / M_PI) + " degrees\n";
+}
+
 std::string describe_surfaces(const CutOptions& options, const Tessellation& cut) {
   if (options.surfaces.empty()) return "";
   const SurfaceOutcome outcome = surface_outcome(options, cut);
   std::ostringstream text;
   for (const RockSurface& surface : options.surfaces)
     text << "  " << name_of(surface) << ": " << surface.index->triangles().size() << " triangles\n";
-  const Vec3& o = options.mine.origin;
-  text << "  place 0 0 0 is " << number_text(o.x()) << ' ' << number_text(o.y()) << ' '
-       << number_text(o.z()) << " m of their files; x looks to the bearing "
-       << number_text(options.mine.bearing * 180.0 / M_PI) << " degrees\n";
+  text << describe_mine_frame(options);
   text.precision(4);
   text << "  rock within region and surfaces " << outcome.rock << " m3, blocks and crushed zones "
        << outcome.cut << " m3 (" << std::showpos << 100.0 * (outcome.cut / outcome.rock - 1.0)

@@ -3,14 +3,25 @@
 // Scope: files of points or triangles in mine coordinates or those of the run.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "rock/cut_options.h"
 
 namespace muckpile {
 
-/// Reads `surface`, `terrain`, `origin`, `x_bearing` and `unit`. Throws InputError where a file
-/// cannot be read or a body is not closed.
+/// Reads `origin`, `x_bearing` and `unit`: they come before all files in mine coordinates. Throws
+/// InputError where there are no such files.
+void read_mine_frame(CutOptions& options, const ArgValues& args);
+
+/// A closed surface from a file, in the frame of the run. Throws InputError, with `where` before
+/// it, for one that is not closed or looks inward.
+[[nodiscard]] std::shared_ptr<const SurfaceIndex> read_body(const std::string& file,
+                                                            const std::string& where,
+                                                            const CutOptions& options);
+
+/// Reads `surface` and `terrain`. Throws InputError where a file cannot be read or a body is not
+/// closed.
 void read_surfaces(CutOptions& options, const ArgValues& args);
 
 /// Bounds the rock by them, once its region is known. Throws InputError where they do not fit it.
@@ -23,6 +34,9 @@ struct SurfaceOutcome {
   double cut = 0.0;   ///< blocks and crushed zones [m3]
 };
 [[nodiscard]] SurfaceOutcome surface_outcome(const CutOptions& options, const Tessellation& cut);
+
+/// Line of the log: where the run lies in the files.
+[[nodiscard]] std::string describe_mine_frame(const CutOptions& options);
 
 /// Lines of the log; "" without surfaces.
 [[nodiscard]] std::string describe_surfaces(const CutOptions& options, const Tessellation& cut);

@@ -10,6 +10,7 @@
 #include "bond/build/joint_plane.h"
 #include "rock/cut_options.h"
 #include "rock/cut_table.h"
+#include "rock/zone_bodies.h"
 
 namespace muckpile {
 namespace {
@@ -17,6 +18,8 @@ namespace {
 using Words = std::vector<std::string>;
 
 constexpr double kSamePlane = 1e-6;  // of the box, and of a normal
+
+const std::string kPlaces = "'above', 'below', 'layer', 'region' or 'inside'";
 
 Range place_range() { return Range::closed(-1e6, 1e6); }
 
@@ -57,7 +60,7 @@ class ZoneReader {
     return plane;
   }
   void read_place() {
-    const std::string& place = next("'above', 'below', 'layer' or 'region'");
+    const std::string& place = next(kPlaces);
     if (place == "above" || place == "below") {
       const CutPlane border = plane();
       const double side = place == "above" ? 1.0 : -1.0;
@@ -75,8 +78,10 @@ class ZoneReader {
       };
     } else if (place == "region") {
       zone_.region = next("the ID of a region");
+    } else if (place == "inside") {
+      zone_.body = RockSurface{next("the name of a file"), SurfaceIs::body, nullptr};
     } else {
-      refuse(where() + ": must be 'above', 'below', 'layer' or 'region', got '" + place + "'");
+      refuse(where() + ": must be " + kPlaces + ", got '" + place + "'");
     }
   }
   void read_option() {
@@ -127,6 +132,8 @@ void lay_borders(CutOptions& options, const RockZone& zone) {
 
 }  // namespace
 
+bool names_a_file(const std::vector<std::string>& words) { return words[2] == "inside"; }
+
 RockZone rock_zone_of(const std::vector<std::string>& words) { return ZoneReader(words).read(); }
 
 std::uint8_t zone_at(const std::vector<RockZone>& zones, const Vec3& point) {
@@ -147,6 +154,7 @@ void lay_zones(CutOptions& options) {
       if (zones[other].name == zones[k].name) refuse("zone '" + zones[k].name + "' is given twice");
     lay_borders(options, zones[k]);
   }
+  check_zone_bodies(options);
 }
 
 }  // namespace muckpile

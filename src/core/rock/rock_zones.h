@@ -7,10 +7,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "geometry/cut/tessellation.h"
+#include "geometry/surface/rock_body.h"
 
 namespace muckpile {
 
@@ -20,14 +21,18 @@ struct RockZone {
   std::string name;
   double density = 0.0;  ///< [kg/m3]
   std::function<bool(const Vec3& point)> holds{};
-  std::vector<CutPlane> borders{};  ///< those of layers, which the cut follows
-  std::string region{};             ///< of the engine, which sets `holds`; empty: none
-  int joint_class = 0;              ///< of the facets in its borders; 0: rock that is whole
+  std::vector<CutPlane> borders{};    ///< those of layers, which the cut follows
+  std::string region{};               ///< of the engine, which sets `holds`; empty: none
+  std::optional<RockSurface> body{};  ///< closed surface around it: see zone_bodies.h
+  int joint_class = 0;                ///< of the facets in its borders; 0: rock that is whole
 };
 
 /// Most zones beside the rock around them: a block has a byte for its zone, and JointLaws a law for
 /// each pair.
 inline constexpr std::size_t kMostZones = 10;
+
+/// Whether these words behind `zone` name a file in mine coordinates.
+[[nodiscard]] bool names_a_file(const std::vector<std::string>& words);
 
 /// Of the words behind `zone`. Throws InputError.
 [[nodiscard]] RockZone rock_zone_of(const std::vector<std::string>& words);

@@ -82,10 +82,11 @@ void LinearNetwork::set_points(Spring& spring, const FacetNetwork& network, std:
     spring.normal_share[p] = stiffest.share;
     const double dashpot = damping_rate * (bonded && !rubs ? facets.tables.damping(f)
                                                            : facets.tables.contact_damping(f));
+    const bool damps_shear = bonded && !rubs && !facets.tables.is_mirror(f);
     spring.bonded[p] = bonded;
-    spring.law[p] = {bond.point_area * (fade * bond.shear + (bonded && !rubs ? dashpot : 0.0)),
+    spring.law[p] = {bond.point_area * (fade * bond.shear + (damps_shear ? dashpot : 0.0)),
                      bond.point_area * (fade * (stiffest.stiffness - bond.shear) +
-                                        (bonded && !rubs ? 0.0 : fade * dashpot))};
+                                        (damps_shear ? 0.0 : fade * dashpot))};
   }
 }
 

@@ -65,7 +65,7 @@ BrokenContact::Remembered BrokenContact::remembered(std::size_t g, unsigned lane
     contact.tan_residual[k] = facets_.tables.residual_friction(f);
     if (!facets_.tables.laws().zoned()) return;
     contact.shear_over_p_wave[k] = facets_.tables.shear_over_p_wave(f);
-    contact.dashpot[k] = facets_.tables.contact_damping(f);
+    contact.dashpot[k] = facets_.tables.laws().contact_damping(facets_.tables.name(f).law);
   });
   return contact;
 }
@@ -116,7 +116,8 @@ void BrokenContact::touch(std::size_t g, unsigned lanes, const WidePose& pose,
   const bool zoned = laws.zoned();
   const Wide shear_over_p_wave =
       zoned ? wide(contact.shear_over_p_wave) : Wide(laws.shear_over_p_wave());
-  const Wide dashpot = zoned ? wide(contact.dashpot) : Wide(laws.contact_damping());
+  const Wide dashpot = choose(at_mirror(group), Wide(2.0), 1.0) *
+                       (zoned ? wide(contact.dashpot) : Wide(laws.contact_damping()));
   const Wide closed = bonded.contact(wide(contact.rock_share), shear_over_p_wave);
   const PlaneContact<Wide> law = {
       {fade * closed}, shear, fade * dashpot, laws.friction(wide(contact.tan_residual))};

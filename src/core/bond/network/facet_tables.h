@@ -109,6 +109,7 @@ class FacetTables {
   [[nodiscard]] const FacetName& name(std::size_t f) const { return names_[f]; }
   [[nodiscard]] const std::vector<FacetName>& names() const { return names_; }
   [[nodiscard]] bool is_joint(std::size_t f) const { return names_[f].kind == FacetKind::joint; }
+  [[nodiscard]] bool is_mirror(std::size_t f) const { return names_[f].kind == FacetKind::mirror; }
   [[nodiscard]] const FacetGroup& group(std::size_t g) const { return groups_[g]; }
   [[nodiscard]] std::size_t groups() const { return groups_.size(); }
   [[nodiscard]] const FacetGroup& group_of(std::size_t f) const { return groups_[f / kGroup]; }
@@ -152,10 +153,13 @@ class FacetTables {
   [[nodiscard]] std::size_t zone_i(std::size_t f) const { return laws_.zone_i(names_[f].law); }
   /// It lies between two rocks.
   [[nodiscard]] bool is_border(std::size_t f) const { return laws_.is_border(names_[f].law); }
-  /// Dashpots of bonded points and of closed broken ones [Pa s/m].
-  [[nodiscard]] double damping(std::size_t f) const { return laws_.damping(names_[f].law); }
+  /// Dashpots of bonded points and of closed broken ones, per speed of block j against block i
+  /// [Pa s/m]. Behind a mirror the image moves as much the other way, so they are twice as strong.
+  [[nodiscard]] double damping(std::size_t f) const {
+    return sides(f) * laws_.damping(names_[f].law);
+  }
   [[nodiscard]] double contact_damping(std::size_t f) const {
-    return laws_.contact_damping(names_[f].law);
+    return sides(f) * laws_.contact_damping(names_[f].law);
   }
   /// Stiffness of the rock between the two centres, (lambda + 2G)/h [Pa/m].
   [[nodiscard]] double uniaxial_stiffness(std::size_t f) const {
@@ -173,8 +177,7 @@ class FacetTables {
   }
   /// Of slow slip [-]; a mirror has none.
   [[nodiscard]] double residual_friction(std::size_t f) const {
-    const FacetName& name = names_[f];
-    return name.kind == FacetKind::mirror ? 0.0 : laws_.strength(name.law).tan_residual;
+    return is_mirror(f) ? 0.0 : laws_.strength(names_[f].law).tan_residual;
   }
   [[nodiscard]] DilatationCoupling coupling(std::size_t f) const {
     return {i_of(f), j_of(f), group_of(f).sharpening[lane_of(f)]};
@@ -200,6 +203,7 @@ class FacetTables {
   }
 
  private:
+  [[nodiscard]] double sides(std::size_t f) const { return is_mirror(f) ? 2.0 : 1.0; }
   void stiffen(std::size_t f, double stiffening);
   void split_jump(std::size_t f, const Facet& facet);
   void derive_border(std::size_t f);

@@ -54,6 +54,12 @@ template <class T>
   return Wide([&](auto lane) { return from[places[lane]]; });
 }
 
+/// Mirrors, which alone have no shear: behind one the image moves as much the other way, and slides
+/// along. So are lanes without a facet.
+[[gnu::always_inline]] inline WideMask at_mirror(const FacetGroup& group) {
+  return wide(group.shear) == 0.0;
+}
+
 /// Into `lanes` of the rows alone.
 [[gnu::always_inline]] inline void store(const WideVec& v, unsigned lanes, FacetRows<double>& to) {
   const WideMask mask = mask_of<Wide>(lanes);

@@ -67,9 +67,7 @@ void open_group_of_joints(const FacetKinematics& facets, const LaneSet& set,
     closure += choose(is_broken, max(Wide(0.0), zero - now), 0.0);
     points += choose(is_broken, Wide(1.0), 0.0);
   }
-  // Behind a mirror, which alone has no shear, the image opens and turns by as much the other way
-  // and slides along.
-  const WideMask mirror = wide(group.shear) == 0.0;
+  const WideMask mirror = at_mirror(group);  // the image opens and turns as much the other way
   const Wide sides = choose(mirror, Wide(2.0), 1.0), along = sides * dot(pose.normal, pose.jump);
   const Wide far = choose(mirror, along * along, dot(pose.jump, pose.jump)),
              radius_squared = M_1_PI * wide(group.area);

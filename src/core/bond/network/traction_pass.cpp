@@ -38,7 +38,7 @@ template <class Of>
 /// broken ones begin to fade: the point at which it acts would stay behind.
 [[gnu::always_inline]] inline unsigned TractionPass::slid_along(const FacetGroup& group,
                                                                 const WidePose& pose) {
-  const WideMask smooth = wide(group.shear) == 0.0;
+  const WideMask smooth = at_mirror(group);
   if (none_of(smooth)) return 0;
   const Wide opened = dot(pose.normal, pose.jump);
   const Wide slid = dot(pose.jump, pose.jump) - opened * opened;
@@ -65,7 +65,8 @@ template <class Of>
   return lanes & ~bits_of<Wide>(fails) & ~slid_along(tables.group(g), pose);
 }
 
-/// Adds the dashpots of the joints, and what they take to `forces`.
+/// Adds the dashpots of the joints, and what they take to `forces`. Those at a mirror act on the
+/// speed at which block and image part.
 [[gnu::always_inline]] inline void TractionPass::damp_group(std::size_t g, const WidePose& pose,
                                                             WideField& pull,
                                                             WideForces& forces) const {
@@ -75,15 +76,20 @@ template <class Of>
   dashpot.fill(tables.laws().damping());
   if (tables.laws().zoned()) {
     for (std::size_t k = 0, f = g * kGroup; k < kGroup && f < tables.size(); ++k, ++f)
-      dashpot[k] = tables.damping(f);
+      dashpot[k] = tables.laws().damping(tables.name(f).law);
   }
   if (ground_yields_) {  // that ground has a dashpot itself
     for (std::size_t k = 0, f = g * kGroup; k < kGroup && f < tables.size(); ++k, ++f)
       if (!tables.is_joint(f) && facets_.history.ground(f).yields) dashpot[k] = 0.0;
   }
-  const WideField rate = rate_of(group, pose, facets_.blocks.state.front());
+  WideField rate = rate_of(group, pose, facets_.blocks.state.front());
   const Wide half(0.5);
-  const Wide c = wide(dashpot);
+  Wide c = wide(dashpot);
+  if (const WideMask mirror = at_mirror(group); any_of(mirror)) {
+    c = choose(mirror, Wide(2.0), 1.0) * c;
+    for (WideVec* part : {&rate.mean, &rate.along_1, &rate.along_2})
+      *part = choose(mirror, dot(pose.normal, *part) * pose.normal, *part);
+  }
   pull.mean += c * rate.mean;
   pull.along_1 += c * rate.along_1;
   pull.along_2 += c * rate.along_2;
@@ -204,6 +210,7 @@ void TractionPass::work_facet(std::size_t f) {
   // The velocity that block j's rock would have at the centre of block i, less that of block i.
   const Vec3 slip = sj.velocity - si.velocity + sj.spin.cross(si.centre - sj.centre);
   pull.rate = LaneVec(slip) + cross(LaneVec(Vec3(sj.spin - si.spin)), pull.arm);
+  if (facets_.tables.is_mirror(f)) pull.rate = dot(pull.normal, pull.rate) * pull.normal;
   if (bonded) {
     bonded_.work(f, motion, contact, pull, dt_);
     if (history.bonded_points(f) == 0 && !broken_.remains(f, motion, contact)) return;

@@ -96,13 +96,13 @@ void for_columns(const Vec3& lo, const Vec3& hi, const Visit& visit) {
 
 /// The unit that makes the surface as large as the box, if it is clearly another than the metre.
 std::optional<std::pair<std::string, double>> other_unit(const Vec3& extent, const Vec3& box,
-                                                         bool body) {
+                                                         bool as_large) {
   constexpr double kFeet = 1.0 / 0.3048, kSame = 0.12;
   Eigen::Vector2d plan = (extent.array() / box.array()).head<2>();
   if (plan.maxCoeff() < 0.02) return std::pair("kilometres", 1000.0);
   if (plan.minCoeff() > 200.0) return std::pair("millimetres", 0.001);
   const Vec3 ratio = extent.cwiseQuotient(box);
-  if (body && ((ratio / kFeet).array() - 1.0).abs().maxCoeff() < kSame)
+  if (as_large && ((ratio / kFeet).array() - 1.0).abs().maxCoeff() < kSame)
     return std::pair("feet", 0.3048);
   return std::nullopt;
 }
@@ -176,17 +176,17 @@ void require_height_field(const SurfaceIndex& surface, const Vec3& lo, const Vec
                     " m; shrink the region or survey more");
 }
 
-void require_likely_unit(const Vec3& surface_lo, const Vec3& surface_hi, bool body, const Vec3& lo,
-                         const Vec3& hi, const std::string& where) {
-  const auto unit = other_unit(surface_hi - surface_lo, hi - lo, body);
+void require_likely_unit(const Vec3& surface_lo, const Vec3& surface_hi, bool as_large,
+                         const Vec3& lo, const Vec3& hi, const std::string& where) {
+  const auto unit = other_unit(surface_hi - surface_lo, hi - lo, as_large);
   if (!unit) return;
   refuse(where, "must be in metres, " + both_text(surface_lo, surface_hi, lo, hi) +
                     "; it looks like " + unit->first + ": give unit " + rounded_text(unit->second) +
                     ", or unit 1 if it is in metres");
 }
 
-void require_at_box(const Vec3& surface_lo, const Vec3& surface_hi, bool body, const Vec3& lo,
-                    const Vec3& hi, const std::string& where) {
+void require_at_box(const Vec3& surface_lo, const Vec3& surface_hi, const Vec3& lo, const Vec3& hi,
+                    const std::string& where, const std::string& so) {
   constexpr double kFar = 3.0;  // diagonals of the box
   const Vec3 gap = (surface_lo - hi).cwiseMax(lo - surface_hi).cwiseMax(0.0);
   if (gap.norm() == 0.0) return;
@@ -200,9 +200,7 @@ void require_at_box(const Vec3& surface_lo, const Vec3& surface_hi, bool body, c
                       place_text(Vec3(std::round(middle.x()), std::round(middle.y()),
                                       std::round(surface_lo.z()))));
   }
-  // Ground above all of the region cuts nothing off, ground below leaves nothing.
-  const bool above = !body && gap.z() > 0.0 && surface_lo.z() > hi.z();
-  refuse(where, got + (above ? "; it cuts nothing off" : "; no rock is left"));
+  refuse(where, got + "; " + so);
 }
 
 }  // namespace muckpile

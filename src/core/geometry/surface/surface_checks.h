@@ -24,13 +24,13 @@ void require_outward(const SurfaceIndex& surface, const std::string& where);
 void require_height_field(const SurfaceIndex& surface, const Vec3& lo, const Vec3& hi,
                           const std::string& where);
 
-/// Throws InputError for a surface (`body`, else a terrain) of a size that tells of another unit
-/// than the metre, as it stands beside the box.
-void require_likely_unit(const Vec3& surface_lo, const Vec3& surface_hi, bool body, const Vec3& lo,
-                         const Vec3& hi, const std::string& where);
+/// Throws InputError for a surface of a size that tells of another unit than the metre, as it
+/// stands beside the box. `as_large`: it should be about as large as the box, as a body of rock is.
+void require_likely_unit(const Vec3& surface_lo, const Vec3& surface_hi, bool as_large,
+                         const Vec3& lo, const Vec3& hi, const std::string& where);
 
-/// Throws InputError for a surface that is nowhere near the box.
-void require_at_box(const Vec3& surface_lo, const Vec3& surface_hi, bool body, const Vec3& lo,
-                    const Vec3& hi, const std::string& where);
+/// Throws InputError for a surface that lies beside the box; `so` is what follows from that.
+void require_at_box(const Vec3& surface_lo, const Vec3& surface_hi, const Vec3& lo, const Vec3& hi,
+                    const std::string& where, const std::string& so);
 
 }  // namespace muckpile
