@@ -74,6 +74,7 @@ void PairMuckpileBlock::settings(int narg, char** arg) {
     hertz_.reset();
     if (p.model == NormalModel::hertz)
       hertz_ = BlockContacts{p.youngs_modulus, p.poisson_ratio, p.restitution};
+    parameters_ = p;
     return ContactLaw(p);
   });
 }

@@ -69,6 +69,9 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
   void mark_near(std::span<const char> from, std::span<char> to) const override;
 
   [[nodiscard]] std::optional<BlockContacts> hertz_contacts() const override { return hertz_; }
+  [[nodiscard]] const ContactParameters& contact_parameters() const override {
+    return parameters_;
+  }
 
   void watch() override { watched_ = true; }
   double end_step(double time_step) override;
@@ -121,6 +124,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
   [[nodiscard]] std::optional<engine::BodyState> state_of(const engine::Bodies& bodies,
                                                           int block) const;
 
+  ContactParameters parameters_;
   std::optional<ContactLaw> law_;
   std::optional<BlockContacts> hertz_;  ///< without it the law is linear
   double largest_radius_ = 0.0;         ///< of all spheres on all ranks [m]

@@ -23,6 +23,7 @@
 #include "fixes/blocks/rank_grid.h"
 #include "fixes/contact/fix_muckpile_contact_history.h"
 #include "fixes/contact/fix_muckpile_ground.h"
+#include "fixes/contact/fix_muckpile_wall.h"
 #include "fixes/contact/pair_muckpile_block.h"
 #include "fixes/contact/sphere_commands.h"
 #include "fixes/explosive/charge_design.h"
@@ -136,6 +137,7 @@ const std::map<std::string, FixCreator>& fixes() {
       {"muckpile/quiet", &create_fix<FixMuckpileQuiet>},
       {"muckpile/sleep", &create_fix<FixMuckpileSleep>},
       {"muckpile/timestep", &create_fix<FixMuckpileTimestep>},
+      {"muckpile/wall", &create_fix<FixMuckpileWall>},
   };
   return table;
 }

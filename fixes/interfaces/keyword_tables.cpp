@@ -11,6 +11,7 @@
 #include "rock/cut_table.h"
 #include "run/blast_plan.h"
 #include "run/blocks_run.h"
+#include "wall/wall_options.h"
 
 namespace muckpile {
 
@@ -32,6 +33,7 @@ std::vector<ArgTable> keyword_tables() {
                                   run_blocks_table(),
                                   sleep_keywords(),
                                   timestep_keywords(),
+                                  wall_table(),
                                   write_panels_table()};
   for (const JointLawEntry& law : joint_law_entries()) tables.push_back(law.table);
   return tables;

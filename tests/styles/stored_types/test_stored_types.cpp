@@ -16,6 +16,7 @@
 #include "fixes/blocks/fix_muckpile_blocks.h"
 #include "fixes/blocks/fix_muckpile_sleep.h"
 #include "fixes/contact/fix_muckpile_contact_history.h"
+#include "fixes/contact/fix_muckpile_wall.h"
 #include "fixes/explosive/fix_muckpile_blast.h"
 #include "fixes/explosive/fix_muckpile_gas.h"
 #include "fixes/joints/fix_muckpile_quiet.h"
@@ -40,7 +41,7 @@ StoredTypes types_in() {
 StoredTypes all_types() {
   return types_in<BlocksState, BlocksShare, PlacedBlock, NetworkTotals, QuietState, LedgerState,
                   SleepState, RestRecord, CrushedBed::State, JointGasState, BlockGas, BlastState,
-                  StepState, ProgressState, ContactLosses, ContactRecord, GaugesState>();
+                  StepState, ProgressState, ContactLosses, ContactRecord, GaugesState, WallState, WallContact>();
 }
 
 std::string line_of(const StoredType& type) {

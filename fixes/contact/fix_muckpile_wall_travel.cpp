@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// fix muckpile/wall: the memory of its contacts goes with the spheres, between ranks and restarts.
+// Scope: a sphere's contacts as numbers of the engine.
+#include <atom.h>
+#include <comm.h>
+
+#include <algorithm>
+
+#include "fixes/contact/fix_muckpile_wall.h"
+#include "fixes/engine/over_ranks.h"
+#include "fixes/engine/restart_file.h"
+
+namespace muckpile {
+namespace {
+
+/// Of a contact, all of whose fields are real numbers.
+constexpr int kDoubles = Encoding<WallContact>::kLeast / sizeof(double);
+constexpr int kMostDoubles = 1 + kDoubles * static_cast<int>(WallTouches::kMost);
+
+}  // namespace
+
+/// The engine sizes its exchange buffer by the largest fix.
+void FixMuckpileWall::pre_exchange() {
+  comm->maxexchange_fix = std::max(comm->maxexchange_fix, kMostDoubles);
+}
+
+void FixMuckpileWall::grow_arrays(int nmax) { contacts_.resize(static_cast<std::size_t>(nmax)); }
+
+void FixMuckpileWall::copy_arrays(int from, int to, int /*delflag*/) {
+  contacts_[static_cast<std::size_t>(to)] = contacts_[static_cast<std::size_t>(from)];
+}
+
+void FixMuckpileWall::set_arrays(int index) { contacts_[static_cast<std::size_t>(index)].clear(); }
+
+int FixMuckpileWall::pack(int index, double* buf) const {
+  const std::vector<WallContact>& contacts = contacts_[static_cast<std::size_t>(index)];
+  int m = 0;
+  buf[m++] = ubuf(static_cast<int>(contacts.size())).d;
+  for (const WallContact& contact : contacts) {
+    for (const Vec3* v : {&contact.normal, &contact.state.slide, &contact.state.roll})
+      for (const double number : *v) buf[m++] = number;
+    buf[m++] = contact.state.overlap_offset;
+    buf[m++] = contact.state.tangential_stiffness;
+  }
+  return m;
+}
+
+int FixMuckpileWall::unpack(int index, const double* buf) {
+  std::vector<WallContact>& contacts = contacts_[static_cast<std::size_t>(index)];
+  int m = 0;
+  contacts.resize(static_cast<std::size_t>(ubuf(buf[m++]).i));
+  for (WallContact& contact : contacts) {
+    for (Vec3* v : {&contact.normal, &contact.state.slide, &contact.state.roll})
+      for (double& number : *v) number = buf[m++];
+    contact.state.overlap_offset = buf[m++];
+    contact.state.tangential_stiffness = buf[m++];
+  }
+  return m;
+}
+
+int FixMuckpileWall::pack_exchange(int index, double* buf) { return pack(index, buf); }
+
+int FixMuckpileWall::unpack_exchange(int index, double* buf) { return unpack(index, buf); }
+
+int FixMuckpileWall::pack_restart(int index, double* buf) {
+  buf[0] = size_restart(index);
+  return 1 + pack(index, buf + 1);
+}
+
+void FixMuckpileWall::unpack_restart(int index, int nth) {
+  const double* extra = atom->extra[index];
+  int m = 0;
+  for (int k = 0; k < nth; ++k) m += static_cast<int>(extra[m]);
+  (void)unpack(index, extra + m + 1);
+}
+
+int FixMuckpileWall::size_restart(int index) {
+  return 2 + kDoubles * static_cast<int>(contacts_[static_cast<std::size_t>(index)].size());
+}
+
+int FixMuckpileWall::maxsize_restart() { return 1 + kMostDoubles; }
+
+void FixMuckpileWall::write_restart(FILE* file) {
+  WallState all = losses_;
+  for (double* mine : {&all.friction, &all.damping}) *mine = engine::sum_over_ranks(*mine, world);
+  engine::write_state<WallContact>(*lmp, style, file, all, {});
+}
+
+/// The contacts themselves stand with the spheres; here they are told to be of this version.
+void FixMuckpileWall::restart(char* state) {
+  WallState all;
+  engine::read_state<WallContact>(*lmp, style, state, all, [](const WallContact&) {});
+  losses_ = {engine::share_of_total(*lmp, all.friction), engine::share_of_total(*lmp, all.damping)};
+  looked_for_faults_ = true;  // rock may have fallen past the wall since
+}
+
+double FixMuckpileWall::memory_usage() {
+  double bytes = static_cast<double>(contacts_.capacity() * sizeof(contacts_[0]) +
+                                     candidates_.capacity() * sizeof(Candidate) +
+                                     parts_.capacity() * sizeof(std::size_t));
+  for (const std::vector<WallContact>& of_sphere : contacts_)
+    bytes += static_cast<double>(of_sphere.capacity() * sizeof(WallContact));
+  return bytes;
+}
+
+}  // namespace muckpile

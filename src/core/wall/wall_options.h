@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the words of fix muckpile/wall ask for.
+// Scope: no engine; every fault in the words throws InputError.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "args/parse_args.h"
+#include "contact/contact_law.h"
+#include "wall/wall_surface.h"
+
+namespace muckpile {
+
+[[nodiscard]] ArgTable wall_table();
+
+struct WallOptions {
+  std::shared_ptr<const WallSurface> surface;
+  double youngs_modulus = 0.0;                      ///< of the ground; 0: of the rock [Pa]
+  double restitution = 0.0;                         ///< 0: of the rock [-]
+  double friction = -1.0, rolling_friction = -1.0;  ///< below 0: of the rock [-]
+
+  /// Of the contacts of blocks that touch each other with these.
+  [[nodiscard]] ContactParameters parameters(ContactParameters rock) const;
+};
+
+/// `where` begins each message.
+[[nodiscard]] WallOptions wall_options(const ArgValues& args, const std::string& where);
+
+}  // namespace muckpile

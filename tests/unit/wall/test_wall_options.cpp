@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Words of fix muckpile/wall: what they make, and what is refused.
+// Scope: files of a few triangles.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "input_error_of.h"
+#include "temporary_folder.h"
+#include "wall/wall_options.h"
+
+namespace muckpile::test {
+namespace {
+
+WallOptions options_of(const std::vector<std::string>& words) {
+  return wall_options(parse_args(wall_table(), "fix muckpile/wall 'floor'", words),
+                      "fix muckpile/wall 'floor'");
+}
+std::string refusal_of(const std::vector<std::string>& words) {
+  return input_error_of([&] { (void)options_of(words); });
+}
+
+const std::vector<std::string> kLevel{"plane", "0", "0", "2", "0", "0", "1"};
+
+std::vector<std::string> level_and(const std::vector<std::string>& more) {
+  std::vector<std::string> words = kLevel;
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+TEST(WallOptions, WhatIsNotToldIsAsBetweenBlocks) {
+  ContactParameters rock;
+  rock.friction = 0.7;
+  const ContactParameters same = options_of(kLevel).parameters(rock);
+  EXPECT_EQ(same.friction, 0.7);
+  EXPECT_EQ(same.youngs_modulus, rock.youngs_modulus);
+  EXPECT_EQ(same.restitution, rock.restitution);
+  EXPECT_EQ(same.rolling_friction, rock.rolling_friction);
+  const ContactParameters other =
+      options_of(level_and({"friction", "0", "rolling_friction", "0.3", "restitution", "0.9",
+                            "youngs_modulus", "5e9"}))
+          .parameters(rock);
+  EXPECT_EQ(other.friction, 0.0);
+  EXPECT_EQ(other.rolling_friction, 0.3);
+  EXPECT_EQ(other.restitution, 0.9);
+  EXPECT_NEAR(other.youngs_modulus, 2.0 / (1.0 / rock.youngs_modulus + 1.0 / 5e9), 1.0);
+}
+
+TEST(WallOptions, MeshIsReadInItsUnitAndFromItsOrigin) {
+  const testing::TemporaryFolder folder;
+  const std::string file = (folder.path() / "ground.xyz").string();
+  testing::write_text(file, "100 200 10\n140 200 10\n100 240 10\n140 240 10\n");
+  const WallOptions options = options_of({"mesh", file, "unit", "0.5", "origin", "50", "100", "2"});
+  // Heights: 10 * 0.5 - 2 = 3 m; from x, y = 0 to 20 m.
+  EXPECT_NEAR(options.surface->depth({10, 5, 2.5}), 0.5, 1e-12);
+  EXPECT_EQ(options.surface->depth({10, 5, 3.5}), 0.0);
+  EXPECT_EQ(options.surface->depth({30, 5, 2.5}), 0.0);
+}
+
+TEST(WallOptions, WhatDoesNotFitIsRefused) {
+  const std::string where = "fix muckpile/wall 'floor': ";
+  EXPECT_EQ(refusal_of({}), where + "needs one of plane and mesh, got none");
+  EXPECT_EQ(refusal_of(level_and({"mesh", "a.stl"})),
+            where + "needs one of plane and mesh, got both");
+  EXPECT_EQ(refusal_of({"plane", "0", "0", "0", "0", "0", "0"}),
+            where + "plane needs a point and a normal of some length, got the normal 0 0 0");
+  EXPECT_EQ(refusal_of(level_and({"unit", "0.3048"})), where + "unit is about a mesh, got a plane");
+  EXPECT_EQ(refusal_of(level_and({"restitution", "0.01"})),
+            where + "restitution must be 0 or >= 0.05, got '0.01'");
+  EXPECT_EQ(refusal_of(level_and({"friction", "-0.5"})),
+            where + "friction must be -1 or >= 0, got '-0.5'");
+  EXPECT_EQ(refusal_of(level_and({"rolling_friction", "-0.5"})),
+            where + "rolling_friction must be -1 or >= 0, got '-0.5'");
+  EXPECT_EQ(refusal_of(level_and({"youngs_modulus", "5"})),
+            where + "youngs_modulus must be 0 or >= 1000 Pa, got '5'");
+  EXPECT_NE(refusal_of({"mesh", "no_such_file.stl"}).find("no_such_file.stl"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace muckpile::test
