@@ -149,7 +149,6 @@ void JointGas::list_cracks(const FacetNetwork& network) {
   for (auto* numbers :
        {&many_, &wall_, &closed_, &mechanical_, &aperture_, &area_, &passage_, &film_})
     numbers->resize(cracks_.size());
-  for (std::size_t c = 0; c < cracks_.size(); ++c) many_[c] = cracks_[c].many;
   listed_ = true;
 }
 

@@ -182,7 +182,7 @@ class JointGas {
     bool joint;
     bool mirror;    // between a block and its image, which holds the same gas
     bool surfaces;  // ends on a free face
-    double many;    // cracks that it stands for [-]
+    double many;    // cracks that it stands for until it is a void [-]
   };
   enum class Keeps : std::uint8_t { unknown, gas, nothing };  // of a broken facet
   struct Crack : End {                                        // a broken facet that gas can reach

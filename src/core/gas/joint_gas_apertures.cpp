@@ -12,10 +12,12 @@ void JointGas::find_apertures(const FacetNetwork& network) {
   network.open_joints(crack_facets_, openings_);
   for (std::size_t c = 0; c < cracks_.size(); ++c) {
     const OpenJoint& open = openings_[c];
+    const bool wide = open.parted_squared > 1.0;
+    many_[c] = wide ? 1.0 : cracks_[c].many;  // a void is no bundle of cracks
     wall_[c] = many_[c] * open.area;
     closed_[c] = open.pressure;
     mechanical_[c] = open.opening / many_[c];
-    if (open.parted_squared > 1.0)
+    if (wide)
       wide_.push_back(
           {static_cast<std::uint32_t>(c), open.parted_squared > p_.open_gas * p_.open_gas});
   }

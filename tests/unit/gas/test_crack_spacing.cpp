@@ -138,6 +138,53 @@ TEST(CrackSpacing, OpeningWorksOnceHoweverManyShareIt) {
   }
 }
 
+JointGas::Parameters voids(double spacing) {
+  JointGas::Parameters p = with_spacing(spacing);
+  p.heat.effusivity = 2500.0;
+  p.open_gas = 10.0;
+  return p;
+}
+
+/// Heat into the walls of a joint with a radius of 0.56 m that is `opening` wide [J].
+double heat_at(double opening, double spacing) {
+  GasScene pair(test::cuboids(2, 1, 1), voids(spacing));
+  seal(pair.gas);
+  pair.fill(0, 1.0);
+  pair.fill(1, 0.1);
+  pair.open(opening);
+  for (int n = 0; n < 20; ++n) pair.step(5e-6);
+  return pair.gas.spent().heat;
+}
+
+TEST(CrackSpacing, PartedByItsRadiusAJointIsOneCrack) {
+  const double joint = heat_at(0.1, 0.25) / heat_at(0.1, 0.0);
+  std::cout << "heat into four cracks of a joint over that into one: " << joint << '\n';
+  EXPECT_GT(joint, 1.1);
+  EXPECT_GT(heat_at(0.8, 0.0), 0.0);
+  EXPECT_EQ(heat_at(0.8, 0.25), heat_at(0.8, 0.0));
+}
+
+TEST(CrackSpacing, MassAndEnergyAreKeptAsAJointBecomesAVoidAndCloses) {
+  GasScene pair(test::cuboids(2, 1, 1), voids(0.25));
+  seal(pair.gas);
+  pair.fill(0, 1.0);
+  pair.fill(1, 0.1);
+  pair.open(0.5);
+  const double mass = pair.mass(0) + pair.mass(1), energy = pair.energy() + pair.gas.spent().work;
+  for (const double opening : {0.55, 0.58, 0.8, 0.58, 0.55, 0.3}) {
+    const double swept = pair.gas.spent().swept_volume, was = pair.gas.cells()[0].volume;
+    pair.open(opening);
+    for (int n = 0; n < 10; ++n) pair.step(5e-6);
+    const GasSpent& spent = pair.gas.spent();
+    EXPECT_NEAR((pair.mass(0) + pair.mass(1)) / mass, 1.0, 1e-12) << opening;
+    EXPECT_NEAR((pair.energy() + spent.work + spent.heat) / energy, 1.0, 1e-12) << opening;
+    // Of 1 m2: three closed cracks of 0.1 mm come and go, and the gas sweeps what the faces do.
+    const double room = 2.0 * (pair.gas.cells()[0].volume - was) - (spent.swept_volume - swept);
+    EXPECT_LT(std::abs(room), 3.0001e-4) << opening;
+  }
+  EXPECT_GT(pair.gas.spent().heat, 0.0);
+}
+
 TEST(CrackSpacing, JointWithALawOfItsOwnIsOneCrack) {
   const BartonBandis law{.initial_stiffness = 1e10,
                          .closure_limit = 1e-4,
