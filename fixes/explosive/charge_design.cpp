@@ -33,6 +33,7 @@ void ChargeDesignCommand::command(int narg, char** arg) {
   set_variable("pattern_last_firing", design.pattern->last_firing_time());
   set_variable("pattern_mass", design.pattern_mass);
   set_variable("pattern_window_mass", design.window_mass);
+  set_variable("pattern_crushed_radius", design.pattern_crushed_radius);
   const Eigen::AlignedBox3d box = design.pattern->chambers();
   for (Eigen::Index k = 0; k < 3; ++k) {
     const std::string axis = std::string("pattern_") + "xyz"[k];

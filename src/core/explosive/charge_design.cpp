@@ -130,6 +130,12 @@ std::vector<TimedCharge> timed_charges(const HoleTable& pattern, const ChargeOpt
   return charges;
 }
 
+double smallest_radius(const std::vector<Hole>& zones) {
+  double smallest = zones.front().radius;  // a table has at least one deck
+  for (const Hole& zone : zones) smallest = std::min(smallest, zone.radius);
+  return smallest;
+}
+
 }  // namespace
 
 ArgTable charge_design_table() {
@@ -198,6 +204,8 @@ ChargeDesign charge_design(const ArgValues& values, const std::string& where) {
     const std::vector<TimedCharge> charges = timed_charges(*design.pattern, charge, where);
     for (const TimedCharge& each : charges) design.pattern_mass += each.mass;
     design.window_mass = largest_within(charges, kVibrationWindow);
+    design.pattern_crushed_radius =
+        smallest_radius(design.pattern->crushed_zones(values.real("crushed_ratio")));
     text << "  pattern: " << design.pattern->holes() << " holes, " << design.pattern->decks().size()
          << " charged decks, the last fires at " << design.pattern->last_firing_time() << " s; "
          << design.pattern_mass << " kg of explosive, at most " << design.window_mass

@@ -21,6 +21,7 @@ struct ChargeDesign {
   std::optional<HoleTable> pattern{};      ///< with a hole_table
   double pattern_mass = 0.0;               ///< explosive of all its decks [kg]
   double window_mass = 0.0;                ///< the most of it within kVibrationWindow [kg]
+  double pattern_crushed_radius = 0.0;     ///< the smallest of its decks [m]
   std::string report{};                    ///< the choice with the alternatives beside it
 };
 
