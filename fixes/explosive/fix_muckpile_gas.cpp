@@ -57,8 +57,8 @@ const ArgTable& table() {
   return args;
 }
 
-CrushedBed make_bed(LAMMPS_NS::LAMMPS& lmp, const ArgValues& args) {
-  return engine::or_engine_error(lmp, [&] {
+CrushedBed make_bed(LAMMPS_NS::LAMMPS& lmp, const std::string& where, const ArgValues& args) {
+  return engine::or_engine_error(lmp, where, [&] {
     return CrushedBed({.grain = args.real("crushed_grain"),
                        .heat_capacity = args.real("heat_capacity"),
                        .rock = {.effusivity = args.real("effusivity"),
@@ -101,7 +101,7 @@ FixMuckpileGas::FixMuckpileGas(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     return 0;
   });
   gas_ = make_gas(*lmp, where_, args, *blast);
-  bed_ = make_bed(*lmp, args);
+  bed_ = make_bed(*lmp, where_, args);
   vector_flag = 1;
   size_vector = kOutputs;
   global_freq = 1;
