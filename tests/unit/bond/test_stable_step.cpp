@@ -130,6 +130,18 @@ TEST(StableStep, IsWhereDampedBlocksBecomeUnstable) {
   }
 }
 
+TEST(StableStep, IsWhereDampedBlocksAtMirrorsBecomeUnstable) {
+  const auto three_planes = [](const Vec3& x) {
+    return x.minCoeff() < 1e-9 ? Support::mirror : Support::free;
+  };
+  for (const double damping : {0.05, 1.0}) {
+    JointParameters p = rock(0.25);
+    p.damping = damping;
+    expect_onset_at_bound(BondScene(cuboids(3, 3, 3), p, three_planes));
+    expect_onset_at_bound(BondScene(voronoi_blocks(4.0, 5, 0), p, three_planes));
+  }
+}
+
 void expect_covers_mixtures(BondScene scene) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
