@@ -24,8 +24,10 @@
 #include "fixes/engine/over_ranks.h"
 #include "geometry/files/block_file.h"
 #include "rock/cut_table.h"
+#include "rock/faults.h"
 #include "rock/rock_surfaces.h"
 #include "rock/zone_bodies.h"
+#include "rock/zone_model.h"
 
 namespace muckpile {
 namespace {
@@ -95,6 +97,7 @@ void CreateBlocks::command(int narg, char** arg) {
     bound(options.rock, rock);
     lay_surfaces(options);
     lay_natural_joint_sets(options);
+    lay_faults(options);
     find_zone_regions(options.zones);
     lay_zones(options);
     supports = support(args);
@@ -114,9 +117,10 @@ void CreateBlocks::command(int narg, char** arg) {
   placement.place(model, with_shares(options.rock.holes, model, world));
   FixMuckpileBlocks::find(*lmp)->record().begin(run);
   if (comm->me == 0)
-    engine::print_once(*lmp, describe(model, MPI_Wtime() - start) +
-                                 describe_surfaces(options, model.rock) +
-                                 describe_zone_bodies(options, model));
+    engine::print_once(
+        *lmp, describe(model, MPI_Wtime() - start) + describe_surfaces(options, model.rock) +
+                  describe_zone_bodies(options, model) + describe_zone_model(options) +
+                  describe_faults(options, model) + describe_mine_frame(options));
 }
 
 /// All rock of a run has the id that comes with the first.

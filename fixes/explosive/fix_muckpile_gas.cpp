@@ -40,6 +40,9 @@ const ArgTable& table() {
               "how far a joint may part, in radii of opening or slip or in rad of turn, before its "
               "gas goes to the atmosphere; beyond 1 it is a void between two blocks, which keeps "
               "gas that has not expanded to the atmosphere")
+          .real("crack_spacing", "m", Range::closed(0.0, 100.0), 0.0,
+                "0.01 or more: of the cracks of the rock, where blocks are larger: a joint stands "
+                "for that many, which share its opening; 0: for one")
           .integer("substeps", "-", Range::closed(1, 1000), 2, "of the flow in a step")
           .real("ambient_pressure", "Pa", Range::closed(1e3, 1e7), 101325.0, "of the atmosphere")
           .real("effusivity", "W s^0.5/(m2 K)", Range::closed(0.0, 1e5), 2500.0,
@@ -63,8 +66,9 @@ CrushedBed make_bed(LAMMPS_NS::LAMMPS& lmp, const ArgValues& args) {
   });
 }
 
-JointGas make_gas(LAMMPS_NS::LAMMPS& lmp, const ArgValues& args, const GasChambers& blast) {
-  return engine::or_engine_error(lmp, [&] {
+JointGas make_gas(LAMMPS_NS::LAMMPS& lmp, const std::string& where, const ArgValues& args,
+                  const GasChambers& blast) {
+  return engine::or_engine_error(lmp, where, [&] {
     return JointGas({.flow = {.gamma = blast.gas_gamma(), .roughness = args.real("roughness")},
                      .heat = {.effusivity = args.real("effusivity"),
                               .rock_temperature = args.real("rock_temperature")},
@@ -74,7 +78,8 @@ JointGas make_gas(LAMMPS_NS::LAMMPS& lmp, const ArgValues& args, const GasChambe
                                .closure_share = args.real("closure_share"),
                                .closure_stiffness = args.real("closure_stiffness"),
                                .roughness = args.real("roughness_coefficient")},
-                     .ambient = args.real("ambient_pressure")});
+                     .ambient = args.real("ambient_pressure"),
+                     .crack_spacing = args.real("crack_spacing")});
   });
 }
 
@@ -95,7 +100,7 @@ FixMuckpileGas::FixMuckpileGas(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     blast->let_gas_into_joints(ambient_);
     return 0;
   });
-  gas_ = make_gas(*lmp, args, *blast);
+  gas_ = make_gas(*lmp, where_, args, *blast);
   bed_ = make_bed(*lmp, args);
   vector_flag = 1;
   size_vector = kOutputs;

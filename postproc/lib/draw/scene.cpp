@@ -30,10 +30,14 @@ class DepthBuffer {
   DepthBuffer(int width, int height)
       : width_(width), height_(height), near_(count(), kNothing), polygon_(count(), -1) {}
 
-  void draw(const std::vector<ScenePolygon>& polygons, const Camera& camera, bool with_ground) {
+  // `normals` are those of the polygons, of any length.
+  void draw(const std::vector<ScenePolygon>& polygons, const std::vector<Vec3>& normals,
+            const Camera& camera, bool with_ground) {
     for (size_t p = 0; p < polygons.size(); ++p) {
-      if (!with_ground && polygons[p].object == kGroundObject) continue;
-      draw(polygons[p].corners, static_cast<int>(p), camera);
+      const ScenePolygon& polygon = polygons[p];
+      if (!with_ground && polygon.object == kGroundObject) continue;
+      if (camera.faces_eye(polygon.corners[0], normals[p]))
+        draw(polygon.corners, normals[p], static_cast<int>(p), camera);
     }
   }
   [[nodiscard]] bool holds(int x, int y) const {
@@ -50,11 +54,14 @@ class DepthBuffer {
     return static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
   }
 
-  void draw(const std::vector<Vec3>& corners, int number, const Camera& camera) {
-    const Vec3 normal = normal_of(corners);
-    if (!camera.faces_eye(corners[0], normal)) return;
+  void draw(const std::vector<Vec3>& corners, const Vec3& normal, int number,
+            const Camera& camera) {
     outline_.clear();
-    for (const Vec3& c : camera.clipped(corners)) outline_.push_back(camera.place(c));
+    if (std::ranges::all_of(corners, [&](const Vec3& c) { return camera.sees(c); })) {
+      for (const Vec3& c : corners) outline_.push_back(camera.place(c));
+    } else {
+      for (const Vec3& c : camera.clipped(corners)) outline_.push_back(camera.place(c));
+    }
     const Vec3 plane = camera.nearness_of_plane(corners[0], normal);
     scan_polygon(outline_, width_, height_, crossings_, [&](int y, int begin, int end) {
       const double row = plane.x() + plane.z() * (y + 0.5);
@@ -96,13 +103,15 @@ class Shader {
         ball_(ball_around(scene.polygons)),
         sun_(Camera::parallel(-scene.to_sun, ball_.middle, ball_.radius, kSunSize)),
         seen_(canvas.sample_width(), canvas.sample_height()),
-        lit_(kSunSize, kSunSize) {
+        lit_(kSunSize, kSunSize),
+        normals_(scene.polygons.size()) {
+    each_in_parallel(normals_.size(),
+                     [&](size_t p) { normals_[p] = normal_of(scene.polygons[p].corners); });
     in_parallel(2, [&](size_t part) {
-      if (part == 0) seen_.draw(scene.polygons, camera, true);
-      if (part == 1) lit_.draw(scene.polygons, sun_, false);
+      if (part == 0) seen_.draw(scene.polygons, normals_, camera, true);
+      if (part == 1) lit_.draw(scene.polygons, normals_, sun_, false);
     });
-    for (const ScenePolygon& p : scene.polygons)
-      normals_.push_back(normal_of(p.corners).normalized());
+    each_in_parallel(normals_.size(), [&](size_t p) { normals_[p].normalize(); });
   }
 
   void shade(Canvas& canvas) const {

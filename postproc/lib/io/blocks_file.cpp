@@ -9,10 +9,13 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <utility>
 
-#include "args/csv_table.h"
 #include "args/input_error.h"
+#include "args/text_words.h"
 #include "geometry/files/cell_file.h"
+#include "io/file_text.h"
+#include "io/plain_cells.h"
 #include "parallel/in_parallel.h"
 
 namespace muckpile {
@@ -57,6 +60,25 @@ const std::vector<double>& cell_array(const CellData& data, const char* name,
   return found->second;
 }
 
+struct FileTables {
+  CellTable cells;
+  CellData data;
+};
+
+FileTables read_file(const std::filesystem::path& path, const std::string& file) {
+  const MappedText whole(path);
+  size_t length = 0;
+  if (auto plain = read_plain_cells(whole.text(), length)) {
+    TextWords rest(std::string(whole.text().substr(length)));
+    CellData data = read_cell_data(rest, plain->cells(), file);
+    return {std::move(*plain), std::move(data)};
+  }
+  TextWords text{std::string(whole.text())};
+  CellTable cells = read_cell_table(text, file);
+  CellData data = read_cell_data(text, cells.cells(), file);
+  return {std::move(cells), std::move(data)};
+}
+
 int whole_id(double value, const std::string& file) {
   if (!(value >= 1.0 && value <= std::numeric_limits<int>::max()) || value != std::floor(value))
     throw InputError(file + ": id must be a whole number >= 1, got '" + std::to_string(value) +
@@ -88,20 +110,17 @@ void check(const StartBlock& block, double measured, const std::string& file) {
 
 std::vector<StartBlock> read_blocks(const std::filesystem::path& path) {
   const std::string file = path.string();
-  if (!std::filesystem::is_regular_file(path)) throw InputError(file + ": is not a file");
-  TextWords text(whole_file(path));
-  std::vector<Polyhedron> cells = read_cells(text, file);
-  const CellData data = read_cell_data(text, cells.size(), file);
+  const auto [cells, data] = read_file(path, file);
   const auto& id = cell_array(data, "id", file);
   const auto& volume = cell_array(data, "volume_m3", file);
   const auto& size = cell_array(data, "size_m", file);
   const auto& mass = cell_array(data, "mass_kg", file);
   const auto& free_face = cell_array(data, "on_free_face", file);
 
-  std::vector<StartBlock> blocks(cells.size());
-  each_in_parallel(cells.size(), [&](size_t c) {
+  std::vector<StartBlock> blocks(cells.cells());
+  each_in_parallel(cells.cells(), [&](size_t c) {
     blocks[c] = {
-        whole_id(id[c], file), std::move(cells[c]), Vec3::Zero(), volume[c], size[c], mass[c],
+        whole_id(id[c], file), cell_of(cells, c), Vec3::Zero(), volume[c], size[c], mass[c],
         free_face[c] != 0.0};
     const MassProperties exact = mass_properties(blocks[c].shape);
     blocks[c].centroid = exact.centroid;

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <optional>
 
 #include "parallel/in_parallel.h"
@@ -20,42 +21,61 @@ constexpr std::string_view kHeader =
 constexpr size_t kNumbers = 13;  // between id and fragment: place, rotation, velocity, spin
 
 struct PlainRow {
-  int id, fragment;
   double numbers[kNumbers], broken;
+  int fragment;
 };
 
-// Reads the row at `at` and goes behind its line end.
+// Reads the number at `at` and goes behind what stands behind it.
+template <class Number>
+bool read_number(const char*& at, const char* end, Number& value, char behind) {
+  const auto [stop, error] = std::from_chars(at, end, value);
+  if (error != std::errc() || stop == end || *stop != behind) return false;
+  at = stop + 1;
+  return true;
+}
+
+// What stands behind the id, with the line end.
 bool read_row(const char*& at, const char* end, PlainRow& row) {
-  const auto next = [&](auto& value, char behind) {
-    const auto [stop, error] = std::from_chars(at, end, value);
-    if (error != std::errc() || stop == end || *stop != behind) return false;
-    at = stop + 1;
-    return true;
-  };
-  if (!next(row.id, ',')) return false;
   for (double& number : row.numbers)
-    if (!next(number, ',') || !std::isfinite(number)) return false;
-  return next(row.fragment, ',') && next(row.broken, '\n') && std::isfinite(row.broken);
+    if (!read_number(at, end, number, ',') || !std::isfinite(number)) return false;
+  return read_number(at, end, row.fragment, ',') && read_number(at, end, row.broken, '\n') &&
+         std::isfinite(row.broken);
+}
+
+// The same for a row that nobody asks for.
+bool skip_row(const char*& at, const char* end) {
+  const void* const found = std::memchr(at, '\n', static_cast<size_t>(end - at));
+  if (found == nullptr) return false;
+  const char* const line_end = static_cast<const char*>(found);
+  if (std::count(at, line_end, ',') != static_cast<std::ptrdiff_t>(kNumbers) + 1) return false;
+  at = line_end + 1;
+  return true;
 }
 
 class RowReader {
  public:
   RowReader(const std::vector<StartBlock>& blocks, size_t modelled, double unit_tolerance,
-            std::vector<BlockState>& states)
+            const std::vector<char>& wanted, std::vector<BlockState>& states)
       : blocks_(blocks),
         modelled_(modelled),
         unit_tolerance_(unit_tolerance),
+        wanted_(wanted),
         states_(states),
         seen_(modelled, 0) {}
 
   bool read(std::string_view rows) {
     const char *at = rows.data(), *end = at + rows.size();
     PlainRow row{};
+    int id = 0;
     for (size_t hint = 0; at != end;) {
-      if (!read_row(at, end, row)) return false;
-      const auto block = find(row.id, hint);
+      if (!read_number(at, end, id, ',')) return false;
+      const auto block = find(id, hint);
       if (!block || std::atomic_ref<char>(seen_[*block]).exchange(1) != 0) return false;
-      if (!put(row, states_[*block])) return false;
+      if (wanted_.empty() || wanted_[*block] != 0) {
+        if (!read_row(at, end, row) || !put(row, states_[*block])) return false;
+      } else if (!skip_row(at, end)) {
+        return false;
+      }
       hint = *block + 1;
     }
     return true;
@@ -83,6 +103,7 @@ class RowReader {
   const std::vector<StartBlock>& blocks_;
   size_t modelled_;
   double unit_tolerance_;
+  const std::vector<char>& wanted_;
   std::vector<BlockState>& states_;
   std::vector<char> seen_;
 };
@@ -103,10 +124,11 @@ std::vector<std::string_view> pieces_of(std::string_view rows) {
 }  // namespace
 
 bool read_plain_rows(std::string_view rows, const std::vector<StartBlock>& blocks, size_t modelled,
-                     double unit_tolerance, std::vector<BlockState>& states) {
+                     double unit_tolerance, const std::vector<char>& wanted,
+                     std::vector<BlockState>& states) {
   if (!rows.starts_with(kHeader)) return false;
   const std::vector<std::string_view> pieces = pieces_of(rows.substr(kHeader.size()));
-  RowReader reader(blocks, modelled, unit_tolerance, states);
+  RowReader reader(blocks, modelled, unit_tolerance, wanted, states);
   std::vector<char> plain(pieces.size(), 0);
   in_parallel(pieces.size(),
               [&](size_t piece) { plain[piece] = reader.read(pieces[piece]) ? 1 : 0; });

@@ -6,11 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "args/csv_table.h"
 #include "args/input_error.h"
+#include "io/file_text.h"
 #include "io/images.h"
 #include "io/plain_snapshot.h"
+#include "io/posed_block.h"
+#include "io/snapshot_reader.h"
 #include "provenance/run_files.h"
 
 namespace muckpile {
@@ -104,38 +108,55 @@ std::vector<std::filesystem::path> snapshot_files(const std::filesystem::path& d
   return files;
 }
 
-Snapshot read_snapshot(const std::filesystem::path& path, const std::vector<StartBlock>& blocks) {
-  const std::string file = path.string(), text = whole_file(path);
+namespace {
+
+void read_into(const std::filesystem::path& path, const std::vector<StartBlock>& blocks,
+               const std::vector<char>& wanted, const std::string& text, Snapshot& snapshot) {
+  const std::string file = path.string();
   const std::string_view remark = first_line(text);
   const CsvTable head = CsvTable::parse(
       std::string(remark) + std::string(first_line(std::string_view(text).substr(remark.size()))),
       file);
-  Snapshot snapshot;
   snapshot.step = std::lround(remark_number(head, file, "step"));
   snapshot.time = remark_number(head, file, "time_s");
   snapshot.states.resize(blocks.size());
   if (!read_plain_rows(std::string_view(text).substr(remark.size()), blocks, modelled(blocks),
-                       kUnitTolerance, snapshot.states))
+                       kUnitTolerance, wanted, snapshot.states))
     read_table(CsvTable::parse(text, file), file, blocks, snapshot.states);
   add_image_states(blocks, snapshot.states);
+}
+
+}  // namespace
+
+Snapshot read_snapshot(const std::filesystem::path& path, const std::vector<StartBlock>& blocks) {
+  Snapshot snapshot;
+  read_into(path, blocks, {}, whole_file(path), snapshot);
   return snapshot;
 }
 
+SnapshotReader::SnapshotReader(const std::vector<StartBlock>& blocks, std::vector<char> wanted)
+    : blocks_(blocks), wanted_(std::move(wanted)) {
+  const size_t count = modelled(blocks);
+  for (size_t b = count; b < wanted_.size(); ++b)  // an image is made of its original
+    if (wanted_[b] != 0) wanted_[b % count] = 1;
+}
+
+const Snapshot& SnapshotReader::read(const std::filesystem::path& path) {
+  read_text(path, text_);
+  read_into(path, blocks_, wanted_, text_, snapshot_);
+  return snapshot_;
+}
+
 std::vector<Vec3> moved_vertices(const StartBlock& block, const BlockState& state) {
-  const Mat3 turn = state.rotation.toRotationMatrix();
   std::vector<Vec3> moved;
-  moved.reserve(block.shape.vertices.size());
-  for (const Vec3& p : block.shape.vertices)
-    moved.push_back(state.centre + turn * (p - block.centroid));
+  move_vertices(block, state, moved);
   return moved;
 }
 
 Snapshot start_snapshot(const std::vector<StartBlock>& blocks) {
   Snapshot start;
-  for (const StartBlock& block : blocks) {
-    start.states.push_back(
-        {block.centroid, Quat::Identity(), Vec3::Zero(), Vec3::Zero(), block.id, 0.0});
-  }
+  start.states.reserve(blocks.size());
+  for (const StartBlock& block : blocks) start.states.push_back(start_state(block));
   return start;
 }
 

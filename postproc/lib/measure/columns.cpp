@@ -9,7 +9,10 @@
 #include <string>
 
 #include "args/input_error.h"
+#include "io/posed_block.h"
 #include "measure/scan_polygon.h"
+#include "measure/start_extent.h"
+#include "parallel/in_parallel.h"
 
 namespace muckpile {
 namespace {
@@ -25,9 +28,14 @@ Vec3 face_normal(const std::vector<Vec3>& vertices, const std::vector<int>& face
   return normal;
 }
 
+struct RowRange {
+  int begin, end;
+};
+
+// Fills the columns of some rows of the grid.
 class ColumnFiller {
  public:
-  explicit ColumnFiller(Columns& columns) : out_(columns) {}
+  ColumnFiller(Columns& columns, RowRange rows) : out_(columns), rows_(rows) {}
 
   void add(const std::vector<Vec3>& vertices, const std::vector<int>& face, int block) {
     const Vec3 normal = face_normal(vertices, face);
@@ -42,6 +50,7 @@ class ColumnFiller {
     const double slope_x = -normal.x() / normal.z(), slope_y = -normal.y() / normal.z();
     const bool looks_up = normal.z() > 0.0;
     scan_polygon(outline_, grid.nx, grid.ny, crossings_, [&](int j, int begin, int end) {
+      if (j < rows_.begin || j >= rows_.end) return;
       const double z_row = origin.z() + slope_y * (grid.y(j) - origin.y());
       for (int i = begin; i < end; ++i) {
         set(grid.at(i, j), z_row + slope_x * (grid.x(i) - origin.x()), looks_up, block);
@@ -59,11 +68,69 @@ class ColumnFiller {
   }
 
   Columns& out_;
+  RowRange rows_;
   std::vector<Vec2> outline_;
   std::vector<double> crossings_;
 };
 
 constexpr double kMostCells = 5e7;  // 1 GB of columns
+
+// From the centroid to the farthest vertex, with room for rounding as the block moves [m].
+double reach_of(const StartBlock& block) {
+  double farthest = 0.0;
+  for (const Vec3& p : block.shape.vertices)
+    farthest = std::max(farthest, (p - block.centroid).squaredNorm());
+  return 1.001 * std::sqrt(farthest);
+}
+
+// Which blocks a core has to look at: it fills a strip of rows with all that reaches into it, so
+// that each column gets its blocks in their order.
+class BlockReaches {
+ public:
+  BlockReaches(const ColumnGrid& grid, const std::vector<StartBlock>& blocks,
+               const std::vector<BlockState>& states)
+      : grid_(grid), states_(states), reach_(blocks.size()) {
+    each_in_parallel(blocks.size(), [&](size_t b) { reach_[b] = reach_of(blocks[b]); });
+  }
+  [[nodiscard]] bool reaches(size_t b, RowRange rows) const {
+    const double y = states_[b].centre.y();
+    return y + reach_[b] >= grid_.y0 + rows.begin * grid_.dy &&
+           y - reach_[b] <= grid_.y0 + rows.end * grid_.dy;
+  }
+
+ private:
+  const ColumnGrid& grid_;
+  const std::vector<BlockState>& states_;
+  std::vector<double> reach_;
+};
+
+Extent nothing() {
+  return {Vec3::Constant(std::numeric_limits<double>::infinity()), Vec3::Constant(kNoRock)};
+}
+
+// With the states that state(b) tells.
+template <class State>
+Extent extent_where(const std::vector<StartBlock>& blocks, State&& state) {
+  constexpr size_t kTogether = 4096;
+  const size_t count = blocks.size();
+  std::vector<Extent> parts((count + kTogether - 1) / kTogether, nothing());
+  in_parallel(parts.size(), [&](size_t part) {
+    std::vector<Vec3> vertices;
+    for (size_t b = part * kTogether; b < std::min(count, (part + 1) * kTogether); ++b) {
+      move_vertices(blocks[b], state(b), vertices);
+      for (const Vec3& p : vertices) {
+        parts[part].low = parts[part].low.cwiseMin(p);
+        parts[part].high = parts[part].high.cwiseMax(p);
+      }
+    }
+  });
+  Extent extent = nothing();
+  for (const Extent& part : parts) {
+    extent.low = extent.low.cwiseMin(part.low);
+    extent.high = extent.high.cwiseMax(part.high);
+  }
+  return extent;
+}
 
 }  // namespace
 
@@ -82,25 +149,29 @@ Columns columns_through(const ColumnGrid& grid, const std::vector<StartBlock>& b
                         const std::vector<BlockState>& states, const std::vector<char>& keep) {
   Columns columns{grid, std::vector<double>(grid.cells(), kNoRock),
                   std::vector<int>(grid.cells(), -1), std::vector<double>(grid.cells(), 0.0)};
-  ColumnFiller filler(columns);
-  for (size_t b = 0; b < blocks.size(); ++b) {
-    if (keep[b] == 0) continue;
-    const std::vector<Vec3> vertices = moved_vertices(blocks[b], states[b]);
-    for (const std::vector<int>& face : blocks[b].shape.faces)
-      filler.add(vertices, face, static_cast<int>(b));
-  }
+  const BlockReaches reach(grid, blocks, states);
+  const int strips = std::min(static_cast<int>(cores()), grid.ny);
+  in_parallel(static_cast<size_t>(strips), [&](size_t part) {
+    const int strip = static_cast<int>(part);
+    const RowRange rows{strip * grid.ny / strips, (strip + 1) * grid.ny / strips};
+    ColumnFiller filler(columns, rows);
+    std::vector<Vec3> vertices;
+    for (size_t b = 0; b < blocks.size(); ++b) {
+      if (keep[b] == 0 || !reach.reaches(b, rows)) continue;
+      move_vertices(blocks[b], states[b], vertices);
+      for (const std::vector<int>& face : blocks[b].shape.faces)
+        filler.add(vertices, face, static_cast<int>(b));
+    }
+  });
   return columns;
 }
 
 Extent extent_of(const std::vector<StartBlock>& blocks, const std::vector<BlockState>& states) {
-  Extent extent{Vec3::Constant(std::numeric_limits<double>::infinity()), Vec3::Constant(kNoRock)};
-  for (size_t b = 0; b < blocks.size(); ++b) {
-    for (const Vec3& p : moved_vertices(blocks[b], states[b])) {
-      extent.low = extent.low.cwiseMin(p);
-      extent.high = extent.high.cwiseMax(p);
-    }
-  }
-  return extent;
+  return extent_where(blocks, [&](size_t b) -> const BlockState& { return states[b]; });
+}
+
+Extent extent_at_start(const std::vector<StartBlock>& blocks) {
+  return extent_where(blocks, [&](size_t b) { return start_state(blocks[b]); });
 }
 
 }  // namespace muckpile

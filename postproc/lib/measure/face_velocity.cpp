@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "measure/broken_out.h"
+#include "parallel/in_parallel.h"
 
 namespace muckpile {
 namespace {
@@ -20,13 +21,16 @@ bool touches_face(const StartBlock& block, const BenchPlanes& planes) {
   });
 }
 
-}  // namespace
+double depth_of_layer(const std::vector<StartBlock>& blocks, double burden,
+                      const BenchPlanes& planes) {
+  std::vector<char> at_face(blocks.size());
+  each_in_parallel(blocks.size(),
+                   [&](size_t b) { at_face[b] = touches_face(blocks[b], planes) ? 1 : 0; });
+  return std::max(0.25 * burden, mean_block_size(blocks, at_face));
+}
 
-std::vector<size_t> face_layer(const std::vector<StartBlock>& blocks, double burden, double low,
-                               double high, const BenchPlanes& planes) {
-  std::vector<char> at_face;
-  for (const StartBlock& block : blocks) at_face.push_back(touches_face(block, planes));
-  const double depth = std::max(0.25 * burden, mean_block_size(blocks, at_face));
+std::vector<size_t> layer_between(const std::vector<StartBlock>& blocks, double depth, double low,
+                                  double high, const BenchPlanes& planes) {
   std::vector<size_t> layer;
   for (size_t b = 0; b < blocks.size(); ++b) {
     const Vec3& start = blocks[b].centroid;
@@ -36,6 +40,22 @@ std::vector<size_t> face_layer(const std::vector<StartBlock>& blocks, double bur
       layer.push_back(b);
   }
   return layer;
+}
+
+}  // namespace
+
+std::vector<size_t> face_layer(const std::vector<StartBlock>& blocks, double burden, double low,
+                               double high, const BenchPlanes& planes) {
+  return layer_between(blocks, depth_of_layer(blocks, burden, planes), low, high, planes);
+}
+
+std::vector<std::vector<size_t>> face_bands(const std::vector<StartBlock>& blocks, double burden,
+                                            double height, int bands, const BenchPlanes& planes) {
+  const double depth = depth_of_layer(blocks, burden, planes), step = height / bands;
+  std::vector<std::vector<size_t>> layers;
+  for (int k = 0; k < bands; ++k)
+    layers.push_back(layer_between(blocks, depth, k * step, (k + 1) * step, planes));
+  return layers;
 }
 
 double mean_outward_velocity(const std::vector<StartBlock>& blocks, const Snapshot& snapshot,

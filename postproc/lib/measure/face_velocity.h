@@ -18,6 +18,11 @@ namespace muckpile {
 std::vector<size_t> face_layer(const std::vector<StartBlock>& blocks, double burden, double low,
                                double high, const BenchPlanes& planes = {});
 
+// The same for bands of height, all between the floor and `height` [m] and equally high.
+std::vector<std::vector<size_t>> face_bands(const std::vector<StartBlock>& blocks, double burden,
+                                            double height, int bands,
+                                            const BenchPlanes& planes = {});
+
 // Mass mean of the velocity along +x [m/s]; 0 for no blocks.
 double mean_outward_velocity(const std::vector<StartBlock>& blocks, const Snapshot& snapshot,
                              const std::vector<size_t>& layer);

@@ -70,6 +70,18 @@ std::vector<double> centre_top(const Columns& columns) {
   return centre;
 }
 
+// Columns through the blocks of both.
+Columns over_both(Columns sum, const Columns& other) {
+  for (size_t k = 0; k < sum.top.size(); ++k) {
+    if (other.top[k] > sum.top[k]) {
+      sum.top[k] = other.top[k];
+      sum.top_block[k] = other.top_block[k];
+    }
+    sum.length[k] += other.length[k];
+  }
+  return sum;
+}
+
 // Highest sample beyond the holes, x.size() where there is no pile.
 size_t index_of_peak(const std::vector<double>& x, const std::vector<double>& top, double depth) {
   size_t peak = x.size();
@@ -139,15 +151,16 @@ PileProfile pile_profile(const std::vector<StartBlock>& blocks, const Snapshot& 
     stayed[b] = moved[b] == 0 && lies[b] != 0;
     broken[b] = moved[b] != 0 && lies[b] != 0;
   }
-  const Columns rock = columns_through(grid, blocks, last.states, lies);
   const Columns pile = columns_through(grid, blocks, last.states, broken);
+  const Columns in_place = columns_through(grid, blocks, last.states, stayed);
+  const Columns rock = over_both(pile, in_place);
   PileProfile profile;
   for (int i = 0; i < grid.nx; ++i) profile.x.push_back(grid.x(i));
   profile.before = mean_top(columns_through(grid, blocks, start.states, all));
   profile.mean = mean_top(rock);
   profile.centre = centre_top(rock);
   profile.highest = highest_top(rock);
-  profile.rock_in_place = mean_top(columns_through(grid, blocks, last.states, stayed));
+  profile.rock_in_place = mean_top(in_place);
   profile.pile = mean_top(pile);
   profile.pile_length =
       mean_over_rows(grid, 0, grid.ny, [&](size_t column) { return pile.length[column]; });

@@ -13,6 +13,8 @@
 
 namespace muckpile {
 
+inline std::size_t cores() { return std::max(1U, std::thread::hardware_concurrency()); }
+
 // Calls work(0), work(1) ... work(parts - 1), in any order. Throws what the first of them that
 // failed has thrown; parts behind it may be left out.
 template <class Work>
@@ -30,9 +32,8 @@ void in_parallel(std::size_t parts, Work&& work) {
     }
   };
   {
-    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
     std::vector<std::jthread> others;
-    for (std::size_t k = 1; k < std::min(cores, parts); ++k) others.emplace_back(take_parts);
+    for (std::size_t k = 1; k < std::min(cores(), parts); ++k) others.emplace_back(take_parts);
     take_parts();
   }
   for (const std::exception_ptr& fault : faults)

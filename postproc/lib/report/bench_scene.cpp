@@ -10,6 +10,7 @@
 #include "measure/broken_out.h"
 #include "measure/columns.h"
 #include "measure/free_face.h"
+#include "measure/start_extent.h"
 #include "report/degrees.h"
 #include "report/not_measurable.h"
 
@@ -116,14 +117,14 @@ BenchScene bench_or_take_back(const ResultFolder& folder, const std::vector<Star
 }
 
 BenchPlanes bounded_by_rock(BenchPlanes planes, const std::vector<StartBlock>& blocks) {
-  const Extent rock = extent_of(blocks, start_snapshot(blocks).states);
+  const Extent rock = extent_at_start(blocks);
   planes.y_low = std::max(planes.y_low, rock.low.y());
   planes.y_high = std::min(planes.y_high, rock.high.y());
   return planes;
 }
 
 double y_of_middle_hole(const BenchScene& bench, const std::vector<StartBlock>& blocks) {
-  const Extent rock = extent_of(blocks, start_snapshot(blocks).states);
+  const Extent rock = extent_at_start(blocks);
   const double middle = 0.5 * (rock.low.y() + rock.high.y());
   double nearest = std::nan("");
   for (const Charge& charge : bench.charges) {

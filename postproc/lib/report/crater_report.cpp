@@ -11,6 +11,7 @@
 #include "io/csv_writer.h"
 #include "measure/columns.h"
 #include "measure/crater.h"
+#include "measure/start_extent.h"
 #include "report/not_measurable.h"
 #include "report/reports.h"
 #include "report/run_section.h"
@@ -58,7 +59,7 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run,
   constexpr double kBeside = 0.1;  // of a block: beside the crack that often runs there
   const double y = options.y.value_or(folder.symmetry() > 1 ? kBeside * run.block_size : 0.0);
   const double burial = folder.scene_number("burial_depth_m");
-  const Extent before = extent_of(run.blocks, start_snapshot(run.blocks).states);
+  const Extent before = extent_at_start(run.blocks);
   const double reach = std::max(std::abs(before.low.x()), before.high.x());
   double top = 0.5 * burial;
   for (const CraterRing& ring : rings) top = std::max(top, ring.surface + 0.5 * burial);

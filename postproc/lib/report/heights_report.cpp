@@ -10,6 +10,7 @@
 #include "io/csv_writer.h"
 #include "measure/height_map.h"
 #include "measure/places.h"
+#include "measure/start_extent.h"
 #include "report/bench_scene.h"
 #include "report/block_colours.h"
 #include "report/not_measurable.h"
@@ -63,7 +64,7 @@ struct Frame {
 // All rock but the few blocks that flew farthest.
 Frame frame_of(const RunData& run, const HeightMap& map) {
   constexpr double kRoom = 2.0;  // [m]
-  const Extent before = extent_of(run.blocks, start_snapshot(run.blocks).states);
+  const Extent before = extent_at_start(run.blocks);
   const ColumnGrid& g = map.grid;
   const auto inside = [](double low, double value, double high) {
     return std::clamp(value, low, high);

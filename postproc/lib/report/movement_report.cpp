@@ -13,6 +13,7 @@
 #include "measure/columns.h"
 #include "measure/movement.h"
 #include "measure/ore_shares.h"
+#include "measure/start_extent.h"
 #include "report/bench_scene.h"
 #include "report/dig_report.h"
 #include "report/movement_table.h"
@@ -74,7 +75,7 @@ void colour_by_level(SectionPlot& plot, const std::vector<int>& levels) {
 SectionPlot section_of(const RunData& run, const BenchScene& bench, const BenchParts& parts,
                        const std::vector<PartMovement>& movement) {
   const double y = y_of_middle_hole(bench, run.blocks);
-  const Extent before = extent_of(run.blocks, start_snapshot(run.blocks).states);
+  const Extent before = extent_at_start(run.blocks);
   SectionPlot plot = section_of_run(run, y, ColourBy::kStartHeight);
   colour_by_level(plot, levels_of(run.blocks, parts));
   double farthest = bench.burden;

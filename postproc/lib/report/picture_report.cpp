@@ -8,6 +8,8 @@
 #include "draw/png_file.h"
 #include "draw/scene.h"
 #include "draw/title.h"
+#include "io/snapshot_reader.h"
+#include "measure/start_extent.h"
 #include "report/block_colours.h"
 #include "report/film.h"
 #include "report/notes.h"
@@ -26,7 +28,7 @@ class Picture {
           const PictureOptions& options)
       : blocks_(blocks),
         options_(options),
-        rock_(extent_of(blocks, start_snapshot(blocks).states)),
+        rock_(extent_at_start(blocks)),
         whole_(rock_),
         box_(framed_box(blocks, last)) {
     const bool crater = folder.scene_word("case") == "crater";
@@ -141,8 +143,9 @@ class Frames {
     const bool speed = options_.colour_by == ColourBy::kSpeed;
     if (!any() || (!speed && options_.colour_by != ColourBy::kDisplacement)) return std::nullopt;
     double largest = 0.0;
+    SnapshotReader reader(blocks_);
     for (const auto& path : snapshots_) {
-      const Snapshot snapshot = read_snapshot(path, blocks_);
+      const Snapshot& snapshot = reader.read(path);
       for (size_t b = 0; b < blocks_.size(); ++b) {
         const BlockState& s = snapshot.states[b];
         largest =

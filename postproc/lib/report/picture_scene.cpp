@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "measure/section.h"
+#include "parallel/in_parallel.h"
 
 namespace muckpile {
 namespace {
@@ -28,16 +29,21 @@ std::vector<Vec3> kept(const CutPlane& plane, const std::vector<Vec3>& polygon) 
 
 void add_blocks(const std::vector<StartBlock>& blocks, const Snapshot& snapshot,
                 const std::vector<Colour>& colours, const Reflection& reflection, Scene& scene) {
-  for (size_t b = 0; b < blocks.size(); ++b) {
+  std::vector<size_t> first{scene.polygons.size()};  // polygon of each block
+  for (const StartBlock& block : blocks) first.push_back(first.back() + block.shape.faces.size());
+  scene.polygons.resize(first.back());
+  each_in_parallel(blocks.size(), [&](size_t b) {
     const std::vector<Vec3> vertices = moved_vertices(blocks[b], snapshot.states[b]);
+    size_t number = first[b];
     for (const std::vector<int>& face : blocks[b].shape.faces) {
-      ScenePolygon polygon{{}, colours[b], static_cast<int>(b)};
+      ScenePolygon& polygon = scene.polygons[number++];
+      polygon = {{}, colours[b], static_cast<int>(b)};
+      polygon.corners.reserve(face.size());
       for (const int v : face)
         polygon.corners.push_back(reflection.of(vertices[static_cast<size_t>(v)]));
       if (reflection.turns_over()) std::ranges::reverse(polygon.corners);
-      scene.polygons.push_back(std::move(polygon));
     }
-  }
+  });
 }
 
 void add_ground(const Extent& rock, double x_high, double margin, Scene& scene) {

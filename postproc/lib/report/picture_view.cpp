@@ -10,6 +10,7 @@
 #include "draw/axes.h"
 #include "measure/broken_out.h"
 #include "measure/places.h"
+#include "measure/start_extent.h"
 
 namespace muckpile {
 namespace {
@@ -31,7 +32,7 @@ void add_circle(double radius, double z, std::vector<Vec3>& points) {
 Extent framed_box(const std::vector<StartBlock>& blocks, const Snapshot& last) {
   constexpr double kRoom = 1.0;   // [m]
   constexpr double kFew = 0.005;  // of the blocks, to each side
-  Extent box = extent_of(blocks, start_snapshot(blocks).states);
+  Extent box = extent_at_start(blocks);
   for (const Eigen::Index axis : {0, 1, 2}) {
     if (axis < 2) box.low[axis] = std::min(box.low[axis], place_of_share(last, axis, kFew) - kRoom);
     box.high[axis] = std::max(box.high[axis], place_of_share(last, axis, 1.0 - kFew) + kRoom);

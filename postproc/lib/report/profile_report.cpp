@@ -7,9 +7,11 @@
 #include "args/input_error.h"
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
+#include "io/snapshot_reader.h"
 #include "measure/collapse.h"
 #include "measure/face_velocity.h"
 #include "measure/pile.h"
+#include "measure/start_extent.h"
 #include "report/bench_scene.h"
 #include "report/degrees.h"
 #include "report/not_measurable.h"
@@ -33,14 +35,16 @@ FaceSpeed face_speed_of(const ResultFolder& folder, const std::vector<StartBlock
   const double low = std::max(bench.charge_bottom, 0.0), quarter = 0.25 * (bench.charge_top - low);
   const std::vector<size_t> middle =
       face_layer(blocks, bench.burden, low + quarter, bench.charge_top - quarter, bench.planes);
-  std::vector<std::vector<size_t>> bands;
-  for (int k = 0; k < kFaceBands; ++k) {
-    const double step = bench.height / kFaceBands;
-    bands.push_back(face_layer(blocks, bench.burden, k * step, (k + 1) * step, bench.planes));
-  }
+  const std::vector<std::vector<size_t>> bands =
+      face_bands(blocks, bench.burden, bench.height, kFaceBands, bench.planes);
+  std::vector<char> wanted(blocks.size(), 0);
+  for (const size_t b : middle) wanted[b] = 1;
+  for (const auto& band : bands)
+    for (const size_t b : band) wanted[b] = 1;
   FaceSpeed speed;
+  SnapshotReader reader(blocks, wanted);
   for (const auto& path : folder.snapshots()) {
-    const Snapshot now = read_snapshot(path, blocks);
+    const Snapshot& now = reader.read(path);
     if (!middle.empty())
       speed.mean = std::fmax(speed.mean, mean_outward_velocity(blocks, now, middle));
     for (const auto& band : bands) {
@@ -152,7 +156,7 @@ double reach_of(const PileProfile& profile, const BenchScene& bench, const RunDa
 SectionPlot section_of(const ResultFolder& folder, const RunData& run, const PileProfile& p,
                        const BenchScene& bench, const SectionOptions& options) {
   const double y = options.y.value_or(y_of_middle_hole(bench, run.blocks));
-  const Extent before = extent_of(run.blocks, start_snapshot(run.blocks).states);
+  const Extent before = extent_at_start(run.blocks);
   const double top = std::max(bench.height, *std::ranges::max_element(p.mean));
   SectionPlot plot = section_of_run(run, y, options.colour_by);
   plot.title = title_of(folder);

@@ -9,6 +9,7 @@
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
 #include "io/pattern_charges.h"
+#include "io/snapshot_reader.h"
 #include "measure/face_velocity.h"
 #include "measure/hole_rock.h"
 #include "report/bench_scene.h"
@@ -92,10 +93,12 @@ std::vector<FaceBand> bands_of(const RunData& run, const BenchScene& bench,
                                const std::vector<int>& nearest) {
   std::vector<FaceBand> bands;
   const double step = bench.height / kBands;
+  const std::vector<std::vector<size_t>> layers =
+      face_bands(run.blocks, bench.burden, bench.height, kBands, bench.planes);
   const auto add = [&](const std::string& name, auto&& belongs) {
     for (int k = 0; k < kBands; ++k) {
       FaceBand band{name, k * step, (k + 1) * step, {}};
-      for (const size_t b : face_layer(run.blocks, bench.burden, band.low, band.high, bench.planes))
+      for (const size_t b : layers[static_cast<size_t>(k)])
         if (belongs(nearest[b])) band.layer.push_back(b);
       bands.push_back(std::move(band));
     }
@@ -107,8 +110,14 @@ std::vector<FaceBand> bands_of(const RunData& run, const BenchScene& bench,
 }
 
 void add_velocities(Rows& rows, const ResultFolder& folder, const RunData& run) {
+  std::vector<char> wanted(run.blocks.size(), 0);
+  for (const Line& line : rows.lines)
+    for (const size_t b : line.chosen) wanted[b] = 1;
+  for (const FaceBand& band : rows.bands)
+    for (const size_t b : band.layer) wanted[b] = 1;
+  SnapshotReader reader(run.blocks, wanted);
   for (const auto& path : folder.snapshots()) {
-    const Snapshot now = read_snapshot(path, run.blocks);
+    const Snapshot& now = reader.read(path);
     for (Line& line : rows.lines) add_velocity(line.rock, line.chosen, run.blocks, now);
     for (FaceBand& band : rows.bands) {
       if (band.layer.empty()) continue;

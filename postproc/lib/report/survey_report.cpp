@@ -11,6 +11,7 @@
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
 #include "measure/height_map.h"
+#include "measure/start_extent.h"
 #include "measure/surface_comparison.h"
 #include "measure/survey_heights.h"
 #include "report/bench_scene.h"
@@ -55,7 +56,7 @@ bool beside_the_model(double x, double y, const Extent& start) {
 // own. Rock lies above a floor; a crater reaches below its surface.
 RunSurface surface_of(const RunData& run, const ColumnGrid& grid, const std::string& scene) {
   const Columns columns = columns_through(grid, run.blocks, run.last.states, run.lies);
-  const Extent start = extent_of(run.blocks, start_snapshot(run.blocks).states);
+  const Extent start = extent_at_start(run.blocks);
   const bool on_floor = scene == "bench" || scene == "heap";
   const auto without_rock = [&](size_t k) {
     const auto columns_x = static_cast<size_t>(grid.nx);

@@ -20,6 +20,8 @@ void transform_all(const std::vector<double>& a, const std::vector<double>& b,
   for (std::size_t k = 0, count = to.size(); k < count; ++k) into[k] = of(from[k], and_from[k]);
 }
 
+constexpr double kFinestSpacing = 0.01;  // of cracks [m]
+
 }  // namespace
 
 JointGas::JointGas(const Parameters& parameters)
@@ -31,6 +33,8 @@ JointGas::JointGas(const Parameters& parameters)
   require_positive("gas_constant", "J/(kg K)", p_.gas_constant);
   require_not_negative("ambient_pressure", "Pa", p_.ambient);
   if (!(p_.open_gas >= 1.0)) refuse_value("open_gas", ">= 1", "", p_.open_gas);
+  if (p_.crack_spacing != 0.0 && !(p_.crack_spacing >= kFinestSpacing))
+    refuse_value("crack_spacing", "0 or >= " + number_text(kFinestSpacing), "m", p_.crack_spacing);
 }
 
 void JointGas::set_network(const FacetNetwork& network) {
@@ -63,6 +67,18 @@ void JointGas::set_network(const FacetNetwork& network) {
   }
 }
 
+/// A joint with a law of its own is a crack of the rock itself.
+double JointGas::cracks_of(const FacetNetwork& network, std::size_t f) const {
+  if (p_.crack_spacing == 0.0 || network.tables().nonlinear_law(f) != nullptr) return 1.0;
+  const auto size = [&](int b) {
+    return std::cbrt(network.blocks()[static_cast<std::size_t>(b)].volume);
+  };
+  const FacetEnds facet = network.ends(f);
+  const bool joint = facet.kind == FacetKind::joint;
+  const double way = joint ? 0.5 * (size(facet.i) + size(facet.j)) : size(facet.i);
+  return std::max(1.0, way / p_.crack_spacing);
+}
+
 JointGas::End JointGas::end_of(const FacetNetwork& network, std::size_t f) const {
   const FacetEnds facet = network.ends(f);
   const auto i = static_cast<std::size_t>(facet.i), j = static_cast<std::size_t>(facet.j);
@@ -73,7 +89,8 @@ JointGas::End JointGas::end_of(const FacetNetwork& network, std::size_t f) const
           .hole = of_i / 2 == of_j / 2 ? of_i / 2 - 1 : -1,
           .joint = joint,
           .mirror = mirror,
-          .surfaces = (of_i & of_j & 1) != 0};
+          .surfaces = (of_i & of_j & 1) != 0,
+          .many = cracks_of(network, f)};
 }
 
 /// Whether cracks_ is still right. A list depends on which facets are broken, and on which blocks
@@ -129,8 +146,10 @@ void JointGas::list_cracks(const FacetNetwork& network) {
     cracks_.push_back({end, f, 0.0, 0.0, 0.0, 0.0});
     add_facet(crack_facets_, f);
   }
-  for (auto* numbers : {&wall_, &closed_, &mechanical_, &aperture_, &area_, &passage_, &film_})
+  for (auto* numbers :
+       {&many_, &wall_, &closed_, &mechanical_, &aperture_, &area_, &passage_, &film_})
     numbers->resize(cracks_.size());
+  for (std::size_t c = 0; c < cracks_.size(); ++c) many_[c] = cracks_[c].many;
   listed_ = true;
 }
 

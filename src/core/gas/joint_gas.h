@@ -10,6 +10,8 @@
 // broken facet that they share. Where both have a face on the same crushed zone their facet ends
 // there and takes gas from the chamber, and where both have a free face it lets gas out. In both
 // cases each block has half the aperture.
+// A joint of the cut may stand for several cracks of the rock that share its opening
+// (Parameters::crack_spacing): room while closed, walls and ways are those of all of them.
 // Behind a mirror stands the block's image, with the same gas: the joint there has opened by twice
 // what the block has moved, and has room and ends as one between two blocks.
 //
@@ -108,6 +110,9 @@ class JointGas {
     double gas_constant = 370.0;    ///< R of the products, p = rho R T [J/(kg K)]
     ClosedJoint::Parameters joint;  ///< where no law of the joint's own knows
     double ambient = 101325.0;      ///< pressure of the atmosphere [Pa]
+    /// Between cracks that the rock has where blocks are larger: a joint stands for as many as its
+    /// two blocks have of them on their way, at least one [m]; 0: for one.
+    double crack_spacing = 0.0;
   };
 
   /// InputError on a value out of range.
@@ -177,6 +182,7 @@ class JointGas {
     bool joint;
     bool mirror;    // between a block and its image, which holds the same gas
     bool surfaces;  // ends on a free face
+    double many;    // cracks that it stands for [-]
   };
   enum class Keeps : std::uint8_t { unknown, gas, nothing };  // of a broken facet
   struct Crack : End {                                        // a broken facet that gas can reach
@@ -195,6 +201,7 @@ class JointGas {
   };
 
   [[nodiscard]] bool owned(std::size_t b) const { return owned_[b] != 0; }
+  [[nodiscard]] double cracks_of(const FacetNetwork& network, std::size_t f) const;
   [[nodiscard]] End end_of(const FacetNetwork& network, std::size_t f) const;
   [[nodiscard]] bool list_holds(const FacetNetwork& network, const std::vector<char>& fed);
   void mark_reached(const FacetNetwork& network);
@@ -253,9 +260,10 @@ class JointGas {
   std::vector<Crack> cracks_;               // those of them that gas can reach
   std::vector<LaneSet> crack_facets_;       // of cracks_
   std::vector<OpenJoint> openings_;         // of cracks_
-  // Of cracks_: broken area [m2], apertures while closed, mechanical and hydraulic [m], area across
-  // the flow [m2], passage [-], film x wall per mass flow through them [J/(kg K)].
-  std::vector<double> wall_, closed_, mechanical_, aperture_, area_, passage_, film_;
+  // Of cracks_: how many each stands for [-]; broken area of all [m2], apertures of one while
+  // closed, mechanical and hydraulic [m], area across the flow of all [m2], passage [-], film x
+  // wall per mass flow through them [J/(kg K)].
+  std::vector<double> many_, wall_, closed_, mechanical_, aperture_, area_, passage_, film_;
   struct Void {
     std::uint32_t crack;
     bool gone;  // parted by open_gas

@@ -12,9 +12,9 @@ void JointGas::find_apertures(const FacetNetwork& network) {
   network.open_joints(crack_facets_, openings_);
   for (std::size_t c = 0; c < cracks_.size(); ++c) {
     const OpenJoint& open = openings_[c];
-    wall_[c] = open.area;
+    wall_[c] = many_[c] * open.area;
     closed_[c] = open.pressure;
-    mechanical_[c] = open.opening;
+    mechanical_[c] = open.opening / many_[c];
     if (open.parted_squared > 1.0)
       wide_.push_back(
           {static_cast<std::uint32_t>(c), open.parted_squared > p_.open_gas * p_.open_gas});
@@ -48,13 +48,13 @@ void JointGas::find_passages() {
   const CrackFlow flow = flow_;
   const WallHeat heat = heat_;
   const double capacity = heat_capacity();
-  const double* const __restrict aperture = aperture_.data(), * const __restrict wall =
-                                                                  wall_.data();
+  const double* const __restrict aperture = aperture_.data();
+  const double* const __restrict wall = wall_.data(), * const __restrict many = many_.data();
   double *const __restrict area = area_.data(), *const __restrict passage = passage_.data(),
                            *const __restrict film = film_.data();
   for (std::size_t c = 0, count = cracks_.size(); c < count; ++c) {
-    const double width = 2.0 * std::sqrt(wall[c] / M_PI);
-    area[c] = aperture[c] * width;
+    const double width = 2.0 * std::sqrt(wall[c] / many[c] / M_PI);
+    area[c] = many[c] * aperture[c] * width;
     passage[c] = flow.passage(aperture[c], width);
     const double friction = 2.0 * (1.0 / (passage[c] * passage[c]) - 1.0) * aperture[c] / width;
     film[c] = heat.film(friction, 1.0 / area[c], capacity) * wall[c];

@@ -11,8 +11,10 @@
 #include "explosive/hole_table.h"
 #include "geometry/holes/hole_overlap.h"
 #include "rock/cut_table.h"
+#include "rock/faults.h"
 #include "rock/rock_surfaces.h"
 #include "rock/zone_bodies.h"
+#include "rock/zone_model.h"
 
 namespace muckpile {
 namespace {
@@ -196,6 +198,8 @@ CutOptions read(const ArgValues& args, std::size_t memory) {
   }
   for (const Words& words : args.groups("zone")) options.zones.push_back(rock_zone_of(words));
   read_zone_bodies(options);
+  read_zone_model(options, args);
+  read_faults(options, args);
   rock.seed = static_cast<unsigned long>(args.integer("seed"));
   rock.sweeps = static_cast<int>(args.integer("sweeps"));
   rock.max_blocks = args.integer("max_blocks") > 0

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,9 +15,27 @@
 #include "geometry/size/size_target.h"
 #include "geometry/surface/surface_fit.h"
 #include "rock/natural_joints.h"
+#include "rock/rock_cells.h"
 #include "rock/rock_zones.h"
 
 namespace muckpile {
+
+/// Zones by a block model: see zone_model.h.
+struct ZoneModel {
+  std::string file{};    ///< empty: there is none
+  bool partial = false;  ///< rock in no cell is that beside the zones
+  std::vector<RockCell> cells{};
+  std::shared_ptr<const RockCells> index{};  ///< of those at the region, once it is known
+};
+
+/// A surface through the rock whose facets have a class: see faults.h.
+struct Fault {
+  std::string file;
+  std::uint8_t joint_class = 0;
+  std::shared_ptr<const SurfaceIndex> index{};
+  bool flat = false;       ///< the cut follows its plane
+  double off_plane = 0.0;  ///< of its corners at the region, at most [m]
+};
 
 struct CutOptions {
   TessellationOptions rock;                  ///< without its box, region and team
@@ -27,14 +46,17 @@ struct CutOptions {
   std::vector<JointPlane> natural_joints{};  ///< the planes in rock.planes with their joint class
   /// Their planes follow once the box of the rock is known: lay_natural_joint_sets().
   std::vector<NaturalJointSet> natural_joint_sets{};
-  std::vector<RockSurface> surfaces{};    ///< see rock_surfaces.h
-  MineFrame mine{};                       ///< that their files have
-  double unit = 1.0;                      ///< that the files count in [m]
-  bool unit_given = false;                ///< not to be doubted
-  double burden = 0.0;                    ///< of the plan; 0: not told [m]
-  RegionQuery region_alone{};             ///< without the surfaces
-  double density = 0.0;                   ///< of the rock beside the zones [kg/m3]
-  std::vector<RockZone> zones{};          ///< see lay_zones()
+  std::vector<RockSurface> surfaces{};  ///< see rock_surfaces.h
+  MineFrame mine{};                     ///< that their files have
+  double unit = 1.0;                    ///< that the files count in [m]
+  bool unit_given = false;              ///< not to be doubted
+  bool mine_files = false;              ///< there are some
+  double burden = 0.0;                  ///< of the plan; 0: not told [m]
+  RegionQuery region_alone{};           ///< without the surfaces
+  double density = 0.0;                 ///< of the rock beside the zones [kg/m3]
+  std::vector<RockZone> zones{};        ///< see lay_zones()
+  ZoneModel model{};
+  std::vector<Fault> faults{};
   std::vector<JointPlane> zone_joints{};  ///< borders of zones that are natural joints
   [[nodiscard]] std::vector<double> densities() const;  ///< of the rock, then of the zones [kg/m3]
   int spheres_per_block = 0;

@@ -39,7 +39,9 @@ const ArgTable& cut_table() {
                 "file of a ground surface, one height everywhere (.xyz, .csv, .txt, .las, .stl, "
                 ".dxf): what of the region lies above is cut off")
           .group("origin", 3, 3, false,
-                 "x y z that the files of `surface`, `terrain` and zones have at 0 0 0 of the run "
+                 "x y z that the files of `surface`, `terrain`, `block_model`, `fault` and zones "
+                 "have at 0 "
+                 "0 0 of the run "
                  "[m], as east, north and height of a mine; default 0 0 0")
           .real("x_bearing", "deg", Range::closed(0.0, 360.0), 90.0,
                 "that the x axis of the run looks to in those files, from north (y) over east (x)")
@@ -81,14 +83,22 @@ const ArgTable& cut_table() {
                  "`persistence SHARE RADIUS` (joint is that share of each plane, in discs of that "
                  "radius [m; >= block_min]), `fisher K` (scatter of the normals, 5 to 1e6), "
                  "`spacings exponential` (default) or `spacings even`")
-          .group("zone", 4, 11, true,
+          .group("fault", 2, 2, true,
+                 "FILE N: surface of triangles (.stl, faces of .dxf), open or closed, whose facets "
+                 "have the `joint_class` N of fix muckpile/joint (0: none)")
+          .group(
+              "block_model", 1, 2, false,
+              "FILE: CSV file of cells of rock, for zones with `model`; the rock that they leave "
+              "bare is refused, or, with `partial` behind FILE, that of `density`")
+          .group("zone", 3, 11, true,
                  "zone of other rock: NAME, its density [kg/m3], where it is, and optionally "
                  "`class N` "
                  "(number of the `joint_class` of its plane borders; 0: none). Where: `above` or "
                  "`below` x y z dip direction (a point of its border [m], dip and dip direction "
                  "[degrees]), `layer` x y z dip direction thickness (above that plane, [m]), "
-                 "`region ID`, or `inside FILE` (of a closed surface, .stl or faces of "
-                 ".dxf). A block is of the first zone that holds its centroid; the cut "
+                 "`region ID`, `inside FILE` (of a closed surface, .stl or faces of "
+                 ".dxf), or `model` (cells of `block_model` with that name). A block is of the "
+                 "first zone that holds its centroid; the cut "
                  "follows plane borders")
           .word("cut", {"voronoi", "joint_sets"}, "voronoi",
                 "how the rock is cut: graded Voronoi blocks, or joint sets in concentric bands")

@@ -9,7 +9,9 @@
 #include "args/input_error.h"
 #include "bond/build/wall_facets.h"
 #include "geometry/files/block_import.h"
+#include "rock/faults.h"
 #include "rock/mirrored_holes.h"
+#include "rock/zone_model.h"
 
 namespace muckpile {
 namespace {
@@ -34,6 +36,7 @@ void choose_zones(RockModel& model, const CutOptions& options) {
   if (model.zones.empty()) return;
   for (const Block& block : model.rock.blocks)
     model.zone_of.push_back(zone_at(options.zones, block.mass.centroid));
+  require_cells(options, model);
 }
 
 /// With the radii of cylinders as wide as the voids that the cut left.
@@ -64,7 +67,8 @@ RockModel cut_rock(const CutOptions& options, int first_tag, const SupportRule& 
   }
   model.largest_overlap = largest_overlap(blocks, model.bodies);
   // Blocks on both sides of a zone's border are mirror images, and face each other squarely.
-  const bool leans = options.joint_sets.has_value() || !options.natural_joints.empty();
+  const bool leans =
+      options.joint_sets.has_value() || !options.natural_joints.empty() || !options.faults.empty();
   model.facets = build_facets(blocks, first_tag, support, leans ? Leaning::much : Leaning::little,
                               model.zone_of);
   model.holes = holes_between_mirrors(options.rock.holes, blocks, first_tag, model.facets);
@@ -77,6 +81,7 @@ RockModel cut_rock(const CutOptions& options, int first_tag, const SupportRule& 
   joints.insert(joints.end(), options.zone_joints.begin(), options.zone_joints.end());
   model.natural_planes = joints.size();
   assign_joint_classes(joints, blocks, first_tag, model.facets.facets);
+  assign_fault_classes(options, first_tag, model);
   return model;
 }
 

@@ -15,6 +15,12 @@
 
 namespace muckpile {
 
+/// What the cut has made of a fault.
+struct FaultFacets {
+  double area = 0.0;   ///< of the facets with its class [m2]
+  double along = 0.0;  ///< area times the cosine of the angle between facet and fault [m2]
+};
+
 struct RockModel {
   Tessellation rock;
   std::vector<RigidBody> bodies;  ///< one per block
@@ -24,6 +30,7 @@ struct RockModel {
   std::optional<SizeComparison> sizes{};  ///< with a size target
   std::string why_missed{};               ///< the target, if it is
   std::size_t natural_planes = 0;         ///< of natural joints
+  std::vector<FaultFacets> faults{};      ///< in the order of the options
   std::vector<HoleBurden> burdens{};      ///< of the holes, where a plan's is told or surfaces are
   double plan_burden = 0.0;               ///< 0: not told [m]
   std::vector<std::string> zones{};       ///< names of those of rock

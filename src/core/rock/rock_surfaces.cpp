@@ -34,14 +34,6 @@ MineFrame frame_of(const ArgValues& args) {
   return frame;
 }
 
-SurveyedSurface read_placed(const std::string& file, const CutOptions& options) {
-  SurveyedSurface survey = read_survey(file, options.unit);
-  for (Vec3& point : survey.points) point = options.mine.to_run(point);
-  for (StlTriangle& triangle : survey.triangles)
-    for (Vec3& corner : triangle) corner = options.mine.to_run(corner);
-  return survey;
-}
-
 RockSurface read_terrain(const std::string& file, const CutOptions& options) {
   RockSurface surface{file, SurfaceIs::terrain, nullptr};
   std::vector<StlTriangle> triangles = terrain_triangles(read_placed(file, options));
@@ -52,13 +44,7 @@ RockSurface read_terrain(const std::string& file, const CutOptions& options) {
 }
 
 void require_rock(const CutOptions& options) {
-  constexpr int kPoints = 24;  // per axis
-  const Vec3& lo = options.rock.lo;
-  const Vec3 step = (options.rock.hi - lo) / kPoints;
-  for (int k = 0; k < kPoints * kPoints * kPoints; ++k) {
-    const Vec3 place(k % kPoints + 0.5, k / kPoints % kPoints + 0.5, k / (kPoints * kPoints) + 0.5);
-    if (options.rock.region.inside(lo + place.cwiseProduct(step))) return;
-  }
+  if (!points_of_rock(options).empty()) return;
   refuse_words(
       "region and surfaces share no rock: is the region where the surfaces leave rock, and "
       "is the ground below the terrain in it?");
@@ -66,12 +52,22 @@ void require_rock(const CutOptions& options) {
 
 }  // namespace
 
+SurveyedSurface read_placed(const std::string& file, const CutOptions& options) {
+  SurveyedSurface survey = read_survey(file, options.unit);
+  for (Vec3& point : survey.points) point = options.mine.to_run(point);
+  for (StlTriangle& triangle : survey.triangles)
+    for (Vec3& corner : triangle) corner = options.mine.to_run(corner);
+  return survey;
+}
+
 void read_mine_frame(CutOptions& options, const ArgValues& args) {
   // An input with a knob for the terrain says `terrain none`, and gives the rest all the same.
-  const bool files = args.given("surface") || args.given("terrain") ||
-                     std::ranges::any_of(args.groups("zone"), names_a_file);
+  const bool none = args.given("surface") || args.given("terrain");
+  options.mine_files = args.word("surface") != "none" || args.word("terrain") != "none" ||
+                       args.given("block_model") || args.given("fault") ||
+                       std::ranges::any_of(args.groups("zone"), names_a_file);
   for (const char* word : {"origin", "x_bearing", "unit"})
-    if (args.given(word) && !files)
+    if (args.given(word) && !options.mine_files && !none)
       refuse_words(std::string(word) +
                    " needs a file in mine coordinates, such as surface or terrain");
   options.mine = frame_of(args);
@@ -88,6 +84,19 @@ std::shared_ptr<const SurfaceIndex> read_body(const std::string& file, const std
   auto index = std::make_shared<const SurfaceIndex>(std::move(triangles));
   require_outward(*index, where);
   return index;
+}
+
+std::vector<Vec3> points_of_rock(const CutOptions& options) {
+  constexpr int kPoints = 24;  // per axis
+  const Vec3& lo = options.rock.lo;
+  const Vec3 step = (options.rock.hi - lo) / kPoints;
+  std::vector<Vec3> points;
+  for (int k = 0; k < kPoints * kPoints * kPoints; ++k) {
+    const Vec3 at(k % kPoints + 0.5, k / kPoints % kPoints + 0.5, k / (kPoints * kPoints) + 0.5);
+    const Vec3 place = lo + at.cwiseProduct(step);
+    if (!options.rock.region.inside || options.rock.region.inside(place)) points.push_back(place);
+  }
+  return points;
 }
 
 void read_surfaces(CutOptions& options, const ArgValues& args) {
@@ -134,9 +143,10 @@ SurfaceOutcome surface_outcome(const CutOptions& options, const Tessellation& cu
 }
 
 std::string describe_mine_frame(const CutOptions& options) {
+  if (!options.mine_files) return "";
   const Vec3& o = options.mine.origin;
   return "  place 0 0 0 is " + number_text(o.x()) + ' ' + number_text(o.y()) + ' ' +
-         number_text(o.z()) + " m of their files; x looks to the bearing " +
+         number_text(o.z()) + " m of the files in mine coordinates; x looks to the bearing " +
          number_text(options.mine.bearing * 180.0 / M_PI) + " degrees\n";
 }
 
@@ -146,7 +156,6 @@ std::string describe_surfaces(const CutOptions& options, const Tessellation& cut
   std::ostringstream text;
   for (const RockSurface& surface : options.surfaces)
     text << "  " << name_of(surface) << ": " << surface.index->triangles().size() << " triangles\n";
-  text << describe_mine_frame(options);
   text.precision(4);
   text << "  rock within region and surfaces " << outcome.rock << " m3, blocks and crushed zones "
        << outcome.cut << " m3 (" << std::showpos << 100.0 * (outcome.cut / outcome.rock - 1.0)

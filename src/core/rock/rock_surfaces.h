@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "rock/cut_options.h"
 
@@ -13,6 +14,9 @@ namespace muckpile {
 /// Reads `origin`, `x_bearing` and `unit`: they come before all files in mine coordinates. Throws
 /// InputError where there are no such files.
 void read_mine_frame(CutOptions& options, const ArgValues& args);
+
+/// Of a file, in the frame of the run. Throws InputError as read_survey() does.
+[[nodiscard]] SurveyedSurface read_placed(const std::string& file, const CutOptions& options);
 
 /// A closed surface from a file, in the frame of the run. Throws InputError, with `where` before
 /// it, for one that is not closed or looks inward.
@@ -35,7 +39,10 @@ struct SurfaceOutcome {
 };
 [[nodiscard]] SurfaceOutcome surface_outcome(const CutOptions& options, const Tessellation& cut);
 
-/// Line of the log: where the run lies in the files.
+/// Points of a grid through the region's box that lie in the rock.
+[[nodiscard]] std::vector<Vec3> points_of_rock(const CutOptions& options);
+
+/// Line of the log: where the run lies in the files; "" without any.
 [[nodiscard]] std::string describe_mine_frame(const CutOptions& options);
 
 /// Lines of the log; "" without surfaces.

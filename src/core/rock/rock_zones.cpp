@@ -11,6 +11,7 @@
 #include "rock/cut_options.h"
 #include "rock/cut_table.h"
 #include "rock/zone_bodies.h"
+#include "rock/zone_model.h"
 
 namespace muckpile {
 namespace {
@@ -19,7 +20,7 @@ using Words = std::vector<std::string>;
 
 constexpr double kSamePlane = 1e-6;  // of the box, and of a normal
 
-const std::string kPlaces = "'above', 'below', 'layer', 'region' or 'inside'";
+const std::string kPlaces = "'above', 'below', 'layer', 'region', 'inside' or 'model'";
 
 Range place_range() { return Range::closed(-1e6, 1e6); }
 
@@ -80,6 +81,8 @@ class ZoneReader {
       zone_.region = next("the ID of a region");
     } else if (place == "inside") {
       zone_.body = RockSurface{next("the name of a file"), SurfaceIs::body, nullptr};
+    } else if (place == "model") {
+      zone_.of_model = true;
     } else {
       refuse(where() + ": must be " + kPlaces + ", got '" + place + "'");
     }
@@ -114,13 +117,11 @@ bool crosses(const CutPlane& plane, const Vec3& lo, const Vec3& hi) {
 
 void lay_borders(CutOptions& options, const RockZone& zone) {
   TessellationOptions& rock = options.rock;
-  const double length = (rock.hi - rock.lo).norm();
   bool inside = zone.borders.empty();
   for (const CutPlane& border : zone.borders) {
     if (!crosses(border, rock.lo, rock.hi)) continue;
     inside = true;
-    const auto same = [&](const CutPlane& plane) { return same_plane(plane, border, length); };
-    if (std::ranges::none_of(rock.planes, same)) rock.planes.push_back(border);
+    cut_along(rock, border);
     if (zone.joint_class > 0)
       options.zone_joints.push_back(
           {border.point, border.normal, static_cast<std::uint8_t>(zone.joint_class)});
@@ -135,6 +136,12 @@ void lay_borders(CutOptions& options, const RockZone& zone) {
 bool names_a_file(const std::vector<std::string>& words) { return words[2] == "inside"; }
 
 RockZone rock_zone_of(const std::vector<std::string>& words) { return ZoneReader(words).read(); }
+
+void cut_along(TessellationOptions& rock, const CutPlane& plane) {
+  const double length = (rock.hi - rock.lo).norm();
+  const auto same = [&](const CutPlane& other) { return same_plane(other, plane, length); };
+  if (std::ranges::none_of(rock.planes, same)) rock.planes.push_back(plane);
+}
 
 std::uint8_t zone_at(const std::vector<RockZone>& zones, const Vec3& point) {
   const auto first =
@@ -155,6 +162,7 @@ void lay_zones(CutOptions& options) {
     lay_borders(options, zones[k]);
   }
   check_zone_bodies(options);
+  lay_zone_model(options);
 }
 
 }  // namespace muckpile

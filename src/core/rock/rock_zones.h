@@ -24,6 +24,7 @@ struct RockZone {
   std::vector<CutPlane> borders{};    ///< those of layers, which the cut follows
   std::string region{};               ///< of the engine, which sets `holds`; empty: none
   std::optional<RockSurface> body{};  ///< closed surface around it: see zone_bodies.h
+  bool of_model = false;              ///< of cells of a block model: see zone_model.h
   int joint_class = 0;                ///< of the facets in its borders; 0: rock that is whole
 };
 
@@ -40,6 +41,9 @@ inline constexpr std::size_t kMostZones = 10;
 /// Adds the borders of layers to the planes that the cut follows, once the box of the rock is
 /// known. Throws InputError where a border lies outside the rock, and for two zones of one name.
 void lay_zones(CutOptions& options);
+
+/// Adds a plane to those that the cut follows, unless it is there.
+void cut_along(TessellationOptions& rock, const CutPlane& plane);
 
 /// 0: none of `zones` holds the point; k: zones[k - 1] does, and none before it.
 [[nodiscard]] std::uint8_t zone_at(const std::vector<RockZone>& zones, const Vec3& point);

@@ -64,9 +64,7 @@ std::string describe_zone_bodies(const CutOptions& options, const RockModel& mod
          << " triangles around " << volume_within(*zone.body, options)
          << " m3 of the region, its blocks have " << volume_of_blocks(z + 1, model) << " m3\n";
   }
-  return text.str().empty() || !options.surfaces.empty()
-             ? text.str()
-             : text.str() + describe_mine_frame(options);
+  return text.str();
 }
 
 }  // namespace muckpile

@@ -33,11 +33,14 @@ struct Extent {
   int rows, layers;
 };
 
-/// Cubes of 1 m on both sides of a plane across x, and those of one side with a mirror in its place.
+/// Cubes of 1 m on both sides of a plane across x, and those of one side with a mirror in its
+/// place.
 class HalfAndWhole {
  public:
   HalfAndWhole(const Extent& extent, const JointParameters& p, bool zoned)
-      : n_(extent), half_(scene(extent.columns, mirror_at_the_start, p, zoned)), whole_(scene(
+      : n_(extent),
+        half_(scene(extent.columns, mirror_at_the_start, p, zoned)),
+        whole_(scene(
             2 * extent.columns, [](const Vec3&) { return Support::free; }, p, zoned)) {
     half_.compute();
     whole_.compute();
@@ -72,9 +75,7 @@ class HalfAndWhole {
     half_.step(dt);
     whole_.step(dt);
   }
-  [[nodiscard]] double stable_step() {
-    return std::min(half_.stable_step(), whole_.stable_step());
-  }
+  [[nodiscard]] double stable_step() { return std::min(half_.stable_step(), whole_.stable_step()); }
   /// Of the velocities, over `speed`.
   [[nodiscard]] double off(double speed) {
     double worst = 0.0;

@@ -6,11 +6,14 @@
 #include <cmath>
 
 #include "args/csv_table.h"
+#include "args/text_words.h"
 #include "geometry/files/block_file.h"
 #include "input_error_of.h"
 #include "io/energy_history.h"
 #include "io/history.h"
+#include "io/plain_cells.h"
 #include "io/result_folder.h"
+#include "io/snapshot_reader.h"
 #include "synthetic_run.h"
 
 namespace muckpile {
@@ -78,6 +81,73 @@ TEST_F(DumpFiles, BlanksInARowChangeNothing) {
     EXPECT_EQ(plain.states[b].spin, spaced.states[b].spin);
     EXPECT_EQ(plain.states[b].fragment, spaced.states[b].fragment);
     EXPECT_EQ(plain.states[b].broken_fraction, spaced.states[b].broken_fraction);
+  }
+}
+
+// Of the other rows only what tells that none is missing is looked at.
+TEST_F(DumpFiles, ReaderFillsTheStatesThatAreWanted) {
+  const auto blocks = read_blocks(dump("blocks.vtk"));
+  const Snapshot all = read_snapshot(dump("blocks_000002000.csv"), blocks);
+  std::vector<char> wanted(blocks.size(), 0);
+  wanted[3] = wanted.back() = 1;
+  SnapshotReader some(blocks, wanted), every(blocks);
+  EXPECT_EQ(some.read(dump("blocks_000000000.csv")).step, 0);
+  const Snapshot& last = some.read(dump("blocks_000002000.csv"));
+  EXPECT_EQ(last.step, all.step);
+  EXPECT_EQ(last.time, all.time);
+  for (const size_t b : {size_t{3}, blocks.size() - 1}) {
+    EXPECT_EQ(last.states[b].centre, all.states[b].centre);
+    EXPECT_EQ(last.states[b].velocity, all.states[b].velocity);
+  }
+  const Snapshot& same = every.read(dump("blocks_000002000.csv"));
+  for (size_t b = 0; b < blocks.size(); ++b) EXPECT_EQ(same.states[b].centre, all.states[b].centre);
+}
+
+TEST_F(DumpFiles, ReaderOfSomeBlocksRefusesCutAndForeignRows) {
+  const auto blocks = read_blocks(dump("blocks.vtk"));
+  std::vector<char> wanted(blocks.size(), 0);
+  wanted[3] = 1;
+  const auto message = [&] {
+    return input_error_of(
+        [&] { SnapshotReader(blocks, wanted).read(dump("blocks_000002000.csv")); });
+  };
+  const std::string whole = text_of(dump("blocks_000002000.csv"));
+  edit("blocks_000002000.csv", "\n1472,", "\n");
+  expect_contains(message(), ":3: expected 16 fields, got 15");
+  write_text(dump("blocks_000002000.csv"), whole);
+  edit("blocks_000002000.csv", "\n1472,", "\n1471,");
+  expect_contains(message(), "id 1471 occurs twice");
+  write_text(dump("blocks_000002000.csv"), whole.substr(0, whole.size() / 2));
+  expect_contains(message(), "blocks_000002000.csv:");
+}
+
+// A file as the engine writes it is read on all cores, any other word by word.
+TEST_F(DumpFiles, PlainCellsAreThoseOfTheOtherReader) {
+  const std::string whole = text_of(dump("blocks.vtk"));
+  size_t length = 0;
+  const auto plain = read_plain_cells(whole, length);
+  ASSERT_TRUE(plain);
+  EXPECT_EQ(whole.substr(length, 9), "CELL_DATA");
+  TextWords words(whole);
+  const CellTable table = read_cell_table(words, "blocks.vtk");
+  EXPECT_EQ(plain->points, table.points);
+  EXPECT_EQ(plain->words, table.words);
+  EXPECT_EQ(plain->begin, table.begin);
+  EXPECT_EQ(plain->types, table.types);
+}
+
+TEST_F(DumpFiles, BlanksBetweenTheNumbersOfBlocksChangeNothing) {
+  const auto plain = read_blocks(dump("blocks.vtk"));
+  edit("blocks.vtk", "\nCELLS ", "\n\nCELLS  ");
+  const std::string spaced = text_of(dump("blocks.vtk"));
+  size_t length = 0;
+  EXPECT_FALSE(read_plain_cells(spaced, length));
+  const auto blocks = read_blocks(dump("blocks.vtk"));
+  ASSERT_EQ(blocks.size(), plain.size());
+  for (size_t b = 0; b < blocks.size(); ++b) {
+    EXPECT_EQ(blocks[b].shape.vertices, plain[b].shape.vertices);
+    EXPECT_EQ(blocks[b].shape.faces, plain[b].shape.faces);
+    EXPECT_EQ(blocks[b].centroid, plain[b].centroid);
   }
 }
 

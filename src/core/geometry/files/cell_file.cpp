@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "args/text_words.h"
@@ -82,21 +83,20 @@ std::vector<Vec3> read_points(Words& words) {
   return points;
 }
 
-/// The numbers of a CELLS line, the count before them left out.
-std::vector<std::vector<int>> read_lists(Words& words) {
+/// The CELLS lines.
+void read_lists(Words& words, CellTable& table) {
   words.expect("CELLS");
-  std::vector<std::vector<int>> lists;
   std::size_t left = words.count("number of cells");
   (void)words.count("number of words of all cells");
   for (; left > 0; --left) {
-    std::vector<int>& list = lists.emplace_back();
-    for (std::size_t numbers = words.count("number of words of a cell"); numbers > 0; --numbers)
-      list.push_back(words.next<int>("a number of a cell"));
+    std::size_t numbers = words.count("number of words of a cell");
+    table.words.push_back(static_cast<int>(numbers));
+    table.begin.push_back(table.words.size());
+    for (; numbers > 0; --numbers) table.words.push_back(words.next<int>("a number of a cell"));
   }
-  return lists;
 }
 
-FaceList faces_of(const std::vector<int>& list, int type, std::size_t cell) {
+FaceList faces_of(std::span<const int> list, int type, std::size_t cell) {
   FaceList faces;
   if (type == kPolyhedron) {
     if (!list.empty() && list[0] > kMostFaces)
@@ -128,12 +128,18 @@ FaceList faces_of(const std::vector<int>& list, int type, std::size_t cell) {
   return faces;
 }
 
-/// With its own vertices, in the order of the file; faces turned so that the cell is behind them.
-Polyhedron cell_of(FaceList faces, const std::vector<Vec3>& points, std::size_t cell) {
+/// The points that faces use, in the order of the file.
+std::vector<int> points_of(const FaceList& faces) {
   std::vector<int> used;
   for (const auto& face : faces) used.insert(used.end(), face.begin(), face.end());
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
+  return used;
+}
+
+/// With its own vertices, in the order of the file; faces turned so that the cell is behind them.
+Polyhedron turned_cell(FaceList faces, const std::vector<Vec3>& points, std::size_t cell) {
+  const std::vector<int> used = points_of(faces);
   if (used.empty() || used.front() < 0 || used.back() >= static_cast<int>(points.size()))
     fail_import("cell ", cell, " has a point that is not in the file");
   Polyhedron shape;
@@ -152,22 +158,46 @@ Polyhedron cell_of(FaceList faces, const std::vector<Vec3>& points, std::size_t 
 
 }  // namespace
 
-std::vector<Polyhedron> read_cells(TextWords& text, const std::string& name) {
+bool CellTable::find_cells(std::size_t cells) {
+  begin.clear();
+  std::size_t at = 0;
+  for (; cells > 0; --cells) {
+    if (at >= words.size() || words[at] < 0) return false;
+    begin.push_back(at + 1);
+    at += static_cast<std::size_t>(words[at]) + 1;
+  }
+  return at == words.size();
+}
+
+CellTable read_cell_table(TextWords& text, const std::string& name) {
   read_header(text, name);
   Words words(text, name);
   words.expect("ASCII");
   words.expect("DATASET");
   words.expect("UNSTRUCTURED_GRID");
-  const std::vector<Vec3> points = read_points(words);
-  const std::vector<std::vector<int>> lists = read_lists(words);
+  CellTable table;
+  table.points = read_points(words);
+  read_lists(words, table);
   words.expect("CELL_TYPES");
-  if (words.count("number of cell types") != lists.size())
+  if (words.count("number of cell types") != table.cells())
     fail_import("'", name, "': there must be as many cell types as cells");
+  for (std::size_t c = 0; c < table.cells(); ++c)
+    table.types.push_back(words.next<int>("a cell type"));
+  if (table.types.empty()) fail_import("'", name, "' holds no cell");
+  return table;
+}
+
+Polyhedron cell_of(const CellTable& table, std::size_t number) {
+  const std::size_t begin = table.begin[number];
+  const std::span<const int> list(table.words.data() + begin,
+                                  static_cast<std::size_t>(table.words[begin - 1]));
+  return turned_cell(faces_of(list, table.types[number], number + 1), table.points, number + 1);
+}
+
+std::vector<Polyhedron> read_cells(TextWords& text, const std::string& name) {
+  const CellTable table = read_cell_table(text, name);
   std::vector<Polyhedron> cells;
-  for (std::size_t c = 0; c < lists.size(); ++c)
-    cells.push_back(
-        cell_of(faces_of(lists[c], words.next<int>("a cell type"), c + 1), points, c + 1));
-  if (cells.empty()) fail_import("'", name, "' holds no cell");
+  for (std::size_t c = 0; c < table.cells(); ++c) cells.push_back(cell_of(table, c));
   return cells;
 }
 

@@ -4,6 +4,7 @@
 // pyramids; lengths in metres. What the cells are worth as blocks is checked in block_import.h.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,25 @@
 #include "geometry/shape/polyhedron.h"
 
 namespace muckpile {
+
+/// What a file says of its cells, before polyhedra are made of it.
+struct CellTable {
+  std::vector<Vec3> points;        // [m]
+  std::vector<int> words;          // the CELLS lines one after another, each with its count
+  std::vector<std::size_t> begin;  // of each cell in `words`, behind its count
+  std::vector<int> types;          // VTK's, of each cell
+  [[nodiscard]] std::size_t cells() const { return begin.size(); }
+
+  /// Fills `begin`. False where the counts do not make up `cells` lines and no more.
+  [[nodiscard]] bool find_cells(std::size_t cells);
+};
+
+/// What stands behind the cells is left in `text`. Throws as read_cells() does.
+[[nodiscard]] CellTable read_cell_table(TextWords& text, const std::string& name);
+
+/// Cell `number` of the table, counted from 0; faces turned outwards. Throws InputError where it is
+/// not what a cell should be.
+[[nodiscard]] Polyhedron cell_of(const CellTable& table, std::size_t number);
 
 /// The cells as they stand in the file, faces turned outwards. `name` is used in messages. Throws
 /// InputError where the file is not what it should be.

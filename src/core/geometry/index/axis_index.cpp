@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Nearest of many charge axes, and those near a point: a tree of boxes around the axes.
-// Scope: median splits by the middles of the axes; nearer boxes are looked into first.
+// Scope: see the header.
 #include "geometry/index/axis_index.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace muckpile {
 namespace {
 
-constexpr int kLeafSize = 2;
+std::vector<BoxTree::Item> boxes_of(const std::vector<Axis>& axes) {
+  std::vector<BoxTree::Item> items;
+  for (const Axis& axis : axes)
+    items.push_back({axis.from().cwiseMin(axis.to()), axis.from().cwiseMax(axis.to()),
+                     axis.from() + axis.to()});
+  return items;
+}
 
 }  // namespace
 
@@ -27,40 +31,7 @@ double Axis::distance(const Vec3& point) const {
   return beyond == 0.0 ? across : std::hypot(beyond, across);
 }
 
-AxisIndex::AxisIndex(std::vector<Axis> axes) : axes_(std::move(axes)), order_(axes_.size()) {
-  std::iota(order_.begin(), order_.end(), 0);
-  if (!axes_.empty()) build(0, static_cast<int>(axes_.size()));
-}
-
-int AxisIndex::build(int first, int last) {
-  Node node;
-  node.first = first;
-  node.last = last;
-  node.lo.setConstant(std::numeric_limits<double>::infinity());
-  node.hi = -node.lo;
-  for (int k = first; k < last; ++k) {
-    const Axis& one = (*this)[order_[static_cast<std::size_t>(k)]];
-    node.lo = node.lo.cwiseMin(one.from().cwiseMin(one.to()));
-    node.hi = node.hi.cwiseMax(one.from().cwiseMax(one.to()));
-  }
-  const std::size_t self = nodes_.size();
-  nodes_.push_back(node);
-  if (last - first > kLeafSize) {
-    Eigen::Index along = 0;
-    (node.hi - node.lo).maxCoeff(&along);
-    const int middle = first + (last - first) / 2;
-    const auto place = [&](int n) { return (*this)[n].from()[along] + (*this)[n].to()[along]; };
-    std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
-                     [&](int a, int b) { return std::pair(place(a), a) < std::pair(place(b), b); });
-    build(first, middle);
-    nodes_[self].right = build(middle, last);
-  }
-  return static_cast<int>(self);
-}
-
-double AxisIndex::Node::distance2(const Vec3& point) const {
-  return (point - point.cwiseMax(lo).cwiseMin(hi)).squaredNorm();
-}
+AxisIndex::AxisIndex(std::vector<Axis> axes) : axes_(std::move(axes)), tree_(boxes_of(axes_), 2) {}
 
 double AxisIndex::nearest(const Vec3& point) const {
   double least = std::numeric_limits<double>::infinity();

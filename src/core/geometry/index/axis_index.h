@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/index/box_tree.h"
 #include "math/types.h"
 
 namespace muckpile {
@@ -41,42 +42,35 @@ class AxisIndex {
   }
 
  private:
-  struct Node {
-    Vec3 lo, hi;              // of its axes [m]
-    int first = 0, last = 0;  // range in order_
-    int right = 0;            // the left child is the next node; 0 for a leaf
-    [[nodiscard]] double distance2(const Vec3& point) const;  // of the box [m2]
-  };
-  int build(int first, int last);
   /// Offers the axes in boxes nearer than the root of reach2() [m2], nearer boxes first.
   template <class Reach, class Visitor>
   bool walk(const Vec3& point, const Reach& reach2, const Visitor& visit) const;
 
   std::vector<Axis> axes_;
-  std::vector<int> order_;
-  std::vector<Node> nodes_;
+  BoxTree tree_;
 };
 
 template <class Reach, class Visitor>
 bool AxisIndex::walk(const Vec3& point, const Reach& reach2, const Visitor& visit) const {
-  constexpr double kSlack = 1.0 + 1e-9;  // a box may be nearer by rounding
-  constexpr std::size_t kDeepest = 64;   // the halves of int's range
-  std::array<std::pair<double, int>, kDeepest> stack;
+  constexpr double kSlack = 1.0 + 1e-9;        // a box may be nearer by rounding
+  constexpr std::size_t kDeepest = 64;         // the halves of int's range
+  using Way = std::pair<double, std::size_t>;  // to a node [m2], and its number
+  const auto way_to = [&](std::size_t number) {
+    return Way(tree_.node(number).distance2(point), number);
+  };
+  std::array<Way, kDeepest> stack;
   std::size_t depth = 0;
-  if (!nodes_.empty()) stack[depth++] = {nodes_[0].distance2(point), 0};
+  if (!tree_.empty()) stack[depth++] = way_to(0);
   while (depth > 0) {
     const auto [distance2, number] = stack[--depth];
     if (distance2 > kSlack * reach2()) continue;
-    const Node& node = nodes_[static_cast<std::size_t>(number)];
+    const BoxTree::Node& node = tree_.node(number);
     if (node.right == 0) {
       for (int k = node.first; k < node.last; ++k)
-        if (visit(order_[static_cast<std::size_t>(k)])) return true;
+        if (visit(static_cast<int>(tree_.item(k)))) return true;
       continue;
     }
-    std::pair<double, int> near(nodes_[static_cast<std::size_t>(number) + 1].distance2(point),
-                                number + 1);
-    std::pair<double, int> far(nodes_[static_cast<std::size_t>(node.right)].distance2(point),
-                               node.right);
+    Way near = way_to(number + 1), far = way_to(static_cast<std::size_t>(node.right));
     if (far < near) std::swap(near, far);
     stack[depth++] = far;
     stack[depth++] = near;

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Tree of boxes around triangles.
-// Scope: median splits by the middles of the triangles, as of index/axis_index.h.
+// Triangles of a surface in a tree of boxes.
+// Scope: see the header.
 #include "geometry/surface/surface_index.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "geometry/surface/triangle_point.h"
@@ -17,8 +16,17 @@ namespace {
 
 constexpr int kLeafSize = 4;
 
-double distance_to_box(const Vec3& lo, const Vec3& hi, const Vec3& p) {
-  return (lo - p).cwiseMax(p - hi).cwiseMax(0.0).norm();
+std::vector<BoxTree::Item> boxes_of(const std::vector<StlTriangle>& triangles) {
+  std::vector<BoxTree::Item> items;
+  items.reserve(triangles.size());
+  for (const StlTriangle& t : triangles)
+    items.push_back({t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2]),
+                     t[0] + t[1] + t[2]});
+  return items;
+}
+
+double distance_to_box(const BoxTree::Node& node, const Vec3& p) {
+  return (node.lo - p).cwiseMax(p - node.hi).cwiseMax(0.0).norm();
 }
 
 /// Whether a line from (x, y) along +x crosses the edge in plan. Computed alike for both triangles
@@ -34,6 +42,21 @@ bool holds_in_plan(const StlTriangle& t, double x, double y) {
   return crosses(t[0], t[1], x, y) != (crosses(t[1], t[2], x, y) != crosses(t[2], t[0], x, y));
 }
 
+/// On which side of a line an edge passes. Computed alike for both triangles at an edge, so that
+/// they leave no gap and do not overlap.
+bool passes(const Vec3& a, const Vec3& b, const Vec3& from, const Vec3& to) {
+  const bool in_order =
+      std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+  const Vec3 &low = in_order ? a : b, &high = in_order ? b : a;
+  return ((low - from).cross(high - from).dot(to - from) > 0.0) == in_order;
+}
+
+bool meets(const StlTriangle& t, const Vec3& normal, const Vec3& from, const Vec3& to) {
+  if ((normal.dot(from - t[0]) > 0.0) == (normal.dot(to - t[0]) > 0.0)) return false;
+  const bool first = passes(t[0], t[1], from, to);
+  return first == passes(t[1], t[2], from, to) && first == passes(t[2], t[0], from, to);
+}
+
 double height_of(const StlTriangle& t, const Vec3& normal, double x, double y) {
   const double bottom = std::min({t[0].z(), t[1].z(), t[2].z()});
   const double top = std::max({t[0].z(), t[1].z(), t[2].z()});
@@ -45,52 +68,17 @@ double height_of(const StlTriangle& t, const Vec3& normal, double x, double y) {
 }  // namespace
 
 SurfaceIndex::SurfaceIndex(std::vector<StlTriangle> triangles)
-    : triangles_(std::move(triangles)), order_(triangles_.size()) {
+    : triangles_(std::move(triangles)), tree_(boxes_of(triangles_), kLeafSize) {
   normals_.reserve(triangles_.size());
   for (const StlTriangle& t : triangles_)
     normals_.push_back((t[1] - t[0]).cross(t[2] - t[0]).normalized());
-  std::iota(order_.begin(), order_.end(), 0);
-  build(0, static_cast<int>(triangles_.size()));
-}
-
-int SurfaceIndex::build(int first, int last) {
-  Node node;
-  node.first = first;
-  node.last = last;
-  node.lo.setConstant(std::numeric_limits<double>::infinity());
-  node.hi = -node.lo;
-  const auto triangle = [&](int k) -> const StlTriangle& {
-    return triangles_[static_cast<std::size_t>(k)];
-  };
-  for (int k = first; k < last; ++k) {
-    for (const Vec3& corner : triangle(order_[static_cast<std::size_t>(k)])) {
-      node.lo = node.lo.cwiseMin(corner);
-      node.hi = node.hi.cwiseMax(corner);
-    }
-  }
-  const std::size_t self = nodes_.size();
-  nodes_.push_back(node);
-  if (last - first > kLeafSize) {
-    Eigen::Index along = 0;
-    (node.hi - node.lo).maxCoeff(&along);
-    const int middle = first + (last - first) / 2;
-    const auto place = [&](int n) {
-      const StlTriangle& t = triangle(n);
-      return t[0][along] + t[1][along] + t[2][along];
-    };
-    std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
-                     [&](int a, int b) { return std::pair(place(a), a) < std::pair(place(b), b); });
-    build(first, middle);
-    nodes_[self].right = build(middle, last);
-  }
-  return static_cast<int>(self);
 }
 
 void SurfaceIndex::look_for_closest(std::size_t number, const Vec3& from, Closest& best) const {
-  const Node& node = nodes_[number];
+  const BoxTree::Node& node = tree_.node(number);
   if (node.right == 0) {
     for (int k = node.first; k < node.last; ++k) {
-      const auto triangle = static_cast<std::size_t>(order_[static_cast<std::size_t>(k)]);
+      const std::size_t triangle = tree_.item(k);
       const Vec3 at = closest_on(triangles_[triangle], from).at;
       const double distance = (at - from).norm();
       if (distance < best.distance) best = {at, distance, triangle};
@@ -99,8 +87,7 @@ void SurfaceIndex::look_for_closest(std::size_t number, const Vec3& from, Closes
   }
   std::array<std::size_t, 2> children{number + 1, static_cast<std::size_t>(node.right)};
   std::array<double, 2> away{};
-  for (std::size_t c = 0; c < 2; ++c)
-    away[c] = distance_to_box(nodes_[children[c]].lo, nodes_[children[c]].hi, from);
+  for (std::size_t c = 0; c < 2; ++c) away[c] = distance_to_box(tree_.node(children[c]), from);
   const std::size_t nearer = away[1] < away[0] ? 1 : 0;
   for (const std::size_t c : {nearer, 1 - nearer})
     if (away[c] < best.distance) look_for_closest(children[c], from, best);
@@ -115,46 +102,26 @@ SurfaceIndex::Closest SurfaceIndex::closest(const Vec3& from) const {
 
 void SurfaceIndex::near(const Vec3& place, double distance, std::vector<std::size_t>& found) const {
   found.clear();
-  std::vector<std::size_t> open{0};
-  while (!open.empty()) {
-    const std::size_t number = open.back();
-    open.pop_back();
-    const Node& node = nodes_[number];
-    if (distance_to_box(node.lo, node.hi, place) > distance) continue;
-    if (node.right != 0) {
-      open.push_back(static_cast<std::size_t>(node.right));
-      open.push_back(number + 1);
-      continue;
-    }
-    for (int k = node.first; k < node.last; ++k) {
-      const auto triangle = static_cast<std::size_t>(order_[static_cast<std::size_t>(k)]);
-      if ((closest_on(triangles_[triangle], place).at - place).norm() <= distance)
-        found.push_back(triangle);
-    }
-  }
+  tree_.any([&](const BoxTree::Node& node) { return distance_to_box(node, place) <= distance; },
+            [&](std::size_t triangle) {
+              if ((closest_on(triangles_[triangle], place).at - place).norm() <= distance)
+                found.push_back(triangle);
+              return false;
+            });
 }
 
 template <class Visit>
 void SurfaceIndex::visit_column(double x, double y, double from_z, const Visit& visit) const {
-  std::vector<std::size_t> open{0};
-  while (!open.empty()) {
-    const std::size_t number = open.back();
-    open.pop_back();
-    const Node& node = nodes_[number];
-    if (x < node.lo.x() || x > node.hi.x() || y < node.lo.y() || y > node.hi.y() ||
-        node.hi.z() < from_z)
-      continue;
-    if (node.right != 0) {
-      open.push_back(static_cast<std::size_t>(node.right));
-      open.push_back(number + 1);
-      continue;
-    }
-    for (int k = node.first; k < node.last; ++k) {
-      const auto triangle = static_cast<std::size_t>(order_[static_cast<std::size_t>(k)]);
-      const StlTriangle& t = triangles_[triangle];
-      if (holds_in_plan(t, x, y)) visit(triangle, height_of(t, normals_[triangle], x, y));
-    }
-  }
+  tree_.any(
+      [&](const BoxTree::Node& node) {
+        return x >= node.lo.x() && x <= node.hi.x() && y >= node.lo.y() && y <= node.hi.y() &&
+               node.hi.z() >= from_z;
+      },
+      [&](std::size_t triangle) {
+        const StlTriangle& t = triangles_[triangle];
+        if (holds_in_plan(t, x, y)) visit(triangle, height_of(t, normals_[triangle], x, y));
+        return false;
+      });
 }
 
 void SurfaceIndex::crossings_at(double x, double y, std::vector<Crossing>& crossings) const {
@@ -164,6 +131,20 @@ void SurfaceIndex::crossings_at(double x, double y, std::vector<Crossing>& cross
                  crossings.push_back({height, normals_[triangle].z() > 0.0});
                });
   std::ranges::sort(crossings, {}, &Crossing::height);
+}
+
+bool SurfaceIndex::parts(const Vec3& from, const Vec3& to) const {
+  const Vec3 lo = from.cwiseMin(to), hi = from.cwiseMax(to);
+  bool odd = false;
+  tree_.any(
+      [&](const BoxTree::Node& node) {
+        return (node.lo.array() <= hi.array()).all() && (node.hi.array() >= lo.array()).all();
+      },
+      [&](std::size_t k) {
+        odd = odd != meets(triangles_[k], normals_[k], from, to);
+        return false;
+      });
+  return odd;
 }
 
 bool SurfaceIndex::inside(const Vec3& point) const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/files/stl_file.h"
+#include "geometry/index/box_tree.h"
 #include "math/types.h"
 
 namespace muckpile {
@@ -18,8 +19,8 @@ class SurfaceIndex {
 
   [[nodiscard]] const std::vector<StlTriangle>& triangles() const { return triangles_; }
   [[nodiscard]] const Vec3& unit_normal(std::size_t triangle) const { return normals_[triangle]; }
-  [[nodiscard]] const Vec3& lo() const { return nodes_.front().lo; }  // of the box around all [m]
-  [[nodiscard]] const Vec3& hi() const { return nodes_.front().hi; }
+  [[nodiscard]] const Vec3& lo() const { return tree_.node(0).lo; }  // of the box around all [m]
+  [[nodiscard]] const Vec3& hi() const { return tree_.node(0).hi; }
 
   struct Closest {
     Vec3 point = Vec3::Zero();  // [m]
@@ -42,21 +43,17 @@ class SurfaceIndex {
   // Whether an odd number of triangles lies above: inside of a closed surface, below a terrain.
   [[nodiscard]] bool inside(const Vec3& point) const;
 
+  // Whether the way between two points meets an odd number of triangles: they lie on two sides.
+  [[nodiscard]] bool parts(const Vec3& from, const Vec3& to) const;
+
  private:
-  struct Node {
-    Vec3 lo, hi;              // bounding box of its triangles [m]
-    int first = 0, last = 0;  // range in order_
-    int right = 0;            // the left child is the next node; 0 for a leaf
-  };
-  int build(int first, int last);
   void look_for_closest(std::size_t node, const Vec3& from, Closest& best) const;
   template <class Visit>
   void visit_column(double x, double y, double from_z, const Visit& visit) const;
 
   std::vector<StlTriangle> triangles_;
   std::vector<Vec3> normals_;
-  std::vector<int> order_;
-  std::vector<Node> nodes_;
+  BoxTree tree_;
 };
 
 }  // namespace muckpile
