@@ -22,10 +22,11 @@ p { margin: .4rem 0; } .quiet, figcaption { color: var(--quiet); font-size: .9re
 .figures dt { color: var(--quiet); font-size: .85rem; } .figures dd { margin: 0; font-size: 1.3rem; }
 figure { margin: 0 0 1rem; background: var(--card); border: 1px solid var(--line); border-radius: 6px; padding: .6rem; }
 .wide { overflow-x: auto; } figure img { display: block; width: 100%; min-width: 680px; height: auto; background: #fff; }
-.chart { width: 100%; min-width: 560px; max-width: 800px; height: auto; display: block; } .chart text { fill: var(--quiet); font-size: 13px; }
+.chart { width: 100%; min-width: 560px; height: auto; display: block; } .chart text { fill: var(--quiet); font-size: 13px; }
 .chart .grid { stroke: var(--line); fill: none; } .chart .curve { stroke: var(--accent); stroke-width: 2; fill: none; }
 table { border-collapse: collapse; width: 100%; font-size: .92rem; background: var(--card); }
 th, td { text-align: left; vertical-align: top; padding: .3rem .6rem; border-bottom: 1px solid var(--line); overflow-wrap: anywhere; }
+td:first-child { overflow-wrap: break-word; }
 th { font-weight: 600; } td.text { text-align: right; } td.number { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
 .pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 340px), 1fr)); gap: 0 2rem; align-items: start; }
 code { font-family: ui-monospace, monospace; font-size: .85rem; overflow-wrap: anywhere; }

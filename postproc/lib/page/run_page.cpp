@@ -148,12 +148,18 @@ void add_head(Html& page, const PageContent& run) {
   page.raw(std::string("<style>") + kPageStyle + "</style>\n");
 }
 
+// Nothing where there is no word.
+std::string word_before(const std::string& before, const std::string& word) {
+  return word.empty() ? word : before + word;
+}
+
 void add_body(Html& page, const PageContent& run) {
   const auto body = page.open("body");
   const auto main = page.open("main");
   page.element("h1", title_of(run));
   page.element("p",
-               "Muckpile " + scene_value(run, "version") + ", run " + scene_value(run, "run_id"),
+               "Muckpile" + word_before(" ", scene_value(run, "version")) +
+                   word_before(", run ", scene_value(run, "run_id")),
                {{"class", "quiet"}});
   add_warnings(page, run);
   add_key_figures(page, run);

@@ -7,11 +7,43 @@
 
 #include "args/input_error.h"
 #include "draw/axes.h"
+#include "report/block_values.h"
 
 namespace muckpile {
 namespace {
 
-double property(ColourBy by, const StartBlock& block, const BlockState& state) {
+struct ColourFacts {
+  const char *label, *column;
+};
+
+ColourFacts facts_of(ColourBy by) {
+  switch (by) {
+    case ColourBy::kStartHeight:
+      return {"height before the blast [m]", "start_height_m"};
+    case ColourBy::kStartDepth:
+      return {"distance behind x = 0 before the blast [m]", "start_depth_m"};
+    case ColourBy::kSize:
+      return {"block size [m]", "size_m"};
+    case ColourBy::kSpeed:
+      return {"speed [m/s]", "speed_m_s"};
+    case ColourBy::kDisplacement:
+      return {"displacement [m]", "displacement_m"};
+    case ColourBy::kBroken:
+      return {"broken share of joint area", "broken_fraction"};
+    case ColourBy::kFragment:
+      break;
+  }
+  return {"one colour per fragment", "fragment_id"};
+}
+
+ColourMap map_of(ColourBy by, double low, double high) {
+  const bool origin = by == ColourBy::kStartHeight || by == ColourBy::kStartDepth;
+  return origin ? strata_map(low, high) : amount_map(low, high);
+}
+
+}  // namespace
+
+double block_value(ColourBy by, const StartBlock& block, const BlockState& state) {
   switch (by) {
     case ColourBy::kStartHeight:
       return block.centroid.z();
@@ -31,40 +63,15 @@ double property(ColourBy by, const StartBlock& block, const BlockState& state) {
   return state.fragment;
 }
 
-const char* label_of(ColourBy by) {
-  switch (by) {
-    case ColourBy::kStartHeight:
-      return "height before the blast [m]";
-    case ColourBy::kStartDepth:
-      return "distance behind x = 0 before the blast [m]";
-    case ColourBy::kSize:
-      return "block size [m]";
-    case ColourBy::kSpeed:
-      return "speed [m/s]";
-    case ColourBy::kDisplacement:
-      return "displacement [m]";
-    case ColourBy::kBroken:
-      return "broken share of joint area";
-    case ColourBy::kFragment:
-      break;
-  }
-  return "one colour per fragment";
-}
-
-ColourMap map_of(ColourBy by, double low, double high) {
-  const bool origin = by == ColourBy::kStartHeight || by == ColourBy::kStartDepth;
-  return origin ? strata_map(low, high) : amount_map(low, high);
-}
-
-}  // namespace
+const char* column_of(ColourBy by) { return facts_of(by).column; }
 
 BlockColours block_colours(ColourBy by, const std::vector<StartBlock>& blocks,
                            const Snapshot& snapshot, std::optional<double> fixed_high,
                            std::optional<std::array<double, 2>> range) {
   std::vector<double> values;
   for (size_t b = 0; b < blocks.size(); ++b)
-    values.push_back(property(by, blocks[b], snapshot.states[b]));
-  BlockColours colours{{}, label_of(by), std::nullopt};
+    values.push_back(block_value(by, blocks[b], snapshot.states[b]));
+  BlockColours colours{{}, facts_of(by).label, std::nullopt};
   if (by == ColourBy::kFragment) {
     if (range) refuse("render", "--colour-range has no meaning for the colours of fragments");
     for (const double value : values)

@@ -9,6 +9,7 @@
 #include "draw/curve_plot.h"
 #include "draw/png_file.h"
 #include "draw/share_bar.h"
+#include "io/csv_writer.h"
 #include "io/energy_history.h"
 #include "report/energy_audit.h"
 #include "report/hole_audit.h"
@@ -76,6 +77,27 @@ CurvePlot plot_of(const EnergyHistory& history) {
   return plot;
 }
 
+// Of a group in energy.csv.
+std::string column_of(std::string name) {
+  std::erase(name, ':');
+  std::ranges::replace(name, ' ', '_');
+  return name + "_J";
+}
+
+// What the curves show, with the row at the start.
+void write_curves(const EnergyHistory& history, const std::filesystem::path& path) {
+  std::string header = "time_s";
+  for (const EnergyGroup& group : history.groups) header += "," + column_of(group.name);
+  CsvWriter csv(path, header + ",missing_J");
+  const std::vector<double> missing = history.missing();
+  for (size_t row = 0; row < history.time.size(); ++row) {
+    std::vector<double> values{history.time[row]};
+    for (const EnergyGroup& group : history.groups) values.push_back(group.energy[row]);
+    values.push_back(missing[row]);
+    csv.row(values);
+  }
+}
+
 std::vector<BarShare> audit_of(const ResultFolder& folder) {
   std::vector<BarShare> shares;
   for (const AuditTerm& term : energy_audit(folder)) shares.push_back({term.label, term.share});
@@ -97,6 +119,7 @@ void report_energy(const ResultFolder& folder) {
   if (!audit.empty())
     draw_share_bar(canvas, canvas.height() - kShareBarHeight, "Energy of the explosive", audit);
   write_png(canvas, folder.file("energy.png"));
+  write_curves(history, folder.file("energy.csv"));
   write_hole_audits(folder);
   folder.merge_into_summary(common_keys(folder));
 }

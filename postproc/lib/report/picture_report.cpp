@@ -8,9 +8,11 @@
 #include "draw/png_file.h"
 #include "draw/scene.h"
 #include "draw/title.h"
+#include "io/csv_writer.h"
 #include "io/snapshot_reader.h"
 #include "measure/start_extent.h"
 #include "report/block_colours.h"
+#include "report/block_values.h"
 #include "report/film.h"
 #include "report/notes.h"
 #include "report/picture_scene.h"
@@ -196,6 +198,17 @@ class FilmFolder {
   std::filesystem::path path_;
 };
 
+// Where the blocks of the last picture are, and what their colours show.
+void write_table(const std::vector<StartBlock>& blocks, const Snapshot& last, ColourBy by,
+                 const std::filesystem::path& path) {
+  CsvWriter csv(path, std::string("block,x_m,y_m,z_m,") + column_of(by));
+  for (size_t b = 0; b < blocks.size(); ++b) {
+    const Vec3& at = last.states[b].centre;
+    csv.row(std::to_string(blocks[b].id),
+            {at.x(), at.y(), at.z(), block_value(by, blocks[b], last.states[b])});
+  }
+}
+
 }  // namespace
 
 void report_picture(const ResultFolder& folder, const PictureOptions& options) {
@@ -207,6 +220,7 @@ void report_picture(const ResultFolder& folder, const PictureOptions& options) {
   const std::string warning = motion_warning(folder.is_still());
   const std::optional<double> largest = frames.largest();
   picture.write(last, warning, largest, folder.file("pile3d.png"));
+  write_table(blocks, last, options.colour_by, folder.file("pile3d.csv"));
   if (options.frames > 0) frames.write(picture, warning, largest, folder.file(""));
   if (!options.film.empty() && options.frames > 0) {
     make_film(folder.file(""), frames.count(), options.frames_per_second, options.film);

@@ -12,9 +12,10 @@
 #include "draw/png_file.h"
 #include "explosive/hole_table.h"
 #include "io/charges.h"
+#include "io/csv_writer.h"
+#include "io/pattern_charges.h"
 #include "measure/contours.h"
 #include "report/block_colours.h"
-#include "io/pattern_charges.h"
 #include "report/reports.h"
 
 namespace muckpile {
@@ -25,6 +26,7 @@ constexpr double kMostSide = 1400.0;  // of the plot area [px]
 constexpr double kTextSize = 18.0;
 
 struct Plan {
+  std::vector<std::string> names;
   std::vector<Vec2> places;   // of the collars [m]
   std::vector<double> times;  // of each hole's first deck [ms]
 };
@@ -36,6 +38,7 @@ Plan plan_of(const HoleTable& table) {
     const double time = 1e3 * deck.firing_time;
     const auto [place, fresh] = known.emplace(deck.hole, plan.places.size());
     if (fresh) {
+      plan.names.push_back(deck.hole);
       plan.places.emplace_back(deck.hole_collar.x(), deck.hole_collar.y());
       plan.times.push_back(time);
     } else {
@@ -86,8 +89,13 @@ void draw_holes(const Plan& plan, const Axes& axes, const ColourMap& map, Canvas
   }
 }
 
-Canvas draw(const HoleTable& table) {
-  const Plan plan = plan_of(table);
+void write_table(const Plan& plan, const std::filesystem::path& path) {
+  CsvWriter csv(path, "hole,x_m,y_m,fires_s");
+  for (size_t h = 0; h < plan.places.size(); ++h)
+    csv.row(plan.names[h], {plan.places[h].x(), plan.places[h].y(), 1e-3 * plan.times[h]});
+}
+
+Canvas draw(const HoleTable& table, const Plan& plan) {
   const auto [x, y] = frame(plan);
   const double scale = kMostSide / std::max(x.high - x.low, y.high - y.low);
   const double width = std::max(600.0, scale * (x.high - x.low));
@@ -140,14 +148,16 @@ void require_same_charges(const ResultFolder& folder, const HoleTable& table) {
 
 void report_plan(const std::filesystem::path& what) {
   if (!std::filesystem::is_directory(what)) {
-    write_png(draw(HoleTable::read(what.string())),
-              std::filesystem::path(what).replace_extension(".png"));
+    const HoleTable table = HoleTable::read(what.string());
+    write_png(draw(table, plan_of(table)), std::filesystem::path(what).replace_extension(".png"));
     return;
   }
   const ResultFolder folder(what);
   const HoleTable table = HoleTable::read(folder.dump("holes.csv").string());
   require_same_charges(folder, table);
-  write_png(draw(table), folder.file("plan.png"));
+  const Plan plan = plan_of(table);
+  write_png(draw(table, plan), folder.file("plan.png"));
+  write_table(plan, folder.file("plan.csv"));
   const auto firing = [](const Deck& deck) { return deck.firing_time; };
   nlohmann::ordered_json keys;
   if (std::filesystem::exists(folder.dump("run.json"))) keys = common_keys(folder);

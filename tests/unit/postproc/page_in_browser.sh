@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # page_in_browser.sh PAGE_OF_A_TEST: opens the page of a run in headless Chromium, 400 and 1200 px wide, light and dark.
-# The page must load without a request, show its pictures, have no sideways scroll, and change its ground with the reader's scheme.
+# The page must load without a request, show its pictures, have no sideways scroll with all of it unfolded, and change its ground with the reader's scheme.
 # Scope: skipped with exit status 77 where no Chromium is installed.
 set -euo pipefail
 make_page=$1
@@ -15,6 +15,7 @@ trap 'rm -rf "$folder"' EXIT
 
 # A copy measures itself in a frame, as a window cannot be as narrow; the policy of the page itself allows no script.
 script='<script>addEventListener("load", () => {
+  document.querySelectorAll("details").forEach(d => d.open = true);
   const images = [...document.images];
   parent.postMessage([innerWidth, document.documentElement.scrollWidth <= innerWidth, images.length,
     images.every(i => i.naturalWidth > 0), getComputedStyle(document.body).backgroundColor].join(";"), "*"); });</script>'

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The tables that the sub-commands write for made-up runs, against those of golden/.
+// Scope: what a table holds is worked out in the tests of each sub-command; here no column, unit,
+// order or digit may change unseen. With MUCKPILE_WRITE_GOLDEN set the files are written anew.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+#include "report/reports.h"
+#include "synthetic_run.h"
+
+namespace muckpile {
+namespace {
+
+using namespace testing;
+
+const std::filesystem::path kGolden = MUCKPILE_GOLDEN_FOLDER;
+constexpr double kLastDigit = 2e-6;  // tables have six digits
+constexpr double kNothing = 1e-9;    // rounding about zero, in units of metres, radians, joules
+
+std::vector<std::string> words_of(std::string text) {
+  for (char& c : text)
+    if (c == ',') c = ' ';
+  std::istringstream in(text);
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
+}
+
+bool are_same(const std::string& a, const std::string& b) {
+  if (a == b) return true;
+  char *end_a = nullptr, *end_b = nullptr;
+  const double x = std::strtod(a.c_str(), &end_a), y = std::strtod(b.c_str(), &end_b);
+  return *end_a == 0 && *end_b == 0 &&
+         std::abs(x - y) <= kNothing + kLastDigit * std::max(std::abs(x), std::abs(y));
+}
+
+// Line by line, as empty fields count.
+void expect_golden(const std::filesystem::path& made, const std::string& name) {
+  const std::filesystem::path golden = kGolden / (name + made.extension().string());
+  if (std::getenv("MUCKPILE_WRITE_GOLDEN") != nullptr) write_text(golden, text_of(made));
+  std::istringstream got(text_of(made)), wanted(text_of(golden));
+  std::string line, expected;
+  for (int number = 1; std::getline(wanted, expected); ++number) {
+    ASSERT_TRUE(std::getline(got, line)) << golden << " has more lines";
+    ASSERT_EQ(std::ranges::count(line, ','), std::ranges::count(expected, ',')) << golden << number;
+    const auto words = words_of(line), others = words_of(expected);
+    ASSERT_EQ(words.size(), others.size()) << golden << ':' << number << ": " << line;
+    for (size_t k = 0; k < words.size(); ++k)
+      ASSERT_TRUE(are_same(words[k], others[k])) << golden << ':' << number << ": got\n"
+                                                 << line << "\nnot\n"
+                                                 << expected;
+  }
+  EXPECT_FALSE(std::getline(got, line)) << golden << " has fewer lines";
+}
+
+class Golden : public ::testing::Test {
+ protected:
+  [[nodiscard]] ResultFolder folder() const { return ResultFolder(temporary_.path()); }
+  void expect_tables(std::initializer_list<const char*> files, const std::string& scene) const {
+    for (const char* file : files) {
+      SCOPED_TRACE(file);
+      expect_golden(folder().file(file), scene + "_" + std::filesystem::path(file).stem().string());
+    }
+  }
+  TemporaryFolder temporary_;
+};
+
+TEST_F(Golden, TablesOfABench) {
+  write_bench(temporary_.path());
+  report_profile(folder(), {kCube, 0.25}, {});
+  report_movement(folder(), {kCube, 0.25}, {});
+  report_fragments(folder(), {kCube, {}});
+  report_energy(folder());
+  expect_tables(
+      {"profile.csv", "movement.csv", "movement.dxf", "fragments.csv", "sieve.csv", "energy.csv"},
+      "bench");
+}
+
+TEST_F(Golden, PolygonsThatWereCarried) {
+  write_bench(temporary_.path());
+  write_text(temporary_.path() / "ore.csv",
+             "polygon,x_m,y_m\nlode,-4,-1\nlode,-2,-1\nlode,-2,1\nlode,-4,1\n");
+  write_text(temporary_.path() / "lines.csv",
+             "polygon,x_m,y_m\neast,4,-1\neast,9,-1\neast,9,1\neast,4,1\n");
+  MovementOptions options;
+  options.polygons = (temporary_.path() / "ore.csv").string();
+  options.dig = (temporary_.path() / "lines.csv").string();
+  report_movement(folder(), {kCube, 0.25}, options);
+  expect_tables({"polygons.csv", "polygons_moved.csv", "polygons.dxf", "dig.csv"}, "bench");
+}
+
+TEST_F(Golden, TablesOfACrater) {
+  write_crater(temporary_.path());
+  report_crater(folder(), {}, {});
+  expect_tables({"crater.csv"}, "crater");
+}
+
+TEST_F(Golden, TablesOfAHeap) {
+  write_heap(temporary_.path());
+  report_heap(folder(), {kCube, 0.25}, {});
+  expect_tables({"heap.csv"}, "heap");
+}
+
+// A plane that falls by 1 m in 2 m, from 8 m at x = -8 on.
+TEST_F(Golden, DifferenceFromASurvey) {
+  write_bench(temporary_.path());
+  std::ostringstream points;
+  for (double x = -10.0; x <= 16.0; x += 0.5)
+    for (double y = -2.0; y <= 2.0; y += 0.5)
+      points << x << ' ' << y << ' ' << std::max(0.0, 4.0 - 0.5 * x) << '\n';
+  SurveyOptions options;
+  options.surface = write_text(temporary_.path() / "survey.xyz", points.str());
+  report_survey(folder(), {kCube, 0.5}, options);
+  expect_tables({"survey.csv"}, "bench");
+}
+
+TEST_F(Golden, TablesOfGauges) {
+  write_bench(temporary_.path());
+  const auto scene = temporary_.path() / "dump/scene.json";
+  std::string text = text_of(scene);
+  write_text(scene, text.insert(1, "\"charge_mass_kg\": 64.0, "));
+  std::ostringstream rows;
+  rows << "step,time_s,gauge,block,x_m,y_m,z_m,ux_m,uy_m,uz_m,vx_m_s,vy_m_s,vz_m_s,sxx_Pa,syy_Pa,"
+          "szz_Pa,sxy_Pa,syz_Pa,szx_Pa,pressure_Pa,run_id\n";
+  for (int k = 0; k < 4; ++k)
+    for (int g = 1; g <= 4; ++g)
+      rows << k << ',' << 1e-3 * k << ',' << g << ',' << 6 + g << ',' << -5 - g << ",0,4,0,0,0,"
+           << k * (3 - k) / (0.5 + g * g) << ",0,0,0,0,0,0,0,0," << 1e5 * k / g << ",\n";
+  write_text(temporary_.path() / "dump/gauges.csv", rows.str());
+  report_waves(folder());
+  expect_tables({"waves.csv", "ppv.csv"}, "bench");
+}
+
+}  // namespace
+}  // namespace muckpile
