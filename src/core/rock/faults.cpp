@@ -149,13 +149,12 @@ std::string describe_faults(const CutOptions& options, const RockModel& model) {
   for (std::size_t f = 0; f < options.faults.size(); ++f) {
     const Fault& fault = options.faults[f];
     const FaultFacets& made = model.faults[f];
+    const double share = made.area > 0.0 ? std::min(1.0, made.along / made.area) : 1.0;
+    const double angle = std::acos(share) * 180.0 / M_PI;
     text << "  " << name_of(fault) << ": " << fault.index->triangles().size() << " triangles, "
          << area_in_rock(fault, options) << " m2 in the rock, " << made.area << " m2 of facets; "
          << (fault.flat ? "plane: the cut follows it" : "not plane: facets are steps of a block")
-         << ", they stand at "
-         << (made.area > 0.0 ? std::acos(std::min(1.0, made.along / made.area)) * 180.0 / M_PI
-                             : 0.0)
-         << " degrees to it\n";
+         << ", they stand at " << std::round(angle) << " degrees to it\n";
     if (!(made.area > 0.0))
       text << "WARNING: create_blocks: " << name_of(fault)
            << " parts no two blocks; does it reach into the rock?\n";
