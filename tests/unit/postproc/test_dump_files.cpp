@@ -10,6 +10,7 @@
 #include "geometry/files/block_file.h"
 #include "input_error_of.h"
 #include "io/energy_history.h"
+#include "io/file_text.h"
 #include "io/history.h"
 #include "io/plain_cells.h"
 #include "io/result_folder.h"
@@ -151,6 +152,17 @@ TEST_F(DumpFiles, PlainCellsEndWithALine) {
   EXPECT_TRUE(read_plain_cells(head + "1 2 3\nCELLS 1 2\n1 0\n" + tail, length));
   EXPECT_FALSE(read_plain_cells(head + "1 2 3 4CELLS 1 2\n1 0\n" + tail, length));
   EXPECT_FALSE(read_plain_cells(head + "1 2 3\nCELLS 1 2\n1 0\n5" + tail, length));
+}
+
+// As when another run begins in the same folder.
+TEST_F(DumpFiles, TextOfAFileStaysWhenTheFileIsCut) {
+  const std::string whole = text_of(dump("blocks.vtk"));
+  const FileText text(dump("blocks.vtk"));
+  std::filesystem::resize_file(dump("blocks.vtk"), 0);
+  EXPECT_EQ(text.text(), whole);
+  EXPECT_EQ(FileText(dump("blocks.vtk")).text(), "");
+  expect_contains(input_error_of([&] { FileText(dump("none.vtk")); }), "cannot be opened");
+  expect_contains(input_error_of([&] { FileText(dump("")); }), "cannot be opened");  // a folder
 }
 
 TEST_F(DumpFiles, BlanksBetweenTheNumbersOfBlocksChangeNothing) {
