@@ -66,7 +66,7 @@ struct FileTables {
 };
 
 FileTables read_file(const std::filesystem::path& path, const std::string& file) {
-  const MappedText whole(path);
+  const FileText whole(path);
   size_t length = 0;
   if (auto plain = read_plain_cells(whole.text(), length)) {
     TextWords rest(std::string(whole.text().substr(length)));

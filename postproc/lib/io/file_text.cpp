@@ -3,43 +3,53 @@
 // Scope: see the header.
 #include "io/file_text.h"
 
-#include <fcntl.h>
 #include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <fstream>
+#include <new>
 
 #include "args/input_error.h"
 
 namespace muckpile {
+namespace {
 
-void read_text(const std::filesystem::path& path, std::string& text) {
-  std::ifstream in(path, std::ios::binary);
+// Opens a file and tells its length.
+std::size_t open_file(const std::filesystem::path& path, std::ifstream& in) {
+  in.open(path, std::ios::binary);
   std::error_code no_size;
   const std::uintmax_t size = std::filesystem::file_size(path, no_size);
   if (!in || no_size) throw InputError(path.string() + ": cannot be opened");
-  text.resize(static_cast<std::size_t>(size));
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(in.gcount()));
+  return static_cast<std::size_t>(size);
 }
 
-MappedText::MappedText(const std::filesystem::path& path) {
-  if (!std::filesystem::is_regular_file(path)) throw InputError(path.string() + ": is not a file");
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  struct ::stat facts = {};
-  if (file < 0 || ::fstat(file, &facts) != 0)
-    throw InputError(path.string() + ": cannot be opened");
-  const auto size = static_cast<std::size_t>(facts.st_size);
+// Returns how much could be read.
+std::size_t read_bytes(std::ifstream& in, char* to, std::size_t size) {
+  in.read(to, static_cast<std::streamsize>(size));
+  return static_cast<std::size_t>(in.gcount());
+}
+
+}  // namespace
+
+void read_text(const std::filesystem::path& path, std::string& text) {
+  std::ifstream in;
+  text.resize(open_file(path, in));
+  text.resize(read_bytes(in, text.data(), text.size()));
+}
+
+FileText::FileText(const std::filesystem::path& path) {
+  std::ifstream in;
+  size_ = open_file(path, in);
+  if (size_ == 0) return;
   void* const place =
-      size > 0 ? ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, file, 0) : nullptr;
-  ::close(file);
-  if (place == MAP_FAILED) throw InputError(path.string() + ": cannot be read");
-  text_ = {static_cast<const char*>(place), size};
+      ::mmap(nullptr, size_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (place == MAP_FAILED) throw std::bad_alloc();
+  (void)::madvise(place, size_, MADV_HUGEPAGE);  // advice: small pages do as well
+  place_ = static_cast<char*>(place);
+  length_ = read_bytes(in, place_, size_);
 }
 
-MappedText::~MappedText() {
-  if (!text_.empty()) ::munmap(const_cast<char*>(text_.data()), text_.size());
+FileText::~FileText() {
+  if (place_ != nullptr) ::munmap(place_, size_);
 }
 
 }  // namespace muckpile

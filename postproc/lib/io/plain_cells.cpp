@@ -6,65 +6,48 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
+#include "io/line_pieces.h"
 #include "parallel/in_parallel.h"
 
 namespace muckpile {
 namespace {
 
-struct Piece {
-  std::string_view text;  // whole words, each with what stands behind it
-  size_t first = 0;       // number of the first of them
-};
-
 bool is_between(char c) { return c == ' ' || c == '\n'; }
 
-std::vector<Piece> pieces_of(std::string_view text) {
-  constexpr size_t kPiece = 1 << 20;  // bytes
-  std::vector<Piece> pieces;
-  while (!text.empty()) {
-    size_t length = std::min(kPiece, text.size());
-    while (length < text.size() && !is_between(text[length - 1])) ++length;
-    pieces.push_back({text.substr(0, length), 0});
-    text.remove_prefix(length);
-  }
-  return pieces;
-}
-
-// How many words there are, if they are plain; each piece learns its first.
-size_t count_words(std::vector<Piece>& pieces) {
-  std::vector<size_t> words(pieces.size());
+// The number of each piece's first word, and behind them how many words there are, if they are
+// plain.
+std::vector<size_t> first_words(const std::vector<std::string_view>& pieces) {
+  std::vector<size_t> first(pieces.size() + 1, 0);
   in_parallel(pieces.size(), [&](size_t k) {
-    words[k] = static_cast<size_t>(std::ranges::count(pieces[k].text, ' ') +
-                                   std::ranges::count(pieces[k].text, '\n'));
+    first[k + 1] = static_cast<size_t>(std::ranges::count(pieces[k], ' ') +
+                                       std::ranges::count(pieces[k], '\n'));
   });
-  size_t sum = 0;
-  for (size_t k = 0; k < pieces.size(); ++k) {
-    pieces[k].first = sum;
-    sum += words[k];
-  }
-  return sum;
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  return first;
 }
 
-// All words of a piece into their places from `to` on, of which there are `room`.
+// The words of a piece into their places from `to` on. False if there are not `count` of them.
 template <class Number>
-bool read_piece(std::string_view text, Number* to, size_t room) {
+bool read_piece(std::string_view text, Number* to, size_t count) {
   const char *at = text.data(), *end = at + text.size();
-  for (; at != end; ++to, --room) {
+  for (; count > 0; ++to, --count) {
     const auto [stop, error] = std::from_chars(at, end, *to);
-    if (room == 0 || error != std::errc() || stop == end || !is_between(*stop)) return false;
+    if (error != std::errc() || stop == end || !is_between(*stop)) return false;
     if (!std::isfinite(static_cast<double>(*to))) return false;
     at = stop + 1;
   }
-  return true;
+  return at == end;
 }
 
 template <class Number>
-bool read_words(const std::vector<Piece>& pieces, size_t words, Number* to) {
+bool read_words(const std::vector<std::string_view>& pieces, const std::vector<size_t>& first,
+                Number* to) {
   std::vector<char> plain(pieces.size(), 0);
   in_parallel(pieces.size(), [&](size_t k) {
-    const size_t end = k + 1 < pieces.size() ? pieces[k + 1].first : words;
-    plain[k] = read_piece(pieces[k].text, to + pieces[k].first, end - pieces[k].first) ? 1 : 0;
+    plain[k] = read_piece(pieces[k], to + first[k], first[k + 1] - first[k]) ? 1 : 0;
   });
   return std::ranges::find(plain, 0) == plain.end();
 }
@@ -86,10 +69,12 @@ class Cursor {
     at_ += static_cast<size_t>(stop - from);
     return error == std::errc();
   }
-  // What stands before the line that begins with `words`.
+  // The lines before the one that begins with `words`, or nothing where no line does.
   std::string_view until(std::string_view words) {
     const size_t from = at_;
-    return skip_behind(words) ? text_.substr(from, at_ - words.size() - from) : std::string_view();
+    if (!skip_behind(words)) return {};
+    const std::string_view before = text_.substr(from, at_ - words.size() - from);
+    return before.ends_with('\n') ? before : std::string_view();
   }
 
  private:
@@ -105,17 +90,19 @@ class Cursor {
 };
 
 bool read_points(std::string_view text, size_t count, std::vector<Vec3>& points) {
-  std::vector<Piece> pieces = pieces_of(text);
-  if (count == 0 || text.size() / 6 < count || count_words(pieces) != 3 * count) return false;
+  const std::vector<std::string_view> pieces = line_pieces(text);
+  const std::vector<size_t> first = first_words(pieces);
+  if (count == 0 || text.size() / 6 < count || first.back() != 3 * count) return false;
   points.resize(count);
-  return read_words(pieces, 3 * count, points.front().data());
+  return read_words(pieces, first, points.front().data());
 }
 
 bool read_lists(std::string_view text, size_t cells, CellTable& table) {
-  std::vector<Piece> pieces = pieces_of(text);
-  const size_t words = count_words(pieces);
-  table.words.resize(words);
-  return words > 0 && read_words(pieces, words, table.words.data()) && table.find_cells(cells);
+  const std::vector<std::string_view> pieces = line_pieces(text);
+  const std::vector<size_t> first = first_words(pieces);
+  table.words.resize(first.back());
+  return !table.words.empty() && read_words(pieces, first, table.words.data()) &&
+         table.find_cells(cells);
 }
 
 bool read_types(Cursor& cursor, size_t cells, CellTable& table) {

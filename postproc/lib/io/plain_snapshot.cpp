@@ -10,6 +10,7 @@
 #include <cstring>
 #include <optional>
 
+#include "io/line_pieces.h"
 #include "parallel/in_parallel.h"
 
 namespace muckpile {
@@ -108,26 +109,13 @@ class RowReader {
   std::vector<char> seen_;
 };
 
-// Whole lines.
-std::vector<std::string_view> pieces_of(std::string_view rows) {
-  constexpr size_t kPiece = 1 << 20;  // bytes
-  std::vector<std::string_view> pieces;
-  while (!rows.empty()) {
-    const size_t line_end = rows.find('\n', std::min(kPiece, rows.size() - 1));
-    const size_t length = line_end == std::string_view::npos ? rows.size() : line_end + 1;
-    pieces.push_back(rows.substr(0, length));
-    rows.remove_prefix(length);
-  }
-  return pieces;
-}
-
 }  // namespace
 
 bool read_plain_rows(std::string_view rows, const std::vector<StartBlock>& blocks, size_t modelled,
                      double unit_tolerance, const std::vector<char>& wanted,
                      std::vector<BlockState>& states) {
   if (!rows.starts_with(kHeader)) return false;
-  const std::vector<std::string_view> pieces = pieces_of(rows.substr(kHeader.size()));
+  const std::vector<std::string_view> pieces = line_pieces(rows.substr(kHeader.size()));
   RowReader reader(blocks, modelled, unit_tolerance, wanted, states);
   std::vector<char> plain(pieces.size(), 0);
   in_parallel(pieces.size(),

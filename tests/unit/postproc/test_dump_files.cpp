@@ -10,6 +10,7 @@
 #include "geometry/files/block_file.h"
 #include "input_error_of.h"
 #include "io/energy_history.h"
+#include "io/file_text.h"
 #include "io/history.h"
 #include "io/plain_cells.h"
 #include "io/result_folder.h"
@@ -112,8 +113,14 @@ TEST_F(DumpFiles, ReaderOfSomeBlocksRefusesCutAndForeignRows) {
         [&] { SnapshotReader(blocks, wanted).read(dump("blocks_000002000.csv")); });
   };
   const std::string whole = text_of(dump("blocks_000002000.csv"));
-  edit("blocks_000002000.csv", "\n1472,", "\n");
+  const size_t behind_id = whole.find("\n1472,") + 6;  // of a block that is not wanted
+  std::string faulty = whole;
+  faulty.erase(behind_id, whole.find(',', behind_id) + 1 - behind_id);
+  write_text(dump("blocks_000002000.csv"), faulty);
   expect_contains(message(), ":3: expected 16 fields, got 15");
+  faulty = whole;
+  write_text(dump("blocks_000002000.csv"), faulty.insert(behind_id, "0,"));
+  expect_contains(message(), ":3: expected 16 fields, got 17");
   write_text(dump("blocks_000002000.csv"), whole);
   edit("blocks_000002000.csv", "\n1472,", "\n1471,");
   expect_contains(message(), "id 1471 occurs twice");
@@ -134,6 +141,28 @@ TEST_F(DumpFiles, PlainCellsAreThoseOfTheOtherReader) {
   EXPECT_EQ(plain->words, table.words);
   EXPECT_EQ(plain->begin, table.begin);
   EXPECT_EQ(plain->types, table.types);
+}
+
+// As many separators as there should be words, and a word more without one behind it.
+TEST_F(DumpFiles, PlainCellsEndWithALine) {
+  const std::string head =
+      "# vtk DataFile Version 3.0\nBlocks\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 1 double\n";
+  const std::string tail = "CELL_TYPES 1\n42\n";
+  size_t length = 0;
+  EXPECT_TRUE(read_plain_cells(head + "1 2 3\nCELLS 1 2\n1 0\n" + tail, length));
+  EXPECT_FALSE(read_plain_cells(head + "1 2 3 4CELLS 1 2\n1 0\n" + tail, length));
+  EXPECT_FALSE(read_plain_cells(head + "1 2 3\nCELLS 1 2\n1 0\n5" + tail, length));
+}
+
+// As when another run begins in the same folder.
+TEST_F(DumpFiles, TextOfAFileStaysWhenTheFileIsCut) {
+  const std::string whole = text_of(dump("blocks.vtk"));
+  const FileText text(dump("blocks.vtk"));
+  std::filesystem::resize_file(dump("blocks.vtk"), 0);
+  EXPECT_EQ(text.text(), whole);
+  EXPECT_EQ(FileText(dump("blocks.vtk")).text(), "");
+  expect_contains(input_error_of([&] { FileText(dump("none.vtk")); }), "cannot be opened");
+  expect_contains(input_error_of([&] { FileText(dump("")); }), "cannot be opened");  // a folder
 }
 
 TEST_F(DumpFiles, BlanksBetweenTheNumbersOfBlocksChangeNothing) {
@@ -254,6 +283,8 @@ TEST_F(DumpFiles, DamagedBlocksAreRefused) {
   } cases[] = {{" 6 4 0 ", " 6 4 2147483647 ", "cell 1 has a point that is not in the file"},
                {" 6 4 0 ", " 6 99 0 ", "the faces of cell 1 are cut short"},
                {" 6 4 0 ", " 99 4 0 ", "the faces of cell 1 are cut short"},
+               {"\nCELLS ", " 4CELLS ", "'CELLS' expected, got '4CELLS'"},
+               {"\nCELL_TYPES ", "\n5CELL_TYPES ", "'CELL_TYPES' expected, got '5CELL_TYPES'"},
                {"CELL_DATA ", "CELL_DATA 9", "expected behind the cells"},
                {"SCALARS size_m", "VECTORS size_m", "'SCALARS' and a name expected, got 'VECTORS'"},
                {"default\n1\n2\n", "default\n1\nnan\n", "id: must have a number for each of "},
