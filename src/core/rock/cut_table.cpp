@@ -40,9 +40,7 @@ const ArgTable& cut_table() {
                 ".dxf): what of the region lies above is cut off")
           .group("origin", 3, 3, false,
                  "x y z that the files of `surface`, `terrain`, `block_model`, `fault` and zones "
-                 "have at 0 "
-                 "0 0 of the run "
-                 "[m], as east, north and height of a mine; default 0 0 0")
+                 "have at 0 0 0 of the run [m], as east, north and height of a mine; default 0 0 0")
           .real("x_bearing", "deg", Range::closed(0.0, 360.0), 90.0,
                 "that the x axis of the run looks to in those files, from north (y) over east (x)")
           .real("unit", "m", Range::closed(1e-4, 1e4), 1.0,

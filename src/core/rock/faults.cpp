@@ -153,7 +153,9 @@ std::string describe_faults(const CutOptions& options, const RockModel& model) {
     const double angle = std::acos(share) * 180.0 / M_PI;
     text << "  " << name_of(fault) << ": " << fault.index->triangles().size() << " triangles, "
          << area_in_rock(fault, options) << " m2 in the rock, " << made.area << " m2 of facets; "
-         << (fault.flat ? "plane: the cut follows it" : "not plane: facets are steps of a block")
+         << (options.import_file ? "the blocks are imported: facets are where those have them"
+             : fault.flat        ? "plane: the cut follows it"
+                                 : "not plane: facets are steps of a block")
          << ", they stand at " << std::round(angle) << " degrees to it\n";
     if (!(made.area > 0.0))
       text << "WARNING: create_blocks: " << name_of(fault)

@@ -12,6 +12,7 @@ namespace muckpile {
 namespace {
 
 constexpr double kSlack = 1e-6;  // of the radius: points as near as that are one
+constexpr double kAlong = 1e4;   // slacks, a hundredth of the radius: where along an edge is looked
 
 }  // namespace
 
@@ -36,12 +37,26 @@ bool WallMesh::is_nearest_around(std::span<const Hit> hits, std::size_t k, doubl
   });
 }
 
+/// Whether the surface ends at an edge: no other triangle has it too, nor lies along it, as a large
+/// one does where a corner of smaller ones is on its edge.
+bool WallMesh::ends_at(const RimEdge& edge, const Vec3& at, std::span<const Hit> hits,
+                       std::span<const RimEdge> rim, double slack) const {
+  const auto is_same = [&](const RimEdge& e) { return (e.end - edge.end).norm() <= slack; };
+  if (std::ranges::count_if(rim, is_same) > 1) return false;
+  const Vec3 way = edge.end - at;
+  const Vec3 along = at + std::min(0.5, kAlong * slack / way.norm()) * way;
+  return std::ranges::none_of(hits, [&](const Hit& other) {
+    if (other.triangle == edge.triangle) return false;
+    return (closest_on(index_.triangles()[other.triangle], along).at - along).norm() <= slack;
+  });
+}
+
 /// Mean of the normals around a touch by their angles there: it tells the front from the back
 /// (Baerentzen and Aanaes, IEEE Trans. Vis. Comput. Graph. 11 (2005) 243).
 WallMesh::Place WallMesh::place_of(std::span<const Hit> hits, const Hit& hit, double slack) const {
   if (hit.point.on == TrianglePoint::On::face) return {index_.unit_normal(hit.triangle)};
   Place place;
-  std::vector<Vec3> rim;  // far ends of the edges that meet here
+  std::vector<RimEdge> rim;
   int triangles = 0;
   for (const Hit& other : hits) {
     if ((other.point.at - hit.point.at).norm() > 2.0 * slack) continue;
@@ -50,12 +65,12 @@ WallMesh::Place WallMesh::place_of(std::span<const Hit> hits, const Hit& hit, do
     ++triangles;
     if (hit.point.on != TrianglePoint::On::corner) continue;
     if (other.point.on != TrianglePoint::On::corner) continue;
-    for (const std::size_t step : {1, 2}) rim.push_back(triangle[(other.point.corner + step) % 3]);
+    for (const std::size_t step : {1, 2})
+      rim.push_back({other.triangle, triangle[(other.point.corner + step) % 3]});
   }
-  const auto is_alone = [&](const Vec3& end) {
-    return std::ranges::count_if(rim, [&](const Vec3& e) { return (e - end).norm() <= slack; }) < 2;
-  };
-  place.border = triangles < 2 || std::ranges::any_of(rim, is_alone);
+  place.border = triangles < 2 || std::ranges::any_of(rim, [&](const RimEdge& edge) {
+    return ends_at(edge, hit.point.at, hits, rim, slack);
+  });
   return place;
 }
 
@@ -102,9 +117,21 @@ void WallMesh::sift(std::vector<Hit>& hits, const Vec3& centre, double radius,
 
 double WallMesh::depth(const Vec3& place) const {
   const SurfaceIndex::Closest closest = index_.closest(place);
-  if (closest_on(index_.triangles()[closest.triangle], place).on != TrianglePoint::On::face)
-    return 0.0;
-  return std::max(0.0, index_.unit_normal(closest.triangle).dot(closest.point - place));
+  if (closest.distance == 0.0) return 0.0;
+  const double slack = kSlack * closest.distance;
+  std::vector<std::size_t> around;
+  index_.near(closest.point, 2.0 * kAlong * slack, around);
+  std::vector<Hit> hits;
+  std::size_t nearest = 0;
+  for (const std::size_t number : around) {
+    const StlTriangle& triangle = index_.triangles()[number];
+    const Vec3 at = closest_on(triangle, place).at;
+    if (number == closest.triangle) nearest = hits.size();
+    hits.push_back({(place - at).norm(), number, snapped(triangle, at, slack)});
+  }
+  const Place there = place_of(hits, hits[nearest], slack);
+  const bool behind = !there.border && (place - closest.point).dot(there.outward) < 0.0;
+  return behind ? closest.distance : 0.0;
 }
 
 }  // namespace muckpile

@@ -36,6 +36,13 @@ class WallMesh : public WallSurface {
   void sift(std::vector<Hit>& hits, const Vec3& centre, double radius, WallTouches& touches) const;
   [[nodiscard]] bool is_nearest_around(std::span<const Hit> hits, std::size_t k,
                                        double slack) const;
+  /// An edge of the triangle of a hit that meets the hit's point, which is its corner.
+  struct RimEdge {
+    std::size_t triangle;
+    Vec3 end;  ///< the far one [m]
+  };
+  [[nodiscard]] bool ends_at(const RimEdge& edge, const Vec3& at, std::span<const Hit> hits,
+                             std::span<const RimEdge> rim, double slack) const;
   [[nodiscard]] Place place_of(std::span<const Hit> hits, const Hit& hit, double slack) const;
 
   SurfaceIndex index_;

@@ -98,6 +98,35 @@ TEST(WallMesh, CornerOnTheEdgeOfALargerTriangleIsNoTouch) {
   }
 }
 
+/// Behind that corner, whichever triangle is looked at first, and behind a seam of panels that do
+/// not fit together corner to corner.
+TEST(WallMesh, CentreBehindACornerOnALargerTriangleIsPushedOut) {
+  std::vector<StlTriangle> corner{{Vec3(-4, -4, 0), Vec3(4, -4, 0), Vec3(4, 4, 0)},
+                                  {Vec3(-4, -4, 0), Vec3(1, 1, 0), Vec3(-4, 4, 0)},
+                                  {Vec3(1, 1, 0), Vec3(4, 4, 0), Vec3(-4, 4, 0)}};
+  std::vector<StlTriangle> seam;
+  for (const double y : {-4.0, 0.0, 4.0})
+    add_panel(seam, {-4, y - 2, 0}, {1, y - 2, 0}, {1, y + 2, 0}, {-4, y + 2, 0});
+  for (const double y : {-3.0, 1.0, 5.0})
+    add_panel(seam, {1, y - 2, 0}, {4, y - 2, 0}, {4, y + 2, 0}, {1, y + 2, 0});
+  for (std::vector<StlTriangle>* mesh : {&corner, &seam}) {
+    for (std::size_t turn = 0; turn < mesh->size(); ++turn) {
+      std::ranges::rotate(*mesh, mesh->begin() + 1);
+      const WallMesh floor(*mesh);
+      for (const double y : {-1.0, 1.0, 1.2, 2.0, 3.0}) {
+        for (const double depth : {0.01, 0.2, 0.45}) {
+          const Vec3 centre(mesh == &corner ? y : 1.0, y, -depth);
+          const auto touches = touches_of(floor, centre);
+          ASSERT_EQ(touches.size(), 1u) << centre.transpose();
+          EXPECT_NEAR((touches[0].normal - Vec3::UnitZ()).norm(), 0.0, 1e-9) << centre.transpose();
+          EXPECT_NEAR(touches[0].overlap, kRadius + depth, 1e-9) << centre.transpose();
+          EXPECT_NEAR(floor.depth(centre), depth, 1e-9) << centre.transpose();
+        }
+      }
+    }
+  }
+}
+
 TEST(WallMesh, OuterEdgeIsOneTouchAlongTheLineFromIt) {
   const WallMesh ridge = bent(-90.0);
   // 0.3 beside the edge and 0.2 above it: distance sqrt(0.09 + 0.04).
@@ -177,6 +206,20 @@ TEST(WallMesh, DepthIsThatBehindAFace) {
   const WallMesh floor(uneven_floor(3.0, 6, 1));
   EXPECT_NEAR(floor.depth({0.2, 0.3, -1.7}), 1.7, 1e-12);
   EXPECT_EQ(floor.depth({0.2, 0.3, 1.7}), 0.0);
+}
+
+/// Over and under the diagonal of a floor of two triangles, the edge of a ridge and its end.
+TEST(WallMesh, DepthUnderAnEdgeHasTheSignOfATouch) {
+  std::vector<StlTriangle> two;
+  add_panel(two, {-4, -4, 0}, {4, -4, 0}, {4, 4, 0}, {-4, 4, 0});
+  const WallMesh floor(two);
+  EXPECT_NEAR(floor.depth({0.5, 0.5, -1.7}), 1.7, 1e-12);
+  EXPECT_EQ(floor.depth({0.5, 0.5, 1.7}), 0.0);
+  EXPECT_EQ(floor.depth({0.5, 0.5, 0.0}), 0.0);
+  EXPECT_EQ(floor.depth({4.5, 0.5, -0.5}), 0.0);
+  const WallMesh valley = bent(90.0);
+  EXPECT_NEAR(valley.depth({0.06, 0.5, -0.08}), 0.1, 1e-12);
+  EXPECT_EQ(bent(-90.0).depth({0.3, 0.7, 0.2}), 0.0);
 }
 
 /// The tree gives what a look at each triangle gives.
