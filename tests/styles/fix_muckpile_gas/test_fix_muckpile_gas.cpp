@@ -62,6 +62,7 @@ void expect_every_gram(const std::string& words) {
 TEST(FixMuckpileGas, EveryGramIsInTheHoleTheJointsOrTheAir) {
   expect_every_gram("");
   expect_every_gram("open_gas 10");
+  expect_every_gram("crack_spacing 0.1");  // about three cracks a joint
 }
 
 TEST(FixMuckpileGas, GasInVoidsDoesNoMoreThanWhatIsLostWithoutThem) {
@@ -136,6 +137,7 @@ void expect_same_on_ranks(const std::string& words) {
 TEST(FixMuckpileGas, AnyNumberOfRanksDoesTheSame) {
   expect_same_on_ranks("");
   expect_same_on_ranks("open_gas 10");
+  expect_same_on_ranks("crack_spacing 0.1");
 }
 
 TEST(FixMuckpileGas, SoftenedJointsLetTheGasGo) {
