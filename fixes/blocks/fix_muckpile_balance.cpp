@@ -28,6 +28,9 @@ namespace {
 
 constexpr int kBins = 8192;
 
+// How far a block may be beyond its rank's border, over the skin: half, and a step more.
+constexpr double kGoneOfSkin = 0.6;
+
 // What a joint that acts costs each of its two blocks, over what else a block costs (moving it, its
 // spheres and its contacts): profile of the throw phase of the default bench.
 constexpr double kJointCost = 0.2;
@@ -121,7 +124,9 @@ void FixMuckpileBalance::cut_axis(int axis, std::span<const Load> loads, Reach r
   // A part thinner than what it must know of its neighbours would talk to ranks farther away.
   const double halo = halo_known_ ? std::max(comm->cutghost[axis], neighbor->skin) : neighbor->skin;
   cuts = widened_cuts(std::move(cuts), halo / length);
-  if (reach == Reach::neighbours) cuts = neighbourly_cuts(now, cuts);
+  // Neighbours are looked for, and blocks change rank, once something has gone half the skin.
+  const double gone = kGoneOfSkin * neighbor->skin;
+  if (reach == Reach::neighbours) cuts = neighbourly_cuts(now, cuts, gone / length);
   std::copy(cuts.begin(), cuts.end(), now.begin());
 }
 

@@ -39,10 +39,13 @@ std::vector<double> widened_cuts(std::vector<double> cuts, double narrowest) {
   return cuts;
 }
 
-std::vector<double> neighbourly_cuts(std::span<const double> now, std::span<const double> wanted) {
+std::vector<double> neighbourly_cuts(std::span<const double> now, std::span<const double> wanted,
+                                     double margin) {
   std::vector<double> cuts(wanted.begin(), wanted.end());
-  for (std::size_t k = 1; k + 1 < cuts.size(); ++k)
-    cuts[k] = std::clamp(cuts[k], now[k - 1], now[k + 1]);
+  for (std::size_t k = 1; k + 1 < cuts.size(); ++k) {
+    const double least = now[k - 1] + margin, most = now[k + 1] - margin;
+    cuts[k] = least < most ? std::clamp(cuts[k], least, most) : now[k];
+  }
   return cuts;
 }
 

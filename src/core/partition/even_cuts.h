@@ -15,9 +15,10 @@ namespace muckpile {
 /// Keeps parts at least `narrowest` wide (or 1 / parts, if there is no room for that).
 [[nodiscard]] std::vector<double> widened_cuts(std::vector<double> cuts, double narrowest);
 
-/// Moves the cuts towards `wanted` no further than their neighbours in `now`: what a part gives
-/// away then goes to the next part only.
+/// Moves the cuts towards `wanted`, but stays `margin` away from their neighbours in `now`: what
+/// has left its part by less than that, and what a part gives away, goes to the next part only. A
+/// cut whose two parts together are thinner than twice the margin stays where it is.
 [[nodiscard]] std::vector<double> neighbourly_cuts(std::span<const double> now,
-                                                   std::span<const double> wanted);
+                                                   std::span<const double> wanted, double margin);
 
 }  // namespace muckpile

@@ -52,7 +52,27 @@ TEST(EvenCuts, AWidthThatDoesNotFitFallsBackToEvenWidths) {
 
 TEST(EvenCuts, NeighbourlyCutsDoNotPassTheOldNeighbour) {
   const std::vector<double> now{0.0, 0.25, 0.5, 0.75, 1.0}, wanted{0.0, 0.02, 0.05, 0.1, 1.0};
-  EXPECT_EQ(neighbourly_cuts(now, wanted), (std::vector{0.0, 0.02, 0.25, 0.5, 1.0}));
+  EXPECT_EQ(neighbourly_cuts(now, wanted, 0.0), (std::vector{0.0, 0.02, 0.25, 0.5, 1.0}));
+}
+
+TEST(EvenCuts, WhatIsBeyondItsBorderByLessThanTheMarginGoesNoFartherThanToANeighbour) {
+  const std::vector<double> now{0.0, 0.25, 0.5, 0.75, 1.0};
+  const double margin = 0.0625;
+  for (const auto& wanted : {std::vector{0.0, 0.01, 0.02, 0.03, 1.0},
+                             std::vector{0.0, 0.97, 0.98, 0.99, 1.0},
+                             std::vector{0.0, 0.01, 0.98, 0.99, 1.0}}) {
+    const std::vector<double> cuts = neighbourly_cuts(now, wanted, margin);
+    for (std::size_t part = 0; part < 4; ++part) {
+      const std::size_t below = part == 0 ? 0 : part - 1, above = std::min<std::size_t>(part + 2, 4);
+      if (below > 0) EXPECT_LE(cuts[below], now[part] - margin);
+      if (above < 4) EXPECT_GE(cuts[above], now[part + 1] + margin);
+    }
+  }
+}
+
+TEST(EvenCuts, ACutBetweenThinPartsStays) {
+  const std::vector<double> now{0.0, 0.04, 0.08, 1.0}, wanted{0.0, 0.3, 0.6, 1.0};
+  EXPECT_EQ(neighbourly_cuts(now, wanted, 0.05)[1], now[1]);
 }
 
 }  // namespace
