@@ -29,6 +29,19 @@
 #include "fixes/interfaces/keyword_tables.h"
 
 namespace muckpile {
+namespace {
+
+/// Spheres are listed with their reach when neighbours are looked for, which must not come too late.
+void require_neighbours_in_time(LAMMPS_NS::LAMMPS& lmp, const std::string& where) {
+  const LAMMPS_NS::Neighbor& neighbor = *lmp.neighbor;
+  if (neighbor.delay == 0 && neighbor.every == 1 && neighbor.dist_check != 0) return;
+  engine::stop(lmp, where + ": needs 'neigh_modify delay 0 every 1 check yes', got delay " +
+                        std::to_string(neighbor.delay) + " every " +
+                        std::to_string(neighbor.every) + " check " +
+                        (neighbor.dist_check != 0 ? "yes" : "no"));
+}
+
+}  // namespace
 
 FixMuckpileWall::FixMuckpileWall(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg), where_(engine::name_of(*this)) {
@@ -63,6 +76,7 @@ void FixMuckpileWall::init() {
   const auto* const blocks = dynamic_cast<const BlockContactView*>(force->pair);
   if (blocks == nullptr)
     engine::stop(*lmp, where_ + ": needs pair_style muckpile/block, whose law it follows");
+  require_neighbours_in_time(*lmp, where_);
   law_ = engine::or_engine_error(
       *lmp, where_, [&] { return WallLaw(options_.parameters(blocks->contact_parameters())); });
   resting_ = engine::find_view<RestingBlocks>(*lmp);
