@@ -68,7 +68,7 @@ const ArgTable& cut_table() {
           .group("support", 2, 2, true,
                  "`fixed REGION` or `mirror REGION`: how boundary faces with their centroid in "
                  "that region "
-                 "are held; all others are free faces")
+                 "are supported; all others are free faces")
           .group(
               "joint_plane", 6, 7, true,
               "natural joint: x y z of a point [m], dip and dip direction [degrees; y is north, x "
