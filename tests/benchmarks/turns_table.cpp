@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Figures of two builds that ran in turns, side by side, as the rows of a Markdown table.
-// Scope: turns_table RESULTS TURNS NAME...; RESULTS/old/NAME_K.json and RESULTS/new/NAME_K.json with
-// K from 1 to TURNS are what the programs have printed. Times only; a figure that one build lacks is
-// left out. A ratio is the median of those of the turns, as a machine's speed drifts between them.
+// Scope: turns_table RESULTS TURNS NAME...; RESULTS/old/NAME_K.json and RESULTS/new/NAME_K.json
+// with K from 1 to TURNS are what the programs have printed. Times only; a figure that one build
+// lacks is left out. A ratio is the median of those of the turns, as a machine's speed drifts
+// between them.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
