@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "fixes/contact/contact_state_numbers.h"
 #include "fixes/engine/over_ranks.h"
 #include "fixes/engine/restart_file.h"
 
@@ -16,9 +17,10 @@ namespace muckpile {
 
 namespace {
 
-/// Of its fields, each number of which takes a double; pack() and unpack() follow their order.
-constexpr int kDoublesPerRecord =
-    1 + (Encoding<ContactRecord>::kLeast - sizeof(ContactRecord::partner)) / sizeof(double);
+constexpr int kDoublesPerRecord = 1 + kContactStateNumbers;  // the partner, and the state
+static_assert(Encoding<ContactRecord>::kLeast ==
+                  sizeof(ContactRecord::partner) + kContactStateNumbers * sizeof(double),
+              "pack() and unpack() leave out nothing of ContactRecord");
 
 }  // namespace
 
@@ -102,10 +104,7 @@ int FixMuckpileContactHistory::pack(int index, double* buf) const {
   for (int k = range.first; k < range.first + range.count; ++k) {
     const Record& record = records_[static_cast<std::size_t>(k)];
     buf[m++] = ubuf(record.partner).d;
-    for (int d = 0; d < 3; ++d) buf[m++] = record.state.slide[d];
-    for (int d = 0; d < 3; ++d) buf[m++] = record.state.roll[d];
-    buf[m++] = record.state.overlap_offset;
-    buf[m++] = record.state.tangential_stiffness;
+    m += put(record.state, buf + m);
   }
   return m;
 }
@@ -118,10 +117,7 @@ int FixMuckpileContactHistory::unpack(int index, const double* buf) {
   for (int k = 0; k < count; ++k) {
     Record record;
     record.partner = static_cast<int>(ubuf(buf[m++]).i);
-    for (int d = 0; d < 3; ++d) record.state.slide[d] = buf[m++];
-    for (int d = 0; d < 3; ++d) record.state.roll[d] = buf[m++];
-    record.state.overlap_offset = buf[m++];
-    record.state.tangential_stiffness = buf[m++];
+    m += get(record.state, buf + m);
     records_.push_back(record);
   }
   return m;

@@ -7,11 +7,13 @@
 
 #include <fix.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "fixes/interfaces/resting_blocks.h"
+#include "fixes/interfaces/standing_contacts.h"
 #include "state/encoding.h"
 #include "wall/wall_law.h"
 #include "wall/wall_options.h"
@@ -22,25 +24,27 @@ namespace muckpile {
 template <>
 struct Stored<WallContact> {
   static constexpr std::string_view kName = "wall_contact";
-  static constexpr int kVersion = 1;
+  static constexpr int kVersion = 2;
   static auto fields(auto& contact) {
     return std::tie(contact.normal, contact.state.slide, contact.state.roll,
-                    contact.state.overlap_offset, contact.state.tangential_stiffness);
+                    contact.state.overlap_offset, contact.state.tangential_stiffness,
+                    contact.twist);
   }
 };
 
-/// What a restart file holds of the wall itself; losses are sums over ranks [J].
+/// What a restart file holds of the wall itself, as sums over ranks: losses [J], and how many
+/// spheres have been let go.
 struct WallState {
-  double friction = 0.0, damping = 0.0;
+  double friction = 0.0, damping = 0.0, let_go = 0.0;
 };
 template <>
 struct Stored<WallState> {
   static constexpr std::string_view kName = "wall_state";
-  static constexpr int kVersion = 1;
-  static auto fields(auto& state) { return std::tie(state.friction, state.damping); }
+  static constexpr int kVersion = 2;
+  static auto fields(auto& state) { return std::tie(state.friction, state.damping, state.let_go); }
 };
 
-class FixMuckpileWall : public LAMMPS_NS::Fix {
+class FixMuckpileWall : public LAMMPS_NS::Fix, public StandingContacts {
  public:
   FixMuckpileWall(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
   FixMuckpileWall(const FixMuckpileWall&) = delete;
@@ -51,11 +55,15 @@ class FixMuckpileWall : public LAMMPS_NS::Fix {
   void init() override;
   void setup_pre_exchange() override { pre_exchange(); }
   void pre_exchange() override;
-  void setup_pre_neighbor() override { listed_ = false; }
-  void pre_neighbor() override { listed_ = false; }
+  void setup_pre_neighbor() override { pre_neighbor(); }
+  void pre_neighbor() override;
   void setup(int vflag) override;
   void post_force(int vflag) override;
+  void post_run() override { warn_of_let_go(); }
   double compute_vector(int n) override;
+
+  void visit_contacts(const Wanted& wanted, const Take& take) const override;
+  [[nodiscard]] double light_step() const override;
 
   void grow_arrays(int nmax) override;
   void copy_arrays(int from, int to, int delflag) override;
@@ -85,11 +93,24 @@ class FixMuckpileWall : public LAMMPS_NS::Fix {
     Vec3 force = Vec3::Zero();             ///< on the wall [N]
     double largest_overlap_ratio = 0.0;    ///< [-]
   };
+  /// A sphere that has got too deep; none has a tag below 0.
+  struct Sunk {
+    int tag = -1;
+    double depth = 0.0;         ///< of its centre behind the wall [m]
+    Vec3 place = Vec3::Zero();  ///< [m]
+  };
   void refuse_spheres_in_the_ground() const;
+  [[nodiscard]] Sunk deepest_over_ranks(const Sunk& mine) const;
+  [[nodiscard]] bool is_behind(int sphere) const;
+  void look_whether_let_go(int sphere);
+  void warn_of_let_go();
+  void end_contacts(int sphere);
+  [[nodiscard]] std::vector<WallContact> contacts_of_ghost(int sphere) const;
   void list_candidates();
   [[nodiscard]] bool still_apart(const Candidate& candidate) const;
   void step(double memory_step);
-  void work_on(Candidate& candidate, double memory_step);
+  void sort_out_resting();
+  void work_on(const Candidate& candidate, double memory_step);
   void leave_alone(Candidate& candidate);
   [[nodiscard]] WallSphere sphere(int index) const;
   [[nodiscard]] WallPush push(const Candidate& candidate, double memory_step,
@@ -104,11 +125,16 @@ class FixMuckpileWall : public LAMMPS_NS::Fix {
   bool looked_for_faults_ = false;
 
   bool listed_ = false;
+  bool sorted_ = false;              ///< awake_ and resting_sums_ are of these candidates
+  std::uint64_t rests_version_ = 0;  ///< and of these resting blocks
   std::vector<Candidate> candidates_;
+  std::vector<std::size_t> awake_;                  ///< of candidates_: their blocks do not rest
   std::vector<std::size_t> parts_;                  ///< of the wall, candidate after candidate
   std::vector<std::vector<WallContact>> contacts_;  ///< per sphere
-  WallState losses_;                                ///< of this rank
-  Sums sums_;
+  WallState books_;                                 ///< of this rank
+  Sums sums_, resting_sums_;
+  Sunk let_go_;               ///< of this rank since the last look for them, the deepest
+  double told_let_go_ = 0.0;  ///< how many the last warning was about
 };
 
 }  // namespace muckpile

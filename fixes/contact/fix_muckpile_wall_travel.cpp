@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "fixes/contact/contact_state_numbers.h"
 #include "fixes/contact/fix_muckpile_wall.h"
 #include "fixes/engine/over_ranks.h"
 #include "fixes/engine/restart_file.h"
@@ -13,8 +14,9 @@
 namespace muckpile {
 namespace {
 
-/// Of a contact, all of whose fields are real numbers.
-constexpr int kDoubles = Encoding<WallContact>::kLeast / sizeof(double);
+constexpr int kDoubles = 3 + kContactStateNumbers + 1;  // of a contact: normal, state and twist
+static_assert(Encoding<WallContact>::kLeast == kDoubles * sizeof(double),
+              "pack() and unpack() leave out nothing that is stored of WallContact");
 constexpr int kMostDoubles = 1 + kDoubles * static_cast<int>(WallTouches::kMost);
 
 }  // namespace
@@ -37,10 +39,9 @@ int FixMuckpileWall::pack(int index, double* buf) const {
   int m = 0;
   buf[m++] = ubuf(static_cast<int>(contacts.size())).d;
   for (const WallContact& contact : contacts) {
-    for (const Vec3* v : {&contact.normal, &contact.state.slide, &contact.state.roll})
-      for (const double number : *v) buf[m++] = number;
-    buf[m++] = contact.state.overlap_offset;
-    buf[m++] = contact.state.tangential_stiffness;
+    m += put(contact.normal, buf + m);
+    m += put(contact.state, buf + m);
+    buf[m++] = contact.twist;
   }
   return m;
 }
@@ -50,10 +51,9 @@ int FixMuckpileWall::unpack(int index, const double* buf) {
   int m = 0;
   contacts.resize(static_cast<std::size_t>(ubuf(buf[m++]).i));
   for (WallContact& contact : contacts) {
-    for (Vec3* v : {&contact.normal, &contact.state.slide, &contact.state.roll})
-      for (double& number : *v) number = buf[m++];
-    contact.state.overlap_offset = buf[m++];
-    contact.state.tangential_stiffness = buf[m++];
+    m += get(contact.normal, buf + m);
+    m += get(contact.state, buf + m);
+    contact.twist = buf[m++];
   }
   return m;
 }
@@ -81,8 +81,9 @@ int FixMuckpileWall::size_restart(int index) {
 int FixMuckpileWall::maxsize_restart() { return 1 + kMostDoubles; }
 
 void FixMuckpileWall::write_restart(FILE* file) {
-  WallState all = losses_;
-  for (double* mine : {&all.friction, &all.damping}) *mine = engine::sum_over_ranks(*mine, world);
+  WallState all = books_;
+  for (double* mine : {&all.friction, &all.damping, &all.let_go})
+    *mine = engine::sum_over_ranks(*mine, world);
   engine::write_state<WallContact>(*lmp, style, file, all, {});
 }
 
@@ -90,14 +91,15 @@ void FixMuckpileWall::write_restart(FILE* file) {
 void FixMuckpileWall::restart(char* state) {
   WallState all;
   engine::read_state<WallContact>(*lmp, style, state, all, [](const WallContact&) {});
-  losses_ = {engine::share_of_total(*lmp, all.friction), engine::share_of_total(*lmp, all.damping)};
+  books_ = {engine::share_of_total(*lmp, all.friction), engine::share_of_total(*lmp, all.damping),
+            engine::share_of_total(*lmp, all.let_go)};
   looked_for_faults_ = true;  // rock may have fallen past the wall since
 }
 
 double FixMuckpileWall::memory_usage() {
-  double bytes = static_cast<double>(contacts_.capacity() * sizeof(contacts_[0]) +
-                                     candidates_.capacity() * sizeof(Candidate) +
-                                     parts_.capacity() * sizeof(std::size_t));
+  double bytes = static_cast<double>(
+      contacts_.capacity() * sizeof(contacts_[0]) + candidates_.capacity() * sizeof(Candidate) +
+      awake_.capacity() * sizeof(std::size_t) + parts_.capacity() * sizeof(std::size_t));
   for (const std::vector<WallContact>& of_sphere : contacts_)
     bytes += static_cast<double>(of_sphere.capacity() * sizeof(WallContact));
   return bytes;

@@ -69,9 +69,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
   void mark_near(std::span<const char> from, std::span<char> to) const override;
 
   [[nodiscard]] std::optional<BlockContacts> hertz_contacts() const override { return hertz_; }
-  [[nodiscard]] const ContactParameters& contact_parameters() const override {
-    return parameters_;
-  }
+  [[nodiscard]] const ContactParameters& contact_parameters() const override { return parameters_; }
 
   void watch() override { watched_ = true; }
   double end_step(double time_step) override;
@@ -89,6 +87,8 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
   [[nodiscard]] double step_of_light_contacts() const;
   [[nodiscard]] ContactMotion held_still(const SpherePair& pair) const;
   [[nodiscard]] ContactStepBound bodies_without_contacts() const;
+  [[nodiscard]] std::vector<int> bodies_of_spheres() const;
+  void add_walls(ContactStepBound& bound, const std::vector<int>& body_of_sphere) const;
   /// A contact between a joined block and a free one counts for both.
   [[nodiscard]] ContactStepBound present_contacts();
 

@@ -4,6 +4,7 @@
 #include <atom.h>
 #include <domain.h>
 #include <fix_multisphere.h>
+#include <modify.h>
 
 #include <algorithm>
 #include <limits>
@@ -13,13 +14,26 @@
 #include "fixes/contact/pair_muckpile_block.h"
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/particle_vectors.h"
+#include "fixes/interfaces/standing_contacts.h"
 
 namespace muckpile {
+namespace {
+
+/// Calls visit() for each fix that blocks touch.
+template <class Visit>
+void for_walls(const LAMMPS_NS::Modify& modify, const Visit& visit) {
+  for (int f = 0; f < modify.nfix; ++f)
+    if (const auto* const wall = dynamic_cast<const StandingContacts*>(modify.fix[f])) visit(*wall);
+}
+
+}  // namespace
+
 /// Of contacts that may come: one, with a small overlap, per sphere.
 double PairMuckpileBlock::step_of_light_contacts() const {
   double step = std::numeric_limits<double>::infinity();
   for (int k = 0; k < atom->nlocal; ++k)
     step = std::min(step, law_->stable_time_step(atom->rmass[k], atom->radius[k]));
+  for_walls(*modify, [&](const StandingContacts& w) { step = std::min(step, w.light_step()); });
   return step;
 }
 
@@ -50,15 +64,37 @@ ContactStepBound PairMuckpileBlock::bodies_without_contacts() const {
   return ContactStepBound(std::move(all));
 }
 
+/// Of each sphere, -1: another rank's, or none.
+std::vector<int> PairMuckpileBlock::bodies_of_spheres() const {
+  std::vector<int> of_block, of_sphere;
+  of_block.reserve(block_tag_.size());
+  for (const int tag : block_tag_) of_block.push_back(bodies_->data().map(tag));
+  of_sphere.reserve(atom_block_.size());
+  for (const int block : atom_block_)
+    of_sphere.push_back(block < 0 ? -1 : of_block[static_cast<std::size_t>(block)]);
+  return of_sphere;
+}
+
+/// What stands still is a body without end.
+void PairMuckpileBlock::add_walls(ContactStepBound& bound,
+                                  const std::vector<int>& body_of_sphere) const {
+  const engine::Bodies bodies(*bodies_);
+  const auto body_of = [&](int sphere) { return body_of_sphere[static_cast<std::size_t>(sphere)]; };
+  const auto wanted = [&](int sphere) { return body_of(sphere) >= 0; };
+  const auto take = [&](int sphere, const StandingContact& contact) {
+    const int body = body_of(sphere);
+    Vec3 arm = contact.point - bodies.centre(body);
+    domain->minimum_image(arm.x(), arm.y(), arm.z());
+    bound.add(static_cast<std::size_t>(body), contact.resistance, contact.normal, arm,
+              std::numeric_limits<double>::infinity());
+  };
+  for_walls(*modify, [&](const StandingContacts& wall) { wall.visit_contacts(wanted, take); });
+}
+
 ContactStepBound PairMuckpileBlock::present_contacts() {
   const engine::Bodies bodies(*bodies_);
   ContactStepBound bound = bodies_without_contacts();
-  std::vector<int> body_of_block;
-  body_of_block.reserve(block_tag_.size());
-  for (const int tag : block_tag_) body_of_block.push_back(bodies_->data().map(tag));
-  const auto body_of = [&](int sphere) {
-    return body_of_block[static_cast<std::size_t>(atom_block_[static_cast<std::size_t>(sphere)])];
-  };
+  const std::vector<int> body_of_sphere = bodies_of_spheres();
   for (const BlockPair& block_pair : list_.block_pairs())
     for (const SpherePair& pair : near_spheres(block_pair)) {
       if (pair.contact < 0) continue;
@@ -67,7 +103,8 @@ ContactStepBound PairMuckpileBlock::present_contacts() {
       const double inside = motion.radius_first * (1.0 - motion.overlap / pair.reach);
       const Vec3 point = engine::vector_of(atom->x[0], pair.first) + inside * motion.normal;
       for (const bool second : {false, true}) {
-        const int body = body_of(second ? pair.second : pair.first);
+        const int body =
+            body_of_sphere[static_cast<std::size_t>(second ? pair.second : pair.first)];
         if (body < 0) continue;  // the other rank's
         Vec3 arm = point - bodies.centre(body);
         domain->minimum_image(arm.x(), arm.y(), arm.z());
@@ -75,6 +112,7 @@ ContactStepBound PairMuckpileBlock::present_contacts() {
                   atom->rmass[second ? pair.first : pair.second]);
       }
     }
+  add_walls(bound, body_of_sphere);
   return bound;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix muckpile/timestep: keeps the time step a given share of the longest stable one.
-// Scope: joints and sphere contacts of blocks; walls are softer or equal, and stand back.
+// Scope: joints and sphere contacts of blocks, with each other and with fix muckpile/wall; LIGGGHTS'
+// walls do not count.
 #pragma once
 
 #include <fix.h>

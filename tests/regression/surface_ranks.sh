@@ -6,6 +6,7 @@
 set -euo pipefail
 program=$1
 source "$(dirname "${BASH_SOURCE[0]}")/runs.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/cuts.sh"
 
 # East 5000, north 7000 and height 100 are 0 0 0; x looks to the south, y to the east.
 awk 'BEGIN { print "east,north,elevation"
@@ -20,32 +21,15 @@ awk 'function corner(k) { return (k % 2 ? 1.6 : -1.6) - (int(k / 4) ? 0.4 : 0) "
     side(0, 4, 6, 2, "-1.9 0 0.2"); side(1, 3, 7, 5, "1.7 0.1 0.2"); side(0, 1, 5, 4, "-0.2 -1.6 0.2"); side(2, 6, 7, 3, "-0.2 1.6 0.2")
     side(0, 2, 3, 1, "0 0 -1.4"); side(4, 5, 7, 6, "-0.4 0 1.8"); print "endsolid body" }' >"$out/body.stl"
 
-cat >"$out/in.cut" <<'END'
-units si
-atom_style granular
-atom_modify map array
-newton off
-boundary f f f
-communicate single vel yes
-region box block -4 4 -4 4 -4 4 units box
-create_box 1 box
-neighbor 0.01 bin
-timestep 1e-6
-pair_style muckpile/block
-pair_coeff * *
-fix bodies all multisphere
+cut_input "-4 4 -4 4 -4 4" <<'END'
 region rock block -2 2 -2 2 -1.2 2 units box
 create_blocks rock density 2700 size power 0.8 1 block_min 0.25 block_max 0.45 hole 0 0 -0.8 0 0 0.3 0.15 spheres_per_block 1 &
-  surface ${out}/body.stl terrain ${out}/ground.csv origin 5000 7000 100 x_bearing 180 file ${out}/${ranks}.vtk
+  surface ${out}/body.stl terrain ${out}/ground.csv origin 5000 7000 100 x_bearing 180 file ${out}/${name}.vtk
 END
-for ranks in 1 2 4; do
-  on_ranks "$ranks" -in "$out/in.cut" -log none -var out "$out" -var ranks "$ranks" >"$out/screen" 2>&1 || fail "the cut failed on $ranks ranks"
-  tail -n +3 "$out/$ranks.vtk" >"$out/$ranks.blocks"
-  cmp "$out/1.blocks" "$out/$ranks.blocks" || fail "the blocks of 1 and $ranks ranks differ"
-done
-grep 'rock within' "$out/screen" || fail "no line about the surfaces"
-grep 'place 0 0 0 is 5000 7000 100' "$out/screen" || fail "the place of the mine is not told"
-figures=$(sed -nE 's/.*crushed zones [0-9.e+]+ m3 \(([-+0-9.e]+) %.*mean, ([0-9.e-]+) at most, ([0-9.e+]+) % .*/{"volume": \1, "farthest": \2, "near": \3}/p' "$out/screen")
+same_on_ranks surfaces "1 2 4"
+grep 'rock within' "$out/surfaces1.screen" || fail "no line about the surfaces"
+grep 'place 0 0 0 is 5000 7000 100' "$out/surfaces1.screen" || fail "the place of the mine is not told"
+figures=$(sed -nE 's/.*crushed zones [0-9.e+]+ m3 \(([-+0-9.e]+) %.*mean, ([0-9.e-]+) at most, ([0-9.e+]+) % .*/{"volume": \1, "farthest": \2, "near": \3}/p' "$out/surfaces1.screen")
 tr -d '+' <<<"$figures" >"$out/figures.json"
 check_figures near "volume of the cut over that of the rock [%]" "$out/figures.json:volume" 0 1
 check_figures bounds "area within a quarter block [%]" "$out/figures.json:near" --at-least 99

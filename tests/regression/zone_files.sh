@@ -7,22 +7,9 @@
 set -euo pipefail
 program=$1
 source "$(dirname "${BASH_SOURCE[0]}")/runs.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/cuts.sh"
 
-cat >"$out/in.cut" <<'END'
-units si
-atom_style granular
-atom_modify map array
-newton off
-boundary f f f
-communicate single vel yes
-hard_particles yes
-region box block -13 1 -11 11 -5 13 units box
-create_box 1 box
-neighbor 0.01 bin
-timestep 1e-6
-pair_style muckpile/block
-pair_coeff * *
-fix bodies all multisphere
+cut_input "-13 1 -11 11 -5 13" <<'END'
 region rock block -10 0 -8 8 -1 10 units box
 create_blocks rock density 2700 size uniform 1 block_min 1 block_max 1 spheres_per_block 1 sweeps 5 ${zones} fault inputs/quarry/fault.stl 1 file ${out}/${name}.vtk
 fix joint all muckpile/joint youngs_modulus 55e9 poisson_ratio 0.25 density 2700 cohesion 10e6 friction_angle 50 tension 8e6 &
@@ -31,15 +18,7 @@ run 3
 END
 declare -A zones=([inside]="zone ore 3400 inside inputs/quarry/ore.stl"
   [model]="zone ore 3400 model block_model inputs/quarry/block_model.csv")
-for kind in inside model; do
-  for ranks in 1 2; do
-    name=$kind$ranks
-    on_ranks "$ranks" -in "$out/in.cut" -log none -var out "$out" -var name "$name" -var zones "${zones[$kind]}" >"$out/$name.screen" 2>&1 ||
-      fail "$kind failed on $ranks ranks: $(grep -m 1 ERROR "$out/$name.screen")"
-    tail -n +3 "$out/$name.vtk" >"$out/$name.blocks"
-  done
-  cmp "$out/${kind}1.blocks" "$out/${kind}2.blocks" || fail "the blocks of 1 and 2 ranks differ with $kind"
-done
+for kind in inside model; do same_on_ranks "$kind" "1 2" -var zones "${zones[$kind]}"; done
 grep 'block_model .* cells reach' "$out/model1.screen" || fail "no line about the block model"
 grep 'fault .*plane: the cut follows it' "$out/inside1.screen" || fail "no line about the fault"
 grep "zone 'ore': inside" "$out/inside1.screen" || fail "no line about the surface"

@@ -53,7 +53,8 @@ void ContactStepBound::add(std::size_t body, const ContactResistance& contact, c
                   arm);
   const double rolling = weight * contact.rolling_stiffness;
   sum.stiffness.tt.diagonal().array() += rolling;
-  sum.stiffness.tt.noalias() -= rolling * normal * normal.transpose();
+  sum.stiffness.tt.noalias() -=
+      (rolling - weight * contact.torsional_stiffness) * normal * normal.transpose();
 }
 
 double ContactStepBound::trace_over_mass(const Form& form, const Body& body) {

@@ -23,6 +23,7 @@ struct ContactResistance {
   double normal_stiffness = 0.0, tangential_stiffness = 0.0;  ///< [N/m]
   double rolling_stiffness = 0.0;                             ///< [N m/rad]
   double normal_damping = 0.0, tangential_damping = 0.0;      ///< [N s/m]
+  double torsional_stiffness = 0.0;  ///< against spin about the normal [N m/rad]
 };
 
 class ContactStepBound {
@@ -41,7 +42,8 @@ class ContactStepBound {
 
   explicit ContactStepBound(std::vector<Body> bodies);
 
-  /// One contact of a body, at `arm` [m] from its centre, with a body of mass `other_mass`.
+  /// One contact of a body, at `arm` [m] from its centre, with a body of mass `other_mass`;
+  /// infinity for what stands still.
   void add(std::size_t body, const ContactResistance& contact, const Vec3& normal, const Vec3& arm,
            double other_mass);
 

@@ -7,6 +7,7 @@
 #include "args/numbers.h"
 #include "geometry/cut/hole_rings.h"
 #include "geometry/cut/tessellation.h"
+#include "geometry/surface/mine_words.h"
 
 namespace muckpile {
 namespace {
@@ -17,34 +18,31 @@ constexpr int kMostBands = 20;
 
 const ArgTable& cut_table() {
   static const ArgTable args =
-      ArgTable(kCreateBlocks)
-          .real("density", "kg/m3", Range::closed(100.0, 30000.0), std::nullopt,
-                "density of the rock beside the zones")
-          .group("size", 2, 2 * kMostBands + 1, false,
-                 "block size V^(1/3) against distance from the nearest charge: `harries b K T "
-                 "alpha` (hole "
-                 "radius [m], wall strain, breaking strain, absorption per hole radius), `power c "
-                 "p` (size = "
-                 "c r^p), `table FILE` (two columns, m), `uniform s` [m], `bands R1 s1 R2 s2 ...` "
-                 "(s1 out to R1, s2 from there to R2, ..., the "
-                 "last s beyond, m; 20 bands at most), `target kuz_ram x50 n` "
-                 "or `target "
-                 "swebrec x50 xmax b` (fitted to that size curve, m), `import FILE` (blocks as a "
-                 "VTK file has them); required")
-          .word(
-              "surface", {}, "none",
-              "file of a closed surface (.stl, or faces of .dxf) that holds the rock: what of the "
-              "region lies outside is cut off")
-          .word("terrain", {}, "none",
-                "file of a ground surface, one height everywhere (.xyz, .csv, .txt, .las, .stl, "
-                ".dxf): what of the region lies above is cut off")
-          .group("origin", 3, 3, false,
-                 "x y z that the files of `surface`, `terrain`, `block_model`, `fault` and zones "
-                 "have at 0 0 0 of the run [m], as east, north and height of a mine; default 0 0 0")
-          .real("x_bearing", "deg", Range::closed(0.0, 360.0), 90.0,
-                "that the x axis of the run looks to in those files, from north (y) over east (x)")
-          .real("unit", "m", Range::closed(1e-4, 1e4), 1.0,
-                "what the numbers of those files count in: 0.3048 for feet")
+      add_mine_words(
+          ArgTable(kCreateBlocks)
+              .real("density", "kg/m3", Range::closed(100.0, 30000.0), std::nullopt,
+                    "density of the rock beside the zones")
+              .group(
+                  "size", 2, 2 * kMostBands + 1, false,
+                  "block size V^(1/3) against distance from the nearest charge: `harries b K T "
+                  "alpha` (hole "
+                  "radius [m], wall strain, breaking strain, absorption per hole radius), `power c "
+                  "p` (size = "
+                  "c r^p), `table FILE` (two columns, m), `uniform s` [m], `bands R1 s1 R2 s2 ...` "
+                  "(s1 out to R1, s2 from there to R2, ..., the "
+                  "last s beyond, m; 20 bands at most), `target kuz_ram x50 n` "
+                  "or `target "
+                  "swebrec x50 xmax b` (fitted to that size curve, m), `import FILE` (blocks as a "
+                  "VTK file has them); required")
+              .word("surface", {}, "none",
+                    "file of a closed surface (.stl, or faces of .dxf) that holds the rock: what "
+                    "of the "
+                    "region lies outside is cut off")
+              .word(
+                  "terrain", {}, "none",
+                  "file of a ground surface, one height everywhere (.xyz, .csv, .txt, .las, .stl, "
+                  ".dxf): what of the region lies above is cut off"),
+          "the files of `surface`, `terrain`, `block_model`, `fault` and zones")
           .real("burden", "m", Range::closed(0.0, 1e3), 0.0,
                 "of the plan: the report has a table of the burden of each hole along its charge, "
                 "and warns below 0.6 and above 1.5 of this; 0: a table only with `surface` or "

@@ -11,7 +11,7 @@
 
 #include "args/input_error.h"
 #include "args/numbers.h"
-#include "explosive/hole_table.h"
+#include "geometry/surface/mine_words.h"
 #include "geometry/surface/surface_checks.h"
 #include "rock/cut_table.h"
 
@@ -23,16 +23,6 @@ std::string name_of(const RockSurface& surface) {
 }
 
 [[noreturn]] void refuse_words(const std::string& text) { refuse(kCreateBlocks, text); }
-
-MineFrame frame_of(const ArgValues& args) {
-  MineFrame frame;
-  frame.bearing = args.real("x_bearing") * M_PI / 180.0;
-  for (const auto& words : args.groups("origin")) {
-    for (int c = 0; c < 3; ++c)
-      frame.origin[c] = cut_real("origin", words[static_cast<std::size_t>(c)], "m", place_range());
-  }
-  return frame;
-}
 
 RockSurface read_terrain(const std::string& file, const CutOptions& options) {
   RockSurface surface{file, SurfaceIs::terrain, nullptr};
@@ -53,11 +43,7 @@ void require_rock(const CutOptions& options) {
 }  // namespace
 
 SurveyedSurface read_placed(const std::string& file, const CutOptions& options) {
-  SurveyedSurface survey = read_survey(file, options.unit);
-  for (Vec3& point : survey.points) point = options.mine.to_run(point);
-  for (StlTriangle& triangle : survey.triangles)
-    for (Vec3& corner : triangle) corner = options.mine.to_run(corner);
-  return survey;
+  return read_placed(file, options.mine, options.unit);
 }
 
 void read_mine_frame(CutOptions& options, const ArgValues& args) {
@@ -70,9 +56,10 @@ void read_mine_frame(CutOptions& options, const ArgValues& args) {
     if (args.given(word) && !options.mine_files && !none)
       refuse_words(std::string(word) +
                    " needs a file in mine coordinates, such as surface or terrain");
-  options.mine = frame_of(args);
-  options.unit_given = args.given("unit");
-  options.unit = args.real("unit");
+  const MineWords words = read_mine_words(args, kCreateBlocks);
+  options.mine = words.frame;
+  options.unit = words.unit;
+  options.unit_given = words.unit_given;
 }
 
 std::shared_ptr<const SurfaceIndex> read_body(const std::string& file, const std::string& where,

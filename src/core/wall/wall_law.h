@@ -14,6 +14,8 @@ namespace muckpile {
 struct WallContact {
   Vec3 normal = Vec3::Zero();  ///< of the last step
   ContactState state;
+  double twist = 0.0;    ///< of the spring against spin about the normal [rad]
+  double overlap = 0.0;  ///< of the last step [m]; not stored, found anew in the first step
 };
 
 /// A sphere of a block.
@@ -40,8 +42,10 @@ struct WallPush {
 
 class WallLaw {
  public:
-  /// Throws InputError for a value out of range.
-  explicit WallLaw(const ContactParameters& parameters) : law_(parameters) {}
+  /// `torsion`: spin about the normal is resisted as rolling is. Throws InputError for a value out
+  /// of range.
+  explicit WallLaw(const ContactParameters& parameters, bool torsion = false)
+      : law_(parameters), torsion_friction_(torsion ? parameters.rolling_friction : 0.0) {}
 
   /// Takes `contacts` to the end of the step: those of `touches`, in their order. A touch goes on
   /// with the memory of that whose normal was most like its own, on whatever triangle it was.
@@ -51,8 +55,26 @@ class WallLaw {
                               double time_step, double memory_step,
                               std::vector<WallContact>& contacts) const;
 
+  /// Springs and dashpots of a contact, sticking, for the time step that it bears.
+  [[nodiscard]] ContactResistance resistance(const WallSphere& sphere,
+                                             const WallContact& contact) const;
+  /// From the centre of a sphere to where the force of a contact acts [m].
+  [[nodiscard]] static Vec3 arm(double radius, const WallContact& contact);
+
+  /// Resolves a light collision of a block with the wall [s], see ContactLaw.
+  [[nodiscard]] double light_step(double mass, double radius) const {
+    return law_.stable_time_step(mass, radius);
+  }
+
  private:
+  struct Twist {
+    double torque = 0.0, elastic = 0.0, friction = 0.0;  ///< about the normal [N m], [J], [J]
+  };
+  [[nodiscard]] Twist turn(double angle, double stiffness_before, double normal_force,
+                           double radius, WallContact& contact) const;
+
   ContactLaw law_;
+  double torsion_friction_;  ///< limit torque over radius times normal force [-]
 };
 
 }  // namespace muckpile

@@ -69,8 +69,8 @@ WallMesh::Place WallMesh::place_of(std::span<const Hit> hits, const Hit& hit, do
       rim.push_back({other.triangle, triangle[(other.point.corner + step) % 3]});
   }
   place.border = triangles < 2 || std::ranges::any_of(rim, [&](const RimEdge& edge) {
-    return ends_at(edge, hit.point.at, hits, rim, slack);
-  });
+                   return ends_at(edge, hit.point.at, hits, rim, slack);
+                 });
   return place;
 }
 

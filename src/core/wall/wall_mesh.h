@@ -15,6 +15,8 @@ class WallMesh : public WallSurface {
  public:
   explicit WallMesh(std::vector<StlTriangle> triangles) : index_(std::move(triangles)) {}
 
+  [[nodiscard]] const SurfaceIndex& surface() const { return index_; }
+
   [[nodiscard]] double distance(const Vec3& place, double reach,
                                 std::vector<std::size_t>& parts) const override;
   void find_touches(const Vec3& centre, double radius, std::span<const std::size_t> parts,

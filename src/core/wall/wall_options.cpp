@@ -3,13 +3,13 @@
 // Scope: see the header.
 #include "wall/wall_options.h"
 
-#include <cmath>
 #include <utility>
 
 #include "args/input_error.h"
 #include "args/numbers.h"
-#include "geometry/files/survey_file.h"
-#include "geometry/surface/rock_body.h"
+#include "args/rounded_text.h"
+#include "geometry/surface/mine_words.h"
+#include "geometry/surface/surface_checks.h"
 #include "wall/wall_law.h"
 #include "wall/wall_mesh.h"
 #include "wall/wall_plane.h"
@@ -37,36 +37,76 @@ std::shared_ptr<const WallSurface> plane_of(const std::vector<std::string>& word
   return std::make_shared<WallPlane>(vector_of(words, 0, "plane", "m", where), normal);
 }
 
-std::shared_ptr<const WallSurface> mesh_of(const ArgValues& args, const std::string& where) {
-  MineFrame frame;
-  frame.bearing = args.real("x_bearing") * M_PI / 180.0;
-  for (const auto& words : args.groups("origin"))
-    frame.origin = vector_of(words, 0, "origin", "m", where);
-  SurveyedSurface survey = read_survey(args.word("mesh"), args.real("unit"));
-  for (Vec3& point : survey.points) point = frame.to_run(point);
-  for (StlTriangle& triangle : survey.triangles)
-    for (Vec3& corner : triangle) corner = frame.to_run(corner);
-  std::vector<StlTriangle> triangles =
-      survey.triangles.empty() ? terrain_triangles(survey) : std::move(survey.triangles);
+/// What readers of files say does not name the style.
+std::vector<StlTriangle> triangles_of(const std::string& file, const MineWords& mine,
+                                      const std::string& where) {
+  try {
+    SurveyedSurface survey = read_placed(file, mine.frame, mine.unit);
+    return survey.triangles.empty() ? terrain_triangles(survey) : std::move(survey.triangles);
+  } catch (const InputError& error) {
+    refuse(where, error.what());
+  }
+}
+
+void check_mesh(const SurfaceIndex& mesh, bool unit_given, const WallBox& box,
+                const std::string& where) {
+  const std::string word = "simulation box";
+  if (!unit_given) require_likely_unit(mesh.lo(), mesh.hi(), true, box.lo, box.hi, where, word);
+  require_at_box(mesh.lo(), mesh.hi(), box.lo, box.hi, where,
+                 "no block can touch it; make the box so large that it reaches there, if blocks do",
+                 word);
+  require_turned_alike(mesh.triangles(), where, "ground");
+}
+
+std::string describe(const SurfaceIndex& mesh) {
+  return std::to_string(mesh.triangles().size()) + " triangles of " + rounded_text(mesh.area()) +
+         " m2 " + extent_text(mesh.lo(), mesh.hi()) + ", " +
+         rounded_text(1e-6 * static_cast<double>(mesh.bytes()), 3) + " MB on each rank";
+}
+
+/// Sets the surface and what is told of it.
+void read_mesh(WallOptions& options, const ArgValues& args, const WallBox& box,
+               const std::string& where) {
+  const std::string& file = args.word("mesh");
+  const std::string of_file = where + ": mesh " + file;
+  const MineWords mine = read_mine_words(args, where);
+  std::vector<StlTriangle> triangles = triangles_of(file, mine, where);
   if (triangles.empty())
-    refuse(where, "mesh must have triangles, or points that do not lie on one line in plan");
-  return std::make_shared<WallMesh>(std::move(triangles));
+    refuse(of_file, "must have triangles, or points that do not lie on one line in plan");
+  const auto mesh = std::make_shared<const WallMesh>(std::move(triangles));
+  check_mesh(mesh->surface(), mine.unit_given, box, of_file);
+  options.surface = mesh;
+  options.told = of_file + ": " + describe(mesh->surface()) + '\n';
+}
+
+void check_law(const WallOptions& options, const std::string& where) {
+  constexpr double kLeastModulus = 1e3, kLeastRestitution = 0.05;
+  const auto demand = [&](bool holds, const char* rule, double value) {
+    if (!holds) refuse(where, std::string(rule) + ", got '" + number_text(value) + "'");
+  };
+  demand(options.youngs_modulus == 0.0 || options.youngs_modulus >= kLeastModulus,
+         "youngs_modulus must be 0 or >= 1000 Pa", options.youngs_modulus);
+  demand(options.restitution == 0.0 || options.restitution >= kLeastRestitution,
+         "restitution must be 0 or >= 0.05", options.restitution);
+  demand(options.friction >= 0.0 || options.friction == -1.0, "friction must be -1 or >= 0",
+         options.friction);
+  demand(options.rolling_friction >= 0.0 || options.rolling_friction == -1.0,
+         "rolling_friction must be -1 or >= 0", options.rolling_friction);
 }
 
 }  // namespace
 
 ArgTable wall_table() {
-  return ArgTable("fix muckpile/wall")
-      .group("plane", 6, 6, false,
-             "x y z of a point [m], and the normal out of the ground: a plane without end")
-      .word("mesh", {}, "none",
-            "file of triangles (.stl, faces of .dxf) whose normals look out of the ground, or of "
-            "points of the ground (.xyz, .csv, .txt, .las, points of .dxf)")
-      .group("origin", 3, 3, false,
-             "x y z that the file has at 0 0 0 of the run [m], as `create_blocks`")
-      .real("x_bearing", "deg", Range::closed(0.0, 360.0), 90.0,
-            "that the x axis of the run looks to in the file, from north (y) over east (x)")
-      .real("unit", "m", Range::closed(1e-4, 1e4), 1.0, "what the numbers of the file count in")
+  return add_mine_words(
+             ArgTable("fix muckpile/wall")
+                 .group("plane", 6, 6, false,
+                        "x y z of a point [m], and the normal out of the ground: a plane without "
+                        "end")
+                 .word("mesh", {}, "none",
+                       "file of triangles (.stl, faces of .dxf) whose normals look out of the "
+                       "ground, or of points of the ground (.xyz, .csv, .txt, .las, points of "
+                       ".dxf)"),
+             "files of `mesh`")
       .real("youngs_modulus", "Pa", Range::closed(0.0, 1e15), 0.0,
             "contact modulus of the ground; 0: that of the pair style")
       .real("restitution", "", Range::closed(0.0, 1.0), 0.0,
@@ -74,7 +114,8 @@ ArgTable wall_table() {
       .real("friction", "", Range::closed(-1.0, 10.0), -1.0,
             "Coulomb friction coefficient; -1: that of the pair style")
       .real("rolling_friction", "", Range::closed(-1.0, 10.0), -1.0,
-            "limit torque over radius times normal force; -1: that of the pair style");
+            "limit torque over radius times normal force; -1: that of the pair style")
+      .flag("torsion", false, "spin about the normal of the wall is resisted as rolling is");
 }
 
 ContactParameters WallOptions::parameters(ContactParameters rock) const {
@@ -86,28 +127,24 @@ ContactParameters WallOptions::parameters(ContactParameters rock) const {
   return rock;
 }
 
-WallOptions wall_options(const ArgValues& args, const std::string& where) {
+WallOptions wall_options(const ArgValues& args, const WallBox& box, const std::string& where) {
   const bool plane = !args.groups("plane").empty(), mesh = args.word("mesh") != "none";
   if (plane == mesh)
     refuse(where, std::string("needs one of plane and mesh, got ") + (plane ? "both" : "none"));
   for (const char* word : {"origin", "x_bearing", "unit"})
     if (plane && args.given(word))
       refuse(where, std::string(word) + " is about a mesh, got a plane");
-  WallOptions options{plane ? plane_of(args.groups("plane").front(), where) : mesh_of(args, where),
-                      args.real("youngs_modulus"), args.real("restitution"), args.real("friction"),
-                      args.real("rolling_friction")};
-  constexpr double kLeastModulus = 1e3, kLeastRestitution = 0.05;
-  if (options.youngs_modulus > 0.0 && options.youngs_modulus < kLeastModulus)
-    refuse(where, "youngs_modulus must be 0 or >= 1000 Pa, got '" +
-                      number_text(options.youngs_modulus) + "'");
-  if (options.restitution > 0.0 && options.restitution < kLeastRestitution)
-    refuse(where,
-           "restitution must be 0 or >= 0.05, got '" + number_text(options.restitution) + "'");
-  if (options.friction < 0.0 && options.friction != -1.0)
-    refuse(where, "friction must be -1 or >= 0, got '" + number_text(options.friction) + "'");
-  if (options.rolling_friction < 0.0 && options.rolling_friction != -1.0)
-    refuse(where, "rolling_friction must be -1 or >= 0, got '" +
-                      number_text(options.rolling_friction) + "'");
+  WallOptions options;
+  options.youngs_modulus = args.real("youngs_modulus");
+  options.restitution = args.real("restitution");
+  options.friction = args.real("friction");
+  options.rolling_friction = args.real("rolling_friction");
+  options.torsion = args.flag("torsion");
+  check_law(options, where);
+  if (plane)
+    options.surface = plane_of(args.groups("plane").front(), where);
+  else
+    read_mesh(options, args, box, where);
   return options;
 }
 

@@ -14,17 +14,26 @@ namespace muckpile {
 
 [[nodiscard]] ArgTable wall_table();
 
+/// The simulation box, in which a mesh must lie at least in part.
+struct WallBox {
+  Vec3 lo, hi;  ///< [m]
+};
+
 struct WallOptions {
   std::shared_ptr<const WallSurface> surface;
+  std::string told;                                 ///< of a mesh, for the log; "" for a plane
   double youngs_modulus = 0.0;                      ///< of the ground; 0: of the rock [Pa]
   double restitution = 0.0;                         ///< 0: of the rock [-]
   double friction = -1.0, rolling_friction = -1.0;  ///< below 0: of the rock [-]
+
+  bool torsion = false;  ///< resist spin about the normal
 
   /// Of the contacts of blocks that touch each other with these.
   [[nodiscard]] ContactParameters parameters(ContactParameters rock) const;
 };
 
 /// `where` begins each message.
-[[nodiscard]] WallOptions wall_options(const ArgValues& args, const std::string& where);
+[[nodiscard]] WallOptions wall_options(const ArgValues& args, const WallBox& box,
+                                       const std::string& where);
 
 }  // namespace muckpile

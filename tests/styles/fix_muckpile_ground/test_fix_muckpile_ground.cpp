@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <string>
 
 #include "rock_scene.h"
 #include "scratch_folder.h"
+#include "wall_scenes.h"
 
 namespace muckpile::test {
 namespace {
@@ -21,39 +21,18 @@ constexpr double kStep = 1e-5, kSpeed = 35.0;        // [s], [m/s]
 
 /// The floor z = 0 for x > 0, and the step down to z = -1 at x = 0, as in common/pit_floor.in.
 void write_floor(const std::filesystem::path& path) {
-  int rank = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  if (rank == 0) {
-    std::ofstream out(path);
-    const auto facet = [&out](const std::string& a, const std::string& b, const std::string& c) {
-      out << "facet normal 0 0 0\nouter loop\nvertex " << a << "\nvertex " << b << "\nvertex " << c
-          << "\nendloop\nendfacet\n";
-    };
-    out << "solid floor\n";
+  write_facets(path, [](const auto& facet) {
     facet("0 -3.9 0", "7.9 -3.9 0", "7.9 3.9 0");
     facet("0 -3.9 0", "7.9 3.9 0", "0 3.9 0");
     facet("0 -3.9 -1", "0 -3.9 0", "0 3.9 0");
     facet("0 -3.9 -1", "0 3.9 0", "0 3.9 -1");
-    out << "endsolid floor\n";
-  }
-  MPI_Barrier(MPI_COMM_WORLD);
-}
-
-std::string words(int spheres, double growth) {
-  return "density 2600 size uniform 0.5 block_min 0.5 block_max 0.5 spheres_per_block " +
-         std::to_string(spheres) + " sphere_growth " + std::to_string(growth);
+  });
 }
 
 /// Contacts and that floor.
 void add_floor(RockScene& scene, const std::string& wall, const ScratchFolder& folder,
                double restitution) {
-  const std::string bounce = std::to_string(restitution);
-  scene.command("pair_style muckpile/block youngs_modulus 2.5e7 restitution " + bounce);
-  scene.command("pair_coeff * *");
-  scene.command("fix m1 all property/global youngsModulus peratomtype 2.5e7");
-  scene.command("fix m2 all property/global poissonsRatio peratomtype 0.25");
-  scene.command("fix m3 all property/global coefficientRestitution peratomtypepair 1 " + bounce);
-  scene.command("fix m4 all property/global coefficientFriction peratomtypepair 1 0.7");
+  add_contacts(scene, restitution, "", "0.7");
   write_floor(folder / "floor.stl");
   scene.command("fix floor all mesh/surface file " + (folder / "floor.stl").string() + " type 1");
   scene.command("fix ground all " + wall +
@@ -71,31 +50,15 @@ RockScene scene_above_floor(const std::string& wall, const ScratchFolder& folder
 /// Some blocks of five spheres just above the floor, which go down at `speed` and turn.
 RockScene thrown_blocks(const std::string& wall, const ScratchFolder& folder, double speed) {
   RockScene scene = scene_above_floor(wall, folder, 0.5);
-  scene.cut("2 3.5 -0.75 0.75 0.2 1.7", words(5, 1.19));
-  scene.set_motion([speed](int tag, const Vec3&) {
-    return Motion{Vec3(5.0, tag % 3 - 1.0, -speed), Vec3(3, tag % 5, -2)};
-  });
+  scene.cut("2 3.5 -0.75 0.75 0.2 1.7", half_metre_blocks(5, 1.19));
+  throw_down(scene, speed);
   return scene;
-}
-
-double farthest_apart(const RockScene& one, const RockScene& other) {
-  double apart = 0.0;
-  const auto others = other.blocks();
-  for (const auto& [tag, block] : one.blocks())
-    apart = std::max(apart, (block.centre - others.at(tag).centre).norm());
-  return apart;
-}
-
-double lowest_centre(const RockScene& scene) {
-  double lowest = 1e9;
-  for (const auto& [tag, block] : scene.blocks()) lowest = std::min(lowest, block.centre.z());
-  return lowest;
 }
 
 /// One cube with one sphere falls at kSpeed on the floor, right over the edge of two triangles.
 RockScene thrown_sphere(const std::string& wall, const ScratchFolder& folder) {
   RockScene scene = scene_above_floor(wall, folder, 1.0);
-  scene.cut("3.7 4.2 -0.25 0.25 0.3 0.8", words(1, 1.0));
+  scene.cut("3.7 4.2 -0.25 0.25 0.3 0.8", half_metre_blocks(1, 1.0));
   scene.set_motion([](int, const Vec3&) { return Motion{Vec3(0, 0, -kSpeed), Vec3::Zero()}; });
   return scene;
 }
@@ -176,7 +139,7 @@ TEST(FixMuckpileGround, RestartWithSpheresBehindTheFaceGoesOnAsWithout) {
 TEST(FixMuckpileGround, BlockPressedAtTheStepGoesBackTheWayItCame) {
   const ScratchFolder folder("one_sided_step");
   RockScene scene = scene_above_floor("muckpile/ground", folder, 1.0);
-  scene.cut("-0.8 -0.3 -0.25 0.25 -0.6 -0.1", words(1, 1.0));
+  scene.cut("-0.8 -0.3 -0.25 0.25 -0.6 -0.1", half_metre_blocks(1, 1.0));
   scene.set_motion([](int, const Vec3&) { return Motion{Vec3(kSpeed, 0, 0), Vec3::Zero()}; });
   const double radius = scene.all_spheres().at(1).radius;
   double deepest = -1.0;

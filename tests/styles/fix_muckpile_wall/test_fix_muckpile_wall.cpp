@@ -6,12 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <string>
 
 #include "rock_scene.h"
 #include "scratch_folder.h"
+#include "wall_scenes.h"
 
 namespace muckpile::test {
 namespace {
@@ -19,7 +19,7 @@ namespace {
 constexpr double kStep = 2e-5;  // [s]
 
 /// Entries of fix muckpile/ledger and of the wall, numbered from 1.
-enum Entry { gravity = 4, walls = 11, contacts = 1, stored = 3, rubbed = 4, damped = 5, lift = 8 };
+enum Entry { walls = 11, contacts = 1, stored = 3, rubbed = 4, damped = 5, lift = 8, let_go = 9 };
 
 const std::string kPlane = "muckpile/wall plane 0 0 0 0 0 1";
 const std::string kStockPlane =
@@ -28,46 +28,26 @@ const std::string kStockPlane =
 /// Level ground from x, y = -half to half in cells x cells squares [m]; written by rank 0.
 std::string mesh_of(const ScratchFolder& folder, double half_x, double half_y, int cells) {
   const std::string file = (folder / "floor.stl").string();
-  int rank = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  if (rank == 0) {
-    std::ofstream out(file);
-    out << "solid floor\n";
-    const auto at = [&](int i, int j) {
-      return std::to_string(half_x * (2.0 * i / cells - 1.0)) + " " +
-             std::to_string(half_y * (2.0 * j / cells - 1.0)) + " 0";
-    };
-    const auto facet = [&](const std::string& a, const std::string& b, const std::string& c) {
-      out << "facet normal 0 0 1\nouter loop\nvertex " << a << "\nvertex " << b << "\nvertex " << c
-          << "\nendloop\nendfacet\n";
-    };
+  const auto at = [&](int i, int j) {
+    return std::to_string(half_x * (2.0 * i / cells - 1.0)) + " " +
+           std::to_string(half_y * (2.0 * j / cells - 1.0)) + " 0";
+  };
+  write_facets(file, [&](const auto& facet) {
     for (int i = 0; i < cells; ++i) {
       for (int j = 0; j < cells; ++j) {
         facet(at(i, j), at(i + 1, j), at(i + 1, j + 1));
         facet(at(i, j), at(i + 1, j + 1), at(i, j + 1));
       }
     }
-    out << "endsolid floor\n";
-  }
-  MPI_Barrier(MPI_COMM_WORLD);
+  });
   return file;
 }
 
-std::string words(int spheres, double growth = 1.19) {
-  return "density 2600 size uniform 0.5 block_min 0.5 block_max 0.5 spheres_per_block " +
-         std::to_string(spheres) + " sphere_growth " + std::to_string(growth);
-}
+std::string words(int spheres, double growth = 1.19) { return half_metre_blocks(spheres, growth); }
 
 /// Contacts of a restitution, the same for LIGGGHTS' walls, and a wall.
 void add_wall(RockScene& scene, const std::string& wall, double restitution) {
-  const std::string bounce = std::to_string(restitution);
-  scene.command("pair_style muckpile/block youngs_modulus 2.5e7 friction 0.3 rolling_friction 0 " +
-                ("restitution " + bounce));
-  scene.command("pair_coeff * *");
-  scene.command("fix m1 all property/global youngsModulus peratomtype 2.5e7");
-  scene.command("fix m2 all property/global poissonsRatio peratomtype 0.25");
-  scene.command("fix m3 all property/global coefficientRestitution peratomtypepair 1 " + bounce);
-  scene.command("fix m4 all property/global coefficientFriction peratomtypepair 1 0.3");
+  add_contacts(scene, restitution, "friction 0.3 rolling_friction 0", "0.3");
   scene.command("fix floor all " + wall);
 }
 
@@ -84,24 +64,8 @@ RockScene thrown(MPI_Comm comm, const std::string& wall, double speed) {
   scene.cut("-0.75 0.75 -0.75 0.75 0.2 1.7", words(5));
   scene.command("fix weight all gravity 9.81 vector 0 0 -1");
   scene.command("fix ledger all muckpile/ledger");
-  scene.set_motion([speed](int tag, const Vec3&) {
-    return Motion{Vec3(5.0, tag % 3 - 1.0, -speed), Vec3(3, tag % 5, -2)};
-  });
+  throw_down(scene, speed);
   return scene;
-}
-
-double farthest_apart(const RockScene& one, const RockScene& other) {
-  double apart = 0.0;
-  const auto others = other.blocks();
-  for (const auto& [tag, block] : one.blocks())
-    apart = std::max(apart, (block.centre - others.at(tag).centre).norm());
-  return apart;
-}
-
-double lowest_centre(const RockScene& scene) {
-  double lowest = 1e9;
-  for (const auto& [tag, block] : scene.blocks()) lowest = std::min(lowest, block.centre.z());
-  return lowest;
 }
 
 struct Bounce {
@@ -129,10 +93,10 @@ TEST(FixMuckpileWall, BlockComesBackAsFromLiggghtsOwnWall) {
             << "), depth off by " << elastic.depth / theirs.depth - 1.0
             << "; restitution 0.5: " << damped.speed / 10.0 << " (LIGGGHTS "
             << stock_damped.speed / 10.0 << ")\n";
-  EXPECT_NEAR(elastic.speed, 10.0, 1e-2);
+  EXPECT_NEAR(elastic.speed, 10.0, 1e-3);
   EXPECT_NEAR(elastic.depth / theirs.depth, 1.0, 1e-6);
   EXPECT_NEAR(damped.speed, 5.0, 0.02);
-  EXPECT_NEAR(damped.speed, stock_damped.speed, 0.02);
+  EXPECT_NEAR(damped.speed, stock_damped.speed, 0.01);
 }
 
 /// Acceleration of a block on four of its nine spheres, once it slides down a slope of 25 degrees.
@@ -157,9 +121,9 @@ TEST(FixMuckpileWall, BlockSlidesDownASlopeAsCoulombSays) {
   const double mesh = acceleration_on("muckpile/wall mesh " + mesh_of(folder, 20.0, 5.0, 100));
   std::cout << "slide: acceleration off by " << plane / theory - 1.0 << ", on a mesh by "
             << mesh / theory - 1.0 << ", on LIGGGHTS' plane by " << stock / theory - 1.0 << "\n";
-  EXPECT_NEAR(plane / theory, 1.0, 0.01);
-  EXPECT_NEAR(plane / stock, 1.0, 0.01);
-  EXPECT_NEAR(mesh / theory, 1.0, 0.01);
+  EXPECT_NEAR(plane / theory, 1.0, 3e-3);
+  EXPECT_NEAR(plane / stock, 1.0, 5e-3);
+  EXPECT_NEAR(mesh / theory, 1.0, 3e-3);
 }
 
 /// A plane, triangles far smaller than a block and some 1 km long ones: the same for 0.2 s.
@@ -178,7 +142,7 @@ TEST(FixMuckpileWall, BlocksDoNotFeelTheTrianglesOfAFlatFloor) {
                long_thin = apart_on(mesh_of(thin, 10000.0, 4.5, 1));
   std::cout << "apart from those on a plane [m]: small triangles " << small << ", ground of 1 km "
             << large << ", floor of 20 km by 9 m " << long_thin << "\n";
-  EXPECT_LT(std::max({small, large, long_thin}), 1e-6);
+  EXPECT_LT(std::max({small, large, long_thin}), 1e-10);
 }
 
 /// Thrown so hard that centres of spheres get behind the faces.
@@ -212,8 +176,8 @@ TEST(FixMuckpileWall, BooksOfTheWallAreThoseOfTheLedger) {
   std::cout << "books: wall and ledger differ by " << worst
             << " of the energy brought; balance error " << scene.output("ledger", 0) << "\n";
   EXPECT_GT(scene.output("floor", rubbed), 0.01 * brought);
-  EXPECT_LT(worst, 0.01);
-  EXPECT_LT(scene.output("ledger", 0), 0.005);
+  EXPECT_LT(worst, 1e-3);
+  EXPECT_LT(scene.output("ledger", 0), 1e-3);
 }
 
 /// The wall bears the weight; blocks fall asleep on it and stay, with what its springs hold.
@@ -239,6 +203,93 @@ TEST(FixMuckpileWall, BlocksRestOnTheWall) {
   EXPECT_GT(held, 0.0);
   EXPECT_EQ(scene.output("floor", stored), held);
   EXPECT_EQ(scene.output("floor", contacts), touching);
+}
+
+/// Springs of a sphere that touches with stiffness k along the normal and kt across it, at an arm L
+/// from the centre of its cube: k / m, and the larger root for shift and turn together,
+/// ((kt, kt L), (kt L, kt (L^2 + R^2))) over mass and moment of inertia.
+double longest_step(const BlockNow& block, const SphereNow& sphere, double modulus) {
+  const double overlap = sphere.radius - sphere.centre.z(), nu = 0.25;
+  const double root = std::sqrt(sphere.radius * overlap);
+  const double normal = modulus / (1.0 - nu * nu) * root;
+  const double across = 2.0 * modulus / ((1.0 + nu) * (2.0 - nu)) * root;
+  const double arm = block.centre.z() + 0.5 * overlap;  // half of the overlap is below the plane
+  const double inertia = block.inertia(0, 0), r = sphere.radius;
+  const double shift = across / block.mass, turn = across * (arm * arm + r * r) / inertia;
+  const double both = across * arm / std::sqrt(block.mass * inertia);
+  const double root_of_both =
+      0.5 * (shift + turn) + std::sqrt(0.25 * std::pow(shift - turn, 2) + both * both);
+  return 2.0 / std::sqrt(std::max(normal / block.mass, root_of_both));
+}
+
+/// On a ground as stiff as the rock, and on one a hundred times as stiff.
+TEST(FixMuckpileWall, TimeStepKnowsItsContacts) {
+  for (const double ground : {2.5e7, 2.5e9}) {
+    RockScene scene =
+        scene_on(MPI_COMM_WORLD, kPlane + " youngs_modulus " + std::to_string(ground), 0.5);
+    scene.cut("0 0.5 -0.25 0.25 0.3 0.8", words(1));
+    scene.set_motion([](int, const Vec3&) { return Motion{Vec3(0, 0, -10), Vec3::Zero()}; });
+    scene.command("fix dt all muckpile/timestep every 1 max " + std::to_string(kStep));
+    scene.run(0, kStep);
+    EXPECT_TRUE(std::isinf(scene.output("dt", 2)));  // nothing touches
+    for (int look = 0; look < 200 && scene.output("floor", contacts) == 0.0; ++look)
+      scene.run(10, kStep);
+    scene.run(100, kStep);
+    const double modulus = 2.0 / (1.0 / 2.5e7 + 1.0 / ground);
+    const double theory = longest_step(scene.blocks().at(1), scene.all_spheres().at(1), modulus);
+    std::cout << "longest step: " << scene.output("dt", 2) << " s, off by "
+              << scene.output("dt", 2) / theory - 1.0 << "\n";
+    EXPECT_NEAR(scene.output("dt", 2) / theory, 1.0, 1e-6);
+    EXPECT_LT(scene.output("dt", 6), scene.output("dt", 2));  // with the dashpots
+  }
+}
+
+/// Nine blocks that part as they fall, so that they touch the floor alone; spheres of those in the
+/// middle lie on other ranks than those that move them.
+RockScene parting(MPI_Comm comm, const std::string& wall) {
+  RockScene scene = scene_on(comm, wall, 0.5);
+  scene.cut("-0.75 0.75 -0.75 0.75 0.1 0.6", words(5, 1.0));
+  scene.set_motion([](int, const Vec3& at) {
+    return Motion{Vec3(3.0 * at.x() + 0.5, 3.0 * at.y() + 0.3, -5.0), Vec3::Zero()};
+  });
+  scene.command("fix dt all muckpile/timestep every 1 max " + std::to_string(kStep));
+  scene.run(1000, kStep);
+  return scene;
+}
+
+TEST(FixMuckpileWall, TimeStepIsTheSameOnAnyNumberOfRanks) {
+  const ScratchFolder folder("wall_step");
+  const std::string wall = "muckpile/wall mesh " + mesh_of(folder, 12.0, 4.0, 30);
+  RockScene alone = parting(MPI_COMM_SELF, wall), together = parting(MPI_COMM_WORLD, wall);
+  double worst = 0.0;
+  int touching = 0;
+  for (int look = 0; look < 20; ++look) {
+    alone.run(50, kStep);
+    together.run(50, kStep);
+    if (alone.output("floor", contacts) > 0.0) ++touching;
+    for (const int entry : {2, 6})
+      if (std::isfinite(alone.output("dt", entry)))
+        worst = std::max(worst,
+                         std::abs(together.output("dt", entry) / alone.output("dt", entry) - 1.0));
+  }
+  std::cout << "longest step on several ranks: off by " << worst << "\n";
+  EXPECT_GT(touching, 10);
+  EXPECT_LT(worst, 1e-6);
+}
+
+/// An elastic sphere is stopped short of its radius behind a face below
+/// (16/15 E* sqrt(R) (2 R)^2.5 / m)^0.5 = 63 m/s.
+TEST(FixMuckpileWall, SphereThatGetsTooDeepIsCounted) {
+  const ScratchFolder folder("wall_through");
+  const std::string wall = "muckpile/wall mesh " + mesh_of(folder, 12.0, 4.0, 7);
+  for (const double speed : {55.0, 80.0}) {
+    RockScene scene = scene_on(MPI_COMM_WORLD, wall, 1.0);
+    scene.cut("0 0.5 -0.25 0.25 0.3 0.8", words(1, 1.0));
+    scene.set_motion([&](int, const Vec3&) { return Motion{Vec3(0, 0, -speed), Vec3::Zero()}; });
+    scene.run(2000, 0.5 * kStep);
+    EXPECT_EQ(scene.output("floor", let_go), speed > 63.0 ? 1.0 : 0.0) << speed;
+    EXPECT_EQ(scene.blocks().at(1).velocity.z() < 0.0, speed > 63.0) << speed;
+  }
 }
 
 /// Blocks cross the borders between ranks while they slide.

@@ -108,6 +108,22 @@ std::string refusal(const test::Triangles& triangles) {
   });
 }
 
+TEST(SurfaceChecks, OpenSurfaceMustBeTurnedAlike) {
+  const auto turned_alike = [](const test::Triangles& triangles) {
+    return input_error_of([&] { require_turned_alike(triangles, "it", "ground"); });
+  };
+  test::Triangles open = test::box(Vec3::Constant(-1.0), Vec3::Constant(1.0));
+  open.pop_back();
+  EXPECT_EQ(turned_alike(open), "");
+  // Corners that are one to rounding leave no edge between them.
+  open.push_back({Vec3(1, 1, 1), Vec3(1, 1, 1 + 1e-9), Vec3(2, 1, 1)});
+  EXPECT_EQ(turned_alike(open), "");
+  std::swap(open[0][1], open[0][2]);
+  EXPECT_TRUE(turned_alike(open).starts_with(
+      "it: has triangles that are turned against each other at 2 edges, one"));
+  EXPECT_TRUE(turned_alike(open).ends_with("so that all normals look out of the ground"));
+}
+
 TEST(SurfaceChecks, NameWhatIsWrong) {
   const test::Triangles good = test::box(Vec3::Constant(-1.0), Vec3::Constant(1.0));
   EXPECT_EQ(refusal(good), "");

@@ -32,8 +32,9 @@ ContactParameters parameters() {
 /// A sphere, its wall, and the books of both.
 class Ride {
  public:
-  Ride(const WallSurface& wall, const ContactParameters& p, const Vec3& at, double dt)
-      : wall_(wall), law_(p), dt_(dt) {
+  Ride(const WallSurface& wall, const ContactParameters& p, const Vec3& at, double dt,
+       bool torsion = false)
+      : wall_(wall), law_(p, torsion), dt_(dt) {
     sphere_ = {at, Vec3::Zero(), Vec3::Zero(), kRadius, kMass};
   }
   void push_off(const Vec3& velocity, const Vec3& spin = Vec3::Zero()) {
@@ -116,7 +117,7 @@ TEST(WallLaw, HeadOnImpactGivesTheRestitutionAskedFor) {
     }
   }
   std::cout << "restitution: largest error " << worst << "\n";
-  EXPECT_LT(worst, 2e-3);  // of some 2000 steps per impact
+  EXPECT_LT(worst, 1e-3);  // of some 2000 steps per impact
 }
 
 /// Hertz: duration 2.868 (m^2 / (R E*^2 v))^(1/5), with E* = E / (2 (1 - nu^2)) of two rocks.
@@ -133,7 +134,7 @@ TEST(WallLaw, ImpactLastsAsLongAsHertzSays) {
   const double star = 1e8 / (2.0 * (1.0 - 0.25 * 0.25));
   const double theory = 2.8683 * std::pow(kMass * kMass / (kRadius * star * star * speed), 0.2);
   std::cout << "duration: error " << steps * dt / theory - 1.0 << "\n";
-  EXPECT_NEAR(steps * dt / theory, 1.0, 1e-3);
+  EXPECT_NEAR(steps * dt / theory, 1.0, 2e-4);
 }
 
 /// The linear spring against a wall: E pi R.
@@ -147,6 +148,30 @@ TEST(WallLaw, LinearSpringIsThatOfABarOfTheRadius) {
   const double overlap = kRadius - ride.sphere().centre.z();
   EXPECT_NEAR(ride.now().elastic, 0.5 * 1e8 * M_PI * kRadius * overlap * overlap,
               1e-9 * ride.now().elastic);
+}
+
+/// Stiffness for the time step against the slope of the energy, by differences.
+TEST(WallLaw, StiffnessForTheTimeStepIsThatOfThePush) {
+  const WallPlane floor = floor_plane();
+  for (const NormalModel model : {NormalModel::hertz, NormalModel::linear}) {
+    ContactParameters p = parameters();
+    p.model = model;
+    const WallLaw law(p);
+    const WallSphere still{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), kRadius, kMass};
+    const auto force_at = [&](double overlap) {
+      WallTouches touches;
+      floor.find_touches(Vec3(0, 0, kRadius - overlap), kRadius, {}, touches);
+      std::vector<WallContact> contacts{{Vec3::UnitZ(), {}, 0.0, 0.0}};
+      return law.push(still, touches, 1e-6, 0.0, contacts).force.z();
+    };
+    const double overlap = 0.02, h = 1e-6;
+    const double slope = (force_at(overlap + h) - force_at(overlap - h)) / (2.0 * h);
+    const WallContact contact{Vec3::UnitZ(), {}, 0.0, overlap};
+    const double error = law.resistance(still, contact).normal_stiffness / slope - 1.0;
+    std::cout << "stiffness: error " << error << "\n";
+    EXPECT_NEAR(error, 0.0, 1e-9);
+    EXPECT_NEAR(WallLaw::arm(kRadius, contact).z(), -kRadius + 0.5 * overlap, 1e-15);
+  }
 }
 
 TEST(WallLaw, GroundTenTimesAsStiffIsSpringsInARow) {
@@ -171,7 +196,7 @@ TEST(WallLaw, BlockSlidesDownASlopeAsCoulombSays) {
   const double theory = kGravity * (std::sin(a) - 0.5 * std::cos(a));
   const double error = speed_down(floor, 35.0, parameters(), false) / theory - 1.0;
   std::cout << "sliding: error " << error << "\n";
-  EXPECT_NEAR(error, 0.0, 1e-6);  // friction is the same share of each push
+  EXPECT_NEAR(error, 0.0, 3e-9);  // friction is the same share of each push
 }
 
 TEST(WallLaw, BlockSticksOnASlopeBelowTheAngleOfFriction) {
@@ -190,7 +215,33 @@ TEST(WallLaw, SphereRollsDownASlope) {
   const double theory = kGravity * std::sin(a) / (1.0 + 0.4 * ratio * ratio);
   const double error = speed_down(floor, 20.0, parameters(), true) / theory - 1.0;
   std::cout << "rolling: error " << error << "\n";
-  EXPECT_NEAR(error, 0.0, 2e-4);
+  EXPECT_NEAR(error, 0.0, 5e-5);
+}
+
+/// A top of a sphere on level ground: spin w - 2.5 mu_r g t / R with torsion, else w.
+TEST(WallLaw, TopIsSlowedByTorsionAlone) {
+  const WallPlane floor = floor_plane();
+  ContactParameters p = parameters();
+  p.rolling_friction = 0.1;
+  for (const bool torsion : {false, true}) {
+    Ride ride(floor, p, Vec3(0, 0, kRadius), 1e-5, torsion);
+    ride.weigh(Vec3(0, 0, -kGravity));
+    ride.push_off(Vec3::Zero());
+    ride.run(2.0);  // it comes to rest
+    ride.push_off(Vec3::Zero(), Vec3(0, 0, 10.0));
+    const double start = ride.energy(), brought = ride.kinetic();
+    ride.run(1.0);
+    const double theory = 10.0 - (torsion ? 2.5 * 0.1 * kGravity * 1.0 / kRadius : 0.0);
+    const double error = ride.sphere().spin.z() / theory - 1.0;
+    std::cout << "top: spin off by " << error << ", energy by " << (ride.energy() - start) / brought
+              << "\n";
+    EXPECT_NEAR(error, 0.0, torsion ? 2e-4 : 1e-12);
+    EXPECT_NEAR((ride.energy() - start) / brought, 0.0, 1e-10);
+    ride.run(3.0);
+    if (torsion) {
+      EXPECT_NEAR(ride.sphere().spin.norm(), 0.0, 0.1);  // it swings on its spring
+    }
+  }
 }
 
 /// Over some hundred inner edges of uneven triangles.
@@ -212,8 +263,8 @@ TEST(WallLaw, SphereFeelsNoBumpOnTheEdgesOfAFlatFloor) {
   EXPECT_GT(rides[1].sphere().centre.x(), 5.0);
   std::cout << "flat mesh: force off by " << bump / (kMass * kGravity) << " of the weight, path by "
             << apart << " m\n";
-  EXPECT_LT(bump, 1e-6 * kMass * kGravity);
-  EXPECT_LT(apart, 1e-9);
+  EXPECT_LT(bump, 1e-9 * kMass * kGravity);
+  EXPECT_LT(apart, 1e-10);
 }
 
 /// Thrown into a trough with friction: bounces, slides, spins and comes to lie in its valley.
@@ -236,7 +287,7 @@ TEST(WallLaw, EnergyOfARideIsAccountedFor) {
       worst = std::max(worst, std::abs(ride.energy() - start) / fall);
     }
     std::cout << "ride, restitution " << restitution << ": balance error " << worst << "\n";
-    EXPECT_LT(worst, 1e-3);
+    EXPECT_LT(worst, restitution == 1.0 ? 1e-5 : 1e-3);  // dashpots lag half a step
     EXPECT_GT(ride.friction(), 0.05 * fall);
   }
 }
@@ -262,7 +313,7 @@ TEST(WallLaw, SmoothSphereKeepsItsEnergyOverRidgesAndTips) {
     worst = std::max(worst, std::abs(ride.energy() - start) / scale);
   }
   std::cout << "smooth ride over ridges: energy off by " << worst << "\n";
-  EXPECT_LT(worst, 1e-6);
+  EXPECT_LT(worst, 4e-7);
 }
 
 }  // namespace

@@ -15,8 +15,9 @@ namespace muckpile::test {
 namespace {
 
 WallOptions options_of(const std::vector<std::string>& words) {
-  return wall_options(parse_args(wall_table(), "fix muckpile/wall 'floor'", words),
-                      "fix muckpile/wall 'floor'");
+  const std::string where = "fix muckpile/wall 'floor'";
+  return wall_options(parse_args(wall_table(), where, words), {Vec3(0, 0, -5), Vec3(20, 20, 15)},
+                      where);
 }
 std::string refusal_of(const std::vector<std::string>& words) {
   return input_error_of([&] { (void)options_of(words); });
@@ -57,6 +58,49 @@ TEST(WallOptions, MeshIsReadInItsUnitAndFromItsOrigin) {
   EXPECT_NEAR(options.surface->depth({10, 5, 2.5}), 0.5, 1e-12);
   EXPECT_EQ(options.surface->depth({10, 5, 3.5}), 0.0);
   EXPECT_EQ(options.surface->depth({30, 5, 2.5}), 0.0);
+  const std::string told = "fix muckpile/wall 'floor': mesh " + file +
+                           ": 2 triangles of 400 m2 from 0 0 3 to 20 20 3 m, ";
+  EXPECT_TRUE(options.told.starts_with(told)) << options.told;
+  EXPECT_TRUE(options.told.ends_with(" MB on each rank\n")) << options.told;
+  EXPECT_EQ(options_of(kLevel).told, "");
+}
+
+/// Two triangles from x, y = 0, the second of which may be turned.
+std::string square(const testing::TemporaryFolder& folder, const std::string& side, bool turned) {
+  const std::string file = (folder.path() / "square.stl").string();
+  const auto facet = [](const std::string& a, const std::string& b, const std::string& c) {
+    return "facet normal 0 0 0\nouter loop\nvertex " + a + "\nvertex " + b + "\nvertex " + c +
+           "\nendloop\nendfacet\n";
+  };
+  const std::string a = "0 0 0", b = side + " 0 0", c = side + " " + side + " 0",
+                    d = "0 " + side + " 0";
+  testing::write_text(file, "solid s\n" + facet(a, b, c) +
+                                (turned ? facet(a, d, c) : facet(a, c, d)) + "endsolid s\n");
+  return file;
+}
+
+TEST(WallOptions, MeshThatCannotBeMeantIsRefused) {
+  const testing::TemporaryFolder folder;
+  const auto says = [&](const std::string& side, bool turned, const std::string& text,
+                        const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words{"mesh", square(folder, side, turned)};
+    words.insert(words.end(), more.begin(), more.end());
+    const std::string where = "fix muckpile/wall 'floor': mesh " + words[1] + ": ";
+    const std::string got = refusal_of(words);
+    EXPECT_EQ(got.substr(0, (where + text).size()), text.empty() ? "" : where + text);
+  };
+  says("20", false, "");
+  says("20", true,
+       "has triangles that are turned against each other at 1 edges, one of them from 20 20 0 to 0 "
+       "0 0 m; turn them so that all normals look out of the ground");
+  says("20000", false,
+       "must be in metres, got one from 0 0 0 to 20000 20000 0 m beside a simulation "
+       "box from 0 0 -5 to 20 20 15 m; it looks like millimetres: give unit 0.001");
+  says("20000", false, "", {"unit", "1"});
+  says("0.02", false, "must be in metres, ");
+  says("20", false,
+       "must be where the simulation box is, got one from -5000 -7000 0 to -4980 -6980 0 m",
+       {"origin", "5000", "7000", "0"});
 }
 
 TEST(WallOptions, WhatDoesNotFitIsRefused) {
@@ -75,7 +119,7 @@ TEST(WallOptions, WhatDoesNotFitIsRefused) {
             where + "rolling_friction must be -1 or >= 0, got '-0.5'");
   EXPECT_EQ(refusal_of(level_and({"youngs_modulus", "5"})),
             where + "youngs_modulus must be 0 or >= 1000 Pa, got '5'");
-  EXPECT_NE(refusal_of({"mesh", "no_such_file.stl"}).find("no_such_file.stl"), std::string::npos);
+  EXPECT_TRUE(refusal_of({"mesh", "no_such_file.stl"}).starts_with(where + "no_such_file.stl: "));
 }
 
 }  // namespace

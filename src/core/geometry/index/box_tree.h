@@ -31,6 +31,9 @@ class BoxTree {
   BoxTree(const std::vector<Item>& items, int most_in_a_leaf);
 
   [[nodiscard]] bool empty() const { return nodes_.empty(); }
+  [[nodiscard]] std::size_t bytes() const {
+    return order_.capacity() * sizeof(int) + nodes_.capacity() * sizeof(Node);
+  }
   [[nodiscard]] const Node& node(std::size_t number) const { return nodes_[number]; }
   /// Number of the item at a place of the nodes' ranges.
   [[nodiscard]] std::size_t item(int k) const {

@@ -56,6 +56,7 @@ std::vector<EdgeUse> edges_of(const std::vector<StlTriangle>& triangles) {
     const std::array<int, 3> c{corners.number(t[0]), corners.number(t[1]), corners.number(t[2])};
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = (k + 1) % 3;
+      if (c[k] == c[next]) continue;  // no edge: a sliver, its corners are one
       EdgeUse& use = edges[std::minmax(c[k], c[next])];
       ++(c[k] < c[next] ? use.forward : use.backward);
       use.from = t[k];
@@ -78,9 +79,18 @@ void refuse_edges(const std::vector<EdgeUse>& edges, const Wrong& wrong, const s
 }
 
 std::string both_text(const Vec3& surface_lo, const Vec3& surface_hi, const Vec3& lo,
-                      const Vec3& hi) {
-  return "got one from " + place_text(surface_lo) + " to " + place_text(surface_hi) +
-         " m beside a region from " + place_text(lo) + " to " + place_text(hi) + " m";
+                      const Vec3& hi, const std::string& box) {
+  return "got one " + extent_text(surface_lo, surface_hi) + " beside a " + box + ' ' +
+         extent_text(lo, hi);
+}
+
+void refuse_turned(const std::vector<EdgeUse>& edges, const std::string& where,
+                   const std::string& solid) {
+  refuse_edges(
+      edges,
+      [](const EdgeUse& e) { return e.forward + e.backward == 2 && e.forward != e.backward; },
+      where, "has triangles that are turned against each other",
+      "turn them so that all normals look out of the " + solid);
 }
 
 constexpr int kColumns = 40;  // to each side, to look at a surface
@@ -109,6 +119,10 @@ std::optional<std::pair<std::string, double>> other_unit(const Vec3& extent, con
 
 }  // namespace
 
+std::string extent_text(const Vec3& lo, const Vec3& hi) {
+  return "from " + place_text(lo) + " to " + place_text(hi) + " m";
+}
+
 void require_closed(const std::vector<StlTriangle>& triangles, const std::string& where) {
   const std::vector<EdgeUse> edges = edges_of(triangles);
   refuse_edges(
@@ -118,10 +132,12 @@ void require_closed(const std::vector<StlTriangle>& triangles, const std::string
   refuse_edges(
       edges, [](const EdgeUse& e) { return e.forward + e.backward > 2; }, where,
       "has more than two triangles", "take out those inside of the body, or what is there twice");
-  refuse_edges(
-      edges, [](const EdgeUse& e) { return e.forward != e.backward; }, where,
-      "has triangles that are turned against each other",
-      "turn them so that all normals look out of the rock");
+  refuse_turned(edges, where, "rock");
+}
+
+void require_turned_alike(const std::vector<StlTriangle>& triangles, const std::string& where,
+                          const std::string& solid) {
+  refuse_turned(edges_of(triangles), where, solid);
 }
 
 double enclosed_volume(const std::vector<StlTriangle>& triangles) {
@@ -177,21 +193,22 @@ void require_height_field(const SurfaceIndex& surface, const Vec3& lo, const Vec
 }
 
 void require_likely_unit(const Vec3& surface_lo, const Vec3& surface_hi, bool as_large,
-                         const Vec3& lo, const Vec3& hi, const std::string& where) {
+                         const Vec3& lo, const Vec3& hi, const std::string& where,
+                         const std::string& box) {
   const auto unit = other_unit(surface_hi - surface_lo, hi - lo, as_large);
   if (!unit) return;
-  refuse(where, "must be in metres, " + both_text(surface_lo, surface_hi, lo, hi) +
+  refuse(where, "must be in metres, " + both_text(surface_lo, surface_hi, lo, hi, box) +
                     "; it looks like " + unit->first + ": give unit " + rounded_text(unit->second) +
                     ", or unit 1 if it is in metres");
 }
 
 void require_at_box(const Vec3& surface_lo, const Vec3& surface_hi, const Vec3& lo, const Vec3& hi,
-                    const std::string& where, const std::string& so) {
+                    const std::string& where, const std::string& so, const std::string& box) {
   constexpr double kFar = 3.0;  // diagonals of the box
   const Vec3 gap = (surface_lo - hi).cwiseMax(lo - surface_hi).cwiseMax(0.0);
   if (gap.norm() == 0.0) return;
   const std::string got =
-      "must be where the region is, " + both_text(surface_lo, surface_hi, lo, hi);
+      "must be where the " + box + " is, " + both_text(surface_lo, surface_hi, lo, hi, box);
   if (gap.norm() > kFar * (hi - lo).norm()) {
     const Vec3 middle = 0.5 * (surface_lo + surface_hi);
     refuse(where, got +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What is refused of a surface that shall bound rock, with what to do.
+// What is refused of a surface that shall bound rock or hold it, with what to do.
 // Scope: `where` begins each message; lengths in metres, in the frame of the run.
 #pragma once
 
@@ -10,9 +10,17 @@
 
 namespace muckpile {
 
+/// From one corner of a box to the other, to a millimetre and with all digits of mine coordinates.
+[[nodiscard]] std::string extent_text(const Vec3& lo, const Vec3& hi);
+
 /// Throws InputError where edges have a triangle on one side only, more than two triangles meet at
 /// an edge, or two are turned against each other.
 void require_closed(const std::vector<StlTriangle>& triangles, const std::string& where);
+
+/// Throws InputError where two triangles that share an edge are turned against each other; `solid`
+/// is what all normals are to look out of.
+void require_turned_alike(const std::vector<StlTriangle>& triangles, const std::string& where,
+                          const std::string& solid);
 
 /// Volume that a closed surface encloses [m3]; negative if its triangles look inward.
 [[nodiscard]] double enclosed_volume(const std::vector<StlTriangle>& triangles);
@@ -26,11 +34,14 @@ void require_height_field(const SurfaceIndex& surface, const Vec3& lo, const Vec
 
 /// Throws InputError for a surface of a size that tells of another unit than the metre, as it
 /// stands beside the box. `as_large`: it should be about as large as the box, as a body of rock is.
+/// `box` is the word for the box.
 void require_likely_unit(const Vec3& surface_lo, const Vec3& surface_hi, bool as_large,
-                         const Vec3& lo, const Vec3& hi, const std::string& where);
+                         const Vec3& lo, const Vec3& hi, const std::string& where,
+                         const std::string& box = "region");
 
 /// Throws InputError for a surface that lies beside the box; `so` is what follows from that.
 void require_at_box(const Vec3& surface_lo, const Vec3& surface_hi, const Vec3& lo, const Vec3& hi,
-                    const std::string& where, const std::string& so);
+                    const std::string& where, const std::string& so,
+                    const std::string& box = "region");
 
 }  // namespace muckpile

@@ -74,6 +74,17 @@ SurfaceIndex::SurfaceIndex(std::vector<StlTriangle> triangles)
     normals_.push_back((t[1] - t[0]).cross(t[2] - t[0]).normalized());
 }
 
+double SurfaceIndex::area() const {
+  double area = 0.0;
+  for (const StlTriangle& t : triangles_) area += 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm();
+  return area;
+}
+
+std::size_t SurfaceIndex::bytes() const {
+  return triangles_.capacity() * sizeof(StlTriangle) + normals_.capacity() * sizeof(Vec3) +
+         tree_.bytes();
+}
+
 void SurfaceIndex::look_for_closest(std::size_t number, const Vec3& from, Closest& best) const {
   const BoxTree::Node& node = tree_.node(number);
   if (node.right == 0) {

@@ -19,6 +19,8 @@ class SurfaceIndex {
 
   [[nodiscard]] const std::vector<StlTriangle>& triangles() const { return triangles_; }
   [[nodiscard]] const Vec3& unit_normal(std::size_t triangle) const { return normals_[triangle]; }
+  [[nodiscard]] double area() const;  // [m2]
+  [[nodiscard]] std::size_t bytes() const;
   [[nodiscard]] const Vec3& lo() const { return tree_.node(0).lo; }  // of the box around all [m]
   [[nodiscard]] const Vec3& hi() const { return tree_.node(0).hi; }
 
