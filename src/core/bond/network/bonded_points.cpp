@@ -119,23 +119,69 @@ void BondedPoints::work(std::size_t f, const FacetMotion& motion, const ContactC
     parts_.books.losses.damping +=
         contact.weight * contact.point_area * damping * dt * sum(dot(rate, rate));
   }
-  if (traces.slipping.any()) rub(f, motion, contact, pull, dt);
+  if (!traces.slipping.any()) return;
+  if (facets_.tables.laws().crushes()) crush(f, motion, contact, pull, dt);
+  rub(f, motion, contact, pull, dt);
 }
 
-/// How much of the slip by which the spring alone would shed what friction cannot hold (`over`) is
+/// How much of the slip by which the spring alone would shed what the point cannot hold (`over`) is
 /// taken in this step: all, but where shear works through the blocks, too. There the facets of a
 /// block that slip would overshoot together. So all that the sides have moved in the step, which
 /// leaves the traction as it is, and of the rest what is stable if three facets do so at once, one
 /// in each direction.
-static Lanes slip_share(double through, const ContactConstants& contact, const LaneVec& over,
-                        const LaneVec& rate, double dt) {
+static Lanes slip_share(double through, double stiffness, const LaneVec& over, const LaneVec& rate,
+                        double dt) {
   constexpr double kHardly = 0.1, kAtOnce = 3.0;  // [-]
   if (through < kHardly) return 1.0;
   if (dt == 0.0) return 0.0;  // the pose of the last step, looked at again as a run goes on
   const double eased = 1.0 / (1.0 + kAtOnce * through);
-  const Lanes moved = contact.shear * dt * dot(over, rate);
+  const Lanes moved = stiffness * dt * dot(over, rate);
   const Lanes whole = max(dot(over, over), Lanes(1e-300));  // 0 at points that stick
   return eased + (1.0 - eased) * min(max(moved / whole, Lanes(0.0)), Lanes(1.0));
+}
+
+/// How stiff a facet is along its normal through the dilatations of its blocks [Pa/m].
+static double pressed_through_blocks(const FacetKinematics& facets, std::size_t f) {
+  const BondConstants bond = facets.tables.bond(f);
+  const Vec3 normal = facets.tables.normal(f);
+  const auto part = [&](int block, double area, const Vec3& opening) {
+    const auto b = static_cast<std::size_t>(block);
+    const double through = area * normal.dot(opening);
+    return facets.blocks.rock[b].lame_lambda * through * through / facets.blocks.volume(b);
+  };
+  return (part(facets.tables.i_of(f), bond.area_i, bond.opening_i) +
+          part(facets.tables.j_of(f), bond.area_j, bond.opening_j)) /
+         facets.tables.area(f);
+}
+
+/// Walls of points that slip, which stay in the dilatations, crush under a pressure beyond their
+/// strength: the two sides come closer for good. Losses as those of friction, below; what goes
+/// through the blocks goes with the mean of the points.
+void BondedPoints::crush(std::size_t f, const FacetMotion& motion, const ContactConstants& contact,
+                         FacetPull& pull, double dt) {
+  const double strength = facets_.tables.wall_strength(f);
+  const Lanes along = dot(pull.normal, pull.traction), rate = dot(pull.normal, pull.rate);
+  const LaneMask slipping = where_slipping(facets_.history.traces(f));
+  const Lanes over = choose(slipping, min(along + strength, Lanes(0.0)), 0.0);
+  const LaneMask crushes = over < 0.0;
+  if (none_of(crushes)) return;
+  const double spring = facets_.tables.bond(f).normal(),
+               blocks = pressed_through_blocks(facets_, f);
+  const double leaning =
+      slip_through_blocks(facets_, parts_.leaning, f).leaning * contact.shear / spring;
+  const Lanes closer =
+      slip_share(blocks / spring + leaning, spring, over * pull.normal, pull.rate, dt) / spring *
+      over;
+  const LaneVec in_axes = rotated_back(motion.axes(), closer * pull.normal);
+  ContactRows& contacts = parts_.history.contacts();
+  for (std::size_t p = 0; p < kFacetPoints; ++p)
+    if (crushes[p])
+      contacts.set_offset(f, p, contacts.offset(f, p) + in_axes.at(static_cast<int>(p)));
+  const Lanes mean = over - 0.5 * (spring * closer + blocks * sum(closer) / kFacetPoints);
+  parts_.books.losses.crush(
+      contact.weight * contact.point_area *
+      sum(choose(crushes, closer * (mean - strength) - dt * mean * rate, 0.0)));
+  pull.traction = pull.traction - over * pull.normal;
 }
 
 /// Friction and the dashpot of the points that slip, which stay in the dilatations: their normal
@@ -148,8 +194,9 @@ void BondedPoints::rub(std::size_t f, const FacetMotion& motion, const ContactCo
   const LaneMask slipping = where_slipping(facets_.history.traces(f));
   const Lanes rate = dot(pull.normal, pull.rate);
   const Lanes elastic = choose(slipping, dot(pull.normal, pull.traction), 0.0);
-  const Lanes normal =
-      min(elastic + choose(slipping, facets_.tables.contact_damping(f) * rate, 0.0), Lanes(0.0));
+  const Lanes normal = max(
+      min(elastic + choose(slipping, facets_.tables.contact_damping(f) * rate, 0.0), Lanes(0.0)),
+      Lanes(-facets_.tables.wall_strength(f)));
   const LaneVec shear = choose(slipping, Lanes(1.0), 0.0) * pull.traction - elastic * pull.normal;
   const LaneVec slip = pull.rate - rate * pull.normal;
   const auto [slips, kept] =
@@ -161,8 +208,8 @@ void BondedPoints::rub(std::size_t f, const FacetMotion& motion, const ContactCo
   if (none_of(slips)) return;
   const LaneVec over = (1.0 - kept) * shear;
   const SlipThroughBlocks through = slip_through_blocks(facets_, parts_.leaning, f);
-  const LaneVec slid = slip_share(through.most(), contact, over, pull.rate, dt) * (1.0 - kept) /
-                       contact.shear * shear;
+  const LaneVec slid = slip_share(through.most(), contact.shear, over, pull.rate, dt) *
+                       (1.0 - kept) / contact.shear * shear;
   const LaneVec in_axes = rotated_back(motion.axes(), slid);
   for (std::size_t p = 0; p < kFacetPoints; ++p)
     if (slips[p])
