@@ -115,7 +115,7 @@ void add_velocities(Rows& rows, const ResultFolder& folder, const RunData& run) 
     for (const size_t b : line.chosen) wanted[b] = 1;
   for (const FaceBand& band : rows.bands)
     for (const size_t b : band.layer) wanted[b] = 1;
-  SnapshotReader reader(run.blocks, wanted);
+  RowsOfRun reader(run, wanted);
   for (const auto& path : folder.snapshots()) {
     const Snapshot& now = reader.read(path);
     for (Line& line : rows.lines) add_velocity(line.rock, line.chosen, run.blocks, now);
