@@ -89,6 +89,8 @@ BenchFigures figures_of(const ResultFolder& folder, const RunData& run, const Be
                        PileShape::none(), 0.0};
   if (run.still)
     figures.pile = pile_shape(profile, bench.depth, mean_block_size(run.blocks, run.moved));
+  if (!run.muck.empty())  // there is muck below its surface, too
+    figures.pile.swell = figures.pile.bulk_volume = figures.pile.solid_volume = std::nan("");
   figures.collapse = collapse_of(bench, figures.thrown, figures.pile, profile.width);
   return figures;
 }

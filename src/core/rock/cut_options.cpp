@@ -177,7 +177,6 @@ std::size_t blocks_in_memory(std::size_t memory, int spheres_per_block) {
       std::min(0.5 * static_cast<double>(memory) / bytes_per_block, 5e6));
 }
 
-/// `muck FOLDER dx dy dz all`, or `moved SHARE` at its end.
 void read_muck(CutOptions& options, const ArgValues& args) {
   if (!args.given("muck")) return;
   const Words& words = args.groups("muck").front();
@@ -188,11 +187,8 @@ void read_muck(CutOptions& options, const ArgValues& args) {
     muck.shift[c] = cut_real("muck", words[static_cast<std::size_t>(c) + 1], "m", place_range());
   muck.moved_only = words[4] == "moved";
   if (!muck.moved_only && words[4] != "all")
-    refuse_cut("muck must have 'all' or 'moved SHARE' behind its shift, got '" + words[4] + "'");
-  if (words.size() != (muck.moved_only ? 6U : 5U))
-    refuse_cut(std::string("muck takes ") + (muck.moved_only ? "one number" : "nothing") +
-               " behind '" + words[4] + "'");
-  if (muck.moved_only) muck.overlap = cut_real("muck", words[5], "", Range::closed(0.0, 1.0));
+    refuse_cut("muck must have 'all' or 'moved' behind its shift, got '" + words[4] + "'");
+  if (words.size() > 5) muck.overlap = cut_real("muck", words[5], "", Range::closed(0.0, 1.0));
   options.muck = muck;
 }
 
