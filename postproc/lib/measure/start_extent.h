@@ -7,7 +7,8 @@
 
 namespace muckpile {
 
-// extent_of(blocks, start_snapshot(blocks).states) of the rock, without the snapshot and without muck.
+// extent_of(blocks, start_snapshot(blocks).states) of the rock, without the snapshot and without
+// muck.
 Extent extent_at_start(const std::vector<StartBlock>& blocks);
 
 }  // namespace muckpile

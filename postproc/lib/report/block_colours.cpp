@@ -87,7 +87,8 @@ BlockColours block_colours(ColourBy by, const std::vector<StartBlock>& blocks,
     return colours;
   }
   const auto rock = std::span<const double>(values).first(rock_blocks(blocks));
-  const auto [low, high] = std::ranges::minmax(rock.empty() ? std::span<const double>(values) : rock);
+  const auto [low, high] =
+      std::ranges::minmax(rock.empty() ? std::span<const double>(values) : rock);
   const bool share = by == ColourBy::kBroken;
   const bool from_zero = share || by == ColourBy::kSpeed || by == ColourBy::kDisplacement;
   colours.map = map_of(by, from_zero ? 0.0 : low, share ? 1.0 : fixed_high.value_or(high));

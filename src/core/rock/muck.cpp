@@ -94,23 +94,27 @@ bool stands(const SavedBlock& block) {
   return (block.centre - block.mass.centroid).norm() <= std::cbrt(block.mass.volume);
 }
 
-void require_in_box(const MuckSource& source, const SavedBlock& saved, const Block& block) {
-  for (const Vec3& v : block.shape.vertices) {
-    if ((v.array() >= source.lo.array()).all() && (v.array() <= source.hi.array()).all()) continue;
-    throw InputError(name_of(source) + ": must lie inside the simulation box, got block " +
-                     std::to_string(saved.id) + " at '" + number_text(v.x()) + ' ' +
-                     number_text(v.y()) + ' ' + number_text(v.z()) +
-                     "' m; take another shift, or make the box larger");
-  }
+/// Throws where nothing may be left out.
+bool beyond_the_box(const MuckSource& source, const SavedBlock& saved, const Block& block) {
+  const BoxTree::Item box = box_around(block);
+  if ((box.lo.array() >= source.lo.array()).all() && (box.hi.array() <= source.hi.array()).all())
+    return false;
+  if (source.overlap > 0.0) return true;
+  const Vec3& at = block.mass.centroid;
+  throw InputError(name_of(source) + ": must lie inside the simulation box, got block " +
+                   std::to_string(saved.id) + " around '" + number_text(at.x()) + ' ' +
+                   number_text(at.y()) + ' ' + number_text(at.z()) +
+                   "' m; take another shift, or make the box larger");
 }
 
 void require_most_left(const MuckSource& source, const Muck& muck, double mass, int first) {
   if (muck.in_rock.mass > source.overlap * (mass + muck.in_rock.mass))
     throw InputError(name_of(source) + ": at most " + number_text(source.overlap) +
-                     " of its mass may overlap the rock, got " +
+                     " of its mass may lie in the rock or beyond the box, got " +
                      std::to_string(muck.in_rock.blocks) + " blocks, " +
-                     number_text(muck.in_rock.mass / (mass + muck.in_rock.mass)) + " of it, block " +
-                     std::to_string(first) + " first; take another shift, or allow more");
+                     number_text(muck.in_rock.mass / (mass + muck.in_rock.mass)) +
+                     " of it, block " + std::to_string(first) +
+                     " first; take another shift, or allow more");
   if (muck.blocks.empty())
     throw InputError(name_of(source) + ": none of its blocks " +
                      (source.moved_only ? "has moved by its own size and lies" : "lies") +
@@ -131,14 +135,13 @@ Muck lay_muck(const MuckSource& source, const std::vector<Block>& rock, int sphe
   for (const SavedBlock& saved : pile.blocks) {
     const Block block = laid(saved, source.shift);
     const bool standing = source.moved_only && stands(saved);
-    if (standing || in_the_way.holds(block)) {
+    if (standing || beyond_the_box(source, saved, block) || in_the_way.holds(block)) {
       Muck::LeftOut& left_out = standing ? muck.standing : muck.in_rock;
       if (!standing && left_out.blocks == 0) first_in_rock = saved.id;
       ++left_out.blocks;
       left_out.mass += saved.kg;
       continue;
     }
-    require_in_box(source, saved, block);
     mass += saved.kg;
     if (saved.speed > kStill) moving += saved.kg;
     muck.blocks.push_back(block);

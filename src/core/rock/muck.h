@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Muck that lies in front of the rock before the blast: blocks of an earlier run, loose and at rest.
-// Scope: start configuration; no joints, neither among each other nor with the rock.
+// Muck that lies in front of the rock before the blast: blocks of an earlier run, loose and at
+// rest. Scope: start configuration; no joints, neither among each other nor with the rock.
 #pragma once
 
 #include <limits>
@@ -18,7 +18,8 @@ struct MuckSource {
   std::string folder;         ///< of results (saved_pile.h)
   Vec3 shift = Vec3::Zero();  ///< from there to this run [m]
   bool moved_only = false;    ///< blocks that have not left their place are the rock of that run
-  double overlap = 0.0;       ///< greatest share of their mass in the rock of this run, left out
+  /// Greatest share of their mass in the rock of this run or beyond its box, which is left out.
+  double overlap = 0.0;
   /// Of the simulation box [m].
   Vec3 lo = Vec3::Constant(-std::numeric_limits<double>::infinity()), hi = -lo;
 };
@@ -28,22 +29,23 @@ struct Muck {
     std::size_t blocks = 0;
     double mass = 0.0;  ///< [kg]
   };
-  std::vector<Block> blocks;       ///< as they lie
-  std::vector<RigidBody> bodies;   ///< one per block
+  std::vector<Block> blocks;      ///< as they lie
+  std::vector<RigidBody> bodies;  ///< one per block
   std::vector<BoundaryFace> faces;
-  LeftOut standing, in_rock;
+  LeftOut standing;
+  LeftOut in_rock;            ///< or beyond the box
   double time = 0.0;          ///< of the snapshot [s]
   double moving_share = 0.0;  ///< mass share that was still faster than 0.1 m/s
 };
 
 /// `first_tag` is of the first block. Throws InputError if there is no such pile (saved_pile.h),
-/// none of it is left, more of it than allowed overlaps blocks of `rock` by more than a tenth of
-/// its volume, or it reaches out of the box.
+/// none of it is left, or more of it than allowed lies beyond the box or in the rock: overlaps
+/// blocks of `rock` by more than a tenth of its volume.
 [[nodiscard]] Muck lay_muck(const MuckSource& source, const std::vector<Block>& rock,
                             int spheres_per_block, double sphere_growth, int first_tag);
 
-/// For the log: "" without muck. Swell is the volume under its surface, above its lowest point, over
-/// that of its blocks.
+/// For the log: "" without muck. Swell is the volume under its surface, above its lowest point,
+/// over that of its blocks.
 [[nodiscard]] std::string describe_muck(const Muck& muck, const MuckSource& source);
 
 /// Volume under the surface of blocks, down to `floor` or, where a column of them begins more than

@@ -73,8 +73,7 @@ TEST_F(MuckInFront, IsInNoMeasureOfTheProfile) {
 }
 
 TEST_F(MuckInFront, IsInNoFragment) {
-  for (const auto& path : {without_.path(), with_.path()})
-    report_fragments(ResultFolder(path), {});
+  for (const auto& path : {without_.path(), with_.path()}) report_fragments(ResultFolder(path), {});
   const auto without = summary(without_), with = summary(with_);
   for (const auto& [key, value] : without.items()) EXPECT_EQ(with[key], value) << key;
 }
@@ -101,8 +100,9 @@ TEST_F(MuckInFront, FollowsTheRockInTheFile) {
   const size_t first = text.find("\n0\n", at);
   text[first + 1] = '1';
   write_text(with_.path() / "dump" / "blocks.vtk", text);
-  EXPECT_NE(input_error_of([&] { (void)ResultFolder(with_.path()).blocks(); })
-                .find("the ids of muck must be greater than those of rock"),
+  EXPECT_NE(input_error_of([&] {
+              (void)ResultFolder(with_.path()).blocks();
+            }).find("the ids of muck must be greater than those of rock"),
             std::string::npos);
 }
 

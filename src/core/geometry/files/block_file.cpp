@@ -80,11 +80,10 @@ void write_blocks(const std::string& path, const std::vector<Block>& blocks, int
   write_scalars(out, "volume_m3", "double", blocks.size(), volume);
   write_scalars(out, "size_m", "double", blocks.size(),
                 [&](std::size_t b) { return std::cbrt(volume(b)); });
-  write_scalars(out, "mass_kg", "double", blocks.size(),
-                [&](std::size_t b) {
-                  if (b >= rock) return muck[b - rock];
-                  return density[zones.empty() ? 0 : zones[b]] * volume(b);
-                });
+  write_scalars(out, "mass_kg", "double", blocks.size(), [&](std::size_t b) {
+    if (b >= rock) return muck[b - rock];
+    return density[zones.empty() ? 0 : zones[b]] * volume(b);
+  });
   write_scalars(out, "on_free_face", "int", blocks.size(), [&](std::size_t b) {
     const auto& n = blocks[b].neighbour;
     return b < rock && std::count(n.begin(), n.end(), kFreeFace) > 0 ? 1 : 0;
@@ -93,7 +92,8 @@ void write_blocks(const std::string& path, const std::vector<Block>& blocks, int
     write_scalars(out, "zone", "int", blocks.size(),
                   [&](std::size_t b) { return b < rock ? int{zones[b]} : 0; });
   if (!muck.empty())
-    write_scalars(out, "muck", "int", blocks.size(), [&](std::size_t b) { return b < rock ? 0 : 1; });
+    write_scalars(out, "muck", "int", blocks.size(),
+                  [&](std::size_t b) { return b < rock ? 0 : 1; });
   if (!out.flush()) throw InputError("cannot write '" + path + "': " + std::strerror(errno));
 }
 
