@@ -44,8 +44,6 @@ inline constexpr Colour kWhite{1.0F, 1.0F, 1.0F};
 inline constexpr Colour kInk{0.13F, 0.14F, 0.16F};
 inline constexpr Colour kGrey{0.55F, 0.57F, 0.60F};
 inline constexpr Colour kRockInPlace{0.80F, 0.81F, 0.82F};
-// That lay in front of the face before the blast.
-inline constexpr Colour kMuck{0.36F, 0.55F, 0.55F};
 inline constexpr Colour kSignal{0.80F, 0.13F, 0.13F};
 inline constexpr Colour kBench{0.12F, 0.35F, 0.62F};
 

@@ -15,6 +15,7 @@
 #include "geometry/files/cell_data.h"
 #include "geometry/files/cell_file.h"
 #include "io/file_text.h"
+#include "io/muck.h"
 #include "io/plain_cells.h"
 #include "parallel/in_parallel.h"
 
@@ -87,14 +88,14 @@ std::vector<StartBlock> read_blocks(const std::filesystem::path& path) {
         free_face[c] != 0.0};
     const MassProperties exact = mass_properties(blocks[c].shape);
     blocks[c].centroid = exact.centroid;
-    blocks[c].muck = muck != data.end() && muck->second[c] != 0.0;
+    if (muck != data.end() && muck->second[c] != 0.0) blocks[c].image = kMuckImage;
     check(blocks[c], exact.volume, file);
   });
   std::ranges::sort(blocks, {}, &StartBlock::id);
   const auto twin = std::ranges::adjacent_find(blocks, {}, &StartBlock::id);
   if (twin != blocks.end())
     throw InputError(file + ": id " + std::to_string(twin->id) + " occurs twice");
-  if (!std::ranges::is_sorted(blocks, {}, &StartBlock::muck))
+  if (!std::ranges::is_sorted(blocks, {}, is_muck))
     throw InputError(file + ": the ids of muck must be greater than those of rock");
   return blocks;
 }

@@ -20,13 +20,12 @@ struct StartBlock {
   double size;       // volume^(1/3) [m]
   double mass;       // [kg]
   bool on_free_face;
-  int image = 0;      // 0: of the model; else behind its symmetry planes (io/images.h)
-  bool muck = false;  // lay loose in front of the rock (io/muck.h)
+  int image = 0;  // 0: of the model; else behind its symmetry planes (io/images.h)
 };
 
 // All blocks, in ascending order of id. Throws InputError, naming the file, if the file
 // is cut short or damaged, an array is missing, an id occurs twice, or a polyhedron's volume is not
-// the volume_m3 that the file states, or muck comes before rock.
+// the volume_m3 that the file states.
 std::vector<StartBlock> read_blocks(const std::filesystem::path& path);
 
 }  // namespace muckpile

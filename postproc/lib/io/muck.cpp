@@ -20,7 +20,7 @@ std::vector<Item> split(std::vector<Item>& all, size_t first) {
 }  // namespace
 
 size_t rock_blocks(const std::vector<StartBlock>& blocks) {
-  return static_cast<size_t>(std::ranges::find(blocks, true, &StartBlock::muck) - blocks.begin());
+  return static_cast<size_t>(std::ranges::find_if(blocks, is_muck) - blocks.begin());
 }
 
 std::vector<StartBlock> split_muck(std::vector<StartBlock>& blocks) {

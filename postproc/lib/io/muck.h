@@ -9,6 +9,10 @@
 
 namespace muckpile {
 
+// StartBlock::image of muck.
+inline constexpr int kMuckImage = -1;
+inline bool is_muck(const StartBlock& block) { return block.image == kMuckImage; }
+
 // How many of the blocks are rock.
 size_t rock_blocks(const std::vector<StartBlock>& blocks);
 

@@ -28,8 +28,7 @@ class ResultFolder {
 
   // dump/blocks_<step>.csv in order of step. Throws InputError if there is none.
   [[nodiscard]] std::vector<std::filesystem::path> snapshots() const;
-  // Of the whole blast: those of the model, then their images behind its symmetry planes, or the
-  // muck that lay in front (io/muck.h).
+  // Of the whole blast: those of the model, then their images behind its symmetry planes.
   [[nodiscard]] std::vector<StartBlock> blocks() const;
   // How many times the model makes the blast: 1, or 2 or 4 by the scene's key symmetry. Throws
   // InputError on another number.

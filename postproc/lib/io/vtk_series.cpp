@@ -77,7 +77,7 @@ void set_state(const std::vector<StartBlock>& blocks, const Snapshot& snapshot,
   set_scalar<vtkFloatArray>(grid, "broken_fraction", n,
                             [&](size_t b) { return states[b].broken_fraction; });
   if (rock_blocks(blocks) < n)
-    set_scalar<vtkIntArray>(grid, "muck", n, [&](size_t b) { return blocks[b].muck ? 1 : 0; });
+    set_scalar<vtkIntArray>(grid, "muck", n, [&](size_t b) { return is_muck(blocks[b]) ? 1 : 0; });
   set_vector(grid, "velocity_m_s", n, [&](size_t b) { return states[b].velocity; });
   set_vector(grid, "spin_rad_s", n, [&](size_t b) { return states[b].spin; });
   set_vector(grid, "start_m", n, [&](size_t b) { return blocks[b].centroid; });

@@ -7,8 +7,7 @@
 
 namespace muckpile {
 
-// extent_of(blocks, start_snapshot(blocks).states) of the rock, without the snapshot and without
-// muck.
+// extent_of(blocks, start_snapshot(blocks).states), without the snapshot.
 Extent extent_at_start(const std::vector<StartBlock>& blocks);
 
 }  // namespace muckpile

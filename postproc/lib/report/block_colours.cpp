@@ -40,7 +40,7 @@ ColourFacts facts_of(ColourBy by) {
 
 void paint_muck(const std::vector<StartBlock>& blocks, BlockColours& colours) {
   for (size_t b = 0; b < blocks.size(); ++b)
-    if (blocks[b].muck) colours.of_block[b] = kMuck;
+    if (is_muck(blocks[b])) colours.of_block[b] = kMuck;
 }
 
 ColourMap map_of(ColourBy by, double low, double high) {

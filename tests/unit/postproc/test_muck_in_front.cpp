@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "args/input_error.h"
-#include "draw/colours.h"
 #include "geometry/files/block_file.h"
 #include "input_error_of.h"
 #include "report/block_colours.h"
