@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "args/input_error.h"
 #include "args/numbers.h"
@@ -107,10 +108,18 @@ bool beyond_the_box(const MuckSource& source, const SavedBlock& saved, const Blo
                    "' m; take another shift, or make the box larger");
 }
 
+/// What rests on the floor has sunk in by its elastic overlap only.
+bool in_the_floor(const MuckSource& source, const RigidBody& body) {
+  constexpr double kMostSunk = 0.1;  // [radii]
+  return std::any_of(body.spheres.begin(), body.spheres.end(), [&](const Sphere& sphere) {
+    return sphere.centre.z() - (1.0 - kMostSunk) * sphere.radius < source.floor;
+  });
+}
+
 void require_most_left(const MuckSource& source, const Muck& muck, double mass, int first) {
   if (muck.in_rock.mass > source.overlap * (mass + muck.in_rock.mass))
     throw InputError(name_of(source) + ": at most " + number_text(source.overlap) +
-                     " of its mass may lie in the rock or beyond the box, got " +
+                     " of its mass may lie in the rock, in the floor or beyond the box, got " +
                      std::to_string(muck.in_rock.blocks) + " blocks, " +
                      number_text(muck.in_rock.mass / (mass + muck.in_rock.mass)) +
                      " of it, block " + std::to_string(first) +
@@ -134,8 +143,10 @@ Muck lay_muck(const MuckSource& source, const std::vector<Block>& rock, int sphe
   int first_in_rock = 0;
   for (const SavedBlock& saved : pile.blocks) {
     const Block block = laid(saved, source.shift);
+    RigidBody body = laid_body(saved, source.shift, spheres_per_block, sphere_growth);
     const bool standing = source.moved_only && stands(saved);
-    if (standing || beyond_the_box(source, saved, block) || in_the_way.holds(block)) {
+    if (standing || beyond_the_box(source, saved, block) || in_the_floor(source, body) ||
+        in_the_way.holds(block)) {
       Muck::LeftOut& left_out = standing ? muck.standing : muck.in_rock;
       if (!standing && left_out.blocks == 0) first_in_rock = saved.id;
       ++left_out.blocks;
@@ -145,7 +156,7 @@ Muck lay_muck(const MuckSource& source, const std::vector<Block>& rock, int sphe
     mass += saved.kg;
     if (saved.speed > kStill) moving += saved.kg;
     muck.blocks.push_back(block);
-    muck.bodies.push_back(laid_body(saved, source.shift, spheres_per_block, sphere_growth));
+    muck.bodies.push_back(std::move(body));
   }
   require_most_left(source, muck, mass, first_in_rock);
   muck.moving_share = moving / mass;

@@ -20,8 +20,8 @@ struct MuckSource {
   bool moved_only = false;    ///< blocks that have not left their place are the rock of that run
   /// Greatest share of their mass in the rock of this run or beyond its box, which is left out.
   double overlap = 0.0;
-  /// Of the simulation box [m].
-  Vec3 lo = Vec3::Constant(-std::numeric_limits<double>::infinity()), hi = -lo;
+  double floor = -std::numeric_limits<double>::infinity();  ///< z of level ground [m]
+  Vec3 lo = Vec3::Constant(floor), hi = -lo;                ///< of the simulation box [m]
 };
 
 struct Muck {
@@ -33,14 +33,15 @@ struct Muck {
   std::vector<RigidBody> bodies;  ///< one per block
   std::vector<BoundaryFace> faces;
   LeftOut standing;
-  LeftOut in_rock;            ///< or beyond the box
+  LeftOut in_rock;            ///< or in the floor, or beyond the box
   double time = 0.0;          ///< of the snapshot [s]
   double moving_share = 0.0;  ///< mass share that was still faster than 0.1 m/s
 };
 
 /// `first_tag` is of the first block. Throws InputError if there is no such pile (saved_pile.h),
 /// none of it is left, or more of it than allowed lies beyond the box or in the rock: overlaps
-/// blocks of `rock` by more than a tenth of its volume.
+/// blocks of `rock` by more than a tenth of its volume, or reaches with a contact sphere into the
+/// floor by more than a tenth of its radius.
 [[nodiscard]] Muck lay_muck(const MuckSource& source, const std::vector<Block>& rock,
                             int spheres_per_block, double sphere_growth, int first_tag);
 

@@ -110,7 +110,7 @@ std::string describe_muck(const Muck& muck, const MuckSource& source) {
          << " kg, that have not left their place\n";
   if (muck.in_rock.blocks > 0)
     text << "  muck: left out are " << muck.in_rock.blocks << " blocks, " << muck.in_rock.mass
-         << " kg, in what is rock now or beyond the box\n";
+         << " kg, in what is rock or floor now, or beyond the box\n";
   constexpr double kMoving = 0.02;
   if (muck.moving_share > kMoving)
     text << "WARNING: create_blocks: " << 100.0 * muck.moving_share
