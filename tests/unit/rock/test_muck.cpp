@@ -132,7 +132,20 @@ TEST_F(MuckOfAnEarlierRun, LeavesOutWhatStandsAndWhatIsInRock) {
   EXPECT_EQ(muck.in_rock.blocks, 1u);
   const std::string text = describe_muck(muck, from);
   EXPECT_NE(text.find("1 blocks of 0.5 m"), std::string::npos) << text;
-  EXPECT_NE(text.find("250 kg, in what is rock now or beyond the box"), std::string::npos) << text;
+  EXPECT_NE(text.find("250 kg, in what is rock or floor now, or beyond the box"), std::string::npos)
+      << text;
+}
+
+TEST_F(MuckOfAnEarlierRun, LeavesOutWhatIsInTheFloor) {
+  MuckSource from = source();  // spheres of 0.3 m in boxes whose lower faces are at 0, 0.05 and 0
+  from.overlap = 0.7;
+  from.floor = -0.06;
+  EXPECT_EQ(lay(from).blocks.size(), 3u);
+  from.floor = 0.0;
+  const Muck muck = lay(from);
+  EXPECT_EQ(muck.in_rock.blocks, 2u);
+  ASSERT_EQ(muck.blocks.size(), 1u);
+  EXPECT_NEAR(muck.bodies[0].centre.x(), 3.0, 1e-9);
 }
 
 TEST_F(MuckOfAnEarlierRun, MayTouchRockWithACorner) {
@@ -144,7 +157,8 @@ TEST_F(MuckOfAnEarlierRun, MayTouchRockWithACorner) {
 TEST_F(MuckOfAnEarlierRun, IsRefusedInRock) {
   EXPECT_EQ(refusal(source(), {box_block({4.5, 0.0, 0.0}, 1.0)}),
             "muck '" + folder_.path().string() +
-                "': at most 0 of its mass may lie in the rock or beyond the box, got 1 blocks, " +
+                "': at most 0 of its mass may lie in the rock, in the floor or beyond the box, got "
+                "1 blocks, " +
                 number_text(1.0 / 3.0) +
                 " of it, block 9 first; take another shift, or allow more");
   MuckSource from = source();
