@@ -9,13 +9,13 @@
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
 #include "io/pattern_charges.h"
-#include "io/snapshot_reader.h"
 #include "measure/face_velocity.h"
 #include "measure/hole_rock.h"
 #include "report/bench_scene.h"
 #include "report/not_measurable.h"
 #include "report/notes.h"
 #include "report/reports.h"
+#include "report/rows_of_run.h"
 #include "report/run_data.h"
 
 namespace muckpile {
