@@ -7,58 +7,20 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <string>
 #include <utility>
 
 #include "args/input_error.h"
 #include "args/text_words.h"
+#include "geometry/files/cell_data.h"
 #include "geometry/files/cell_file.h"
 #include "io/file_text.h"
+#include "io/muck.h"
 #include "io/plain_cells.h"
 #include "parallel/in_parallel.h"
 
 namespace muckpile {
 namespace {
-
-using CellData = std::map<std::string, std::vector<double>>;
-
-std::vector<double> read_scalars(TextWords& text, size_t cells, const std::string& where) {
-  (void)text.line();  // type and the number of components, which may be left out
-  const std::string_view table = text.word();
-  if (table != "LOOKUP_TABLE" || text.word().empty())
-    throw InputError(where + "LOOKUP_TABLE expected, got '" + std::string(table) + "'");
-  std::vector<double> values(cells);
-  for (size_t k = 0; k < cells; ++k)
-    if (!text.number(values[k]))
-      throw InputError(where + "must have a number for each of " + std::to_string(cells) +
-                       " cells, got " + std::to_string(k));
-  return values;
-}
-
-// What stands behind the cells.
-CellData read_cell_data(TextWords& text, size_t cells, const std::string& file) {
-  size_t count = 0;
-  if (text.word() != "CELL_DATA" || !text.number(count) || count != cells)
-    throw InputError(file + ": 'CELL_DATA " + std::to_string(cells) +
-                     "' expected behind the cells");
-  CellData data;
-  for (std::string word(text.word()); !word.empty(); word = text.word()) {
-    const std::string name(text.word());
-    if (word != "SCALARS" || name.empty())
-      throw InputError(file + ": 'SCALARS' and a name expected, got '" + word + "'");
-    data[name] = read_scalars(text, cells, file + ": " + name + ": ");
-  }
-  return data;
-}
-
-const std::vector<double>& cell_array(const CellData& data, const char* name,
-                                      const std::string& file) {
-  const auto found = data.find(name);
-  if (found == data.end())
-    throw InputError(file + ": has no cell data '" + std::string(name) + "'");
-  return found->second;
-}
 
 struct FileTables {
   CellTable cells;
@@ -117,6 +79,8 @@ std::vector<StartBlock> read_blocks(const std::filesystem::path& path) {
   const auto& mass = cell_array(data, "mass_kg", file);
   const auto& free_face = cell_array(data, "on_free_face", file);
 
+  const auto muck = data.find("muck");
+
   std::vector<StartBlock> blocks(cells.cells());
   each_in_parallel(cells.cells(), [&](size_t c) {
     blocks[c] = {
@@ -124,12 +88,15 @@ std::vector<StartBlock> read_blocks(const std::filesystem::path& path) {
         free_face[c] != 0.0};
     const MassProperties exact = mass_properties(blocks[c].shape);
     blocks[c].centroid = exact.centroid;
+    if (muck != data.end() && muck->second[c] != 0.0) blocks[c].image = kMuckImage;
     check(blocks[c], exact.volume, file);
   });
   std::ranges::sort(blocks, {}, &StartBlock::id);
   const auto twin = std::ranges::adjacent_find(blocks, {}, &StartBlock::id);
   if (twin != blocks.end())
     throw InputError(file + ": id " + std::to_string(twin->id) + " occurs twice");
+  if (!std::ranges::is_sorted(blocks, {}, is_muck))
+    throw InputError(file + ": the ids of muck must be greater than those of rock");
   return blocks;
 }
 

@@ -8,6 +8,7 @@
 
 #include "args/input_error.h"
 #include "io/images.h"
+#include "io/muck.h"
 #include "io/run_id.h"
 
 namespace muckpile {
@@ -22,6 +23,8 @@ ResultFolder::ResultFolder(std::filesystem::path folder) : folder_(std::move(fol
 
 std::vector<StartBlock> ResultFolder::blocks() const {
   std::vector<StartBlock> blocks = read_blocks(dump("blocks.vtk"));
+  if (symmetry() != 1 && rock_blocks(blocks) != blocks.size())
+    throw InputError(dump("blocks.vtk").string() + ": muck in a model with images is not measured");
   add_images(blocks, symmetry());
   return blocks;
 }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "args/input_error.h"
+#include "io/muck.h"
 #include "io/posed_block.h"
 #include "measure/scan_polygon.h"
 #include "measure/start_extent.h"
@@ -171,6 +172,11 @@ Extent extent_of(const std::vector<StartBlock>& blocks, const std::vector<BlockS
 }
 
 Extent extent_at_start(const std::vector<StartBlock>& blocks) {
+  if (rock_blocks(blocks) < blocks.size()) {
+    std::vector<StartBlock> rock = blocks;
+    (void)split_muck(rock);
+    return extent_at_start(rock);
+  }
   return extent_where(blocks, [&](size_t b) { return start_state(blocks[b]); });
 }
 

@@ -4,9 +4,11 @@
 #include "report/block_colours.h"
 
 #include <algorithm>
+#include <span>
 
 #include "args/input_error.h"
 #include "draw/axes.h"
+#include "io/muck.h"
 #include "report/block_values.h"
 
 namespace muckpile {
@@ -34,6 +36,11 @@ ColourFacts facts_of(ColourBy by) {
       break;
   }
   return {"one colour per fragment", "fragment_id"};
+}
+
+void paint_muck(const std::vector<StartBlock>& blocks, BlockColours& colours) {
+  for (size_t b = 0; b < blocks.size(); ++b)
+    if (is_muck(blocks[b])) colours.of_block[b] = kMuck;
 }
 
 ColourMap map_of(ColourBy by, double low, double high) {
@@ -76,14 +83,18 @@ BlockColours block_colours(ColourBy by, const std::vector<StartBlock>& blocks,
     if (range) refuse("render", "--colour-range has no meaning for the colours of fragments");
     for (const double value : values)
       colours.of_block.push_back(colour_of_name(static_cast<int>(value)));
+    paint_muck(blocks, colours);
     return colours;
   }
-  const auto [low, high] = std::ranges::minmax(values);
+  const auto rock = std::span<const double>(values).first(rock_blocks(blocks));
+  const auto [low, high] =
+      std::ranges::minmax(rock.empty() ? std::span<const double>(values) : rock);
   const bool share = by == ColourBy::kBroken;
   const bool from_zero = share || by == ColourBy::kSpeed || by == ColourBy::kDisplacement;
   colours.map = map_of(by, from_zero ? 0.0 : low, share ? 1.0 : fixed_high.value_or(high));
   if (range) colours.map = map_of(by, (*range)[0], (*range)[1]);
   for (const double value : values) colours.of_block.push_back(colours.map->at(value));
+  paint_muck(blocks, colours);
   return colours;
 }
 

@@ -14,6 +14,9 @@
 
 namespace muckpile {
 
+// Of muck that lay in front of the face before the blast.
+inline constexpr Colour kMuck{0.36F, 0.55F, 0.55F};
+
 struct BlockColours {
   std::vector<Colour> of_block;  // by index
   std::string label;             // what the colours show, with unit

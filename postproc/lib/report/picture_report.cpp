@@ -9,6 +9,7 @@
 #include "draw/scene.h"
 #include "draw/title.h"
 #include "io/csv_writer.h"
+#include "io/muck.h"
 #include "io/snapshot_reader.h"
 #include "measure/start_extent.h"
 #include "report/block_colours.h"
@@ -107,6 +108,7 @@ class Picture {
     draw_title({28.0, 46.0}, time, warning, 28.0, canvas);
     std::string words =
         std::to_string(blocks_.size()) + " blocks; blue: box around the rock before the blast";
+    if (rock_blocks(blocks_) < blocks_.size()) words += "; grey-green: muck that lay in front";
     if (options_.mirror > 0) words += "; model repeated by mirror images at its symmetry planes";
     if (cut_) {
       char cut[64];

@@ -9,13 +9,13 @@
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
 #include "io/pattern_charges.h"
-#include "io/snapshot_reader.h"
 #include "measure/face_velocity.h"
 #include "measure/hole_rock.h"
 #include "report/bench_scene.h"
 #include "report/not_measurable.h"
 #include "report/notes.h"
 #include "report/reports.h"
+#include "report/rows_of_run.h"
 #include "report/run_data.h"
 
 namespace muckpile {
@@ -115,7 +115,7 @@ void add_velocities(Rows& rows, const ResultFolder& folder, const RunData& run) 
     for (const size_t b : line.chosen) wanted[b] = 1;
   for (const FaceBand& band : rows.bands)
     for (const size_t b : band.layer) wanted[b] = 1;
-  SnapshotReader reader(run.blocks, wanted);
+  RowsOfRun reader(run, wanted);
   for (const auto& path : folder.snapshots()) {
     const Snapshot& now = reader.read(path);
     for (Line& line : rows.lines) add_velocity(line.rock, line.chosen, run.blocks, now);

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "io/muck.h"
 #include "io/result_folder.h"
 #include "measure/broken_out.h"
 #include "report/options.h"
@@ -15,6 +16,8 @@ struct RunData {
   RunData(const ResultFolder& folder, const MeasureOptions& options)
       : blocks(folder.blocks()),
         last(read_snapshot(folder.snapshots().back(), blocks)),
+        muck(split_muck(blocks)),
+        muck_states(split_muck(last.states, blocks.size())),
         block_size(mean_block_size(blocks, std::vector<char>(blocks.size(), 1))),
         cell(options.cell.value_or(0.25 * block_size)),
         moved(broken_out(blocks, last.states, options.least_move.value_or(block_size))),
@@ -25,8 +28,17 @@ struct RunData {
     for (char& each : lies = on_the_move(last.states)) each = each == 0;
   }
 
-  std::vector<StartBlock> blocks;
-  Snapshot last;
+  // Rock and muck, as the snapshots have them.
+  [[nodiscard]] std::vector<StartBlock> with_muck() const {
+    std::vector<StartBlock> all = blocks;
+    all.insert(all.end(), muck.begin(), muck.end());
+    return all;
+  }
+
+  std::vector<StartBlock> blocks;  // of the rock alone: what is measured
+  Snapshot last;                   // of these
+  std::vector<StartBlock> muck;    // that lay in front, and its states
+  std::vector<BlockState> muck_states;
   double block_size;  // mean over all blocks [m]
   double cell;        // of columns [m]
   std::vector<char> moved;

@@ -9,10 +9,15 @@ namespace muckpile {
 
 SectionPlot section_of_run(const RunData& run, double y, ColourBy colour_by) {
   SectionPlot plot{};
-  plot.polygons = section_at(y, run.blocks, run.last.states);
+  const std::vector<StartBlock> all = run.with_muck();
+  Snapshot last = run.last;
+  last.states.insert(last.states.end(), run.muck_states.begin(), run.muck_states.end());
+  plot.polygons = section_at(y, all, last.states);
   plot.moved = run.moved;
-  plot.colours = block_colours(colour_by, run.blocks, run.last);
+  plot.moved.resize(all.size(), 1);
+  plot.colours = block_colours(colour_by, all, last);
   plot.note = section_note(y, run.last.time);
+  if (!run.muck.empty()) plot.note += "; muck that lay in front is grey-green";
   plot.warning = motion_warning(run.still);
   return plot;
 }
