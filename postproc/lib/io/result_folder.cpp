@@ -20,10 +20,13 @@ ResultFolder::ResultFolder(std::filesystem::path folder) : folder_(std::move(fol
   run_id_ = run_id_of(folder_ / "dump");
 }
 
-std::vector<StartBlock> ResultFolder::blocks() const {
-  std::vector<StartBlock> blocks = read_blocks(dump("blocks.vtk"));
-  add_images(blocks, symmetry());
-  return blocks;
+const std::vector<StartBlock>& ResultFolder::blocks() const {
+  if (blocks_ == nullptr) {
+    std::vector<StartBlock> blocks = read_blocks(dump("blocks.vtk"));
+    add_images(blocks, symmetry());
+    blocks_ = std::make_shared<const std::vector<StartBlock>>(std::move(blocks));
+  }
+  return *blocks_;
 }
 
 int ResultFolder::symmetry() const {
@@ -51,6 +54,13 @@ std::vector<std::filesystem::path> ResultFolder::snapshots() const {
 std::string ResultFolder::scene_word(const std::string& key) const {
   const auto found = scene_.find(key);
   return found != scene_.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+std::string ResultFolder::knob(const std::string& name) const {
+  const auto knobs = scene_.find("knobs");
+  if (knobs == scene_.end() || !knobs->is_object()) return {};
+  const auto found = knobs->find(name);
+  return found != knobs->end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
 double ResultFolder::scene_number(const std::string& key) const {

@@ -102,7 +102,7 @@ nlohmann::ordered_json keys_of(const Damage& damage) {
 
 Damage measured(const ResultFolder& folder, const DamageOptions& options) {
   const std::vector<FiredCharge> axes = axes_of(folder);
-  const std::vector<StartBlock> blocks = folder.blocks();
+  const std::vector<StartBlock>& blocks = folder.blocks();
   const Snapshot last = read_snapshot(folder.snapshots().back(), blocks);
   const double width =
       options.bin.value_or(mean_block_size(blocks, std::vector<char>(blocks.size(), 1)));

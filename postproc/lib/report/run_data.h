@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What every report starts from: the blocks, where they ended, and which of them were broken out.
-// Scope: loaded once per sub-command.
+// Scope: loaded once per sub-command; the folder must outlive it, as it keeps the blocks.
 #pragma once
 
 #include <vector>
@@ -12,20 +12,22 @@
 namespace muckpile {
 
 struct RunData {
-  RunData(const ResultFolder& folder, const MeasureOptions& options)
-      : blocks(folder.blocks()),
-        last(read_snapshot(folder.snapshots().back(), blocks)),
+  RunData(const ResultFolder& of, const MeasureOptions& options)
+      : folder(of),
+        blocks(of.blocks()),
+        last(read_snapshot(of.snapshots().back(), blocks)),
         block_size(mean_block_size(blocks, std::vector<char>(blocks.size(), 1))),
         cell(options.cell.value_or(0.25 * block_size)),
         moved(broken_out(blocks, last.states, options.least_move.value_or(block_size))),
         lies(blocks.size(), 1),
-        still(folder.is_still()) {
+        still(of.is_still()) {
     // At the end of a run that is not still nearly all may move: then the surface is that of all.
     if (!still) return;
     for (char& each : lies = on_the_move(last.states)) each = each == 0;
   }
 
-  std::vector<StartBlock> blocks;
+  const ResultFolder& folder;
+  const std::vector<StartBlock>& blocks;  // the folder's
   Snapshot last;
   double block_size;  // mean over all blocks [m]
   double cell;        // of columns [m]
