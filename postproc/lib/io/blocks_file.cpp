@@ -80,18 +80,20 @@ std::vector<StartBlock> read_blocks(const std::filesystem::path& path) {
   const auto& free_face = cell_array(data, "on_free_face", file);
 
   const auto muck = data.find("muck");
-
+  const auto zones = data.find("zone");
   std::vector<StartBlock> blocks(cells.cells());
   each_in_parallel(cells.cells(), [&](size_t c) {
     blocks[c] = {
         whole_id(id[c], file), cell_of(cells, c), Vec3::Zero(), volume[c], size[c], mass[c],
         free_face[c] != 0.0};
+    if (zones != data.end()) blocks[c].zone = static_cast<int>(zones->second[c]);
     const MassProperties exact = mass_properties(blocks[c].shape);
     blocks[c].centroid = exact.centroid;
     if (muck != data.end() && muck->second[c] != 0.0) blocks[c].image = kMuckImage;
     check(blocks[c], exact.volume, file);
   });
-  std::ranges::sort(blocks, {}, &StartBlock::id);
+  if (!std::ranges::is_sorted(blocks, {}, &StartBlock::id))
+    std::ranges::sort(blocks, {}, &StartBlock::id);
   const auto twin = std::ranges::adjacent_find(blocks, {}, &StartBlock::id);
   if (twin != blocks.end())
     throw InputError(file + ": id " + std::to_string(twin->id) + " occurs twice");

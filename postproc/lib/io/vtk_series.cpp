@@ -100,7 +100,7 @@ void write_grid(vtkUnstructuredGrid& grid, const std::filesystem::path& path) {
 }  // namespace
 
 int write_vtk_series(const ResultFolder& folder, int every) {
-  const std::vector<StartBlock> blocks = folder.blocks();
+  const std::vector<StartBlock>& blocks = folder.blocks();
   const std::filesystem::path target = folder.file("vtk");
   std::filesystem::create_directories(target);
   vtkNew<vtkUnstructuredGrid> grid;

@@ -103,9 +103,8 @@ nlohmann::ordered_json keys_of(const Damage& damage) {
 
 Damage measured(const ResultFolder& folder, const DamageOptions& options) {
   const std::vector<FiredCharge> axes = axes_of(folder);
-  std::vector<StartBlock> blocks = folder.blocks();
-  Snapshot last = read_snapshot(folder.snapshots().back(), blocks);
-  (void)split_muck(blocks);
+  const std::vector<StartBlock>& blocks = folder.rock();
+  Snapshot last = read_snapshot(folder.snapshots().back(), folder.blocks());
   (void)split_muck(last.states, blocks.size());
   const double width =
       options.bin.value_or(mean_block_size(blocks, std::vector<char>(blocks.size(), 1)));

@@ -77,7 +77,8 @@ struct BenchFigures {
 // formula is for a wall.
 double collapse_of(const BenchScene& bench, const Throw& thrown, const PileShape& pile,
                    double width) {
-  if (!bench.one_row || bench.planes.face_back > 0.0) return std::nan("");
+  const bool upright = bench.planes.face == nullptr && bench.planes.face_back == 0.0;
+  if (!bench.one_row || !upright) return std::nan("");
   return collapsed_beyond_toe(
       {bench.height, bench.burden, thrown.prism_volume / width, pile.swell, pile.rest_angle});
 }
@@ -131,6 +132,12 @@ nlohmann::ordered_json keys_of(const BenchFigures& figures, const RunData& run) 
   keys["profile_cell_m"] = run.cell;
   keys["blocks_on_the_move"] = std::ranges::count(run.lies, 0);
   keys.update(muck_keys(run));
+  return keys;
+}
+
+nlohmann::ordered_json own_keys(const RunData& run) {
+  nlohmann::ordered_json keys = keys_of({}, run);
+  keys["face_note"] = nullptr;
   return keys;
 }
 
@@ -201,7 +208,7 @@ void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
     throw InputError("profile: the run must be a bench, got 'crater'; use the sub-command crater");
   }
   const RunData run(folder, measure);
-  const BenchScene bench = bench_or_take_back(folder, run.blocks, "profile", keys_of({}, run));
+  const BenchScene bench = bench_or_take_back(folder, run.blocks, "profile", own_keys(run));
   const PileProfile profile =
       pile_profile(run.blocks, run.last, run.moved, run.cell, run.lies, bench.planes);
   const BenchFigures figures = figures_of(folder, run, bench, profile);
@@ -211,6 +218,8 @@ void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
   write_png(draw_section(std::move(plot)), folder.file("profile.png"));
   nlohmann::ordered_json keys = common_keys(folder);
   keys.update(keys_of(figures, run));
+  keys["face_note"] = nullptr;
+  if (!bench.face_note.empty()) keys["face_note"] = bench.face_note;
   folder.merge_into_summary(keys, {refusal_key("profile")});
 }
 

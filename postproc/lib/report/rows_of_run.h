@@ -15,10 +15,7 @@ class RowsOfRun {
  public:
   // `wanted` as in SnapshotReader, of run.blocks.
   RowsOfRun(const RunData& run, std::vector<char> wanted)
-      : all_(run.muck.empty() ? std::vector<StartBlock>() : run.with_muck()),
-        reader_(run.muck.empty() ? run.blocks : all_, with_muck(std::move(wanted), run)) {}
-  RowsOfRun(const RowsOfRun&) = delete;
-  RowsOfRun& operator=(const RowsOfRun&) = delete;
+      : reader_(run.folder.blocks(), with_muck(std::move(wanted), run)) {}
 
   // Holds until the next call.
   const Snapshot& read(const std::filesystem::path& path) { return reader_.read(path); }
@@ -28,7 +25,6 @@ class RowsOfRun {
     wanted.resize(run.blocks.size() + run.muck.size(), 0);
     return wanted;
   }
-  std::vector<StartBlock> all_;
   SnapshotReader reader_;
 };
 
