@@ -156,7 +156,9 @@ TEST(FixMuckpileJoint, RanksShareABodyWhoseWallsCrush) {
   EXPECT_GT(taken, 0.01 * alone.kinetic_energy());
   EXPECT_NEAR(shared.output("joint", crushing) / taken, 1.0, 1e-9);  // sums in another order
   EXPECT_LT(largest_difference(alone, shared), 1e-10);
-  EXPECT_LT(shared.output("ledger", 0), 0.01);
+  // Joints break under ten times what their walls bear, several of a block in one step: 0.012, and
+  // 0.006 in a quarter of the step.
+  EXPECT_LT(shared.output("ledger", 0), 0.015);
 }
 
 /// Friction on one rank and on all.

@@ -3,8 +3,11 @@
 // Scope: two blocks moved by hand, against the closed form, and Voronoi rock that is run together.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <limits>
+#include <vector>
 
 #include "args/input_error.h"
 #include "bond/law/barton_bandis.h"
@@ -108,7 +111,7 @@ TEST(WallStrength, FrictionGrowsNoFurtherThanThePressure) {
 // 2G/h + lambda/(2 h s), s = 1 + 2.5 lambda/(2G) (theory/joints.md): 40 + 20/4.5 GPa/m.
 constexpr double kSlipping = 40e9 + 20e9 / 4.5;  // [Pa/m]
 
-/// Of the work; what a step misses is of second order.
+/// Of the work: of first order in the step.
 double missing_share(int steps) {
   Squeezed pair(loose_rock(0.25));
   pair.move({-5e-4, 0, 0}, steps);
@@ -117,19 +120,80 @@ double missing_share(int steps) {
   pair.move({-2.5e-3, 0, 0}, steps);
   EXPECT_TRUE(pair.scene.network().traces()[0].slipping.any());
   EXPECT_NEAR(pair.pressure() / kWalls, 1.0, 1e-9);
-  EXPECT_NEAR(pair.lost().crushing / (kWalls * (3e-3 - kWalls / kSlipping)), 1.0, 1e-3);
+  EXPECT_NEAR(pair.lost().crushing / (kWalls * (3e-3 - kWalls / kSlipping)), 1.0, 1e-2);
   const double crushed = pair.lost().crushing;
   pair.move({5e-4, 0, 0}, steps);
-  EXPECT_NEAR(pair.pressure() / (kWalls - 5e-4 * kSlipping), 1.0, 1e-2);
-  EXPECT_EQ(pair.lost().crushing, crushed);
+  EXPECT_NEAR(pair.pressure() / (kWalls - 5e-4 * kSlipping), 1.0, 2e-2);
+  EXPECT_NEAR(pair.lost().crushing / crushed, 1.0, 5e-3);  // what a step leaves follows
   return std::abs(pair.missing()) / pair.work;
 }
 
 TEST(WallStrength, AFacetThatSlipsCrushesInTheDilatationsOfItsBlocks) {
-  const double coarse = missing_share(200), fine = missing_share(800);
+  const double coarse = missing_share(800), fine = missing_share(3200);
   std::cout << "missing: " << coarse << ", " << fine << '\n';
-  EXPECT_LT(fine, 1e-6);
-  EXPECT_LT(fine, 0.1 * coarse);
+  EXPECT_LT(fine, 1e-4);
+  EXPECT_LT(fine, 0.3 * coarse);
+}
+
+TEST(WallStrength, AContactThatClosesAndCrushesInOneStepGivesNothingBack) {
+  Squeezed pair(loose_rock(0.25, 1e6));  // carried by 17 um
+  pair.move({1e-4, 0, 0}, 1);
+  pair.move({-0.5e-4, 0, 0}, 1);
+  double taken = pair.lost().crushing;
+  for (int k = 0; k < 20; ++k) {
+    pair.move({k % 2 == 0 ? -3e-4 : 1e-4, 0, 0}, 1);
+    EXPECT_GE(pair.lost().crushing, taken) << k;
+    taken = pair.lost().crushing;
+  }
+  // Closed before the first of the ten, open before the others, for which a step is a triangle.
+  const double carries = 1e6 / 60e9;  // [m]
+  EXPECT_NEAR(taken, 0.5e6 * (5e-5 - carries) + 1e6 * 3e-4 + 9 * 0.5e6 * (3e-4 - carries), 1e-3);
+}
+
+/// Voronoi rock, squeezed alike in all directions to three times the strength of its walls inside,
+/// of which every facet slips in the first step. Facets with a pressure above 1.5 times the
+/// strength have `least` of it when all have crushed once; then the rock bursts apart.
+struct Release {
+  double crushed, account, least;  // the former two over the energy at the start
+};
+Release release(double step_share) {
+  JointParameters p = loose_rock(0.25);
+  p.friction_angle = p.residual_friction_angle = 0.0;  // any shear breaks, and none is left
+  BondScene scene(voronoi_blocks(4.0, 3, 10), p);
+  const double squeezed = 3.0 * kWalls * (1.0 - 2.0 * p.poisson_ratio) / p.youngs_modulus;
+  scene.deform(-squeezed * Mat3::Identity());
+  const auto pressures = [&] {
+    scene.compute(0.0);  // what the last one changed counts in the sums
+    std::vector<double> of;
+    for (std::size_t f = 0; f < scene.network().facet_count(); ++f)
+      of.push_back(-scene.network().facets()[f].normal.dot(scene.network().mean_traction(f)));
+    return of;
+  };
+  const std::vector<double> before = pressures();
+  const double start = scene.network().elastic_energy(), dt = step_share * scene.stable_step();
+  Release now{0.0, 0.0, 1e30};
+  scene.compute(dt);
+  const std::vector<double> after = pressures();
+  for (std::size_t f = 0; f < before.size(); ++f)
+    if (before[f] > 1.5 * kWalls) now.least = std::min(now.least, after[f] / kWalls);
+  for (int k = 0; k < static_cast<int>(20.0 / step_share); ++k) {
+    scene.step(dt);
+    now.account = std::max(now.account, std::abs(scene.energy_account() / start - 1.0));
+  }
+  now.crushed = scene.network().losses().crushing / start;
+  return now;
+}
+
+TEST(WallStrength, RockThatSlipsUnderThreeTimesTheStrengthComesDownToItAndNoFurther) {
+  const Release coarse = release(0.2), fine = release(0.05);
+  for (const Release& now : {coarse, fine})
+    std::cout << "crushed " << now.crushed << ", account " << now.account << ", least " << now.least
+              << '\n';
+  for (const Release& now : {coarse, fine}) {
+    EXPECT_GT(now.crushed, 0.3);
+    EXPECT_LT(now.account, 0.02);
+    EXPECT_GT(now.least, 0.9);
+  }
 }
 
 /// Loose Voronoi rock of 4 m runs together at 10 m/s at its surface.

@@ -83,7 +83,8 @@ template <class Number, class Closure, class Friction>
   if constexpr (Crushing<Closure>) {
     const Mask crushes = closed && whole < gap;
     normal = max(normal, contact.closure.traction(contact.closure.deepest));
-    crushed = choose(crushes, (whole - gap) * (whole + gap - dt * rate), 0.0);
+    const Number path = dt * rate, before = min(whole - path, Number(0.0));  // 0: it was open
+    crushed = choose(crushes, (before + gap) * (path + before - gap), 0.0);
     rests = rests || crushes;
   }
 

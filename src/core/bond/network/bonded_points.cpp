@@ -124,23 +124,24 @@ void BondedPoints::work(std::size_t f, const FacetMotion& motion, const ContactC
   rub(f, motion, contact, pull, dt);
 }
 
-/// How much of the slip by which the spring alone would shed what the point cannot hold (`over`) is
+/// How much of the slip by which the spring alone would shed what friction cannot hold (`over`) is
 /// taken in this step: all, but where shear works through the blocks, too. There the facets of a
 /// block that slip would overshoot together. So all that the sides have moved in the step, which
 /// leaves the traction as it is, and of the rest what is stable if three facets do so at once, one
 /// in each direction.
-static Lanes slip_share(double through, double stiffness, const LaneVec& over, const LaneVec& rate,
-                        double dt) {
+static Lanes slip_share(double through, const ContactConstants& contact, const LaneVec& over,
+                        const LaneVec& rate, double dt) {
   constexpr double kHardly = 0.1, kAtOnce = 3.0;  // [-]
   if (through < kHardly) return 1.0;
   if (dt == 0.0) return 0.0;  // the pose of the last step, looked at again as a run goes on
   const double eased = 1.0 / (1.0 + kAtOnce * through);
-  const Lanes moved = stiffness * dt * dot(over, rate);
+  const Lanes moved = contact.shear * dt * dot(over, rate);
   const Lanes whole = max(dot(over, over), Lanes(1e-300));  // 0 at points that stick
   return eased + (1.0 - eased) * min(max(moved / whole, Lanes(0.0)), Lanes(1.0));
 }
 
-/// How stiff a facet is along its normal through the dilatations of its blocks [Pa/m].
+/// How stiff a facet is along its normal through the dilatations of its blocks, free faces left out
+/// [Pa/m].
 static double pressed_through_blocks(const FacetKinematics& facets, std::size_t f) {
   const BondConstants bond = facets.tables.bond(f);
   const Vec3 normal = facets.tables.normal(f);
@@ -154,9 +155,48 @@ static double pressed_through_blocks(const FacetKinematics& facets, std::size_t 
          facets.tables.area(f);
 }
 
+/// How much of the way by which its spring alone would shed what it cannot carry a point crushes in
+/// a step. If all faces of a block do so alike, the sum of A h/2 over them is 3 V, and the block's
+/// dilatation sheds 3 lambda/2G as much as their springs: together just what is over then. Where
+/// fewer do, the rest follows in the next steps.
+static double crush_share(const FacetKinematics& facets, const LeaningFaces* leaning,
+                          std::size_t f) {
+  const auto [i, j] = facets.tables.blocks_of(f);
+  const auto through = [&](std::size_t b) {
+    return 3.0 * facets.blocks.rock[b].lame_lambda / facets.blocks.rock[b].two_g;
+  };
+  const double slanted = leaning != nullptr ? slip_through_blocks(facets, leaning, f).leaning : 0.0;
+  return 1.0 / (1.0 + std::max(through(i), through(j)) + slanted);
+}
+
+/// Takes what crushing takes out of the elastic jump from the sums of the two blocks; returns what
+/// their dilatation gives up, where this rank owns them [J]. What its becoming uneven and leaning
+/// faces give up is booked with what breaks.
+double BondedPoints::crush_blocks(std::size_t f, const FacetMotion& motion, double closer) {
+  const BondConstants bond = facets_.tables.bond(f);
+  const FacetOpenings openings = facets_.openings(f, motion.scale);
+  BlockFields& blocks = parts_.blocks;
+  double taken = 0.0;
+  const auto shed = [&](std::size_t b, double area, const Vec3& opening) {
+    const BlockSums before = blocks.sums[b];
+    blocks.sums[b].bonded -= area * opening.dot(motion.normal) * closer;
+    if (blocks.owned(b)) taken += blocks.potential(b, before) - blocks.potential(b, blocks.sums[b]);
+    parts_.books.dropped.push_back({b, 0.0, 0.0});  // its dilatation is no longer what it was
+  };
+  const auto [i, j] = facets_.tables.blocks_of(f);
+  shed(i, bond.area_i, openings.i);
+  shed(j, bond.area_j, openings.j);
+  if (parts_.leaning != nullptr)
+    parts_.leaning->drop(facets_, f,
+                         {kFacetPoints * closer * motion.normal, motion.normal, openings, true});
+  parts_.books.newly_cracked = true;
+  return taken;
+}
+
 /// Walls of points that slip, which stay in the dilatations, crush under a pressure beyond their
-/// strength: the two sides come closer for good. Losses as those of friction, below; what goes
-/// through the blocks goes with the mean of the points.
+/// strength: the two sides come closer for good. What is taken is what the springs and the blocks
+/// give up, one facet after the other, less the work that the limited force has not taken from the
+/// blocks (see rub()).
 void BondedPoints::crush(std::size_t f, const FacetMotion& motion, const ContactConstants& contact,
                          FacetPull& pull, double dt) {
   const double strength = facets_.tables.wall_strength(f);
@@ -165,23 +205,22 @@ void BondedPoints::crush(std::size_t f, const FacetMotion& motion, const Contact
   const Lanes over = choose(slipping, min(along + strength, Lanes(0.0)), 0.0);
   const LaneMask crushes = over < 0.0;
   if (none_of(crushes)) return;
-  const double spring = facets_.tables.bond(f).normal(),
-               blocks = pressed_through_blocks(facets_, f);
-  const double leaning =
-      slip_through_blocks(facets_, parts_.leaning, f).leaning * contact.shear / spring;
-  const Lanes closer =
-      slip_share(blocks / spring + leaning, spring, over * pull.normal, pull.rate, dt) / spring *
-      over;
+  pull.traction = pull.traction - over * pull.normal;
+  if (dt == 0.0) return;  // the pose of the last step, looked at again as a run goes on
+  const double spring = facets_.tables.bond(f).normal();
+  const Lanes elastic = dot(pull.normal, facets_.elastic_jump(f, motion));
+  const Lanes closer = Lanes(crush_share(facets_, parts_.leaning, f) / spring) * over;
   const LaneVec in_axes = rotated_back(motion.axes(), closer * pull.normal);
   ContactRows& contacts = parts_.history.contacts();
   for (std::size_t p = 0; p < kFacetPoints; ++p)
     if (crushes[p])
       contacts.set_offset(f, p, contacts.offset(f, p) + in_axes.at(static_cast<int>(p)));
-  const Lanes mean = over - 0.5 * (spring * closer + blocks * sum(closer) / kFacetPoints);
-  parts_.books.losses.crush(
-      contact.weight * contact.point_area *
-      sum(choose(crushes, closer * (mean - strength) - dt * mean * rate, 0.0)));
-  pull.traction = pull.traction - over * pull.normal;
+  const double mean_closer = sum(closer) / kFacetPoints;
+  const Lanes mean =
+      over - 0.5 * (spring * closer + pressed_through_blocks(facets_, f) * mean_closer);
+  const Lanes taken = spring * closer * (elastic - 0.5 * closer) - dt * mean * rate;
+  parts_.books.losses.crush(contact.weight * contact.point_area * sum(choose(crushes, taken, 0.0)) +
+                            crush_blocks(f, motion, mean_closer));
 }
 
 /// Friction and the dashpot of the points that slip, which stay in the dilatations: their normal
@@ -208,8 +247,8 @@ void BondedPoints::rub(std::size_t f, const FacetMotion& motion, const ContactCo
   if (none_of(slips)) return;
   const LaneVec over = (1.0 - kept) * shear;
   const SlipThroughBlocks through = slip_through_blocks(facets_, parts_.leaning, f);
-  const LaneVec slid = slip_share(through.most(), contact.shear, over, pull.rate, dt) *
-                       (1.0 - kept) / contact.shear * shear;
+  const LaneVec slid = slip_share(through.most(), contact, over, pull.rate, dt) * (1.0 - kept) /
+                       contact.shear * shear;
   const LaneVec in_axes = rotated_back(motion.axes(), slid);
   for (std::size_t p = 0; p < kFacetPoints; ++p)
     if (slips[p])

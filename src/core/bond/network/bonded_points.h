@@ -35,6 +35,7 @@ class BondedPoints {
  private:
   void crush(std::size_t f, const FacetMotion& motion, const ContactConstants& contact,
              FacetPull& pull, double dt);
+  [[nodiscard]] double crush_blocks(std::size_t f, const FacetMotion& motion, double closer);
   void rub(std::size_t f, const FacetMotion& motion, const ContactConstants& contact,
            FacetPull& pull, double dt);
 

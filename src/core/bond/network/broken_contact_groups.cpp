@@ -15,7 +15,7 @@ template <class Closure>
 [[gnu::always_inline]] inline Closure closure_of(const Wide& normal, const Wide& closed,
                                                  const Wide& wall_strength) {
   if constexpr (Crushing<Closure>)
-    return {{normal}, -wall_strength / closed};
+    return {{normal}, -wall_strength / max(closed, Wide(1e-300))};  // 0: no facet
   else
     return {normal};
 }

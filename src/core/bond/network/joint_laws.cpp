@@ -34,9 +34,11 @@ JointLaws::JointLaws(const JointMaterial& material, const std::vector<JointClass
   derive();
   const auto strength_of = [](const JointMaterial& law) { return law.parameters().wall_strength; };
   if (crushes_ && any_nonlinear())
-    throw InputError("wall_strength must be 0 beside a joint_class with a nonlinear law, got '" +
-                     number_text(std::ranges::min(laws_ | std::views::transform(strength_of))) +
-                     "'");
+    throw InputError(
+        "wall_strength of the rock, of zones and of linear classes must be 0 beside a joint_class "
+        "with a "
+        "nonlinear law, got '" +
+        number_text(std::ranges::min(laws_ | std::views::transform(strength_of))) + "'");
 }
 
 bool JointLaws::any_nonlinear() const {
