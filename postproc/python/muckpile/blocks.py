@@ -59,8 +59,8 @@ class Blocks:
 
     @property
     def mean_size(self) -> float:
-        """(mean volume)^(1/3) of all blocks [m]."""
-        return float(np.cbrt(self.volume.mean()))
+        """(mean volume)^(1/3) of all blocks of the rock [m]."""
+        return float(np.cbrt(self.volume[~self.muck].mean()))
 
     @property
     def point_block(self) -> np.ndarray:

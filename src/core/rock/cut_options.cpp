@@ -190,6 +190,7 @@ void read_muck(CutOptions& options, const ArgValues& args) {
     refuse_cut("muck must have 'all' or 'moved' behind its shift, got '" + words[4] + "'");
   if (words.size() > 5) muck.overlap = cut_real("muck", words[5], "", Range::closed(0.0, 1.0));
   if (words.size() > 6) muck.floor = cut_real("muck", words[6], "m", place_range());
+  muck.least_size = 0.5 * options.limits.smallest;
   options.muck = muck;
 }
 

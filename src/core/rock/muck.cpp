@@ -95,6 +95,15 @@ bool stands(const SavedBlock& block) {
   return (block.centre - block.mass.centroid).norm() <= std::cbrt(block.mass.volume);
 }
 
+void require_size(const MuckSource& source, const SavedBlock& saved) {
+  const double size = std::cbrt(saved.mass.volume);
+  if (size >= source.least_size) return;
+  throw InputError(name_of(source) +
+                   ": blocks must have a size V^(1/3) >= " + number_text(source.least_size) +
+                   " m, half of block_min, for the step of the run, got block " +
+                   std::to_string(saved.id) + " of " + number_text(size) + " m");
+}
+
 /// Throws where nothing may be left out.
 bool beyond_the_box(const MuckSource& source, const SavedBlock& saved, const Block& block) {
   const BoxTree::Item box = box_around(block);
@@ -108,9 +117,10 @@ bool beyond_the_box(const MuckSource& source, const SavedBlock& saved, const Blo
                    "' m; take another shift, or make the box larger");
 }
 
-/// What rests on the floor has sunk in by its elastic overlap only.
+/// What rests on the floor has sunk in by its elastic overlap only, below some metres of muck by
+/// 0.1 radii in the mean.
 bool in_the_floor(const MuckSource& source, const RigidBody& body) {
-  constexpr double kMostSunk = 0.1;  // [radii]
+  constexpr double kMostSunk = 0.25;  // [radii]
   return std::any_of(body.spheres.begin(), body.spheres.end(), [&](const Sphere& sphere) {
     return sphere.centre.z() - (1.0 - kMostSunk) * sphere.radius < source.floor;
   });
@@ -142,15 +152,17 @@ Muck lay_muck(const MuckSource& source, const std::vector<Block>& rock, int sphe
   double mass = 0.0, moving = 0.0;
   int first_in_rock = 0;
   for (const SavedBlock& saved : pile.blocks) {
+    if (source.moved_only && stands(saved)) {
+      muck.standing.add(saved.kg);
+      continue;
+    }
+    require_size(source, saved);
     const Block block = laid(saved, source.shift);
     RigidBody body = laid_body(saved, source.shift, spheres_per_block, sphere_growth);
-    const bool standing = source.moved_only && stands(saved);
-    if (standing || beyond_the_box(source, saved, block) || in_the_floor(source, body) ||
+    if (beyond_the_box(source, saved, block) || in_the_floor(source, body) ||
         in_the_way.holds(block)) {
-      Muck::LeftOut& left_out = standing ? muck.standing : muck.in_rock;
-      if (!standing && left_out.blocks == 0) first_in_rock = saved.id;
-      ++left_out.blocks;
-      left_out.mass += saved.kg;
+      if (muck.in_rock.blocks == 0) first_in_rock = saved.id;
+      muck.in_rock.add(saved.kg);
       continue;
     }
     mass += saved.kg;

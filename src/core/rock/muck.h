@@ -20,14 +20,20 @@ struct MuckSource {
   bool moved_only = false;    ///< blocks that have not left their place are the rock of that run
   /// Greatest share of their mass in the rock of this run or beyond its box, which is left out.
   double overlap = 0.0;
-  double floor = -std::numeric_limits<double>::infinity();  ///< z of level ground [m]
-  Vec3 lo = Vec3::Constant(floor), hi = -lo;                ///< of the simulation box [m]
+  static constexpr double kEndless = std::numeric_limits<double>::infinity();
+  double floor = -kEndless;                       ///< z of level ground [m]
+  double least_size = 0.0;                        ///< V^(1/3), for the step of the run [m]
+  Vec3 lo = Vec3::Constant(-kEndless), hi = -lo;  ///< of the simulation box [m]
 };
 
 struct Muck {
   struct LeftOut {
     std::size_t blocks = 0;
     double mass = 0.0;  ///< [kg]
+    void add(double kg) {
+      ++blocks;
+      mass += kg;
+    }
   };
   std::vector<Block> blocks;      ///< as they lie
   std::vector<RigidBody> bodies;  ///< one per block
@@ -41,7 +47,7 @@ struct Muck {
 /// `first_tag` is of the first block. Throws InputError if there is no such pile (saved_pile.h),
 /// none of it is left, or more of it than allowed lies beyond the box or in the rock: overlaps
 /// blocks of `rock` by more than a tenth of its volume, or reaches with a contact sphere into the
-/// floor by more than a tenth of its radius.
+/// floor by more than a quarter of its radius; or a block of it is too small.
 [[nodiscard]] Muck lay_muck(const MuckSource& source, const std::vector<Block>& rock,
                             int spheres_per_block, double sphere_growth, int first_tag);
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <unordered_map>
 #include <utility>
 
@@ -27,7 +28,10 @@ fs::path dump_of(const std::string& folder) {
   std::error_code unheeded;
   for (const fs::path& each : {fs::path(folder) / "dump", fs::path(folder)})
     if (fs::is_regular_file(each / "blocks.vtk", unheeded)) return each;
-  throw InputError("muck must be a folder of results with dump/blocks.vtk, got '" + folder + "'");
+  throw InputError(
+      "muck must be a folder of results with dump/blocks.vtk, other than the one of this run, got "
+      "'" +
+      folder + "'");
 }
 
 /// The id in one of the first two lines: of a snapshot, or of the title of blocks.vtk.
@@ -64,6 +68,8 @@ std::vector<SavedBlock> blocks_at_start(const std::string& file) {
   std::vector<SavedBlock> blocks(cells.cells());
   for (std::size_t c = 0; c < blocks.size(); ++c) {
     SavedBlock& block = blocks[c];
+    if (!(id[c] >= 1.0 && id[c] <= std::numeric_limits<int>::max()))
+      throw InputError(file + ": id must be a whole number >= 1, got '" + number_text(id[c]) + "'");
     block.id = static_cast<int>(id[c]);
     block.kg = mass[c];
     block.shape = cell_of(cells, c);

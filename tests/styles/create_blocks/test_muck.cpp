@@ -135,6 +135,7 @@ TEST(Muck, GoesOnFromARestartFile) {
       "4e9 friction_angle 50 tension 2e9");
   again.command("fix ledger all muckpile/ledger");
   again.run(1000, kTimeStep);
+  ASSERT_EQ(again.blocks().size(), expected.size());
   for (const auto& [tag, block] : again.blocks()) {
     EXPECT_LT((block.centre - expected.at(tag).centre).norm(), 1e-6) << tag;
     EXPECT_NEAR(block.mass, expected.at(tag).mass, 1e-12 * block.mass);

@@ -136,12 +136,23 @@ TEST_F(MuckOfAnEarlierRun, LeavesOutWhatStandsAndWhatIsInRock) {
       << text;
 }
 
+TEST_F(MuckOfAnEarlierRun, IsRefusedWhereBlocksAreTooSmallForTheStep) {
+  MuckSource from = source();
+  from.least_size = 0.49;
+  EXPECT_EQ(lay(from).blocks.size(), 3u);
+  from.least_size = 0.51;
+  EXPECT_NE(refusal(from).find("must have a size V^(1/3) >= 0.51 m, half of block_min"),
+            std::string::npos);
+}
+
 TEST_F(MuckOfAnEarlierRun, LeavesOutWhatIsInTheFloor) {
   MuckSource from = source();  // spheres of 0.3 m in boxes whose lower faces are at 0, 0.05 and 0
   from.overlap = 0.7;
-  from.floor = -0.06;
-  EXPECT_EQ(lay(from).blocks.size(), 3u);
-  from.floor = 0.0;
+  for (const double floor : {-0.06, 0.02}) {  // 0.02: the spheres have sunk in by 0.07 of 0.3 m
+    from.floor = floor;
+    EXPECT_EQ(lay(from).blocks.size(), 3u) << floor;
+  }
+  from.floor = 0.05;
   const Muck muck = lay(from);
   EXPECT_EQ(muck.in_rock.blocks, 2u);
   ASSERT_EQ(muck.blocks.size(), 1u);
@@ -192,8 +203,10 @@ TEST_F(MuckOfAnEarlierRun, IsThatOfTheRunOfItsBlocks) {
 TEST_F(MuckOfAnEarlierRun, IsRefusedWithoutFilesRowsOrMass) {
   MuckSource elsewhere = source();
   elsewhere.folder = "/no/such/folder";
-  EXPECT_EQ(refusal(elsewhere),
-            "muck must be a folder of results with dump/blocks.vtk, got '/no/such/folder'");
+  EXPECT_EQ(
+      refusal(elsewhere),
+      "muck must be a folder of results with dump/blocks.vtk, other than the one of this run, got "
+      "'/no/such/folder'");
   testing::write_text(dump() / "blocks_000000200.csv",
                       std::string("# step=200 time_s=1 run=") + kId + "\nid,x_m\n7,1\n");
   EXPECT_NE(refusal(source()).find("blocks_000000200.csv"), std::string::npos);
