@@ -27,8 +27,9 @@ void add_measure(CLI::App* command, MeasureOptions& options) {
 }
 
 void add_colour(CLI::App* command, std::string& colour) {
-  command->add_option("--colour", colour,
-                      "what the colours of blocks show: " + joined(field_names()));
+  command
+      ->add_option("--colour", colour, "what the colours of blocks show: " + joined(field_names()))
+      ->check(wrong_field);
 }
 
 }  // namespace muckpile

@@ -48,6 +48,14 @@ int whole_id(double value, const std::string& file) {
   return static_cast<int>(value);
 }
 
+int zone_number(double value, const std::string& file) {
+  constexpr double kMost = 255.0;
+  if (!(value >= 0.0 && value <= kMost) || value != std::floor(value))
+    throw InputError(file + ": zone must be a whole number from 0 to 255, got '" +
+                     std::to_string(value) + "'");
+  return static_cast<int>(value);
+}
+
 // Text with six digits moves a vertex of a 0.1 m block at 50 m by 1e-4 m, which is 0.3 % of its
 // volume; a wrong unit, face order or id shows as far more than this.
 constexpr double kVolumeTolerance = 0.01;
@@ -86,7 +94,7 @@ std::vector<StartBlock> read_blocks(const std::filesystem::path& path) {
     blocks[c] = {
         whole_id(id[c], file), cell_of(cells, c), Vec3::Zero(), volume[c], size[c], mass[c],
         free_face[c] != 0.0};
-    if (zones != data.end()) blocks[c].zone = static_cast<int>(zones->second[c]);
+    if (zones != data.end()) blocks[c].zone = zone_number(zones->second[c], file);
     const MassProperties exact = mass_properties(blocks[c].shape);
     blocks[c].centroid = exact.centroid;
     if (muck != data.end() && muck->second[c] != 0.0) blocks[c].image = kMuckImage;

@@ -8,7 +8,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <new>
+#include <string>
 #include <vector>
 
 #include "args/input_error.h"
@@ -20,7 +23,7 @@ namespace {
 class OpenFile {
  public:
   explicit OpenFile(const std::filesystem::path& path)
-      : number_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+      : path_(path.string()), number_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
     std::error_code no_size;
     const std::uintmax_t size = std::filesystem::file_size(path, no_size);
     if (number_ >= 0 && !no_size) {
@@ -55,12 +58,15 @@ class OpenFile {
   std::size_t read_from(std::size_t at, std::size_t end, char* to) const {
     while (at < end) {
       const ::ssize_t got = ::pread(number_, to + at, end - at, static_cast<::off_t>(at));
-      if (got <= 0) break;
+      if (got < 0 && errno == EINTR) continue;
+      if (got < 0) throw InputError(path_ + ": cannot be read: " + std::strerror(errno));
+      if (got == 0) break;
       at += static_cast<std::size_t>(got);
     }
     return at;
   }
 
+  std::string path_;
   int number_;
   std::size_t size_ = 0;
 };

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace muckpile {
 
@@ -22,7 +23,6 @@ Vec3 MineFrame::back(const Vec3& mine) const {
 }
 
 std::optional<MineFrame> mine_frame(const ResultFolder& folder) {
-  constexpr double kEast = 90.0;  // [deg]
   const std::array<const char*, 4> keys{"terrain_east_m", "terrain_north_m", "terrain_height_m",
                                         "x_bearing_deg"};
   std::array<double, 4> values{};
@@ -31,7 +31,8 @@ std::optional<MineFrame> mine_frame(const ResultFolder& folder) {
     values[k] = folder.scene_number(keys[k]);
   }
   const MineFrame frame{{values[0], values[1], values[2]}, values[3] * std::numbers::pi / 180.0};
-  if (frame.origin == Vec3::Zero() && values[3] == kEast) return std::nullopt;
+  const std::string terrain = folder.scene_word("terrain");
+  if (frame.origin == Vec3::Zero() && (terrain.empty() || terrain == "none")) return std::nullopt;
   return frame;
 }
 
@@ -41,7 +42,7 @@ std::string with_mine_columns(std::string header, const std::optional<MineFrame>
 
 std::vector<double> mine_place(const std::optional<MineFrame>& frame, double x, double y) {
   if (!frame) return {};
-  if (std::isnan(x)) return {x, y};  // no place
+  if (std::isnan(x) || std::isnan(y)) return {std::nan(""), std::nan("")};
   const Vec3 place = frame->of({x, y, 0.0});
   return {place.x(), place.y()};
 }

@@ -22,7 +22,7 @@ struct MineFrame {
 };
 
 // By the scene's keys terrain_east_m, terrain_north_m, terrain_height_m and x_bearing_deg. None
-// where it lacks one of them, or where all say that the run's axes are the mine's.
+// where it lacks one of them, or where nothing was placed: origin 0 0 0 and no terrain file.
 std::optional<MineFrame> mine_frame(const ResultFolder& folder);
 
 // A table has two columns more where there is a frame: ",east_m,north_m" behind its header, and the

@@ -83,7 +83,8 @@ std::optional<Columns> lines_through(const std::vector<StartBlock>& blocks) {
 
 std::shared_ptr<const FaceMap> face_map(const std::vector<StartBlock>& blocks) {
   const std::optional<Columns> lines = lines_through(blocks);
-  if (!lines) return nullptr;
+  const auto is_rock = [](double x) { return x != kNoRock; };
+  if (!lines || std::ranges::none_of(lines->top, is_rock)) return nullptr;
   return std::make_shared<const FaceMap>(*lines, blocks.size());
 }
 

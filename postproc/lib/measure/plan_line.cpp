@@ -32,7 +32,7 @@ OverLine over_line(const PlanLine& line, const std::vector<StartBlock>& blocks,
   for (size_t b = 0; b < blocks.size(); ++b) {
     const double before = over.sign * left_of(blocks[b].centroid),
                  after = over.sign * left_of(last.states[b].centre);
-    if (lies[b] == 0 || before > 0.0 || after <= 0.0) continue;
+    if (lies[b] == 0 || !(before <= 0.0 && after > 0.0)) continue;
     over.pieces.push_back({after, blocks[b].volume, blocks[b].mass});
     over.volume += blocks[b].volume;
     over.mass += blocks[b].mass;

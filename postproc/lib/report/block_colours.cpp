@@ -23,11 +23,11 @@ ColourMap map_of(FieldScale scale, double low, double high) {
 }
 
 // The ends of the colours where the user sets none.
-std::array<double, 2> range_of(const BlockField& field, std::optional<double> fixed_high) {
-  const auto [low, high] =
-      std::ranges::minmax(field.of_rock().empty() ? field.values : field.of_rock());
+std::array<double, 2> range_of(const BlockField& field, const ValueRange& extremes) {
+  const auto [least, largest] = std::ranges::minmax(field.of_rock());
+  const auto [low, high] = extremes.value_or(std::array{least, largest});
   if (field.scale == FieldScale::kShare) return {0.0, 1.0};
-  if (field.scale == FieldScale::kFromZero) return {0.0, fixed_high.value_or(high)};
+  if (field.scale == FieldScale::kFromZero) return {0.0, high};
   const double reach = std::max(std::abs(low), std::abs(high));
   if (field.scale == FieldScale::kSigned) return {-reach, reach};
   return {low, high};
@@ -73,8 +73,8 @@ void draw_names(const BlockColours& colours, const Vec2& place, Canvas& canvas) 
 
 }  // namespace
 
-BlockColours block_colours(const BlockField& field, std::optional<double> fixed_high,
-                           std::optional<std::array<double, 2>> range) {
+BlockColours block_colours(const BlockField& field, const ValueRange& extremes,
+                           const ValueRange& range) {
   BlockColours colours{{}, field.label, std::nullopt};
   if (field.scale == FieldScale::kNames) {
     if (range)
@@ -84,7 +84,7 @@ BlockColours block_colours(const BlockField& field, std::optional<double> fixed_
     paint_muck(field, colours);
     return colours;
   }
-  const auto [low, high] = range.value_or(range_of(field, fixed_high));
+  const auto [low, high] = range.value_or(range_of(field, extremes));
   // Both ends of a range that the user sets count; a signed one without 0 in its middle is one more
   // amount.
   const bool lopsided = field.scale == FieldScale::kSigned && low != -high;

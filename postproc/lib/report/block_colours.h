@@ -24,10 +24,12 @@ struct BlockColours {
   std::vector<std::pair<Colour, std::string>> names{};  // of what they name, where it has names
 };
 
-// `fixed_high` ends the range of a field from zero, so that frames share one legend; default: the
-// field's largest value. `range` replaces both ends; throws InputError for fields of names.
-BlockColours block_colours(const BlockField& field, std::optional<double> fixed_high = std::nullopt,
-                           std::optional<std::array<double, 2>> range = std::nullopt);
+// `extremes` are the least and the largest value that the colours are made for, so that frames
+// share one legend; default: the field's. `range` replaces both ends; throws InputError for fields
+// of names.
+using ValueRange = std::optional<std::array<double, 2>>;
+BlockColours block_colours(const BlockField& field, const ValueRange& extremes = std::nullopt,
+                           const ValueRange& range = std::nullopt);
 
 // A bar of the colours with end values, or the names, its upper left corner at `place` [px].
 void draw_legend(const BlockColours& colours, const Vec2& place, Canvas& canvas);

@@ -104,11 +104,36 @@ BlockField fragment_sizes(const std::vector<StartBlock>& blocks, const Snapshot&
   return field;
 }
 
-// Level distance from a block to the axis of a charge at its height [m].
-double level_distance(const Vec3& place, const Charge& charge) {
-  const Vec3 along = charge.collar - charge.toe;
-  const Vec2 axis = charge.toe.head<2>() +
-                    (place.z() - charge.toe.z()) / along.z() * along.head<2>();
+struct NamedAxis {
+  std::string name;
+  Vec3 toe, collar;  // [m]
+};
+
+// Of the holes of the table, else of the charges of the run, which are numbered.
+std::vector<NamedAxis> hole_axes(const ResultFolder& folder) {
+  std::vector<NamedAxis> axes;
+  const std::filesystem::path path = folder.dump("holes.csv");
+  if (std::filesystem::exists(path)) {
+    const HoleTable table = HoleTable::read(path.string());
+    for (const Deck& deck : table.decks()) {
+      const auto same = [&](const NamedAxis& axis) { return axis.name == deck.hole; };
+      if (std::ranges::none_of(axes, same))
+        axes.push_back({deck.hole, deck.hole_toe, deck.hole_collar});
+    }
+    return axes;
+  }
+  if (charges_of_run(folder).empty() && folder.scene_word("case") != "bench")
+    throw InputError("--colour hole: the run has neither holes.csv nor holes in run.json");
+  for (const Charge& charge : charges_of(folder))
+    axes.push_back({std::to_string(axes.size() + 1), charge.toe, charge.collar});
+  return axes;
+}
+
+// Level distance from a block to an axis at its height [m]; of a level axis, to its middle.
+double level_distance(const Vec3& place, const NamedAxis& hole) {
+  const Vec3 along = hole.collar - hole.toe;
+  const double share = along.z() != 0.0 ? (place.z() - hole.toe.z()) / along.z() : 0.5;
+  const Vec2 axis = (hole.toe + share * along).head<2>();
   return (place.head<2>() - axis).norm();
 }
 
@@ -130,37 +155,22 @@ std::vector<std::string> field_names() {
   return names;
 }
 
-bool grows_from_zero(const std::string& field) {
-  const SimpleField* const simple = simple_field(field);
-  return simple != nullptr && simple->scale == FieldScale::kFromZero;
+std::string wrong_field(const std::string& name) {
+  const std::vector<std::string> known = field_names();
+  if (std::ranges::find(known, name) != known.end()) return {};
+  return "must be a field, got '" + name + "'" + did_you_mean(name, known) +
+         " (fields: " + joined(known) + ")";
 }
 
-// Of the axis nearest to its start, at its own height, as of `rows`; by the names of the table.
+// Of the axis nearest to its start, at its own height.
 BlockField BlockFields::holes() const {
   BlockField field{"hole nearest before the blast", "hole", FieldScale::kNames, {}, {}};
-  const std::filesystem::path path = folder_.dump("holes.csv");
-  const bool table = std::filesystem::exists(path);
-  if (!table && charges_of_run(folder_).empty() && folder_.scene_word("case") != "bench")
-    throw InputError("--colour hole: the run has neither holes.csv nor holes in run.json");
-  const std::vector<Charge> charges = charges_of(folder_);
-  std::vector<std::string> of_charge;
-  if (table) {
-    const HoleTable holes_of_run = HoleTable::read(path.string());
-    for (const Deck& deck : holes_of_run.decks()) of_charge.push_back(deck.hole);
-  }
-  std::map<std::string, int> numbers;
-  std::vector<int> number_of_charge;
-  for (size_t k = 0; k < charges.size(); ++k) {
-    const std::string name =
-        of_charge.size() == charges.size() ? of_charge[k] : std::to_string(k + 1);
-    const int number = numbers.emplace(name, static_cast<int>(numbers.size())).first->second;
-    number_of_charge.push_back(number);
-    field.names[number] = name;
-  }
+  const std::vector<NamedAxis> axes = hole_axes(folder_);
+  for (size_t k = 0; k < axes.size(); ++k) field.names[static_cast<int>(k)] = axes[k].name;
   for (const StartBlock& block : blocks_) {
     const auto nearest = std::ranges::min_element(
-        charges, {}, [&](const Charge& c) { return level_distance(block.centroid, c); });
-    field.values.push_back(number_of_charge[static_cast<size_t>(nearest - charges.begin())]);
+        axes, {}, [&](const NamedAxis& axis) { return level_distance(block.centroid, axis); });
+    field.values.push_back(static_cast<double>(nearest - axes.begin()));
   }
   return field;
 }
@@ -205,11 +215,8 @@ BlockField BlockFields::find(const std::string& name, const Snapshot& snapshot) 
     return field;
   }
   if (name == "fragment_size") return fragment_sizes(blocks_, snapshot);
-  if (std::ranges::find(other_fields(), name) == other_fields().end()) {
-    throw InputError("--colour: must be a field, got '" + name + "'" +
-                     did_you_mean(name, field_names()) + " (fields: " + joined(field_names()) +
-                     ")");
-  }
+  if (const std::string wrong = wrong_field(name); !wrong.empty())
+    throw InputError("--colour: " + wrong);
   const auto known = of_run_.find(name);
   if (known != of_run_.end()) return known->second;
   return of_run_[name] = name == "hole"   ? holes()
@@ -217,13 +224,20 @@ BlockField BlockFields::find(const std::string& name, const Snapshot& snapshot) 
                                           : launch_speeds();
 }
 
-double BlockFields::largest(const std::string& name) const {
-  double largest = 0.0;
+std::optional<std::array<double, 2>> BlockFields::range_of_run(const std::string& name) const {
+  using enum FieldScale;
+  const FieldScale scale = of(name, start_snapshot(blocks_)).scale;
+  if (scale == kOrigin || scale == kShare || scale == kNames || of_run_.contains(name))
+    return std::nullopt;
+  std::array<double, 2> range{std::numeric_limits<double>::infinity(),
+                              -std::numeric_limits<double>::infinity()};
   SnapshotReader reader(blocks_);
-  for (const auto& path : folder_.snapshots())
-    for (const double value : of(name, reader.read(path)).of_rock())
-      largest = std::max(largest, value);
-  return largest;
+  for (const auto& path : folder_.snapshots()) {
+    const BlockField field = of(name, reader.read(path));
+    const auto [low, high] = std::ranges::minmax(field.of_rock());
+    range = {std::min(range[0], low), std::max(range[1], high)};
+  }
+  return range;
 }
 
 }  // namespace muckpile

@@ -3,7 +3,9 @@
 // Scope: columns of blocks.vtk and of the snapshots, and what follows from them.
 #pragma once
 
+#include <array>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,13 +32,16 @@ struct BlockField {
   std::map<int, std::string> names = {};  // of values, where they name something that has a name
   size_t muck = 0;                        // how many blocks at the end are muck (io/muck.h)
 
+  // Of muck where there is no rock.
   [[nodiscard]] std::span<const double> of_rock() const {
-    return std::span<const double>(values).first(values.size() - muck);
+    return std::span<const double>(values).first(values.size() - (muck < values.size() ? muck : 0));
   }
 };
 
 // In the order of the help.
 std::vector<std::string> field_names();
+// What is wrong with a name that is none of them, with those that there are; else "".
+std::string wrong_field(const std::string& name);
 
 class BlockFields {
  public:
@@ -48,8 +53,9 @@ class BlockFields {
   // for a field that the run does not have.
   [[nodiscard]] BlockField of(const std::string& name, const Snapshot& snapshot) const;
 
-  // The largest value of a field from zero over all snapshots, so that pictures share one range.
-  [[nodiscard]] double largest(const std::string& name) const;
+  // The least and the largest value over all snapshots, so that pictures share one range; none
+  // where that does not depend on the snapshot.
+  [[nodiscard]] std::optional<std::array<double, 2>> range_of_run(const std::string& name) const;
 
  private:
   [[nodiscard]] BlockField find(const std::string& name, const Snapshot& snapshot) const;
@@ -61,8 +67,5 @@ class BlockFields {
   const std::vector<StartBlock>& blocks_;
   mutable std::map<std::string, BlockField> of_run_;  // those that no snapshot changes
 };
-
-// Whether its range depends on the snapshot, but begins at zero.
-bool grows_from_zero(const std::string& field);
 
 }  // namespace muckpile

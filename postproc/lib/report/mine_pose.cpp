@@ -14,8 +14,8 @@ MineFrame required_mine_frame(const ResultFolder& folder, const std::string& rep
   const std::optional<MineFrame> frame = mine_frame(folder);
   if (frame) return *frame;
   throw InputError(report +
-                   ": --mine needs terrain_east_m, terrain_north_m, terrain_height_m and "
-                   "x_bearing_deg of the mine in scene.json; give " +
+                   ": --mine needs the run's place in the mine, terrain_east_m, terrain_north_m, "
+                   "terrain_height_m and x_bearing_deg of scene.json, which do not tell it; give " +
                    instead);
 }
 

@@ -77,7 +77,10 @@ void report_over(const ResultFolder& folder, const MeasureOptions& measure,
                  const LineOptions& options) {
   const PlanLine line = plan_line_of(folder, options, "over");
   const RunData run(folder, measure);
-  const OverLine over = over_line(line, run.blocks, run.last, run.lies);
+  std::vector<char> lies = run.lies;
+  if (!run.still)
+    for (char& each : lies = on_the_move(run.last.states)) each = each == 0;
+  const OverLine over = over_line(line, run.blocks, run.last, lies);
   const std::vector<Beyond> rows = table_of(over);
   CsvWriter csv(folder.file("over.csv"), "beyond_m,volume_m3,mass_kg");
   for (const Beyond& row : rows) csv.row({row.distance, row.volume, row.mass});

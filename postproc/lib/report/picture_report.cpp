@@ -47,10 +47,10 @@ class Picture {
     if (options.section) cut_ = CutPlane{*options.section, to_eye_.y() <= 0.0};
   }
 
-  void write(const Snapshot& snapshot, const std::string& warning, std::optional<double> largest,
+  void write(const Snapshot& snapshot, const std::string& warning, const ValueRange& range,
              const std::filesystem::path& path) const {
     Canvas canvas(options_.width, options_.height, kWhite);
-    const BlockColours colours = block_colours(fields_.of(options_.colour_by, snapshot), largest,
+    const BlockColours colours = block_colours(fields_.of(options_.colour_by, snapshot), range,
                                                options_.colour_range);
     const View view = framing_view(framed_, to_eye_, options_, canvas);
     draw_scene(scene_of(snapshot, colours), view.camera, canvas);
@@ -143,14 +143,14 @@ class Frames {
     return options_.frames > 0 ? options_.frames : static_cast<int>(snapshots_.size());
   }
 
-  // Of speeds and the like over the whole run, so that all pictures share one legend.
-  [[nodiscard]] std::optional<double> largest(const BlockFields& fields) const {
-    if (!any() || !grows_from_zero(options_.colour_by)) return std::nullopt;
-    return fields.largest(options_.colour_by);
+  // Over the whole run, so that all pictures share one legend.
+  [[nodiscard]] ValueRange range(const BlockFields& fields) const {
+    if (!any() || options_.colour_range) return std::nullopt;
+    return fields.range_of_run(options_.colour_by);
   }
 
   // pile3d_0000.png ... in a folder.
-  void write(const Picture& picture, const std::string& warning, std::optional<double> largest,
+  void write(const Picture& picture, const std::string& warning, const ValueRange& range,
              const std::filesystem::path& into) const {
     const int all = count();
     for (int frame = 0; frame < all; ++frame) {
@@ -160,7 +160,7 @@ class Frames {
       char name[32];
       std::snprintf(name, sizeof name, "pile3d_%04d.png", frame);
       const bool at_the_end = which + 1 == snapshots_.size();
-      picture.write(read_snapshot(snapshots_[which], blocks_), at_the_end ? warning : "", largest,
+      picture.write(read_snapshot(snapshots_[which], blocks_), at_the_end ? warning : "", range,
                     into / name);
     }
   }
@@ -215,15 +215,15 @@ void report_picture(const ResultFolder& folder, const PictureOptions& options) {
   const Picture picture(folder, blocks, last, options, fields);
   const Frames frames(folder, blocks, options);
   const std::string warning = motion_warning(folder.is_still());
-  const std::optional<double> largest = frames.largest(fields);
-  picture.write(last, warning, largest, folder.file("pile3d.png"));
+  const ValueRange range = frames.range(fields);
+  picture.write(last, warning, range, folder.file("pile3d.png"));
   write_table(folder, blocks, last, fields.of(options.colour_by, last));
-  if (options.frames > 0) frames.write(picture, warning, largest, folder.file(""));
+  if (options.frames > 0) frames.write(picture, warning, range, folder.file(""));
   if (!options.film.empty() && options.frames > 0) {
     make_film(folder.file(""), frames.count(), options.frames_per_second, options.film);
   } else if (!options.film.empty()) {
     const FilmFolder pictures(folder.file(".film"));
-    frames.write(picture, warning, largest, pictures.path());
+    frames.write(picture, warning, range, pictures.path());
     make_film(pictures.path(), frames.count(), options.frames_per_second, options.film);
   }
   folder.merge_into_summary(common_keys(folder));

@@ -18,7 +18,10 @@ PlanLine plan_line_of(const ResultFolder& folder, const LineOptions& options,
     for (Vec2* point : {&line.from, &line.to})
       *point = frame.back({point->x(), point->y(), frame.origin.z()}).head<2>();
   }
-  constexpr double kShortest = 1e-6;  // [m]
+  constexpr double kShortest = 1e-6, kLongest = 1e5;  // [m]
+  if (!(line.length() <= kLongest))
+    throw InputError(report + ": --from and --to must be at most 1e5 m apart, got '" +
+                     spelled(line.length()) + "'");
   if (line.length() > kShortest) return line;
   throw InputError(report + ": --from and --to must be two points, got '" +
                    spelled(options.from[0], 9) + " " + spelled(options.from[1], 9) + "' twice");

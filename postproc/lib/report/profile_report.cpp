@@ -212,8 +212,8 @@ void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
   const PileProfile profile =
       pile_profile(run.blocks, run.last, run.moved, run.cell, run.lies, bench.planes);
   const BenchFigures figures = figures_of(folder, run, bench, profile);
-  write_profile(profile, folder.file("profile.csv"));
   SectionPlot plot = section_of(folder, run, profile, bench, section);
+  write_profile(profile, folder.file("profile.csv"));
   plot.subtitle = subtitle_of(bench, figures);
   write_png(draw_section(std::move(plot)), folder.file("profile.png"));
   nlohmann::ordered_json keys = common_keys(folder);

@@ -43,7 +43,9 @@ std::vector<double> mean_tops(const Columns& columns, bool floor) {
 }
 
 LineHeights heights_along(const PlanLine& line, const RunData& run, double width, bool floor) {
-  const ColumnGrid grid = column_grid(0.0, line.length(), -0.5 * width, 0.5 * width, run.cell);
+  ColumnGrid grid = column_grid(0.0, line.length(), -0.5 * width, 0.5 * width, run.cell);
+  grid.nx = std::max(1, static_cast<int>(std::lround(line.length() / grid.dx)));
+  grid.dx = line.length() / grid.nx;  // whole columns from point to point
   std::vector<char> stayed(run.moved);
   for (size_t b = 0; b < stayed.size(); ++b)
     stayed[b] = run.moved[b] == 0 && run.lies[b] != 0;
@@ -99,8 +101,11 @@ nlohmann::ordered_json keys_of(const LineHeights& heights, const PlanLine& line,
   keys["section_from_y_m"] = line.from.y();
   keys["section_to_x_m"] = line.to.x();
   keys["section_to_y_m"] = line.to.y();
-  keys["section_cut_area_m2"] = area_between(heights.before, heights.after, heights.step);
-  keys["section_fill_area_m2"] = area_between(heights.after, heights.before, heights.step);
+  const auto if_still = [&](double value) { return run.still ? value : std::nan(""); };
+  keys["section_cut_area_m2"] =
+      if_still(area_between(heights.before, heights.after, heights.step));
+  keys["section_fill_area_m2"] =
+      if_still(area_between(heights.after, heights.before, heights.step));
   const bool measured = bench && run.still;
   const Trough trough =
       measured ? deepest_trough(heights.distance, heights.after, run.block_size) : Trough{};
@@ -156,8 +161,9 @@ void report_section(const ResultFolder& folder, const MeasureOptions& measure,
   const RunData run(folder, measure);
   const LineHeights heights = heights_along(line, run, options.width.value_or(run.cell), floor);
   require_rock(heights, line, run, floor);
+  SectionPlot plot = plot_of(heights, line, run, options, floor);
   write_table(heights, line, folder);
-  write_png(draw_section(plot_of(heights, line, run, options, floor)), folder.file("section.png"));
+  write_png(draw_section(std::move(plot)), folder.file("section.png"));
   nlohmann::ordered_json keys = common_keys(folder);
   keys.update(keys_of(heights, line, run, scene == "bench"));
   folder.merge_into_summary(keys);

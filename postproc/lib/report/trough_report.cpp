@@ -42,7 +42,12 @@ AxisRange width_of(const ResultFolder& folder, const RunData& run) {
   const auto [low, high] = std::ranges::minmax(charges, {}, y);
   const double beside =
       folder.scene_has("spacing_m") ? 0.5 * folder.scene_number("spacing_m") : 0.0;
-  return {std::max(width.low, y(low) - beside), std::min(width.high, y(high) + beside)};
+  const AxisRange of_holes{std::max(width.low, y(low) - beside),
+                           std::min(width.high, y(high) + beside)};
+  if (of_holes.low < of_holes.high) return of_holes;
+  throw NotMeasurable("trough: the holes must stand in the rock, got holes from y = " +
+                      spelled(y(low)) + " to " + spelled(y(high)) + " m beside rock from " +
+                      spelled(width.low) + " to " + spelled(width.high) + " m");
 }
 
 std::vector<double> row_means(const ColumnGrid& grid, const std::vector<double>& heights,
@@ -72,7 +77,8 @@ Troughs troughs_of(const RunData& run, AxisRange width, double wanted) {
     return std::clamp(static_cast<int>(std::lround((y - map.grid.y0) / map.grid.dy)), 0,
                       map.grid.ny);
   };
-  const int low = row_at(width.low), high = std::max(row_at(width.high), low + 1);
+  const int low = std::min(row_at(width.low), map.grid.ny - 1),
+            high = std::max(row_at(width.high), low + 1);
   const auto count = static_cast<int>(std::lround((width.high - width.low) / wanted));
   const int strips = std::clamp(count, 1, high - low);
   Troughs troughs;

@@ -122,6 +122,21 @@ TEST(MineFrame, TurnsXToItsBearing) {
   EXPECT_GT(frame.of({1, 0, 0}).y(), 6200000.0);
 }
 
+// The quarry writes the keys in any case; a plan of Kirra turns its axes without placing them.
+TEST(MineFrame, IsNoneWhereNothingWasPlaced) {
+  TemporaryFolder temporary;
+  write_heap(temporary.path());
+  const auto scene = [&](const std::string& terrain) {
+    write_text(temporary.path() / "dump/scene.json",
+               "{\"case\": \"heap\", \"terrain\": \"" + terrain +
+                   "\", \"terrain_east_m\": 0, \"terrain_north_m\": 0, "
+                   "\"terrain_height_m\": 0, \"x_bearing_deg\": 292}");
+    return ResultFolder(temporary.path());
+  };
+  EXPECT_FALSE(mine_frame(scene("none")).has_value());
+  EXPECT_TRUE(mine_frame(scene("survey.csv")).has_value());
+}
+
 TEST(MineFrame, PoseOfFilesIsTheWayBackFromTheMine) {
   TemporaryFolder temporary;
   write_heap(temporary.path());
@@ -133,6 +148,7 @@ TEST(MineFrame, PoseOfFilesIsTheWayBackFromTheMine) {
   double turn = 0.0;
   set_mine_pose(folder, "survey", shift, turn);
   const SurveyPose pose{{shift[0], shift[1], shift[2]}, turn * std::numbers::pi / 180.0};
+  EXPECT_TRUE(std::isnan(mine_place(mine_frame(folder), std::nan(""), 1.0)[1]));
   const Vec3 local(7.0, -4.0, 2.0);
   EXPECT_NEAR((pose.of(mine_frame(folder)->of(local)) - local).norm(), 0.0, 1e-8);
 }
@@ -212,7 +228,7 @@ TEST_F(Lines, FaultyLinesAreRefused) {
   line.to = {0.0, 1.0};
   line.mine = true;
   EXPECT_NE(input_error_of([&] { report_section(folder(), measure_, line); })
-                .find("section: --mine needs terrain_east_m"),
+                .find("section: --mine needs the run's place in the mine, terrain_east_m"),
             std::string::npos);
   line.mine = false;
   line.from = {100.0, 0.0};

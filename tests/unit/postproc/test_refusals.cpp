@@ -66,7 +66,7 @@ TEST_F(Refusals, FaceOfAnyShapeIsMeasuredAsItWasCut) {
     run.last.states.push_back(whole.last.states[b]);
     BlockState moving{start, Quat::Identity(), Vec3::Zero(), Vec3::Zero(), 1, 0.0};
     const double behind = (start.y() > 0.0 ? -1.0 : 0.0) - start.x();  // of the face
-    moving.velocity.x() = start.z() > 0.0 && behind < 1.25 ? 9.0 : 0.0;
+    moving.velocity.x() = start.z() > 0.0 && behind < 1.3 ? 9.0 : 0.0;  // the layer and more
     middle.states.push_back(moving);
     if (start.x() < -kBurden || start.z() < 0.0) continue;
     throw_cg += whole.last.states[b].centre.x() - start.x();

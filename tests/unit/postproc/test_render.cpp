@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
+#include "draw/depth_buffer.h"
 #include "geometry/files/block_file.h"
 #include "input_error_of.h"
 #include "report/block_colours.h"
@@ -95,6 +97,43 @@ TEST_F(Section, FacesAnEyeOnTheOtherSideToo) {
   EXPECT_NEAR(normal_of(scene_.polygons.back().corners).normalized().y(), 1.0, 1e-12);
 }
 
+// A solid of 6 x 6 x 6 cubes, of which the inner ones are hidden.
+TEST(DepthBuffer, LeavesOutHiddenObjectsWithoutATrace) {
+  const auto blocks = as_start_blocks(cubes_in({0, 0, 0}, {3, 3, 3}));
+  const Snapshot start = start_snapshot(blocks);
+  const std::vector<Colour> grey(blocks.size(), kGrey);
+  Scene scene;
+  add_blocks(blocks, start, grey, Reflection(0, extent_of(blocks, start.states)), scene);
+  const std::vector<Vec3> normals = normals_of(scene.polygons);
+  const std::vector<SceneObject> objects = objects_of(scene.polygons);
+  ASSERT_EQ(objects.size(), blocks.size());
+  const Camera camera = Camera::perspective({9, -7, 6}, {1.5, 1.5, 1.5}, 0.6, 150, 117);
+  const auto drawn = [&](const std::vector<SceneObject>& some) {
+    DepthBuffer buffer(150, 117);
+    const SceneParts parts{scene.polygons, normals, some};
+    buffer.look_at(parts, camera, true);
+    for (size_t band = 0; band < buffer.bands(); ++band) buffer.draw_band(band, parts, camera);
+    return buffer;
+  };
+  const DepthBuffer all = drawn(objects);
+  std::vector<double> nearest(150 * 117, -std::numeric_limits<double>::infinity());
+  for (const SceneObject& object : objects) {  // alone, so that nothing hides it
+    const DepthBuffer one = drawn({object});
+    for (int y = 0; y < 117; ++y)
+      for (int x = 0; x < 150; ++x) {
+        double& here = nearest[static_cast<size_t>(150 * y + x)];
+        here = std::max(here, one.near(x, y));
+      }
+  }
+  int seen = 0;
+  for (int y = 0; y < 117; ++y)
+    for (int x = 0; x < 150; ++x) {
+      ASSERT_EQ(all.near(x, y), nearest[static_cast<size_t>(150 * y + x)]) << x << ' ' << y;
+      seen += all.polygon(x, y) >= 0 ? 1 : 0;
+    }
+  EXPECT_GT(seen, 3000);
+}
+
 class Fields : public ::testing::Test {
  protected:
   void SetUp() override { write_bench(temporary_.path()); }
@@ -119,6 +158,29 @@ TEST_F(Fields, OfMotionAreThoseOfTheSnapshots) {
 }
 
 // Each block of the made-up run is a fragment of its own; here all that stayed are one.
+// Frames share the range of the whole run: the prism moves in the middle one only.
+TEST_F(Fields, HaveOneRangeForAllFrames) {
+  const ResultFolder folder(temporary_.path());
+  const BlockFields fields(folder, folder.blocks());
+  const auto range = fields.range_of_run("vx");
+  ASSERT_TRUE(range.has_value());
+  EXPECT_NEAR((*range)[0], 0.0, 1e-12);
+  EXPECT_NEAR((*range)[1], 14.0, 1e-9);
+  const BlockColours colours = block_colours(fields.of("vx", start_snapshot(folder.blocks())), range);
+  EXPECT_NEAR(colours.map->high(), 14.0, 1e-9);
+  EXPECT_FALSE(fields.range_of_run("start_height").has_value());
+}
+
+TEST_F(Fields, ZonesThatAreNoNumbersAreRefused) {
+  const auto path = temporary_.path() / "dump/blocks.vtk";
+  std::string text = text_of(path) + "SCALARS zone int 1\nLOOKUP_TABLE default\n1.5\n";
+  for (size_t b = 1; b < run_.blocks.size(); ++b) text += "0\n";
+  write_text(path, text);
+  EXPECT_NE(input_error_of([&] { ResultFolder(temporary_.path()).blocks(); })
+                .find("zone must be a whole number from 0 to 255, got '1.5"),
+            std::string::npos);
+}
+
 TEST_F(Fields, SizeOfAFragmentIsThatOfAllItsBlocks) {
   int standing = 0;
   for (size_t b = 0; b < run_.blocks.size(); ++b) {
@@ -240,17 +302,18 @@ TEST_F(Render, RefusesARangeForColoursThatOnlyName) {
 }
 
 TEST_F(Render, ColoursByAnyFieldAndTellsItsColumn) {
+  const ResultFolder folder(temporary_.path());
+  const BlockFields fields(folder, folder.blocks());
   for (const std::string& name : field_names()) {
     if (name == "zone" || name == "hole") continue;  // a heap has neither
-    options_.colour_by = name;
-    draw();
-    const std::string table = text_of(file("pile3d.csv"));
-    const ResultFolder folder(temporary_.path());
-    const std::string column = BlockFields(folder, folder.blocks())
-                                   .of(name, start_snapshot(folder.blocks()))
-                                   .column;
-    EXPECT_EQ(table.substr(0, table.find('\n')), "block,x_m,y_m,z_m," + column) << name;
+    const BlockField field = fields.of(name, start_snapshot(folder.blocks()));
+    EXPECT_FALSE(field.column.empty()) << name;
+    EXPECT_EQ(block_colours(field).of_block.size(), folder.blocks().size()) << name;
   }
+  options_.colour_by = "moved_x";
+  draw();
+  const std::string table = text_of(file("pile3d.csv"));
+  EXPECT_EQ(table.substr(0, table.find('\n')), "block,x_m,y_m,z_m,moved_x_m");
 }
 
 TEST_F(Render, NamesWhatThereIsToColourBy) {
