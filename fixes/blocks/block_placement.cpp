@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "fixes/blocks/fix_muckpile_balance.h"
 #include "fixes/blocks/fix_muckpile_blocks.h"
@@ -46,6 +47,14 @@ class RankBoxes {
   std::vector<std::array<double, 6>> boxes_;
 };
 
+/// Bodies of the rock, then of the muck.
+std::vector<const RigidBody*> all_bodies(const RockModel& model) {
+  std::vector<const RigidBody*> all;
+  for (const auto* bodies : {&model.bodies, &model.muck.bodies})
+    for (const RigidBody& body : *bodies) all.push_back(&body);
+  return all;
+}
+
 /// The facets and boundary faces of each block, by block number.
 struct FacesOfBlocks {
   std::vector<std::vector<const Facet*>> facets;
@@ -53,14 +62,16 @@ struct FacesOfBlocks {
 };
 
 FacesOfBlocks faces_of_blocks(const RockModel& model, int first_tag) {
-  FacesOfBlocks of{std::vector<std::vector<const Facet*>>(model.bodies.size()),
-                   std::vector<std::vector<BoundaryFace>>(model.bodies.size())};
+  const std::size_t blocks = model.bodies.size() + model.muck.bodies.size();
+  FacesOfBlocks of{std::vector<std::vector<const Facet*>>(blocks),
+                   std::vector<std::vector<BoundaryFace>>(blocks)};
   const auto place = [&](int tag) { return static_cast<std::size_t>(tag - first_tag); };
   for (const Facet& facet : model.facets.facets) {
     of.facets[place(facet.tag_i)].push_back(&facet);
     if (facet.tag_j != kGroundTag) of.facets[place(facet.tag_j)].push_back(&facet);
   }
-  for (const BoundaryFace& face : model.facets.faces) of.faces[place(face.tag)].push_back(face);
+  for (const auto* faces : {&model.facets.faces, &model.muck.faces})
+    for (const BoundaryFace& face : *faces) of.faces[place(face.tag)].push_back(face);
   return of;
 }
 
@@ -92,11 +103,11 @@ void BlockPlacement::settle_new_fixes() {
 }
 
 void BlockPlacement::place(const RockModel& model, const std::vector<Hole>& holes) {
-  int blocks = static_cast<int>(model.rock.blocks.size());
+  int blocks = static_cast<int>(model.rock.blocks.size() + model.muck.blocks.size());
   MPI_Bcast(&blocks, 1, MPI_INT, 0, world);
   if (FixMuckpileBalance* balance = FixMuckpileBalance::find(*lmp)) {
     std::vector<Vec3> centres;
-    for (const RigidBody& body : model.bodies) centres.push_back(body.centre);
+    for (const RigidBody* body : all_bodies(model)) centres.push_back(body->centre);
     balance->cut_for(centres);
   }
   std::vector<ByteWriter> outgoing = hand_out(model);
@@ -109,9 +120,10 @@ std::vector<ByteWriter> BlockPlacement::hand_out(const RockModel& model) const {
   const FacesOfBlocks of = faces_of_blocks(model, first_tag_);
   std::vector<ByteWriter> outgoing(boxes.count());
   int atom_tag = first_atom_tag_;
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const RigidBody& body = model.bodies[b];
-    const std::uint8_t zone = model.zone_of.empty() ? std::uint8_t{0} : model.zone_of[b];
+  const std::vector<const RigidBody*> bodies = all_bodies(model);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const RigidBody& body = *bodies[b];
+    const std::uint8_t zone = b < model.zone_of.size() ? model.zone_of[b] : std::uint8_t{0};
     PlacedBlock placed{first_tag_ + static_cast<int>(b), atom_tag, zone, body, of.faces[b], {}};
     for (const Facet* facet : of.facets[b]) placed.facets.push_back(*facet);
     outgoing[boxes.owner(body.centre)].put(placed);
@@ -149,6 +161,13 @@ void BlockPlacement::create(std::vector<ByteWriter>& outgoing, const std::vector
     facet.zone_j = numbers[facet.zone_j];
   }
   store.add(records, facets, faces, holes, blocks);
+}
+
+/// Muck has the density of the run that it comes from.
+double BlockPlacement::density_of(const PlacedBlock& placed) const {
+  constexpr double kRounding = 1e-9;
+  const double own = placed.body.mass / placed.body.volume, rock = densities_[placed.zone];
+  return std::abs(own - rock) < kRounding * rock ? rock : own;
 }
 
 void BlockPlacement::count_atoms() {

@@ -51,9 +51,7 @@ class BlockPlacement : protected LAMMPS_NS::Pointers {
   void create(std::vector<ByteWriter>& outgoing, const std::vector<Hole>& holes, int blocks);
   void create_body(const PlacedBlock& placed);
   void create_spheres(const PlacedBlock& placed, const std::vector<double*>& displace);
-  [[nodiscard]] double density_of(const PlacedBlock& placed) const {
-    return densities_[placed.zone];
-  }
+  [[nodiscard]] double density_of(const PlacedBlock& placed) const;
   void count_atoms();
 
   LAMMPS_NS::FixMultisphere* multisphere_;

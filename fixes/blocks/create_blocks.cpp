@@ -65,6 +65,17 @@ std::vector<Hole> with_shares(std::vector<Hole> holes, const RockModel& model, M
   return holes;
 }
 
+void write_start(const std::string& file, const RockModel& model, int first_tag,
+                 const std::vector<double>& densities, const std::string& run) {
+  if (model.muck.blocks.empty())
+    return write_blocks(file, model.rock.blocks, first_tag, densities, model.zone_of, run);
+  std::vector<Block> blocks = model.rock.blocks;
+  blocks.insert(blocks.end(), model.muck.blocks.begin(), model.muck.blocks.end());
+  std::vector<double> muck;  // [kg]
+  for (const RigidBody& body : model.muck.bodies) muck.push_back(body.mass);
+  write_blocks(file, blocks, first_tag, densities, model.zone_of, run, muck);
+}
+
 RegionQuery query(LAMMPS_NS::Region& rock) {
   RegionQuery region;
   region.inside = [&rock](const Vec3& p) { return rock.match(p.x(), p.y(), p.z()) != 0; };
@@ -100,6 +111,10 @@ void CreateBlocks::command(int narg, char** arg) {
     lay_faults(options);
     find_zone_regions(options.zones);
     lay_zones(options);
+    if (options.muck) {
+      options.muck->lo = Vec3(domain->boxlo);
+      options.muck->hi = Vec3(domain->boxhi);
+    }
     supports = support(args);
     return 0;
   });
@@ -111,8 +126,7 @@ void CreateBlocks::command(int narg, char** arg) {
   const std::string run = run_id(engine::words_of(narg, arg, 0), model);
   on_rank_0(*lmp, [&] {
     const std::string& file = args.word("file");
-    if (file != "none")
-      write_blocks(file, model.rock.blocks, placement.first_tag(), densities, model.zone_of, run);
+    if (file != "none") write_start(file, model, placement.first_tag(), densities, run);
   });
   placement.place(model, with_shares(options.rock.holes, model, world));
   FixMuckpileBlocks::find(*lmp)->record().begin(run);
@@ -120,7 +134,8 @@ void CreateBlocks::command(int narg, char** arg) {
     engine::print_once(
         *lmp, describe(model, MPI_Wtime() - start) + describe_surfaces(options, model.rock) +
                   describe_zone_bodies(options, model) + describe_zone_model(options) +
-                  describe_faults(options, model) + describe_mine_frame(options));
+                  describe_faults(options, model) + describe_mine_frame(options) +
+                  (options.muck ? describe_muck(model.muck, *options.muck) : ""));
 }
 
 /// All rock of a run has the id that comes with the first.

@@ -200,7 +200,7 @@ void FixMuckpileWall::work_on(const Candidate& candidate, double memory_step) {
   books_.damping += pushed.damping;
 }
 
-/// Its contacts stay as they are, with their energy; nobody asks for their force.
+/// Its contacts stay as they are, with their energy; their force is not read.
 void FixMuckpileWall::leave_alone(Candidate& candidate) {
   if (candidate.resting < 0.0) {
     std::vector<WallContact>& contacts = contacts_[static_cast<std::size_t>(candidate.sphere)];

@@ -68,7 +68,7 @@ EnergyAudit FixMuckpileBlast::audit() const {
     all.joint_work += gas.work;
     all.air_work += gas.air_work;
     all.rock_heat += gas.heat;
-    all.in_joints += gas.held;
+    all.in_joints += gas.contained;
     all.vented += gas.vented;
   }
   return all;

@@ -177,7 +177,7 @@ void FixMuckpileGas::let_go_of_softened_joints(double in_joints) {
 
 /// The gas in the joints goes into the atmosphere.
 void FixMuckpileGas::end_of_gas(const std::string& how) {
-  GasFlow left = gas_.held();
+  GasFlow left = gas_.contained();
   left += lost_;
   vented_ += over_ranks(left);
   lost_ = {};

@@ -97,14 +97,14 @@ JointGasEnergies::Sums FixMuckpileGas::gas_energies() const {
   return {.work = over_ranks(work_),
           .air_work = ambient_ * spent.swept_volume,
           .heat = spent.heat + heat_of_beds(),
-          .held = over_ranks(gas_.held().energy),
+          .contained = over_ranks(gas_.contained().energy),
           .vented = vented_.energy + over_ranks(lost_.energy)};
 }
 
 double FixMuckpileGas::compute_vector(int n) {
   switch (n) {
     case kInJoints:
-      return over_ranks(gas_.held().mass);
+      return over_ranks(gas_.contained().mass);
     case kTaken:
       return taken_.mass;
     case kVented:
@@ -116,7 +116,7 @@ double FixMuckpileGas::compute_vector(int n) {
     case kBedHeat:
       return heat_of_beds();
     case kEnergyHeld:
-      return over_ranks(gas_.held().energy);
+      return over_ranks(gas_.contained().energy);
     case kEnergyVented:
       return vented_.energy + over_ranks(lost_.energy);
     case kAirWork:

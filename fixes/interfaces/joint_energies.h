@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What an account of energy needs of the joints.
-// Scope: an interface only; fix muckpile/joint implements it, fix muckpile/ledger reads it.
+// Scope: an interface only; fix muckpile/joint implements it, fix muckpile/ledger and
+// fix muckpile/progress read it.
 #pragma once
 
 #include <span>
@@ -13,6 +14,7 @@ namespace muckpile {
 struct JointEnergySums {
   double elastic = 0.0;                                  ///< stored now
   double fracture = 0.0, friction = 0.0, damping = 0.0;  ///< lost so far
+  double crushing = 0.0;                                 ///< of friction, taken by walls that crush
   double quiet = 0.0;          ///< given to the rock behind yielding supports so far
   double pressure_work = 0.0;  ///< done by blast and gas so far
 };

@@ -13,7 +13,7 @@ class JointGasEnergies {
     double work = 0.0;      ///< on the blocks
     double air_work = 0.0;  ///< on the atmosphere
     double heat = 0.0;      ///< into the walls of joints
-    double held = 0.0;      ///< internal energy in joints now
+    double contained = 0.0;  ///< internal energy in joints now
     double vented = 0.0;    ///< let into the open
   };
   /// Collective.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Which blocks rest: held where they are, until something near them moves.
+// Which blocks rest: kept where they are, until something near them moves.
 // Scope: an interface only; fix muckpile/sleep implements it, the integrator and the contact style
 // read it, fix muckpile/ledger books what they lost, block_motion wakes them.
 #pragma once

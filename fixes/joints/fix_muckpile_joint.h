@@ -136,6 +136,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
     longest_step,
     pressure_work_done,
     softened,
+    crushing,
     count
   };
 

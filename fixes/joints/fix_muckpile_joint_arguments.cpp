@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -49,7 +50,9 @@ void add_rock_keywords(ArgTable& table) {
       .real("damping", "", Range::closed(0.0, 10.0), 0.0,
             "of intact joints, share of density x P-wave speed per area")
       .real("contact_damping", "", Range::closed(0.0, 10.0), 0.05,
-            "of closed broken facets, share of density x P-wave speed per area");
+            "of closed broken facets, share of density x P-wave speed per area")
+      .real("wall_strength", "Pa", strength_range(), 0.0,
+            "pressure at which the walls of closed broken joints crush, JCS; 0: they do not");
 }
 
 void add_strength_keywords(ArgTable& table) {
@@ -172,6 +175,8 @@ JointParameters rock_parameters(const ArgValues& args) {
   p.reference_rate_shear = in_shear > 0.0 ? in_shear : p.reference_rate;
   p.damping = args.real("damping");
   p.contact_damping = args.real("contact_damping");
+  const double walls = args.real("wall_strength");
+  p.wall_strength = walls > 0.0 ? walls : std::numeric_limits<double>::infinity();
   return p;
 }
 

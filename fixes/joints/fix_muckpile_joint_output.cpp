@@ -42,6 +42,8 @@ double FixMuckpileJoint::compute_vector(int n) {
                            : stable_step(Breaking::possible, 0.0).seconds;
     case softened:
       return network_.totals().softened;
+    case crushing:
+      return sum(network_.losses().crushing);
     default:
       return 0.0;
   }

@@ -14,10 +14,10 @@ namespace muckpile {
 namespace {
 
 /// Those of `totals` that are sums over ranks.
-std::array<double*, 7> sums_of(NetworkTotals& totals) {
-  return {&totals.losses.fracture, &totals.losses.friction, &totals.losses.damping,
-          &totals.losses.quiet,    &totals.losses.radiated, &totals.pressure_work,
-          &totals.wave_work};
+std::array<double*, 8> sums_of(NetworkTotals& totals) {
+  return {&totals.losses.fracture, &totals.losses.friction, &totals.losses.crushing,
+          &totals.losses.damping,  &totals.losses.quiet,    &totals.losses.radiated,
+          &totals.pressure_work,   &totals.wave_work};
 }
 
 }  // namespace

@@ -160,6 +160,7 @@ JointEnergySums FixMuckpileJoint::energies() const {
           .fracture = losses.fracture,
           .friction = losses.friction,
           .damping = losses.damping,
+          .crushing = losses.crushing,
           .quiet = losses.quiet,
           .pressure_work = network_.pressure_work()};
 }

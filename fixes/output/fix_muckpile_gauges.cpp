@@ -179,13 +179,13 @@ void FixMuckpileGauges::say_where(const std::vector<double>& distances) const {
 
 std::vector<double> FixMuckpileGauges::rows_of_this_rank() const {
   const engine::Bodies bodies(*engine::find_multisphere(*lmp));
-  std::vector<int> held;
+  std::vector<int> gauged;
   for (int b = 0; b < bodies.count(); ++b)
-    if (of_block_.contains(bodies.tag(b))) held.push_back(b);
-  const std::vector<Mat3> stresses = block_stresses(joints_->network(), held);
+    if (of_block_.contains(bodies.tag(b))) gauged.push_back(b);
+  const std::vector<Mat3> stresses = block_stresses(joints_->network(), gauged);
   std::vector<double> rows;
-  for (std::size_t k = 0; k < held.size(); ++k) {
-    const int b = held[k];
+  for (std::size_t k = 0; k < gauged.size(); ++k) {
+    const int b = gauged[k];
     const auto [first, last] = of_block_.equal_range(bodies.tag(b));
     for (auto entry = first; entry != last; ++entry) {
       const Gauge& gauge = gauges_[entry->second];

@@ -53,10 +53,12 @@ std::string make_run_id(LAMMPS_NS::LAMMPS& lmp, const std::vector<std::string>& 
     if (name != "out") print.add(name).add(without_folder(text, folder));
   }
   for (const std::string& word : words) print.add(without_folder(word, folder));
-  for (const Block& block : model.rock.blocks) {
-    print.add(static_cast<std::uint64_t>(block.shape.vertices.size()));
-    for (const Vec3& vertex : block.shape.vertices)
-      print.add(vertex.x()).add(vertex.y()).add(vertex.z());
+  for (const auto* blocks : {&model.rock.blocks, &model.muck.blocks}) {
+    for (const Block& block : *blocks) {
+      print.add(static_cast<std::uint64_t>(block.shape.vertices.size()));
+      for (const Vec3& vertex : block.shape.vertices)
+        print.add(vertex.x()).add(vertex.y()).add(vertex.z());
+    }
   }
   return engine::of_first_rank(print.text(), lmp.world);
 }

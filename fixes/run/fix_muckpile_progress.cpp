@@ -31,6 +31,7 @@
 #include "fixes/interfaces/blast_energies.h"
 #include "fixes/interfaces/energy_account.h"
 #include "fixes/interfaces/joint_damage.h"
+#include "fixes/interfaces/joint_energies.h"
 #include "fixes/interfaces/keyword_tables.h"
 #include "fixes/interfaces/known_blocks.h"
 
@@ -269,6 +270,8 @@ void FixMuckpileProgress::write_run(const RunLook& now) const {
     facts.audit = blast->audit();
     facts.holes = blast->hole_audits();
   }
+  if (const auto* joints = engine::find_view<JointEnergies>(*lmp))
+    facts.crushing = engine::sum_over_ranks(joints->energies().crushing, world);
   files_.write_run(run_json(now, facts, *blocks_));
 }
 

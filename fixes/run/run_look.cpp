@@ -102,6 +102,7 @@ std::string run_json(const RunLook& look, const RunFacts& facts, const KnownBloc
   run["explosive_energy_J"] = facts.energies.explosive;
   run["wave_work_J"] = facts.energies.wave;
   run["gas_work_J"] = facts.energies.gas;
+  run["joint_crushing_J"] = facts.crushing;
   run["energy_audit_J"] = terms_of(facts.audit);
   run["energy_audit_error"] = share(facts.audit.error(), facts.audit.explosive);
   run["blocks_left_scene"] = std::lround(look.gone);

@@ -49,6 +49,7 @@ struct RunFacts {
   bool still = false;
   BlastEnergies::Energies energies;
   EnergyAudit audit;
+  double crushing = 0.0;           ///< taken by walls of joints that crush [J]
   std::vector<HoleAudit> holes{};  ///< none without charges
 };
 [[nodiscard]] std::string run_json(const RunLook& look, const RunFacts& facts,

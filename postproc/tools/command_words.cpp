@@ -3,21 +3,10 @@
 // Scope: see the header.
 #include "command_words.h"
 
-#include <map>
-#include <vector>
+#include "args/suggestion.h"
+#include "report/block_fields.h"
 
 namespace muckpile {
-namespace {
-
-const std::map<std::string, ColourBy> kColours{{"start_height", ColourBy::kStartHeight},
-                                               {"start_depth", ColourBy::kStartDepth},
-                                               {"fragment", ColourBy::kFragment},
-                                               {"size", ColourBy::kSize},
-                                               {"speed", ColourBy::kSpeed},
-                                               {"displacement", ColourBy::kDisplacement},
-                                               {"broken", ColourBy::kBroken}};
-
-}  // namespace
 
 CLI::App* add_command(CLI::App& app, const char* name, const char* help, std::string& folder) {
   CLI::App* command = app.add_subcommand(name, help);
@@ -38,12 +27,9 @@ void add_measure(CLI::App* command, MeasureOptions& options) {
 }
 
 void add_colour(CLI::App* command, std::string& colour) {
-  std::vector<std::string> names;
-  for (const auto& [name, by] : kColours) names.push_back(name);
-  command->add_option("--colour", colour, "what the colours of blocks show")
-      ->check(CLI::IsMember(names));
+  command
+      ->add_option("--colour", colour, "what the colours of blocks show: " + joined(field_names()))
+      ->check(wrong_field);
 }
-
-ColourBy colour_named(const std::string& name) { return kColours.at(name); }
 
 }  // namespace muckpile

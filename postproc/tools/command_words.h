@@ -16,8 +16,7 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* help, std::st
 /// --moved and --cell.
 void add_measure(CLI::App* command, MeasureOptions& options);
 
-/// --colour, one of the names that colour_named knows.
+/// --colour, the name of a field (report/block_fields.h).
 void add_colour(CLI::App* command, std::string& colour);
-[[nodiscard]] ColourBy colour_named(const std::string& name);
 
 }  // namespace muckpile

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "command_words.h"
+#include "report/mine_pose.h"
 #include "report/reports.h"
 
 namespace muckpile {
@@ -16,6 +17,7 @@ struct MovementWords {
   std::string folder;
   MeasureOptions measure;
   MovementOptions options;
+  bool mine = false;
 };
 
 }  // namespace
@@ -60,7 +62,17 @@ void add_movement_command(CLI::App& app) {
   movement->add_option("--turn", o->options.turn_deg,
                        "of the shifted ones about the run's z axis, counter-clockwise seen from "
                        "above [deg]");
-  movement->callback([o] { report_movement(ResultFolder(o->folder), o->measure, o->options); });
+  movement
+      ->add_flag("--mine", o->mine,
+                 "polygons and model are in the coordinates of the mine that scene.json tells, in "
+                 "place of --shift and --turn")
+      ->excludes(movement->get_option("--shift"))
+      ->excludes(movement->get_option("--turn"));
+  movement->callback([o] {
+    const ResultFolder folder(o->folder);
+    if (o->mine) set_mine_pose(folder, "movement", o->options.shift, o->options.turn_deg);
+    report_movement(folder, o->measure, o->options);
+  });
 }
 
 }  // namespace muckpile

@@ -16,6 +16,7 @@
 #include "damage_command.h"
 #include "flyrock_command.h"
 #include "fragments_command.h"
+#include "line_commands.h"
 #include "movement_command.h"
 #include "overlay_command.h"
 #include "pile_commands.h"
@@ -92,6 +93,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.option_defaults()->always_capture_default();
   add_pile_commands(app);
+  add_line_commands(app);
   add_movement_command(app);
   add_waves_command(app);
   add_fragments_command(app);

@@ -16,7 +16,6 @@ struct PileWords {
   std::string folder;
   MeasureOptions measure;
   SectionOptions section;
-  std::string colour = "start_height";
 };
 
 using SectionReport = void (*)(const ResultFolder&, const MeasureOptions&, const SectionOptions&);
@@ -26,11 +25,10 @@ void add_section(CLI::App& app, const char* name, const char* help, SectionRepor
   const auto words = std::make_shared<PileWords>();
   CLI::App* command = add_command(app, name, help, words->folder);
   add_measure(command, words->measure);
-  add_colour(command, words->colour);
+  add_colour(command, words->section.colour_by);
   command->add_option("--y", words->section.y,
                       "place of the section [m] (default: through a hole)");
   command->callback([words, report] {
-    words->section.colour_by = colour_named(words->colour);
     report(ResultFolder(words->folder), words->measure, words->section);
   });
 }

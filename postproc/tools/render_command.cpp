@@ -15,7 +15,6 @@ namespace {
 struct PictureWords {
   std::string folder;
   PictureOptions picture;
-  std::string colour = "start_height";
 };
 
 void add_view(CLI::App* render, PictureOptions& picture) {
@@ -39,7 +38,7 @@ void add_render_command(CLI::App& app) {
   const auto o = std::make_shared<PictureWords>();
   CLI::App* render =
       add_command(app, "render", "pile3d.png: the pile in three dimensions", o->folder);
-  add_colour(render, o->colour);
+  add_colour(render, o->picture.colour_by);
   render->add_option("--colour-range", o->picture.colour_range,
                      "LOW HIGH of the colours, where one block would take them all (default: that "
                      "of the blocks)");
@@ -62,7 +61,6 @@ void add_render_command(CLI::App& app) {
       ->needs(film);
   add_view(render, o->picture);
   render->callback([o] {
-    o->picture.colour_by = colour_named(o->colour);
     const auto& range = o->picture.colour_range;
     if (range && !((*range)[0] < (*range)[1]))
       throw CLI::ValidationError("--colour-range", "LOW must be below HIGH");

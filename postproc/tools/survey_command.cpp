@@ -9,6 +9,7 @@
 #include <string>
 
 #include "command_words.h"
+#include "report/mine_pose.h"
 #include "report/reports.h"
 
 namespace muckpile {
@@ -20,6 +21,7 @@ struct SurveyWords {
   std::string folder, unit = "m";
   MeasureOptions measure;
   SurveyOptions options;
+  bool mine = false;
 };
 
 // The keys of the report, each on a line.
@@ -33,6 +35,7 @@ void print_figures(const ResultFolder& folder) {
 void survey(SurveyWords& words) {
   words.options.unit = kUnits.at(words.unit);
   const ResultFolder folder(words.folder);
+  if (words.mine) set_mine_pose(folder, "survey", words.options.shift, words.options.turn_deg);
   report_survey(folder, words.measure, words.options);
   print_figures(folder);
 }
@@ -57,6 +60,12 @@ void add_survey_command(CLI::App& app) {
   command->add_option("--turn", options.turn_deg,
                       "of the shifted surface about the run's z axis, counter-clockwise seen from "
                       "above [deg]");
+  command
+      ->add_flag("--mine", words->mine,
+                 "the surface is in the coordinates of the mine that scene.json tells, in place of "
+                 "--shift and --turn")
+      ->excludes(command->get_option("--shift"))
+      ->excludes(command->get_option("--turn"));
   command->add_option("--unit", words->unit, "of the file's numbers")->check(CLI::IsMember(kUnits));
   command
       ->add_option("--gap", options.gap,

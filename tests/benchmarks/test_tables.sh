@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# test_tables.sh PERF_TABLE LADDER_REPORT PEERS_TABLE: the tables of the benchmark page, from made-up figures whose ratios are seen at a glance;
+# test_tables.sh PERF_TABLE LADDER_REPORT PEERS_TABLE TURNS_TABLE: the tables of the benchmark page, from made-up figures whose ratios are seen at a glance;
 # what is not there is told of by its file.
 set -euo pipefail
-perf_table=$(readlink -f "$1") ladder_report=$(readlink -f "$2") peers_table=$(readlink -f "$3")
+perf_table=$(readlink -f "$1") ladder_report=$(readlink -f "$2") peers_table=$(readlink -f "$3") turns_table=$(readlink -f "$4")
 source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
 cd "$out"
 
@@ -35,6 +35,24 @@ is perf.md <<'EOT'
 | perf_contacts | touching | rebuild_wall_s | 0.0409 |
 EOT
 refuses "./facets.json: cannot be opened" "$perf_table" . facets
+
+# Two builds in turns: the ratio of a turn is 1.1, 0.9 and 1.2 for the steps, whatever the machine's speed in that turn; a figure that the old build
+# lacks and a target are left out.
+
+one_turn() {  # one_turn SIDE TURN NS MORE
+  mkdir -p "$1"
+  echo "{\"target_ns_per_sphere\": 10, \"runs\": [{\"blocks\": 200, \"step\": {\"ns_per_sphere\": $3}}]$4}" >"$1/blocks_$2.json"
+}
+one_turn old 1 10 "" && one_turn old 2 20 "" && one_turn old 3 40 ""
+one_turn new 1 11 ', "cpu_s": 1' && one_turn new 2 18 ', "cpu_s": 1' && one_turn new 3 48 ', "cpu_s": 1'
+"$turns_table" . 3 blocks >turns.md
+is turns.md <<'EOT'
+| program | figure | old | new | new over old | of the turns |
+|---|---|---|---|---|---|
+| blocks | runs/0/step/ns_per_sphere | 20 | 18 | 1.100 | 0.900 to 1.200 |
+EOT
+refuses "old/blocks_4.json: cannot be opened" "$turns_table" . 4 blocks
+refuses "TURNS must be at least 1" "$turns_table" . 0 blocks
 
 # The ladder
 

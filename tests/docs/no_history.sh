@@ -5,8 +5,8 @@
 # Scope: words that give such a passage away; a page may still be wrong without them.
 set -euo pipefail
 cd "$1"
-words='earlier builds?|previous builds?|formerly|not measured again|before this (build|change|version)|quoted from memory|old (build|version)'
-if grep -rniE "$words" --include='*.md' --include='*.json' ./*.md docs inputs tests/regression |
+words='earlier builds?|previous builds?|formerly|not measured again|before this (build|change|version)|from memory|used to be|no longer is|previously|old (build|version)'
+if grep -rniE "$words" --include='*.md' --include='*.json' --include='*.cpp' --include='*.h' --include='*.csv' ./*.md docs inputs src fixes postproc tests |
   grep -v '^docs/sources\.md:'; then
   echo 'the lines above tell history, or quote from memory outside docs/sources.md' >&2
   exit 1

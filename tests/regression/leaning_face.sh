@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # leaning_face.sh LIGGGHTS_MUCKPILE MUCKPILE_POST: the bench with a free face of 76 degrees, as a user would write it with regions: `profile`
-# measures it. The same with a face that is turned about z, too: `profile` must refuse it with exit status 3 and its slope, leave no figures, and
-# take back those that lie there; the other reports work.
+# measures it. The same with a face that is turned about z, too, which is no plane through the toe: it is measured as it was cut. With holes that
+# stand elsewhere than the burden says `profile` ends with exit status 3, leaves no figures, and takes back those that lie there; the other
+# reports work.
 # Scope: the shortest run of the smallest bench; inputs/bench/in.bench is taken with other regions.
 set -euo pipefail
 program=$1 post=$2
@@ -25,12 +26,17 @@ for key in throw_cg_m face_velocity_m_s; do
 done
 
 run_with_face run "-0.940 -0.242 -0.241"
+"$post" profile "$out/run"
+grep -q '"face_note": "no plane: rock begins between' "$out/run/summary.json" || fail "the turned face was taken for a plane"
+grep -qE '"throw_cg_m": [0-9]' "$out/run/summary.json" || fail "throw of the turned face was not measured"
+
+sed -i 's/"burden_m": *1.5/"burden_m": 2.5/' "$out/run/dump/scene.json"
 echo "old" | tee "$out/run/profile.csv" >"$out/run/profile.png"
 status=0
 "$post" profile "$out/run" 2>"$out/message" || status=$?
 cat "$out/message"
 [[ $status -eq 3 ]] || fail "profile: exit status $status, should be 3"
-grep -q 'the free face must be a plane from the toe x = 0, z = 0 .* stands at .* to the horizontal' "$out/message" || fail "another message"
+grep -q 'the front row of holes must stand at x = -2.5 m' "$out/message" || fail "another message"
 [[ ! -e $out/run/profile.csv && ! -e $out/run/profile.png ]] || fail "old profile.* are still there"
 ! grep -qE '"(throw_cg_m|face_velocity_m_s|swell_factor|pile_toe_m)"' "$out/run/summary.json" || fail "figures in summary.json"
 grep -q '"profile_refused"' "$out/run/summary.json" || fail "no reason in summary.json"

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "draw/text.h"
+#include "parallel/in_parallel.h"
 
 namespace muckpile {
 
@@ -79,9 +80,10 @@ void Canvas::text(const Vec2& place, const std::string& words, double size, Colo
 }
 
 std::vector<unsigned char> Canvas::bytes() const {
-  std::vector<unsigned char> out;
-  out.reserve(3 * static_cast<size_t>(width_) * static_cast<size_t>(height_));
-  for (int y = 0; y < height_; ++y) {
+  std::vector<unsigned char> out(3 * static_cast<size_t>(width_) * static_cast<size_t>(height_));
+  in_parallel(static_cast<size_t>(height_), [&](size_t row) {
+    const int y = static_cast<int>(row);
+    unsigned char* to = out.data() + 3 * static_cast<size_t>(width_) * row;
     for (int x = 0; x < width_; ++x) {
       Colour sum{0.0F, 0.0F, 0.0F};
       for (int k = 0; k < kSamples * kSamples; ++k) {
@@ -90,10 +92,10 @@ std::vector<unsigned char> Canvas::bytes() const {
       }
       for (const float channel : {sum.red, sum.green, sum.blue}) {
         const double mean = static_cast<double>(channel) / (kSamples * kSamples);
-        out.push_back(static_cast<unsigned char>(std::lround(255.0 * std::clamp(mean, 0.0, 1.0))));
+        *to++ = static_cast<unsigned char>(255.0 * std::clamp(mean, 0.0, 1.0) + 0.5);
       }
     }
-  }
+  });
   return out;
 }
 

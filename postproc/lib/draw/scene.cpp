@@ -5,80 +5,19 @@
 #include "draw/scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "draw/depth_buffer.h"
 #include "parallel/in_parallel.h"
 
 namespace muckpile {
 namespace {
 
-constexpr double kNothing = -std::numeric_limits<double>::infinity();
 constexpr Colour kSkyTop{0.62F, 0.75F, 0.88F}, kSkyLow{0.95F, 0.96F, 0.96F};
 constexpr int kSunSize = 3000;  // samples along a side of the sun's depth buffer
-
-Vec3 normal_of(const std::vector<Vec3>& c) {
-  Vec3 normal = Vec3::Zero();
-  for (size_t k = 1; k + 1 < c.size(); ++k) normal += (c[k] - c[0]).cross(c[k + 1] - c[0]);
-  return normal;
-}
-
-// Nearest polygon of each sample, and how near.
-class DepthBuffer {
- public:
-  DepthBuffer(int width, int height)
-      : width_(width), height_(height), near_(count(), kNothing), polygon_(count(), -1) {}
-
-  // `normals` are those of the polygons, of any length.
-  void draw(const std::vector<ScenePolygon>& polygons, const std::vector<Vec3>& normals,
-            const Camera& camera, bool with_ground) {
-    for (size_t p = 0; p < polygons.size(); ++p) {
-      const ScenePolygon& polygon = polygons[p];
-      if (!with_ground && polygon.object == kGroundObject) continue;
-      if (camera.faces_eye(polygon.corners[0], normals[p]))
-        draw(polygon.corners, normals[p], static_cast<int>(p), camera);
-    }
-  }
-  [[nodiscard]] bool holds(int x, int y) const {
-    return x >= 0 && y >= 0 && x < width_ && y < height_;
-  }
-  [[nodiscard]] double near(int x, int y) const { return near_[index(x, y)]; }
-  [[nodiscard]] int polygon(int x, int y) const { return polygon_[index(x, y)]; }
-
- private:
-  [[nodiscard]] size_t count() const {
-    return static_cast<size_t>(width_) * static_cast<size_t>(height_);
-  }
-  [[nodiscard]] size_t index(int x, int y) const {
-    return static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
-  }
-
-  void draw(const std::vector<Vec3>& corners, const Vec3& normal, int number,
-            const Camera& camera) {
-    outline_.clear();
-    if (std::ranges::all_of(corners, [&](const Vec3& c) { return camera.sees(c); })) {
-      for (const Vec3& c : corners) outline_.push_back(camera.place(c));
-    } else {
-      for (const Vec3& c : camera.clipped(corners)) outline_.push_back(camera.place(c));
-    }
-    const Vec3 plane = camera.nearness_of_plane(corners[0], normal);
-    scan_polygon(outline_, width_, height_, crossings_, [&](int y, int begin, int end) {
-      const double row = plane.x() + plane.z() * (y + 0.5);
-      for (int x = begin; x < end; ++x) {
-        const double nearness = row + plane.y() * (x + 0.5);
-        const size_t i = index(x, y);
-        if (nearness > near_[i]) near_[i] = nearness, polygon_[i] = number;
-      }
-    });
-  }
-
-  int width_, height_;
-  std::vector<double> near_;
-  std::vector<int> polygon_;
-  std::vector<Vec2> outline_;
-  std::vector<double> crossings_;
-};
 
 struct Ball {
   Vec3 middle;
@@ -86,13 +25,34 @@ struct Ball {
 };
 
 // Of all that throws shadows.
-Ball ball_around(const std::vector<ScenePolygon>& polygons) {
+Ball ball_around(const std::vector<SceneObject>& objects) {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (const ScenePolygon& p : polygons) {
-    if (p.object == kGroundObject) continue;
-    for (const Vec3& c : p.corners) low = low.cwiseMin(c), high = high.cwiseMax(c);
+  for (const SceneObject& object : objects) {
+    if (!object.ground) low = low.cwiseMin(object.low), high = high.cwiseMax(object.high);
   }
   return {0.5 * (low + high), 0.5 * (high - low).norm()};
+}
+
+constexpr int kPoints = 8, kTurns = 9;
+using Spiral = std::array<Vec2, kPoints>;
+
+// Points of a spiral within a circle of radius 1, in nine turns.
+std::array<Spiral, kTurns> turned_spirals() {
+  std::array<Spiral, kTurns> spirals;
+  for (int turn = 0; turn < kTurns; ++turn) {
+    for (int k = 0; k < kPoints; ++k) {
+      const double angle = 2.0 * std::numbers::pi * turn / kTurns + 2.4 * k;
+      spirals[static_cast<size_t>(turn)][static_cast<size_t>(k)] =
+          (k + 0.5) / kPoints * Vec2(std::cos(angle), std::sin(angle));
+    }
+  }
+  return spirals;
+}
+
+// Of numbers within a picture; std::lround is a call.
+int nearest_whole(double value) {
+  constexpr int kBeyond = 1 << 20;
+  return static_cast<int>(value + (kBeyond + 0.5)) - kBeyond;
 }
 
 class Shader {
@@ -100,16 +60,21 @@ class Shader {
   Shader(const Scene& scene, const Camera& camera, const Canvas& canvas)
       : scene_(scene),
         camera_(camera),
-        ball_(ball_around(scene.polygons)),
+        objects_(objects_of(scene.polygons)),
+        ball_(ball_around(objects_)),
         sun_(Camera::parallel(-scene.to_sun, ball_.middle, ball_.radius, kSunSize)),
         seen_(canvas.sample_width(), canvas.sample_height()),
         lit_(kSunSize, kSunSize),
-        normals_(scene.polygons.size()) {
-    each_in_parallel(normals_.size(),
-                     [&](size_t p) { normals_[p] = normal_of(scene.polygons[p].corners); });
-    in_parallel(2, [&](size_t part) {
-      if (part == 0) seen_.draw(scene.polygons, normals_, camera, true);
-      if (part == 1) lit_.draw(scene.polygons, normals_, sun_, false);
+        normals_(normals_of(scene.polygons)) {
+    const SceneParts parts{scene.polygons, normals_, objects_};
+    seen_.look_at(parts, camera, true);
+    lit_.look_at(parts, sun_, false);
+    in_parallel(seen_.bands() + lit_.bands(), [&](size_t band) {
+      if (band < seen_.bands()) {
+        seen_.draw_band(band, parts, camera);
+      } else {
+        lit_.draw_band(band - seen_.bands(), parts, sun_);
+      }
     });
     each_in_parallel(normals_.size(), [&](size_t p) { normals_[p].normalize(); });
   }
@@ -137,7 +102,8 @@ class Shader {
     if (number < 0) return mix(kSkyTop, kSkyLow, 1.4 * y / height);
     const auto n = static_cast<size_t>(number);
     const Vec3 p = camera_.point({x + 0.5, y + 0.5}, seen_.near(x, y));
-    const double sun = std::max(0.0, normals_[n].dot(scene_.to_sun)) * share_in_sun(p, normals_[n]);
+    const double towards = normals_[n].dot(scene_.to_sun);
+    const double sun = towards > 0.0 ? towards * share_in_sun(p, normals_[n]) : 0.0;
     const double sky = (0.72 + 0.28 * normals_[n].z()) * openness(x, y, p, normals_[n]);
     const double outline = is_outline(x, y, number) ? 0.62 : 1.0;
     const ScenePolygon& polygon = scene_.polygons[n];
@@ -166,20 +132,17 @@ class Shader {
   // about this one. The spiral is turned by the sample's place; the nine samples of a pixel average
   // the turns.
   [[nodiscard]] double openness(int x, int y, const Vec3& p, const Vec3& normal) const {
-    constexpr int kPoints = 8;
     const double reach = scene_.hollow_size * camera_.samples_per_metre(camera_.depth(p));
-    const double turn = 2.0 * std::numbers::pi * ((x % 3) * 3 + y % 3) / 9.0;
+    const double farthest = 2.0 * scene_.hollow_size;  // that counts [m]
     double closed = 0.0;
-    for (int k = 0; k < kPoints; ++k) {
-      const double r = reach * (k + 0.5) / kPoints, angle = turn + 2.4 * k;
-      const int sx = x + static_cast<int>(std::lround(r * std::cos(angle)));
-      const int sy = y + static_cast<int>(std::lround(r * std::sin(angle)));
+    for (const Vec2& way : spirals_[static_cast<size_t>((x % 3) * 3 + y % 3)]) {
+      const int sx = x + nearest_whole(reach * way.x()), sy = y + nearest_whole(reach * way.y());
       if (!seen_.holds(sx, sy) || seen_.polygon(sx, sy) < 0) continue;
       const Vec3 to = camera_.point({sx + 0.5, sy + 0.5}, seen_.near(sx, sy)) - p;
-      const double distance = to.norm();
-      if (distance <= 0.0) continue;
-      const double rise = std::max(0.0, normal.dot(to) / distance - 0.1);
-      closed += rise * std::max(0.0, 1.0 - distance / (2.0 * scene_.hollow_size));
+      const double rise = normal.dot(to), squared = to.squaredNorm();
+      if (rise <= 0.0 || squared >= farthest * farthest) continue;
+      const double distance = std::sqrt(squared);
+      closed += std::max(0.0, rise / distance - 0.1) * (1.0 - distance / farthest);
     }
     return std::clamp(1.0 - 1.9 * closed / kPoints, 0.25, 1.0);
   }
@@ -196,10 +159,12 @@ class Shader {
 
   const Scene& scene_;
   const Camera& camera_;
+  std::vector<SceneObject> objects_;
   Ball ball_;
   Camera sun_;
   DepthBuffer seen_, lit_;
   std::vector<Vec3> normals_;
+  std::array<Spiral, kTurns> spirals_ = turned_spirals();
 };
 
 void draw_ghost(const Scene& scene, const Camera& camera, const Shader& shader, Canvas& canvas) {

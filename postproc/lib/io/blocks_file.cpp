@@ -7,58 +7,20 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <string>
 #include <utility>
 
 #include "args/input_error.h"
 #include "args/text_words.h"
+#include "geometry/files/cell_data.h"
 #include "geometry/files/cell_file.h"
 #include "io/file_text.h"
+#include "io/muck.h"
 #include "io/plain_cells.h"
 #include "parallel/in_parallel.h"
 
 namespace muckpile {
 namespace {
-
-using CellData = std::map<std::string, std::vector<double>>;
-
-std::vector<double> read_scalars(TextWords& text, size_t cells, const std::string& where) {
-  (void)text.line();  // type and the number of components, which may be left out
-  const std::string_view table = text.word();
-  if (table != "LOOKUP_TABLE" || text.word().empty())
-    throw InputError(where + "LOOKUP_TABLE expected, got '" + std::string(table) + "'");
-  std::vector<double> values(cells);
-  for (size_t k = 0; k < cells; ++k)
-    if (!text.number(values[k]))
-      throw InputError(where + "must have a number for each of " + std::to_string(cells) +
-                       " cells, got " + std::to_string(k));
-  return values;
-}
-
-// What stands behind the cells.
-CellData read_cell_data(TextWords& text, size_t cells, const std::string& file) {
-  size_t count = 0;
-  if (text.word() != "CELL_DATA" || !text.number(count) || count != cells)
-    throw InputError(file + ": 'CELL_DATA " + std::to_string(cells) +
-                     "' expected behind the cells");
-  CellData data;
-  for (std::string word(text.word()); !word.empty(); word = text.word()) {
-    const std::string name(text.word());
-    if (word != "SCALARS" || name.empty())
-      throw InputError(file + ": 'SCALARS' and a name expected, got '" + word + "'");
-    data[name] = read_scalars(text, cells, file + ": " + name + ": ");
-  }
-  return data;
-}
-
-const std::vector<double>& cell_array(const CellData& data, const char* name,
-                                      const std::string& file) {
-  const auto found = data.find(name);
-  if (found == data.end())
-    throw InputError(file + ": has no cell data '" + std::string(name) + "'");
-  return found->second;
-}
 
 struct FileTables {
   CellTable cells;
@@ -83,6 +45,14 @@ int whole_id(double value, const std::string& file) {
   if (!(value >= 1.0 && value <= std::numeric_limits<int>::max()) || value != std::floor(value))
     throw InputError(file + ": id must be a whole number >= 1, got '" + std::to_string(value) +
                      "'");
+  return static_cast<int>(value);
+}
+
+int zone_number(double value, const std::string& file) {
+  constexpr double kMost = 255.0;
+  if (!(value >= 0.0 && value <= kMost) || value != std::floor(value))
+    throw InputError(file + ": zone must be a whole number from 0 to 255, got '" +
+                     std::to_string(value) + "'");
   return static_cast<int>(value);
 }
 
@@ -117,19 +87,26 @@ std::vector<StartBlock> read_blocks(const std::filesystem::path& path) {
   const auto& mass = cell_array(data, "mass_kg", file);
   const auto& free_face = cell_array(data, "on_free_face", file);
 
+  const auto muck = data.find("muck");
+  const auto zones = data.find("zone");
   std::vector<StartBlock> blocks(cells.cells());
   each_in_parallel(cells.cells(), [&](size_t c) {
     blocks[c] = {
         whole_id(id[c], file), cell_of(cells, c), Vec3::Zero(), volume[c], size[c], mass[c],
         free_face[c] != 0.0};
+    if (zones != data.end()) blocks[c].zone = zone_number(zones->second[c], file);
     const MassProperties exact = mass_properties(blocks[c].shape);
     blocks[c].centroid = exact.centroid;
+    if (muck != data.end() && muck->second[c] != 0.0) blocks[c].image = kMuckImage;
     check(blocks[c], exact.volume, file);
   });
-  std::ranges::sort(blocks, {}, &StartBlock::id);
+  if (!std::ranges::is_sorted(blocks, {}, &StartBlock::id))
+    std::ranges::sort(blocks, {}, &StartBlock::id);
   const auto twin = std::ranges::adjacent_find(blocks, {}, &StartBlock::id);
   if (twin != blocks.end())
     throw InputError(file + ": id " + std::to_string(twin->id) + " occurs twice");
+  if (!std::ranges::is_sorted(blocks, {}, is_muck))
+    throw InputError(file + ": the ids of muck must be greater than those of rock");
   return blocks;
 }
 

@@ -20,6 +20,7 @@ struct StartBlock {
   double size;       // volume^(1/3) [m]
   double mass;       // [kg]
   bool on_free_face;
+  int zone = -1;  // number of its zone of rock, 0 beside them; -1: the file has no zones
   int image = 0;  // 0: of the model; else behind its symmetry planes (io/images.h)
 };
 

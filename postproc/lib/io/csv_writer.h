@@ -4,6 +4,7 @@
 // field.
 #pragma once
 
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -19,6 +20,7 @@ namespace muckpile {
 
 // A place of a mine grid [m] to the millimetre, for which six digits are too few.
 inline std::string place_text(double value) {
+  if (std::isnan(value)) return {};
   char text[40];
   std::snprintf(text, sizeof text, "%.3f", value);
   return text;
@@ -40,21 +42,59 @@ class CsvWriter {
   }
   // Words first, one at least, without commas in them.
   void row(const std::vector<std::string>& words, const std::vector<double>& values) {
-    out_ << joined(words, ",");
+    line_ = joined(words, ",");
     write(",", values);
+  }
+  // Places of a mine grid [m] behind the numbers, to the millimetre; none is well.
+  void row_at(const std::vector<double>& values, const std::vector<double>& places) {
+    append(values, "");
+    end_line(places);
+  }
+  void row_at(const std::string& word, const std::vector<double>& values,
+              const std::vector<double>& places) {
+    line_ = word;
+    append(values, ",");
+    end_line(places);
+  }
+  // The same with one more value behind the others or, where it has one, its name.
+  void row_named(const std::string& word, const std::vector<double>& values, double value,
+                 const std::string& name, const std::vector<double>& places) {
+    line_ = word;
+    append(values, ",");
+    if (name.empty()) append({value}, ",");
+    if (!name.empty()) line_.append(1, ',').append(name);
+    end_line(places);
   }
 
  private:
   void write(const char* separator, const std::vector<double>& values) {
+    append(values, separator);
+    end_line();
+  }
+  void append(const std::vector<double>& values, const char* separator) {
     for (const double value : values) {
-      out_ << separator;
-      if (!std::isnan(value)) out_ << value;
+      line_ += separator;
+      if (!std::isnan(value)) append(value);
       separator = ",";
     }
-    out_ << '\n';
+  }
+  void end_line(const std::vector<double>& places = {}) {
+    for (const double place : places) line_.append(1, ',').append(place_text(place));
+    line_ += '\n';
+    out_ << line_;
+    line_.clear();
+  }
+  // As printf's %g, but faster.
+  void append(double value) {
+    constexpr int kDigits = 6;
+    char text[32];
+    const auto end =
+        std::to_chars(text, text + sizeof text, value, std::chars_format::general, kDigits);
+    line_.append(text, end.ptr);
   }
 
   std::ofstream out_;
+  std::string line_;  // being written
 };
 
 }  // namespace muckpile

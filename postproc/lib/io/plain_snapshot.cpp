@@ -43,7 +43,7 @@ bool read_row(const char*& at, const char* end, PlainRow& row) {
          std::isfinite(row.broken);
 }
 
-// The same for a row that nobody asks for.
+// The same for a row that is not requested.
 bool skip_row(const char*& at, const char* end) {
   const void* const found = std::memchr(at, '\n', static_cast<size_t>(end - at));
   if (found == nullptr) return false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The folder of one run: where its dumps are, what its scene was, and its summary.json.
 // Scope: the summary is written to a second file and renamed, so a reader never sees half of it.
+#include "io/muck.h"
 #include "io/result_folder.h"
 
 #include <fstream>
@@ -20,10 +21,27 @@ ResultFolder::ResultFolder(std::filesystem::path folder) : folder_(std::move(fol
   run_id_ = run_id_of(folder_ / "dump");
 }
 
-std::vector<StartBlock> ResultFolder::blocks() const {
-  std::vector<StartBlock> blocks = read_blocks(dump("blocks.vtk"));
-  add_images(blocks, symmetry());
-  return blocks;
+const std::vector<StartBlock>& ResultFolder::blocks() const {
+  if (blocks_ == nullptr) {
+    std::vector<StartBlock> blocks = read_blocks(dump("blocks.vtk"));
+    const size_t rock = rock_blocks(blocks);
+    if (symmetry() != 1 && rock != blocks.size()) {
+      throw InputError(dump("blocks.vtk").string() +
+                       ": muck in a model with images is not measured");
+    }
+    add_images(blocks, symmetry());
+    if (rock < blocks.size() && symmetry() == 1) {
+      rock_ = std::make_shared<const std::vector<StartBlock>>(
+          blocks.begin(), blocks.begin() + static_cast<std::ptrdiff_t>(rock));
+    }
+    blocks_ = std::make_shared<const std::vector<StartBlock>>(std::move(blocks));
+  }
+  return *blocks_;
+}
+
+const std::vector<StartBlock>& ResultFolder::rock() const {
+  const std::vector<StartBlock>& all = blocks();
+  return rock_ == nullptr ? all : *rock_;
 }
 
 int ResultFolder::symmetry() const {
@@ -51,6 +69,13 @@ std::vector<std::filesystem::path> ResultFolder::snapshots() const {
 std::string ResultFolder::scene_word(const std::string& key) const {
   const auto found = scene_.find(key);
   return found != scene_.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+std::string ResultFolder::knob(const std::string& name) const {
+  const auto knobs = scene_.find("knobs");
+  if (knobs == scene_.end() || !knobs->is_object()) return {};
+  const auto found = knobs->find(name);
+  return found != knobs->end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
 double ResultFolder::scene_number(const std::string& key) const {

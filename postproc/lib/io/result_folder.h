@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -28,14 +29,19 @@ class ResultFolder {
 
   // dump/blocks_<step>.csv in order of step. Throws InputError if there is none.
   [[nodiscard]] std::vector<std::filesystem::path> snapshots() const;
-  // Of the whole blast: those of the model, then their images behind its symmetry planes.
-  [[nodiscard]] std::vector<StartBlock> blocks() const;
+  // Of the whole blast: those of the model, then their images behind its symmetry planes. Read at
+  // the first call; the folder and its copies keep them.
+  [[nodiscard]] const std::vector<StartBlock>& blocks() const;
+  // Those of them that are no muck (io/muck.h), which are the first.
+  [[nodiscard]] const std::vector<StartBlock>& rock() const;
   // How many times the model makes the blast: 1, or 2 or 4 by the scene's key symmetry. Throws
   // InputError on another number.
   [[nodiscard]] int symmetry() const;
 
   [[nodiscard]] std::string scene_word(const std::string& key) const;  // "" if absent
   [[nodiscard]] bool scene_has(const std::string& key) const { return scene_.contains(key); }
+  // The text of a knob that the scene holds; "" if it has none of that name.
+  [[nodiscard]] std::string knob(const std::string& name) const;
   // Throws InputError if the scene lacks the key or it is no number.
   [[nodiscard]] double scene_number(const std::string& key) const;
 
@@ -54,6 +60,8 @@ class ResultFolder {
   std::filesystem::path folder_;
   nlohmann::ordered_json scene_;
   std::string run_id_;
+  mutable std::shared_ptr<const std::vector<StartBlock>> blocks_;
+  mutable std::shared_ptr<const std::vector<StartBlock>> rock_;  // null: all blocks
 };
 
 using check::read_json_object;

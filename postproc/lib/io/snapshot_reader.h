@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Many snapshots of one run, of which often a few blocks are needed.
-// Scope: as read_snapshot (io/snapshot.h), but for rows that nobody asks for.
+// Scope: as read_snapshot (io/snapshot.h), but for rows that are not requested.
 #pragma once
 
 #include <filesystem>

@@ -15,6 +15,7 @@
 #include <fstream>
 
 #include "args/input_error.h"
+#include "io/muck.h"
 
 namespace muckpile {
 namespace {
@@ -75,6 +76,8 @@ void set_state(const std::vector<StartBlock>& blocks, const Snapshot& snapshot,
   set_scalar<vtkFloatArray>(grid, "mass_kg", n, [&](size_t b) { return blocks[b].mass; });
   set_scalar<vtkFloatArray>(grid, "broken_fraction", n,
                             [&](size_t b) { return states[b].broken_fraction; });
+  if (rock_blocks(blocks) < n)
+    set_scalar<vtkIntArray>(grid, "muck", n, [&](size_t b) { return is_muck(blocks[b]) ? 1 : 0; });
   set_vector(grid, "velocity_m_s", n, [&](size_t b) { return states[b].velocity; });
   set_vector(grid, "spin_rad_s", n, [&](size_t b) { return states[b].spin; });
   set_vector(grid, "start_m", n, [&](size_t b) { return blocks[b].centroid; });
@@ -97,7 +100,7 @@ void write_grid(vtkUnstructuredGrid& grid, const std::filesystem::path& path) {
 }  // namespace
 
 int write_vtk_series(const ResultFolder& folder, int every) {
-  const std::vector<StartBlock> blocks = folder.blocks();
+  const std::vector<StartBlock>& blocks = folder.blocks();
   const std::filesystem::path target = folder.file("vtk");
   std::filesystem::create_directories(target);
   vtkNew<vtkUnstructuredGrid> grid;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The planes that a bench is measured between: its free face and those of the rows of holes.
-// Scope: both hold the direction of y; the face goes through the toe x = 0, z = 0 and leans back.
+// What a bench is measured between: its free face and the planes of the rows of holes.
+// Scope: planes hold the direction of y; that of a face goes through the toe x = 0, z = 0 and leans
+// back. A face that is no plane is a map of where the rock begins.
 #pragma once
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 
 #include "math/types.h"
+#include "measure/face_map.h"
 
 namespace muckpile {
 
@@ -16,18 +19,27 @@ struct BenchPlanes {
   // Of the rock that holes stand in, where the rock goes on beside them [m].
   double y_low = -std::numeric_limits<double>::infinity();
   double y_high = std::numeric_limits<double>::infinity();
+  std::shared_ptr<const FaceMap> face{};  // of a face that is no plane, else none
 
-  // Level distance behind the face [m]; below the floor the face is upright.
+  // Level distance behind the face [m]; below the floor the face is upright. Behind a face that is
+  // no plane, rock may stand a little in front of the line that its place is told by.
   [[nodiscard]] double behind_face(const Vec3& p) const {
+    if (face != nullptr) return std::max(0.0, face->x(p.y(), p.z()) - p.x());
     return -p.x() - face_back * std::max(p.z(), 0.0);
   }
+  // Before the blast all rock is behind a face that was found from it.
+  [[nodiscard]] bool is_behind_face(const Vec3& p) const {
+    return face != nullptr || behind_face(p) > 0.0;
+  }
+  // Where the face meets the floor, x [m].
+  [[nodiscard]] double toe(double y) const { return face != nullptr ? face->toe(y) : 0.0; }
   // Distance behind the toe at which a hole through the point meets the floor's height [m].
   [[nodiscard]] double row_depth(const Vec3& p) const { return -p.x() - hole_back * p.z(); }
   [[nodiscard]] bool abreast(const Vec3& p) const { return p.y() >= y_low && p.y() <= y_high; }
   // Above the floor, behind the face and in front of the row that stands `depth` [m] behind the
   // toe.
   [[nodiscard]] bool in_front_of(double depth, const Vec3& p) const {
-    return p.z() > 0.0 && behind_face(p) > 0.0 && row_depth(p) < depth && abreast(p);
+    return p.z() > 0.0 && is_behind_face(p) && row_depth(p) < depth && abreast(p);
   }
 };
 

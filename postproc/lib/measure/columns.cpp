@@ -9,6 +9,7 @@
 #include <string>
 
 #include "args/input_error.h"
+#include "io/muck.h"
 #include "io/posed_block.h"
 #include "measure/scan_polygon.h"
 #include "measure/start_extent.h"
@@ -32,13 +33,33 @@ struct RowRange {
   int begin, end;
 };
 
-// Fills the columns of some rows of the grid.
+// Fills the columns of some rows of the grid; lengths only where `columns` has them.
 class ColumnFiller {
  public:
-  ColumnFiller(Columns& columns, RowRange rows) : out_(columns), rows_(rows) {}
+  ColumnFiller(Columns& columns, RowRange rows)
+      : out_(columns), rows_(rows), tops_only_(columns.length.empty()) {}
+
+  // Whether each column that the ball may reach holds rock above all of it.
+  [[nodiscard]] bool hides(const Vec3& centre, double reach) const {
+    const ColumnGrid& grid = out_.grid;
+    const double top = centre.z() + reach;
+    const auto first = [](double place, int limit) {
+      return static_cast<int>(std::clamp(std::floor(place), 0.0, static_cast<double>(limit)));
+    };
+    const int i_end = first((centre.x() + reach - grid.x0) / grid.dx + 1.0, grid.nx);
+    const int j_end = first((centre.y() + reach - grid.y0) / grid.dy + 1.0, rows_.end);
+    const int i_begin = first((centre.x() - reach - grid.x0) / grid.dx, grid.nx);
+    for (int j = std::max(first((centre.y() - reach - grid.y0) / grid.dy, rows_.end), rows_.begin);
+         j < j_end; ++j) {
+      for (int i = i_begin; i < i_end; ++i)
+        if (!(out_.top[grid.at(i, j)] > top)) return false;
+    }
+    return true;
+  }
 
   void add(const std::vector<Vec3>& vertices, const std::vector<int>& face, int block) {
     const Vec3 normal = face_normal(vertices, face);
+    if (tops_only_ && normal.z() <= 0.0) return;
     if (std::abs(normal.z()) <= kUpright * normal.norm()) return;
     const ColumnGrid& grid = out_.grid;
     outline_.clear();
@@ -60,7 +81,7 @@ class ColumnFiller {
 
  private:
   void set(size_t cell, double z, bool looks_up, int block) {
-    out_.length[cell] += looks_up ? z : -z;
+    if (!tops_only_) out_.length[cell] += looks_up ? z : -z;
     if (looks_up && z > out_.top[cell]) {
       out_.top[cell] = z;
       out_.top_block[cell] = block;
@@ -69,6 +90,7 @@ class ColumnFiller {
 
   Columns& out_;
   RowRange rows_;
+  bool tops_only_;
   std::vector<Vec2> outline_;
   std::vector<double> crossings_;
 };
@@ -92,6 +114,7 @@ class BlockReaches {
       : grid_(grid), states_(states), reach_(blocks.size()) {
     each_in_parallel(blocks.size(), [&](size_t b) { reach_[b] = reach_of(blocks[b]); });
   }
+  [[nodiscard]] double of(size_t b) const { return reach_[b]; }
   [[nodiscard]] bool reaches(size_t b, RowRange rows) const {
     const double y = states_[b].centre.y();
     return y + reach_[b] >= grid_.y0 + rows.begin * grid_.dy &&
@@ -103,6 +126,16 @@ class BlockReaches {
   const std::vector<BlockState>& states_;
   std::vector<double> reach_;
 };
+
+// Calls work(rows) for strips of the grid, some to each core, as they differ in rock.
+template <class Work>
+void each_strip(const ColumnGrid& grid, Work&& work) {
+  const int strips = std::min(4 * static_cast<int>(cores()), grid.ny);
+  in_parallel(static_cast<size_t>(strips), [&](size_t part) {
+    const int strip = static_cast<int>(part);
+    work(RowRange{strip * grid.ny / strips, (strip + 1) * grid.ny / strips});
+  });
+}
 
 Extent nothing() {
   return {Vec3::Constant(std::numeric_limits<double>::infinity()), Vec3::Constant(kNoRock)};
@@ -150,14 +183,36 @@ Columns columns_through(const ColumnGrid& grid, const std::vector<StartBlock>& b
   Columns columns{grid, std::vector<double>(grid.cells(), kNoRock),
                   std::vector<int>(grid.cells(), -1), std::vector<double>(grid.cells(), 0.0)};
   const BlockReaches reach(grid, blocks, states);
-  const int strips = std::min(static_cast<int>(cores()), grid.ny);
-  in_parallel(static_cast<size_t>(strips), [&](size_t part) {
-    const int strip = static_cast<int>(part);
-    const RowRange rows{strip * grid.ny / strips, (strip + 1) * grid.ny / strips};
+  each_strip(grid, [&](RowRange rows) {
     ColumnFiller filler(columns, rows);
     std::vector<Vec3> vertices;
     for (size_t b = 0; b < blocks.size(); ++b) {
       if (keep[b] == 0 || !reach.reaches(b, rows)) continue;
+      move_vertices(blocks[b], states[b], vertices);
+      for (const std::vector<int>& face : blocks[b].shape.faces)
+        filler.add(vertices, face, static_cast<int>(b));
+    }
+  });
+  return columns;
+}
+
+Columns tops_through(const ColumnGrid& grid, const std::vector<StartBlock>& blocks,
+                     const std::vector<BlockState>& states, const std::vector<char>& keep) {
+  Columns columns{grid,
+                  std::vector<double>(grid.cells(), kNoRock),
+                  std::vector<int>(grid.cells(), -1),
+                  {}};
+  const BlockReaches reach(grid, blocks, states);
+  std::vector<size_t> from_above;
+  for (size_t b = 0; b < blocks.size(); ++b)
+    if (keep[b] != 0) from_above.push_back(b);
+  std::ranges::stable_sort(from_above, std::ranges::greater{},
+                           [&](size_t b) { return states[b].centre.z() + reach.of(b); });
+  each_strip(grid, [&](RowRange rows) {
+    ColumnFiller filler(columns, rows);
+    std::vector<Vec3> vertices;
+    for (const size_t b : from_above) {
+      if (!reach.reaches(b, rows) || filler.hides(states[b].centre, reach.of(b))) continue;
       move_vertices(blocks[b], states[b], vertices);
       for (const std::vector<int>& face : blocks[b].shape.faces)
         filler.add(vertices, face, static_cast<int>(b));
@@ -171,6 +226,11 @@ Extent extent_of(const std::vector<StartBlock>& blocks, const std::vector<BlockS
 }
 
 Extent extent_at_start(const std::vector<StartBlock>& blocks) {
+  if (rock_blocks(blocks) < blocks.size()) {
+    std::vector<StartBlock> rock = blocks;
+    (void)split_muck(rock);
+    return extent_at_start(rock);
+  }
   return extent_where(blocks, [&](size_t b) { return start_state(blocks[b]); });
 }
 

@@ -23,6 +23,8 @@ bool touches_face(const StartBlock& block, const BenchPlanes& planes) {
 
 double depth_of_layer(const std::vector<StartBlock>& blocks, double burden,
                       const BenchPlanes& planes) {
+  if (planes.face != nullptr)
+    return std::max(0.25 * burden, mean_block_size(blocks, planes.face->at_face()));
   std::vector<char> at_face(blocks.size());
   each_in_parallel(blocks.size(),
                    [&](size_t b) { at_face[b] = touches_face(blocks[b], planes) ? 1 : 0; });
@@ -35,7 +37,7 @@ std::vector<size_t> layer_between(const std::vector<StartBlock>& blocks, double 
   for (size_t b = 0; b < blocks.size(); ++b) {
     const Vec3& start = blocks[b].centroid;
     const double behind = planes.behind_face(start);
-    if (behind < depth && behind > 0.0 && start.z() >= low && start.z() <= high &&
+    if (behind < depth && planes.is_behind_face(start) && start.z() >= low && start.z() <= high &&
         planes.abreast(start))
       layer.push_back(b);
   }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The free face of a bench before the blast.
-// Scope: columns_through on rock that has been turned, so that its free face is its top.
+// Scope: tops_through on rock that has been turned, so that its free face is its top.
 #include "measure/free_face.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "measure/broken_out.h"
 #include "measure/columns.h"
@@ -64,20 +65,34 @@ double middle_back(const Columns& lines) {
   return std::max(*middle, 0.0);
 }
 
-}  // namespace
-
-FreeFace free_face(const std::vector<StartBlock>& blocks, double tolerance) {
+// None for rock that does not reach above the floor.
+std::optional<Columns> lines_through(const std::vector<StartBlock>& blocks) {
   const std::vector<char> all(blocks.size(), 1);
   const std::vector<BlockState> states = turned(blocks);
   const Extent extent = extent_of(blocks, states);
-  FreeFace face{kNan, kNan, kNan, 0.0, 1.0};
   const double top = extent.high.x(), cell = mean_block_size(blocks, all) / kLinesPerBlock;
-  if (!(top > cell)) return face;
+  if (!(top > cell)) return std::nullopt;
   // Whole cells only: the centre of a last one might lie above the rock.
   const double rows = std::floor(top / cell);
-  const Columns lines = columns_through(
+  return tops_through(
       column_grid(0.0, rows * cell * (1.0 - 1e-9), extent.low.y(), extent.high.y(), cell), blocks,
       states, all);
+}
+
+}  // namespace
+
+std::shared_ptr<const FaceMap> face_map(const std::vector<StartBlock>& blocks) {
+  const std::optional<Columns> lines = lines_through(blocks);
+  const auto is_rock = [](double x) { return x != kNoRock; };
+  if (!lines || std::ranges::none_of(lines->top, is_rock)) return nullptr;
+  return std::make_shared<const FaceMap>(*lines, blocks.size());
+}
+
+FreeFace free_face(const std::vector<StartBlock>& blocks, double tolerance) {
+  FreeFace face{kNan, kNan, kNan, 0.0, 1.0};
+  const std::optional<Columns> through = lines_through(blocks);
+  if (!through) return face;
+  const Columns& lines = *through;
   Plane plane;
   for (int j = 0; j < lines.grid.ny; ++j) {
     for (int i = 0; i < lines.grid.nx; ++i) {

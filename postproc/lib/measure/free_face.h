@@ -3,9 +3,11 @@
 // Scope: rock above the pit floor z = 0; top, floor, back and the sides along y are not looked at.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "io/blocks_file.h"
+#include "measure/face_map.h"
 
 namespace muckpile {
 
@@ -21,5 +23,8 @@ struct FreeFace {
 // the middle one of the lines does where that leaves less off. `tolerance` in m, along x. All NaN
 // and 1 for rock that does not reach above z = 0.
 FreeFace free_face(const std::vector<StartBlock>& blocks, double tolerance);
+
+// Where those lines meet the rock. None for rock that does not reach above z = 0.
+std::shared_ptr<const FaceMap> face_map(const std::vector<StartBlock>& blocks);
 
 }  // namespace muckpile

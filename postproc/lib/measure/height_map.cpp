@@ -41,9 +41,9 @@ HeightMap height_map(const std::vector<StartBlock>& blocks, const Snapshot& last
     if (moved[b] != 0 && lies[b] != 0 && last.states[b].centre.z() > 0.0)
       map.solid_volume += blocks[b].volume;
   }
-  map.before = above_floor(columns_through(map.grid, blocks, start, all).top);
-  map.after = above_floor(columns_through(map.grid, blocks, last.states, lies).top);
-  map.in_place = above_floor(columns_through(map.grid, blocks, last.states, stayed).top);
+  map.before = above_floor(tops_through(map.grid, blocks, start, all).top);
+  map.after = above_floor(tops_through(map.grid, blocks, last.states, lies).top);
+  map.in_place = above_floor(tops_through(map.grid, blocks, last.states, stayed).top);
   for (size_t k = 0; k < map.grid.cells(); ++k)
     map.pile_volume += (map.after[k] - map.in_place[k]) * map.grid.dx * map.grid.dy;
   return map;

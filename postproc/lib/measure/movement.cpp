@@ -3,6 +3,7 @@
 // Scope: see the header.
 #include "measure/movement.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -13,10 +14,12 @@ namespace {
 int part_of(const StartBlock& block, const BenchParts& parts) {
   const Vec3& c = block.centroid;
   const double behind = parts.planes.behind_face(c);
-  if (!(c.z() < parts.height && behind < parts.depth && parts.planes.in_front_of(parts.depth, c)))
-    return -1;
+  // Behind a face that bulges out, rock in front of the holes lies farther back than they stand.
+  const bool within = behind < parts.depth || parts.planes.face != nullptr;
+  if (!(c.z() < parts.height && within && parts.planes.in_front_of(parts.depth, c))) return -1;
   const int level = static_cast<int>(c.z() / parts.height * parts.levels);
-  const int distance = static_cast<int>(behind / parts.depth * parts.distances);
+  const int distance =
+      std::min(static_cast<int>(behind / parts.depth * parts.distances), parts.distances - 1);
   return level * parts.distances + distance;
 }
 

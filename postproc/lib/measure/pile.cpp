@@ -70,16 +70,10 @@ std::vector<double> centre_top(const Columns& columns) {
   return centre;
 }
 
-// Columns through the blocks of both.
-Columns over_both(Columns sum, const Columns& other) {
-  for (size_t k = 0; k < sum.top.size(); ++k) {
-    if (other.top[k] > sum.top[k]) {
-      sum.top[k] = other.top[k];
-      sum.top_block[k] = other.top_block[k];
-    }
-    sum.length[k] += other.length[k];
-  }
-  return sum;
+// Tops of the blocks of both.
+Columns over_both(Columns both, const Columns& other) {
+  for (size_t k = 0; k < both.top.size(); ++k) both.top[k] = std::max(both.top[k], other.top[k]);
+  return both;
 }
 
 // Highest sample beyond the holes, x.size() where there is no pile.
@@ -152,11 +146,11 @@ PileProfile pile_profile(const std::vector<StartBlock>& blocks, const Snapshot& 
     broken[b] = moved[b] != 0 && lies[b] != 0;
   }
   const Columns pile = columns_through(grid, blocks, last.states, broken);
-  const Columns in_place = columns_through(grid, blocks, last.states, stayed);
-  const Columns rock = over_both(pile, in_place);
+  const Columns in_place = tops_through(grid, blocks, last.states, stayed);
+  const Columns rock = over_both(in_place, pile);
   PileProfile profile;
   for (int i = 0; i < grid.nx; ++i) profile.x.push_back(grid.x(i));
-  profile.before = mean_top(columns_through(grid, blocks, start.states, all));
+  profile.before = mean_top(tops_through(grid, blocks, start.states, all));
   profile.mean = mean_top(rock);
   profile.centre = centre_top(rock);
   profile.highest = highest_top(rock);
@@ -202,7 +196,8 @@ Throw throw_of(const std::vector<StartBlock>& blocks, const Snapshot& last, doub
     result.prism_mass += blocks[b].mass;
     result.prism_volume += blocks[b].volume;
     result.centre_of_mass += blocks[b].mass * moved;
-    if (last.states[b].centre.x() > 0.0) result.beyond_toe += blocks[b].mass;
+    const Vec3& end = last.states[b].centre;
+    if (end.x() > planes.toe(end.y())) result.beyond_toe += blocks[b].mass;
   }
   const double mass = result.prism_mass > 0.0 ? result.prism_mass : kNan;
   result.centre_of_mass /= mass;

@@ -58,7 +58,7 @@ struct Throw {
   double prism_volume;    // [m3]
   double centre_of_mass;  // mean displacement of the prism along x [m]
   double largest;         // largest displacement along x of one block [m]
-  double beyond_toe;      // share of the prism's mass that ends at x > 0, beyond the bench's toe
+  double beyond_toe;      // share of the prism's mass that ends beyond the bench's toe, x = 0
 };
 
 Throw throw_of(const std::vector<StartBlock>& blocks, const Snapshot& last, double burden,

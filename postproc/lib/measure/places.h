@@ -13,8 +13,10 @@ namespace muckpile {
 
 // The value that this share of them lies below; there must be one at least.
 inline double value_of_share(std::vector<double> values, double share) {
-  std::ranges::sort(values);
-  return values[static_cast<size_t>(share * static_cast<double>(values.size() - 1))];
+  const auto place =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::ranges::nth_element(values, place);
+  return *place;
 }
 
 // The coordinate that this share of the blocks lies below [m].

@@ -8,8 +8,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parallel/in_parallel.h"
+
 namespace muckpile {
 namespace {
+
+// Whether any of its vertices is as far from the centroid; with room for rounding.
+bool reaches(const StartBlock& block, double distance) {
+  const double least = 0.998 * distance * distance;
+  return std::ranges::any_of(block.shape.vertices, [&](const Vec3& p) {
+    return (p - block.centroid).squaredNorm() >= least;
+  });
+}
 
 /// An edge that belongs to two faces gives the same point twice.
 std::vector<Vec2> crossings(double y, const std::vector<Vec3>& vertices, const Polyhedron& shape) {
@@ -38,13 +48,15 @@ void put_in_order(std::vector<Vec2>& points) {
 
 std::vector<SectionPolygon> section_at(double y, const std::vector<StartBlock>& blocks,
                                        const std::vector<BlockState>& states) {
+  std::vector<std::vector<Vec2>> outlines(blocks.size());
+  each_in_parallel(blocks.size(), [&](size_t b) {
+    if (!reaches(blocks[b], std::abs(states[b].centre.y() - y))) return;
+    outlines[b] = crossings(y, moved_vertices(blocks[b], states[b]), blocks[b].shape);
+    put_in_order(outlines[b]);
+  });
   std::vector<SectionPolygon> section;
-  for (size_t b = 0; b < blocks.size(); ++b) {
-    std::vector<Vec2> outline = crossings(y, moved_vertices(blocks[b], states[b]), blocks[b].shape);
-    put_in_order(outline);
-    if (outline.size() < 3) continue;
-    section.push_back({b, std::move(outline)});
-  }
+  for (size_t b = 0; b < blocks.size(); ++b)
+    if (outlines[b].size() >= 3) section.push_back({b, std::move(outlines[b])});
   return section;
 }
 

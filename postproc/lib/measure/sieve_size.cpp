@@ -52,7 +52,10 @@ Width least_width_across(const std::vector<Vec3>& points, const Vec3& u) {
   for (size_t k = 0; k < hull.size(); ++k) {
     const Vec2 edge = (hull[(k + 1) % hull.size()] - hull[k]).normalized();
     double width = 0.0;
-    for (const Vec2& p : hull) width = std::max(width, cross(edge, p - hull[k]));
+    for (const Vec2& p : hull) {
+      width = std::max(width, cross(edge, p - hull[k]));
+      if (width >= least.width) break;
+    }
     if (width < least.width) least = {width, -edge.y() * e1 + edge.x() * e2};
   }
   return least;
@@ -72,9 +75,14 @@ struct Opening {
   Vec3 u = Vec3::UnitX(), v = Vec3::UnitY();
 };
 
-Opening opening_at(const std::vector<Vec3>& points, const Vec3& u) {
+// With u for one of its directions. One that is not below `limit` may be left out: the default
+// opening, which is larger than all.
+Opening opening_at(const std::vector<Vec3>& points, const Vec3& u,
+                   double limit = std::numeric_limits<double>::infinity()) {
+  const double along = width_along(points, u);
+  if (along >= limit) return {};
   const Width across = least_width_across(points, u);
-  return {std::max(width_along(points, u), across.width), u, across.along};
+  return {std::max(along, across.width), u, across.along};
 }
 
 // Tilts u by ever smaller angles while that makes the opening smaller.
@@ -84,7 +92,7 @@ Opening refined(const std::vector<Vec3>& points, Opening best) {
   for (int round = 0; round < kRounds; ++round, tilt *= 0.5) {
     const Vec3 u = best.u, v = best.v, w = u.cross(v);
     for (const Vec3& towards : {v, Vec3(-v), w, Vec3(-w)}) {
-      const Opening tried = opening_at(points, (u + tilt * towards).normalized());
+      const Opening tried = opening_at(points, (u + tilt * towards).normalized(), best.side);
       if (tried.side < best.side) best = tried;
     }
   }
@@ -98,10 +106,10 @@ double sieve_size(const std::vector<Vec3>& points, const std::vector<Vec3>& star
   for (const Vec3& u : starts) {
     const Opening straight = opening_at(points, u);
     // A thin plate passes along the diagonal of the opening.
-    const Opening diagonal = opening_at(points, (straight.u + straight.v).normalized());
-    for (const Opening& tried : {straight, diagonal}) {
-      if (tried.side < best.side) best = tried;
-    }
+    if (straight.side < best.side) best = straight;
+    const Opening diagonal =
+        opening_at(points, (straight.u + straight.v).normalized(), best.side);
+    if (diagonal.side < best.side) best = diagonal;
   }
   return refined(points, best).side;
 }

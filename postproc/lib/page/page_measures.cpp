@@ -32,6 +32,12 @@ void add_pile(Html& page, const PageContent& run) {
               "Broken share of the joints around the charges; table in damage.csv.");
   add_picture(page, run, "heights.png", "From above",
               "Heights of the pile and of the rock that stayed; table in heights.csv.");
+  add_picture(page, run, "trough.png", "Power trough",
+              "The valley between the rock that stands and the pile; table in trough.csv.");
+  add_picture(page, run, "section.png", "Section along a line",
+              "Rock and heights along the line; table in section.csv.");
+  add_picture(page, run, "over.png", "Over a line",
+              "What lies beyond the line, by distance; table in over.csv.");
   add_table(page, run,
             {{"blast_volume_m3", "Rock of the holes"},
              {"blast_specific_charge_kg_m3", "Explosive per rock of the holes"},
@@ -41,6 +47,13 @@ void add_pile(Html& page, const PageContent& run) {
              {"hole_throw_most_m", "Throw, hole of the most"},
              {"moved_volume_m3", "Rock that was broken out"},
              {"pile_survey_swell", "Swell, survey from above"},
+             {"cut_volume_m3", "Surface lower than before, volume"},
+             {"fill_volume_m3", "Surface higher than before, volume"},
+             {"trough_depth_m", "Power trough, mean depth"},
+             {"trough_width_m", "Power trough, mean width"},
+             {"end_to_inner_throw", "Throw, end holes over inner ones"},
+             {"end_to_inner_moved", "Share moved, end holes over inner ones"},
+             {"over_volume_m3", "Rock over the line"},
              {"backbreak_m", "Backbreak, largest"},
              {"backbreak_mean_m", "Backbreak, mean along the row"},
              {"toe_left_volume_m3", "Rock left in front of the last row"},

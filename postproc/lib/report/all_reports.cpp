@@ -22,6 +22,7 @@ const std::map<std::string, MakeReport>& makers() {
       {"movement", [](const ResultFolder& f) { report_movement(f, {}, {}); }},
       {"rows", [](const ResultFolder& f) { report_rows(f, {}); }},
       {"heights", [](const ResultFolder& f) { report_heights(f, {}); }},
+      {"trough", [](const ResultFolder& f) { report_trough(f, {}); }},
       {"crater", [](const ResultFolder& f) { report_crater(f, {}, {}); }},
       {"heap", [](const ResultFolder& f) { report_heap(f, {}, {}); }},
       {"fragments", [](const ResultFolder& f) { report_fragments(f, {}); }},
@@ -53,6 +54,8 @@ std::vector<std::string> reports_of(const ResultFolder& folder, bool with_series
   std::vector<std::string> names = found->second;
   const bool pattern = std::filesystem::exists(folder.dump("holes.csv"));
   if (pattern && scene == "bench") names.insert(names.end(), {"rows", "heights"});
+  const bool ended = std::filesystem::exists(folder.dump("run.json"));
+  if (pattern && scene == "bench" && ended && folder.is_still()) names.emplace_back("trough");
   if (scene == "bench" && folder.scene_has("explosive_density_kg_m3"))
     names.emplace_back("flyrock");
   names.insert(names.end(), {"energy", "render"});

@@ -26,8 +26,8 @@ constexpr double kLeaningShare = 0.05;
 constexpr double kHoleOff = 0.05;  // of a hole from where it is taken to be, of the burden
 
 constexpr const char* kInstead =
-    "; throw, face velocity, swell and the section are not measured (fragments, energy, render and "
-    "series hold for any bench)";
+    "; throw, face velocity, swell and the section through a hole are not measured (section, over, "
+    "trough, fragments, energy, render and series hold for any bench)";
 
 [[noreturn]] void refuse(const std::string& what) {
   throw NotMeasurable("profile: " + what + kInstead);
@@ -35,16 +35,31 @@ constexpr const char* kInstead =
 
 std::string to_mm(double metres) { return spelled(1e-3 * std::round(1e3 * metres)); }
 
-// How far the face runs back per height.
-double back_of_face(const std::vector<StartBlock>& blocks) {
+// How far the face runs back per height, or its map where it is no plane.
+void set_face(BenchScene& bench, const std::vector<StartBlock>& blocks) {
   const double size = mean_block_size(blocks, std::vector<char>(blocks.size(), 1));
   const FreeFace face = free_face(blocks, kFaceOff * size);
-  if (face.off_plane <= (face.back > 0.0 ? kLeaningShare : kFaceShare)) return face.back;
-  refuse(
-      "the free face must be a plane from the toe x = 0, z = 0 to the top, upright or leaning "
-      "back, got rock that begins between x = " +
-      to_mm(face.x_low) + " and " + to_mm(face.x_high) + " m and stands at " +
-      spelled(degrees(face.slope)) + "° to the horizontal");
+  if (face.off_plane <= (face.back > 0.0 ? kLeaningShare : kFaceShare)) {
+    bench.planes.face_back = face.back;
+    return;
+  }
+  bench.planes.face = face_map(blocks);
+  if (bench.planes.face == nullptr) refuse("there is no rock above the pit floor z = 0");
+  bench.face_note = "no plane: rock begins between x = " + to_mm(face.x_low) + " and " +
+                    to_mm(face.x_high) + " m and stands at " + spelled(degrees(face.slope)) +
+                    "° to the horizontal; measured behind the face as it was cut";
+}
+
+// Muck in front of the face, or a face that is somewhere else, is not what is measured.
+void require_burden(const BenchScene& bench) {
+  if (bench.planes.face == nullptr) return;
+  const double hole = bench.burden + 0.5 * bench.planes.hole_back * bench.height;
+  const double behind = bench.planes.face->middle() + hole;
+  if (behind > 0.0 && behind < 2.0 * bench.burden) return;
+  refuse("the free face must lie in front of the front row of holes by less than twice burden_m of "
+         "scene.json, " +
+         spelled(bench.burden) + " m, got " + to_mm(behind) + " m in its middle (" +
+         bench.face_note + ")");
 }
 
 // Way of the axis along x and y per height.
@@ -86,7 +101,7 @@ Vec2 foot_of(const Charge& charge) {
 
 BenchScene bench_scene(const ResultFolder& folder, const std::vector<StartBlock>& blocks) {
   BenchScene bench{};
-  bench.planes.face_back = back_of_face(blocks);
+  set_face(bench, blocks);
   bench.height = folder.scene_number("bench_height_m");
   bench.burden = folder.scene_number("burden_m");
   bench.charge_top = bench.height - folder.scene_number("stemming_m");
@@ -100,6 +115,7 @@ BenchScene bench_scene(const ResultFolder& folder, const std::vector<StartBlock>
     refuse("the front row of holes must stand at x = " + spelled(-bench.burden) +
            " m, the burden_m of scene.json, got x = " + spelled(-depth_of(front)) + " m");
   }
+  require_burden(bench);
   if (std::filesystem::exists(folder.dump("holes.csv")) && folder.scene_has("spacing_m"))
     set_width(bench, folder.scene_number("spacing_m"));
   bench.one_row = bench.depth < 1.5 * bench.burden;
@@ -121,6 +137,30 @@ BenchPlanes bounded_by_rock(BenchPlanes planes, const std::vector<StartBlock>& b
   planes.y_low = std::max(planes.y_low, rock.low.y());
   planes.y_high = std::min(planes.y_high, rock.high.y());
   return planes;
+}
+
+std::vector<Vec2> face_line(const BenchScene& bench, double y) {
+  if (bench.planes.face == nullptr)
+    return {{-bench.planes.face_back * bench.height, bench.height}, {0.0, 0.0}};
+  std::vector<Vec2> line = bench.planes.face->section(y);
+  std::ranges::reverse(line);
+  return line;
+}
+
+std::vector<Vec2> face_at_height(const BenchScene& bench, double z, double y_low, double y_high) {
+  constexpr int kPieces = 200;
+  if (bench.planes.face == nullptr) {
+    const double x = -bench.planes.face_back * z;
+    return {{x, y_low}, {x, y_high}};
+  }
+  const FaceMap& face = *bench.planes.face;
+  const double from = std::max(y_low, face.y_low()), to = std::min(y_high, face.y_high());
+  std::vector<Vec2> line;
+  for (int k = 0; k <= kPieces; ++k) {
+    const double y = from + (to - from) * k / kPieces;
+    line.emplace_back(face.x(y, z), y);
+  }
+  return line;
 }
 
 double y_of_middle_hole(const BenchScene& bench, const std::vector<StartBlock>& blocks) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The bench that the measures of `profile` are made for, and whether a run is one.
-// Scope: a plane free face through the toe x = 0, z = 0 that is upright or leans back, pit floor
-// z = 0, holes parallel to each other that lean straight back or not at all, the front row burden
-// behind the toe.
+// Scope: a free face of any shape in front of the holes, pit floor z = 0, holes parallel to each
+// other that lean straight back or not at all, the front row burden behind the toe x = 0, z = 0.
 #pragma once
 
 #include <vector>
@@ -24,6 +23,7 @@ struct BenchScene {
   std::vector<Charge> charges;
   bool one_row;
   BenchPlanes planes;  // with the width of the holes where a hole table says how they stand
+  std::string face_note;  // what a face is that is no plane; "" for a plane
 };
 
 // Where a charge's axis meets the height of the floor (x, y) [m].
@@ -40,6 +40,12 @@ BenchScene bench_or_take_back(const ResultFolder& folder, const std::vector<Star
 
 // The planes with a width: where no hole table bounds it, the rock's before the blast.
 BenchPlanes bounded_by_rock(BenchPlanes planes, const std::vector<StartBlock>& blocks);
+
+// The face before the blast in the plane y, from the crest down to the toe (x, z) [m].
+std::vector<Vec2> face_line(const BenchScene& bench, double y);
+
+// Where the face was before the blast at a height [m], from y_low to y_high (x, y) [m].
+std::vector<Vec2> face_at_height(const BenchScene& bench, double z, double y_low, double y_high);
 
 // y of the front row's charge nearest to the middle of the rock's width [m].
 double y_of_middle_hole(const BenchScene& bench, const std::vector<StartBlock>& blocks);

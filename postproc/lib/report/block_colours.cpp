@@ -1,97 +1,106 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A colour for every block, by a property that the user names, and the legend for it.
-// Scope: chosen from the start blocks and one snapshot.
+// A colour for every block, and the legend for it.
+// Scope: see the header.
 #include "report/block_colours.h"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 #include "args/input_error.h"
 #include "draw/axes.h"
-#include "report/block_values.h"
+#include "draw/text.h"
 
 namespace muckpile {
 namespace {
 
-struct ColourFacts {
-  const char *label, *column;
-};
+constexpr double kLength = 300.0, kThick = 16.0, kTextSize = 18.0;  // of the legend [px]
 
-ColourFacts facts_of(ColourBy by) {
-  switch (by) {
-    case ColourBy::kStartHeight:
-      return {"height before the blast [m]", "start_height_m"};
-    case ColourBy::kStartDepth:
-      return {"distance behind x = 0 before the blast [m]", "start_depth_m"};
-    case ColourBy::kSize:
-      return {"block size [m]", "size_m"};
-    case ColourBy::kSpeed:
-      return {"speed [m/s]", "speed_m_s"};
-    case ColourBy::kDisplacement:
-      return {"displacement [m]", "displacement_m"};
-    case ColourBy::kBroken:
-      return {"broken share of joint area", "broken_fraction"};
-    case ColourBy::kFragment:
-      break;
-  }
-  return {"one colour per fragment", "fragment_id"};
+ColourMap map_of(FieldScale scale, double low, double high) {
+  if (scale == FieldScale::kOrigin) return strata_map(low, high);
+  if (scale == FieldScale::kSigned) return difference_map(high);
+  return amount_map(low, high);
 }
 
-ColourMap map_of(ColourBy by, double low, double high) {
-  const bool origin = by == ColourBy::kStartHeight || by == ColourBy::kStartDepth;
-  return origin ? strata_map(low, high) : amount_map(low, high);
+// The ends of the colours where the user sets none.
+std::array<double, 2> range_of(const BlockField& field, const ValueRange& extremes) {
+  const auto [least, largest] = std::ranges::minmax(field.of_rock());
+  const auto [low, high] = extremes.value_or(std::array{least, largest});
+  if (field.scale == FieldScale::kShare) return {0.0, 1.0};
+  if (field.scale == FieldScale::kFromZero) return {0.0, high};
+  const double reach = std::max(std::abs(low), std::abs(high));
+  if (field.scale == FieldScale::kSigned) return {-reach, reach};
+  return {low, high};
+}
+
+void add_names(const BlockField& field, BlockColours& colours) {
+  for (const double value : field.values)
+    colours.of_block.push_back(colour_of_name(static_cast<int>(value)));
+  std::set<int> there;
+  if (!field.names.empty())
+    for (const double value : field.of_rock()) there.insert(static_cast<int>(value));
+  for (const int value : there)
+    colours.names.emplace_back(colour_of_name(value), field.names.at(value));
+}
+
+void paint_muck(const BlockField& field, BlockColours& colours) {
+  for (size_t b = field.values.size() - field.muck; b < field.values.size(); ++b)
+    colours.of_block[b] = kMuck;
+}
+
+// In rows as long as the bar is; what does not fit into two of them is counted.
+void draw_names(const BlockColours& colours, const Vec2& place, Canvas& canvas) {
+  constexpr double kGap = 8.0;
+  constexpr int kRows = 2;
+  Vec2 at = place + Vec2(0.0, 1.6 * kTextSize);
+  int row = 0;
+  for (size_t k = 0; k < colours.names.size(); ++k) {
+    const auto& [colour, name] = colours.names[k];
+    const double wide =
+        kThick + 0.5 * kGap + text_mask(name, kTextSize, 0.0).advance.x() + 1.5 * kGap;
+    const bool ends_row = at.x() + wide > place.x() + kLength + 1.5 * kGap && at.x() > place.x();
+    if (ends_row && ++row < kRows) at = {place.x(), at.y() + 1.3 * kTextSize};
+    if (row == kRows) {
+      canvas.text({at.x(), at.y() + 0.85 * kThick},
+                  std::to_string(colours.names.size() - k).insert(0, "+"), kTextSize, kInk);
+      return;
+    }
+    canvas.rectangle(at, at + Vec2(kThick, kThick), colour);
+    canvas.text(at + Vec2(kThick + 0.5 * kGap, 0.85 * kThick), name, kTextSize, kInk);
+    at.x() += wide;
+  }
 }
 
 }  // namespace
 
-double block_value(ColourBy by, const StartBlock& block, const BlockState& state) {
-  switch (by) {
-    case ColourBy::kStartHeight:
-      return block.centroid.z();
-    case ColourBy::kStartDepth:
-      return -block.centroid.x();
-    case ColourBy::kSize:
-      return block.size;
-    case ColourBy::kSpeed:
-      return state.velocity.norm();
-    case ColourBy::kDisplacement:
-      return (state.centre - block.centroid).norm();
-    case ColourBy::kBroken:
-      return state.broken_fraction;
-    case ColourBy::kFragment:
-      break;
-  }
-  return state.fragment;
-}
-
-const char* column_of(ColourBy by) { return facts_of(by).column; }
-
-BlockColours block_colours(ColourBy by, const std::vector<StartBlock>& blocks,
-                           const Snapshot& snapshot, std::optional<double> fixed_high,
-                           std::optional<std::array<double, 2>> range) {
-  std::vector<double> values;
-  for (size_t b = 0; b < blocks.size(); ++b)
-    values.push_back(block_value(by, blocks[b], snapshot.states[b]));
-  BlockColours colours{{}, facts_of(by).label, std::nullopt};
-  if (by == ColourBy::kFragment) {
-    if (range) refuse("render", "--colour-range has no meaning for the colours of fragments");
-    for (const double value : values)
-      colours.of_block.push_back(colour_of_name(static_cast<int>(value)));
+BlockColours block_colours(const BlockField& field, const ValueRange& extremes,
+                           const ValueRange& range) {
+  BlockColours colours{{}, field.label, std::nullopt};
+  if (field.scale == FieldScale::kNames) {
+    if (range)
+      refuse("render", "--colour-range has no meaning for colours that name things, as those of " +
+                           field.column);
+    add_names(field, colours);
+    paint_muck(field, colours);
     return colours;
   }
-  const auto [low, high] = std::ranges::minmax(values);
-  const bool share = by == ColourBy::kBroken;
-  const bool from_zero = share || by == ColourBy::kSpeed || by == ColourBy::kDisplacement;
-  colours.map = map_of(by, from_zero ? 0.0 : low, share ? 1.0 : fixed_high.value_or(high));
-  if (range) colours.map = map_of(by, (*range)[0], (*range)[1]);
-  for (const double value : values) colours.of_block.push_back(colours.map->at(value));
+  const auto [low, high] = range.value_or(range_of(field, extremes));
+  // Both ends of a range that the user sets count; a signed one without 0 in its middle is one more
+  // amount.
+  const bool lopsided = field.scale == FieldScale::kSigned && low != -high;
+  colours.map = lopsided ? amount_map(low, high) : map_of(field.scale, low, high);
+  for (const double value : field.values) colours.of_block.push_back(colours.map->at(value));
+  paint_muck(field, colours);
   return colours;
 }
 
 void draw_legend(const BlockColours& colours, const Vec2& place, Canvas& canvas) {
-  constexpr double kLength = 300.0, kThick = 16.0, kTextSize = 18.0;
   constexpr int kSteps = 60;
   canvas.text(place + Vec2(0.0, kTextSize), colours.label, kTextSize, kInk);
-  if (!colours.map) return;
+  if (!colours.map) {
+    draw_names(colours, place, canvas);
+    return;
+  }
   const Vec2 bar = place + Vec2(0.0, 1.6 * kTextSize);
   const double low = colours.map->low(), high = colours.map->high();
   for (int k = 0; k < kSteps; ++k) {

@@ -131,8 +131,9 @@ void report_crater(const ResultFolder& folder, const MeasureOptions& measure,
     apparent = {kNone, kNone, kNone};
     ejecta = {kNone, kNone, kNone, kNone};
   }
+  SectionPlot plot = section_of(folder, run, rings, apparent, whole, section);
   write_rings(rings, folder.file("crater.csv"));
-  write_png(draw_section(section_of(folder, run, rings, apparent, whole, section)),
+  write_png(draw_section(std::move(plot)),
             folder.file("crater.png"));
   nlohmann::ordered_json keys = common_keys(folder);
   keys.update(crater_keys(apparent, whole, ejecta));

@@ -12,6 +12,7 @@
 #include "io/charges.h"
 #include "io/csv_writer.h"
 #include "io/fired_charges.h"
+#include "io/muck.h"
 #include "measure/broken_out.h"
 #include "measure/damage.h"
 #include "report/not_measurable.h"
@@ -102,8 +103,9 @@ nlohmann::ordered_json keys_of(const Damage& damage) {
 
 Damage measured(const ResultFolder& folder, const DamageOptions& options) {
   const std::vector<FiredCharge> axes = axes_of(folder);
-  const std::vector<StartBlock> blocks = folder.blocks();
-  const Snapshot last = read_snapshot(folder.snapshots().back(), blocks);
+  const std::vector<StartBlock>& blocks = folder.rock();
+  Snapshot last = read_snapshot(folder.snapshots().back(), folder.blocks());
+  (void)split_muck(last.states, blocks.size());
   const double width =
       options.bin.value_or(mean_block_size(blocks, std::vector<char>(blocks.size(), 1)));
   Damage damage{damage_rings(damaged_blocks(blocks, last, axes), width), hole_radius(folder)};

@@ -105,7 +105,7 @@ void write_table(const std::filesystem::path& path, const std::vector<FlyrockHol
 
 // Level way of the block that ended farthest from where it had been.
 double farthest_block(const ResultFolder& folder) {
-  const std::vector<StartBlock> blocks = folder.blocks();
+  const std::vector<StartBlock>& blocks = folder.blocks();
   const Snapshot last = read_snapshot(folder.snapshots().back(), blocks);
   double farthest = 0.0;
   for (size_t b = 0; b < blocks.size(); ++b) {

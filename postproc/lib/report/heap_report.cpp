@@ -62,8 +62,9 @@ void report_heap(const ResultFolder& folder, const MeasureOptions& measure,
   const PileProfile profile = pile_profile(run.blocks, run.last, all, run.cell, run.lies);
   const PileShape shape = pile_shape(profile, 0.0, run.block_size);
   if (std::isnan(shape.rest_angle)) throw InputError("heap: no heap at x > 0 in the last snapshot");
+  SectionPlot plot = section_of(run, profile, shape, section);
   write_surface(profile, folder.file("heap.csv"));
-  write_png(draw_section(section_of(run, profile, shape, section)), folder.file("heap.png"));
+  write_png(draw_section(std::move(plot)), folder.file("heap.png"));
   nlohmann::ordered_json keys = common_keys(folder);
   keys.update(heap_keys(run.still ? shape : PileShape::none(), run.cell));
   folder.merge_into_summary(keys);

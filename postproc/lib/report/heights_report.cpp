@@ -8,6 +8,7 @@
 #include "draw/png_file.h"
 #include "draw/title.h"
 #include "io/csv_writer.h"
+#include "io/mine_frame.h"
 #include "measure/height_map.h"
 #include "measure/places.h"
 #include "measure/start_extent.h"
@@ -29,7 +30,20 @@ struct Heights {
   ToeLeft toe;
   double prism = 0.0;  // in front of the last row, abreast of the holes [m3]
   double moved = 0.0;  // all that was broken out [m3]
+  double before = 0.0, after = 0.0;  // under the surfaces, above the floor [m3]
+  double cut = 0.0, fill = 0.0;      // between them, where the one after is lower, and higher [m3]
 };
+
+void add_volumes(Heights& heights) {
+  const HeightMap& map = heights.map;
+  const double cell = map.grid.dx * map.grid.dy;
+  for (size_t k = 0; k < map.grid.cells(); ++k) {
+    const double rise = map.after[k] - map.before[k];
+    heights.before += map.before[k] * cell;
+    heights.after += map.after[k] * cell;
+    (rise > 0.0 ? heights.fill : heights.cut) += std::abs(rise) * cell;
+  }
+}
 
 Heights heights_of(const RunData& run, const BenchScene& bench) {
   const BenchPlanes planes = bounded_by_rock(bench.planes, run.blocks);
@@ -44,15 +58,19 @@ Heights heights_of(const RunData& run, const BenchScene& bench) {
       heights.prism += run.blocks[b].volume;
     if (run.moved[b] != 0) heights.moved += run.blocks[b].volume;
   }
+  add_volumes(heights);
   return heights;
 }
 
-void write_table(const HeightMap& map, const std::filesystem::path& path) {
-  CsvWriter csv(path, "x_m,y_m,before_m,after_m,rock_in_place_m");
+void write_table(const HeightMap& map, const ResultFolder& folder) {
+  const std::optional<MineFrame> frame = mine_frame(folder);
+  CsvWriter csv(folder.file("heights.csv"),
+                with_mine_columns("x_m,y_m,before_m,after_m,rock_in_place_m", frame));
   for (int j = 0; j < map.grid.ny; ++j) {
     for (int i = 0; i < map.grid.nx; ++i) {
       const size_t k = map.grid.at(i, j);
-      csv.row({map.grid.x(i), map.grid.y(j), map.before[k], map.after[k], map.in_place[k]});
+      const double x = map.grid.x(i), y = map.grid.y(j);
+      csv.row_at({x, y, map.before[k], map.after[k], map.in_place[k]}, mine_place(frame, x, y));
     }
   }
 }
@@ -97,8 +115,9 @@ void draw_cells(const HeightMap& map, const Frame& frame, const ColourMap& colou
 }
 
 void draw_bench(const BenchScene& bench, const Frame& frame, const Axes& axes, Canvas& canvas) {
-  for (const double x : {0.0, -bench.planes.face_back * bench.height}) {
-    const Vec2 line[] = {axes.place(x, frame.y.low), axes.place(x, frame.y.high)};
+  for (const double height : {0.0, bench.height}) {
+    const std::vector<Vec2> line =
+        axes.places(face_at_height(bench, height, frame.y.low, frame.y.high));
     canvas.dashes(line, 2.0, 9.0, kBench);
   }
   constexpr double kHalf = 4.0;  // of a mark [px]
@@ -142,6 +161,10 @@ nlohmann::ordered_json keys_of(const Heights& heights, bool still) {
   keys["moved_volume_m3"] = heights.moved;
   keys["pile_survey_volume_m3"] = still ? heights.map.pile_volume : none;
   keys["pile_survey_swell"] = still && solid > 0.0 ? heights.map.pile_volume / solid : none;
+  keys["volume_before_m3"] = heights.before;
+  keys["volume_after_m3"] = still ? heights.after : none;
+  keys["cut_volume_m3"] = still ? heights.cut : none;
+  keys["fill_volume_m3"] = still ? heights.fill : none;
   keys["backbreak_m"] = heights.shifted.largest;
   keys["backbreak_mean_m"] = heights.shifted.mean;
   keys["backbreak_broken_m"] = heights.broken.largest;
@@ -159,7 +182,7 @@ void report_heights(const ResultFolder& folder, const MeasureOptions& measure) {
   const RunData run(folder, measure);
   const BenchScene bench = bench_or_take_back(folder, run.blocks, "heights", keys_of({}, false));
   const Heights heights = heights_of(run, bench);
-  write_table(heights.map, folder.file("heights.csv"));
+  write_table(heights.map, folder);
   write_png(draw(heights, run, bench), folder.file("heights.png"));
   nlohmann::ordered_json keys = common_keys(folder);
   keys.update(keys_of(heights, run.still));

@@ -76,7 +76,7 @@ SectionPlot section_of(const RunData& run, const BenchScene& bench, const BenchP
                        const std::vector<PartMovement>& movement) {
   const double y = y_of_middle_hole(bench, run.blocks);
   const Extent before = extent_at_start(run.blocks);
-  SectionPlot plot = section_of_run(run, y, ColourBy::kStartHeight);
+  SectionPlot plot = section_of_run(run, y, "start_height");
   colour_by_level(plot, levels_of(run.blocks, parts));
   double farthest = bench.burden;
   for (const PartMovement& part : movement) farthest = std::max(farthest, part.rock.end.x());
@@ -85,13 +85,9 @@ SectionPlot section_of(const RunData& run, const BenchScene& bench, const BenchP
   plot.x_label = "distance from the toe of the free face, along the throw [m]";
   plot.x = {before.low.x() - 1.0, 1.2 * farthest + 1.0};
   plot.z = {before.low.z() - 0.5, 1.12 * bench.height};
-  plot.lines.push_back({{{before.low.x(), bench.height},
-                         {-bench.planes.face_back * bench.height, bench.height},
-                         {0.0, 0.0}},
-                        kInk,
-                        2.0,
-                        true,
-                        "bench before"});
+  std::vector<Vec2> outline = face_line(bench, y);
+  if (!outline.empty()) outline.insert(outline.begin(), {before.low.x(), outline.front().y()});
+  plot.lines.push_back({std::move(outline), kInk, 2.0, true, "bench before"});
   const double head = 0.012 * (plot.x.high - plot.x.low);
   int named = -1;
   for (const PartMovement& part : movement) {

@@ -9,8 +9,6 @@
 
 namespace muckpile {
 
-enum class ColourBy { kStartHeight, kStartDepth, kFragment, kSize, kSpeed, kDisplacement, kBroken };
-
 struct MeasureOptions {
   std::optional<double> least_move;  // a block that moved less stayed [m]; default: the run's mean
                                      // block size, 0 in a crater
@@ -62,11 +60,23 @@ struct SurveyOptions {
 
 struct SectionOptions {
   std::optional<double> y;  // of the section [m]; default: through a hole
-  ColourBy colour_by = ColourBy::kStartHeight;
+  std::string colour_by = "start_height";  // one of field_names() (report/block_fields.h)
+};
+
+// A straight line in plan.
+struct LineOptions {
+  std::array<double, 2> from{0.0, 0.0}, to{0.0, 0.0};  // (x, y) [m]
+  bool mine = false;            // the points are east and north of the mine
+  std::optional<double> width;  // over which heights are averaged [m]; default: of one column
+  std::string colour_by = "start_height";  // one of field_names() (report/block_fields.h)
+};
+
+struct TroughOptions {
+  std::optional<double> strip;  // width of a section along y [m]; default: the spacing
 };
 
 struct PictureOptions {
-  ColourBy colour_by = ColourBy::kStartHeight;
+  std::string colour_by = "start_height";  // one of field_names() (report/block_fields.h)
   std::optional<std::array<double, 2>> colour_range;  // default: that of the blocks
   int frames = 0;                   // pictures over the whole run beside the last one
   int mirror = 0;                   // reflected copies of a bench on each side of it

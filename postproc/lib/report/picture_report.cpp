@@ -9,10 +9,10 @@
 #include "draw/scene.h"
 #include "draw/title.h"
 #include "io/csv_writer.h"
-#include "io/snapshot_reader.h"
+#include "io/muck.h"
+#include "io/mine_frame.h"
 #include "measure/start_extent.h"
 #include "report/block_colours.h"
-#include "report/block_values.h"
 #include "report/film.h"
 #include "report/notes.h"
 #include "report/picture_scene.h"
@@ -27,9 +27,10 @@ constexpr double kElevation = 28.0, kCraterElevation = 45.0;  // of the eye [deg
 class Picture {
  public:
   Picture(const ResultFolder& folder, const std::vector<StartBlock>& blocks, const Snapshot& last,
-          const PictureOptions& options)
+          const PictureOptions& options, const BlockFields& fields)
       : blocks_(blocks),
         options_(options),
+        fields_(fields),
         rock_(extent_at_start(blocks)),
         whole_(rock_),
         box_(framed_box(blocks, last)) {
@@ -46,11 +47,11 @@ class Picture {
     if (options.section) cut_ = CutPlane{*options.section, to_eye_.y() <= 0.0};
   }
 
-  void write(const Snapshot& snapshot, const std::string& warning, std::optional<double> largest,
+  void write(const Snapshot& snapshot, const std::string& warning, const ValueRange& range,
              const std::filesystem::path& path) const {
     Canvas canvas(options_.width, options_.height, kWhite);
-    const BlockColours colours =
-        block_colours(options_.colour_by, blocks_, snapshot, largest, options_.colour_range);
+    const BlockColours colours = block_colours(fields_.of(options_.colour_by, snapshot), range,
+                                               options_.colour_range);
     const View view = framing_view(framed_, to_eye_, options_, canvas);
     draw_scene(scene_of(snapshot, colours), view.camera, canvas);
     draw_words(snapshot, warning, colours, canvas);
@@ -107,6 +108,7 @@ class Picture {
     draw_title({28.0, 46.0}, time, warning, 28.0, canvas);
     std::string words =
         std::to_string(blocks_.size()) + " blocks; blue: box around the rock before the blast";
+    if (rock_blocks(blocks_) < blocks_.size()) words += "; grey-green: muck that lay in front";
     if (options_.mirror > 0) words += "; model repeated by mirror images at its symmetry planes";
     if (cut_) {
       char cut[64];
@@ -119,6 +121,7 @@ class Picture {
 
   const std::vector<StartBlock>& blocks_;
   const PictureOptions& options_;
+  const BlockFields& fields_;
   Extent rock_, whole_;       // before the blast; the latter with its mirror images
   Extent box_;                // with where the rock went
   Vec3 to_eye_;               // unit
@@ -140,25 +143,14 @@ class Frames {
     return options_.frames > 0 ? options_.frames : static_cast<int>(snapshots_.size());
   }
 
-  // Of speeds and displacements over the whole run, so that all pictures share one legend.
-  [[nodiscard]] std::optional<double> largest() const {
-    const bool speed = options_.colour_by == ColourBy::kSpeed;
-    if (!any() || (!speed && options_.colour_by != ColourBy::kDisplacement)) return std::nullopt;
-    double largest = 0.0;
-    SnapshotReader reader(blocks_);
-    for (const auto& path : snapshots_) {
-      const Snapshot& snapshot = reader.read(path);
-      for (size_t b = 0; b < blocks_.size(); ++b) {
-        const BlockState& s = snapshot.states[b];
-        largest =
-            std::max(largest, speed ? s.velocity.norm() : (s.centre - blocks_[b].centroid).norm());
-      }
-    }
-    return largest;
+  // Over the whole run, so that all pictures share one legend.
+  [[nodiscard]] ValueRange range(const BlockFields& fields) const {
+    if (!any() || options_.colour_range) return std::nullopt;
+    return fields.range_of_run(options_.colour_by);
   }
 
   // pile3d_0000.png ... in a folder.
-  void write(const Picture& picture, const std::string& warning, std::optional<double> largest,
+  void write(const Picture& picture, const std::string& warning, const ValueRange& range,
              const std::filesystem::path& into) const {
     const int all = count();
     for (int frame = 0; frame < all; ++frame) {
@@ -168,7 +160,7 @@ class Frames {
       char name[32];
       std::snprintf(name, sizeof name, "pile3d_%04d.png", frame);
       const bool at_the_end = which + 1 == snapshots_.size();
-      picture.write(read_snapshot(snapshots_[which], blocks_), at_the_end ? warning : "", largest,
+      picture.write(read_snapshot(snapshots_[which], blocks_), at_the_end ? warning : "", range,
                     into / name);
     }
   }
@@ -199,13 +191,17 @@ class FilmFolder {
 };
 
 // Where the blocks of the last picture are, and what their colours show.
-void write_table(const std::vector<StartBlock>& blocks, const Snapshot& last, ColourBy by,
-                 const std::filesystem::path& path) {
-  CsvWriter csv(path, std::string("block,x_m,y_m,z_m,") + column_of(by));
+void write_table(const ResultFolder& folder, const std::vector<StartBlock>& blocks,
+                 const Snapshot& last, const BlockField& field) {
+  const std::optional<MineFrame> frame = mine_frame(folder);
+  CsvWriter csv(folder.file("pile3d.csv"),
+                with_mine_columns("block,x_m,y_m,z_m," + field.column, frame));
   for (size_t b = 0; b < blocks.size(); ++b) {
     const Vec3& at = last.states[b].centre;
-    csv.row(std::to_string(blocks[b].id),
-            {at.x(), at.y(), at.z(), block_value(by, blocks[b], last.states[b])});
+    const auto name = field.names.find(static_cast<int>(field.values[b]));
+    csv.row_named(std::to_string(blocks[b].id), {at.x(), at.y(), at.z()}, field.values[b],
+                  name == field.names.end() ? "" : name->second,
+                  mine_place(frame, at.x(), at.y()));
   }
 }
 
@@ -213,20 +209,21 @@ void write_table(const std::vector<StartBlock>& blocks, const Snapshot& last, Co
 
 void report_picture(const ResultFolder& folder, const PictureOptions& options) {
   if (!options.film.empty()) require_ffmpeg();
-  const std::vector<StartBlock> blocks = folder.blocks();
+  const std::vector<StartBlock>& blocks = folder.blocks();
   const Snapshot last = read_snapshot(folder.snapshots().back(), blocks);
-  const Picture picture(folder, blocks, last, options);
+  const BlockFields fields(folder, blocks);
+  const Picture picture(folder, blocks, last, options, fields);
   const Frames frames(folder, blocks, options);
   const std::string warning = motion_warning(folder.is_still());
-  const std::optional<double> largest = frames.largest();
-  picture.write(last, warning, largest, folder.file("pile3d.png"));
-  write_table(blocks, last, options.colour_by, folder.file("pile3d.csv"));
-  if (options.frames > 0) frames.write(picture, warning, largest, folder.file(""));
+  const ValueRange range = frames.range(fields);
+  picture.write(last, warning, range, folder.file("pile3d.png"));
+  write_table(folder, blocks, last, fields.of(options.colour_by, last));
+  if (options.frames > 0) frames.write(picture, warning, range, folder.file(""));
   if (!options.film.empty() && options.frames > 0) {
     make_film(folder.file(""), frames.count(), options.frames_per_second, options.film);
   } else if (!options.film.empty()) {
     const FilmFolder pictures(folder.file(".film"));
-    frames.write(picture, warning, largest, pictures.path());
+    frames.write(picture, warning, range, pictures.path());
     make_film(pictures.path(), frames.count(), options.frames_per_second, options.film);
   }
   folder.merge_into_summary(common_keys(folder));

@@ -7,7 +7,6 @@
 #include "args/input_error.h"
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
-#include "io/snapshot_reader.h"
 #include "measure/collapse.h"
 #include "measure/face_velocity.h"
 #include "measure/pile.h"
@@ -17,6 +16,7 @@
 #include "report/not_measurable.h"
 #include "report/notes.h"
 #include "report/reports.h"
+#include "report/rows_of_run.h"
 #include "report/run_section.h"
 
 namespace muckpile {
@@ -30,8 +30,8 @@ struct FaceSpeed {
 constexpr int kFaceBands = 10;  // bands of height, as a velocity profile of a filmed face has
 
 // Peaks over the snapshots. Only the charge above the pit floor drives the face.
-FaceSpeed face_speed_of(const ResultFolder& folder, const std::vector<StartBlock>& blocks,
-                        const BenchScene& bench) {
+FaceSpeed face_speed_of(const ResultFolder& folder, const RunData& run, const BenchScene& bench) {
+  const std::vector<StartBlock>& blocks = run.blocks;
   const double low = std::max(bench.charge_bottom, 0.0), quarter = 0.25 * (bench.charge_top - low);
   const std::vector<size_t> middle =
       face_layer(blocks, bench.burden, low + quarter, bench.charge_top - quarter, bench.planes);
@@ -42,9 +42,9 @@ FaceSpeed face_speed_of(const ResultFolder& folder, const std::vector<StartBlock
   for (const auto& band : bands)
     for (const size_t b : band) wanted[b] = 1;
   FaceSpeed speed;
-  SnapshotReader reader(blocks, wanted);
+  RowsOfRun rows(run, wanted);
   for (const auto& path : folder.snapshots()) {
-    const Snapshot& now = reader.read(path);
+    const Snapshot& now = rows.read(path);
     if (!middle.empty())
       speed.mean = std::fmax(speed.mean, mean_outward_velocity(blocks, now, middle));
     for (const auto& band : bands) {
@@ -77,20 +77,37 @@ struct BenchFigures {
 // formula is for a wall.
 double collapse_of(const BenchScene& bench, const Throw& thrown, const PileShape& pile,
                    double width) {
-  if (!bench.one_row || bench.planes.face_back > 0.0) return std::nan("");
+  const bool upright = bench.planes.face == nullptr && bench.planes.face_back == 0.0;
+  if (!bench.one_row || !upright) return std::nan("");
   return collapsed_beyond_toe(
       {bench.height, bench.burden, thrown.prism_volume / width, pile.swell, pile.rest_angle});
 }
 
 BenchFigures figures_of(const ResultFolder& folder, const RunData& run, const BenchScene& bench,
                         const PileProfile& profile) {
-  BenchFigures figures{face_speed_of(folder, run.blocks, bench),
+  BenchFigures figures{face_speed_of(folder, run, bench),
                        throw_of(run.blocks, run.last, bench.burden, bench.planes),
                        PileShape::none(), 0.0};
   if (run.still)
     figures.pile = pile_shape(profile, bench.depth, mean_block_size(run.blocks, run.moved));
+  if (!run.muck.empty())  // there is muck below its surface, too
+    figures.pile.swell = figures.pile.bulk_volume = figures.pile.solid_volume = std::nan("");
   figures.collapse = collapse_of(bench, figures.thrown, figures.pile, profile.width);
   return figures;
+}
+
+// Where muck that lay in front went; nothing without any.
+nlohmann::ordered_json muck_keys(const RunData& run) {
+  nlohmann::ordered_json keys;
+  double mass = 0.0, moved = 0.0;
+  for (size_t b = 0; b < run.muck.size(); ++b) {
+    mass += run.muck[b].mass;
+    moved += run.muck[b].mass * (run.muck_states[b].centre.x() - run.muck[b].centroid.x());
+  }
+  if (run.muck.empty()) return nlohmann::ordered_json::object();
+  keys["muck_mass_kg"] = mass;
+  keys["muck_moved_m"] = moved / mass;
+  return keys;
 }
 
 nlohmann::ordered_json keys_of(const BenchFigures& figures, const RunData& run) {
@@ -114,6 +131,13 @@ nlohmann::ordered_json keys_of(const BenchFigures& figures, const RunData& run) 
   keys["front_slope_deg"] = degrees(pile.front_angle);
   keys["profile_cell_m"] = run.cell;
   keys["blocks_on_the_move"] = std::ranges::count(run.lies, 0);
+  keys.update(muck_keys(run));
+  return keys;
+}
+
+nlohmann::ordered_json own_keys(const RunData& run) {
+  nlohmann::ordered_json keys = keys_of({}, run);
+  keys["face_note"] = nullptr;
   return keys;
 }
 
@@ -184,16 +208,18 @@ void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
     throw InputError("profile: the run must be a bench, got 'crater'; use the sub-command crater");
   }
   const RunData run(folder, measure);
-  const BenchScene bench = bench_or_take_back(folder, run.blocks, "profile", keys_of({}, run));
+  const BenchScene bench = bench_or_take_back(folder, run.blocks, "profile", own_keys(run));
   const PileProfile profile =
       pile_profile(run.blocks, run.last, run.moved, run.cell, run.lies, bench.planes);
   const BenchFigures figures = figures_of(folder, run, bench, profile);
-  write_profile(profile, folder.file("profile.csv"));
   SectionPlot plot = section_of(folder, run, profile, bench, section);
+  write_profile(profile, folder.file("profile.csv"));
   plot.subtitle = subtitle_of(bench, figures);
   write_png(draw_section(std::move(plot)), folder.file("profile.png"));
   nlohmann::ordered_json keys = common_keys(folder);
   keys.update(keys_of(figures, run));
+  keys["face_note"] = nullptr;
+  if (!bench.face_note.empty()) keys["face_note"] = bench.face_note;
   folder.merge_into_summary(keys, {refusal_key("profile")});
 }
 

@@ -42,6 +42,16 @@ void report_waves(const ResultFolder& folder, const WavesOptions& options = {});
 void report_rows(const ResultFolder& folder, const MeasureOptions& measure);
 // Bench only: heights.csv, heights.png, backbreak, toe left, volumes.
 void report_heights(const ResultFolder& folder, const MeasureOptions& measure);
+// section.csv, section.png: rock and heights along any line in plan.
+void report_section(const ResultFolder& folder, const MeasureOptions& measure,
+                    const LineOptions& line);
+// over.csv, over.png: what went over a line in plan.
+void report_over(const ResultFolder& folder, const MeasureOptions& measure,
+                 const LineOptions& line);
+// Bench only: trough.csv, trough.png: the valley between the rock that stands and the pile. Throws
+// NotMeasurable for a run that has not come to rest.
+void report_trough(const ResultFolder& folder, const MeasureOptions& measure,
+                   const TroughOptions& options = {});
 // survey.csv, survey.png: the surface of the run at its end against a surveyed one. Throws
 // NotMeasurable for a run that has not come to rest.
 void report_survey(const ResultFolder& folder, const MeasureOptions& measure,

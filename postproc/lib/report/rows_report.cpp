@@ -8,14 +8,15 @@
 #include "draw/curve_plot.h"
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
+#include "io/mine_frame.h"
 #include "io/pattern_charges.h"
-#include "io/snapshot_reader.h"
 #include "measure/face_velocity.h"
 #include "measure/hole_rock.h"
 #include "report/bench_scene.h"
 #include "report/not_measurable.h"
 #include "report/notes.h"
 #include "report/reports.h"
+#include "report/rows_of_run.h"
 #include "report/run_data.h"
 
 namespace muckpile {
@@ -115,7 +116,7 @@ void add_velocities(Rows& rows, const ResultFolder& folder, const RunData& run) 
     for (const size_t b : line.chosen) wanted[b] = 1;
   for (const FaceBand& band : rows.bands)
     for (const size_t b : band.layer) wanted[b] = 1;
-  SnapshotReader reader(run.blocks, wanted);
+  RowsOfRun reader(run, wanted);
   for (const auto& path : folder.snapshots()) {
     const Snapshot& now = reader.read(path);
     for (Line& line : rows.lines) add_velocity(line.rock, line.chosen, run.blocks, now);
@@ -150,21 +151,43 @@ double specific_charge(const Line& line) {
 }
 
 void write_tables(const Rows& rows, const ResultFolder& folder) {
-  CsvWriter csv(folder.file("rows.csv"),
-                "hole,row,x_m,y_m,fires_s,charge_kg,blocks,volume_m3,mass_kg,specific_charge_kg_m3,"
-                "moved_volume_m3,throw_m,velocity_m_s,velocity_at_s");
+  const std::optional<MineFrame> frame = mine_frame(folder);
+  CsvWriter csv(
+      folder.file("rows.csv"),
+      with_mine_columns("hole,row,x_m,y_m,fires_s,charge_kg,blocks,volume_m3,mass_kg,"
+                        "specific_charge_kg_m3,moved_volume_m3,throw_m,velocity_m_s,velocity_at_s",
+                        frame));
   for (const Line& line : rows.lines) {
     const CastRock& rock = line.rock;
-    csv.row(line.name,
-            {line.row, line.x, line.y, line.fires, line.charge, static_cast<double>(rock.blocks),
-             rock.volume, rock.mass, specific_charge(line), rock.moved_volume, rock.throw_mean,
-             rock.velocity, rock.velocity_time});
+    const double x = std::isnan(line.y) ? line.y : line.x;  // a row has no one place
+    csv.row_at(
+        line.name,
+        {line.row, line.x, line.y, line.fires, line.charge, static_cast<double>(rock.blocks),
+         rock.volume, rock.mass, specific_charge(line), rock.moved_volume, rock.throw_mean,
+         rock.velocity, rock.velocity_time},
+        mine_place(frame, x, line.y));
   }
   CsvWriter face(folder.file("face_velocity.csv"),
                  "hole,height_low_m,height_high_m,velocity_m_s,velocity_at_s");
   for (const FaceBand& band : rows.bands)
     face.row(band.name, {band.low, band.high, band.peak, band.time});
 }
+
+// The rock of several holes together; NaN for none.
+class HoleMean {
+ public:
+  void add(const CastRock& rock) {
+    mass_ += rock.mass;
+    moment_ += rock.mass * rock.throw_mean;
+    volume_ += rock.volume;
+    moved_ += rock.moved_volume;
+  }
+  [[nodiscard]] double throw_mean() const { return moment_ / mass_; }
+  [[nodiscard]] double moved() const { return moved_ / volume_; }  // share of the volume
+
+ private:
+  double mass_ = 0.0, moment_ = 0.0, volume_ = 0.0, moved_ = 0.0;
+};
 
 CurvePlot face_plot(const Rows& rows, const RunData& run) {
   CurvePlot plot;
@@ -191,6 +214,29 @@ CurvePlot face_plot(const Rows& rows, const RunData& run) {
   return plot;
 }
 
+// The holes at the ends of rows of three or more, and those between them.
+nlohmann::ordered_json keys_of_ends(const Rows& rows) {
+  const auto of_row = [&](int row) {
+    return std::ranges::count(rows.holes, row, &PatternHole::row);
+  };
+  HoleMean ends, inner;
+  for (size_t h = 0; h < rows.holes.size(); ++h) {
+    const int row = rows.holes[h].row;
+    if (of_row(row) < 3 || rows.lines[h].rock.blocks == 0) continue;
+    const bool first = h == 0 || rows.holes[h - 1].row != row;
+    const bool last = h + 1 == rows.holes.size() || rows.holes[h + 1].row != row;
+    (first || last ? ends : inner).add(rows.lines[h].rock);
+  }
+  nlohmann::ordered_json keys;
+  keys["end_holes_throw_m"] = ends.throw_mean();
+  keys["inner_holes_throw_m"] = inner.throw_mean();
+  keys["end_to_inner_throw"] = ends.throw_mean() / inner.throw_mean();
+  keys["end_holes_moved_fraction"] = ends.moved();
+  keys["inner_holes_moved_fraction"] = inner.moved();
+  keys["end_to_inner_moved"] = ends.moved() / inner.moved();
+  return keys;
+}
+
 nlohmann::ordered_json keys_of(const Rows& rows) {
   nlohmann::ordered_json keys;
   const size_t holes = rows.holes.size();
@@ -214,6 +260,7 @@ nlohmann::ordered_json keys_of(const Rows& rows) {
   keys["hole_throw_most_m"] = most;
   keys["front_row_velocity_m_s"] = front.rock.velocity;
   keys["last_row_velocity_m_s"] = last.rock.velocity;
+  keys.update(keys_of_ends(rows));
   return keys;
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What every report starts from: the blocks, where they ended, and which of them were broken out.
-// Scope: loaded once per sub-command.
+// Scope: loaded once per sub-command; the folder must outlive it, as it keeps the blocks.
 #pragma once
 
 #include <vector>
 
+#include "io/muck.h"
 #include "io/result_folder.h"
 #include "measure/broken_out.h"
 #include "report/options.h"
@@ -12,21 +13,34 @@
 namespace muckpile {
 
 struct RunData {
-  RunData(const ResultFolder& folder, const MeasureOptions& options)
-      : blocks(folder.blocks()),
-        last(read_snapshot(folder.snapshots().back(), blocks)),
+  RunData(const ResultFolder& of, const MeasureOptions& options)
+      : folder(of),
+        blocks(of.rock()),
+        last(read_snapshot(of.snapshots().back(), of.blocks())),
+        muck(of.blocks().begin() + static_cast<std::ptrdiff_t>(blocks.size()), of.blocks().end()),
+        muck_states(split_muck(last.states, blocks.size())),
         block_size(mean_block_size(blocks, std::vector<char>(blocks.size(), 1))),
         cell(options.cell.value_or(0.25 * block_size)),
         moved(broken_out(blocks, last.states, options.least_move.value_or(block_size))),
         lies(blocks.size(), 1),
-        still(folder.is_still()) {
+        still(of.is_still()) {
     // At the end of a run that is not still nearly all may move: then the surface is that of all.
     if (!still) return;
     for (char& each : lies = on_the_move(last.states)) each = each == 0;
   }
 
-  std::vector<StartBlock> blocks;
-  Snapshot last;
+  // Of the folder's blocks, rock and muck.
+  [[nodiscard]] Snapshot with_muck() const {
+    Snapshot all = last;
+    all.states.insert(all.states.end(), muck_states.begin(), muck_states.end());
+    return all;
+  }
+
+  const ResultFolder& folder;
+  const std::vector<StartBlock>& blocks;  // the folder's, of the rock alone: what is measured
+  Snapshot last;                          // of these
+  std::vector<StartBlock> muck;           // that lay in front, and its states
+  std::vector<BlockState> muck_states;
   double block_size;  // mean over all blocks [m]
   double cell;        // of columns [m]
   std::vector<char> moved;

@@ -7,14 +7,21 @@
 
 namespace muckpile {
 
-SectionPlot section_of_run(const RunData& run, double y, ColourBy colour_by) {
+SectionPlot section_of_run(const RunData& run, double y, const std::string& colour_by) {
   SectionPlot plot{};
-  plot.polygons = section_at(y, run.blocks, run.last.states);
+  const std::vector<StartBlock>& all = run.folder.blocks();
+  plot.polygons = section_at(y, all, run.with_muck().states);
   plot.moved = run.moved;
-  plot.colours = block_colours(colour_by, run.blocks, run.last);
+  plot.moved.resize(all.size(), 1);
+  plot.colours = colours_of_run(run, colour_by);
   plot.note = section_note(y, run.last.time);
+  if (!run.muck.empty()) plot.note += "; muck that lay in front is grey-green";
   plot.warning = motion_warning(run.still);
   return plot;
+}
+
+BlockColours colours_of_run(const RunData& run, const std::string& field) {
+  return block_colours(BlockFields(run.folder, run.folder.blocks()).of(field, run.with_muck()));
 }
 
 std::vector<Vec2> line_over(const std::vector<double>& x, const std::vector<double>& z) {

@@ -3,6 +3,7 @@
 // snapshot. Scope: title, axes and what is drawn over the rock are each report's own.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "report/run_data.h"
@@ -11,7 +12,10 @@
 namespace muckpile {
 
 // Rock in the plane y [m], its colours, where and when it is, and whether it still moves.
-SectionPlot section_of_run(const RunData& run, double y, ColourBy colour_by);
+SectionPlot section_of_run(const RunData& run, double y, const std::string& colour_by);
+
+// By a field at the end of the run.
+BlockColours colours_of_run(const RunData& run, const std::string& field);
 
 // Points (x, z) of two columns of equal length.
 std::vector<Vec2> line_over(const std::vector<double>& x, const std::vector<double>& z);

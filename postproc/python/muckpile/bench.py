@@ -63,7 +63,7 @@ def face_layer(run: Run, low: float, high: float) -> np.ndarray:
     blocks = run.blocks
     owner = blocks.point_block
     in_face = np.abs(blocks.points[:, 0]) <= TOUCH * blocks.size[owner]
-    touches = np.bincount(owner, in_face, len(blocks)) > 0
+    touches = (np.bincount(owner, in_face, len(blocks)) > 0) & ~blocks.muck
     one_block = np.cbrt(blocks.volume[touches].mean()) if touches.any() else 0.0
     depth = max(0.25 * scene_number(run, "burden_m"), one_block)
     x, z = blocks.centre[:, 0], blocks.centre[:, 2]

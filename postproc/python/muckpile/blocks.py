@@ -33,6 +33,7 @@ class Blocks:
     size: np.ndarray  # (n,) volume^(1/3) [m]
     mass: np.ndarray  # (n,) [kg]
     on_free_face: np.ndarray  # (n,) bool: a face of it is a free face, also those at back and sides
+    muck: np.ndarray  # (n,) bool: lay loose in front of the rock, and is no rock that is blasted
     points: np.ndarray  # (p, 3) vertices of all blocks [m]
     vertex_start: np.ndarray  # (n + 1,) block b has points[vertex_start[b]:vertex_start[b + 1]]
     face_start: np.ndarray  # (n + 1,) block b has the faces face_start[b] .. face_start[b + 1] - 1
@@ -58,8 +59,8 @@ class Blocks:
 
     @property
     def mean_size(self) -> float:
-        """(mean volume)^(1/3) of all blocks [m]."""
-        return float(np.cbrt(self.volume.mean()))
+        """(mean volume)^(1/3) of all blocks of the rock [m]."""
+        return float(np.cbrt(self.volume[~self.muck].mean()))
 
     @property
     def point_block(self) -> np.ndarray:

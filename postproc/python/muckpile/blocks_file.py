@@ -182,7 +182,8 @@ def _assemble(path, points, faces, data, order) -> Blocks:
     blocks = Blocks(
         id=stated["id"].astype(int), centre=centre, volume=stated["volume_m3"],
         size=stated["size_m"], mass=stated["mass_kg"],
-        on_free_face=stated["on_free_face"] != 0.0, points=own, vertex_start=vertex_start,
+        on_free_face=stated["on_free_face"] != 0.0,
+        muck=stated.get("muck", np.zeros(n)) != 0.0, points=own, vertex_start=vertex_start,
         face_start=offsets(np.bincount(owner, minlength=n)), corner_start=corner_start,
         corners=corners, triangles=triangles, triangle_block=owner[face])
     _check(blocks, volume, path)

@@ -13,11 +13,11 @@ from muckpile.snapshot import Snapshot
 
 
 def broken_out(blocks: Blocks, snapshot: Snapshot, least_move: float | None = None) -> np.ndarray:
-    """(n,) bool: blocks whose mass centre moved farther than their own size and than `least_move`
+    """(n,) bool: blocks of the rock, no muck, whose mass centre moved farther than their own size and than `least_move`
     [m], which is the mean block size unless given. The true crater is measured with 0."""
     least = blocks.mean_size if least_move is None else least_move
     moved = np.sqrt(((snapshot.position - blocks.centre)**2).sum(axis=1))
-    return moved > np.maximum(least, blocks.size)
+    return (moved > np.maximum(least, blocks.size)) & ~blocks.muck
 
 
 def fragments_of(blocks: Blocks, snapshot: Snapshot, moved: np.ndarray | None = None) -> np.ndarray:

@@ -10,8 +10,8 @@ available_cores() {
   if ((physical > 0 && physical < usable)); then echo "$physical"; else echo "$usable"; fi
 }
 
-# Ctrl-C asks the engine to write its state and stop, and waits for that; mpirun, which would kill it after two seconds, hears of
-# the second Ctrl-C only.
+# Ctrl-C asks the engine to write its state and stop, and waits for that; mpirun, which would kill it after two seconds, is
+# told of the second Ctrl-C only.
 run_engine() {  # run_engine RANKS OUT INPUT [-var NAME VALUE]...
   local ranks=$1 out=$2 input=$3
   shift 3

@@ -35,8 +35,8 @@ double CovolumeIsentrope::pressure(double volume_ratio) const {
 
 double CovolumeIsentrope::stored_energy(double volume_ratio) const {
   const double ratio = std::max(volume_ratio, 1.0);
-  const double held = initial_pressure_ * std::max(0.0, 1.0 - volume_ratio);
-  return held + pressure(ratio) * (ratio - covolume_) / (gamma_ - 1.0);
+  const double plateau = initial_pressure_ * std::max(0.0, 1.0 - volume_ratio);
+  return plateau + pressure(ratio) * (ratio - covolume_) / (gamma_ - 1.0);
 }
 
 }  // namespace muckpile

@@ -23,7 +23,7 @@ class CovolumeIsentrope {
   /// InputError unless all are positive, gamma is above 1 and E is at most P0/(gamma - 1).
   explicit CovolumeIsentrope(const Parameters& parameters);
 
-  /// Pressure [Pa] at a volume ratio V/V0; below 1 it is held at P0.
+  /// Pressure [Pa] at a volume ratio V/V0; below 1 it stays P0.
   [[nodiscard]] double pressure(double volume_ratio) const;
   /// Per volume V0 of charge at a volume ratio [J/m3]: what the expansion from there can do.
   [[nodiscard]] double stored_energy(double volume_ratio) const;

@@ -81,7 +81,7 @@ std::string describe(const BlastOptions& options, const std::vector<Hole>& crush
     describe_products(text, options, hole);
     const double limit = load.pulse_limit(0.0, 0.0);
     if (load.wave_peak() > limit) {
-      text << "  the pulse is held to what the products can press, " << limit / kMPa
+      text << "  the pulse is limited to what the products can press, " << limit / kMPa
            << " MPa on a wall at rest\n";
     }
     text << "  gas from " << load.gas_pressure(0.0, 0.0) / kMPa

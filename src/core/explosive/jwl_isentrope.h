@@ -29,7 +29,7 @@ class JwlIsentrope {
   /// negative, V_CJ lies between 0 and 1 and C comes out positive.
   explicit JwlIsentrope(const JwlParameters& parameters);
 
-  /// Pressure [Pa] at a volume ratio V/V0; below 1 it is held at that of V = V0.
+  /// Pressure [Pa] at a volume ratio V/V0; below 1 it stays that of V = V0.
   [[nodiscard]] double pressure(double volume_ratio) const;
   /// V/V0 at which the pressure has fallen to the given one; 1 if it is never above that.
   [[nodiscard]] double volume_ratio_at(double pressure) const;

@@ -20,8 +20,8 @@ double ProductExpansion::gamma() const {
 
 double ProductExpansion::stored_energy(double volume_ratio) const {
   const double ratio = std::max(volume_ratio, filled_);
-  const double held = pressure(filled_) * std::max(0.0, filled_ - volume_ratio);
-  return held +
+  const double plateau = pressure(filled_) * std::max(0.0, filled_ - volume_ratio);
+  return plateau +
          hotter_ * std::visit([ratio](const auto& law) { return law.stored_energy(ratio); }, law_);
 }
 

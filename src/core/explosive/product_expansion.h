@@ -19,7 +19,7 @@ class ProductExpansion {
 
   explicit ProductExpansion(const Law& law);
 
-  /// [Pa] at a volume ratio V/V0; below 1 it is held at that of V0.
+  /// [Pa] at a volume ratio V/V0; below 1 it stays that of V0.
   [[nodiscard]] double pressure(double volume_ratio) const;
   /// V_k/V0, where the gas stage starts [-].
   [[nodiscard]] double switch_ratio() const { return switch_ratio_; }
@@ -34,9 +34,9 @@ class ProductExpansion {
   [[nodiscard]] double work_down_to(double pressure) const;
 
   /// The products once they have filled a room of this volume ratio without work, and have come to
-  /// rest: they hold in it what they held in V0. The law's pressures times energy()/stored_energy
+  /// rest: in it they have the energy that they had in V0. The law's pressures times energy()/stored_energy
   /// (ratio), exact for a gas of constant exponent with or without covolume, where more heat at one
-  /// volume is more pressure in proportion; below the ratio held at that of the room.
+  /// volume is more pressure in proportion; below that ratio it stays that of the room.
   [[nodiscard]] ProductExpansion after_filling(double volume_ratio) const;
 
  private:

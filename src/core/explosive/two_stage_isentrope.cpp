@@ -34,10 +34,10 @@ double TwoStageIsentrope::stored_energy(double volume_ratio) const {
   if (volume_ratio >= switch_ratio_) {
     return pressure(volume_ratio) * volume_ratio / (dilute_exponent_ - 1.0);
   }
-  const double held = initial_pressure_ * std::max(0.0, 1.0 - volume_ratio);
+  const double plateau = initial_pressure_ * std::max(0.0, 1.0 - volume_ratio);
   const double ratio = std::max(volume_ratio, 1.0);
   const double at_switch = switch_pressure_ * switch_ratio_;
-  return held + (pressure(ratio) * ratio - at_switch) / (dense_exponent_ - 1.0) +
+  return plateau + (pressure(ratio) * ratio - at_switch) / (dense_exponent_ - 1.0) +
          at_switch / (dilute_exponent_ - 1.0);
 }
 

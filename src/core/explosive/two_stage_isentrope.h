@@ -20,7 +20,7 @@ class TwoStageIsentrope {
   /// InputError unless all are positive and finite.
   explicit TwoStageIsentrope(const Parameters& parameters);
 
-  /// Pressure [Pa] at a volume ratio V/V0; below 1 it is held at P0 (the products are not
+  /// Pressure [Pa] at a volume ratio V/V0; below 1 it stays P0 (the products are not
   /// compressed beyond the explosion state).
   [[nodiscard]] double pressure(double volume_ratio) const;
   /// Vk/V0, where the stages meet (1 if P0 <= pk).

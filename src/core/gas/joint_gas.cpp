@@ -216,7 +216,7 @@ void JointGas::find_pressures() {
   transform_all(pressure_, density_, root_, [flow](double p, double) { return flow.root_of(p); });
 }
 
-GasFlow JointGas::held() const {
+GasFlow JointGas::contained() const {
   GasFlow sum;
   for (std::size_t b = 0; b < cells_.size(); ++b) {
     if (owned(b)) sum += {cells_[b].content.mass, cells_[b].content.energy};

@@ -168,7 +168,7 @@ class JointGas {
   /// Net work of a volume [m3] of gas at a pressure [Pa] that expands along its isentrope to that
   /// of the atmosphere, and pushes that away [J].
   [[nodiscard]] double work_to_ambient(double pressure, double volume) const;
-  [[nodiscard]] GasFlow held() const;  ///< in owned blocks
+  [[nodiscard]] GasFlow contained() const;  ///< in owned blocks
   [[nodiscard]] const GasSpent& spent() const { return spent_; }
   /// To go on from a restart file.
   void resume(const GasSpent& spent) { spent_ = spent; }

@@ -177,6 +177,23 @@ std::size_t blocks_in_memory(std::size_t memory, int spheres_per_block) {
       std::min(0.5 * static_cast<double>(memory) / bytes_per_block, 5e6));
 }
 
+void read_muck(CutOptions& options, const ArgValues& args) {
+  if (!args.given("muck")) return;
+  const Words& words = args.groups("muck").front();
+  if (words[0] == "none") return;
+  MuckSource muck;
+  muck.folder = words[0];
+  for (int c = 0; c < 3; ++c)
+    muck.shift[c] = cut_real("muck", words[static_cast<std::size_t>(c) + 1], "m", place_range());
+  muck.moved_only = words[4] == "moved";
+  if (!muck.moved_only && words[4] != "all")
+    refuse_cut("muck must have 'all' or 'moved' behind its shift, got '" + words[4] + "'");
+  if (words.size() > 5) muck.overlap = cut_real("muck", words[5], "", Range::closed(0.0, 1.0));
+  if (words.size() > 6) muck.floor = cut_real("muck", words[6], "m", place_range());
+  muck.least_size = 0.5 * options.limits.smallest;
+  options.muck = muck;
+}
+
 CutOptions read(const ArgValues& args, std::size_t memory) {
   CutOptions options;
   options.density = args.real("density");
@@ -200,6 +217,7 @@ CutOptions read(const ArgValues& args, std::size_t memory) {
   read_zone_bodies(options);
   read_zone_model(options, args);
   read_faults(options, args);
+  read_muck(options, args);
   rock.seed = static_cast<unsigned long>(args.integer("seed"));
   rock.sweeps = static_cast<int>(args.integer("sweeps"));
   rock.max_blocks = args.integer("max_blocks") > 0

@@ -14,6 +14,7 @@
 #include "geometry/cut/tessellation.h"
 #include "geometry/size/size_target.h"
 #include "geometry/surface/surface_fit.h"
+#include "rock/muck.h"
 #include "rock/natural_joints.h"
 #include "rock/rock_cells.h"
 #include "rock/rock_zones.h"
@@ -58,6 +59,7 @@ struct CutOptions {
   ZoneModel model{};
   std::vector<Fault> faults{};
   std::vector<JointPlane> zone_joints{};  ///< borders of zones that are natural joints
+  std::optional<MuckSource> muck{};       ///< in front of the rock
   [[nodiscard]] std::vector<double> densities() const;  ///< of the rock, then of the zones [kg/m3]
   int spheres_per_block = 0;
   double sphere_growth = 1.0;

@@ -66,7 +66,7 @@ const ArgTable& cut_table() {
           .group("support", 2, 2, true,
                  "`fixed REGION` or `mirror REGION`: how boundary faces with their centroid in "
                  "that region "
-                 "are held; all others are free faces")
+                 "are supported; all others are free faces")
           .group(
               "joint_plane", 6, 7, true,
               "natural joint: x y z of a point [m], dip and dip direction [degrees; y is north, x "
@@ -96,6 +96,13 @@ const ArgTable& cut_table() {
                  ".dxf), or `model` (cells of `block_model` with that name). A block is of the "
                  "first zone that holds its centroid; the cut "
                  "follows plane borders")
+          .group("muck", 5, 7, false,
+                 "FOLDER dx dy dz, `all` or `moved`, and optionally SHARE (0) and FLOOR (none): "
+                 "the blocks of the run with results in FOLDER, as its last snapshot has them, "
+                 "shifted by (dx, dy, dz) [m], lie loose in front of the rock; `all` of them, or"
+                 " those that have `moved` by more than their size V^(1/3). At most SHARE (0 to "
+                 "1) of their mass may lie in the rock, below the height FLOOR [m] or beyond the"
+                 " simulation box, and is left out. FOLDER `none`: no muck")
           .word("cut", {"voronoi", "joint_sets"}, "voronoi",
                 "how the rock is cut: graded Voronoi blocks, or joint sets in concentric bands")
           .group("joint_set", 2, 3, true,

@@ -82,6 +82,9 @@ RockModel cut_rock(const CutOptions& options, int first_tag, const SupportRule& 
   model.natural_planes = joints.size();
   assign_joint_classes(joints, blocks, first_tag, model.facets.facets);
   assign_fault_classes(options, first_tag, model);
+  if (options.muck)
+    model.muck = lay_muck(*options.muck, blocks, options.spheres_per_block, options.sphere_growth,
+                          first_tag + static_cast<int>(blocks.size()));
   return model;
 }
 

@@ -35,10 +35,11 @@ struct RockModel {
   double plan_burden = 0.0;               ///< 0: not told [m]
   std::vector<std::string> zones{};       ///< names of those of rock
   std::vector<std::uint8_t> zone_of{};    ///< per block; k: zones[k - 1]; empty: there are none
+  Muck muck{};                            ///< its tags follow those of the rock
 };
 
 /// Throws InputError as the cuts do (tessellation.h, joint_set_cut.h, size_target.h,
-/// block_import.h) and mirrored_holes.h, and where the region holds no block.
+/// block_import.h), mirrored_holes.h and muck.h, and where the region holds no block.
 [[nodiscard]] RockModel cut_rock(const CutOptions& options, int first_tag,
                                  const SupportRule& support);
 

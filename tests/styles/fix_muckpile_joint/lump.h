@@ -18,7 +18,8 @@ enum Joint {
   fracture = 5,
   friction = 6,
   damping = 7,
-  stable_step = 8
+  stable_step = 8,
+  crushing = 11
 };
 
 inline std::string uniform(double size, int seed = 3) {

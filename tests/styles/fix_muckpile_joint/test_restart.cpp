@@ -49,12 +49,12 @@ void make_breaking_lump(RockScene& scene, const std::string& strength,
 }
 
 struct Totals {
-  double broken, elastic, fracture, friction, damping;
+  double broken, elastic, fracture, friction, damping, crushing;
 };
 
 Totals totals_of(const RockScene& scene) {
   return {scene.output("joint", 2), scene.output("joint", 4), scene.output("joint", 5),
-          scene.output("joint", 6), scene.output("joint", 7)};
+          scene.output("joint", 6), scene.output("joint", 7), scene.output("joint", 11)};
 }
 
 /// Largest difference of centres [m], velocities [m/s] and spins [rad/s].
@@ -81,7 +81,8 @@ void expect_same(const RockScene& went_on, const RockScene& restarted, double al
   EXPECT_EQ(one.broken, two.broken);
   for (const auto& [a, b] :
        {std::pair(one.elastic, two.elastic), std::pair(one.fracture, two.fracture),
-        std::pair(one.friction, two.friction), std::pair(one.damping, two.damping)})
+        std::pair(one.friction, two.friction), std::pair(one.damping, two.damping),
+        std::pair(one.crushing, two.crushing)})
     EXPECT_NEAR(a, b, books * one.fracture);
 }
 
@@ -98,9 +99,10 @@ Bounds bounds() {
   return ranks <= 2 ? Bounds{0.0, 1e-9} : Bounds{1e-7, 1e-3};
 }
 
-/// `between` is for the first run only: what a restart has to know of it is in the file.
-void go_on_and_restart(const std::string& strength, const std::string& between = "",
-                       double books = 1e-3, const std::string& cut = "") {
+/// `between` is for the first run only: what a restart has to know of it is in the file. Returns
+/// what walls that crush have taken [J].
+double go_on_and_restart(const std::string& strength, const std::string& between = "",
+                         double books = 1e-3, const std::string& cut = "") {
   const ScratchFolder folder("restart");
   const std::string file = folder / "lump.restart";
   RockScene went_on(MPI_COMM_WORLD, "-4 4 -4 4 -4 4", "* * 1", "multisphere/muckpile");
@@ -126,6 +128,7 @@ void go_on_and_restart(const std::string& strength, const std::string& between =
   restarted.run(kSoon, kStep);
   restarted.run(kLate, kStep);
   expect_same(went_on, restarted, bounds().same_ranks, 1e-12 + bounds().same_ranks);
+  return totals_of(went_on).crushing;
 }
 
 TEST(Restart, BreakingRockOnRanksGoesOnAsIfNothingHadHappened) { go_on_and_restart(kStrength); }
@@ -147,6 +150,10 @@ TEST(Restart, NonlinearJointsKeepTheirHistory) {
           "roughness 10 wall_strength 1e8 residual_friction_angle 30 "
           "irrecoverable_closure 0.4 peak_slip 1e-3",
       "", 1e-3, " joint_plane 0 0 0 30 90 1");
+}
+
+TEST(Restart, CrushedWallsStayCrushed) {
+  EXPECT_GT(go_on_and_restart(kStrength + " wall_strength 2e5"), 0.0);
 }
 
 TEST(Restart, ZonesKeepTheirRock) {

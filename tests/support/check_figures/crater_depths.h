@@ -17,7 +17,7 @@ namespace muckpile::check {
 ///   crater_radius_m_at_D, crater_volume_m3_at_D, apparent_depth_m_at_D for each depth D in
 ///   hundredths of m/kg^(1/3), and, where the rules have one,
 ///   radius_over_boreskov_at_D: over n w, n of W = K w^3 (0.4 + 0.6 n^3), K = 1.5 kg/m3 (Boreskov);
-///   apparent_over_pokrovskii_at_D: over 0.33 w (2n - 1), with that n (Pokrovskii, from memory).
+///   apparent_over_pokrovskii_at_D: over 0.33 w (2n - 1), with that n (Pokrovskii).
 /// Throws InputError where there is no row, or a number is missing or out of range.
 [[nodiscard]] Json crater_depths(const std::filesystem::path& table);
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "bond_scene.h"
@@ -21,8 +22,9 @@ class Pairs {
  public:
   /// `chosen`: for each facet, which one of the template's it copies.
   Pairs(const std::vector<Facet>& of, const std::vector<std::size_t>& chosen, double damping,
-        std::vector<FacetMemory> memory = {})
-      : network_(material(damping)) {
+        std::vector<FacetMemory> memory = {},
+        double wall_strength = std::numeric_limits<double>::infinity())
+      : network_(material(damping, wall_strength)) {
     std::vector<BlockConstants> blocks;
     std::vector<Facet> facets;
     for (std::size_t f = 0; f < chosen.size(); ++f) {
@@ -49,11 +51,12 @@ class Pairs {
   }
 
  private:
-  static JointMaterial material(double damping) {
+  static JointMaterial material(double damping, double wall_strength) {
     JointParameters rock = test::rock(0.25);
     rock.residual_friction_angle = 0.6;
     rock.damping = damping;
     rock.contact_damping = 0.05;
+    rock.wall_strength = wall_strength;
     return JointMaterial(rock);
   }
   /// Closed a little, turned and moving, by its number in the template.
@@ -144,14 +147,19 @@ FacetMemory broken_in_one_way(std::size_t f) {
   return memory;
 }
 
-TEST(FacetGroups, BrokenFacetsHaveTheForcesAndLossesOfFacetsWorkedOnOneByOne) {
+/// Of 24 facets on the whole.
+struct Seen {
+  int rub = 0, push = 0, crush = 0;
+};
+
+Seen work_in_groups_and_one_by_one(double wall_strength) {
   const std::vector<Facet> of = joints();
-  int rub = 0, push = 0;
+  Seen seen;
   for (std::size_t f = 0; f < 24; ++f) {
     FacetMemory memory = broken_in_one_way(f);
-    Pairs together(of, {f}, 0.0, {memory});
+    Pairs together(of, {f}, 0.0, {memory}, wall_strength);
     memory.extra.get_or_create() = {};  // facets that soften are worked on one by one
-    Pairs alone(of, {f}, 0.0, {memory});
+    Pairs alone(of, {f}, 0.0, {memory}, wall_strength);
     for (int step = 0; step < 3; ++step) {
       for (Pairs* pairs : {&together, &alone}) {
         pairs->network().state()[1].centre += Vec3(2e-6, -1e-6, 3e-6);
@@ -167,16 +175,28 @@ TEST(FacetGroups, BrokenFacetsHaveTheForcesAndLossesOfFacetsWorkedOnOneByOne) {
       EXPECT_EQ(a.traces()[0].open, b.traces()[0].open) << f;
       EXPECT_NEAR(a.losses().friction, b.losses().friction, 1e-12 + 1e-10 * b.losses().friction);
       EXPECT_NEAR(a.losses().damping, b.losses().damping, 1e-12 + 1e-10 * b.losses().damping);
+      EXPECT_NEAR(a.losses().crushing, b.losses().crushing, 1e-12 + 1e-10 * b.losses().crushing);
       const ContactMemory kept = a.memory(0).contact.get(), other = b.memory(0).contact.get();
       EXPECT_EQ(kept.fade, other.fade) << f;
       for (std::size_t p = 0; p < kFacetPoints; ++p)
         EXPECT_LT((kept.offset[p] - other.offset[p]).norm(), 1e-14) << f;
     }
-    rub += together.network().losses().friction > 0.0 ? 1 : 0;
-    push += together.network().force()[0].norm() > 1.0 ? 1 : 0;
+    seen.rub += together.network().losses().friction > 0.0 ? 1 : 0;
+    seen.push += together.network().force()[0].norm() > 1.0 ? 1 : 0;
+    seen.crush += together.network().losses().crushing > 0.0 ? 1 : 0;
   }
-  EXPECT_GE(rub, 12);
-  EXPECT_GE(push, 12);  // the others are open, or open as they move
+  return seen;
+}
+
+TEST(FacetGroups, BrokenFacetsHaveTheForcesAndLossesOfFacetsWorkedOnOneByOne) {
+  const Seen seen = work_in_groups_and_one_by_one(std::numeric_limits<double>::infinity());
+  EXPECT_GE(seen.rub, 12);
+  EXPECT_GE(seen.push, 12);  // the others are open, or open as they move
+  EXPECT_EQ(seen.crush, 0);
+}
+
+TEST(FacetGroups, CrushingWallsDoToo) {
+  EXPECT_GE(work_in_groups_and_one_by_one(3e5).crush, 12);  // of 0.6 MPa and more
 }
 
 TEST(FacetGroups, AnIntactFacetLetsGoOnceItHasTurnedTooFar) {

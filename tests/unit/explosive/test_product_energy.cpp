@@ -115,8 +115,8 @@ TEST(ProductEnergy, PressuresBesideJwlOfTheSameExplosive) {
 }
 
 // Makers compute "effective energy" to 100 MPa of the ideal detonation: 2.30 MJ/kg for ANFO of
-// 800 kg/m3 (Australian data sheets, from memory), whose ideal velocity is about 4900 m/s (from
-// memory). Of the table's 4000 m/s less is left above 100 MPa.
+// 800 kg/m3 (Australian data sheets, see docs/sources.md), whose ideal velocity is about 4900 m/s
+// (handbooks). Of the table's 4000 m/s less is left above 100 MPa.
 TEST(ProductEnergy, EffectiveEnergyOfIdealAnfo) {
   NamedExplosive anfo = shipped("anfo");
   anfo.detonation_velocity = 4900.0;
@@ -187,7 +187,7 @@ TEST(Strength, OfHeavyAnfo) {
 
 TEST(Strength, OfTnt) {
   const NamedExplosive tnt = shipped("tnt");
-  // ANFO is 0.82 of TNT by mass (from memory; encyclopedias round to 0.80).
+  // ANFO is 0.82 of TNT by mass (docs/sources.md; encyclopedias round to 0.80).
   expect_strength("TNT, RWS, of ANFO's 0.82", weight_strength(tnt), 1.0 / 0.82);
   // 1000 cal/g by definition, of ISEE's 880 cal/g.
   expect_strength("TNT, RWS, ratio of energies", weight_strength(tnt), 1000.0 / 880.0);
@@ -202,7 +202,7 @@ TEST(Strength, OfGelatine) {
   // The table's energy is that of Langefors' LFB, 5.0 MJ/kg; over ANFO's 890 cal/g.
   expect_strength("gelatine, RWS, ratio of energies", weight_strength(gelatine),
                   5.0 / (0.890 * kCalorie));
-  // Weight strengths of Persson, Holmberg & Lee 1994 (from memory): LFB 1.00, ANFO 0.84.
+  // Weight strengths of Persson, Holmberg & Lee 1994 (docs/sources.md): LFB 1.00, ANFO 0.84.
   expect_strength("gelatine, Langefors", langefors_strength(gelatine), 1.0 / 0.84);
   // The middle of German gelatinous explosives: 1450 kg/m3, 4.8 MJ/kg, 850 l/kg (German Wikipedia).
   NamedExplosive german = gelatine;
@@ -211,7 +211,7 @@ TEST(Strength, OfGelatine) {
   german.detonation_velocity = 5600.0;
   expect_strength("German gelatine, RWS, ratio of energies", weight_strength(german),
                   4.8 / (0.890 * kCalorie));
-  // Dyno Nobel's Unimax (data sheet, from memory): 1510 kg/m3, 5300 m/s, 1055 cal/g, RWS 1.20,
+  // Dyno Nobel's Unimax (data sheet, docs/sources.md): 1510 kg/m3, 5300 m/s, 1055 cal/g, RWS 1.20,
   // RBS 2.20 over ANFO of 820 kg/m3.
   NamedExplosive unimax = gelatine;
   unimax.density = 1510.0;

@@ -72,7 +72,7 @@ struct GasScene {
     scene.compute();
     gas.measure(scene.network(), fed);
   }
-  double energy() { return gas.held().energy; }
+  double energy() { return gas.contained().energy; }
   double pressure(std::size_t b) { return gas.pressure(gas.cells()[b]); }
   void step(double dt) {
     gas.measure(scene.network(), fed);

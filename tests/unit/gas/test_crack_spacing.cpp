@@ -63,17 +63,17 @@ struct FedCube {
 
 TEST(CrackSpacing, LargerThanTheBlocksItIsBitEqualToNone) {
   const FedCube none(0.0), wide(100.0);
-  EXPECT_GT(none.cube.gas.held().mass, 0.0);
+  EXPECT_GT(none.cube.gas.contained().mass, 0.0);
   EXPECT_GT(none.vented.mass, 0.0);
-  EXPECT_EQ(none.cube.gas.held().mass, wide.cube.gas.held().mass);
-  EXPECT_EQ(none.cube.gas.held().energy, wide.cube.gas.held().energy);
+  EXPECT_EQ(none.cube.gas.contained().mass, wide.cube.gas.contained().mass);
+  EXPECT_EQ(none.cube.gas.contained().energy, wide.cube.gas.contained().energy);
   EXPECT_EQ(none.cube.gas.spent().heat, wide.cube.gas.spent().heat);
   EXPECT_EQ(none.vented.energy, wide.vented.energy);
 }
 
 TEST(CrackSpacing, MassAndEnergyAreKept) {
   const FedCube none(0.0), fine(0.3);
-  const GasFlow held = fine.cube.gas.held(), taken = fine.cube.taken[0];
+  const GasFlow held = fine.cube.gas.contained(), taken = fine.cube.taken[0];
   const double mass = (held.mass + fine.vented.mass) / taken.mass - 1.0;
   const double energy =
       (held.energy + fine.vented.energy + fine.cube.gas.spent().heat) / taken.energy - 1.0;

@@ -155,7 +155,7 @@ TEST(JointGas, VolumeOfARoughJointGrowsByWhatItsPressureWorksOn) {
   const double volume = joint.open(1e-4);
   press(joint.gas, joint.scene.network());
   joint.scene.compute();
-  const double pressure = (kGamma - 1.0) * joint.gas.held().energy / volume;
+  const double pressure = (kGamma - 1.0) * joint.gas.contained().energy / volume;
   EXPECT_NEAR(joint.scene.network().force()[1].x() / pressure, 1.0, 1e-9);
 }
 
@@ -179,7 +179,7 @@ TEST(JointGas, RoughJointBreaksWithTheApertureOfItsOwnLaw) {
   seal(gas);
   for (const std::size_t b : {0u, 1u}) gas.cells()[b].content = {0.01, 5e3};
   gas.measure(scene.network(), {});
-  const double energy = gas.held().energy, volume = gas.cells()[1].volume;
+  const double energy = gas.contained().energy, volume = gas.cells()[1].volume;
   constexpr double kCloser = 5e-5;
   move(1e-9, -kCloser, 2e-4);
   ASSERT_NE(scene.network().states()[1], FacetState::intact);
@@ -187,7 +187,7 @@ TEST(JointGas, RoughJointBreaksWithTheApertureOfItsOwnLaw) {
   const double closure = pair.law.close(kCloser, 50e9, 0.0).closure;
   ASSERT_GT(closure, 2e-5);
   EXPECT_NEAR((gas.cells()[1].volume - volume) / (0.5 * (2e-4 - closure)), 1.0, 1e-6);
-  EXPECT_NEAR(gas.held().energy / energy, 1.0, 1e-6);
+  EXPECT_NEAR(gas.contained().energy / energy, 1.0, 1e-6);
   EXPECT_NEAR(gas.spent().swept_volume, 0.0, 1e-12);
   // What it parts from there on works.
   move(1e-9, 1e-4, 2e-4);

@@ -88,7 +88,7 @@ struct Row {
   }
   /// Of rock and gas, less what came in [J].
   double account() {
-    return scene.energy_account() + gas.held().energy + gas.spent().heat + let_go - taken;
+    return scene.energy_account() + gas.contained().energy + gas.spent().heat + let_go - taken;
   }
 };
 
@@ -105,8 +105,8 @@ TEST_P(GasAtMirrors, HalfOfARowIsHalfOfTheRow) {
   for (int n = 0; n < 4000; ++n) {
     for (Row* row : {&half, &whole}) row->step(dt);
     if (n % 50 != 49) continue;
-    compare(2.0 * half.gas.held().energy, whole.gas.held().energy);
-    compare(2.0 * half.gas.held().mass, whole.gas.held().mass);
+    compare(2.0 * half.gas.contained().energy, whole.gas.contained().energy);
+    compare(2.0 * half.gas.contained().mass, whole.gas.contained().mass);
     compare(2.0 * half.gas.spent().work, whole.gas.spent().work);
     compare(2.0 * half.gas.spent().heat, whole.gas.spent().heat);
     compare(2.0 * half.taken, whole.taken);

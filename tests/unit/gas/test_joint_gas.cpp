@@ -156,7 +156,7 @@ TEST(JointGas, SmallChamberIsNotEmptiedByManyJoints) {
       EXPECT_NEAR(cube.gas.pressure(cell) / together, 1.0, 1e-2);
     }
   }
-  EXPECT_NEAR((cube.gas.held().mass + cube.vented + left.mass) / start, 1.0, 1e-12);
+  EXPECT_NEAR((cube.gas.contained().mass + cube.vented + left.mass) / start, 1.0, 1e-12);
 }
 
 /// What rock with cracks of 0.05 to 1 mm takes in 10 ms from a chamber along one of its sides [kg].
@@ -221,7 +221,7 @@ void expect_mass_kept(double open_gas) {
   EXPECT_GE(least, 0.0);
   EXPECT_GT(cube.vented, 0.1 * filled);
   EXPECT_GT(cube.taken[0].mass, 0.0);
-  EXPECT_NEAR((cube.gas.held().mass + cube.vented) / (filled + cube.taken[0].mass), 1.0, 1e-12);
+  EXPECT_NEAR((cube.gas.contained().mass + cube.vented) / (filled + cube.taken[0].mass), 1.0, 1e-12);
 }
 
 TEST(JointGas, MassIsKeptThroughFlowOutflowAndRetiringJoints) {

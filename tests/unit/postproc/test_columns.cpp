@@ -77,6 +77,22 @@ TEST(Columns, LengthTimesAreaIsTheVolumeOfTheRock) {
   EXPECT_NEAR(volume, static_cast<double>(run.blocks.size()) * 0.125, 1e-9 * volume);
 }
 
+// Two thirds of the cubes lie deep below others.
+TEST(Columns, TopsAloneAreThoseOfAllBlocks) {
+  BenchRun run = bench_run();
+  for (size_t b = 0; b < run.blocks.size(); b += 3)  // some stand askew
+    run.last.states[b].rotation = Quat(Eigen::AngleAxisd(0.3, Vec3(1, 2, 3).normalized()));
+  const Extent extent = extent_of(run.blocks, run.last.states);
+  const ColumnGrid grid =
+      column_grid(extent.low.x(), extent.high.x(), extent.low.y(), extent.high.y(), 0.07);
+  std::vector<char> keep(run.blocks.size(), 1);
+  for (size_t b = 0; b < keep.size(); b += 7) keep[b] = 0;
+  const Columns all = columns_through(grid, run.blocks, run.last.states, keep);
+  const Columns tops = tops_through(grid, run.blocks, run.last.states, keep);
+  EXPECT_EQ(tops.top, all.top);
+  EXPECT_TRUE(tops.length.empty());
+}
+
 TEST(Section, CutsCubesInSquaresAndTurnedCubesInRhombi) {
   const auto blocks = as_start_blocks(
       {cube_at({0.0, 0.0, 0.0}), cube_at({2.0, 0.0, 0.0}), cube_at({4.0, 3.0, 0.0})});

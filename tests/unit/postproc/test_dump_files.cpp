@@ -69,6 +69,17 @@ TEST_F(DumpFiles, SnapshotsComeBackInTheOrderOfTheBlocks) {
   }
 }
 
+// Parts of 4 MiB are read on all cores.
+TEST_F(DumpFiles, LargeFilesAreReadWhole) {
+  std::string text(9'000'001, ' ');
+  for (size_t k = 0; k < text.size(); ++k) text[k] = static_cast<char>('a' + k * k % 23);
+  const std::filesystem::path path = write_text(dump("large.txt"), text);
+  EXPECT_TRUE(FileText(path).text() == text);
+  std::string again = "of an earlier file";
+  read_text(path, again);
+  EXPECT_TRUE(again == text);
+}
+
 // A file as the engine writes it is read by another way than one with blanks in it.
 TEST_F(DumpFiles, BlanksInARowChangeNothing) {
   const auto blocks = read_blocks(dump("blocks.vtk"));

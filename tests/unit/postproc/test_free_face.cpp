@@ -3,6 +3,7 @@
 // Scope: measure/free_face.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -29,6 +30,37 @@ TessellationOptions rock() {
   options.size = SizeLaw::power({0.5, 1.0}, {0.25, 0.6});
   options.sweeps = 3;
   return options;
+}
+
+// Rock that leans back by 0.5 per height, cubes of 0.5 m cut along the slope.
+TEST(FaceMap, OfATiltedFaceIsThatFace) {
+  std::vector<Block> blocks = cubes_in({-3.0, -1.0, 0.0}, {0.0, 1.0, 3.0});
+  shear(blocks, 180.0 / std::numbers::pi * std::atan(2.0));
+  const auto face = face_map(as_start_blocks(blocks));
+  ASSERT_NE(face, nullptr);
+  const double line = kCube / 4;
+  for (const double z : {0.5 * line, 1.5 + 0.5 * line, 2.5 + 0.5 * line})
+    for (const double y : {-0.9, 0.0, 0.9}) EXPECT_NEAR(face->x(y, z), -0.5 * z, 1e-9);
+  EXPECT_NEAR(face->toe(0.0), 0.0, 0.5 * line);
+  EXPECT_NEAR(face->middle(), -0.75, line);
+  const std::vector<Vec2> section = face->section(0.3);
+  ASSERT_GE(section.size(), 23U);
+  for (const Vec2& p : section) EXPECT_NEAR(p.x(), -0.5 * p.y(), 1e-9);
+}
+
+// Of two steps the upper one is short: above it the face goes on as it ends, and in a gap along the
+// bench it is that of the rock beside it.
+TEST(FaceMap, GoesOnWhereThereIsNoRock) {
+  std::vector<Block> blocks = cubes_in({-3.0, -1.0, 0.0}, {0.0, -0.5, 2.0});
+  for (const Block& block : cubes_in({-3.0, 0.5, 0.0}, {-1.0, 1.0, 1.0})) blocks.push_back(block);
+  const auto face = face_map(as_start_blocks(blocks));
+  EXPECT_NEAR(face->x(-0.7, 1.9), 0.0, 1e-9);
+  EXPECT_NEAR(face->x(0.7, 0.5), -1.0, 1e-9);
+  EXPECT_NEAR(face->x(0.7, 1.9), -1.0, 1e-9);
+  EXPECT_NEAR(face->x(0.3, 0.5), -1.0, 1e-9);
+  EXPECT_NEAR(face->x(-0.3, 0.5), 0.0, 1e-9);
+  EXPECT_EQ(face->section(0.7).size(), 8U);
+  EXPECT_EQ(std::ranges::count(face->at_face(), 1), 4 + 2);
 }
 
 void expect_upright(const std::vector<Block>& blocks) {

@@ -93,6 +93,19 @@ TEST_F(Golden, PolygonsThatWereCarried) {
   expect_tables({"polygons.csv", "polygons_moved.csv", "polygons.dxf", "dig.csv"}, "bench");
 }
 
+TEST_F(Golden, SectionTroughAndOverALine) {
+  write_bench(temporary_.path());
+  LineOptions line;
+  line.from = {-8.0, -0.9};
+  line.to = {14.0, 0.9};
+  report_section(folder(), {kCube, 0.5}, line);
+  line.from = {5.0, 1.0};
+  line.to = {6.0, -1.0};
+  report_over(folder(), {kCube, 0.5}, line);
+  report_trough(folder(), {kCube, 0.25}, {0.5});
+  expect_tables({"section.csv", "over.csv", "trough.csv"}, "bench");
+}
+
 TEST_F(Golden, TablesOfACrater) {
   write_crater(temporary_.path());
   report_crater(folder(), {}, {});

@@ -25,7 +25,7 @@ class Refusals : public ::testing::Test {
   [[nodiscard]] BenchScene bench() const { return bench_scene(folder(), folder().blocks()); }
   void lean_face() {
     std::vector<Block> blocks = bench_run().shapes;
-    shear(blocks, 104.0);  // over the floor
+    shear(blocks, 140.0);  // far over the floor
     write_blocks(folder().dump("blocks.vtk").string(), blocks, 1, kDensity);
   }
   void set_holes(const std::string& holes) {
@@ -44,16 +44,60 @@ class Refusals : public ::testing::Test {
   TemporaryFolder temporary_;
 };
 
-TEST_F(Refusals, FaceThatLeansForwardIsNotMeasured) {
+TEST_F(Refusals, FaceFarInFrontOfTheHolesIsNotMeasured) {
   lean_face();
   expect_refused(
-      "profile: the free face must be a plane from the toe x = 0, z = 0 to the top, upright or "
-      "leaning back, got rock that begins between x = 0");
-  expect_refused("stands at 104° to the horizontal");
+      "profile: the free face must lie in front of the front row of holes by less than twice "
+      "burden_m of scene.json, 5 m, got 11.");
+  expect_refused("no plane: rock begins between x = 0");
+  expect_refused("stands at 140° to the horizontal");
+}
+
+// A hollow, 1 m deep, at y > 0.
+TEST_F(Refusals, FaceOfAnyShapeIsMeasuredAsItWasCut) {
+  const BenchRun whole = bench_run();
+  BenchRun run;
+  Snapshot middle;
+  double throw_cg = 0.0, cubes = 0.0;
+  for (size_t b = 0; b < whole.blocks.size(); ++b) {
+    const Vec3& start = whole.blocks[b].centroid;
+    if (start.x() > -1.0 && start.y() > 0.0 && start.z() > 0.0) continue;
+    run.shapes.push_back(whole.shapes[b]);
+    run.last.states.push_back(whole.last.states[b]);
+    BlockState moving{start, Quat::Identity(), Vec3::Zero(), Vec3::Zero(), 1, 0.0};
+    const double behind = (start.y() > 0.0 ? -1.0 : 0.0) - start.x();  // of the face
+    moving.velocity.x() = start.z() > 0.0 && behind < 1.3 ? 9.0 : 0.0;  // the layer and more
+    middle.states.push_back(moving);
+    if (start.x() < -kBurden || start.z() < 0.0) continue;
+    throw_cg += whole.last.states[b].centre.x() - start.x();
+    cubes += 1.0;
+  }
+  run.blocks = as_start_blocks(run.shapes);
+  run.last.step = 2000;
+  middle.step = 1000;
+  write_blocks(folder().dump("blocks.vtk").string(), run.shapes, 1, kDensity);
+  write_snapshot(folder().dump("blocks_000000000.csv"), run.blocks, start_snapshot(run.blocks));
+  write_snapshot(folder().dump("blocks_000001000.csv"), run.blocks, middle);
+  write_snapshot(folder().dump("blocks_000002000.csv"), run.blocks, run.last);
+  const BenchScene scene = bench();
+  const FaceMap& face = *scene.planes.face;
+  EXPECT_NEAR(face.x(0.6, 4.0), -1.0, 1e-9);
+  EXPECT_NEAR(face.x(-0.6, 4.0), 0.0, 1e-9);
+  EXPECT_NEAR(face.toe(0.6), -1.0, 1e-9);
+  EXPECT_NEAR(face_line(scene, 0.6).front().x(), -1.0, 1e-9);
+  report_profile(folder(), {kCube, 0.125}, {});
+  const auto keys = read_json_object(folder().file("summary.json"));
+  EXPECT_NEAR(keys["throw_cg_m"], throw_cg / cubes, 1e-6);
+  EXPECT_NEAR(keys["face_velocity_m_s"], 9.0, 1e-9);
+  EXPECT_NEAR(keys["beyond_toe_fraction"], 1.0, 1e-12);
+  EXPECT_TRUE(keys["beyond_toe_fraction_collapse"].is_null());
+  EXPECT_NE(keys["face_note"].get<std::string>().find("no plane: rock begins between x = -1 and 0"),
+            std::string::npos);
 }
 
 TEST_F(Refusals, NothingThatLooksCurrentStays) {
   report_profile(folder(), {kCube, 0.125}, {});
+  EXPECT_TRUE(read_json_object(folder().file("summary.json"))["face_note"].is_null());
   report_fragments(folder(), {kCube, {}});
   lean_face();
   expect_refused("free face");

@@ -3,9 +3,15 @@
 // Scope: report/picture_view, picture_scene, film, and small pictures of made-up runs.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <limits>
 
+#include "draw/depth_buffer.h"
+#include "geometry/files/block_file.h"
 #include "input_error_of.h"
+#include "report/block_colours.h"
 #include "report/picture_scene.h"
 #include "report/picture_view.h"
 #include "report/reports.h"
@@ -91,6 +97,145 @@ TEST_F(Section, FacesAnEyeOnTheOtherSideToo) {
   EXPECT_NEAR(normal_of(scene_.polygons.back().corners).normalized().y(), 1.0, 1e-12);
 }
 
+// A solid of 6 x 6 x 6 cubes, of which the inner ones are hidden.
+TEST(DepthBuffer, LeavesOutHiddenObjectsWithoutATrace) {
+  const auto blocks = as_start_blocks(cubes_in({0, 0, 0}, {3, 3, 3}));
+  const Snapshot start = start_snapshot(blocks);
+  const std::vector<Colour> grey(blocks.size(), kGrey);
+  Scene scene;
+  add_blocks(blocks, start, grey, Reflection(0, extent_of(blocks, start.states)), scene);
+  const std::vector<Vec3> normals = normals_of(scene.polygons);
+  const std::vector<SceneObject> objects = objects_of(scene.polygons);
+  ASSERT_EQ(objects.size(), blocks.size());
+  const Camera camera = Camera::perspective({9, -7, 6}, {1.5, 1.5, 1.5}, 0.6, 150, 117);
+  const auto drawn = [&](const std::vector<SceneObject>& some) {
+    DepthBuffer buffer(150, 117);
+    const SceneParts parts{scene.polygons, normals, some};
+    buffer.look_at(parts, camera, true);
+    for (size_t band = 0; band < buffer.bands(); ++band) buffer.draw_band(band, parts, camera);
+    return buffer;
+  };
+  const DepthBuffer all = drawn(objects);
+  std::vector<double> nearest(150 * 117, -std::numeric_limits<double>::infinity());
+  for (const SceneObject& object : objects) {  // alone, so that nothing hides it
+    const DepthBuffer one = drawn({object});
+    for (int y = 0; y < 117; ++y)
+      for (int x = 0; x < 150; ++x) {
+        double& here = nearest[static_cast<size_t>(150 * y + x)];
+        here = std::max(here, one.near(x, y));
+      }
+  }
+  int seen = 0;
+  for (int y = 0; y < 117; ++y)
+    for (int x = 0; x < 150; ++x) {
+      ASSERT_EQ(all.near(x, y), nearest[static_cast<size_t>(150 * y + x)]) << x << ' ' << y;
+      seen += all.polygon(x, y) >= 0 ? 1 : 0;
+    }
+  EXPECT_GT(seen, 3000);
+}
+
+class Fields : public ::testing::Test {
+ protected:
+  void SetUp() override { write_bench(temporary_.path()); }
+  [[nodiscard]] BlockField field(const std::string& name) const {
+    const ResultFolder folder(temporary_.path());
+    const Snapshot last = read_snapshot(folder.snapshots().back(), folder.blocks());
+    return BlockFields(folder, folder.blocks()).of(name, last);
+  }
+  TemporaryFolder temporary_;
+  BenchRun run_ = bench_run();
+};
+
+TEST_F(Fields, OfMotionAreThoseOfTheSnapshots) {
+  const BlockField along = field("moved_x"), launch = field("launch_speed");
+  EXPECT_EQ(launch.column, "launch_speed_m_s");
+  for (size_t b = 0; b < run_.blocks.size(); ++b) {
+    const Vec3& start = run_.blocks[b].centroid;
+    EXPECT_NEAR(along.values[b], run_.last.states[b].centre.x() - start.x(), 1e-7);
+    const bool prism = start.x() > -kBurden && start.z() > 0.0;
+    EXPECT_NEAR(launch.values[b], !prism ? 0.0 : start.x() > -1.0 ? 14.0 : 6.0, 1e-7);
+  }
+}
+
+// Each block of the made-up run is a fragment of its own; here all that stayed are one.
+// Frames share the range of the whole run: the prism moves in the middle one only.
+TEST_F(Fields, HaveOneRangeForAllFrames) {
+  const ResultFolder folder(temporary_.path());
+  const BlockFields fields(folder, folder.blocks());
+  const auto range = fields.range_of_run("vx");
+  ASSERT_TRUE(range.has_value());
+  EXPECT_NEAR((*range)[0], 0.0, 1e-12);
+  EXPECT_NEAR((*range)[1], 14.0, 1e-9);
+  const BlockColours colours = block_colours(fields.of("vx", start_snapshot(folder.blocks())), range);
+  EXPECT_NEAR(colours.map->high(), 14.0, 1e-9);
+  EXPECT_FALSE(fields.range_of_run("start_height").has_value());
+}
+
+TEST_F(Fields, ZonesThatAreNoNumbersAreRefused) {
+  const auto path = temporary_.path() / "dump/blocks.vtk";
+  std::string text = text_of(path) + "SCALARS zone int 1\nLOOKUP_TABLE default\n1.5\n";
+  for (size_t b = 1; b < run_.blocks.size(); ++b) text += "0\n";
+  write_text(path, text);
+  EXPECT_NE(input_error_of([&] { ResultFolder(temporary_.path()).blocks(); })
+                .find("zone must be a whole number from 0 to 255, got '1.5"),
+            std::string::npos);
+}
+
+TEST_F(Fields, SizeOfAFragmentIsThatOfAllItsBlocks) {
+  int standing = 0;
+  for (size_t b = 0; b < run_.blocks.size(); ++b) {
+    if ((run_.last.states[b].centre - run_.blocks[b].centroid).norm() > 0.1) continue;
+    if (standing++ == 0) continue;
+    run_.last.states[b].fragment = run_.last.states[0].fragment;
+  }
+  write_snapshot(temporary_.path() / "dump/blocks_000002000.csv", run_.blocks, run_.last);
+  const BlockField sizes = field("fragment_size");
+  EXPECT_NEAR(sizes.values[0], std::cbrt(standing * 0.125), 1e-9);
+  EXPECT_NEAR(std::ranges::min(sizes.values), kCube, 1e-9);
+}
+
+TEST_F(Fields, HoleIsTheNearestByName) {
+  write_text(temporary_.path() / "dump/holes.csv",
+             "hole,collar_x_m,collar_y_m,collar_z_m,toe_x_m,toe_y_m,toe_z_m,diameter_m,from_m,"
+             "to_m,surface_delay_s\n"
+             "left,-5,-0.6,10.5,-5,-0.6,-1,0.1,2.5,11.5,0\n"
+             "right,-5,0.6,10.5,-5,0.6,-1,0.1,2.5,11.5,0\n");
+  const BlockField holes = field("hole");
+  for (size_t b = 0; b < run_.blocks.size(); ++b)
+    EXPECT_EQ(holes.names.at(static_cast<int>(holes.values[b])),
+              run_.blocks[b].centroid.y() > 0.0 ? "right" : "left");
+  const BlockColours colours = block_colours(holes);
+  ASSERT_EQ(colours.names.size(), 2U);
+  EXPECT_FALSE(colours.map.has_value());
+}
+
+TEST_F(Fields, ZonesHaveTheNamesOfTheInput) {
+  const std::vector<double> density{kDensity, 3400.0};
+  std::vector<std::uint8_t> zones;
+  for (const StartBlock& block : run_.blocks) zones.push_back(block.centroid.z() > 5.0 ? 1 : 0);
+  write_blocks((temporary_.path() / "dump/blocks.vtk").string(), run_.shapes, 1, density, zones,
+               "");
+  const auto scene = temporary_.path() / "dump/scene.json";
+  std::string text = text_of(scene);
+  write_text(scene, text.insert(1, "\"knobs\": {\"plane_words\": \"natural_joints 85 0 2 1 zone "
+                                   "cap 3400 above 0 0 5 0 0\"}, "));
+  const BlockField named = field("zone");
+  EXPECT_EQ(named.names.at(1), "cap");
+  EXPECT_EQ(named.values.front(), 0.0);
+  EXPECT_EQ(named.values.back(), 1.0);
+  EXPECT_NEAR(field("density").values.back(), 3400.0, 0.01);
+}
+
+TEST(BlockColours, OfSignedFieldsArePaleAtZero) {
+  const BlockField way{"way [m]", "way_m", FieldScale::kSigned, {-1.0, 4.0, 0.0}};
+  const BlockColours colours = block_colours(way);
+  EXPECT_EQ(colours.map->low(), -4.0);
+  EXPECT_EQ(colours.map->high(), 4.0);
+  const Colour& pale = colours.of_block[2];
+  EXPECT_GT(std::min({pale.red, pale.green, pale.blue}), 0.9F);
+  EXPECT_EQ(block_colours(way, std::nullopt, std::array{0.0, 2.0}).map->low(), 0.0);
+}
+
 class Render : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -115,7 +260,7 @@ class Render : public ::testing::Test {
 };
 
 TEST_F(Render, DrawsASectionInTheBrokenShare) {
-  options_.colour_by = ColourBy::kBroken;
+  options_.colour_by = "broken";
   draw();
   const std::string whole = text_of(file("pile3d.png"));
   options_.section = 0.0;
@@ -151,9 +296,38 @@ TEST_F(Render, MakesAFilmOfItsOwnFramesAlone) {
 }
 
 TEST_F(Render, RefusesARangeForColoursThatOnlyName) {
-  options_.colour_by = ColourBy::kFragment;
+  options_.colour_by = "fragment";
   options_.colour_range = {0.0, 10.0};
   EXPECT_NE(input_error_of([&] { draw(); }).find("--colour-range"), std::string::npos);
+}
+
+TEST_F(Render, ColoursByAnyFieldAndTellsItsColumn) {
+  const ResultFolder folder(temporary_.path());
+  const BlockFields fields(folder, folder.blocks());
+  for (const std::string& name : field_names()) {
+    if (name == "zone" || name == "hole") continue;  // a heap has neither
+    const BlockField field = fields.of(name, start_snapshot(folder.blocks()));
+    EXPECT_FALSE(field.column.empty()) << name;
+    EXPECT_EQ(block_colours(field).of_block.size(), folder.blocks().size()) << name;
+  }
+  options_.colour_by = "moved_x";
+  draw();
+  const std::string table = text_of(file("pile3d.csv"));
+  EXPECT_EQ(table.substr(0, table.find('\n')), "block,x_m,y_m,z_m,moved_x_m");
+}
+
+TEST_F(Render, NamesWhatThereIsToColourBy) {
+  options_.colour_by = "sped";
+  const std::string error = input_error_of([&] { draw(); });
+  EXPECT_NE(error.find("--colour: must be a field, got 'sped'; did you mean 'speed'? (fields: "),
+            std::string::npos)
+      << error;
+  EXPECT_NE(error.find("displacement, moved_x,"), std::string::npos) << error;
+  options_.colour_by = "zone";
+  EXPECT_NE(input_error_of([&] { draw(); }).find("the run has no zones"), std::string::npos);
+  options_.colour_by = "hole";
+  EXPECT_NE(input_error_of([&] { draw(); }).find("neither holes.csv nor holes in run.json"),
+            std::string::npos);
 }
 
 TEST_F(Render, TellsThatFfmpegFailed) {

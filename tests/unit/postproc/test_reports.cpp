@@ -205,7 +205,7 @@ TEST_F(BenchReports, RenderWritesThePileAndTheFrames) {
   options.height = 180;
   options.frames = 2;
   options.mirror = 1;
-  options.colour_by = ColourBy::kSpeed;
+  options.colour_by = "speed";
   report_picture(folder, options);
   for (const char* name : {"pile3d.png", "pile3d_0000.png", "pile3d_0001.png"}) {
     const PictureFacts picture = facts_of(folder.file(name));

@@ -183,7 +183,7 @@ TEST_F(Rows, ArePartOfAllWhereThereIsATable) {
 TEST_F(Rows, OfARefusedBenchLeaveNoFigures) {
   report_rows(folder(), {});
   std::vector<Block> blocks = bench_run().shapes;
-  shear(blocks, 104.0);
+  shear(blocks, 140.0);
   write_blocks(folder().dump("blocks.vtk").string(), blocks, 1, kDensity);
   EXPECT_THROW(report_rows(folder(), {}), NotMeasurable);
   for (const char* file : {"rows.csv", "face_velocity.csv", "face_velocity.png"})

@@ -36,7 +36,7 @@ double box_edge(const Scene& scene) {
   return edge;
 }
 
-/// Of a slim box: the images of the cavity behind its long walls must not be heard in the beam.
+/// Of a slim box: the images of the cavity behind its long walls must not reach the beam.
 double box_width(const Scene& scene) {
   const double heard = 1.0 + last_way(scene), r = scene.stations.back();
   return 0.5 * (scene.beam + std::sqrt(heard * heard - r * r)) + scene.far;

@@ -25,6 +25,7 @@ JointClass make(const ArgValues& args, const std::string& /*where*/) {
   joint.residual_friction_angle = args.real("residual_friction_angle") * kDegree;
   joint.normal_stiffness = rigid_if_0(args.real("normal_stiffness"));
   joint.shear_stiffness = rigid_if_0(args.real("shear_stiffness"));
+  joint.wall_strength = args.real("wall_strength");
   return joint;
 }
 
@@ -40,7 +41,10 @@ JointLawEntry coulomb_entry() {
               .real("normal_stiffness", "Pa/m", stiffnesses(), 0.0,
                     "of the joint alone, in series with the rock; 0: rigid")
               .real("shear_stiffness", "Pa/m", stiffnesses(), 0.0,
-                    "of the joint alone, in series with the rock; 0: rigid"),
+                    "of the joint alone, in series with the rock; 0: rigid")
+              .real("wall_strength", "Pa", strengths(), 0.0,
+                    "pressure at which the walls of the broken joint crush, JCS; 0: that of the "
+                    "rock"),
           make};
 }
 

@@ -50,6 +50,7 @@ JointMaterial::JointMaterial(const JointParameters& parameters)
   require(p.weakened_friction_angle >= 0.0 && p.weakened_friction_angle < kRightAngle,
           "weakened_friction_angle must be in [0, 90) degrees, in radians here",
           p.weakened_friction_angle);
+  require(p.wall_strength >= 1e5, "wall_strength must be 0 or >= 1e+05 Pa", p.wall_strength);
 }
 
 double JointMaterial::p_wave_modulus() const { return lame_lambda_ + 2.0 * shear_modulus_; }
@@ -83,6 +84,7 @@ JointMaterial JointMaterial::with_joints(const JointClass& joint) const {
   p.residual_friction_angle = joint.residual_friction_angle;
   p.normal_stiffness = joint.normal_stiffness;
   p.shear_stiffness = joint.shear_stiffness;
+  if (joint.wall_strength > 0.0) p.wall_strength = joint.wall_strength;
   return JointMaterial(p);
 }
 

@@ -31,6 +31,8 @@ struct JointParameters {
   double reference_rate_shear = 1e-6;    ///< the same of cohesion [1/s]
   double weakening_speed = 0.0;          ///< of slip, above which friction falls; 0: never [m/s]
   double weakened_friction_angle = 0.0;  ///< towards which it falls [rad]
+  /// Pressure at which the walls of closed broken points crush [Pa]; infinite: they do not.
+  double wall_strength = std::numeric_limits<double>::infinity();
 };
 
 class JointLaw;
@@ -43,8 +45,10 @@ struct JointClass {
   double residual_friction_angle = 0.0;                               ///< after breaking [rad]
   double normal_stiffness = std::numeric_limits<double>::infinity();  ///< [Pa/m]
   double shear_stiffness = std::numeric_limits<double>::infinity();   ///< [Pa/m]
-  /// Instead of linear closure, Coulomb's strength and constant friction. Of the numbers above it
-  /// leaves the two stiffnesses, normal_stiffness as that without pressure. None: linear.
+  double wall_strength = 0.0;  ///< as in JointParameters [Pa]; 0: that of the rock
+  /// Instead of linear closure, Coulomb's strength and constant friction; walls do not crush. Of
+  /// the numbers above it leaves the two stiffnesses, normal_stiffness as that without pressure.
+  /// None: linear.
   std::shared_ptr<const JointLaw> law{};
 };
 

@@ -89,4 +89,11 @@ struct LinearContact {
   }
 };
 
+/// And with walls that crush under a pressure: they are pressed no further together than to the gap
+/// where they carry it, whatever is beyond stays (elastic and perfectly plastic: Thornton 1997).
+template <class Number>
+struct CrushingContact : LinearContact<Number> {
+  Number deepest;  ///< gap of that pressure, negative [m]
+};
+
 }  // namespace muckpile

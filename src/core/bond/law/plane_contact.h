@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The contact of broken points while the two faces still match: no tension, friction, a dashpot
-// along the normal.
+// along the normal, walls that may crush.
 // Scope: a pure function of a point, one per lane: the points of one facet, or one of each of a
 // group's facets. Formulas are in docs/styles/fix_muckpile_joint.md.
 #pragma once
@@ -33,10 +33,17 @@ struct PlanePoint {
 template <class Number>
 struct PlanePull {
   VectorOf<Number> traction;         ///< [Pa]
-  typename Number::mask_type rests;  ///< it slips or is open: carries no more than it does now,
+  typename Number::mask_type rests;  ///< it slips, crushes or is open: carries no more than now,
   VectorOf<Number> resting;          ///< and nothing at the jump less this [m]
   Number damped;                     ///< taken by the dashpot [W/m2]
   Number rubbed;                     ///< twice what friction takes in the step, over shear [m2]
+  Number crushed;                    ///< and what walls that crush take, over their stiffness [m2]
+};
+
+/// A closure whose walls crush.
+template <class Closure>
+concept Crushing = requires(const Closure& closure) {
+  closure.deepest;
 };
 
 /// Which points slip, and the share of their shear that friction holds.
@@ -55,23 +62,33 @@ struct Slide {
   }
 };
 
-/// Friction is booked as the work that leapfrog takes from the blocks, that of the mean of the
-/// forces before and after the step's path, less what the springs have gained.
+/// What friction and crushing take is booked as the work that leapfrog takes from the blocks, that
+/// of the mean of the forces before and after the step's path, less what the springs have gained.
 template <class Number, class Closure, class Friction>
 [[nodiscard, gnu::always_inline]] inline PlanePull<Number> plane_pull(
     const PlaneContact<Number, Closure, Friction>& contact, const PlanePoint<Number>& at,
     double dt) {
   using Mask = typename Number::mask_type;
-  const Number gap = dot(at.normal, at.spring);
+  const Number whole = dot(at.normal, at.spring);
+  Number gap = whole;
+  if constexpr (Crushing<Closure>) gap = max(whole, contact.closure.deepest);
   const Number pressed = contact.closure.traction(gap);
   const Mask closed = at.broken && pressed < 0.0;
   const Mask forgets = at.broken && (at.fresh || !closed);
   const Number rate = dot(at.normal, at.rate);
   const Number elastic = choose(closed, pressed, 0.0);
   const Number damped = elastic + contact.dashpot * rate;
-  const Number normal = choose(closed, min(damped, Number(0.0)), 0.0);
+  Number normal = choose(closed, min(damped, Number(0.0)), 0.0), crushed = 0.0;
+  Mask rests = forgets;
+  if constexpr (Crushing<Closure>) {
+    const Mask crushes = closed && whole < gap;
+    normal = max(normal, contact.closure.traction(contact.closure.deepest));
+    const Number path = dt * rate, before = min(whole - path, Number(0.0));  // 0: it was open
+    crushed = choose(crushes, (before + gap) * (path + before - gap), 0.0);
+    rests = rests || crushes;
+  }
 
-  const VectorOf<Number> sheared = at.spring - gap * at.normal;
+  const VectorOf<Number> sheared = at.spring - whole * at.normal;
   const VectorOf<Number> stuck = choose(closed && !forgets, Number(1.0), 0.0) * sheared;
   const VectorOf<Number> shear = contact.shear * stuck, slip = at.rate - rate * at.normal;
   const Slide<Number> slide(shear, contact.friction.limit(normal, dot(slip, slip)));
@@ -81,8 +98,8 @@ template <class Number, class Closure, class Friction>
   const Number slid = (1.0 - kept) * dot(stuck, (1.0 + kept) * stuck - path);
   const Mask opens = forgets && !at.fresh && !closed && gap < dt * rate;
   const Number forgotten = choose(opens, dot(sheared, sheared - path), 0.0);
-  return {normal * at.normal + kept * shear, slide.slips || forgets, gap * at.normal + kept * stuck,
-          (normal - elastic) * rate, slid + forgotten};
+  return {normal * at.normal + kept * shear, slide.slips || rests, gap * at.normal + kept * stuck,
+          (normal - elastic) * rate,         slid + forgotten,     crushed};
 }
 
 }  // namespace muckpile

@@ -32,7 +32,8 @@ JointParameters weaker_of(const JointParameters& a, const JointParameters& b) {
         &JointParameters::residual_friction_angle, &JointParameters::normal_stiffness,
         &JointParameters::shear_stiffness, &JointParameters::damping,
         &JointParameters::contact_damping, &JointParameters::fracture_energy_tension,
-        &JointParameters::fracture_energy_shear, &JointParameters::rate_exponent})
+        &JointParameters::fracture_energy_shear, &JointParameters::rate_exponent,
+        &JointParameters::wall_strength})
     weaker.*least = std::min(a.*least, b.*least);
   for (double JointParameters::*greatest :
        {&JointParameters::reference_rate, &JointParameters::reference_rate_shear})

@@ -119,7 +119,9 @@ void BondedPoints::work(std::size_t f, const FacetMotion& motion, const ContactC
     parts_.books.losses.damping +=
         contact.weight * contact.point_area * damping * dt * sum(dot(rate, rate));
   }
-  if (traces.slipping.any()) rub(f, motion, contact, pull, dt);
+  if (!traces.slipping.any()) return;
+  if (facets_.tables.laws().crushes()) crush(f, motion, contact, pull, dt);
+  rub(f, motion, contact, pull, dt);
 }
 
 /// How much of the slip by which the spring alone would shed what friction cannot hold (`over`) is
@@ -138,6 +140,89 @@ static Lanes slip_share(double through, const ContactConstants& contact, const L
   return eased + (1.0 - eased) * min(max(moved / whole, Lanes(0.0)), Lanes(1.0));
 }
 
+/// How stiff a facet is along its normal through the dilatations of its blocks, free faces left out
+/// [Pa/m].
+static double pressed_through_blocks(const FacetKinematics& facets, std::size_t f) {
+  const BondConstants bond = facets.tables.bond(f);
+  const Vec3 normal = facets.tables.normal(f);
+  const auto part = [&](int block, double area, const Vec3& opening) {
+    const auto b = static_cast<std::size_t>(block);
+    const double through = area * normal.dot(opening);
+    return facets.blocks.rock[b].lame_lambda * through * through / facets.blocks.volume(b);
+  };
+  return (part(facets.tables.i_of(f), bond.area_i, bond.opening_i) +
+          part(facets.tables.j_of(f), bond.area_j, bond.opening_j)) /
+         facets.tables.area(f);
+}
+
+/// How much of the way by which its spring alone would shed what it cannot carry a point crushes in
+/// a step. If all faces of a block do so alike, the sum of A h/2 over them is 3 V, and the block's
+/// dilatation sheds 3 lambda/2G as much as their springs: together just what is over then. Where
+/// fewer do, the rest follows in the next steps.
+static double crush_share(const FacetKinematics& facets, const LeaningFaces* leaning,
+                          std::size_t f) {
+  const auto [i, j] = facets.tables.blocks_of(f);
+  const auto through = [&](std::size_t b) {
+    return 3.0 * facets.blocks.rock[b].lame_lambda / facets.blocks.rock[b].two_g;
+  };
+  const double slanted = leaning != nullptr ? slip_through_blocks(facets, leaning, f).leaning : 0.0;
+  return 1.0 / (1.0 + std::max(through(i), through(j)) + slanted);
+}
+
+/// Takes what crushing takes out of the elastic jump from the sums of the two blocks; returns what
+/// their dilatation gives up, where this rank owns them [J]. What its becoming uneven and leaning
+/// faces give up is booked with what breaks.
+double BondedPoints::crush_blocks(std::size_t f, const FacetMotion& motion, double closer) {
+  const BondConstants bond = facets_.tables.bond(f);
+  const FacetOpenings openings = facets_.openings(f, motion.scale);
+  BlockFields& blocks = parts_.blocks;
+  double taken = 0.0;
+  const auto shed = [&](std::size_t b, double area, const Vec3& opening) {
+    const BlockSums before = blocks.sums[b];
+    blocks.sums[b].bonded -= area * opening.dot(motion.normal) * closer;
+    if (blocks.owned(b)) taken += blocks.potential(b, before) - blocks.potential(b, blocks.sums[b]);
+    parts_.books.dropped.push_back({b, 0.0, 0.0});  // its dilatation is no longer what it was
+  };
+  const auto [i, j] = facets_.tables.blocks_of(f);
+  shed(i, bond.area_i, openings.i);
+  shed(j, bond.area_j, openings.j);
+  if (parts_.leaning != nullptr)
+    parts_.leaning->drop(facets_, f,
+                         {kFacetPoints * closer * motion.normal, motion.normal, openings, true});
+  parts_.books.newly_cracked = true;
+  return taken;
+}
+
+/// Walls of points that slip, which stay in the dilatations, crush under a pressure beyond their
+/// strength: the two sides come closer for good. What is taken is what the springs and the blocks
+/// give up, one facet after the other, less the work that the limited force has not taken from the
+/// blocks (see rub()).
+void BondedPoints::crush(std::size_t f, const FacetMotion& motion, const ContactConstants& contact,
+                         FacetPull& pull, double dt) {
+  const double strength = facets_.tables.wall_strength(f);
+  const Lanes along = dot(pull.normal, pull.traction), rate = dot(pull.normal, pull.rate);
+  const LaneMask slipping = where_slipping(facets_.history.traces(f));
+  const Lanes over = choose(slipping, min(along + strength, Lanes(0.0)), 0.0);
+  const LaneMask crushes = over < 0.0;
+  if (none_of(crushes)) return;
+  pull.traction = pull.traction - over * pull.normal;
+  if (dt == 0.0) return;  // the pose of the last step, looked at again as a run goes on
+  const double spring = facets_.tables.bond(f).normal();
+  const Lanes elastic = dot(pull.normal, facets_.elastic_jump(f, motion));
+  const Lanes closer = Lanes(crush_share(facets_, parts_.leaning, f) / spring) * over;
+  const LaneVec in_axes = rotated_back(motion.axes(), closer * pull.normal);
+  ContactRows& contacts = parts_.history.contacts();
+  for (std::size_t p = 0; p < kFacetPoints; ++p)
+    if (crushes[p])
+      contacts.set_offset(f, p, contacts.offset(f, p) + in_axes.at(static_cast<int>(p)));
+  const double mean_closer = sum(closer) / kFacetPoints;
+  const Lanes mean =
+      over - 0.5 * (spring * closer + pressed_through_blocks(facets_, f) * mean_closer);
+  const Lanes taken = spring * closer * (elastic - 0.5 * closer) - dt * mean * rate;
+  parts_.books.losses.crush(contact.weight * contact.point_area * sum(choose(crushes, taken, 0.0)) +
+                            crush_blocks(f, motion, mean_closer));
+}
+
 /// Friction and the dashpot of the points that slip, which stay in the dilatations: their normal
 /// law is that of the bonded point. Losses as those of plane_pull(), of a spring as stiff as the
 /// facet and its dilatations.
@@ -148,8 +233,9 @@ void BondedPoints::rub(std::size_t f, const FacetMotion& motion, const ContactCo
   const LaneMask slipping = where_slipping(facets_.history.traces(f));
   const Lanes rate = dot(pull.normal, pull.rate);
   const Lanes elastic = choose(slipping, dot(pull.normal, pull.traction), 0.0);
-  const Lanes normal =
-      min(elastic + choose(slipping, facets_.tables.contact_damping(f) * rate, 0.0), Lanes(0.0));
+  const Lanes normal = max(
+      min(elastic + choose(slipping, facets_.tables.contact_damping(f) * rate, 0.0), Lanes(0.0)),
+      Lanes(-facets_.tables.wall_strength(f)));
   const LaneVec shear = choose(slipping, Lanes(1.0), 0.0) * pull.traction - elastic * pull.normal;
   const LaneVec slip = pull.rate - rate * pull.normal;
   const auto [slips, kept] =

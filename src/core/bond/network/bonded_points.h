@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The points of a facet that are in the dilatations: tractions, breaking, dashpots, slip.
+// The points of a facet that are in the dilatations: tractions, breaking, dashpots, slip,
+// walls that crush.
 // Scope: a pass over one facet at a time, made for one step; facets that hold at every point go
 // through it only if one of theirs fails (traction_pass.h). SI units.
 #pragma once
@@ -32,6 +33,9 @@ class BondedPoints {
             FacetPull& pull, double dt);
 
  private:
+  void crush(std::size_t f, const FacetMotion& motion, const ContactConstants& contact,
+             FacetPull& pull, double dt);
+  [[nodiscard]] double crush_blocks(std::size_t f, const FacetMotion& motion, double closer);
   void rub(std::size_t f, const FacetMotion& motion, const ContactConstants& contact,
            FacetPull& pull, double dt);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "bond/law/plane_contact.h"
 #include "bond/network/facet_energy.h"
@@ -28,14 +29,22 @@ PlanePoint<Lanes> contact_points(const FacetKinematics& facets, std::size_t f,
           LaneMask(traces.open)};
 }
 
-PlaneContact<Lanes> linear_contact(const FacetKinematics& facets, std::size_t f,
-                                   const ContactConstants& contact) {
-  const JointLaws& laws = facets.tables.laws();
+/// With the linear law.
+PlanePull<Lanes> linear_pull(const FacetKinematics& facets, std::size_t f,
+                             const ContactConstants& contact, const PlanePoint<Lanes>& at,
+                             double dt) {
+  const FacetTables& tables = facets.tables;
   const double fade = facets.history.contacts().fade(f);
-  return {{fade * contact.closure.normal},
-          fade * contact.shear,
-          fade * facets.tables.contact_damping(f),
-          laws.friction(Lanes(facets.tables.residual_friction(f)))};
+  const auto pull = [&](const auto& closure) {
+    return plane_pull(
+        PlaneContact<Lanes, std::remove_cvref_t<decltype(closure)>>{
+            closure, fade * contact.shear, fade * tables.contact_damping(f),
+            tables.laws().friction(Lanes(tables.residual_friction(f)))},
+        at, dt);
+  };
+  const LinearContact<Lanes> closure{fade * contact.closure.normal};
+  if (!tables.laws().crushes()) return pull(closure);
+  return pull(CrushingContact<Lanes>{closure, -tables.wall_strength(f) / contact.closure.normal});
 }
 
 }  // namespace
@@ -45,7 +54,7 @@ LaneVec contact_tractions(const FacetKinematics& facets, std::size_t f, const Fa
   const ContactConstants contact = facets.tables.contact(f);
   const PlanePoint<Lanes> at = contact_points(facets, f, motion, LaneVec());
   const PlanePull<Lanes> pull = facets.tables.nonlinear_law(f) == nullptr
-                                    ? plane_pull<Lanes>(linear_contact(facets, f, contact), at, 0.0)
+                                    ? linear_pull(facets, f, contact, at, 0.0)
                                     : nonlinear_pull(facets, f, contact, at, 0.0);
   return choose(at.broken, Lanes(1.0), 0.0) * pull.traction;
 }
@@ -58,19 +67,20 @@ bool slid_away(const FacetMotion& motion, const ContactConstants& contact) {
 void BrokenContact::add_tractions(std::size_t f, const FacetMotion& motion,
                                   const ContactConstants& contact, FacetPull& pull) {
   ContactRows& contacts = history_.contacts();
-  const double shear = contacts.fade(f) * contact.shear;
+  const double fade = contacts.fade(f);
   const Mat3 axes = motion.axes();
   const PlanePoint<Lanes> at = contact_points(facets_, f, motion, pull.rate);
   const LaneMask broken = at.broken;
   const PlanePull<Lanes> at_points =
       facets_.tables.nonlinear_law(f) == nullptr
-          ? plane_pull<Lanes>(linear_contact(facets_, f, contact), at, dt_)
+          ? linear_pull(facets_, f, contact, at, dt_)
           : nonlinear_plane_pull(facets_, history_, f, contact, at, dt_);
   history_.set_open(f, false);
   pull.traction = choose(broken, at_points.traction, pull.traction);
   const double booked = contact.weight * contact.point_area;
   books_.losses.damping += booked * dt_ * sum(at_points.damped);
-  books_.losses.friction += 0.5 * booked * shear * sum(at_points.rubbed);
+  books_.losses.friction += 0.5 * booked * fade * contact.shear * sum(at_points.rubbed);
+  books_.losses.crush(0.5 * booked * fade * contact.closure.normal * sum(at_points.crushed));
   if (none_of(at_points.rests)) return;
   const LaneVec offset = rotated_back(axes, pull.jump - at_points.resting);
   for (std::size_t p = 0; p < kFacetPoints; ++p)

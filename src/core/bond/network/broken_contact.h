@@ -52,6 +52,7 @@ class BrokenContact {
                   const ContactGroup& memory);
   [[nodiscard]] unsigned remaining_lanes(std::size_t g, unsigned lanes, const WidePose& pose,
                                          const ContactGroup& memory);
+  template <template <class> class Closure>
   void touch(std::size_t g, unsigned lanes, const WidePose& pose, const Remembered& contact,
              WideForces& forces);
 

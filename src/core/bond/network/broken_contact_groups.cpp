@@ -8,12 +8,26 @@
 #include "bond/network/broken_contact.h"
 
 namespace muckpile {
+namespace {
+
+/// `normal`: stiffness as faded, `closed`: of faces that match [Pa/m].
+template <class Closure>
+[[gnu::always_inline]] inline Closure closure_of(const Wide& normal, const Wide& closed,
+                                                 const Wide& wall_strength) {
+  if constexpr (Crushing<Closure>)
+    return {{normal}, -wall_strength / max(closed, Wide(1e-300))};  // 0: no facet
+  else
+    return {normal};
+}
+
+}  // namespace
 
 /// What the contact of a group's facets remembers, and what else its law needs.
 struct BrokenContact::Remembered {
   ContactGroup* memory;
   FacetRow<double> fresh{}, tan_residual{}, weight{}, rock_share{};
   FacetRow<double> shear_over_p_wave{}, dashpot{};  // where there is more than one rock
+  FacetRow<double> wall_strength{};                 // where walls crush
 };
 
 /// How far the two sides of each facet have parted.
@@ -57,12 +71,14 @@ unsigned BrokenContact::apart_lanes(const LaneSet& working) const {
 
 BrokenContact::Remembered BrokenContact::remembered(std::size_t g, unsigned lanes) {
   Remembered contact{&history_.contacts().remember(g, lanes)};
+  const bool crushes = facets_.tables.laws().crushes();
   each_lane(lanes, [&](std::size_t k) {
     const std::size_t f = g * kGroup + k;
     contact.fresh[k] = history_.traces(f).open ? 1.0 : 0.0;
     contact.weight[k] = facets_.tables.name(f).weight;
     contact.rock_share[k] = facets_.tables.rock_share(f);
     contact.tan_residual[k] = facets_.tables.residual_friction(f);
+    if (crushes) contact.wall_strength[k] = facets_.tables.wall_strength(f);
     if (!facets_.tables.laws().zoned()) return;
     contact.shear_over_p_wave[k] = facets_.tables.shear_over_p_wave(f);
     contact.dashpot[k] = facets_.tables.laws().contact_damping(facets_.tables.name(f).law);
@@ -99,7 +115,8 @@ unsigned BrokenContact::remaining_lanes(std::size_t g, unsigned lanes, const Wid
   return lanes & ~gone & ~open;
 }
 
-/// Forces of facets that touch, as add_tractions() has them.
+/// Forces of facets that touch, as add_tractions() has them. `Closure` is that of their points.
+template <template <class> class Closure>
 void BrokenContact::touch(std::size_t g, unsigned lanes, const WidePose& pose,
                           const Remembered& contact, WideForces& forces) {
   const FacetGroup& group = facets_.tables.group(g);
@@ -119,29 +136,34 @@ void BrokenContact::touch(std::size_t g, unsigned lanes, const WidePose& pose,
   const Wide dashpot = choose(at_mirror(group), Wide(2.0), 1.0) *
                        (zoned ? wide(contact.dashpot) : Wide(laws.contact_damping()));
   const Wide closed = bonded.contact(wide(contact.rock_share), shear_over_p_wave);
-  const PlaneContact<Wide> law = {
-      {fade * closed}, shear, fade * dashpot, laws.friction(wide(contact.tan_residual))};
+  const PlaneContact<Wide, Closure<Wide>> law = {
+      closure_of<Closure<Wide>>(fade * closed, closed, wide(contact.wall_strength)), shear,
+      fade * dashpot, laws.friction(wide(contact.tan_residual))};
   const WideMask broken = fade > 0.0, fresh = wide(contact.fresh) > 0.0;
   WideVec traction, moment;
-  Wide damped = 0.0, rubbed = 0.0;
+  Wide damped = 0.0, rubbed = 0.0, crushed = 0.0;
   for (std::size_t p = 0; p < kFacetPoints; ++p) {
     const WideVec at = jump.at(p), spring = at - axes * wide(memory.offset[p]);
-    const auto pull = plane_pull<Wide>(law, {pose.normal, spring, rate.at(p), broken, fresh}, dt_);
+    const auto pull =
+        plane_pull(law, PlanePoint<Wide>{pose.normal, spring, rate.at(p), broken, fresh}, dt_);
     traction += pull.traction;
     moment += cross(arm.at(p), pull.traction);
     damped += pull.damped;
     rubbed += pull.rubbed;
+    crushed += pull.crushed;
     const unsigned rests = lanes & bits_of<Wide>(pull.rests);
     if (rests != 0) store(axes.back(at - pull.resting), rests, contact.memory->offset[p]);
   }
   const Wide point_area = 1.0 / kFacetPoints * wide(group.area);
   store(point_area * traction, point_area * moment, pose.between, forces);
   const Wide booked = point_area * wide(contact.weight);
-  const Wide by_dashpots = dt_ * booked * damped, by_friction = 0.5 * booked * shear * rubbed;
+  const Wide by_dashpots = dt_ * booked * damped, by_friction = 0.5 * booked * shear * rubbed,
+             by_crushing = 0.5 * booked * fade * closed * crushed;
   each_lane(lanes, [&](std::size_t k) {
     history_.set_open(g * kGroup + k, false);
     books_.losses.damping += by_dashpots[k];
     books_.losses.friction += by_friction[k];
+    if constexpr (Crushing<Closure<Wide>>) books_.losses.crush(by_crushing[k]);
   });
 }
 
@@ -149,7 +171,11 @@ unsigned BrokenContact::find_forces(std::size_t g, unsigned lanes, const WidePos
                                     WideForces& forces) {
   const Remembered contact = remembered(g, lanes);
   lanes = remaining_lanes(g, lanes, pose, *contact.memory);
-  if (lanes != 0) touch(g, lanes, pose, contact, forces);
+  if (lanes == 0) return lanes;
+  if (facets_.tables.laws().crushes())
+    touch<CrushingContact>(g, lanes, pose, contact, forces);
+  else
+    touch<LinearContact>(g, lanes, pose, contact, forces);
   return lanes;
 }
 

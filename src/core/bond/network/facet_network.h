@@ -179,7 +179,7 @@ class FacetNetwork {
 
   // Rest; one entry per block, the ground last.
   /// Facets between two blocks that rest are left alone by step() from now on: their forces are
-  /// missing, and their blocks must be held where they are.
+  /// missing, and their blocks must be kept where they are.
   void let_rest(std::span<const int> rests);
   void wake_all();
   /// Sets `disturbed` of every block that shares an acting facet with one of `moves`, or lies on

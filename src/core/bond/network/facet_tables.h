@@ -175,6 +175,10 @@ class FacetTables {
     const TwoRocks both = two_rocks(f);
     return both.normal / both.uniaxial;
   }
+  /// Pressure at which the walls of its broken points crush; infinite: they do not [Pa].
+  [[nodiscard]] double wall_strength(std::size_t f) const {
+    return laws_.wall_strength(names_[f].law);
+  }
   /// Of slow slip [-]; a mirror has none.
   [[nodiscard]] double residual_friction(std::size_t f) const {
     return is_mirror(f) ? 0.0 : laws_.strength(names_[f].law).tan_residual;

@@ -17,9 +17,15 @@ namespace muckpile {
 struct JointLosses {
   double fracture = 0.0;
   double friction = 0.0;
+  double crushing = 0.0;  ///< of friction, taken by walls that crush
   double damping = 0.0;
   double quiet = 0.0;     ///< given to the rock behind yielding supports, in all
   double radiated = 0.0;  ///< of that, carried away by waves
+
+  void crush(double energy) {
+    friction += energy;
+    crushing += energy;
+  }
 };
 
 /// What a network has added up, for a run that continues it.

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <string>
 
 #include "args/input_error.h"
+#include "args/numbers.h"
 #include "bond/law/two_rocks.h"
 
 namespace muckpile {
@@ -30,6 +32,13 @@ JointLaws::JointLaws(const JointMaterial& material, const std::vector<JointClass
       }
   }
   derive();
+  const auto strength_of = [](const JointMaterial& law) { return law.parameters().wall_strength; };
+  if (crushes_ && any_nonlinear())
+    throw InputError(
+        "wall_strength of the rock, of zones and of linear classes must be 0 beside a joint_class "
+        "with a "
+        "nonlinear law, got '" +
+        number_text(std::ranges::min(laws_ | std::views::transform(strength_of))) + "'");
 }
 
 bool JointLaws::any_nonlinear() const {
@@ -45,7 +54,7 @@ void JointLaws::soften(double factor, std::optional<double> damping) {
 }
 
 void JointLaws::derive() {
-  softens_ = depends_on_rate_ = damps_ = false;
+  softens_ = crushes_ = depends_on_rate_ = damps_ = false;
   strengths_.clear();
   damping_.clear();
   contact_damping_.clear();
@@ -55,6 +64,7 @@ void JointLaws::derive() {
     const JointMaterial& turned = laws_[law_of(class_of(law), zone_j(law), zone_i(law))];
     const JointParameters& p = joint.parameters();
     softens_ = softens_ || p.fracture_energy_tension > 0.0 || p.fracture_energy_shear > 0.0;
+    crushes_ = crushes_ || std::isfinite(p.wall_strength);
     depends_on_rate_ = depends_on_rate_ || p.rate_exponent > 0.0;
     strengths_.push_back(
         {{p.tension, p.cohesion, joint.tan_friction()}, joint.tan_residual_friction()});

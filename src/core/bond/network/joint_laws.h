@@ -74,6 +74,12 @@ class JointLaws {
 
   /// A point that has reached its strength sheds its traction gradually.
   [[nodiscard]] bool softens() const { return softens_; }
+  /// The walls of some broken points crush.
+  [[nodiscard]] bool crushes() const { return crushes_; }
+  /// Pressure at which they do; infinite: they do not [Pa].
+  [[nodiscard]] double wall_strength(std::size_t law) const {
+    return laws_[law].parameters().wall_strength;
+  }
   /// Strength grows with the rate of strain.
   [[nodiscard]] bool depends_on_rate() const { return depends_on_rate_; }
   /// There are dashpots at bonded points.
@@ -104,7 +110,7 @@ class JointLaws {
   std::vector<JointMaterial> laws_;
   std::vector<JointStrength> strengths_;                    // of the laws
   std::vector<std::shared_ptr<const JointLaw>> nonlinear_;  // of the classes
-  bool softens_ = false, depends_on_rate_ = false, damps_ = false;
+  bool softens_ = false, crushes_ = false, depends_on_rate_ = false, damps_ = false;
   std::vector<double> damping_, contact_damping_;  // of the laws [Pa s/m]
   std::vector<double> shear_over_p_wave_;          // of the zones, 2G/(lambda + 2G) [-]
   SlipWeakening slip_weakening_;

@@ -34,8 +34,8 @@ void add_cohesion(const FacetKinematics& facets, FacetHistory& history, JointLos
 
 LaneVec cohesion_tractions(const FacetKinematics& facets, std::size_t f,
                            const FacetMotion& motion) {
-  LaneVec held;
-  if (!facets.history.softens(f)) return held;
+  LaneVec carried;
+  if (!facets.history.softens(f)) return carried;
   const Mat3 axes = motion.axes();
   for (int p = 0; p < kFacetPoints; ++p) {
     const auto k = static_cast<std::size_t>(p);
@@ -43,11 +43,11 @@ LaneVec cohesion_tractions(const FacetKinematics& facets, std::size_t f,
     if (!c.holds()) continue;
     const double parting = c.parting(axes.transpose() * motion.jump().at(p));
     const Vec3 traction = c.traction(parting, std::max(parting, c.worst)) * (axes * c.direction);
-    held.x[k] += traction.x();
-    held.y[k] += traction.y();
-    held.z[k] += traction.z();
+    carried.x[k] += traction.x();
+    carried.y[k] += traction.y();
+    carried.z[k] += traction.z();
   }
-  return held;
+  return carried;
 }
 
 }  // namespace muckpile

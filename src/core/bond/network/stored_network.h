@@ -162,9 +162,9 @@ struct Stored<RetiredFacets> {
 template <>
 struct Stored<JointLosses> {
   static constexpr std::string_view kName = "joint_losses";
-  static constexpr int kVersion = 1;
+  static constexpr int kVersion = 2;
   static auto fields(auto& losses) {
-    return std::tie(losses.fracture, losses.friction, losses.damping, losses.quiet,
+    return std::tie(losses.fracture, losses.friction, losses.crushing, losses.damping, losses.quiet,
                     losses.radiated);
   }
 };
@@ -182,7 +182,7 @@ struct Stored<QuietGround> {
 template <>
 struct Stored<NetworkTotals> {
   static constexpr std::string_view kName = "network_totals";
-  static constexpr int kVersion = 1;
+  static constexpr int kVersion = 2;
   static auto fields(auto& totals) {
     return std::tie(totals.losses, totals.pressure_work, totals.wave_work, totals.softened,
                     totals.damping, totals.quiet_ground, totals.moved_unseen, totals.softer_since);

@@ -57,7 +57,7 @@ void write_blocks(const std::string& path, const std::vector<Block>& blocks, int
 
 void write_blocks(const std::string& path, const std::vector<Block>& blocks, int first_id,
                   std::span<const double> density, std::span<const std::uint8_t> zones,
-                  const std::string& run_id) {
+                  const std::string& run_id, std::span<const double> muck) {
   std::error_code ignored;
   const auto folder = std::filesystem::path(path).parent_path();
   if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
@@ -74,19 +74,26 @@ void write_blocks(const std::string& path, const std::vector<Block>& blocks, int
   write_cells(out, blocks);
   out << "CELL_DATA " << blocks.size() << '\n';
   const auto volume = [&](std::size_t b) { return blocks[b].mass.volume; };
+  const std::size_t rock = blocks.size() - muck.size();
   write_scalars(out, "id", "int", blocks.size(),
                 [&](std::size_t b) { return first_id + static_cast<int>(b); });
   write_scalars(out, "volume_m3", "double", blocks.size(), volume);
   write_scalars(out, "size_m", "double", blocks.size(),
                 [&](std::size_t b) { return std::cbrt(volume(b)); });
-  write_scalars(out, "mass_kg", "double", blocks.size(),
-                [&](std::size_t b) { return density[zones.empty() ? 0 : zones[b]] * volume(b); });
+  write_scalars(out, "mass_kg", "double", blocks.size(), [&](std::size_t b) {
+    if (b >= rock) return muck[b - rock];
+    return density[zones.empty() ? 0 : zones[b]] * volume(b);
+  });
   write_scalars(out, "on_free_face", "int", blocks.size(), [&](std::size_t b) {
     const auto& n = blocks[b].neighbour;
-    return std::count(n.begin(), n.end(), kFreeFace) > 0 ? 1 : 0;
+    return b < rock && std::count(n.begin(), n.end(), kFreeFace) > 0 ? 1 : 0;
   });
   if (!zones.empty())
-    write_scalars(out, "zone", "int", blocks.size(), [&](std::size_t b) { return int{zones[b]}; });
+    write_scalars(out, "zone", "int", blocks.size(),
+                  [&](std::size_t b) { return b < rock ? int{zones[b]} : 0; });
+  if (!muck.empty())
+    write_scalars(out, "muck", "int", blocks.size(),
+                  [&](std::size_t b) { return b < rock ? 0 : 1; });
   if (!out.flush()) throw InputError("cannot write '" + path + "': " + std::strerror(errno));
 }
 

@@ -18,9 +18,10 @@ namespace muckpile {
 /// InputError if the file cannot be written.
 void write_blocks(const std::string& path, const std::vector<Block>& blocks, int first_id,
                   double density, const std::string& run_id = "");
-/// `density`: of the rock of each zone [kg/m3].
+/// `density`: of the rock of each zone [kg/m3]. The last blocks are muck, of the masses `muck`
+/// [kg]: the cell data `muck` is 1 for them, and their faces are no free ones of the rock.
 void write_blocks(const std::string& path, const std::vector<Block>& blocks, int first_id,
                   std::span<const double> density, std::span<const std::uint8_t> zones,
-                  const std::string& run_id);
+                  const std::string& run_id, std::span<const double> muck = {});
 
 }  // namespace muckpile

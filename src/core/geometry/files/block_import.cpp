@@ -16,6 +16,7 @@
 #include "geometry/holes/hole_surface.h"
 #include "geometry/index/axis_index.h"
 #include "geometry/shape/convex_cell.h"
+#include "geometry/shape/shared_volume.h"
 
 namespace muckpile {
 namespace {
@@ -81,26 +82,10 @@ std::vector<std::pair<std::size_t, std::size_t>> touching(const std::vector<Bloc
 
 using Faces = std::vector<FaceGeometry>;
 
-/// Volume that two convex blocks share [m3].
-double shared_volume(const Block& a, const Block& b, const Faces& faces_of_b) {
-  ConvexCell rest{a.shape, std::vector<int>(a.shape.faces.size(), -1)};
-  const double size = std::cbrt(b.mass.volume);
-  for (const FaceGeometry& face : faces_of_b) {
-    if (face.area < kShape * size * size) continue;
-    const auto [lowest, highest] = extent(rest.shape, face.normal);
-    const double plane = face.normal.dot(face.centroid);
-    if (lowest > plane - kShape * size) return 0.0;
-    if (highest <= plane) continue;
-    if (auto halves = divided(rest, face.centroid, face.normal, -1))
-      rest = std::move(halves->below);
-  }
-  return volume_of(rest);
-}
-
 void refuse_overlap(const std::vector<Block>& blocks, const std::vector<Faces>& faces,
                     std::size_t a, std::size_t b) {
   constexpr double kLargest = 1e-6;  // of the smaller block
-  const double shared = shared_volume(blocks[a], blocks[b], faces[b]);
+  const double shared = shared_volume(blocks[a].shape, std::cbrt(blocks[b].mass.volume), faces[b]);
   if (shared > kLargest * std::min(blocks[a].mass.volume, blocks[b].mass.volume))
     fail_import("cells ", a + 1, " and ", b + 1, " overlap by ", shared, " m3");
 }
@@ -160,11 +145,7 @@ std::vector<Block> joined_blocks(std::vector<Polyhedron> cells) {
   for (std::size_t c = 0; c < cells.size(); ++c)
     blocks.push_back(checked_block(std::move(cells[c]), c + 1));
   std::vector<Faces> faces;
-  for (const Block& block : blocks) {
-    faces.emplace_back();
-    for (std::size_t f = 0; f < block.shape.faces.size(); ++f)
-      faces.back().push_back(face_geometry(block.shape, static_cast<int>(f)));
-  }
+  for (const Block& block : blocks) faces.push_back(face_geometries(block.shape));
   Pieces pieces;
   for (const auto& [a, b] : touching(blocks)) {
     refuse_overlap(blocks, faces, a, b);

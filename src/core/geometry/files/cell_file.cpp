@@ -128,30 +128,67 @@ FaceList faces_of(std::span<const int> list, int type, std::size_t cell) {
   return faces;
 }
 
-/// The points that faces use, in the order of the file.
-std::vector<int> points_of(const FaceList& faces) {
-  std::vector<int> used;
-  for (const auto& face : faces) used.insert(used.end(), face.begin(), face.end());
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  return used;
+/// The points that faces use, in the order of the file, and the place of each among them.
+class UsedPoints {
+ public:
+  explicit UsedPoints(const FaceList& faces) {
+    for (const auto& face : faces) used_.insert(used_.end(), face.begin(), face.end());
+    if (used_.empty()) return;
+    const auto [low, high] = std::minmax_element(used_.begin(), used_.end());
+    first_ = *low;
+    const long long range = static_cast<long long>(*high) - *low + 1;
+    // Cells that share no points, as ours, have them one behind the other: they need no sorting.
+    if (range > kSparse * static_cast<long long>(used_.size())) {
+      std::sort(used_.begin(), used_.end());
+      used_.erase(std::unique(used_.begin(), used_.end()), used_.end());
+      return;
+    }
+    place_.assign(static_cast<std::size_t>(range), -1);
+    for (const int v : used_) place_[static_cast<std::size_t>(v - first_)] = 0;
+    used_.clear();
+    for (std::size_t k = 0; k < place_.size(); ++k) {
+      if (place_[k] < 0) continue;
+      place_[k] = static_cast<int>(used_.size());
+      used_.push_back(first_ + static_cast<int>(k));
+    }
+  }
+  [[nodiscard]] const std::vector<int>& list() const { return used_; }
+  [[nodiscard]] int place_of(int point) const {
+    if (!place_.empty()) return place_[static_cast<std::size_t>(point - first_)];
+    return static_cast<int>(std::lower_bound(used_.begin(), used_.end(), point) - used_.begin());
+  }
+
+ private:
+  static constexpr long long kSparse = 16;
+  std::vector<int> used_, place_;
+  int first_ = 0;
+};
+
+/// Whether the cell lies in front of a face, by its corners' order.
+bool faces_inwards(const Polyhedron& shape, const std::vector<int>& face) {
+  const auto at = [&](std::size_t k) -> const Vec3& {
+    return shape.vertices[static_cast<std::size_t>(face[k % face.size()])];
+  };
+  Vec3 mean = Vec3::Zero(), normal = Vec3::Zero();
+  for (std::size_t k = 0; k < face.size(); ++k) mean += at(k);
+  mean /= static_cast<double>(face.size());
+  for (std::size_t k = 0; k < face.size(); ++k) normal += (at(k) - mean).cross(at(k + 1) - mean);
+  const auto [lowest, highest] = extent(shape, normal);
+  return lowest + highest > 2.0 * normal.dot(mean);
 }
 
 /// With its own vertices, in the order of the file; faces turned so that the cell is behind them.
 Polyhedron turned_cell(FaceList faces, const std::vector<Vec3>& points, std::size_t cell) {
-  const std::vector<int> used = points_of(faces);
+  const UsedPoints places(faces);
+  const std::vector<int>& used = places.list();
   if (used.empty() || used.front() < 0 || used.back() >= static_cast<int>(points.size()))
     fail_import("cell ", cell, " has a point that is not in the file");
   Polyhedron shape;
   for (const int v : used) shape.vertices.push_back(points[static_cast<std::size_t>(v)]);
   for (std::vector<int>& corners : faces) {
-    for (int& v : corners)
-      v = static_cast<int>(std::lower_bound(used.begin(), used.end(), v) - used.begin());
+    for (int& v : corners) v = places.place_of(v);
+    if (faces_inwards(shape, corners)) std::reverse(corners.begin(), corners.end());
     shape.faces.push_back(std::move(corners));
-    const FaceGeometry face = face_geometry(shape, static_cast<int>(shape.faces.size()) - 1);
-    const auto [lowest, highest] = extent(shape, face.normal);
-    if (lowest + highest > 2.0 * face.normal.dot(face.centroid))
-      std::reverse(shape.faces.back().begin(), shape.faces.back().end());
   }
   return shape;
 }

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Sub-command over: rock that went over a line which the user draws in plan.
+// Scope: every scene; blocks count by their centroids, surfaces by columns.
+#include <algorithm>
+#include <cmath>
+
+#include "draw/curve_plot.h"
+#include "draw/png_file.h"
+#include "io/csv_writer.h"
+#include "measure/height_map.h"
+#include "report/notes.h"
+#include "report/plan_line_of.h"
+#include "report/reports.h"
+#include "report/run_data.h"
+
+namespace muckpile {
+namespace {
+
+constexpr int kSteps = 20;  // of distance, in table and picture
+
+struct Beyond {
+  double distance, volume, mass;  // of all that lies at least so far beyond [m], [m3], [kg]
+};
+
+std::vector<Beyond> table_of(const OverLine& over) {
+  std::vector<Beyond> rows;
+  const double farthest = over.pieces.empty() ? 0.0 : over.pieces.front().distance;
+  for (int k = 0; k <= kSteps; ++k) {
+    Beyond row{farthest * k / kSteps, 0.0, 0.0};
+    for (const OverLine::Piece& piece : over.pieces) {
+      if (piece.distance < row.distance) break;
+      row.volume += piece.volume;
+      row.mass += piece.mass;
+    }
+    rows.push_back(row);
+    if (farthest == 0.0) break;
+  }
+  return rows;
+}
+
+// Between the surfaces after and before, beyond the line, where the first is higher [m3].
+double bulk_beyond(const PlanLine& line, const OverLine& over, const RunData& run) {
+  const HeightMap map = height_map(run.blocks, run.last, run.moved, run.lies, run.cell);
+  double volume = 0.0;
+  for (int j = 0; j < map.grid.ny; ++j) {
+    for (int i = 0; i < map.grid.nx; ++i) {
+      const size_t k = map.grid.at(i, j);
+      if (over.sign * line.along_and_left({map.grid.x(i), map.grid.y(j)}).y() <= 0.0) continue;
+      volume += std::max(0.0, map.after[k] - map.before[k]) * map.grid.dx * map.grid.dy;
+    }
+  }
+  return volume;
+}
+
+CurvePlot plot_of(const std::vector<Beyond>& rows, const PlanLine& line, const RunData& run) {
+  CurvePlot plot;
+  plot.title = "Rock that went over the line " + words_of(line);
+  plot.x_label = "distance beyond the line, at right angles to it [m]";
+  plot.y_label = "solid volume at least so far beyond [m³]";
+  plot.warning = motion_warning(run.still);
+  PlotCurve curve{"", CurveStyle::kLine, 0, {}};
+  double most = 1.0, farthest = 1.0;
+  for (const Beyond& row : rows) {
+    curve.points.emplace_back(row.distance, row.volume);
+    most = std::max(most, row.volume);
+    farthest = std::max(farthest, row.distance);
+  }
+  plot.curves.push_back(std::move(curve));
+  plot.x = AxisRange{0.0, 1.03 * farthest};
+  plot.y = AxisRange{0.0, 1.05 * most};
+  return plot;
+}
+
+}  // namespace
+
+void report_over(const ResultFolder& folder, const MeasureOptions& measure,
+                 const LineOptions& options) {
+  const PlanLine line = plan_line_of(folder, options, "over");
+  const RunData run(folder, measure);
+  std::vector<char> lies = run.lies;
+  if (!run.still)
+    for (char& each : lies = on_the_move(run.last.states)) each = each == 0;
+  const OverLine over = over_line(line, run.blocks, run.last, lies);
+  const std::vector<Beyond> rows = table_of(over);
+  CsvWriter csv(folder.file("over.csv"), "beyond_m,volume_m3,mass_kg");
+  for (const Beyond& row : rows) csv.row({row.distance, row.volume, row.mass});
+  write_png(draw_curves(plot_of(rows, line, run)), folder.file("over.png"));
+  double moved = 0.0;
+  for (size_t b = 0; b < run.blocks.size(); ++b)
+    if (run.moved[b] != 0) moved += run.blocks[b].volume;
+  nlohmann::ordered_json keys = common_keys(folder);
+  keys["over_from_x_m"] = line.from.x();
+  keys["over_from_y_m"] = line.from.y();
+  keys["over_to_x_m"] = line.to.x();
+  keys["over_to_y_m"] = line.to.y();
+  keys["over_blocks"] = over.pieces.size();
+  keys["over_volume_m3"] = over.volume;
+  keys["over_mass_kg"] = over.mass;
+  keys["over_share_of_moved"] = moved > 0.0 ? over.volume / moved : std::nan("");
+  keys["over_bulk_volume_m3"] = run.still ? bulk_beyond(line, over, run) : std::nan("");
+  keys["over_farthest_m"] = over.pieces.empty() ? 0.0 : over.pieces.front().distance;
+  folder.merge_into_summary(keys);
+}
+
+}  // namespace muckpile
