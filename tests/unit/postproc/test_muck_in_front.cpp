@@ -79,9 +79,9 @@ TEST_F(MuckInFront, IsInNoFragment) {
 
 TEST_F(MuckInFront, HasItsOwnColour) {
   const ResultFolder folder(with_.path());
-  const std::vector<StartBlock> blocks = folder.blocks();
+  const std::vector<StartBlock>& blocks = folder.blocks();
   const Snapshot last = read_snapshot(folder.snapshots().back(), blocks);
-  const BlockColours colours = block_colours(ColourBy::kStartHeight, blocks, last);
+  const BlockColours colours = block_colours(BlockFields(folder, blocks).of("start_height", last));
   const size_t rock = rock_blocks(blocks);
   ASSERT_EQ(blocks.size(), rock + muck_cubes().size());
   for (size_t b = 0; b < blocks.size(); ++b) {
