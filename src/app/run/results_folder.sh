@@ -39,7 +39,7 @@ results_in() {  # results_in FOLDER: paths from there
     cd "$1" && shopt -s nullglob
     for file in dump/{blocks_[0-9]*,history,gas*,gauges*,holes,holes_again}.csv dump/blocks.vtk dump/{floor,ground,gate}.stl dump/{run,scene}.json \
       dump/{a,b,interrupted,stopped}.restart vtk/blocks* summary.json log.liggghts report.html \
-      {profile,movement,polygons,rows,heights,face_velocity,waves,ppv,survey,damage,crater,heap,fragments,fines,dig,energy,plan}.{csv,png} {flyrock,sieve,boulders,fragments_list,model_moved,polygons_moved,energy_holes}.csv {movement,polygons}.dxf pile3d.csv pile3d*.png; do
+      {profile,movement,polygons,rows,heights,face_velocity,waves,ppv,survey,damage,crater,heap,fragments,fines,dig,energy,plan,section,over,trough}.{csv,png} {flyrock,sieve,boulders,fragments_list,model_moved,polygons_moved,energy_holes}.csv {movement,polygons}.dxf pile3d.csv pile3d*.png; do
       if [[ -f $file ]]; then printf '%s\n' "$file"; fi
     done
   )
