@@ -100,7 +100,7 @@ other_version() {  # other_version WORD BYTES_BEHIND MESSAGE: the byte that far 
   [[ $status -eq 1 ]] && grep -qF "ERROR: read_restart: fix $3" screen ||
     { echo "$1 of another version: exit status $status, $(grep '^ERROR' screen || tail -n 1 screen)"; wrong=1; }
 }
-other_version network_totals 0 "muckpile/joint: 'network_totals': version 1 expected, version 9 in the file"
+other_version network_totals 0 "muckpile/joint: 'network_totals': version 2 expected, version 9 in the file"
 other_version blast_state 0 "muckpile/blast: 'blast_state': version 2 expected, version 9 in the file"
 other_version block_record 0 "muckpile/blocks: 'block_record': version 2 expected, version 9 in the file"
 other_version boundary_face 12 "muckpile/blocks: 'boundary_face': version 2 expected, with the fields "
