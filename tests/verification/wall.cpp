@@ -47,7 +47,6 @@ Ring cut(const Scene& scene) {
   options.lo = Vec3(-half, -half, 0.0);
   options.hi = Vec3(half, half, thickness);
   options.seed = scene.seed;
-  options.rings_from = 1.75;
   options.holes = {{Vec3::Zero(), thickness * Vec3::UnitZ(), 1.0}};
   const double near = 1.0 + 0.5 * scene.size;
   options.size =
@@ -149,11 +148,11 @@ void compare(Report& report, const std::vector<Scene>& scenes) {
 const Cases kCases = {
     {"sizes",
      [](Report& report) {
-       compare(report, {{0.25}, {0.5}, {0.75}, {1.0}, {1.33}, {1.7}});
+       compare(report, {{0.25}, {0.5}, {0.75}, {1.0}, {1.33}, {1.49}});
      }},
     {"coarse",
      [](Report& report) {
-       compare(report, {{1.75}, {2.0}, {2.5}, {3.0}, {4.0}, {6.0}});
+       compare(report, {{1.5}, {1.75}, {2.0}, {2.5}, {3.0}, {4.0}, {6.0}});
      }},
     {"cuts",
      [](Report& report) {
