@@ -62,9 +62,9 @@ TEST(HoleRings, TheVoidIsTheCylinderForBlocksOf150ToSixRadii) {
 }
 
 // As around a hole of a bench: sizes grow with the square of the distance, from those at the wall.
-// Images alone leave 1.10, 1.3 to 1.5 and 1.65 times the cylinder at 1.6, 1.8 and 2 radii.
-TEST(HoleRings, GradedBlocksOfAnySizeLeaveTheCylinder) {
-  for (const double wall : {1.0, 1.3, 1.49, 1.6, 1.8, 1.999}) {
+// Images alone leave 1.18 of it at 1.49 radii.
+TEST(HoleRings, GradedBlocksLeaveTheCylinder) {
+  for (const double wall : {1.0, 1.3, 1.5, 1.6, 1.8, 1.999}) {
     TessellationOptions options;
     options.lo = Vec3(-12.0, -12.0, 0.0);
     options.hi = Vec3(12.0, 12.0, 16.0);
