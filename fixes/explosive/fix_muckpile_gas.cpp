@@ -171,7 +171,7 @@ void FixMuckpileGas::let_go_of_softened_joints(double in_joints) {
   if (pressure <= kBearable * joints_->shear_modulus()) return;
   blast_->let_gas_go();
   joints_->unload_softened();
-  end_of_gas("is let go, as the joints have been softened, with up to " + number_text(pressure) +
+  end_of_gas("is released, as the joints have been softened, with up to " + number_text(pressure) +
              " Pa in them and " + number_text(left) + " kg in the holes,");
 }
 
