@@ -89,10 +89,10 @@ void FixMuckpileBlast::let_go_of_softened_walls() {
   let_gas_go();
   surface_->unload_softened();
   load_faces(clock());
-  engine::print_once(*lmp,
-                     where_ + ": the gas in the holes is released, as joints of a shear modulus of " +
-                         number_text(modulus) + " Pa do not bear the " + number_text(pressure) +
-                         " Pa on their walls, at " + number_text(clock()) + " s\n");
+  engine::print_once(
+      *lmp, where_ + ": the gas in the holes is released, as joints of a shear modulus of " +
+                number_text(modulus) + " Pa do not bear the " + number_text(pressure) +
+                " Pa on their walls, at " + number_text(clock()) + " s\n");
 }
 
 void FixMuckpileBlast::require_fired(double bearable) const {

@@ -37,7 +37,8 @@ std::string figure_outside(const Json& row) {
 std::string with_reason(const std::vector<std::string>& figures, const std::string& reason) {
   if (figures.size() == 1) return "- " + figures[0] + (reason.empty() ? "" : "; " + reason) + "\n";
   std::string text = reason.empty() ? "" : "- " + reason + ":\n";
-  for (const std::string& figure : figures) text += (reason.empty() ? "- " : "  - ") + figure + "\n";
+  for (const std::string& figure : figures)
+    text += (reason.empty() ? "- " : "  - ") + figure + "\n";
   return text;
 }
 

@@ -47,7 +47,8 @@ TEST(ReportRows, FiguresOutsideTheirBoundsAreListed) {
 }
 
 TEST(ReportRows, FiguresOutsideTheirBoundsShareOneReason) {
-  Json bad = {row("E", 2.02, 0.01, false), row("G", 2.04, 0.02, false), row("K", 2.02, 0.01, false)};
+  Json bad = {row("E", 2.02, 0.01, false), row("G", 2.04, 0.02, false),
+              row("K", 2.02, 0.01, false)};
   bad[0]["note"] = bad[2]["note"] = "why";
   EXPECT_EQ(not_met(bad),
             "- why:\n"
