@@ -89,7 +89,7 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure, public Joint
   void heat_beds(std::vector<GasFlow>& from_hole, const double* out, double dt);
   [[nodiscard]] double heat_of_beds() const;
   [[nodiscard]] double greatest_pressure() const;
-  void let_go_of_softened_joints(double in_joints);
+  void release_from_softened_joints(double in_joints);
   void end_of_gas(const std::string& how);
   void look_whether_spent();
   [[nodiscard]] double over_ranks(double mine, bool greatest = false) const;
