@@ -15,6 +15,7 @@
 #include "compare_command.h"
 #include "damage_command.h"
 #include "flyrock_command.h"
+#include "large_pages.h"
 #include "fragments_command.h"
 #include "line_commands.h"
 #include "movement_command.h"
@@ -87,6 +88,7 @@ void add_series_command(CLI::App& app) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  start_with_large_pages(argv);
   CLI::App app(
       "Measures and draws the muck pile or crater of a run. Each command adds its keys to "
       "summary.json.");
