@@ -4,9 +4,9 @@
 # Scope: keys["name"] of the sources; those that are put together from parts are not found, nor is a wrong meaning.
 set -euo pipefail
 cd "$1"
-keys=$(grep -rohE 'keys\["[A-Za-z0-9_]+"\]' postproc/lib/report | sed -E 's/.*"(.*)".*/\1/' | sort -u)
+keys=$(grep -rohE 'keys\["[A-Za-z0-9_]+"\]' postproc/lib/report | cut -d'"' -f2 | sort -u)
 [ "$(wc -l <<<"$keys")" -ge 50 ] || { echo 'too few keys found in postproc/lib/report' >&2 && exit 1; }
-missing=$(while read -r key; do grep -rqF "\`$key\`" docs/post || echo "$key"; done <<<"$keys")
+missing=$(comm -23 <(echo "$keys") <(grep -rohE '`[A-Za-z0-9_]+`' docs/post | tr -d '`' | sort -u))
 if [ -n "$missing" ]; then
   echo "no page of docs/post has the keys:" $missing >&2
   exit 1
