@@ -8,6 +8,6 @@ keys=$(grep -rohE 'keys\["[A-Za-z0-9_]+"\]' postproc/lib/report | cut -d'"' -f2 
 [ "$(wc -l <<<"$keys")" -ge 50 ] || { echo 'too few keys found in postproc/lib/report' >&2 && exit 1; }
 missing=$(comm -23 <(echo "$keys") <(grep -rohE '`[A-Za-z0-9_]+`' docs/post | tr -d '`' | sort -u))
 if [ -n "$missing" ]; then
-  echo "no page of docs/post has the keys:" $missing >&2
+  echo "no page of docs/post has the keys: ${missing//$'\n'/ }" >&2
   exit 1
 fi
