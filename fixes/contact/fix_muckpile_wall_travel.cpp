@@ -14,7 +14,7 @@
 namespace muckpile {
 namespace {
 
-constexpr int kDoubles = 3 + kContactStateNumbers + 1;  // of a contact: normal, state and twist
+constexpr int kDoubles = 3 + kContactStateNumbers + 2;  // normal, state, twist and overlap
 static_assert(Encoding<WallContact>::kLeast == kDoubles * sizeof(double),
               "pack() and unpack() leave out nothing that is stored of WallContact");
 constexpr int kMostDoubles = 1 + kDoubles * static_cast<int>(WallTouches::kMost);
@@ -42,6 +42,7 @@ int FixMuckpileWall::pack(int index, double* buf) const {
     m += put(contact.normal, buf + m);
     m += put(contact.state, buf + m);
     buf[m++] = contact.twist;
+    buf[m++] = contact.overlap;
   }
   return m;
 }
@@ -54,6 +55,7 @@ int FixMuckpileWall::unpack(int index, const double* buf) {
     m += get(contact.normal, buf + m);
     m += get(contact.state, buf + m);
     contact.twist = buf[m++];
+    contact.overlap = buf[m++];
   }
   return m;
 }
