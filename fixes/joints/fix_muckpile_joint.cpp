@@ -106,15 +106,10 @@ void FixMuckpileJoint::check_classes() const {
     engine::stop(*lmp, engine::name_of(*this) + ": must be given after all zones of create_blocks");
 }
 
-FacetLists FixMuckpileJoint::copy() const {
-  return {network_.facets(), network_.memory(), network_.faces()};
-}
+FacetLists FixMuckpileJoint::copy() const { return network_.lists(); }
 
 FacetLists FixMuckpileJoint::hand_back() {
-  if (!ends_) network_.settle_books(team());  // collective
-  FacetLists lists;
-  network_.give_up(lists.facets, lists.memory, lists.faces);
-  return lists;
+  return network_.give_up(ends_ ? RankTeam{} : team());  // ranks end one by one
 }
 
 void FixMuckpileJoint::follow_blocks() {
@@ -136,11 +131,7 @@ void FixMuckpileJoint::follow_blocks() {
     const std::size_t b = blocks.size();
     blocks.push_back({tag, false, volumes[b], 1.0, {}, static_cast<std::uint8_t>(zones[b])});
   }
-  network_.set_blocks(std::move(blocks));
-  FacetLists lists = store_->hand_over();
-  network_.set_facets(std::move(lists.facets), std::move(lists.memory));
-  network_.set_faces(std::move(lists.faces));
-  if (engine::on_any_rank(network_.slanted(), world)) network_.follow_leaning_faces();
+  network_.set(std::move(blocks), store_->hand_over(), team());
 
   index_facets();
   loaded_.clear();

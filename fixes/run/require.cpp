@@ -30,9 +30,9 @@ namespace {
 constexpr const char* kStyle = "require";
 
 bool starts_a_rule(const std::string& word) {
-  constexpr std::array<const char*, 13> kWords{
-      "above",  "at_least",  "below",  "at_most",      "or",         "whole", "unit",
-      "one_of", "script_in", "advice", "file_or_none", "outside_of", "as_in"};
+  constexpr std::array<const char*, 14> kWords{
+      "above",  "at_least",  "below",  "at_most", "or",           "whole",      "unit",
+      "one_of", "script_in", "advice", "file",    "file_or_none", "outside_of", "as_in"};
   return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }
 
@@ -76,7 +76,7 @@ Rule read_rule(const std::vector<std::string>& words) {
       throw InputError(
           std::string(kStyle) + ": unknown keyword '" + word +
           "' (known: above, at_least, below, at_most, or, whole, unit, advice, one_of, "
-          "script_in, file_or_none, outside_of, as_in)");
+          "script_in, file, file_or_none, outside_of, as_in)");
     }
   }
   return rule;
@@ -142,12 +142,20 @@ std::vector<std::string> allowed_words(const std::string& rule, std::vector<std:
   return scripts_in(words.front());
 }
 
+/// Throws InputError unless a word is the name of a file that can be read. `allowed`: for the
+/// message.
+void check_file(const std::string& name, const std::string& word, const std::string& allowed) {
+  const bool folder = std::filesystem::is_directory(word);
+  if (!folder && std::ifstream(word)) return;
+  throw InputError("input: " + name + " must be " + allowed + ", got '" + word + "', which " +
+                   (folder ? "is a folder" : "cannot be opened"));
+}
+
 /// Whether a word is the name of a file that can be read; false for none.
 bool is_file(const std::string& name, const std::string& word) {
   if (word == "none") return false;
-  if (std::ifstream(word) && !std::filesystem::is_directory(word)) return true;
-  throw InputError("input: " + name + " must be a file, or none, got '" + word +
-                   "', which cannot be opened");
+  check_file(name, word, "a file, or none");
+  return true;
 }
 
 void check_outside(const std::string& name, const std::string& path, const std::string& folder) {
@@ -213,6 +221,9 @@ void Require::command(int narg, char** arg) {
       set_flag(arg[3], is_file(arg[0], arg[1]));
     } else if (rule == "outside_of" || rule == "as_in") {
       look_at_folder(arg[0], arg[1], {arg + 2, arg + narg});
+    } else if (rule == "file") {
+      if (narg != 3) throw InputError(std::string(kStyle) + ": nothing may follow file");
+      check_file(arg[0], arg[1], "a file");
     } else if (rule == "one_of" || rule == "script_in") {
       check_word(arg[0], arg[1], allowed_words(rule, {arg + 3, arg + narg}));
     } else {

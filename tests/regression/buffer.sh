@@ -37,7 +37,7 @@ check_figures bounds "muck of the first row [kg]" "$(key second muck_mass_kg)" -
 
 # A pour that is told to stop leaves its state, goes on from there, and comes to rest with all of its mass.
 mkdir -p "$out/part"
-part=(-in "$bench" -log none "${small[@]}" "${buffer[@]}" -var time_end 0.06 -var out "$out/part")
+part=(-in "$bench" -log none "${small[@]}" "${buffer[@]}" -var out "$out/part")
 "$program" "${part[@]}" >"$out/part/screen" 2>&1 &
 engine=$!
 while ! grep -qs ',poured,' "$out/part/muck/dump/history.csv" && kill -0 "$engine" 2>/dev/null; do sleep 0.05; done

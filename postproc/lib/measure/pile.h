@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The muck pile of a bench blast: its profile, throw, swell and slope.
-// Scope: free face at x = 0, throw along +x, pit floor at z = 0; docs/muckpile-post.md defines each
+// Scope: free face at x = 0, throw along +x, pit floor at z = 0; docs/post/profile.md defines each
 // measure.
 #pragma once
 
@@ -45,8 +45,8 @@ struct PileShape {
   double swell;             // bulk over solid volume, between the face and the toe
   double bulk_volume, solid_volume;  // beyond the face, to the toe [m3]
   double front_angle;  // of the line through the front slope, 20 to 80 % of the height [rad]
-  double rest_angle;   // steepest line over a stretch as long as the pile is high, mean of the
-                       // sections [rad]
+  double rest_angle;   // steepest line over a stretch as long as the pile is high, four blocks at
+                       // least, mean of the sections [rad]
 };
 
 // NaN where a measure has no meaning, e.g. a slope without a pile. `depth` is the distance of the

@@ -73,7 +73,7 @@ JointClass barton_bandis_class(const BartonBandis& law, double shear_stiffness) 
   JointClass joint;
   joint.normal_stiffness = law.initial_stiffness;
   joint.shear_stiffness = shear_stiffness;
-  joint.law = std::make_shared<NonlinearJointLaw<BartonBandis>>(law);
+  joint.law = law_everywhere(law);
   return joint;
 }
 

@@ -22,7 +22,6 @@
 
 namespace muckpile {
 
-struct JointClass;
 struct JointLawEntry;
 
 struct BartonBandis {
@@ -77,9 +76,9 @@ struct BartonBandis {
   /// joint can bear.
   template <class Number>
   [[nodiscard]] auto fails(const Number& normal, const Number& shear_squared,
-                           const Number& faster) const {
+                           const StrengthFactors<Number>& factors = {}) const {
     using std::max;
-    const Number bears = faster * tension;
+    const Number bears = factors.tension * tension;
     const Number pressed = max(bears - normal, Number(0.0));
     const Number shear = pressed * tan_angle(pressed, Number(roughness));
     return normal > bears || shear_squared > shear * shear;
