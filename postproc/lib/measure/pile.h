@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The muck pile of a bench blast: its profile, throw, swell and slope.
-// Scope: free face at x = 0, throw along +x, pit floor at z = 0; docs/muckpile-post.md defines each
+// Scope: free face at x = 0, throw along +x, pit floor at z = 0; docs/post/profile.md defines each
 // measure.
 #pragma once
 

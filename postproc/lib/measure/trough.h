@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The power trough: the valley that a blast leaves between the rock that stands and the pile.
-// Scope: one profile of heights along the throw; docs/muckpile-post.md has the definition.
+// Scope: one profile of heights along the throw; docs/post/trough.md has the definition.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The bench that the measures of `profile` are made for, and whether a run is one.
-// Scope: see the header; docs/muckpile-post.md gives the tolerances.
+// Scope: see the header; docs/post/profile.md gives the tolerances.
 #include "report/bench_scene.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What blocks can be coloured by.
-// Scope: see the header; docs/muckpile-post.md lists the fields.
+// Scope: see the header; docs/post/README.md lists the fields.
 #include "report/block_fields.h"
 
 #include <algorithm>

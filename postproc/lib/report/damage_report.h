@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Sub-command damage: how far from the charges the joints are broken at the end.
-// Scope: damage.csv, damage.png and keys of summary.json; docs/muckpile-post.md defines them.
+// Scope: damage.csv, damage.png and keys of summary.json; docs/post/damage.md defines them.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Sub-command flyrock: what formulas of practice say of fly rock, and the farthest block of the
-// run. Scope: formulas, no results; docs/muckpile-post.md says what each is made for.
+// run. Scope: formulas, no results; docs/post/flyrock.md says what each is made for.
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Words that stand beside figures, so that they are not taken for more than they are.
-// Scope: text for summary.json and the pictures; docs/muckpile-post.md explains each.
+// Scope: text for summary.json and the pictures; docs/post explains each.
 #pragma once
 
 #include <cmath>

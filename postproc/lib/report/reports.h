@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The reports behind the sub-commands of muckpile-post: each reads dump/ and writes tables,
-// pictures and summary keys. Scope: docs/muckpile-post.md lists the files and keys; all throw
+// pictures and summary keys. Scope: docs/post lists the files and keys; all throw
 // InputError on faulty dumps.
 #pragma once
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What was broken out, the fragments in it and their size curve, as muckpile-post defines them.
 
-Scope: sizes are volume^(1/3); sieve sizes are in fragments_list.csv. docs/muckpile-post.md has the
+Scope: sizes are volume^(1/3); sieve sizes are in fragments_list.csv. docs/post/fragments.md has the
 definitions.
 """
 
