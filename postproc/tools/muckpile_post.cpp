@@ -21,6 +21,7 @@
 #include "overlay_command.h"
 #include "pile_commands.h"
 #include "render_command.h"
+#include "report/burden_report.h"
 #include "report/not_measurable.h"
 #include "report/plan_report.h"
 #include "report/reports.h"

@@ -56,13 +56,6 @@ class CsvWriter {
     append(values, ",");
     end_line(places);
   }
-  // Words first, one at least.
-  void row_at(const std::vector<std::string>& words, const std::vector<double>& values,
-              const std::vector<double>& places) {
-    line_ = joined(words, ",");
-    append(values, ",");
-    end_line(places);
-  }
   // The same with one more value behind the others or, where it has one, its name.
   void row_named(const std::string& word, const std::vector<double>& values, double value,
                  const std::string& name, const std::vector<double>& places) {

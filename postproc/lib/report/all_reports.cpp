@@ -8,6 +8,7 @@
 #include <map>
 
 #include "args/input_error.h"
+#include "report/burden_report.h"
 #include "report/plan_report.h"
 #include "report/reports.h"
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Sub-command burden: the burden of each hole along its charge, as table and picture.
-// Scope: runs whose create_blocks has written dump/burden.csv; no snapshot is needed.
+// The burden of each hole along its charge, as table and picture.
+// Scope: see the header.
+#include "report/burden_report.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -56,9 +58,9 @@ void write_table(const ResultFolder& folder, const BurdenFile& burdens,
     for (const BurdenPiece& piece : hole.pieces) {
       const std::optional<double> counts = burden_that_counts(hole, piece);
       const Vec3 face = piece.burden ? piece.face : Vec3::Constant(std::nan(""));
+      const std::string front = hole.in_front ? names[*hole.in_front] : "";
       csv.row_at(
-          {names[h], hole.in_front ? names[*hole.in_front] : "",
-           word_for(judged(counts, burdens.plan))},
+          joined({names[h], front, word_for(judged(counts, burdens.plan))}, ","),
           {piece.along, piece.at.x(), piece.at.y(), piece.at.z(), counts.value_or(std::nan("")),
            piece.burden.value_or(std::nan("")), face.x(), face.y(), face.z()},
           mine_points(frame, {piece.at, face}));

@@ -52,9 +52,6 @@ void report_over(const ResultFolder& folder, const MeasureOptions& measure,
 // NotMeasurable for a run that has not come to rest.
 void report_trough(const ResultFolder& folder, const MeasureOptions& measure,
                    const TroughOptions& options = {});
-// burden.csv, burden.png: the burden of each hole along its charge. Throws InputError for a run
-// without dump/burden.csv.
-void report_burden(const ResultFolder& folder);
 // survey.csv, survey.png: the surface of the run at its end against a surveyed one. Throws
 // NotMeasurable for a run that has not come to rest.
 void report_survey(const ResultFolder& folder, const MeasureOptions& measure,

@@ -20,17 +20,22 @@ constexpr int kPoints = 20;  // along a charge
 
 using Corners = std::vector<Vec3>;
 
-std::vector<Corners> free_faces(const std::vector<Block>& blocks, const SupportRule& support) {
-  std::vector<Corners> faces;
+struct FreeFace {
+  Corners corners;
+  Vec3 normal;  // out of the rock
+};
+
+std::vector<FreeFace> free_faces(const std::vector<Block>& blocks, const SupportRule& support) {
+  std::vector<FreeFace> faces;
   for (const Block& block : blocks) {
     for (std::size_t f = 0; f < block.neighbour.size(); ++f) {
       if (block.neighbour[f] != kFreeFace) continue;
-      if (support(face_geometry(block.shape, static_cast<int>(f)).centroid) != Support::free)
-        continue;
+      const FaceGeometry geometry = face_geometry(block.shape, static_cast<int>(f));
+      if (support(geometry.centroid) != Support::free) continue;
       Corners corners;
       for (const int v : block.shape.faces[f])
         corners.push_back(block.shape.vertices[static_cast<std::size_t>(v)]);
-      faces.push_back(std::move(corners));
+      faces.push_back({std::move(corners), geometry.normal});
     }
   }
   return faces;
@@ -78,15 +83,25 @@ Nearest nearest_between(const Corners& face, const PlaneFrame& across, double fr
   return nearest;
 }
 
+/// Whether the way from the axis to a place of the face meets it squarely enough: else the face ends
+/// there, beside what is no free face, such as at the floor.
+bool faces_axis(const FreeFace& face, const PlaneFrame& across, const Vec3& place) {
+  constexpr double kLeast = 0.8;  // cosine; ways are then up to a quarter too long
+  constexpr double kSteep = 0.5;  // of the normal at right angles to the axis
+  const Vec2 normal(across.first.dot(face.normal), across.second.dot(face.normal)),
+      way = across.flat(place);
+  return normal.norm() >= kSteep && way.dot(normal) >= kLeast * way.norm() * normal.norm();
+}
+
 /// In each of the pieces of a charge.
-std::vector<Nearest> nearest_along(const Hole& hole, const std::vector<Corners>& faces) {
+std::vector<Nearest> nearest_along(const Hole& hole, const std::vector<FreeFace>& faces) {
   const Vec3 along = hole.collar - hole.toe;
   const PlaneFrame across(hole.toe, along);
   const double step = along.norm() / kPoints;
   std::vector<Nearest> nearest(kPoints);
-  for (const Corners& face : faces) {
+  for (const FreeFace& face : faces) {
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-    for (const Vec3& p : face) {
+    for (const Vec3& p : face.corners) {
       const double height = across.normal.dot(p - hole.toe);
       lowest = std::min(lowest, height);
       highest = std::max(highest, height);
@@ -94,14 +109,14 @@ std::vector<Nearest> nearest_along(const Hole& hole, const std::vector<Corners>&
     const int first = std::max(0, static_cast<int>(std::floor(std::max(0.0, lowest) / step)));
     for (int k = first; k < kPoints && k * step <= highest; ++k) {
       Nearest& best = nearest[static_cast<std::size_t>(k)];
-      const Nearest here = nearest_between(face, across, k * step, (k + 1) * step);
-      if (here.way < best.way) best = here;
+      const Nearest here = nearest_between(face.corners, across, k * step, (k + 1) * step);
+      if (here.way < best.way && faces_axis(face, across, here.at)) best = here;
     }
   }
   return nearest;
 }
 
-HoleBurden burden_of(const Hole& hole, const std::vector<Corners>& faces) {
+HoleBurden burden_of(const Hole& hole, const std::vector<FreeFace>& faces) {
   HoleBurden burden;
   double sum = 0.0;
   int beside = 0;
@@ -184,7 +199,7 @@ BurdenIs judged(const std::optional<double>& burden, double plan) {
 
 std::vector<HoleBurden> hole_burdens(const std::vector<Block>& blocks,
                                      const std::vector<Hole>& holes, const SupportRule& support) {
-  const std::vector<Corners> faces = free_faces(blocks, support);
+  const std::vector<FreeFace> faces = free_faces(blocks, support);
   std::vector<HoleBurden> burdens;
   for (const Hole& hole : holes) burdens.push_back(burden_of(hole, faces));
   for (std::size_t h = 0; h < holes.size(); ++h) find_hole_in_front(holes, h, burdens);

@@ -5,7 +5,8 @@
 
 #include "args/csv_table.h"
 #include "input_error_of.h"
-#include "report/reports.h"
+#include "io/result_folder.h"
+#include "report/burden_report.h"
 #include "rock/burden_file.h"
 #include "temporary_folder.h"
 

@@ -94,6 +94,34 @@ TEST(HoleBurdens, OfEachPieceHaveTheirPlaceOnTheFace) {
   }
 }
 
+// The rock goes on below the floor z = 0, where it is joined to what lies in front: blocks that
+// reach across the floor have a face of which only a corner is beside the charge there.
+TEST(HoleBurdens, OfASubdrillAreNotToTheEndOfTheFace) {
+  const std::vector<Hole> holes{{Vec3(-1.6, 0.0, -0.8), Vec3(-1.6, 0.0, 2.2), 0.3}};
+  TessellationOptions options;
+  options.lo = Vec3(-6.0, -3.0, -1.4);
+  options.hi = Vec3(0.0, 3.0, 4.0);
+  options.size = SizeLaw::uniform(0.6);
+  options.sweeps = 3;
+  options.holes = holes;
+  const auto blocks = tessellate(options).blocks;
+  const HoleBurden burden = hole_burdens(blocks, holes, [](const Vec3& at) {
+                              const bool held = std::abs(at.y()) > 3.0 - 1e-6 ||
+                                                at.x() < -6.0 + 1e-6 || at.z() < 0.0;
+                              return held ? Support::fixed : Support::free;
+                            }).front();
+  for (const BurdenPiece& piece : burden.pieces) {
+    if (piece.at.z() > 0.3) {
+      EXPECT_NEAR(piece.burden.value(), 1.6, 1e-6);
+    }
+    if (piece.at.z() < -0.6) {
+      EXPECT_FALSE(piece.burden);
+    }
+  }
+  EXPECT_LE(burden.greatest.value(), 1.6 / 0.8);
+  EXPECT_EQ(describe_burdens({burden}, 1.6).find("WARNING"), std::string::npos);
+}
+
 TEST(HoleBurdens, AreJudgedByThePlansAndByTheHoleInFront) {
   EXPECT_EQ(judged(1.79, 3.0), BurdenIs::too_little);  // 0.6 * 3 = 1.8
   EXPECT_EQ(judged(1.81, 3.0), BurdenIs::as_planned);
