@@ -9,20 +9,11 @@
 
 #include <algorithm>
 
-#include "fixes/contact/contact_state_numbers.h"
 #include "fixes/engine/over_ranks.h"
 #include "fixes/engine/restart_file.h"
+#include "state/number_list.h"
 
 namespace muckpile {
-
-namespace {
-
-constexpr int kDoublesPerRecord = 1 + kContactStateNumbers;  // the partner, and the state
-static_assert(Encoding<ContactRecord>::kLeast ==
-                  sizeof(ContactRecord::partner) + kContactStateNumbers * sizeof(double),
-              "pack() and unpack() leave out nothing of ContactRecord");
-
-}  // namespace
 
 FixMuckpileContactHistory::FixMuckpileContactHistory(LAMMPS_NS::LAMMPS* engine_object, int narg,
                                                      char** arg)
@@ -73,7 +64,8 @@ void FixMuckpileContactHistory::store(const std::vector<int>& owners,
     records_[static_cast<std::size_t>(range.first + range.count++)] = records[k];
   }
   // The engine sizes its exchange buffer by the largest fix; what ours needs is per atom.
-  comm->maxexchange_fix = std::max(comm->maxexchange_fix, 1 + kDoublesPerRecord * most_records_);
+  comm->maxexchange_fix =
+      std::max(comm->maxexchange_fix, numbers_of_list<Record>(std::size_t(most_records_)));
 }
 
 const ContactState* FixMuckpileContactHistory::find(int index, int partner) const {
@@ -99,28 +91,19 @@ void FixMuckpileContactHistory::set_arrays(int index) {
 
 int FixMuckpileContactHistory::pack(int index, double* buf) const {
   const Range range = range_[static_cast<std::size_t>(index)];
-  int m = 0;
-  buf[m++] = ubuf(range.count).d;
-  for (int k = range.first; k < range.first + range.count; ++k) {
-    const Record& record = records_[static_cast<std::size_t>(k)];
-    buf[m++] = ubuf(record.partner).d;
-    m += put(record.state, buf + m);
-  }
-  return m;
+  const std::span<const Record> all = records_;
+  return put_list(
+      all.subspan(static_cast<std::size_t>(range.first), static_cast<std::size_t>(range.count)),
+      buf);
 }
 
 int FixMuckpileContactHistory::unpack(int index, const double* buf) {
-  int m = 0;
-  const int count = static_cast<int>(ubuf(buf[m++]).i);
-  range_[static_cast<std::size_t>(index)] = Range{static_cast<int>(records_.size()), count};
+  const std::size_t first = records_.size();
+  const int numbers = get_list(records_, buf);
+  const auto count = static_cast<int>(records_.size() - first);
+  range_[static_cast<std::size_t>(index)] = Range{static_cast<int>(first), count};
   most_records_ = std::max(most_records_, count);
-  for (int k = 0; k < count; ++k) {
-    Record record;
-    record.partner = static_cast<int>(ubuf(buf[m++]).i);
-    m += get(record.state, buf + m);
-    records_.push_back(record);
-  }
-  return m;
+  return numbers;
 }
 
 int FixMuckpileContactHistory::pack_exchange(int index, double* buf) { return pack(index, buf); }
@@ -162,11 +145,13 @@ void FixMuckpileContactHistory::restart(char* state) {
 }
 
 int FixMuckpileContactHistory::size_restart(int index) {
-  return 2 + kDoublesPerRecord * range_[static_cast<std::size_t>(index)].count;
+  const Range range = range_[static_cast<std::size_t>(index)];
+  return 1 + numbers_of_list<Record>(static_cast<std::size_t>(range.count));
 }
 
 int FixMuckpileContactHistory::maxsize_restart() {
-  return 2 + kDoublesPerRecord * engine::greatest_over_ranks(most_records_, world);
+  const int most = engine::greatest_over_ranks(most_records_, world);
+  return 1 + numbers_of_list<Record>(static_cast<std::size_t>(most));
 }
 
 double FixMuckpileContactHistory::memory_usage() {

@@ -34,7 +34,7 @@ struct ContactRecord {
 template <>
 struct Stored<ContactRecord> {
   static constexpr std::string_view kName = "contact_record";
-  static constexpr int kVersion = 1;
+  static constexpr int kVersion = 2;
   static auto fields(auto& record) {
     return std::tie(record.partner, record.state.slide, record.state.roll,
                     record.state.overlap_offset, record.state.tangential_stiffness);

@@ -42,15 +42,25 @@ void require_neighbours_in_time(LAMMPS_NS::LAMMPS& lmp, const std::string& where
                         (neighbor.dist_check != 0 ? "yes" : "no"));
 }
 
+/// Sides of `boundary s` and `m` go with the spheres.
+WallBox box_of(const LAMMPS_NS::Domain& domain) {
+  constexpr int kShrinkWrapped = 2;  // and 3, with a least size
+  WallBox box{Vec3::Map(domain.boxlo), Vec3::Map(domain.boxhi)};
+  for (std::size_t c = 0; c < 3; ++c) {
+    box.lo_follows[c] = domain.boundary[c][0] >= kShrinkWrapped;
+    box.hi_follows[c] = domain.boundary[c][1] >= kShrinkWrapped;
+  }
+  return box;
+}
+
 }  // namespace
 
 FixMuckpileWall::FixMuckpileWall(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
     : Fix(engine, narg, arg), where_(engine::name_of(*this)) {
   engine::require_id_of_restart(*lmp, where_, *this);
   const ArgValues args = engine::read_args(*lmp, wall_table(), where_, narg, arg, 3);
-  options_ = engine::or_engine_error(*lmp, [&] {
-    return wall_options(args, {Vec3::Map(domain->boxlo), Vec3::Map(domain->boxhi)}, where_);
-  });
+  options_ =
+      engine::or_engine_error(*lmp, [&] { return wall_options(args, box_of(*domain), where_); });
   engine::print_once(*lmp, options_.told);
   if (engine::find_multisphere(*lmp) == nullptr)
     engine::stop(*lmp, where_ + ": needs 'fix ID all multisphere' before it: it holds the blocks");
@@ -106,11 +116,13 @@ void FixMuckpileWall::list_candidates() {
   sorted_ = false;
   candidates_.clear();
   parts_.clear();
+  light_step_ = HUGE_VAL;
   std::vector<std::size_t> near;
   for (int k = 0; k < atom->nlocal; ++k) {
     const Vec3 centre = engine::vector_of(atom->x[0], k);
     double gap = HUGE_VAL;
     if ((atom->mask[k] & groupbit) != 0) {
+      light_step_ = std::min(light_step_, law_->light_step(atom->rmass[k], atom->radius[k]));
       const double reach = atom->radius[k] + neighbor->skin;
       gap = options_.surface->distance(centre, reach, near) - atom->radius[k];
     }

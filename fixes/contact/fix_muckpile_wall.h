@@ -7,6 +7,7 @@
 
 #include <fix.h>
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -24,11 +25,11 @@ namespace muckpile {
 template <>
 struct Stored<WallContact> {
   static constexpr std::string_view kName = "wall_contact";
-  static constexpr int kVersion = 2;
+  static constexpr int kVersion = 3;
   static auto fields(auto& contact) {
     return std::tie(contact.normal, contact.state.slide, contact.state.roll,
-                    contact.state.overlap_offset, contact.state.tangential_stiffness,
-                    contact.twist);
+                    contact.state.overlap_offset, contact.state.tangential_stiffness, contact.twist,
+                    contact.overlap);
   }
 };
 
@@ -62,8 +63,8 @@ class FixMuckpileWall : public LAMMPS_NS::Fix, public StandingContacts {
   void post_run() override { warn_of_let_go(); }
   double compute_vector(int n) override;
 
-  void visit_contacts(const Wanted& wanted, const Take& take) const override;
-  [[nodiscard]] double light_step() const override;
+  void visit_contacts(const Take& take) const override;
+  [[nodiscard]] double light_step() const override { return light_step_; }
 
   void grow_arrays(int nmax) override;
   void copy_arrays(int from, int to, int delflag) override;
@@ -105,7 +106,6 @@ class FixMuckpileWall : public LAMMPS_NS::Fix, public StandingContacts {
   void look_whether_let_go(int sphere);
   void warn_of_let_go();
   void end_contacts(int sphere);
-  [[nodiscard]] std::vector<WallContact> contacts_of_ghost(int sphere) const;
   void list_candidates();
   [[nodiscard]] bool still_apart(const Candidate& candidate) const;
   void step(double memory_step);
@@ -125,6 +125,7 @@ class FixMuckpileWall : public LAMMPS_NS::Fix, public StandingContacts {
   bool looked_for_faults_ = false;
 
   bool listed_ = false;
+  double light_step_ = HUGE_VAL;     ///< of the spheres listed [s]
   bool sorted_ = false;              ///< awake_ and resting_sums_ are of these candidates
   std::uint64_t rests_version_ = 0;  ///< and of these resting blocks
   std::vector<Candidate> candidates_;

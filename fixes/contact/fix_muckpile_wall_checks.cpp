@@ -68,6 +68,7 @@ bool FixMuckpileWall::is_behind(int sphere) const {
 
 /// Of one that was behind a face, and that nothing holds any more.
 void FixMuckpileWall::look_whether_let_go(int sphere) {
+  if (!options_.surface->lets_go()) return;
   const Vec3 centre = engine::vector_of(atom->x[0], sphere);
   const double depth = options_.surface->depth(centre);
   if (depth <= atom->radius[sphere]) return;
@@ -77,6 +78,7 @@ void FixMuckpileWall::look_whether_let_go(int sphere) {
 
 /// The first, and then whenever there are ten times as many.
 void FixMuckpileWall::warn_of_let_go() {
+  if (!options_.surface->lets_go()) return;
   const double all = engine::sum_over_ranks(books_.let_go, world);
   if (all < 1.0 || all < 10.0 * told_let_go_) return;
   told_let_go_ = all;
@@ -93,47 +95,16 @@ void FixMuckpileWall::warn_of_let_go() {
   error->warning(FLERR, text.c_str());
 }
 
-/// Without the memory of its contacts, which is with its own rank.
-std::vector<WallContact> FixMuckpileWall::contacts_of_ghost(int k) const {
-  const Vec3 centre = engine::vector_of(atom->x[0], k);
-  std::vector<std::size_t> near;
-  std::vector<WallContact> contacts;
-  WallTouches touches;
-  if (options_.surface->distance(centre, atom->radius[k], near) >= atom->radius[k]) return contacts;
-  options_.surface->find_touches(centre, atom->radius[k], near, touches);
-  for (const WallTouch& touch : touches.all())
-    contacts.push_back({touch.normal, {}, 0.0, touch.overlap});
-  return contacts;
-}
-
-void FixMuckpileWall::visit_contacts(const Wanted& wanted, const Take& take) const {
+void FixMuckpileWall::visit_contacts(const Take& take) const {
   if (!law_) return;
-  const auto tell = [&](int k, const std::vector<WallContact>& contacts) {
-    for (const WallContact& contact : contacts) {
-      const WallSphere ball = sphere(k);
-      take(k, {law_->resistance(ball, contact), contact.normal,
-               ball.centre + WallLaw::arm(ball.radius, contact)});
-    }
-  };
   for (int k = 0; k < atom->nlocal; ++k) {
     const std::vector<WallContact>& contacts = contacts_[static_cast<std::size_t>(k)];
-    if (!contacts.empty() && wanted(k)) tell(k, contacts);
+    if (contacts.empty()) continue;
+    const WallSphere ball = sphere(k);
+    for (const WallContact& contact : contacts)
+      take(k, {law_->resistance(ball, contact), contact.normal,
+               ball.centre + WallLaw::arm(ball.radius, contact)});
   }
-  const bool named = atom->map_style != 0;
-  for (int k = atom->nlocal; k < atom->nlocal + atom->nghost; ++k) {
-    if ((atom->mask[k] & groupbit) == 0 || !wanted(k)) continue;
-    if (named && atom->map(atom->tag[k]) < atom->nlocal) continue;  // a periodic image
-    tell(k, contacts_of_ghost(k));
-  }
-}
-
-double FixMuckpileWall::light_step() const {
-  double step = std::numeric_limits<double>::infinity();
-  if (!law_) return step;
-  for (int k = 0; k < atom->nlocal; ++k)
-    if ((atom->mask[k] & groupbit) != 0)
-      step = std::min(step, law_->light_step(atom->rmass[k], atom->radius[k]));
-  return step;
 }
 
 }  // namespace muckpile

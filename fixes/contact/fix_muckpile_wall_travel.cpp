@@ -6,24 +6,21 @@
 
 #include <algorithm>
 
-#include "fixes/contact/contact_state_numbers.h"
 #include "fixes/contact/fix_muckpile_wall.h"
 #include "fixes/engine/over_ranks.h"
 #include "fixes/engine/restart_file.h"
+#include "state/number_list.h"
 
 namespace muckpile {
 namespace {
 
-constexpr int kDoubles = 3 + kContactStateNumbers + 1;  // of a contact: normal, state and twist
-static_assert(Encoding<WallContact>::kLeast == kDoubles * sizeof(double),
-              "pack() and unpack() leave out nothing that is stored of WallContact");
-constexpr int kMostDoubles = 1 + kDoubles * static_cast<int>(WallTouches::kMost);
+constexpr int kMostNumbers = numbers_of_list<WallContact>(WallTouches::kMost);
 
 }  // namespace
 
 /// The engine sizes its exchange buffer by the largest fix.
 void FixMuckpileWall::pre_exchange() {
-  comm->maxexchange_fix = std::max(comm->maxexchange_fix, kMostDoubles);
+  comm->maxexchange_fix = std::max(comm->maxexchange_fix, kMostNumbers);
 }
 
 void FixMuckpileWall::grow_arrays(int nmax) { contacts_.resize(static_cast<std::size_t>(nmax)); }
@@ -35,27 +32,13 @@ void FixMuckpileWall::copy_arrays(int from, int to, int /*delflag*/) {
 void FixMuckpileWall::set_arrays(int index) { contacts_[static_cast<std::size_t>(index)].clear(); }
 
 int FixMuckpileWall::pack(int index, double* buf) const {
-  const std::vector<WallContact>& contacts = contacts_[static_cast<std::size_t>(index)];
-  int m = 0;
-  buf[m++] = ubuf(static_cast<int>(contacts.size())).d;
-  for (const WallContact& contact : contacts) {
-    m += put(contact.normal, buf + m);
-    m += put(contact.state, buf + m);
-    buf[m++] = contact.twist;
-  }
-  return m;
+  return put_list(std::span<const WallContact>(contacts_[static_cast<std::size_t>(index)]), buf);
 }
 
 int FixMuckpileWall::unpack(int index, const double* buf) {
   std::vector<WallContact>& contacts = contacts_[static_cast<std::size_t>(index)];
-  int m = 0;
-  contacts.resize(static_cast<std::size_t>(ubuf(buf[m++]).i));
-  for (WallContact& contact : contacts) {
-    m += get(contact.normal, buf + m);
-    m += get(contact.state, buf + m);
-    contact.twist = buf[m++];
-  }
-  return m;
+  contacts.clear();
+  return get_list(contacts, buf);
 }
 
 int FixMuckpileWall::pack_exchange(int index, double* buf) { return pack(index, buf); }
@@ -75,10 +58,10 @@ void FixMuckpileWall::unpack_restart(int index, int nth) {
 }
 
 int FixMuckpileWall::size_restart(int index) {
-  return 2 + kDoubles * static_cast<int>(contacts_[static_cast<std::size_t>(index)].size());
+  return 1 + numbers_of_list<WallContact>(contacts_[static_cast<std::size_t>(index)].size());
 }
 
-int FixMuckpileWall::maxsize_restart() { return 1 + kMostDoubles; }
+int FixMuckpileWall::maxsize_restart() { return 1 + kMostNumbers; }
 
 void FixMuckpileWall::write_restart(FILE* file) {
   WallState all = books_;

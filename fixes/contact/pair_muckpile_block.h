@@ -32,6 +32,8 @@ class FixMultisphere;
 
 namespace muckpile {
 
+class SharedStepBound;
+
 class PairMuckpileBlock : public LAMMPS_NS::Pair,
                           public ContactSource,
                           public ContactWork,
@@ -60,7 +62,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
   /// the steps); a contact between two ranks counts half on each. Pointers to double:
   /// "elastic_J", "contacts", "max_overlap_ratio" of the last step; "friction_J", "damping_J"
   /// since the start; "steps_s", see ContactStep, worked out when asked
-  /// for; "rebuild_s", "rebuilds".
+  /// for, by all ranks at once; "rebuild_s", "rebuilds".
   void* extract(const char* name, int& dim) override;
 
   void store_contacts(FixMuckpileContactHistory& history) override;
@@ -87,9 +89,8 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
   [[nodiscard]] double step_of_light_contacts() const;
   [[nodiscard]] ContactMotion held_still(const SpherePair& pair) const;
   [[nodiscard]] ContactStepBound bodies_without_contacts() const;
-  [[nodiscard]] std::vector<int> bodies_of_spheres() const;
-  void add_walls(ContactStepBound& bound, const std::vector<int>& body_of_sphere) const;
-  /// A contact between a joined block and a free one counts for both.
+  void add_walls(SharedStepBound& shared) const;
+  /// A contact between a joined block and a free one counts for both. Collective.
   [[nodiscard]] ContactStepBound present_contacts();
 
   void rebuild();

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "fixes/contact/pair_muckpile_block.h"
+#include "fixes/contact/shared_step_bound.h"
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/particle_vectors.h"
 #include "fixes/interfaces/standing_contacts.h"
@@ -64,37 +65,10 @@ ContactStepBound PairMuckpileBlock::bodies_without_contacts() const {
   return ContactStepBound(std::move(all));
 }
 
-/// Of each sphere, -1: another rank's, or none.
-std::vector<int> PairMuckpileBlock::bodies_of_spheres() const {
-  std::vector<int> of_block, of_sphere;
-  of_block.reserve(block_tag_.size());
-  for (const int tag : block_tag_) of_block.push_back(bodies_->data().map(tag));
-  of_sphere.reserve(atom_block_.size());
-  for (const int block : atom_block_)
-    of_sphere.push_back(block < 0 ? -1 : of_block[static_cast<std::size_t>(block)]);
-  return of_sphere;
-}
-
-/// What stands still is a body without end.
-void PairMuckpileBlock::add_walls(ContactStepBound& bound,
-                                  const std::vector<int>& body_of_sphere) const {
-  const engine::Bodies bodies(*bodies_);
-  const auto body_of = [&](int sphere) { return body_of_sphere[static_cast<std::size_t>(sphere)]; };
-  const auto wanted = [&](int sphere) { return body_of(sphere) >= 0; };
-  const auto take = [&](int sphere, const StandingContact& contact) {
-    const int body = body_of(sphere);
-    Vec3 arm = contact.point - bodies.centre(body);
-    domain->minimum_image(arm.x(), arm.y(), arm.z());
-    bound.add(static_cast<std::size_t>(body), contact.resistance, contact.normal, arm,
-              std::numeric_limits<double>::infinity());
-  };
-  for_walls(*modify, [&](const StandingContacts& wall) { wall.visit_contacts(wanted, take); });
-}
-
+/// Contacts of this rank's own spheres; each contact counts for both of its spheres, so what two
+/// ranks share counts once for either.
 ContactStepBound PairMuckpileBlock::present_contacts() {
-  const engine::Bodies bodies(*bodies_);
-  ContactStepBound bound = bodies_without_contacts();
-  const std::vector<int> body_of_sphere = bodies_of_spheres();
+  SharedStepBound shared(*bodies_, *domain, bodies_without_contacts());
   for (const BlockPair& block_pair : list_.block_pairs())
     for (const SpherePair& pair : near_spheres(block_pair)) {
       if (pair.contact < 0) continue;
@@ -102,18 +76,25 @@ ContactStepBound PairMuckpileBlock::present_contacts() {
       const ContactResistance resistance = law_->resistance(motion, contacts_[pair.contact]);
       const double inside = motion.radius_first * (1.0 - motion.overlap / pair.reach);
       const Vec3 point = engine::vector_of(atom->x[0], pair.first) + inside * motion.normal;
-      for (const bool second : {false, true}) {
-        const int body =
-            body_of_sphere[static_cast<std::size_t>(second ? pair.second : pair.first)];
-        if (body < 0) continue;  // the other rank's
-        Vec3 arm = point - bodies.centre(body);
-        domain->minimum_image(arm.x(), arm.y(), arm.z());
-        bound.add(static_cast<std::size_t>(body), resistance, motion.normal, arm,
-                  atom->rmass[second ? pair.first : pair.second]);
-      }
+      const auto add = [&](int sphere, int other) {
+        if (sphere < atom->nlocal)
+          shared.add(bodies_->belongs_to(sphere),
+                     {resistance, motion.normal, point, atom->rmass[other]});
+      };
+      add(pair.first, pair.second);
+      add(pair.second, pair.first);
     }
-  add_walls(bound, body_of_sphere);
-  return bound;
+  add_walls(shared);
+  return shared.of_all_ranks(world);
+}
+
+/// What stands still is a body without end.
+void PairMuckpileBlock::add_walls(SharedStepBound& shared) const {
+  const auto take = [&](int sphere, const StandingContact& contact) {
+    shared.add(bodies_->belongs_to(sphere), {contact.resistance, contact.normal, contact.point,
+                                             std::numeric_limits<double>::infinity()});
+  };
+  for_walls(*modify, [&](const StandingContacts& wall) { wall.visit_contacts(take); });
 }
 
 double PairMuckpileBlock::resting_energy() {

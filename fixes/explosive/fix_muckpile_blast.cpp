@@ -78,7 +78,7 @@ void FixMuckpileBlast::init() {
 /// A wall gives way to pressure by that over its stiffness: on joints softened to next to nothing
 /// the gas would fill a crushed zone many times as large, without any block having moved. With gas
 /// in joints fix muckpile/gas decides. The walls have their pressures of this moment.
-void FixMuckpileBlast::let_go_of_softened_walls() {
+void FixMuckpileBlast::release_from_softened_walls() {
   constexpr double kBearable = 0.1;  // pressure over shear modulus; strains of some per cent
   const double modulus = surface_->shear_modulus(), before = softened_;
   softened_ = surface_->softened();
@@ -86,13 +86,13 @@ void FixMuckpileBlast::let_go_of_softened_walls() {
   require_fired(kBearable * modulus);
   const double pressure = greatest_pressure();
   if (holes_.ambient() > 0.0 || pressure <= kBearable * modulus) return;
-  let_gas_go();
+  release_gas();
   surface_->unload_softened();
   load_faces(clock());
-  engine::print_once(*lmp,
-                     where_ + ": the gas in the holes is let go, as joints of a shear modulus of " +
-                         number_text(modulus) + " Pa do not bear the " + number_text(pressure) +
-                         " Pa on their walls, at " + number_text(clock()) + " s\n");
+  engine::print_once(
+      *lmp, where_ + ": the gas in the holes is released, as joints of a shear modulus of " +
+                number_text(modulus) + " Pa do not bear the " + number_text(pressure) +
+                " Pa on their walls, at " + number_text(clock()) + " s\n");
 }
 
 void FixMuckpileBlast::require_fired(double bearable) const {
@@ -184,7 +184,7 @@ void FixMuckpileBlast::setup_pre_force(int vflag) {
   if (!walls_checked_) check_walls();
   walls_checked_ = true;
   pre_force(vflag);
-  let_go_of_softened_walls();
+  release_from_softened_walls();
 }
 
 /// Refuses a hole that lies in part outside the rock and not behind mirror planes: half a wall
@@ -280,7 +280,7 @@ GasChamber FixMuckpileBlast::chamber(std::size_t hole) const {
       {gas.pressure, gas.density}, gas.mass, gas.enthalpy, 0.0, holes_.charge(hole).crushed_rock};
 }
 
-void FixMuckpileBlast::let_gas_go() { holes_.let_go(clock()); }
+void FixMuckpileBlast::release_gas() { holes_.release_gas(clock()); }
 
 void FixMuckpileBlast::take_gas(std::span<const GasFlow> per_hole) {
   for (std::size_t hole = 0; hole < holes_.count(); ++hole)

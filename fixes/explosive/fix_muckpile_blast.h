@@ -72,7 +72,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix,
   [[nodiscard]] double gas_constant() const override;
   [[nodiscard]] GasChamber chamber(std::size_t hole) const override;
   void take_gas(std::span<const GasFlow> per_hole) override;
-  void let_gas_go() override;
+  void release_gas() override;
 
  private:
   static const int kOutputs, kHoleOutputs;  // entries of the vector, columns of the array
@@ -80,7 +80,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix,
   void check_timestep();
   void check_walls() const;
   void require_fired(double bearable) const;
-  void let_go_of_softened_walls();
+  void release_from_softened_walls();
   [[nodiscard]] double clock() const;        // since the first run with this fix [s]
   [[nodiscard]] double last_clock() const {  // before a run, too
     return clock_started_ ? clock() : clock_restarted_;

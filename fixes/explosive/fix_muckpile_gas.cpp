@@ -142,7 +142,7 @@ void FixMuckpileGas::setup_pre_neighbor() {
   // Blocks that have just come to a rank have no volume for their gas until the next step.
   const double pressure = greatest_pressure();
   follow_blocks();
-  let_go_of_softened_joints(pressure);
+  release_from_softened_joints(pressure);
 }
 
 /// In joints, of the last step [Pa]; before the first one after a restart file, that of the file.
@@ -157,7 +157,7 @@ double FixMuckpileGas::greatest_in_joints() const {
 
 /// Softening takes all tractions to a small share, but gas that stays pushes with all of its
 /// pressure. Joints that are far stiffer than the gas that they hold bear that.
-void FixMuckpileGas::let_go_of_softened_joints(double in_joints) {
+void FixMuckpileGas::release_from_softened_joints(double in_joints) {
   constexpr double kBearable = 0.01;  // pressure over shear modulus: strains of less than that
   const double before = softened_;
   softened_ = joints_->softened();
@@ -169,9 +169,9 @@ void FixMuckpileGas::let_go_of_softened_joints(double in_joints) {
     left += chamber.mass;
   }
   if (pressure <= kBearable * joints_->shear_modulus()) return;
-  blast_->let_gas_go();
+  blast_->release_gas();
   joints_->unload_softened();
-  end_of_gas("is let go, as the joints have been softened, with up to " + number_text(pressure) +
+  end_of_gas("is released, as the joints have been softened, with up to " + number_text(pressure) +
              " Pa in them and " + number_text(left) + " kg in the holes,");
 }
 

@@ -89,7 +89,7 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure, public Joint
   void heat_beds(std::vector<GasFlow>& from_hole, const double* out, double dt);
   [[nodiscard]] double heat_of_beds() const;
   [[nodiscard]] double greatest_pressure() const;
-  void let_go_of_softened_joints(double in_joints);
+  void release_from_softened_joints(double in_joints);
   void end_of_gas(const std::string& how);
   void look_whether_spent();
   [[nodiscard]] double over_ranks(double mine, bool greatest = false) const;
@@ -119,7 +119,7 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure, public Joint
       0.0;             // greatest in joints, of a restart file, until the next step [Pa]
   GasFlow lost_;       // with blocks that left the box, not yet in vented_
   double work_ = 0.0;  // on the blocks of this rank, so far [J]
-  // Of wide joints of this rank, so far: energy of the gas that they let go, and the work that it
+  // Of wide joints of this rank, so far: energy of the gas that they released, and the work that it
   // could still have done [J].
   double in_open_ = 0.0, could_do_ = 0.0;
 };

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bond/facet.h"
-#include "bond/network/facet_memory.h"
+#include "bond/network/facet_lists.h"
 #include "fixes/engine/block_halo.h"
 #include "fixes/interfaces/known_blocks.h"
 
@@ -18,15 +18,8 @@ class FixMultisphere;
 
 namespace muckpile {
 
-/// The facets of a rank, what they remember, and the boundary faces. They are large, so there is
+/// Computes with the facets and gives them back before blocks migrate. They are large, so there is
 /// only one copy: in the store while blocks migrate, otherwise with the keeper.
-struct FacetLists {
-  std::vector<Facet> facets;
-  std::vector<FacetMemory> memory;
-  std::vector<BoundaryFace> faces;
-};
-
-/// Computes with the facets and gives them back before blocks migrate.
 class FacetKeeper {
  public:
   virtual ~FacetKeeper() = default;

@@ -25,7 +25,7 @@ class GasChambers {
   /// Removes that from each; the same on all ranks.
   virtual void take_gas(std::span<const GasFlow> per_hole) = 0;
   /// Ends all holes; the gas that they hold does not press any more.
-  virtual void let_gas_go() = 0;
+  virtual void release_gas() = 0;
   /// True once no hole will press any more.
   [[nodiscard]] virtual bool over() const = 0;
 };

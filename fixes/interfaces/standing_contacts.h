@@ -20,11 +20,9 @@ class StandingContacts {
  public:
   virtual ~StandingContacts() = default;
 
-  using Wanted = std::function<bool(int sphere)>;
   using Take = std::function<void(int sphere, const StandingContact& contact)>;
-  /// Calls `take` for each contact of the last step of the spheres, owned ones and ghosts, that are
-  /// wanted.
-  virtual void visit_contacts(const Wanted& wanted, const Take& take) const = 0;
+  /// Calls `take` for each contact of the last step of this rank's own spheres.
+  virtual void visit_contacts(const Take& take) const = 0;
 
   /// The step that resolves a light collision of a sphere of this rank with it [s].
   [[nodiscard]] virtual double light_step() const = 0;

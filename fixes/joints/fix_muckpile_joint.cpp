@@ -4,14 +4,17 @@
 #include "fixes/joints/fix_muckpile_joint.h"
 
 #include <comm.h>
+#include <error.h>
 #include <fix_multisphere.h>
 #include <modify.h>
 #include <update.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <string>
 
+#include "args/numbers.h"
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/find_view.h"
 #include "fixes/engine/over_ranks.h"
@@ -85,13 +88,15 @@ void FixMuckpileJoint::init() {
   if (engine::place_of<FacetStore>(*lmp) > modify->find_fix(id)) {
     engine::stop(*lmp, engine::name_of(*this) + ": must be defined after create_blocks");
   }
-  if (store_ == nullptr) {
+  const bool first = store_ == nullptr;
+  if (first) {
     store_ = found;
     store_->set_keeper(this);
   }
   gas_ = engine::find_view<JointPressure>(*lmp);
   check_classes();
   follow_blocks();
+  if (first) warn_of_other_density();
   end_what_does_not_go_on();
 }
 
@@ -106,15 +111,26 @@ void FixMuckpileJoint::check_classes() const {
     engine::stop(*lmp, engine::name_of(*this) + ": must be given after all zones of create_blocks");
 }
 
-FacetLists FixMuckpileJoint::copy() const {
-  return {network_.facets(), network_.memory(), network_.faces()};
+/// Waves run as in rock of the density given here, whatever the blocks weigh.
+void FixMuckpileJoint::warn_of_other_density() const {
+  constexpr double kSame = 1e-6;
+  const JointLaws& laws = network_.tables().laws();
+  double worst = 0.0;
+  for (const BlockRecord& block : store_->records()) {
+    const double given = laws.rock(laws.zoned() ? block.zone : 0).parameters().density;
+    worst = std::max(worst, std::abs(block.mass / (block.volume * given) - 1.0));
+  }
+  worst = engine::greatest_over_ranks(worst, world);
+  if (worst <= kSame || comm->me != 0) return;
+  const std::string text = engine::name_of(*this) + ": its density is not that of create_blocks: " +
+                           number_text(1e-2 * std::round(1e4 * worst)) + " % apart";
+  error->warning(FLERR, text.c_str());
 }
 
+FacetLists FixMuckpileJoint::copy() const { return network_.lists(); }
+
 FacetLists FixMuckpileJoint::hand_back() {
-  if (!ends_) network_.settle_books(team());  // collective
-  FacetLists lists;
-  network_.give_up(lists.facets, lists.memory, lists.faces);
-  return lists;
+  return network_.give_up(ends_ ? RankTeam{} : team());  // ranks end one by one
 }
 
 void FixMuckpileJoint::follow_blocks() {
@@ -136,11 +152,7 @@ void FixMuckpileJoint::follow_blocks() {
     const std::size_t b = blocks.size();
     blocks.push_back({tag, false, volumes[b], 1.0, {}, static_cast<std::uint8_t>(zones[b])});
   }
-  network_.set_blocks(std::move(blocks));
-  FacetLists lists = store_->hand_over();
-  network_.set_facets(std::move(lists.facets), std::move(lists.memory));
-  network_.set_faces(std::move(lists.faces));
-  if (engine::on_any_rank(network_.slanted(), world)) network_.follow_leaning_faces();
+  network_.set(std::move(blocks), store_->hand_over(), team());
 
   index_facets();
   loaded_.clear();

@@ -78,7 +78,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   void set_pressure(std::span<const double> pressure, std::span<const double> wave_share) override;
   void expect_pressure(bool expected) override;
   [[nodiscard]] double shear_modulus() const override;
-  [[nodiscard]] double softened() const override { return network_.totals().softened; }
+  [[nodiscard]] double softened() const override { return network_.softened(); }
   void unload_softened() override;
   void swept_volume(std::span<double> per_hole) const override;
   void work_of_step(std::span<double> per_hole) const override;
@@ -141,6 +141,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   };
 
   void check_classes() const;
+  void warn_of_other_density() const;
   void end_what_does_not_go_on();
   void follow_blocks();
   void add_forces(double dt);

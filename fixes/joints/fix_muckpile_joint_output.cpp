@@ -41,7 +41,7 @@ double FixMuckpileJoint::compute_vector(int n) {
       return version_ == 0 ? std::numeric_limits<double>::infinity()
                            : stable_step(Breaking::possible, 0.0).seconds;
     case softened:
-      return network_.totals().softened;
+      return network_.softened();
     case crushing:
       return sum(network_.losses().crushing);
     default:

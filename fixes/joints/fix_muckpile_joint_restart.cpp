@@ -23,8 +23,7 @@ std::array<double*, 8> sums_of(NetworkTotals& totals) {
 }  // namespace
 
 void FixMuckpileJoint::write_restart(FILE* file) {
-  network_.settle_books(team());
-  NetworkTotals totals = network_.totals();
+  NetworkTotals totals = network_.totals(team());
   for (double* mine : sums_of(totals)) *mine = sum(*mine);
   engine::write_state(*lmp, style, file, totals);
   network_.derive_anew();  // as the run that reads the file will

@@ -26,9 +26,9 @@ namespace {
 constexpr const char* kStyle = "require";
 
 bool starts_a_rule(const std::string& word) {
-  constexpr std::array<const char*, 11> kWords{"above",     "at_least", "below",       "at_most",
-                                               "or",        "whole",    "unit",        "one_of",
-                                               "script_in", "advice",   "file_or_none"};
+  constexpr std::array<const char*, 12> kWords{"above",     "at_least", "below", "at_most",
+                                               "or",        "whole",    "unit",  "one_of",
+                                               "script_in", "advice",   "file",  "file_or_none"};
   return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }
 
@@ -72,7 +72,7 @@ Rule read_rule(const std::vector<std::string>& words) {
       throw InputError(
           std::string(kStyle) + ": unknown keyword '" + word +
           "' (known: above, at_least, below, at_most, or, whole, unit, advice, one_of, "
-          "script_in, file_or_none)");
+          "script_in, file, file_or_none)");
     }
   }
   return rule;
@@ -138,12 +138,20 @@ std::vector<std::string> allowed_words(const std::string& rule, std::vector<std:
   return scripts_in(words.front());
 }
 
+/// Throws InputError unless a word is the name of a file that can be read. `allowed`: for the
+/// message.
+void check_file(const std::string& name, const std::string& word, const std::string& allowed) {
+  const bool folder = std::filesystem::is_directory(word);
+  if (!folder && std::ifstream(word)) return;
+  throw InputError("input: " + name + " must be " + allowed + ", got '" + word + "', which " +
+                   (folder ? "is a folder" : "cannot be opened"));
+}
+
 /// Whether a word is the name of a file that can be read; false for none.
 bool is_file(const std::string& name, const std::string& word) {
   if (word == "none") return false;
-  if (std::ifstream(word) && !std::filesystem::is_directory(word)) return true;
-  throw InputError("input: " + name + " must be a file, or none, got '" + word +
-                   "', which cannot be opened");
+  check_file(name, word, "a file, or none");
+  return true;
 }
 
 }  // namespace
@@ -170,6 +178,9 @@ void Require::command(int narg, char** arg) {
       if (narg != 4)
         throw InputError(std::string(kStyle) + ": file_or_none takes the name of a variable");
       set_flag(arg[3], is_file(arg[0], arg[1]));
+    } else if (rule == "file") {
+      if (narg != 3) throw InputError(std::string(kStyle) + ": nothing may follow file");
+      check_file(arg[0], arg[1], "a file");
     } else if (rule == "one_of" || rule == "script_in") {
       check_word(arg[0], arg[1], allowed_words(rule, {arg + 3, arg + narg}));
     } else {

@@ -3,7 +3,9 @@
 // Scope: see the header.
 #include "fixes/run/run_blast.h"
 
+#include <comm.h>
 #include <domain.h>
+#include <error.h>
 #include <force.h>
 #include <modify.h>
 #include <pair.h>
@@ -48,6 +50,8 @@ BlastScene RunBlastCommand::scene() const {
   need(charges != nullptr, "fix muckpile/blast");
   need(contacts != nullptr && contacts->hertz_contacts().has_value(),
        "pair_style muckpile/block with model hertz");
+  if (comm->me == 0 && find("gravity") == nullptr)
+    error->warning(FLERR, "run_blast: no fix gravity before it: what is thrown stays in the air");
   const Gas gas = find("muckpile/gas") != nullptr ? Gas::in_joints
                   : charges->vents_by_flow()      ? Gas::in_holes
                                                   : Gas::vents_by_time;

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "calibrate/calibrate_report.h"
+#include "command_words.h"
 
 namespace muckpile {
 namespace {
@@ -65,7 +66,7 @@ void add_check(CLI::App& calibrate, int& status) {
       ->add_option("--within", options->within,
                    "deviations that a figure may be off, of the measure's uncertainty and the "
                    "runs' scatter together")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   check->add_option("--csv", options->csv, "write the comparison to this file, too");
   check->callback([options, &status] { status = status_of(*options); });
 }

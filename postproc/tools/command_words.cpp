@@ -3,6 +3,8 @@
 // Scope: see the header.
 #include "command_words.h"
 
+#include <cmath>
+
 #include "args/suggestion.h"
 #include "report/block_fields.h"
 
@@ -14,6 +16,15 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* help, std::st
   return command;
 }
 
+CLI::Validator above_zero() {
+  const auto wrong = [](const std::string& word) -> std::string {
+    double number = 0.0;
+    const bool read = CLI::detail::lexical_cast(word, number);
+    return read && number > 0.0 && std::isfinite(number) ? "" : "must be > 0, got '" + word + "'";
+  };
+  return {wrong, "POSITIVE"};
+}
+
 void add_measure(CLI::App* command, MeasureOptions& options) {
   command
       ->add_option("--moved", options.least_move,
@@ -23,7 +34,7 @@ void add_measure(CLI::App* command, MeasureOptions& options) {
   command
       ->add_option("--cell", options.cell,
                    "width of the measuring columns [m] (default: 1/4 of mean block size)")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
 }
 
 void add_colour(CLI::App* command, std::string& colour) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "command_words.h"
 #include "report/damage_report.h"
 
 namespace muckpile {
@@ -28,7 +29,7 @@ void add_damage_command(CLI::App& app) {
       ->required();
   command
       ->add_option("--bin", words->options.bin, "width of the rings [m] (default: mean block size)")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command->callback([words] { report_damage(ResultFolder(words->folder), words->options); });
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "args/rounded_text.h"
+#include "command_words.h"
 #include "draw/axes.h"
 #include "report/reports.h"
 
@@ -71,7 +72,7 @@ void add_flyrock_command(CLI::App& app) {
   command
       ->add_option("--k", options.site_constant,
                    "site constant of Richards & Moore (default: its usual range, 14 to 30)")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command
       ->add_option("--launch-angle", options.launch_angle_deg,
                    "of stemming that is blown out, to the horizontal [deg]")

@@ -22,20 +22,20 @@ void add_sizes(CLI::App* command, FragmentOptions& options) {
   command
       ->add_option("--boulder", options.boulder,
                    "write fragments of a larger sieve size [m] to boulders.csv, with their places")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command
       ->add_option("--rock-factor", options.rock_factor,
                    "A of Kuz-Ram (default: Lilly's index of the run's rock)")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command
       ->add_option("--mass-rating", options.mass_rating,
                    "of Lilly's index: 10 powdery, 50 massive, more where joints decide")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command
       ->add_option(
           "--rws", options.weight_strength,
           "weight strength of the explosive for Kuz-Ram, ANFO 100 (default: by its energy)")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   command
       ->add_option("--drilling-deviation", options.drilling_deviation,
                    "of the holes at their toe, for Kuz-Ram [m]")

@@ -37,11 +37,9 @@ void add_section_command(CLI::App& app) {
   section
       ->add_option("--width", o->line.width,
                    "over which heights are averaged [m] (default: of one column)")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   add_colour(section, o->line.colour_by);
-  section->callback([o] {
-    report_section(ResultFolder(o->folder), o->measure, o->line);
-  });
+  section->callback([o] { report_section(ResultFolder(o->folder), o->measure, o->line); });
 }
 
 void add_over_command(CLI::App& app) {
@@ -62,7 +60,7 @@ void add_trough_command(CLI::App& app) {
       ->add_option("--strip", o->trough.strip,
                    "width of a section along y [m] (default: the spacing of the holes, or two "
                    "mean blocks)")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   trough->callback([o] { report_trough(ResultFolder(o->folder), o->measure, o->trough); });
 }
 

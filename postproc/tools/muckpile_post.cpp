@@ -16,6 +16,7 @@
 #include "damage_command.h"
 #include "flyrock_command.h"
 #include "fragments_command.h"
+#include "large_pages.h"
 #include "line_commands.h"
 #include "movement_command.h"
 #include "overlay_command.h"
@@ -49,7 +50,7 @@ void add_waves_command(CLI::App& app) {
   waves
       ->add_option("--until", o->waves.until,
                    "peaks and pictures end there [s] (default: the end of the run's first phase)")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   waves->callback([o] { report_waves(ResultFolder(o->folder), o->waves); });
 }
 
@@ -90,13 +91,14 @@ void add_series_command(CLI::App& app) {
   CLI::App* series = add_command(
       app, "series", "vtk/blocks.pvd: all snapshots as polyhedra for ParaView", o->folder);
   series->add_option("--every", o->every, "write only every n-th snapshot and the last")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   series->callback([o] { report_series(ResultFolder(o->folder), o->every); });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  start_with_large_pages(argv);
   CLI::App app(
       "Measures and draws the muck pile or crater of a run. Each command adds its keys to "
       "summary.json.");

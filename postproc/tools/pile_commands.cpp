@@ -28,9 +28,8 @@ void add_section(CLI::App& app, const char* name, const char* help, SectionRepor
   add_colour(command, words->section.colour_by);
   command->add_option("--y", words->section.y,
                       "place of the section [m] (default: through a hole)");
-  command->callback([words, report] {
-    report(ResultFolder(words->folder), words->measure, words->section);
-  });
+  command->callback(
+      [words, report] { report(ResultFolder(words->folder), words->measure, words->section); });
 }
 
 void add_plan_view(CLI::App& app, const char* name, const char* help, PlanReport report) {

@@ -71,7 +71,7 @@ void add_survey_command(CLI::App& app) {
       ->add_option("--gap", options.gap,
                    "points farther apart in plan are not joined [m] (default: five times their "
                    "mean spacing)")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero());
   add_measure(command, words->measure);
   command->callback([words] { survey(*words); });
 }

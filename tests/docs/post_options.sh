@@ -13,17 +13,23 @@ fault() {
   faults=$((faults + 1))
 }
 
-commands_of() { "$program" "$@" --help | sed -n '/^Subcommands:/,$ s/^  \([a-z]\+\) .*/\1/p'; }
+commands_in() { sed -n '/^Subcommands:/,$ s/^  \([a-z]\+\) .*/\1/p' <<<"$1"; }
 
-options_of() {  # options_of COMMAND...: its own, or those of its sub-commands
-  local inner
-  for inner in $(commands_of "$@"); do options_of "$@" "$inner"; done
-  "$program" "$@" --help | sed -n 's/^  \(-h,\)\?\(--[a-z0-9-]\+\).*/\2/p' | grep -v '^--help$' || true
+options_of() {  # options_of COMMAND...: its own and those of its sub-commands
+  local help inner
+  help=$("$program" "$@" --help)
+  sed -n 's/^  \(-h,\)\?\(--[a-z0-9-]\+\).*/\2/p' <<<"$help" | sed '/^--help$/d'
+  for inner in $(commands_in "$help"); do options_of "$@" "$inner"; done
 }
 
-for command in $(commands_of); do
+commands=$(commands_in "$("$program" --help)")
+[ -n "$commands" ] || fault "$program names no commands"
+for command in $commands; do
   page=$folder/$command.md
-  [ -f "$page" ] || { fault "no page $page" && continue; }
+  if [ ! -f "$page" ]; then
+    fault "no page $page"
+    continue
+  fi
   grep -qF "]($command.md)" "$folder/README.md" || fault "$folder/README.md does not link to $command.md"
   has=$(options_of "$command" | sort -u)
   shown=$(grep -E '^\| *`--' "$page" | cut -d'|' -f2 | grep -oE -- '--[a-z0-9-]+' | sort -u || true)
@@ -32,6 +38,6 @@ for command in $(commands_of); do
 done
 for page in "$folder"/*.md; do
   command=$(basename "$page" .md)
-  [ "$command" = README ] || commands_of | grep -qx "$command" || fault "$page: muckpile-post has no command $command"
+  [ "$command" = README ] || grep -qx "$command" <<<"$commands" || fault "$page: muckpile-post has no command $command"
 done
 [ "$faults" -eq 0 ]

@@ -3,9 +3,11 @@
 // core; prints JSON to standard output.
 // Scope: core only, no communication: three passes over intact rock, without and with dashpots,
 // over rock cut by leaning joint sets, over rock whose facets are all broken but closed, and over
-// rock that has fallen apart.
+// rock that has fallen apart; two over joints of Barton and Bandis, intact and broken but closed,
+// which are worked on one by one.
 #include <nlohmann/json.hpp>
 
+#include "bond/law/barton_bandis.h"
 #include "bond_scene.h"
 #include "measurement.h"
 #include "timing.h"
@@ -29,6 +31,24 @@ JointParameters rock_of(double strength, double damping = 0.0) {
 
 test::BondScene cube(const std::vector<Block>& blocks, double strength, double damping = 0.0) {
   return {blocks, rock_of(strength, damping)};
+}
+
+/// The same cube with joints of Barton and Bandis between all blocks.
+test::BondScene jointed_cube(const std::vector<Block>& blocks, double tension) {
+  const BartonBandis law{.initial_stiffness = 1e10,
+                         .closure_limit = 1e-4,
+                         .roughness = 10.0,
+                         .wall_strength = 1e8,
+                         .residual_angle = 0.5,
+                         .largest_angle = 1.2,
+                         .tension = tension,
+                         .initial_aperture = 2e-4};
+  test::BondScene scene(blocks, rock_of(1e30), [](const Vec3&) { return Support::free; },
+                        {{barton_bandis_class(law, 1e11)}, {}});
+  FacetLists lists = scene.network().give_up();
+  for (Facet& facet : lists.facets) facet.joint_class = 1;
+  scene.network().set_facets(std::move(lists));
+  return scene;
 }
 
 nlohmann::ordered_json time_of(test::BondScene& scene) {
@@ -75,6 +95,16 @@ nlohmann::ordered_json measure() {
 
   broken.deform(0.05 * Mat3::Identity());
   result["open"] = time_of(broken);
+
+  test::BondScene jointed = jointed_cube(blocks, 1e30);
+  jointed.deform(-kStrain * Mat3::Identity());
+  result["barton_bandis_intact"] = time_of(jointed);
+
+  test::BondScene parted = jointed_cube(blocks, 0.0);
+  parted.deform(kStrain * Mat3::Identity());
+  parted.compute();
+  parted.deform(-kStrain * Mat3::Identity());
+  result["barton_bandis_closed"] = time_of(parted);
   return result;
 }
 

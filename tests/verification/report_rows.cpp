@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <vector>
 
 #include "draw/axes.h"
 
@@ -25,6 +27,20 @@ std::string spelled_error(const Json& row, const char* key) {
 
 /// A field of a CSV file; names of cases have commas.
 std::string quoted(const Json& word) { return '"' + word.get<std::string>() + '"'; }
+
+std::string figure_outside(const Json& row) {
+  return row["case"].get<std::string>() + ", " + row["quantity"].get<std::string>() + ": " +
+         spelled_error(row, "error") + " instead of " + spelled_error(row, "tolerance");
+}
+
+/// Several figures stand below the reason that they share, one before its own.
+std::string with_reason(const std::vector<std::string>& figures, const std::string& reason) {
+  if (figures.size() == 1) return "- " + figures[0] + (reason.empty() ? "" : "; " + reason) + "\n";
+  std::string text = reason.empty() ? "" : "- " + reason + ":\n";
+  for (const std::string& figure : figures)
+    text += (reason.empty() ? "- " : "  - ") + figure + "\n";
+  return text;
+}
 
 /// A text as a table's cell may have it.
 std::string cell(const std::string& text) {
@@ -72,13 +88,16 @@ std::string case_row(const Json& rows, const std::string& text, const std::strin
 }
 
 std::string not_met(const Json& rows) {
-  std::string text;
+  std::vector<std::string> reasons;  // in the order of their first figures
+  std::map<std::string, std::vector<std::string>> figures;
   for (const Json& row : rows) {
     if (row["pass"].get<bool>()) continue;
-    text += "- " + row["case"].get<std::string>() + ", " + row["quantity"].get<std::string>() +
-            ": " + spelled_error(row, "error") + " instead of " + spelled_error(row, "tolerance") +
-            (row.contains("note") ? "; " + row["note"].get<std::string>() : "") + "\n";
+    const std::string reason = row.contains("note") ? row["note"].get<std::string>() : "";
+    if (!figures.contains(reason)) reasons.push_back(reason);
+    figures[reason].push_back(figure_outside(row));
   }
+  std::string text;
+  for (const std::string& reason : reasons) text += with_reason(figures[reason], reason);
   return text.empty() ? "All bounds are met.\n" : text;
 }
 

@@ -46,5 +46,16 @@ TEST(ReportRows, FiguresOutsideTheirBoundsAreListed) {
   EXPECT_EQ(not_met(bad), "- nu 0, bar, E: 1 % instead of 0.5 %; why\n");
 }
 
+TEST(ReportRows, FiguresOutsideTheirBoundsShareOneReason) {
+  Json bad = {row("E", 2.02, 0.01, false), row("G", 2.04, 0.02, false),
+              row("K", 2.02, 0.01, false)};
+  bad[0]["note"] = bad[2]["note"] = "why";
+  EXPECT_EQ(not_met(bad),
+            "- why:\n"
+            "  - nu 0, bar, E: 1 % instead of 0.5 %\n"
+            "  - nu 0, bar, K: 1 % instead of 0.5 %\n"
+            "- nu 0, bar, G: 2 % instead of 0.5 %\n");
+}
+
 }  // namespace
 }  // namespace muckpile

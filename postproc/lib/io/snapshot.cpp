@@ -130,7 +130,9 @@ void read_into(const std::filesystem::path& path, const std::vector<StartBlock>&
 
 Snapshot read_snapshot(const std::filesystem::path& path, const std::vector<StartBlock>& blocks) {
   Snapshot snapshot;
-  read_into(path, blocks, {}, whole_file(path), snapshot);
+  std::string text;
+  read_text(path, text);
+  read_into(path, blocks, {}, text, snapshot);
   return snapshot;
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "args/input_error.h"
+#include "args/numbers.h"
 #include "io/muck.h"
 #include "io/posed_block.h"
 #include "measure/scan_polygon.h"
@@ -171,7 +172,7 @@ ColumnGrid column_grid(double x_low, double x_high, double y_low, double y_high,
   const double first = std::floor(x_low / cell), last = std::ceil(x_high / cell);
   const double rows = std::max(1.0, std::round((y_high - y_low) / cell));
   if (!((last - first) * rows <= kMostCells)) {
-    throw InputError("cell must leave at most 5e7 columns [m], got '" + std::to_string(cell) + "'");
+    throw InputError("cell must leave at most 5e7 columns [m], got '" + number_text(cell) + "'");
   }
   return {
       first * cell,          y_low, cell, (y_high - y_low) / rows, static_cast<int>(last - first),
@@ -198,10 +199,8 @@ Columns columns_through(const ColumnGrid& grid, const std::vector<StartBlock>& b
 
 Columns tops_through(const ColumnGrid& grid, const std::vector<StartBlock>& blocks,
                      const std::vector<BlockState>& states, const std::vector<char>& keep) {
-  Columns columns{grid,
-                  std::vector<double>(grid.cells(), kNoRock),
-                  std::vector<int>(grid.cells(), -1),
-                  {}};
+  Columns columns{
+      grid, std::vector<double>(grid.cells(), kNoRock), std::vector<int>(grid.cells(), -1), {}};
   const BlockReaches reach(grid, blocks, states);
   std::vector<size_t> from_above;
   for (size_t b = 0; b < blocks.size(); ++b)

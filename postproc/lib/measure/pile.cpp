@@ -112,6 +112,9 @@ double place_of_share(const PileProfile& p, double share) {
   return kNan;
 }
 
+// Blocks in the shortest stretch that has an angle of repose: over fewer, single blocks decide.
+constexpr double kRestStretchBlocks = 4.0;
+
 // Sections, because a front that is not straight across the width has a flatter mean; a length as
 // long as the pile is high, because a shorter one, or one found by its fall, follows single blocks.
 double rest_slope(const PileProfile& p, double depth, double block_size, double stretch) {
@@ -182,7 +185,8 @@ PileShape pile_shape(const PileProfile& p, double depth, double block_size) {
   if (shape.solid_volume > 0.0) shape.swell = shape.bulk_volume / shape.solid_volume;
   const double low = 0.2 * shape.height, high = 0.8 * shape.height;
   shape.front_angle = std::atan(slope_between_heights(p.x, p.pile, peak, toe + 1, low, high));
-  shape.rest_angle = std::atan(rest_slope(p, depth, block_size, shape.height));
+  const double stretch = std::max(shape.height, kRestStretchBlocks * block_size);
+  shape.rest_angle = std::atan(rest_slope(p, depth, block_size, stretch));
   return shape;
 }
 

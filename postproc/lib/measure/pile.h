@@ -45,8 +45,8 @@ struct PileShape {
   double swell;             // bulk over solid volume, between the face and the toe
   double bulk_volume, solid_volume;  // beyond the face, to the toe [m3]
   double front_angle;  // of the line through the front slope, 20 to 80 % of the height [rad]
-  double rest_angle;   // steepest line over a stretch as long as the pile is high, mean of the
-                       // sections [rad]
+  double rest_angle;   // steepest line over a stretch as long as the pile is high, four blocks at
+                       // least, mean of the sections [rad]
 };
 
 // NaN where a measure has no meaning, e.g. a slope without a pile. `depth` is the distance of the

@@ -4,6 +4,7 @@
 #include "page/page_measures.h"
 
 #include <cmath>
+#include <vector>
 
 #include "page/figures_table.h"
 #include "page/speed_chart.h"
@@ -14,30 +15,33 @@ namespace {
 
 using check::Json;
 
+struct Picture {
+  const char *file, *title, *caption;
+};
+
 void add_pile(Html& page, const PageContent& run) {
-  add_picture(page, run, "profile.png", "Section",
-              "Section through a hole, with equal scales; table in profile.csv.");
-  add_picture(page, run, "crater.png", "Section",
-              "Section through the charge; table in crater.csv.");
-  add_picture(page, run, "heap.png", "Section", "Section of the heap; table in heap.csv.");
-  add_picture(page, run, "pile3d.png", "View",
-              "The rock as it lies; the blue edges are the rock before the blast.");
-  add_picture(page, run, "movement.png", "Movement",
-              "From where to where the parts of the bench went; table in movement.csv.");
-  add_picture(page, run, "dig.png", "Dig line",
-              "Ore and waste at the end, and the dig line; table in dig.csv.");
-  add_picture(page, run, "survey.png", "Survey",
-              "Surface of the run less the surveyed one; table in survey.csv.");
-  add_picture(page, run, "damage.png", "Broken joints",
-              "Broken share of the joints around the charges; table in damage.csv.");
-  add_picture(page, run, "heights.png", "From above",
-              "Heights of the pile and of the rock that stayed; table in heights.csv.");
-  add_picture(page, run, "trough.png", "Power trough",
-              "The valley between the rock that stands and the pile; table in trough.csv.");
-  add_picture(page, run, "section.png", "Section along a line",
-              "Rock and heights along the line; table in section.csv.");
-  add_picture(page, run, "over.png", "Over a line",
-              "What lies beyond the line, by distance; table in over.csv.");
+  static const std::vector<Picture> pictures{
+      {"profile.png", "Section",
+       "Section through a hole, with equal scales; table in profile.csv."},
+      {"crater.png", "Section", "Section through the charge; table in crater.csv."},
+      {"heap.png", "Section", "Section of the heap; table in heap.csv."},
+      {"pile3d.png", "View", "The rock as it lies; the blue edges are the rock before the blast."},
+      {"movement.png", "Movement",
+       "From where to where the parts of the bench went; table in movement.csv."},
+      {"dig.png", "Dig line", "Ore and waste at the end, and the dig line; table in dig.csv."},
+      {"survey.png", "Survey", "Surface of the run less the surveyed one; table in survey.csv."},
+      {"damage.png", "Broken joints",
+       "Broken share of the joints around the charges; table in damage.csv."},
+      {"heights.png", "From above",
+       "Heights of the pile and of the rock that stayed; table in heights.csv."},
+      {"trough.png", "Power trough",
+       "The valley between the rock that stands and the pile; table in trough.csv."},
+      {"section.png", "Section along a line",
+       "Rock and heights along the line; table in section.csv."},
+      {"over.png", "Over a line", "What lies beyond the line, by distance; table in over.csv."},
+  };
+  for (const Picture& picture : pictures)
+    add_picture(page, run, picture.file, picture.title, picture.caption);
   add_table(page, run,
             {{"blast_volume_m3", "Rock of the holes"},
              {"blast_specific_charge_kg_m3", "Explosive per rock of the holes"},

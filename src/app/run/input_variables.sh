@@ -34,10 +34,19 @@ variables_of() {
   files_of "$1" | xargs -d '\n' sed -nE 's/^[[:space:]]*variable[[:space:]]+([A-Za-z0-9_]+)[[:space:]]+([a-z]+).*/\1 \2/p'
 }
 
+# Lists the files and variables of an input once, whatever the number of -var: sets input_files and input_variables ("NAME STYLE", sorted).
+listed_input=''
+list_input() {
+  [[ $listed_input != "$1" ]] || return 0
+  mapfile -t input_files < <(files_of "$1")
+  input_variables=$(variables_of "$1" | sort -u)
+  listed_input=$1
+}
+
 # A variable in the name of an included file has the values for which there is such a file.
 check_word() {  # check_word INPUT NAME VALUE
-  local files pattern before after words
-  mapfile -t files < <(files_of "$1")
+  local pattern before after words
+  list_input "$1"
   while read -r pattern; do
     before=${pattern%%"\${$2}"*} after=${pattern#*"\${$2}"}
     # A variable that begins the name stands for a folder, of which there may be any.
@@ -46,7 +55,7 @@ check_word() {  # check_word INPUT NAME VALUE
     words=${words//"$before"/}
     words=${words//"$after"/}
     grep -qxF -- "$3" <<<"$words" || die "-var $2 must be one of $(paste -sd' ' <<<"$words"), got '$3'"
-  done < <(included_by "${files[@]}")
+  done < <(included_by "${input_files[@]}")
 }
 
 # The name on standard input nearest to $1 in edits (at most a third of its length), or nothing.
@@ -72,7 +81,8 @@ check_variable() {  # check_variable INPUT NAME VALUE
   [[ -n $value && ($value != *[[:space:]]* || $name == *_words) ]] ||
     die "-var $name needs one value without blanks, got '$value'"
   [[ $name != out ]] || die "use -out DIR for the results folder, not -var out"
-  known=$(variables_of "$input" | sort -u)
+  list_input "$input"
+  known=$input_variables
   # What one file sets as a default, another may compute.
   style=$(awk -v name="$name" '$1 == name && $2 != "delete" && style ~ /^(|index)$/ { style = $2 } END { print style }' <<<"$known")
   if [[ $style == index ]]; then

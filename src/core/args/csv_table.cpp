@@ -59,9 +59,11 @@ bool parse_all(std::string_view text, Number& value) {
 }  // namespace
 
 std::string whole_file(const std::filesystem::path& path) {
+  std::error_code no_size;  // of a pipe, say
+  if (std::filesystem::is_directory(path, no_size))
+    throw InputError(path.string() + ": is a folder, must be a file");
   std::ifstream in(path, std::ios::binary);
   if (!in) throw InputError(path.string() + ": cannot be opened");
-  std::error_code no_size;  // of a pipe, say
   const std::uintmax_t size = std::filesystem::file_size(path, no_size);
   std::string text(no_size ? 0 : static_cast<std::size_t>(size), '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));

@@ -108,10 +108,9 @@ ContactResistance ContactLaw::resistance(const ContactMotion& motion,
 
 double ContactLaw::stable_time_step(double mass, double radius) const {
   constexpr double kOverlapRatio = 0.05, kShareOfPeriod = 0.2;
-  // Against a plane: Hertz with R* = radius; the linear model with two equal spheres at most.
-  const double stiffness = model_ == NormalModel::linear
-                               ? linear_stiffness(One(radius), One(radius))[0]
-                               : 2.0 * young_star_ * std::sqrt(kOverlapRatio) * radius;
+  // A plane is as stiff as two spheres of twice the radius are. Two equal spheres of the linear
+  // model are half as stiff and have half the mass: their step is the same.
+  const double stiffness = normal_stiffness(2.0 * radius, 2.0 * radius, kOverlapRatio * radius);
   return kShareOfPeriod * std::sqrt(mass / stiffness);
 }
 

@@ -97,7 +97,7 @@ void BlastHoles::take_gas(std::size_t hole, double mass, double energy, double t
   state_.books[hole].into_joints += energy;
 }
 
-void BlastHoles::let_go(double time) {
+void BlastHoles::release_gas(double time) {
   for (std::size_t h = 0; h < count(); ++h) end(h, time);
 }
 

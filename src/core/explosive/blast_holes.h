@@ -75,7 +75,7 @@ class BlastHoles {
   /// Moves a mass [kg] and an energy [J] from a hole into joints, or back if negative.
   void take_gas(std::size_t hole, double mass, double energy, double time);
   /// Ends all holes; what gas is left in them goes into the open.
-  void let_go(double time);
+  void release_gas(double time);
 
   /// Without what the gas has done in joints; zeros before the hole fires.
   [[nodiscard]] EnergyAudit audit(std::size_t hole, double time) const;

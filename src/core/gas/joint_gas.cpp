@@ -67,9 +67,9 @@ void JointGas::set_network(const FacetNetwork& network) {
   }
 }
 
-/// A joint with a law of its own is a crack of the rock itself.
+/// A joint whose law knows its apertures is a crack of the rock itself.
 double JointGas::cracks_of(const FacetNetwork& network, std::size_t f) const {
-  if (p_.crack_spacing == 0.0 || network.tables().nonlinear_law(f) != nullptr) return 1.0;
+  if (p_.crack_spacing == 0.0 || network.tables().joint(f).apertures(0.0)) return 1.0;
   const auto size = [&](int b) {
     return std::cbrt(network.blocks()[static_cast<std::size_t>(b)].volume);
   };

@@ -50,7 +50,7 @@ void add_softening(ArgTable& table) {
             "share of the blast's work: the throw begins when a twentieth of wave_end adds less, "
             "where gas enters joints")
       .real("gas_patience", "", Range::closed(1.0, 1000.0), 4.0,
-            "times wave_end, after which gas that is left is let go");
+            "times wave_end, after which gas that is left is released");
 }
 
 double wave_end_of(const ArgValues& words, const BlastTiming& timing, const std::string& where) {

@@ -30,9 +30,9 @@ struct BlastPlan {
   double shear_modulus = 0.0;   ///< of the rock before it is softened [Pa]
 
   Gas gas = Gas::vents_by_time;
-  double hole_rest = 0.0;     ///< pressure on a wall that is let go [Pa]
+  double hole_rest = 0.0;     ///< pressure on a wall whose gas is released [Pa]
   double gas_rest = 0.0;      ///< of the blast's work, added in a twentieth of wave_end [-]
-  double gas_patience = 1.0;  ///< times wave_end: then what is left is let go [-]
+  double gas_patience = 1.0;  ///< times wave_end: then what is left is released [-]
 
   double softening = 1.0;       ///< stiffness in the throw over that at the start [-]
   double closed_damping = 0.0;  ///< of closed joints then [-]

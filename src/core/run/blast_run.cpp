@@ -133,7 +133,7 @@ BlastRun::Phase BlastRun::after_gas() const {
 }
 
 /// Softened joints do not bear the pressure of gas: the throw begins once it has all but done its
-/// work, and what is left is let go then.
+/// work, and what is left is released then.
 BlastRun::Phase BlastRun::wait_for_joints() {
   for (;;) {
     const long left = steps_until(plan_.time_end);
@@ -150,7 +150,7 @@ BlastRun::Phase BlastRun::wait_for_joints() {
 
 void BlastRun::tell_of_joints(double work_share) {
   if (work_share > plan_.gas_rest)
-    engine_.warn("the gas still works; it is let go now. A larger gas_patience waits longer.");
+    engine_.warn("the gas still works; it is released now. A larger gas_patience waits longer.");
   engine_.say("The first phase ends after " + rounded_text(engine_.time()) +
               " s: the last twentieth of wave_end added " + rounded_text(work_share) +
               " of its work, and " + rounded_text(rock_.joint_pressure()) +

@@ -25,6 +25,13 @@ ContactMotion motion_at(const WallSphere& sphere, const Vec3& normal, double ove
           sphere.spin};
 }
 
+/// As between spheres: the length of the spring is kept.
+Vec3 turned_into_plane(const Vec3& spring, const Vec3& normal) {
+  const Vec3 in_plane = spring - spring.dot(normal) * normal;
+  const double before = spring.norm(), after = in_plane.norm();
+  return after > 1e-6 * before ? Vec3(before / after * in_plane) : Vec3::Zero();
+}
+
 /// Moves the memory for a touch to place k of `contacts`; false: there is none, and there is a new
 /// place.
 bool recall(const WallTouch& touch, std::size_t k, std::vector<WallContact>& contacts) {
@@ -49,6 +56,14 @@ double modulus_against(double rock_modulus, double ground_modulus) {
   return 2.0 / (1.0 / rock_modulus + 1.0 / ground_modulus);
 }
 
+WallLaw::WallLaw(const ContactParameters& parameters, bool torsion) : law_(parameters) {
+  if (!torsion) return;
+  ContactParameters without_rolling = parameters;
+  without_rolling.rolling_friction = 0.0;
+  law_ = ContactLaw(without_rolling);
+  turning_friction_ = parameters.rolling_friction;
+}
+
 WallPush WallLaw::push(const WallSphere& sphere, const WallTouches& touches, double time_step,
                        double memory_step, std::vector<WallContact>& contacts) const {
   WallPush sum;
@@ -59,15 +74,16 @@ WallPush WallLaw::push(const WallSphere& sphere, const WallTouches& touches, dou
     const double arm = arm_length(sphere.radius, touch.overlap);
     const ContactMotion motion = motion_at(sphere, touch.normal, touch.overlap, arm);
     if (!known) contact.state = ContactLaw::begin_contact(motion, time_step);
-    const double before = contact.state.tangential_stiffness;
+    const WallContact before = contact;
+    if (turning_friction_ > 0.0) contact.state.roll.setZero();  // its energy is counted by turn()
     const ContactResponse response = law_.evaluate(motion, memory_step, contact.state);
-    const Twist twist = turn(memory_step * sphere.spin.dot(touch.normal), before,
+    const Turn turned = turn(before, memory_step * sphere.spin,
                              response.force_on_first.dot(touch.normal), sphere.radius, contact);
     sum.force += response.force_on_first;
     sum.torque += response.torque_on_first - arm * touch.normal.cross(response.force_on_first) +
-                  twist.torque * touch.normal;
-    sum.elastic += response.elastic_energy + twist.elastic;
-    sum.friction += response.friction_loss + twist.friction;
+                  turned.torque;
+    sum.elastic += response.elastic_energy + turned.elastic;
+    sum.friction += response.friction_loss + turned.friction;
     sum.damping += response.damping_loss;
     sum.largest_overlap_ratio = std::max(sum.largest_overlap_ratio, touch.overlap / sphere.radius);
   }
@@ -76,29 +92,31 @@ WallPush WallLaw::push(const WallSphere& sphere, const WallTouches& touches, dou
   return sum;
 }
 
-/// The rolling spring of ContactLaw about the normal: as stiff, and with the same limit.
-WallLaw::Twist WallLaw::turn(double angle, double stiffness_before, double normal_force,
-                             double radius, WallContact& contact) const {
-  if (torsion_friction_ == 0.0) return {};
-  const double squared = radius * radius, after = contact.state.tangential_stiffness;
-  const double old_stiffness = stiffness_before * squared, stiffness = after * squared;
-  const double old_twist = contact.twist;
-  const bool grew = after > stiffness_before && stiffness_before > 0.0;
-  const double trial = (grew ? stiffness_before / after : 1.0) * old_twist + angle;
-  const double limit = torsion_friction_ * radius * normal_force;
-  contact.twist = stiffness > 0.0 ? std::clamp(trial, -limit / stiffness, limit / stiffness) : 0.0;
-  const double torque = -stiffness * contact.twist;
-  const double energy = 0.5 * stiffness * contact.twist * contact.twist;
-  const double old_energy = 0.5 * old_stiffness * old_twist * old_twist;
-  const double taken = 0.5 * (old_stiffness * old_twist - torque) * angle;
-  return {torque, energy, taken - (energy - old_energy)};
+/// The rolling spring of ContactLaw with the spin about the normal in it. Of all torques within the
+/// limit that is the one which takes most from the spin, so its direction is that of the spring.
+WallLaw::Turn WallLaw::turn(const WallContact& before, const Vec3& angle, double normal_force,
+                            double radius, WallContact& contact) const {
+  if (turning_friction_ == 0.0) return {};
+  const Vec3& normal = contact.normal;
+  const double first = before.state.tangential_stiffness, last = contact.state.tangential_stiffness;
+  const double old_stiffness = first * radius * radius, stiffness = last * radius * radius;
+  const Vec3 old = turned_into_plane(before.state.roll, normal) + before.twist * normal;
+  const Vec3 trial = (last > first && first > 0.0 ? first / last : 1.0) * old + angle;
+  const double pull = stiffness * trial.norm(), limit = turning_friction_ * radius * normal_force;
+  const Vec3 kept = (pull > limit ? limit / pull : 1.0) * trial;
+  contact.twist = kept.dot(normal);
+  contact.state.roll = kept - contact.twist * normal;
+  const double energy = 0.5 * stiffness * kept.squaredNorm();
+  const double old_energy = 0.5 * old_stiffness * old.squaredNorm();
+  const double taken = 0.5 * (old_stiffness * old + stiffness * kept).dot(angle);
+  return {-stiffness * kept, energy, taken - (energy - old_energy)};
 }
 
 ContactResistance WallLaw::resistance(const WallSphere& sphere, const WallContact& contact) const {
   const double arm = arm_length(sphere.radius, contact.overlap);
   ContactResistance of_contact =
       law_.resistance(motion_at(sphere, contact.normal, contact.overlap, arm), contact.state);
-  if (torsion_friction_ > 0.0) of_contact.torsional_stiffness = of_contact.rolling_stiffness;
+  if (turning_friction_ > 0.0) of_contact.torsional_stiffness = of_contact.rolling_stiffness;
   return of_contact;
 }
 

@@ -15,7 +15,7 @@ struct WallContact {
   Vec3 normal = Vec3::Zero();  ///< of the last step
   ContactState state;
   double twist = 0.0;    ///< of the spring against spin about the normal [rad]
-  double overlap = 0.0;  ///< of the last step [m]; not stored, found anew in the first step
+  double overlap = 0.0;  ///< of the last step [m]
 };
 
 /// A sphere of a block.
@@ -42,10 +42,9 @@ struct WallPush {
 
 class WallLaw {
  public:
-  /// `torsion`: spin about the normal is resisted as rolling is. Throws InputError for a value out
-  /// of range.
-  explicit WallLaw(const ContactParameters& parameters, bool torsion = false)
-      : law_(parameters), torsion_friction_(torsion ? parameters.rolling_friction : 0.0) {}
+  /// `torsion`: spin about the normal is resisted as rolling is, and both together by one limit.
+  /// Throws InputError for a value out of range.
+  explicit WallLaw(const ContactParameters& parameters, bool torsion = false);
 
   /// Takes `contacts` to the end of the step: those of `touches`, in their order. A touch goes on
   /// with the memory of that whose normal was most like its own, on whatever triangle it was.
@@ -67,14 +66,15 @@ class WallLaw {
   }
 
  private:
-  struct Twist {
-    double torque = 0.0, elastic = 0.0, friction = 0.0;  ///< about the normal [N m], [J], [J]
+  struct Turn {
+    Vec3 torque = Vec3::Zero();            ///< [N m]
+    double elastic = 0.0, friction = 0.0;  ///< [J]
   };
-  [[nodiscard]] Twist turn(double angle, double stiffness_before, double normal_force,
-                           double radius, WallContact& contact) const;
+  [[nodiscard]] Turn turn(const WallContact& before, const Vec3& angle, double normal_force,
+                          double radius, WallContact& contact) const;
 
-  ContactLaw law_;
-  double torsion_friction_;  ///< limit torque over radius times normal force [-]
+  ContactLaw law_;                 ///< without rolling resistance where there is torsion
+  double turning_friction_ = 0.0;  ///< limit torque over radius times normal force, 0: no torsion
 };
 
 }  // namespace muckpile

@@ -21,6 +21,7 @@ class WallMesh : public WallSurface {
                                 std::vector<std::size_t>& parts) const override;
   void find_touches(const Vec3& centre, double radius, std::span<const std::size_t> parts,
                     WallTouches& touches) const override;
+  [[nodiscard]] bool lets_go() const override { return true; }
   [[nodiscard]] double depth(const Vec3& place) const override;
 
  private:

@@ -48,13 +48,30 @@ std::vector<StlTriangle> triangles_of(const std::string& file, const MineWords& 
   }
 }
 
+/// The box as it may become while rock flies.
+WallBox grown(WallBox box) {
+  constexpr double kFlight = 100.0;  // diagonals of the box; mine coordinates are farther off
+  const double way = kFlight * (box.hi - box.lo).norm();
+  for (int c = 0; c < 3; ++c) {
+    if (box.lo_follows[static_cast<std::size_t>(c)]) box.lo[c] -= way;
+    if (box.hi_follows[static_cast<std::size_t>(c)]) box.hi[c] += way;
+  }
+  return box;
+}
+
+bool reaches(const SurfaceIndex& mesh, const WallBox& box) {
+  return (mesh.lo().array() <= box.hi.array()).all() && (mesh.hi().array() >= box.lo.array()).all();
+}
+
 void check_mesh(const SurfaceIndex& mesh, bool unit_given, const WallBox& box,
                 const std::string& where) {
   const std::string word = "simulation box";
   if (!unit_given) require_likely_unit(mesh.lo(), mesh.hi(), true, box.lo, box.hi, where, word);
-  require_at_box(mesh.lo(), mesh.hi(), box.lo, box.hi, where,
-                 "no block can touch it; make the box so large that it reaches there, if blocks do",
-                 word);
+  if (!reaches(mesh, grown(box)))
+    require_at_box(mesh.lo(), mesh.hi(), box.lo, box.hi, where,
+                   "no block can touch it; make the box so large that it reaches there, if blocks "
+                   "do",
+                   word);
   require_turned_alike(mesh.triangles(), where, "ground");
 }
 
@@ -73,10 +90,14 @@ void read_mesh(WallOptions& options, const ArgValues& args, const WallBox& box,
   std::vector<StlTriangle> triangles = triangles_of(file, mine, where);
   if (triangles.empty())
     refuse(of_file, "must have triangles, or points that do not lie on one line in plan");
+  const std::size_t doubled = leave_out_doubled(triangles, of_file);
   const auto mesh = std::make_shared<const WallMesh>(std::move(triangles));
   check_mesh(mesh->surface(), mine.unit_given, box, of_file);
   options.surface = mesh;
   options.told = of_file + ": " + describe(mesh->surface()) + '\n';
+  if (doubled > 0)
+    options.told += of_file + ": " + std::to_string(doubled) +
+                    " triangles that are there twice have been left out\n";
 }
 
 void check_law(const WallOptions& options, const std::string& where) {

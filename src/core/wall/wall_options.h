@@ -3,6 +3,7 @@
 // Scope: no engine; every fault in the words throws InputError.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 
@@ -14,9 +15,10 @@ namespace muckpile {
 
 [[nodiscard]] ArgTable wall_table();
 
-/// The simulation box, in which a mesh must lie at least in part.
+/// The simulation box, in which a mesh must lie at least in part, or reach it as it grows.
 struct WallBox {
-  Vec3 lo, hi;  ///< [m]
+  Vec3 lo, hi;                                     ///< [m]
+  std::array<bool, 3> lo_follows{}, hi_follows{};  ///< sides that go where rock flies
 };
 
 struct WallOptions {

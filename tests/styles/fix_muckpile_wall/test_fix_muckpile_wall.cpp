@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix muckpile/wall in the engine: blocks thrown, sliding and at rest on planes and meshes, beside
-// LIGGGHTS' own walls; its books, sleep, ranks and restarts.
+// LIGGGHTS' own walls; its books and sleep.
 // Scope: one block, or some 27 of 0.5 m.
 #include <gtest/gtest.h>
 
@@ -9,64 +9,10 @@
 #include <iostream>
 #include <string>
 
-#include "rock_scene.h"
-#include "scratch_folder.h"
-#include "wall_scenes.h"
+#include "wall_scene.h"
 
 namespace muckpile::test {
 namespace {
-
-constexpr double kStep = 2e-5;  // [s]
-
-/// Entries of fix muckpile/ledger and of the wall, numbered from 1.
-enum Entry { walls = 11, contacts = 1, stored = 3, rubbed = 4, damped = 5, lift = 8, let_go = 9 };
-
-const std::string kPlane = "muckpile/wall plane 0 0 0 0 0 1";
-const std::string kStockPlane =
-    "wall/gran model hertz tangential history primitive type 1 zplane 0";
-
-/// Level ground from x, y = -half to half in cells x cells squares [m]; written by rank 0.
-std::string mesh_of(const ScratchFolder& folder, double half_x, double half_y, int cells) {
-  const std::string file = (folder / "floor.stl").string();
-  const auto at = [&](int i, int j) {
-    return std::to_string(half_x * (2.0 * i / cells - 1.0)) + " " +
-           std::to_string(half_y * (2.0 * j / cells - 1.0)) + " 0";
-  };
-  write_facets(file, [&](const auto& facet) {
-    for (int i = 0; i < cells; ++i) {
-      for (int j = 0; j < cells; ++j) {
-        facet(at(i, j), at(i + 1, j), at(i + 1, j + 1));
-        facet(at(i, j), at(i + 1, j + 1), at(i, j + 1));
-      }
-    }
-  });
-  return file;
-}
-
-std::string words(int spheres, double growth = 1.19) { return half_metre_blocks(spheres, growth); }
-
-/// Contacts of a restitution, the same for LIGGGHTS' walls, and a wall.
-void add_wall(RockScene& scene, const std::string& wall, double restitution) {
-  add_contacts(scene, restitution, "friction 0.3 rolling_friction 0", "0.3");
-  scene.command("fix floor all " + wall);
-}
-
-RockScene scene_on(MPI_Comm comm, const std::string& wall, double restitution,
-                   const std::string& processors = "* * 1") {
-  RockScene scene(comm, "-12 12 -4 4 -4 6", processors, "multisphere/muckpile");
-  add_wall(scene, wall, restitution);
-  return scene;
-}
-
-/// 27 blocks of five spheres just above the floor, which go down and aside and turn.
-RockScene thrown(MPI_Comm comm, const std::string& wall, double speed) {
-  RockScene scene = scene_on(comm, wall, 0.5);
-  scene.cut("-0.75 0.75 -0.75 0.75 0.2 1.7", words(5));
-  scene.command("fix weight all gravity 9.81 vector 0 0 -1");
-  scene.command("fix ledger all muckpile/ledger");
-  throw_down(scene, speed);
-  return scene;
-}
 
 struct Bounce {
   double speed, depth;  ///< after [m/s], of the centre [m]
@@ -205,78 +151,6 @@ TEST(FixMuckpileWall, BlocksRestOnTheWall) {
   EXPECT_EQ(scene.output("floor", contacts), touching);
 }
 
-/// Springs of a sphere that touches with stiffness k along the normal and kt across it, at an arm L
-/// from the centre of its cube: k / m, and the larger root for shift and turn together,
-/// ((kt, kt L), (kt L, kt (L^2 + R^2))) over mass and moment of inertia.
-double longest_step(const BlockNow& block, const SphereNow& sphere, double modulus) {
-  const double overlap = sphere.radius - sphere.centre.z(), nu = 0.25;
-  const double root = std::sqrt(sphere.radius * overlap);
-  const double normal = modulus / (1.0 - nu * nu) * root;
-  const double across = 2.0 * modulus / ((1.0 + nu) * (2.0 - nu)) * root;
-  const double arm = block.centre.z() + 0.5 * overlap;  // half of the overlap is below the plane
-  const double inertia = block.inertia(0, 0), r = sphere.radius;
-  const double shift = across / block.mass, turn = across * (arm * arm + r * r) / inertia;
-  const double both = across * arm / std::sqrt(block.mass * inertia);
-  const double root_of_both =
-      0.5 * (shift + turn) + std::sqrt(0.25 * std::pow(shift - turn, 2) + both * both);
-  return 2.0 / std::sqrt(std::max(normal / block.mass, root_of_both));
-}
-
-/// On a ground as stiff as the rock, and on one a hundred times as stiff.
-TEST(FixMuckpileWall, TimeStepKnowsItsContacts) {
-  for (const double ground : {2.5e7, 2.5e9}) {
-    RockScene scene =
-        scene_on(MPI_COMM_WORLD, kPlane + " youngs_modulus " + std::to_string(ground), 0.5);
-    scene.cut("0 0.5 -0.25 0.25 0.3 0.8", words(1));
-    scene.set_motion([](int, const Vec3&) { return Motion{Vec3(0, 0, -10), Vec3::Zero()}; });
-    scene.command("fix dt all muckpile/timestep every 1 max " + std::to_string(kStep));
-    scene.run(0, kStep);
-    EXPECT_TRUE(std::isinf(scene.output("dt", 2)));  // nothing touches
-    for (int look = 0; look < 200 && scene.output("floor", contacts) == 0.0; ++look)
-      scene.run(10, kStep);
-    scene.run(100, kStep);
-    const double modulus = 2.0 / (1.0 / 2.5e7 + 1.0 / ground);
-    const double theory = longest_step(scene.blocks().at(1), scene.all_spheres().at(1), modulus);
-    std::cout << "longest step: " << scene.output("dt", 2) << " s, off by "
-              << scene.output("dt", 2) / theory - 1.0 << "\n";
-    EXPECT_NEAR(scene.output("dt", 2) / theory, 1.0, 1e-6);
-    EXPECT_LT(scene.output("dt", 6), scene.output("dt", 2));  // with the dashpots
-  }
-}
-
-/// Nine blocks that part as they fall, so that they touch the floor alone; spheres of those in the
-/// middle lie on other ranks than those that move them.
-RockScene parting(MPI_Comm comm, const std::string& wall) {
-  RockScene scene = scene_on(comm, wall, 0.5);
-  scene.cut("-0.75 0.75 -0.75 0.75 0.1 0.6", words(5, 1.0));
-  scene.set_motion([](int, const Vec3& at) {
-    return Motion{Vec3(3.0 * at.x() + 0.5, 3.0 * at.y() + 0.3, -5.0), Vec3::Zero()};
-  });
-  scene.command("fix dt all muckpile/timestep every 1 max " + std::to_string(kStep));
-  scene.run(1000, kStep);
-  return scene;
-}
-
-TEST(FixMuckpileWall, TimeStepIsTheSameOnAnyNumberOfRanks) {
-  const ScratchFolder folder("wall_step");
-  const std::string wall = "muckpile/wall mesh " + mesh_of(folder, 12.0, 4.0, 30);
-  RockScene alone = parting(MPI_COMM_SELF, wall), together = parting(MPI_COMM_WORLD, wall);
-  double worst = 0.0;
-  int touching = 0;
-  for (int look = 0; look < 20; ++look) {
-    alone.run(50, kStep);
-    together.run(50, kStep);
-    if (alone.output("floor", contacts) > 0.0) ++touching;
-    for (const int entry : {2, 6})
-      if (std::isfinite(alone.output("dt", entry)))
-        worst = std::max(worst,
-                         std::abs(together.output("dt", entry) / alone.output("dt", entry) - 1.0));
-  }
-  std::cout << "longest step on several ranks: off by " << worst << "\n";
-  EXPECT_GT(touching, 10);
-  EXPECT_LT(worst, 1e-6);
-}
-
 /// An elastic sphere is stopped short of its radius behind a face below
 /// (16/15 E* sqrt(R) (2 R)^2.5 / m)^0.5 = 63 m/s.
 TEST(FixMuckpileWall, SphereThatGetsTooDeepIsCounted) {
@@ -290,39 +164,6 @@ TEST(FixMuckpileWall, SphereThatGetsTooDeepIsCounted) {
     EXPECT_EQ(scene.output("floor", let_go), speed > 63.0 ? 1.0 : 0.0) << speed;
     EXPECT_EQ(scene.blocks().at(1).velocity.z() < 0.0, speed > 63.0) << speed;
   }
-}
-
-/// Blocks cross the borders between ranks while they slide.
-TEST(FixMuckpileWall, RanksDoNotMatter) {
-  const ScratchFolder folder("wall_ranks");
-  const std::string wall = "muckpile/wall mesh " + mesh_of(folder, 12.0, 4.0, 30);
-  RockScene alone = thrown(MPI_COMM_SELF, wall, 3.0), together = thrown(MPI_COMM_WORLD, wall, 3.0);
-  alone.run(8000, kStep);
-  together.run(8000, kStep);
-  std::cout << "ranks: apart by " << farthest_apart(alone, together) << " m\n";
-  EXPECT_LT(farthest_apart(alone, together), 1e-7);
-  for (const int entry : {stored, rubbed, damped})
-    EXPECT_NEAR(alone.output("floor", entry), together.output("floor", entry),
-                1e-5 * std::abs(alone.output("floor", entry)));
-}
-
-TEST(FixMuckpileWall, RestartGoesOnWithTheMemoryOfItsContacts) {
-  const ScratchFolder folder("wall_restart");
-  const std::string file = (folder / "sliding.restart").string();
-  RockScene went_on = thrown(MPI_COMM_WORLD, kPlane, 3.0);
-  went_on.run(4000, kStep);
-  ASSERT_GT(went_on.output("floor", contacts), 5.0);
-  const double rubbed_so_far = went_on.output("floor", rubbed);
-  went_on.command("write_restart " + file);
-  RockScene restarted = RockScene::restarted(MPI_COMM_WORLD, file, "* * 1");
-  add_wall(restarted, kPlane, 0.5);
-  restarted.command("fix weight all gravity 9.81 vector 0 0 -1");
-  restarted.run(0, kStep);
-  EXPECT_NEAR(restarted.output("floor", rubbed), rubbed_so_far, 1e-9 * rubbed_so_far);
-  went_on.run(300, kStep);
-  restarted.run(300, kStep);
-  std::cout << "restart: apart by " << farthest_apart(went_on, restarted) << " m\n";
-  EXPECT_LT(farthest_apart(went_on, restarted), 1e-6);
 }
 
 }  // namespace

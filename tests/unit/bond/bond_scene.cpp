@@ -84,16 +84,15 @@ BondScene::BondScene(const std::vector<Block>& blocks, const JointParameters& pa
     constants.push_back(
         {static_cast<int>(constants.size()) + 1, true, block.mass.volume, mass_.back(), {}, zone});
   }
-  network_.set_blocks(constants);
+  const auto ground = static_cast<int>(blocks.size());
   FacetSet set = build_facets(blocks, 1, support, leaning, zones.of);
   assign_joint_classes(natural.planes, blocks, 1, set.facets);
   for (Facet& facet : set.facets) {
     facet.i = facet.tag_i - 1;
-    facet.j = facet.tag_j == kGroundTag ? network_.ground() : facet.tag_j - 1;
+    facet.j = facet.tag_j == kGroundTag ? ground : facet.tag_j - 1;
   }
   for (BoundaryFace& face : set.faces) face.block = face.tag - 1;
-  network_.set_facets(std::move(set.facets), {});
-  network_.set_faces(std::move(set.faces));
+  network_.set(std::move(constants), {std::move(set.facets), {}, std::move(set.faces)});
   for (std::size_t b = 0; b < size(); ++b) block(b).centre = start_[b];
 }
 
@@ -177,10 +176,9 @@ double BondScene::energy_account() {
 Vec3 BondScene::facet_force(std::size_t f) {
   FacetNetwork alone(network_.material(), {}, zones_);
   std::vector<BlockConstants> blocks = network_.blocks();
-  blocks.pop_back();  // the ground, which set_blocks appends
-  alone.set_blocks(blocks);
-  alone.set_facets({network_.facets()[f]}, {network_.memory(f)});
-  if (network_.slanted()) alone.follow_leaning_faces();
+  blocks.pop_back();  // the ground, which set() appends
+  const RankTeam others{.sum = [&](double) { return network_.slanted() ? 1.0 : 0.0; }};
+  alone.set(blocks, {{network_.facets()[f]}, {network_.memory(f)}, {}}, others);
   for (std::size_t b = 0; b < size(); ++b) alone.state()[b] = block(b);
   // Its blocks have the dilatations, gradients and stresses that all their facets give them.
   std::vector<std::vector<double>> fields;

@@ -365,6 +365,11 @@ TEST(ContactLaw, StableStepIsAFifthOfTheContactsTimeScale) {
   // k = 2 E* sqrt(0.05) r with E* = 2.6667e8 Pa, r = 0.1 m: 1.1926e7 N/m; m = 3 kg
   const ContactLaw law{ContactParameters{}};
   EXPECT_NEAR(law.stable_time_step(3.0, 0.1), 0.2 * std::sqrt(3.0 / 1.19257e7), 1e-8);
+  // k = E pi r with E = 5e8 Pa: 1.5708e8 N/m; of two equal blocks half of that at half the mass
+  ContactParameters linear;
+  linear.model = NormalModel::linear;
+  EXPECT_NEAR(ContactLaw(linear).stable_time_step(3.0, 0.1), 0.2 * std::sqrt(3.0 / 1.570796e8),
+              1e-8);
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ TEST(BlastHoles, EachHoleAccountsForItsOwnCharge) {
 TEST(BlastHoles, WhatIsLeftOfAnEndedHoleGoesIntoTheOpen) {
   BlastHoles holes = two_holes();
   const double inside = holes.audit(0, 0.01).in_holes;
-  holes.let_go(0.01);
+  holes.release_gas(0.01);
   EXPECT_TRUE(holes.all_over());
   EXPECT_EQ(holes.active(0.03), 0);
   holes.press(0.03);

@@ -46,9 +46,7 @@ FacetNetwork ring(double turn) {
     face.area = side_width() * kLength;
     faces.push_back(face);
   }
-  network.set_blocks(blocks);
-  network.set_facets({}, {});
-  network.set_faces(faces);
+  network.set(blocks, {{}, {}, faces});
   const Mat3 rotation = Eigen::AngleAxisd(turn, Vec3::UnitZ()).toRotationMatrix();
   for (int i = 0; i < kSides; ++i) {
     const Vec3 outward(std::cos(angle_of(i)), std::sin(angle_of(i)), 0.0);

@@ -121,7 +121,22 @@ TEST(SurfaceChecks, OpenSurfaceMustBeTurnedAlike) {
   std::swap(open[0][1], open[0][2]);
   EXPECT_TRUE(turned_alike(open).starts_with(
       "it: has triangles that are turned against each other at 2 edges, one"));
-  EXPECT_TRUE(turned_alike(open).ends_with("so that all normals look out of the ground"));
+  EXPECT_TRUE(turned_alike(open).ends_with(
+      "so that all normals look out of the ground, or take out one of them where they lie on each "
+      "other"));
+}
+
+TEST(SurfaceChecks, DoubledTrianglesAreLeftOut) {
+  const Vec3 a(0, 0, 0), b(1, 0, 0), c(1, 1, 0), d(0, 1, 0);
+  test::Triangles mesh{{a, b, c}, {a, c, d}, {b, c, a}, {c, d, a}, {a, b, c}};
+  EXPECT_EQ(leave_out_doubled(mesh, "it"), 3U);
+  ASSERT_EQ(mesh.size(), 2U);
+  EXPECT_EQ(mesh[1][2], d);
+  EXPECT_EQ(leave_out_doubled(mesh, "it"), 0U);
+  mesh.push_back({a, d, c});
+  EXPECT_EQ(input_error_of([&] { (void)leave_out_doubled(mesh, "it"); }),
+            "it: has two triangles on each other that look to opposite sides, with a corner at 0 0 "
+            "0 m; a wall has ground behind it: take out that which looks into it");
 }
 
 TEST(SurfaceChecks, NameWhatIsWrong) {

@@ -121,6 +121,31 @@ double rest_slope_of(const PileProfile& p) {
   return std::tan(pile_shape(p, 0.0, kThin).rest_angle);
 }
 
+// Least-squares line through the first samples of `z`, of slope's sign turned.
+double fall_of_first(const std::vector<double>& z, int samples) {
+  double xz = 0.0, xx = 0.0;
+  for (int i = 0; i < samples; ++i) {
+    const double x = 0.1 * (i - 0.5 * (samples - 1));
+    xz += x * z[static_cast<size_t>(i)];
+    xx += x * x;
+  }
+  return -xz / xx;
+}
+
+TEST(RestAngle, OfALowPileIsTakenOverFourBlocks) {
+  // 1.2 m high, steep for 0.4 m only: a stretch of 1.2 m would be that of one and a half blocks.
+  std::vector<double> z;
+  for (int i = 0; i < 60; ++i) {
+    const double x = (i + 0.5) * 0.1;
+    z.push_back(1.2 - std::min(x, 0.4) * 0.5 - std::max(0.0, x - 0.4) * 0.03);
+  }
+  constexpr double kBlock = 0.8;
+  const double slope = std::tan(pile_shape(profile_of({z}), 0.0, kBlock).rest_angle);
+  const double over_its_height = fall_of_first(z, 12), over_four_blocks = fall_of_first(z, 32);
+  EXPECT_NEAR(slope, over_four_blocks, 0.03 * over_four_blocks);
+  EXPECT_GT(over_its_height, 1.5 * over_four_blocks);
+}
+
 TEST(RestAngle, OfAStraightSlopeIsThatSlope) {
   EXPECT_NEAR(rest_slope_of(profile_of({straight_slope(0.4)})), 0.4, 1e-9);
 }

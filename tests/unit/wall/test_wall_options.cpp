@@ -92,7 +92,8 @@ TEST(WallOptions, MeshThatCannotBeMeantIsRefused) {
   says("20", false, "");
   says("20", true,
        "has triangles that are turned against each other at 1 edges, one of them from 20 20 0 to 0 "
-       "0 0 m; turn them so that all normals look out of the ground");
+       "0 0 m; turn them so that all normals look out of the ground, or take out one of them where "
+       "they lie on each other");
   says("20000", false,
        "must be in metres, got one from 0 0 0 to 20000 20000 0 m beside a simulation "
        "box from 0 0 -5 to 20 20 15 m; it looks like millimetres: give unit 0.001");
@@ -101,6 +102,62 @@ TEST(WallOptions, MeshThatCannotBeMeantIsRefused) {
   says("20", false,
        "must be where the simulation box is, got one from -5000 -7000 0 to -4980 -6980 0 m",
        {"origin", "5000", "7000", "0"});
+}
+
+/// Of 20 m, far below the box or beside it.
+TEST(WallOptions, SidesThatFollowTheRockMayReachAMesh) {
+  const testing::TemporaryFolder folder;
+  const std::string file = square(folder, "20", false), where = "fix muckpile/wall 'floor'";
+  const auto refused = [&](const WallBox& box, const std::vector<std::string>& origin) {
+    std::vector<std::string> words{"mesh", file, "origin"};
+    words.insert(words.end(), origin.begin(), origin.end());
+    return !input_error_of([&] {
+              (void)wall_options(parse_args(wall_table(), where, words), box, where);
+            }).empty();
+  };
+  const Vec3 lo(0, 0, -5), hi(20, 20, 15);
+  const WallBox still{lo, hi}, down{lo, hi, {false, false, true}, {}},
+      east{lo, hi, {}, {true, false, false}};
+  const std::vector<std::string> below{"0", "0", "40"}, beside{"-300", "0", "0"},
+      mine{"-478000", "0", "0"};
+  EXPECT_TRUE(refused(still, below));
+  EXPECT_FALSE(refused(down, below));
+  EXPECT_TRUE(refused(east, below));
+  EXPECT_TRUE(refused(down, beside));
+  EXPECT_FALSE(refused(east, beside));
+  EXPECT_TRUE(refused(east, mine));
+}
+
+/// A plate in a box of 20 m may be small, if its numbers cannot be the kilometres of a survey.
+TEST(WallOptions, WideMeshIsInMetres) {
+  const testing::TemporaryFolder folder;
+  const auto refusal_in = [&](const std::string& side, double box) {
+    const std::string where = "fix muckpile/wall 'floor'";
+    const std::vector<std::string> words{"mesh", square(folder, side, false)};
+    return input_error_of([&] {
+      (void)wall_options(parse_args(wall_table(), where, words),
+                         {Vec3::Zero(), Vec3::Constant(box)}, where);
+    });
+  };
+  EXPECT_NE(refusal_in("4", 1000.0).find("it looks like kilometres"), std::string::npos);
+  EXPECT_EQ(refusal_in("6", 1000.0), "");
+}
+
+/// A triangle that is there twice would close the open rim of a mesh.
+TEST(WallOptions, TrianglesThatAreThereTwiceAreLeftOut) {
+  const testing::TemporaryFolder folder;
+  const std::string file = square(folder, "20", false);
+  std::string text = testing::text_of(file);
+  const std::size_t first = text.find("facet"),
+                    second = text.find("facet", text.find("endfacet") + 8);
+  const std::string facet = text.substr(first, second - first);
+  text.insert(second, facet);
+  testing::write_text(file, text);
+  const WallOptions options = options_of({"mesh", file});
+  EXPECT_NE(options.told.find(": 2 triangles of 400 m2 "), std::string::npos) << options.told;
+  EXPECT_NE(options.told.find(": 1 triangles that are there twice have been left out\n"),
+            std::string::npos);
+  EXPECT_EQ(options.surface->depth({5.0, -0.1, -0.1}), 0.0);  // beside the rim, not behind it
 }
 
 TEST(WallOptions, WhatDoesNotFitIsRefused) {

@@ -113,9 +113,7 @@ void BlockRun::make_networks(const std::vector<Block>& blocks,
                        parameters.shear_stiffness});  // of joints with images: they hold
     networks_.emplace_back(JointMaterial(parameters), classes,
                            std::vector<JointMaterial>(zones.rocks.begin(), zones.rocks.end()));
-    networks_.back().set_blocks(constants);
-    networks_.back().set_facets(set.facets, {});
-    networks_.back().set_faces(set.faces);
+    networks_.back().set(constants, {set.facets, {}, set.faces});
   }
 }
 

@@ -22,7 +22,6 @@
 
 namespace muckpile {
 
-struct JointClass;
 struct JointLawEntry;
 
 struct BartonBandis {
@@ -77,9 +76,9 @@ struct BartonBandis {
   /// joint can bear.
   template <class Number>
   [[nodiscard]] auto fails(const Number& normal, const Number& shear_squared,
-                           const Number& faster) const {
+                           const StrengthFactors<Number>& factors = {}) const {
     using std::max;
-    const Number bears = faster * tension;
+    const Number bears = factors.tension * tension;
     const Number pressed = max(bears - normal, Number(0.0));
     const Number shear = pressed * tan_angle(pressed, Number(roughness));
     return normal > bears || shear_squared > shear * shear;
@@ -103,13 +102,6 @@ struct BartonBandis {
 /// rigid].
 [[nodiscard]] JointClass barton_bandis_class(const BartonBandis& law, double shear_stiffness);
 [[nodiscard]] JointLawEntry barton_bandis_entry();
-
-/// Mechanical aperture from which on walls of a JRC let as much through as smooth ones: JRC^2.5 um
-/// [m]; and the hydraulic aperture of any [m] (Barton, Bandis & Bakhtar 1985).
-[[nodiscard]] double smooth_from_aperture(double roughness);
-[[nodiscard]] inline double hydraulic_aperture(double mechanical, double smooth_from) {
-  return std::min(mechanical, mechanical * mechanical / smooth_from);
-}
 
 /// E_0 = JRC/5 (0.2 UCS/JCS - 0.1) mm (Bandis, Lumsden & Barton 1983) [m].
 [[nodiscard]] double barton_bandis_aperture(double roughness, double wall_strength,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Softening by fracture energy: what a point of a facet still holds after its strength is reached;
 // and how strength grows with the rate of strain.
-// Scope: pure functions of one point; vectors in the facet's own axes (normal first).
+// Scope: pure functions of one point, one per lane; vectors in the facet's own axes (normal first).
 //
 // Linear weakening (Hillerborg, Modeer & Petersson 1976 in tension; the like in shear with friction
 // beside it, and unloading towards the origin, as of Camacho & Ortiz 1996): the traction that
@@ -12,32 +12,41 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "bond/law/joint_material.h"
+#include "math/lanes.h"
 #include "math/types.h"
 
 namespace muckpile {
 
-struct Cohesion {
-  Vec3 direction = Vec3::Zero();  ///< unit, of the traction on block i
-  double strength = 0.0;          ///< at its start [Pa]
-  double first = 0.0;             ///< parting at its start [m]
-  double end = 0.0;               ///< parting at which nothing is left [m]; 0: nothing is left
-  double worst = 0.0;             ///< largest parting so far [m]
-  double shift = 0.0;             ///< jump along the direction without parting [m]
+/// Of a point, or of one per lane of Number.
+template <class Number>
+struct CohesionOf {
+  using Vector = std::conditional_t<std::is_same_v<Number, double>, Vec3, VectorOf<Number>>;
 
-  [[nodiscard]] bool holds() const { return end > 0.0; }
-  [[nodiscard]] double parting(const Vec3& jump) const { return direction.dot(jump) - shift; }
+  Vector direction{Vec3(Vec3::Zero())};  ///< unit, of the traction on block i
+  Number strength = 0.0;                 ///< at its start [Pa]
+  Number first = 0.0;                    ///< parting at its start [m]
+  Number end = 0.0;    ///< parting at which nothing is left [m]; 0: nothing is left
+  Number worst = 0.0;  ///< largest parting so far [m]
+  Number shift = 0.0;  ///< jump along the direction without parting [m]
+
+  [[nodiscard]] auto holds() const { return end > 0.0; }
+  [[nodiscard]] Number parting(const Vector& jump) const { return dot(direction, jump) - shift; }
   /// [Pa]; unloading and loading again run along the line to the origin.
-  [[nodiscard]] double traction(double parting, double largest) const {
-    if (largest >= end) return 0.0;
-    return strength * (end - largest) / (end - first) * std::max(parting, 0.0) / largest;
+  [[nodiscard]] Number traction(const Number& parting, const Number& largest) const {
+    using std::max;
+    const Number held = strength * (end - largest) / (end - first);
+    return choose(largest >= end, Number(0.0), held * max(parting, Number(0.0)) / largest);
   }
   /// Stored per area [J/m2].
-  [[nodiscard]] double energy(double parting) const {
-    return 0.5 * traction(parting, worst) * std::max(parting, 0.0);
+  [[nodiscard]] Number energy(const Number& parting) const {
+    using std::max;
+    return 0.5 * traction(parting, worst) * max(parting, Number(0.0));
   }
 };
+using Cohesion = CohesionOf<double>;
 
 /// `dropped`: what breaking would drop at once [Pa], with the stiffness of the facet normal to it
 /// and along it [Pa/m]. Holds nothing if the fracture energy is 0, or no more than the elastic

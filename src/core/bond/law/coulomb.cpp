@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Natural joints with linear closure and Coulomb's strength: keywords.
-// Scope: see the header; the laws are in coulomb.h, linear_closure.h and slip_friction.h.
+// Joints with linear closure and Coulomb's strength: their numbers from a material, keywords.
+// Scope: see the header.
 #include "bond/law/coulomb.h"
 
 #include <numbers>
@@ -30,6 +30,18 @@ JointClass make(const ArgValues& args, const std::string& /*where*/) {
 }
 
 }  // namespace
+
+Coulomb coulomb_of(const JointMaterial& joints) {
+  const JointParameters& p = joints.parameters();
+  return {{p.tension, p.cohesion, joints.tan_friction(), joints.tan_residual_friction()},
+          p.normal_stiffness};
+}
+
+JointLawMaker coulomb_law() {
+  return [](const JointMaterial& joints) {
+    return std::make_shared<JointLawOf<Coulomb>>(coulomb_of(joints));
+  };
+}
 
 JointLawEntry coulomb_entry() {
   return {"coulomb",

@@ -1,40 +1,82 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The strength of a joint by Mohr and Coulomb with a tension cut-off.
-// Scope: a pure function of one point, one per lane; tension is positive.
+// The joint law that facets have unless their class has another: linear closure, Mohr and Coulomb's
+// strength with a tension cut-off, constant friction.
+// Scope: pure functions of one point, one per lane; tension is positive.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
 
-#include "bond/law/linear_closure.h"
+#include "bond/law/joint_law.h"
 
 namespace muckpile {
 
+class JointMaterial;
 struct JointLawEntry;
-/// Linear closure with Coulomb's strength, for natural joints.
+/// For natural joints.
 [[nodiscard]] JointLawEntry coulomb_entry();
 
-template <class Number>
+/// Of a joint, or of those of a group of facets: `Own` is double or one number per lane.
+template <class Own>
 struct CoulombStrength {
-  Number tension, cohesion;  ///< [Pa]
-  Number tan_friction;       ///< [-]
+  Own tension{}, cohesion{};  ///< [Pa]
+  Own tan_friction{};         ///< before breaking [-]
+  Own tan_residual{};         ///< of broken points at slow slip [-]
 
-  /// `normal` traction [Pa]; the shear is asked for squared [Pa2], which spares the root.
-  [[nodiscard, gnu::always_inline]] auto fails(const Number& normal,
-                                               const Number& shear_squared) const {
+  /// See JointLaw.
+  template <class Number>
+  [[nodiscard, gnu::always_inline]] auto fails(const Number& normal, const Number& shear_squared,
+                                               const StrengthFactors<Number>& factors = {}) const {
     using std::max;
-    const Number shear = max(cohesion - normal * tan_friction, Number(0.0));
-    return normal > tension || shear_squared > shear * shear;
+    const Number bears = factors.cohesion * cohesion;
+    const Number shear = max(bears - normal * tan_friction, Number(0.0));
+    return normal > factors.tension * tension || shear_squared > shear * shear;
   }
-  /// Whether it does under a traction on a facet of that normal.
-  template <class Vector>
-  [[nodiscard, gnu::always_inline]] auto fails(const Vector& normal, const Vector& traction) const {
-    const Number along = dot(normal, traction);
-    return fails(along, Number(dot(traction, traction) - along * along));
-  }
-  /// Tension and cohesion by a factor each; friction stays.
-  [[nodiscard]] CoulombStrength scaled(const Number& in_tension, const Number& in_shear) const {
-    return {in_tension * tension, in_shear * cohesion, tan_friction};
+  template <class Number>
+  [[nodiscard, gnu::always_inline]] Number friction(const Number& /*pressure*/,
+                                                    const Number& /*slip*/) const {
+    return tan_residual;
   }
 };
+
+struct Coulomb : CoulombStrength<double> {
+  /// Facets are worked on by their stiffness (LinearPoints), which close() gives in series.
+  static constexpr bool kLinear = true;
+
+  double normal_stiffness = std::numeric_limits<double>::infinity();  ///< infinite: rigid [Pa/m]
+
+  // As JointLaw has them.
+  template <class Number>
+  [[nodiscard]] JointClosure<Number> close(const Number& jump, double rock,
+                                           const Number& /*largest*/) const {
+    const double rate = std::isinf(normal_stiffness) ? 0.0 : rock / (rock + normal_stiffness);
+    return {rate * jump, rock * (1.0 - rate) * jump, rate};
+  }
+  template <class Number>
+  [[nodiscard]] Number jump_at(const Number& pressure, double rock,
+                               const Number& /*largest*/) const {
+    return pressure / normal_stiffness + pressure / rock;
+  }
+  template <class Number>
+  [[nodiscard]] Number stored(const Number& closure, const Number& /*largest*/) const {
+    if (std::isinf(normal_stiffness)) return 0.0;
+    return 0.5 * normal_stiffness * closure * closure;
+  }
+  template <class Number>
+  [[nodiscard]] Number taken(const Number& /*largest*/) const {
+    return 0.0;
+  }
+  [[nodiscard]] std::optional<JointApertures> apertures(double /*closure*/) const { return {}; }
+  [[nodiscard]] Coulomb softened(double factor) const {
+    Coulomb soft = *this;
+    soft.normal_stiffness *= factor;
+    return soft;
+  }
+};
+
+/// Of the numbers of a material and the joints in it.
+[[nodiscard]] Coulomb coulomb_of(const JointMaterial& joints);
 
 }  // namespace muckpile

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a class of natural joints may have instead of the linear closure with Coulomb's strength, a
-// nonlinear joint law: closure, strength, friction, and the apertures that gas finds.
+// The law of a facet's joint: closure, strength, friction, and the apertures that gas finds.
 // Scope: the interface that the facet network calls, for the points of one facet at once; how to
 // add a law is in CONTRIBUTING.md. Laws themselves are value types templated on the number type,
-// which NonlinearJointLaw turns into this.
+// which JointLawOf turns into this.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +10,8 @@
 #include <optional>
 #include <utility>
 
-#include "bond/law/slip_friction.h"
+#include "bond/law/joint_material.h"
+#include "bond/law/strength.h"
 #include "math/lanes.h"
 
 namespace muckpile {
@@ -21,6 +21,8 @@ struct JointHistory {
   double closure = 0.0;   ///< largest so far [m]
   double slip = 0.0;      ///< since it broke [m]
   double broke_at = 0.0;  ///< closure just after it broke [m]
+
+  [[nodiscard]] bool empty() const { return closure == 0.0 && slip == 0.0 && broke_at == 0.0; }
 };
 /// Of the points of a facet.
 template <class Number>
@@ -59,10 +61,14 @@ struct JointApertures {
 /// - Apertures are > 0 at every closure, the mechanical one falls by what the closure grows.
 class JointLaw {
  public:
-  JointLaw() = default;
+  explicit JointLaw(bool linear) : linear_(linear) {}
   JointLaw(const JointLaw&) = default;
   JointLaw& operator=(const JointLaw&) = default;
   virtual ~JointLaw() = default;
+
+  /// Closure goes with pressure, whatever was before: points remember nothing, and facets are
+  /// worked on in groups by their stiffness (law/joint_in_rock.h).
+  [[nodiscard]] bool linear() const { return linear_; }
 
   /// Of joint and rock squeezed by `jump` [m] together; `rock` is the rock's stiffness [Pa/m].
   [[nodiscard]] virtual JointClosure<Lanes> close(const Lanes& jump, double rock,
@@ -74,25 +80,31 @@ class JointLaw {
   [[nodiscard]] virtual Lanes stored(const Lanes& closure, const Lanes& largest) const = 0;
   [[nodiscard]] virtual Lanes taken(const Lanes& largest) const = 0;
   /// Whether bonded points fail; `normal` traction is positive in tension [Pa], the whole shear
-  /// squared [Pa2]; `faster`: tensile strength over that at rest; 0 where a point has slipped and
-  /// opens.
+  /// squared [Pa2].
   [[nodiscard]] virtual LaneMask fails(const Lanes& normal, const Lanes& shear_squared,
-                                       const Lanes& faster) const = 0;
+                                       const StrengthFactors<Lanes>& factors) const = 0;
   /// Friction of broken points at slow slip under a pressure [Pa], after a slip [m] -> [-]; finite
   /// at pressure 0 too.
   [[nodiscard]] virtual Lanes friction(const Lanes& pressure, const Lanes& slip) const = 0;
-  /// What gas finds at that closure [m]; none: as in joints with the linear law.
+  /// What gas finds at that closure [m]; none at any: cracks through the rock are as wide as the
+  /// facet is open.
   [[nodiscard]] virtual std::optional<JointApertures> apertures(double closure) const = 0;
   /// The same joint with every stiffness times `factor`.
   [[nodiscard]] virtual std::shared_ptr<const JointLaw> softened(double factor) const = 0;
+
+ private:
+  bool linear_;
 };
+
+template <class Law>
+concept LinearJoint = Law::kLinear;
 
 /// A law's value type `Law` as a JointLaw. Its member functions are those of above, templated on
 /// the number type.
 template <class Law>
-class NonlinearJointLaw : public JointLaw {
+class JointLawOf : public JointLaw {
  public:
-  explicit NonlinearJointLaw(Law law) : law_(std::move(law)) {}
+  explicit JointLawOf(Law law) : JointLaw(LinearJoint<Law>), law_(std::move(law)) {}
   [[nodiscard]] JointClosure<Lanes> close(const Lanes& jump, double rock,
                                           const Lanes& largest) const override {
     return law_.close(jump, rock, largest);
@@ -106,8 +118,8 @@ class NonlinearJointLaw : public JointLaw {
   }
   [[nodiscard]] Lanes taken(const Lanes& largest) const override { return law_.taken(largest); }
   [[nodiscard]] LaneMask fails(const Lanes& normal, const Lanes& shear_squared,
-                               const Lanes& faster) const override {
-    return law_.fails(normal, shear_squared, faster);
+                               const StrengthFactors<Lanes>& factors) const override {
+    return law_.fails(normal, shear_squared, factors);
   }
   [[nodiscard]] Lanes friction(const Lanes& pressure, const Lanes& slip) const override {
     return law_.friction(pressure, slip);
@@ -116,74 +128,17 @@ class NonlinearJointLaw : public JointLaw {
     return law_.apertures(closure);
   }
   [[nodiscard]] std::shared_ptr<const JointLaw> softened(double factor) const override {
-    return std::make_shared<NonlinearJointLaw>(law_.softened(factor));
+    return std::make_shared<JointLawOf>(law_.softened(factor));
   }
 
  private:
   Law law_;
 };
 
-/// Points of a facet that hold, with a joint of a nonlinear law: what LinearClosure is for the
-/// linear one. The jump along the normal closes joint and rock in series; what of it strains the
-/// rock, r = u + closure, has the energy G/h r^2 and enters the dilatations, so that
-///     t_n = [2G/h r + p] dr/du - pressure d(closure)/d(-u),
-/// the joint's own pressure where the strain is uniaxial. Along the facet it is linear.
-struct NonlinearClosure {
-  const JointLaw* law;
-  double shear;       ///< stiffness [Pa/m]
-  double rock;        ///< 2G/h [Pa/m]
-  double uniaxial;    ///< (lambda + 2G)/h [Pa/m]
-  double rock_share;  ///< of a jump along the facet that strains the rock [-]
-  JointHistoryOf<Lanes> history;
-
-  /// One jump along the normal in two.
-  struct Parts {
-    JointClosure<Lanes> joint;
-    Lanes rock;       ///< r [m]
-    Lanes rock_rate;  ///< dr/du [-]
-  };
-  [[nodiscard]] Parts parts(const Lanes& along) const;
-  /// By the jump alone [Pa].
-  [[nodiscard]] LaneVec traction(const LaneVec& normal, const LaneVec& jump) const;
-  /// By bulk stresses and slant, given the traction that they make where the share of rock_share
-  /// of every jump strains the rock [Pa].
-  [[nodiscard]] LaneVec passed_on(const LaneVec& normal, const LaneVec& jump,
-                                  const LaneVec& traction) const;
-  /// The jump of which that share strains as much rock [m].
-  [[nodiscard]] LaneVec strained(const LaneVec& normal, const LaneVec& jump) const;
-  /// Stored per area, twice [J/m2].
-  [[nodiscard]] Lanes twice_energy(const LaneVec& normal, const LaneVec& jump) const;
-  /// The largest stiffness along the normal for small motions, at whatever closure, the bulk stress
-  /// left out [Pa/m].
-  [[nodiscard]] double stiffest() const;
-};
-
-/// Points of a facet that have broken: what LinearContact is for the linear law.
-struct NonlinearContact {
-  const JointLaw* law;
-  double fade;      ///< how far the faces match [-]
-  double uniaxial;  ///< (lambda + 2G)/h [Pa/m]
-  Lanes largest;    ///< closure so far [m]
-
-  /// [Pa]; positive where the joint would be pulled open.
-  [[nodiscard]] Lanes traction(const Lanes& gap) const;
-  /// Of the joint, as it is [m].
-  [[nodiscard]] Lanes closure(const Lanes& gap) const;
-  /// 0 where it is open [J/m2].
-  [[nodiscard]] Lanes twice_energy(const Lanes& gap) const;
-  [[nodiscard]] Lanes gap(const Lanes& traction) const;
-};
-
-/// What SlipFriction is for the linear law.
-struct NonlinearFriction {
-  const JointLaw* law;
-  Lanes slip;  ///< since it broke [m]
-  SlipWeakening weakening{};
-
-  [[nodiscard]] Lanes limit(const Lanes& normal, const Lanes& speed_squared) const {
-    return SlipFriction<Lanes>{law->friction(-normal, slip), weakening}.limit(normal,
-                                                                              speed_squared);
-  }
-};
+/// The same law wherever the joint is, for JointClass::law.
+template <class Law>
+[[nodiscard]] JointLawMaker law_everywhere(const Law& law) {
+  return [joint = std::make_shared<JointLawOf<Law>>(law)](const JointMaterial&) { return joint; };
+}
 
 }  // namespace muckpile

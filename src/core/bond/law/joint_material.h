@@ -3,6 +3,7 @@
 // Scope: one isotropic rock; strengths are per area and act on the continuum traction of a facet.
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -36,6 +37,11 @@ struct JointParameters {
 };
 
 class JointLaw;
+class JointMaterial;
+/// The law of a class of joints in a rock with those joints: some of its numbers may be the rock's.
+using JointLawMaker = std::function<std::shared_ptr<const JointLaw>(const JointMaterial& joints)>;
+/// Linear closure and Coulomb's strength, of the material's numbers.
+[[nodiscard]] JointLawMaker coulomb_law();
 
 /// A natural joint: stiffness and strength of its own; the rock on both sides is the same.
 struct JointClass {
@@ -46,10 +52,9 @@ struct JointClass {
   double normal_stiffness = std::numeric_limits<double>::infinity();  ///< [Pa/m]
   double shear_stiffness = std::numeric_limits<double>::infinity();   ///< [Pa/m]
   double wall_strength = 0.0;  ///< as in JointParameters [Pa]; 0: that of the rock
-  /// Instead of linear closure, Coulomb's strength and constant friction; walls do not crush. Of
-  /// the numbers above it leaves the two stiffnesses, normal_stiffness as that without pressure.
-  /// None: linear.
-  std::shared_ptr<const JointLaw> law{};
+  /// Coulomb's is made of the numbers above. Of them another law leaves the two stiffnesses,
+  /// normal_stiffness as that without pressure, and its walls do not crush.
+  JointLawMaker law = coulomb_law();
 };
 
 /// Derived constants; throws InputError if a parameter is out of range.

@@ -80,13 +80,15 @@ struct LinearContact {
   [[nodiscard, gnu::always_inline]] Number twice_energy(const Number& gap) const {
     return normal * gap * gap;
   }
-  /// The gap of a traction [m], and the energy there.
+  /// The gap of a traction [m].
   [[nodiscard, gnu::always_inline]] Number gap(const Number& traction) const {
     return traction / normal;
   }
-  [[nodiscard, gnu::always_inline]] Number twice_energy_of(const Number& traction) const {
-    return traction * traction / normal;
+  /// From no traction to that tension, and anywhere [Pa/m].
+  [[nodiscard, gnu::always_inline]] Number stiffness_to(const Number& /*tension*/) const {
+    return normal;
   }
+  [[nodiscard, gnu::always_inline]] Number stiffest() const { return normal; }
 };
 
 /// And with walls that crush under a pressure: they are pressed no further together than to the gap

@@ -11,8 +11,7 @@
 
 namespace muckpile {
 
-template <class Number, class Closure = LinearContact<Number>,
-          class Friction = SlipFriction<Number>>
+template <class Number, class Closure, class Friction>
 struct PlaneContact {
   Closure closure;
   Number shear;    ///< stiffness [Pa/m]
@@ -32,12 +31,12 @@ struct PlanePoint {
 
 template <class Number>
 struct PlanePull {
-  VectorOf<Number> traction;         ///< [Pa]
-  typename Number::mask_type rests;  ///< it slips, crushes or is open: carries no more than now,
-  VectorOf<Number> resting;          ///< and nothing at the jump less this [m]
-  Number damped;                     ///< taken by the dashpot [W/m2]
-  Number rubbed;                     ///< twice what friction takes in the step, over shear [m2]
-  Number crushed;                    ///< and what walls that crush take, over their stiffness [m2]
+  VectorOf<Number> traction;          ///< [Pa]
+  typename Number::mask_type yields;  ///< it slips, crushes or is open: the spring gives way,
+  VectorOf<Number> elastic;           ///< and of its jump only this stays [m]
+  Number damped;                      ///< taken by the dashpot [W/m2]
+  Number rubbed;                      ///< twice what friction takes in the step, over shear [m2]
+  Number crushed;                     ///< and what walls that crush take, over their stiffness [m2]
 };
 
 /// A closure whose walls crush.
@@ -76,16 +75,16 @@ template <class Number, class Closure, class Friction>
   const Mask closed = at.broken && pressed < 0.0;
   const Mask forgets = at.broken && (at.fresh || !closed);
   const Number rate = dot(at.normal, at.rate);
-  const Number elastic = choose(closed, pressed, 0.0);
-  const Number damped = elastic + contact.dashpot * rate;
+  const Number by_spring = choose(closed, pressed, 0.0);
+  const Number damped = by_spring + contact.dashpot * rate;
   Number normal = choose(closed, min(damped, Number(0.0)), 0.0), crushed = 0.0;
-  Mask rests = forgets;
+  Mask yields = forgets;
   if constexpr (Crushing<Closure>) {
     const Mask crushes = closed && whole < gap;
     normal = max(normal, contact.closure.traction(contact.closure.deepest));
     const Number path = dt * rate, before = min(whole - path, Number(0.0));  // 0: it was open
     crushed = choose(crushes, (before + gap) * (path + before - gap), 0.0);
-    rests = rests || crushes;
+    yields = yields || crushes;
   }
 
   const VectorOf<Number> sheared = at.spring - whole * at.normal;
@@ -98,8 +97,8 @@ template <class Number, class Closure, class Friction>
   const Number slid = (1.0 - kept) * dot(stuck, (1.0 + kept) * stuck - path);
   const Mask opens = forgets && !at.fresh && !closed && gap < dt * rate;
   const Number forgotten = choose(opens, dot(sheared, sheared - path), 0.0);
-  return {normal * at.normal + kept * shear, slide.slips || rests, gap * at.normal + kept * stuck,
-          (normal - elastic) * rate,         slid + forgotten,     crushed};
+  return {normal * at.normal + kept * shear, slide.slips || yields, gap * at.normal + kept * stuck,
+          (normal - by_spring) * rate,       slid + forgotten,      crushed};
 }
 
 }  // namespace muckpile

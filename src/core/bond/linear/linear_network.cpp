@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "bond/network/facet_kinematics.h"
-#include "bond/network/nonlinear_points.h"
+#include "bond/network/joint_points.h"
 
 namespace muckpile {
 namespace {

@@ -41,7 +41,7 @@ struct StepBound {
 /// With breaking possible it is the shorter of the bounds for the present state and for all facets
 /// broken and closed: measured on cubes, bars, plates, Voronoi and graded blocks, nu 0 to 0.45, a
 /// random mixture of whole and broken facets has one of at least 0.997 of that (by
-/// tests/unit/bond/test_stable_step.cpp; docs/theory/timestep.md).
+/// tests/unit/bond/linear/test_stable_step.cpp; docs/theory/timestep.md).
 [[nodiscard]] StepBound stable_step(const FacetNetwork& network, std::span<const Mat3> inertia,
                                     Breaking breaking, const RankTeam& team = {},
                                     double guess = 0.0);

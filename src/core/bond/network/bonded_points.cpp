@@ -5,10 +5,9 @@
 
 #include <cmath>
 
-#include "bond/law/plane_contact.h"
 #include "bond/network/border_relief.h"
 #include "bond/network/broken_contact.h"
-#include "bond/network/nonlinear_points.h"
+#include "bond/network/joint_points.h"
 
 namespace muckpile {
 
@@ -26,18 +25,11 @@ Vec3 bulk_traction(const FacetKinematics& facets, const LeaningFaces* leaning, s
 [[gnu::always_inline]] inline FacetPull pull_of(const FacetKinematics& facets,
                                                 const LeaningFaces* leaning, std::size_t f,
                                                 const FacetMotion& motion) {
-  const BondConstants bond = facets.tables.bond(f);
   FacetPull pull(motion);
   const LaneVec jump = facets.elastic_jump(f, motion);
   const LaneVec bulk(bulk_traction(facets, leaning, f, facets.openings(f, motion.scale)));
-  if (facets.tables.nonlinear_law(f) != nullptr) {
-    const NonlinearClosure closure = nonlinear_closure(facets, f);
-    pull.traction =
-        closure.traction(pull.normal, jump) + closure.passed_on(pull.normal, jump, bulk);
-    return pull;
-  }
-  const LinearClosure<Lanes> closure{bond.shear, bond.normal_extra};
-  pull.traction = closure.traction(pull.normal, jump) + bulk;
+  pull.traction = of_bonded(
+      facets, f, [&](const auto& points) { return points.traction(pull.normal, jump, bulk); });
   return pull;
 }
 
@@ -47,11 +39,9 @@ LaneVec bonded_tractions(const FacetKinematics& facets, const LeaningFaces* lean
 }
 
 Vec3 mean_traction(const FacetKinematics& facets, const LeaningFaces* leaning, std::size_t f) {
-  const BondConstants bond = facets.tables.bond(f);
   const FacetMotion motion = facets.motion(f);
-  if (facets.tables.nonlinear_law(f) != nullptr)
-    return mean_at_points(pull_of(facets, leaning, f, motion).traction);
-  return bond.traction(motion.normal, motion.mean_jump()) +
+  if (facets.tables.alone(f)) return mean_at_points(pull_of(facets, leaning, f, motion).traction);
+  return facets.tables.bond(f).traction(motion.normal, motion.mean_jump()) +
          bulk_traction(facets, leaning, f, facets.openings(f, motion.scale));
 }
 
@@ -59,18 +49,11 @@ Vec3 mean_traction(const FacetKinematics& facets, const LeaningFaces* leaning, s
 /// they open.
 static LaneMask failing(const FacetKinematics& facets, std::size_t f, const FacetPull& pull,
                         const LaneMask& slipping) {
-  const Lanes along = dot(pull.normal, pull.traction);
-  const Lanes shear_squared =
-      choose(slipping, Lanes(0.0), dot(pull.traction, pull.traction) - along * along);
-  const CoulombStrength<double>& linear = facets.tables.strength(f);
-  const CoulombStrength<Lanes> at_rest{linear.tension, linear.cohesion, linear.tan_friction};
-  const JointLaw* nonlinear = facets.tables.nonlinear_law(f);
-  const auto fails = [&](const Lanes& in_tension, const Lanes& in_shear) {
-    return nonlinear != nullptr ? nonlinear->fails(along, shear_squared, in_tension)
-                                : at_rest.scaled(in_tension, in_shear).fails(along, shear_squared);
-  };
+  PointLoad<Lanes> load(pull.normal, pull.traction);
+  load.shear_squared = choose(slipping, Lanes(0.0), load.shear_squared);
+  const JointLaw& joint = facets.tables.joint(f);
   const Lanes unless_slipping = choose(slipping, Lanes(0.0), 1.0);
-  const LaneMask slowly = is_point() && fails(unless_slipping, unless_slipping);
+  const LaneMask slowly = is_point() && load.breaks(joint, {unless_slipping, unless_slipping});
   const JointLaws& laws = facets.tables.laws();
   if (!laws.depends_on_rate() || none_of(slowly)) return slowly;
   const auto [depth_i, depth_j] = facets.tables.depths(f);
@@ -80,7 +63,8 @@ static LaneMask failing(const FacetKinematics& facets, std::size_t f, const Face
     return Lanes(
         [&](auto lane) { return rate_factor(rate[lane], reference_rate, p.rate_exponent); });
   };
-  return slowly && (slipping || fails(faster(p.reference_rate), faster(p.reference_rate_shear)));
+  return slowly && (slipping ||
+                    load.breaks(joint, {faster(p.reference_rate), faster(p.reference_rate_shear)}));
 }
 
 FacetPull BondedPoints::pull(std::size_t f, const FacetMotion& motion) const {
@@ -239,7 +223,7 @@ void BondedPoints::rub(std::size_t f, const FacetMotion& motion, const ContactCo
   const LaneVec shear = choose(slipping, Lanes(1.0), 0.0) * pull.traction - elastic * pull.normal;
   const LaneVec slip = pull.rate - rate * pull.normal;
   const auto [slips, kept] =
-      Slide<Lanes>(shear, friction_limit(facets_, f, normal, dot(slip, slip)));
+      Slide<Lanes>(shear, friction_of(facets_, f).limit(normal, dot(slip, slip)));
   pull.traction = choose(slipping, normal * pull.normal + kept * shear, pull.traction);
 
   const double booked = contact.weight * contact.point_area;
@@ -253,8 +237,7 @@ void BondedPoints::rub(std::size_t f, const FacetMotion& motion, const ContactCo
   for (std::size_t p = 0; p < kFacetPoints; ++p)
     if (slips[p])
       contacts.set_offset(f, p, contacts.offset(f, p) + in_axes.at(static_cast<int>(p)));
-  if (facets_.tables.nonlinear_law(f) != nullptr)
-    remember_slip(parts_.history, f, slips, sqrt(dot(slid, slid)));
+  remember_slip(facets_.tables, parts_.history, f, slips, slid, 1.0);
   const double stiffness = contact.shear * (1.0 + through.dilatations);
   const LaneVec mean = over - Lanes(0.5 * stiffness) * slid;
   losses.friction += booked * sum(dot(slid, kept * shear + mean) - dt * dot(mean, pull.rate));

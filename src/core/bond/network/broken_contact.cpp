@@ -5,11 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
-#include "bond/law/plane_contact.h"
 #include "bond/network/facet_energy.h"
-#include "bond/network/nonlinear_points.h"
+#include "bond/network/joint_points.h"
+#include "bond/network/softening_points.h"
 
 namespace muckpile {
 namespace {
@@ -23,28 +22,9 @@ double slid_squared(const LaneVec& apart, const Vec3& normal) {
 PlanePoint<Lanes> contact_points(const FacetKinematics& facets, std::size_t f,
                                  const FacetMotion& motion, const LaneVec& rate) {
   const FacetTraces& traces = facets.history.traces(f);
-  const LaneVec offset = lanes_of(facets.history.contacts().get(f).offset);
-  return {LaneVec(motion.normal), motion.jump() - rotated(motion.axes(), offset), rate,
+  return {LaneVec(motion.normal), contact_spring(facets, f, motion), rate,
           facets.history.bonded_points(f) == 0 ? is_point() : where_contact(traces),
           LaneMask(traces.open)};
-}
-
-/// With the linear law.
-PlanePull<Lanes> linear_pull(const FacetKinematics& facets, std::size_t f,
-                             const ContactConstants& contact, const PlanePoint<Lanes>& at,
-                             double dt) {
-  const FacetTables& tables = facets.tables;
-  const double fade = facets.history.contacts().fade(f);
-  const auto pull = [&](const auto& closure) {
-    return plane_pull(
-        PlaneContact<Lanes, std::remove_cvref_t<decltype(closure)>>{
-            closure, fade * contact.shear, fade * tables.contact_damping(f),
-            tables.laws().friction(Lanes(tables.residual_friction(f)))},
-        at, dt);
-  };
-  const LinearContact<Lanes> closure{fade * contact.closure.normal};
-  if (!tables.laws().crushes()) return pull(closure);
-  return pull(CrushingContact<Lanes>{closure, -tables.wall_strength(f) / contact.closure.normal});
 }
 
 }  // namespace
@@ -53,9 +33,7 @@ PlanePull<Lanes> linear_pull(const FacetKinematics& facets, std::size_t f,
 LaneVec contact_tractions(const FacetKinematics& facets, std::size_t f, const FacetMotion& motion) {
   const ContactConstants contact = facets.tables.contact(f);
   const PlanePoint<Lanes> at = contact_points(facets, f, motion, LaneVec());
-  const PlanePull<Lanes> pull = facets.tables.nonlinear_law(f) == nullptr
-                                    ? linear_pull(facets, f, contact, at, 0.0)
-                                    : nonlinear_pull(facets, f, contact, at, 0.0);
+  const PlanePull<Lanes> pull = contact_pull(facets, f, contact, at, 0.0);
   return choose(at.broken, Lanes(1.0), 0.0) * pull.traction;
 }
 
@@ -71,20 +49,20 @@ void BrokenContact::add_tractions(std::size_t f, const FacetMotion& motion,
   const Mat3 axes = motion.axes();
   const PlanePoint<Lanes> at = contact_points(facets_, f, motion, pull.rate);
   const LaneMask broken = at.broken;
-  const PlanePull<Lanes> at_points =
-      facets_.tables.nonlinear_law(f) == nullptr
-          ? linear_pull(facets_, f, contact, at, dt_)
-          : nonlinear_plane_pull(facets_, history_, f, contact, at, dt_);
+  const PlanePull<Lanes> at_points = contact_pull(facets_, f, contact, at, dt_);
+  const LaneMask slips = broken && at_points.yields && dot(at.normal, at_points.traction) < 0.0;
+  remember_slip(facets_.tables, history_, f, slips, at.rate - dot(at.normal, at.rate) * at.normal,
+                dt_);
   history_.set_open(f, false);
   pull.traction = choose(broken, at_points.traction, pull.traction);
   const double booked = contact.weight * contact.point_area;
   books_.losses.damping += booked * dt_ * sum(at_points.damped);
   books_.losses.friction += 0.5 * booked * fade * contact.shear * sum(at_points.rubbed);
   books_.losses.crush(0.5 * booked * fade * contact.closure.normal * sum(at_points.crushed));
-  if (none_of(at_points.rests)) return;
-  const LaneVec offset = rotated_back(axes, pull.jump - at_points.resting);
+  if (none_of(at_points.yields)) return;
+  const LaneVec offset = rotated_back(axes, pull.jump - at_points.elastic);
   for (std::size_t p = 0; p < kFacetPoints; ++p)
-    if (at_points.rests[p]) contacts.set_offset(f, p, offset.at(static_cast<int>(p)));
+    if (at_points.yields[p]) contacts.set_offset(f, p, offset.at(static_cast<int>(p)));
 }
 
 bool BrokenContact::remains(std::size_t f, const FacetMotion& motion,

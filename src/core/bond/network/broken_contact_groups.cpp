@@ -59,8 +59,8 @@ struct BrokenContact::Parting {
 
 unsigned BrokenContact::apart_lanes(const LaneSet& working) const {
   unsigned lanes = 0;
-  const unsigned linear = working.lanes & ~facets_.tables.nonlinear_lanes(working.group);
-  each_lane(linear, [&](std::size_t k) {
+  const unsigned in_group = working.lanes & ~facets_.tables.alone_lanes(working.group);
+  each_lane(in_group, [&](std::size_t k) {
     const std::size_t f = working.group * kGroup + k;
     if (history_.bonded_points(f) == 0 && history_.state(f) != FacetState::retired &&
         !history_.has_extra(f))
@@ -77,7 +77,7 @@ BrokenContact::Remembered BrokenContact::remembered(std::size_t g, unsigned lane
     contact.fresh[k] = history_.traces(f).open ? 1.0 : 0.0;
     contact.weight[k] = facets_.tables.name(f).weight;
     contact.rock_share[k] = facets_.tables.rock_share(f);
-    contact.tan_residual[k] = facets_.tables.residual_friction(f);
+    contact.tan_residual[k] = facets_.tables.strength(f).tan_residual;
     if (crushes) contact.wall_strength[k] = facets_.tables.wall_strength(f);
     if (!facets_.tables.laws().zoned()) return;
     contact.shear_over_p_wave[k] = facets_.tables.shear_over_p_wave(f);
@@ -136,9 +136,12 @@ void BrokenContact::touch(std::size_t g, unsigned lanes, const WidePose& pose,
   const Wide dashpot = choose(at_mirror(group), Wide(2.0), 1.0) *
                        (zoned ? wide(contact.dashpot) : Wide(laws.contact_damping()));
   const Wide closed = bonded.contact(wide(contact.rock_share), shear_over_p_wave);
-  const PlaneContact<Wide, Closure<Wide>> law = {
+  const CoulombStrength<Wide> joint{.tan_residual = wide(contact.tan_residual)};
+  const Wide grip = choose(at_mirror(group), Wide(0.0), 1.0);
+  const PlaneContact law{
       closure_of<Closure<Wide>>(fade * closed, closed, wide(contact.wall_strength)), shear,
-      fade * dashpot, laws.friction(wide(contact.tan_residual))};
+      fade * dashpot,
+      SlipFriction<Wide, CoulombStrength<Wide>>{joint, 0.0, grip, laws.slip_weakening()}};
   const WideMask broken = fade > 0.0, fresh = wide(contact.fresh) > 0.0;
   WideVec traction, moment;
   Wide damped = 0.0, rubbed = 0.0, crushed = 0.0;
@@ -151,8 +154,8 @@ void BrokenContact::touch(std::size_t g, unsigned lanes, const WidePose& pose,
     damped += pull.damped;
     rubbed += pull.rubbed;
     crushed += pull.crushed;
-    const unsigned rests = lanes & bits_of<Wide>(pull.rests);
-    if (rests != 0) store(axes.back(at - pull.resting), rests, contact.memory->offset[p]);
+    const unsigned yields = lanes & bits_of<Wide>(pull.yields);
+    if (yields != 0) store(axes.back(at - pull.elastic), yields, contact.memory->offset[p]);
   }
   const Wide point_area = 1.0 / kFacetPoints * wide(group.area);
   store(point_area * traction, point_area * moment, pose.between, forces);

@@ -35,7 +35,7 @@ void DilatationPass::open_resting() {
 /// The parts of facets in the dilatations of their blocks.
 void DilatationPass::open(const LaneSet& bonded) {
   const unsigned whole = bonded.lanes & facets_.history.intact_lanes(bonded.group) &
-                         ~facets_.tables.nonlinear_lanes(bonded.group);
+                         ~facets_.tables.alone_lanes(bonded.group);
   const FacetGroup& group = facets_.tables.group(bonded.group);
   alignas(64) FacetRow<double> of_i{}, of_j{};
   if (whole != 0) {

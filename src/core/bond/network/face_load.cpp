@@ -56,9 +56,7 @@ std::vector<BoundaryFace> FaceLoad::give_up() {
 
 void FaceLoad::expect_pressure(bool expected) {
   pressure_expected_ = expected;
-  if (!expected || !unloaded_) return;
-  unloaded_ = false;
-  moved_unseen_ = true;
+  if (expected && watch_ == Watch::off) watch_ = Watch::anew;
 }
 
 void FaceLoad::squeeze(BlockFields& blocks) {
@@ -75,7 +73,6 @@ void FaceLoad::squeeze(BlockFields& blocks) {
 
 /// What faces have moved while no pressure was expected is not swept.
 void FaceLoad::look_anew(const BlockFields& blocks) {
-  moved_unseen_ = false;
   for (BoundaryFace& face : faces_) {
     const double swept = face.rigid_swept;
     sweep(face, blocks);
@@ -86,9 +83,9 @@ void FaceLoad::look_anew(const BlockFields& blocks) {
 
 void FaceLoad::load(const FacetKinematics& facets, BlockFields& blocks, JointBooks& books) {
   std::fill(hole_work_.begin(), hole_work_.end(), 0.0);
-  if (unloaded_) return;
-  if (moved_unseen_) look_anew(blocks);
-  unloaded_ = !pressure_expected_;
+  if (watch_ == Watch::off) return;
+  if (watch_ == Watch::anew) look_anew(blocks);
+  watch_ = pressure_expected_ ? Watch::on : Watch::off;
   for (BoundaryFace& face : faces_) {
     if (face.hole < 0) continue;
     const double rigid = sweep(face, blocks);
@@ -105,7 +102,7 @@ void FaceLoad::load(const FacetKinematics& facets, BlockFields& blocks, JointBoo
       books.wave_work += face.wave_share * work;
       book_of_hole(static_cast<std::size_t>(face.hole), work);
     }
-    if (face.pressure != 0.0) unloaded_ = false;
+    if (face.pressure != 0.0) watch_ = Watch::on;
     face.last_pressure = face.pressure;
     face.last_squeezed = squeezed_now;
   }

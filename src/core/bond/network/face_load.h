@@ -31,10 +31,10 @@ class FaceLoad {
   void expect_pressure(bool expected);
   /// The rock has become softer since the faces were loaded last.
   void note_softening() { softer_since_ = true; }
-  [[nodiscard]] bool moved_unseen() const { return unloaded_ || moved_unseen_; }
+  [[nodiscard]] bool moved_unseen() const { return watch_ != Watch::on; }
   [[nodiscard]] bool softer_since() const { return softer_since_; }
   void resume(bool moved_unseen, bool softer_since) {
-    moved_unseen_ = moved_unseen;
+    watch_ = moved_unseen ? Watch::anew : Watch::on;
     softer_since_ = softer_since;
   }
 
@@ -57,6 +57,10 @@ class FaceLoad {
   [[nodiscard]] double bytes_of_walls() const { return walls_ ? walls_->bytes() : 0.0; }
 
  private:
+  /// How the faces' way is followed: step by step; again from the next step on; not while no
+  /// pressure is expected nor there.
+  enum class Watch { on, anew, off };
+
   void book_of_hole(std::size_t hole, double work) {
     if (hole >= hole_work_.size()) hole_work_.resize(hole + 1, 0.0);
     hole_work_[hole] += work;
@@ -68,8 +72,8 @@ class FaceLoad {
 
   std::vector<BoundaryFace> faces_;
   std::optional<WallBalance> walls_;
-  bool pressure_expected_ = true, unloaded_ = false, moved_unseen_ = false;
-  bool softer_since_ = false;
+  Watch watch_ = Watch::on;
+  bool pressure_expected_ = true, softer_since_ = false;
   double energy_ = 0.0;
   std::vector<double> hole_work_;  // in the last load() [J]
 };

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "bond/network/border_relief.h"
-#include "bond/network/nonlinear_points.h"
+#include "bond/network/joint_points.h"
 
 namespace muckpile {
 
@@ -73,29 +73,46 @@ FacetBreaking::Remnant FacetBreaking::remnant_of(std::size_t f, const PointBreak
   const Vec3 shear = broken.traction - normal * n;
   Remnant left{};
   left.normal = std::min(normal, 0.0);
-  const double limit = friction_limit(facets_, f, left.normal, 0.0)[q], size = shear.norm();
+  const double limit = friction_of(facets_, f).limit(left.normal, 0.0)[q], size = shear.norm();
   left.shear = (size > limit ? limit / size : 1.0) * shear;
   left.dropped = broken.traction - left.normal * n - left.shear;
-  const bool linear = tables.nonlinear_law(f) == nullptr;
-  if (tables.laws().softens() && first && linear) {
-    const Mat3 to_axes = broken.axes.transpose();
-    // At a mirror, which has no shear, nothing along it is dropped: any stiffness will do.
-    const double along = contact.shear > 0.0 ? contact.shear : contact.closure.normal;
-    left.cohesion = cohesion_after(to_axes * left.dropped, to_axes * broken.jump,
-                                   contact.closure.normal, along, toughness_of(tables, f));
-  }
+  if (tables.laws().softens() && first) left.cohesion = cohesion_of(f, broken, left.dropped);
   left.slips = first && normal < 0.0 && !broken.torn && may_slip(f);
   left.lost = broken.elastic;
   if (left.slips)
     left.lost =
         left.dropped /
         (contact.shear * (1.0 + slip_through_blocks(facets_, parts_.leaning, f).dilatations));
-  left.strain_lost =
-      linear ? left.lost
-             : nonlinear_strain_lost(
-                   facets_, f, broken,
-                   left.slips ? Vec3(broken.elastic - left.lost) : Vec3(Vec3::Zero()), left.slips);
+  left.strain_lost = strain_lost(f, broken, left);
   return left;
+}
+
+/// What of the jump that leaves the dilatations counts there [m].
+Vec3 FacetBreaking::strain_lost(std::size_t f, const PointBreak& broken,
+                                const Remnant& left) const {
+  const LaneVec normal(broken.normal), jump(broken.elastic), lost(left.lost);
+  return of_bonded(facets_, f,
+                   [&](const auto& points) {
+                     return left.slips ? points.strain_lost(normal, jump, lost)
+                                       : points.strained(normal, jump);
+                   })
+      .at(broken.point);
+}
+
+/// What a point that breaks holds on to.
+Cohesion FacetBreaking::cohesion_of(std::size_t f, const PointBreak& broken,
+                                    const Vec3& dropped) const {
+  const ContactConstants contact = facets_.tables.contact(f);
+  const Mat3 to_axes = broken.axes.transpose();
+  const Vec3 in_axes = to_axes * dropped;
+  const Lanes pulled = of_contact(facets_, f, contact, 1.0, [&](const auto& closure) {
+    return closure.stiffness_to(Lanes(in_axes.x()));
+  });
+  const double normal = pulled[static_cast<std::size_t>(broken.point)];
+  // At a mirror, which has no shear, nothing along it is dropped: any stiffness will do.
+  const double along = contact.shear > 0.0 ? contact.shear : contact.closure.normal;
+  return cohesion_after(in_axes, to_axes * broken.jump, normal, along,
+                        toughness_of(facets_.tables, f));
 }
 
 Vec3 FacetBreaking::break_point(std::size_t f, const PointBreak& broken, double dt) {
@@ -108,13 +125,13 @@ Vec3 FacetBreaking::break_point(std::size_t f, const PointBreak& broken, double 
   // open by what a point that softens has parted, or one that slipped since its force was none.
   const double normal =
       history.traces(f).broken[q] ? broken.normal.dot(broken.traction) : left.normal;
-  Vec3 spring = (contact_gap(facets_, f, q, contact, normal) +
+  Vec3 spring = (contact_gap(facets_, f, contact, normal)[q] +
                  left.cohesion.first * left.cohesion.direction.x()) *
                 broken.normal;
   if (contact.shear > 0.0) spring += left.shear / contact.shear;
   const Vec3 rests_at = left.slips ? left.lost : Vec3(broken.jump - spring);
   history.contacts().set_offset(f, q, broken.axes.transpose() * rests_at);
-  if (facets_.tables.nonlinear_law(f) != nullptr && !history.traces(f).broken[q])
+  if (!history.traces(f).broken[q])
     remember_break(facets_, history, f, q, broken.normal, broken.elastic, normal, left.slips);
   parts_.books.losses.fracture += facets_.tables.weight(f) * border_energy(facets_, f);  // it ends
   history.break_point(f, q, left.slips, parts_.keeps_gas);
@@ -130,11 +147,16 @@ void FacetBreaking::book_break(std::size_t f, const PointBreak& broken, const Re
   const ContactConstants contact = facets_.tables.contact(f);
   JointLosses& losses = parts_.books.losses;
   const auto q = static_cast<std::size_t>(broken.point);
-  const auto bonded_energy = [&](const Vec3& jump) {  // twice, per area [J/m2]
-    return bonded_energy_at(facets_, f, q, broken.normal, jump);
+  const LaneVec facet_normal(broken.normal);
+  const auto while_bonded = [&](const Vec3& jump) -> double {  // twice, per area [J/m2]
+    return bonded_energy(facets_, f, facet_normal, LaneVec(jump))[q];
   };
-  double after = left.slips ? bonded_energy(broken.elastic - left.lost)
-                            : contact_energy_at(facets_, f, q, contact, left.normal, left.shear);
+  const auto apart = [&]() -> double {
+    Vec3 spring = contact_gap(facets_, f, contact, left.normal)[q] * broken.normal;
+    if (contact.shear > 0.0) spring += left.shear / contact.shear;
+    return contact_energy_of(facets_, f, contact, 1.0, facet_normal, LaneVec(spring))[q];
+  };
+  double after = left.slips ? while_bonded(broken.elastic - left.lost) : apart();
   // The half kick to the present step used the traction before, the one from it uses that after:
   // the blocks did the work of their mean over the step's path, the springs' account assumes the
   // first. What slips may have shed less than its force has lost, for the path after, too.
@@ -148,7 +170,7 @@ void FacetBreaking::book_break(std::size_t f, const PointBreak& broken, const Re
     after += 2.0 * (left.cohesion.energy(left.cohesion.first) + rubbed);
   }
   losses.fracture +=
-      0.5 * contact.weight * bond.point_area * (bonded_energy(broken.elastic) - after - undone);
+      0.5 * contact.weight * bond.point_area * (while_bonded(broken.elastic) - after - undone);
   if (left.slips) return;
   const DilatationCoupling coupling = facets_.tables.coupling(f);
   const std::vector<double>& theta = facets_.blocks.theta;

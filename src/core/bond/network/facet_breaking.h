@@ -62,6 +62,10 @@ class FacetBreaking {
 
   [[nodiscard]] bool may_slip(std::size_t f) const;
   [[nodiscard]] Remnant remnant_of(std::size_t f, const PointBreak& broken) const;
+  [[nodiscard]] Vec3 strain_lost(std::size_t f, const PointBreak& broken,
+                                 const Remnant& left) const;
+  [[nodiscard]] Cohesion cohesion_of(std::size_t f, const PointBreak& broken,
+                                     const Vec3& dropped) const;
   void book_break(std::size_t f, const PointBreak& broken, const Remnant& left, double dt);
   void drop_from_dilatation(std::size_t f, const PointBreak& broken, const Remnant& left);
   void book_sharpening(const std::vector<double>& theta_before);

@@ -11,9 +11,6 @@ namespace muckpile {
 /// Of the closed broken points.
 [[nodiscard]] double contact_energy(const FacetKinematics& facets, std::size_t f,
                                     const FacetMotion& motion);
-/// Of the points that soften.
-[[nodiscard]] double cohesion_energy(const FacetKinematics& facets, std::size_t f,
-                                     const FacetMotion& motion);
 /// Of the joint, of its closed broken points and of the uneven dilatation on its sides.
 [[nodiscard]] double facet_energy(const FacetKinematics& facets, std::size_t f);
 

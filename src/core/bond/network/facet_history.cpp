@@ -56,6 +56,13 @@ void FacetHistory::retire(std::size_t f) {
   if (!traces_[f].gas) contacts_.drop(f);
 }
 
+void FacetHistory::stop_softening(std::size_t f) {
+  if (!has_extra(f)) return;
+  ExtraMemory& memory = extra_.get_or_create(f);
+  memory.cohesion = {};
+  if (std::ranges::all_of(memory.joint, &JointHistory::empty)) extra_.drop(f);
+}
+
 void FacetHistory::stop_ground() {
   extra_.each([](ExtraMemory& memory) { memory.ground.yields = false; });
 }

@@ -68,7 +68,7 @@ class FacetHistory {
   void fade(std::size_t f, double matching);
   void retire(std::size_t f);
   void set_open(std::size_t f, bool open) { traces_[f].open = open; }
-  void stop_softening(std::size_t f) { extra_.drop(f); }
+  void stop_softening(std::size_t f);  ///< of a joint
   void release_gas(std::size_t f) { traces_[f].gas = false; }
   void release_gas() {
     for (FacetTraces& traces : traces_) traces.gas = false;

@@ -3,6 +3,8 @@
 // Scope: see the header.
 #include "bond/network/facet_kinematics.h"
 
+#include "bond/network/joint_points.h"
+
 namespace muckpile {
 
 LaneVec FacetKinematics::elastic_jump(std::size_t f, const FacetMotion& motion) const {
@@ -13,9 +15,11 @@ LaneVec FacetKinematics::elastic_jump(std::size_t f, const FacetMotion& motion) 
 }
 
 Vec3 FacetKinematics::bonded_jump_of_points(std::size_t f, FacetMotion motion) const {
-  if (tables.nonlinear_law(f) != nullptr) return nonlinear_bonded_jump(*this, f, motion);
   const LaneMask holds = is_point() && !where_contact(history.traces(f));
-  return sum(choose(holds, Lanes(1.0 / kFacetPoints), 0.0) * elastic_jump(f, motion));
+  const LaneVec strained = of_bonded(*this, f, [&](const auto& points) {
+    return points.strained(LaneVec(motion.normal), elastic_jump(f, motion));
+  });
+  return sum(choose(holds, Lanes(1.0 / kFacetPoints), 0.0) * strained);
 }
 
 }  // namespace muckpile

@@ -68,11 +68,6 @@ struct FacetOpenings {
   Vec3 i, j;
 };
 
-struct FacetKinematics;
-/// bonded_jump() of a joint with a nonlinear law (nonlinear_points.h).
-[[nodiscard]] Vec3 nonlinear_bonded_jump(const FacetKinematics& facets, std::size_t f,
-                                         const FacetMotion& motion);
-
 /// The facets of a network in the pose of its blocks.
 struct FacetKinematics {
   const FacetTables& tables;
@@ -93,14 +88,14 @@ struct FacetKinematics {
   /// Mean over the facet of the elastic jump where it is in the dilatations, as it counts there
   /// [m].
   [[nodiscard]] Vec3 bonded_jump(std::size_t f, const FacetMotion& motion) const {
-    const bool linear = tables.nonlinear_law(f) == nullptr;
-    return linear && history.state(f) == FacetState::intact ? motion.mean_jump()
-                                                            : bonded_jump_of_points(f, motion);
+    return history.state(f) == FacetState::intact && !tables.alone(f)
+               ? motion.mean_jump()
+               : bonded_jump_of_points(f, motion);
   }
 
  private:
-  /// Where a point has broken, or the law is nonlinear. By value: an intact facet's motion needs no
-  /// place in memory then.
+  /// Where a point has broken, or the law is not linear. By value: an intact facet's motion needs
+  /// no place in memory then.
   [[nodiscard]] Vec3 bonded_jump_of_points(std::size_t f, FacetMotion motion) const;
 };
 

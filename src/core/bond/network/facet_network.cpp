@@ -14,20 +14,23 @@ FacetNetwork::FacetNetwork(const JointMaterial& material, const std::vector<Join
                            const std::vector<JointMaterial>& zones)
     : tables_(material, natural, zones) {}
 
-void FacetNetwork::set_blocks(std::vector<BlockConstants> blocks) {
+void FacetNetwork::set(std::vector<BlockConstants> blocks, FacetLists lists, const RankTeam& team) {
   blocks_.reset(std::move(blocks), tables_.laws());
   schedule_.reset_blocks(blocks_.size());
   if (gas_) gas_->clear_pressure();
+  set_facets(std::move(lists));
+  if (team.sum(slanted() ? 1.0 : 0.0) > 0.0 && !leaning_)
+    leaning_.emplace().reset_blocks(blocks_.size());
 }
 
-void FacetNetwork::set_facets(std::vector<Facet> facets, std::vector<FacetMemory> memory) {
-  const std::size_t count = facets.size();
+void FacetNetwork::set_facets(FacetLists lists) {
+  const std::size_t count = lists.facets.size();
   tables_.reset(count);
   history_.reset(count, tables_.groups());
-  memory.resize(count);
+  lists.memory.resize(count);
   for (std::size_t f = 0; f < count; ++f) {
-    history_.set(f, memory[f]);
-    const Vec3 arm_j = tables_.place(f, facets[f]);
+    history_.set(f, lists.memory[f]);
+    const Vec3 arm_j = tables_.place(f, lists.facets[f]);
     tables_.set_arm_j(f, arm_j + history_.ground(f).displacement);
     if (!tables_.is_joint(f)) history_.place_ground(f, arm_j);
     tables_.derive(f, history_.bonded_points(f));
@@ -35,11 +38,11 @@ void FacetNetwork::set_facets(std::vector<Facet> facets, std::vector<FacetMemory
   leaning_.reset();
   if (LeaningFaces::exist_in(tables_)) leaning_.emplace().set(tables_, blocks_.size());
   list_anew();
+  faces_.set(std::move(lists.faces), tables_, history_, blocks_.size());
+  count_unbonded();
 }
 
-void FacetNetwork::follow_leaning_faces() {
-  if (!leaning_) leaning_.emplace().reset_blocks(blocks_.size());
-}
+FacetLists FacetNetwork::lists() const { return {facets(), memory(), faces()}; }
 
 void FacetNetwork::derive_anew() {
   schedule_.set_resting_known(false);
@@ -55,21 +58,15 @@ void FacetNetwork::list_anew() {
   if (slanted()) leaning_->count_moments(tables_, history_, blocks_);
 }
 
-void FacetNetwork::set_faces(std::vector<BoundaryFace> faces) {
-  faces_.set(std::move(faces), tables_, history_, blocks_.size());
-  count_unbonded();
-}
-
-void FacetNetwork::give_up(std::vector<Facet>& facets, std::vector<FacetMemory>& memory,
-                           std::vector<BoundaryFace>& faces) {
-  facets = this->facets();
-  memory = this->memory();
-  faces = faces_.give_up();
+FacetLists FacetNetwork::give_up(const RankTeam& team) {
+  settle_books(team);
+  FacetLists lists{facets(), memory(), faces_.give_up()};
   tables_.release();
   history_.release();
   schedule_.release();
   leaning_.reset();
   if (ground_) ground_->release();
+  return lists;
 }
 
 std::size_t FacetList::size() const { return network_->facet_count(); }
@@ -173,6 +170,7 @@ void FacetNetwork::book_shared_changes() {
   std::fill(blocks_.theta_lost.begin(), blocks_.theta_lost.end(), 0.0);
 }
 
+/// A rank learns a step later what breaking has cost facets whose two blocks belong to two ranks.
 void FacetNetwork::settle_books(const RankTeam& team) {
   if (team.ranks == 1 || blocks_.size() == 0) return;
   team.fill_copies(std::span(blocks_.theta_lost).first(blocks_.size() - 1), 1);
@@ -248,7 +246,8 @@ void FacetNetwork::soften(double factor, std::optional<double> damping, const Ra
   blocks_.find_rock(tables_.laws());
 }
 
-NetworkTotals FacetNetwork::totals() const {
+NetworkTotals FacetNetwork::totals(const RankTeam& team) {
+  settle_books(team);
   return {books_.losses,         books_.pressure_work, books_.wave_work,
           books_.softened,       books_.damping_given, ground_ ? ground_->rock() : QuietGround(),
           faces_.moved_unseen(), faces_.softer_since()};

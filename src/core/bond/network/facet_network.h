@@ -42,6 +42,7 @@
 #include "bond/network/facet_breaking.h"
 #include "bond/network/facet_history.h"
 #include "bond/network/facet_list.h"
+#include "bond/network/facet_lists.h"
 #include "bond/network/facet_schedule.h"
 #include "bond/network/facet_tables.h"
 #include "bond/network/gas_load.h"
@@ -58,15 +59,16 @@ class FacetNetwork {
   explicit FacetNetwork(const JointMaterial& material, const std::vector<JointClass>& natural = {},
                         const std::vector<JointMaterial>& zones = {});
 
-  // Blocks first (the ground is appended), then facets and faces with their indices set.
-  void set_blocks(std::vector<BlockConstants> blocks);
-  void set_facets(std::vector<Facet> facets, std::vector<FacetMemory> memory);
-  void set_faces(std::vector<BoundaryFace> faces);
-  /// The facets with all that they remember and the faces, which the network has no longer.
-  void give_up(std::vector<Facet>& facets, std::vector<FacetMemory>& memory,
-               std::vector<BoundaryFace>& faces);
-  /// Facets of another rank lean: what they need of this rank's blocks is exchanged from now on.
-  void follow_leaning_faces();
+  /// Blocks, after which the ground is appended, and what lies between and around them, by the
+  /// indices of the blocks. Collective: if the facets of any rank lean, all exchange what they
+  /// need.
+  void set(std::vector<BlockConstants> blocks, FacetLists lists, const RankTeam& team = {});
+  /// The same blocks, with others between and around them. Of one rank.
+  void set_facets(FacetLists lists);
+  [[nodiscard]] FacetLists lists() const;
+  /// The same, which the network has no longer. Collective: first books what breaking in the last
+  /// step has cost facets whose two blocks belong to two ranks.
+  [[nodiscard]] FacetLists give_up(const RankTeam& team = {});
 
   // A step. The pose of every block is in state().
   [[nodiscard]] std::span<BlockState> state() { return blocks_.state; }
@@ -76,9 +78,6 @@ class FacetNetwork {
   /// Dilatations and bulk stresses of this pose alone, with no time passing: what
   /// elastic_energy() and mean_traction() read.
   void find_stresses(const RankTeam& team = {}) { find_stresses(0.0, team); }
-  /// A rank learns a step later what breaking has cost facets whose two blocks belong to two ranks.
-  /// Before facets are given up or totals() are kept: books it now. Collective.
-  void settle_books(const RankTeam& team);
   [[nodiscard]] std::span<const Vec3> force() const { return blocks_.force; }    ///< [N]
   [[nodiscard]] std::span<const Vec3> torque() const { return blocks_.torque; }  ///< [N m]
   [[nodiscard]] std::span<const double> theta() const { return blocks_.theta; }  ///< [-]
@@ -205,7 +204,10 @@ class FacetNetwork {
   /// traction falls to that share. The elastic energy given up is booked as fracture loss.
   /// `damping` replaces that of all joints.
   void soften(double factor, std::optional<double> damping = {}, const RankTeam& team = {});
-  [[nodiscard]] NetworkTotals totals() const;
+  /// To be kept. Collective, as give_up().
+  [[nodiscard]] NetworkTotals totals(const RankTeam& team = {});
+  /// Stiffness over that of the start [-].
+  [[nodiscard]] double softened() const { return books_.softened; }
   /// What breaking changes bit by bit is worked out from the facets again, as in a network that
   /// gets them from a restart file: the two then agree to the last bit.
   void derive_anew();
@@ -214,6 +216,7 @@ class FacetNetwork {
 
  private:
   void find_stresses(double dt, const RankTeam& team);
+  void settle_books(const RankTeam& team);
   void share_thetas(std::size_t count, const RankTeam& team);
   void book_shared_changes();
   [[nodiscard]] bool ground_yields() const { return ground_ && ground_->any(); }

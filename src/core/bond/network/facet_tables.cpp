@@ -33,7 +33,7 @@ void FacetTables::reset(std::size_t count) {
   empty.normal[0].fill(1.0f);  // lanes without a facet are worked on as well
   groups_.assign((count + kGroup - 1) / kGroup, empty);
   stiffening_ = {};
-  nonlinear_laws_.assign(laws_.any_nonlinear() ? groups_.size() : 0, 0);
+  alone_.assign(laws_.any_nonlinear() ? groups_.size() : 0, 0);
   borders_ = {};
   border_lanes_.assign(laws_.zoned() ? groups_.size() : 0, 0);
 }
@@ -42,7 +42,7 @@ void FacetTables::release() {
   stiffening_ = {};
   names_ = {};
   groups_ = {};
-  nonlinear_laws_ = {};
+  alone_ = {};
   borders_ = {};
   border_lanes_ = {};
 }
@@ -102,7 +102,7 @@ std::size_t FacetTables::border_of(std::size_t f) const {
 /// Formulas are in border_relief.h.
 void FacetTables::derive_border(std::size_t f) {
   Border& border = borders_[border_of(f)];
-  if (border.room[0] == 0.0f || nonlinear_law(f) != nullptr) return;
+  if (border.room[0] == 0.0f || alone(f)) return;
   const auto [depth_i, depth_j] = depths(f);
   const double depth[2] = {depth_i / stiffening(f), depth_j / stiffening(f)};
   const double h = depth[0] + depth[1];
@@ -185,9 +185,8 @@ void FacetTables::derive(std::size_t f, int bonded_points) {
   const double d = kSharpening * (2.0 * rock.lame_lambda() + rock.shear_modulus()) / 6.0;  // [Pa]
   const double uneven = facet.sharpened ? d * k.rock_share * (depth_i + depth_j) : 0.0;
 
-  if (nonlinear_law(f) != nullptr)
-    nonlinear_laws_[f / kGroup] =
-        static_cast<std::uint8_t>(nonlinear_laws_[f / kGroup] | 1u << lane_of(f));
+  if (!joint(f).linear())
+    alone_[f / kGroup] = static_cast<std::uint8_t>(alone_[f / kGroup] | 1u << lane_of(f));
   FacetGroup& group = groups_[f / kGroup];
   const std::size_t lane = lane_of(f);
   group.sharpening[lane] = uneven * point_area * bonded_points;

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "bond/facet.h"
+#include "bond/law/linear_closure.h"
 #include "bond/law/two_rocks.h"
 #include "bond/network/facet_group.h"
 #include "bond/network/joint_laws.h"
@@ -130,16 +131,18 @@ class FacetTables {
   [[nodiscard]] double rock_share(std::size_t f) const {
     return (is_joint(f) ? 2.0 : 1.0) * group_of(f).bulk[lane_of(f)];
   }
+  /// The law of a facet's joint.
+  [[nodiscard]] const JointLaw& joint(std::size_t f) const { return laws_.joint(names_[f].law); }
+  /// Of a facet that is in a group: JointLaws::strength().
   [[nodiscard]] const CoulombStrength<double>& strength(std::size_t f) const {
-    return laws_.strength(names_[f].law).bonded;
+    return laws_.strength(names_[f].law);
   }
-  /// The nonlinear law of a facet's joint; nullptr: it has the linear one.
-  [[nodiscard]] const JointLaw* nonlinear_law(std::size_t f) const {
-    return laws_.nonlinear(names_[f].law);
+  /// Of a group, bit per facet: those whose law is not linear. They are worked on one by one.
+  [[nodiscard]] unsigned alone_lanes(std::size_t g) const {
+    return alone_.empty() ? 0u : alone_[g];
   }
-  /// Of a group, bit per facet: those that have one. They are worked on one by one.
-  [[nodiscard]] unsigned nonlinear_lanes(std::size_t g) const {
-    return nonlinear_laws_.empty() ? 0u : nonlinear_laws_[g];
+  [[nodiscard]] bool alone(std::size_t f) const {
+    return (alone_lanes(f / kGroup) >> lane_of(f) & 1u) != 0;
   }
   /// As in Facet [-].
   [[nodiscard]] double stiffening(std::size_t f) const {
@@ -179,10 +182,8 @@ class FacetTables {
   [[nodiscard]] double wall_strength(std::size_t f) const {
     return laws_.wall_strength(names_[f].law);
   }
-  /// Of slow slip [-]; a mirror has none.
-  [[nodiscard]] double residual_friction(std::size_t f) const {
-    return is_mirror(f) ? 0.0 : laws_.strength(names_[f].law).tan_residual;
-  }
+  /// Share of the law's friction that its broken points have: a mirror has none [-].
+  [[nodiscard]] double grip(std::size_t f) const { return is_mirror(f) ? 0.0 : 1.0; }
   [[nodiscard]] DilatationCoupling coupling(std::size_t f) const {
     return {i_of(f), j_of(f), group_of(f).sharpening[lane_of(f)]};
   }
@@ -220,8 +221,7 @@ class FacetTables {
   std::vector<FacetName> names_;
   std::vector<float> stiffening_;  // empty: 1 for all
   std::vector<FacetGroup> groups_;
-  std::vector<std::uint8_t>
-      nonlinear_laws_;  // see nonlinear_lanes(); empty where no class has a law
+  std::vector<std::uint8_t> alone_;  // see alone_lanes(); empty where all laws are linear
 };
 
 [[gnu::always_inline]] inline BondConstants FacetTables::bond(std::size_t f) const {

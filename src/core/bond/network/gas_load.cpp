@@ -81,14 +81,14 @@ void open_group_of_joints(const FacetKinematics& facets, const LaneSet& set,
     closed_by =
         wide(contact.fade) * closed_stiffness(facets, set) * closure / max(points, Wide(1.0));
   store(closed_by, pressure);
-  const unsigned nonlinear = facets.tables.nonlinear_lanes(set.group);  // only they know apertures
+  const unsigned alone = facets.tables.alone_lanes(set.group);  // only they know apertures
   each_lane(set.lanes, [&](std::size_t k) {
     OpenJoint& joint = open.emplace_back();
     joint.area = area[k];
     joint.opening = opened[k];
     joint.pressure = pressure[k];
     joint.parted_squared = parted_squared[k];
-    if ((nonlinear >> k & 1u) != 0) joint.by_law = mean_apertures(facets, set.group * kGroup + k);
+    if ((alone >> k & 1u) != 0) joint.by_law = mean_apertures(facets, set.group * kGroup + k);
   });
 }
 

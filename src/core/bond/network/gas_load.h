@@ -12,7 +12,7 @@
 
 #include "bond/network/facet_kinematics.h"
 #include "bond/network/facet_wide.h"
-#include "bond/network/nonlinear_points.h"
+#include "bond/network/joint_points.h"
 
 namespace muckpile {
 

@@ -16,19 +16,20 @@ namespace muckpile {
 
 JointLaws::JointLaws(const JointMaterial& material, const std::vector<JointClass>& natural,
                      const std::vector<JointMaterial>& zones)
-    : natural_classes_(natural.size()), rocks_{material}, nonlinear_{nullptr} {
+    : natural_classes_(natural.size()), rocks_{material} {
   rocks_.insert(rocks_.end(), zones.begin(), zones.end());
   if ((natural.size() + 1) * rocks_.size() * rocks_.size() > kMost)
     throw InputError("(joint classes + 1) (zones + 1)^2 must be <= " + std::to_string(kMost) +
                      ", got " + std::to_string(natural.size()) + " classes and " +
                      std::to_string(zones.size()) + " zones");
-  for (const JointClass& joint : natural) nonlinear_.push_back(joint.law);
+  const JointLawMaker of_rock = coulomb_law();
   for (std::size_t k = 0; k <= natural.size(); ++k) {
     for (const JointMaterial& i : rocks_)
       for (const JointMaterial& j : rocks_) {
         const JointMaterial between =
             &i == &j ? i : JointMaterial(weaker_of(i.parameters(), j.parameters()));
         laws_.push_back(k == 0 ? between : between.with_joints(natural[k - 1]));
+        joints_.push_back((k == 0 ? of_rock : natural[k - 1].law)(laws_.back()));
       }
   }
   derive();
@@ -42,14 +43,13 @@ JointLaws::JointLaws(const JointMaterial& material, const std::vector<JointClass
 }
 
 bool JointLaws::any_nonlinear() const {
-  return std::ranges::any_of(nonlinear_, [](const auto& law) { return law != nullptr; });
+  return std::ranges::any_of(joints_, [](const auto& law) { return !law->linear(); });
 }
 
 void JointLaws::soften(double factor, std::optional<double> damping) {
   for (JointMaterial& material : rocks_) material = material.softened(factor, damping);
   for (JointMaterial& material : laws_) material = material.softened(factor, damping);
-  for (auto& law : nonlinear_)
-    if (law != nullptr) law = law->softened(factor);
+  for (auto& law : joints_) law = law->softened(factor);
   derive();
 }
 
@@ -66,8 +66,7 @@ void JointLaws::derive() {
     softens_ = softens_ || p.fracture_energy_tension > 0.0 || p.fracture_energy_shear > 0.0;
     crushes_ = crushes_ || std::isfinite(p.wall_strength);
     depends_on_rate_ = depends_on_rate_ || p.rate_exponent > 0.0;
-    strengths_.push_back(
-        {{p.tension, p.cohesion, joint.tan_friction()}, joint.tan_residual_friction()});
+    strengths_.push_back(coulomb_of(joint));
     // Both have the lesser share, each of the impedance of its own rock i.
     damping_.push_back(std::min(joint.damping_coefficient(), turned.damping_coefficient()));
     contact_damping_.push_back(

@@ -14,16 +14,9 @@
 #include "bond/law/coulomb.h"
 #include "bond/law/joint_law.h"
 #include "bond/law/joint_material.h"
-#include "bond/law/linear_closure.h"
 #include "bond/law/slip_friction.h"
 
 namespace muckpile {
-
-/// Of a joint class.
-struct JointStrength {
-  CoulombStrength<double> bonded;
-  double tan_residual;  ///< of slow slip [-]
-};
 
 class JointLaws {
  public:
@@ -60,11 +53,10 @@ class JointLaws {
   [[nodiscard]] bool is_border(std::size_t law) const { return zone_i(law) != zone_j(law); }
   /// Of a border the strengths, damping and fracture energies alone (weaker_of()).
   [[nodiscard]] const JointMaterial& of_law(std::size_t law) const { return laws_.at(law); }
-  [[nodiscard]] const JointStrength& strength(std::size_t law) const { return strengths_[law]; }
-
-  /// The nonlinear law of a facet; nullptr: it has the linear one.
-  [[nodiscard]] const JointLaw* nonlinear(std::size_t law) const {
-    return nonlinear_[class_of(law)].get();
+  [[nodiscard]] const JointLaw& joint(std::size_t law) const { return *joints_[law]; }
+  /// Of a law that is linear: for groups of facets, in lanes beside each other.
+  [[nodiscard]] const CoulombStrength<double>& strength(std::size_t law) const {
+    return strengths_[law];
   }
   [[nodiscard]] bool any_nonlinear() const;
 
@@ -91,12 +83,6 @@ class JointLaws {
   [[nodiscard]] double damping(std::size_t law) const { return damping_[law]; }
   [[nodiscard]] double contact_damping(std::size_t law) const { return contact_damping_[law]; }
   [[nodiscard]] const SlipWeakening& slip_weakening() const { return slip_weakening_; }
-  /// Of the linear law; `tan_residual`: of slow slip [-].
-  template <class Number>
-  [[nodiscard, gnu::always_inline]] SlipFriction<Number> friction(
-      const Number& tan_residual) const {
-    return {tan_residual, slip_weakening_};
-  }
   /// 2G/(lambda + 2G) of a zone [-].
   [[nodiscard]] double shear_over_p_wave(std::size_t zone = 0) const {
     return shear_over_p_wave_[zone];
@@ -108,8 +94,8 @@ class JointLaws {
   std::size_t natural_classes_;
   std::vector<JointMaterial> rocks_;  // of the zones
   std::vector<JointMaterial> laws_;
-  std::vector<JointStrength> strengths_;                    // of the laws
-  std::vector<std::shared_ptr<const JointLaw>> nonlinear_;  // of the classes
+  std::vector<std::shared_ptr<const JointLaw>> joints_;  // of the laws
+  std::vector<CoulombStrength<double>> strengths_;       // of the laws
   bool softens_ = false, crushes_ = false, depends_on_rate_ = false, damps_ = false;
   std::vector<double> damping_, contact_damping_;  // of the laws [Pa s/m]
   std::vector<double> shear_over_p_wave_;          // of the zones, 2G/(lambda + 2G) [-]

@@ -4,6 +4,7 @@
 #include "bond/network/softening_points.h"
 
 #include <algorithm>
+#include <array>
 
 namespace muckpile {
 
@@ -32,22 +33,32 @@ void add_cohesion(const FacetKinematics& facets, FacetHistory& history, JointLos
   if (!history.softens(f) && facets.tables.is_joint(f)) history.stop_softening(f);
 }
 
+CohesionOf<Lanes> cohesion_at_points(const FacetHistory& history, std::size_t f) {
+  const auto of = [&](double Cohesion::*number) {
+    return Lanes([&](auto lane) {
+      return lane < kFacetPoints ? history.cohesion(f, lane % kFacetPoints).*number : 0.0;
+    });
+  };
+  std::array<Vec3, kFacetPoints> directions;
+  for (std::size_t p = 0; p < kFacetPoints; ++p) directions[p] = history.cohesion(f, p).direction;
+  return {lanes_of(directions), of(&Cohesion::strength), of(&Cohesion::first),
+          of(&Cohesion::end),   of(&Cohesion::worst),    of(&Cohesion::shift)};
+}
+
+double cohesion_energy(const FacetKinematics& facets, std::size_t f, const FacetMotion& motion) {
+  if (!facets.history.softens(f)) return 0.0;
+  const CohesionOf<Lanes> c = cohesion_at_points(facets.history, f);
+  const Lanes parting = c.parting(rotated_back(motion.axes(), motion.jump()));
+  return facets.tables.area(f) / kFacetPoints * sum(c.energy(parting));
+}
+
 LaneVec cohesion_tractions(const FacetKinematics& facets, std::size_t f,
                            const FacetMotion& motion) {
-  LaneVec carried;
-  if (!facets.history.softens(f)) return carried;
+  if (!facets.history.softens(f)) return {};
   const Mat3 axes = motion.axes();
-  for (int p = 0; p < kFacetPoints; ++p) {
-    const auto k = static_cast<std::size_t>(p);
-    const Cohesion& c = facets.history.cohesion(f, k);
-    if (!c.holds()) continue;
-    const double parting = c.parting(axes.transpose() * motion.jump().at(p));
-    const Vec3 traction = c.traction(parting, std::max(parting, c.worst)) * (axes * c.direction);
-    carried.x[k] += traction.x();
-    carried.y[k] += traction.y();
-    carried.z[k] += traction.z();
-  }
-  return carried;
+  const CohesionOf<Lanes> c = cohesion_at_points(facets.history, f);
+  const Lanes parting = c.parting(rotated_back(axes, motion.jump()));
+  return c.traction(parting, max(parting, c.worst)) * rotated(axes, c.direction);
 }
 
 }  // namespace muckpile

@@ -15,6 +15,11 @@ namespace muckpile {
 void add_cohesion(const FacetKinematics& facets, FacetHistory& history, JointLosses& losses,
                   std::size_t f, const FacetMotion& motion, FacetPull& pull, double dt);
 
+/// Of all points; 0 at those that hold nothing.
+[[nodiscard]] CohesionOf<Lanes> cohesion_at_points(const FacetHistory& history, std::size_t f);
+/// Stored in points that soften, of the whole facet [J].
+[[nodiscard]] double cohesion_energy(const FacetKinematics& facets, std::size_t f,
+                                     const FacetMotion& motion);
 /// What the points of facet f hold in this pose, on block i; 0 at those that do not soften [Pa].
 [[nodiscard]] LaneVec cohesion_tractions(const FacetKinematics& facets, std::size_t f,
                                          const FacetMotion& motion);

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "bond/network/border_relief.h"
-#include "bond/network/nonlinear_points.h"
+#include "bond/network/joint_points.h"
 #include "bond/network/softening_points.h"
 
 namespace muckpile {
@@ -61,7 +61,7 @@ template <class Of>
   const CoulombStrength<Wide> strength{wide(tension), wide(cohesion), wide(tan_friction)};
   WideMask fails = turn_of(tables.group(g), pose).exceeds(kTurnStart);
   for (std::size_t p = 0; p < kFacetPoints; ++p)
-    fails = fails || strength.fails(pose.normal, pull.at(p));
+    fails = fails || PointLoad<Wide>(pose.normal, pull.at(p)).breaks(strength);
   return lanes & ~bits_of<Wide>(fails) & ~slid_along(tables.group(g), pose);
 }
 
@@ -155,7 +155,7 @@ void TractionPass::run() {
 void TractionPass::work_group(const LaneSet& working, const LaneSet& active) {
   const std::size_t g = working.group;
   const unsigned whole = working.lanes & facets_.history.intact_lanes(g) &
-                         ~facets_.tables.nonlinear_lanes(g),
+                         ~facets_.tables.alone_lanes(g),
                  apart = broken_.apart_lanes(working);
   const auto pressed_lanes = [&](FacetRow<double>& pressure) {
     return gas_ == nullptr ? 0u : gas_->pressed_lanes(facets_, active, pressure);
@@ -218,8 +218,7 @@ void TractionPass::work_facet(std::size_t f) {
   if (history.bonded_points(f) < kFacetPoints) broken_.add_tractions(f, motion, contact, pull);
   if (facets_.tables.laws().softens())
     add_cohesion(facets_, parts_.history, parts_.books.losses, f, motion, pull, dt_);
-  if (facets_.tables.nonlinear_law(f) != nullptr)
-    remember_joint(facets_, parts_.history, parts_.books.losses, f, motion, contact);
+  remember_closure(facets_, parts_.history, parts_.books.losses, f, motion, contact);
   apply(f, contact.point_area, pull);
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "args/input_error.h"
@@ -28,6 +29,11 @@ std::string place_text(const Vec3& p) {
 class Corners {
  public:
   explicit Corners(double rounding) : rounding_(rounding) {}
+  std::array<int, 3> numbers(const StlTriangle& t) {
+    return {number(t[0]), number(t[1]), number(t[2])};
+  }
+
+ private:
   int number(const Vec3& p) {
     const std::array<long long, 3> key{std::llround(p.x() / rounding_),
                                        std::llround(p.y() / rounding_),
@@ -35,10 +41,17 @@ class Corners {
     return known_.try_emplace(key, static_cast<int>(known_.size())).first->second;
   }
 
- private:
   double rounding_;
   std::map<std::array<long long, 3>, int> known_;
 };
+
+Corners corners_of(const std::vector<StlTriangle>& triangles) {
+  constexpr double kRounding = 1e-7;  // of the extent
+  Vec3 lo = triangles.front()[0], hi = lo;
+  for (const StlTriangle& t : triangles)
+    for (const Vec3& c : t) lo = lo.cwiseMin(c), hi = hi.cwiseMax(c);
+  return Corners(kRounding * (hi - lo).maxCoeff());
+}
 
 struct EdgeUse {
   int forward = 0, backward = 0;
@@ -46,14 +59,10 @@ struct EdgeUse {
 };
 
 std::vector<EdgeUse> edges_of(const std::vector<StlTriangle>& triangles) {
-  constexpr double kRounding = 1e-7;  // of the extent
-  Vec3 lo = triangles.front()[0], hi = lo;
-  for (const StlTriangle& t : triangles)
-    for (const Vec3& c : t) lo = lo.cwiseMin(c), hi = hi.cwiseMax(c);
-  Corners corners(kRounding * (hi - lo).maxCoeff());
+  Corners corners = corners_of(triangles);
   std::map<std::pair<int, int>, EdgeUse> edges;
   for (const StlTriangle& t : triangles) {
-    const std::array<int, 3> c{corners.number(t[0]), corners.number(t[1]), corners.number(t[2])};
+    const std::array<int, 3> c = corners.numbers(t);
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = (k + 1) % 3;
       if (c[k] == c[next]) continue;  // no edge: a sliver, its corners are one
@@ -90,7 +99,8 @@ void refuse_turned(const std::vector<EdgeUse>& edges, const std::string& where,
       edges,
       [](const EdgeUse& e) { return e.forward + e.backward == 2 && e.forward != e.backward; },
       where, "has triangles that are turned against each other",
-      "turn them so that all normals look out of the " + solid);
+      "turn them so that all normals look out of the " + solid +
+          ", or take out one of them where they lie on each other");
 }
 
 constexpr int kColumns = 40;  // to each side, to look at a surface
@@ -108,8 +118,10 @@ void for_columns(const Vec3& lo, const Vec3& hi, const Visit& visit) {
 std::optional<std::pair<std::string, double>> other_unit(const Vec3& extent, const Vec3& box,
                                                          bool as_large) {
   constexpr double kFeet = 1.0 / 0.3048, kSame = 0.12;
+  constexpr double kWidest = 5.0;  // [km] of what is surveyed; what is wider is in metres
   Eigen::Vector2d plan = (extent.array() / box.array()).head<2>();
-  if (plan.maxCoeff() < 0.02) return std::pair("kilometres", 1000.0);
+  const double width = extent.head<2>().maxCoeff();
+  if (plan.maxCoeff() < 0.02 && width < kWidest) return std::pair("kilometres", 1000.0);
   if (plan.minCoeff() > 200.0) return std::pair("millimetres", 0.001);
   const Vec3 ratio = extent.cwiseQuotient(box);
   if (as_large && ((ratio / kFeet).array() - 1.0).abs().maxCoeff() < kSame)
@@ -138,6 +150,24 @@ void require_closed(const std::vector<StlTriangle>& triangles, const std::string
 void require_turned_alike(const std::vector<StlTriangle>& triangles, const std::string& where,
                           const std::string& solid) {
   refuse_turned(edges_of(triangles), where, solid);
+}
+
+std::size_t leave_out_doubled(std::vector<StlTriangle>& triangles, const std::string& where) {
+  Corners corners = corners_of(triangles);
+  std::set<std::array<int, 3>> known;
+  const std::size_t before = triangles.size();
+  std::erase_if(triangles, [&](const StlTriangle& t) {
+    std::array<int, 3> c = corners.numbers(t);
+    if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) return false;  // a sliver
+    std::ranges::rotate(c, std::ranges::min_element(c));
+    if (known.contains({c[0], c[2], c[1]}))
+      refuse(where,
+             "has two triangles on each other that look to opposite sides, with a corner at " +
+                 place_text(t[0]) +
+                 " m; a wall has ground behind it: take out that which looks into it");
+    return !known.insert(c).second;
+  });
+  return before - triangles.size();
 }
 
 double enclosed_volume(const std::vector<StlTriangle>& triangles) {

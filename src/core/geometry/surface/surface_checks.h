@@ -3,6 +3,7 @@
 // Scope: `where` begins each message; lengths in metres, in the frame of the run.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,10 @@ void require_closed(const std::vector<StlTriangle>& triangles, const std::string
 /// is what all normals are to look out of.
 void require_turned_alike(const std::vector<StlTriangle>& triangles, const std::string& where,
                           const std::string& solid);
+
+/// Takes out triangles that others with the same corners and turn repeat; returns how many. Throws
+/// InputError where one has the corners of another that is turned the other way.
+std::size_t leave_out_doubled(std::vector<StlTriangle>& triangles, const std::string& where);
 
 /// Volume that a closed surface encloses [m3]; negative if its triangles look inward.
 [[nodiscard]] double enclosed_volume(const std::vector<StlTriangle>& triangles);

@@ -260,7 +260,7 @@ TEST(QuietGround, IsAFixedSupportOnceStopped) {
     EXPECT_LT((scene.network().force()[b] - before[b]).norm(), 1e-9 * before[b].norm());
   EXPECT_EQ(scene.network().losses().quiet, quiet);
   // The lists are made anew when blocks migrate: the ground must not jump back.
-  scene.network().set_facets(scene.network().facets(), scene.network().memory());
+  scene.network().set_facets(scene.network().lists());
   scene.compute(1e-4);
   for (std::size_t b = 0; b < scene.size(); ++b)
     EXPECT_LT((scene.network().force()[b] - before[b]).norm(), 1e-9 * before[b].norm());

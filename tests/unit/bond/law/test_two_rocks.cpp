@@ -116,7 +116,7 @@ TEST(TwoRocks, DampAFacetThatIsWorkedOnAloneAsOneInAGroup) {
           in_zones(cuboids(2, 1, 1), [&](const Vec3& x) { return (x.x() < 1.0) != hard_first; });
       BondScene scene(rock.blocks, of.hard, [](const Vec3&) { return Support::free; }, joint,
                       Leaning::little, {{of.other}, rock.of});
-      ASSERT_EQ(scene.network().tables().nonlinear_lanes(0), joint.classes.empty() ? 0u : 1u);
+      ASSERT_EQ(scene.network().tables().alone_lanes(0), joint.classes.empty() ? 0u : 1u);
       scene.block(1).velocity = Vec3(kSpeed, 0, 0);
       scene.compute(kStep);
       const double expected = 0.5 * of.lesser * kSpeed;  // on 1 m2

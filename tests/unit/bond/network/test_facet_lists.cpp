@@ -60,11 +60,8 @@ TEST(FacetLists, WakingBeforeThereAreBlocksChangesNothing) {
 TEST(FacetLists, AreGivenUpAsTheyWereSet) {
   BondScene scene = torn_rock();
   const std::vector<Facet> before = scene.network().facets();
-  std::vector<Facet> facets;
-  std::vector<FacetMemory> memory;
-  std::vector<BoundaryFace> faces;
   const std::size_t face_count = scene.network().faces().size();
-  scene.network().give_up(facets, memory, faces);
+  const auto [facets, memory, faces] = scene.network().give_up();
   EXPECT_TRUE(scene.network().facets().empty());
   EXPECT_TRUE(scene.network().memory().empty());
   EXPECT_EQ(faces.size(), face_count);
@@ -75,16 +72,12 @@ TEST(FacetLists, AreGivenUpAsTheyWereSet) {
 
 TEST(FacetLists, TheNetworkGoesOnWithThemAsIfNothingHadBeen) {
   BondScene kept = torn_rock(), returned = torn_rock();
-  std::vector<Facet> facets;
-  std::vector<FacetMemory> memory;
-  std::vector<BoundaryFace> faces;
-  returned.network().give_up(facets, memory, faces);
+  FacetLists lists = returned.network().give_up();
   std::size_t softening = 0;
-  for (const FacetMemory& one : memory) softening += one.extra.exists() ? 1 : 0;
+  for (const FacetMemory& one : lists.memory) softening += one.extra.exists() ? 1 : 0;
   EXPECT_GT(softening, 0u);
-  EXPECT_LT(softening, memory.size());
-  returned.network().set_facets(facets, memory);
-  returned.network().set_faces(faces);
+  EXPECT_LT(softening, lists.memory.size());
+  returned.network().set_facets(std::move(lists));
   kept.compute(1e-6);
   returned.compute(1e-6);
   // phi is summed up anew, in another order: rounding.
@@ -103,14 +96,14 @@ BondScene rock_on_yielding_ground() {
     if (at.z() < 1e-6) return Support::fixed;
     return at.x() < 1e-6 ? Support::mirror : Support::free;
   });
-  std::vector<Facet> facets = scene.network().facets();
-  for (Facet& facet : facets)  // no cut makes planes that lean so: as a file may have them
+  FacetLists lists = scene.network().lists();
+  for (Facet& facet : lists.facets)  // no cut makes planes that lean so: as a file may have them
     if (facet.kind == FacetKind::mirror) {
       const Mat3 tilt = test::turn(Vec3(0.1, 0.37, 0.21));
       facet.normal = tilt * facet.normal;
       facet.opening_i = tilt * (facet.opening_i + Vec3(0.0, 0.03, 0.02));
     }
-  scene.network().set_facets(facets, {});
+  scene.network().set_facets(std::move(lists));
   scene.compute();
   scene.network().let_ground_yield(QuietGround(scene.network().material(), 8.0),
                                    [](const Vec3&) { return true; });
@@ -128,7 +121,7 @@ TEST(FacetLists, ComeBackToTheLastBitFromTiltedMirrorsAndYieldingGround) {
   scene.compute();
   const std::vector<Vec3> force(network.force().begin(), network.force().end());
   for (int round = 0; round < 3; ++round) {
-    network.set_facets(network.facets(), network.memory());
+    network.set_facets(network.lists());
     const std::vector<Facet> after = network.facets();
     for (std::size_t f = 0; f < before.size(); ++f) expect_same(after[f], before[f]);
   }
@@ -139,11 +132,11 @@ TEST(FacetLists, ComeBackToTheLastBitFromTiltedMirrorsAndYieldingGround) {
 TEST(FacetLists, OfARunAndOfItsRestartFileAgreeToTheLastBit) {
   BondScene scene = rock_on_yielding_ground();
   FacetNetwork& network = scene.network();
-  std::vector<FacetMemory> memory = network.memory();  // as a file has it: no notes of the network
-  for (FacetMemory& one : memory)
+  FacetLists lists = network.lists();  // as a file has them: no notes of the network
+  for (FacetMemory& one : lists.memory)
     if (one.extra.exists()) one.extra.get_or_create().ground.placed = false;
   BondScene read = scene;
-  read.network().set_facets(network.facets(), memory);
+  read.network().set_facets(std::move(lists));
   network.derive_anew();
   for (int k = 0; k < 5; ++k) {
     scene.step(1e-5);

@@ -20,11 +20,11 @@ const double kRadius = std::sqrt(1.0 / M_PI);
 class Wall {
  public:
   Wall() : scene(cuboids(2, 1, 1), weak()) {
-    std::vector<BoundaryFace> faces = std::as_const(scene.network()).faces();
-    for (BoundaryFace& face : faces) {
+    FacetLists lists = scene.network().lists();
+    for (BoundaryFace& face : lists.faces) {
       if (face.normal.x() < -0.5) face.hole = 0;
     }
-    scene.network().set_faces(std::move(faces));
+    scene.network().set_facets(std::move(lists));
     scene.compute();
   }
   BoundaryFace& face() {
@@ -102,11 +102,11 @@ TEST(WallLoad, IsNotReducedWhereTheGasBehindPressesByItself) {
 TEST(WallLoad, OfOneChamberIsNotThatOfAnother) {
   Wall wall;
   FacetNetwork& network = wall.scene.network();
-  std::vector<BoundaryFace> faces = std::as_const(network).faces();
-  for (BoundaryFace& face : faces) {
+  FacetLists lists = network.lists();
+  for (BoundaryFace& face : lists.faces) {
     if (face.block == 0 && face.normal.y() < -0.5) face.hole = 1;
   }
-  network.set_faces(std::move(faces));
+  network.set_facets(std::move(lists));
   const auto load_share = [&](int hole) {
     const auto found = std::find_if(network.faces().begin(), network.faces().end(),
                                     [hole](const BoundaryFace& f) { return f.hole == hole; });
@@ -126,7 +126,8 @@ TEST(WallLoad, OfOneChamberIsNotThatOfAnother) {
 TEST(WallLoad, OfATinyFaceIsWholeWhileTheBlockIsHeld) {
   Wall wall;
   FacetNetwork& network = wall.scene.network();
-  std::vector<BoundaryFace> faces = std::as_const(network).faces();
+  FacetLists lists = network.lists();
+  std::vector<BoundaryFace>& faces = lists.faces;
   for (std::size_t k = 0; k < faces.size(); ++k) {
     if (faces[k].hole != 0) continue;
     BoundaryFace rest = faces[k];
@@ -136,7 +137,7 @@ TEST(WallLoad, OfATinyFaceIsWholeWhileTheBlockIsHeld) {
     faces.push_back(rest);
     break;
   }
-  network.set_faces(std::move(faces));
+  network.set_facets(std::move(lists));
   wall.scene.compute();
   EXPECT_DOUBLE_EQ(wall.face().load_share, 1.0);
 }

@@ -136,12 +136,7 @@ TEST(FacetsOfTwoRocks, AreKeptWithAllThatTheyNeed) {
   scene.shake(1e-4, 1e-4, 1);
   scene.compute();
   const std::vector<Vec3> before(scene.network().force().begin(), scene.network().force().end());
-  std::vector<Facet> facets;
-  std::vector<FacetMemory> memory;
-  std::vector<BoundaryFace> faces;
-  scene.network().give_up(facets, memory, faces);
-  scene.network().set_facets(facets, memory);
-  scene.network().set_faces(faces);
+  scene.network().set_facets(scene.network().give_up());
   scene.compute();
   for (std::size_t b = 0; b < scene.size(); ++b)
     EXPECT_EQ(scene.network().force()[b], before[b]) << b;

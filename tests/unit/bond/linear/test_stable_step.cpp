@@ -148,13 +148,13 @@ void expect_covers_mixtures(BondScene scene) {
   scene.compute();
   const double covered = scene.stable_step();
   for (const double share : {0.1, 0.5, 0.9}) {
-    std::vector<FacetMemory> memory = scene.network().memory();
-    for (FacetMemory& m : memory) {
+    FacetLists lists = scene.network().lists();
+    for (FacetMemory& m : lists.memory) {
       for (std::size_t p = 0; p < kFacetPoints; ++p) m.broken.set(p, unit(random) < share);
       if (m.broken.any()) m.state = FacetState::cracked;
     }
     BondScene mixed = scene;
-    mixed.network().set_facets(scene.network().facets(), memory);
+    mixed.network().set_facets(std::move(lists));
     mixed.network().find_stresses();
     EXPECT_GE(mixed.stable_step(Breaking::none), 0.997 * covered)
         << scene.network().material().parameters().poisson_ratio << " " << share;

@@ -141,14 +141,15 @@ TEST(CoulombStrength, FollowsMohrCoulombWithTensionCutOff) {
                         Case{-100.0, 53.9, false}, Case{-100.0, 54.1, true}, Case{1.0, 3.49, false},
                         Case{1.0, 3.51, true},  // 4 - 1 x 0.5
                         Case{2.0, 2.99, false}, Case{2.0, 3.01, true}}) {
-    EXPECT_EQ((CoulombStrength<double>{2.0, 4.0, 0.5}.fails(c.normal, c.shear * c.shear)), c.fails)
+    EXPECT_EQ((CoulombStrength<double>{2.0, 4.0, 0.5, 0.0}.fails(c.normal, c.shear * c.shear)),
+              c.fails)
         << c.normal << ' ' << c.shear;
   }
 }
 
 TEST(CoulombStrength, TensionBeyondTheConeLeavesNoShearStrength) {
   // cohesion 1, tan phi 1, tension 5: at normal 3 the line is below zero, the strength is none
-  const CoulombStrength<double> strength{5.0, 1.0, 1.0};
+  const CoulombStrength<double> strength{5.0, 1.0, 1.0, 0.0};
   EXPECT_FALSE(strength.fails(3.0, 0.0));
   EXPECT_TRUE(strength.fails(3.0, 1e-18));
 }
@@ -157,7 +158,7 @@ TEST(CoulombStrength, NeverUnderPureCompression) {
   for (double normal = -1e-3; normal > -1e13; normal *= 10.0) {
     for (const double strength : {0.0, 1.0, 1e6}) {
       for (const double friction : {0.0, 0.7, 3.0}) {
-        const CoulombStrength<double> joint{strength, strength, friction};
+        const CoulombStrength<double> joint{strength, strength, friction, 0.0};
         EXPECT_FALSE(joint.fails(normal, 0.0));
         const double shear = -0.999 * friction * normal;
         EXPECT_FALSE(joint.fails(normal, shear * shear));

@@ -139,8 +139,7 @@ TEST(WallFacets, ANetworkTakesTheStiffeningAndGivesItBack) {
   const auto traction_per_jump = [&](double stiffening) {
     facet.stiffening = stiffening;
     FacetNetwork network{JointMaterial(rock(0.0))};
-    network.set_blocks({{1, true, 1.0, 1.0, {}}, {2, true, 1.0, 1.0, {}}});
-    network.set_facets({facet}, {});
+    network.set({{1, true, 1.0, 1.0, {}}, {2, true, 1.0, 1.0, {}}}, {{facet}, {}, {}});
     EXPECT_EQ(network.facet(0).stiffening, stiffening);
     return network.tables().bond(0).normal();
   };

@@ -37,8 +37,7 @@ class Pairs {
       for (const int tag : {facet.tag_i, facet.tag_j})
         blocks.push_back({tag, true, 1.0, 2600.0, {}});
     }
-    network_.set_blocks(blocks);
-    network_.set_facets(facets, std::move(memory));
+    network_.set(blocks, {facets, std::move(memory), {}});
     for (std::size_t f = 0; f < chosen.size(); ++f) pose(f, facets[f], chosen[f]);
   }
   void compute() { network_.step(kStep); }
