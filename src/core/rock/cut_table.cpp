@@ -114,7 +114,7 @@ const ArgTable& cut_table() {
           .real("sliver", "", Range::closed(0.0, 0.3), kThinnestPart,
                 "for `cut joint_sets`: no block gets 3 volume / surface below this share of the "
                 "size asked for")
-          .real("rings_from", "", Range::closed(kImagesTooLarge, kImagesFail), kImagesFail,
+          .real("rings_from", "", Range::closed(kImagesTooLarge, kImagesFail), kImagesTooLarge,
                 "for `cut voronoi`: block size over radius of a crushed zone from which on blocks "
                 "stand in rings around it")
           .word("wall", {"round", "blocks"}, "round",
