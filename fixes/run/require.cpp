@@ -3,11 +3,14 @@
 // Scope: see the header.
 #include "fixes/run/require.h"
 
+#include <comm.h>
+#include <error.h>
 #include <input.h>
 #include <variable.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -19,6 +22,7 @@
 #include "args/numbers.h"
 #include "args/suggestion.h"
 #include "fixes/engine/style_args.h"
+#include "provenance/results_folder.h"
 
 namespace muckpile {
 namespace {
@@ -26,9 +30,9 @@ namespace {
 constexpr const char* kStyle = "require";
 
 bool starts_a_rule(const std::string& word) {
-  constexpr std::array<const char*, 12> kWords{"above",     "at_least", "below", "at_most",
-                                               "or",        "whole",    "unit",  "one_of",
-                                               "script_in", "advice",   "file",  "file_or_none"};
+  constexpr std::array<const char*, 14> kWords{
+      "above",  "at_least",  "below",  "at_most", "or",           "whole",      "unit",
+      "one_of", "script_in", "advice", "file",    "file_or_none", "outside_of", "as_in"};
   return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }
 
@@ -72,7 +76,7 @@ Rule read_rule(const std::vector<std::string>& words) {
       throw InputError(
           std::string(kStyle) + ": unknown keyword '" + word +
           "' (known: above, at_least, below, at_most, or, whole, unit, advice, one_of, "
-          "script_in, file, file_or_none)");
+          "script_in, file, file_or_none, outside_of, as_in)");
     }
   }
   return rule;
@@ -154,6 +158,26 @@ bool is_file(const std::string& name, const std::string& word) {
   return true;
 }
 
+void check_outside(const std::string& name, const std::string& path, const std::string& folder) {
+  if (path != "none" && lies_in(path, folder))
+    throw InputError("input: " + name + " must be outside of '" + folder +
+                     "', where the results of this run go and replace what is there, got '" + path +
+                     "'");
+}
+
+/// A fault where a number differs from that of the scene of a folder of results; "" where there is
+/// none to compare with.
+std::string other_than_in(const std::string& name, const std::string& text,
+                          const std::string& folder, const std::string& key) {
+  constexpr double kSame = 1e-6;
+  const double value = parse_real("input", name, text, "", Range::any());
+  const std::optional<double> theirs = folder == "none" ? std::nullopt : scene_number(folder, key);
+  if (!theirs || std::abs(value - *theirs) <= kSame * std::max(std::abs(value), std::abs(*theirs)))
+    return "";
+  return "input: " + name + " must be " + number_text(*theirs) + ", as " + key +
+         " of the run in '" + folder + "', got '" + text + "'";
+}
+
 }  // namespace
 
 /// LIGGGHTS compares numbers only: a script asks for 1 or 0.
@@ -161,6 +185,23 @@ void Require::set_flag(std::string name, bool value) const {
   std::string style = "string", text = value ? "1" : "0";
   std::array<char*, 3> words{name.data(), style.data(), text.data()};
   input->variable->set(static_cast<int>(words.size()), words.data());
+}
+
+/// The rule and what follows it.
+void Require::look_at_folder(const std::string& name, const std::string& value,
+                             const std::vector<std::string>& words) const {
+  if (words[0] == "outside_of") {
+    if (words.size() != 2) throw InputError(std::string(kStyle) + ": outside_of takes one folder");
+    check_outside(name, value, words[1]);
+    return;
+  }
+  const bool warns = words.size() == 4 && words[3] == "warn";
+  if (words.size() != 3 && !warns)
+    throw InputError(std::string(kStyle) + ": as_in takes a folder, a key and perhaps 'warn'");
+  const std::string fault = other_than_in(name, value, words[1], words[2]);
+  if (fault.empty()) return;
+  if (!warns) throw InputError(fault);
+  if (comm->me == 0) error->warning(FLERR, fault.c_str());
 }
 
 void Require::command(int narg, char** arg) {
@@ -178,6 +219,8 @@ void Require::command(int narg, char** arg) {
       if (narg != 4)
         throw InputError(std::string(kStyle) + ": file_or_none takes the name of a variable");
       set_flag(arg[3], is_file(arg[0], arg[1]));
+    } else if (rule == "outside_of" || rule == "as_in") {
+      look_at_folder(arg[0], arg[1], {arg + 2, arg + narg});
     } else if (rule == "file") {
       if (narg != 3) throw InputError(std::string(kStyle) + ": nothing may follow file");
       check_file(arg[0], arg[1], "a file");

@@ -6,6 +6,7 @@
 #include <pointers.h>
 
 #include <string>
+#include <vector>
 
 namespace muckpile {
 
@@ -16,6 +17,8 @@ class Require : protected LAMMPS_NS::Pointers {
 
  private:
   void set_flag(std::string name, bool value) const;
+  void look_at_folder(const std::string& name, const std::string& value,
+                      const std::vector<std::string>& words) const;
 };
 
 }  // namespace muckpile

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # buffer.sh LIGGGHTS_MUCKPILE MUCKPILE_POST: a small bench behind no muck, behind a buffer, and behind the pile that the first one has left: the
-# buffer lies at rest with all of its mass and a slope as loose rock has, takes up momentum, and holds the burden back; the same on two ranks.
+# buffer lies at rest with all of its mass and a slope as loose rock has, takes up momentum, and holds the burden back; the same on two ranks, and
+# where the pour was interrupted.
 # Scope: inputs/bench until the burden is in flight. What a buffer does at full size is in the bench's README.
 set -euo pipefail
 program=$1 post=$2
@@ -33,6 +34,21 @@ run_input second 1 "$bench" "${small[@]}" -var muck "$out/free"
 grep '^  muck: ' "$out/second/screen"
 "$post" profile "$out/second" >/dev/null
 check_figures bounds "muck of the first row [kg]" "$(key second muck_mass_kg)" --at-least 5000 || wrong=1
+
+# A pour that is told to stop leaves its state, goes on from there, and comes to rest with all of its mass.
+mkdir -p "$out/part"
+part=(-in "$bench" -log none "${small[@]}" "${buffer[@]}" -var out "$out/part")
+"$program" "${part[@]}" >"$out/part/screen" 2>&1 &
+engine=$!
+while ! grep -qs ',poured,' "$out/part/muck/dump/history.csv" && kill -0 "$engine" 2>/dev/null; do sleep 0.05; done
+kill -TERM "$engine"
+wait "$engine" || wrong=1
+state=$(sed -nE "s/^interrupted: the state is in '(.*)'$/\1/p" "$out/part/screen")
+mv -- "$state" "$out/part/state.restart"
+"$program" "${part[@]}" -var pour_from "$out/part/state.restart" >"$out/part/screen_on" 2>&1 || wrong=1
+poured_kg() { sed -nE 's/^  muck: .* mean, ([0-9.e+]+) kg.*/\1/p' "$out/$1"; }
+compare "mass of the muck of a pour that goes on [kg]" "$(poured_kg part/screen_on)" "$(poured_kg buffered/screen)" 1e-6 || wrong=1
+check_figures bounds "energy balance of a pour that goes on" "$out/part/muck/dump/run.json:energy_balance_error" --at-most 0.02 || wrong=1
 
 run_input two 2 "$bench" "${small[@]}" "${buffer[@]}"
 "$post" profile "$out/two" >/dev/null

@@ -75,9 +75,9 @@ must_work run inputs/demo/in.demo -out -x
 called '-var out ./-x$'
 
 # 5 is another run's; the seal stands in the last 24 bytes.
-interrupt() {  # interrupt END: the engine writes 77, ending so, and stops
+interrupt() {  # interrupt END [BEFORE]: the engine writes 77, ending so, and stops
   rm -rf results/demo
-  fake bin/mpirun "printf 'state%s$1%016d' '' 0 >restart_forced_liggghts_77.data
+  fake bin/mpirun "${2-}printf 'state%s$1%016d' '' 0 >restart_forced_liggghts_77.data
     echo \"interrupted: the state is in 'restart_forced_liggghts_77.data'\" >results/demo/log.liggghts"
 }
 touch -d '1 hour' restart_forced_liggghts_5.data
@@ -93,6 +93,15 @@ interrupt MuckSeal
 call run inputs/demo/in.once
 told 'its state is in results/demo/dump/interrupted.restart'
 ! grep -qF 'go_on' <<<"$output" || problem "an input that cannot go on is said to"
+interrupt MuckSeal 'mkdir -p results/demo/muck/dump; echo scene >results/demo/muck/dump/scene.json; '
+call run inputs/demo/in.demo
+told 'interrupted in the pour of the muck; the same command with -var pour_from results/demo/muck/dump/interrupted.restart goes on'
+[[ -s results/demo/muck/dump/interrupted.restart ]] || problem "the state of an interrupted pour is not kept"
+printf 'variable pour_from index none\nvariable muck index none\nvariable out index x\n' >inputs/demo/in.muck
+call run inputs/demo/in.muck -var pour_from results/demo/muck/dump/interrupted.restart -out results/demo
+[[ -s results/demo/muck/dump/scene.json ]] || problem "a pour that goes on lost what was there"
+must_refuse "muck must be outside of 'results/demo'" run inputs/demo/in.muck -var muck results/demo/muck -out results/demo
+must_refuse "muck must be outside of 'results/demo'" run inputs/demo/in.muck -var muck results/demo/dump/.. -out results/demo
 interrupt other
 call run inputs/demo/in.demo
 told 'has lost its end'
@@ -111,6 +120,7 @@ printf 'variable out index x\ndump ${out}/dump ${out}/frames.txt\n' >inputs/demo
 results=(dump/{a.restart,b.restart,blocks.vtk,blocks_000000000.csv,blocks_000000100.csv,history.csv,run.json,scene.json,floor.stl,gas.csv,gauges.csv,holes.csv,gas_after_restart.csv,ground.stl,gate.stl,interrupted.restart,stopped.restart}
   vtk/{blocks.pvd,blocks_0.vtu} {profile,movement,polygons,rows,heights,face_velocity,waves,ppv,survey,damage,crater,heap,fragments,energy,plan}.{csv,png} {flyrock,sieve,boulders,fragments_list,model_moved,polygons_moved,energy_holes}.csv {movement,polygons}.dxf report.html pile3d.csv pile3d.png pile3d_0001.png
   summary.json log.liggghts)
+results+=(muck/dump/{blocks.vtk,blocks_000000300.csv,history.csv,scene.json,run.json,gate.stl,interrupted.restart} muck/{heap.csv,heap.png,summary.json})
 # Whatever muckpile-post writes must be known to the script.
 mapfile -t reported < <(grep -rhoE '[.>]file\("[a-z0-9_]+\.[a-z]+"\)' "$(dirname "$script")/postproc/lib" | sed -E 's/.*"(.*)".*/\1/' | sort -u)
 [[ ${#reported[@]} -ge 10 ]] || problem "muckpile-post's files are not found"
@@ -119,7 +129,7 @@ own_files=(notes.txt dump/survey.csv dump/keep_0.5s.restart dump/blocks_mine.csv
 old_results() {  # in results/demo, and a file that is not the run's
   local file
   rm -rf results/demo
-  mkdir -p results/demo/{dump,vtk}
+  mkdir -p results/demo/{dump,vtk,muck/dump}
   for file in "${results[@]}"; do echo "old $file" >"results/demo/$file"; done
   for file in "${own_files[@]}"; do echo mine >"results/demo/$file"; done
 }

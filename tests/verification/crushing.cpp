@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Cracked rock whose walls crush or do not: prisms between plates under pressure on their sides,
 // and cubes sheared without change of volume, beside the strength of the faces and of a rock mass.
-// Scope: reported, not required; every joint is broken, cohesion and tension are 0.
+// Scope: cohesion and tension are 0. There is no closed form of the strength; what must hold:
+// - Without crushing no stress has a scale: the greatest axial stress goes with the confinement.
+// - Walls that crush make rock no stronger, and weaker walls none stronger than harder ones.
+// - Faces that ride over each other bear more than their friction alone (Mohr-Coulomb).
+// - Walls as strong as the rock, or weaker, leave cracked rock no stronger than a rock mass
+//   (Hoek-Brown), whose faces hold in part.
+// - Sheared, no principal stress becomes a pull; walls stronger than the pressure take nothing.
+#include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -41,6 +49,9 @@ double hoek_brown(double least) {
   return least + kStrength * std::pow(m * least / kStrength + s, a);
 }
 
+/// Of a value above what it may be at most, as a share; 0: it is not.
+double excess(double value, double most) { return std::max(0.0, value / most - 1.0); }
+
 double mohr_coulomb(double least) {
   const double cone = std::tan(0.25 * std::numbers::pi + 0.5 * cracked_rock(kNever).friction_angle);
   return cone * cone * least;
@@ -53,9 +64,11 @@ void triaxial(Report& report) {
   PlotCurve faces{"Mohr-Coulomb with the faces' friction", CurveStyle::kDashed, 0, {}},
       mass{"Hoek-Brown, GSI 60, m_i 32, UCS 100 MPa", CurveStyle::kLine, 0, {}};
   int colour = 1;
+  std::array<double, kConfinements.size()> harder{};  // of the walls before
   for (const double walls : kWalls) {
     PlotCurve curve{name_of(walls), CurveStyle::kPoints, colour++, {}};
-    for (const double confinement : kConfinements) {
+    for (std::size_t k = 0; k < kConfinements.size(); ++k) {
+      const double confinement = kConfinements[k];
       const std::string name =
           "cracked prism, " + name_of(walls) + ", " + spelled(confinement * 1e-6) + " MPa around";
       Press press(uniform_rock({3.0, 3.0, 6.0}), cracked_rock(walls), confinement);
@@ -68,6 +81,17 @@ void triaxial(Report& report) {
                       most / mohr_coulomb(confinement));
       report.measured({name, "over a rock mass (Hoek-Brown)", "", ""},
                       most / hoek_brown(confinement));
+      report.at_most({name, "short of the faces' friction", "", "Mohr-Coulomb"},
+                     excess(mohr_coulomb(confinement), most), 0.0);
+      if (walls == kNever)
+        report.relative({name, "over confinement, beside that at 5 MPa", "", "no scale of stress"},
+                        most * kConfinements[0] / confinement, k == 0 ? most : harder[0], 0.01);
+      else
+        report.at_most({name, "above that of harder walls", "", ""}, excess(most, harder[k]), 0.01);
+      if (walls <= kStrength)
+        report.at_most({name, "above a rock mass", "", "Hoek-Brown"},
+                       excess(most, hoek_brown(confinement)), 0.02);
+      harder[k] = most;
       curve.points.emplace_back(1e-6 * confinement, 1e-6 * most);
     }
     report.curve(frame, curve);
@@ -96,12 +120,15 @@ class ShearCell {
     strain(0.5 * (whole - shear_) * Vec3(1.0, 0.0, -1.0).asDiagonal().toDenseMatrix(), kRate);
     shear_ = whole;
   }
-  /// Half the difference of greatest and least compression, and the mean compression [Pa].
+  /// Half the difference of greatest and least compression, the mean and the least one [Pa].
   [[nodiscard]] double deviator() const {
     const Mat3 stress = run_.average_stress();
     return 0.5 * (stress(0, 0) - stress(2, 2));
   }
   [[nodiscard]] double mean() const { return -run_.average_stress().trace() / 3.0; }
+  [[nodiscard]] double least() const {
+    return -Eigen::SelfAdjointEigenSolver<Mat3>(run_.average_stress()).eigenvalues()[2];
+  }
   [[nodiscard]] const JointLosses& lost() const { return run_.network().losses(); }
 
  private:
@@ -129,6 +156,7 @@ void pure_shear(Report& report) {
   const PlotFrame frame{"cracked_shear", "Cracked rock sheared without change of volume",
                         "shear [1e-3]", "shear stress [MPa]"};
   int colour = 1;
+  double harder = kNever;  // shear stress of the walls before
   for (const double walls : kWalls) {
     const std::string name = "cracked cube in pure shear, " + name_of(walls);
     ShearCell cell(cracked_rock(walls), kStart);
@@ -139,8 +167,17 @@ void pure_shear(Report& report) {
     }
     report.measured({name, "shear stress at 8e-3", "Pa", ""}, cell.deviator());
     report.measured({name, "mean compression at 8e-3", "Pa", ""}, cell.mean());
-    report.measured({name, "taken by crushing, over all friction", "", ""},
-                    cell.lost().crushing / cell.lost().friction);
+    const double share = cell.lost().crushing / cell.lost().friction;
+    report.measured({name, "taken by crushing, over all friction", "", ""}, share);
+    report.at_most({name, "above the shear stress of harder walls", "", ""},
+                   excess(cell.deviator(), harder), 0.01);
+    report.at_most({name, "pull over the mean compression", "", "no tension"},
+                   std::max(0.0, -cell.least() / cell.mean()), 0.01);
+    if (walls > kStrength)
+      report.at_most({name, "taken by crushing below the walls' strength", "", ""}, share, 0.0);
+    else
+      report.difference({name, "share of crushing between 0.3 and 1", "", ""}, share, 0.65, 0.35);
+    harder = cell.deviator();
     report.curve(frame, curve);
   }
 }

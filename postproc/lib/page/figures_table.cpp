@@ -91,7 +91,8 @@ const std::vector<NamedKey>& key_figures() {
                                              {"pile_mass_kg", "Rock in the pile"},
                                              {"joints_broken_fraction", "Joints broken"},
                                              {"explosive_energy_J", "Energy of the explosive"},
-                                             {"gas_work_J", "Work of the gas"}};
+                                             {"gas_work_J", "Work of the gas"},
+                                             {"joint_crushing_J", "Taken by crushed joint walls"}};
   return figures;
 }
 

@@ -38,7 +38,8 @@ nlohmann::ordered_json common_keys(const ResultFolder& folder) {
   keys["energy_balance_error_worst"] = history.worst_balance_error;
   const int symmetry = folder.symmetry();
   if (symmetry > 1) keys["symmetry"] = symmetry;
-  for (const char* key : {"explosive_energy_J", "wave_work_J", "gas_work_J", "energy_audit_J"}) {
+  for (const char* key :
+       {"explosive_energy_J", "wave_work_J", "gas_work_J", "joint_crushing_J", "energy_audit_J"}) {
     if (run.contains(key)) keys[key] = of_whole_blast(run[key], symmetry);
   }
   for (const char* key : {"energy_audit_error", "blocks_left_scene", "mass_left_scene_kg",

@@ -15,7 +15,7 @@ lock() {  # lock OUT
 # LIGGGHTS leaves its state in the present folder when it is interrupted (Ctrl-C), under a name that another run may use too:
 # the log has this run's. A file without the seal has lost its end.
 keep_interrupted_state() {  # keep_interrupted_state OUT INPUT [-var NAME VALUE]...: fails if the run was not interrupted
-  local out=$1 input=$2 kept=$1/dump/interrupted.restart file given=''
+  local out=$1 input=$2 kept=$1/dump/interrupted.restart file given='' in_pour=''
   shift 2
   [[ -f $out/log.liggghts ]] || return 1
   file=$(sed -nE "s/^interrupted: the state is in '(.*)'$/\1/p" "$out/log.liggghts" | tail -n 1)
@@ -24,8 +24,14 @@ keep_interrupted_state() {  # keep_interrupted_state OUT INPUT [-var NAME VALUE]
     say "interrupted, but '$file' has lost its end: there is nothing to go on from in it"
     return
   fi
+  # The blast has a scene as soon as its rock is cut; before there is only the pour of muck.
+  if [[ -f $out/muck/dump/scene.json && ! -f $out/dump/scene.json ]]; then in_pour=1 kept=$out/muck/dump/interrupted.restart; fi
   mv -f -- "$file" "$kept"
   kept=$(realpath -m --relative-to="$caller_dir" -- "$kept")
+  if [[ -n $in_pour ]]; then
+    say "interrupted in the pour of the muck; the same command with -var pour_from $kept goes on"
+    return
+  fi
   if [[ -z $(variables_of "$input" | sed -n '/^go_on /p') ]]; then
     say "interrupted; its state is in $kept"
     return
@@ -37,9 +43,9 @@ keep_interrupted_state() {  # keep_interrupted_state OUT INPUT [-var NAME VALUE]
 results_in() {  # results_in FOLDER: paths from there
   (
     cd "$1" && shopt -s nullglob
-    for file in dump/{blocks_[0-9]*,history,gas*,gauges*,holes,holes_again}.csv dump/blocks.vtk dump/{floor,ground,gate}.stl dump/{run,scene}.json \
-      dump/{a,b,interrupted,stopped}.restart vtk/blocks* summary.json log.liggghts report.html \
-      {profile,movement,polygons,rows,heights,face_velocity,waves,ppv,survey,damage,crater,heap,fragments,fines,dig,energy,plan,section,over,trough}.{csv,png} {flyrock,sieve,boulders,fragments_list,model_moved,polygons_moved,energy_holes}.csv {movement,polygons}.dxf pile3d.csv pile3d*.png; do
+    for file in {,muck/}dump/{blocks_[0-9]*,history,gas*,gauges*,holes,holes_again}.csv {,muck/}dump/blocks.vtk {,muck/}dump/{floor,ground,gate}.stl {,muck/}dump/{run,scene}.json \
+      {,muck/}dump/{a,b,interrupted,stopped}.restart {,muck/}{vtk/blocks*,summary.json,log.liggghts,report.html} \
+      {,muck/}{profile,movement,polygons,rows,heights,face_velocity,waves,ppv,survey,damage,crater,heap,fragments,fines,dig,energy,plan,section,over,trough}.{csv,png} {,muck/}{flyrock,sieve,boulders,fragments_list,model_moved,polygons_moved,energy_holes}.csv {,muck/}{movement,polygons}.dxf {,muck/}pile3d{.csv,*.png}; do
       if [[ -f $file ]]; then printf '%s\n' "$file"; fi
     done
   )
@@ -68,11 +74,13 @@ started() {  # started OUT: a run that does not go on has got beyond its set-up
 
 move_results() {  # move_results FROM TO
   local inside files
-  mkdir -p "$2"/{dump,vtk} || die "cannot make a folder in '$2'"
-  for inside in '' dump/ vtk/; do
+  for inside in '' dump/ vtk/ muck/ muck/dump/ muck/vtk/; do
     mapfile -t files < <(results_in "$1" | grep "^${inside}[^/]*\$")
+    [[ ${#files[@]} -gt 0 || $inside == dump/ ]] || continue
+    mkdir -p "$2/$inside" || die "cannot make a folder in '$2'"
     [[ ${#files[@]} -eq 0 ]] || mv -f -t "$2/$inside" -- "${files[@]/#/$1/}" || die "cannot move results from '$1' to '$2'"
   done
+  rmdir -- "$1"/muck/{dump,vtk} "$1/muck" 2>/dev/null || true
 }
 
 # Results in OUT that a new run reads.
@@ -106,7 +114,8 @@ put_back() {  # put_back OUT
   [[ ! -f $out/.previous.log ]] || mv -f -- "$out/.previous.log" "$out/log.liggghts"
   [[ -d $part ]] || return 0
   move_results "$part" "$out"
-  rmdir -- "$part"/{dump,vtk} "$part" 2>/dev/null || say "'$part' holds more than results; look at it"
+  rmdir -- "$part"/{dump,vtk} 2>/dev/null || true
+  rmdir -- "$part" 2>/dev/null || say "'$part' holds more than results; look at it"
   rmdir -- "$out/vtk" 2>/dev/null || true
 }
 

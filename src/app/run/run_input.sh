@@ -82,9 +82,25 @@ check_run_words() {
   : "${out:=$default_folder$(basename "$(dirname "$(realpath "$input")")")}"
   [[ $out != *[[:space:]]* ]] || die "LIGGGHTS splits names at blanks; choose another folder than '$out'"
   [[ $out != *[%*]* ]] || die "% and * mean something else in LIGGGHTS' names of files; choose another folder than '$out'"
+  refuse_own_results
   ((${#ranks} < 6 && ranks <= most_ranks_per_core * cores)) ||
     die "-np must be at most $((most_ranks_per_core * cores)) on $cores cores, got '$ranks'"
   if [[ -z $ranks ]]; then ranks=$((cores < most_default_ranks ? cores : most_default_ranks)); fi
+}
+
+# What is in the folder of results makes room for the new ones.
+refuse_own_results() {
+  local muck
+  muck=$(value_of muck "${engine_args[@]}")
+  [[ -z $muck || $muck == none || $(realpath -m -- "$muck")/ != "$(realpath -m -- "$out")"/* ]] ||
+    die "-var muck must be outside of '$out', where the results of this run go and replace what is there, got '$muck'"
+}
+
+# The run goes on from a restart file, and so do its files.
+continues() {
+  local pour_from
+  pour_from=$(value_of pour_from "${engine_args[@]}")
+  [[ $go_on == 1 || (-n $pour_from && $pour_from != none) ]]
 }
 
 check_variables() {
@@ -107,7 +123,7 @@ prepare_folder() {
   recover_previous "$out"
   # shellcheck disable=SC2064  # Ctrl-C while they are moved
   trap "put_back $(printf '%q' "$out")" EXIT
-  if [[ $go_on != 1 ]]; then set_aside "$out" "$input" "${engine_args[@]}"; fi
+  if ! continues; then set_aside "$out" "$input" "${engine_args[@]}"; fi
   [[ ! -f $out/log.liggghts ]] || mv -f -- "$out/log.liggghts" "$out/.previous.log"  # which one that goes on would write over
 }
 
@@ -132,7 +148,7 @@ run_in_folder() {
 has_left_something() {
   if ((status == 0)); then
     [[ $(written_in "$out") != "$written_before" ]]
-  elif [[ $go_on == 1 ]]; then
+  elif continues; then
     [[ $(steps_in "$out") != "$steps_before" ]]
   else
     started "$out"

@@ -47,6 +47,9 @@ const ArgTable& cut_table() {
                 "of the plan: the report has a table of the burden of each hole along its charge, "
                 "and warns below 0.6 and above 1.5 of this; 0: a table only with `surface` or "
                 "`terrain`, and no warning")
+          .word("burden_file", {}, "none",
+                "CSV file for the burden of each hole along its charge, which `muckpile-post "
+                "burden` draws, or none")
           .flag("superpose", false,
                 "with `size harries`: the cracks of all charges add up, not those of the nearest "
                 "alone")

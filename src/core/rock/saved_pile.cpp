@@ -10,6 +10,7 @@
 #include <fstream>
 #include <limits>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "args/csv_table.h"
@@ -17,6 +18,7 @@
 #include "args/numbers.h"
 #include "geometry/files/cell_data.h"
 #include "geometry/files/cell_file.h"
+#include "geometry/shape/shape_fault.h"
 #include "provenance/run_files.h"
 
 namespace muckpile {
@@ -66,6 +68,7 @@ std::vector<SavedBlock> blocks_at_start(const std::string& file) {
   const CellData data = read_cell_data(text, cells.cells(), file);
   const auto &id = cell_array(data, "id", file), &mass = cell_array(data, "mass_kg", file);
   std::vector<SavedBlock> blocks(cells.cells());
+  std::unordered_set<int> known;
   for (std::size_t c = 0; c < blocks.size(); ++c) {
     SavedBlock& block = blocks[c];
     if (!(id[c] >= 1.0 && id[c] <= std::numeric_limits<int>::max()))
@@ -78,6 +81,11 @@ std::vector<SavedBlock> blocks_at_start(const std::string& file) {
       throw InputError(file + ": block " + std::to_string(block.id) +
                        ": mass_kg must be > 0 kg and the volume > 0 m3, got '" +
                        number_text(block.kg) + "' and '" + number_text(block.mass.volume) + "'");
+    const std::string fault = shape_fault(block.shape, block.mass);
+    if (!fault.empty())
+      throw InputError(file + ": block " + std::to_string(block.id) + ' ' + fault);
+    if (!known.insert(block.id).second)
+      throw InputError(file + ": block " + std::to_string(block.id) + " is there twice");
   }
   return blocks;
 }
@@ -140,7 +148,10 @@ SavedPile read_saved_pile(const std::string& folder) {
   pile.time = time_in(table);
   const Rows rows(table);
   std::unordered_map<int, std::size_t> row_of;
-  for (std::size_t row = 0; row < table.rows(); ++row) row_of[rows.id(row)] = row;
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    if (!row_of.emplace(rows.id(row), row).second)
+      throw InputError(table.where(row) + "block " + std::to_string(rows.id(row)) +
+                       " has a second row");
   for (SavedBlock& block : pile.blocks) {
     const auto found = row_of.find(block.id);
     if (found == row_of.end())

@@ -69,7 +69,7 @@ void write_whole(const std::filesystem::path& folder) {
   write_text(folder / "dump" / "run.json",
              "{\"blocks\": 9, \"spheres\": 9, \"joints\": 9, \"steps\": 2000, "
              "\"physical_time_s\": 4.5, \"wall_time_s\": 60.0, \"energy_balance_error\": 0.002, "
-             "\"still\": true, \"gas_work_J\": 8e6, \"mass_left_scene_kg\": 5.0, "
+             "\"still\": true, \"gas_work_J\": 8e6, \"joint_crushing_J\": 3e5, \"mass_left_scene_kg\": 5.0, "
              "\"energy_audit_J\": {\"explosive\": 2e7}, \"energy_audit_error\": 0.001}\n");
 }
 
@@ -111,6 +111,7 @@ TEST(Images, AQuarterOfTheCraterIsMeasuredAsTheWhole) {
     EXPECT_NEAR(found[key].get<double>() / expected[key].get<double>(), 1.0, 1e-9) << key;
   }
   EXPECT_EQ(found["gas_work_J"].get<double>(), 32e6);
+  EXPECT_EQ(found["joint_crushing_J"].get<double>(), 12e5);
   EXPECT_EQ(found["mass_left_scene_kg"].get<double>(), 20.0);
   EXPECT_EQ(found["energy_audit_J"]["explosive"].get<double>(), 8e7);
   EXPECT_EQ(found["energy_audit_error"].get<double>(), 0.001);

@@ -221,6 +221,30 @@ TEST_F(MuckOfAnEarlierRun, IsRefusedWithoutFilesRowsOrMass) {
   EXPECT_NE(refusal(source()).find("has no cell data 'mass_kg'"), std::string::npos);
 }
 
+TEST_F(MuckOfAnEarlierRun, IsRefusedWhereItsBlocksAreNone) {
+  const std::string file = (dump() / "blocks.vtk").string();
+  std::string text = testing::text_of(file);
+  const std::size_t ids = text.find("SCALARS id int");
+  ASSERT_NE(ids, std::string::npos);
+  const std::size_t second = text.find("\n8\n", ids) + 1;
+  testing::write_text(file, std::string(text).replace(second, 1, "7"));
+  EXPECT_NE(refusal(source()).find("blocks.vtk: block 7 is there twice"), std::string::npos)
+      << refusal(source());
+  boxes_[1].shape.vertices[0] += Vec3(0.05, 0.05, 0.05);  // a corner that is pushed in
+  write_blocks(file, boxes_, 7, 2000.0, kId);
+  EXPECT_NE(refusal(source()).find("blocks.vtk: block 8 is not "), std::string::npos)
+      << refusal(source());
+}
+
+TEST_F(MuckOfAnEarlierRun, IsRefusedWhereABlockHasTwoRows) {
+  poses_.push_back(poses_[1]);
+  write(kId);
+  std::string text = testing::text_of(dump() / "blocks_000000200.csv");
+  testing::write_text(dump() / "blocks_000000200.csv", text + row(8, poses_[1]));
+  EXPECT_NE(refusal(source()).find("block 8 has a second row"), std::string::npos)
+      << refusal(source());
+}
+
 TEST_F(MuckOfAnEarlierRun, FollowsTheRockInARockModel) {
   std::istringstream stream(
       "density 2500 block_min 0.5 block_max 0.5 size uniform 0.5 spheres_per_block 4 muck " +

@@ -15,34 +15,20 @@
 #include "geometry/files/import_fault.h"
 #include "geometry/holes/hole_surface.h"
 #include "geometry/index/axis_index.h"
-#include "geometry/shape/convex_cell.h"
+#include "geometry/shape/shape_fault.h"
 #include "geometry/shape/shared_volume.h"
 
 namespace muckpile {
 namespace {
 
-constexpr double kShape = 1e-6;  // of the cell's size: plane, convex and closed to this
+constexpr double kShape = kShapeRounding;  // of the cell's size
 
 Block checked_block(Polyhedron shape, std::size_t cell) {
   Block block;
   block.shape = std::move(shape);
   block.mass = mass_properties(block.shape);
-  if (!(block.mass.volume > 0.0))
-    fail_import("cell ", cell, " must be closed and have a volume > 0 m3");
-  const double size = std::cbrt(block.mass.volume);
-  for (std::size_t f = 0; f < block.shape.faces.size(); ++f) {
-    const FaceGeometry face = face_geometry(block.shape, static_cast<int>(f));
-    if (face.area < kShape * size * size) continue;  // no direction to speak of
-    for (const int v : block.shape.faces[f]) {
-      const Vec3& at = block.shape.vertices[static_cast<std::size_t>(v)];
-      if (std::abs(face.normal.dot(at - face.centroid)) > kShape * size)
-        fail_import("face ", f + 1, " of cell ", cell, " is not plane");
-    }
-    if (extent(block.shape, face.normal).second - face.normal.dot(face.centroid) > kShape * size)
-      fail_import("cell ", cell, " is not convex at its face ", f + 1);
-  }
-  if (area_vector_sum(block.shape).norm() > kShape * size * size)
-    fail_import("cell ", cell, " is not closed");
+  const std::string fault = shape_fault(block.shape, block.mass);
+  if (!fault.empty()) fail_import("cell ", cell, ' ', fault);
   block.neighbour.assign(block.shape.faces.size(), kFreeFace);
   return block;
 }

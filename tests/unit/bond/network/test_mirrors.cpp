@@ -146,6 +146,24 @@ TEST_P(AtMirrors, DashpotsOfBrokenJointsAreThoseOfTheWhole) {
   expect_alike(rows, "broken");
 }
 
+TEST_P(AtMirrors, WallsThatCrushTakeHalfOfWhatTheyTakeOfTheWhole) {
+  JointParameters p = damped_rock(1e5);
+  p.wall_strength = 2e6;
+  HalfAndWhole rows({3, 1, 1}, p, GetParam());
+  rows.stretch(1e-4);   // every joint breaks,
+  rows.stretch(-2e-4);  // and closes: to 6 MPa, if walls bore it
+  const double speed = 0.1, dt = 0.3 * rows.stable_step();
+  rows.set_off(speed, 0.0);
+  const double worst = rows.worst_off(speed, dt);
+  const double half = rows.half().network().losses().crushing;
+  const double share = 2.0 * half / rows.whole().network().losses().crushing;
+  std::cout << "crushing row at a mirror: velocities off by " << worst << ", crushing by "
+            << share - 1.0 << '\n';
+  EXPECT_GT(half, 0.0);
+  EXPECT_LT(worst, 1e-9);
+  EXPECT_NEAR(share, 1.0, 1e-9);
+}
+
 TEST_P(AtMirrors, FacetsThatSoftenAreThoseOfTheWhole) {
   JointParameters p = damped_rock(1e5);
   p.fracture_energy_tension = p.fracture_energy_shear = 2.0;  // spent as a joint is 40 um open

@@ -13,20 +13,10 @@
 #include "bond/law/barton_bandis.h"
 #include "bond/law/two_rocks.h"
 #include "bond_scene.h"
+#include "loose_rock.h"
 
 namespace muckpile::test {
 namespace {
-
-constexpr double kWalls = 50e6;  // [Pa]
-
-/// Breaks as soon as it is pulled or slides; E 50 GPa.
-JointParameters loose_rock(double nu, double wall_strength = kWalls) {
-  JointParameters p = rock(nu);
-  p.tension = p.cohesion = 0.0;
-  p.friction_angle = p.residual_friction_angle = 0.5;
-  p.wall_strength = wall_strength;
-  return p;
-}
 
 /// Two unit cubes side by side along x; block 1 is moved by hand at 1 m/s. Their facet is of 1 m2,
 /// so forces [N] are tractions [Pa].

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What a script asks of a folder of results of another run.
+// Scope: paths, and numbers of dump/scene.json as write_scene writes it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace muckpile {
+
+/// Whether a path is a folder, or lies in it, whatever links lead there. Neither need exist.
+[[nodiscard]] bool lies_in(const std::string& path, const std::string& folder);
+
+/// The number of a key in dump/scene.json of a folder of results, or in scene.json if it is that
+/// folder dump; none where there is no such file or no such number.
+[[nodiscard]] std::optional<double> scene_number(const std::string& folder, const std::string& key);
+
+}  // namespace muckpile
