@@ -23,6 +23,7 @@
 #include "fixes/engine/exchange.h"
 #include "fixes/engine/over_ranks.h"
 #include "geometry/files/block_file.h"
+#include "rock/burden_file.h"
 #include "rock/cut_table.h"
 #include "rock/faults.h"
 #include "rock/rock_surfaces.h"
@@ -127,6 +128,8 @@ void CreateBlocks::command(int narg, char** arg) {
   on_rank_0(*lmp, [&] {
     const std::string& file = args.word("file");
     if (file != "none") write_start(file, model, placement.first_tag(), densities, run);
+    const std::string& burdens = args.word("burden_file");
+    if (burdens != "none") write_burdens(burdens, {model.burdens, model.plan_burden}, run);
   });
   placement.place(model, with_shares(options.rock.holes, model, world));
   FixMuckpileBlocks::find(*lmp)->record().begin(run);

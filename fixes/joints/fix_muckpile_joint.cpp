@@ -4,14 +4,17 @@
 #include "fixes/joints/fix_muckpile_joint.h"
 
 #include <comm.h>
+#include <error.h>
 #include <fix_multisphere.h>
 #include <modify.h>
 #include <update.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <string>
 
+#include "args/rounded_text.h"
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/find_view.h"
 #include "fixes/engine/over_ranks.h"
@@ -85,13 +88,15 @@ void FixMuckpileJoint::init() {
   if (engine::place_of<FacetStore>(*lmp) > modify->find_fix(id)) {
     engine::stop(*lmp, engine::name_of(*this) + ": must be defined after create_blocks");
   }
-  if (store_ == nullptr) {
+  const bool first = store_ == nullptr;
+  if (first) {
     store_ = found;
     store_->set_keeper(this);
   }
   gas_ = engine::find_view<JointPressure>(*lmp);
   check_classes();
   follow_blocks();
+  if (first) warn_of_other_density();
   end_what_does_not_go_on();
 }
 
@@ -104,6 +109,26 @@ void FixMuckpileJoint::check_classes() const {
                            std::to_string(given) + " time(s)");
   if (zones_ != store_->zones())
     engine::stop(*lmp, engine::name_of(*this) + ": must be given after all zones of create_blocks");
+}
+
+/// Waves run as in rock of the density given here, whatever the blocks weigh. Blocks without
+/// joints, as those of muck, may have any.
+void FixMuckpileJoint::warn_of_other_density() const {
+  constexpr double kSame = 1e-4;
+  const JointLaws& laws = network_.tables().laws();
+  const std::vector<BlockRecord>& mine = store_->records();
+  double worst = 0.0;
+  for (std::size_t f = 0; f < network_.facet_count(); ++f) {
+    const std::size_t b = network_.tables().blocks_of(f).first;
+    if (b >= mine.size()) continue;
+    const double given = laws.rock(mine[b].zone).parameters().density;
+    worst = std::max(worst, std::abs(mine[b].mass / (mine[b].volume * given) - 1.0));
+  }
+  worst = engine::greatest_over_ranks(worst, world);
+  if (worst <= kSame || comm->me != 0) return;
+  const std::string text = engine::name_of(*this) + ": its density is not that of the blocks (" +
+                           rounded_text(100.0 * worst, 3) + " % apart)";
+  error->warning(FLERR, text.c_str());
 }
 
 FacetLists FixMuckpileJoint::copy() const { return network_.lists(); }

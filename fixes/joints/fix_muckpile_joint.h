@@ -141,6 +141,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   };
 
   void check_classes() const;
+  void warn_of_other_density() const;
   void end_what_does_not_go_on();
   void follow_blocks();
   void add_forces(double dt);

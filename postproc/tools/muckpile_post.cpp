@@ -22,6 +22,7 @@
 #include "overlay_command.h"
 #include "pile_commands.h"
 #include "render_command.h"
+#include "report/burden_report.h"
 #include "report/not_measurable.h"
 #include "report/plan_report.h"
 #include "report/reports.h"
@@ -68,6 +69,15 @@ void add_plan_command(CLI::App& app) {
   plan->callback([o] { report_plan(o->folder); });
 }
 
+void add_burden_command(CLI::App& app) {
+  const auto o = std::make_shared<Words>();
+  CLI::App* burden = add_command(
+      app, "burden",
+      "burden.csv, burden.png: the burden of each hole along its charge, against the plan's",
+      o->folder);
+  burden->callback([o] { report_burden(ResultFolder(o->folder)); });
+}
+
 void add_page_command(CLI::App& app) {
   const auto o = std::make_shared<Words>();
   CLI::App* page = add_command(
@@ -102,6 +112,7 @@ int main(int argc, char** argv) {
   add_render_command(app);
   add_energy_command(app);
   add_plan_command(app);
+  add_burden_command(app);
   add_page_command(app);
   add_series_command(app);
   add_all_command(app);

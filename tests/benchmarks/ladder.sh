@@ -7,14 +7,15 @@
 set -euo pipefail
 program=$(readlink -f "$1") post=$(readlink -f "$2") report=$(readlink -f "$3") out=$(realpath -m "$4") quick=${5-}
 root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
-# Of tests/regression/bench_small.json; long enough for the burden to land.
-bench="-var bench_height 5 -var burden 2 -var hole_diameter 0.064 -var time_end 3.0"
+# Of tests/regression/bench_small.json; long enough for the burden to land. One rock has one spacing of the cracks that gas finds, whatever its
+# blocks (inputs/bench/README.md): that of the smallest blocks of the finest run.
+bench="-var bench_height 5 -var burden 2 -var hole_diameter 0.064 -var crack_spacing 0.126 -var time_end 3.0"
 [[ $quick != quick ]] || bench=${bench/time_end 3.0/time_end 0.2}
 readonly bench
 export OMPI_MCA_btl_vader_single_copy_mechanism=none
 
 # The sizes of the standard blocks (median, smallest, largest) times a factor. At the wall of the crushed zone, 0.192 m wide here,
-# blocks must not be larger than it.
+# the inputs cut blocks down to it.
 sizes() {
   awk -v f="$1" 'BEGIN {
     least = 0.18 * f < 0.19 ? 0.18 * f : 0.19

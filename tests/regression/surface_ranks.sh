@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # surface_ranks.sh LIGGGHTS_MUCKPILE: rock below a rough terrain in mine coordinates and within a closed body, around one charge, is cut into
-# the same blocks on 1, 2 and 4 ranks; the report names volume and distance from the surfaces, and both are as good as create_blocks promises.
+# the same blocks on 1, 2 and 4 ranks, and by joint sets on 1 and 2; the report names volume and distance from the surfaces, and both are as good as create_blocks promises.
 # Scope: no run; the cut itself is in the unit tests.
 set -euo pipefail
 program=$1
@@ -24,12 +24,16 @@ awk 'function corner(k) { return (k % 2 ? 1.6 : -1.6) - (int(k / 4) ? 0.4 : 0) "
 cut_input "-4 4 -4 4 -4 4" <<'END'
 region rock block -2 2 -2 2 -1.2 2 units box
 create_blocks rock density 2700 size power 0.8 1 block_min 0.25 block_max 0.45 hole 0 0 -0.8 0 0 0.3 0.15 spheres_per_block 1 &
-  surface ${out}/body.stl terrain ${out}/ground.csv origin 5000 7000 100 x_bearing 180 file ${out}/${name}.vtk
+  surface ${out}/body.stl terrain ${out}/ground.csv origin 5000 7000 100 x_bearing 180 file ${out}/${name}.vtk ${cut}
 END
-same_on_ranks surfaces "1 2 4"
+same_on_ranks surfaces "1 2 4" -var cut "cut voronoi"
+same_on_ranks joint_sets "1 2" -var cut "cut joint_sets joint_set 75 80 joint_set 85 350 joint_set 10 265"
 grep 'rock within' "$out/surfaces1.screen" || fail "no line about the surfaces"
 grep 'place 0 0 0 is 5000 7000 100' "$out/surfaces1.screen" || fail "the place of the mine is not told"
-figures=$(sed -nE 's/.*crushed zones [0-9.e+]+ m3 \(([-+0-9.e]+) %.*mean, ([0-9.e-]+) at most, ([0-9.e+]+) % .*/{"volume": \1, "farthest": \2, "near": \3}/p' "$out/surfaces1.screen")
-tr -d '+' <<<"$figures" >"$out/figures.json"
-check_figures near "volume of the cut over that of the rock [%]" "$out/figures.json:volume" 0 1
-check_figures bounds "area within a quarter block [%]" "$out/figures.json:near" --at-least 99
+declare -A least=([surfaces]=99 [joint_sets]=98)
+for kind in surfaces joint_sets; do
+  figures=$(sed -nE 's/.*crushed zones [0-9.e+]+ m3 \(([-+0-9.e]+) %.*mean, ([0-9.e-]+) at most, ([0-9.e+]+) % .*/{"volume": \1, "farthest": \2, "near": \3}/p' "$out/${kind}1.screen")
+  tr -d '+' <<<"$figures" >"$out/$kind.json"
+  check_figures near "$kind: volume of the cut over that of the rock [%]" "$out/$kind.json:volume" 0 1
+  check_figures bounds "$kind: area within a quarter block [%]" "$out/$kind.json:near" --at-least "${least[$kind]}"
+done

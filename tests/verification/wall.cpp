@@ -47,7 +47,6 @@ Ring cut(const Scene& scene) {
   options.lo = Vec3(-half, -half, 0.0);
   options.hi = Vec3(half, half, thickness);
   options.seed = scene.seed;
-  options.rings_from = 1.75;
   options.holes = {{Vec3::Zero(), thickness * Vec3::UnitZ(), 1.0}};
   const double near = 1.0 + 0.5 * scene.size;
   options.size =
@@ -149,11 +148,11 @@ void compare(Report& report, const std::vector<Scene>& scenes) {
 const Cases kCases = {
     {"sizes",
      [](Report& report) {
-       compare(report, {{0.25}, {0.5}, {0.75}, {1.0}, {1.33}, {1.7}});
+       compare(report, {{0.25}, {0.5}, {0.75}, {1.0}, {1.33}, {1.49}});
      }},
     {"coarse",
      [](Report& report) {
-       compare(report, {{1.75}, {2.0}, {2.5}, {3.0}, {4.0}, {6.0}});
+       compare(report, {{1.5}, {1.75}, {2.0}, {2.5}, {3.0}, {4.0}, {6.0}});
      }},
     {"cuts",
      [](Report& report) {
@@ -161,7 +160,9 @@ const Cases kCases = {
                                   Scene{1.33, 0.0}, Scene{1.33, 0.4}})
          compare(report, {scene});
      }},
-    {"quick", [](Report& report) { compare(report, {{1.33}}); }}};
+    {"quick", [](Report& report) {
+       for (const double size : {1.33, 1.5}) compare(report, {{size}});
+     }}};
 
 }  // namespace
 }  // namespace muckpile::verification

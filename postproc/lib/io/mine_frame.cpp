@@ -47,4 +47,25 @@ std::vector<double> mine_place(const std::optional<MineFrame>& frame, double x, 
   return {place.x(), place.y()};
 }
 
+std::string with_mine_points(std::string header, const std::optional<MineFrame>& frame,
+                             const std::vector<std::string>& prefixes) {
+  if (!frame) return header;
+  for (const std::string& prefix : prefixes) {
+    for (const char* column : {"east_m", "north_m", "elevation_m"})
+      header.append(1, ',').append(prefix).append(column);
+  }
+  return header;
+}
+
+std::vector<double> mine_points(const std::optional<MineFrame>& frame,
+                                const std::vector<Vec3>& points) {
+  std::vector<double> places;
+  if (!frame) return places;
+  for (const Vec3& point : points) {
+    const Vec3 place = frame->of(point);
+    places.insert(places.end(), {place.x(), place.y(), place.z()});
+  }
+  return places;
+}
+
 }  // namespace muckpile

@@ -30,4 +30,10 @@ std::optional<MineFrame> mine_frame(const ResultFolder& folder);
 std::string with_mine_columns(std::string header, const std::optional<MineFrame>& frame);
 std::vector<double> mine_place(const std::optional<MineFrame>& frame, double x, double y);
 
+// The same for points in space: east_m, north_m and elevation_m of each, behind its prefix.
+std::string with_mine_points(std::string header, const std::optional<MineFrame>& frame,
+                             const std::vector<std::string>& prefixes);
+std::vector<double> mine_points(const std::optional<MineFrame>& frame,
+                                const std::vector<Vec3>& points);
+
 }  // namespace muckpile

@@ -66,7 +66,7 @@ std::vector<Origin> origins_in(const std::filesystem::path& dump) {
   // A script that prints this file by itself gives it no id.
   if (std::filesystem::exists(dump / "scene.json") && !id_in_json(dump / "scene.json").empty())
     add(dump / "scene.json", id_in_json);
-  for (const char* name : {"history.csv", "gauges.csv"})
+  for (const char* name : {"history.csv", "gauges.csv", "burden.csv"})
     if (std::filesystem::exists(dump / name)) add_table(dump / name, origins);
   for (const auto& path : snapshot_files(dump))
     add(path, [](const auto& snapshot) { return id_in_line(snapshot, 1); });

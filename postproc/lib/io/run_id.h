@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Which run wrote the files of a dump folder, by the run id that the engine puts into each of them.
-// Scope: blocks.vtk, run.json, history.csv, the snapshots, and scene.json where it has an id; files
-// that are not there are no strangers.
+// Scope: blocks.vtk, run.json, history.csv, gauges.csv, burden.csv, the snapshots, and scene.json
+// where it has an id; files that are not there are no strangers.
 #pragma once
 
 #include <filesystem>

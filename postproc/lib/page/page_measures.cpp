@@ -78,6 +78,7 @@ void add_speeds(Html& page, const PageContent& run) {
   add_table(page, run,
             {{"face_velocity_m_s", "Face, fastest tenth of its height"},
              {"face_velocity_mean_m_s", "Face, middle half of the charge"},
+             {"burden_velocity_m_s", "Burden, momentum over mass"},
              {"fastest_block_m_s", "Fastest block"}});
   const std::string chart = speed_chart(run.folder.dump("history.csv"));
   if (chart.empty()) return;

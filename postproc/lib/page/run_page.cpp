@@ -63,6 +63,8 @@ void add_key_figures(Html& page, const PageContent& run) {
 void add_design(Html& page, const PageContent& run) {
   page.element("h2", "Design");
   add_picture(page, run, "plan.png", "", "Plan: holes, and the milliseconds at which they fire.");
+  add_picture(page, run, "burden.png", "",
+              "Burden of each hole along its charge; table in burden.csv.");
   add_rows(page, run.scene, provenance_keys());
 }
 

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "args/input_error.h"
+#include "report/burden_report.h"
 #include "report/plan_report.h"
 #include "report/reports.h"
 
@@ -31,6 +32,7 @@ const std::map<std::string, MakeReport>& makers() {
       {"render", [](const ResultFolder& f) { report_picture(f, {}); }},
       {"series", [](const ResultFolder& f) { report_series(f, 1); }},
       {"plan", [](const ResultFolder& f) { report_plan(f.file("")); }},
+      {"burden", report_burden},
       {"waves", [](const ResultFolder& f) { report_waves(f); }},
       {"report", report_page},
   };
@@ -61,6 +63,7 @@ std::vector<std::string> reports_of(const ResultFolder& folder, bool with_series
   names.insert(names.end(), {"energy", "render"});
   if (with_series) names.emplace_back("series");
   if (pattern) names.emplace_back("plan");
+  if (std::filesystem::exists(folder.dump("burden.csv"))) names.emplace_back("burden");
   if (std::filesystem::exists(folder.dump("gauges.csv"))) names.emplace_back("waves");
   names.emplace_back("report");  // shows what the others have left
   return names;

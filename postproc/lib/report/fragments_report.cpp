@@ -8,6 +8,7 @@
 
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
+#include "io/mine_frame.h"
 #include "measure/sieve_size.h"
 #include "parallel/in_parallel.h"
 #include "report/fines_report.h"
@@ -92,16 +93,19 @@ FragmentCurves curves_of(const RunData& run, const std::vector<SizedFragment>& f
   return curves;
 }
 
-void write_list(const std::filesystem::path& path, const std::vector<SizedFragment>& fragments,
-                double least_sieve) {
-  CsvWriter list(path,
-                 "fragment_id,blocks,volume_m3,size_m,sieve_m,mass_kg,x_m,y_m,z_m,displacement_m,"
-                 "in_pile");
+void write_list(const ResultFolder& folder, const char* name,
+                const std::vector<SizedFragment>& fragments, double least_sieve) {
+  const std::optional<MineFrame> frame = mine_frame(folder);
+  CsvWriter list(folder.file(name),
+                 with_mine_points("fragment_id,blocks,volume_m3,size_m,sieve_m,mass_kg,x_m,y_m,z_m,"
+                                  "displacement_m,in_pile",
+                                  frame, {""}));
   for (const auto& [f, sieve] : fragments) {
     if (least_sieve > 0.0 && !(sieve > least_sieve)) continue;
-    list.row({static_cast<double>(f.id), static_cast<double>(f.blocks), f.volume, f.size, sieve,
-              f.mass, f.last.x(), f.last.y(), f.last.z(), (f.last - f.start).norm(),
-              f.in_pile ? 1.0 : 0.0});
+    list.row_at(
+        {static_cast<double>(f.id), static_cast<double>(f.blocks), f.volume, f.size, sieve, f.mass,
+         f.last.x(), f.last.y(), f.last.z(), (f.last - f.start).norm(), f.in_pile ? 1.0 : 0.0},
+        mine_points(frame, {f.last}));
   }
 }
 
@@ -123,9 +127,9 @@ void write_tables(const ResultFolder& folder, const FragmentCurves& curves,
   CsvWriter sizes(folder.file("fragments.csv"), "size_m,mass_fraction_passing");
   for (const SizePoint& point : curves.by_volume) sizes.row({point.size, point.passing});
   write_sieve(folder.file("sieve.csv"), curves);
-  write_list(folder.file("fragments_list.csv"), fragments, 0.0);
+  write_list(folder, "fragments_list.csv", fragments, 0.0);
   if (options.boulder) {
-    write_list(folder.file("boulders.csv"), fragments, *options.boulder);
+    write_list(folder, "boulders.csv", fragments, *options.boulder);
   } else {
     std::filesystem::remove(folder.file("boulders.csv"));
   }

@@ -10,6 +10,7 @@
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
 #include "io/dxf_writer.h"
+#include "io/mine_frame.h"
 #include "measure/columns.h"
 #include "measure/movement.h"
 #include "measure/ore_shares.h"
@@ -26,13 +27,16 @@
 namespace muckpile {
 namespace {
 
-void write_table(const std::filesystem::path& path, const std::vector<PartMovement>& parts) {
-  CsvWriter csv(path,
-                std::string("level_low_m,level_high_m,from_face_m,to_face_m,") + kMovementColumns);
+void write_table(const ResultFolder& folder, const std::vector<PartMovement>& parts) {
+  const std::optional<MineFrame> frame = mine_frame(folder);
+  CsvWriter csv(folder.file("movement.csv"),
+                with_mine_points(std::string("level_low_m,level_high_m,from_face_m,to_face_m,") +
+                                     kMovementColumns,
+                                 frame, {"start_", "end_"}));
   for (const PartMovement& p : parts) {
     std::vector<double> row{p.level_low, p.level_high, p.near, p.far};
     for (const double value : movement_columns(p.rock)) row.push_back(value);
-    csv.row(row);
+    csv.row_at(row, mine_points(frame, {p.rock.start, p.rock.end}));
   }
 }
 
@@ -166,7 +170,7 @@ void report_movement(const ResultFolder& folder, const MeasureOptions& measure,
     refuse("movement", "no block started between the face and the last row of holes");
   write_polygons(folder, run, polygons, pose);
   const nlohmann::ordered_json of_model = write_ore_model(folder, run, options.model, pose);
-  write_table(folder.file("movement.csv"), movement);
+  write_table(folder, movement);
   write_drawing(folder.file("movement.dxf"), movement, pose);
   write_png(draw_section(section_of(run, bench, parts, movement)), folder.file("movement.png"));
   nlohmann::ordered_json keys = common_keys(folder);

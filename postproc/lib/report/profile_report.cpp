@@ -25,7 +25,15 @@ namespace {
 struct FaceSpeed {
   double peak = std::nan("");  // of the fastest band of height [m/s]
   double mean = std::nan("");  // of the middle half of the charge's height [m/s]
+  double burden = std::nan("");  // of all rock between face and holes, above the floor [m/s]
 };
+
+std::vector<size_t> burden_prism(const std::vector<StartBlock>& blocks, const BenchScene& bench) {
+  std::vector<size_t> prism;
+  for (size_t b = 0; b < blocks.size(); ++b)
+    if (bench.planes.in_front_of(bench.burden, blocks[b].centroid)) prism.push_back(b);
+  return prism;
+}
 
 constexpr int kFaceBands = 10;  // bands of height, as a velocity profile of a filmed face has
 
@@ -37,8 +45,10 @@ FaceSpeed face_speed_of(const ResultFolder& folder, const RunData& run, const Be
       face_layer(blocks, bench.burden, low + quarter, bench.charge_top - quarter, bench.planes);
   const std::vector<std::vector<size_t>> bands =
       face_bands(blocks, bench.burden, bench.height, kFaceBands, bench.planes);
+  const std::vector<size_t> prism = burden_prism(blocks, bench);
   std::vector<char> wanted(blocks.size(), 0);
-  for (const size_t b : middle) wanted[b] = 1;
+  for (const auto& chosen : {middle, prism})
+    for (const size_t b : chosen) wanted[b] = 1;
   for (const auto& band : bands)
     for (const size_t b : band) wanted[b] = 1;
   FaceSpeed speed;
@@ -47,6 +57,8 @@ FaceSpeed face_speed_of(const ResultFolder& folder, const RunData& run, const Be
     const Snapshot& now = rows.read(path);
     if (!middle.empty())
       speed.mean = std::fmax(speed.mean, mean_outward_velocity(blocks, now, middle));
+    if (!prism.empty())
+      speed.burden = std::fmax(speed.burden, mean_outward_velocity(blocks, now, prism));
     for (const auto& band : bands) {
       if (!band.empty())
         speed.peak = std::fmax(speed.peak, mean_outward_velocity(blocks, now, band));
@@ -115,6 +127,7 @@ nlohmann::ordered_json keys_of(const BenchFigures& figures, const RunData& run) 
   nlohmann::ordered_json keys;
   keys["face_velocity_m_s"] = face.peak;
   keys["face_velocity_mean_m_s"] = face.mean;
+  keys["burden_velocity_m_s"] = face.burden;
   keys["throw_cg_m"] = thrown.centre_of_mass;
   keys["throw_max_m"] = thrown.largest;
   keys["throw_max_note"] = kLargestThrowNote;

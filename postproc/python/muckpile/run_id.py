@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Which run wrote the files of a dump folder, by the run id that each of them carries.
 
-Scope: the rule of muckpile-post: blocks.vtk, run.json, history.csv, gauges.csv, the snapshots, and scene.json
-where it has an id; files that are not there are no strangers.
+Scope: the rule of muckpile-post: blocks.vtk, run.json, history.csv, gauges.csv, burden.csv, the snapshots, and
+scene.json where it has an id; files that are not there are no strangers.
 """
 
 import re
@@ -63,7 +63,7 @@ def _origins(dump: Path) -> list[tuple[str, str]]:
     # A script that prints this file by itself gives it no id.
     if scene.exists() and (word := id_in_json(read_json(scene))):
         found.append((str(scene), word))
-    for name in ("history.csv", "gauges.csv"):
+    for name in ("history.csv", "gauges.csv", "burden.csv"):
         if (dump / name).exists():
             found += _ids_of_table(dump / name)
     for path in snapshot_files(dump):

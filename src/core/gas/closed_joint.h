@@ -11,7 +11,8 @@
 
 #include <algorithm>
 
-#include "bond/law/barton_bandis.h"
+#include "bond/law/hydraulic_aperture.h"
+#include "bond/law/joint_law.h"
 
 namespace muckpile {
 

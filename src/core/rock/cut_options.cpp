@@ -203,6 +203,8 @@ CutOptions read(const ArgValues& args, std::size_t memory) {
   read_mine_frame(options, args);
   read_surfaces(options, args);
   options.burden = args.real("burden");
+  options.burdens_wanted =
+      options.burden > 0.0 || !options.surfaces.empty() || args.word("burden_file") != "none";
   TessellationOptions& rock = options.rock;
   rock.holes = crushed_zones(args);
   for (const Words& words : args.groups("joint_plane"))

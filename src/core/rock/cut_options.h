@@ -53,6 +53,7 @@ struct CutOptions {
   bool unit_given = false;              ///< not to be doubted
   bool mine_files = false;              ///< there are some
   double burden = 0.0;                  ///< of the plan; 0: not told [m]
+  bool burdens_wanted = false;          ///< of the holes, in the log or in a file
   RegionQuery region_alone{};           ///< without the surfaces
   double density = 0.0;                 ///< of the rock beside the zones [kg/m3]
   std::vector<RockZone> zones{};        ///< see lay_zones()

@@ -47,6 +47,9 @@ const ArgTable& cut_table() {
                 "of the plan: the report has a table of the burden of each hole along its charge, "
                 "and warns below 0.6 and above 1.5 of this; 0: a table only with `surface` or "
                 "`terrain`, and no warning")
+          .word("burden_file", {}, "none",
+                "CSV file for the burden of each hole along its charge, which `muckpile-post "
+                "burden` draws, or none")
           .flag("superpose", false,
                 "with `size harries`: the cracks of all charges add up, not those of the nearest "
                 "alone")
@@ -111,7 +114,7 @@ const ArgTable& cut_table() {
           .real("sliver", "", Range::closed(0.0, 0.3), kThinnestPart,
                 "for `cut joint_sets`: no block gets 3 volume / surface below this share of the "
                 "size asked for")
-          .real("rings_from", "", Range::closed(kImagesTooLarge, kImagesFail), kImagesFail,
+          .real("rings_from", "", Range::closed(kImagesTooLarge, kImagesFail), kImagesTooLarge,
                 "for `cut voronoi`: block size over radius of a crushed zone from which on blocks "
                 "stand in rings around it")
           .word("wall", {"round", "blocks"}, "round",

@@ -20,17 +20,22 @@ constexpr int kPoints = 20;  // along a charge
 
 using Corners = std::vector<Vec3>;
 
-std::vector<Corners> free_faces(const std::vector<Block>& blocks, const SupportRule& support) {
-  std::vector<Corners> faces;
+struct FreeFace {
+  Corners corners;
+  Vec3 normal;  // out of the rock
+};
+
+std::vector<FreeFace> free_faces(const std::vector<Block>& blocks, const SupportRule& support) {
+  std::vector<FreeFace> faces;
   for (const Block& block : blocks) {
     for (std::size_t f = 0; f < block.neighbour.size(); ++f) {
       if (block.neighbour[f] != kFreeFace) continue;
-      if (support(face_geometry(block.shape, static_cast<int>(f)).centroid) != Support::free)
-        continue;
+      const FaceGeometry geometry = face_geometry(block.shape, static_cast<int>(f));
+      if (support(geometry.centroid) != Support::free) continue;
       Corners corners;
       for (const int v : block.shape.faces[f])
         corners.push_back(block.shape.vertices[static_cast<std::size_t>(v)]);
-      faces.push_back(std::move(corners));
+      faces.push_back({std::move(corners), geometry.normal});
     }
   }
   return faces;
@@ -52,51 +57,85 @@ Corners cut_at(const Corners& polygon, const Vec3& from, const Vec3& along, doub
   return kept;
 }
 
-double distance_to_edge(const Vec2& a, const Vec2& b) {
-  const Vec2 along = b - a;
+/// Of the way from the axis to a face: its length and its end there [m].
+struct Nearest {
+  double way = std::numeric_limits<double>::infinity();
+  Vec3 at = Vec3::Zero();
+};
+
+Nearest on_edge(const PlaneFrame& across, const Vec3& from, const Vec3& to) {
+  const Vec2 a = across.flat(from), along = across.flat(to) - a;
   const double share =
       along.squaredNorm() > 0.0 ? std::clamp(-a.dot(along) / along.squaredNorm(), 0.0, 1.0) : 0.0;
-  return (a + share * along).norm();
+  return {(a + share * along).norm(), from + share * (to - from)};
 }
 
-/// Of the axis from what of a face lies between two heights along it; infinity if nothing does [m].
-double distance_between(const Corners& face, const PlaneFrame& across, double from, double to) {
+/// The nearest place of what of a face lies between two heights along the axis; infinitely far if
+/// nothing does.
+Nearest nearest_between(const Corners& face, const PlaneFrame& across, double from, double to) {
   const Corners part = cut_at(cut_at(face, across.origin, across.normal, from, -1.0), across.origin,
                               across.normal, to, 1.0);
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < part.size(); ++k)
-    nearest = std::min(
-        nearest, distance_to_edge(across.flat(part[k]), across.flat(part[(k + 1) % part.size()])));
+  Nearest nearest;
+  for (std::size_t k = 0; k < part.size(); ++k) {
+    const Nearest here = on_edge(across, part[k], part[(k + 1) % part.size()]);
+    if (here.way < nearest.way) nearest = here;
+  }
   return nearest;
 }
 
-HoleBurden burden_of(const Hole& hole, const std::vector<Corners>& faces) {
+/// Whether the way from the axis to a place of the face meets it squarely enough: else the face ends
+/// there, beside what is no free face, such as at the floor.
+bool faces_axis(const FreeFace& face, const PlaneFrame& across, const Vec3& place) {
+  constexpr double kLeast = 0.8;  // cosine; ways are then up to a quarter too long
+  constexpr double kSteep = 0.5;  // of the normal at right angles to the axis
+  const Vec2 normal(across.first.dot(face.normal), across.second.dot(face.normal)),
+      way = across.flat(place);
+  return normal.norm() >= kSteep && way.dot(normal) >= kLeast * way.norm() * normal.norm();
+}
+
+/// In each of the pieces of a charge.
+std::vector<Nearest> nearest_along(const Hole& hole, const std::vector<FreeFace>& faces) {
   const Vec3 along = hole.collar - hole.toe;
   const PlaneFrame across(hole.toe, along);
   const double step = along.norm() / kPoints;
-  std::vector<double> nearest(kPoints, std::numeric_limits<double>::infinity());
-  for (const Corners& face : faces) {
+  std::vector<Nearest> nearest(kPoints);
+  for (const FreeFace& face : faces) {
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-    for (const Vec3& p : face) {
+    for (const Vec3& p : face.corners) {
       const double height = across.normal.dot(p - hole.toe);
       lowest = std::min(lowest, height);
       highest = std::max(highest, height);
     }
     const int first = std::max(0, static_cast<int>(std::floor(std::max(0.0, lowest) / step)));
     for (int k = first; k < kPoints && k * step <= highest; ++k) {
-      double& here = nearest[static_cast<std::size_t>(k)];
-      here = std::min(here, distance_between(face, across, k * step, (k + 1) * step));
+      Nearest& best = nearest[static_cast<std::size_t>(k)];
+      const Nearest here = nearest_between(face.corners, across, k * step, (k + 1) * step);
+      if (here.way < best.way && faces_axis(face, across, here.at)) best = here;
     }
   }
-  std::erase_if(nearest, [](double d) { return !std::isfinite(d); });
+  return nearest;
+}
+
+HoleBurden burden_of(const Hole& hole, const std::vector<FreeFace>& faces) {
   HoleBurden burden;
-  burden.bare = 1.0 - static_cast<double>(nearest.size()) / kPoints;
-  if (nearest.empty()) return burden;
-  burden.least = *std::ranges::min_element(nearest);
-  burden.greatest = *std::ranges::max_element(nearest);
   double sum = 0.0;
-  for (const double d : nearest) sum += d;
-  burden.mean = sum / static_cast<double>(nearest.size());
+  int beside = 0;
+  for (const Nearest& nearest : nearest_along(hole, faces)) {
+    const double share = (static_cast<double>(burden.pieces.size()) + 0.5) / kPoints;
+    BurdenPiece piece{share * (hole.collar - hole.toe).norm(),
+                      hole.toe + share * (hole.collar - hole.toe), std::nullopt, Vec3::Zero()};
+    if (std::isfinite(nearest.way)) {
+      piece.burden = nearest.way;
+      piece.face = nearest.at;
+      burden.least = std::min(burden.least.value_or(nearest.way), nearest.way);
+      burden.greatest = std::max(burden.greatest.value_or(nearest.way), nearest.way);
+      sum += nearest.way;
+      ++beside;
+    }
+    burden.pieces.push_back(piece);
+  }
+  burden.bare = 1.0 - static_cast<double>(beside) / kPoints;
+  if (beside > 0) burden.mean = sum / beside;
   return burden;
 }
 
@@ -128,23 +167,39 @@ std::string warning_of(const HoleBurden& burden, std::size_t number, double plan
   const std::string start =
       "WARNING: create_blocks: hole " + std::to_string(number + 1) + " has a burden of ";
   const std::string than = " of the plan's " + number_text(plan) + " m along its charge";
-  if (!burden.least) return "";
+  std::optional<double> least, greatest;
+  for (const BurdenPiece& piece : burden.pieces) {
+    const std::optional<double> here = burden_that_counts(burden, piece);
+    if (!here) continue;
+    least = std::min(least.value_or(*here), *here);
+    greatest = std::max(greatest.value_or(*here), *here);
+  }
   std::string text;
-  if (*burden.least < kLeastBurden * plan)
-    text += start + rounded_text(*burden.least, 3) + " m at least, below " +
-            number_text(kLeastBurden) + than + ": rock may fly far; move or charge it less\n";
-  const double greatest = burden.in_front ? burden.to_front : *burden.greatest;
-  if (greatest > kGreatestBurden * plan)
-    text += start + rounded_text(greatest, 3) + " m at most, above " +
+  if (judged(least, plan) == BurdenIs::too_little)
+    text += start + rounded_text(*least, 3) + " m at least, below " + number_text(kLeastBurden) +
+            than + ": rock may fly far; move or charge it less\n";
+  if (judged(greatest, plan) == BurdenIs::too_much)
+    text += start + rounded_text(*greatest, 3) + " m at most, above " +
             number_text(kGreatestBurden) + than + ": toe may stay\n";
   return text;
 }
 
 }  // namespace
 
+std::optional<double> burden_that_counts(const HoleBurden& hole, const BurdenPiece& piece) {
+  if (!hole.in_front) return piece.burden;
+  return std::min(piece.burden.value_or(hole.to_front), hole.to_front);
+}
+
+BurdenIs judged(const std::optional<double>& burden, double plan) {
+  if (!burden || !(plan > 0.0)) return BurdenIs::not_judged;
+  if (*burden < kLeastBurden * plan) return BurdenIs::too_little;
+  return *burden > kGreatestBurden * plan ? BurdenIs::too_much : BurdenIs::as_planned;
+}
+
 std::vector<HoleBurden> hole_burdens(const std::vector<Block>& blocks,
                                      const std::vector<Hole>& holes, const SupportRule& support) {
-  const std::vector<Corners> faces = free_faces(blocks, support);
+  const std::vector<FreeFace> faces = free_faces(blocks, support);
   std::vector<HoleBurden> burdens;
   for (const Hole& hole : holes) burdens.push_back(burden_of(hole, faces));
   for (std::size_t h = 0; h < holes.size(); ++h) find_hole_in_front(holes, h, burdens);

@@ -73,8 +73,7 @@ RockModel cut_rock(const CutOptions& options, int first_tag, const SupportRule& 
                               model.zone_of);
   model.holes = holes_between_mirrors(options.rock.holes, blocks, first_tag, model.facets);
   model.plan_burden = options.burden;
-  if (options.burden > 0.0 || !options.surfaces.empty())
-    model.burdens = hole_burdens(blocks, options.rock.holes, support);
+  if (options.burdens_wanted) model.burdens = hole_burdens(blocks, options.rock.holes, support);
   if (options.round_walls)
     fit_walls(blocks, first_tag, holes_as_cut(options, model.rock), model.facets);
   std::vector<JointPlane> joints = options.natural_joints;

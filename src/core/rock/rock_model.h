@@ -31,7 +31,7 @@ struct RockModel {
   std::string why_missed{};               ///< the target, if it is
   std::size_t natural_planes = 0;         ///< of natural joints
   std::vector<FaultFacets> faults{};      ///< in the order of the options
-  std::vector<HoleBurden> burdens{};      ///< of the holes, where a plan's is told or surfaces are
+  std::vector<HoleBurden> burdens{};      ///< of the holes, where they are wanted
   double plan_burden = 0.0;               ///< 0: not told [m]
   std::vector<std::string> zones{};       ///< names of those of rock
   std::vector<std::uint8_t> zone_of{};    ///< per block; k: zones[k - 1]; empty: there are none

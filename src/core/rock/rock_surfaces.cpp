@@ -89,7 +89,6 @@ std::vector<Vec3> points_of_rock(const CutOptions& options) {
 void read_surfaces(CutOptions& options, const ArgValues& args) {
   const std::string &body = args.word("surface"), &terrain = args.word("terrain");
   if (body == "none" && terrain == "none") return;
-  if (options.joint_sets) refuse_words("surface and terrain need 'cut voronoi'");
   if (options.import_file)
     refuse_words("size import leaves nothing to cut: no surface and no terrain");
   if (body != "none") {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "args/input_error.h"
+#include "bond/law/barton_bandis.h"
 #include "gas/closed_joint.h"
 
 namespace muckpile {

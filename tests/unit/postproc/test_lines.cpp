@@ -220,6 +220,37 @@ TEST_F(Lines, SectionInMineCoordinatesIsThatOfTheRun) {
   EXPECT_EQ(rows.word(0, rows.column("east_m")), "354999.700");
 }
 
+// x looks north, so y looks west: east = 355000 - y, north = 6200000 + x, elevation = 412 + z.
+TEST_F(Lines, MovementAndFragmentsHavePlacesOfTheMine) {
+  report_movement(folder(), measure_, {});
+  EXPECT_FALSE(table("movement.csv").find_column("start_east_m"));
+  add_to_scene(
+      "\"terrain_east_m\": 355000, \"terrain_north_m\": 6200000, \"terrain_height_m\": 412, "
+      "\"x_bearing_deg\": 0");
+  FragmentOptions options;
+  options.boulder = 0.1;
+  report_movement(folder(), measure_, {});
+  report_fragments(folder(), measure_, options);
+  const auto expect_places = [&](const char* name, const std::string& prefix) {
+    SCOPED_TRACE(name + prefix);
+    const CsvTable rows = table(name);
+    ASSERT_GT(rows.rows(), 0U);
+    const auto number = [&](size_t row, const char* column) {
+      return rows.number(row, rows.column(prefix + column));
+    };
+    for (size_t row = 0; row < rows.rows(); ++row) {
+      constexpr double kLastDigit = 1e-3;  // of the places
+      EXPECT_NEAR(number(row, "east_m"), 355000.0 - number(row, "y_m"), kLastDigit);
+      EXPECT_NEAR(number(row, "north_m"), 6200000.0 + number(row, "x_m"), kLastDigit);
+      EXPECT_NEAR(number(row, "elevation_m"), 412.0 + number(row, "z_m"), kLastDigit);
+    }
+  };
+  expect_places("movement.csv", "start_");
+  expect_places("movement.csv", "end_");
+  expect_places("fragments_list.csv", "");
+  expect_places("boulders.csv", "");
+}
+
 TEST_F(Lines, FaultyLinesAreRefused) {
   LineOptions line;
   EXPECT_NE(input_error_of([&] { report_over(folder(), measure_, line); })

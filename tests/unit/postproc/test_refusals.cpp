@@ -105,8 +105,8 @@ TEST_F(Refusals, NothingThatLooksCurrentStays) {
   EXPECT_FALSE(std::filesystem::exists(folder().file("profile.png")));
   const auto keys = read_json_object(folder().file("summary.json"));
   for (const char* key :
-       {"face_velocity_m_s", "face_velocity_mean_m_s", "throw_cg_m", "throw_max_m",
-        "throw_max_note", "beyond_toe_fraction", "beyond_toe_fraction_collapse", "pile_height_m",
+       {"face_velocity_m_s", "face_velocity_mean_m_s", "burden_velocity_m_s", "throw_cg_m",
+        "throw_max_m", "throw_max_note", "beyond_toe_fraction", "beyond_toe_fraction_collapse", "pile_height_m",
         "pile_toe_m", "swell_factor", "repose_angle_deg", "blocks_on_the_move"}) {
     EXPECT_FALSE(keys.contains(key)) << key;
   }

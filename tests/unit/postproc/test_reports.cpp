@@ -76,6 +76,7 @@ TEST_F(BenchReports, ProfileWritesItsKeysTableAndPicture) {
   // Charge from -1 to 8 m, above the floor 0 to 8, its middle half 2 to 6 m; the face layer moves
   // at 14 m/s.
   EXPECT_NEAR(keys["face_velocity_m_s"], 14.0, 1e-9);
+  EXPECT_NEAR(keys["burden_velocity_m_s"], (2 * 14.0 + 8 * 6.0) / 10, 1e-9);  // layers of cubes
   EXPECT_DOUBLE_EQ(keys["fastest_block_m_s"], 31.5);
   const CsvTable table = CsvTable::read(folder.file("profile.csv"));
   EXPECT_EQ(table.number(0, table.column("x_m")), -7.9375);

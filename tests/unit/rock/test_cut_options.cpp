@@ -175,12 +175,12 @@ TEST(CutOptions, MemoryBoundsTheBlocksUnlessTheUserDoes) {
   EXPECT_EQ(read(kRock + "size uniform 0.3 max_blocks 77").rock.max_blocks, 77u);
 }
 
-TEST(CutOptions, RingsAroundHolesBeginAtTwoRadiiOrWhereAsked) {
+TEST(CutOptions, RingsAroundHolesBeginAtOneAndAHalfRadiiOrWhereAsked) {
   const std::string hole = "size uniform 0.3 hole 0 0 0 0 0 5 0.16 ";
-  EXPECT_EQ(read(kRock + hole).rock.rings_from, 2.0);
+  EXPECT_EQ(read(kRock + hole).rock.rings_from, 1.5);
   EXPECT_EQ(read(kRock + hole + "rings_from 1.75").rock.rings_from, 1.75);
-  EXPECT_EQ(message(kRock + hole + "rings_from 1.5"),
-            "create_blocks: rings_from must be >= 1.75 and <= 2, got '1.5'");
+  EXPECT_EQ(message(kRock + hole + "rings_from 1.4"),
+            "create_blocks: rings_from must be >= 1.5 and <= 2, got '1.4'");
   EXPECT_EQ(message(kRock + hole + "rings_from 1.8 cut joint_sets joint_set 90 0 joint_set 90 90"),
             "create_blocks: rings_from needs 'cut voronoi'");
 }

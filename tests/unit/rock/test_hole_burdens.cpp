@@ -6,7 +6,10 @@
 #include <cmath>
 
 #include "geometry/cut/tessellation.h"
+#include "input_error_of.h"
+#include "rock/burden_file.h"
 #include "rock/hole_burdens.h"
+#include "temporary_folder.h"
 
 namespace muckpile {
 namespace {
@@ -72,6 +75,102 @@ TEST(HoleBurdens, OfAHoleAlongTheFaceAreOneAndRowsHaveTheHoleInFront) {
   EXPECT_EQ(warnings(1.7), 0U);
   EXPECT_EQ(warnings(1.0), 2U);
   EXPECT_EQ(warnings(2.7), 1U);
+}
+
+// A piece's place lies on the axis, its face point on the face and so far from it.
+TEST(HoleBurdens, OfEachPieceHaveTheirPlaceOnTheFace) {
+  const std::vector<Hole> holes{{Vec3(-3.0, 0.0, 0.2), Vec3(-3.0, 0.0, 2.2), 0.3}};
+  const HoleBurden burden = hole_burdens(bench(holes), holes, support_of_bench).front();
+  const Vec3 normal(std::sin(kFaceAngle), 0.0, std::cos(kFaceAngle));
+  ASSERT_EQ(burden.pieces.size(), 20U);  // of 0.1 m
+  for (std::size_t k = 0; k < burden.pieces.size(); ++k) {
+    const BurdenPiece& piece = burden.pieces[k];
+    const double top = 0.2 + 0.1 * static_cast<double>(k + 1);
+    EXPECT_NEAR(piece.along, top - 0.25, 1e-9);
+    EXPECT_NEAR((piece.at - Vec3(-3.0, 0.0, top - 0.05)).norm(), 0.0, 1e-9);
+    EXPECT_NEAR(piece.burden.value(), 3.0 - top / std::tan(kFaceAngle), 1e-6);
+    EXPECT_NEAR((piece.face - Vec3(-top / std::tan(kFaceAngle), 0.0, top)).norm(), 0.0, 1e-6);
+    EXPECT_NEAR(normal.dot(piece.face), 0.0, 1e-6);
+  }
+}
+
+// The rock goes on below the floor z = 0, where it is joined to what lies in front: blocks that
+// reach across the floor have a face of which only a corner is beside the charge there.
+TEST(HoleBurdens, OfASubdrillAreNotToTheEndOfTheFace) {
+  const std::vector<Hole> holes{{Vec3(-1.6, 0.0, -0.8), Vec3(-1.6, 0.0, 2.2), 0.3}};
+  TessellationOptions options;
+  options.lo = Vec3(-6.0, -3.0, -1.4);
+  options.hi = Vec3(0.0, 3.0, 4.0);
+  options.size = SizeLaw::uniform(0.6);
+  options.sweeps = 3;
+  options.holes = holes;
+  const auto blocks = tessellate(options).blocks;
+  const HoleBurden burden = hole_burdens(blocks, holes, [](const Vec3& at) {
+                              const bool held = std::abs(at.y()) > 3.0 - 1e-6 ||
+                                                at.x() < -6.0 + 1e-6 || at.z() < 0.0;
+                              return held ? Support::fixed : Support::free;
+                            }).front();
+  for (const BurdenPiece& piece : burden.pieces) {
+    if (piece.at.z() > 0.3) {
+      EXPECT_NEAR(piece.burden.value(), 1.6, 1e-6);
+    }
+    if (piece.at.z() < -0.6) {
+      EXPECT_FALSE(piece.burden);
+    }
+  }
+  EXPECT_LE(burden.greatest.value(), 1.6 / 0.8);
+  EXPECT_EQ(describe_burdens({burden}, 1.6).find("WARNING"), std::string::npos);
+}
+
+TEST(HoleBurdens, AreJudgedByThePlansAndByTheHoleInFront) {
+  EXPECT_EQ(judged(1.79, 3.0), BurdenIs::too_little);  // 0.6 * 3 = 1.8
+  EXPECT_EQ(judged(1.81, 3.0), BurdenIs::as_planned);
+  EXPECT_EQ(judged(4.49, 3.0), BurdenIs::as_planned);  // 1.5 * 3 = 4.5
+  EXPECT_EQ(judged(4.51, 3.0), BurdenIs::too_much);
+  EXPECT_EQ(judged(4.51, 0.0), BurdenIs::not_judged);
+  EXPECT_EQ(judged(std::nullopt, 3.0), BurdenIs::not_judged);
+  HoleBurden hole;
+  BurdenPiece piece;
+  EXPECT_FALSE(burden_that_counts(hole, piece));
+  piece.burden = 6.0;
+  EXPECT_EQ(burden_that_counts(hole, piece), 6.0);
+  hole.in_front = 0;
+  hole.to_front = 3.0;
+  EXPECT_EQ(burden_that_counts(hole, piece), 3.0);
+  piece.burden = 2.0;  // a face nearer than the hole
+  EXPECT_EQ(burden_that_counts(hole, piece), 2.0);
+}
+
+TEST(BurdenFile, ComesBackAsItWasWritten) {
+  testing::TemporaryFolder temporary;
+  const std::string path = (temporary.path() / "dump/burden.csv").string();
+  BurdenFile burdens;
+  burdens.plan = 2.5;
+  burdens.holes.resize(2);
+  burdens.holes[0].pieces = {{0.5, Vec3(-2.0, 1.0, 0.5), 2.25, Vec3(0.25, 1.0, 0.5)},
+                             {1.5, Vec3(-2.0, 1.0, 1.5), std::nullopt, Vec3::Zero()}};
+  burdens.holes[1].pieces = {{0.5, Vec3(-5.0, 1.0, 0.5), 5.25, Vec3(0.25, 1.0, 0.5)}};
+  burdens.holes[1].in_front = 0;
+  burdens.holes[1].to_front = 3.0;
+  write_burdens(path, burdens, "0123456789abcdef");
+  const BurdenFile back = read_burdens(path);
+  EXPECT_EQ(back.plan, 2.5);
+  ASSERT_EQ(back.holes.size(), 2U);
+  ASSERT_EQ(back.holes[0].pieces.size(), 2U);
+  EXPECT_EQ(back.holes[0].pieces[0].burden, 2.25);
+  EXPECT_EQ(back.holes[0].pieces[0].face, Vec3(0.25, 1.0, 0.5));
+  EXPECT_EQ(back.holes[0].pieces[1].at, Vec3(-2.0, 1.0, 1.5));
+  EXPECT_FALSE(back.holes[0].pieces[1].burden);
+  EXPECT_FALSE(back.holes[0].in_front);
+  EXPECT_EQ(back.holes[1].in_front, 0U);
+  EXPECT_EQ(back.holes[1].to_front, 3.0);
+  std::string text = testing::text_of(path);
+  text.replace(text.find("\n2,"), 3, "\n4,");
+  testing::write_text(path, text);
+  EXPECT_NE(input_error_of([&] {
+              (void)read_burdens(path);
+            }).find("burden.csv:4: hole must be 1 or 2, got '4'"),
+            std::string::npos);
 }
 
 TEST(HoleBurdens, AreNoneWithoutAFaceBesideTheCharge) {

@@ -60,7 +60,6 @@ TessellationOptions cylinder_options(const Scene& scene) {
   TessellationOptions options;
   options.hi = Vec3(box_edge(scene), box_edge(scene), scene.layers * scene.far);
   options.size = size_law(scene);
-  options.rings_from = 1.75;
   options.holes = {{Vec3::Zero(), options.hi.z() * Vec3::UnitZ(), 1.0}};
   return options;
 }

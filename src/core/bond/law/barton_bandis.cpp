@@ -7,12 +7,13 @@
 
 #include "args/input_error.h"
 #include "args/numbers.h"
+#include "bond/law/hydraulic_aperture.h"
 #include "bond/law/joint_law_table.h"
 
 namespace muckpile {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0, kMicron = 1e-6;
+constexpr double kDegree = std::numbers::pi / 180.0;
 
 ArgTable keywords() {
   return joint_class_table("barton_bandis")
@@ -80,8 +81,6 @@ JointClass barton_bandis_class(const BartonBandis& law, double shear_stiffness) 
 double barton_bandis_aperture(double roughness, double wall_strength, double compressive_strength) {
   return 1e-3 * roughness / 5.0 * (0.2 * compressive_strength / wall_strength - 0.1);
 }
-
-double smooth_from_aperture(double roughness) { return kMicron * std::pow(roughness, 2.5); }
 
 JointApertures BartonBandis::apertures(double closure) const {
   const double mechanical = initial_aperture - closure;

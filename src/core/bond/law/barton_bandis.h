@@ -103,13 +103,6 @@ struct BartonBandis {
 [[nodiscard]] JointClass barton_bandis_class(const BartonBandis& law, double shear_stiffness);
 [[nodiscard]] JointLawEntry barton_bandis_entry();
 
-/// Mechanical aperture from which on walls of a JRC let as much through as smooth ones: JRC^2.5 um
-/// [m]; and the hydraulic aperture of any [m] (Barton, Bandis & Bakhtar 1985).
-[[nodiscard]] double smooth_from_aperture(double roughness);
-[[nodiscard]] inline double hydraulic_aperture(double mechanical, double smooth_from) {
-  return std::min(mechanical, mechanical * mechanical / smooth_from);
-}
-
 /// E_0 = JRC/5 (0.2 UCS/JCS - 0.1) mm (Bandis, Lumsden & Barton 1983) [m].
 [[nodiscard]] double barton_bandis_aperture(double roughness, double wall_strength,
                                             double compressive_strength);

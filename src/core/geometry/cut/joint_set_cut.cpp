@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "geometry/cut/cell_partition.h"
+#include "geometry/cut/fitted_cutting.h"
 #include "geometry/cut/ground.h"
 #include "geometry/cut/joint_lattice.h"
 #include "geometry/cut/region_cutting.h"
@@ -40,11 +41,13 @@ class Cutting {
   [[nodiscard]] double blocks_in(const ConvexCell& cell) const;
   [[nodiscard]] std::vector<std::size_t> holes_in(const ConvexCell& cell) const;
   [[nodiscard]] bool is_sliver(const ConvexCell& cell) const;
+  [[nodiscard]] std::optional<ConvexCell> rock_of(const ConvexCell& cell) const;
   [[nodiscard]] bool is_thin(const HalfCells& halves, const LatticeSet& set) const;
   void refine(const LatticeCell& whole);
   [[nodiscard]] bool part_by_flat_surface(const LatticeCell& from, std::vector<LatticeCell>& open);
   [[nodiscard]] bool part_by_curved_surface(const ConvexCell& from);
   [[nodiscard]] bool halve(LatticeCell from, std::vector<LatticeCell>& open);
+  [[nodiscard]] bool is_left_by_fitted(ConvexCell& cell);
   void finish(ConvexCell cell);
   void carve(CellPartition& partition) const;
   void fit_prisms();
@@ -111,9 +114,21 @@ std::vector<std::size_t> Cutting::holes_in(const ConvexCell& cell) const {
   return found;
 }
 
+/// What fitted surfaces leave of a cell of some blocks; none if nothing. Of larger ones the whole.
+std::optional<ConvexCell> Cutting::rock_of(const ConvexCell& cell) const {
+  constexpr double kMostParted = 3.0;
+  if (rock_.region.fitted.empty()) return cell;
+  const double size = ground_.size(centroid_of(cell));
+  if (volume_of(cell) > kMostParted * size * size * size) return cell;
+  FittedPart part = rock_part(rock_.region, cell, size);
+  return part.is_rock ? std::optional(std::move(part.cell)) : std::nullopt;
+}
+
 /// Volume of the rock in a cell over that of a block there, for each block that will come of it.
 double Cutting::blocks_in(const ConvexCell& cell) const {
-  const MassProperties whole = mass_properties(cell.shape);
+  const auto left = rock_of(cell);
+  if (!left) return 0.0;
+  const MassProperties whole = mass_properties(left->shape);
   double most = std::pow(ground_.size(whole.centroid), -3.0) * whole.volume;
   for (const std::size_t h : holes_in(cell)) {
     const HoleCarving::Rock rock = zones_[h].rock_of(cell);
@@ -129,9 +144,12 @@ bool Cutting::is_sliver(const ConvexCell& cell) const {
 
 bool Cutting::is_thin(const HalfCells& halves, const LatticeSet& set) const {
   for (const ConvexCell* half : {&halves.below, &halves.above}) {
-    const auto [from, to] = extent(half->shape, set.normal);
-    const double thinnest = 2.0 * sliver_ * set.relative * ground_.size(centroid_of(*half));
-    if (is_sliver(*half) || to - from < thinnest) return true;
+    const auto rock = rock_of(*half);
+    if (!rock && is_film(*half, ground_.size(centroid_of(*half)))) return true;
+    if (!rock) continue;
+    const auto [from, to] = extent(rock->shape, set.normal);
+    const double thinnest = 2.0 * sliver_ * set.relative * ground_.size(centroid_of(*rock));
+    if (is_sliver(*rock) || to - from < thinnest) return true;
   }
   return false;
 }
@@ -164,7 +182,8 @@ bool Cutting::halve(LatticeCell from, std::vector<LatticeCell>& open) {
 
 bool Cutting::part_by_flat_surface(const LatticeCell& from, std::vector<LatticeCell>& open) {
   if (!rock_.region.inside) return false;
-  const auto plane = surface_through(rock_.region, from.cell, SurfaceKind::flat);
+  auto plane = surface_through(rock_.region, from.cell, SurfaceKind::flat);
+  if (!plane) plane = flat_fitted_through(rock_.region, from.cell);
   if (!plane) return false;
   auto halves = partition_.divide(from.cell, *plane);
   open.push_back({std::move(halves->above), from.between});
@@ -188,8 +207,25 @@ bool Cutting::part_by_curved_surface(const ConvexCell& from) {
   return true;
 }
 
+/// Cuts off what lies beyond fitted surfaces; a sliver of rock is left out.
+bool Cutting::is_left_by_fitted(ConvexCell& cell) {
+  if (rock_.region.fitted.empty()) return true;
+  const FittedPart part = rock_part(rock_.region, cell, ground_.size(centroid_of(cell)));
+  if (!part.is_rock) return false;
+  for (const CutPlane& plane : part.planes) {
+    auto halves = partition_.divide(cell, plane);
+    if (!halves) continue;
+    partition_.finish(std::move(halves->above), kFreeFace);
+    cell = std::move(halves->below);
+  }
+  constexpr double kThinnest = 0.5;  // of the sliver elsewhere: dropping more would leave steps
+  return mean_radius(cell.shape) >= kThinnest * sliver_ * ground_.size(centroid_of(cell)) ||
+         !is_near_fitted(rock_.region, cell);
+}
+
 /// A cell of final size: void, at a crushed zone, or rock.
 void Cutting::finish(ConvexCell cell) {
+  if (!is_left_by_fitted(cell)) return partition_.finish(std::move(cell), kFreeFace);
   if (rock_.region.inside && !rock_.region.inside(centroid_of(cell)))
     return partition_.finish(std::move(cell), kFreeFace);
   if (!holes_in(cell).empty()) return at_holes_.push_back(std::move(cell));
@@ -201,7 +237,8 @@ void Cutting::refine(const LatticeCell& whole) {
   while (!open.empty()) {
     const LatticeCell cell = std::move(open.back());
     open.pop_back();
-    if (rock_.region.inside && is_far_outside(rock_.region, cell.cell)) {
+    if (rock_.region.inside && is_far_outside(rock_.region, cell.cell) &&
+        !is_near_fitted(rock_.region, cell.cell)) {
       partition_.finish(cell.cell, kFreeFace);
       continue;
     }

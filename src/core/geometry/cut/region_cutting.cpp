@@ -7,7 +7,6 @@
 #include <utility>
 
 namespace muckpile {
-namespace {
 
 double reach_of(const ConvexCell& cell, const Vec3& middle) {
   double reach = 0.0;
@@ -15,7 +14,6 @@ double reach_of(const ConvexCell& cell, const Vec3& middle) {
   return reach;
 }
 
-/// Points to look from: the middle, and places between it and the corners.
 std::vector<Vec3> lookouts(const ConvexCell& cell, const Vec3& middle) {
   std::vector<Vec3> points{middle};
   for (const Vec3& v : cell.shape.vertices) {
@@ -23,6 +21,8 @@ std::vector<Vec3> lookouts(const ConvexCell& cell, const Vec3& middle) {
   }
   return points;
 }
+
+namespace {
 
 /// Whether the closest point moves along with a lookout that moves along the surface: it is not the
 /// end of a smooth piece. On a flat piece it moves exactly as far.

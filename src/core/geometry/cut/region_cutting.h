@@ -5,11 +5,18 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "geometry/cut/tessellation.h"
 #include "geometry/shape/convex_cell.h"
 
 namespace muckpile {
+
+/// Of the corner that is farthest from a point [m].
+[[nodiscard]] double reach_of(const ConvexCell& cell, const Vec3& middle);
+
+/// Points to look from: the middle, and places between it and the corners.
+[[nodiscard]] std::vector<Vec3> lookouts(const ConvexCell& cell, const Vec3& middle);
 
 /// Which surfaces a cell is parted by: flat ones only, or curved ones by a tangent plane too.
 enum class SurfaceKind { flat, any };

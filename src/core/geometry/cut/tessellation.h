@@ -67,7 +67,7 @@ struct TessellationOptions {
   // crosses a plane is carved on each side for itself.
   std::vector<CutPlane> planes;
   bool rings = true;        // of seeds around holes narrow against their blocks (hole_rings.h)
-  double rings_from = 2.0;  // blocks over radius of a hole that get them
+  double rings_from = 1.5;  // blocks over radius of a hole that get them
   SweepTeam team;
 };
 

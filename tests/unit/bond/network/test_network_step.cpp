@@ -37,7 +37,11 @@ TEST(NetworkStep, ExchangesDilatationsBeforeBulkStresses) {
 TEST(NetworkStep, ExchangesTensorsWhereAFacetOfAnyRankLeans) {
   test::BondScene cuboids(test::cuboids(2, 2, 1), test::rock(0.25));
   const std::vector<std::string> all = {"theta", "9 numbers", "9 numbers", "bulk stress"};
-  cuboids.network().follow_leaning_faces();  // of another rank
+  FacetNetwork& network = cuboids.network();
+  auto blocks = network.blocks();
+  blocks.pop_back();  // the ground
+  network.set(std::move(blocks), network.give_up(),
+              {.sum = [](double mine) { return mine + 1.0; }});  // another rank's facet leans
   EXPECT_EQ(exchanged(cuboids), all);
   EXPECT_EQ(cuboids.network().leaning(), nullptr);
   test::BondScene leaning = test::leaning_scene(3.0, test::rock(0.25));
