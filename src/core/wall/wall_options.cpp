@@ -3,6 +3,7 @@
 // Scope: see the header.
 #include "wall/wall_options.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "args/input_error.h"
@@ -50,8 +51,9 @@ std::vector<StlTriangle> triangles_of(const std::string& file, const MineWords& 
 
 /// The box as it may become while rock flies.
 WallBox grown(WallBox box) {
-  constexpr double kFlight = 100.0;  // diagonals of the box; mine coordinates are farther off
-  const double way = kFlight * (box.hi - box.lo).norm();
+  // Diagonals of the box, and as far as rock flies at 100 m/s; mine coordinates are farther off.
+  constexpr double kFlight = 10.0, kFarthestFlight = 1000.0;  // [-], [m]
+  const double way = std::min(kFlight * (box.hi - box.lo).norm(), kFarthestFlight);
   for (int c = 0; c < 3; ++c) {
     if (box.lo_follows[static_cast<std::size_t>(c)]) box.lo[c] -= way;
     if (box.hi_follows[static_cast<std::size_t>(c)]) box.hi[c] += way;
