@@ -16,13 +16,25 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* help, std::st
   return command;
 }
 
-CLI::Validator above_zero() {
-  const auto wrong = [](const std::string& word) -> std::string {
+namespace {
+
+CLI::Validator finite(bool (*allowed)(double), const std::string& rule, const char* name) {
+  const auto wrong = [allowed, rule](const std::string& word) -> std::string {
     double number = 0.0;
-    const bool read = CLI::detail::lexical_cast(word, number);
-    return read && number > 0.0 && std::isfinite(number) ? "" : "must be > 0, got '" + word + "'";
+    const bool read = CLI::detail::lexical_cast(word, number) && std::isfinite(number);
+    return read && allowed(number) ? "" : "must be " + rule + ", got '" + word + "'";
   };
-  return {wrong, "POSITIVE"};
+  return {wrong, name};
+}
+
+}  // namespace
+
+CLI::Validator above_zero() {
+  return finite([](double number) { return number > 0.0; }, "> 0", "POSITIVE");
+}
+
+CLI::Validator at_least_zero() {
+  return finite([](double number) { return number >= 0.0; }, ">= 0", "NONNEGATIVE");
 }
 
 void add_measure(CLI::App* command, MeasureOptions& options) {
@@ -30,7 +42,7 @@ void add_measure(CLI::App* command, MeasureOptions& options) {
       ->add_option("--moved", options.least_move,
                    "a block that moved less than this stayed [m] (default: mean block size; of a "
                    "crater: 0, its own size alone counts)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(at_least_zero());
   command
       ->add_option("--cell", options.cell,
                    "width of the measuring columns [m] (default: 1/4 of mean block size)")

@@ -13,9 +13,10 @@ namespace muckpile {
 /// A sub-command of a run, whose result folder is its first word.
 CLI::App* add_command(CLI::App& app, const char* name, const char* help, std::string& folder);
 
-/// Check of a number above 0, as CLI::PositiveNumber, whose message prints the largest number there
-/// is instead.
+/// Checks of a finite number, as CLI::PositiveNumber and CLI::NonNegativeNumber, whose messages
+/// print the largest number there is instead.
 CLI::Validator above_zero();
+CLI::Validator at_least_zero();
 
 /// --moved and --cell.
 void add_measure(CLI::App* command, MeasureOptions& options);

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "args/input_error.h"
+#include "command_words.h"
 #include "compare/comparison.h"
 
 namespace muckpile {
@@ -87,11 +88,11 @@ void add_compare_command(CLI::App& app, int& status) {
   command
       ->add_option("--relative", words->general.relative,
                    "allowed difference as a share of A's value; of a column, of its largest")
-      ->check(CLI::NonNegativeNumber);
+      ->check(at_least_zero());
   command
       ->add_option("--absolute", words->general.absolute,
                    "allowed difference in the quantity's unit; the larger of the two counts")
-      ->check(CLI::NonNegativeNumber);
+      ->check(at_least_zero());
   command->add_option("--tolerance", words->tolerances,
                       "KEY=RELATIVE or KEY=RELATIVE,ABSOLUTE for one key, table (profile.csv) or "
                       "column (profile.csv:pile_mean_m)");

@@ -39,7 +39,7 @@ void add_sizes(CLI::App* command, FragmentOptions& options) {
   command
       ->add_option("--drilling-deviation", options.drilling_deviation,
                    "of the holes at their toe, for Kuz-Ram [m]")
-      ->check(CLI::NonNegativeNumber);
+      ->check(at_least_zero());
 }
 
 void add_fines(CLI::App* command, FragmentOptions& options) {

@@ -74,6 +74,21 @@ run 60
 END
 says "unstable on purpose" 0 "$too_long"
 
+try "joints of another density" 0 <<'END'
+include ${dir}/rock.in
+fix joints all muckpile/joint youngs_modulus 55e9 poisson_ratio 0.25 density 1700 cohesion 4e6 friction_angle 50 tension 2e6
+timestep 1e-6
+run 0
+run 0
+END
+says "joints of another density" 1 "WARNING: fix muckpile/joint 'joints': its density is not that of the blocks (58.8 % apart)"
+try "joints of the same density" 0 <<'END'
+include ${dir}/joined_rock.in
+timestep 1e-6
+run 0
+END
+says "joints of the same density" 0 "its density is not"
+
 # The pulse is to be cut into five steps at least while it rises, and into any number once it has passed (8.6 rise times).
 few_steps="WARNING: fix muckpile/blast 'anfo': the time step, 3e-05 s, is longer than a fifth of rise_time"
 blast() {  # blast STEP LATER: runs until 1.2 ms, and on from there with another step

@@ -27,6 +27,7 @@ expect 1 '1 differ' a.json b.json --absolute 0.5 --tolerance throw_cg_m=0,0.3
 expect 2 'cut.json: ' a.json cut.json
 expect 2 'nowhere/summary.json: cannot be opened' a.json nowhere/summary.json
 expect 2 "did you mean 'throw_cg_m'" a.json b.json --ignore throw_c_m
+expect 105 "must be >= 0, got '-1'" a.json b.json --relative -1
 expect 1 '1 differ' a.json b.json --csv rows.csv
 diff rows.csv - <<'CSV'
 quantity,a,b,difference,allowed,place,same
