@@ -12,9 +12,9 @@
 namespace muckpile {
 namespace {
 
-constexpr size_t kColumns = 4;
-constexpr double kWidth = 1200.0, kFrameWidth = 215.0, kFrameHeight = 260.0;  // [px]
-constexpr double kLeft = 100.0, kGap = 65.0, kAbove = 40.0, kBelow = 75.0;    // of a frame [px]
+constexpr size_t kColumns = 3;
+constexpr double kWidth = 1200.0, kFrameWidth = 305.0, kFrameHeight = 260.0;  // [px]
+constexpr double kLeft = 100.0, kGap = 75.0, kAbove = 40.0, kBelow = 75.0;    // of a frame [px]
 constexpr double kTop = 42.0, kKeyTop = 62.0;                                 // [px]
 constexpr double kFarthest = 2.2;  // of the plan: points beyond stand at the edge
 
