@@ -6,6 +6,7 @@
 
 #include <cstring>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "state/encoding.h"
@@ -26,6 +27,8 @@ int put_list(std::span<const T> values, double* numbers) {
   out.put<std::uint64_t>(values.size());
   for (const T& value : values) out.put(value);
   const int count = numbers_of_list<T>(values.size());
+  if (out.bytes().size() > static_cast<std::size_t>(count) * sizeof(double))
+    throw std::logic_error("put_list: values of this type differ in size");
   out.bytes().resize(static_cast<std::size_t>(count) * sizeof(double));
   std::memcpy(numbers, out.bytes().data(), out.bytes().size());
   return count;

@@ -85,6 +85,10 @@ JointMaterial JointMaterial::with_joints(const JointClass& joint) const {
   p.normal_stiffness = joint.normal_stiffness;
   p.shear_stiffness = joint.shear_stiffness;
   if (joint.wall_strength > 0.0) p.wall_strength = joint.wall_strength;
+  // Energy is taken as a strength falls: none where the joint has no such strength of its own. What
+  // friction loses as it falls to the residual is no cohesion and goes with the pressure.
+  if (joint.tension == 0.0) p.fracture_energy_tension = 0.0;
+  if (joint.cohesion == 0.0) p.fracture_energy_shear = 0.0;
   return JointMaterial(p);
 }
 

@@ -52,6 +52,24 @@ TEST(JointMaterial, RigidJointIsTheRockBetweenTheCentres) {
   EXPECT_EQ(k.rock_share, 1.0);
 }
 
+TEST(JointMaterial, AJointTakesTheEnergyOfTheStrengthsThatItHas) {
+  JointParameters p = rock(0.25);
+  p.fracture_energy_tension = 100.0;
+  p.fracture_energy_shear = 400.0;
+  const JointMaterial material(p);
+  JointClass joint;
+  joint.friction_angle = joint.residual_friction_angle = 0.6;
+  const auto energies = [&] {
+    const JointParameters of = material.with_joints(joint).parameters();
+    return std::vector<double>{of.fracture_energy_tension, of.fracture_energy_shear};
+  };
+  EXPECT_EQ(energies(), (std::vector<double>{0.0, 0.0}));
+  joint.cohesion = 1e5;
+  EXPECT_EQ(energies(), (std::vector<double>{0.0, 400.0}));
+  joint.tension = 1e4;
+  EXPECT_EQ(energies(), (std::vector<double>{100.0, 400.0}));
+}
+
 TEST(JointMaterial, JointAndRockActInSeriesInUniaxialStrain) {
   for (const double nu : {0.0, 0.25, 0.4}) {
     for (const double joint : {1e9, 6e10, 1e13}) {
