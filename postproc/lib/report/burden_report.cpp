@@ -12,6 +12,7 @@
 #include "io/csv_writer.h"
 #include "io/mine_frame.h"
 #include "report/burden_plot.h"
+#include "report/not_measurable.h"
 #include "report/reports.h"
 #include "rock/burden_file.h"
 
@@ -114,9 +115,14 @@ nlohmann::ordered_json keys_of(const std::vector<HoleBurdens>& holes, double pla
 
 void report_burden(const ResultFolder& folder) {
   const std::filesystem::path file = folder.dump("burden.csv");
-  if (!std::filesystem::exists(file))
-    refuse("burden", "needs dump/burden.csv, which create_blocks writes with 'burden_file'");
-  const BurdenFile burdens = read_burdens(file);
+  BurdenFile burdens;
+  if (std::filesystem::exists(file)) burdens = read_burdens(file);
+  if (burdens.holes.empty()) {
+    for (const char* name : {"burden.csv", "burden.png"})
+      std::filesystem::remove(folder.file(name));
+    throw NotMeasurable(
+        "burden: needs a hole in dump/burden.csv, which create_blocks writes with 'burden_file'");
+  }
   const std::vector<std::string> names = names_of(folder, burdens.holes.size());
   write_table(folder, burdens, names);
   const std::vector<HoleBurdens> holes = drilled_holes(burdens, names);

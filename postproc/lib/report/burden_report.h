@@ -7,7 +7,7 @@
 
 namespace muckpile {
 
-// burden.csv, burden.png and keys. Throws InputError for a run without dump/burden.csv.
+// burden.csv, burden.png and keys. Throws NotMeasurable for a run without holes there.
 void report_burden(const ResultFolder& folder);
 
 }  // namespace muckpile

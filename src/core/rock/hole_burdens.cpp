@@ -83,14 +83,14 @@ Nearest nearest_between(const Corners& face, const PlaneFrame& across, double fr
   return nearest;
 }
 
-/// Whether the way from the axis to a place of the face meets it squarely enough: else the face ends
-/// there, beside what is no free face, such as at the floor.
-bool faces_axis(const FreeFace& face, const PlaneFrame& across, const Vec3& place) {
-  constexpr double kLeast = 0.8;  // cosine; ways are then up to a quarter too long
-  constexpr double kSteep = 0.5;  // of the normal at right angles to the axis
+/// Whether the way from the axis meets the face squarely enough for it to be beside the charge: a
+/// piece that meets none so only sees where a face ends, such as a subdrill at the floor.
+bool is_square(const FreeFace& face, const PlaneFrame& across, const Vec3& place) {
+  constexpr double kLeast = 0.8;      // cosine
+  constexpr double kFlattest = 0.05;  // of the normal at right angles to the axis
   const Vec2 normal(across.first.dot(face.normal), across.second.dot(face.normal)),
       way = across.flat(place);
-  return normal.norm() >= kSteep && way.dot(normal) >= kLeast * way.norm() * normal.norm();
+  return normal.norm() >= kFlattest && way.dot(normal) >= kLeast * way.norm() * normal.norm();
 }
 
 /// In each of the pieces of a charge.
@@ -99,6 +99,7 @@ std::vector<Nearest> nearest_along(const Hole& hole, const std::vector<FreeFace>
   const PlaneFrame across(hole.toe, along);
   const double step = along.norm() / kPoints;
   std::vector<Nearest> nearest(kPoints);
+  std::vector<char> beside(kPoints, 0);  // some face, which the nearest place need not be of
   for (const FreeFace& face : faces) {
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
     for (const Vec3& p : face.corners) {
@@ -108,11 +109,15 @@ std::vector<Nearest> nearest_along(const Hole& hole, const std::vector<FreeFace>
     }
     const int first = std::max(0, static_cast<int>(std::floor(std::max(0.0, lowest) / step)));
     for (int k = first; k < kPoints && k * step <= highest; ++k) {
-      Nearest& best = nearest[static_cast<std::size_t>(k)];
+      const auto piece = static_cast<std::size_t>(k);
       const Nearest here = nearest_between(face.corners, across, k * step, (k + 1) * step);
-      if (here.way < best.way && faces_axis(face, across, here.at)) best = here;
+      if (!std::isfinite(here.way)) continue;
+      if (is_square(face, across, here.at)) beside[piece] = 1;
+      if (here.way < nearest[piece].way) nearest[piece] = here;
     }
   }
+  for (std::size_t piece = 0; piece < nearest.size(); ++piece)
+    if (beside[piece] == 0) nearest[piece] = {};
   return nearest;
 }
 

@@ -7,6 +7,7 @@
 #include "input_error_of.h"
 #include "io/result_folder.h"
 #include "report/burden_report.h"
+#include "report/not_measurable.h"
 #include "rock/burden_file.h"
 #include "temporary_folder.h"
 
@@ -112,10 +113,15 @@ TEST_F(Burden, OfAnotherRunOrOfNoneIsRefused) {
   write_burdens((temporary_.path() / "dump/burden.csv").string(), burdens(), "fedcba9876543210");
   EXPECT_NE(input_error_of([&] { (void)folder(); }).find("files of two runs"), std::string::npos);
   std::filesystem::remove(temporary_.path() / "dump/burden.csv");
-  EXPECT_NE(input_error_of([&] { report_burden(folder()); })
-                .find("burden: needs dump/burden.csv, which create_blocks writes with "
-                      "'burden_file'"),
-            std::string::npos);
+  EXPECT_THROW(report_burden(folder()), NotMeasurable);
+}
+
+TEST_F(Burden, OfARunWithoutHolesTakesBackWhatWasThere) {
+  report_burden(folder());
+  write_burdens((temporary_.path() / "dump/burden.csv").string(), {}, kRun);
+  EXPECT_THROW(report_burden(folder()), NotMeasurable);
+  EXPECT_FALSE(std::filesystem::exists(folder().file("burden.csv")));
+  EXPECT_FALSE(std::filesystem::exists(folder().file("burden.png")));
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "geometry/cut/tessellation.h"
+#include "geometry/shape/convex_cell.h"
+#include "geometry/shape/polygon.h"
 #include "input_error_of.h"
 #include "rock/burden_file.h"
 #include "rock/hole_burdens.h"
@@ -105,11 +107,11 @@ TEST(HoleBurdens, OfASubdrillAreNotToTheEndOfTheFace) {
   options.sweeps = 3;
   options.holes = holes;
   const auto blocks = tessellate(options).blocks;
-  const HoleBurden burden = hole_burdens(blocks, holes, [](const Vec3& at) {
-                              const bool held = std::abs(at.y()) > 3.0 - 1e-6 ||
-                                                at.x() < -6.0 + 1e-6 || at.z() < 0.0;
-                              return held ? Support::fixed : Support::free;
-                            }).front();
+  const HoleBurden burden =
+      hole_burdens(blocks, holes, [](const Vec3& at) {
+        const bool held = std::abs(at.y()) > 3.0 - 1e-6 || at.x() < -6.0 + 1e-6 || at.z() < 0.0;
+        return held ? Support::fixed : Support::free;
+      }).front();
   for (const BurdenPiece& piece : burden.pieces) {
     if (piece.at.z() > 0.3) {
       EXPECT_NEAR(piece.burden.value(), 1.6, 1e-6);
@@ -120,6 +122,34 @@ TEST(HoleBurdens, OfASubdrillAreNotToTheEndOfTheFace) {
   }
   EXPECT_LE(burden.greatest.value(), 1.6 / 0.8);
   EXPECT_EQ(describe_burdens({burden}, 1.6).find("WARNING"), std::string::npos);
+}
+
+/// A prism 4 m high beside the plane y = 0: a face x = 0 with a notch 1 m deep and 1.5 m wide.
+Block beside_a_notch(double side) {
+  ConvexCell cell = box_cell(Vec3(-5.0, std::min(0.0, 3.0 * side), 0.0),
+                             Vec3(0.0, std::max(0.0, 3.0 * side), 4.0));
+  const Vec3 out_of_rock(0.75, -side, 0.0);
+  Block block;
+  block.shape = divided(cell, Vec3(-1.0, 0.0, 0.0), out_of_rock, 1)->below.shape;
+  block.mass = mass_properties(block.shape);
+  block.neighbour.assign(block.shape.faces.size(), kFreeFace);
+  return block;
+}
+
+// Both flanks are steep to the way from the hole to the root of the notch, which is the burden.
+TEST(HoleBurdens, OfANotchReachToItsRoot) {
+  const std::vector<Hole> holes{{Vec3(-2.0, 0.0, 1.0), Vec3(-2.0, 0.0, 3.0), 0.1}};
+  const HoleBurden burden =
+      hole_burdens({beside_a_notch(1.0), beside_a_notch(-1.0)}, holes, [](const Vec3& at) {
+        const bool within = std::abs(at.y()) < 1e-9 && at.x() < -1.0;
+        const bool held = std::abs(at.y()) > 3.0 - 1e-6 || at.x() < -5.0 + 1e-6;
+        return within || held ? Support::fixed : Support::free;
+      }).front();
+  for (const BurdenPiece& piece : burden.pieces) {
+    EXPECT_NEAR(piece.burden.value(), 1.0, 1e-9);  // 2 m of the plan less 1 m of the notch
+    EXPECT_NEAR((piece.face.head<2>() - Vec2(-1.0, 0.0)).norm(), 0.0, 1e-9);
+  }
+  EXPECT_NE(describe_burdens({burden}, 2.0).find("1 m at least, below 0.6"), std::string::npos);
 }
 
 TEST(HoleBurdens, AreJudgedByThePlansAndByTheHoleInFront) {
