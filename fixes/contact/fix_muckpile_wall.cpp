@@ -116,13 +116,12 @@ void FixMuckpileWall::list_candidates() {
   sorted_ = false;
   candidates_.clear();
   parts_.clear();
-  light_step_ = HUGE_VAL;
+  light_step_ = least_light_step();
   std::vector<std::size_t> near;
   for (int k = 0; k < atom->nlocal; ++k) {
     const Vec3 centre = engine::vector_of(atom->x[0], k);
     double gap = HUGE_VAL;
     if ((atom->mask[k] & groupbit) != 0) {
-      light_step_ = std::min(light_step_, law_->light_step(atom->rmass[k], atom->radius[k]));
       const double reach = atom->radius[k] + neighbor->skin;
       gap = options_.surface->distance(centre, reach, near) - atom->radius[k];
     }

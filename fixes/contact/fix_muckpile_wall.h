@@ -64,7 +64,9 @@ class FixMuckpileWall : public LAMMPS_NS::Fix, public StandingContacts {
   double compute_vector(int n) override;
 
   void visit_contacts(const Take& take) const override;
-  [[nodiscard]] double light_step() const override { return light_step_; }
+  [[nodiscard]] double light_step() const override {
+    return listed_ ? light_step_ : least_light_step();
+  }
 
   void grow_arrays(int nmax) override;
   void copy_arrays(int from, int to, int delflag) override;
@@ -106,6 +108,7 @@ class FixMuckpileWall : public LAMMPS_NS::Fix, public StandingContacts {
   void look_whether_let_go(int sphere);
   void warn_of_let_go();
   void end_contacts(int sphere);
+  [[nodiscard]] double least_light_step() const;
   void list_candidates();
   [[nodiscard]] bool still_apart(const Candidate& candidate) const;
   void step(double memory_step);

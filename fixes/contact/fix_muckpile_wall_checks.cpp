@@ -107,4 +107,13 @@ void FixMuckpileWall::visit_contacts(const Take& take) const {
   }
 }
 
+/// Of all spheres of this rank that may touch.
+double FixMuckpileWall::least_light_step() const {
+  double step = HUGE_VAL;
+  for (int k = 0; law_ && k < atom->nlocal; ++k)
+    if ((atom->mask[k] & groupbit) != 0)
+      step = std::min(step, law_->light_step(atom->rmass[k], atom->radius[k]));
+  return step;
+}
+
 }  // namespace muckpile

@@ -3,6 +3,7 @@
 // Scope: files of a few triangles.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -126,6 +127,9 @@ TEST(WallOptions, SidesThatFollowTheRockMayReachAMesh) {
   EXPECT_TRUE(refused(down, beside));
   EXPECT_FALSE(refused(east, beside));
   EXPECT_TRUE(refused(east, mine));
+  // Coordinates of a small mine, in a box of 150 m that follows the rock to all sides.
+  const std::array<bool, 3> all{true, true, true};
+  EXPECT_TRUE(refused({Vec3::Zero(), Vec3::Constant(87.0), all, all}, {"-5000", "-12000", "-300"}));
 }
 
 /// A plate in a box of 20 m may be small, if its numbers cannot be the kilometres of a survey.
