@@ -120,8 +120,11 @@ void report_burden(const ResultFolder& folder) {
   if (burdens.holes.empty()) {
     for (const char* name : {"burden.csv", "burden.png"})
       std::filesystem::remove(folder.file(name));
-    throw NotMeasurable(
-        "burden: needs a hole in dump/burden.csv, which create_blocks writes with 'burden_file'");
+    const std::string why =
+        "needs a hole in dump/burden.csv, which create_blocks writes with 'burden_file'";
+    if (std::filesystem::exists(folder.dump("run.json")))
+      take_back(folder, "burden", keys_of({}, 0.0), why);
+    throw NotMeasurable("burden: " + why);
   }
   const std::vector<std::string> names = names_of(folder, burdens.holes.size());
   write_table(folder, burdens, names);

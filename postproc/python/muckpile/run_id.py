@@ -40,7 +40,7 @@ def id_in_json(content: dict) -> str:
 
 def _ids_of_table(path: Path) -> list[tuple[str, str]]:
     """One for each change of id: a second run may have gone on writing at the end."""
-    table = load_table(path)
+    table = load_table(path, may_be_empty=True)
     if "run_id" not in table.rows.dtype.names:
         return [(str(path), "")]
     found, before = [], None

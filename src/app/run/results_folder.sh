@@ -43,9 +43,9 @@ keep_interrupted_state() {  # keep_interrupted_state OUT INPUT [-var NAME VALUE]
 results_in() {  # results_in FOLDER: paths from there
   (
     cd "$1" && shopt -s nullglob
-    for file in {,muck/}dump/{blocks_[0-9]*,history,gas*,gauges*,holes,holes_again}.csv {,muck/}dump/blocks.vtk {,muck/}dump/{floor,ground,gate}.stl {,muck/}dump/{run,scene}.json \
+    for file in {,muck/}dump/{blocks_[0-9]*,history,gas*,gauges*,holes,holes_again,burden}.csv {,muck/}dump/blocks.vtk {,muck/}dump/{floor,ground,gate}.stl {,muck/}dump/{run,scene}.json \
       {,muck/}dump/{a,b,interrupted,stopped}.restart {,muck/}{vtk/blocks*,summary.json,log.liggghts,report.html} \
-      {,muck/}{profile,movement,polygons,rows,heights,face_velocity,waves,ppv,survey,damage,crater,heap,fragments,fines,dig,energy,plan,section,over,trough}.{csv,png} {,muck/}{flyrock,sieve,boulders,fragments_list,model_moved,polygons_moved,energy_holes}.csv {,muck/}{movement,polygons}.dxf {,muck/}pile3d{.csv,*.png}; do
+      {,muck/}{profile,movement,polygons,rows,heights,face_velocity,waves,ppv,survey,damage,crater,heap,fragments,fines,dig,energy,plan,section,over,trough,burden}.{csv,png} {,muck/}{flyrock,sieve,boulders,fragments_list,model_moved,polygons_moved,energy_holes}.csv {,muck/}{movement,polygons}.dxf {,muck/}pile3d{.csv,*.png}; do
       if [[ -f $file ]]; then printf '%s\n' "$file"; fi
     done
   )
@@ -54,14 +54,19 @@ results_in() {  # results_in FOLDER: paths from there
 # Names, sizes and times, to see whether any has changed.
 listed() { find "$@" -type f -printf '%P %s %T@\n' | sort; }                         # listed FOLDER [TEST]...
 written_in() { listed "$1" ! -path "$1/.previous*" ! -path "$1/.lock" ! -path "$1/run.log" ! -name log.liggghts; }  # written_in OUT
-steps_in() { listed "$1/dump" -maxdepth 1 \( -name history.csv -o -name 'blocks_[0-9]*.csv' \); }  # steps_in OUT
+steps_in() {  # steps_in OUT: those of a pour of muck, too
+  local dump
+  for dump in "$1"/{,muck/}dump; do
+    if [[ -d $dump ]]; then listed "$dump" -maxdepth 1 \( -name history.csv -o -name 'blocks_[0-9]*.csv' \); fi
+  done
+}
 
 # History and snapshots of the set-up show one step, that from which the run starts. Copies of what is set aside are as old as that.
 started() {  # started OUT: a run that does not go on has got beyond its set-up
   local out=$1 file steps
   steps=$(
-    for file in "$out"/dump/{history,blocks_[0-9]*}.csv "$out"/dump/{a,b,stopped}.restart; do
-      [[ -f $file && $file -nt $out/.previous/dump/${file##*/} ]] || continue
+    for file in "$out"/{,muck/}dump/{history,blocks_[0-9]*}.csv "$out"/{,muck/}dump/{a,b,stopped}.restart; do
+      [[ -f $file && $file -nt $out/.previous/${file#"$out"/} ]] || continue
       case ${file##*/} in
         history.csv) sed -nE 's/^0*([0-9]+),.*/\1/p' "$file" ;;
         *.csv) sed -nE 's/^blocks_0*([0-9]+)\.csv$/\1/p' <<<"${file##*/}" ;;

@@ -100,7 +100,9 @@ refuse_own_results() {
 continues() {
   local pour_from
   pour_from=$(value_of pour_from "${engine_args[@]}")
-  [[ $go_on == 1 || (-n $pour_from && $pour_from != none) ]]
+  [[ $go_on != 1 ]] || return 0
+  [[ -n $pour_from && $pour_from != none ]] || return 1
+  [[ ! -f $out/dump/scene.json ]] || die "-var pour_from goes on with a pour, but the blast in '$out' has begun: go on with that one (-var go_on 1), or pour into another folder"
 }
 
 check_variables() {

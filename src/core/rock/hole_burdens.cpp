@@ -86,8 +86,8 @@ Nearest nearest_between(const Corners& face, const PlaneFrame& across, double fr
 /// Whether the way from the axis meets the face squarely enough for it to be beside the charge: a
 /// piece that meets none so only sees where a face ends, such as a subdrill at the floor.
 bool is_square(const FreeFace& face, const PlaneFrame& across, const Vec3& place) {
-  constexpr double kLeast = 0.8;      // cosine
-  constexpr double kFlattest = 0.05;  // of the normal at right angles to the axis
+  constexpr double kLeast = 0.8;     // cosine
+  constexpr double kFlattest = 0.5;  // of the normal at right angles to the axis
   const Vec2 normal(across.first.dot(face.normal), across.second.dot(face.normal)),
       way = across.flat(place);
   return normal.norm() >= kFlattest && way.dot(normal) >= kLeast * way.norm() * normal.norm();

@@ -27,7 +27,7 @@ int put_list(std::span<const T> values, double* numbers) {
   out.put<std::uint64_t>(values.size());
   for (const T& value : values) out.put(value);
   const int count = numbers_of_list<T>(values.size());
-  if (out.bytes().size() > static_cast<std::size_t>(count) * sizeof(double))
+  if (out.bytes().size() != sizeof(std::uint64_t) + values.size() * Encoding<T>::kLeast)
     throw std::logic_error("put_list: values of this type differ in size");
   out.bytes().resize(static_cast<std::size_t>(count) * sizeof(double));
   std::memcpy(numbers, out.bytes().data(), out.bytes().size());
