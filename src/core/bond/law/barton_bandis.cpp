@@ -72,6 +72,7 @@ JointLawEntry barton_bandis_entry() { return {"barton_bandis", keywords(), make}
 
 JointClass barton_bandis_class(const BartonBandis& law, double shear_stiffness) {
   JointClass joint;
+  joint.tension = law.tension;  // whose fracture energy it takes
   joint.normal_stiffness = law.initial_stiffness;
   joint.shear_stiffness = shear_stiffness;
   joint.law = law_everywhere(law);
