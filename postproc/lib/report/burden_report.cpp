@@ -120,11 +120,11 @@ void report_burden(const ResultFolder& folder) {
   if (burdens.holes.empty()) {
     for (const char* name : {"burden.csv", "burden.png"})
       std::filesystem::remove(folder.file(name));
-    const std::string why =
-        "needs a hole in dump/burden.csv, which create_blocks writes with 'burden_file'";
+    const NotMeasurable why(
+        "burden: needs a hole in dump/burden.csv, which create_blocks writes with 'burden_file'");
     if (std::filesystem::exists(folder.dump("run.json")))
       take_back(folder, "burden", keys_of({}, 0.0), why);
-    throw NotMeasurable("burden: " + why);
+    throw why;
   }
   const std::vector<std::string> names = names_of(folder, burdens.holes.size());
   write_table(folder, burdens, names);
@@ -133,7 +133,7 @@ void report_burden(const ResultFolder& folder) {
   nlohmann::ordered_json keys;
   if (std::filesystem::exists(folder.dump("run.json"))) keys = common_keys(folder);
   keys.update(keys_of(holes, burdens.plan));
-  folder.merge_into_summary(keys);
+  folder.merge_into_summary(keys, {refusal_key("burden")});
 }
 
 }  // namespace muckpile
