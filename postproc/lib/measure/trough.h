@@ -8,13 +8,13 @@
 namespace muckpile {
 
 struct Trough {
-  double x = 0.0, z = 0.0;  // its lowest point [m]; NaN where there is none
-  double rim = 0.0;         // height of its lower rim [m]; NaN where there is none
-  double depth = 0.0;       // of the lowest point below that rim [m]
-  double width = 0.0;       // level distance between its sides at that height [m]
-  double area = 0.0;        // between them, below that height [m2]
+  double x = 0.0, z = 0.0;         // its lowest point [m]; NaN where there is none
+  double rim = 0.0;                // height of its lower rim [m]; NaN where there is none
+  double depth = 0.0;              // of the lowest point below that rim [m]
+  double width = 0.0;              // level distance between its sides at that height [m]
+  double area = 0.0;               // between them, below that height [m2]
   double back = 0.0, front = 0.0;  // where these sides are, front along the throw [m]
-  double crest = 0.0;  // height of the pile in front of it [m]; NaN where there is none
+  double crest = 0.0;              // height of the pile in front of it [m]; NaN where there is none
 };
 
 // The deepest valley of a surface, filled to its lower rim: of evenly spaced samples of height

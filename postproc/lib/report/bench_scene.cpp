@@ -56,10 +56,11 @@ void require_burden(const BenchScene& bench) {
   const double hole = bench.burden + 0.5 * bench.planes.hole_back * bench.height;
   const double behind = bench.planes.face->middle() + hole;
   if (behind > 0.0 && behind < 2.0 * bench.burden) return;
-  refuse("the free face must lie in front of the front row of holes by less than twice burden_m of "
-         "scene.json, " +
-         spelled(bench.burden) + " m, got " + to_mm(behind) + " m in its middle (" +
-         bench.face_note + ")");
+  refuse(
+      "the free face must lie in front of the front row of holes by less than twice burden_m of "
+      "scene.json, " +
+      spelled(bench.burden) + " m, got " + to_mm(behind) + " m in its middle (" + bench.face_note +
+      ")");
 }
 
 // Way of the axis along x and y per height.

@@ -67,14 +67,11 @@ const std::vector<SimpleField>& simple_fields() {
       {"moved_z", "displacement upwards [m]", "moved_z_m", kSigned,
        [](B b, S s) { return s.centre.z() - b.centroid.z(); }},
       {"turn", "turned since the start [°]", "turn_deg", kFromZero, turn_of},
-      {"speed", "speed [m/s]", "speed_m_s", kFromZero,
-       [](B, S s) { return s.velocity.norm(); }},
+      {"speed", "speed [m/s]", "speed_m_s", kFromZero, [](B, S s) { return s.velocity.norm(); }},
       {"vx", "velocity along the throw, x [m/s]", "vx_m_s", kSigned,
        [](B, S s) { return s.velocity.x(); }},
-      {"vy", "velocity along y [m/s]", "vy_m_s", kSigned,
-       [](B, S s) { return s.velocity.y(); }},
-      {"vz", "velocity upwards [m/s]", "vz_m_s", kSigned,
-       [](B, S s) { return s.velocity.z(); }},
+      {"vy", "velocity along y [m/s]", "vy_m_s", kSigned, [](B, S s) { return s.velocity.y(); }},
+      {"vz", "velocity upwards [m/s]", "vz_m_s", kSigned, [](B, S s) { return s.velocity.z(); }},
       {"spin", "spin [rad/s]", "spin_rad_s", kFromZero, [](B, S s) { return s.spin.norm(); }},
       {"broken", "broken share of joint area", "broken_fraction", kShare,
        [](B, S s) { return s.broken_fraction; }},
@@ -219,9 +216,7 @@ BlockField BlockFields::find(const std::string& name, const Snapshot& snapshot) 
     throw InputError("--colour: " + wrong);
   const auto known = of_run_.find(name);
   if (known != of_run_.end()) return known->second;
-  return of_run_[name] = name == "hole"   ? holes()
-                         : name == "zone" ? zones()
-                                          : launch_speeds();
+  return of_run_[name] = name == "hole" ? holes() : name == "zone" ? zones() : launch_speeds();
 }
 
 std::optional<std::array<double, 2>> BlockFields::range_of_run(const std::string& name) const {

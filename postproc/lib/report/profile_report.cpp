@@ -23,8 +23,8 @@ namespace muckpile {
 namespace {
 
 struct FaceSpeed {
-  double peak = std::nan("");  // of the fastest band of height [m/s]
-  double mean = std::nan("");  // of the middle half of the charge's height [m/s]
+  double peak = std::nan("");    // of the fastest band of height [m/s]
+  double mean = std::nan("");    // of the middle half of the charge's height [m/s]
   double burden = std::nan("");  // of all rock between face and holes, above the floor [m/s]
 };
 

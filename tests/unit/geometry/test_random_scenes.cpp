@@ -260,7 +260,8 @@ TEST(RandomScenes, VoronoiCutsAreSound) {
       "%zu parts lost; %d zones reach the boundary, by %.2f m2 at most; rock without a block up to "
       "%.2f sizes from a zone\n",
       blocks, thinnest, in_wedges, merged, lost, reach.zones, reach.most, farthest);
-  // Lloyd sweeps leave no sliver: measured 0.199 where no plane cuts the ring of a zone, 0.154 there.
+  // Lloyd sweeps leave no sliver: measured 0.199 where no plane cuts the ring of a zone, 0.154
+  // there.
   EXPECT_GT(thinnest, 0.75 * kThinnestPart);
   // The rule bounds parts, not the cells in their edges: measured 0.177 of the size.
   EXPECT_GT(in_wedges, 0.75 * kThinnestPart);

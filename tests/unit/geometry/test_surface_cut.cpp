@@ -172,8 +172,8 @@ void expect_followed(const CutRock& made) {
 TEST(JointSetsInSurfaces, BallHasItsVolume) {
   const std::vector<RockSurface> rock{test::surface_of(test::ball(1.0, 4))};
   for (const double size : {0.15, 0.3})
-    expect_followed(cut(rock, Vec3::Constant(-1.1), Vec3::Constant(1.1), size,
-                        "ball, joint sets", by_joint_sets));
+    expect_followed(cut(rock, Vec3::Constant(-1.1), Vec3::Constant(1.1), size, "ball, joint sets",
+                        by_joint_sets));
 }
 
 TEST(JointSetsInSurfaces, TiltedBoxHasFlatFaces) {

@@ -69,7 +69,8 @@ void write_whole(const std::filesystem::path& folder) {
   write_text(folder / "dump" / "run.json",
              "{\"blocks\": 9, \"spheres\": 9, \"joints\": 9, \"steps\": 2000, "
              "\"physical_time_s\": 4.5, \"wall_time_s\": 60.0, \"energy_balance_error\": 0.002, "
-             "\"still\": true, \"gas_work_J\": 8e6, \"joint_crushing_J\": 3e5, \"mass_left_scene_kg\": 5.0, "
+             "\"still\": true, \"gas_work_J\": 8e6, \"joint_crushing_J\": 3e5, "
+             "\"mass_left_scene_kg\": 5.0, "
              "\"energy_audit_J\": {\"explosive\": 2e7}, \"energy_audit_error\": 0.001}\n");
 }
 

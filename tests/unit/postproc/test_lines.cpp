@@ -41,7 +41,8 @@ struct Surface {
   std::vector<double> x, z;
 };
 
-// From the bench at 10 m down by 2 in 1 to 4 m at x = 3, up by 1 in 1 to the pile at x = 6, and out.
+// From the bench at 10 m down by 2 in 1 to 4 m at x = 3, up by 1 in 1 to the pile at x = 6, and
+// out.
 TEST(Trough, IsTheValleyBehindAPileBelowTheBench) {
   const Surface s({{-2, 10}, {0, 10}, {3, 4}, {6, 7}, {13, 0}, {15, 0}});
   const Trough trough = deepest_trough(s.x, s.z, 0.5);
@@ -56,7 +57,8 @@ TEST(Trough, IsTheValleyBehindAPileBelowTheBench) {
   EXPECT_NEAR(trough.crest, 7.0, 1e-9);
 }
 
-// The pile is 12 m high: the bench's edge is the lower rim, and the pile's back is at 10 m at x = 9.
+// The pile is 12 m high: the bench's edge is the lower rim, and the pile's back is at 10 m at x
+// = 9.
 TEST(Trough, OfAPileAboveTheBenchIsFilledToTheBench) {
   const Surface s({{-2, 10}, {0, 10}, {3, 4}, {11, 12}, {23, 0}});
   const Trough trough = deepest_trough(s.x, s.z, 0.5);
@@ -253,19 +255,22 @@ TEST_F(Lines, MovementAndFragmentsHavePlacesOfTheMine) {
 
 TEST_F(Lines, FaultyLinesAreRefused) {
   LineOptions line;
-  EXPECT_NE(input_error_of([&] { report_over(folder(), measure_, line); })
-                .find("over: --from and --to must be two points, got '0 0' twice"),
+  EXPECT_NE(input_error_of([&] {
+              report_over(folder(), measure_, line);
+            }).find("over: --from and --to must be two points, got '0 0' twice"),
             std::string::npos);
   line.to = {0.0, 1.0};
   line.mine = true;
-  EXPECT_NE(input_error_of([&] { report_section(folder(), measure_, line); })
-                .find("section: --mine needs the run's place in the mine, terrain_east_m"),
+  EXPECT_NE(input_error_of([&] {
+              report_section(folder(), measure_, line);
+            }).find("section: --mine needs the run's place in the mine, terrain_east_m"),
             std::string::npos);
   line.mine = false;
   line.from = {100.0, 0.0};
   line.to = {110.0, 0.0};
-  EXPECT_NE(input_error_of([&] { report_section(folder(), measure_, line); })
-                .find("meets no rock, which lies from x = -8 to 14 m"),
+  EXPECT_NE(input_error_of([&] {
+              report_section(folder(), measure_, line);
+            }).find("meets no rock, which lies from x = -8 to 14 m"),
             std::string::npos);
 }
 

@@ -65,7 +65,7 @@ TEST_F(Refusals, FaceOfAnyShapeIsMeasuredAsItWasCut) {
     run.shapes.push_back(whole.shapes[b]);
     run.last.states.push_back(whole.last.states[b]);
     BlockState moving{start, Quat::Identity(), Vec3::Zero(), Vec3::Zero(), 1, 0.0};
-    const double behind = (start.y() > 0.0 ? -1.0 : 0.0) - start.x();  // of the face
+    const double behind = (start.y() > 0.0 ? -1.0 : 0.0) - start.x();   // of the face
     moving.velocity.x() = start.z() > 0.0 && behind < 1.3 ? 9.0 : 0.0;  // the layer and more
     middle.states.push_back(moving);
     if (start.x() < -kBurden || start.z() < 0.0) continue;
@@ -106,8 +106,8 @@ TEST_F(Refusals, NothingThatLooksCurrentStays) {
   const auto keys = read_json_object(folder().file("summary.json"));
   for (const char* key :
        {"face_velocity_m_s", "face_velocity_mean_m_s", "burden_velocity_m_s", "throw_cg_m",
-        "throw_max_m", "throw_max_note", "beyond_toe_fraction", "beyond_toe_fraction_collapse", "pile_height_m",
-        "pile_toe_m", "swell_factor", "repose_angle_deg", "blocks_on_the_move"}) {
+        "throw_max_m", "throw_max_note", "beyond_toe_fraction", "beyond_toe_fraction_collapse",
+        "pile_height_m", "pile_toe_m", "swell_factor", "repose_angle_deg", "blocks_on_the_move"}) {
     EXPECT_FALSE(keys.contains(key)) << key;
   }
   EXPECT_TRUE(keys["fragment_p50_m"].is_number());

@@ -52,8 +52,8 @@ class HoleRings {
 };
 
 // Blocks over radius of a hole that may get rings (TessellationOptions::rings_from): from the first
-// two, where images make the void of graded blocks too large and then fail, up to the last, to which
-// the volume that the wall sweeps is right within 5 % (docs/theory/wall.md).
+// two, where images make the void of graded blocks too large and then fail, up to the last, to
+// which the volume that the wall sweeps is right within 5 % (docs/theory/wall.md).
 inline constexpr double kImagesTooLarge = 1.5, kImagesFail = 2.0, kCoarsest = 6.0;
 
 // What lies behind the wall of a ring's cell is void, for the cells beside it, too: divides those
