@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # run.sh [RESULTS [LIGGGHTS_MUCKPILE MUCKPILE_POST]]: craters of 20 kg at seven depths beside Boreskov's and Pokrovskii's rules.
 # Writes RESULTS/craters.csv and RESULTS/summary.json. RESULTS is results/crater_depth unless given. SEEDS="1 2 3" takes three seeds; one is the default.
+# SYMMETRY=1 models the whole crater; a quarter (4) is the default.
 # Scope: fails if a figure is missing or outside what expected.json allows.
 set -euo pipefail
 # shellcheck source=tests/support/validation_case.sh
@@ -16,7 +17,7 @@ crater() {
   local seed out figures visible
   for seed in ${SEEDS:-1}; do
     out=$results/d$1_s$seed
-    run_input inputs/crater/in.crater "$out" symmetry 4 burial_depth "$2" fragment_x50 "$3" finest_fragment "$4" time_end "$5" block_min 0.22 block_max 1.2 seed "$seed"
+    run_input inputs/crater/in.crater "$out" symmetry "${SYMMETRY:-4}" burial_depth "$2" fragment_x50 "$3" finest_fragment "$4" time_end "$5" block_min 0.22 block_max 1.2 seed "$seed"
     "$post" crater "$out" >/dev/null
     figures=$(check_figures print "$out"/summary.json:{crater_radius_m,crater_depth_m,crater_volume_m3,gas_work_J,joints_broken_fraction})
     visible=,,,
