@@ -39,6 +39,7 @@ namespace muckpile {
 namespace {
 
 Range time_range() { return Range::left_open(0.0, 1e30); }
+Range share_range() { return Range::open(0.0, 1.0); }
 
 const ArgTable& table() {
   static const ArgTable args =
@@ -49,7 +50,7 @@ const ArgTable& table() {
                 "physical time at which the phase ends at the latest; for the time left")
           .real("still_speed", "m/s", Range::left_open(0.0, 1e3), 0.1,
                 "a block slower than this is at rest")
-          .real("still_share", "", Range::open(0.0, 1.0), 0.001,
+          .real("still_share", "", share_range(), 0.001,
                 "mass share that may still move in a pile called still")
           .real("fastest_allowed", "m/s", Range::left_open(0.0, 1e5), 2000.0,
                 "a faster block stops the run as unstable")
@@ -286,7 +287,7 @@ double FixMuckpileProgress::compute_vector(int n) {
 int FixMuckpileProgress::modify_param(int narg, char** arg) {
   const std::string where = engine::name_of_modify(*this);
   const std::string key = arg[0];
-  if (key != "phase" && key != "time_end" && key != "every") return 0;
+  if (key != "phase" && key != "time_end" && key != "every" && key != "still_share") return 0;
   if (key == "every") {
     every_ = engine::read_every(*lmp, where, narg, arg);
     return 2;
@@ -296,6 +297,10 @@ int FixMuckpileProgress::modify_param(int narg, char** arg) {
   if (key == "time_end") {
     time_end_ = engine::or_engine_error(
         *lmp, [&] { return parse_real(where, key, arg[1], "s", time_range()); });
+  }
+  if (key == "still_share") {
+    still_share_ = engine::or_engine_error(
+        *lmp, [&] { return parse_real(where, key, arg[1], "", share_range()); });
   }
   return 2;
 }

@@ -90,9 +90,12 @@ void ScriptEngine::bound_step(const StepRule& rule) {
   tell("fix_modify " + id_of("muckpile/timestep") + words);
 }
 
+/// A fix of the script, or of a command before, keeps the share that it has unless one is typed.
 void ScriptEngine::begin_phase(const PhaseNews& news) {
   tell("fix_modify " + id_of("muckpile/progress") + " phase " + news.name + " time_end " +
        script_number(news.ends) +
+       (words_.given("still_share") ? " still_share " + script_number(words_.real("still_share"))
+                                    : std::string()) +
        (own_progress_ ? " every " + std::to_string(news.lines_every) : std::string()));
 }
 

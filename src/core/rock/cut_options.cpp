@@ -15,6 +15,7 @@
 #include "rock/rock_surfaces.h"
 #include "rock/zone_bodies.h"
 #include "rock/zone_model.h"
+#include "rock/zone_sizes.h"
 
 namespace muckpile {
 namespace {
@@ -218,6 +219,7 @@ CutOptions read(const ArgValues& args, std::size_t memory) {
   for (const Words& words : args.groups("zone")) options.zones.push_back(rock_zone_of(words));
   read_zone_bodies(options);
   read_zone_model(options, args);
+  check_zone_sizes(options);
   read_faults(options, args);
   read_muck(options, args);
   rock.seed = static_cast<unsigned long>(args.integer("seed"));

@@ -89,10 +89,11 @@ const ArgTable& cut_table() {
               "block_model", 1, 2, false,
               "FILE: CSV file of cells of rock, for zones with `model`; the rock that they leave "
               "bare is refused, or, with `partial` behind FILE, that of `density`")
-          .group("zone", 3, 11, true,
+          .group("zone", 3, 13, true,
                  "zone of other rock: NAME, its density [kg/m3], where it is, and optionally "
                  "`class N` "
-                 "(number of the `joint_class` of its plane borders; 0: none). Where: `above` or "
+                 "(number of the `joint_class` of its plane borders; 0: none) and `size_factor F` "
+                 "(block size over that of `size`; 0.1 to 10). Where: `above` or "
                  "`below` x y z dip direction (a point of its border [m], dip and dip direction "
                  "[degrees]), `layer` x y z dip direction thickness (above that plane, [m]), "
                  "`region ID`, `inside FILE` (of a closed surface, .stl or faces of "

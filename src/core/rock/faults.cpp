@@ -125,7 +125,7 @@ void lay_faults(CutOptions& options) {
 }
 
 void assign_fault_classes(const CutOptions& options, int first_tag, RockModel& model) {
-  model.faults.assign(options.faults.size(), {});
+  for (const Fault& fault : options.faults) model.faults.push_back({0.0, 0.0, fault.joint_class});
   const auto centroid = [&](int tag) {
     return model.rock.blocks[static_cast<std::size_t>(tag - first_tag)].mass.centroid;
   };

@@ -33,13 +33,21 @@ const std::array<Names, 6>& length_columns() {
   return names;
 }
 
-std::optional<std::size_t> find_column(const CsvTable& table, const Names& names) {
+/// Throws InputError where two columns may be meant.
+std::optional<std::size_t> find_column(const CsvTable& table, const std::string& file,
+                                       const Names& names) {
+  std::optional<std::size_t> found;
   for (std::size_t c = 0; c < table.header().size(); ++c) {
     std::string name(table.header()[c]);
     std::ranges::transform(name, name.begin(), [](unsigned char l) { return std::tolower(l); });
-    if (std::ranges::find(names, name) != names.end()) return c;
+    if (std::ranges::find(names, name) == names.end()) continue;
+    if (found)
+      refuse(file, "a block model must have one alone of the columns " + joined(names) +
+                       ", got both '" + std::string(table.header()[*found]) + "' and '" +
+                       std::string(table.header()[c]) + "'; rename the one that is not meant");
+    found = c;
   }
-  return std::nullopt;
+  return found;
 }
 
 /// One row after the other.
@@ -48,14 +56,14 @@ class CellReader {
   CellReader(const std::string& file, const RockNames& names, double unit)
       : file_(file), table_(CsvTable::read(file)), names_(names), unit_(unit) {
     for (std::size_t k = 0; k < columns_.size(); ++k) {
-      const auto found = find_column(table_, length_columns()[k]);
+      const auto found = find_column(table_, file_, length_columns()[k]);
       if (!found)
         refuse(file_, "a block model must have one of the columns " + joined(length_columns()[k]) +
                           ", got '" + header() + "'");
       columns_[k] = *found;
     }
-    rock_ = find_column(table_, {"rock", "rock_type", "lithology"});
-    zone_ = find_column(table_, {"zone"});
+    rock_ = find_column(table_, file_, {"rock", "rock_type", "lithology"});
+    zone_ = find_column(table_, file_, {"zone"});
     if (rock_.has_value() == zone_.has_value())
       refuse(file_,
              "a block model must have either a column rock (also rock_type, lithology), with "

@@ -68,6 +68,11 @@ std::string describe_blocks(const RockModel& model, double seconds) {
   return text.str();
 }
 
+/// Edge of a cube of the mean volume [m].
+double mean_size(double volume, std::size_t blocks) {
+  return blocks == 0 ? 0.0 : std::cbrt(volume / static_cast<double>(blocks));
+}
+
 std::string describe_zones(const RockModel& model) {
   if (model.zones.empty()) return "";
   std::vector<double> volume(model.zones.size() + 1, 0.0);
@@ -81,7 +86,8 @@ std::string describe_zones(const RockModel& model) {
   text << "  zones:";
   for (std::size_t k = 0; k < volume.size(); ++k)
     text << ' ' << (k == 0 ? "rock" : model.zones[k - 1]) << ' ' << count[k] << " blocks, "
-         << volume[k] << (k + 1 < volume.size() ? " m3;" : " m3\n");
+         << volume[k] << " m3, " << mean_size(volume[k], count[k])
+         << (k + 1 < volume.size() ? " m in the mean;" : " m in the mean\n");
   for (std::size_t k = 1; k < count.size(); ++k)
     if (count[k] == 0)
       text << "WARNING: create_blocks: zone '" << model.zones[k - 1]
@@ -90,17 +96,20 @@ std::string describe_zones(const RockModel& model) {
   return text.str();
 }
 
-/// How much of the rock's facets is natural joint, as a survey gives it: area per volume (P32).
+/// How much of the rock's facets is natural joint and no fault, as a survey gives it: area per
+/// volume (P32).
 std::string describe_natural_joints(const RockModel& model) {
   if (model.natural_planes == 0) return "";
   double area = 0.0, volume = 0.0;
   for (const Facet& facet : model.facets.facets)
     area += facet.kind == FacetKind::joint && facet.joint_class > 0 ? facet.area : 0.0;
+  for (const FaultFacets& fault : model.faults) area -= fault.joint_class > 0 ? fault.area : 0.0;
   for (const Block& block : model.rock.blocks) volume += block.mass.volume;
   std::ostringstream text;
   text.precision(4);
   text << "  natural joints: " << model.natural_planes << " planes, " << area
-       << " m2 of facets with a joint class, " << area / volume << " m2 per m3 of blocks\n";
+       << " m2 of facets with a joint class, " << area / volume << " m2 per m3 of blocks"
+       << (model.faults.empty() ? "\n" : ", without those of faults\n");
   return text.str();
 }
 

@@ -19,6 +19,7 @@ namespace muckpile {
 struct FaultFacets {
   double area = 0.0;   ///< of the facets with its class [m2]
   double along = 0.0;  ///< area times the cosine of the angle between facet and fault [m2]
+  int joint_class = 0;
 };
 
 struct RockModel {

@@ -12,6 +12,7 @@
 #include "rock/cut_table.h"
 #include "rock/zone_bodies.h"
 #include "rock/zone_model.h"
+#include "rock/zone_sizes.h"
 
 namespace muckpile {
 namespace {
@@ -92,8 +93,11 @@ class ZoneReader {
     if (option == "class") {
       zone_.joint_class =
           static_cast<int>(cut_whole(where(), next("a number"), Range::closed(0, 255)));
+    } else if (option == "size_factor") {
+      zone_.size_factor =
+          cut_real(where() + ": size_factor", next("a number"), "", Range::closed(0.1, 10.0));
     } else {
-      refuse(where() + ": may end with 'class N', got '" + option + "'");
+      refuse(where() + ": may end with 'class N' and 'size_factor F', got '" + option + "'");
     }
   }
 
@@ -163,6 +167,7 @@ void lay_zones(CutOptions& options) {
   }
   check_zone_bodies(options);
   lay_zone_model(options);
+  lay_zone_sizes(options);
 }
 
 }  // namespace muckpile

@@ -26,6 +26,7 @@ struct RockZone {
   std::optional<RockSurface> body{};  ///< closed surface around it: see zone_bodies.h
   bool of_model = false;              ///< of cells of a block model: see zone_model.h
   int joint_class = 0;                ///< of the facets in its borders; 0: rock that is whole
+  double size_factor = 1.0;           ///< block size over that of the size law: see zone_sizes.h
 };
 
 /// Most zones beside the rock around them: a block has a byte for its zone, and JointLaws a law for

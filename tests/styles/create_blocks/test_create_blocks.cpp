@@ -41,13 +41,15 @@ std::string without_run_id(const std::string& text) {
 
 /// Blocks file and first snapshot of the scene on the ranks of `comm`.
 std::pair<std::string, std::string> files(MPI_Comm comm, const std::filesystem::path& into,
-                                          const std::string& more = "") {
+                                          const std::string& more = "",
+                                          const std::string& zone = "") {
   RockScene scene(comm, kBox, "* * 1");
   scene.cut(kRock, kCut + more + "file " + (into / "blocks.vtk").string());
   scene.command(
       "fix joint all muckpile/joint youngs_modulus 5e10 poisson_ratio 0.25 density 2700 cohesion "
       "4e6 "
-      "friction_angle 50 tension 2e6");
+      "friction_angle 50 tension 2e6" +
+      zone);
   scene.command("fix snapshots all muckpile/dump every 100 directory " + into.string());
   scene.run(0, 1e-6);
   MPI_Barrier(comm);
@@ -86,6 +88,20 @@ TEST(CreateBlocks, MakesTheSameBlocksBetweenSetsOfNaturalJointsOnAnyNumberOfRank
       "natural_joints 80 90 1 0 fisher 60 natural_joints 20 200 0.8 0 persistence 0.5 0.6 ";
   const auto alone = files(MPI_COMM_SELF, base / ("alone" + std::to_string(rank)), sets);
   const auto shared = files(MPI_COMM_WORLD, base / "shared", sets);
+  ASSERT_GT(alone.first.size(), 10000u);
+  EXPECT_EQ(alone.first, shared.first);
+}
+
+TEST(CreateBlocks, MakesTheSameBlocksInZonesOfOtherSizeOnAnyNumberOfRanks) {
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  const ScratchFolder base("create_blocks_zone_sizes");
+  const std::string zones =
+      "zone cap 2300 above 0 0 0.4 10 90 size_factor 0.7 zone end 2300 below -1.2 0 0 90 90 "
+      "size_factor 0.8 ";
+  const std::string words = " zone cap youngs_modulus 4e10 zone end youngs_modulus 4e10";
+  const auto alone = files(MPI_COMM_SELF, base / ("alone" + std::to_string(rank)), zones, words);
+  const auto shared = files(MPI_COMM_WORLD, base / "shared", zones, words);
   ASSERT_GT(alone.first.size(), 10000u);
   EXPECT_EQ(alone.first, shared.first);
 }

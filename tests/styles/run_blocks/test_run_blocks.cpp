@@ -78,6 +78,19 @@ TEST(RunBlocks, RunsOnUntilTheRockRests) {
   EXPECT_LT(scene.variable("now"), 6.0);
 }
 
+// While they fall all blocks move, which only a share above that calls still.
+TEST(RunBlocks, TakesTheShareThatMayMoveOfEachCommand) {
+  const ScratchFolder folder("run_blocks_share");
+  RockScene scene = loose_blocks();
+  const std::string fall = "run_blocks phase fall until ", more = words((folder / "").string());
+  scene.command(fall + "0.1" + more + " still_share 0.9");
+  EXPECT_EQ(scene.output("progress", 0), 0.0);
+  scene.command("fix_modify progress still_share 0.5");
+  scene.command("run_blocks phase rest" + more + " still_share 1e-6");
+  EXPECT_EQ(scene.output("progress", 0), 1.0);
+  EXPECT_LT(scene.output("progress", 2), 1e-6);
+}
+
 /// The step is that of a collision, whatever the blocks do.
 TEST(RunBlocks, ResolvesCollisions) {
   const ScratchFolder folder("run_blocks_step");

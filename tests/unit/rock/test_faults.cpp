@@ -137,6 +137,12 @@ TEST_F(Faults, ThatAreNotPlaneAreStepsOfABlock) {
 TEST_F(Faults, WinOverNaturalJoints) {
   const std::string both = "fault " + file(dipping(-9.0)) + " 2 joint_plane 0 0 0 30 90 1";
   EXPECT_NEAR(area_of_class(cut(both), 2), kAll, 1e-6);
+  // The other plane through the cube of 4 m is all that is natural joint then.
+  const std::string text = describe(cut(both + " joint_plane 0 1 0 90 0 1"), 0.0);
+  EXPECT_NE(text.find("natural joints: 2 planes, 16 m2 of facets with a joint class, 0.25 m2 per "
+                      "m3 of blocks, without those of faults"),
+            std::string::npos)
+      << text;
 }
 
 TEST_F(Faults, ThatMissTheBlocksAreToldOf) {

@@ -92,6 +92,12 @@ TEST_F(ZoneModels, AreRefusedByLineAndColumn) {
   EXPECT_NE(refusal("x,y,z,dx,dy,dz,rock,zone\n0,0,0,1,1,1,ore,2\n").find("either a column rock"),
             std::string::npos);
   EXPECT_EQ(refusal(head), "model.csv: must have a cell, got none");
+  EXPECT_EQ(refusal("X,y,z,dx,dy,dz,XC,rock\n0,0,0,1,1,1,0.5,ore\n"),
+            "model.csv: a block model must have one alone of the columns x, x_m, xc, centroid_x, "
+            "easting, got both 'X' and 'XC'; rename the one that is not meant");
+  EXPECT_NE(refusal("x,y,z,dx,dy,dz,lithology,rock\n0,0,0,1,1,1,a,ore\n")
+                .find("got both 'lithology' and 'rock'"),
+            std::string::npos);
 }
 
 TEST_F(ZoneModels, OfTwoHalfSpacesAreTwoLayers) {

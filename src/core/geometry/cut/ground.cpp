@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/holes/hole_surface.h"
+#include "geometry/size/size_factor.h"
 
 namespace muckpile {
 
@@ -56,7 +57,7 @@ void Ground::holes_near(const Vec3& point, double distance, std::vector<int>& fo
   std::sort(found.begin(), found.end());
 }
 
-double Ground::size_nearer(const Vec3& point, double nearer) const {
+double Ground::law_nearer(const Vec3& point, double nearer) const {
   if (!options_.superpose || options_.holes.empty()) {
     return options_.size.at(std::max(0.0, charge_distance(point) - nearer));
   }
@@ -67,10 +68,16 @@ double Ground::size_nearer(const Vec3& point, double nearer) const {
   return options_.size.superposed(distances);
 }
 
-double Ground::size(const Vec3& point) const { return size_nearer(point, 0.0); }
+double Ground::size(const Vec3& point) const {
+  const double law = law_nearer(point, 0.0);
+  return options_.factor ? options_.factor->size(point, law, charge_distance(point)) : law;
+}
 
 double Ground::smallest_size_near(const Vec3& point, double reach) const {
-  return size_nearer(point, reach);
+  const double law = law_nearer(point, reach);
+  if (!options_.factor) return law;
+  const double beyond = law_nearer(point, reach + options_.factor->cell_diagonal());
+  return options_.factor->least_size(point, reach, law, beyond);
 }
 
 Vec3 Ground::log_size_gradient(const Vec3& point) const {

@@ -27,14 +27,15 @@ class Ground {
   void holes_near(const Vec3& point, double distance, std::vector<int>& found) const;
   // Block size asked for at a point [m].
   [[nodiscard]] double size(const Vec3& point) const;
-  // Lower bound of the size within `reach` [m] of a point: the law never falls with distance.
+  // Lower bound of the size within `reach` [m] of a point: the law never falls with distance, and
+  // factors change slowly.
   [[nodiscard]] double smallest_size_near(const Vec3& point, double reach) const;
   // Gradient of ln(size) by central differences over a tenth of a block [1/m].
   [[nodiscard]] Vec3 log_size_gradient(const Vec3& point) const;
 
  private:
-  // The law at the distances of a point, each less `nearer` [m].
-  [[nodiscard]] double size_nearer(const Vec3& point, double nearer) const;
+  // The law alone at the distances of a point, each less `nearer` [m].
+  [[nodiscard]] double law_nearer(const Vec3& point, double nearer) const;
 
   const TessellationOptions& options_;
   AxisIndex axes_;  // of the holes, then the fine axes

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/size/size_factor.h"
+
 namespace muckpile {
 namespace {
 
@@ -41,7 +43,7 @@ Lattice lattice_in(const TessellationOptions& rock, const JointSetCut& how) {
   for (std::size_t k = 0; k < 3; ++k) {
     const double relative = sets[k].spacing * std::cbrt(solid / product);
     const auto [from, to] = extent(box.shape, sets[k].normal);
-    const double wanted = relative * rock.size.limits().largest;
+    const double wanted = relative * largest_block(rock);
     lattice[k] = {sets[k].normal, (to - from) / std::max(1.0, std::round((to - from) / wanted)),
                   from, relative};
   }

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -51,6 +52,8 @@ struct SweepTeam {
   std::function<std::vector<double>(const std::vector<double>& mine)> gather;
 };
 
+class SizeFactor;
+
 struct TessellationOptions {
   Vec3 lo = Vec3::Zero();  // box corners [m]
   Vec3 hi = Vec3::Zero();
@@ -59,6 +62,7 @@ struct TessellationOptions {
   std::vector<std::pair<Vec3, Vec3>> fine_axes;
   SizeLaw size = SizeLaw::uniform(1.0);
   bool superpose = false;  // sizes from all holes (SizeLaw::superposed), not from the nearest
+  std::shared_ptr<const SizeFactor> factor{};  // of the size by place; none: 1 everywhere
   unsigned long seed = 1;
   int sweeps = 20;  // size-weighted Lloyd sweeps
   std::size_t max_blocks = 1000000;

@@ -9,6 +9,7 @@
 
 #include "geometry/cut/seeding.h"
 #include "geometry/index/point_index.h"
+#include "geometry/size/size_factor.h"
 
 namespace muckpile {
 namespace {
@@ -28,9 +29,6 @@ std::vector<CutPlane> with_unit_normals(std::vector<CutPlane> planes) {
 Vec3 mirrored(const CutPlane& plane, const Vec3& p) {
   return p - 2.0 * height(plane, p) * plane.normal;
 }
-
-/// Nowhere are blocks larger [m].
-double largest_size(const TessellationOptions& options) { return options.size.limits().largest; }
 
 bool is_within(const std::vector<CutPlane>& bounds, const Vec3& point) {
   return std::all_of(bounds.begin(), bounds.end(),
@@ -184,7 +182,7 @@ bool cuts_sliver_off(const HalfCells& halves, const Ground& ground, double thinn
 RockParts parts_of(const TessellationOptions& options) {
   const Ground ground = voronoi_ground(options);
   const std::vector<CutPlane> planes = with_unit_normals(options.planes);
-  const double largest = largest_size(options);
+  const double largest = largest_block(options);
   std::vector<Vec3> seeds = scatter_seeds(options, ground);
   for (std::size_t k = 0; k < planes.size(); ++k) mirror_layer(planes, ground, largest, k, seeds);
   RockParts found;
@@ -209,7 +207,7 @@ std::vector<SeedPair> pairs_across(const TessellationOptions& options,
   constexpr double kRounding = 1e-6;  // of the block size
   const Ground ground = voronoi_ground(options);
   const std::vector<CutPlane> planes = with_unit_normals(options.planes);
-  const double farthest = kLayer * largest_size(options);
+  const double farthest = kLayer * largest_block(options);
   std::vector<Vec3> all;
   std::vector<std::pair<std::size_t, std::size_t>> place;  // part, seed
   for (std::size_t p = 0; p < parts.size(); ++p) {
