@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -138,17 +139,33 @@ TEST(HoleRings, BlocksAroundHaveTheSizeAskedFor) {
   }
 }
 
-TEST(HoleRings, AJointPlaneThroughAHoleLeavesWholeBlocks) {
-  for (const double dip : {0.0, 0.4, 1.0, 1.4}) {
+// The two sides of a plane are cut each for itself, so where it runs beside a seed the void is a
+// little wider; all that looks into it is on the hole.
+TEST(HoleRings, WhereJointPlanesCrossAHoleItsVoidStaysClosed) {
+  double widest = 0.0, narrowest = 1.0, smallest = 1.0;
+  for (int k = 0; k < 24; ++k) {
     TessellationOptions options = with_holes({{Vec3(0, 0, 1.6), Vec3(0, 0, 5.1), 0.25}});
-    options.planes = {{Vec3(0.1, 0.2, 3.3), Vec3(std::sin(dip), 0.0, std::cos(dip))}};
+    const double dip = 0.065 * k, turn = 0.7 * k;
+    options.planes = {
+        {Vec3(0.04 * (k % 5), 0.03 * (k % 7), 3.3),
+         Vec3(std::sin(dip) * std::cos(turn), std::sin(dip) * std::sin(turn), std::cos(dip))}};
+    if (k % 2)
+      options.planes.push_back({Vec3(0.05, 0.0, 2.9), Vec3(std::cos(turn), std::sin(turn), 0.2)});
     const Tessellation cut = tessellate(options);
-    const double volume = cylinder_volume(options.holes[0]);
+    const double volume = cylinder_volume(options.holes[0]), gone = cut.statistics.void_volume;
     for (const Block& block : cut.blocks) test::expect_convex_and_closed(block);
     (void)test::expect_shared_faces(cut.blocks);
-    EXPECT_GT(cut.statistics.void_volume, 0.99 * volume);
-    EXPECT_LT(cut.statistics.void_volume, 1.35 * volume);  // 1, 1, 1.23 and 1.10 measured
+    EXPECT_NEAR(cut.statistics.hole_volume[0], gone, 1e-3 * volume) << "scene " << k;
+    widest = std::max(widest, gone / volume);
+    narrowest = std::min(narrowest, gone / volume);
+    for (const Block& block : cut.blocks)
+      smallest = std::min(smallest, std::cbrt(block.mass.volume) / block.target_size);
   }
+  std::cout << "void over cylinder " << narrowest << " to " << widest
+            << ", smallest block over its size " << smallest << '\n';
+  EXPECT_GT(narrowest, 0.99);
+  EXPECT_LT(widest, 1.25);  // 1.21 measured
+  EXPECT_GT(smallest, 0.4);
 }
 
 TEST(HoleRings, ARingHasSixBlocksAndEightAroundAHoleOnAWall) {

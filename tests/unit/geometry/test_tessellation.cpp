@@ -149,7 +149,7 @@ TEST(Tessellation, CellsAreTheVoronoiCellsOfAllPoints) {
   Polyhedron shape;
   std::vector<int> behind;
   for (int i = 0; i < 400; ++i) {
-    cutter.cut(i, 0.01);  // a guess far too short
+    ASSERT_TRUE(cutter.cut(i, 0.01));  // a guess far too short
     cutter.extract(shape, behind);
     volume += mass_properties(shape).volume;
     for (const Vec3& v : shape.vertices) {

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <stdexcept>
-#include <string>
 #include <utility>
 #include <voro++/voro++.hh>
 
@@ -30,7 +28,8 @@ struct CellCutter::Impl {
        std::vector<CutPlane> ends)
       : points(all), bounds(std::move(ends)), lo(box_lo), hi(box_hi), index(all) {}
 
-  void cut_at(const CutPlane& bound, int number);
+  // False if nothing is left of the cell.
+  [[nodiscard]] bool cut_at(const CutPlane& bound, int number);
 
   const std::vector<Vec3>& points;
   const std::vector<CutPlane> bounds;
@@ -43,10 +42,9 @@ struct CellCutter::Impl {
 };
 
 // The plane's unit normal looks out of the cell.
-void CellCutter::Impl::cut_at(const CutPlane& bound, int number) {
+bool CellCutter::Impl::cut_at(const CutPlane& bound, int number) {
   const Vec3& n = bound.normal;
-  if (!cell.nplane(n.x(), n.y(), n.z(), 2.0 * n.dot(bound.point - centre), number))
-    throw std::runtime_error("a seed lies outside its part of the rock");
+  return cell.nplane(n.x(), n.y(), n.z(), 2.0 * n.dot(bound.point - centre), number);
 }
 
 CellCutter::CellCutter(const std::vector<Vec3>& points, const Vec3& lo, const Vec3& hi,
@@ -55,14 +53,15 @@ CellCutter::CellCutter(const std::vector<Vec3>& points, const Vec3& lo, const Ve
 
 CellCutter::~CellCutter() = default;
 
-void CellCutter::cut(int point, double reach, const CutPlane* wall) {
+bool CellCutter::cut(int point, double reach, const CutPlane* wall) {
   Impl& m = *impl_;
   m.centre = m.points[static_cast<std::size_t>(point)];
   m.highest_met = -1;
   const Vec3 lo = m.lo - m.centre, hi = m.hi - m.centre;
   m.cell.init(lo.x(), hi.x(), lo.y(), hi.y(), lo.z(), hi.z());
-  for (const CutPlane& bound : m.bounds) m.cut_at(bound, kBound);
-  if (wall) m.cut_at({wall->point, -wall->normal}, kOwnWall);
+  for (const CutPlane& bound : m.bounds)
+    if (!m.cut_at(bound, kBound)) return false;
+  if (wall && !m.cut_at({wall->point, -wall->normal}, kOwnWall)) return false;
   double needed = reach_of(m.cell);
   for (double inner = 0.0, outer = reach; inner < needed;) {
     m.index.shell(m.centre, inner, outer, m.found);
@@ -72,10 +71,7 @@ void CellCutter::cut(int point, double reach, const CutPlane* wall) {
       if (distance2 > needed * needed) break;
       const Vec3 d = m.points[static_cast<std::size_t>(other)] - m.centre;
       m.highest_met = std::max(m.highest_met, other);
-      if (!m.cell.nplane(d.x(), d.y(), d.z(), distance2, other)) {
-        throw std::runtime_error("Voronoi cell of seed " + std::to_string(point) +
-                                 " vanished: two seeds coincide");
-      }
+      if (!m.cell.nplane(d.x(), d.y(), d.z(), distance2, other)) return false;
       constexpr std::size_t kPlanesBetweenUpdates = 8;
       if (k % kPlanesBetweenUpdates == 0) needed = reach_of(m.cell);
     }
@@ -83,6 +79,7 @@ void CellCutter::cut(int point, double reach, const CutPlane* wall) {
     inner = outer;
     outer = std::min(1.3 * outer, 1.0001 * needed);
   }
+  return true;
 }
 
 double CellCutter::volume() const { return impl_->cell.volume(); }

@@ -18,15 +18,16 @@ inline constexpr int kOwnWall = -8;
 class CellCutter {
  public:
   // The points must outlive the cutter. Box corners in metres. Cells end at the bounds,
-  // planes whose unit normals look out; every point that is cut lies within them.
+  // planes whose unit normals look out.
   CellCutter(const std::vector<Vec3>& points, const Vec3& lo, const Vec3& hi,
              std::vector<CutPlane> bounds = {});
   ~CellCutter();
 
   // Makes the cell of one point the present cell. `reach` [m] > 0 is a guess of how far its
   // neighbours are; it changes the speed, not the result. `wall`: a plane at which this cell alone
-  // ends; its unit normal looks to the point.
-  void cut(int point, double reach, const CutPlane* wall = nullptr);
+  // ends; its unit normal looks to the point. False if nothing is left: of a point outside the
+  // bounds, and of one that coincides with another.
+  [[nodiscard]] bool cut(int point, double reach, const CutPlane* wall = nullptr);
 
   [[nodiscard]] double volume() const;  // of the present cell [m3]
   [[nodiscard]] Vec3 centroid() const;  // of the present cell [m]

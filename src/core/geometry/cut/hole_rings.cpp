@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -220,7 +221,7 @@ void add_seeds(const TessellationOptions& options, const Ground& ground, const R
       if (!ground.in_region(place)) continue;
       if (!beside && std::any_of(seeds.begin(), seeds.end(), is_there)) continue;
       const int number = beside ? static_cast<int>(ring.number) : -1;
-      seeds.push_back({place, number, {hole.toe + ring.apothem() * out, out}});
+      seeds.push_back({place, number, {hole.toe + ring.apothem() * out, out}, ring.size});
     }
   }
 }
@@ -283,6 +284,24 @@ HoleRings::HoleRings(const TessellationOptions& options) {
     }
   }
   refuse_meeting_rings(lines);
+}
+
+HoleRings HoleRings::within(const std::vector<CutPlane>& bounds) const {
+  // [block sizes] behind one plane, and within all others; a cell reaches half a block beyond its
+  // seed.
+  constexpr double kFarthest = 0.2, kWithin = 0.25;
+  const auto is_here = [&](const RingSeed& seed) {
+    double farthest = -std::numeric_limits<double>::infinity(), next = farthest;
+    for (const CutPlane& bound : bounds) {
+      const double out = bound.normal.dot(seed.at - bound.point);
+      next = std::max(next, std::min(out, farthest));
+      farthest = std::max(farthest, out);
+    }
+    return farthest <= 0.0 || (farthest <= kFarthest * seed.size && next <= -kWithin * seed.size);
+  };
+  HoleRings part = *this;
+  std::erase_if(part.seeds_, [&](const RingSeed& seed) { return !is_here(seed); });
+  return part;
 }
 
 double HoleRings::largest_reach() const {

@@ -28,6 +28,7 @@ struct RingSeed {
   Vec3 at = Vec3::Zero();  // [m]
   int hole = -1;           // whose void its cell ends at; -1 beyond the ends of a hole
   CutPlane wall;           // side of the void's prism; unit normal, away from the axis
+  double size = 0.0;       // of its block [m]
 };
 
 class HoleRings {
@@ -36,6 +37,11 @@ class HoleRings {
   // Throws InputError: blocks wider than kCoarsest radii, a hole shorter than a quarter of its
   // blocks, and two holes whose rings would meet.
   explicit HoleRings(const TessellationOptions& options);
+
+  // Those of a part of the rock between planes, whose unit normals look out: the seeds in it, and
+  // those so near behind a plane that what the part has of their cells makes a block. So the void
+  // keeps its shape where a plane crosses it between two seeds.
+  [[nodiscard]] HoleRings within(const std::vector<CutPlane>& bounds) const;
 
   // Whether rings stand around a hole, the alternative to images of the seeds behind its wall.
   [[nodiscard]] bool around(std::size_t hole) const {
@@ -60,5 +66,9 @@ inline constexpr double kImagesTooLarge = 1.5, kImagesFail = 2.0, kCoarsest = 6.
 // faces of block `number`, and says that the part is on the hole. The seeds numbered from
 // `first_ring` on are those of the rings.
 void open_to_voids(std::span<const RingSeed> rings, int first_ring, int number, Block& block);
+
+// Faces in a plane of the cut with nothing behind them that look into the void of a hole are on
+// that hole: the two sides of a plane are cut each for itself, so their voids differ a little.
+void open_planes_to_voids(const TessellationOptions& options, std::vector<Block>& blocks);
 
 }  // namespace muckpile

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <exception>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "geometry/cut/cell_cutter.h"
@@ -28,15 +29,29 @@ bool is_beyond(const std::vector<CutPlane>& bounds, const Hole& hole) {
   });
 }
 
+/// Takes away blocks without faces, which are nobody's neighbour.
+void drop_empty(std::vector<Block>& blocks) {
+  std::vector<int> number(blocks.size());
+  int count = 0;
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    number[i] = blocks[i].shape.faces.empty() ? kFreeFace : count++;
+  if (static_cast<std::size_t>(count) == blocks.size()) return;
+  std::erase_if(blocks, [](const Block& block) { return block.shape.faces.empty(); });
+  for (Block& block : blocks)
+    for (int& other : block.neighbour)
+      if (other >= 0) other = number[static_cast<std::size_t>(other)];
+}
+
 }  // namespace
 
 Relaxation::Relaxation(const TessellationOptions& options)
-    : Relaxation(options, scatter_seeds(options, voronoi_ground(options)), {}) {}
+    : Relaxation(options, scatter_seeds(options, voronoi_ground(options)), {}, HoleRings(options)) {
+}
 
 Relaxation::Relaxation(const TessellationOptions& options, std::vector<Vec3> seeds,
-                       std::vector<CutPlane> bounds)
+                       std::vector<CutPlane> bounds, HoleRings rings)
     : options_(options),
-      rings_(options),
+      rings_(std::move(rings)),
       ground_(options, rings_),
       seeds_(std::move(seeds)),
       first_ring_(seeds_.size()),
@@ -106,10 +121,14 @@ void Relaxation::adjust_radii(const std::vector<double>& hole_volumes) {
   }
 }
 
-void Relaxation::cut(CellCutter& cutter, std::size_t seed) const {
+bool Relaxation::cut(CellCutter& cutter, std::size_t seed) const {
   const RingSeed* ring = ring_seed(seed);
-  cutter.cut(static_cast<int>(seed), kFirstReach * ground_.size(seeds_[seed]),
-             ring && ring->hole >= 0 ? &ring->wall : nullptr);
+  const bool left = cutter.cut(static_cast<int>(seed), kFirstReach * ground_.size(seeds_[seed]),
+                               ring && ring->hole >= 0 ? &ring->wall : nullptr);
+  if (!left && !ring)
+    throw std::runtime_error("Voronoi cell of seed " + std::to_string(seed) +
+                             " vanished: it lies outside its part of the rock, or in another seed");
+  return left;
 }
 
 Relaxation::Swept Relaxation::sweep_part(std::size_t first, std::size_t last) const {
@@ -124,7 +143,7 @@ Relaxation::Swept Relaxation::sweep_part(std::size_t first, std::size_t last) co
       swept.seeds.insert(swept.seeds.end(), seeds_[i].begin(), seeds_[i].end());
       continue;
     }
-    cut(cutter, i);
+    (void)cut(cutter, i);
     const Vec3 next = relaxed(seeds_[i], cutter.centroid(), cutter.volume());
     swept.seeds.insert(swept.seeds.end(), next.begin(), next.end());
     if (!cutter.met_point_from(static_cast<int>(seeds_.size()))) continue;
@@ -171,7 +190,7 @@ std::vector<Block> Relaxation::make_blocks() const {
   std::vector<int> behind;
   for (std::size_t i = 0; i < seeds_.size(); ++i) {
     Block& block = blocks[i];
-    cut(cutter, i);
+    if (!cut(cutter, i)) continue;
     cutter.extract(block.shape, behind);
     block.neighbour = face_codes(behind, images);
     if (const RingSeed* ring = ring_seed(i)) {
@@ -182,6 +201,7 @@ std::vector<Block> Relaxation::make_blocks() const {
     block.target_size = ground_.size(block.mass.centroid);
     open_to_voids(rings_.seeds(), static_cast<int>(first_ring_), static_cast<int>(i), block);
   }
+  drop_empty(blocks);
   return blocks;
 }
 

@@ -22,7 +22,7 @@ class Relaxation {
   // With these seeds, and cells that end at these planes, whose unit normals look out. The seeds of
   // rings around holes come behind them.
   Relaxation(const TessellationOptions& options, std::vector<Vec3> seeds,
-             std::vector<CutPlane> bounds = {});
+             std::vector<CutPlane> bounds, HoleRings rings);
 
   void sweep();                                          // moves each seed to its cell's centroid
   [[nodiscard]] std::vector<Block> make_blocks() const;  // the cells of the present seeds
@@ -43,7 +43,8 @@ class Relaxation {
   [[nodiscard]] const RingSeed* ring_seed(std::size_t seed) const {
     return seed < first_ring_ ? nullptr : &rings_.seeds()[seed - first_ring_];
   }
-  void cut(CellCutter& cutter, std::size_t seed) const;
+  // False if nothing is left of the cell, which may be so of a seed of a ring.
+  [[nodiscard]] bool cut(CellCutter& cutter, std::size_t seed) const;
   [[nodiscard]] Vec3 relaxed(const Vec3& seed, const Vec3& centroid, double volume) const;
   void add_hole_volumes(const Polyhedron& shape, const std::vector<int>& codes,
                         std::vector<double>& carved) const;

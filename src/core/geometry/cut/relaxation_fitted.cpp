@@ -46,7 +46,7 @@ void Relaxation::stop_leaks(Images& images) const {
     const double size = ground_.size(seed);
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
       if (ring_seed(n) || (surfaces[s].closest(seed) - seed).norm() > kReach * size) continue;
-      cut(cutter, n);
+      (void)cut(cutter, n);
       cutter.extract(shape, behind);
       const Leak leak = leak_of(shape, surfaces[s]);
       if (leak.height < kMost * size) continue;
@@ -71,7 +71,7 @@ void Relaxation::fit_images(Images& images) const {
   Polyhedron shape;
   std::vector<int> behind;
   for (const auto& [number, n, surface] : images.fitted) {
-    cut(cutter, n);
+    if (!cut(cutter, n)) continue;
     cutter.extract(shape, behind);
     const auto face = std::ranges::find(behind, static_cast<int>(seeds_.size() + number));
     if (face == behind.end()) continue;

@@ -146,9 +146,11 @@ class RelaxedParts {
     const std::vector<RockPart>& parts = rock_.parts;
     const Ground ground = voronoi_ground(options);
     const std::vector<SeedPair> pairs = pairs_across(options, parts);
+    const HoleRings rings(options);
     for (const RockPart& part : parts) alone_.push_back(options_of(options, part));
     for (std::size_t p = 0; p < parts.size(); ++p)
-      relaxations_.emplace_back(alone_[p], parts[p].seeds, parts[p].bounds);
+      relaxations_.emplace_back(alone_[p], parts[p].seeds, parts[p].bounds,
+                                rings.within(parts[p].bounds));
     for (int k = 0; k < options.sweeps; ++k) {
       for (Relaxation& relaxation : relaxations_) relaxation.sweep();
       for (const SeedPair& pair : pairs) {
@@ -178,6 +180,7 @@ void cut_parts(const TessellationOptions& options, Tessellation& result) {
   result.statistics.lost_volume = parts.rock().lost_volume;
   for (const Relaxation& relaxation : parts.all()) add_blocks(relaxation, result);
   join_in_planes(options.planes, result.blocks);
+  open_planes_to_voids(options, result.blocks);
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ struct TessellationOptions {
   std::size_t max_blocks = 1000000;
   RegionQuery region;
   // Each goes through all of the rock, but cuts no sliver off (kThinnestPart). A crushed zone that
-  // crosses a plane is carved on each side for itself.
+  // crosses a plane is carved on each side for itself, and all that looks into its void is on it.
   std::vector<CutPlane> planes;
   bool rings = true;        // of seeds around holes narrow against their blocks (hole_rings.h)
   double rings_from = 1.5;  // blocks over radius of a hole that get them

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Divides the faces of blocks that look partly into the void of a hole with rings.
-// Scope: open_to_voids() of hole_rings.h.
+// Scope: open_to_voids() and open_planes_to_voids() of hole_rings.h.
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "geometry/cut/ground.h"
 #include "geometry/cut/hole_rings.h"
+#include "geometry/holes/hole_surface.h"
 
 namespace muckpile {
 namespace {
@@ -58,6 +60,38 @@ void open_to_voids(std::span<const RingSeed> rings, int first_ring, int number, 
     block.shape.faces[f] = face;
     block.shape.faces.push_back(gone);
     block.neighbour.push_back(hole_face(behind.hole));
+  }
+}
+
+void open_planes_to_voids(const TessellationOptions& options, std::vector<Block>& blocks) {
+  constexpr double kParallel = 1e-7, kRounding = 1e-7, kOut = 1e-3;  // the latter of the block size
+  const Ground ground = voronoi_ground(options);
+  std::vector<int> near;
+  const auto in_a_plane = [&](const FaceGeometry& face, double rounding) {
+    return std::ranges::any_of(options.planes, [&](const CutPlane& plane) {
+      const Vec3 normal = plane.normal.normalized();
+      return normal.cross(face.normal).norm() < kParallel &&
+             std::abs(normal.dot(face.centroid - plane.point)) < rounding;
+    });
+  };
+  const auto hole_at = [&](const Vec3& point, double size) {
+    ground.holes_near(point, size, near);
+    for (const int h : near) {
+      const Vec3 wall = closest_on_hole(options.holes[static_cast<std::size_t>(h)], point);
+      if ((point - wall).norm() < size) return h;
+    }
+    return -1;
+  };
+  for (Block& block : blocks) {
+    const double size = std::cbrt(block.mass.volume);
+    for (std::size_t f = 0; f < block.neighbour.size(); ++f) {
+      if (block.neighbour[f] != kFreeFace) continue;
+      const FaceGeometry face = face_geometry(block.shape, static_cast<int>(f));
+      if (!in_a_plane(face, kRounding * size)) continue;
+      if (!ground.in_region(face.centroid + kOut * size * face.normal)) continue;
+      const int hole = hole_at(face.centroid, size);
+      if (hole >= 0) block.neighbour[f] = hole_face(hole);
+    }
   }
 }
 
