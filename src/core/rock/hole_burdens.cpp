@@ -12,50 +12,12 @@
 #include "args/numbers.h"
 #include "args/rounded_text.h"
 #include "geometry/shape/polygon.h"
+#include "rock/burden_faces.h"
 
 namespace muckpile {
 namespace {
 
 constexpr int kPoints = 20;  // along a charge
-
-using Corners = std::vector<Vec3>;
-
-struct FreeFace {
-  Corners corners;
-  Vec3 normal;  // out of the rock
-};
-
-std::vector<FreeFace> free_faces(const std::vector<Block>& blocks, const SupportRule& support) {
-  std::vector<FreeFace> faces;
-  for (const Block& block : blocks) {
-    for (std::size_t f = 0; f < block.neighbour.size(); ++f) {
-      if (block.neighbour[f] != kFreeFace) continue;
-      const FaceGeometry geometry = face_geometry(block.shape, static_cast<int>(f));
-      if (support(geometry.centroid) != Support::free) continue;
-      Corners corners;
-      for (const int v : block.shape.faces[f])
-        corners.push_back(block.shape.vertices[static_cast<std::size_t>(v)]);
-      faces.push_back({std::move(corners), geometry.normal});
-    }
-  }
-  return faces;
-}
-
-/// The part of a polygon on the side of a plane at right angles to `along` where sign t <= sign
-/// end.
-Corners cut_at(const Corners& polygon, const Vec3& from, const Vec3& along, double end,
-               double sign) {
-  Corners kept;
-  const auto over = [&](const Vec3& p) { return sign * (along.dot(p - from) - end); };
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Vec3 &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
-    const double here = over(p), there = over(q);
-    if (here <= 0.0) kept.push_back(p);
-    if ((here < 0.0 && there > 0.0) || (here > 0.0 && there < 0.0))
-      kept.push_back(p + here / (here - there) * (q - p));
-  }
-  return kept;
-}
 
 /// Of the way from the axis to a face: its length and its end there [m].
 struct Nearest {
@@ -203,12 +165,18 @@ BurdenIs judged(const std::optional<double>& burden, double plan) {
 }
 
 std::vector<HoleBurden> hole_burdens(const std::vector<Block>& blocks,
-                                     const std::vector<Hole>& holes, const SupportRule& support) {
-  const std::vector<FreeFace> faces = free_faces(blocks, support);
+                                     const std::vector<Hole>& holes, const SupportRule& support,
+                                     const SurveyedRock& surveyed) {
+  const std::vector<FreeFace> faces = free_faces(blocks, support, surveyed);
   std::vector<HoleBurden> burdens;
   for (const Hole& hole : holes) burdens.push_back(burden_of(hole, faces));
   for (std::size_t h = 0; h < holes.size(); ++h) find_hole_in_front(holes, h, burdens);
   return burdens;
+}
+
+std::vector<HoleBurden> hole_burdens(const std::vector<Block>& blocks,
+                                     const std::vector<Hole>& holes, const SupportRule& support) {
+  return hole_burdens(blocks, holes, support, SurveyedRock{});
 }
 
 std::string describe_burdens(const std::vector<HoleBurden>& burdens, double plan) {

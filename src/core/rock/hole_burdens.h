@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // How far each charge is from the free faces beside it: its burden, along its length.
-// Scope: of the blocks as they are cut, at right angles to the charge; what lies in front of a
-// charge at the same time is not known here, so a hole nearer to the face counts as fired before.
+// Scope: of the blocks as they are cut, and of the survey where the rock has one, at right angles
+// to the charge; what lies in front of a charge at the same time is not known here, so a hole
+// nearer to the face counts as fired before.
 #pragma once
 
 #include <optional>
@@ -12,6 +13,8 @@
 #include "geometry/block_model.h"
 
 namespace muckpile {
+
+struct SurveyedRock;  // burden_faces.h
 
 /// Of one of the equal pieces into which a charge is divided.
 struct BurdenPiece {
@@ -48,6 +51,12 @@ enum class BurdenIs { not_judged, too_little, as_planned, too_much };
 [[nodiscard]] std::vector<HoleBurden> hole_burdens(const std::vector<Block>& blocks,
                                                    const std::vector<Hole>& holes,
                                                    const SupportRule& support);
+
+/// Where surfaces bound the rock, to them instead of the blocks' faces that stand for them.
+[[nodiscard]] std::vector<HoleBurden> hole_burdens(const std::vector<Block>& blocks,
+                                                   const std::vector<Hole>& holes,
+                                                   const SupportRule& support,
+                                                   const SurveyedRock& surveyed);
 
 /// A table, and warnings where a plan's burden is given (> 0) [m].
 [[nodiscard]] std::string describe_burdens(const std::vector<HoleBurden>& burdens, double plan);

@@ -9,6 +9,7 @@
 #include "args/input_error.h"
 #include "bond/build/wall_facets.h"
 #include "geometry/files/block_import.h"
+#include "rock/burden_faces.h"
 #include "rock/faults.h"
 #include "rock/mirrored_holes.h"
 #include "rock/zone_model.h"
@@ -73,7 +74,10 @@ RockModel cut_rock(const CutOptions& options, int first_tag, const SupportRule& 
                               model.zone_of);
   model.holes = holes_between_mirrors(options.rock.holes, blocks, first_tag, model.facets);
   model.plan_burden = options.burden;
-  if (options.burdens_wanted) model.burdens = hole_burdens(blocks, options.rock.holes, support);
+  if (options.burdens_wanted)
+    model.burdens = hole_burdens(
+        blocks, options.rock.holes, support,
+        SurveyedRock{options.surfaces, options.region_alone, options.rock.lo, options.rock.hi});
   if (options.round_walls)
     fit_walls(blocks, first_tag, holes_as_cut(options, model.rock), model.facets);
   std::vector<JointPlane> joints = options.natural_joints;

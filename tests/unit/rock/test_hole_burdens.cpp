@@ -3,12 +3,16 @@
 // Scope: blocks of one size; lengths in metres.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iostream>
 
+#include "../geometry/surface_shapes.h"
 #include "geometry/cut/tessellation.h"
 #include "geometry/shape/convex_cell.h"
 #include "geometry/shape/polygon.h"
 #include "input_error_of.h"
+#include "rock/burden_faces.h"
 #include "rock/burden_file.h"
 #include "rock/hole_burdens.h"
 #include "temporary_folder.h"
@@ -150,6 +154,67 @@ TEST(HoleBurdens, OfANotchReachToItsRoot) {
     EXPECT_NEAR((piece.face.head<2>() - Vec2(-1.0, 0.0)).norm(), 0.0, 1e-9);
   }
   EXPECT_NE(describe_burdens({burden}, 2.0).find("1 m at least, below 0.6"), std::string::npos);
+}
+
+/// A face of 80 degrees with hollows and noses, x = -z cot(80) + 0.5 cos(pi y/6), by triangles to
+/// within a millimetre; floor in front, top 4 m above.
+RockSurface curved_ground() {
+  constexpr double kCot = 0.17632698070846498, kTop = 4.0;
+  const auto nose = [](double y) { return 0.5 * std::cos(M_PI * y / 6.0); };
+  const auto ground = [&](const Vec3& p) {  // x counts stations: floor to 0, face 0 to 1, top
+    const double s = std::clamp(p.x(), 0.0, 1.0), off = p.x() - s;
+    return Vec3(nose(p.y()) - s * kTop * kCot - off, p.y(), s * kTop);
+  };
+  const auto flat = [](double, double) { return 0.0; };
+  test::Triangles triangles;
+  for (const double from : {-6.0, 0.0, 1.0}) {  // edges of the face are edges of triangles
+    const double to = from < 0.0 ? 0.0 : from < 1.0 ? 1.0 : 8.0;
+    const auto part = test::heights(Vec3(from, -6.0, 0.0), Vec3(to, 6.0, 0.0), 60, flat);
+    triangles.insert(triangles.end(), part.begin(), part.end());
+  }
+  triangles = test::mapped(triangles, ground);
+  for (StlTriangle& t : triangles)
+    if ((t[1] - t[0]).cross(t[2] - t[0]).z() < 0.0) std::swap(t[1], t[2]);
+  return test::surface_of(triangles, SurfaceIs::terrain);
+}
+
+// Blocks of 0.8 m round the toe off; the survey does not. A leaning hole stays beside its face, at
+// (burden - nose) sin(80) at right angles; an upright one at the burden less height and nose.
+TEST(HoleBurdens, OfSurveyedGroundAreThoseOfTheSurvey) {
+  constexpr double kLean = 80.0 * M_PI / 180.0;
+  TessellationOptions options;
+  options.lo = Vec3(-5.0, -5.0, -1.0);
+  options.hi = Vec3(3.0, 5.0, 4.5);
+  options.size = SizeLaw::uniform(0.8);
+  options.sweeps = 3;
+  const SurveyedRock surveyed{{curved_ground()}, {}, options.lo, options.hi};
+  options.region = within({}, surveyed.surfaces);
+  const Vec3 along(-std::cos(kLean), 0.0, std::sin(kLean));
+  const Vec3 nose(-2.0, 0.0, 0.0), hollow(-2.5, -3.0, 0.0);
+  const std::vector<Hole> holes{{nose + 0.1 * along, nose + 2.1 * along, 0.1},
+                                {hollow, hollow + Vec3(0.0, 0.0, 2.0), 0.1}};
+  const auto held = [&](const Vec3& p) {
+    return p.z() < -0.5 || p.x() > 2.9 || p.x() < -4.9 || std::abs(p.y()) > 4.9 ? Support::fixed
+                                                                                : Support::free;
+  };
+  const auto blocks = tessellate(options).blocks;
+  const auto exact = hole_burdens(blocks, holes, held, surveyed);
+  const auto coarse = hole_burdens(blocks, holes, held);
+  // On the nose's axis the distance to the curve grows sideways: 2.5 m to its top is not the least.
+  const auto least_way = [&](double x, double y, double squeeze) {
+    double least = 1e9;
+    for (double at = -6.0; at <= 6.0; at += 1e-3)
+      least = std::min(least, std::hypot((0.5 * std::cos(M_PI * at / 6.0) - x) * squeeze, at - y));
+    return least;
+  };
+  const double leaning = least_way(nose.x(), nose.y(), std::sin(kLean));
+  EXPECT_NEAR(exact[0].least.value(), leaning, 0.005);
+  EXPECT_NEAR(exact[0].greatest.value(), leaning, 0.005);
+  const double top = 2.0 / std::tan(kLean);
+  EXPECT_NEAR(exact[1].least.value(), least_way(hollow.x() + top, hollow.y(), 1.0), 0.005);
+  EXPECT_GT(std::abs(coarse[0].least.value() - leaning), 0.05);
+  std::cout << "least burden [m]: exact " << leaning << ", by the survey " << *exact[0].least
+            << ", by blocks " << *coarse[0].least << '\n';
 }
 
 TEST(HoleBurdens, AreJudgedByThePlansAndByTheHoleInFront) {
