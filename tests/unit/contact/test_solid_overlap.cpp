@@ -63,7 +63,8 @@ TEST_P(RandomPairs, PushIsTheSlopeOfTheEnergy) {
   double worst = 0.0;
   for (int d = 0; d < 3; ++d) {
     const Vec3 e = kStep * Vec3::Unit(d);
-    // The second moves by e: the force on it is the opposite of that on the first.
+    // The second moves by e: the force on it is the opposite of that on the
+    // first.
     const double slope = (pair.overlap(e).energy - pair.overlap(-e).energy) / (2.0 * kStep);
     worst = std::max(worst, std::abs(slope - at.push[d]) / at.push.norm());
   }
@@ -137,7 +138,7 @@ TEST_P(RandomPairs, GapIsNeverAboveTheDistance) {
     const double gap = pair.finder.work(n);
     if (gap <= 0.0) continue;
     EXPECT_NEAR(n.norm(), 1.0, 1e-12);
-    EXPECT_EQ(pair.finder.begin(), pair.finder.end());
+    EXPECT_FALSE(pair.finder.touching());
     // Moved by the gap towards each other they still share nothing.
     pair.finder.place(pair.first, pair.second, pair.turn,
                       pair.between + away * out - 0.999 * gap * n, 1.0);
@@ -148,10 +149,10 @@ TEST_P(RandomPairs, GapIsNeverAboveTheDistance) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomPairs, testing::Range(1u, 41u));
 
-// A cube of 0.5 m stands d deep on one of 1 m. The large one's strain is 2 d (its centre is 0.5 m
-// deep) all over the small one's face of 0.25 m2. The small one's strain on the face of the other
-// grows from its edge inwards to d / 0.25 m: the frustum d / 3 (A + sqrt(A a) + a), a = (0.5 - 2
-// d)^2.
+// A cube of 0.5 m stands d deep on one of 1 m. The large one's strain is 2 d
+// (its centre is 0.5 m deep) all over the small one's face of 0.25 m2. The
+// small one's strain on the face of the other grows from its edge inwards to d
+// / 0.25 m: the frustum d / 3 (A + sqrt(A a) + a), a = (0.5 - 2 d)^2.
 TEST(BoxOnBox, PressureIsThatOfTheClosedForm) {
   const double d = 0.01, inner = 0.5 - 2.0 * d;
   Pair pair{cube(1.0), cube(0.5), Mat3::Identity(), Vec3(0, 0, 0.75 - d), {}};
@@ -163,7 +164,8 @@ TEST(BoxOnBox, PressureIsThatOfTheClosedForm) {
   EXPECT_LT(at.moment.norm(), 1e-13);
 }
 
-// Cubes that cover each other: no edge is special, and faces in one plane count once.
+// Cubes that cover each other: no edge is special, and faces in one plane count
+// once.
 TEST(BoxOnBox, FlushCubesArePressedOverTheWholeFace) {
   const double d = 1e-4;
   Pair pair{cube(1.0), cube(1.0), Mat3::Identity(), Vec3(0, 0, 1.0 - d), {}};
@@ -172,7 +174,8 @@ TEST(BoxOnBox, FlushCubesArePressedOverTheWholeFace) {
   EXPECT_NEAR(at.energy, 2.0 * d * d, 8.0 * d * d * d);
 }
 
-// A body slides and rolls over another: each step may change the push by stiffness times motion.
+// A body slides and rolls over another: each step may change the push by
+// stiffness times motion.
 TEST(Sweep, PushIsContinuousOverCornersEdgesAndFaces) {
   std::mt19937 random(7);
   const Polyhedron shape = test::random_solid(random, Vec3(1.0, 1.0, 1.0), 5);
@@ -196,7 +199,8 @@ TEST(Sweep, PushIsContinuousOverCornersEdgesAndFaces) {
   std::printf("largest change of the push in one of %d steps: %.1e of the largest\n", kSteps,
               worst / largest);
   EXPECT_GT(touching, kSteps / 4);
-  EXPECT_LT(worst, 2e-3 * largest);  // a few m of path, each 0.1 of the push's depth
+  EXPECT_LT(worst,
+            2e-3 * largest);  // a few m of path, each 0.1 of the push's depth
 }
 
 TEST(Solid, RefusesWhatIsNotConvex) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A convex polyhedron as contacts need it: planes of its faces, checks, and where it is seen.
-// Scope: see the header.
+// A convex polyhedron as contacts need it: planes of its faces, checks, and
+// where it is seen. Scope: see the header.
 #include "contact/polyhedra/solid.h"
 
 #include <algorithm>
@@ -29,6 +29,7 @@ Solid::Solid(const Polyhedron& shape, const Pose& pose) {
     const FaceGeometry face = face_geometry(shape, static_cast<int>(f));
     if (face.area < kNoDirection * radius_ * radius_) continue;
     const int plane = plane_of(face, pose.centre, pose.axes);
+    stiffest_ = std::max(stiffest_, face.area / planes_[static_cast<std::size_t>(plane)].depth);
     const std::vector<int>& corners = shape.faces[f];
     faces_.push_back({plane, static_cast<int>(loop_.size()), static_cast<int>(corners.size())});
     loop_.insert(loop_.end(), corners.begin(), corners.end());
@@ -59,7 +60,8 @@ void Solid::check() const {
             plane.depth);
     for (const Vec3& corner : corners_)
       require(plane.normal.dot(corner) - plane.depth <= kShape * radius_,
-              "contact of polyhedra: a block must be convex, a corner is outside a face by [m]",
+              "contact of polyhedra: a block must be convex, a corner is "
+              "outside a face by [m]",
               plane.normal.dot(corner) - plane.depth);
   }
 }
@@ -89,11 +91,25 @@ void PlacedSolid::place(const Solid& what, const Mat3& turn, const Vec3& at, dou
             y.begin() + static_cast<std::ptrdiff_t>(rows), y[corners - 1]);
   std::fill(z.begin() + static_cast<std::ptrdiff_t>(corners),
             z.begin() + static_cast<std::ptrdiff_t>(rows), z[corners - 1]);
+  place_planes(turn);
+}
+
+void PlacedSolid::place_planes(const Mat3& turn) {
+  constexpr double kFar = 1e30;
+  plane_rows = (planes() + kRow - 1) / kRow * kRow;
   for (std::size_t p = 0; p < planes(); ++p) {
-    const Solid::Plane& plane = what.planes()[p];
-    normal[p] = turn * plane.normal;
-    offset[p] = size * plane.depth + normal[p].dot(at);
+    const Solid::Plane& plane = solid->planes()[p];
+    const Vec3 n = turn * plane.normal;
+    nx[p] = n.x();
+    ny[p] = n.y();
+    nz[p] = n.z();
+    offset[p] = scale * plane.depth + n.dot(centre);
     inverse_depth[p] = 1.0 / plane.depth;
+  }
+  for (std::size_t p = planes(); p < plane_rows; ++p) {
+    nx[p] = ny[p] = nz[p] = 0.0;
+    offset[p] = kFar;
+    inverse_depth[p] = 1.0;
   }
 }
 

@@ -8,7 +8,7 @@
 namespace muckpile {
 namespace {
 
-constexpr int kBisections = 30;
+constexpr int kBisections = 45;
 constexpr double kSmallest = 0.5;  // share of their size to which two bodies are drawn in at most
 
 }  // namespace
@@ -26,11 +26,26 @@ void SolidContact::see(const SolidBody& first, const SolidBody& second) {
   motion_.twist_arm = 2.0 * a * b / (a + b);
 }
 
-bool SolidContact::overlap(const SolidBody& first, const SolidBody& second, const Vec3& shift,
-                           double size) {
-  finder_.place(*first.solid, *second.solid, turn_, motion_.between + shift, size);
+bool SolidContact::overlap(const SolidBody& first, const SolidBody& second, double size) {
+  finder_.place(*first.solid, *second.solid, turn_, motion_.between, size);
   gap_ = finder_.work(normal_);
-  return finder_.begin() != finder_.end();
+  return finder_.touching();
+}
+
+/// A step ago, in the axes that the first had then.
+bool SolidContact::overlapped_before(const SolidBody& first, const SolidBody& second,
+                                     double time_step) {
+  const Vec3 spin = motion_.spin_first - motion_.spin_second;
+  const double speed = spin.norm();
+  Mat3 turn = turn_;
+  if (speed > 0.0)
+    turn = Eigen::AngleAxisd(speed * time_step, spin / speed).toRotationMatrix() * turn;
+  const Vec3 between =
+      motion_.between + time_step * (motion_.velocity + motion_.spin_first.cross(motion_.between));
+  finder_.place(*first.solid, *second.solid, turn, between, 1.0);
+  Vec3 normal = normal_;
+  (void)finder_.work(normal);
+  return finder_.touching();
 }
 
 /// Share of their sizes, above `low`, at which they just do not touch.
@@ -38,7 +53,7 @@ double SolidContact::touching_size(const SolidBody& first, const SolidBody& seco
   double high = 1.0;
   for (int k = 0; k < kBisections; ++k) {
     const double middle = 0.5 * (low + high);
-    (overlap(first, second, Vec3::Zero(), middle) ? high : low) = middle;
+    (overlap(first, second, middle) ? high : low) = middle;
   }
   return low;
 }
@@ -47,17 +62,18 @@ double SolidContact::touching_size(const SolidBody& first, const SolidBody& seco
 bool SolidContact::begin(const SolidBody& first, const SolidBody& second, double time_step,
                          ContactState& state) {
   state = {};
-  if (!overlap(first, second, Vec3::Zero(), 1.0)) return false;
-  if (overlap(first, second, time_step * motion_.velocity, 1.0))
+  if (!overlap(first, second, 1.0)) return false;
+  if (overlapped_before(first, second, time_step))
     state.overlap_offset = 1.0 - touching_size(first, second, kSmallest);
   return true;
 }
 
-/// Two bodies that no longer touch in the size to which they are drawn in; true: the contact lasts.
+/// Two bodies that no longer touch in the size to which they are drawn in;
+/// true: the contact lasts.
 bool SolidContact::part(const SolidBody& first, const SolidBody& second, ContactState& state) {
   const double size = 1.0 - state.overlap_offset;
   state = {};
-  if (size == 1.0 || !overlap(first, second, Vec3::Zero(), 1.0)) return false;
+  if (size == 1.0 || !overlap(first, second, 1.0)) return false;
   state.overlap_offset = 1.0 - touching_size(first, second, size);
   return true;
 }
@@ -76,7 +92,7 @@ SolidContact::Outcome SolidContact::step(const SolidContactLaw& law, const Solid
   normal_ = motion_.between.normalized();
   response = {};
   bool lasts = !is_new || begin(first, second, time_step, state);
-  if (lasts && !overlap(first, second, Vec3::Zero(), 1.0 - state.overlap_offset))
+  if (lasts && !overlap(first, second, 1.0 - state.overlap_offset))
     lasts = !is_new ? part(first, second, state) : state.overlap_offset > 0.0;
   else if (lasts)
     response = respond(law, first.pose.axes, memory_step, state);
@@ -90,7 +106,7 @@ SolidResponse SolidContact::respond(const SolidContactLaw& law, const Mat3& axes
                                     double memory_step, ContactState& state) const {
   state.slide = axes.transpose() * state.slide;
   state.roll = axes.transpose() * state.roll;
-  SolidResponse r = law.evaluate(finder_, motion_, memory_step, state);
+  SolidResponse r = law.evaluate(finder_.overlap(), motion_, memory_step, state);
   state.slide = axes * state.slide;
   state.roll = axes * state.roll;
   for (Vec3* vector : {&r.force, &r.moment, &r.dashpot_force, &r.dashpot_moment})
@@ -101,7 +117,7 @@ SolidResponse SolidContact::respond(const SolidContactLaw& law, const Mat3& axes
 SolidResistance SolidContact::resistance(const SolidContactLaw& law, const SolidBody& first,
                                          const SolidBody& second, const ContactState& state) {
   see(first, second);
-  (void)overlap(first, second, Vec3::Zero(), 1.0 - state.overlap_offset);
+  (void)overlap(first, second, 1.0 - state.overlap_offset);
   SolidResistance r = law.resistance(finder_.overlap(), motion_.reduced_mass);
   r.normal = first.pose.axes * r.normal;
   r.point = first.pose.centre + first.pose.axes * r.point;
@@ -111,7 +127,7 @@ SolidResistance SolidContact::resistance(const SolidContactLaw& law, const Solid
 double SolidContact::energy(const SolidContactLaw& law, const SolidBody& first,
                             const SolidBody& second, const ContactState& state) {
   see(first, second);
-  if (!overlap(first, second, Vec3::Zero(), 1.0 - state.overlap_offset)) return 0.0;
+  if (!overlap(first, second, 1.0 - state.overlap_offset)) return 0.0;
   ContactState copy = state;
   return respond(law, first.pose.axes, 0.0, copy).elastic_energy;
 }

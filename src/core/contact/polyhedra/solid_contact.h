@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A step of the contact between two polyhedral bodies in space: whether they touch, what it does,
-// and how the contact begins.
-// Scope: work space for one pair at a time; SI units.
+// A step of the contact between two polyhedral bodies in space: whether they
+// touch, what it does, and how the contact begins. Scope: work space for one
+// pair at a time; SI units.
 #pragma once
 
 #include "contact/polyhedra/solid_contact_law.h"
@@ -22,16 +22,18 @@ class SolidContact {
     double gap;  ///< between the two, if above 0 [m]
   };
 
-  /// `axis`: in space, along which they were apart before, or zero; a new one is put there. `state`
-  /// counts unless the contact is new. `response`: in space, of a contact that lasts.
+  /// `axis`: in space, along which they were apart before, or zero; a new one
+  /// is put there. `state` counts unless the contact is new. `response`: in
+  /// space, of a contact that lasts.
   ///
-  /// Where two bodies overlapped already one step before their contact begins, both are drawn in
-  /// about their centres until they only touch, for this contact: it starts without force. As they
-  /// part they get their size back.
+  /// Where two bodies overlapped already one step before their contact begins,
+  /// both are drawn in about their centres until they only touch, for this
+  /// contact: it starts without force. As they part they get their size back.
   [[nodiscard]] Outcome step(const SolidContactLaw& law, const SolidBody& first,
                              const SolidBody& second, double time_step, double memory_step,
                              bool is_new, Vec3& axis, ContactState& state, SolidResponse& response);
-  /// Force, springs and energy of a contact as it stands, as by the last step().
+  /// Force, springs and energy of a contact as it stands, as by the last
+  /// step().
   [[nodiscard]] SolidResistance resistance(const SolidContactLaw& law, const SolidBody& first,
                                            const SolidBody& second, const ContactState& state);
   /// Stored [J].
@@ -43,7 +45,9 @@ class SolidContact {
  private:
   void see(const SolidBody& first, const SolidBody& second);
   /// As OverlapFinder::work; true: they share volume.
-  bool overlap(const SolidBody& first, const SolidBody& second, const Vec3& shift, double size);
+  bool overlap(const SolidBody& first, const SolidBody& second, double size);
+  [[nodiscard]] bool overlapped_before(const SolidBody& first, const SolidBody& second,
+                                       double time_step);
   [[nodiscard]] double touching_size(const SolidBody& first, const SolidBody& second, double low);
   bool begin(const SolidBody& first, const SolidBody& second, double time_step,
              ContactState& state);

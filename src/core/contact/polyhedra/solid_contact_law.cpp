@@ -24,9 +24,9 @@ Vec3 with_length_of(const Vec3& part, const Vec3& whole) {
   return length > 1e-6 * whole.norm() ? Vec3(whole.norm() / length * part) : Vec3(Vec3::Zero());
 }
 
-/// As in the contact of spheres: a spring whose stiffness grows keeps its force, one whose
-/// stiffness falls keeps its length (Elata and Berryman 1996); the loss is what leapfrog takes from
-/// the bodies less what the spring gains.
+/// As in the contact of spheres: a spring whose stiffness grows keeps its
+/// force, one whose stiffness falls keeps its length (Elata and Berryman 1996);
+/// the loss is what leapfrog takes from the bodies less what the spring gains.
 Friction stick_or_slip(const Vec3& old, const Vec3& rate, double before, double stiffness,
                        double damping, double limit, double time_step) {
   const double shrink = stiffness > before && before > 0.0 ? before / stiffness : 1.0;
@@ -57,8 +57,9 @@ SolidContactLaw::SolidContactLaw(const ContactParameters& p)
   tangential_ratio_ = 2.0 * (1.0 - nu) / (2.0 - nu);
 }
 
-/// The dashpot: with F = K d^n and W = K d^(n+1) / (n+1), c = 2 z F sqrt(m / (2 W)) makes of every
-/// n the same damped oscillator, that of n = 1 (Antypov and Elliott 2011 for n = 3/2).
+/// The dashpot: with F = K d^n and W = K d^(n+1) / (n+1), c = 2 z F sqrt(m / (2
+/// W)) makes of every n the same damped oscillator, that of n = 1 (Antypov and
+/// Elliott 2011 for n = 3/2).
 SolidContactLaw::Normal SolidContactLaw::normal_part(const SolidOverlap& overlap,
                                                      double reduced_mass) const {
   const double area = overlap.push.norm();
@@ -67,46 +68,41 @@ SolidContactLaw::Normal SolidContactLaw::normal_part(const SolidOverlap& overlap
            0.0,           half_modulus_ * overlap.stiffness};
   if (!(area > 0.0)) return n;
   n.direction = -overlap.push / area;
-  // No force grows faster than the stiffness, so the energy is at least F^2 / (2 k): that holds
-  // where rounding leaves nothing of the integral.
+  // No force grows faster than the stiffness, so the energy is at least F^2 /
+  // (2 k): that holds where rounding leaves nothing of the integral.
   const double least = 0.5 * n.force * n.force / n.stiffness;
   n.slowness = 2.0 * damping_ratio_ * std::sqrt(0.5 * reduced_mass / std::max(n.energy, least));
   return n;
 }
 
-/// Elastic force and dashpots; each piece has its own closing speed, so that rocking is damped too.
-/// Total normal force [N].
-double SolidContactLaw::press(const OverlapFinder& contact, const SolidMotion& motion,
-                              const Normal& normal, SolidResponse& response,
-                              double time_step) const {
-  const SolidOverlap& overlap = contact.overlap();
-  double damped = 0.0, power = 0.0;
-  Vec3 damped_at = Vec3::Zero();
-  for (const PressedPiece& piece : contact) {
-    const double pressed = -normal.modulus * piece.push.dot(normal.direction);
-    if (!(pressed > 0.0)) continue;
-    const double closing = motion.at(piece.point).dot(normal.direction);
-    // Rock does not stick: the dashpot may cancel the spring, never pull.
-    const double share = pressed * std::max(-1.0, normal.slowness * closing);
-    damped += share;
-    damped_at += share * piece.point;
-    power += share * closing;
-  }
-  response.dashpot_force = -damped * normal.direction;
-  response.dashpot_moment = -damped_at.cross(normal.direction);
+/// Elastic force and dashpots, of the closing speed all over the pressed
+/// surface, so that rocking is damped too. Total normal force [N].
+double SolidContactLaw::press(const SolidOverlap& overlap, const SolidMotion& motion,
+                              const Normal& normal, SolidResponse& response, double time_step) {
+  const Vec3 &n = normal.direction, &at = overlap.point;
+  const double closing = motion.at(at).dot(n);
+  // Rock does not stick: the dashpot may cancel the spring, never pull.
+  const double damped = normal.force * std::max(-1.0, normal.slowness * closing);
+  // The closing speed grows by slope.r; it moves the centre of pressure, within
+  // the surface.
+  const Vec3 slope = n.cross(motion.spin_first - motion.spin_second);
+  Vec3 moved = normal.slowness * (overlap.spread * slope);
+  const double far = moved.norm();
+  if (far > overlap.arm) moved *= overlap.arm / far;
+  response.dashpot_force = -damped * n;
+  response.dashpot_moment = -(damped * at + normal.force * moved).cross(n);
   response.force = normal.modulus * overlap.push + response.dashpot_force;
   response.moment = normal.modulus * overlap.moment + response.dashpot_moment;
   response.elastic_energy = normal.energy;
-  response.damping_loss = time_step * power;
-  return std::max(0.0, normal.force + damped);
+  response.damping_loss = time_step * (damped * closing + normal.force * moved.dot(slope));
+  return normal.force + damped;
 }
 
-SolidResponse SolidContactLaw::evaluate(const OverlapFinder& contact, const SolidMotion& motion,
+SolidResponse SolidContactLaw::evaluate(const SolidOverlap& overlap, const SolidMotion& motion,
                                         double time_step, ContactState& state) const {
   SolidResponse response;
-  const SolidOverlap& overlap = contact.overlap();
   const Normal normal = normal_part(overlap, motion.reduced_mass);
-  const double force = press(contact, motion, normal, response, time_step);
+  const double force = press(overlap, motion, normal, response, time_step);
 
   const Vec3& n = normal.direction;
   const double stiffness = tangential_ratio_ * normal.stiffness;
@@ -148,11 +144,9 @@ SolidResistance SolidContactLaw::resistance(const SolidOverlap& overlap,
   return r;
 }
 
-double SolidContactLaw::stable_time_step(double mass, double mean_radius) const {
+double SolidContactLaw::stable_time_step(double mass, double stiffest) const {
   constexpr double kShareOfPeriod = 0.2;
-  // A cube of the edge 2 r on another: area 4 r^2, both depths r.
-  const double stiffness = 8.0 * half_modulus_ * mean_radius;
-  return kShareOfPeriod * std::sqrt(mass / stiffness);
+  return kShareOfPeriod * std::sqrt(mass / (2.0 * half_modulus_ * stiffest));
 }
 
 }  // namespace muckpile

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Force between two overlapping polyhedra: elastic pressure, damping, friction with memory.
-// Scope: one contact, in any axes, all vectors seen from the first body's centre; SI units. No
-// cohesion. Contacts remember a ContactState: `slide` is the stretch of the tangential spring [m],
-// `roll` the angle of the spring against spin about the normal [rad], `overlap_offset` the share by
+// Force between two overlapping polyhedra: elastic pressure, damping, friction
+// with memory. Scope: one contact, in any axes, all vectors seen from the first
+// body's centre; SI units. No cohesion. Contacts remember a ContactState:
+// `slide` is the stretch of the tangential spring [m], `roll` the angle of the
+// spring against spin about the normal [rad], `overlap_offset` the share by
 // which both solids are drawn in for this contact [-].
 #pragma once
 
@@ -27,10 +28,12 @@ struct SolidMotion {
 };
 
 struct SolidResponse {
-  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< on the first, about its centre [N], [N m]
-  Vec3 dashpot_force = Vec3::Zero(), dashpot_moment = Vec3::Zero();  ///< part of them by dashpots
-  double elastic_energy = 0.0;                                       ///< [J]
-  double friction_loss = 0.0, damping_loss = 0.0;                    ///< in this step [J]
+  Vec3 force = Vec3::Zero(),
+       moment = Vec3::Zero();  ///< on the first, about its centre [N], [N m]
+  Vec3 dashpot_force = Vec3::Zero(),
+       dashpot_moment = Vec3::Zero();              ///< part of them by dashpots
+  double elastic_energy = 0.0;                     ///< [J]
+  double friction_loss = 0.0, damping_loss = 0.0;  ///< in this step [J]
 };
 
 /// The springs and dashpots of a contact, sticking, and where they act.
@@ -38,21 +41,24 @@ struct SolidResistance {
   ContactResistance springs;
   Vec3 normal;    ///< unit, from the first to the second
   Vec3 point;     ///< [m]
-  double spread;  ///< root mean square distance of the springs from there, at most [m]
+  double spread;  ///< root mean square distance of the springs from there, at
+                  ///< most [m]
 };
 
 class SolidContactLaw {
  public:
-  /// Throws InputError for a value out of range. Of the parameters `model` and `rolling_friction`
-  /// are not used.
+  /// Throws InputError for a value out of range. Of the parameters `model` and
+  /// `rolling_friction` are not used.
   explicit SolidContactLaw(const ContactParameters& parameters);
 
-  /// Force of this step; `state` is taken to the end of the step. `time_step` [s] may be 0.
-  [[nodiscard]] SolidResponse evaluate(const OverlapFinder& contact, const SolidMotion& motion,
+  /// Force of this step; `state` is taken to the end of the step. `time_step`
+  /// [s] may be 0.
+  [[nodiscard]] SolidResponse evaluate(const SolidOverlap& overlap, const SolidMotion& motion,
                                        double time_step, ContactState& state) const;
   [[nodiscard]] SolidResistance resistance(const SolidOverlap& overlap, double reduced_mass) const;
-  /// A fifth of sqrt(m / k), k of a face of this body, of the mean radius 3 V / A [m], on a plane.
-  [[nodiscard]] double stable_time_step(double mass, double mean_radius) const;
+  /// A fifth of sqrt(m / k) [s], k of two such bodies all over their stiffest
+  /// faces (Solid).
+  [[nodiscard]] double stable_time_step(double mass, double stiffest) const;
 
  private:
   /// What follows from the overlap alone.
@@ -64,8 +70,8 @@ class SolidContactLaw {
     double stiffness;       ///< [N/m]
   };
   [[nodiscard]] Normal normal_part(const SolidOverlap& overlap, double reduced_mass) const;
-  double press(const OverlapFinder& contact, const SolidMotion& motion, const Normal& normal,
-               SolidResponse& response, double time_step) const;
+  static double press(const SolidOverlap& overlap, const SolidMotion& motion, const Normal& normal,
+                      SolidResponse& response, double time_step);
 
   double half_modulus_;      ///< E* / 2, E* = E / (2 (1 - nu^2)) [Pa]
   double tangential_ratio_;  ///< k_t / k_n (Mindlin) [-]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Gaps between convex solids: along a direction, above the planes of one, and a search.
-// Scope: see the header.
+// Gaps between convex solids: along a direction, above the planes of one, and a
+// search. Scope: see the header.
 #include "contact/polyhedra/solid_gap.h"
 
 #include <algorithm>
@@ -76,7 +76,7 @@ double outside_bits(const PlacedSolid& a, const PlacedSolid& b, bool strictly, O
   for (std::size_t k = 0; k < a.rows; ++k) bits[k] = 0;
   double greatest = -std::numeric_limits<double>::infinity();
   for (std::size_t p = 0; p < b.planes(); ++p) {
-    const double nx = b.normal[p].x(), ny = b.normal[p].y(), nz = b.normal[p].z();
+    const double nx = b.nx[p], ny = b.ny[p], nz = b.nz[p];
     const double offset = b.offset[p];
     const std::uint64_t bit = std::uint64_t{1} << p;
     std::array<double, kRow> low;
@@ -90,7 +90,7 @@ double outside_bits(const PlacedSolid& a, const PlacedSolid& b, bool strictly, O
     const double gap = *std::min_element(low.begin(), low.end());
     if (gap <= greatest) continue;
     greatest = gap;
-    n = b.normal[p];
+    n = b.normal(p);
   }
   return greatest;
 }
