@@ -16,6 +16,7 @@
 
 #include "fixes/blocks/fix_muckpile_balance.h"
 #include "fixes/blocks/fix_muckpile_blocks.h"
+#include "fixes/blocks/fix_muckpile_shapes.h"
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/exchange.h"
 #include "fixes/engine/over_ranks.h"
@@ -112,6 +113,31 @@ void BlockPlacement::place(const RockModel& model, const std::vector<Hole>& hole
   }
   std::vector<ByteWriter> outgoing = hand_out(model);
   create(outgoing, holes, blocks);
+  if (FixMuckpileShapes* shapes = FixMuckpileShapes::find(*lmp)) shapes->share(shapes_of(model));
+}
+
+/// Of rock and muck, for contact; none on other ranks than rank 0.
+std::vector<BlockShape> BlockPlacement::shapes_of(const RockModel& model) const {
+  std::vector<BlockShape> shapes;
+  const std::vector<const RigidBody*> bodies = all_bodies(model);
+  int atom_tag = first_atom_tag_;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const RigidBody& body = *bodies[b];
+    const std::size_t rock = model.rock.blocks.size();
+    const Polyhedron& block = (b < rock ? model.rock.blocks[b] : model.muck.blocks[b - rock]).shape;
+    BlockShape shape{first_tag_ + static_cast<int>(b), 0, Vec3::Zero(), {}, block.faces};
+    for (const Vec3& vertex : block.vertices)
+      shape.corners.emplace_back(body.axes.transpose() * (vertex - body.centre));
+    const auto key = std::min_element(
+        body.spheres.begin(), body.spheres.end(), [&](const Sphere& a, const Sphere& c) {
+          return (a.centre - body.centre).norm() < (c.centre - body.centre).norm();
+        });
+    shape.key = atom_tag + static_cast<int>(key - body.spheres.begin());
+    shape.key_offset = body.axes.transpose() * (key->centre - body.centre);
+    shapes.push_back(std::move(shape));
+    atom_tag += static_cast<int>(body.spheres.size());
+  }
+  return shapes;
 }
 
 /// Per destination rank: the blocks that it gets; all of them come from rank 0.

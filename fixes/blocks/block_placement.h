@@ -35,6 +35,8 @@ struct Stored<PlacedBlock> {
   }
 };
 
+struct BlockShape;
+
 class BlockPlacement : protected LAMMPS_NS::Pointers {
  public:
   /// Spheres get this atom type; of the options densities and zones count.
@@ -48,6 +50,7 @@ class BlockPlacement : protected LAMMPS_NS::Pointers {
  private:
   void settle_new_fixes();
   [[nodiscard]] std::vector<ByteWriter> hand_out(const RockModel& model) const;
+  [[nodiscard]] std::vector<BlockShape> shapes_of(const RockModel& model) const;
   void create(std::vector<ByteWriter>& outgoing, const std::vector<Hole>& holes, int blocks);
   void create_body(const PlacedBlock& placed);
   void create_spheres(const PlacedBlock& placed, const std::vector<double*>& displace);

@@ -12,9 +12,13 @@
 #include <neighbor.h>
 #include <update.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "args/arg_table.h"
+#include "args/input_error.h"
+#include "fixes/blocks/fix_muckpile_shapes.h"
+#include "fixes/contact/solid_parts.h"
 #include "fixes/engine/find_view.h"
 #include "fixes/engine/style_args.h"
 #include "fixes/interfaces/keyword_tables.h"
@@ -29,8 +33,10 @@ constexpr const char* kHistoryStyle = "muckpile/contact/history";
 const ArgTable& table() {
   static const ArgTable args =
       ArgTable(PairMuckpileBlock::kStyle)
+          .word("shape", {"spheres", "polyhedra"}, "spheres",
+                "what touches: the spheres of the blocks, or the blocks themselves")
           .word("model", {"hertz", "linear"}, "hertz",
-                "normal force: Hertz-Mindlin or linear spring")
+                "normal force of spheres: Hertz-Mindlin or linear spring")
           .real("youngs_modulus", "Pa", Range::closed(1e3, 1e13), 5e8,
                 "contact modulus of the rock")
           .real("poisson_ratio", "", Range::open(-1.0, 0.5), 0.25, "Poisson ratio of the rock")
@@ -38,7 +44,7 @@ const ArgTable& table() {
                 "speed after over speed before a head-on impact")
           .real("friction", "", Range::closed(0.0, 10.0), 0.6, "Coulomb friction coefficient")
           .real("rolling_friction", "", Range::closed(0.0, 10.0), 0.1,
-                "limit torque over reduced radius times normal force");
+                "limit torque over reduced radius times normal force, of spheres");
   return args;
 }
 
@@ -71,12 +77,19 @@ void PairMuckpileBlock::settings(int narg, char** arg) {
     p.restitution = in.real("restitution");
     p.friction = in.real("friction");
     p.rolling_friction = in.real("rolling_friction");
+    const bool polyhedra = in.word("shape") == "polyhedra";
+    if (polyhedra && p.model == NormalModel::linear)
+      throw InputError(std::string(kStyle) +
+                       ": model must be hertz with shape polyhedra, got 'linear'");
     hertz_.reset();
     if (p.model == NormalModel::hertz)
-      hertz_ = BlockContacts{p.youngs_modulus, p.poisson_ratio, p.restitution};
+      hertz_ = BlockContacts{p.youngs_modulus, p.poisson_ratio, p.restitution, polyhedra};
     parameters_ = p;
+    solids_.reset();
+    if (polyhedra) solids_ = std::make_unique<SolidParts>(p);
     return ContactLaw(p);
   });
+  if (solids_ != nullptr) (void)FixMuckpileShapes::find_or_make(*lmp);
 }
 
 void PairMuckpileBlock::coeff(int narg, char** arg) {
@@ -130,6 +143,9 @@ void PairMuckpileBlock::init_style() {
   find_partners();
   double smallest = 0.0;
   modify->max_min_rad(largest_radius_, smallest);  // over all ranks, with particle templates
+  if (solids_ == nullptr) return;
+  solids_->shapes = FixMuckpileShapes::find(*lmp);
+  largest_radius_ = std::max(largest_radius_, solids_->shapes->largest_reach());
 }
 
 double PairMuckpileBlock::init_one(int /*i*/, int /*j*/) { return 2.0 * largest_radius_; }

@@ -6,6 +6,7 @@
 #include <pair.h>
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -33,6 +34,7 @@ class FixMultisphere;
 namespace muckpile {
 
 class SharedStepBound;
+struct SolidParts;
 
 class PairMuckpileBlock : public LAMMPS_NS::Pair,
                           public ContactSource,
@@ -76,7 +78,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
   void watch() override { watched_ = true; }
   double end_step(double time_step) override;
   /// For tests of the energy account, see ContactForces.
-  void spoil(double share) { forces_.spoil(share); }
+  void spoil(double share);
 
  private:
   struct Ledger {
@@ -119,6 +121,17 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
 
   [[nodiscard]] MovingSpheres moving_spheres();
   void step_contacts();
+  void add_losses(double memory_step);
+
+  // Where blocks touch in their own shape, pair_muckpile_block_solids.cpp has in place of these:
+  void take_shapes();
+  void step_solids(double memory_step);
+  /// Stored by a contact [J].
+  [[nodiscard]] double solid_energy(const SpherePair& pair);
+  void add_solid_contact(SharedStepBound& shared, const SpherePair& pair);
+  [[nodiscard]] double step_of_light_solids() const;
+  [[nodiscard]] const std::vector<int>& loaded_blocks() const;
+  void forget_loads();
 
   void begin_loads();
   void renumber_loads();
@@ -128,6 +141,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
   ContactParameters parameters_;
   std::optional<ContactLaw> law_;
   std::optional<BlockContacts> hertz_;  ///< without it the law is linear
+  std::unique_ptr<SolidParts> solids_;  ///< null: blocks touch with their spheres
   double largest_radius_ = 0.0;         ///< of all spheres on all ranks [m]
   LAMMPS_NS::FixMultisphere* bodies_ = nullptr;
   const JointView* joints_ = nullptr;

@@ -5,6 +5,7 @@
 #include <update.h>
 
 #include "fixes/contact/pair_muckpile_block.h"
+#include "fixes/contact/solid_parts.h"
 
 namespace muckpile {
 
@@ -19,10 +20,12 @@ MovingSpheres PairMuckpileBlock::moving_spheres() {
 void PairMuckpileBlock::step_contacts() {
   last_ = {};
   begin_loads();
+  if (solids_ != nullptr) solids_->blocks.update(engine::Bodies(*bodies_));
   if (list_.block_pairs().empty()) return;
   // Set-up of a run computes the forces of a state that a step has already reached.
   const double memory_step = update->setupflag != 0 ? 0.0 : update->dt;
   activate_parted_pairs();
+  if (solids_ != nullptr) return step_solids(memory_step);
   forces_.begin(*law_, moving_spheres(), contacts_, update->dt, memory_step);
   awake_.clear();
   const SphereSet all = spheres();
@@ -32,10 +35,13 @@ void PairMuckpileBlock::step_contacts() {
   for (const std::size_t k : awake_)
     if (!forces_.add(list_.candidates(k))) list_.rest(k, all.positions);
   last_ = forces_.finish();
-  if (memory_step > 0.0) {
-    losses_.friction += last_.friction;
-    if (!watched_) losses_.damping += last_.damping;  // else end_step() knows better
-  }
+  add_losses(memory_step);
+}
+
+void PairMuckpileBlock::add_losses(double memory_step) {
+  if (memory_step == 0.0) return;
+  losses_.friction += last_.friction;
+  if (!watched_) losses_.damping += last_.damping;  // else end_step() knows better
 }
 
 }  // namespace muckpile

@@ -15,6 +15,7 @@
 #include <string>
 
 #include "fixes/contact/pair_muckpile_block.h"
+#include "fixes/contact/solid_parts.h"
 #include "fixes/engine/over_ranks.h"
 #include "fixes/engine/style_args.h"
 
@@ -66,6 +67,8 @@ void PairMuckpileBlock::number_blocks() {
   }
   for (std::size_t k = 0; k < enclosed_.size(); ++k)
     if (enclosed_[k] != 0) atom_block_[k] = -1;
+  if (solids_ != nullptr)
+    solids_->blocks.keep_keys(*atom, block_tag_, *solids_->shapes, atom_block_);
 }
 
 // A pair whose facet is cracked stays, inactive; but not one that some rank works on without
@@ -91,11 +94,12 @@ void PairMuckpileBlock::drop_intact_pairs(std::vector<BlockPair>& pairs,
 SphereSet PairMuckpileBlock::spheres() const {
   const int count = atom->nlocal + atom->nghost;
   return {count > 0 ? atom->x[0] : nullptr,
-          atom->radius,
+          solids_ != nullptr ? solids_->blocks.reaches() : atom->radius,
           atom->tag,
           atom_block_.data(),
           count,
-          atom->nlocal};
+          atom->nlocal,
+          solids_ != nullptr};
 }
 
 /// Facets that are whole or cracked carry what contact their two blocks have.
@@ -162,6 +166,7 @@ void PairMuckpileBlock::list_pairs() {
   deactivate_joined_pairs(0);
   listed_tags_.assign(atom->tag, atom->tag + atom->nlocal + atom->nghost);
   listed_owned_ = atom->nlocal;
+  if (solids_ != nullptr) solids_->axes.clear();
   recall_contacts();
   list_working_pairs(0);
   renumber_loads();
@@ -187,6 +192,7 @@ void PairMuckpileBlock::rebuild() {
   share_joined_pairs();
   if (watched_ && comm->nprocs > 1) strange_ = {*bodies_, *atom, world};
   list_pairs();
+  if (solids_ != nullptr) take_shapes();
   const int all_bad = engine::sum_over_ranks(static_cast<int>(list_.skipped_blocks()), world);
   if (all_bad > 0)
     engine::stop(*lmp, std::string(kStyle) + ": " + std::to_string(all_bad) +

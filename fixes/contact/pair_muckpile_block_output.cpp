@@ -32,7 +32,8 @@ void for_walls(const LAMMPS_NS::Modify& modify, const Visit& visit) {
 /// Of contacts that may come: one, with a small overlap, per sphere.
 double PairMuckpileBlock::step_of_light_contacts() const {
   double step = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < atom->nlocal; ++k)
+  if (solids_ != nullptr) step = step_of_light_solids();
+  for (int k = 0; solids_ == nullptr && k < atom->nlocal; ++k)
     step = std::min(step, law_->stable_time_step(atom->rmass[k], atom->radius[k]));
   for_walls(*modify, [&](const StandingContacts& w) { step = std::min(step, w.light_step()); });
   return step;
@@ -72,6 +73,10 @@ ContactStepBound PairMuckpileBlock::present_contacts() {
   for (const BlockPair& block_pair : list_.block_pairs())
     for (const SpherePair& pair : near_spheres(block_pair)) {
       if (pair.contact < 0) continue;
+      if (solids_ != nullptr) {
+        add_solid_contact(shared, pair);
+        continue;
+      }
       const ContactMotion motion = held_still(pair);
       const ContactResistance resistance = law_->resistance(motion, contacts_[pair.contact]);
       const double inside = motion.radius_first * (1.0 - motion.overlap / pair.reach);
@@ -104,7 +109,9 @@ double PairMuckpileBlock::resting_energy() {
       if (pair.contact < 0) continue;
       ContactState state = contacts_[pair.contact];
       const bool shared = pair.first >= atom->nlocal || pair.second >= atom->nlocal;
-      energy += (shared ? 0.5 : 1.0) * law_->evaluate(held_still(pair), 0.0, state).elastic_energy;
+      energy += (shared ? 0.5 : 1.0) *
+                (solids_ != nullptr ? solid_energy(pair)
+                                    : law_->evaluate(held_still(pair), 0.0, state).elastic_energy);
     }
   return energy;
 }
@@ -132,7 +139,5 @@ void* PairMuckpileBlock::extract(const char* name, int& dim) {
   if (key == "rebuilds") return &ledger_.rebuilds;
   return nullptr;
 }
-
-double PairMuckpileBlock::memory_usage() { return list_.bytes() + contacts_.bytes(); }
 
 }  // namespace muckpile

@@ -17,13 +17,13 @@ namespace muckpile {
 
 /// The loads of the step before are forgotten.
 void PairMuckpileBlock::begin_loads() {
-  for (const int block : forces_.loaded()) loads_[static_cast<std::size_t>(block)] = {};
-  forces_.forget_loads();
+  for (const int block : loaded_blocks()) loads_[static_cast<std::size_t>(block)] = {};
+  forget_loads();
 }
 
 /// Blocks have got other numbers.
 void PairMuckpileBlock::renumber_loads() {
-  forces_.forget_loads();
+  forget_loads();
   if (watched_) loads_.assign(block_tag_.size(), {});
 }
 
@@ -51,7 +51,7 @@ double PairMuckpileBlock::end_step(double time_step) {
   if (comm->nprocs > 1) strange_.update(*bodies_);
   const engine::Bodies bodies(*bodies_);
   double all = 0.0, dashpots = 0.0;  // [W]
-  for (const int block : forces_.loaded()) {
+  for (const int block : loaded_blocks()) {
     const std::optional<engine::BodyState> state = state_of(bodies, block);
     if (!state) continue;
     const ContactLoad& load = loads_[static_cast<std::size_t>(block)];

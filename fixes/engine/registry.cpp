@@ -18,6 +18,7 @@
 #include "fixes/blocks/create_blocks.h"
 #include "fixes/blocks/fix_muckpile_balance.h"
 #include "fixes/blocks/fix_muckpile_blocks.h"
+#include "fixes/blocks/fix_muckpile_shapes.h"
 #include "fixes/blocks/fix_muckpile_sleep.h"
 #include "fixes/blocks/fix_multisphere_muckpile.h"
 #include "fixes/blocks/rank_grid.h"
@@ -135,6 +136,7 @@ const std::map<std::string, FixCreator>& fixes() {
       {"muckpile/ledger", &create_fix<FixMuckpileLedger>},
       {"muckpile/progress", &create_fix<FixMuckpileProgress>},
       {"muckpile/quiet", &create_fix<FixMuckpileQuiet>},
+      {"muckpile/shapes", &create_fix<FixMuckpileShapes>},
       {"muckpile/sleep", &create_fix<FixMuckpileSleep>},
       {"muckpile/timestep", &create_fix<FixMuckpileTimestep>},
       {"muckpile/wall", &create_fix<FixMuckpileWall>},

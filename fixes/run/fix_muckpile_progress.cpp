@@ -18,6 +18,7 @@
 #include <limits>
 
 #include "args/numbers.h"
+#include "args/rounded_text.h"
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/find_view.h"
 #include "fixes/engine/output_file.h"
@@ -121,6 +122,7 @@ void FixMuckpileProgress::look_if_due() {
   stop_if_wrong(now);
   write_history(now);
   warn_of_solid(now);
+  warn_of_gone(now);
   if (comm->me == 0) say(now);
 }
 
@@ -130,6 +132,7 @@ void FixMuckpileProgress::post_run() {
   stop_if_wrong(now);
   if (last_ != update->ntimestep) write_history(now);
   warn_of_solid(now);
+  warn_of_gone(now);
   write_run(now);
 }
 
@@ -193,6 +196,18 @@ void FixMuckpileProgress::warn_of_solid(const RunLook& now) {
               " s. No wall held them, and they spoil what is measured of the pile; hold them with "
               "fix muckpile/ground, or with a larger contact modulus")
                  .c_str());
+}
+
+void FixMuckpileProgress::warn_of_gone(const RunLook& now) {
+  if (now.gone == 0.0 || warned_of_gone_) return;
+  warned_of_gone_ = true;
+  if (comm->me != 0) return;
+  error->warning(FLERR, (where_ + ": rock has left the scene, region '" + scene_ +
+                         "': " + number_text(now.gone) + " blocks of " +
+                         rounded_text(now.gone_mass) + " kg at t = " + rounded_text(now.time) +
+                         " s. They may lie beyond the ground or fall for ever, and what is "
+                         "measured of the pile has them; run.json counts them")
+                            .c_str());
 }
 
 bool FixMuckpileProgress::still(const RunLook& now) const {

@@ -54,6 +54,7 @@ class FixMuckpileProgress : public LAMMPS_NS::Fix, public StateWriter {
   void look_at_blocks(RunLook& now) const;
   [[nodiscard]] bool has_entered_solid(const engine::Bodies& bodies, int b) const;
   void warn_of_solid(const RunLook& now);
+  void warn_of_gone(const RunLook& now);
   void say(const RunLook& now) const;
   void write_history(const RunLook& now);
   void write_run(const RunLook& now) const;
@@ -71,7 +72,7 @@ class FixMuckpileProgress : public LAMMPS_NS::Fix, public StateWriter {
   int every_;  // the engine looks up `nevery` only when a run is set up
   double time_end_, still_speed_, still_share_, fastest_allowed_, balance_allowed_;
   double wall_start_, phase_wall_start_ = 0.0, phase_time_start_ = 0.0;
-  bool warned_of_solid_ = false;
+  bool warned_of_solid_ = false, warned_of_gone_ = false;
   LAMMPS_NS::bigint read_at_ = -1;  // step of the restart file from which the run goes on
   LAMMPS_NS::bigint last_ = -1;     // step of the last row of the history
 };

@@ -25,7 +25,7 @@ constexpr int kOnce = 1;             // rounds of least_time
 nlohmann::ordered_json stages(const TessellationOptions& options, const Tessellation& cut) {
   std::vector<Vec3> seeds;
   for (const Block& block : cut.blocks) seeds.push_back(block.mass.centroid);
-  Relaxation relaxation(options, seeds);
+  Relaxation relaxation(options, seeds, {}, HoleRings(options));
   const double seeding = least_time([&] { (void)Relaxation(options).seeds(); }, kOnce);
   const double cells = least_time([&] { (void)relaxation.make_blocks(); }, kOnce);
   const double sweep = least_time([&] { relaxation.sweep(); }, kOnce);

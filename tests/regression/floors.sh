@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # floors.sh LIGGGHTS_MUCKPILE: LIGGGHTS takes the floor of inputs/common/pit_floor.in for benches of any shape: narrow and long, a wide row, a deep
-# step. Its panels cover floor and step once, and none is more than 8 times as long as wide.
+# step. Its panels cover floor and step once, and none is more than 8 times as long as wide. Rock beyond the floor is warned about.
 set -euo pipefail
 program=$1
 source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
@@ -30,6 +30,11 @@ create_atoms 1 single 0.6 0 -20
 create_atoms 1 single 0 0 -20
 variable inside equal count(all,in_the_ground)
 print "in the ground: ${inside}"
+# One more is beyond the floor's end, and the first one, too, where the floor is short.
+variable end equal ${floor_length}+0.5
+create_atoms 1 single ${end} 0 1
+variable beyond equal count(all)-count(all,on_the_floor)-(${floor_length}<10)
+print "beyond the end: ${beyond}"
 END
 
 wrong=0
@@ -39,6 +44,7 @@ floor() {  # floor LENGTH HALF_WIDTH DEPTH: from x = 0.05 m on
     -var floor_depth "$3" -var block_max 1 \
     -var bottom_z -40 -var rear_x -0.3 >"$out/screen" 2>&1 </dev/null || { echo "$*: refused: $(grep ERROR "$out/screen")"; wrong=1; return; }
   grep -q "^in the ground: 4$" "$out/screen" || { echo "$*: of five places four are in the ground, got '$(grep "^in the ground" "$out/screen")'"; wrong=1; }
+  grep -q "^beyond the end: 1$" "$out/screen" || { echo "$*: one place is beyond the end, got '$(grep "^beyond" "$out/screen")'"; wrong=1; }
   awk '
     $1 == "vertex" { n++; x[n] = $2; y[n] = $3; z[n] = $4 }
     function side(a, b) { return sqrt((x[a]-x[b])^2 + (y[a]-y[b])^2 + (z[a]-z[b])^2) }
@@ -65,4 +71,30 @@ floor 2000 0.915 0.04  # bench_height 100, holes 0.03 m apart, burden 0.05 m
 floor 2 32 40          # bench_height 0.1, burden 50
 floor 200 188.4 2.4    # -var holes 100
 floor 300 160 4        # in.pattern
+
+# Of eight blocks of 0.5 m four are beyond the end of the scene.
+cat >"$out/in.beyond" <<'END'
+units si
+atom_style granular
+atom_modify map array
+newton off
+boundary f f f
+communicate single vel yes
+region box block -2 2 -2 2 -2 2 units box
+create_box 1 box
+neighbor 0.01 bin
+timestep 1e-6
+pair_style muckpile/block
+pair_coeff * *
+fix bodies all multisphere
+region rock block 0 1 0 1 0 1 units box
+region on_the_floor block INF 0.5 INF INF INF INF units box
+create_blocks rock density 2000 size uniform 0.5 block_min 0.5 block_max 0.5 cut joint_sets joint_set 90 0 joint_set 90 90 spheres_per_block 1
+fix energy all muckpile/ledger
+fix progress all muckpile/progress every 1 directory ${out} scene on_the_floor
+run 2
+END
+"$program" -in "$out/in.beyond" -log none -var out "$out" >"$out/screen" 2>&1 </dev/null || { echo "blocks beyond the end: $(grep ERROR "$out/screen")"; wrong=1; }
+[[ $(grep -c "rock has left the scene, region 'on_the_floor': 4 blocks of 1000 kg at t = " "$out/screen") == 1 ]] ||
+  { echo "no warning, or several, of rock beyond the floor"; wrong=1; }
 exit $wrong

@@ -135,7 +135,9 @@ Ejecta ejecta_beyond(double radius, const std::vector<StartBlock>& blocks, const
   double mass = 0.0;
   for (size_t b = 0; b < blocks.size(); ++b) {
     const double distance = last.states[b].centre.head<2>().norm();
-    if (moved[b] == 0 || distance <= radius) continue;
+    // Rock around the crater that was heaved by more than its size has not been thrown out of it.
+    if (moved[b] == 0 || distance <= radius || blocks[b].centroid.head<2>().norm() > radius)
+      continue;
     thrown.push_back({distance, blocks[b].mass});
     mass += blocks[b].mass;
   }

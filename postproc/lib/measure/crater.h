@@ -35,7 +35,7 @@ CraterShape apparent_crater(const std::vector<CraterRing>& rings);
 CraterShape true_crater(const std::vector<CraterRing>& rings);
 
 struct Ejecta {
-  double mass;           // broken-out rock that ends outside `radius` [kg]
+  double mass;           // broken-out rock from within `radius` that ends outside it [kg]
   double p50, p90, max;  // distance from the axis of half, 90 % and all of it [m]; NaN for none
 };
 Ejecta ejecta_beyond(double radius, const std::vector<StartBlock>& blocks, const Snapshot& last,

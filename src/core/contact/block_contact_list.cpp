@@ -60,6 +60,7 @@ void BlockContactList::place_block(const SphereSet& spheres, std::size_t block,
     arm_[block] = std::max(arm_[block], arm);
     extent_[block] = std::max(extent_[block], arm + m->radius);
   }
+  if (spheres.around_bodies) arm_[block] = extent_[block];
 }
 
 void BlockContactList::group(const SphereSet& spheres, int blocks) {

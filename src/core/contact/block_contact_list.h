@@ -5,6 +5,7 @@
 // rigid: their spheres keep their distances.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -25,6 +26,8 @@ struct SphereSet {
   const int* blocks;        ///< per sphere: block it belongs to, 0 .. blocks - 1, or -1: left out
   int count;                ///< all spheres
   int owned;                ///< the first `owned` belong to this rank
+  /// Each sphere is drawn about a body of another shape: its surface moves as the body turns.
+  bool around_bodies = false;
 };
 
 struct SpherePair {
@@ -104,6 +107,12 @@ class BlockContactList {
   }
   /// None of the candidates of block pair k touches: wake() holds it back until one can.
   void rest(std::size_t k, const double* positions);
+  /// Nothing of block pair k is nearer to touching than this [m], above 0.
+  void rest(std::size_t k, double gap) {
+    Gate& gate = gates_[k];
+    gate.due = std::min(gate.due, path_of(gate.first, gate.second) + gap);
+    gate.count = 0;
+  }
   /// Leaves block pair k alone until it is activated again.
   void deactivate(std::size_t k);
   void activate(std::size_t k);

@@ -4,6 +4,7 @@
 #include "contact/collision_time.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace muckpile {
 
@@ -22,6 +23,9 @@ double crowd_factor(long spheres_per_block) {
 
 double collision_time_of(const SmallBlocks& blocks, double speed) {
   const double mass = 0.5 * blocks.density * std::pow(blocks.edge, 3.0);
+  if (blocks.polyhedra)
+    return std::numbers::pi *
+           std::sqrt(0.5 * mass / (2.0 * blocks.effective_modulus * blocks.edge));
   const double radius = 0.2 * blocks.edge;
   return hertz_collision_time({.reduced_mass = 0.5 * mass,
                                .reduced_radius = 0.5 * radius,

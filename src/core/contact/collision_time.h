@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How long a collision of two blocks lasts on their contact spheres.
-// Scope: elastic, head-on, Hertz; the step that resolves it is a matter of accuracy, not of
+// How long a collision of two blocks lasts, on their contact spheres or on their faces.
+// Scope: elastic, head-on; the step that resolves it is a matter of accuracy, not of
 // stability (contact/contact_step_bound.h).
 #pragma once
 
@@ -29,9 +29,11 @@ struct SmallBlocks {
   double density;            ///< [kg/m3]
   long spheres;              ///< contact spheres of a block
   double effective_modulus;  ///< E* of two spheres [Pa]
+  bool polyhedra = false;    ///< they touch in their own shape
 };
 
-/// Two of them meet, at `speed` [m/s], on spheres whose radius is a fifth of the edge [s].
+/// Two of them meet, at `speed` [m/s], on spheres whose radius is a fifth of the edge [s]; as
+/// polyhedra with whole faces, a spring of stiffness 2 E* edge, whatever the speed.
 [[nodiscard]] double collision_time_of(const SmallBlocks& blocks, double speed);
 
 }  // namespace muckpile

@@ -34,10 +34,7 @@ void BlockContactList::rest(std::size_t k, const double* positions) {
     const Vec3 between = position(positions, pair.second) - position(positions, pair.first);
     gap = std::min(gap, between.norm() - pair.reach);
   }
-  Gate& gate = gates_[k];
-  if (!(gap > 0.0)) return;
-  gate.due = std::min(gate.due, path_of(gate.first, gate.second) + gap);
-  gate.count = 0;
+  if (gap > 0.0) rest(k, gap);
 }
 
 void BlockContactList::look_up(BlockPair& pair, const SphereSet& spheres,

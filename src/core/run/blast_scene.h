@@ -26,11 +26,12 @@ struct RockConstants {
   double poisson_ratio = 0.0;   ///< [-]
 };
 
-/// Sphere contacts of blocks, by Hertz.
+/// Contacts of blocks: of their spheres, by Hertz, or of the polyhedra.
 struct BlockContacts {
   double youngs_modulus = 0.0;  ///< [Pa]
   double poisson_ratio = 0.0;   ///< [-]
   double restitution = 1.0;     ///< [-]
+  bool polyhedra = false;
 };
 
 /// Where gas is that the rock must be stiff for.

@@ -43,13 +43,14 @@ CollisionStep collision_step(const ArgValues& words, double density,
       .edge = words.real("block_min"),
       .density = density,
       .spheres = spheres,
-      .effective_modulus = contacts.youngs_modulus /
-                           (2.0 * (1.0 - contacts.poisson_ratio * contacts.poisson_ratio))};
+      .effective_modulus =
+          contacts.youngs_modulus / (2.0 * (1.0 - contacts.poisson_ratio * contacts.poisson_ratio)),
+      .polyhedra = contacts.polyhedra};
   // With 64 spheres a step 0.7 as long as the crowd's was unstable, one 0.6 as long was not; the
   // crowd's factor leaves 0.43, and the step stays that of kSpeed.
   return {
       .step = collision_time_of(blocks, CollisionStep::kSpeed) / words.real("steps_per_contact"),
-      .follows_fastest = crowd_factor(spheres) <= 1.0};
+      .follows_fastest = crowd_factor(spheres) <= 1.0 && !contacts.polyhedra};
 }
 
 }  // namespace muckpile

@@ -14,6 +14,7 @@
 
 #include "fixes/blocks/block_placement.h"
 #include "fixes/blocks/fix_muckpile_blocks.h"
+#include "fixes/blocks/fix_muckpile_shapes.h"
 #include "fixes/blocks/fix_muckpile_sleep.h"
 #include "fixes/contact/fix_muckpile_contact_history.h"
 #include "fixes/contact/fix_muckpile_wall.h"
@@ -42,7 +43,7 @@ StoredTypes all_types() {
   return types_in<BlocksState, BlocksShare, PlacedBlock, NetworkTotals, QuietState, LedgerState,
                   SleepState, RestRecord, CrushedBed::State, JointGasState, BlockGas, BlastState,
                   StepState, ProgressState, ContactLosses, ContactRecord, GaugesState, WallState,
-                  WallContact>();
+                  WallContact, ShapesState>();
 }
 
 std::string line_of(const StoredType& type) {

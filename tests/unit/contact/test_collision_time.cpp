@@ -44,6 +44,14 @@ TEST(CollisionTime, OfTheSmallestBlocksOfTheBench) {
   EXPECT_NEAR(collision_time_of(blocks, 20.0), 8.604e-3, 1e-6);
 }
 
+TEST(CollisionTime, OfPolyhedraDoesNotDependOnTheSpeed) {
+  // The same reduced mass, on faces of stiffness 2 * 1.333e7 Pa * 0.18 m = 4.8e6 N/m:
+  // pi sqrt(3.937 / 4.8e6) = 2.845 ms.
+  const SmallBlocks blocks{0.18, 2700.0, 5, 2.5e7 / 1.875, true};
+  EXPECT_NEAR(collision_time_of(blocks, 20.0), 2.845e-3, 1e-6);
+  EXPECT_EQ(collision_time_of(blocks, 1.0), collision_time_of(blocks, 20.0));
+}
+
 TEST(CollisionTime, IsShorterWhereManySpheresTouchAtOnce) {
   EXPECT_EQ(crowd_factor(1), 1.0);
   EXPECT_EQ(crowd_factor(5), 1.0);

@@ -69,6 +69,9 @@ TEST(Crater, EjectaAreCountedByWhereTheyEnd) {
   EXPECT_LE(ejecta.p90, ejecta.max);
   EXPECT_NEAR(ejecta.max, 23.75, 0.2);
   EXPECT_TRUE(std::isnan(ejecta_beyond(100.0, run.blocks, run.last, moved).p50));
+  // Of a disc of 4 m radius what lay within 2 m is a quarter; the rest is not of that crater.
+  EXPECT_NEAR(ejecta_beyond(2.0, run.blocks, run.last, moved).mass, 0.25 * ejecta.mass,
+              0.03 * ejecta.mass);
 }
 
 TEST(Crater, IsEmptyWhereNothingMoved) {

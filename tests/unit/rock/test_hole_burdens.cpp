@@ -276,5 +276,44 @@ TEST(HoleBurdens, AreNoneWithoutAFaceBesideTheCharge) {
   EXPECT_NE(describe_burdens(burdens, 3.0).find("no free face beside it"), std::string::npos);
 }
 
+Block box_block(const Vec3& lo, const Vec3& hi) {
+  Block block;
+  block.shape = box_cell(lo, hi).shape;
+  block.mass = mass_properties(block.shape);
+  block.neighbour.assign(block.shape.faces.size(), kFreeFace);
+  return block;
+}
+
+/// Of a hole through the toe of an upright face x = 0 with a free level floor z = 0 in front.
+HoleBurden over_a_floor(double dip_degrees) {
+  const double dip = dip_degrees * M_PI / 180.0;
+  const Vec3 toe(-0.3, 0.0, -1.5);
+  const std::vector<Hole> holes{{toe, toe + 3.0 * Vec3(-std::cos(dip), 0.0, std::sin(dip)), 0.05}};
+  const std::vector<Block> blocks{box_block({-5, -9, -2}, {0, 9, 0}),
+                                  box_block({0, -9, -2}, {6, 9, 0}),
+                                  box_block({-5, -9, 0}, {0, 9, 4})};
+  return hole_burdens(blocks, holes,
+                      [](const Vec3& at) {
+                        const bool floor = std::abs(at.z()) < 1e-9 && at.x() > 0.0;
+                        const bool face = std::abs(at.x()) < 1e-9 && at.z() > 0.0;
+                        return floor || face ? Support::free : Support::fixed;
+                      })
+      .front();
+}
+
+// At right angles to a hole of 70 degrees the floor is met at 20 degrees: what lies below it has no
+// burden. Along one of 45 degrees the floor is a face like others: at x it is (1.8 + x) / sqrt(2)
+// away and (1.2 - x) / sqrt(2) along the hole, together 3 / sqrt(2).
+TEST(HoleBurdens, OfALeaningSubdrillAreNotToALevelFloor) {
+  const HoleBurden steep = over_a_floor(70.0), flat = over_a_floor(45.0);
+  const double step = 3.0 / 20.0;
+  for (std::size_t k = 0; k < 8; ++k) EXPECT_FALSE(steep.pieces[k].burden) << k;
+  EXPECT_TRUE(steep.pieces[9].burden);  // beside the face
+  for (std::size_t k = 0; k < 5; ++k) {
+    const double top = step * static_cast<double>(k + 1);
+    EXPECT_NEAR(flat.pieces[k].burden.value_or(0.0), 3.0 / std::sqrt(2.0) - top, 1e-9) << k;
+  }
+}
+
 }  // namespace
 }  // namespace muckpile
