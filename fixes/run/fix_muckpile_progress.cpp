@@ -15,10 +15,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 
 #include "args/numbers.h"
-#include "args/rounded_text.h"
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/find_view.h"
 #include "fixes/engine/output_file.h"
@@ -177,37 +175,6 @@ bool FixMuckpileProgress::has_entered_solid(const engine::Bodies& bodies, int b)
   if (solid_.empty() || !engine::in_region(*lmp, solid_, bodies.centre(b))) return false;
   const BlockRecord& record = blocks_->records()[static_cast<std::size_t>(b)];
   return record.mass == 0.0 || !engine::in_region(*lmp, solid_, record.start);
-}
-
-/// The count is the same on all ranks.
-void FixMuckpileProgress::warn_of_solid(const RunLook& now) {
-  if (now.in_solid == 0.0 || warned_of_solid_) return;
-  warned_of_solid_ = true;
-  const engine::Bodies bodies(*engine::find_multisphere(*lmp));
-  int mine = std::numeric_limits<int>::max();
-  for (int b = 0; b < bodies.count(); ++b)
-    if (has_entered_solid(bodies, b)) mine = std::min(mine, bodies.tag(b));
-  const int first = engine::least_over_ranks(mine, world);
-  if (comm->me != 0) return;
-  error->warning(
-      FLERR, (where_ + ": blocks in region '" + solid_ +
-              "', where no rock can be: " + number_text(now.in_solid) + ", block " +
-              std::to_string(first) + " first, at t = " + number_text(now.time) +
-              " s. No wall held them, and they spoil what is measured of the pile; hold them with "
-              "fix muckpile/ground, or with a larger contact modulus")
-                 .c_str());
-}
-
-void FixMuckpileProgress::warn_of_gone(const RunLook& now) {
-  if (now.gone == 0.0 || warned_of_gone_) return;
-  warned_of_gone_ = true;
-  if (comm->me != 0) return;
-  error->warning(FLERR, (where_ + ": rock has left the scene, region '" + scene_ +
-                         "': " + number_text(now.gone) + " blocks of " +
-                         rounded_text(now.gone_mass) + " kg at t = " + rounded_text(now.time) +
-                         " s. They may lie beyond the ground or fall for ever, and what is "
-                         "measured of the pile has them; run.json counts them")
-                            .c_str());
 }
 
 bool FixMuckpileProgress::still(const RunLook& now) const {
