@@ -16,11 +16,12 @@
 
 #include "fixes/blocks/fix_muckpile_balance.h"
 #include "fixes/blocks/fix_muckpile_blocks.h"
-#include "fixes/blocks/fix_muckpile_shapes.h"
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/exchange.h"
+#include "fixes/engine/find_view.h"
 #include "fixes/engine/over_ranks.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/interfaces/block_shapes.h"
 
 namespace muckpile {
 namespace {
@@ -113,7 +114,7 @@ void BlockPlacement::place(const RockModel& model, const std::vector<Hole>& hole
   }
   std::vector<ByteWriter> outgoing = hand_out(model);
   create(outgoing, holes, blocks);
-  if (FixMuckpileShapes* shapes = FixMuckpileShapes::find(*lmp)) shapes->share(shapes_of(model));
+  if (auto* shapes = engine::find_view<BlockShapes>(*lmp)) shapes->share(shapes_of(model));
 }
 
 /// Of rock and muck, for contact; none on other ranks than rank 0.

@@ -4,15 +4,12 @@
 #include "fixes/blocks/fix_muckpile_shapes.h"
 
 #include <comm.h>
-#include <modify.h>
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <utility>
 
 #include "fixes/engine/exchange.h"
-#include "fixes/engine/find_view.h"
 #include "fixes/engine/restart_file.h"
 
 namespace muckpile {
@@ -20,19 +17,6 @@ namespace muckpile {
 FixMuckpileShapes::FixMuckpileShapes(LAMMPS_NS::LAMMPS* engine_object, int narg, char** arg)
     : Fix(engine_object, narg, arg) {
   restart_global = 1;
-}
-
-FixMuckpileShapes* FixMuckpileShapes::find(LAMMPS_NS::LAMMPS& lmp) {
-  return engine::find_view<FixMuckpileShapes>(lmp);
-}
-
-/// A fix of this name gets what a restart file holds of it.
-FixMuckpileShapes& FixMuckpileShapes::find_or_make(LAMMPS_NS::LAMMPS& lmp) {
-  if (FixMuckpileShapes* found = find(lmp); found != nullptr) return *found;
-  std::array<std::string, 3> words{"muckpile_shapes", "all", "muckpile/shapes"};
-  std::array<char*, 3> arg{words[0].data(), words[1].data(), words[2].data()};
-  lmp.modify->add_fix(3, arg.data());
-  return *find(lmp);
 }
 
 void FixMuckpileShapes::share(const std::vector<BlockShape>& of_rank_0) {

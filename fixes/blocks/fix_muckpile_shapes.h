@@ -6,31 +6,12 @@
 
 #include <fix.h>
 
-#include <span>
 #include <unordered_map>
 #include <vector>
 
 #include "fixes/interfaces/block_shapes.h"
-#include "state/encoding.h"
 
 namespace muckpile {
-
-/// A polyhedron in the axes of its body, about its centre.
-struct BlockShape {
-  int tag = 0;  ///< of the body
-  int key = 0;  ///< tag of the sphere nearest to the centre
-  Vec3 key_offset = Vec3::Zero();
-  std::vector<Vec3> corners;
-  std::vector<std::vector<int>> faces;
-};
-template <>
-struct Stored<BlockShape> {
-  static constexpr std::string_view kName = "block_shape";
-  static constexpr int kVersion = 1;
-  static auto fields(auto& shape) {
-    return std::tie(shape.tag, shape.key, shape.key_offset, shape.corners, shape.faces);
-  }
-};
 
 /// Of the whole run, in restart files.
 struct ShapesState {
@@ -47,12 +28,7 @@ class FixMuckpileShapes : public LAMMPS_NS::Fix, public BlockShapes {
  public:
   FixMuckpileShapes(LAMMPS_NS::LAMMPS* engine_object, int narg, char** arg);
 
-  [[nodiscard]] static FixMuckpileShapes* find(LAMMPS_NS::LAMMPS& lmp);
-  static FixMuckpileShapes& find_or_make(LAMMPS_NS::LAMMPS& lmp);
-
-  /// Takes those that rank 0 has made; of other ranks they do not count. Collective.
-  void share(const std::vector<BlockShape>& of_rank_0);
-
+  void share(const std::vector<BlockShape>& of_rank_0) override;
   [[nodiscard]] const ShapedBlock* shape(int tag) const override;
   [[nodiscard]] double largest_reach() const override { return largest_reach_; }
 

@@ -17,7 +17,6 @@
 
 #include "args/arg_table.h"
 #include "args/input_error.h"
-#include "fixes/blocks/fix_muckpile_shapes.h"
 #include "fixes/contact/solid_parts.h"
 #include "fixes/engine/find_view.h"
 #include "fixes/engine/style_args.h"
@@ -29,6 +28,15 @@ namespace {
 
 constexpr const char* kHistoryId = "muckpile_contact_history";
 constexpr const char* kHistoryStyle = "muckpile/contact/history";
+constexpr const char* kShapesId = "muckpile_shapes";
+constexpr const char* kShapesStyle = "muckpile/shapes";
+
+/// It gets what a restart file holds of a fix of this ID and style.
+void make_fix(LAMMPS_NS::Modify& modify, const char* id, const char* style) {
+  std::array<std::string, 3> words{id, "all", style};
+  std::array<char*, 3> arg{words[0].data(), words[1].data(), words[2].data()};
+  modify.add_fix(3, arg.data());
+}
 
 const ArgTable& table() {
   static const ArgTable args =
@@ -89,7 +97,8 @@ void PairMuckpileBlock::settings(int narg, char** arg) {
     if (polyhedra) solids_ = std::make_unique<SolidParts>(p);
     return ContactLaw(p);
   });
-  if (solids_ != nullptr) (void)FixMuckpileShapes::find_or_make(*lmp);
+  if (solids_ != nullptr && engine::find_view<BlockShapes>(*lmp) == nullptr)
+    make_fix(*modify, kShapesId, kShapesStyle);
 }
 
 void PairMuckpileBlock::coeff(int narg, char** arg) {
@@ -129,11 +138,7 @@ void PairMuckpileBlock::find_partners() {
   bodies_ = dynamic_cast<LAMMPS_NS::FixMultisphere*>(modify->find_fix_style("multisphere", 0));
   joints_ = engine::find_view<JointView>(*lmp);
   resting_ = engine::find_view<RestingBlocks>(*lmp);
-  if (modify->find_fix(kHistoryId) < 0) {
-    std::array<std::string, 3> words{kHistoryId, "all", kHistoryStyle};
-    std::array<char*, 3> arg{words[0].data(), words[1].data(), words[2].data()};
-    modify->add_fix(3, arg.data());
-  }
+  if (modify->find_fix(kHistoryId) < 0) make_fix(*modify, kHistoryId, kHistoryStyle);
   history_ = dynamic_cast<FixMuckpileContactHistory*>(modify->fix[modify->find_fix(kHistoryId)]);
   history_->set_source(this);
 }
@@ -144,7 +149,7 @@ void PairMuckpileBlock::init_style() {
   double smallest = 0.0;
   modify->max_min_rad(largest_radius_, smallest);  // over all ranks, with particle templates
   if (solids_ == nullptr) return;
-  solids_->shapes = FixMuckpileShapes::find(*lmp);
+  solids_->shapes = engine::find_view<BlockShapes>(*lmp);
   largest_radius_ = std::max(largest_radius_, solids_->shapes->largest_reach());
 }
 
