@@ -150,6 +150,9 @@ void PairMuckpileBlock::init_style() {
   modify->max_min_rad(largest_radius_, smallest);  // over all ranks, with particle templates
   if (solids_ == nullptr) return;
   solids_->shapes = engine::find_view<BlockShapes>(*lmp);
+  if (solids_->shapes == nullptr)
+    engine::stop(*lmp, std::string(kStyle) + ": shape polyhedra needs the fix '" + kShapesId +
+                           "' that it has made; do not unfix it");
   largest_radius_ = std::max(largest_radius_, solids_->shapes->largest_reach());
 }
 

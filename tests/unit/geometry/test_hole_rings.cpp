@@ -168,6 +168,29 @@ TEST(HoleRings, WhereJointPlanesCrossAHoleItsVoidStaysClosed) {
   EXPECT_GT(smallest, 0.4);
 }
 
+// The area vector of all faces on a closed void is zero; a small face as near to both may be on
+// either.
+TEST(HoleRings, FacesInAPlaneBetweenDecksAreOnTheNearerOne) {
+  for (int k = 0; k < 12; ++k) {
+    TessellationOptions options = with_holes(
+        {{Vec3(0, 0, 1.0), Vec3(0, 0, 3.0), 0.25}, {Vec3(0, 0, 3.5), Vec3(0, 0, 5.8), 0.25}});
+    const double dip = 0.12 * k, turn = 0.7 * k;
+    options.planes = {
+        {Vec3(0.04 * (k % 5), 0.0, 3.0 + 0.05 * k),
+         Vec3(std::sin(dip) * std::cos(turn), std::sin(dip) * std::sin(turn), std::cos(dip))}};
+    Vec3 sum[2] = {Vec3::Zero(), Vec3::Zero()};
+    for (const Block& block : tessellate(options).blocks) {
+      for (std::size_t f = 0; f < block.neighbour.size(); ++f) {
+        if (!is_hole_face(block.neighbour[f])) continue;
+        const FaceGeometry face = face_geometry(block.shape, static_cast<int>(f));
+        sum[hole_of_face(block.neighbour[f])] += face.area * face.normal;
+      }
+    }
+    EXPECT_LT(sum[0].norm(), 0.01) << "scene " << k;
+    EXPECT_LT(sum[1].norm(), 0.01) << "scene " << k;
+  }
+}
+
 TEST(HoleRings, ARingHasSixBlocksAndEightAroundAHoleOnAWall) {
   const auto in_ring = [](const Hole& hole) {
     const HoleRings rings(with_holes({hole}));

@@ -76,11 +76,16 @@ void open_planes_to_voids(const TessellationOptions& options, std::vector<Block>
   };
   const auto hole_at = [&](const Vec3& point, double size) {
     ground.holes_near(point, size, near);
+    int nearest = -1;
+    double least = size;
     for (const int h : near) {
       const Vec3 wall = closest_on_hole(options.holes[static_cast<std::size_t>(h)], point);
-      if ((point - wall).norm() < size) return h;
+      if (const double away = (point - wall).norm(); away < least) {
+        least = away;
+        nearest = h;
+      }
     }
-    return -1;
+    return nearest;
   };
   for (Block& block : blocks) {
     const double size = std::cbrt(block.mass.volume);
