@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -16,6 +17,7 @@
 #include "explosive/hole_table.h"
 #include "explosive/kirra_table.h"
 #include "fixes/engine/output_file.h"
+#include "fixes/engine/script_variables.h"
 #include "fixes/engine/style_args.h"
 
 namespace muckpile {
@@ -23,6 +25,7 @@ namespace {
 
 struct TableText {
   std::string text, report;
+  std::optional<Vec3> place{};  // in the mine that is 0 0 0 of the table [m]
 };
 
 TableText taken(const std::string& own, const std::string& where) {
@@ -72,7 +75,8 @@ TableText converted(const std::string& file, const ArgValues& values, const std:
                            " by Kirra\n  place 0 0 0 is " + number_text(o.x()) + ' ' +
                            number_text(o.y()) + ' ' + number_text(o.z()) +
                            " m there; x looks to the bearing " +
-                           number_text(values.real("throw_bearing")) + " degrees\n"};
+                           number_text(values.real("throw_bearing")) + " degrees\n",
+          o};
 }
 
 /// Faults of the user's file start with the command and its keyword.
@@ -105,13 +109,17 @@ void HolePatternCommand::command(int narg, char** arg) {
   const ArgValues values = engine::or_engine_error(*lmp, [&] {
     return parse_args(hole_pattern_table(), where, engine::words_of(narg, arg, 0));
   });
-  const auto [text, report] =
+  const TableText made =
       engine::or_engine_error(*lmp, [&] { return table_and_report(values, where); });
   const std::filesystem::path file = values.word("file");
   std::error_code unheeded;  // write_file tells what is wrong with the folder
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), unheeded);
-  engine::write_file(*lmp, where, file.string(), text);
-  engine::print_once(*lmp, report + "  table: " + file.string() + "\n");
+  engine::write_file(*lmp, where, file.string(), made.text);
+  engine::print_once(*lmp, made.report + "  table: " + file.string() + "\n");
+  if (!made.place) return;
+  engine::set_script_variable(*lmp, "pattern_east", made.place->x());
+  engine::set_script_variable(*lmp, "pattern_north", made.place->y());
+  engine::set_script_variable(*lmp, "pattern_height", made.place->z());
 }
 
 }  // namespace muckpile
