@@ -3,6 +3,7 @@
 // Scope: see the header.
 #include "fixes/explosive/hole_pattern.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -35,18 +36,25 @@ TableText taken(const std::string& own, const std::string& where) {
                           std::to_string(table.decks().size()) + " decks of " + own + "\n"};
 }
 
+/// The words of `origin`; nothing where it is left out, or says so.
+std::optional<Vec3> origin_of(const ArgValues& values, const std::string& where) {
+  for (const auto& words : values.groups("origin")) {
+    if (std::count(words.begin(), words.end(), "auto") == 3) continue;
+    Vec3 origin;
+    for (int c = 0; c < 3; ++c)
+      origin[c] =
+          parse_real(where, "origin", words[static_cast<std::size_t>(c)], "m", place_range());
+    return origin;
+  }
+  return std::nullopt;
+}
+
 KirraFrame frame_of(const ArgValues& values, const std::string& where) {
   KirraFrame frame;
   frame.throw_bearing = values.real("throw_bearing") * M_PI / 180.0;
   frame.burden = values.real("burden");
   frame.subdrill = values.real("subdrill");
-  for (const auto& words : values.groups("origin")) {
-    Vec3 origin;
-    for (int c = 0; c < 3; ++c)
-      origin[c] =
-          parse_real(where, "origin", words[static_cast<std::size_t>(c)], "m", place_range());
-    frame.origin = origin;
-  }
+  frame.origin = origin_of(values, where);
   return frame;
 }
 
@@ -96,7 +104,7 @@ TableText table_and_report(const ArgValues& values, const std::string& where) {
     refuse(where, "takes either take or kirra, got both '" + own + "' and '" + kirra + "'");
   if (kirra != "none")
     return of_file(where, "kirra", [&] { return converted(kirra, values, where); });
-  if (values.given("origin")) refuse(where, "origin needs kirra");
+  if (origin_of(values, where)) refuse(where, "origin needs kirra");
   if (own != "none") return of_file(where, "take", [&] { return taken(own, where); });
   const HolePattern pattern = hole_pattern(values, where);
   return {hole_table_text(pattern), describe(pattern)};

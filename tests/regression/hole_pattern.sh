@@ -57,7 +57,7 @@ sed '/^# --- joints/,$d' inputs/quarry/in.quarry >"$out/in.quarry_cut"
 cut_quarry() {  # cut_quarry FOLDER -var NAME VALUE...: to $out/FOLDER
   run_input "$1" 1 "$out/in.quarry_cut" -var block_min 0.7 -var block_max 2 -var fragment_x50 1.4 -var crushed_ratio 8 -var kirra "$out/placed.csv" "${@:2}"
 }
-place_of_run() { sed -nE 's/.*"terrain_(east|north|height)_m": ([^,]*),?/\2/p' "$out/$1/dump/scene.json" | tr '\n' ' '; }
+place_of_run() { sed -nE 's/.*"terrain_(east|north|height)_m": ([0-9]+(\.[1-9])?).*/\2/p' "$out/$1/dump/scene.json" | tr '\n' ' '; }
 cut_quarry surveyed -var terrain "$out/survey.csv" -var terrain_east 500005 -var terrain_north 7000000 -var terrain_height 200
 [[ $(grep -c '^[12],-3.5,[36],10,-3.5,[36],-0.75,' "$out/surveyed/dump/holes.csv") -eq 2 ]] ||
   fail "holes of Kirra do not stand where the survey has them: $(cat "$out/surveyed/dump/holes.csv")"
