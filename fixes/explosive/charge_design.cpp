@@ -3,14 +3,10 @@
 // Scope: see the header.
 #include "fixes/explosive/charge_design.h"
 
-#include <input.h>
-#include <variable.h>
-
-#include <array>
 #include <string>
 
-#include "args/numbers.h"
 #include "explosive/charge_design.h"
+#include "fixes/engine/script_variables.h"
 #include "fixes/engine/style_args.h"
 
 namespace muckpile {
@@ -23,6 +19,9 @@ void ChargeDesignCommand::command(int narg, char** arg) {
     return charge_design(values, where);
   });
   engine::print_once(*lmp, design.report);
+  const auto set_variable = [&](const std::string& name, double value) {
+    engine::set_script_variable(*lmp, name, value);
+  };
   set_variable("charge_density", design.density);
   set_variable("charge_vod", design.detonation_velocity);
   set_variable("charge_energy", design.energy);
@@ -37,15 +36,9 @@ void ChargeDesignCommand::command(int narg, char** arg) {
   const Eigen::AlignedBox3d box = design.pattern->chambers();
   for (Eigen::Index k = 0; k < 3; ++k) {
     const std::string axis = std::string("pattern_") + "xyz"[k];
-    set_variable((axis + "_lo").c_str(), box.min()[k]);
-    set_variable((axis + "_hi").c_str(), box.max()[k]);
+    set_variable(axis + "_lo", box.min()[k]);
+    set_variable(axis + "_hi", box.max()[k]);
   }
-}
-
-void ChargeDesignCommand::set_variable(const char* name, double value) {
-  std::array<std::string, 3> words{name, "string", number_text(value)};
-  std::array<char*, 3> arg{words[0].data(), words[1].data(), words[2].data()};
-  input->variable->set(3, arg.data());
 }
 
 }  // namespace muckpile
