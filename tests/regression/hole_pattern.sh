@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # hole_pattern.sh LIGGGHTS_MUCKPILE: the command writes the same table on one and two ranks, which charge_design reads on all of them; a table of
 # one's own is taken as it is, and its folder is made; holes of Kirra come from the mine's coordinates into those of the bench, and the quarry
-# puts them where its surveyed ground is.
+# puts them where its surveyed ground is. A charge thinner than its holes gives them crushed zones of their own in the table.
 # Scope: no blast; the numbers of the table are in the unit tests.
 set -euo pipefail
 program=$1
@@ -27,6 +27,22 @@ sed 's/0\.042/0.05/' "$out/new/1.csv" >"$out/own.csv"
 on_ranks 2 -in "$out/in.table" -log none -var own "$out/own.csv" -var table "$out/taken/holes.csv" >"$out/screen3"
 cmp "$out/own.csv" "$out/taken/holes.csv" || fail "the table of one's own was changed"
 grep -q '^holes 6 last 0.084' "$out/screen3" || fail "the table of one's own was not read"
+
+# A charge of 60 mm in the second hole; the table is written over, as another rank reads it.
+cat >"$out/in.zones" <<'END'
+units si
+atom_style granular
+charge_design explosive emulsion charge_diameter 0.06 coupling water poisson_ratio 0.25 hole_table ${table} crushed_table ${table}
+print "smallest ${pattern_crushed_radius} full ${pattern_full_radius}"
+END
+for ranks in 1 2; do
+  cp "$out/new/1.csv" "$out/zones$ranks.csv"
+  on_ranks "$ranks" -in "$out/in.zones" -log none -var table "$out/zones$ranks.csv" >"$out/screen_zones$ranks"
+  # 3 x 44.5 mm x (60/89)^(0.72 x 3/7)
+  grep -q '^smallest 0\.11820.* full 0\.1335$' "$out/screen_zones$ranks" || fail "the crushed zones are others: $(tail -n 3 "$out/screen_zones$ranks")"
+done
+cmp "$out/zones1.csv" "$out/zones2.csv" || fail "the crushed zones of one and two ranks differ"
+[[ $(grep -c ',0\.11820[0-9]*$' "$out/zones1.csv") -eq 6 ]] || fail "not six crushed zones in the table"
 
 # The face looks to the north: x is north of the origin, y west of it.
 cat >"$out/plan.csv" <<'END'
