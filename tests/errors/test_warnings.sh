@@ -89,6 +89,18 @@ run 0
 END
 says "joints of the same density" 0 "its density is not"
 
+wide="WARNING: create_blocks: the void of hole 1 is "
+try "a void of the cylinder's volume" 0 <<'END'
+include ${dir}/rock.in
+END
+says "a void of the cylinder's volume" 1 "void over the cylinder of its crushed zone: hole 1 1"
+says "a void of the cylinder's volume" 0 "$wide"
+try "a void that is too wide" 0 <<'END'
+include ${dir}/engine.in
+create_blocks rock density 2700 size uniform 0.78 block_min 0.78 block_max 0.78 spheres_per_block 1 sweeps 2 rings_from 2 hole 0 0 -0.5 0 0 0.5 0.4
+END
+says "a void that is too wide" 1 "$wide"
+
 # The pulse is to be cut into five steps at least while it rises, and into any number once it has passed (8.6 rise times).
 few_steps="WARNING: fix muckpile/blast 'anfo': the time step, 3e-05 s, is longer than a fifth of rise_time"
 blast() {  # blast STEP LATER: runs until 1.2 ms, and on from there with another step

@@ -122,9 +122,9 @@ std::string describe_parts(const TessellationStatistics& statistics) {
             "them, where the joint ends\n";
   }
   if (statistics.lost_parts > 0) {
-    text += "  " + std::to_string(statistics.lost_parts) +
+    text += "WARNING: create_blocks: " + std::to_string(statistics.lost_parts) +
             " parts between joint planes are left out, since no seed fell into their " +
-            number_text(statistics.lost_volume) + " m3 of rock: take smaller blocks\n";
+            rounded_text(statistics.lost_volume, 3) + " m3 of rock: take smaller blocks\n";
   }
   return text;
 }
