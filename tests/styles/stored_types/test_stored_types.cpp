@@ -42,7 +42,7 @@ StoredTypes types_in() {
 StoredTypes all_types() {
   return types_in<BlocksState, BlocksShare, PlacedBlock, NetworkTotals, QuietState, LedgerState,
                   SleepState, RestRecord, CrushedBed::State, JointGasState, BlockGas, BlastState,
-                  StepState, ProgressState, ContactLosses, ContactRecord, GaugesState, WallState,
+                  StepState, ProgressState, ContactLosses, ContactsState, ContactRecord, GaugesState, WallState,
                   WallContact, ShapesState>();
 }
 
