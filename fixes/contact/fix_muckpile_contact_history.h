@@ -6,6 +6,7 @@
 
 #include <fix.h>
 
+#include <span>
 #include <vector>
 
 #include "contact/contact_law.h"
@@ -105,7 +106,7 @@ class FixMuckpileContactHistory : public LAMMPS_NS::Fix {
     int first, count;
   };
   int pack(int index, double* buf) const;
-  int unpack(int index, const double* buf);
+  int unpack(int index, std::span<const double> numbers);
 
   ContactSource* source_ = nullptr;
   ContactsState restored_{{}, -1};  ///< of a restart file; polyhedra -1: there was none
