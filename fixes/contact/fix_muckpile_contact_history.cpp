@@ -33,8 +33,8 @@ FixMuckpileContactHistory::~FixMuckpileContactHistory() {
 
 void FixMuckpileContactHistory::set_source(ContactSource* source) {
   if (source_ == nullptr) {
-    source->losses().friction += restored_.friction;
-    source->losses().damping += restored_.damping;
+    source->losses().friction += restored_.losses.friction;
+    source->losses().damping += restored_.losses.damping;
   }
   source_ = source;
 }
@@ -122,22 +122,21 @@ void FixMuckpileContactHistory::unpack_restart(int index, int nth) {
 
 /// Called before the records are asked for: a file may be written in the middle of a run.
 void FixMuckpileContactHistory::write_restart(FILE* file) {
-  ContactLosses losses;
+  ContactsState state;
   if (source_ != nullptr) {
     source_->store_contacts(*this);
-    losses = source_->losses();
+    state = {source_->losses(), source_->polyhedra() ? 1 : 0};
   }
-  for (double* mine : {&losses.friction, &losses.damping})
+  for (double* mine : {&state.losses.friction, &state.losses.damping})
     *mine = engine::sum_over_ranks(*mine, world);
-  engine::write_state<ContactRecord>(*lmp, style, file, losses, {});
+  engine::write_state<ContactRecord>(*lmp, style, file, state, {});
 }
 
 /// The records themselves stand with the spheres; here they are told to be of this version.
 void FixMuckpileContactHistory::restart(char* state) {
-  ContactLosses losses;
-  engine::read_state<ContactRecord>(*lmp, style, state, losses, [](const ContactRecord&) {});
-  restored_.friction = engine::share_of_total(*lmp, losses.friction);
-  restored_.damping = engine::share_of_total(*lmp, losses.damping);
+  engine::read_state<ContactRecord>(*lmp, style, state, restored_, [](const ContactRecord&) {});
+  for (double* all : {&restored_.losses.friction, &restored_.losses.damping})
+    *all = engine::share_of_total(*lmp, *all);
 }
 
 int FixMuckpileContactHistory::size_restart(int index) {

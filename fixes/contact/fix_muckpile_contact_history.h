@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix muckpile/contact/history: carries the memory of sphere contacts with the spheres.
+// fix muckpile/contact/history: carries the memory of contacts with the spheres.
 // Scope: internal; pair muckpile/block creates it, fills it before atoms move between ranks and
 // reads it back when it has built its new list. Holds nothing between those two moments.
 #pragma once
@@ -27,6 +27,18 @@ struct Stored<ContactLosses> {
   static auto fields(auto& losses) { return std::tie(losses.friction, losses.damping); }
 };
 
+/// Of all contacts, in restart files.
+struct ContactsState {
+  ContactLosses losses;
+  int polyhedra = 0;  ///< 1: the memory is that of contacts between polyhedra
+};
+template <>
+struct Stored<ContactsState> {
+  static constexpr std::string_view kName = "contacts_state";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& state) { return std::tie(state.losses, state.polyhedra); }
+};
+
 /// What a sphere remembers of one of its contacts; stored per sphere, as numbers of the engine.
 struct ContactRecord {
   int partner = 0;  ///< tag of the other sphere
@@ -49,6 +61,7 @@ class ContactSource {
   /// Called before atoms are exchanged: put every live contact into `history`.
   virtual void store_contacts(FixMuckpileContactHistory& history) = 0;
   [[nodiscard]] virtual ContactLosses& losses() = 0;
+  [[nodiscard]] virtual bool polyhedra() const = 0;  ///< or spheres
 };
 
 class FixMuckpileContactHistory : public LAMMPS_NS::Fix {
@@ -61,6 +74,10 @@ class FixMuckpileContactHistory : public LAMMPS_NS::Fix {
   ~FixMuckpileContactHistory() override;
 
   void set_source(ContactSource* source);
+  /// Whether the contacts of the restart file are of the other shape than those of the source.
+  [[nodiscard]] bool of_other_shape() const {
+    return restored_.polyhedra >= 0 && (restored_.polyhedra == 1) != source_->polyhedra();
+  }
 
   /// Replaces everything by `records`; owners[k] is the owned atom that carries records[k].
   void store(const std::vector<int>& owners, const std::vector<Record>& records);
@@ -92,7 +109,7 @@ class FixMuckpileContactHistory : public LAMMPS_NS::Fix {
   int unpack(int index, std::span<const double> numbers);
 
   ContactSource* source_ = nullptr;
-  ContactLosses restored_;       ///< of a restart file, until there is a source
+  ContactsState restored_{{}, -1};  ///< of a restart file; polyhedra -1: there was none
   std::vector<Range> range_;     ///< per atom: its records in the pool
   std::vector<Record> records_;  ///< the pool; leavers leave holes until the next store()
   int most_records_ = 0;         ///< of one atom

@@ -141,6 +141,10 @@ void PairMuckpileBlock::find_partners() {
   if (modify->find_fix(kHistoryId) < 0) make_fix(*modify, kHistoryId, kHistoryStyle);
   history_ = dynamic_cast<FixMuckpileContactHistory*>(modify->fix[modify->find_fix(kHistoryId)]);
   history_->set_source(this);
+  if (history_->of_other_shape())
+    engine::stop(*lmp, std::string(kStyle) +
+                           ": shape must be that of the run that wrote the restart file, " +
+                           (polyhedra() ? "spheres, got 'polyhedra'" : "polyhedra, got 'spheres'"));
 }
 
 void PairMuckpileBlock::init_style() {

@@ -69,6 +69,7 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
 
   void store_contacts(FixMuckpileContactHistory& history) override;
   [[nodiscard]] ContactLosses& losses() override { return losses_; }
+  [[nodiscard]] bool polyhedra() const override { return solids_ != nullptr; }
 
   void mark_near(std::span<const char> from, std::span<char> to) const override;
 
@@ -125,6 +126,8 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
 
   // Where blocks touch in their own shape, pair_muckpile_block_solids.cpp has in place of these:
   void take_shapes();
+  /// Stops where spheres have other tags than create_blocks gave them. Collective.
+  void require_keys();
   void step_solids(double memory_step);
   /// Stored by a contact [J].
   [[nodiscard]] double solid_energy(const SpherePair& pair);

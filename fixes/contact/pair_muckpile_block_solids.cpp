@@ -27,6 +27,24 @@ void PairMuckpileBlock::take_shapes() {
                            std::to_string(missing) +
                            " without one; give it before create_blocks, or before the run that "
                            "wrote the restart file");
+  require_keys();
+}
+
+void PairMuckpileBlock::require_keys() {
+  const engine::Bodies bodies(*bodies_);
+  int without = bodies.count();
+  for (int k = 0; k < atom->nlocal; ++k) {
+    const int tag = bodies_->belongs_to(k);
+    const ShapedBlock* const shape = tag < 0 ? nullptr : solids_->shapes->shape(tag);
+    if (shape != nullptr && shape->key == atom->tag[k]) --without;
+  }
+  without = engine::sum_over_ranks(without, world);
+  if (without > 0)
+    engine::stop(*lmp, std::string(kStyle) +
+                           ": shape polyhedra needs the spheres' numbers as create_blocks gave "
+                           "them, got " +
+                           std::to_string(without) +
+                           " blocks with others; use delete_atoms with 'compress no'");
 }
 
 void PairMuckpileBlock::step_solids(double memory_step) {
@@ -35,8 +53,10 @@ void PairMuckpileBlock::step_solids(double memory_step) {
   const SphereSet all = spheres();
   solids.axes.resize(list_.block_pairs().size(), Vec3::Zero());
   solids.forces.begin(solids.law, moving_spheres(), contacts_, update->dt, memory_step);
-  const auto body = [&](int key) {
-    return solids.blocks.body(bodies, *atom, atom_block_[static_cast<std::size_t>(key)], key);
+  solids.blocks.begin_step();
+  const auto body = [&](int key) -> const SolidBody& {
+    return solids.blocks.body_of_step(bodies, *atom, atom_block_[static_cast<std::size_t>(key)],
+                                      key);
   };
   for (const std::size_t k : working_) {
     if (!list_.wake(k, all, contacts_.free())) continue;
@@ -59,7 +79,8 @@ double PairMuckpileBlock::solid_energy(const SpherePair& pair) {
                               contacts_[pair.contact]);
 }
 
-/// Four contacts about its point, each a quarter as stiff, resist turns as the whole face does.
+/// Normal springs of a quarter each about its point resist turns as the whole face does, tangential
+/// ones of a half each resist spin about the normal as the spring against it does.
 void PairMuckpileBlock::add_solid_contact(SharedStepBound& shared, const SpherePair& pair) {
   const engine::Bodies bodies(*bodies_);
   const auto body = [&](int key) {
@@ -68,17 +89,24 @@ void PairMuckpileBlock::add_solid_contact(SharedStepBound& shared, const SphereP
   const SolidResistance whole = solids_->look.resistance(
       solids_->law, body(pair.first), body(pair.second), contacts_[pair.contact]);
   const ContactResistance& s = whole.springs;
-  const ContactResistance quarter{0.25 * s.normal_stiffness, 0.25 * s.tangential_stiffness, 0.0,
-                                  0.25 * s.normal_damping,   0.25 * s.tangential_damping,   0.0};
+  const ContactResistance quarter{0.25 * s.normal_stiffness, 0.0, 0.0, 0.25 * s.normal_damping};
+  const ContactResistance half{0.0, 0.5 * s.tangential_stiffness,
+                               0.0, 0.0,
+                               0.5 * s.tangential_damping};
   const Vec3 along = whole.normal.unitOrthogonal(), across = whole.normal.cross(along);
   const double out = std::sqrt(2.0) * whole.spread;
-  for (const Vec3& arm :
-       {Vec3(out * along), Vec3(-out * along), Vec3(out * across), Vec3(-out * across)})
+  const auto add = [&](const ContactResistance& part, const Vec3& arm) {
     for (const auto& [key, other] :
          {std::pair(pair.first, pair.second), std::pair(pair.second, pair.first)})
       if (key < atom->nlocal)
         shared.add(bodies_->belongs_to(key),
-                   {quarter, whole.normal, whole.point + arm, atom->rmass[other]});
+                   {part, whole.normal, whole.point + arm, atom->rmass[other]});
+  };
+  for (const double side : {-1.0, 1.0}) {
+    add(quarter, side * out * along);
+    add(quarter, side * out * across);
+    add(half, side * whole.twist_arm * along);
+  }
 }
 
 double PairMuckpileBlock::step_of_light_solids() const {

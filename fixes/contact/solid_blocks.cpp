@@ -25,6 +25,9 @@ void SolidBlocks::keep_keys(const LAMMPS_NS::Atom& atom, std::span<const int> bl
     shapes_.push_back(shapes.shape(tag));
     if (shapes_.back() == nullptr) ++without_shape_;
   }
+  of_step_.resize(block_tag.size());
+  step_of_.assign(block_tag.size(), step_);
+  begin_step();
   reaches_.assign(atom_block.size(), 0.0);
   for (std::size_t k = 0; k < atom_block.size(); ++k) {
     if (atom_block[k] < 0) continue;
@@ -82,6 +85,15 @@ SolidBody SolidBlocks::body(const engine::Bodies& bodies, const LAMMPS_NS::Atom&
   body.velocity = engine::vector_of(atom.v[0], key) - body.spin.cross(arm);
   body.mass = atom.rmass[key];
   return body;
+}
+
+const SolidBody& SolidBlocks::body_of_step(const engine::Bodies& bodies,
+                                           const LAMMPS_NS::Atom& atom, int block, int key) {
+  if (step_of_[at(block)] != step_) {
+    of_step_[at(block)] = body(bodies, atom, block, key);
+    step_of_[at(block)] = step_;
+  }
+  return of_step_[at(block)];
 }
 
 }  // namespace muckpile

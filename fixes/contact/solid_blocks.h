@@ -6,6 +6,7 @@
 
 #include <mpi.h>
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -39,6 +40,10 @@ class SolidBlocks {
   /// Of a block whose key is here, from the present positions.
   [[nodiscard]] SolidBody body(const engine::Bodies& bodies, const LAMMPS_NS::Atom& atom, int block,
                                int key) const;
+  /// The same, worked out once from the positions since begin_step().
+  [[nodiscard]] const SolidBody& body_of_step(const engine::Bodies& bodies,
+                                              const LAMMPS_NS::Atom& atom, int block, int key);
+  void begin_step() { ++step_; }
 
  private:
   static std::size_t at(int block) { return static_cast<std::size_t>(block); }
@@ -50,6 +55,9 @@ class SolidBlocks {
   bool several_ = false;  // ranks
   int without_shape_ = 0;
   int own_ = 0;               // bodies
+  std::vector<SolidBody> of_step_;          // per block
+  std::vector<std::uint64_t> step_of_;      // per block: that its entry of of_step_ is of
+  std::uint64_t step_ = 0;
   std::vector<double> axes_;  // of bodies by their places: by columns
 };
 

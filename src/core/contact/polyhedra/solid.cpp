@@ -4,7 +4,9 @@
 #include "contact/polyhedra/solid.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 
 #include "args/require.h"
 
@@ -35,6 +37,8 @@ Solid::Solid(const Polyhedron& shape, const Pose& pose) {
     loop_.insert(loop_.end(), corners.begin(), corners.end());
   }
   check();
+  sort_faces();
+  fill_rows();
   least_depth_ = planes_[0].depth;
   for (const Plane& plane : planes_) least_depth_ = std::min(least_depth_, plane.depth);
 }
@@ -66,47 +70,79 @@ void Solid::check() const {
   }
 }
 
+/// Plane by plane.
+void Solid::sort_faces() {
+  std::stable_sort(faces_.begin(), faces_.end(),
+                   [](const Face& a, const Face& b) { return a.plane < b.plane; });
+  face_begin_.assign(planes_.size() + 1, 0);
+  for (const Face& face : faces_) ++face_begin_[static_cast<std::size_t>(face.plane) + 1];
+  for (std::size_t p = 0; p < planes_.size(); ++p) face_begin_[p + 1] += face_begin_[p];
+}
+
+void Solid::fill_rows() {
+  count_ = (corners_.size() + kRow - 1) / kRow * kRow;
+  planes_of_corner_.assign(count_, 0);
+  for (const Face& face : faces_)
+    for (int k = face.begin; k < face.begin + face.count; ++k)
+      planes_of_corner_[static_cast<std::size_t>(loop_[static_cast<std::size_t>(k)])] |=
+          std::uint64_t{1} << face.plane;
+  rows_.resize(3 * count_);
+  for (std::size_t k = 0; k < count_; ++k) {
+    const Vec3& corner = corners_[std::min(k, corners_.size() - 1)];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      rows_[axis * count_ + k] = corner[static_cast<Eigen::Index>(axis)];
+  }
+}
+
+double Solid::reach(const Vec3& n) const {
+  std::array<double, kRow> high;
+  high.fill(-std::numeric_limits<double>::infinity());
+  const double *x = row(0), *y = row(1), *z = row(2);
+  for (std::size_t k = 0; k < count_; k += kRow)
+    for (std::size_t j = 0; j < kRow; ++j)
+      high[j] = std::max(high[j], n.x() * x[k + j] + n.y() * y[k + j] + n.z() * z[k + j]);
+  return *std::max_element(high.begin(), high.end());
+}
+
 double Solid::bytes() const {
-  return static_cast<double>(corners_.capacity() * sizeof(Vec3) +
-                             planes_.capacity() * sizeof(Plane) + faces_.capacity() * sizeof(Face) +
-                             loop_.capacity() * sizeof(int));
+  return static_cast<double>(
+      corners_.capacity() * sizeof(Vec3) + planes_.capacity() * sizeof(Plane) +
+      faces_.capacity() * sizeof(Face) + loop_.capacity() * sizeof(int) +
+      rows_.capacity() * sizeof(double) + planes_of_corner_.capacity() * sizeof(std::uint64_t) +
+      face_begin_.capacity() * sizeof(std::size_t));
 }
 
 void PlacedSolid::place(const Solid& what, const Mat3& turn, const Vec3& at, double size) {
   solid = &what;
   centre = at;
   scale = size;
-  const std::size_t corners = what.corners().size();
-  const Mat3 stretched = size * turn;
-  for (std::size_t k = 0; k < corners; ++k) {
-    const Vec3 corner = stretched * what.corners()[k] + at;
-    x[k] = corner.x();
-    y[k] = corner.y();
-    z[k] = corner.z();
-  }
-  rows = (corners + kRow - 1) / kRow * kRow;
-  std::fill(x.begin() + static_cast<std::ptrdiff_t>(corners),
-            x.begin() + static_cast<std::ptrdiff_t>(rows), x[corners - 1]);
-  std::fill(y.begin() + static_cast<std::ptrdiff_t>(corners),
-            y.begin() + static_cast<std::ptrdiff_t>(rows), y[corners - 1]);
-  std::fill(z.begin() + static_cast<std::ptrdiff_t>(corners),
-            z.begin() + static_cast<std::ptrdiff_t>(rows), z[corners - 1]);
-  place_planes(turn);
+  rows = what.rows();
+  const Mat3 m = size * turn;
+  const double *from_x = what.row(0), *from_y = what.row(1), *from_z = what.row(2);
+  for (std::size_t k = 0; k < rows; k += kRow)
+    for (std::size_t j = k; j < k + kRow; ++j) {
+      x[j] = m(0, 0) * from_x[j] + m(0, 1) * from_y[j] + m(0, 2) * from_z[j] + at.x();
+      y[j] = m(1, 0) * from_x[j] + m(1, 1) * from_y[j] + m(1, 2) * from_z[j] + at.y();
+      z[j] = m(2, 0) * from_x[j] + m(2, 1) * from_y[j] + m(2, 2) * from_z[j] + at.z();
+    }
 }
 
-void PlacedSolid::place_planes(const Mat3& turn) {
+void PlacedSolid::place_planes(const Mat3& turn, std::uint64_t which) {
   constexpr double kFar = 1e30;
-  plane_rows = (planes() + kRow - 1) / kRow * kRow;
-  for (std::size_t p = 0; p < planes(); ++p) {
-    const Solid::Plane& plane = solid->planes()[p];
-    const Vec3 n = turn * plane.normal;
-    nx[p] = n.x();
-    ny[p] = n.y();
-    nz[p] = n.z();
-    offset[p] = scale * plane.depth + n.dot(centre);
-    inverse_depth[p] = 1.0 / plane.depth;
+  planes = 0;
+  for (; which != 0; which &= which - 1) {
+    const auto p = static_cast<std::size_t>(std::countr_zero(which));
+    const Solid::Plane& own = solid->planes()[p];
+    const Vec3 n = turn * own.normal;
+    plane[planes] = p;
+    nx[planes] = n.x();
+    ny[planes] = n.y();
+    nz[planes] = n.z();
+    offset[planes] = scale * own.depth + n.dot(centre);
+    inverse_depth[planes++] = 1.0 / own.depth;
   }
-  for (std::size_t p = planes(); p < plane_rows; ++p) {
+  plane_rows = (planes + kRow - 1) / kRow * kRow;
+  for (std::size_t p = planes; p < plane_rows; ++p) {
     nx[p] = ny[p] = nz[p] = 0.0;
     offset[p] = kFar;
     inverse_depth[p] = 1.0;

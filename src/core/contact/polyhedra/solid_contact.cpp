@@ -8,13 +8,25 @@
 namespace muckpile {
 namespace {
 
-constexpr int kBisections = 45;
-constexpr double kSmallest = 0.5;  // share of their size to which two bodies are drawn in at most
+constexpr int kMostLooks = 30;   // for the size at which two bodies just touch
+constexpr double kNoGap = 1e-9;  // of the depth of a body
+
+/// How two bodies lie along a direction.
+struct Along {
+  double between;  ///< their centres [m]
+  double reach;    ///< sum of how far both reach towards each other [m]
+};
+
+/// `n` in the axes of the first, `n_second` in those of the second.
+Along along(const Solid& first, const Solid& second, const Vec3& n, const Vec3& n_second,
+            double between) {
+  return {between, first.reach(n) + second.reach(-n_second)};
+}
 
 }  // namespace
 
 /// As the first body sees it.
-void SolidContact::see(const SolidBody& first, const SolidBody& second) {
+void SolidContact::see(const SolidBody& first, const SolidBody& second, const Vec3& axis) {
   const Mat3 back = first.pose.axes.transpose();
   turn_ = back * second.pose.axes;
   motion_.between = back * (second.pose.centre - first.pose.centre);
@@ -24,6 +36,7 @@ void SolidContact::see(const SolidBody& first, const SolidBody& second) {
   motion_.reduced_mass = first.mass * second.mass / (first.mass + second.mass);
   const double a = first.solid->least_depth(), b = second.solid->least_depth();
   motion_.twist_arm = 2.0 * a * b / (a + b);
+  normal_ = axis.squaredNorm() > 0.0 ? Vec3(back * axis) : motion_.between.normalized();
 }
 
 bool SolidContact::overlap(const SolidBody& first, const SolidBody& second, double size) {
@@ -48,57 +61,67 @@ bool SolidContact::overlapped_before(const SolidBody& first, const SolidBody& se
   return finder_.touching();
 }
 
-/// Share of their sizes, above `low`, at which they just do not touch.
-double SolidContact::touching_size(const SolidBody& first, const SolidBody& second, double low) {
-  double high = 1.0;
-  for (int k = 0; k < kBisections; ++k) {
-    const double middle = 0.5 * (low + high);
-    (overlap(first, second, middle) ? high : low) = middle;
+/// Share of their sizes up to which they are apart, at most a little above 1; along normal_ they
+/// touch in that size. It follows from the present pose alone, so that all ranks have the same.
+/// Each turn takes the largest gap in the size that the last one has found (Dinkelbach 1967: the
+/// greatest of all quotients of distance and reach).
+double SolidContact::touching_size(const SolidBody& first, const SolidBody& second) {
+  const double least = std::min(first.solid->least_depth(), second.solid->least_depth());
+  double size = 0.0;
+  Vec3 n = motion_.between.normalized();
+  for (int k = 0; k < kMostLooks && n.squaredNorm() > 0.0; ++k) {
+    const Along there =
+        along(*first.solid, *second.solid, n, turn_.transpose() * n, n.dot(motion_.between));
+    size = std::max(size, there.between / there.reach);
+    gap_ = there.between - there.reach;
+    normal_ = n;
+    if (size >= 1.0) break;
+    finder_.place(*first.solid, *second.solid, turn_, motion_.between, size);
+    if (!(finder_.search_gap(n) > kNoGap * least)) break;
   }
-  return low;
+  return size;
 }
 
-/// What a new contact starts with; true: it lasts.
-bool SolidContact::begin(const SolidBody& first, const SolidBody& second, double time_step,
-                         ContactState& state) {
+/// Two bodies that do not touch, in the size to which they are drawn in: they get their size back.
+SolidContact::Outcome SolidContact::part(const SolidBody& first, const SolidBody& second,
+                                         Vec3& axis, ContactState& state) {
+  const double before = 1.0 - state.overlap_offset;
   state = {};
-  if (!overlap(first, second, 1.0)) return false;
-  if (overlapped_before(first, second, time_step))
-    state.overlap_offset = 1.0 - touching_size(first, second, kSmallest);
-  return true;
-}
-
-/// Two bodies that no longer touch in the size to which they are drawn in;
-/// true: the contact lasts.
-bool SolidContact::part(const SolidBody& first, const SolidBody& second, ContactState& state) {
-  const double size = 1.0 - state.overlap_offset;
-  state = {};
-  if (size == 1.0 || !overlap(first, second, 1.0)) return false;
-  state.overlap_offset = 1.0 - touching_size(first, second, size);
-  return true;
+  const double size = before < 1.0 ? std::max(before, touching_size(first, second)) : 1.0;
+  if (gap_ > 0.0 || size < 1.0) axis = first.pose.axes * normal_;
+  if (size >= 1.0) return {false, std::max(gap_, 0.0)};
+  state.overlap_offset = 1.0 - size;
+  return {true, 0.0};
 }
 
 SolidContact::Outcome SolidContact::step(const SolidContactLaw& law, const SolidBody& first,
                                          const SolidBody& second, double time_step,
                                          double memory_step, bool is_new, Vec3& axis,
                                          ContactState& state, SolidResponse& response) {
-  if (axis.squaredNorm() > 0.0) {
-    const double gap = gap_along(*first.solid, *second.solid, first.pose.axes.transpose() * axis,
-                                 second.pose.axes.transpose() * axis,
-                                 axis.dot(second.pose.centre - first.pose.centre));
-    if (gap > 0.0) return {false, gap};
-  }
-  see(first, second);
-  normal_ = motion_.between.normalized();
+  if (is_new) state = {};
+  const double size = 1.0 - state.overlap_offset;
   response = {};
-  bool lasts = !is_new || begin(first, second, time_step, state);
-  if (lasts && !overlap(first, second, 1.0 - state.overlap_offset))
-    lasts = !is_new ? part(first, second, state) : state.overlap_offset > 0.0;
-  else if (lasts)
-    response = respond(law, first.pose.axes, memory_step, state);
-  if (lasts) return {true, 0.0};
-  if (gap_ > 0.0) axis = first.pose.axes * normal_;
-  return {false, gap_};
+  bool apart = false;
+  if (axis.squaredNorm() > 0.0) {
+    const Along there = along(*first.solid, *second.solid, first.pose.axes.transpose() * axis,
+                              second.pose.axes.transpose() * axis,
+                              axis.dot(second.pose.centre - first.pose.centre));
+    const double gap = there.between - size * there.reach;
+    if (gap > 0.0 && size == 1.0) return {false, gap};
+    apart = gap > 0.0;
+  }
+  see(first, second, axis);
+  if (apart || !overlap(first, second, size)) return part(first, second, axis, state);
+  if (is_new) {
+    if (overlapped_before(first, second, time_step)) {
+      state.overlap_offset = std::max(0.0, 1.0 - touching_size(first, second));
+      return {true, 0.0};
+    }
+    (void)overlap(first, second, size);
+  }
+  response = respond(law, first.pose.axes, memory_step, state);
+  axis = -(first.pose.axes * finder_.overlap().push).normalized();
+  return {true, 0.0};
 }
 
 /// Of the overlap found last, in space.
@@ -116,9 +139,9 @@ SolidResponse SolidContact::respond(const SolidContactLaw& law, const Mat3& axes
 
 SolidResistance SolidContact::resistance(const SolidContactLaw& law, const SolidBody& first,
                                          const SolidBody& second, const ContactState& state) {
-  see(first, second);
+  see(first, second, Vec3::Zero());
   (void)overlap(first, second, 1.0 - state.overlap_offset);
-  SolidResistance r = law.resistance(finder_.overlap(), motion_.reduced_mass);
+  SolidResistance r = law.resistance(finder_.overlap(), motion_);
   r.normal = first.pose.axes * r.normal;
   r.point = first.pose.centre + first.pose.axes * r.point;
   return r;
@@ -126,7 +149,7 @@ SolidResistance SolidContact::resistance(const SolidContactLaw& law, const Solid
 
 double SolidContact::energy(const SolidContactLaw& law, const SolidBody& first,
                             const SolidBody& second, const ContactState& state) {
-  see(first, second);
+  see(first, second, Vec3::Zero());
   if (!overlap(first, second, 1.0 - state.overlap_offset)) return 0.0;
   ContactState copy = state;
   return respond(law, first.pose.axes, 0.0, copy).elastic_energy;

@@ -22,7 +22,7 @@ class SolidContact {
     double gap;  ///< between the two, if above 0 [m]
   };
 
-  /// `axis`: in space, along which they were apart before, or zero; a new one
+  /// `axis`: unit, in space, along which they were apart or pressed before, or zero; a new one
   /// is put there. `state` counts unless the contact is new. `response`: in
   /// space, of a contact that lasts.
   ///
@@ -43,15 +43,14 @@ class SolidContact {
   [[nodiscard]] double largest_strain() const { return finder_.overlap().largest_strain; }
 
  private:
-  void see(const SolidBody& first, const SolidBody& second);
+  void see(const SolidBody& first, const SolidBody& second, const Vec3& axis);
   /// As OverlapFinder::work; true: they share volume.
   bool overlap(const SolidBody& first, const SolidBody& second, double size);
   [[nodiscard]] bool overlapped_before(const SolidBody& first, const SolidBody& second,
                                        double time_step);
-  [[nodiscard]] double touching_size(const SolidBody& first, const SolidBody& second, double low);
-  bool begin(const SolidBody& first, const SolidBody& second, double time_step,
-             ContactState& state);
-  bool part(const SolidBody& first, const SolidBody& second, ContactState& state);
+  double touching_size(const SolidBody& first, const SolidBody& second);
+  [[nodiscard]] Outcome part(const SolidBody& first, const SolidBody& second, Vec3& axis,
+                             ContactState& state);
   [[nodiscard]] SolidResponse respond(const SolidContactLaw& law, const Mat3& axes,
                                       double memory_step, ContactState& state) const;
 

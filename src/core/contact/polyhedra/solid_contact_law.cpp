@@ -130,8 +130,8 @@ SolidResponse SolidContactLaw::evaluate(const SolidOverlap& overlap, const Solid
 }
 
 SolidResistance SolidContactLaw::resistance(const SolidOverlap& overlap,
-                                            double reduced_mass) const {
-  const Normal normal = normal_part(overlap, reduced_mass);
+                                            const SolidMotion& motion) const {
+  const Normal normal = normal_part(overlap, motion.reduced_mass);
   SolidResistance r;
   const double damping = normal.slowness * normal.force;
   r.springs.normal_stiffness = normal.stiffness;
@@ -141,6 +141,7 @@ SolidResistance SolidContactLaw::resistance(const SolidOverlap& overlap,
   r.normal = normal.direction;
   r.point = overlap.point;
   r.spread = std::sqrt(overlap.mean_square);
+  r.twist_arm = motion.twist_arm;
   return r;
 }
 

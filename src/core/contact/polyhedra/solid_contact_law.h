@@ -41,8 +41,8 @@ struct SolidResistance {
   ContactResistance springs;
   Vec3 normal;    ///< unit, from the first to the second
   Vec3 point;     ///< [m]
-  double spread;  ///< root mean square distance of the springs from there, at
-                  ///< most [m]
+  double spread;     ///< root mean square distance of the normal springs from there, at most [m]
+  double twist_arm;  ///< distance of the tangential springs that resists spin as they do [m]
 };
 
 class SolidContactLaw {
@@ -55,7 +55,8 @@ class SolidContactLaw {
   /// [s] may be 0.
   [[nodiscard]] SolidResponse evaluate(const SolidOverlap& overlap, const SolidMotion& motion,
                                        double time_step, ContactState& state) const;
-  [[nodiscard]] SolidResistance resistance(const SolidOverlap& overlap, double reduced_mass) const;
+  [[nodiscard]] SolidResistance resistance(const SolidOverlap& overlap,
+                                           const SolidMotion& motion) const;
   /// A fifth of sqrt(m / k) [s], k of two such bodies all over their stiffest
   /// faces (Solid).
   [[nodiscard]] double stable_time_step(double mass, double stiffest) const;

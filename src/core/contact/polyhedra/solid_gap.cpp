@@ -10,25 +10,6 @@ namespace muckpile {
 namespace {
 
 constexpr int kMostTurns = 12;
-constexpr std::size_t kRow = PlacedSolid::kRow;
-
-/// Of n.x over the corners.
-struct Extremes {
-  double low, high;
-};
-
-Extremes extremes(const PlacedSolid& s, const Vec3& n) {
-  std::array<double, kRow> low, high;
-  low.fill(std::numeric_limits<double>::infinity());
-  high.fill(-std::numeric_limits<double>::infinity());
-  for (std::size_t k = 0; k < s.rows; k += kRow)
-    for (std::size_t j = 0; j < kRow; ++j) {
-      const double along = n.x() * s.x[k + j] + n.y() * s.y[k + j] + n.z() * s.z[k + j];
-      low[j] = std::min(low[j], along);
-      high[j] = std::max(high[j], along);
-    }
-  return {*std::min_element(low.begin(), low.end()), *std::max_element(high.begin(), high.end())};
-}
 
 /// The corner that is farthest along n.
 int farthest(const PlacedSolid& s, const Vec3& n) {
@@ -45,16 +26,50 @@ int farthest(const PlacedSolid& s, const Vec3& n) {
 
 }  // namespace
 
-double gap_along(const PlacedSolid& a, const PlacedSolid& b, const Vec3& n) {
-  return extremes(b, n).low - extremes(a, n).high;
+void AlongDirection::look(const PlacedSolid& s, const Vec3& n) {
+  std::array<double, kRow> least, most;
+  least.fill(std::numeric_limits<double>::infinity());
+  most.fill(-std::numeric_limits<double>::infinity());
+  for (std::size_t k = 0; k < s.rows; k += kRow)
+    for (std::size_t j = 0; j < kRow; ++j) {
+      const double along = n.x() * s.x[k + j] + n.y() * s.y[k + j] + n.z() * s.z[k + j];
+      at[k + j] = along;
+      least[j] = std::min(least[j], along);
+      most[j] = std::max(most[j], along);
+    }
+  low = *std::min_element(least.begin(), least.end());
+  high = *std::max_element(most.begin(), most.end());
 }
 
-double gap_along(const Solid& a, const Solid& b, const Vec3& n, const Vec3& n_second,
-                 double between) {
-  double high = -std::numeric_limits<double>::infinity(), low = -high;
-  for (const Vec3& corner : a.corners()) high = std::max(high, n.dot(corner));
-  for (const Vec3& corner : b.corners()) low = std::min(low, n_second.dot(corner));
-  return between + low - high;
+std::uint64_t AlongDirection::planes_above(const PlacedSolid& s, double height) const {
+  std::uint64_t planes = 0;
+  const std::uint64_t* const of_corner = s.solid->planes_of_corner().data();
+  for (std::size_t k = 0; k < s.rows; ++k) planes |= at[k] >= height ? of_corner[k] : 0;
+  return planes;
+}
+
+std::uint64_t AlongDirection::planes_below(const PlacedSolid& s, double height) const {
+  std::uint64_t planes = 0;
+  const std::uint64_t* const of_corner = s.solid->planes_of_corner().data();
+  for (std::size_t k = 0; k < s.rows; ++k) planes |= at[k] <= height ? of_corner[k] : 0;
+  return planes;
+}
+
+double gap_above_planes(const PlacedSolid& a, const PlacedSolid& b, Vec3& n) {
+  double greatest = -std::numeric_limits<double>::infinity();
+  for (std::size_t p = 0; p < b.planes; ++p) {
+    const double nx = b.nx[p], ny = b.ny[p], nz = b.nz[p];
+    std::array<double, kRow> low;
+    low.fill(std::numeric_limits<double>::infinity());
+    for (std::size_t k = 0; k < a.rows; k += kRow)
+      for (std::size_t j = 0; j < kRow; ++j)
+        low[j] = std::min(low[j], nx * a.x[k + j] + ny * a.y[k + j] + nz * a.z[k + j]);
+    const double gap = *std::min_element(low.begin(), low.end()) - b.offset[p];
+    if (gap <= greatest) continue;
+    greatest = gap;
+    n = b.normal(p);
+  }
+  return greatest;
 }
 
 double find_gap(const PlacedSolid& a, const PlacedSolid& b, Vec3& n) {
@@ -68,31 +83,6 @@ double find_gap(const PlacedSolid& a, const PlacedSolid& b, Vec3& n) {
     n = (n - 2.0 * gap / squared * between).normalized();
   }
   return gap;
-}
-
-double outside_bits(const PlacedSolid& a, const PlacedSolid& b, bool strictly, OutsideBits& bits,
-                    Vec3& n) {
-  const double bound = strictly ? 0.0 : std::numeric_limits<double>::denorm_min();
-  for (std::size_t k = 0; k < a.rows; ++k) bits[k] = 0;
-  double greatest = -std::numeric_limits<double>::infinity();
-  for (std::size_t p = 0; p < b.planes(); ++p) {
-    const double nx = b.nx[p], ny = b.ny[p], nz = b.nz[p];
-    const double offset = b.offset[p];
-    const std::uint64_t bit = std::uint64_t{1} << p;
-    std::array<double, kRow> low;
-    low.fill(std::numeric_limits<double>::infinity());
-    for (std::size_t k = 0; k < a.rows; k += kRow)
-      for (std::size_t j = 0; j < kRow; ++j) {
-        const double above = nx * a.x[k + j] + ny * a.y[k + j] + nz * a.z[k + j] - offset;
-        bits[k + j] |= above >= bound ? bit : 0;
-        low[j] = std::min(low[j], above);
-      }
-    const double gap = *std::min_element(low.begin(), low.end());
-    if (gap <= greatest) continue;
-    greatest = gap;
-    n = b.normal(p);
-  }
-  return greatest;
 }
 
 }  // namespace muckpile

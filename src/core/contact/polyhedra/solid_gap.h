@@ -10,27 +10,24 @@
 
 namespace muckpile {
 
-/// Least n.x of b's corners less greatest of a's [m]: above 0 they are apart
-/// along the unit n.
-[[nodiscard]] double gap_along(const PlacedSolid& a, const PlacedSolid& b, const Vec3& n);
+/// Where a solid's corners lie along a direction.
+struct AlongDirection {
+  alignas(64) std::array<double, Solid::kMostCorners> at;  ///< of each corner, with the repeats [m]
+  double low, high;                                        ///< of them all [m]
 
-/// The same in the axes of each: `n` those of a, `n_second` of b; `between`
-/// their centres along n.
-[[nodiscard]] double gap_along(const Solid& a, const Solid& b, const Vec3& n, const Vec3& n_second,
-                               double between);
+  void look(const PlacedSolid& s, const Vec3& n);
+  /// Planes that have a corner above this height, or at it.
+  [[nodiscard]] std::uint64_t planes_above(const PlacedSolid& s, double height) const;
+  [[nodiscard]] std::uint64_t planes_below(const PlacedSolid& s, double height) const;
+};
+
+/// Greatest gap [m] of the corners of `a` above a placed plane of `b`, whose normal is put into
+/// `n`; not above 0: none of these planes keeps them apart.
+[[nodiscard]] double gap_above_planes(const PlacedSolid& a, const PlacedSolid& b, Vec3& n);
 
 /// Turns `n` (unit, from a to b) until they are apart along it, as far as a few
 /// steps do; gap along it [m], not above 0: none found. Each step mirrors n at
 /// the line between the two corners that are in the way (Chung and Wang 1996).
 [[nodiscard]] double find_gap(const PlacedSolid& a, const PlacedSolid& b, Vec3& n);
-
-/// Per corner, bit p: outside plane p of the other solid.
-using OutsideBits = std::array<std::uint64_t, Solid::kMostCorners>;
-
-/// Of the corners of `a` against the planes of `b`. Greatest gap above a plane
-/// [m], whose normal is put into `n`; not above 0: no plane keeps them apart.
-/// `strictly`: what lies in a plane is outside it.
-[[nodiscard]] double outside_bits(const PlacedSolid& a, const PlacedSolid& b, bool strictly,
-                                  OutsideBits& bits, Vec3& n);
 
 }  // namespace muckpile

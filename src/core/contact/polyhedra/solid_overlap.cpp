@@ -5,7 +5,6 @@
 #include "contact/polyhedra/solid_overlap.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -33,28 +32,30 @@ void cut(const Outline& from, const double* value, bool strictly, Outline& to) {
 
 void OverlapFinder::place(const Solid& first, const Solid& second, const Mat3& turn,
                           const Vec3& between, double size) {
+  turn_ = turn;
   first_.place(first, Mat3::Identity(), Vec3::Zero(), size);
   second_.place(second, turn, between, size);
 }
 
-double OverlapFinder::work(Vec3& n) {
+void OverlapFinder::clear() {
   overlap_ = {};
   has_origin_ = false;
   weight_ = weight_square_ = 0.0;
   pressed_at_.setZero();
   pressed_square_.setZero();
   weight_at_.setZero();
-  Vec3 above_second, above_first;
-  const double second_gap = outside_bits(first_, second_, false, bits_first_, above_second);
-  const double first_gap = outside_bits(second_, first_, true, bits_second_, above_first);
-  const double gap = std::max(first_gap, second_gap);
-  if (gap > 0.0) {
-    n = first_gap > second_gap ? above_first : Vec3(-above_second);
-    return gap;
-  }
-  const Sums of_first = press_faces({first_, second_, bits_first_, -1.0, false});
-  const Sums of_second = press_faces({second_, first_, bits_second_, 1.0, true});
-  if (!touching()) return find_gap(first_, second_, n);
+}
+
+double OverlapFinder::work(Vec3& n) {
+  clear();
+  along_first_.look(first_, n);
+  along_second_.look(second_, n);
+  const double gap = along_second_.low - along_first_.high;
+  if (gap > 0.0) return gap;
+  place_planes_in_slab(n);
+  const Sums of_first = press_faces({first_, second_, -1.0, false});
+  const Sums of_second = press_faces({second_, first_, 1.0, true});
+  if (!touching()) return search_gap(n);
   if (overlap_.largest_strain <= kTouch) {
     overlap_ = {};
     return 0.0;
@@ -69,6 +70,31 @@ double OverlapFinder::work(Vec3& n) {
   return 0.0;
 }
 
+/// All planes if a centre lies in the slab.
+void OverlapFinder::place_planes_in_slab(const Vec3& n) {
+  std::uint64_t first = ~std::uint64_t{0} >> (64 - first_.solid->planes().size());
+  std::uint64_t second = ~std::uint64_t{0} >> (64 - second_.solid->planes().size());
+  const double low = along_second_.low, high = along_first_.high;
+  if (n.dot(first_.centre) < low && n.dot(second_.centre) > high) {
+    first &= along_first_.planes_above(first_, low);
+    second &= along_second_.planes_below(second_, high);
+  }
+  first_.place_planes(Mat3::Identity(), first);
+  second_.place_planes(turn_, second);
+}
+
+double OverlapFinder::search_gap(Vec3& n) {
+  first_.place_planes(Mat3::Identity(), ~std::uint64_t{0} >> (64 - first_.solid->planes().size()));
+  second_.place_planes(turn_, ~std::uint64_t{0} >> (64 - second_.solid->planes().size()));
+  Vec3 above_first = n, above_second = n;
+  const double first_gap = gap_above_planes(second_, first_, above_first);
+  const double second_gap = gap_above_planes(first_, second_, above_second);
+  const double gap = std::max(first_gap, second_gap);
+  if (!(gap > 0.0)) return find_gap(first_, second_, n);
+  n = first_gap > second_gap ? above_first : Vec3(-above_second);
+  return gap;
+}
+
 void OverlapFinder::finish() {
   overlap_.stiffness = weight_;
   overlap_.point = pressed_at_ / overlap_.pressed;
@@ -80,82 +106,106 @@ void OverlapFinder::finish() {
 }
 
 OverlapFinder::Sums OverlapFinder::press_faces(const Side& side) {
-  const PlacedSolid &of = side.of, &into = side.into;
+  const Solid& solid = *side.of.solid;
   Sums sums;
-  for (const Solid::Face& face : of.solid->faces()) {
-    const int* loop = of.solid->loop().data() + face.begin;
-    std::uint64_t all = ~std::uint64_t{0}, any = 0;
-    for (int k = 0; k < face.count; ++k) {
-      const std::uint64_t corner = side.bits[static_cast<std::size_t>(loop[k])];
-      all &= corner;
-      any |= corner;
-    }
-    if (all != 0 || !cut_face(side, face, any)) continue;
-    const auto plane = static_cast<std::size_t>(face.plane);
-    Vec3 twice = Vec3::Zero();
-    for (std::size_t k = 1; k + 1 < outline_.count; ++k)
-      twice += (outline_.corner[k] - outline_.corner[0])
-                   .cross(outline_.corner[k + 1] - outline_.corner[0]);
-    if (!has_origin_) origin_ = outline_.corner[0];
-    has_origin_ = true;
-    sums.depth_area +=
-        of.normal(plane).dot(outline_.corner[0] - origin_) * 0.5 * twice.dot(of.normal(plane));
-    const double pressed = press_outline(into, of.normal(plane), side.sign);
-    sums.depth_press += (of.offset[plane] - of.normal(plane).dot(into.centre)) * pressed;
+  for (std::size_t p = 0; p < side.of.planes; ++p) {
+    const std::size_t plane = side.of.plane[p];
+    for (std::size_t f = solid.face_begin(plane); f < solid.face_begin(plane + 1); ++f)
+      press_face(side, p, solid.faces()[f], sums);
   }
   return sums;
 }
 
-/// Leaves in outline_ what of the face is inside the other solid; false:
-/// nothing.
-bool OverlapFinder::cut_face(const Side& side, const Solid::Face& face, std::uint64_t cutting) {
-  const PlacedSolid& into = side.into;
-  const int* loop = side.of.solid->loop().data() + face.begin;
-  outline_.count = static_cast<std::size_t>(face.count);
-  for (std::size_t k = 0; k < outline_.count; ++k) outline_.corner[k] = side.of.corner(loop[k]);
-  for (; cutting != 0; cutting &= cutting - 1) {
-    const auto p = static_cast<std::size_t>(std::countr_zero(cutting));
-    for (std::size_t k = 0; k < outline_.count; ++k) {
-      const Vec3& at = outline_.corner[k];
-      value_[k] = into.offset[p] - into.nx[p] * at.x() - into.ny[p] * at.y() - into.nz[p] * at.z();
-    }
-    Outline& left = spare_[0];
-    cut(outline_, value_.data(), side.strictly, left);
-    if (left.count < 3) return false;
-    std::copy_n(left.corner.begin(), left.count, outline_.corner.begin());
-    outline_.count = left.count;
-  }
-  return true;
+void OverlapFinder::press_face(const Side& side, std::size_t plane, const Solid::Face& face,
+                               Sums& sums) {
+  if (!cut_face(side, face)) return;
+  const PlacedSolid& of = side.of;
+  const Outline& outline = faces_[outline_];
+  const Vec3 &start = outline.corner[0], normal = of.normal(plane);
+  Vec3 twice = Vec3::Zero();
+  for (std::size_t k = 1; k + 1 < outline.count; ++k)
+    twice += (outline.corner[k] - start).cross(outline.corner[k + 1] - start);
+  if (!has_origin_) origin_ = start;
+  has_origin_ = true;
+  sums.depth_area += normal.dot(start - origin_) * 0.5 * twice.dot(normal);
+  const double pressed = press_outline(side.into, normal, side.sign);
+  sums.depth_press += (of.offset[plane] - normal.dot(side.into.centre)) * pressed;
 }
 
-/// Planes of `into` whose strain may be the least somewhere on the outline.
-std::size_t OverlapFinder::list_nearest(const PlacedSolid& into) {
-  constexpr std::size_t kRow = PlacedSolid::kRow;
-  alignas(64) std::array<double, Solid::kMostPlanes> low;
-  double bound = std::numeric_limits<double>::infinity();
+/// Leaves in faces_[outline_] what of the face is inside the other solid; false:
+/// nothing.
+bool OverlapFinder::cut_face(const Side& side, const Solid::Face& face) {
+  const int* loop = side.of.solid->loop().data() + face.begin;
+  outline_ = 0;
+  Outline& outline = faces_[0];
+  outline.count = static_cast<std::size_t>(face.count);
+  for (std::size_t k = 0; k < outline.count; ++k) outline.corner[k] = side.of.corner(loop[k]);
+  std::uint64_t done = 0;
+  for (;;) {
+    const int plane = next_cut(side, done);
+    if (plane < 0) return plane == kInside;
+    if (!cut_outline(side, static_cast<std::size_t>(plane))) return false;
+    done |= std::uint64_t{1} << plane;
+  }
+}
+
+/// The plane that the outline is farthest outside of, of those that are not done.
+int OverlapFinder::next_cut(const Side& side, std::uint64_t done) {
+  find_depths(side.into);
+  int next = kInside;
+  double farthest = side.strictly ? std::numeric_limits<double>::denorm_min() : 0.0;
+  const double bound = farthest;
+  for (std::size_t p = 0; p < side.into.planes; ++p) {
+    if (depths_.most[p] < bound) return kNothing;
+    if (depths_.least[p] >= farthest || (done >> p & 1) != 0) continue;
+    farthest = depths_.least[p];
+    next = static_cast<int>(p);
+  }
+  return next;
+}
+
+/// Of the outline that is left.
+void OverlapFinder::find_depths(const PlacedSolid& into) {
+  const Outline& outline = faces_[outline_];
   for (std::size_t row = 0; row < into.plane_rows; row += kRow) {
-    alignas(64) std::array<double, kRow> least, most;
+    std::array<double, kRow> least, most;
     least.fill(std::numeric_limits<double>::infinity());
     most.fill(-std::numeric_limits<double>::infinity());
-    for (std::size_t k = 0; k < outline_.count; ++k) {
-      const double x = outline_.corner[k].x(), y = outline_.corner[k].y(),
-                   z = outline_.corner[k].z();
+    for (std::size_t k = 0; k < outline.count; ++k) {
+      const double x = outline.corner[k].x(), y = outline.corner[k].y(), z = outline.corner[k].z();
       for (std::size_t j = 0; j < kRow; ++j) {
         const std::size_t p = row + j;
-        const double e = (into.offset[p] - into.nx[p] * x - into.ny[p] * y - into.nz[p] * z) *
-                         into.inverse_depth[p];
-        least[j] = std::min(least[j], e);
-        most[j] = std::max(most[j], e);
+        const double depth = into.offset[p] - into.nx[p] * x - into.ny[p] * y - into.nz[p] * z;
+        least[j] = std::min(least[j], depth);
+        most[j] = std::max(most[j], depth);
       }
     }
-    for (std::size_t j = 0; j < kRow; ++j) {
-      low[row + j] = least[j];
-      bound = std::min(bound, most[j]);
-    }
+    std::copy_n(least.begin(), kRow, depths_.least.begin() + static_cast<std::ptrdiff_t>(row));
+    std::copy_n(most.begin(), kRow, depths_.most.begin() + static_cast<std::ptrdiff_t>(row));
   }
+}
+
+bool OverlapFinder::cut_outline(const Side& side, std::size_t p) {
+  const PlacedSolid& into = side.into;
+  const Outline& outline = faces_[outline_];
+  for (std::size_t k = 0; k < outline.count; ++k) {
+    const Vec3& at = outline.corner[k];
+    value_[k] = into.offset[p] - into.nx[p] * at.x() - into.ny[p] * at.y() - into.nz[p] * at.z();
+  }
+  outline_ = 1 - outline_;
+  cut(outline, value_.data(), side.strictly, faces_[outline_]);
+  return faces_[outline_].count >= 3;
+}
+
+/// Planes of `into` whose strain may be the least somewhere on the outline: those of the last
+/// find_depths().
+std::size_t OverlapFinder::list_nearest(const PlacedSolid& into) {
+  double bound = std::numeric_limits<double>::infinity();
+  for (std::size_t p = 0; p < into.planes; ++p)
+    bound = std::min(bound, depths_.most[p] * into.inverse_depth[p]);
   std::size_t count = 0;
-  for (std::size_t p = 0; p < into.planes(); ++p)
-    if (low[p] <= bound) nearest_[count++] = static_cast<int>(p);
+  for (std::size_t p = 0; p < into.planes; ++p)
+    if (depths_.least[p] * into.inverse_depth[p] <= bound) nearest_[count++] = static_cast<int>(p);
   return count;
 }
 
@@ -164,7 +214,7 @@ double OverlapFinder::press_outline(const PlacedSolid& into, const Vec3& normal,
   const std::size_t count = list_nearest(into);
   double pressed = 0.0;
   for (std::size_t own = 0; own < count; ++own) {
-    const Outline& part = count == 1 ? outline_ : nearest_part(into, own, count);
+    const Outline& part = count == 1 ? faces_[outline_] : nearest_part(into, own, count);
     if (part.count >= 3)
       pressed += press_part(part, into, static_cast<std::size_t>(nearest_[own]), normal, sign);
   }
@@ -176,7 +226,7 @@ double OverlapFinder::press_outline(const PlacedSolid& into, const Vec3& normal,
 const OverlapFinder::Outline& OverlapFinder::nearest_part(const PlacedSolid& into, std::size_t own,
                                                           std::size_t count) {
   const auto plane = static_cast<std::size_t>(nearest_[own]);
-  const Outline* from = &outline_;
+  const Outline* from = &faces_[outline_];
   for (std::size_t j = 0; j < count && from->count >= 3; ++j) {
     if (own == j) continue;
     const auto other = static_cast<std::size_t>(nearest_[j]);

@@ -36,6 +36,10 @@ struct SolidOverlap {
   double arm = 0.0;             ///< root mean square of r [m]
 };
 
+/// Surfaces share volume in a slab only: that between the lowest corner of the second solid and the
+/// highest of the first along a direction. Only planes with corners in the slab are worked on: the
+/// others neither bound what is shared nor, with both centres outside of the slab, have the least
+/// strain anywhere in it.
 class OverlapFinder {
  public:
   /// Bodies whose strain is nowhere more than this touch, to rounding, and
@@ -49,8 +53,12 @@ class OverlapFinder {
              double size);
   /// Of those placed. Gap [m] between them if it is above 0, along `n` (unit,
   /// from the first to the second); else they overlap as said in overlap(), or
-  /// touch without a gap that is found.
+  /// touch without a gap that is found. `n` is first what they are apart or pressed along, about:
+  /// the nearer, the less work.
   [[nodiscard]] double work(Vec3& n);
+  /// The greatest gap above a plane of either [m], or, if there is none, one that is found from `n`
+  /// on; not above 0: none is found.
+  [[nodiscard]] double search_gap(Vec3& n);
   [[nodiscard]] const SolidOverlap& overlap() const { return overlap_; }
   [[nodiscard]] const PlacedSolid& first() const { return first_; }
   [[nodiscard]] const PlacedSolid& second() const { return second_; }
@@ -66,7 +74,6 @@ class OverlapFinder {
   /// Of one solid's surface in the other.
   struct Side {
     const PlacedSolid &of, &into;
-    const OutsideBits& bits;
     double sign;    ///< of the push of the first solid
     bool strictly;  ///< surface in a plane of both counts for the first solid
                     ///< only
@@ -76,9 +83,20 @@ class OverlapFinder {
     double depth_press = 0.0;  ///< distance of the face from the other's centre
                                ///< times pressure [m3]
   };
+  /// How far inside the planes the corners of an outline lie.
+  struct Depths {
+    alignas(64) std::array<double, Solid::kMostPlanes> least, most;  ///< [m]
+  };
+  static constexpr int kInside = -1, kNothing = -2;
 
+  void clear();
+  void place_planes_in_slab(const Vec3& n);
   [[nodiscard]] Sums press_faces(const Side& side);
-  bool cut_face(const Side& side, const Solid::Face& face, std::uint64_t cutting);
+  void press_face(const Side& side, std::size_t plane, const Solid::Face& face, Sums& sums);
+  [[nodiscard]] bool cut_face(const Side& side, const Solid::Face& face);
+  [[nodiscard]] int next_cut(const Side& side, std::uint64_t done);
+  [[nodiscard]] bool cut_outline(const Side& side, std::size_t plane);
+  void find_depths(const PlacedSolid& into);
   [[nodiscard]] double press_outline(const PlacedSolid& into, const Vec3& normal, double sign);
   [[nodiscard]] std::size_t list_nearest(const PlacedSolid& into);
   [[nodiscard]] const Outline& nearest_part(const PlacedSolid& into, std::size_t own,
@@ -90,10 +108,13 @@ class OverlapFinder {
   void finish();
 
   PlacedSolid first_, second_;
-  OutsideBits bits_first_, bits_second_;
+  Mat3 turn_ = Mat3::Identity();
+  AlongDirection along_first_, along_second_;
   SolidOverlap overlap_;
-  Outline outline_;               // what is left of a face
-  std::array<Outline, 2> spare_;  // work space of cuts
+  std::array<Outline, 2> faces_;  // what is left of a face, and what it was
+  std::size_t outline_ = 0;       // which of them is left
+  std::array<Outline, 2> spare_;  // work space of parts
+  Depths depths_;
   std::array<double, kRoom> value_;
   std::array<int, Solid::kMostPlanes> nearest_;
   Vec3 pressed_at_ = Vec3::Zero();      // pressure times place [m3]
