@@ -7,7 +7,10 @@
 #include <lammps.h>
 #include <variable.h>
 
+#include <array>
 #include <string_view>
+
+#include "args/numbers.h"
 
 namespace muckpile::engine {
 namespace {
@@ -85,6 +88,12 @@ std::string knob_value(LAMMPS_NS::LAMMPS& lmp, const std::string& name) {
     if (knob.name == name && knob.value) return *knob.value;
   }
   return "";
+}
+
+void set_script_variable(LAMMPS_NS::LAMMPS& lmp, const std::string& name, double value) {
+  std::array<std::string, 3> words{name, "string", number_text(value)};
+  std::array<char*, 3> arg{words[0].data(), words[1].data(), words[2].data()};
+  lmp.input->variable->set(3, arg.data());
 }
 
 }  // namespace muckpile::engine

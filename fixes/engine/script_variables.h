@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The variables that an input script has defined so far.
+// The variables that an input script has defined so far, and new ones.
 // Scope: LIGGGHTS keeps their table private; here is the one file that reaches it.
 #pragma once
 
@@ -28,5 +28,8 @@ struct Definition {
 
 /// The value of an index variable, "" if there is none of this name.
 [[nodiscard]] std::string knob_value(LAMMPS_NS::LAMMPS& lmp, const std::string& name);
+
+/// Makes a variable of style string, or gives it another value.
+void set_script_variable(LAMMPS_NS::LAMMPS& lmp, const std::string& name, double value);
 
 }  // namespace muckpile::engine

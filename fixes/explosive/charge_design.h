@@ -11,9 +11,6 @@ class ChargeDesignCommand : protected LAMMPS_NS::Pointers {
  public:
   explicit ChargeDesignCommand(LAMMPS_NS::LAMMPS* engine) : Pointers(engine) {}
   void command(int narg, char** arg);
-
- private:
-  void set_variable(const char* name, double value);
 };
 
 }  // namespace muckpile

@@ -3,8 +3,10 @@
 // Scope: see the header.
 #include "fixes/explosive/hole_pattern.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -16,6 +18,7 @@
 #include "explosive/hole_table.h"
 #include "explosive/kirra_table.h"
 #include "fixes/engine/output_file.h"
+#include "fixes/engine/script_variables.h"
 #include "fixes/engine/style_args.h"
 
 namespace muckpile {
@@ -23,6 +26,7 @@ namespace {
 
 struct TableText {
   std::string text, report;
+  std::optional<Vec3> place{};  // in the mine that is 0 0 0 of the table [m]
 };
 
 TableText taken(const std::string& own, const std::string& where) {
@@ -32,18 +36,25 @@ TableText taken(const std::string& own, const std::string& where) {
                           std::to_string(table.decks().size()) + " decks of " + own + "\n"};
 }
 
+/// The words of `origin`; nothing where it is left out, or says so.
+std::optional<Vec3> origin_of(const ArgValues& values, const std::string& where) {
+  for (const auto& words : values.groups("origin")) {
+    if (std::count(words.begin(), words.end(), "auto") == 3) continue;
+    Vec3 origin;
+    for (int c = 0; c < 3; ++c)
+      origin[c] =
+          parse_real(where, "origin", words[static_cast<std::size_t>(c)], "m", place_range());
+    return origin;
+  }
+  return std::nullopt;
+}
+
 KirraFrame frame_of(const ArgValues& values, const std::string& where) {
   KirraFrame frame;
   frame.throw_bearing = values.real("throw_bearing") * M_PI / 180.0;
   frame.burden = values.real("burden");
   frame.subdrill = values.real("subdrill");
-  for (const auto& words : values.groups("origin")) {
-    Vec3 origin;
-    for (int c = 0; c < 3; ++c)
-      origin[c] =
-          parse_real(where, "origin", words[static_cast<std::size_t>(c)], "m", place_range());
-    frame.origin = origin;
-  }
+  frame.origin = origin_of(values, where);
   return frame;
 }
 
@@ -72,7 +83,8 @@ TableText converted(const std::string& file, const ArgValues& values, const std:
                            " by Kirra\n  place 0 0 0 is " + number_text(o.x()) + ' ' +
                            number_text(o.y()) + ' ' + number_text(o.z()) +
                            " m there; x looks to the bearing " +
-                           number_text(values.real("throw_bearing")) + " degrees\n"};
+                           number_text(values.real("throw_bearing")) + " degrees\n",
+          o};
 }
 
 /// Faults of the user's file start with the command and its keyword.
@@ -92,7 +104,7 @@ TableText table_and_report(const ArgValues& values, const std::string& where) {
     refuse(where, "takes either take or kirra, got both '" + own + "' and '" + kirra + "'");
   if (kirra != "none")
     return of_file(where, "kirra", [&] { return converted(kirra, values, where); });
-  if (values.given("origin")) refuse(where, "origin needs kirra");
+  if (origin_of(values, where)) refuse(where, "origin needs kirra");
   if (own != "none") return of_file(where, "take", [&] { return taken(own, where); });
   const HolePattern pattern = hole_pattern(values, where);
   return {hole_table_text(pattern), describe(pattern)};
@@ -105,13 +117,17 @@ void HolePatternCommand::command(int narg, char** arg) {
   const ArgValues values = engine::or_engine_error(*lmp, [&] {
     return parse_args(hole_pattern_table(), where, engine::words_of(narg, arg, 0));
   });
-  const auto [text, report] =
+  const TableText made =
       engine::or_engine_error(*lmp, [&] { return table_and_report(values, where); });
   const std::filesystem::path file = values.word("file");
   std::error_code unheeded;  // write_file tells what is wrong with the folder
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), unheeded);
-  engine::write_file(*lmp, where, file.string(), text);
-  engine::print_once(*lmp, report + "  table: " + file.string() + "\n");
+  engine::write_file(*lmp, where, file.string(), made.text);
+  engine::print_once(*lmp, made.report + "  table: " + file.string() + "\n");
+  if (!made.place) return;
+  engine::set_script_variable(*lmp, "pattern_east", made.place->x());
+  engine::set_script_variable(*lmp, "pattern_north", made.place->y());
+  engine::set_script_variable(*lmp, "pattern_height", made.place->z());
 }
 
 }  // namespace muckpile

@@ -85,6 +85,11 @@ void read_expansion(ChargeOptions& options, const ArgValues& values, const std::
 [[nodiscard]] std::string alternative_pressures(const ChargeOptions& options,
                                                 const NamedExplosive& explosive);
 
+/// Decoupling in rock where the peak falls with this exponent: that of stemming, which is crushed
+/// rock, unless one is typed.
+[[nodiscard]] DecouplingRule decoupling_rule(const ChargeOptions& options,
+                                             double attenuation_exponent);
+
 /// The law by which the products expand, from P0. InputError as the law, as initial_pressure() and
 /// energy_switch_pressure(), or if something of the explosive that the law needs is not known.
 [[nodiscard]] ProductExpansion product_expansion(const ChargeOptions& options,

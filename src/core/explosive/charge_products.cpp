@@ -115,6 +115,14 @@ double initial_pressure(const ChargeOptions& options, const NamedExplosive& expl
   return pressure_by(options.model, options, explosive);
 }
 
+DecouplingRule decoupling_rule(const ChargeOptions& options, double attenuation_exponent) {
+  DecouplingRule rule = options.decoupling;
+  if (rule.coupling == Coupling::stemming && !options.coupling_exponent_typed) {
+    rule.coupling_exponent = attenuation_exponent;
+  }
+  return rule;
+}
+
 std::string alternative_pressures(const ChargeOptions& options, const NamedExplosive& explosive) {
   std::ostringstream text;
   text.precision(4);

@@ -7,20 +7,16 @@
 
 #include "args/input_error.h"
 #include "explosive/attenuation.h"
+#include "explosive/deck_charge.h"
 
 namespace muckpile {
 namespace {
 
 /// What one row of the pattern says instead of the style's words.
 void apply_deck(LoadedHole& hole, const BlastOptions& options, const Deck& deck) {
-  if (deck.explosive) {
-    hole.explosive = table_explosive(options.charge, *deck.explosive, "hole_table");
-    hole.energy_known = true;
-  }
-  hole.shape.hole_radius = 0.5 * deck.diameter;
-  if (!options.charge.charge_radius) hole.shape.charge_radius = hole.shape.hole_radius;
-  if (deck.charge_diameter) hole.shape.charge_radius = 0.5 * *deck.charge_diameter;
-  if (deck.charge_length) hole.shape.charge_length = *deck.charge_length;
+  hole.explosive = deck_explosive(options.charge, deck);
+  if (deck.explosive) hole.energy_known = true;
+  hole.shape = deck_shape(options.charge, deck, hole.shape.chamber_length);
   if (deck.primer) hole.primer = *deck.primer;
   hole.firing_time = deck.firing_time;
 }
@@ -149,10 +145,7 @@ LoadedHole loaded_hole(const BlastOptions& options, const Hole& zone, std::size_
   if (options.pattern) apply_deck(hole, options, options.pattern->decks()[index]);
   check_shape(hole.shape);
   hole.exponent = exponent_of(options, options.attenuation, hole.explosive);
-  hole.decoupling = charge.decoupling;
-  if (charge.decoupling.coupling == Coupling::stemming && !charge.coupling_exponent_typed) {
-    hole.decoupling.coupling_exponent = hole.exponent;  // stemming is crushed rock
-  }
+  hole.decoupling = decoupling_rule(charge, hole.exponent);
   if (!options.needs_borehole_pressure()) return hole;
   hole.initial_pressure = initial_pressure(charge, hole.explosive);
   hole.wall_pressure =

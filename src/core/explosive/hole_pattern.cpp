@@ -89,8 +89,8 @@ ArgTable hole_pattern_table() {
       .real("throw_bearing", "deg", Range::closed(0.0, 360.0), 90.0,
             "with `kirra`: that the face looks to, from north over east; it becomes the x axis")
       .group("origin", 3, 3, false,
-             "with `kirra`: x y z of the face's toe in the coordinates of the file [m]; without it "
-             "the holes set it")
+             "with `kirra`: x y z of the face's toe in the coordinates of the file [m]; without it, "
+             "and with `auto auto auto`, the holes set it")
       .integer("rows", "", Range::closed(1, 1000), std::nullopt, "rows of holes behind the face")
       .integer("holes_per_row", "", Range::closed(1, 1000), std::nullopt, "holes in each row")
       .real(

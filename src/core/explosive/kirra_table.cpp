@@ -179,6 +179,25 @@ std::string short_text(double value) {
   return text.str();
 }
 
+/// An origin of another mine, or 0 0 0 that was left, would put rock where no hole is.
+void check_origin(const std::vector<KirraHole>& holes, const Vec3& origin,
+                  const std::string& name) {
+  constexpr double kFarthest = 1000.0;  // [m]
+  double nearest = std::numeric_limits<double>::infinity();
+  Vec3 middle = Vec3::Zero();
+  for (const KirraHole& hole : holes) {
+    nearest = std::min(nearest, (hole.collar - origin).norm());
+    middle += hole.collar / static_cast<double>(holes.size());
+  }
+  if (nearest <= kFarthest) return;
+  const auto text = [](const Vec3& at) {
+    return short_text(at.x()) + ' ' + short_text(at.y()) + ' ' + short_text(at.z());
+  };
+  throw InputError(name + ": origin must be within " + number_text(kFarthest) +
+                   " m of a hole, got '" + text(origin) + "'; the middle of the collars is at " +
+                   text(middle));
+}
+
 std::string place_text(const Vec3& at) {
   return short_text(at.x()) + ',' + short_text(at.y()) + ',' + short_text(at.z());
 }
@@ -195,6 +214,7 @@ ConvertedHoles convert_kirra(const std::string& text, const std::string& name,
   const Names names = names_of(csv, holes);
   ConvertedHoles converted{"", holes.size(),
                            frame.origin ? *frame.origin : origin_by_holes(holes, frame)};
+  check_origin(holes, converted.origin, name);
   const Vec3 origin = turned(converted.origin, frame.throw_bearing);
   std::ostringstream table;
   table << "# holes of Kirra's file " << name << "; origin in its coordinates "

@@ -64,6 +64,14 @@ TEST(KirraTable, AnOriginIsTakenAsItIsAndGivenBack) {
   EXPECT_NEAR((table.decks()[0].hole_collar - Vec3(-5.9, 2.3, 10.0)).norm(), 0.0, 1e-6);
 }
 
+TEST(KirraTable, AnOriginFarFromAllHolesIsRefused) {
+  KirraFrame in = frame();
+  in.origin = Vec3(478330.0, 6773400.0, 200.0);
+  EXPECT_EQ(input_error_of([&] { (void)convert_kirra(kFourteen, "plan.csv", in, {3.0, 0.0}); }),
+            "plan.csv: origin must be within 1000 m of a hole, got '478330 6773400 200'; the "
+            "middle of the collars is at 478327.7 6772296.6 210");
+}
+
 TEST(KirraTable, NamedColumnsGiveTheSubdrillAndHolesOfSeveralBlasts) {
   const HoleTable table = converted(kNamed, frame());
   ASSERT_EQ(table.holes(), 2u);
