@@ -11,6 +11,7 @@
 #include "draw/depth_buffer.h"
 #include "geometry/files/block_file.h"
 #include "input_error_of.h"
+#include "measure/start_extent.h"
 #include "report/block_colours.h"
 #include "report/picture_report.h"
 #include "report/picture_scene.h"
@@ -72,7 +73,7 @@ TEST(View, GoesToItsFocusAndComesNearer) {
 class Section : public ::testing::Test {
  protected:
   void cut(bool keep_high) {
-    const CutPlane plane{0.25, keep_high};
+    const CutPlane plane{{{0.0, 0.25}, {1.0, 0.25}}, keep_high};
     const std::vector<Colour> colours(blocks_.size(), kGrey);
     const Snapshot start = start_snapshot(blocks_);
     add_blocks(blocks_, start, colours, Reflection(0, extent_of(blocks_, start.states)), scene_);
@@ -295,7 +296,7 @@ TEST(PictureScene, CutAlongADiagonalLeavesHalfAndItsFace) {
   std::vector<StartBlock> blocks = as_start_blocks(cubes_in({0, 0, 0}, {4, 2, 1}));
   const Snapshot start = start_snapshot(blocks);
   const std::vector<Colour> colours(blocks.size(), kGrey);
-  for (const Vec3 to_eye : {Vec3(1, -3, 1), Vec3(-1, 3, 1)}) {
+  for (const Vec3& to_eye : {Vec3(1, -3, 1), Vec3(-1, 3, 1)}) {
     const CutPlane plane = cut_along({{0, 0}, {4, 2}}, to_eye);
     Scene scene;
     add_blocks(blocks, start, colours, Reflection(0, extent_at_start(blocks)), scene);

@@ -54,7 +54,7 @@ TEST(SurfaceDistance, OfAPlaneMovedAlongItsNormalIsTheMove) {
 }
 
 // A wall 8 m high that the survey has one column farther on: vertically 8 m off there, in truth
-// half a column at most, as the wall is a steep triangle between two columns.
+// one column at most, as the wall is a steep triangle between two columns.
 TEST(SurfaceDistance, OfAWallIsAcrossIt) {
   SurfacePair pair{column_grid(0.0, 10.0, 0.0, 5.0, 0.25), {}, {}, {}};
   for (int j = 0; j < pair.grid.ny; ++j) {
