@@ -20,8 +20,10 @@ struct FragmentWords {
 
 void add_sizes(CLI::App* command, FragmentOptions& options) {
   command
-      ->add_option("--boulder", options.boulder,
-                   "write fragments of a larger sieve size [m] to boulders.csv, with their places")
+      ->add_option(
+          "--boulder", options.boulder,
+          "write fragments of a larger sieve size [m] to boulders.csv, with their places, and "
+          "draw them: boulders.png")
       ->check(above_zero());
   command
       ->add_option("--rock-factor", options.rock_factor,

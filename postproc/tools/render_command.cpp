@@ -7,6 +7,7 @@
 #include <string>
 
 #include "command_words.h"
+#include "report/picture_report.h"
 #include "report/reports.h"
 
 namespace muckpile {
@@ -15,7 +16,34 @@ namespace {
 struct PictureWords {
   std::string folder;
   PictureOptions picture;
+  LineOptions line;  // of --from and --to
+  bool along_line = false;
 };
+
+// Planes that the rock is cut along.
+void add_sections(CLI::App* render, CLI::Option* mirror, PictureWords& words) {
+  CLI::Option* section =
+      render
+          ->add_option("--section", words.picture.section,
+                       "cut away the rock between the eye and the plane at this y [m]")
+          ->excludes(mirror);
+  CLI::Option* from =
+      render
+          ->add_option("--from", words.line.from,
+                       "X Y of a point of a line in plan: cut away the rock between the eye and "
+                       "the upright plane through it [m]")
+          ->excludes(mirror)
+          ->excludes(section);
+  CLI::Option* to =
+      render->add_option("--to", words.line.to, "X Y of another point of that line [m]")
+          ->needs(from);
+  from->needs(to);
+  from->each([&words](const std::string&) { words.along_line = true; });
+  render
+      ->add_flag("--mine", words.line.mine,
+                 "these points are east and north of the mine, not x and y of the run")
+      ->needs(from);
+}
 
 void add_view(CLI::App* render, PictureOptions& picture) {
   render->add_option("--width", picture.width, "[px]")->check(CLI::Range(200, 8000));
@@ -50,10 +78,7 @@ void add_render_command(CLI::App& app) {
                             ->add_option("--mirror", o->picture.mirror,
                                          "mirror images of a bench to show on each side of it")
                             ->check(CLI::Range(0, 5));
-  render
-      ->add_option("--section", o->picture.section,
-                   "cut away the rock between the eye and the plane at this y [m]")
-      ->excludes(mirror);
+  add_sections(render, mirror, *o);
   CLI::Option* film = render->add_option(
       "--mp4", o->picture.film, "film of all snapshots, or of those of --frames; needs ffmpeg");
   render->add_option("--fps", o->picture.frames_per_second, "pictures per second of the film")
@@ -64,7 +89,9 @@ void add_render_command(CLI::App& app) {
     const auto& range = o->picture.colour_range;
     if (range && !((*range)[0] < (*range)[1]))
       throw CLI::ValidationError("--colour-range", "LOW must be below HIGH");
-    report_picture(ResultFolder(o->folder), o->picture);
+    const ResultFolder folder(o->folder);
+    if (o->along_line) return report_picture(folder, o->picture, o->line);
+    report_picture(folder, o->picture);
   });
 }
 

@@ -48,7 +48,7 @@ void add_survey_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "survey",
       "the pile of a run against a surveyed surface: survey.csv, survey.png; volumes, heights, "
-      "toes, vertical differences");
+      "toes, vertical differences, distances");
   command->add_option("folder", words->folder, "result folder of the run; it holds dump/")
       ->required();
   command

@@ -18,6 +18,7 @@ struct GaugeHistory {
   std::vector<double> time;      // rising [s]
   std::vector<Vec3> velocity;    // [m/s]
   std::vector<double> pressure;  // mean, compression positive [Pa]
+  std::vector<Vec3> principal;   // stresses, compression positive, the largest first [Pa]
 };
 
 // In the order of their numbers. Throws InputError, naming file and line, if the file is absent or

@@ -10,6 +10,7 @@
 #include "io/images.h"
 #include "io/muck.h"
 #include "io/run_id.h"
+#include "parallel/in_parallel.h"
 
 namespace muckpile {
 namespace {
@@ -22,6 +23,12 @@ void require_lengths(const nlohmann::ordered_json& scene, const std::filesystem:
     if (found == scene.end() || !found->is_number() || found->get<double>() > 0.0) continue;
     throw InputError(file.string() + ": " + key + " must be > 0 m, got '" + found->dump() + "'");
   }
+}
+
+// On all cores, as it takes a while to give back the memory of 200,000 polyhedra.
+void leave(std::vector<StartBlock>* blocks) {
+  const std::unique_ptr<std::vector<StartBlock>> all(blocks);
+  each_in_parallel(all->size(), [&](size_t b) { (*all)[b].shape = {}; });
 }
 
 }  // namespace
@@ -48,7 +55,8 @@ const std::vector<StartBlock>& ResultFolder::blocks() const {
       rock_ = std::make_shared<const std::vector<StartBlock>>(
           blocks.begin(), blocks.begin() + static_cast<std::ptrdiff_t>(rock));
     }
-    blocks_ = std::make_shared<const std::vector<StartBlock>>(std::move(blocks));
+    blocks_ = std::shared_ptr<const std::vector<StartBlock>>(
+        new std::vector<StartBlock>(std::move(blocks)), leave);
   }
   return *blocks_;
 }

@@ -47,6 +47,30 @@ struct Differences {
   const MakeFit* make;
 };
 
+// Least squares give the parameters the covariance s^2 (J^T J)^-1, with J the slopes of the curve
+// and s^2 the sum of squares over the samples beyond the two that two parameters take.
+void add_errors(SizeFit& best, const std::vector<Sample>& samples) {
+  constexpr double kStep = 1e-5;  // of a parameter, as a share of it
+  const auto slopes = [&](double SizeFit::*parameter) {
+    SizeFit low = best, high = best;
+    low.*parameter *= 1.0 - kStep;
+    high.*parameter *= 1.0 + kStep;
+    const SizeTarget below = low.curve(), above = high.curve();
+    Eigen::VectorXd slope(static_cast<Eigen::Index>(samples.size()));
+    for (size_t k = 0; k < samples.size(); ++k)
+      slope[static_cast<Eigen::Index>(k)] =
+          (above.passing(samples[k].size) - below.passing(samples[k].size)) / (2.0 * kStep);
+    return slope;
+  };
+  Eigen::MatrixXd jacobian(static_cast<Eigen::Index>(samples.size()), 2);
+  jacobian << slopes(&SizeFit::x50), slopes(&SizeFit::shape);
+  const auto count = static_cast<double>(samples.size());
+  const Eigen::Matrix2d covariance =
+      best.rms * best.rms * count / (count - 2.0) * (jacobian.transpose() * jacobian).inverse();
+  best.x50_error = best.x50 * std::sqrt(covariance(0, 0));
+  best.shape_error = best.shape * std::sqrt(covariance(1, 1));
+}
+
 std::optional<SizeFit> fit(const std::vector<SizePoint>& curve, const MakeFit& make,
                            Eigen::VectorXd start) {
   constexpr double kLeastBreadth = 1.01;
@@ -60,6 +84,7 @@ std::optional<SizeFit> fit(const std::vector<SizePoint>& curve, const MakeFit& m
   differences(start, off);
   SizeFit best = make(Parameters(start));
   best.rms = std::sqrt(off.squaredNorm() / static_cast<double>(off.size()));
+  add_errors(best, samples);
   return best;
 }
 

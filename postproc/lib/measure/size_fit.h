@@ -16,6 +16,8 @@ struct SizeFit {
   double xmax;   // [m], of Swebrec; 0 for Rosin-Rammler
   double shape;  // exponent n of Rosin-Rammler, b of Swebrec
   double rms;    // of the differences in mass share at those sizes
+  // Standard errors of x50 [m] and shape, from the same differences as if each were by chance.
+  double x50_error = 0.0, shape_error = 0.0;
   [[nodiscard]] SizeTarget curve() const;
 };
 

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/surface/surface_index.h"
+#include "parallel/in_parallel.h"
+
 namespace muckpile {
 namespace {
 
@@ -33,14 +36,60 @@ bool means_at(const SurfacePair& pair, int i, const BenchPlanes& planes, Vec2& m
   return rows > 0 && 2 * known >= rows;
 }
 
+double at_share(std::vector<double> sizes, double share) {
+  const auto place = sizes.begin() + std::lround(share * static_cast<double>(sizes.size() - 1));
+  std::ranges::nth_element(sizes, place);
+  return *place;
+}
+
+// Two between four neighbouring cells whose heights are known.
+std::vector<StlTriangle> triangles_of(const ColumnGrid& grid, const std::vector<double>& heights) {
+  const auto point = [&](int i, int j) {
+    return Vec3(grid.x(i), grid.y(j), heights[grid.at(i, j)]);
+  };
+  std::vector<StlTriangle> triangles;
+  for (int j = 0; j + 1 < grid.ny; ++j) {
+    for (int i = 0; i + 1 < grid.nx; ++i) {
+      const Vec3 a = point(i, j), b = point(i + 1, j), c = point(i + 1, j + 1), d = point(i, j + 1);
+      if (!std::isnan(a.z() + b.z() + c.z())) triangles.push_back({a, b, c});
+      if (!std::isnan(a.z() + c.z() + d.z())) triangles.push_back({a, c, d});
+    }
+  }
+  return triangles;
+}
+
 }  // namespace
 
 double difference_at_share(const SurfacePair& pair, double share) {
   std::vector<double> sizes = differences(pair);
   for (double& each : sizes) each = std::abs(each);
-  const auto place = sizes.begin() + std::lround(share * static_cast<double>(sizes.size() - 1));
-  std::ranges::nth_element(sizes, place);
-  return *place;
+  return at_share(std::move(sizes), share);
+}
+
+SurfaceDistance distance_of(const SurfacePair& pair) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  std::vector<StlTriangle> triangles = triangles_of(pair.grid, pair.run);
+  std::vector<Vec3> points;
+  for (size_t k = 0; k < pair.grid.cells(); ++k) {
+    const auto row = static_cast<size_t>(pair.grid.nx);
+    if (pair.compared[k] != 0)
+      points.emplace_back(pair.grid.x(static_cast<int>(k % row)),
+                          pair.grid.y(static_cast<int>(k / row)), pair.survey[k]);
+  }
+  if (triangles.empty() || points.empty()) return {kNaN, kNaN, kNaN};
+  const SurfaceIndex surface(std::move(triangles));
+  std::vector<double> distances(points.size());
+  each_in_parallel(points.size(),
+                   [&](size_t k) { distances[k] = surface.closest(points[k]).distance; });
+  SurfaceDistance result{0.0, 0.0, 0.0};
+  const auto count = static_cast<double>(distances.size());
+  for (const double each : distances) {
+    result.mean += each / count;
+    result.rms += each * each / count;
+  }
+  result.rms = std::sqrt(result.rms);
+  result.p90 = at_share(std::move(distances), 0.9);
+  return result;
 }
 
 SurfaceDifference difference_of(const SurfacePair& pair) {

@@ -30,6 +30,13 @@ struct SurfaceDifference {
 // The pair must have a compared cell.
 SurfaceDifference difference_of(const SurfacePair& pair);
 
+// From the survey at the middle of each compared cell to the nearest point of the run's surface,
+// which is triangles between the heights at the middles of its cells [m]. NaN where it has none.
+struct SurfaceDistance {
+  double mean, rms, p90;
+};
+SurfaceDistance distance_of(const SurfacePair& pair);
+
 // The magnitude below which this share of the compared cells differ [m].
 double difference_at_share(const SurfacePair& pair, double share);
 

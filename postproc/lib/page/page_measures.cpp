@@ -68,6 +68,7 @@ void add_pile(Html& page, const PageContent& run) {
              {"survey_run_above_m3", "Run higher than the survey"},
              {"survey_run_below_m3", "Run lower than the survey"},
              {"survey_rms_difference_m", "Run and survey, RMS of the vertical difference"},
+             {"survey_rms_distance_m", "RMS of the distance from surface to surface"},
              {"largest_charge_within_8_ms_kg", "Explosive within 8 ms"}});
 }
 
@@ -124,6 +125,8 @@ void add_sizes(Html& page, const PageContent& run) {
   add_picture(page, run, "fragments.png", "Size of the rock",
               "Size curves of the broken-out rock; tables in sieve.csv, fragments.csv and "
               "fragments_list.csv.");
+  add_picture(page, run, "boulders.png", "",
+              "Boulders where they lie, seen from above; table in boulders.csv.");
   add_picture(page, run, "fines.png", "",
               "Fines by a law, which is no result of the simulation; table in fines.csv.");
   const auto pair = page.open("div", {{"class", "pair"}});
@@ -137,10 +140,14 @@ void add_sizes(Html& page, const PageContent& run) {
              {"boulder_mass_fraction", "Mass in boulders"}});
   add_table(page, run,
             {{"rosin_rammler_x50_m", "Rosin-Rammler fit, x50"},
+             {"rosin_rammler_x50_error_m", "Its standard error"},
              {"rosin_rammler_n", "Rosin-Rammler fit, n"},
+             {"rosin_rammler_n_error", "Its standard error"},
              {"rosin_rammler_rms_fraction", "Rosin-Rammler fit, RMS of the mass passing"},
              {"swebrec_x50_m", "Swebrec fit, x50"},
+             {"swebrec_x50_error_m", "Its standard error"},
              {"swebrec_b", "Swebrec fit, b"},
+             {"swebrec_b_error", "Its standard error"},
              {"swebrec_rms_fraction", "Swebrec fit, RMS of the mass passing"},
              {"kuz_ram_x50_m", "Kuz-Ram (formula), x50"},
              {"kuz_ram_n", "Kuz-Ram (formula), n"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Style sheet of the page of a run: light or dark as the reader's system is, from 400 px on.
-// Scope: wide pictures and tables scroll within themselves, the page never does sideways.
+// Scope: wide pictures and tables scroll within themselves, the page never does sideways. From
+// 1500 px on, where a picture is still 680 px wide in half of it, there are two columns.
 #pragma once
 
 namespace muckpile {
@@ -32,6 +33,9 @@ th { font-weight: 600; } td.text { text-align: right; } td.number { text-align: 
 code { font-family: ui-monospace, monospace; font-size: .85rem; overflow-wrap: anywhere; }
 details { margin: .8rem 0; } summary { cursor: pointer; color: var(--accent); }
 li { margin: .25rem 0; }
+@media (min-width: 1500px) { main { max-width: 1900px; columns: 2; column-gap: 2rem; }
+  h1, h1 + p, .warning, .figures { column-span: all; } h2 { break-after: avoid; margin-top: 1rem; }
+  figure, .pair, .figures div, tr, li { break-inside: avoid; } }
 )css";
 
 }  // namespace muckpile

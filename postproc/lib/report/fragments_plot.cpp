@@ -90,6 +90,10 @@ void draw_limits(const FragmentCurves& c, const Axes& axes, const AxisRange& x, 
 
 std::string percent(double share) { return spelled(100.0 * share, 2) + " %"; }
 
+std::string with_error(double value, double error) {
+  return spelled(value) + " ± " + spelled(error, 1);
+}
+
 std::vector<KeyLine> draw_lines(const FragmentCurves& c, const Axes& axes, const AxisRange& x,
                                 Canvas& canvas) {
   std::vector<KeyLine> key;
@@ -107,12 +111,14 @@ std::vector<KeyLine> draw_lines(const FragmentCurves& c, const Axes& axes, const
   draw(steps(c.sieve, x), {"fragments by sieve", kBench, 3.5, false});
   if (c.rosin_rammler)
     draw(line_of(c.rosin_rammler->curve(), x),
-         {"Rosin-Rammler fit, n " + spelled(c.rosin_rammler->shape) + ", RMS " +
+         {"Rosin-Rammler fit, n " +
+              with_error(c.rosin_rammler->shape, c.rosin_rammler->shape_error) + ", RMS " +
               percent(c.rosin_rammler->rms),
           colour_of_curve(1), 2.2, false});
   if (c.swebrec)
     draw(line_of(c.swebrec->curve(), x),
-         {"Swebrec fit, b " + spelled(c.swebrec->shape) + ", RMS " + percent(c.swebrec->rms),
+         {"Swebrec fit, b " + with_error(c.swebrec->shape, c.swebrec->shape_error) + ", RMS " +
+              percent(c.swebrec->rms),
           colour_of_curve(2), 2.2, false});
   if (c.kuz_ram)
     draw(line_of(c.kuz_ram->curve(), x),

@@ -11,6 +11,7 @@
 #include "io/mine_frame.h"
 #include "measure/sieve_size.h"
 #include "parallel/in_parallel.h"
+#include "report/boulders_plot.h"
 #include "report/fines_report.h"
 #include "report/fragments_plot.h"
 #include "report/kuz_ram_of_run.h"
@@ -131,8 +132,19 @@ void write_tables(const ResultFolder& folder, const FragmentCurves& curves,
   if (options.boulder) {
     write_list(folder, "boulders.csv", fragments, *options.boulder);
   } else {
-    std::filesystem::remove(folder.file("boulders.csv"));
+    for (const char* name : {"boulders.csv", "boulders.png"})
+      std::filesystem::remove(folder.file(name));
   }
+}
+
+void write_boulders(const ResultFolder& folder, const RunData& run,
+                    const std::vector<SizedFragment>& fragments, double least, double mass_share) {
+  const auto members = members_of(run.last);
+  std::vector<Boulder> boulders;
+  for (const auto& [f, sieve] : fragments)
+    if (sieve > least) boulders.push_back({members.at(f.id), sieve, f.last});
+  write_png(draw_boulders(run, std::move(boulders), least, mass_share),
+            folder.file("boulders.png"));
 }
 
 std::string title_of(double single_share) {
@@ -157,6 +169,8 @@ nlohmann::ordered_json size_keys(const FragmentCurves& c) {
                        const std::optional<SizeFit>& of) {
     keys[name + "_x50_m"] = of ? of->x50 : std::nan("");
     keys[name + "_" + shape] = of ? of->shape : std::nan("");
+    keys[name + "_x50_error_m"] = of ? of->x50_error : std::nan("");
+    keys[name + "_" + shape + "_error"] = of ? of->shape_error : std::nan("");
     keys[name + "_rms_fraction"] = of ? of->rms : std::nan("");
   };
   fit("rosin_rammler", "n", c.rosin_rammler);
@@ -221,6 +235,8 @@ void report_fragments(const ResultFolder& folder, const MeasureOptions& measure,
   keys["fragments_note"] = nullptr;
   if (is_the_input(single)) keys["fragments_note"] = kBlockSizesNote;
   keys.update(pile_keys(fragments, options));
+  if (options.boulder)
+    write_boulders(folder, run, fragments, *options.boulder, keys["boulder_mass_fraction"]);
   keys.update(fines_of(folder, run, fragments, options));
   std::vector<std::string> dropped = fines_keys();
   for (const char* key : {"boulder_sieve_m", "boulders", "boulder_mass_fraction"})

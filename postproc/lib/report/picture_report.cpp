@@ -1,22 +1,27 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Sub-command render: the rock in three dimensions, with its outline before the blast.
 // Scope: one light, one ground plane at z = 0; picture_scene.h and picture_view.h have the parts.
+#include "report/picture_report.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
+#include "draw/axes.h"
 #include "draw/png_file.h"
 #include "draw/scene.h"
 #include "draw/title.h"
 #include "io/csv_writer.h"
-#include "io/muck.h"
 #include "io/mine_frame.h"
+#include "io/muck.h"
 #include "measure/start_extent.h"
 #include "report/block_colours.h"
 #include "report/film.h"
 #include "report/notes.h"
 #include "report/picture_scene.h"
 #include "report/picture_view.h"
+#include "report/plan_line_of.h"
 #include "report/reports.h"
 
 namespace muckpile {
@@ -27,7 +32,8 @@ constexpr double kElevation = 28.0, kCraterElevation = 45.0;  // of the eye [deg
 class Picture {
  public:
   Picture(const ResultFolder& folder, const std::vector<StartBlock>& blocks, const Snapshot& last,
-          const PictureOptions& options, const BlockFields& fields)
+          const PictureOptions& options, const BlockFields& fields,
+          const std::optional<PlanLine>& line)
       : blocks_(blocks),
         options_(options),
         fields_(fields),
@@ -44,14 +50,21 @@ class Picture {
     }
     if (crater) framed_ = framed_crater(blocks, last);
     if (framed_.empty()) frame_all(last);
-    if (options.section) cut_ = CutPlane{*options.section, to_eye_.y() <= 0.0};
+    if (options.section) {
+      cut_ = cut_along({{0.0, *options.section}, {1.0, *options.section}}, to_eye_);
+      cut_words_ = "; rock in front of y = " + spelled(*options.section) + " m cut away";
+    }
+    if (line) {
+      cut_ = cut_along(*line, to_eye_);
+      cut_words_ = "; cut " + words_of(*line);
+    }
   }
 
   void write(const Snapshot& snapshot, const std::string& warning, const ValueRange& range,
              const std::filesystem::path& path) const {
     Canvas canvas(options_.width, options_.height, kWhite);
-    const BlockColours colours = block_colours(fields_.of(options_.colour_by, snapshot), range,
-                                               options_.colour_range);
+    const BlockColours colours =
+        block_colours(fields_.of(options_.colour_by, snapshot), range, options_.colour_range);
     const View view = framing_view(framed_, to_eye_, options_, canvas);
     draw_scene(scene_of(snapshot, colours), view.camera, canvas);
     draw_words(snapshot, warning, colours, canvas);
@@ -110,11 +123,7 @@ class Picture {
         std::to_string(blocks_.size()) + " blocks; blue: box around the rock before the blast";
     if (rock_blocks(blocks_) < blocks_.size()) words += "; grey-green: muck that lay in front";
     if (options_.mirror > 0) words += "; model repeated by mirror images at its symmetry planes";
-    if (cut_) {
-      char cut[64];
-      std::snprintf(cut, sizeof cut, "; rock in front of y = %g m cut away", cut_->y);
-      words += cut;
-    }
+    words += cut_words_;
     canvas.text({28.0, options_.height - 20.0}, words, 18.0, kInk);
     draw_legend(colours, {options_.width - 340.0, 18.0}, canvas);
   }
@@ -127,6 +136,7 @@ class Picture {
   Vec3 to_eye_;               // unit
   std::vector<Vec3> framed_;  // what the picture is to show [m]
   std::optional<CutPlane> cut_;
+  std::string cut_words_;  // that say so
 };
 
 // The pictures over the run.
@@ -200,19 +210,17 @@ void write_table(const ResultFolder& folder, const std::vector<StartBlock>& bloc
     const Vec3& at = last.states[b].centre;
     const auto name = field.names.find(static_cast<int>(field.values[b]));
     csv.row_named(std::to_string(blocks[b].id), {at.x(), at.y(), at.z()}, field.values[b],
-                  name == field.names.end() ? "" : name->second,
-                  mine_place(frame, at.x(), at.y()));
+                  name == field.names.end() ? "" : name->second, mine_place(frame, at.x(), at.y()));
   }
 }
 
-}  // namespace
-
-void report_picture(const ResultFolder& folder, const PictureOptions& options) {
+void draw_pictures(const ResultFolder& folder, const PictureOptions& options,
+                   const std::optional<PlanLine>& line) {
   if (!options.film.empty()) require_ffmpeg();
   const std::vector<StartBlock>& blocks = folder.blocks();
   const Snapshot last = read_snapshot(folder.snapshots().back(), blocks);
   const BlockFields fields(folder, blocks);
-  const Picture picture(folder, blocks, last, options, fields);
+  const Picture picture(folder, blocks, last, options, fields, line);
   const Frames frames(folder, blocks, options);
   const std::string warning = motion_warning(folder.is_still());
   const ValueRange range = frames.range(fields);
@@ -227,6 +235,17 @@ void report_picture(const ResultFolder& folder, const PictureOptions& options) {
     make_film(pictures.path(), frames.count(), options.frames_per_second, options.film);
   }
   folder.merge_into_summary(common_keys(folder));
+}
+
+}  // namespace
+
+void report_picture(const ResultFolder& folder, const PictureOptions& options) {
+  draw_pictures(folder, options, std::nullopt);
+}
+
+void report_picture(const ResultFolder& folder, const PictureOptions& options,
+                    const LineOptions& line) {
+  draw_pictures(folder, options, plan_line_of(folder, line, "render"));
 }
 
 }  // namespace muckpile

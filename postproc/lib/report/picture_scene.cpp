@@ -14,13 +14,14 @@ namespace {
 constexpr Colour kGround{0.74F, 0.72F, 0.68F};
 
 std::vector<Vec3> kept(const CutPlane& plane, const std::vector<Vec3>& polygon) {
-  const auto inside = [&](const Vec3& p) { return (p.y() >= plane.y) == plane.keep_high; };
+  const auto left_of = [&](const Vec3& p) { return plane.line.along_and_left(p.head<2>()).y(); };
+  const auto inside = [&](double left) { return (left >= 0.0) == plane.keep_left; };
   std::vector<Vec3> part;
   for (size_t k = 0; k < polygon.size(); ++k) {
     const Vec3 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
-    if (inside(a)) part.push_back(a);
-    if (inside(a) != inside(b))
-      part.emplace_back(a + (b - a) * ((plane.y - a.y()) / (b.y() - a.y())));
+    const double from = left_of(a), to = left_of(b);
+    if (inside(from)) part.push_back(a);
+    if (inside(from) != inside(to)) part.emplace_back(a + (b - a) * (from / (from - to)));
   }
   return part;
 }
@@ -76,6 +77,11 @@ std::vector<SceneLine> edges_of(const Extent& rock) {
   return edges;
 }
 
+CutPlane cut_along(const PlanLine& line, const Vec3& to_eye) {
+  const Vec2 way = line.to - line.from, left(-way.y(), way.x());
+  return {line, left.dot(to_eye.head<2>()) <= 0.0};
+}
+
 void cut_away(const CutPlane& plane, Scene& scene) {
   for (ScenePolygon& polygon : scene.polygons) polygon.corners = kept(plane, polygon.corners);
   std::erase_if(scene.polygons, [](const ScenePolygon& p) { return p.corners.size() < 3; });
@@ -83,11 +89,15 @@ void cut_away(const CutPlane& plane, Scene& scene) {
 
 void add_cut_faces(const CutPlane& plane, const std::vector<StartBlock>& blocks,
                    const Snapshot& snapshot, const std::vector<Colour>& colours, Scene& scene) {
-  for (const SectionPolygon& cut : section_at(plane.y, blocks, snapshot.states)) {
+  const std::vector<BlockState> seen = seen_along(plane.line, snapshot.states);
+  for (const SectionPolygon& cut : section_at(0.0, blocks, seen)) {
     ScenePolygon face{{}, colours[cut.block], static_cast<int>(cut.block)};
-    // In order of rising angle from x to z, so counter-clockwise seen from smaller y.
-    for (const Vec2& p : cut.outline) face.corners.emplace_back(p.x(), plane.y, p.y());
-    if (!plane.keep_high) std::ranges::reverse(face.corners);
+    // In order of rising angle from the line to z, so counter-clockwise seen from its right.
+    for (const Vec2& p : cut.outline) {
+      const Vec2 at = plane.line.at(p.x());
+      face.corners.emplace_back(at.x(), at.y(), p.y());
+    }
+    if (!plane.keep_left) std::ranges::reverse(face.corners);
     scene.polygons.push_back(std::move(face));
   }
 }

@@ -11,6 +11,7 @@
 #include "io/blocks_file.h"
 #include "io/snapshot.h"
 #include "measure/columns.h"
+#include "measure/plan_line.h"
 
 namespace muckpile {
 
@@ -41,10 +42,14 @@ void add_ground(const Extent& rock, double x_high, double margin, Scene& scene);
 // Edges of the box around the rock before the blast, above the floor for a bench.
 std::vector<SceneLine> edges_of(const Extent& rock);
 
+// An upright plane through a line in plan.
 struct CutPlane {
-  double y;        // [m]
-  bool keep_high;  // the rock at larger y stays
+  PlanLine line;
+  bool keep_left;  // the rock to the left of the line stays
 };
+
+// That which keeps what an eye in this direction sees behind the plane.
+CutPlane cut_along(const PlanLine& line, const Vec3& to_eye);
 
 // Leaves of the scene's polygons what lies on the side that stays.
 void cut_away(const CutPlane& plane, Scene& scene);

@@ -191,7 +191,8 @@ void write_table(const SurfacePair& pair, const std::filesystem::path& path) {
 }
 
 nlohmann::ordered_json keys_of(const SurveyOptions& options, const SurfaceDifference& d,
-                               const Shapes& shapes, double pile_share) {
+                               const SurfaceDistance& distance, const Shapes& shapes,
+                               double pile_share) {
   nlohmann::ordered_json keys;
   keys["survey_file"] = std::filesystem::path(options.surface).filename().string();
   for (size_t axis = 0; axis < 3; ++axis)
@@ -205,6 +206,9 @@ nlohmann::ordered_json keys_of(const SurveyOptions& options, const SurfaceDiffer
   keys["survey_mean_difference_m"] = d.mean;
   keys["survey_rms_difference_m"] = d.rms;
   keys["survey_p90_difference_m"] = d.p90;
+  keys["survey_mean_distance_m"] = distance.mean;
+  keys["survey_rms_distance_m"] = distance.rms;
+  keys["survey_p90_distance_m"] = distance.p90;
   keys["survey_height_m"] = shapes.survey.height;
   keys["survey_run_height_m"] = shapes.run.height;
   keys["survey_toe_m"] = shapes.survey.toe;
@@ -215,7 +219,7 @@ nlohmann::ordered_json keys_of(const SurveyOptions& options, const SurfaceDiffer
 void require_rest(const ResultFolder& folder, const RunData& run, const SurveyOptions& options) {
   if (run.still) return;
   const NotMeasurable why("survey: the run has not come to rest, so it has no pile to compare");
-  take_back(folder, "survey", keys_of(options, {}, {}, kNaN), why);
+  take_back(folder, "survey", keys_of(options, {}, {}, {}, kNaN), why);
   throw why;
 }
 
@@ -253,7 +257,7 @@ void report_survey(const ResultFolder& folder, const MeasureOptions& measure,
   write_table(c.pair, folder.file("survey.csv"));
   write_png(draw_survey(c.pair, shapes.profiles, difference), folder.file("survey.png"));
   nlohmann::ordered_json keys = common_keys(folder);
-  keys.update(keys_of(options, difference, shapes, c.pile_share));
+  keys.update(keys_of(options, difference, distance_of(c.pair), shapes, c.pile_share));
   folder.merge_into_summary(keys, {refusal_key("survey")});
 }
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "draw/curve_plot.h"
+#include "draw/panels.h"
 #include "measure/blast_formulas.h"
 
 namespace muckpile {
@@ -47,26 +47,52 @@ std::string law_of(const PowerFit& fit) {
          spelled(reach, 2);
 }
 
+// Until a time [s].
+PlotCurve history_of(const GaugePeak& peak, int colour, double until,
+                     double (*of)(const GaugeHistory&, size_t)) {
+  const GaugeHistory& gauge = *peak.gauge;
+  PlotCurve curve{"gauge " + std::to_string(gauge.number) + ", " + spelled(peak.distance) +
+                      " m from the charge",
+                  CurveStyle::kLine,
+                  colour,
+                  {}};
+  for (size_t k = 0; k < gauge.time.size() && gauge.time[k] <= until; ++k)
+    curve.points.emplace_back(1e3 * gauge.time[k], of(gauge, k));
+  return curve;
+}
+
 }  // namespace
 
 Canvas draw_waves(const std::vector<GaugePeak>& peaks) {
   constexpr double kRoom = 3.0;  // times that of the last peak
+  constexpr double kMegapascal = 1e6;
   const double until = kRoom * std::ranges::max(peaks, {}, &GaugePeak::time).time;
-  CurvePlot plot;
-  plot.title = "Speed at gauges";
-  plot.x_label = "time [ms]";
-  plot.y_label = "speed [m/s]";
-  for (const GaugePeak& peak : chosen(peaks)) {
-    PlotCurve curve{"gauge " + std::to_string(peak.gauge->number) + ", " + spelled(peak.distance) +
-                        " m from the charge",
-                    CurveStyle::kLine,
-                    static_cast<int>(plot.curves.size()),
-                    {}};
-    for (size_t k = 0; k < peak.gauge->time.size() && peak.gauge->time[k] <= until; ++k)
-      curve.points.emplace_back(1e3 * peak.gauge->time[k], peak.gauge->velocity[k].norm());
-    plot.curves.push_back(std::move(curve));
+  using Of = double (*)(const GaugeHistory&, size_t);
+  const struct {
+    const char *title, *label;
+    Of of;
+  } frames[] = {{"speed", "speed [m/s]",
+                 [](const GaugeHistory& g, size_t k) { return g.velocity[k].norm(); }},
+                {"mean pressure", "pressure [MPa]",
+                 [](const GaugeHistory& g, size_t k) { return g.pressure[k] / kMegapascal; }},
+                {"largest principal stress, compression positive", "s1 [MPa]",
+                 [](const GaugeHistory& g, size_t k) { return g.principal[k].x() / kMegapascal; }},
+                {"least principal stress, below 0 tension", "s3 [MPa]",
+                 [](const GaugeHistory& g, size_t k) { return g.principal[k].z() / kMegapascal; }}};
+  const std::vector<GaugePeak> shown = chosen(peaks);
+  Panels panels;
+  panels.title = "Speed and stress at gauges";
+  for (const auto& frame : frames) {
+    CurvePlot plot;
+    plot.title = frame.title;
+    plot.x_label = "time [ms]";
+    plot.y_label = frame.label;
+    for (const GaugePeak& peak : shown)
+      plot.curves.push_back(
+          history_of(peak, static_cast<int>(plot.curves.size()), until, frame.of));
+    panels.plots.push_back(std::move(plot));
   }
-  return draw_curves(plot);
+  return draw_panels(panels);
 }
 
 Canvas draw_peaks(const std::vector<GaugePeak>& peaks, const std::optional<PowerFit>& fit,

@@ -53,10 +53,13 @@ double end_of_waves(const ResultFolder& folder) {
 
 // `until` is not before the first sample.
 GaugePeak peak_of(const GaugeHistory& gauge, double until) {
-  GaugePeak peak{&gauge, 0.0, 0.0, 0.0, 0.0, kNaN, -std::numeric_limits<double>::max()};
+  constexpr double kNone = -std::numeric_limits<double>::max();
+  GaugePeak peak{&gauge, 0.0, 0.0, 0.0, 0.0, kNaN, kNone, kNone, kNone};
   const auto passes = [&](size_t k) { return k < gauge.time.size() && gauge.time[k] <= until; };
   for (size_t k = 0; passes(k); ++k) {
     peak.pressure = std::max(peak.pressure, gauge.pressure[k]);
+    peak.compression = std::max(peak.compression, gauge.principal[k].x());
+    peak.tension = std::max(peak.tension, 0.0 - gauge.principal[k].z());
     if (gauge.velocity[k].norm() <= peak.speed) continue;
     peak.speed = gauge.velocity[k].norm();
     peak.time = gauge.time[k];
@@ -100,13 +103,14 @@ std::vector<Vec2> points_of_blocks(const std::vector<GaugePeak>& peaks) {
 void write_histories(const ResultFolder& folder, const std::vector<GaugePeak>& peaks,
                      double until) {
   CsvWriter csv(folder.file("waves.csv"),
-                "gauge,distance_m,time_s,speed_m_s,vx_m_s,vy_m_s,vz_m_s,pressure_Pa");
+                "gauge,distance_m,time_s,speed_m_s,vx_m_s,vy_m_s,vz_m_s,pressure_Pa,s1_Pa,"
+                "s2_Pa,s3_Pa");
   for (const GaugePeak& peak : peaks) {
     const GaugeHistory& gauge = *peak.gauge;
     for (size_t k = 0; k < gauge.time.size() && gauge.time[k] <= until; ++k) {
-      const Vec3& v = gauge.velocity[k];
+      const Vec3 &v = gauge.velocity[k], &s = gauge.principal[k];
       csv.row({static_cast<double>(gauge.number), peak.distance, gauge.time[k], v.norm(), v.x(),
-               v.y(), v.z(), gauge.pressure[k]});
+               v.y(), v.z(), gauge.pressure[k], s.x(), s.y(), s.z()});
     }
   }
 }
@@ -115,15 +119,16 @@ void write_peaks(const ResultFolder& folder, const std::vector<GaugePeak>& peaks
                  const std::optional<PowerFit>& fit) {
   CsvWriter csv(folder.file("ppv.csv"),
                 "gauge,x_m,y_m,z_m,distance_m,scaled_distance_m_kg05,ppv_m_s,ppv_time_s,arrival_s,"
-                "largest_pressure_Pa,fit_m_s,band_low_m_s,band_high_m_s,"
+                "largest_pressure_Pa,largest_compression_Pa,largest_tension_Pa,fit_m_s,band_low_m_"
+                "s,band_high_m_s,"
                 "formula_bureau_of_mines_m_s");
   for (const GaugePeak& peak : peaks) {
     const bool on = fit && peak.scaled > 0.0;
     const Interval band = on ? fit->band(peak.scaled) : Interval{kNaN, kNaN};
     const Vec3& at = peak.gauge->place;
     csv.row({static_cast<double>(peak.gauge->number), at.x(), at.y(), at.z(), peak.distance,
-             peak.scaled, peak.speed, peak.time, peak.arrival, peak.pressure,
-             on ? fit->at(peak.scaled) : kNaN, band.low, band.high,
+             peak.scaled, peak.speed, peak.time, peak.arrival, peak.pressure, peak.compression,
+             peak.tension, on ? fit->at(peak.scaled) : kNaN, band.low, band.high,
              peak.scaled > 0.0 ? bureau_of_mines_ppv(peak.scaled) : kNaN});
   }
 }

@@ -74,6 +74,41 @@ CurvePlot plot_of(const OverlaidCurve& curve, const std::string& over,
   return plot;
 }
 
+// A frame per column: of each row P50, and a bar from P10 to P90.
+std::vector<CurvePlot> row_plots(const OverlaidRows& all) {
+  std::vector<std::string> rows;  // "1 2" for the row of level 1 and band 2, say
+  std::vector<CurvePlot> plots;
+  std::vector<std::string> columns;
+  for (const OverlaidRow& row : all.rows) {
+    const std::string name = joined(row.names, " ");
+    auto place = std::ranges::find(rows, name);
+    if (place == rows.end()) place = rows.insert(rows.end(), name);
+    const auto x = static_cast<double>(place - rows.begin() + 1);
+    auto column = std::ranges::find(columns, row.column);
+    if (column == columns.end()) {
+      column = columns.insert(columns.end(), row.column);
+      plots.emplace_back();
+      plots.back().y_label = name_of_figure(row.column);
+      plots.back().curves.push_back(
+          {"P50, and bars from P10 to P90", CurveStyle::kPoints, 0, {}, {}});
+    }
+    const Spread& s = row.spread;
+    if (s.count == 0) continue;
+    PlotCurve& curve = plots[static_cast<size_t>(column - columns.begin())].curves.front();
+    curve.points.emplace_back(x, s.p50);
+    curve.bars.push_back({x, s.p10, s.p90});
+  }
+  constexpr size_t kLetters = 36;  // fit below a frame
+  size_t letters = 0;
+  for (const std::string& row : rows) letters += row.size() + 2;
+  for (CurvePlot& plot : plots) {
+    plot.x = {0.5, static_cast<double>(rows.size()) + 0.5};
+    if (letters <= kLetters) plot.x_words = rows;
+    plot.x_label = letters <= kLetters ? joined(all.over, ", ") : "number of the row in the table";
+  }
+  return plots;
+}
+
 std::vector<std::string> names_of(const std::vector<std::string>& runs) {
   std::vector<std::string> names;
   for (const std::string& run : runs) {
@@ -95,14 +130,18 @@ std::vector<std::filesystem::path> report_overlay(const OverlayOptions& options)
       std::filesystem::path(options.out) /
       ("overlay_" + std::filesystem::path(options.table).stem().string());
   const std::filesystem::path csv = base.string() + ".csv", png = base.string() + ".png";
+  Panels panels;
+  panels.title = options.table + " of " + std::to_string(options.runs.size()) + " runs";
   if (has_named_rows(tables.front())) {
-    write_rows(overlaid_rows(tables, options.columns), csv);
-    return {csv};
+    const OverlaidRows all = overlaid_rows(tables, options.columns);
+    write_rows(all, csv);
+    panels.plots = row_plots(all);
+    if (panels.plots.empty()) return {csv};
+    write_png(draw_panels(panels), png);
+    return {csv, png};
   }
   const OverlaidCurves all = overlaid_curves(tables, options.columns);
   write_curves(all, csv);
-  Panels panels;
-  panels.title = options.table + " of " + std::to_string(options.runs.size()) + " runs";
   for (const OverlaidCurve& curve : all.curves)
     panels.plots.push_back(plot_of(curve, all.over, names_of(options.runs)));
   write_png(draw_panels(panels), png);

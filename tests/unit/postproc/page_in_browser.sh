@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# page_in_browser.sh PAGE_OF_A_TEST: opens the page of a run in headless Chromium, 400 and 1200 px wide, light and dark.
+# page_in_browser.sh PAGE_OF_A_TEST: opens the page of a run in headless Chromium, 400, 1200 and 1700 px wide, light and dark.
 # The page must load without a request, show its pictures, have no sideways scroll with all of it unfolded, and change its ground with the reader's scheme.
 # Scope: skipped with exit status 77 where no Chromium is installed.
 set -euo pipefail
 make_page=$1
 for browser in chromium chromium-browser google-chrome ''; do
-  if [[ -z $browser ]]; then echo "skipped: no Chromium is installed" && exit 77; fi
+  if [[ -z $browser ]]; then echo "SKIPPED, the page was not looked at: no Chromium (Debian: apt-get install chromium)" >&2 && exit 77; fi
   if command -v "$browser" >/dev/null; then break; fi
 done
 folder=$(mktemp -d)
@@ -27,7 +27,7 @@ seen() {  # seen WIDTH SCHEME (0 dark, 1 light)
     <iframe src="page.html" width="%s" height="900" frameborder="0"></iframe></body></html>\n' "$1" >"$folder/frame.html"
   HOME=$folder timeout 100 "$browser" --headless=new --no-sandbox --disable-gpu --disable-dev-shm-usage --hide-scrollbars \
     --user-data-dir="$folder/profile" --host-resolver-rules='MAP * ~NOTFOUND' --blink-settings=preferredColorScheme="$2" \
-    --window-size="1400,1000" --virtual-time-budget=4000 --dump-dom "file://$folder/frame.html" 2>"$folder/messages" |
+    --window-size="1800,1000" --virtual-time-budget=4000 --dump-dom "file://$folder/frame.html" 2>"$folder/messages" |
     grep -oE 'data-seen="[^"]*"' | head -n 1
 }
 
@@ -40,6 +40,7 @@ expect() {  # expect WIDTH SCHEME GROUND
 }
 expect 400 1 'rgb(246, 247, 248)'
 expect 1200 1 'rgb(246, 247, 248)'
+expect 1700 1 'rgb(246, 247, 248)'
 expect 400 0 'rgb(21, 24, 27)'
 expect 1200 0 'rgb(21, 24, 27)'
 if grep -qiE 'src="(http|//)|url\(' "$folder/run/report.html"; then echo "the page asks for something outside" && wrong=1; fi

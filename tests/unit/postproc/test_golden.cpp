@@ -66,6 +66,17 @@ class Golden : public ::testing::Test {
       expect_golden(folder().file(file), scene + "_" + std::filesystem::path(file).stem().string());
     }
   }
+  void add_to_scene(const std::string& words) const {
+    const auto scene = folder().dump("scene.json");
+    std::string text = text_of(scene);
+    write_text(scene, text.insert(1, words));
+  }
+  static void keep_lines(const std::filesystem::path& path, int count) {
+    std::istringstream in(text_of(path));
+    std::string line, kept;
+    for (int k = 0; k < count && std::getline(in, line); ++k) kept += line + '\n';
+    write_text(path, kept);
+  }
   TemporaryFolder temporary_;
 };
 
@@ -106,6 +117,42 @@ TEST_F(Golden, SectionTroughAndOverALine) {
   expect_tables({"section.csv", "over.csv", "trough.csv"}, "bench");
 }
 
+TEST_F(Golden, TablesOfAPattern) {
+  write_bench(temporary_.path());
+  write_text(folder().dump("holes.csv"),
+             "hole,collar_x_m,collar_y_m,collar_z_m,toe_x_m,toe_y_m,toe_z_m,diameter_m,from_m,to_m,"
+             "surface_delay_s\n"
+             "back,-7.6,0,10.5,-7.6,0,-1,0.1,2.5,11.5,0.042\n"
+             "left,-5,-0.5,10.5,-5,-0.5,-1,0.1,2.5,11.5,0\n"
+             "right,-5,0.5,10.5,-5,0.5,-1,0.1,2.5,11.5,0.005\n");
+  add_to_scene("\"explosive_density_kg_m3\": 800, ");
+  report_rows(folder(), {kCube, 0.125});
+  report_heights(folder(), {kCube, 0.5});
+  report_flyrock(folder());
+  expect_tables({"rows.csv", "heights.csv", "flyrock.csv"}, "pattern");
+}
+
+// Not the list of all fragments and blocks, whose digits would fill the folder: its first ones.
+TEST_F(Golden, TablesWithOptions) {
+  write_bench(temporary_.path());
+  FragmentOptions fragments;
+  fragments.boulder = 0.3;
+  fragments.fines_radius = 10.0;
+  report_fragments(folder(), {kCube, 0.25}, fragments);
+  MovementOptions movement;
+  movement.model = write_text(temporary_.path() / "model.csv",
+                              "name,x_m,y_m,z_m,grade\nore,-0.2,0.25,0.25,3.1\nair,5,0,0,0\n");
+  report_movement(folder(), {kCube, 0.25}, movement);
+  PictureOptions picture;
+  picture.width = picture.height = 200;
+  report_picture(folder(), picture);
+  for (const char* file : {"fragments_list.csv", "boulders.csv", "pile3d.csv"})
+    keep_lines(folder().file(file), 25);
+  expect_tables(
+      {"fragments_list.csv", "boulders.csv", "fines.csv", "model_moved.csv", "pile3d.csv"},
+      "bench");
+}
+
 TEST_F(Golden, TablesOfACrater) {
   write_crater(temporary_.path());
   report_crater(folder(), {}, {});
@@ -133,16 +180,15 @@ TEST_F(Golden, DifferenceFromASurvey) {
 
 TEST_F(Golden, TablesOfGauges) {
   write_bench(temporary_.path());
-  const auto scene = temporary_.path() / "dump/scene.json";
-  std::string text = text_of(scene);
-  write_text(scene, text.insert(1, "\"charge_mass_kg\": 64.0, "));
+  add_to_scene("\"charge_mass_kg\": 64.0, ");
   std::ostringstream rows;
   rows << "step,time_s,gauge,block,x_m,y_m,z_m,ux_m,uy_m,uz_m,vx_m_s,vy_m_s,vz_m_s,sxx_Pa,syy_Pa,"
           "szz_Pa,sxy_Pa,syz_Pa,szx_Pa,pressure_Pa,run_id\n";
   for (int k = 0; k < 4; ++k)
     for (int g = 1; g <= 4; ++g)
       rows << k << ',' << 1e-3 * k << ',' << g << ',' << 6 + g << ',' << -5 - g << ",0,4,0,0,0,"
-           << k * (3 - k) / (0.5 + g * g) << ",0,0,0,0,0,0,0,0," << 1e5 * k / g << ",\n";
+           << k * (3 - k) / (0.5 + g * g) << ",0,0," << -3e5 * k / g << ",0,0," << 1e5 * k
+           << ",0,0," << 1e5 * k / g << ",\n";
   write_text(temporary_.path() / "dump/gauges.csv", rows.str());
   report_waves(folder());
   expect_tables({"waves.csv", "ppv.csv"}, "bench");

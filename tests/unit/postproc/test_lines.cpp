@@ -251,6 +251,7 @@ TEST_F(Lines, MovementAndFragmentsHavePlacesOfTheMine) {
   expect_places("movement.csv", "end_");
   expect_places("fragments_list.csv", "");
   expect_places("boulders.csv", "");
+  EXPECT_GT(std::filesystem::file_size(folder().file("boulders.png")), 1000U);
 }
 
 TEST_F(Lines, FaultyLinesAreRefused) {

@@ -57,7 +57,10 @@ TEST_F(Overlay, NamedRowsHaveTheScatterOfEach) {
   const std::string head = "polygon,recovered_fraction,dilution_fraction\n";
   table(0, "polygons.csv", head + "A,0.9,0.1\nB,0.5,\n");
   table(1, "polygons.csv", head + "B,0.5,0.2\nA,0.7,0.3\n");
-  EXPECT_EQ(report_overlay(options("polygons.csv", 2)).size(), 1U);
+  const auto files = report_overlay(options("polygons.csv", 2));
+  ASSERT_EQ(files.size(), 2U);
+  EXPECT_EQ(files[1].filename(), "overlay_polygons.png");
+  EXPECT_GT(std::filesystem::file_size(files[1]), 2000U);
   EXPECT_EQ(written("overlay_polygons.csv"),
             "polygon,column,runs,mean,standard_deviation,least,p10,p50,p90,largest\n"
             "A,recovered_fraction,2,0.8,0.141421,0.7,0.72,0.8,0.88,0.9\n"

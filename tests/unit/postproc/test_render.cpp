@@ -11,7 +11,9 @@
 #include "draw/depth_buffer.h"
 #include "geometry/files/block_file.h"
 #include "input_error_of.h"
+#include "measure/start_extent.h"
 #include "report/block_colours.h"
+#include "report/picture_report.h"
 #include "report/picture_scene.h"
 #include "report/picture_view.h"
 #include "report/reports.h"
@@ -71,7 +73,7 @@ TEST(View, GoesToItsFocusAndComesNearer) {
 class Section : public ::testing::Test {
  protected:
   void cut(bool keep_high) {
-    const CutPlane plane{0.25, keep_high};
+    const CutPlane plane{{{0.0, 0.25}, {1.0, 0.25}}, keep_high};
     const std::vector<Colour> colours(blocks_.size(), kGrey);
     const Snapshot start = start_snapshot(blocks_);
     add_blocks(blocks_, start, colours, Reflection(0, extent_of(blocks_, start.states)), scene_);
@@ -166,7 +168,8 @@ TEST_F(Fields, HaveOneRangeForAllFrames) {
   ASSERT_TRUE(range.has_value());
   EXPECT_NEAR((*range)[0], 0.0, 1e-12);
   EXPECT_NEAR((*range)[1], 14.0, 1e-9);
-  const BlockColours colours = block_colours(fields.of("vx", start_snapshot(folder.blocks())), range);
+  const BlockColours colours =
+      block_colours(fields.of("vx", start_snapshot(folder.blocks())), range);
   EXPECT_NEAR(colours.map->high(), 14.0, 1e-9);
   EXPECT_FALSE(fields.range_of_run("start_height").has_value());
 }
@@ -176,8 +179,9 @@ TEST_F(Fields, ZonesThatAreNoNumbersAreRefused) {
   std::string text = text_of(path) + "SCALARS zone int 1\nLOOKUP_TABLE default\n1.5\n";
   for (size_t b = 1; b < run_.blocks.size(); ++b) text += "0\n";
   write_text(path, text);
-  EXPECT_NE(input_error_of([&] { ResultFolder(temporary_.path()).blocks(); })
-                .find("zone must be a whole number from 0 to 255, got '1.5"),
+  EXPECT_NE(input_error_of([&] {
+              ResultFolder(temporary_.path()).blocks();
+            }).find("zone must be a whole number from 0 to 255, got '1.5"),
             std::string::npos);
 }
 
@@ -217,8 +221,9 @@ TEST_F(Fields, ZonesHaveTheNamesOfTheInput) {
                "");
   const auto scene = temporary_.path() / "dump/scene.json";
   std::string text = text_of(scene);
-  write_text(scene, text.insert(1, "\"knobs\": {\"plane_words\": \"natural_joints 85 0 2 1 zone "
-                                   "cap 3400 above 0 0 5 0 0\"}, "));
+  write_text(scene, text.insert(1,
+                                "\"knobs\": {\"plane_words\": \"natural_joints 85 0 2 1 zone "
+                                "cap 3400 above 0 0 5 0 0\"}, "));
   const BlockField named = field("zone");
   EXPECT_EQ(named.names.at(1), "cap");
   EXPECT_EQ(named.values.front(), 0.0);
@@ -267,6 +272,54 @@ TEST_F(Render, DrawsASectionInTheBrokenShare) {
   draw();
   EXPECT_GT(std::filesystem::file_size(file("pile3d.png")), 2000U);
   EXPECT_NE(text_of(file("pile3d.png")), whole);
+}
+
+TEST_F(Render, DrawsASectionAlongAnyLine) {
+  options_.section = 0.0;
+  draw();
+  const std::string across_y = text_of(file("pile3d.png"));
+  options_.section.reset();
+  LineOptions line;
+  line.from = {3.0, 1.0};
+  line.to = {4.0, -1.0};
+  const auto draw_along = [&] { report_picture(ResultFolder(temporary_.path()), options_, line); };
+  draw_along();
+  EXPECT_NE(text_of(file("pile3d.png")), across_y);
+  line.to = line.from;
+  EXPECT_NE(input_error_of(draw_along).find("render: --from and --to must be two points"),
+            std::string::npos);
+}
+
+// A box of 4 m x 2 m x 1 m cut along its diagonal: half of the volume stays, and the cut face is
+// sqrt(20) m x 1 m, with the normal to the eye.
+TEST(PictureScene, CutAlongADiagonalLeavesHalfAndItsFace) {
+  std::vector<StartBlock> blocks = as_start_blocks(cubes_in({0, 0, 0}, {4, 2, 1}));
+  const Snapshot start = start_snapshot(blocks);
+  const std::vector<Colour> colours(blocks.size(), kGrey);
+  for (const Vec3& to_eye : {Vec3(1, -3, 1), Vec3(-1, 3, 1)}) {
+    const CutPlane plane = cut_along({{0, 0}, {4, 2}}, to_eye);
+    Scene scene;
+    add_blocks(blocks, start, colours, Reflection(0, extent_at_start(blocks)), scene);
+    cut_away(plane, scene);
+    const Vec3 normal = Vec3(1, -2, 0).normalized() * (to_eye.y() < 0.0 ? 1.0 : -1.0);
+    for (const ScenePolygon& polygon : scene.polygons)
+      for (const Vec3& p : polygon.corners) EXPECT_LE(normal.dot(p), 1e-12);
+    const size_t before = scene.polygons.size();
+    add_cut_faces(plane, blocks, start, colours, scene);
+    Vec3 face = Vec3::Zero();  // area, times the normal
+    double volume = 0.0;       // of what is closed by all polygons
+    for (size_t k = 0; k < scene.polygons.size(); ++k) {
+      const std::vector<Vec3>& c = scene.polygons[k].corners;
+      for (size_t v = 1; v + 1 < c.size(); ++v) {
+        const Vec3 area = 0.5 * (c[v] - c[0]).cross(c[v + 1] - c[0]);
+        if (k >= before) face += area;
+        volume += area.dot(c[0]) / 3.0;
+      }
+    }
+    EXPECT_NEAR(face.norm(), std::sqrt(20.0), 1e-9);
+    EXPECT_NEAR(face.normalized().dot(normal), 1.0, 1e-9);
+    EXPECT_NEAR(volume, 4.0, 1e-9);
+  }
 }
 
 TEST_F(Render, WithoutFfmpegSaysWhatToInstallAndDrawsNothing) {

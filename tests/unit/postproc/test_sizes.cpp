@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <random>
 
 #include "args/input_error.h"
 #include "measure/kuz_ram.h"
@@ -88,6 +90,39 @@ TEST(SizeFit, TellsTheErrorOfTheWrongLaw) {
   auto curve = curve_of(SizeTarget::swebrec(0.4, 1.0, 1.5));
   curve.push_back({1.0, 1.0});
   EXPECT_GT(fit_rosin_rammler(curve)->rms, 0.01);
+}
+
+// Curves whose sizes P5 ... P95 are off the law by chance, 0.4 % of the mass as a standard
+// deviation: x50 and shape scatter by what each fit says of its own error. The scatter of 400 fits
+// is known to 4 %, so 12 % are three times that.
+template <class Fit>
+void expect_told_errors(const SizeTarget& law, double largest, const Fit& fit) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> chance(0.0, 0.004);
+  double x50[2] = {0.0, 0.0}, shape[2] = {0.0, 0.0}, told_x50 = 0.0, told_shape = 0.0;
+  constexpr int kFits = 400;
+  for (int k = 0; k < kFits; ++k) {
+    std::vector<SizePoint> curve;
+    for (int percent = 5; percent < 100; percent += 5)
+      curve.push_back({law.size_at(0.01 * percent + chance(random)), 0.01 * percent});
+    curve.push_back({largest, 1.0});
+    const auto found = fit(curve);
+    ASSERT_TRUE(found);
+    x50[0] += found->x50 / kFits, x50[1] += found->x50 * found->x50 / kFits;
+    shape[0] += found->shape / kFits, shape[1] += found->shape * found->shape / kFits;
+    told_x50 += found->x50_error / kFits, told_shape += found->shape_error / kFits;
+  }
+  const double x50_scatter = std::sqrt(x50[1] - x50[0] * x50[0]);
+  const double shape_scatter = std::sqrt(shape[1] - shape[0] * shape[0]);
+  std::printf("x50 %.3e told %.3e, shape %.3e told %.3e\n", x50_scatter, told_x50, shape_scatter,
+              told_shape);
+  EXPECT_NEAR(told_x50 / x50_scatter, 1.0, 0.12);
+  EXPECT_NEAR(told_shape / shape_scatter, 1.0, 0.12);
+}
+
+TEST(SizeFit, ScattersByTheErrorsItTells) {
+  expect_told_errors(SizeTarget::kuz_ram(0.4, 1.3), 2.0, fit_rosin_rammler);
+  expect_told_errors(SizeTarget::swebrec(0.4, 2.0, 2.5), 2.0, fit_swebrec);
 }
 
 TEST(SizeFit, HasNothingToFitToOneSize) {

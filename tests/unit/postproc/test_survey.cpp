@@ -14,6 +14,7 @@
 #include "geometry/files/point_file.h"
 #include "geometry/files/stl_file.h"
 #include "input_error_of.h"
+#include "measure/surface_comparison.h"
 #include "measure/survey_heights.h"
 #include "report/not_measurable.h"
 #include "report/reports.h"
@@ -31,6 +32,40 @@ double run_height(double x) {
   if (x < -kBurden) return kBenchHeight;
   if (x < 0.0 || x > kSteps) return 0.0;
   return kLayer * (kSteps - std::floor(x));
+}
+
+// Planes that rise by 3 in 4 and are 0.5 m apart along their normal: 0.5/0.8 = 0.625 m vertically.
+// Compared 2 m within the run's edge, where each foot is on its surface.
+TEST(SurfaceDistance, OfAPlaneMovedAlongItsNormalIsTheMove) {
+  SurfacePair pair{column_grid(0.0, 10.0, 0.0, 10.0, 0.25), {}, {}, {}};
+  for (int j = 0; j < pair.grid.ny; ++j) {
+    for (int i = 0; i < pair.grid.nx; ++i) {
+      const double x = pair.grid.x(i), y = pair.grid.y(j);
+      pair.run.push_back(0.75 * x);
+      pair.survey.push_back(0.75 * x - 0.625);
+      pair.compared.push_back(x > 2.0 && x < 8.0 && y > 2.0 && y < 8.0 ? 1 : 0);
+    }
+  }
+  const SurfaceDistance distance = distance_of(pair);
+  EXPECT_NEAR(distance.mean, 0.5, 1e-12);
+  EXPECT_NEAR(distance.rms, 0.5, 1e-12);
+  EXPECT_NEAR(distance.p90, 0.5, 1e-12);
+  EXPECT_NEAR(difference_of(pair).mean, 0.625, 1e-12);
+}
+
+// A wall 8 m high that the survey has one column farther on: vertically 8 m off there, in truth
+// one column at most, as the wall is a steep triangle between two columns.
+TEST(SurfaceDistance, OfAWallIsAcrossIt) {
+  SurfacePair pair{column_grid(0.0, 10.0, 0.0, 5.0, 0.25), {}, {}, {}};
+  for (int j = 0; j < pair.grid.ny; ++j) {
+    for (int i = 0; i < pair.grid.nx; ++i) {
+      pair.run.push_back(i < 20 ? 8.0 : 0.0);
+      pair.survey.push_back(i < 21 ? 8.0 : 0.0);
+      pair.compared.push_back(1);
+    }
+  }
+  EXPECT_LE(distance_of(pair).mean, 0.25 / pair.grid.nx);
+  EXPECT_NEAR(difference_of(pair).mean, -8.0 / pair.grid.nx, 1e-12);
 }
 
 class Survey : public ::testing::Test {
@@ -81,6 +116,8 @@ void expect_low_survey(const nlohmann::ordered_json& keys) {
   EXPECT_NEAR(keys["survey_mean_difference_m"], 0.2, 1e-6);
   EXPECT_NEAR(keys["survey_rms_difference_m"], 0.2, 1e-6);
   EXPECT_NEAR(keys["survey_p90_difference_m"], 0.2, 1e-6);
+  EXPECT_LE(keys["survey_mean_distance_m"], 0.2);
+  EXPECT_NEAR(keys["survey_p90_distance_m"], 0.2, 1e-6);
   EXPECT_NEAR(keys["survey_run_height_m"], 9.1, 1e-6);
   EXPECT_NEAR(keys["survey_height_m"], 8.9, 1e-6);
   // One block, 0.5 m, between 0.65 and 0 m at x = 13.9375 and 14.0625; of the survey between 1.1

@@ -163,6 +163,31 @@ TEST_F(Waves, TablesTellEachGauge) {
   EXPECT_EQ(CsvTable::read(folder().file("waves.csv")).rows(), 16U);  // without the flight
 }
 
+// [-3 1 0; 1 -1 0; 0 0 1] MPa, tension positive: -2 -+ sqrt(1 + 1) and 1. So compressions of
+// 2 + sqrt(2), 2 - sqrt(2) and -1, whose mean is the pressure of 1 MPa; half of it before.
+TEST_F(Waves, StressesArePrincipalOnes) {
+  std::ostringstream out;
+  out << "step,time_s,gauge,block,x_m,y_m,z_m,ux_m,uy_m,uz_m,vx_m_s,vy_m_s,vz_m_s,sxx_Pa,syy_Pa,"
+         "szz_Pa,sxy_Pa,syz_Pa,szx_Pa,pressure_Pa,run_id\n";
+  for (const double share : {0.0, 0.5, 1.0})
+    out << 10 * share << ',' << 1e-3 * share << ",1,7,-6,0,4,0,0,0," << share << ",0,0,"
+        << -3e6 * share << ',' << -1e6 * share << ',' << 1e6 * share << ',' << 1e6 * share
+        << ",0,0," << 1e6 * share << ",\n";
+  write_text(temporary_.path() / "dump/gauges.csv", out.str());
+  report_waves(folder());
+  const CsvTable waves = CsvTable::read(folder().file("waves.csv"));
+  const double principal[] = {2e6 + std::sqrt(2.0) * 1e6, 2e6 - std::sqrt(2.0) * 1e6, -1e6};
+  for (size_t k = 0; k < 3; ++k) {
+    const size_t column = waves.column(std::string{'s', static_cast<char>('1' + k)} + "_Pa");
+    EXPECT_EQ(waves.number(0, column), 0.0);
+    EXPECT_NEAR(waves.number(1, column) / (0.5 * principal[k]), 1.0, 1e-5);
+    EXPECT_NEAR(waves.number(2, column) / principal[k], 1.0, 1e-5);
+  }
+  const CsvTable peaks = CsvTable::read(folder().file("ppv.csv"));
+  EXPECT_NEAR(peaks.number(0, peaks.column("largest_compression_Pa")) / principal[0], 1.0, 1e-5);
+  EXPECT_NEAR(peaks.number(0, peaks.column("largest_tension_Pa")), 1e6, 10.0);
+}
+
 // Two gauges at 8 m in one block: the fit has four points as before, with t of two degrees of
 // freedom. The same gauge in a block of its own would be a fifth.
 TEST_F(Waves, GaugesOfOneBlockAreOnePoint) {
