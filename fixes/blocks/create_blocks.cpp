@@ -43,12 +43,8 @@ void on_rank_0(LAMMPS_NS::LAMMPS& lmp, const std::function<void()>& body) {
       fault = error.what();
     }
   }
-  int length = static_cast<int>(fault.size());
-  MPI_Bcast(&length, 1, MPI_INT, 0, lmp.world);
-  if (length == 0) return;
-  fault.resize(static_cast<std::size_t>(length));
-  MPI_Bcast(fault.data(), length, MPI_CHAR, 0, lmp.world);
-  engine::stop(lmp, in_create_blocks(fault));
+  fault = engine::of_first_rank(std::move(fault), lmp.world);
+  if (!fault.empty()) engine::stop(lmp, in_create_blocks(fault));
 }
 
 /// Memory of this machine [bytes].

@@ -116,7 +116,7 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix,
   /// Numbers of the rock beside the zones (0) and of these zones; new names get the next ones.
   [[nodiscard]] std::vector<std::uint8_t> zone_numbers(const std::vector<std::string>& names);
   [[nodiscard]] const std::vector<int>& copy_tags() const override { return copy_tags_; }
-  [[nodiscard]] engine::BlockHalo& halo() override { return halo_; }
+  [[nodiscard]] const engine::BlockHalo& halo() const override { return halo_; }
   [[nodiscard]] bool restored() const override { return restored_; }
   [[nodiscard]] LAMMPS_NS::FixMultisphere& bodies() override { return *multisphere_; }
 

@@ -9,9 +9,10 @@
 
 #include <algorithm>
 
+#include "fixes/contact/sphere_list.h"
 #include "fixes/engine/over_ranks.h"
 #include "fixes/engine/restart_file.h"
-#include "state/number_list.h"
+#include "fixes/engine/style_name.h"
 
 namespace muckpile {
 
@@ -65,7 +66,8 @@ void FixMuckpileContactHistory::store(const std::vector<int>& owners,
   }
   // The engine sizes its exchange buffer by the largest fix; what ours needs is per atom.
   comm->maxexchange_fix =
-      std::max(comm->maxexchange_fix, numbers_of_list<Record>(std::size_t(most_records_)));
+      std::max(comm->maxexchange_fix,
+               engine::numbers_of_sphere_list<Record>(static_cast<std::size_t>(most_records_)));
 }
 
 const ContactState* FixMuckpileContactHistory::find(int index, int partner) const {
@@ -92,36 +94,30 @@ void FixMuckpileContactHistory::set_arrays(int index) {
 int FixMuckpileContactHistory::pack(int index, double* buf) const {
   const Range range = range_[static_cast<std::size_t>(index)];
   const std::span<const Record> all = records_;
-  return put_list(
+  return engine::put_sphere_list(
       all.subspan(static_cast<std::size_t>(range.first), static_cast<std::size_t>(range.count)),
       buf);
 }
 
-int FixMuckpileContactHistory::unpack(int index, const double* buf) {
+int FixMuckpileContactHistory::unpack(int index, std::span<const double> numbers) {
   const std::size_t first = records_.size();
-  const int numbers = get_list(records_, buf);
+  const int taken = engine::get_sphere_list(records_, numbers, engine::name_of(*this), *error);
   const auto count = static_cast<int>(records_.size() - first);
   range_[static_cast<std::size_t>(index)] = Range{static_cast<int>(first), count};
   most_records_ = std::max(most_records_, count);
-  return numbers;
+  return taken;
 }
 
 int FixMuckpileContactHistory::pack_exchange(int index, double* buf) { return pack(index, buf); }
 
 int FixMuckpileContactHistory::unpack_exchange(int index, double* buf) {
-  return unpack(index, buf);
+  return unpack(index, engine::sent_with_sphere(buf));
 }
 
-int FixMuckpileContactHistory::pack_restart(int index, double* buf) {
-  buf[0] = size_restart(index);
-  return 1 + pack(index, buf + 1);
-}
+int FixMuckpileContactHistory::pack_restart(int index, double* buf) { return pack(index, buf); }
 
 void FixMuckpileContactHistory::unpack_restart(int index, int nth) {
-  const double* extra = atom->extra[index];
-  int m = 0;
-  for (int k = 0; k < nth; ++k) m += static_cast<int>(extra[m]);
-  (void)unpack(index, extra + m + 1);
+  (void)unpack(index, engine::stored_with_sphere(*atom, index, nth));
 }
 
 /// Called before the records are asked for: a file may be written in the middle of a run.
@@ -146,12 +142,12 @@ void FixMuckpileContactHistory::restart(char* state) {
 
 int FixMuckpileContactHistory::size_restart(int index) {
   const Range range = range_[static_cast<std::size_t>(index)];
-  return 1 + numbers_of_list<Record>(static_cast<std::size_t>(range.count));
+  return engine::numbers_of_sphere_list<Record>(static_cast<std::size_t>(range.count));
 }
 
 int FixMuckpileContactHistory::maxsize_restart() {
   const int most = engine::greatest_over_ranks(most_records_, world);
-  return 1 + numbers_of_list<Record>(static_cast<std::size_t>(most));
+  return engine::numbers_of_sphere_list<Record>(static_cast<std::size_t>(most));
 }
 
 double FixMuckpileContactHistory::memory_usage() {

@@ -6,6 +6,7 @@
 
 #include <fix.h>
 
+#include <span>
 #include <vector>
 
 #include "contact/contact_law.h"
@@ -88,7 +89,7 @@ class FixMuckpileContactHistory : public LAMMPS_NS::Fix {
     int first, count;
   };
   int pack(int index, double* buf) const;
-  int unpack(int index, const double* buf);
+  int unpack(int index, std::span<const double> numbers);
 
   ContactSource* source_ = nullptr;
   ContactLosses restored_;       ///< of a restart file, until there is a source

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -119,7 +120,7 @@ class FixMuckpileWall : public LAMMPS_NS::Fix, public StandingContacts {
   [[nodiscard]] WallPush push(const Candidate& candidate, double memory_step,
                               std::vector<WallContact>& contacts) const;
   int pack(int index, double* buf) const;
-  int unpack(int index, const double* buf);
+  int unpack(int index, std::span<const double> numbers);
 
   std::string where_;
   WallOptions options_;

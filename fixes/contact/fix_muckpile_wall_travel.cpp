@@ -7,14 +7,15 @@
 #include <algorithm>
 
 #include "fixes/contact/fix_muckpile_wall.h"
+#include "fixes/contact/sphere_list.h"
 #include "fixes/engine/over_ranks.h"
 #include "fixes/engine/restart_file.h"
-#include "state/number_list.h"
+#include "fixes/engine/style_name.h"
 
 namespace muckpile {
 namespace {
 
-constexpr int kMostNumbers = numbers_of_list<WallContact>(WallTouches::kMost);
+constexpr int kMostNumbers = engine::numbers_of_sphere_list<WallContact>(WallTouches::kMost);
 
 }  // namespace
 
@@ -32,36 +33,34 @@ void FixMuckpileWall::copy_arrays(int from, int to, int /*delflag*/) {
 void FixMuckpileWall::set_arrays(int index) { contacts_[static_cast<std::size_t>(index)].clear(); }
 
 int FixMuckpileWall::pack(int index, double* buf) const {
-  return put_list(std::span<const WallContact>(contacts_[static_cast<std::size_t>(index)]), buf);
+  const std::span<const WallContact> contacts = contacts_[static_cast<std::size_t>(index)];
+  return engine::put_sphere_list(contacts, buf);
 }
 
-int FixMuckpileWall::unpack(int index, const double* buf) {
+int FixMuckpileWall::unpack(int index, std::span<const double> numbers) {
   std::vector<WallContact>& contacts = contacts_[static_cast<std::size_t>(index)];
   contacts.clear();
-  return get_list(contacts, buf);
+  return engine::get_sphere_list(contacts, numbers, engine::name_of(*this), *error);
 }
 
 int FixMuckpileWall::pack_exchange(int index, double* buf) { return pack(index, buf); }
 
-int FixMuckpileWall::unpack_exchange(int index, double* buf) { return unpack(index, buf); }
-
-int FixMuckpileWall::pack_restart(int index, double* buf) {
-  buf[0] = size_restart(index);
-  return 1 + pack(index, buf + 1);
+int FixMuckpileWall::unpack_exchange(int index, double* buf) {
+  return unpack(index, engine::sent_with_sphere(buf));
 }
 
+int FixMuckpileWall::pack_restart(int index, double* buf) { return pack(index, buf); }
+
 void FixMuckpileWall::unpack_restart(int index, int nth) {
-  const double* extra = atom->extra[index];
-  int m = 0;
-  for (int k = 0; k < nth; ++k) m += static_cast<int>(extra[m]);
-  (void)unpack(index, extra + m + 1);
+  (void)unpack(index, engine::stored_with_sphere(*atom, index, nth));
 }
 
 int FixMuckpileWall::size_restart(int index) {
-  return 1 + numbers_of_list<WallContact>(contacts_[static_cast<std::size_t>(index)].size());
+  return engine::numbers_of_sphere_list<WallContact>(
+      contacts_[static_cast<std::size_t>(index)].size());
 }
 
-int FixMuckpileWall::maxsize_restart() { return 1 + kMostNumbers; }
+int FixMuckpileWall::maxsize_restart() { return kMostNumbers; }
 
 void FixMuckpileWall::write_restart(FILE* file) {
   WallState all = books_;

@@ -39,7 +39,7 @@ BlockHalo::BlockHalo(const std::vector<int>& owned_tags, const std::vector<int>&
   receive_buffers_.resize(receives_.size());
 }
 
-void BlockHalo::forward(std::span<double> values, std::size_t width) {
+void BlockHalo::forward(std::span<double> values, std::size_t width) const {
   requests_.clear();
   for (std::size_t k = 0; k < receives_.size(); ++k) {
     receive_buffers_[k].resize(receives_[k].positions.size() * width);
@@ -66,7 +66,7 @@ void BlockHalo::forward(std::span<double> values, std::size_t width) {
   }
 }
 
-void BlockHalo::forward(std::span<int> values) {
+void BlockHalo::forward(std::span<int> values) const {
   std::vector<double> wide(values.begin(), values.end());
   forward(wide, 1);
   for (std::size_t b = owned_; b < wide.size(); ++b) values[b] = static_cast<int>(wide[b]);

@@ -21,9 +21,9 @@ class BlockHalo {
             const BlockDirectory& directory, MPI_Comm world);
 
   /// values: width numbers per block, owned blocks first; fills in those of the copies.
-  void forward(std::span<double> values, std::size_t width);
+  void forward(std::span<double> values, std::size_t width) const;
   /// As forward, for one int per block.
-  void forward(std::span<int> values);
+  void forward(std::span<int> values) const;
 
   [[nodiscard]] std::size_t owned() const { return owned_; }
   [[nodiscard]] std::size_t size() const { return owned_ + copies_; }
@@ -37,8 +37,9 @@ class BlockHalo {
   MPI_Comm world_ = MPI_COMM_NULL;
   std::size_t owned_ = 0, copies_ = 0;
   std::vector<Partner> sends_, receives_;
-  std::vector<std::vector<double>> send_buffers_, receive_buffers_;
-  std::vector<MPI_Request> requests_;
+  // Only for use inside forward().
+  mutable std::vector<std::vector<double>> send_buffers_, receive_buffers_;
+  mutable std::vector<MPI_Request> requests_;
 };
 
 }  // namespace muckpile::engine

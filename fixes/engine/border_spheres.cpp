@@ -31,8 +31,8 @@ BorderSpheres::BorderSpheres(std::vector<int> lent, std::vector<int> strange, co
       outward_(halo_between(lent_, strange_, tags, world)),
       homeward_(halo_between(strange_, lent_, tags, world)) {}
 
-void BorderSpheres::carry(BlockHalo& halo, const std::vector<int>& from, const std::vector<int>& to,
-                          std::initializer_list<double**> arrays) {
+void BorderSpheres::carry(const BlockHalo& halo, const std::vector<int>& from,
+                          const std::vector<int>& to, std::initializer_list<double**> arrays) {
   const std::size_t width = 3 * arrays.size();
   values_.resize(halo.size() * width);
   double* number = values_.data();

@@ -30,7 +30,7 @@ class BorderSpheres {
   }
 
  private:
-  void carry(BlockHalo& halo, const std::vector<int>& from, const std::vector<int>& to,
+  void carry(const BlockHalo& halo, const std::vector<int>& from, const std::vector<int>& to,
              std::initializer_list<double**> arrays);
 
   std::vector<int> lent_, strange_;

@@ -43,7 +43,9 @@ const ArgTable& table() {
           .real("crack_spacing", "m", Range::closed(0.0, 100.0), 0.0,
                 "0.01 or more: of the cracks of the rock, where blocks are larger: a joint stands "
                 "for that many, which share its opening; 0: for one")
-          .integer("substeps", "-", Range::closed(1, 1000), 2, "of the flow in a step")
+          .integer("every", "-", Range::closed(1, 100), 2,
+                   "steps of the blocks in a step of the gas, during which pressures hold")
+          .integer("substeps", "-", Range::closed(1, 1000), 2, "of the flow in a step of the gas")
           .real("ambient_pressure", "Pa", Range::closed(1e3, 1e7), 101325.0, "of the atmosphere")
           .real("effusivity", "W s^0.5/(m2 K)", Range::closed(0.0, 1e5), 2500.0,
                 "of the rock, (k rho c)^(1/2), for the heat that the walls of joints take; 0: none")
@@ -95,6 +97,7 @@ FixMuckpileGas::FixMuckpileGas(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
   auto* blast = engine::find_view<GasChambers>(*lmp);
   if (blast == nullptr) engine::stop(*lmp, where_ + ": needs a fix muckpile/blast before it");
   ambient_ = args.real("ambient_pressure");
+  every_ = static_cast<int>(args.integer("every"));
   substeps_ = static_cast<int>(args.integer("substeps"));
   engine::or_engine_error(*lmp, [&] {
     blast->let_gas_into_joints(ambient_);
@@ -199,7 +202,8 @@ void FixMuckpileGas::follow_blocks() {
   contents.merge(restored_);
   restored_.clear();
   gas_.set_network(joints_->network());
-  engine::BlockHalo& halo = joints_->halo();
+  measured_ = false;
+  const engine::BlockHalo& halo = joints_->halo();
   halo.forward(gas_.touches().first(halo.size()));
   tags_ = std::move(tags);
   for (std::size_t b = 0; b < tags_.size(); ++b) {

@@ -45,15 +45,16 @@ struct JointGasState {
   double softened = 1.0;                 ///< [-]
   double in_open = 0.0, could_do = 0.0;  ///< [J]
   double greatest_pressure = 0.0;        ///< [Pa]
+  double waited = 0.0;                   ///< since the last flow [s]
 };
 template <>
 struct Stored<JointGasState> {
   static constexpr std::string_view kName = "joint_gas_state";
-  static constexpr int kVersion = 4;
+  static constexpr int kVersion = 5;
   static auto fields(auto& state) {
     return std::tie(state.active, state.spent, state.fed, state.beds, state.taken, state.vented,
                     state.lost, state.work, state.spent_energy, state.softened,
-                    state.greatest_pressure, state.in_open, state.could_do);
+                    state.greatest_pressure, state.in_open, state.could_do, state.waited);
   }
 };
 
@@ -81,8 +82,10 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure, public Joint
 
   void follow_blocks();
   [[nodiscard]] std::unordered_map<int, GasContent> contents_here(const std::vector<int>& tags);
+  [[nodiscard]] bool in_step_of_gas() const;
   void read_chambers();
   void book_work();
+  void step_of_gas();
   void count_chamber_ways();
   void refresh();
   void flow(double dt);
@@ -99,13 +102,16 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure, public Joint
   std::string where_;
   JointGas gas_;
   double ambient_;                // [Pa]
-  int substeps_;                  // of the flow in a step
+  int every_;                     // steps of the blocks in one of the gas
+  int substeps_;                  // of the flow in a step of the gas
   GasChambers* blast_ = nullptr;  // looked up in every init()
   JointsWithGas* joints_ = nullptr;
   std::uint64_t version_ = 0;
   std::vector<int> tags_;  // of the owned blocks, in the order of their cells
   std::unordered_map<int, GasContent> restored_;  // by tag, until the first follow_blocks()
   bool active_ = false, spent_ = false;
+  bool measured_ = false;  // pressures are of these lists of blocks
+  double waited_ = 0.0;    // since the last flow [s]
   std::vector<char> fed_;  // per hole
   CrushedBed bed_;
   std::vector<CrushedBed::State> beds_;     // per hole, the same on all ranks

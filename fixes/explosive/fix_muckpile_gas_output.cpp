@@ -46,7 +46,8 @@ void FixMuckpileGas::write_restart(FILE* file) {
                             softened_,
                             greatest_pressure(),
                             over_ranks(in_open_),
-                            over_ranks(could_do_)};
+                            over_ranks(could_do_),
+                            waited_};
   ByteWriter mine;
   for (std::size_t b = 0; b < tags_.size(); ++b)
     mine.put(BlockGas{tags_[b], gas_.cells()[b].content});
@@ -70,13 +71,14 @@ void FixMuckpileGas::restart(char* bytes) {
   vented_ = state.vented;
   const auto mine = [this](double total) { return engine::share_of_total(*lmp, total); };
   lost_ = {mine(state.lost.mass), mine(state.lost.energy)};
-  gas_.resume({mine(state.spent_energy.work), mine(state.spent_energy.swept_volume),
-               mine(state.spent_energy.heat)});
+  const GasSpent& spent = state.spent_energy;
+  gas_.resume({mine(spent.work), mine(spent.swept_volume), mine(spent.air_work), mine(spent.heat)});
   work_ = mine(state.work);
   in_open_ = mine(state.in_open);
   could_do_ = mine(state.could_do);
   softened_ = state.softened;
   restored_pressure_ = state.greatest_pressure;
+  waited_ = state.waited;
 }
 
 double FixMuckpileGas::over_ranks(double mine, bool greatest) const {
@@ -89,13 +91,14 @@ GasFlow FixMuckpileGas::over_ranks(const GasFlow& mine) const {
 
 GasSpent FixMuckpileGas::spent_by_all() const {
   const GasSpent& mine = gas_.spent();
-  return {over_ranks(mine.work), over_ranks(mine.swept_volume), over_ranks(mine.heat)};
+  return {over_ranks(mine.work), over_ranks(mine.swept_volume), over_ranks(mine.air_work),
+          over_ranks(mine.heat)};
 }
 
 JointGasEnergies::Sums FixMuckpileGas::gas_energies() const {
   const GasSpent spent = spent_by_all();
   return {.work = over_ranks(work_),
-          .air_work = ambient_ * spent.swept_volume,
+          .air_work = spent.air_work,
           .heat = spent.heat + heat_of_beds(),
           .contained = over_ranks(gas_.contained().energy),
           .vented = vented_.energy + over_ranks(lost_.energy)};
@@ -120,7 +123,7 @@ double FixMuckpileGas::compute_vector(int n) {
     case kEnergyVented:
       return vented_.energy + over_ranks(lost_.energy);
     case kAirWork:
-      return ambient_ * over_ranks(gas_.spent().swept_volume);
+      return over_ranks(gas_.spent().air_work);
     case kInOpen:
       return over_ranks(in_open_);
     case kCouldDo:

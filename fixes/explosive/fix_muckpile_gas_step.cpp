@@ -20,9 +20,16 @@ constexpr double kSpentShare = 0.2;  // spent: nowhere more than that share abov
 
 }  // namespace
 
+/// The first step after one that a restart file is likely to be written at is one.
+bool FixMuckpileGas::in_step_of_gas() const {
+  return (update->ntimestep - 1) % every_ == 0 || every_ == 1;
+}
+
 std::span<const double> FixMuckpileGas::pressure_in_joints() {
   if (!active_) return {};
-  engine::BlockHalo& halo = joints_->halo();
+  if (measured_ && !in_step_of_gas()) return gas_.pressed();
+  measured_ = true;
+  const engine::BlockHalo& halo = joints_->halo();
   gas_.measure(joints_->network(), fed_);
   numbers_.resize(halo.size() * kCellWidth);
   const std::span<GasCell> cells = gas_.cells();
@@ -49,18 +56,25 @@ void FixMuckpileGas::end_of_step() {
     return;
   }
   book_work();
+  waited_ += update->dt;
+  if (in_step_of_gas()) step_of_gas();
+  if (update->ntimestep % kLookEvery == 0) look_whether_spent();
+}
+
+/// What flows and cools in the time since the last one.
+void FixMuckpileGas::step_of_gas() {
   count_chamber_ways();
   for (int k = 0; k < substeps_; ++k) {
     if (k > 0) refresh();
-    flow(update->dt / substeps_);
+    flow(waited_ / substeps_);
   }
-  gas_.cool(update->dt);
+  gas_.cool(waited_);
+  waited_ = 0.0;
   const JointGas::Opened opened = gas_.open_wide();
   joints_->release_gas(opened.joints);
   lost_ += opened.vented;
   in_open_ += opened.vented.energy;
   could_do_ += opened.could_do;
-  if (update->ntimestep % kLookEvery == 0) look_whether_spent();
 }
 
 void FixMuckpileGas::read_chambers() {
@@ -97,7 +111,7 @@ void FixMuckpileGas::refresh() {
   read_chambers();
   for (std::size_t hole = 0; hole < chambers_.size(); ++hole)
     chambers_[hole].ways = before[hole].ways;
-  engine::BlockHalo& halo = joints_->halo();
+  const engine::BlockHalo& halo = joints_->halo();
   contents_.resize(halo.size() * kContentWidth);
   const std::span<GasCell> cells = gas_.cells();
   for (std::size_t b = 0; b < halo.owned(); ++b) {

@@ -50,7 +50,7 @@ class FacetStore {
   [[nodiscard]] virtual const std::vector<std::string>& zones() const = 0;
   /// Tags of the copies of other ranks' blocks, in halo order after the owned ones.
   [[nodiscard]] virtual const std::vector<int>& copy_tags() const = 0;
-  [[nodiscard]] virtual engine::BlockHalo& halo() = 0;
+  [[nodiscard]] virtual const engine::BlockHalo& halo() const = 0;
   /// What engine::Bodies makes the bodies of the blocks from.
   [[nodiscard]] virtual LAMMPS_NS::FixMultisphere& bodies() = 0;
 };

@@ -20,7 +20,7 @@ class JointsWithGas : public NetworkView {
   /// Tags of the owned blocks, in the order of their bodies.
   [[nodiscard]] virtual std::vector<int> block_tags() const = 0;
   /// Sends numbers of blocks to the ranks that have copies of them.
-  [[nodiscard]] virtual engine::BlockHalo& halo() = 0;
+  [[nodiscard]] virtual const engine::BlockHalo& halo() const = 0;
 
   /// From now on joints that break keep room for gas, also those that carry nothing any more.
   virtual void keep_gas_in_joints() = 0;

@@ -253,7 +253,7 @@ RankTeam FixMuckpileJoint::team() const {
 
 void FixMuckpileJoint::gather_state() {
   const engine::Bodies bodies(store_->bodies());
-  engine::BlockHalo& halo = store_->halo();
+  const engine::BlockHalo& halo = store_->halo();
   const std::span<BlockState> state = network_.state();
   for (int b = 0; b < bodies.count(); ++b) {
     BlockState& s = state[static_cast<std::size_t>(b)];

@@ -114,7 +114,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   [[nodiscard]] const FacetNetwork& network() const override { return network_; }
   [[nodiscard]] std::uint64_t lists_version() const override { return version_; }
   [[nodiscard]] std::vector<int> block_tags() const override;
-  [[nodiscard]] engine::BlockHalo& halo() override { return store_->halo(); }
+  [[nodiscard]] const engine::BlockHalo& halo() const override { return store_->halo(); }
   void keep_gas_in_joints() override { network_.keep_gas_in_joints(); }
   void release_gas() override { network_.release_gas(); }
   void release_gas(std::span<const std::uint32_t> joints) override;

@@ -34,7 +34,7 @@ bool holds(const FacetTraces& m) { return m.broken.count() < kFacetPoints; }
 
 }  // namespace
 
-std::vector<int> fragment_ids(const FacetNetwork& network, engine::BlockHalo& halo,
+std::vector<int> fragment_ids(const FacetNetwork& network, const engine::BlockHalo& halo,
                               MPI_Comm world) {
   UnionFind sets(network.blocks().size());
   for (std::size_t f = 0; f < network.facet_count(); ++f) {

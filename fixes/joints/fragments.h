@@ -13,8 +13,8 @@
 namespace muckpile {
 
 /// Per owned block, in body order: the smallest tag of its fragment. Collective.
-[[nodiscard]] std::vector<int> fragment_ids(const FacetNetwork& network, engine::BlockHalo& halo,
-                                            MPI_Comm world);
+[[nodiscard]] std::vector<int> fragment_ids(const FacetNetwork& network,
+                                            const engine::BlockHalo& halo, MPI_Comm world);
 
 /// Per owned block, in body order: broken share of its joint area [-].
 [[nodiscard]] std::vector<double> broken_share(const FacetNetwork& network, std::size_t owned);

@@ -24,7 +24,7 @@ sizes() {
 
 # name|knob|setting|variables; the knob groups the points of a plot. The finest run is the longest, so it starts first.
 ladder=(
-  "finest|finest|blocks x 0.7, 8 spheres, half the step, 4 x stiffer|$(sizes 0.7) -var spheres_per_block 8 -var wave_share 0.45 -var gas_substeps 8 -var steps_per_contact 30 -var contact_modulus 1e8 -var softening 1.5e-3 -var push_softening 1 -var sleep 0"
+  "finest|finest|blocks x 0.7, 8 spheres, half the step, 4 x stiffer|$(sizes 0.7) -var spheres_per_block 8 -var wave_share 0.45 -var gas_every 1 -var gas_substeps 8 -var steps_per_contact 30 -var contact_modulus 1e8 -var softening 1.5e-3 -var push_softening 1 -var sleep 0"
   "size_0.7|block size|x 0.7|$(sizes 0.7)"
   "size_0.85|block size|x 0.85|$(sizes 0.85)"
   "standard|standard|seed 1|$(sizes 1)"
@@ -43,6 +43,7 @@ ladder=(
   "modulus_low|contact modulus|6.25e6 Pa|$(sizes 1) -var contact_modulus 6.25e6"
   "modulus_high|contact modulus|1e8 Pa|$(sizes 1) -var contact_modulus 1e8"
   "sleep_off|shortcut off|sleep 0|$(sizes 1) -var sleep 0"
+  "gas_every_1|shortcut off|gas_every 1|$(sizes 1) -var gas_every 1"
   "push_off|shortcut off|push_softening 1|$(sizes 1) -var push_softening 1"
   "quiet_off|shortcut off|quiet 0|$(sizes 1) -var quiet 0"
   "gas_wait|shortcut off|gas_rest 1e-9|$(sizes 1) -var gas_rest 1e-9"

@@ -73,13 +73,15 @@ sed -i 's/"gas_work_J": 10, //' "$WRITES/run.json"
 fails "has no 'gas_work_J'" "${ranks[@]}"
 
 # The shortcut saves steps where the word off is not among the variables.
-on_off=("$root/tests/regression/on_off.sh" "$program" "-var off 1" 0.01 in.x)
+on_off=("$root/tests/regression/on_off.sh" "$program" "-var off 1" 0.01 0.9 in.x)
 fake mpirun 'all=$*; while [[ $1 != out ]]; do shift; done
-cp "$WRITES"/run.json "$WRITES"/blocks_1.csv "$2/dump"; [[ $all != *"-var off 1"* ]] || sed -i "s/100/200/" "$2/dump/run.json"'
+cp "$WRITES"/run.json "$WRITES"/blocks_1.csv "$2/dump"; [[ $all != *"-var off 1"* ]] || sed -i "s/100/200/; s/10,/10.01,/" "$2/dump/run.json"'
 good
 passes "${on_off[@]}"
 sed -i 's/"steps": 100, //' "$WRITES/run.json"
 fails "has no 'steps'" "${on_off[@]}"
+sed -i 's/"gas_work_J": 10,/"gas_work_J": 5,/' "$WRITES/run.json"
+fails 'it did not act' "${on_off[@]}"
 good
 sed -i 's/^2,4/2,nan/' "$WRITES/blocks_1.csv"
 fails "vx_m_s must be a finite number, got 'nan'" "${on_off[@]}"

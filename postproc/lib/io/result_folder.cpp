@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The folder of one run: where its dumps are, what its scene was, and its summary.json.
 // Scope: the summary is written to a second file and renamed, so a reader never sees half of it.
-#include "io/muck.h"
 #include "io/result_folder.h"
 
 #include <fstream>
@@ -9,15 +8,30 @@
 
 #include "args/input_error.h"
 #include "io/images.h"
+#include "io/muck.h"
 #include "io/run_id.h"
 
 namespace muckpile {
+namespace {
+
+/// Lengths of a plan that no report can use at 0 or below; those that are no numbers are refused
+/// where they are asked for.
+void require_lengths(const nlohmann::ordered_json& scene, const std::filesystem::path& file) {
+  for (const char* key : {"burden_m", "hole_diameter_m"}) {
+    const auto found = scene.find(key);
+    if (found == scene.end() || !found->is_number() || found->get<double>() > 0.0) continue;
+    throw InputError(file.string() + ": " + key + " must be > 0 m, got '" + found->dump() + "'");
+  }
+}
+
+}  // namespace
 
 ResultFolder::ResultFolder(std::filesystem::path folder) : folder_(std::move(folder)) {
   if (!std::filesystem::is_directory(folder_ / "dump")) {
     throw InputError(folder_.string() + ": has no folder dump/; give the folder that a run wrote");
   }
   scene_ = read_json_object(dump("scene.json"));
+  require_lengths(scene_, dump("scene.json"));
   run_id_ = run_id_of(folder_ / "dump");
 }
 

@@ -157,14 +157,16 @@ void add_energy(Html& page, const PageContent& run) {
     const auto head = page.open("tr");
     for (const char* name : {"Energy of the explosive", "", "Share"}) page.element("th", name);
   }
-  constexpr double kRoundOff = 1e-9;  // of the explosive's energy
-  for (const AuditTerm& term : audit) {
+  const auto add_row = [&](const AuditTerm& term) {
+    constexpr double kRoundOff = 1e-9;  // of the explosive's energy
     const double kept = std::abs(term.share) < kRoundOff ? 0.0 : 1.0;
     const auto row = page.open("tr");
     page.element("td", term.label);
     page.element("td", in_words("_J", kept * term.energy), {{"class", "number"}});
     page.element("td", in_words("_share", kept * term.share), {{"class", "number"}});
-  }
+  };
+  for (const AuditTerm& term : audit) add_row(term);
+  add_row(missing_of(audit));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "page/page_measures.h"
 #include "page/page_parts.h"
 #include "page/page_style.h"
+#include "report/energy_audit.h"
 
 namespace muckpile {
 namespace {
@@ -68,6 +69,24 @@ void add_design(Html& page, const PageContent& run) {
   add_rows(page, run.scene, provenance_keys());
 }
 
+/// Between which bounds the gas of the charges works, and what the books of its energy miss.
+void add_gas_limits(Html& page, const PageContent& run) {
+  for (const AuditTerm& term : energy_audit(run.folder)) {
+    if (term.key == "rock_heat")
+      page.element("li", "Gas gave " + in_words("_share", term.share) +
+                             " of the explosive's energy to the rock as heat. That rests on an "
+                             "assumed grain of crushed rock; without it the gas works up to twice "
+                             "as much.");
+    if (term.key == "vented")
+      page.element("li", "Gas let into the open took " + in_words("_share", term.share) +
+                             " of the explosive's energy with it: what it may push there is left "
+                             "out, or ends with the voids that keep it.");
+  }
+  if (const Json* error = find(run, "energy_audit_error"))
+    page.element("li", "The audit of the explosive's energy misses " +
+                           in_words("_fraction", *error) + " of it.");
+}
+
 void add_limits(Html& page, const PageContent& run) {
   page.element("h2", "What this page does not say");
   const auto list = page.open("ul");
@@ -86,6 +105,7 @@ void add_limits(Html& page, const PageContent& run) {
                "Block sizes are an input: nothing finer than a block is simulated, and only joints "
                "that held make larger pieces.");
   page.element("li", "One run of one seed: another seed gives another pile.");
+  add_gas_limits(page, run);
   if (const Json* error = find(run, "energy_balance_error_worst"))
     page.element("li", "Energy that the books miss: at most " + in_words("_fraction", *error) +
                            " at any time.");

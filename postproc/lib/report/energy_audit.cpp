@@ -35,4 +35,15 @@ std::vector<AuditTerm> energy_audit(const ResultFolder& folder) {
   return terms;
 }
 
+AuditTerm missing_of(const std::vector<AuditTerm>& audit) {
+  AuditTerm missing{"missing", "not accounted for", 0.0, 1.0};
+  double whole = 0.0;  // [J]
+  for (const AuditTerm& term : audit) {
+    if (term.share != 0.0) whole = term.energy / term.share;
+    missing.share -= term.share;
+  }
+  missing.energy = missing.share * whole;
+  return missing;
+}
+
 }  // namespace muckpile

@@ -18,5 +18,7 @@ struct AuditTerm {
 
 // In the order in which they are drawn; nothing where no charge has fired or the run has no audit.
 std::vector<AuditTerm> energy_audit(const ResultFolder& folder);
+// What all of them, one at least, leave of the explosive's energy; below 0: they are more.
+AuditTerm missing_of(const std::vector<AuditTerm>& audit);
 
 }  // namespace muckpile

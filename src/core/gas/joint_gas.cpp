@@ -153,7 +153,8 @@ void JointGas::list_cracks(const FacetNetwork& network) {
 }
 
 /// The gas of owned blocks follows its joints: adiabatically where they open and close, without
-/// work into and out of the room of closed ones.
+/// work into and out of the room of closed ones. Below the pressure of the atmosphere it presses on
+/// no block: what it does then the atmosphere gets.
 void JointGas::expand() {
   for (std::size_t b = 0; b < cells_.size(); ++b) {
     const GasContent& gas = cells_[b].content;
@@ -166,8 +167,14 @@ void JointGas::expand() {
   for (std::size_t b = 0; b < cells_.size(); ++b) {
     if (!owned(b)) continue;
     GasContent& gas = cells_[b].content;
-    spent_.work += gas.energy * (1.0 - cooling_[b]);
-    if (stretch_[b] != 1.0) spent_.swept_volume += gas.volume * (1.0 / stretch_[b] - 1.0);
+    const double work = gas.energy * (1.0 - cooling_[b]);
+    spent_.work += work;
+    if (stretch_[b] != 1.0) {
+      const double swept = gas.volume * (1.0 / stretch_[b] - 1.0);
+      const bool pushes = (flow_.gamma() - 1.0) * gas.energy > p_.ambient * gas.volume;
+      spent_.swept_volume += swept;
+      spent_.air_work += pushes ? p_.ambient * swept : work;
+    }
     gas.energy *= cooling_[b];
     gas.volume = cells_[b].volume;
     gas.broken = rooms_[b];

@@ -21,7 +21,8 @@
 // the gas keeps its energy. The walls take heat (wall_heat.h).
 //
 // A step: the caller fills the contents of owned blocks; measure(), then copies get the numbers of
-// their owners, then press(); after the forces flow(), then cool(). Both owners of a facet compute
+// their owners, then press(); after the forces flow(), then cool(). It may be as long as several
+// steps of the blocks, whose pressures hold meanwhile. Both owners of a facet compute
 // the same flow from the same numbers, so mass and energy are kept to rounding.
 #pragma once
 
@@ -76,13 +77,16 @@ struct Stored<GasFlow> {
 struct GasSpent {
   double work = 0.0;          ///< p dV, on the blocks and on the atmosphere [J]
   double swept_volume = 0.0;  ///< of that the volume, dV [m3]
+  double air_work = 0.0;      ///< of the work what the atmosphere got [J]
   double heat = 0.0;          ///< into the rock [J]
 };
 template <>
 struct Stored<GasSpent> {
   static constexpr std::string_view kName = "gas_spent";
-  static constexpr int kVersion = 1;
-  static auto fields(auto& spent) { return std::tie(spent.work, spent.swept_volume, spent.heat); }
+  static constexpr int kVersion = 2;
+  static auto fields(auto& spent) {
+    return std::tie(spent.work, spent.swept_volume, spent.air_work, spent.heat);
+  }
 };
 
 /// Numbers of a block that its neighbours need.
@@ -137,6 +141,7 @@ class JointGas {
   [[nodiscard]] std::span<const double> chamber_ways() const { return chamber_ways_; }
   /// What the gas of each block presses beyond the atmosphere [Pa]; valid until the next call.
   [[nodiscard]] std::span<const double> press();
+  [[nodiscard]] std::span<const double> pressed() const { return gauge_; }  ///< by the last press()
 
   struct Flows {
     std::vector<GasFlow> from_hole;   ///< what owned blocks took from each chamber, net

@@ -34,14 +34,15 @@ int put_list(std::span<const T> values, double* numbers) {
   return count;
 }
 
-/// Adds the values to a list; returns how many numbers it has read.
+/// Adds the values to a list; returns how many of the numbers it has read. Throws a StateError if
+/// the list does not end within them.
 template <class T>
-int get_list(std::vector<T>& values, const double* numbers) {
-  std::uint64_t size = 0;
-  std::memcpy(&size, numbers, sizeof(size));
-  ByteReader in(reinterpret_cast<const char*>(numbers + 1), size * Encoding<T>::kLeast);
-  for (std::uint64_t k = 0; k < size; ++k) values.push_back(in.get<T>());
-  return numbers_of_list<T>(size);
+int get_list(std::vector<T>& values, std::span<const double> numbers) {
+  ByteReader in(reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes());
+  const ByteReader::Naming naming(in, "list of numbers");
+  const std::size_t count = in.get_count(Encoding<T>::kLeast);
+  for (std::size_t k = 0; k < count; ++k) values.push_back(in.get<T>());
+  return numbers_of_list<T>(count);
 }
 
 }  // namespace muckpile

@@ -157,7 +157,7 @@ TEST(FixMuckpileGas, SoftenedJointsLetTheGasGo) {
 /// Joints of 22 GPa, softened to 2.2 GPa under some 10 MPa: the gas goes on pushing, and neither
 /// its volume nor its work jumps.
 TEST(FixMuckpileGas, JointsAHundredTimesAsStiffAsTheGasKeepIt) {
-  Burst burst(MPI_COMM_WORLD);
+  Burst burst(MPI_COMM_WORLD, "every 1");
   burst.scene.run(300, kStep);
   const double pressure = burst.gas(5);
   ASSERT_GT(pressure, 5e6);

@@ -48,6 +48,26 @@ TEST(JointGas, StressNarrowsAClosedJointWithoutWork) {
   EXPECT_NEAR(pair.gas.spent().work / (energy - pair.energy()), 1.0, 1e-12);
 }
 
+TEST(JointGas, BelowTheAtmosphereItsWorkIsOnTheAir) {
+  JointGas::Parameters p = closed();
+  p.ambient = 1e5;
+  for (const double pressure : {1e6, 0.3e5}) {
+    GasScene pair(test::cuboids(2, 1, 1), p);
+    seal(pair.gas);
+    const double mass = test::density_at(pressure) * 0.5 * (1e-4 + kOpening);
+    for (const std::size_t block : {0, 1}) pair.fill(block, mass, pressure);
+    pair.open(2.0 * kOpening);
+    const double before = pair.energy();
+    pair.open(2.1 * kOpening);
+    const GasSpent& spent = pair.gas.spent();
+    EXPECT_NEAR(spent.work / (before - pair.energy()), 1.0, 1e-12);
+    EXPECT_NEAR(spent.swept_volume / (0.1 * kOpening), 1.0, 1e-9);
+    const bool pushes = pair.gas.press()[0] > 0.0;
+    EXPECT_EQ(pushes, pressure > p.ambient);
+    EXPECT_NEAR(spent.air_work / (pushes ? 1e5 * spent.swept_volume : spent.work), 1.0, 1e-12);
+  }
+}
+
 /// Two sealed cubes that part slowly to 3 m, 5.3 radii; what their gas had done on them beyond the
 /// atmosphere as it was let go, and what it could still have done then [J].
 struct SlowParting {

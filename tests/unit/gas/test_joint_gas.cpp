@@ -221,7 +221,8 @@ void expect_mass_kept(double open_gas) {
   EXPECT_GE(least, 0.0);
   EXPECT_GT(cube.vented, 0.1 * filled);
   EXPECT_GT(cube.taken[0].mass, 0.0);
-  EXPECT_NEAR((cube.gas.contained().mass + cube.vented) / (filled + cube.taken[0].mass), 1.0, 1e-12);
+  EXPECT_NEAR((cube.gas.contained().mass + cube.vented) / (filled + cube.taken[0].mass), 1.0,
+              1e-12);
 }
 
 TEST(JointGas, MassIsKeptThroughFlowOutflowAndRetiringJoints) {

@@ -324,6 +324,17 @@ TEST_F(DumpFiles, SceneWithoutAKeyNamesIt) {
       "scene.json: vod must be a number");
 }
 
+TEST_F(DumpFiles, SceneWithALengthThatNoPlanHasIsRefused) {
+  for (const char* key : {"burden_m", "hole_diameter_m"}) {
+    for (const char* value : {"0", "-1", "0.0"}) {
+      write_text(dump("scene.json"),
+                 "{\"case\": \"bench\", \"" + std::string(key) + "\": " + value + "}");
+      expect_contains(input_error_of([&] { ResultFolder{folder_.path()}; }),
+                      "scene.json: " + std::string(key) + " must be > 0 m, got '" + value + "'");
+    }
+  }
+}
+
 TEST_F(DumpFiles, HistoryGivesTheWorstBalanceAndTheFastestBlock) {
   const History history = read_history(dump("history.csv"));
   EXPECT_DOUBLE_EQ(history.joints_broken_fraction, 0.25);  // 1000 of 4000

@@ -107,6 +107,22 @@ TEST_F(Page, SaysWhatDoesNotHold) {
   EXPECT_EQ(page.find("Height of the pile"), std::string::npos);  // null: no key figure
 }
 
+TEST_F(Page, SaysWhatTheAuditMissesAndWhatTheGasLost) {
+  auto run = read_json_object(folder().dump("run.json"));
+  run["energy_audit_J"] = {
+      {"explosive", 1e7}, {"rock_heat", 5e6}, {"vented", 2e6}, {"wall_work", 2.8e6}};
+  run["energy_audit_error"] = 0.02;
+  write_text(folder().dump("run.json"), run.dump());
+  report_profile(folder(), {kCube, 0.125}, {});
+  report_energy(folder());
+  const std::string page = page_of(folder());
+  for (const std::string said :
+       {"Gas gave " + in_words("_share", 0.5) + " of", "took " + in_words("_share", 0.2) + " of",
+        "energy misses " + in_words("_fraction", 0.02) + " of it", std::string("not accounted for"),
+        in_words("_J", 2e5)})
+    EXPECT_NE(page.find(said), std::string::npos) << said;
+}
+
 TEST_F(Page, EscapesTheTextsOfARun) {
   std::string text = text_of(folder().dump("scene.json"));
   text.insert(1, R"("explosive": "a<b>&\"c\"", )");

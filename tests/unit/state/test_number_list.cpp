@@ -35,7 +35,8 @@ TEST(NumberList, ListsBehindEachOtherComeBack) {
   EXPECT_EQ(numbers[static_cast<std::size_t>(at)], -1.0);
   std::vector<Mark> all;
   int read = 0;
-  for (int k = 0; k < 3; ++k) read += get_list(all, numbers.data() + read);
+  for (int k = 0; k < 3; ++k)
+    read += get_list(all, std::span<const double>(numbers).subspan(static_cast<std::size_t>(read)));
   EXPECT_EQ(read, at);
   ASSERT_EQ(all.size(), 4u);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -43,6 +44,17 @@ TEST(NumberList, ListsBehindEachOtherComeBack) {
     EXPECT_EQ(all[k].size, first[k].size);
   }
   EXPECT_EQ(all[3].tag, 3);
+}
+
+TEST(NumberList, ListThatEndsTooSoonIsRefused) {
+  const std::vector<Mark> marks{{1, 0.5}, {2, 0.25}, {3, 0.125}};
+  std::vector<double> numbers(8, 0.0);
+  const auto taken =
+      static_cast<std::size_t>(put_list(std::span<const Mark>(marks), numbers.data()));
+  for (std::size_t room = 0; room < taken; ++room) {
+    std::vector<Mark> all;
+    EXPECT_THROW((void)get_list(all, std::span<const double>(numbers).first(room)), StateError);
+  }
 }
 
 }  // namespace

@@ -18,29 +18,6 @@ struct JointLawEntry;
 /// For natural joints.
 [[nodiscard]] JointLawEntry coulomb_entry();
 
-/// Of a joint, or of those of a group of facets: `Own` is double or one number per lane.
-template <class Own>
-struct CoulombStrength {
-  Own tension{}, cohesion{};  ///< [Pa]
-  Own tan_friction{};         ///< before breaking [-]
-  Own tan_residual{};         ///< of broken points at slow slip [-]
-
-  /// See JointLaw.
-  template <class Number>
-  [[nodiscard, gnu::always_inline]] auto fails(const Number& normal, const Number& shear_squared,
-                                               const StrengthFactors<Number>& factors = {}) const {
-    using std::max;
-    const Number bears = factors.cohesion * cohesion;
-    const Number shear = max(bears - normal * tan_friction, Number(0.0));
-    return normal > factors.tension * tension || shear_squared > shear * shear;
-  }
-  template <class Number>
-  [[nodiscard, gnu::always_inline]] Number friction(const Number& /*pressure*/,
-                                                    const Number& /*slip*/) const {
-    return tan_residual;
-  }
-};
-
 struct Coulomb : CoulombStrength<double> {
   /// Facets are worked on by their stiffness (LinearPoints), which close() gives in series.
   static constexpr bool kLinear = true;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -67,8 +68,10 @@ class JointLaw {
   virtual ~JointLaw() = default;
 
   /// Closure goes with pressure, whatever was before: points remember nothing, and facets are
-  /// worked on in groups by their stiffness (law/joint_in_rock.h).
+  /// worked on in groups by their stiffness (law/joint_in_rock.h) and by strength().
   [[nodiscard]] bool linear() const { return linear_; }
+  /// Of a linear law; its fails() and friction() say the same.
+  [[nodiscard]] virtual CoulombStrength<double> strength() const = 0;
 
   /// Of joint and rock squeezed by `jump` [m] together; `rock` is the rock's stiffness [Pa/m].
   [[nodiscard]] virtual JointClosure<Lanes> close(const Lanes& jump, double rock,
@@ -104,7 +107,13 @@ concept LinearJoint = Law::kLinear;
 template <class Law>
 class JointLawOf : public JointLaw {
  public:
+  static_assert(!LinearJoint<Law> || std::derived_from<Law, CoulombStrength<double>>,
+                "facets of a linear law are worked on in groups by its CoulombStrength");
   explicit JointLawOf(Law law) : JointLaw(LinearJoint<Law>), law_(std::move(law)) {}
+  [[nodiscard]] CoulombStrength<double> strength() const override {
+    if constexpr (LinearJoint<Law>) return law_;
+    return {};
+  }
   [[nodiscard]] JointClosure<Lanes> close(const Lanes& jump, double rock,
                                           const Lanes& largest) const override {
     return law_.close(jump, rock, largest);

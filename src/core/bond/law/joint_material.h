@@ -52,8 +52,8 @@ struct JointClass {
   double normal_stiffness = std::numeric_limits<double>::infinity();  ///< [Pa/m]
   double shear_stiffness = std::numeric_limits<double>::infinity();   ///< [Pa/m]
   double wall_strength = 0.0;  ///< as in JointParameters [Pa]; 0: that of the rock
-  /// Coulomb's is made of the numbers above. Of them another law leaves the two stiffnesses,
-  /// normal_stiffness as that without pressure, and its walls do not crush.
+  /// Coulomb's is made of the numbers above. Beside another law the stiffnesses count (normal: that
+  /// without pressure) and whether there is tension, or no fracture energy. No walls crush then.
   JointLawMaker law = coulomb_law();
 };
 

@@ -66,7 +66,7 @@ void JointLaws::derive() {
     softens_ = softens_ || p.fracture_energy_tension > 0.0 || p.fracture_energy_shear > 0.0;
     crushes_ = crushes_ || std::isfinite(p.wall_strength);
     depends_on_rate_ = depends_on_rate_ || p.rate_exponent > 0.0;
-    strengths_.push_back(coulomb_of(joint));
+    strengths_.push_back(joints_[law]->strength());
     // Both have the lesser share, each of the impedance of its own rock i.
     damping_.push_back(std::min(joint.damping_coefficient(), turned.damping_coefficient()));
     contact_damping_.push_back(

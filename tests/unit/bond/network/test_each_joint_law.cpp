@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "bond/law/barton_bandis.h"
+#include "bond/law/coulomb.h"
 #include "bond/law/joint_in_rock.h"
 #include "bond/law/joint_material.h"
 #include "bond_scene.h"
@@ -118,6 +119,22 @@ TEST(JointLaw, RockAndJointCloseInSeries) {
   }
   std::printf("closure in the network: worst error of the pressure %.2g\n", worst);
   EXPECT_LT(worst, 1e-9);
+}
+
+/// The numbers of the class are those of another law: facets alone and in groups heed the law's.
+TEST(JointLaw, ALinearLawHasItsOwnStrength) {
+  for (const int wide : {1, 6}) {  // facets between two layers of cubes: 1, 36
+    JointClass joint = coulomb_joint({.tension = 1e6});
+    joint.law = law_everywhere(Coulomb{{3e6, 1e30, 0.6, 0.5}, 5e10});
+    BondScene scene = cubes(2, wide, rock(0.0), joint);
+    for (const double pull : {2.9e6, 3.1e6}) {
+      for (std::size_t b = 0; b < scene.size(); ++b)
+        if (scene.start(b).x() > 1.0)  // rock and joint in series, 5e10 Pa/m each
+          scene.block(b).centre.x() = scene.start(b).x() + pull / 2.5e10;
+      scene.compute(1e-6);
+      EXPECT_EQ(scene.network().broken_count(), pull > 3e6 ? wide * wide : 0) << wide << ' ' << pull;
+    }
+  }
 }
 
 double energy(BondScene& scene) {
