@@ -123,9 +123,8 @@ std::vector<TimedCharge> timed_charges(const HoleTable& pattern, const ChargeOpt
                                        const std::string& where) {
   std::vector<TimedCharge> charges;
   for (const Deck& deck : pattern.decks()) {
-    const double density = deck.explosive ? charge.table.find(*deck.explosive, where).density
-                                          : charge.explosive.density;
-    charges.push_back({deck.firing_time, charge_mass(deck, density)});
+    const NamedExplosive explosive = deck_explosive(charge, deck, where);
+    charges.push_back({deck.firing_time, charge_mass(deck, explosive.density)});
   }
   return charges;
 }

@@ -14,6 +14,8 @@
 
 namespace muckpile {
 
+struct Deck;
+
 /// A number that may be left to the style: a word in the table, `auto` unless typed.
 void add_optional(ArgTable& table, const std::string& name, const std::string& text);
 [[nodiscard]] std::optional<double> optional_real(const ArgValues& values, const std::string& where,
@@ -75,6 +77,11 @@ void read_expansion(ChargeOptions& options, const ArgValues& values, const std::
 /// An explosive of the table as it detonates here. InputError as ExplosiveTable::find().
 [[nodiscard]] NamedExplosive table_explosive(const ChargeOptions& options, const std::string& name,
                                              const std::string& where);
+
+/// The explosive of a row of a hole table as it detonates here: the one that it names, else the
+/// style's, with the row's density and VOD. InputError as ExplosiveTable::find().
+[[nodiscard]] NamedExplosive deck_explosive(const ChargeOptions& options, const Deck& deck,
+                                            const std::string& where);
 
 /// P0 of an explosive by the chosen model, or as typed [Pa]. InputError if the model needs what the
 /// explosive lacks, or density or VOD is outside the range that the formulas are made for.

@@ -6,6 +6,7 @@
 #include "args/input_error.h"
 #include "args/require.h"
 #include "explosive/charge_options.h"
+#include "explosive/hole_table.h"
 
 namespace muckpile {
 namespace {
@@ -107,6 +108,15 @@ NamedExplosive released(const ChargeOptions& options, NamedExplosive explosive, 
 NamedExplosive table_explosive(const ChargeOptions& options, const std::string& name,
                                const std::string& where) {
   return released(options, options.table.find(name, where), false);
+}
+
+NamedExplosive deck_explosive(const ChargeOptions& options, const Deck& deck,
+                              const std::string& where) {
+  NamedExplosive explosive =
+      deck.explosive ? table_explosive(options, *deck.explosive, where) : options.explosive;
+  explosive.density = deck.explosive_density.value_or(explosive.density);
+  explosive.detonation_velocity = deck.detonation_velocity.value_or(explosive.detonation_velocity);
+  return explosive;
 }
 
 double initial_pressure(const ChargeOptions& options, const NamedExplosive& explosive) {

@@ -13,16 +13,15 @@ namespace {
 
 /// What one row of the pattern says instead of the style's words.
 void apply_deck(LoadedHole& hole, const BlastOptions& options, const Deck& deck) {
-  if (deck.explosive) {
-    hole.explosive = table_explosive(options.charge, *deck.explosive, "hole_table");
-    hole.energy_known = true;
-  }
+  hole.explosive = deck_explosive(options.charge, deck, "hole_table");
+  if (deck.explosive) hole.energy_known = true;
   hole.shape.hole_radius = 0.5 * deck.diameter;
   if (!options.charge.charge_radius) hole.shape.charge_radius = hole.shape.hole_radius;
   if (deck.charge_diameter) hole.shape.charge_radius = 0.5 * *deck.charge_diameter;
   if (deck.charge_length) hole.shape.charge_length = *deck.charge_length;
   if (deck.primer) hole.primer = *deck.primer;
   hole.firing_time = deck.firing_time;
+  if (deck.coupling) hole.decoupling.coupling = *deck.coupling;
 }
 
 /// Of the charge: pressures follow from ratios of volumes, so half a charge in half a hole presses
@@ -107,10 +106,9 @@ HoleBlast hole_blast(const BlastOptions& options, const Hole& zone, std::size_t 
 double gas_gamma_of(const BlastOptions& options, std::size_t hole) {
   const ChargeOptions& charge = options.charge;
   try {
-    const bool own = options.pattern && options.pattern->decks()[hole].explosive;
     const NamedExplosive explosive =
-        own ? table_explosive(charge, *options.pattern->decks()[hole].explosive, "hole_table")
-            : charge.explosive;
+        options.pattern ? deck_explosive(charge, options.pattern->decks()[hole], "hole_table")
+                        : charge.explosive;
     return product_expansion(charge, explosive).gamma();
   } catch (const InputError& error) {
     refuse(options.where, "hole " + std::to_string(hole + 1) + ": " + error.what());
@@ -138,6 +136,7 @@ LoadedHole loaded_hole(const BlastOptions& options, const Hole& zone, std::size_
   LoadedHole hole;
   hole.explosive = charge.explosive;
   hole.energy_known = charge.energy_known;
+  hole.decoupling = charge.decoupling;
   hole.primer = options.primer;
   const auto own = options.delays.find(static_cast<long>(index) + 1);
   hole.firing_time =
@@ -149,8 +148,7 @@ LoadedHole loaded_hole(const BlastOptions& options, const Hole& zone, std::size_
   if (options.pattern) apply_deck(hole, options, options.pattern->decks()[index]);
   check_shape(hole.shape);
   hole.exponent = exponent_of(options, options.attenuation, hole.explosive);
-  hole.decoupling = charge.decoupling;
-  if (charge.decoupling.coupling == Coupling::stemming && !charge.coupling_exponent_typed) {
+  if (hole.decoupling.coupling == Coupling::stemming && !charge.coupling_exponent_typed) {
     hole.decoupling.coupling_exponent = hole.exponent;  // stemming is crushed rock
   }
   if (!options.needs_borehole_pressure()) return hole;
