@@ -15,6 +15,7 @@ says() {  # says COUNT TEXT: on so many lines
 
 cat >"$out/in.wall" <<'END'
 variable crushed_radius index 0.1
+variable full_radius index 0.1
 variable block_min index 0.5
 include inputs/common/wall_blocks.in
 print 'block_min is ${block_min} m'
@@ -25,6 +26,11 @@ says 1 'block_min is 0.1999 m'
 try -in "$out/in.wall" -var widest_wall_block 6
 says 0 'NOTE'
 says 1 'block_min is 0.5 m'
+
+try -in "$out/in.wall" -var widest_wall_block 5 -var crushed_radius 0.05
+says 1 'NOTE: block_min 0.5 m is wider than 6 radii of the crushed zone of a charge that does not fill its hole; 0.29985 m is taken'
+try -in "$out/in.wall" -var crushed_radius 0.05
+says 1 'NOTE: block_min 0.5 m is wider than 2 radii of the crushed zone; 0.1999 m is taken'
 
 # The run stops at time_end, after the check of the pulse.
 try -in inputs/pattern/in.pattern -var out "$out" -var time_end 0.1 -var rise_time 1e-4

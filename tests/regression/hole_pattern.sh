@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # hole_pattern.sh LIGGGHTS_MUCKPILE: the command writes the same table on one and two ranks, which charge_design reads on all of them; a table of
 # one's own is taken as it is, and its folder is made; holes of Kirra come from the mine's coordinates into those of the bench, and the quarry
-# puts them where its surveyed ground is.
+# puts them where its surveyed ground is. A charge thinner than its holes gives them crushed zones of their own in the table.
 # Scope: no blast; the numbers of the table are in the unit tests.
 set -euo pipefail
 program=$1
@@ -43,6 +43,22 @@ grep -q 'delays scatter by 5 % of each, seed 4: ' "$out/screen" || fail "no line
 scattered 0 4
 on_ranks 1 -in "$out/in.scattered" -log none -var own none -var table "$out/scattered0.csv" >"$out/screen"
 cmp "$out/new/1.csv" "$out/scattered0.csv" || fail "without scatter the table is another"
+
+# A charge of 60 mm in the second hole; the table is written over, as another rank reads it.
+cat >"$out/in.zones" <<'END'
+units si
+atom_style granular
+charge_design explosive emulsion charge_diameter 0.06 coupling water poisson_ratio 0.25 hole_table ${table} crushed_table ${table}
+print "smallest ${pattern_crushed_radius} full ${pattern_full_radius}"
+END
+for ranks in 1 2; do
+  cp "$out/new/1.csv" "$out/zones$ranks.csv"
+  on_ranks "$ranks" -in "$out/in.zones" -log none -var table "$out/zones$ranks.csv" >"$out/screen_zones$ranks"
+  # 3 x 44.5 mm x (60/89)^(0.72 x 3/7)
+  grep -q '^smallest 0\.11820.* full 0\.1335$' "$out/screen_zones$ranks" || fail "the crushed zones are others: $(tail -n 3 "$out/screen_zones$ranks")"
+done
+cmp "$out/zones1.csv" "$out/zones2.csv" || fail "the crushed zones of one and two ranks differ"
+[[ $(grep -c ',0\.11820[0-9]*$' "$out/zones1.csv") -eq 6 ]] || fail "not six crushed zones in the table"
 
 # The face looks to the north: x is north of the origin, y west of it.
 cat >"$out/plan.csv" <<'END'
@@ -88,7 +104,7 @@ printf 'name,density_kg_m3,vod_m_s,energy_J_kg\nours,950,4100,3.1e6\n' >"$out/ou
 printf 'hole,explosive,coupling,charge_diameter_m\n1,ours,,\n2,,water,0.07\n' >"$out/charges.csv"
 sed '/^# --- ground/,$d' inputs/quarry/in.quarry >"$out/in.quarry_cut"
 cut_quarry charged -var explosive_table "$out/ours.csv" -var hole_charges "$out/charges.csv"
-grep -q '^1,-2.5,-1.5,.*,ours,,$' "$out/charged/dump/holes.csv" || fail "hole 1 lacks its explosive: $(cat "$out/charged/dump/holes.csv")"
+grep -q '^1,-2.5,-1.5,.*,ours,,' "$out/charged/dump/holes.csv" || fail "hole 1 lacks its explosive: $(cat "$out/charged/dump/holes.csv")"
 # pi/4 8.55 m (0.089^2 950 + 0.07^2 800 kg/m3)
 grep -q '"charge_mass_total_kg": 76.85' "$out/charged/dump/scene.json" || fail "mass: $(grep -o '"charge_mass_total[^,]*' "$out/charged/dump/scene.json")"
 cmp "$out/ours.csv" "$out/charged/dump/explosives.csv" || fail "the explosives are not kept"

@@ -111,7 +111,7 @@ void require_charge_on_axis(const ResultFolder& folder) {
 void report_crater(const ResultFolder& folder, const MeasureOptions& measure,
                    const SectionOptions& section) {
   if (folder.scene_word("case") == "bench") {
-    throw InputError("crater: the run must be a crater, got 'bench'; use the sub-command profile");
+    throw NotMeasurable("crater: the run must be a crater, got 'bench'; use the sub-command profile");
   }
   require_charge_on_axis(folder);
   // The rock of a crater is graded from fine at the charge to coarse far away: a block that has

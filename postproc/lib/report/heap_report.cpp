@@ -8,6 +8,7 @@
 #include "io/csv_writer.h"
 #include "measure/pile.h"
 #include "report/degrees.h"
+#include "report/not_measurable.h"
 #include "report/reports.h"
 #include "report/run_section.h"
 
@@ -56,7 +57,7 @@ SectionPlot section_of(const RunData& run, const PileProfile& p, const PileShape
 void report_heap(const ResultFolder& folder, const MeasureOptions& measure,
                  const SectionOptions& section) {
   if (const std::string scene = folder.scene_word("case"); scene != "heap")
-    throw InputError("heap: the run must be a heap, got '" + scene + "'");
+    throw NotMeasurable("heap: the run must be a heap, got '" + scene + "'");
   const RunData run(folder, measure);
   const std::vector<char> all(run.blocks.size(), 1);  // a heap is loose rock throughout
   const PileProfile profile = pile_profile(run.blocks, run.last, all, run.cell, run.lies);

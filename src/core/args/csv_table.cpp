@@ -92,6 +92,9 @@ CsvTable CsvTable::parse(std::string text, const std::string& name, std::string_
     } else if (table.header_.empty()) {
       split(line, table.header_);
       refuse_twice(table.header_, name);
+      if (table.header_.size() == 1 && line.find(';') != std::string_view::npos)
+        throw InputError(name + ": fields must stand between commas, got '" + std::string(line) +
+                         "'");
     } else {
       const size_t count = split(line, table.fields_);
       table.lines_.push_back(number);

@@ -6,11 +6,14 @@
 #include <cmath>
 #include <sstream>
 
+#include "args/csv_table.h"
 #include "args/input_error.h"
 #include "explosive/attenuation.h"
 #include "explosive/charge_options.h"
 #include "explosive/charge_window.h"
 #include "explosive/crushed_zone.h"
+#include "explosive/deck_charge.h"
+#include "explosive/design_zones.h"
 #include "geometry/size/size_law.h"
 
 namespace muckpile {
@@ -44,21 +47,52 @@ Rock rock_of(const ArgValues& values, const std::string& where) {
           number("tensile_strength", "Pa", Range::closed(1e3, 1e11))};
 }
 
-CrushedZoneInput zone_input(const ChargeOptions& charge, const ArgValues& values,
-                            const Rock& rock) {
-  const Explosive plain{charge.explosive.density, charge.explosive.detonation_velocity};
+/// What counts for every hole.
+CrushedZoneInput rock_input(const ArgValues& values, const Rock& rock, const std::string& where) {
   CrushedZoneInput in;
-  in.hole_radius = 0.5 * values.real("hole_diameter");
-  in.borehole_pressure = initial_pressure(charge, charge.explosive);
-  in.cj_pressure = chapman_jouguet_pressure(plain);
-  in.wall_shock =
-      rock.elastic() ? impedance_matched_pressure(plain, rock.density * rock.speed()) : 0.0;
   in.youngs_modulus = rock.youngs_modulus;
   in.poisson_ratio = rock.poisson_ratio;
   in.ucs = rock.ucs;
   in.tensile_strength = rock.tensile_strength;
   in.strain_rate = values.real("strain_rate");
   in.multiple = values.real("crushed_ratio");
+  in.attenuation_exponent =
+      optional_real(values, where, "attenuation_exponent", "", Range::left_open(0.0, 10.0))
+          .value_or(crushed_zone_exponent(rock.poisson_ratio));
+  return in;
+}
+
+bool by_pressure(const ArgValues& values) { return values.word("decoupled_zone") == "pressure"; }
+
+ChargeShape shape_of(const ChargeOptions& charge, const ArgValues& values,
+                     const std::string& where) {
+  ChargeShape shape;
+  shape.hole_radius = 0.5 * values.real("hole_diameter");
+  shape.charge_radius = charge.charge_radius.value_or(shape.hole_radius);
+  // Only their ratio counts.
+  const double charge_length = charge.charge_length.value_or(1.0);
+  shape.chamber_length =
+      optional_real(values, where, "chamber_length", "m", Range::left_open(0.0, 1e3))
+          .value_or(charge_length);
+  shape.charge_length = charge.charge_length.value_or(shape.chamber_length);
+  return shape;
+}
+
+CrushedZoneInput zone_input(const ChargeOptions& charge, const ArgValues& values, const Rock& rock,
+                            const std::string& where) {
+  const Explosive plain{charge.explosive.density, charge.explosive.detonation_velocity};
+  CrushedZoneInput in = rock_input(values, rock, where);
+  const ChargeShape shape = shape_of(charge, values, where);
+  in.hole_radius = 0.5 * values.real("hole_diameter");
+  in.borehole_pressure = initial_pressure(charge, charge.explosive);
+  in.cj_pressure = chapman_jouguet_pressure(plain);
+  in.wall_shock =
+      rock.elastic() ? impedance_matched_pressure(plain, rock.density * rock.speed()) : 0.0;
+  if (by_pressure(values)) {
+    in.pressure_share = pressure_share(charge, charge.explosive, shape, in.attenuation_exponent);
+  } else {
+    check_shape(shape);
+  }
   return in;
 }
 
@@ -85,8 +119,7 @@ void describe_zones(std::ostream& text, const CrushedZoneInput& in, const Rock& 
     text << "  " << (model == chosen ? "* " : "  ") << kCrushedZones[k] << ": " << *radius << "  "
          << *radius / in.hole_radius << "  ";
     const auto peak = [&](double exponent) {
-      text << ' '
-           << attenuated_pressure(in.borehole_pressure, in.hole_radius, *radius, exponent) / kMPa;
+      text << ' ' << attenuated_pressure(wall_peak(in), in.hole_radius, *radius, exponent) / kMPa;
     };
     peak(crushed_zone_exponent(in.poisson_ratio));
     if (rock.elastic()) {
@@ -103,7 +136,7 @@ void add_harries(std::ostream& text, ChargeDesign& design, const CrushedZoneInpu
                  double breaking_strain) {
   const double radius = *design.crushed_radius;
   const double shear_modulus = 0.5 * in.youngs_modulus / (1.0 + in.poisson_ratio);
-  const double peak = attenuated_pressure(in.borehole_pressure, in.hole_radius, radius,
+  const double peak = attenuated_pressure(wall_peak(in), in.hole_radius, radius,
                                           crushed_zone_exponent(in.poisson_ratio));
   const HarriesParameters harries{.hole_radius = radius,
                                   .wall_strain = 0.5 * peak / shear_modulus,
@@ -123,16 +156,74 @@ std::vector<TimedCharge> timed_charges(const HoleTable& pattern, const ChargeOpt
                                        const std::string& where) {
   std::vector<TimedCharge> charges;
   for (const Deck& deck : pattern.decks()) {
-    const NamedExplosive explosive = deck_explosive(charge, deck, where);
-    charges.push_back({deck.firing_time, charge_mass(deck, explosive.density)});
+    const NamedExplosive explosive = deck_explosive(charge, deck);
+    const ChargeShape shape = deck_shape(charge, deck, deck.to - deck.from);
+    charges.push_back({deck.firing_time, explosive.density * shape.charge_volume()});
   }
   return charges;
 }
 
-double smallest_radius(const std::vector<Hole>& zones) {
-  double smallest = zones.front().radius;  // a table has at least one deck
-  for (const Hole& zone : zones) smallest = std::min(smallest, zone.radius);
-  return smallest;
+CrushedZone zone_model(const ArgValues& values) {
+  const auto at =
+      std::find(kCrushedZones.begin(), kCrushedZones.end(), values.word("crushed_zone"));
+  return static_cast<CrushedZone>(at - kCrushedZones.begin());
+}
+
+/// The hole of hole_diameter.
+void add_hole(std::ostream& text, ChargeDesign& design, const ChargeOptions& charge,
+              const ArgValues& values, const std::string& where) {
+  const Rock rock = rock_of(values, where);
+  const CrushedZone model = zone_model(values);
+  if (model == CrushedZone::dai && !rock.elastic()) {
+    throw InputError("crushed_zone dai needs youngs_modulus [Pa] and rock_density [kg/m3]");
+  }
+  const CrushedZoneInput in = zone_input(charge, values, rock, where);
+  CrushedZoneInput full = in;
+  full.pressure_share = 1.0;
+  design.full_radius = crushed_zone_radius(model, full);
+  design.crushed_radius = crushed_zone_radius(model, in);
+  text << "  borehole pressure P0 = " << in.borehole_pressure / kMPa
+       << " MPa; by formula: " << alternative_pressures(charge, charge.explosive) << '\n';
+  if (in.pressure_share != 1.0) {
+    text << "  decoupled: " << wall_peak(in) / kMPa << " MPa on the wall; r1 of a full hole "
+         << design.full_radius << " m\n";
+  }
+  describe_zones(text, in, rock, charge, model);
+  if (in.youngs_modulus > 0.0) add_harries(text, design, in, values.real("breaking_strain"));
+}
+
+void add_pattern(std::ostream& text, ChargeDesign& design, const ChargeOptions& charge,
+                 const ArgValues& values, const std::string& where) {
+  const CsvTable table = CsvTable::read(values.word("hole_table"));
+  design.pattern = HoleTable(table);
+  const std::vector<TimedCharge> charges = timed_charges(*design.pattern, charge, where);
+  for (const TimedCharge& each : charges) design.pattern_mass += each.mass;
+  design.window_mass = largest_within(charges, kVibrationWindow);
+  const CrushedZoneInput rock = rock_input(values, rock_of(values, where), where);
+  const PatternZones zones = pattern_zones(*design.pattern, charge, rock, by_pressure(values));
+  design.pattern_crushed_radius = zones.smallest;
+  design.pattern_full_radius = zones.smallest_full;
+  design.crushed_table = with_zones(table, zones);
+  text << "  pattern: " << design.pattern->holes() << " holes, " << design.pattern->decks().size()
+       << " charged decks, the last fires at " << design.pattern->last_firing_time() << " s; "
+       << design.pattern_mass << " kg of explosive, at most " << design.window_mass << " kg within "
+       << 1e3 * kVibrationWindow << " ms\n";
+  const auto decoupled = std::count_if(zones.own.begin(), zones.own.end(),
+                                       [](const auto& own) { return own.has_value(); });
+  if (decoupled == 0) return;
+  text << "  decoupled: " << decoupled << " decks have crushed zones of their own; the smallest of "
+       << "all decks is " << zones.smallest << " m\n";
+}
+
+/// Faults of the core name the keyword; the command goes before.
+template <class Add>
+void named(const std::string& where, const Add& add) {
+  try {
+    add();
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    throw InputError(text.rfind(where, 0) == 0 ? text : where + ": " + text);
+  }
 }
 
 }  // namespace
@@ -141,17 +232,31 @@ ArgTable charge_design_table() {
   ArgTable table("charge_design");
   add_explosive_keywords(table);
   add_borehole_keywords(table);
+  add_decoupling_keywords(table);
+  add_optional(table, "chamber_length",
+               "charge and air deck above it [m], > 0 and <= 1000; auto: charge_length, no deck. "
+               "With hole_table the table's");
+  add_expansion_keywords(table);
   table
       .real("hole_diameter", "m", Range::closed(0.0, 10.0), 0.0,
             "diameter of the hole; 0: no crushed zone is asked for")
       .word("crushed_zone", {kCrushedZones.begin(), kCrushedZones.end()}, "multiple",
             "formula for the crushed zone's radius")
       .real("crushed_ratio", "", Range::closed(1.0, 20.0), 3.0,
-            "radius over hole radius, for `multiple`")
+            "radius over hole radius of a charge that fills its chamber, for `multiple`")
+      .word("decoupled_zone", {"pressure", "full"}, "pressure",
+            "crushed zone of a charge that does not fill its chamber: by its pressure on the wall, "
+            "or that of one that does")
       .real("strain_rate", "1/s", Range::closed(1e2, 1e4), 1e3, "in the crushed zone, for `dai`");
   table.real("breaking_strain", "", Range::closed(1e-6, 1.0), 3e-4,
              "dynamic tensile strain at which rock cracks, for Harries' counting (2e-4 to 6e-4)");
-  table.word("hole_table", {}, "none", "CSV file of a pattern");
+  add_optional(table, "attenuation_exponent",
+               "of the fall of the peak in crushed rock, > 0 and <= 10; auto: of a shock, 2 + "
+               "nu/(1 - nu)");
+  table.word("hole_table", {}, "none", "CSV file of a pattern")
+      .word("crushed_table", {}, "none",
+            "CSV file to write, which may be that of `hole_table`: the pattern with the crushed "
+            "zones of charges that do not fill their chambers, for create_blocks");
   add_optional(table, "rock_density", "[kg/m3], 100 to 30000; needed by `dai`");
   add_optional(table, "youngs_modulus",
                "of the rock [Pa], 1e5 to 1e13; needed by `esen` and `dai`");
@@ -168,6 +273,8 @@ ArgTable charge_design_table() {
 ChargeDesign charge_design(const ArgValues& values, const std::string& where) {
   ChargeOptions charge;
   read_explosive(charge, values, where);
+  read_decoupling(charge, values, where);
+  read_expansion(charge, values, where);
   const NamedExplosive& explosive = charge.explosive;
   ChargeDesign design;
   design.density = explosive.density;
@@ -178,37 +285,12 @@ ChargeDesign charge_design(const ArgValues& values, const std::string& where) {
   text << where << ": explosive " << explosive.name << ", " << explosive.density << " kg/m3, "
        << explosive.detonation_velocity << " m/s, " << design.energy / 1e6 << " MJ/kg\n";
   if (values.real("hole_diameter") > 0.0) {
-    const Rock rock = rock_of(values, where);
-    const std::string& word = values.word("crushed_zone");
-    const auto at = std::find(kCrushedZones.begin(), kCrushedZones.end(), word);
-    const auto model = static_cast<CrushedZone>(at - kCrushedZones.begin());
-    try {
-      if (model == CrushedZone::dai && !rock.elastic()) {
-        throw InputError("crushed_zone dai needs youngs_modulus [Pa] and rock_density [kg/m3]");
-      }
-      const CrushedZoneInput in = zone_input(charge, values, rock);
-      design.crushed_radius = crushed_zone_radius(model, in);
-      text << "  borehole pressure P0 = " << in.borehole_pressure / kMPa
-           << " MPa; by formula: " << alternative_pressures(charge, explosive) << '\n';
-      describe_zones(text, in, rock, charge, model);
-      if (in.youngs_modulus > 0.0) {
-        add_harries(text, design, in, values.real("breaking_strain"));
-      }
-    } catch (const InputError& error) {
-      throw InputError(where + ": " + error.what());
-    }
+    named(where, [&] { add_hole(text, design, charge, values, where); });
   }
-  if (const std::string& file = values.word("hole_table"); file != "none") {
-    design.pattern = HoleTable::read(file);
-    const std::vector<TimedCharge> charges = timed_charges(*design.pattern, charge, where);
-    for (const TimedCharge& each : charges) design.pattern_mass += each.mass;
-    design.window_mass = largest_within(charges, kVibrationWindow);
-    design.pattern_crushed_radius =
-        smallest_radius(design.pattern->crushed_zones(values.real("crushed_ratio")));
-    text << "  pattern: " << design.pattern->holes() << " holes, " << design.pattern->decks().size()
-         << " charged decks, the last fires at " << design.pattern->last_firing_time() << " s; "
-         << design.pattern_mass << " kg of explosive, at most " << design.window_mass
-         << " kg within " << 1e3 * kVibrationWindow << " ms\n";
+  if (values.word("hole_table") != "none") {
+    named(where, [&] { add_pattern(text, design, charge, values, where); });
+  } else if (values.given("crushed_table")) {
+    refuse(where, "crushed_table needs hole_table");
   }
   design.report = text.str();
   return design;

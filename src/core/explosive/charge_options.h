@@ -14,8 +14,6 @@
 
 namespace muckpile {
 
-struct Deck;
-
 /// A number that may be left to the style: a word in the table, `auto` unless typed.
 void add_optional(ArgTable& table, const std::string& name, const std::string& text);
 [[nodiscard]] std::optional<double> optional_real(const ArgValues& values, const std::string& where,
@@ -78,11 +76,6 @@ void read_expansion(ChargeOptions& options, const ArgValues& values, const std::
 [[nodiscard]] NamedExplosive table_explosive(const ChargeOptions& options, const std::string& name,
                                              const std::string& where);
 
-/// The explosive of a row of a hole table as it detonates here: the one that it names, else the
-/// style's, with the row's density and VOD. InputError as ExplosiveTable::find().
-[[nodiscard]] NamedExplosive deck_explosive(const ChargeOptions& options, const Deck& deck,
-                                            const std::string& where);
-
 /// P0 of an explosive by the chosen model, or as typed [Pa]. InputError if the model needs what the
 /// explosive lacks, or density or VOD is outside the range that the formulas are made for.
 [[nodiscard]] double initial_pressure(const ChargeOptions& options,
@@ -91,6 +84,11 @@ void read_expansion(ChargeOptions& options, const ArgValues& values, const std::
 /// One number per model that this explosive allows, for the log: "explosion state 2784, ..." [MPa].
 [[nodiscard]] std::string alternative_pressures(const ChargeOptions& options,
                                                 const NamedExplosive& explosive);
+
+/// Decoupling in rock where the peak falls with this exponent: that of stemming, which is crushed
+/// rock, unless one is typed.
+[[nodiscard]] DecouplingRule decoupling_rule(const ChargeOptions& options,
+                                             double attenuation_exponent);
 
 /// The law by which the products expand, from P0. InputError as the law, as initial_pressure() and
 /// energy_switch_pressure(), or if something of the explosive that the law needs is not known.

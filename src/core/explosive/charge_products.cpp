@@ -6,7 +6,6 @@
 #include "args/input_error.h"
 #include "args/require.h"
 #include "explosive/charge_options.h"
-#include "explosive/hole_table.h"
 
 namespace muckpile {
 namespace {
@@ -110,19 +109,18 @@ NamedExplosive table_explosive(const ChargeOptions& options, const std::string& 
   return released(options, options.table.find(name, where), false);
 }
 
-NamedExplosive deck_explosive(const ChargeOptions& options, const Deck& deck,
-                              const std::string& where) {
-  NamedExplosive explosive =
-      deck.explosive ? table_explosive(options, *deck.explosive, where) : options.explosive;
-  explosive.density = deck.explosive_density.value_or(explosive.density);
-  explosive.detonation_velocity = deck.detonation_velocity.value_or(explosive.detonation_velocity);
-  return explosive;
-}
-
 double initial_pressure(const ChargeOptions& options, const NamedExplosive& explosive) {
   if (options.typed_pressure) return *options.typed_pressure;
   check_formula_range(explosive);
   return pressure_by(options.model, options, explosive);
+}
+
+DecouplingRule decoupling_rule(const ChargeOptions& options, double attenuation_exponent) {
+  DecouplingRule rule = options.decoupling;
+  if (rule.coupling == Coupling::stemming && !options.coupling_exponent_typed) {
+    rule.coupling_exponent = attenuation_exponent;
+  }
+  return rule;
 }
 
 std::string alternative_pressures(const ChargeOptions& options, const NamedExplosive& explosive) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Radius of the crushed zone around a borehole by published formulas.
-// Scope: one hole in intact rock; the formulas differ by several times, so all are offered.
+// Scope: one hole in intact rock; the formulas differ by several times, so all are offered. They
+// are of charges that fill their holes; pressure_share tells what a decoupled one presses.
 #pragma once
 
 #include <array>
@@ -13,7 +14,7 @@ inline constexpr std::array kCrushedZones = {"multiple", "esen", "djordjevic", "
 
 struct CrushedZoneInput {
   double hole_radius = 0.0;        ///< r_b [m]
-  double borehole_pressure = 0.0;  ///< P_b on the hole's wall [Pa]
+  double borehole_pressure = 0.0;  ///< P0 of a charge that fills the hole [Pa]
   double cj_pressure = 0.0;        ///< Chapman-Jouguet [Pa]
   double wall_shock = 0.0;         ///< P_w, impedance-matched [Pa]
   double youngs_modulus = 0.0;     ///< of the intact rock [Pa]
@@ -21,11 +22,20 @@ struct CrushedZoneInput {
   double ucs = 0.0;               ///< uniaxial compressive strength of the intact rock [Pa]
   double tensile_strength = 0.0;  ///< of the intact rock [Pa]
   double strain_rate = 1e3;       ///< in the crushed zone, 1e2 to 1e4 [1/s]; `dai` only
-  double multiple = 3.0;          ///< radius over hole radius; `multiple` only
+  double multiple = 3.0;          ///< radius over hole radius of a full hole; `multiple` only
+  /// Peak on the wall of the hole over that of a charge that fills it. Each pressure above counts
+  /// by so much [-].
+  double pressure_share = 1.0;
+  double attenuation_exponent = 2.0;  ///< of the peak in crushed rock; `multiple` only
 };
 
+/// Peak on the wall of the hole [Pa].
+[[nodiscard]] double wall_peak(const CrushedZoneInput& input);
+
 /// Radius [m], never below the hole's. InputError names what is out of range.
-///   multiple     ratio x r_b (3 is what particle models load; Yan et al. 2016)
+///   multiple     ratio x r_b (3 is what particle models load; Yan et al. 2016), which takes the
+///                rock to be crushed down to the peak P0/ratio^alpha: r_b ratio share^(1/alpha)
+///                where share of P0 is on the wall
 ///   esen         r_b 0.812 CZI^0.219, CZI = P_b^3 (1 + nu)/(E sigma_c^2), r_b below CZI 2.6
 ///                (Esen, Onederra and Bilgin 2003)
 ///   djordjevic   r_b / sqrt(24 sigma_t / P_b) (Djordjevic 1999, Griffith's criterion)

@@ -7,21 +7,18 @@
 
 #include "args/input_error.h"
 #include "explosive/attenuation.h"
+#include "explosive/deck_charge.h"
 
 namespace muckpile {
 namespace {
 
 /// What one row of the pattern says instead of the style's words.
 void apply_deck(LoadedHole& hole, const BlastOptions& options, const Deck& deck) {
-  hole.explosive = deck_explosive(options.charge, deck, "hole_table");
+  hole.explosive = deck_explosive(options.charge, deck);
   if (deck.explosive) hole.energy_known = true;
-  hole.shape.hole_radius = 0.5 * deck.diameter;
-  if (!options.charge.charge_radius) hole.shape.charge_radius = hole.shape.hole_radius;
-  if (deck.charge_diameter) hole.shape.charge_radius = 0.5 * *deck.charge_diameter;
-  if (deck.charge_length) hole.shape.charge_length = *deck.charge_length;
+  hole.shape = deck_shape(options.charge, deck, hole.shape.chamber_length);
   if (deck.primer) hole.primer = *deck.primer;
   hole.firing_time = deck.firing_time;
-  if (deck.coupling) hole.decoupling.coupling = *deck.coupling;
 }
 
 /// Of the charge: pressures follow from ratios of volumes, so half a charge in half a hole presses
@@ -107,7 +104,7 @@ double gas_gamma_of(const BlastOptions& options, std::size_t hole) {
   const ChargeOptions& charge = options.charge;
   try {
     const NamedExplosive explosive =
-        options.pattern ? deck_explosive(charge, options.pattern->decks()[hole], "hole_table")
+        options.pattern ? deck_explosive(charge, options.pattern->decks()[hole])
                         : charge.explosive;
     return product_expansion(charge, explosive).gamma();
   } catch (const InputError& error) {
@@ -136,7 +133,6 @@ LoadedHole loaded_hole(const BlastOptions& options, const Hole& zone, std::size_
   LoadedHole hole;
   hole.explosive = charge.explosive;
   hole.energy_known = charge.energy_known;
-  hole.decoupling = charge.decoupling;
   hole.primer = options.primer;
   const auto own = options.delays.find(static_cast<long>(index) + 1);
   hole.firing_time =
@@ -148,9 +144,10 @@ LoadedHole loaded_hole(const BlastOptions& options, const Hole& zone, std::size_
   if (options.pattern) apply_deck(hole, options, options.pattern->decks()[index]);
   check_shape(hole.shape);
   hole.exponent = exponent_of(options, options.attenuation, hole.explosive);
-  if (hole.decoupling.coupling == Coupling::stemming && !charge.coupling_exponent_typed) {
-    hole.decoupling.coupling_exponent = hole.exponent;  // stemming is crushed rock
-  }
+  hole.decoupling =
+      options.pattern
+          ? decoupling_rule(deck_options(charge, options.pattern->decks()[index]), hole.exponent)
+          : decoupling_rule(charge, hole.exponent);
   if (!options.needs_borehole_pressure()) return hole;
   hole.initial_pressure = initial_pressure(charge, hole.explosive);
   hole.wall_pressure =

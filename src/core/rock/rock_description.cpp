@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "args/numbers.h"
+#include "args/rounded_text.h"
 #include "geometry/spheres/filling_quality.h"
 #include "rock/rock_model.h"
 
@@ -128,6 +129,32 @@ std::string describe_parts(const TessellationStatistics& statistics) {
   return text;
 }
 
+/// Void over cylinder of each hole, and which differ so much that the load is another hole's.
+std::string describe_voids(const TessellationStatistics& cut) {
+  constexpr double kLeast = 0.9, kMost = 1.1;
+  constexpr std::size_t kEach = 12;  // of more holes the range
+  std::vector<double> ratios;
+  std::string each, warnings;
+  for (std::size_t h = 0; h < std::min(cut.hole_volume.size(), cut.cylinder_volume.size()); ++h) {
+    if (!(cut.cylinder_volume[h] > 0.0)) continue;
+    ratios.push_back(cut.hole_volume[h] / cut.cylinder_volume[h]);
+    const std::string hole = "hole " + std::to_string(h + 1),
+                      ratio = rounded_text(ratios.back(), 3);
+    each += (each.empty() ? " " : ", ") + hole + ' ' + ratio;
+    if (ratios.back() >= kLeast && ratios.back() <= kMost) continue;
+    warnings += "WARNING: create_blocks: the void of " + hole + " is " + ratio +
+                " times its crushed zone's cylinder, beyond 0.9 to 1.1: its load is that of a " +
+                (ratios.back() > 1.0 ? "wider" : "narrower") +
+                " hole; take smaller blocks at it, rings_from 1.5, or move a plane that crosses it\n";
+  }
+  if (ratios.empty()) return "";
+  if (ratios.size() > kEach)
+    each = " " + rounded_text(quantile(ratios, 0.0), 3) + " to " +
+           rounded_text(quantile(ratios, 1.0), 3) + " for " + std::to_string(ratios.size()) +
+           " holes";
+  return "  void over the cylinder of its crushed zone:" + each + '\n' + warnings;
+}
+
 /// Means over some blocks, evenly chosen.
 std::string describe_filling(const RockModel& model) {
   constexpr std::size_t kBlocks = 200;
@@ -168,7 +195,7 @@ std::string describe_target(const SizeComparison& sizes, const std::string& why)
 std::string describe(const RockModel& model, double seconds) {
   std::string text = describe_blocks(model, seconds) + describe_zones(model) +
                      describe_natural_joints(model) + describe_parts(model.rock.statistics) +
-                     describe_filling(model);
+                     describe_voids(model.rock.statistics) + describe_filling(model);
   if (!model.burdens.empty()) text += describe_burdens(model.burdens, model.plan_burden);
   if (model.sizes) text += describe_target(*model.sizes, model.why_missed);
   return text;

@@ -59,6 +59,26 @@ TEST(CrushedZone, DaiFallsWithTheStrainRate) {
   EXPECT_NEAR(ratio(CrushedZone::dai, in), 2.6736 * 1.414538, 2e-3);  // 10^((1/3)/2.213592)
 }
 
+TEST(CrushedZone, MultipleEndsWhereThePeakIsThatOfAFullHole) {
+  // alpha = 2 + 0.22/0.78 = 2.282051; 3 x 0.35^(1/alpha) = 3 x e^(-1.049822/2.282051) = 1.89373
+  CrushedZoneInput in = emulsion();
+  in.attenuation_exponent = 2.0 + 0.22 / 0.78;
+  EXPECT_EQ(crushed_zone_radius(CrushedZone::multiple, in), 0.045 * 3.0);
+  in.pressure_share = 0.35;
+  EXPECT_NEAR(ratio(CrushedZone::multiple, in), 1.89373, 1e-4);
+  in.pressure_share = 0.05;  // 3 x 0.269: not thinner than the hole
+  EXPECT_EQ(crushed_zone_radius(CrushedZone::multiple, in), 0.045);
+}
+
+TEST(CrushedZone, EachModelHasThePressureOfADecoupledCharge) {
+  CrushedZoneInput in = emulsion();
+  in.pressure_share = 0.5;
+  EXPECT_NEAR(ratio(CrushedZone::esen, in), 1.86488 * 0.634198, 1e-4);  // 0.5^(3 x 0.219)
+  EXPECT_NEAR(ratio(CrushedZone::djordjevic, in), 3.80814 * 0.707107, 1e-4);
+  EXPECT_NEAR(ratio(CrushedZone::kanchibotla, in), 7.46241 * 0.707107, 1e-4);
+  EXPECT_NEAR(ratio(CrushedZone::dai, in), 2.6736 * 0.731153, 1e-3);  // 0.5^(1/2.213592)
+}
+
 TEST(CrushedZone, RefusesWhatItsModelCannotUse) {
   const auto refused = [](CrushedZone model, auto change) {
     CrushedZoneInput in = emulsion();
@@ -66,6 +86,8 @@ TEST(CrushedZone, RefusesWhatItsModelCannotUse) {
     EXPECT_THROW((void)crushed_zone_radius(model, in), InputError);
   };
   refused(CrushedZone::multiple, [](auto& in) { in.multiple = 0.5; });
+  refused(CrushedZone::multiple, [](auto& in) { in.attenuation_exponent = 0.0; });
+  refused(CrushedZone::esen, [](auto& in) { in.pressure_share = 0.0; });
   refused(CrushedZone::esen, [](auto& in) { in.ucs = 0.0; });
   refused(CrushedZone::esen, [](auto& in) { in.youngs_modulus = 0.0; });
   refused(CrushedZone::djordjevic, [](auto& in) { in.tensile_strength = 0.0; });

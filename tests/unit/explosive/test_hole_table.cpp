@@ -30,6 +30,11 @@ TEST(HoleTable, AChamberIsPlacedAlongTheHole) {
   EXPECT_NEAR(zone.radius, 0.15, 1e-15);
 }
 
+TEST(HoleTable, SemicolonsAreNoCommas) {
+  EXPECT_EQ(input_error_of([] { (void)CsvTable::parse("hole;diameter_m\na;0,1\n", "p.csv"); }),
+            "p.csv: fields must stand between commas, got 'hole;diameter_m'");
+}
+
 TEST(HoleTable, WithoutDepthsTheWholeHoleIsCharged) {
   const HoleTable table = read("", "a,0,0,10,0,0,0,0.1\n");
   EXPECT_EQ(table.decks()[0].from, 0.0);

@@ -129,8 +129,13 @@ TEST_F(Compare, CutTablesAreRefusedByLine) {
   expect_refused("profile.csv:3");
   write_text(path("b") / "profile.csv", "x_m,pile_mean_m\n0,4\n-1,2\n");
   expect_refused("x_m must not fall");
+}
+
+TEST_F(Compare, TablesWithoutARowAreAlikeAndDifferFromOthers) {  // as fragments.csv of still rock
   write_text(path("b") / "profile.csv", "x_m,pile_mean_m\n");
-  expect_refused("has no row");
+  EXPECT_EQ(differing(), Names{"profile.csv:pile_mean_m"});
+  write_text(path("a") / "profile.csv", "x_m,pile_mean_m\n");
+  EXPECT_EQ(differing(), Names{});
 }
 
 TEST_F(Compare, ANameThatNeitherRunHasIsRefused) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -34,6 +33,7 @@ struct Ringed {
   int levels;
   double below = 0.0, above = 0.0;            // from its ends to its first and last level
   bool cap_below = false, cap_above = false;  // rings beyond the ends
+  double over_below = 0.0, over_above = 0.0;  // how far the void goes on where there are none
   int columns = 6;
   double spread = 0.0;  // height that all rings on one line are spread for; 0: that of the levels
 
@@ -147,6 +147,7 @@ Ringed ringed(const TessellationOptions& options, const Ground& ground, std::siz
 /// are so high. Lengths in metres.
 struct Beyond {
   double rock, half_level;
+  bool hole = false;
 };
 
 Beyond beyond(const Ground& ground, const std::vector<Ringed>& line, const Ringed& ring,
@@ -158,7 +159,7 @@ Beyond beyond(const Ground& ground, const std::vector<Ringed>& line, const Ringe
     for (const Vec3& from : {other.hole.toe, other.hole.collar}) {
       const double way = (from - end).dot(out);
       if (way < -kSame * ring.length || way > found.rock) continue;
-      found = {std::max(0.0, way), std::min(half, 0.5 * other.height())};
+      found = {std::max(0.0, way), std::min(half, 0.5 * other.height()), true};
     }
   }
   return found;
@@ -170,13 +171,15 @@ void set_ends(const Ground& ground, std::vector<Ringed>& line) {
   for (int round = 0; round < kRounds; ++round) {
     for (Ringed& ring : line) {
       const Vec3 along = direction(ring.hole);
-      const auto place = [&](const Vec3& end, const Vec3& out, double& level, bool& cap) {
+      const auto place = [&](const Vec3& end, const Vec3& out, double& level, bool& cap,
+                             double& over) {
         const Beyond there = beyond(ground, line, ring, end, out);
         cap = there.rock >= kThinnestEnd * ring.size;
         level = cap ? std::min(there.half_level, 0.5 * there.rock) : there.half_level;
+        over = cap ? 0.0 : there.hole ? 0.5 * there.rock : ring.size;
       };
-      place(ring.hole.toe, -along, ring.below, ring.cap_below);
-      place(ring.hole.collar, along, ring.above, ring.cap_above);
+      place(ring.hole.toe, -along, ring.below, ring.cap_below, ring.over_below);
+      place(ring.hole.collar, along, ring.above, ring.cap_above, ring.over_above);
       const double middle = (1.0 - kSame) * 0.5 * ring.length;
       if (ring.levels == 1 && std::min(ring.below, ring.above) < middle) ring.levels = 2;
     }
@@ -226,6 +229,21 @@ void add_seeds(const TessellationOptions& options, const Ground& ground, const R
   }
 }
 
+/// Around the void; unit normals look out.
+std::vector<CutPlane> prism_of(const TessellationOptions& options, const Ringed& ring) {
+  const Vec3 along = direction(ring.hole), first = first_edge(options, ring.hole),
+             second = along.cross(first);
+  std::vector<CutPlane> planes;
+  for (int k = 0; k < ring.columns; ++k) {
+    const double angle = 2.0 * kPi * (k + 0.5) / ring.columns;
+    const Vec3 out = std::cos(angle) * first + std::sin(angle) * second;
+    planes.push_back({ring.hole.toe + ring.apothem() * out, out});
+  }
+  planes.push_back({ring.hole.toe - ring.over_below * along, -along});
+  planes.push_back({ring.hole.collar + ring.over_above * along, along});
+  return planes;
+}
+
 /// Two holes that are not decks of one must leave room for the rings of both.
 void refuse_meeting_rings(const std::vector<std::vector<Ringed>>& lines) {
   const auto with_rings = [](const Ringed& ring) {
@@ -271,37 +289,23 @@ std::vector<std::vector<Ringed>> ringed_lines(const TessellationOptions& options
 
 HoleRings::HoleRings(const TessellationOptions& options) {
   if (!options.rings) return;
+  lo_ = options.lo;
+  hi_ = options.hi;
   const Ground ground(options);
   std::vector<std::vector<Ringed>> lines = ringed_lines(options, ground);
   if (lines.empty()) return;
   reach_.assign(options.holes.size(), 0.0);
+  prisms_.resize(options.holes.size());
   for (std::vector<Ringed>& line : lines) {
     set_ends(ground, line);
     spread_alike(line);
     for (const Ringed& ring : line) {
       reach_[ring.number] = ring.reach();
+      prisms_[ring.number] = prism_of(options, ring);
       add_seeds(options, ground, ring, seeds_);
     }
   }
   refuse_meeting_rings(lines);
-}
-
-HoleRings HoleRings::within(const std::vector<CutPlane>& bounds) const {
-  // [block sizes] behind one plane, and within all others; a cell reaches half a block beyond its
-  // seed.
-  constexpr double kFarthest = 0.2, kWithin = 0.25;
-  const auto is_here = [&](const RingSeed& seed) {
-    double farthest = -std::numeric_limits<double>::infinity(), next = farthest;
-    for (const CutPlane& bound : bounds) {
-      const double out = bound.normal.dot(seed.at - bound.point);
-      next = std::max(next, std::min(out, farthest));
-      farthest = std::max(farthest, out);
-    }
-    return farthest <= 0.0 || (farthest <= kFarthest * seed.size && next <= -kWithin * seed.size);
-  };
-  HoleRings part = *this;
-  std::erase_if(part.seeds_, [&](const RingSeed& seed) { return !is_here(seed); });
-  return part;
 }
 
 double HoleRings::largest_reach() const {

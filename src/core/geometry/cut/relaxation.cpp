@@ -13,6 +13,7 @@
 
 #include "geometry/cut/cell_cutter.h"
 #include "geometry/cut/seeding.h"
+#include "geometry/cut/void_walls.h"
 #include "geometry/holes/hole_surface.h"
 
 namespace muckpile {
@@ -121,11 +122,10 @@ void Relaxation::adjust_radii(const std::vector<double>& hole_volumes) {
   }
 }
 
-bool Relaxation::cut(CellCutter& cutter, std::size_t seed) const {
-  const RingSeed* ring = ring_seed(seed);
+bool Relaxation::cut(CellCutter& cutter, std::size_t seed, const VoidWall& wall) const {
   const bool left = cutter.cut(static_cast<int>(seed), kFirstReach * ground_.size(seeds_[seed]),
-                               ring && ring->hole >= 0 ? &ring->wall : nullptr);
-  if (!left && !ring)
+                               wall.hole >= 0 ? &wall.plane : nullptr);
+  if (!left && !ring_seed(seed) && wall.hole < 0)
     throw std::runtime_error("Voronoi cell of seed " + std::to_string(seed) +
                              " vanished: it lies outside its part of the rock, or in another seed");
   return left;
@@ -143,7 +143,7 @@ Relaxation::Swept Relaxation::sweep_part(std::size_t first, std::size_t last) co
       swept.seeds.insert(swept.seeds.end(), seeds_[i].begin(), seeds_[i].end());
       continue;
     }
-    (void)cut(cutter, i);
+    (void)cut(cutter, i, {});
     const Vec3 next = relaxed(seeds_[i], cutter.centroid(), cutter.volume());
     swept.seeds.insert(swept.seeds.end(), next.begin(), next.end());
     if (!cutter.met_point_from(static_cast<int>(seeds_.size()))) continue;
@@ -181,25 +181,90 @@ void Relaxation::sweep() {
   adjust_radii(hole_volumes);
 }
 
+std::vector<std::size_t> Relaxation::slivers_of_rings() const {
+  constexpr double kApart = 4.0;  // [block sizes]
+  const Images images = mirror_seeds(seeds_, mirrored_holes_, options_.region, ground_);
+  const std::vector<Vec3> points = points_with(images);
+  CellCutter cutter(points, options_.lo, options_.hi, bounds_);
+  const std::vector<VoidWall> walls = own_walls();
+  Polyhedron shape;
+  std::vector<int> behind;
+  std::vector<std::pair<double, std::size_t>> small;  // worth, seed
+  for (std::size_t i = first_ring_; i < seeds_.size(); ++i) {
+    double worth = 0.0;
+    if (cut(cutter, i, walls[i])) {
+      cutter.extract(shape, behind);
+      worth = worth_as_block(*ring_seed(i), shape);
+    }
+    if (worth < 1.0) small.emplace_back(worth, i);
+  }
+  std::sort(small.begin(), small.end());
+  std::vector<std::size_t> chosen;
+  for (const auto& [worth, i] : small) {
+    const bool alone = std::none_of(chosen.begin(), chosen.end(), [&](std::size_t other) {
+      return (seeds_[other] - seeds_[i]).norm() < kApart * ring_seed(i)->size;
+    });
+    if (alone) chosen.push_back(i);
+  }
+  std::sort(chosen.rbegin(), chosen.rend());
+  return chosen;
+}
+
+void Relaxation::drop_slivers_of_rings() {
+  while (!bounds_.empty() && first_ring_ < seeds_.size()) {
+    const std::vector<std::size_t> slivers = slivers_of_rings();
+    if (slivers.empty() || slivers.size() == seeds_.size()) return;
+    for (const std::size_t i : slivers) {
+      seeds_.erase(seeds_.begin() + static_cast<std::ptrdiff_t>(i));
+      rings_.drop(i - first_ring_);
+    }
+  }
+}
+
+std::vector<VoidWall> Relaxation::own_walls() const {
+  std::vector<VoidWall> walls(seeds_.size());
+  for (std::size_t k = 0; k < rings_.seeds().size(); ++k)
+    walls[first_ring_ + k] = {rings_.seeds()[k].hole, rings_.seeds()[k].wall};
+  return walls;
+}
+
+std::vector<VoidWall> Relaxation::fitted_walls(CellCutter& cutter) const {
+  constexpr double kReach = 2.0;  // [block sizes] from a seed to the wall of a hole in its cell
+  std::vector<VoidWall> walls = own_walls();
+  if (bounds_.empty() || rings_.holes() == 0) return walls;
+  VoidWalls fitted(rings_);
+  Polyhedron shape;
+  std::vector<int> behind, holes;
+  for (std::size_t i = 0; i < seeds_.size(); ++i) {
+    const double size = ground_.size(seeds_[i]);
+    ground_.holes_near(seeds_[i], kReach * size, holes);
+    std::erase_if(holes, [&](int h) { return !rings_.around(static_cast<std::size_t>(h)); });
+    if (holes.empty() || !cut(cutter, i, {})) continue;
+    cutter.extract(shape, behind);
+    fitted.offer(i, shape, size, holes, ring_seed(i));
+  }
+  fitted.fit(walls);
+  return walls;
+}
+
 std::vector<Block> Relaxation::make_blocks() const {
   Images images = mirror_seeds(seeds_, mirrored_holes_, options_.region, ground_);
   bound_by_fitted(images);
   const std::vector<Vec3> points = points_with(images);
   CellCutter cutter(points, options_.lo, options_.hi, bounds_);
   std::vector<Block> blocks(seeds_.size());
+  const std::vector<VoidWall> walls = fitted_walls(cutter);
   std::vector<int> behind;
   for (std::size_t i = 0; i < seeds_.size(); ++i) {
     Block& block = blocks[i];
-    if (!cut(cutter, i)) continue;
+    if (!cut(cutter, i, walls[i])) continue;
     cutter.extract(block.shape, behind);
     block.neighbour = face_codes(behind, images);
-    if (const RingSeed* ring = ring_seed(i)) {
-      for (std::size_t f = 0; f < behind.size(); ++f)
-        if (behind[f] == kOwnWall) block.neighbour[f] = hole_face(ring->hole);
-    }
+    for (std::size_t f = 0; f < behind.size(); ++f)
+      if (behind[f] == kOwnWall) block.neighbour[f] = hole_face(walls[i].hole);
     block.mass = mass_properties(block.shape);
     block.target_size = ground_.size(block.mass.centroid);
-    open_to_voids(rings_.seeds(), static_cast<int>(first_ring_), static_cast<int>(i), block);
+    open_to_voids(walls, static_cast<int>(i), block);
   }
   drop_empty(blocks);
   return blocks;

@@ -24,7 +24,10 @@ class Relaxation {
   Relaxation(const TessellationOptions& options, std::vector<Vec3> seeds,
              std::vector<CutPlane> bounds, HoleRings rings);
 
-  void sweep();                                          // moves each seed to its cell's centroid
+  void sweep();  // moves each seed to its cell's centroid
+  // Once all seeds stand: takes away the seeds of rings that have no block of their own beside the
+  // others, the least first. The cells beside them grow.
+  void drop_slivers_of_rings();
   [[nodiscard]] std::vector<Block> make_blocks() const;  // the cells of the present seeds
   [[nodiscard]] std::size_t seeds() const { return seeds_.size(); }
   [[nodiscard]] Vec3& seed(std::size_t k) { return seeds_[k]; }
@@ -43,13 +46,20 @@ class Relaxation {
   [[nodiscard]] const RingSeed* ring_seed(std::size_t seed) const {
     return seed < first_ring_ ? nullptr : &rings_.seeds()[seed - first_ring_];
   }
-  // False if nothing is left of the cell, which may be so of a seed of a ring.
-  [[nodiscard]] bool cut(CellCutter& cutter, std::size_t seed) const;
+  // False if nothing is left of the cell, which may be so of a seed of a ring, and at a void.
+  [[nodiscard]] bool cut(CellCutter& cutter, std::size_t seed, const VoidWall& wall) const;
+  // Those of the rings themselves; per seed.
+  [[nodiscard]] std::vector<VoidWall> own_walls() const;
+  // Where all cells end at voids: between planes they reach over several sides of one.
+  [[nodiscard]] std::vector<VoidWall> fitted_walls(CellCutter& cutter) const;
   [[nodiscard]] Vec3 relaxed(const Vec3& seed, const Vec3& centroid, double volume) const;
   void add_hole_volumes(const Polyhedron& shape, const std::vector<int>& codes,
                         std::vector<double>& carved) const;
   [[nodiscard]] std::vector<int> face_codes(const std::vector<int>& points,
                                             const Images& images) const;
+  // Seeds of rings whose blocks are too small, in falling order of number: of such near each other
+  // the one with the least block.
+  [[nodiscard]] std::vector<std::size_t> slivers_of_rings() const;
   void adjust_radii(const std::vector<double>& hole_volumes);
   // Of relaxation_fitted.cpp: what fitted surfaces ask of the last cells.
   void bound_by_fitted(Images& images) const;

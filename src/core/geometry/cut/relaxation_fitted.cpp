@@ -46,7 +46,7 @@ void Relaxation::stop_leaks(Images& images) const {
     const double size = ground_.size(seed);
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
       if (ring_seed(n) || (surfaces[s].closest(seed) - seed).norm() > kReach * size) continue;
-      (void)cut(cutter, n);
+      (void)cut(cutter, n, {});
       cutter.extract(shape, behind);
       const Leak leak = leak_of(shape, surfaces[s]);
       if (leak.height < kMost * size) continue;
@@ -69,9 +69,10 @@ void Relaxation::fit_images(Images& images) const {
   const std::vector<Vec3> points = points_with(images);
   CellCutter cutter(points, options_.lo, options_.hi, bounds_);
   Polyhedron shape;
+  const std::vector<VoidWall> walls = own_walls();
   std::vector<int> behind;
   for (const auto& [number, n, surface] : images.fitted) {
-    if (!cut(cutter, n)) continue;
+    if (!cut(cutter, n, walls[n])) continue;
     cutter.extract(shape, behind);
     const auto face = std::ranges::find(behind, static_cast<int>(seeds_.size() + number));
     if (face == behind.end()) continue;

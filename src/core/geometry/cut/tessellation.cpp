@@ -150,7 +150,7 @@ class RelaxedParts {
     for (const RockPart& part : parts) alone_.push_back(options_of(options, part));
     for (std::size_t p = 0; p < parts.size(); ++p)
       relaxations_.emplace_back(alone_[p], parts[p].seeds, parts[p].bounds,
-                                rings.within(parts[p].bounds));
+                                rings_in(rings, parts[p]));
     for (int k = 0; k < options.sweeps; ++k) {
       for (Relaxation& relaxation : relaxations_) relaxation.sweep();
       for (const SeedPair& pair : pairs) {
@@ -159,6 +159,7 @@ class RelaxedParts {
                        relaxations_[pair.other_part].seed(pair.other_seed));
       }
     }
+    for (Relaxation& relaxation : relaxations_) relaxation.drop_slivers_of_rings();
   }
   [[nodiscard]] const std::vector<Relaxation>& all() const { return relaxations_; }
   [[nodiscard]] const RockParts& rock() const { return rock_; }

@@ -40,18 +40,16 @@ std::vector<int> cut_off(Polyhedron& shape, std::vector<int>& face, const CutPla
 
 }  // namespace
 
-void open_to_voids(std::span<const RingSeed> rings, int first_ring, int number, Block& block) {
+void open_to_voids(std::span<const VoidWall> walls, int number, Block& block) {
   constexpr double kRounding = 1e-7;  // of the block size
   const double rounding = kRounding * std::cbrt(block.mass.volume);
   const std::size_t count = block.neighbour.size();
   for (std::size_t f = 0; f < count; ++f) {
-    const int ring = block.neighbour[f] - first_ring;
-    if (ring < 0 || ring >= static_cast<int>(rings.size()) || block.neighbour[f] == number)
-      continue;
-    const RingSeed& behind = rings[static_cast<std::size_t>(ring)];
+    if (block.neighbour[f] < 0 || block.neighbour[f] == number) continue;
+    const VoidWall& behind = walls[static_cast<std::size_t>(block.neighbour[f])];
     if (behind.hole < 0) continue;
     std::vector<int> face = block.shape.faces[f];
-    const std::vector<int> gone = cut_off(block.shape, face, behind.wall, rounding);
+    const std::vector<int> gone = cut_off(block.shape, face, behind.plane, rounding);
     if (gone.size() < 3) continue;
     if (face.size() < 3) {
       block.neighbour[f] = hole_face(behind.hole);
@@ -64,7 +62,8 @@ void open_to_voids(std::span<const RingSeed> rings, int first_ring, int number, 
 }
 
 void open_planes_to_voids(const TessellationOptions& options, std::vector<Block>& blocks) {
-  constexpr double kParallel = 1e-7, kRounding = 1e-7, kOut = 1e-3;  // the latter of the block size
+  // The latter of the block size: how far a void may reach beside its hole.
+  constexpr double kParallel = 1e-7, kRounding = 1e-7, kOut = 1e-3, kFarthest = 2.0;
   const Ground ground = voronoi_ground(options);
   std::vector<int> near;
   const auto in_a_plane = [&](const FaceGeometry& face, double rounding) {
@@ -94,7 +93,7 @@ void open_planes_to_voids(const TessellationOptions& options, std::vector<Block>
       const FaceGeometry face = face_geometry(block.shape, static_cast<int>(f));
       if (!in_a_plane(face, kRounding * size)) continue;
       if (!ground.in_region(face.centroid + kOut * size * face.normal)) continue;
-      const int hole = hole_at(face.centroid, size);
+      const int hole = hole_at(face.centroid, kFarthest * block.target_size);
       if (hole >= 0) block.neighbour[f] = hole_face(hole);
     }
   }

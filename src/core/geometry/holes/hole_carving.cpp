@@ -17,14 +17,6 @@ int side_count(double radius, double wall_size) {
   return std::clamp(even, kFewest, kMost);
 }
 
-/// The same cell on the lower side of a plane; none if nothing is there.
-std::optional<ConvexCell> below(const ConvexCell& cell, const CutPlane& plane, int number) {
-  if (auto halves = divided(cell, plane.point, plane.normal, number))
-    return std::move(halves->below);
-  if (plane.normal.dot(centroid_of(cell) - plane.point) > 0.0) return std::nullopt;
-  return cell;
-}
-
 }  // namespace
 
 HoleCarving::HoleCarving(const Hole& hole, int number, double wall_size, double scale)
@@ -57,7 +49,7 @@ std::optional<HoleCarving::Inside> HoleCarving::part_inside(const ConvexCell& ce
   Inside inside{cell, {}};
   for (std::size_t k = 0; k < sides_.size() + ends_.size(); ++k) {
     const CutPlane& plane = k < sides_.size() ? sides_[k] : ends_[k - sides_.size()];
-    auto part = below(inside.cell, plane, kFirst - static_cast<int>(k));
+    auto part = part_below(inside.cell, plane.point, plane.normal, kFirst - static_cast<int>(k));
     if (!part) return std::nullopt;
     inside.cell = std::move(*part);
   }

@@ -134,6 +134,17 @@ std::optional<HalfCells> divided(const ConvexCell& cell, const Vec3& point, cons
   return halves;
 }
 
+std::optional<ConvexCell> part_below(ConvexCell cell, const Vec3& point, const Vec3& normal,
+                                     int number) {
+  const auto [low, high] = extent(cell.shape, normal);
+  const double at = normal.dot(point);
+  if (high <= at) return cell;
+  if (low >= at) return std::nullopt;
+  if (auto halves = divided(cell, point, normal, number)) return std::move(halves->below);
+  if (0.5 * (low + high) > at) return std::nullopt;  // it touches the plane
+  return cell;
+}
+
 double volume_of(const ConvexCell& cell) { return mass_properties(cell.shape).volume; }
 
 Vec3 centroid_of(const ConvexCell& cell) { return mass_properties(cell.shape).centroid; }

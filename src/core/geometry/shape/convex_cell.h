@@ -28,6 +28,10 @@ struct HalfCells {
 [[nodiscard]] std::optional<HalfCells> divided(const ConvexCell& cell, const Vec3& point,
                                                const Vec3& normal, int number);
 
+/// The same cell on the lower side of a plane; none if nothing is there.
+[[nodiscard]] std::optional<ConvexCell> part_below(ConvexCell cell, const Vec3& point,
+                                                   const Vec3& normal, int number);
+
 [[nodiscard]] double volume_of(const ConvexCell& cell);    // [m3]
 [[nodiscard]] Vec3 centroid_of(const ConvexCell& cell);    // [m]
 [[nodiscard]] double surface_of(const Polyhedron& shape);  // [m2]

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/cut/seeding.h"
+#include "geometry/holes/hole_surface.h"
 #include "geometry/index/point_index.h"
 #include "geometry/size/size_factor.h"
 
@@ -119,8 +120,13 @@ std::vector<CutPlane> bounds_of(const ConvexCell& cell, const std::vector<CutPla
   return bounds;
 }
 
+bool in_a_hole(const TessellationOptions& options, const Vec3& point) {
+  return std::any_of(options.holes.begin(), options.holes.end(),
+                     [&](const Hole& hole) { return inside_hole(hole, point); });
+}
+
 /// Rock in a part, by counting points of a grid around it [m3].
-double rock_volume(const Ground& ground, const ConvexCell& cell,
+double rock_volume(const TessellationOptions& options, const Ground& ground, const ConvexCell& cell,
                    const std::vector<CutPlane>& bounds) {
   constexpr int kPoints = 16;  // per axis
   Vec3 lo = cell.shape.vertices.front(), hi = lo;
@@ -133,7 +139,7 @@ double rock_volume(const Ground& ground, const ConvexCell& cell,
   for (int k = 0; k < kPoints * kPoints * kPoints; ++k) {
     const Vec3 place(k % kPoints + 0.5, k / kPoints % kPoints + 0.5, k / (kPoints * kPoints) + 0.5);
     const Vec3 point = lo + place.cwiseProduct(step);
-    hits += is_within(bounds, point) && ground.is_rock(point) ? 1 : 0;
+    hits += is_within(bounds, point) && ground.in_region(point) && !in_a_hole(options, point) ? 1 : 0;
   }
   return hits * step.prod();
 }
@@ -185,21 +191,29 @@ RockParts parts_of(const TessellationOptions& options) {
   const double largest = largest_block(options);
   std::vector<Vec3> seeds = scatter_seeds(options, ground);
   for (std::size_t k = 0; k < planes.size(); ++k) mirror_layer(planes, ground, largest, k, seeds);
+  const HoleRings rings(options);
   RockParts found;
   FurtherSeeds further(options, ground);
   for (SeededCell& cell : cells_between(options, planes, ground, std::move(seeds), found.merged)) {
     RockPart part{bounds_of(cell.cell, planes), std::move(cell.seeds)};
     const Vec3 middle = centroid_of(cell.cell);
     if (part.seeds.empty() && ground.is_rock(middle)) part.seeds = {middle};
-    if (part.seeds.empty()) {
-      const double rock = rock_volume(ground, cell.cell, part.bounds);
+    if (part.seeds.empty() && rings_in(rings, part).seeds().empty()) {
+      const double rock = rock_volume(options, ground, cell.cell, part.bounds);
       if (rock > 0.0) part.seeds = further.in(part.bounds);
-      found.lost += rock > 0.0 && part.seeds.empty() ? 1 : 0;
-      found.lost_volume += part.seeds.empty() ? rock : 0.0;
+      if (part.seeds.empty()) {
+        found.lost += rock > 0.0 ? 1 : 0;
+        found.lost_volume += rock;
+        continue;
+      }
     }
-    if (!part.seeds.empty()) found.parts.push_back(std::move(part));
+    found.parts.push_back(std::move(part));
   }
   return found;
+}
+
+HoleRings rings_in(const HoleRings& rings, const RockPart& part) {
+  return rings.within(part.bounds, part.seeds.empty());
 }
 
 std::vector<SeedPair> pairs_across(const TessellationOptions& options,

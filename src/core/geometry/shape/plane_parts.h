@@ -16,7 +16,7 @@ namespace muckpile {
 /// A convex part of the box between planes, with its seeds.
 struct RockPart {
   std::vector<CutPlane> bounds;  // the planes around it; unit normals look out
-  std::vector<Vec3> seeds;       // at least one
+  std::vector<Vec3> seeds;       // none where those of rings around holes have all of it
 };
 
 struct RockParts {
@@ -33,6 +33,9 @@ struct RockParts {
 
 /// Whether a plane would cut off a part that is too thin.
 [[nodiscard]] bool cuts_sliver_off(const HalfCells& halves, const Ground& ground, double thinnest);
+
+/// The seeds of the rings around holes that have a block in a part.
+[[nodiscard]] HoleRings rings_in(const HoleRings& rings, const RockPart& part);
 
 /// Two seeds that mirror each other.
 struct SeedPair {
