@@ -14,6 +14,8 @@
 #include "args/input_error.h"
 #include "args/numbers.h"
 #include "args/rounded_text.h"
+#include "explosive/charge_plan.h"
+#include "explosive/delay_scatter.h"
 #include "explosive/hole_pattern.h"
 #include "explosive/hole_table.h"
 #include "explosive/kirra_table.h"
@@ -24,17 +26,12 @@
 namespace muckpile {
 namespace {
 
+double radians(double degrees) { return degrees * M_PI / 180.0; }
+
 struct TableText {
   std::string text, report;
   std::optional<Vec3> place{};  // in the mine that is 0 0 0 of the table [m]
 };
-
-TableText taken(const std::string& own, const std::string& where) {
-  const CsvTable csv = CsvTable::read(own);
-  const HoleTable table(csv);  // finds what is wrong with it
-  return {csv.text(), where + ": " + std::to_string(table.holes()) + " holes, " +
-                          std::to_string(table.decks().size()) + " decks of " + own + "\n"};
-}
 
 /// The words of `origin`; nothing where it is left out, or says so.
 std::optional<Vec3> origin_of(const ArgValues& values, const std::string& where) {
@@ -49,9 +46,28 @@ std::optional<Vec3> origin_of(const ArgValues& values, const std::string& where)
   return std::nullopt;
 }
 
+std::string place_text(const Vec3& origin, const ArgValues& values) {
+  return "  place 0 0 0 is " + number_text(origin.x()) + ' ' + number_text(origin.y()) + ' ' +
+         number_text(origin.z()) + " m there; x looks to the bearing " +
+         number_text(values.real("throw_bearing")) + " degrees\n";
+}
+
+TableText taken(const std::string& own, const ArgValues& values, const std::string& where) {
+  const CsvTable csv = CsvTable::read(own);
+  const HoleTable table(csv);  // finds what is wrong with it
+  TableText made{csv.text(),
+                 where + ": " + std::to_string(table.holes()) + " holes, " +
+                     std::to_string(table.decks().size()) + " decks of " + own + "\n",
+                 origin_of(values, where)};
+  if (!made.place) return made;
+  made.text = placed_table(csv, {*made.place, radians(values.real("throw_bearing"))});
+  made.report += place_text(*made.place, values);
+  return made;
+}
+
 KirraFrame frame_of(const ArgValues& values, const std::string& where) {
   KirraFrame frame;
-  frame.throw_bearing = values.real("throw_bearing") * M_PI / 180.0;
+  frame.throw_bearing = radians(values.real("throw_bearing"));
   frame.burden = values.real("burden");
   frame.subdrill = values.real("subdrill");
   frame.origin = origin_of(values, where);
@@ -78,13 +94,10 @@ TableText converted(const std::string& file, const ArgValues& values, const std:
                     {values.real("stemming"), values.real("in_hole_delay")});
   check_bench_height(holes, values.real("bench_height"), where);
   (void)HoleTable(CsvTable::parse(holes.table, file + ", converted"));
-  const Vec3& o = holes.origin;
-  return {holes.table, where + ": " + std::to_string(holes.holes) + " holes of " + file +
-                           " by Kirra\n  place 0 0 0 is " + number_text(o.x()) + ' ' +
-                           number_text(o.y()) + ' ' + number_text(o.z()) +
-                           " m there; x looks to the bearing " +
-                           number_text(values.real("throw_bearing")) + " degrees\n",
-          o};
+  return {holes.table,
+          where + ": " + std::to_string(holes.holes) + " holes of " + file + " by Kirra\n" +
+              place_text(holes.origin, values),
+          holes.origin};
 }
 
 /// Faults of the user's file start with the command and its keyword.
@@ -98,16 +111,33 @@ TableText of_file(const std::string& where, const std::string& keyword, const Re
   }
 }
 
-TableText table_and_report(const ArgValues& values, const std::string& where) {
+TableText holes_of_plan(const ArgValues& values, const std::string& where) {
   const std::string &own = values.word("take"), &kirra = values.word("kirra");
   if (own != "none" && kirra != "none")
     refuse(where, "takes either take or kirra, got both '" + own + "' and '" + kirra + "'");
   if (kirra != "none")
     return of_file(where, "kirra", [&] { return converted(kirra, values, where); });
-  if (origin_of(values, where)) refuse(where, "origin needs kirra");
-  if (own != "none") return of_file(where, "take", [&] { return taken(own, where); });
+  if (own != "none") return of_file(where, "take", [&] { return taken(own, values, where); });
+  if (origin_of(values, where)) refuse(where, "origin needs kirra or take");
   const HolePattern pattern = hole_pattern(values, where);
   return {hole_table_text(pattern), describe(pattern)};
+}
+
+TableText table_and_report(const ArgValues& values, const std::string& where) {
+  TableText made = holes_of_plan(values, where);
+  if (const std::string& file = values.word("charges"); file != "none") {
+    made = of_file(where, "charges", [&] {
+      const CsvTable charges = CsvTable::read(file);
+      made.text = with_charges(made.text, "the plan", charges);
+      made.report += "  " + std::to_string(charges.rows()) + " charges of " + file + "\n";
+      return made;
+    });
+  }
+  const DelayScatter scatter{values.real("scatter"),
+                             static_cast<std::uint64_t>(values.integer("scatter_seed"))};
+  if (scatter.share == 0.0) return made;
+  const ScatteredTable late = scattered(made.text, where + ": the plan", scatter);
+  return {late.text, made.report + late.report, made.place};
 }
 
 }  // namespace

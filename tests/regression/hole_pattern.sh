@@ -28,6 +28,22 @@ on_ranks 2 -in "$out/in.table" -log none -var own "$out/own.csv" -var table "$ou
 cmp "$out/own.csv" "$out/taken/holes.csv" || fail "the table of one's own was changed"
 grep -q '^holes 6 last 0.084' "$out/screen3" || fail "the table of one's own was not read"
 
+# Scatter: the same on one and two ranks, another by another seed, and read by charge_design.
+scattered() { sed "s/^hole_pattern/& scatter $1 scatter_seed $2/" "$out/in.table" >"$out/in.scattered"; }
+for ranks in 1 2; do
+  scattered 0.05 3
+  on_ranks "$ranks" -in "$out/in.scattered" -log none -var own none -var table "$out/scattered$ranks.csv" >"$out/screen"
+  ! grep -q '^holes 6 last 0.076$' "$out/screen" || fail "charge_design has not read the scatter"
+done
+cmp "$out/scattered1.csv" "$out/scattered2.csv" || fail "scatter of one and two ranks differs"
+scattered 0.05 4
+on_ranks 1 -in "$out/in.scattered" -log none -var own none -var table "$out/scattered4.csv" >"$out/screen"
+! cmp -s "$out/scattered1.csv" "$out/scattered4.csv" || fail "another seed gives the same scatter"
+grep -q 'delays scatter by 5 % of each, seed 4: ' "$out/screen" || fail "no line about the scatter"
+scattered 0 4
+on_ranks 1 -in "$out/in.scattered" -log none -var own none -var table "$out/scattered0.csv" >"$out/screen"
+cmp "$out/new/1.csv" "$out/scattered0.csv" || fail "without scatter the table is another"
+
 # A charge of 60 mm in the second hole; the table is written over, as another rank reads it.
 cat >"$out/in.zones" <<'END'
 units si
@@ -82,3 +98,28 @@ cut_quarry plane
   fail "holes of Kirra alone do not set the place: $(cat "$out/plane/dump/holes.csv")"
 [[ $(place_of_run surveyed) == "500005 7000000 200 " ]] || fail "place of the surveyed run: $(place_of_run surveyed)"
 [[ $(place_of_run plane) == "500004 7000004.5 200 " ]] || fail "place of the run by the holes: $(place_of_run plane)"
+
+# An explosive of one's own in one of these holes, water in the other; the table itself in mine coordinates.
+printf 'name,density_kg_m3,vod_m_s,energy_J_kg\nours,950,4100,3.1e6\n' >"$out/ours.csv"
+printf 'hole,explosive,coupling,charge_diameter_m\n1,ours,,\n2,,water,0.07\n' >"$out/charges.csv"
+sed '/^# --- ground/,$d' inputs/quarry/in.quarry >"$out/in.quarry_cut"
+cut_quarry charged -var explosive_table "$out/ours.csv" -var hole_charges "$out/charges.csv"
+grep -q '^1,-2.5,-1.5,.*,ours,,' "$out/charged/dump/holes.csv" || fail "hole 1 lacks its explosive: $(cat "$out/charged/dump/holes.csv")"
+# pi/4 8.55 m (0.089^2 950 + 0.07^2 800 kg/m3)
+grep -q '"charge_mass_total_kg": 76.85' "$out/charged/dump/scene.json" || fail "mass: $(grep -o '"charge_mass_total[^,]*' "$out/charged/dump/scene.json")"
+cmp "$out/ours.csv" "$out/charged/dump/explosives.csv" || fail "the explosives are not kept"
+
+# Rock within a closed surface whose face overhangs by 0.8 m: fans over both ends, two triangles for each side.
+awk 'function vertex(k, y) { split(corner[k % 6], c, " "); print "vertex " c[1] " " y " " c[2] }
+  function facet(a, ya, b, yb, c, yc) { print "facet normal 0 0 0\nouter loop"; vertex(a, ya); vertex(b, yb); vertex(c, yc); print "endloop\nendfacet" }
+  BEGIN { corner[0] = "-30 -8"; corner[1] = "4 -8"; corner[2] = "4 0"; corner[3] = "0 0"; corner[4] = "0.8 10"; corner[5] = "-30 10"
+    print "solid body"
+    for (k = 1; k < 5; k++) { facet(0, -20, k, -20, k + 1, -20); facet(0, 20, k + 1, 20, k, 20) }
+    for (k = 0; k < 6; k++) { facet(k, -20, k, 20, k + 1, 20); facet(k, -20, k + 1, 20, k + 1, -20) }
+    print "endsolid body" }' >"$out/body.stl"
+sed '/^# --- joints/,$d' inputs/quarry/in.quarry >"$out/in.quarry_cut"
+run_input overhang 1 "$out/in.quarry_cut" -var surface "$out/body.stl" -var rows 1 -var holes_per_row 2 -var hole_angle 90 -var face_angle 90 \
+  -var block_min 0.7 -var block_max 2 -var fragment_x50 1.4 -var crushed_ratio 8
+sed -nE 's/.*crushed zones [0-9.e+]+ m3 \(([-+0-9.e]+) %.*mean, ([0-9.e-]+) at most, ([0-9.e+]+) % .*/{"volume": \1, "near": \3}/p' "$out/overhang/screen" |
+  tr -d '+' >"$out/overhang.json"
+check_figures near "overhang: volume of the cut over that of the rock [%]" "$out/overhang.json:volume" 0 1

@@ -11,10 +11,9 @@
 namespace muckpile {
 namespace {
 
-double density_of(const std::string& explosive) {
-  static const ExplosiveTable shipped = ExplosiveTable::shipped();
+double density_of(const std::string& explosive, const ExplosiveTable& table) {
   try {
-    return shipped.find(explosive, "").density;
+    return table.find(explosive, "").density;
   } catch (const InputError&) {
     return std::nan("");
   }
@@ -25,10 +24,14 @@ double density_of(const std::string& explosive) {
 std::vector<TimedCharge> charges_of_decks(const ResultFolder& folder, const HoleTable& table) {
   constexpr const char* kDensity = "explosive_density_kg_m3";
   const double usual = folder.scene_has(kDensity) ? folder.scene_number(kDensity) : std::nan("");
+  const std::filesystem::path own = folder.dump("explosives.csv");
+  const ExplosiveTable explosives =
+      ExplosiveTable::with_file(std::filesystem::exists(own) ? own.string() : "none");
   std::vector<TimedCharge> charges;
   for (const Deck& deck : table.decks()) {
-    const double density = deck.explosive ? density_of(*deck.explosive) : usual;
-    charges.push_back({deck.firing_time, charge_mass(deck, density)});
+    const double named = deck.explosive ? density_of(*deck.explosive, explosives) : usual;
+    charges.push_back(
+        {deck.firing_time, charge_mass(deck, deck.explosive_density.value_or(named))});
   }
   return charges;
 }

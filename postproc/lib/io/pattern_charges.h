@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The explosive in the decks of a run's hole table.
-// Scope: densities of scene.json and of the shipped table of explosives.
+// Scope: densities of the hole table, of scene.json and of explosives.csv beside it, else of the
+// shipped explosives.
 #pragma once
 
 #include <vector>
@@ -11,7 +12,7 @@
 namespace muckpile {
 
 // Of each deck, in the table's order: when it fires and how much it holds. NaN [kg] where the deck
-// names an explosive that is not in the shipped table, or scene.json has no density.
+// names an explosive that no table has, or scene.json has no density.
 std::vector<TimedCharge> charges_of_decks(const ResultFolder& folder, const HoleTable& table);
 
 }  // namespace muckpile

@@ -26,7 +26,7 @@ struct ChargedDeck {
 void require_mass(const std::string& hole, double mass) {
   if (mass > 0.0) return;
   throw NotMeasurable("flyrock: needs the mass of every charge of hole '" + hole +
-                      "': neither the shipped explosives nor scene.json give its density");
+                      "': neither dump/explosives.csv, the shipped explosives nor scene.json give its density");
 }
 
 std::vector<ChargedDeck> decks_of(const std::string& hole, const HoleTable& table,

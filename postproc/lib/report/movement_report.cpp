@@ -17,6 +17,7 @@
 #include "measure/start_extent.h"
 #include "report/bench_scene.h"
 #include "report/dig_report.h"
+#include "report/mine_pose.h"
 #include "report/movement_table.h"
 #include "report/not_measurable.h"
 #include "report/ore_model_report.h"
@@ -26,6 +27,11 @@
 
 namespace muckpile {
 namespace {
+
+SurveyPose pose_of(const MovementOptions& options) {
+  return {{options.shift[0], options.shift[1], options.shift[2]},
+          options.turn_deg * std::numbers::pi / 180.0};
+}
 
 void write_table(const ResultFolder& folder, const std::vector<PartMovement>& parts) {
   const std::optional<MineFrame> frame = mine_frame(folder);
@@ -40,7 +46,16 @@ void write_table(const ResultFolder& folder, const std::vector<PartMovement>& pa
   }
 }
 
-// Ways of the mass centres in the axes of the polygons and models, a layer for each level.
+// In the axes of the polygons and models; where none are placed, in the mine's if the run knows
+// them.
+SurveyPose pose_of_drawing(const ResultFolder& folder, const MovementOptions& options) {
+  MovementOptions own = options;
+  const bool placed = own.shift != std::array<double, 3>{} || own.turn_deg != 0.0;
+  if (!placed && mine_frame(folder)) set_mine_pose(folder, "movement", own.shift, own.turn_deg);
+  return pose_of(own);
+}
+
+// Ways of the mass centres, a layer for each level.
 void write_drawing(const std::filesystem::path& path, const std::vector<PartMovement>& parts,
                    const SurveyPose& pose) {
   DxfWriter drawing(path);
@@ -157,8 +172,7 @@ void report_movement(const ResultFolder& folder, const MeasureOptions& measure,
                      const MovementOptions& options) {
   if (folder.scene_word("case") != "bench")
     refuse("movement", "the run must be a bench, got '" + folder.scene_word("case") + "'");
-  const SurveyPose pose{{options.shift[0], options.shift[1], options.shift[2]},
-                        options.turn_deg * std::numbers::pi / 180.0};
+  const SurveyPose pose = pose_of(options);
   const std::vector<OrePolygon> polygons = polygons_of(options, pose);
   const RunData run(folder, measure);
   const BenchScene bench = bench_or_nothing(folder, run);
@@ -171,7 +185,7 @@ void report_movement(const ResultFolder& folder, const MeasureOptions& measure,
   write_polygons(folder, run, polygons, pose);
   const nlohmann::ordered_json of_model = write_ore_model(folder, run, options.model, pose);
   write_table(folder, movement);
-  write_drawing(folder.file("movement.dxf"), movement, pose);
+  write_drawing(folder.file("movement.dxf"), movement, pose_of_drawing(folder, options));
   write_png(draw_section(section_of(run, bench, parts, movement)), folder.file("movement.png"));
   nlohmann::ordered_json keys = common_keys(folder);
   keys.update(keys_of(movement));

@@ -13,6 +13,7 @@
 #include "measure/start_extent.h"
 #include "report/bench_scene.h"
 #include "report/degrees.h"
+#include "report/face_bands.h"
 #include "report/not_measurable.h"
 #include "report/notes.h"
 #include "report/reports.h"
@@ -26,6 +27,7 @@ struct FaceSpeed {
   double peak = std::nan("");    // of the fastest band of height [m/s]
   double mean = std::nan("");    // of the middle half of the charge's height [m/s]
   double burden = std::nan("");  // of all rock between face and holes, above the floor [m/s]
+  std::vector<FaceBand> bands{};
 };
 
 std::vector<size_t> burden_prism(const std::vector<StartBlock>& blocks, const BenchScene& bench) {
@@ -35,7 +37,15 @@ std::vector<size_t> burden_prism(const std::vector<StartBlock>& blocks, const Be
   return prism;
 }
 
-constexpr int kFaceBands = 10;  // bands of height, as a velocity profile of a filmed face has
+std::vector<FaceBand> bands_of(const std::vector<StartBlock>& blocks, const BenchScene& bench) {
+  std::vector<FaceBand> bands;
+  const double step = bench.height / kFaceBands;
+  for (auto& layer : face_bands(blocks, bench.burden, bench.height, kFaceBands, bench.planes)) {
+    const auto k = static_cast<double>(bands.size());
+    bands.push_back({"all", k * step, (k + 1) * step, std::move(layer)});
+  }
+  return bands;
+}
 
 // Peaks over the snapshots. Only the charge above the pit floor drives the face.
 FaceSpeed face_speed_of(const ResultFolder& folder, const RunData& run, const BenchScene& bench) {
@@ -43,15 +53,14 @@ FaceSpeed face_speed_of(const ResultFolder& folder, const RunData& run, const Be
   const double low = std::max(bench.charge_bottom, 0.0), quarter = 0.25 * (bench.charge_top - low);
   const std::vector<size_t> middle =
       face_layer(blocks, bench.burden, low + quarter, bench.charge_top - quarter, bench.planes);
-  const std::vector<std::vector<size_t>> bands =
-      face_bands(blocks, bench.burden, bench.height, kFaceBands, bench.planes);
+  FaceSpeed speed;
+  speed.bands = bands_of(blocks, bench);
   const std::vector<size_t> prism = burden_prism(blocks, bench);
   std::vector<char> wanted(blocks.size(), 0);
   for (const auto& chosen : {middle, prism})
     for (const size_t b : chosen) wanted[b] = 1;
-  for (const auto& band : bands)
-    for (const size_t b : band) wanted[b] = 1;
-  FaceSpeed speed;
+  for (const FaceBand& band : speed.bands)
+    for (const size_t b : band.layer) wanted[b] = 1;
   RowsOfRun rows(run, wanted);
   for (const auto& path : folder.snapshots()) {
     const Snapshot& now = rows.read(path);
@@ -59,11 +68,9 @@ FaceSpeed face_speed_of(const ResultFolder& folder, const RunData& run, const Be
       speed.mean = std::fmax(speed.mean, mean_outward_velocity(blocks, now, middle));
     if (!prism.empty())
       speed.burden = std::fmax(speed.burden, mean_outward_velocity(blocks, now, prism));
-    for (const auto& band : bands) {
-      if (!band.empty())
-        speed.peak = std::fmax(speed.peak, mean_outward_velocity(blocks, now, band));
-    }
+    for (FaceBand& band : speed.bands) add_velocity(band, blocks, now);
   }
+  for (const FaceBand& band : speed.bands) speed.peak = std::fmax(speed.peak, band.peak);
   return speed;
 }
 
@@ -213,6 +220,20 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run, const Pil
   return plot;
 }
 
+// `rows` draws the face in front of each hole where there is a table of them.
+bool rows_draw_the_face(const ResultFolder& folder) {
+  return std::filesystem::exists(folder.dump("holes.csv"));
+}
+
+BenchScene bench_or_nothing(const ResultFolder& folder, const RunData& run) {
+  try {
+    return bench_or_take_back(folder, run.blocks, "profile", own_keys(run));
+  } catch (const NotMeasurable&) {
+    if (!rows_draw_the_face(folder)) remove_face_bands(folder);
+    throw;
+  }
+}
+
 }  // namespace
 
 void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
@@ -221,12 +242,13 @@ void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
     throw InputError("profile: the run must be a bench, got 'crater'; use the sub-command crater");
   }
   const RunData run(folder, measure);
-  const BenchScene bench = bench_or_take_back(folder, run.blocks, "profile", own_keys(run));
+  const BenchScene bench = bench_or_nothing(folder, run);
   const PileProfile profile =
       pile_profile(run.blocks, run.last, run.moved, run.cell, run.lies, bench.planes);
   const BenchFigures figures = figures_of(folder, run, bench, profile);
   SectionPlot plot = section_of(folder, run, profile, bench, section);
   write_profile(profile, folder.file("profile.csv"));
+  if (!rows_draw_the_face(folder)) write_face_bands(folder, figures.face.bands, run.still);
   plot.subtitle = subtitle_of(bench, figures);
   write_png(draw_section(std::move(plot)), folder.file("profile.png"));
   nlohmann::ordered_json keys = common_keys(folder);

@@ -5,24 +5,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "draw/curve_plot.h"
-#include "draw/png_file.h"
 #include "io/csv_writer.h"
 #include "io/mine_frame.h"
 #include "io/pattern_charges.h"
-#include "measure/face_velocity.h"
 #include "measure/hole_rock.h"
 #include "report/bench_scene.h"
+#include "report/face_bands.h"
 #include "report/not_measurable.h"
-#include "report/notes.h"
 #include "report/reports.h"
 #include "report/rows_of_run.h"
 #include "report/run_data.h"
 
 namespace muckpile {
 namespace {
-
-constexpr int kBands = 10;  // of height, as those of face_velocity_m_s
 
 // A hole, a row, or all: a line of rows.csv.
 struct Line {
@@ -33,14 +28,6 @@ struct Line {
   double charge = 0.0;                        // [kg]
   std::vector<size_t> chosen;
   CastRock rock{};
-};
-
-// A band of height of the face in front of a hole, or of all.
-struct FaceBand {
-  std::string name;
-  double low, high;  // [m]
-  std::vector<size_t> layer;
-  double peak = std::nan(""), time = std::nan("");  // [m/s], [s]
 };
 
 struct Rows {
@@ -93,11 +80,11 @@ std::vector<FaceBand> bands_of(const RunData& run, const BenchScene& bench,
                                const std::vector<PatternHole>& holes,
                                const std::vector<int>& nearest) {
   std::vector<FaceBand> bands;
-  const double step = bench.height / kBands;
+  const double step = bench.height / kFaceBands;
   const std::vector<std::vector<size_t>> layers =
-      face_bands(run.blocks, bench.burden, bench.height, kBands, bench.planes);
+      face_bands(run.blocks, bench.burden, bench.height, kFaceBands, bench.planes);
   const auto add = [&](const std::string& name, auto&& belongs) {
-    for (int k = 0; k < kBands; ++k) {
+    for (int k = 0; k < kFaceBands; ++k) {
       FaceBand band{name, k * step, (k + 1) * step, {}};
       for (const size_t b : layers[static_cast<size_t>(k)])
         if (belongs(nearest[b])) band.layer.push_back(b);
@@ -120,13 +107,7 @@ void add_velocities(Rows& rows, const ResultFolder& folder, const RunData& run) 
   for (const auto& path : folder.snapshots()) {
     const Snapshot& now = reader.read(path);
     for (Line& line : rows.lines) add_velocity(line.rock, line.chosen, run.blocks, now);
-    for (FaceBand& band : rows.bands) {
-      if (band.layer.empty()) continue;
-      const double velocity = mean_outward_velocity(run.blocks, now, band.layer);
-      if (velocity <= band.peak) continue;
-      band.peak = velocity;
-      band.time = now.time;
-    }
+    for (FaceBand& band : rows.bands) add_velocity(band, run.blocks, now);
   }
 }
 
@@ -160,17 +141,12 @@ void write_tables(const Rows& rows, const ResultFolder& folder) {
   for (const Line& line : rows.lines) {
     const CastRock& rock = line.rock;
     const double x = std::isnan(line.y) ? line.y : line.x;  // a row has no one place
-    csv.row_at(
-        line.name,
-        {line.row, line.x, line.y, line.fires, line.charge, static_cast<double>(rock.blocks),
-         rock.volume, rock.mass, specific_charge(line), rock.moved_volume, rock.throw_mean,
-         rock.velocity, rock.velocity_time},
-        mine_place(frame, x, line.y));
+    csv.row_at(line.name,
+               {line.row, line.x, line.y, line.fires, line.charge, static_cast<double>(rock.blocks),
+                rock.volume, rock.mass, specific_charge(line), rock.moved_volume, rock.throw_mean,
+                rock.velocity, rock.velocity_time},
+               mine_place(frame, x, line.y));
   }
-  CsvWriter face(folder.file("face_velocity.csv"),
-                 "hole,height_low_m,height_high_m,velocity_m_s,velocity_at_s");
-  for (const FaceBand& band : rows.bands)
-    face.row(band.name, {band.low, band.high, band.peak, band.time});
 }
 
 // The rock of several holes together; NaN for none.
@@ -188,31 +164,6 @@ class HoleMean {
  private:
   double mass_ = 0.0, moment_ = 0.0, volume_ = 0.0, moved_ = 0.0;
 };
-
-CurvePlot face_plot(const Rows& rows, const RunData& run) {
-  CurvePlot plot;
-  plot.title = "Face velocity over height, in front of each hole of the first row";
-  plot.x_label = "largest outward velocity over the snapshots [m/s]";
-  plot.y_label = "height above the floor [m]";
-  plot.warning = motion_warning(run.still);
-  double fastest = 1.0, top = 0.0;  // a face that stands still has a scale, too [m/s], [m]
-  for (const FaceBand& band : rows.bands) {
-    if (plot.curves.empty() || plot.curves.back().label != band.name) {
-      const bool all = band.name == "all";
-      plot.curves.push_back({band.name,
-                             all ? CurveStyle::kDashed : CurveStyle::kLine,
-                             static_cast<int>(plot.curves.size()),
-                             {}});
-    }
-    fastest = std::fmax(fastest, band.peak);
-    top = std::max(top, band.high);
-    if (!std::isnan(band.peak))
-      plot.curves.back().points.emplace_back(band.peak, 0.5 * (band.low + band.high));
-  }
-  plot.x = AxisRange{0.0, 1.05 * fastest};
-  plot.y = AxisRange{0.0, top};
-  return plot;
-}
 
 // The holes at the ends of rows of three or more, and those between them.
 nlohmann::ordered_json keys_of_ends(const Rows& rows) {
@@ -268,8 +219,7 @@ BenchScene bench_or_nothing(const ResultFolder& folder, const RunData& run) {
   try {
     return bench_or_take_back(folder, run.blocks, "rows", keys_of({}));
   } catch (const NotMeasurable&) {
-    for (const char* ending : {".csv", ".png"})
-      std::filesystem::remove(folder.file(std::string("face_velocity") + ending));
+    remove_face_bands(folder);
     throw;
   }
 }
@@ -283,7 +233,7 @@ void report_rows(const ResultFolder& folder, const MeasureOptions& measure) {
   const BenchScene bench = bench_or_nothing(folder, run);
   const Rows rows = rows_of(folder, run, bench);
   write_tables(rows, folder);
-  write_png(draw_curves(face_plot(rows, run)), folder.file("face_velocity.png"));
+  write_face_bands(folder, rows.bands, run.still);
   nlohmann::ordered_json keys = common_keys(folder);
   keys.update(keys_of(rows));
   folder.merge_into_summary(keys, {refusal_key("rows")});

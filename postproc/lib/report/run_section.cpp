@@ -3,6 +3,9 @@
 // Scope: see the header.
 #include "report/run_section.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "report/notes.h"
 
 namespace muckpile {
@@ -28,6 +31,24 @@ std::vector<Vec2> line_over(const std::vector<double>& x, const std::vector<doub
   std::vector<Vec2> points;
   for (size_t i = 0; i < x.size(); ++i) points.emplace_back(x[i], z[i]);
   return points;
+}
+
+std::vector<SectionBar> charge_bars(const PlanLine& line, const std::vector<Charge>& charges,
+                                    double half_width, double hole_radius) {
+  std::vector<SectionBar> bars;
+  for (const Charge& charge : charges) {
+    const Vec2 low = line.along_and_left(charge.toe.head<2>());
+    const Vec2 high = line.along_and_left(charge.collar.head<2>());
+    const bool across = low.y() * high.y() < 0.0;
+    const double off = across ? 0.0 : std::min(std::abs(low.y()), std::abs(high.y()));
+    if (off > std::max(charge.radius, half_width)) continue;
+    bars.push_back({{low.x(), charge.toe.z()},
+                    {high.x(), charge.collar.z()},
+                    std::isnan(hole_radius) ? charge.radius : hole_radius,
+                    kSignal,
+                    bars.empty() ? "charge before" : ""});
+  }
+  return bars;
 }
 
 }  // namespace muckpile

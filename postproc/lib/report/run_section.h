@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "io/charges.h"
+#include "measure/plan_line.h"
 #include "report/run_data.h"
 #include "report/section_plot.h"
 
@@ -19,5 +21,11 @@ BlockColours colours_of_run(const RunData& run, const std::string& field);
 
 // Points (x, z) of two columns of equal length.
 std::vector<Vec2> line_over(const std::vector<double>& x, const std::vector<double>& z);
+
+// Along a line in plan: the charges whose axes come within the radius of their crushed zone, or
+// half the width, of it, as wide as the holes [m]; where NaN stands for that, as their crushed
+// zones.
+std::vector<SectionBar> charge_bars(const PlanLine& line, const std::vector<Charge>& charges,
+                                    double half_width, double hole_radius);
 
 }  // namespace muckpile

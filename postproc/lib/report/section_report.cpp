@@ -6,6 +6,7 @@
 
 #include "args/input_error.h"
 #include "draw/png_file.h"
+#include "io/charges.h"
 #include "io/csv_writer.h"
 #include "io/mine_frame.h"
 #include "measure/columns.h"
@@ -47,8 +48,7 @@ LineHeights heights_along(const PlanLine& line, const RunData& run, double width
   grid.nx = std::max(1, static_cast<int>(std::lround(line.length() / grid.dx)));
   grid.dx = line.length() / grid.nx;  // whole columns from point to point
   std::vector<char> stayed(run.moved);
-  for (size_t b = 0; b < stayed.size(); ++b)
-    stayed[b] = run.moved[b] == 0 && run.lies[b] != 0;
+  for (size_t b = 0; b < stayed.size(); ++b) stayed[b] = run.moved[b] == 0 && run.lies[b] != 0;
   const std::vector<BlockState> after = seen_along(line, run.last.states);
   const std::vector<BlockState> before = seen_along(line, start_snapshot(run.blocks).states);
   const std::vector<char> all(run.blocks.size(), 1);
@@ -94,16 +94,15 @@ double area_between(const std::vector<double>& high, const std::vector<double>& 
   return area;
 }
 
-nlohmann::ordered_json keys_of(const LineHeights& heights, const PlanLine& line,
-                               const RunData& run, bool bench) {
+nlohmann::ordered_json keys_of(const LineHeights& heights, const PlanLine& line, const RunData& run,
+                               bool bench) {
   nlohmann::ordered_json keys;
   keys["section_from_x_m"] = line.from.x();
   keys["section_from_y_m"] = line.from.y();
   keys["section_to_x_m"] = line.to.x();
   keys["section_to_y_m"] = line.to.y();
   const auto if_still = [&](double value) { return run.still ? value : std::nan(""); };
-  keys["section_cut_area_m2"] =
-      if_still(area_between(heights.before, heights.after, heights.step));
+  keys["section_cut_area_m2"] = if_still(area_between(heights.before, heights.after, heights.step));
   keys["section_fill_area_m2"] =
       if_still(area_between(heights.after, heights.before, heights.step));
   const bool measured = bench && run.still;
@@ -130,6 +129,15 @@ SectionLine with_points(SectionLine line, const LineHeights& heights,
   return line;
 }
 
+// None where the folder does not tell them.
+std::vector<Charge> charges_if_told(const ResultFolder& folder) {
+  const bool row = folder.scene_has("burden_m") && folder.scene_has("bench_height_m") &&
+                   folder.scene_has("stemming_m") && folder.scene_has("charge_length_m") &&
+                   folder.scene_has("hole_diameter_m");
+  if (row || std::filesystem::exists(folder.dump("holes.csv"))) return charges_of(folder);
+  return charges_of_run(folder);
+}
+
 SectionPlot plot_of(const LineHeights& heights, const PlanLine& line, const RunData& run,
                     const LineOptions& options, bool floor) {
   SectionPlot plot{};
@@ -145,9 +153,8 @@ SectionPlot plot_of(const LineHeights& heights, const PlanLine& line, const RunD
   const double rise = z.high - z.low;
   plot.x = {0.0, line.length()};
   plot.z = {z.low - (floor ? 0.05 : 0.3) * rise, z.high + 0.12 * rise};
-  plot.lines = {
-      with_points({{}, kBench, 2.5, true, "surface before"}, heights, heights.before),
-      with_points({{}, kSignal, 3.0, false, "surface after"}, heights, heights.after)};
+  plot.lines = {with_points({{}, kBench, 2.5, true, "surface before"}, heights, heights.before),
+                with_points({{}, kSignal, 3.0, false, "surface after"}, heights, heights.after)};
   return plot;
 }
 
@@ -162,6 +169,9 @@ void report_section(const ResultFolder& folder, const MeasureOptions& measure,
   const LineHeights heights = heights_along(line, run, options.width.value_or(run.cell), floor);
   require_rock(heights, line, run, floor);
   SectionPlot plot = plot_of(heights, line, run, options, floor);
+  const bool drilled = folder.scene_has("hole_diameter_m");
+  plot.bars = charge_bars(line, charges_if_told(folder), 0.5 * options.width.value_or(0.0),
+                          drilled ? 0.5 * folder.scene_number("hole_diameter_m") : std::nan(""));
   write_table(heights, line, folder);
   write_png(draw_section(std::move(plot)), folder.file("section.png"));
   nlohmann::ordered_json keys = common_keys(folder);

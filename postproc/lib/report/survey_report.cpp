@@ -10,6 +10,7 @@
 #include "args/input_error.h"
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
+#include "io/mine_frame.h"
 #include "measure/height_map.h"
 #include "measure/start_extent.h"
 #include "measure/surface_comparison.h"
@@ -178,14 +179,17 @@ Shapes shapes_of(const SurfacePair& pair, const ProfileFrame& frame, double bloc
   return shapes;
 }
 
-void write_table(const SurfacePair& pair, const std::filesystem::path& path) {
-  CsvWriter csv(path, "x_m,y_m,run_m,survey_m,difference_m");
+void write_table(const SurfacePair& pair, const ResultFolder& folder) {
+  const std::optional<MineFrame> frame = mine_frame(folder);
+  CsvWriter csv(folder.file("survey.csv"),
+                with_mine_columns("x_m,y_m,run_m,survey_m,difference_m", frame));
   for (int j = 0; j < pair.grid.ny; ++j) {
     for (int i = 0; i < pair.grid.nx; ++i) {
       const size_t k = pair.grid.at(i, j);
       if (pair.compared[k] == 0) continue;
-      csv.row({pair.grid.x(i), pair.grid.y(j), pair.run[k], pair.survey[k],
-               pair.run[k] - pair.survey[k]});
+      csv.row_at({pair.grid.x(i), pair.grid.y(j), pair.run[k], pair.survey[k],
+                  pair.run[k] - pair.survey[k]},
+                 mine_place(frame, pair.grid.x(i), pair.grid.y(j)));
     }
   }
 }
@@ -254,7 +258,7 @@ void report_survey(const ResultFolder& folder, const MeasureOptions& measure,
            "--gap");
   const Shapes shapes = shapes_of(c.pair, profile_frame(folder, run), run.block_size);
   const SurfaceDifference difference = difference_of(c.pair);
-  write_table(c.pair, folder.file("survey.csv"));
+  write_table(c.pair, folder);
   write_png(draw_survey(c.pair, shapes.profiles, difference), folder.file("survey.png"));
   nlohmann::ordered_json keys = common_keys(folder);
   keys.update(keys_of(options, difference, distance_of(c.pair), shapes, c.pile_share));

@@ -14,6 +14,7 @@
 #include "io/csv_writer.h"
 #include "io/fired_charges.h"
 #include "io/gauges_file.h"
+#include "io/mine_frame.h"
 #include "measure/blast_formulas.h"
 #include "report/not_measurable.h"
 #include "report/reports.h"
@@ -117,19 +118,24 @@ void write_histories(const ResultFolder& folder, const std::vector<GaugePeak>& p
 
 void write_peaks(const ResultFolder& folder, const std::vector<GaugePeak>& peaks,
                  const std::optional<PowerFit>& fit) {
-  CsvWriter csv(folder.file("ppv.csv"),
-                "gauge,x_m,y_m,z_m,distance_m,scaled_distance_m_kg05,ppv_m_s,ppv_time_s,arrival_s,"
-                "largest_pressure_Pa,largest_compression_Pa,largest_tension_Pa,fit_m_s,band_low_m_"
-                "s,band_high_m_s,"
-                "formula_bureau_of_mines_m_s");
+  const std::optional<MineFrame> frame = mine_frame(folder);
+  CsvWriter csv(
+      folder.file("ppv.csv"),
+      with_mine_points(
+          "gauge,x_m,y_m,z_m,distance_m,scaled_distance_m_kg05,ppv_m_s,ppv_time_s,arrival_s,"
+          "largest_pressure_Pa,largest_compression_Pa,largest_tension_Pa,fit_m_s,band_low_m_s,band_"
+          "high_m_s,"
+          "formula_bureau_of_mines_m_s",
+          frame, {""}));
   for (const GaugePeak& peak : peaks) {
     const bool on = fit && peak.scaled > 0.0;
     const Interval band = on ? fit->band(peak.scaled) : Interval{kNaN, kNaN};
     const Vec3& at = peak.gauge->place;
-    csv.row({static_cast<double>(peak.gauge->number), at.x(), at.y(), at.z(), peak.distance,
-             peak.scaled, peak.speed, peak.time, peak.arrival, peak.pressure, peak.compression,
-             peak.tension, on ? fit->at(peak.scaled) : kNaN, band.low, band.high,
-             peak.scaled > 0.0 ? bureau_of_mines_ppv(peak.scaled) : kNaN});
+    csv.row_at({static_cast<double>(peak.gauge->number), at.x(), at.y(), at.z(), peak.distance,
+                peak.scaled, peak.speed, peak.time, peak.arrival, peak.pressure, peak.compression,
+                peak.tension, on ? fit->at(peak.scaled) : kNaN, band.low, band.high,
+                peak.scaled > 0.0 ? bureau_of_mines_ppv(peak.scaled) : kNaN},
+               mine_points(frame, {at}));
   }
 }
 

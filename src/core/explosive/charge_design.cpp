@@ -156,10 +156,9 @@ std::vector<TimedCharge> timed_charges(const HoleTable& pattern, const ChargeOpt
                                        const std::string& where) {
   std::vector<TimedCharge> charges;
   for (const Deck& deck : pattern.decks()) {
-    const double density = deck.explosive ? charge.table.find(*deck.explosive, where).density
-                                          : charge.explosive.density;
+    const NamedExplosive explosive = deck_explosive(charge, deck);
     const ChargeShape shape = deck_shape(charge, deck, deck.to - deck.from);
-    charges.push_back({deck.firing_time, density * shape.charge_volume()});
+    charges.push_back({deck.firing_time, explosive.density * shape.charge_volume()});
   }
   return charges;
 }

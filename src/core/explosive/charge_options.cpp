@@ -113,7 +113,7 @@ void add_decoupling_keywords(ArgTable& table) {
                "length of the charge [m], > 0 and <= 1000, from its toe; what is left of the "
                "hole's axis is an "
                "air deck; auto: the whole axis");
-  table.word("coupling", {"air", "water", "stemming"}, "air",
+  table.word("coupling", {kCouplings.begin(), kCouplings.end()}, kCouplings.front(),
              "what stands around a charge thinner than its hole");
   add_optional(table, "coupling_exponent",
                "decay of the peak through water or stemming, 0 to 10; auto: 0.72 in water, the "
@@ -190,10 +190,8 @@ void read_decoupling(ChargeOptions& options, const ArgValues& values, const std:
   options.charge_length =
       optional_real(values, where, "charge_length", "m", Range::left_open(0.0, 1e3));
   DecouplingRule& rule = options.decoupling;
-  const std::string& coupling = values.word("coupling");
-  rule.coupling = coupling == "air"     ? Coupling::air
-                  : coupling == "water" ? Coupling::water
-                                        : Coupling::stemming;
+  const auto coupling = std::find(kCouplings.begin(), kCouplings.end(), values.word("coupling"));
+  rule.coupling = static_cast<Coupling>(coupling - kCouplings.begin());
   const auto gap = std::find(kAirGaps.begin(), kAirGaps.end(), values.word("decoupling"));
   rule.air_gap = static_cast<AirGap>(gap - kAirGaps.begin());
   rule.power_exponent = values.real("decoupling_exponent");

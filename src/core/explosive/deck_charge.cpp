@@ -5,8 +5,17 @@
 namespace muckpile {
 
 NamedExplosive deck_explosive(const ChargeOptions& options, const Deck& deck) {
-  if (!deck.explosive) return options.explosive;
-  return table_explosive(options, *deck.explosive, "hole_table");
+  NamedExplosive explosive =
+      deck.explosive ? table_explosive(options, *deck.explosive, "hole_table") : options.explosive;
+  explosive.density = deck.explosive_density.value_or(explosive.density);
+  explosive.detonation_velocity = deck.detonation_velocity.value_or(explosive.detonation_velocity);
+  return explosive;
+}
+
+ChargeOptions deck_options(const ChargeOptions& options, const Deck& deck) {
+  ChargeOptions own = options;
+  own.decoupling.coupling = deck.coupling.value_or(own.decoupling.coupling);
+  return own;
 }
 
 ChargeShape deck_shape(const ChargeOptions& options, const Deck& deck, double chamber_length) {

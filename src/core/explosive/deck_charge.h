@@ -8,8 +8,12 @@
 
 namespace muckpile {
 
-/// InputError if the table of explosives lacks the name.
+/// With density and detonation velocity of the row. InputError if the table of explosives lacks the
+/// name.
 [[nodiscard]] NamedExplosive deck_explosive(const ChargeOptions& options, const Deck& deck);
+
+/// With what stands around the charge by its row.
+[[nodiscard]] ChargeOptions deck_options(const ChargeOptions& options, const Deck& deck);
 
 /// In a chamber of this length [m]; not checked.
 [[nodiscard]] ChargeShape deck_shape(const ChargeOptions& options, const Deck& deck,

@@ -3,12 +3,15 @@
 // Scope: a round charge in a round hole, with an air deck above it or not; no wave in the gap.
 #pragma once
 
+#include <array>
+
 #include "explosive/product_expansion.h"
 
 namespace muckpile {
 
 /// What stands in the gap around the charge.
 enum class Coupling { air, water, stemming };
+inline constexpr std::array<const char*, 3> kCouplings{"air", "water", "stemming"};
 
 /// Fall of the products' pressure into an air gap. energy: they fill it without work and keep their
 /// energy (ProductExpansion::after_filling). isentrope: as if they had worked against a piston;

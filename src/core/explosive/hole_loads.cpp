@@ -103,10 +103,9 @@ HoleBlast hole_blast(const BlastOptions& options, const Hole& zone, std::size_t 
 double gas_gamma_of(const BlastOptions& options, std::size_t hole) {
   const ChargeOptions& charge = options.charge;
   try {
-    const bool own = options.pattern && options.pattern->decks()[hole].explosive;
     const NamedExplosive explosive =
-        own ? table_explosive(charge, *options.pattern->decks()[hole].explosive, "hole_table")
-            : charge.explosive;
+        options.pattern ? deck_explosive(charge, options.pattern->decks()[hole])
+                        : charge.explosive;
     return product_expansion(charge, explosive).gamma();
   } catch (const InputError& error) {
     refuse(options.where, "hole " + std::to_string(hole + 1) + ": " + error.what());
@@ -145,7 +144,10 @@ LoadedHole loaded_hole(const BlastOptions& options, const Hole& zone, std::size_
   if (options.pattern) apply_deck(hole, options, options.pattern->decks()[index]);
   check_shape(hole.shape);
   hole.exponent = exponent_of(options, options.attenuation, hole.explosive);
-  hole.decoupling = decoupling_rule(charge, hole.exponent);
+  hole.decoupling =
+      options.pattern
+          ? decoupling_rule(deck_options(charge, options.pattern->decks()[index]), hole.exponent)
+          : decoupling_rule(charge, hole.exponent);
   if (!options.needs_borehole_pressure()) return hole;
   hole.initial_pressure = initial_pressure(charge, hole.explosive);
   hole.wall_pressure =

@@ -65,6 +65,25 @@ void describe_wave(std::ostream& text, const BlastOptions& options, const Loaded
   text << '\n';
 }
 
+/// Decks of a table whose charge differs from that of the first one.
+void describe_others(std::ostream& text, const BlastOptions& options,
+                     const std::vector<Hole>& zones) {
+  if (!options.pattern || !options.needs_borehole_pressure()) return;
+  const LoadedHole first = loaded_hole(options, zones.front(), 0);
+  for (std::size_t k = 1; k < zones.size(); ++k) {
+    const LoadedHole hole = loaded_hole(options, zones[k], k);
+    if (hole.explosive.name == first.explosive.name &&
+        hole.explosive.density == first.explosive.density &&
+        hole.explosive.detonation_velocity == first.explosive.detonation_velocity &&
+        hole.wall_pressure == first.wall_pressure)
+      continue;
+    text << "  hole " << k + 1 << " ('" << options.pattern->decks()[k].hole
+         << "'): " << hole.explosive.name << ", " << hole.explosive.density << " kg/m3, "
+         << hole.explosive.detonation_velocity << " m/s, P0 = " << hole.initial_pressure / kMPa
+         << " MPa, " << hole.wall_pressure / kMPa << " MPa on the wall\n";
+  }
+}
+
 }  // namespace
 
 std::string describe(const BlastOptions& options, const std::vector<Hole>& crushed_zones,
@@ -97,6 +116,7 @@ std::string describe(const BlastOptions& options, const std::vector<Hole>& crush
       text << "vents after " << *options.vent_time << " s, decay " << *options.vent_decay << " s\n";
     }
   }
+  describe_others(text, options, crushed_zones);
   text << "  firing times [s]:";
   for (const HoleBlast& blast : blasts) text << ' ' << blast.firing_time();
   text << '\n';

@@ -8,6 +8,7 @@
 
 #include "args/input_error.h"
 #include "args/numbers.h"
+#include "explosive/table_text.h"
 
 namespace muckpile {
 namespace {
@@ -17,14 +18,7 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 // How far a line of this angle runs back per height.
 double run_back(double angle) { return 1.0 / std::tan(angle); }
 
-// To a nanometre: far finer than any drill, and a table that people can read.
-std::string short_text(double value) {
-  const double rounded = 1e-9 * std::round(1e9 * value);
-  std::ostringstream text;
-  text.precision(12);
-  text << (rounded == 0.0 ? 0.0 : rounded);
-  return text.str();
-}
+std::string short_text(double value) { return stepped_text(value); }
 
 std::string name_of(long row, long hole) {
   return std::string("r").append(std::to_string(row + 1)) + "h" + std::to_string(hole + 1);
@@ -86,11 +80,16 @@ ArgTable hole_pattern_table() {
           "a CSV file of holes that Kirra has exported, which is converted to `file` instead, with "
           "`stemming` and `in_hole_delay`; of the other keywords only those below that say so "
           "are used")
+      .word("charges", {}, "none",
+            "a CSV file of what is in holes of the plan, by their names; the others have what the "
+            "plan says")
       .real("throw_bearing", "deg", Range::closed(0.0, 360.0), 90.0,
-            "with `kirra`: that the face looks to, from north over east; it becomes the x axis")
+            "with `kirra` or `origin`: that the face looks to, from north over east; it becomes "
+            "the x axis")
       .group("origin", 3, 3, false,
-             "with `kirra`: x y z of the face's toe in the coordinates of the file [m]; without it, "
-             "and with `auto auto auto`, the holes set it")
+             "with `kirra` or `take`: x y z of the face's toe in the coordinates of the file [m]; "
+             "without it, and with `auto auto auto`, the holes of `kirra` set it, and a table that "
+             "is taken stays where it is")
       .integer("rows", "", Range::closed(1, 1000), std::nullopt, "rows of holes behind the face")
       .integer("holes_per_row", "", Range::closed(1, 1000), std::nullopt, "holes in each row")
       .real(
@@ -117,7 +116,11 @@ ArgTable hole_pattern_table() {
       .real("in_hole_delay", "s", delays, 0.0, "of the detonators")
       .integer("decks", "", Range::closed(1, 20), 1, "charges in each hole, of equal lengths")
       .real("deck_stemming", "m", Range::closed(0.0, 50.0), 0.0, "between two of them")
-      .real("deck_delay", "s", delays, 0.0, "from a deck to the one above it");
+      .real("deck_delay", "s", delays, 0.0, "from a deck to the one above it")
+      .real("scatter", "", Range::closed(0.0, 0.2), 0.0,
+            "standard deviation of each delay element over its delay, of surface delays and of "
+            "in-hole delays; for tables of `take` and `kirra`, too")
+      .integer("scatter_seed", "", Range::closed(1, 2147483647), 1, "of its draws");
   return table;
 }
 

@@ -31,7 +31,11 @@ const std::vector<std::string> kColumns = {"hole",
                                            "charge_length_m",
                                            "surface_delay_s",
                                            "in_hole_delay_s",
-                                           "crushed_radius_m"};
+                                           "crushed_radius_m",
+                                           "explosive_density_kg_m3",
+                                           "vod_m_s",
+                                           "coupling",
+                                           "scatter_s"};
 constexpr double kSamePlace = 1e-6;  // [m]
 
 /// How the signal comes to a hole.
@@ -57,6 +61,16 @@ double required(const CsvTable& csv, size_t row, const std::string& name, Range 
   (void)csv.column(name);
   if (const auto value = number(csv, row, name, range)) return *value;
   throw InputError(csv.where(row) + name + " is missing");
+}
+
+std::optional<Coupling> coupling(const CsvTable& csv, size_t row) {
+  const std::string word = text(csv, row, "coupling");
+  if (word.empty()) return std::nullopt;
+  for (std::size_t k = 0; k < kCouplings.size(); ++k) {
+    if (word == kCouplings[k]) return static_cast<Coupling>(k);
+  }
+  throw InputError(csv.where(row) + "coupling must be one of air, water, stemming, got '" + word +
+                   "'");
 }
 
 Vec3 point(const CsvTable& csv, size_t row, const std::string& end) {
@@ -96,6 +110,12 @@ Deck deck_of(const CsvTable& csv, size_t row) {
   deck.charge_length = number(csv, row, "charge_length_m", Range::left_open(0.0, 1e3));
   deck.primer = number(csv, row, "primer", Range::closed(0.0, 1.0));
   deck.crushed_radius = number(csv, row, "crushed_radius_m", Range::left_open(0.0, 10.0));
+  deck.explosive_density = number(csv, row, "explosive_density_kg_m3", Range::closed(10.0, 1e4));
+  deck.detonation_velocity = number(csv, row, "vod_m_s", Range::closed(100.0, 1e5));
+  deck.coupling = coupling(csv, row);
+  deck.after = text(csv, row, "after");
+  deck.surface_delay = number(csv, row, "surface_delay_s", delay_range()).value_or(0.0);
+  deck.in_hole_delay = number(csv, row, "in_hole_delay_s", delay_range()).value_or(0.0);
   return deck;
 }
 
@@ -159,8 +179,7 @@ HoleTable::HoleTable(const CsvTable& csv) {
     for (const Deck& before : decks_) {
       if (before.hole == deck.hole) check_decks_of_one_hole(csv, row, before, deck);
     }
-    const Signal signal{text(csv, row, "after"),
-                        number(csv, row, "surface_delay_s", delay_range()).value_or(0.0), row};
+    const Signal signal{deck.after, deck.surface_delay, row};
     const auto [place, first] = signals.emplace(deck.hole, signal);
     if (!first && (place->second.after != signal.after || place->second.delay != signal.delay)) {
       throw InputError(csv.where(row) + "hole '" + deck.hole +
@@ -171,8 +190,9 @@ HoleTable::HoleTable(const CsvTable& csv) {
   if (decks_.empty()) throw InputError("hole table: no rows found");
   SignalTimes times(csv, signals);
   for (size_t row = 0; row < decks_.size(); ++row) {
-    decks_[row].firing_time = times.at(decks_[row].hole) +
-                              number(csv, row, "in_hole_delay_s", delay_range()).value_or(0.0);
+    const double scatter = number(csv, row, "scatter_s", Range::closed(-10.0, 10.0)).value_or(0.0);
+    const double nominal = times.at(decks_[row].hole) + decks_[row].in_hole_delay;
+    decks_[row].firing_time = std::max(0.0, nominal + scatter);
   }
 }
 

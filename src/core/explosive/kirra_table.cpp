@@ -14,6 +14,7 @@
 #include "args/input_error.h"
 #include "args/numbers.h"
 #include "explosive/hole_table.h"
+#include "explosive/table_text.h"
 
 namespace muckpile {
 namespace {
@@ -171,13 +172,7 @@ Vec3 origin_by_holes(const std::vector<KirraHole>& holes, const KirraFrame& fram
 }
 
 /// To a micrometre: Kirra writes a tenth of a millimetre.
-std::string short_text(double value) {
-  const double rounded = 1e-6 * std::round(1e6 * value);
-  std::ostringstream text;
-  text.precision(12);
-  text << (rounded == 0.0 ? 0.0 : rounded);
-  return text.str();
-}
+std::string short_text(double value) { return stepped_text(value, 1e-6); }
 
 /// An origin of another mine, or 0 0 0 that was left, would put rock where no hole is.
 void check_origin(const std::vector<KirraHole>& holes, const Vec3& origin,

@@ -52,6 +52,14 @@ TEST(HoleTable, SurfaceDelaysFollowTheTieUpWhateverTheOrderOfRows) {
   EXPECT_DOUBLE_EQ(table.decks()[2].firing_time, 0.517017);
 }
 
+TEST(HoleTable, ScatterMovesTheFiringTimeButNotBeforeTheStart) {
+  const HoleTable table = read(",surface_delay_s,in_hole_delay_s,scatter_s",
+                               "a,0,0,1,0,0,0,0.1,0.017,0.475,-0.006\n"
+                               "b,2,0,1,2,0,0,0.1,0.002,,-0.005\n");
+  EXPECT_DOUBLE_EQ(table.decks()[0].firing_time, 0.486);
+  EXPECT_EQ(table.decks()[1].firing_time, 0.0);
+}
+
 TEST(HoleTable, RowsOfOneHoleAreItsDecks) {
   const HoleTable table = read(",from_m,to_m,explosive,in_hole_delay_s,crushed_radius_m",
                                "a,0,0,10,0,0,0,0.1,3,6,anfo,0.025,\n"
@@ -93,6 +101,14 @@ TEST(HoleTable, EachFaultIsNamedWithItsLine) {
   EXPECT_EQ(fault(",from_m,to_m,surface_delay_s", hole + ",1,2,0.1\n" + hole + ",3,4,0.2\n"),
             "p.csv:3: hole 'a' must have the surface delay of its first row");
   EXPECT_EQ(fault("", ""), "hole table: no rows found");
+  EXPECT_EQ(fault(",coupling", hole + ",mud\n"),
+            "p.csv:2: coupling must be one of air, water, stemming, got 'mud'");
+  EXPECT_EQ(fault(",explosive_density_kg_m3", hole + ",1.15\n"),
+            "p.csv:2: explosive_density_kg_m3 must be >= 10 and <= 10000, got '1.15'");
+  EXPECT_EQ(fault(",vod_m_s", hole + ",4.8\n"),
+            "p.csv:2: vod_m_s must be >= 100 and <= 100000, got '4.8'");
+  EXPECT_EQ(fault(",scatter_s", hole + ",12\n"),
+            "p.csv:2: scatter_s must be >= -10 and <= 10, got '12'");
 }
 
 }  // namespace

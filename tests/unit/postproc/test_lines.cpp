@@ -18,6 +18,7 @@
 #include "report/mine_pose.h"
 #include "report/not_measurable.h"
 #include "report/reports.h"
+#include "report/run_section.h"
 #include "synthetic_run.h"
 
 namespace muckpile {
@@ -207,6 +208,20 @@ TEST_F(Lines, SectionAcrossTheThrowRunsAlongTheRow) {
   EXPECT_NEAR(rows.number(0, rows.column("y_m")), 0.875, 1e-6);
 }
 
+TEST(ChargeBars, StandWhereTheLineMeetsAHole) {
+  // along y at x = -3: the first hole leans through the line, the second stands 0.4 m beside it
+  const PlanLine line{{-3.0, -5.0}, {-3.0, 5.0}};
+  const std::vector<Charge> charges{{{-2.5, 1.0, 0.0}, {-4.5, 1.0, 8.0}, 0.2},
+                                    {{-3.4, 2.0, 0.0}, {-3.4, 2.0, 8.0}, 0.2}};
+  const std::vector<SectionBar> bars = charge_bars(line, charges, 0.0, 0.05);
+  ASSERT_EQ(bars.size(), 1U);
+  EXPECT_EQ(bars[0].low, Vec2(6.0, 0.0));  // 6 m from the line's start
+  EXPECT_EQ(bars[0].high, Vec2(6.0, 8.0));
+  EXPECT_EQ(bars[0].half, 0.05);
+  EXPECT_EQ(charge_bars(line, charges, 0.5, 0.05).size(), 2U);
+  EXPECT_EQ(charge_bars(line, charges, 0.5, std::nan(""))[1].half, 0.2);
+}
+
 TEST_F(Lines, SectionInMineCoordinatesIsThatOfTheRun) {
   add_to_scene(
       "\"terrain_east_m\": 355000, \"terrain_north_m\": 6200000, \"terrain_height_m\": 412, "
@@ -232,6 +247,11 @@ TEST_F(Lines, MovementAndFragmentsHavePlacesOfTheMine) {
   FragmentOptions options;
   options.boulder = 0.1;
   report_movement(folder(), measure_, {});
+  // the first part's start in the drawing, behind the group codes of its layer and of x
+  const CsvTable moved = table("movement.csv");
+  const std::string drawing = whole_file(folder().file("movement.dxf"));
+  const double east = std::stod(drawing.substr(drawing.find("level_1\n10\n") + 11));
+  EXPECT_NEAR(east, moved.number(0, moved.column("start_east_m")), 1e-3);
   report_fragments(folder(), measure_, options);
   const auto expect_places = [&](const char* name, const std::string& prefix) {
     SCOPED_TRACE(name + prefix);

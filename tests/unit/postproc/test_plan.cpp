@@ -3,7 +3,9 @@
 // Scope: measure/contours and report/plan_report.
 #include <gtest/gtest.h>
 
+#include "args/csv_table.h"
 #include "args/input_error.h"
+#include "measure/burden_relief.h"
 #include "measure/contours.h"
 #include "report/plan_report.h"
 #include "report/reports.h"
@@ -74,6 +76,57 @@ TEST_F(Plan, OfAResultFolderAddsItsKeys) {
   EXPECT_EQ(keys["last_firing_s"], 0.1);
   EXPECT_EQ(keys["most_decks_within_8_ms"], 2);  // 0 and 7 ms; 25 and 100 ms are alone
   EXPECT_TRUE(std::filesystem::exists(folder / "plan.png"));
+}
+
+// Two staggered rows of three; rows 2.5 m apart, 3 m between holes, 17 ms along a row, 42 ms to the
+// next one, whose first hole fires too early.
+const char* const kTwoRows =
+    "a1,-2.5,-3,9,-2.5,-3,0,0.1,3,9,0,0\na2,-2.5,0,9,-2.5,0,0,0.1,3,9,0.017,0\n"
+    "a3,-2.5,3,9,-2.5,3,0,0.1,3,9,0.034,0\nb1,-5,-1.5,9,-5,-1.5,0,0.1,3,9,0,0\n"
+    "b2,-5,1.5,9,-5,1.5,0,0.1,3,9,0.059,0\nb3,-5,4.5,9,-5,4.5,0,0.1,3,9,0.076,0\n";
+
+TEST_F(Plan, HasTheReliefOfEachHole) {
+  write("dump/holes.csv", kTwoRows);
+  const std::filesystem::path& folder = temporary_.path();
+  testing::write_text(folder / "dump/scene.json",
+                      "{\"case\": \"bench\", \"explosive_density_kg_m3\": 800, \"terrain\": "
+                      "\"t.csv\", \"terrain_east_m\": 1000, \"terrain_north_m\": 2000, "
+                      "\"terrain_height_m\": 0, \"x_bearing_deg\": 90}");
+  report_plan(folder);
+  // Charges of pi 0.05^2 6 m x 800 kg/m3. b2 fires towards a3, which fires after a2, but both are
+  // sqrt(2.5^2 + 1.5^2) = 2.91548 m away: the first of them, a2, 42 ms before it. b1 has a1 and a2
+  // in front: neither has fired before, a1 fires at the same time. b3 has a3, 42 ms before.
+  EXPECT_EQ(whole_file(folder / "plan.csv"),
+            "hole,in_front,x_m,y_m,fires_s,charge_kg,burden_m,relief_ms_per_m,within_8_ms_kg,"
+            "east_m,north_m\n"
+            "a1,,-2.5,-3,0,37.6991,,,75.3982,997.500,1997.000\n"
+            "a2,,-2.5,0,0.017,37.6991,,,37.6991,997.500,2000.000\n"
+            "a3,,-2.5,3,0.034,37.6991,,,37.6991,997.500,2003.000\n"
+            "b1,a1,-5,-1.5,0,37.6991,2.91548,0,75.3982,995.000,1998.500\n"
+            "b2,a2,-5,1.5,0.059,37.6991,2.91548,14.4059,37.6991,995.000,2001.500\n"
+            "b3,a3,-5,4.5,0.076,37.6991,2.91548,14.4059,37.6991,995.000,2004.500\n");
+  EXPECT_EQ(read_json_object(folder / "summary.json")["burden_relief_least_ms_per_m"], 0.0);
+}
+
+TEST(BurdenRelief, TheFaceCountsWhereItIsNearerAndHolesBesideDoNot) {
+  std::vector<ReliefHole> holes{
+      {{-2.0, 0.0}, 0.0, 2.0}, {{-2.0, 1.5}, 0.05, 2.1}, {{-4.0, 0.0}, 0.1, std::nullopt}};
+  std::vector<Relief> reliefs = burden_relief(holes);
+  EXPECT_FALSE(reliefs[1].in_front);  // the first one stands beside it
+  EXPECT_EQ(*reliefs[1].burden, 2.1);
+  EXPECT_FALSE(reliefs[1].per_metre);
+  EXPECT_EQ(*reliefs[2].in_front, 0u);
+  EXPECT_NEAR(*reliefs[2].per_metre, 0.1 / 2.0, 1e-12);
+  // the hole before it fires late: the other one, 37 degrees aside, has fired
+  holes[0].time = 0.2;
+  reliefs = burden_relief(holes);
+  EXPECT_EQ(*reliefs[2].in_front, 1u);
+  EXPECT_NEAR(*reliefs[2].per_metre, 0.05 / 2.5, 1e-12);
+  holes[1].time = 0.3;  // so does this one
+  EXPECT_EQ(*burden_relief(holes)[2].in_front, 0u);
+  EXPECT_NEAR(*burden_relief(holes)[2].per_metre, -0.1 / 2.0, 1e-12);
+  holes[2].face = 1.9;
+  EXPECT_FALSE(burden_relief(holes)[2].in_front);
 }
 
 TEST_F(Plan, OfAFaultyTableSaysWhere) {

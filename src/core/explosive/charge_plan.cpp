@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Charges of holes, and where the holes are; see the header.
+#include "explosive/charge_plan.h"
+
+#include <map>
+#include <set>
+#include <sstream>
+#include <vector>
+
+#include "args/input_error.h"
+#include "args/suggestion.h"
+#include "explosive/hole_table.h"
+#include "explosive/table_text.h"
+
+namespace muckpile {
+namespace {
+
+const std::vector<std::string> kChargeColumns = {"hole",
+                                                 "from_m",
+                                                 "to_m",
+                                                 "explosive",
+                                                 "explosive_density_kg_m3",
+                                                 "vod_m_s",
+                                                 "coupling",
+                                                 "charge_diameter_m",
+                                                 "charge_length_m",
+                                                 "primer",
+                                                 "crushed_radius_m",
+                                                 "in_hole_delay_s"};
+
+using Rows = std::map<std::string, std::vector<std::size_t>>;
+
+Rows rows_by_hole(const CsvTable& csv) {
+  Rows rows;
+  const std::size_t column = csv.column("hole");
+  for (std::size_t row = 0; row < csv.rows(); ++row)
+    rows[std::string(csv.word(row, column))].push_back(row);
+  return rows;
+}
+
+void require_known_holes(const CsvTable& charges, const Rows& holes) {
+  std::vector<std::string> names;
+  for (const auto& entry : holes) names.push_back(entry.first);
+  for (const auto& [hole, rows] : rows_by_hole(charges)) {
+    if (holes.count(hole) != 0) continue;
+    throw InputError(charges.where(rows.front()) + "hole must be one of the plan, got '" + hole +
+                     "'" + did_you_mean(hole, names));
+  }
+}
+
+std::string_view field(const CsvTable& csv, std::size_t row, std::string_view column) {
+  const auto at = csv.find_column(column);
+  return at ? csv.word(row, *at) : std::string_view();
+}
+
+std::vector<std::string_view> all_columns(const CsvTable& plan, const CsvTable& charges) {
+  std::vector<std::string_view> columns = plan.header();
+  for (const std::string_view name : charges.header()) {
+    if (!plan.find_column(name)) columns.push_back(name);
+  }
+  return columns;
+}
+
+}  // namespace
+
+std::string with_charges(const std::string& text, const std::string& name,
+                         const CsvTable& charges) {
+  charges.require_known_columns(kChargeColumns);
+  const CsvTable plan = CsvTable::parse(text, name);
+  require_known_holes(charges, rows_by_hole(plan));
+  const Rows own = rows_by_hole(charges);
+  const std::vector<std::string_view> columns = all_columns(plan, charges);
+  std::ostringstream out;
+  for (const std::string_view remark : plan.remarks()) out << '#' << remark << '\n';
+  for (std::size_t k = 0; k < columns.size(); ++k) out << (k > 0 ? "," : "") << columns[k];
+  out << '\n';
+  std::set<std::string_view> done;
+  for (std::size_t row = 0; row < plan.rows(); ++row) {
+    const std::string_view hole = field(plan, row, "hole");
+    const auto with = own.find(std::string(hole));
+    if (with != own.end() && !done.insert(hole).second) continue;
+    const std::size_t decks = with == own.end() ? 1 : with->second.size();
+    for (std::size_t d = 0; d < decks; ++d) {
+      for (std::size_t k = 0; k < columns.size(); ++k) {
+        const std::string_view typed =
+            with == own.end() ? std::string_view() : field(charges, with->second[d], columns[k]);
+        out << (k > 0 ? "," : "") << (typed.empty() ? field(plan, row, columns[k]) : typed);
+      }
+      out << '\n';
+    }
+  }
+  const std::string made = out.str();
+  (void)HoleTable(CsvTable::parse(made, name + " with its charges"));
+  return made;
+}
+
+std::string placed_table(const CsvTable& csv, const MineFrame& frame) {
+  constexpr double kMicrometre = 1e-6;
+  const HoleTable table(csv);
+  std::vector<NewColumn> columns;
+  for (const char* end : {"collar", "toe"}) {
+    for (int c = 0; c < 3; ++c) {
+      NewColumn column{std::string(end) + "_" + "xyz"[c] + "_m", {}};
+      for (const Deck& deck : table.decks()) {
+        const bool toe = end[0] == 't';
+        const Vec3 at = frame.to_run(toe ? deck.hole_toe : deck.hole_collar);
+        column.second.push_back(stepped_text(at[c], kMicrometre));
+      }
+      columns.push_back(std::move(column));
+    }
+  }
+  return with_columns(csv, columns);
+}
+
+}  // namespace muckpile
