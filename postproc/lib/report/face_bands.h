@@ -3,6 +3,7 @@
 // Scope: peaks over the snapshots; which blocks make a band is measure/face_velocity.h.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 

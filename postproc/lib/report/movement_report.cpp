@@ -2,6 +2,7 @@
 // Sub-command movement: where the parts of a bench went, by level and by distance from the face.
 // Scope: benches that profile measures; parts reach from the face to the last row of holes.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 

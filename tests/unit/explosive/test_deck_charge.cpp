@@ -16,7 +16,7 @@
 namespace muckpile {
 namespace {
 
-class DeckCharge : public testing::Test {
+class DeckCharge : public ::testing::Test {
  protected:
   DeckCharge() {
     const std::string hole = ",-3,0,10,-3,0,0,0.1,2,10,";

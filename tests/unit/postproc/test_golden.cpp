@@ -86,7 +86,7 @@ TEST_F(Golden, TablesOfABench) {
   report_movement(folder(), {kCube, 0.25}, {});
   report_fragments(folder(), {kCube, {}});
   report_energy(folder());
-  expect_tables({"profile.csv", "face_velocity.csv", "movement.csv", "movement.dxf",
+  expect_tables({"profile.csv", "movement.csv", "movement.dxf",
                  "fragments.csv", "sieve.csv", "energy.csv"},
                 "bench");
 }

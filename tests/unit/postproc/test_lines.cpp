@@ -215,8 +215,8 @@ TEST(ChargeBars, StandWhereTheLineMeetsAHole) {
                                     {{-3.4, 2.0, 0.0}, {-3.4, 2.0, 8.0}, 0.2}};
   const std::vector<SectionBar> bars = charge_bars(line, charges, 0.0, 0.05);
   ASSERT_EQ(bars.size(), 1U);
-  EXPECT_EQ(bars[0].low, Vec2(6.0, 0.0));  // 6 m from the line's start
-  EXPECT_EQ(bars[0].high, Vec2(6.0, 8.0));
+  EXPECT_LT((bars[0].low - Vec2(6.0, 0.0)).norm(), 1e-12);  // 6 m from the line's start
+  EXPECT_LT((bars[0].high - Vec2(6.0, 8.0)).norm(), 1e-12);
   EXPECT_EQ(bars[0].half, 0.05);
   EXPECT_EQ(charge_bars(line, charges, 0.5, 0.05).size(), 2U);
   EXPECT_EQ(charge_bars(line, charges, 0.5, std::nan(""))[1].half, 0.2);
