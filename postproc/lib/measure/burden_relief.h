@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "math/types.h"
+#include "geometry/shape/polygon.h"  // Vec2
 
 namespace muckpile {
 
