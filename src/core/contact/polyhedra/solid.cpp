@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "args/require.h"
 
@@ -147,6 +148,15 @@ void PlacedSolid::place_planes(const Mat3& turn, std::uint64_t which) {
     offset[p] = kFar;
     inverse_depth[p] = 1.0;
   }
+}
+
+void PlacedSolid::lead(const Vec3& n) {
+  std::size_t best = 0;
+  for (std::size_t p = 1; p < planes; ++p)
+    if (normal(p).dot(n) > normal(best).dot(n)) best = p;
+  for (auto* const values : {&nx, &ny, &nz, &offset, &inverse_depth})
+    std::swap((*values)[0], (*values)[best]);
+  std::swap(plane[0], plane[best]);
 }
 
 }  // namespace muckpile

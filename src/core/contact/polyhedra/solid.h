@@ -96,6 +96,8 @@ struct PlacedSolid {
   void place(const Solid& what, const Mat3& turn, const Vec3& at, double size);
   /// Those of its planes whose bit is set.
   void place_planes(const Mat3& turn, std::uint64_t which);
+  /// Puts the plane first that faces n most: it cuts away most of what faces it.
+  void lead(const Vec3& n);
   [[nodiscard]] Vec3 corner(int k) const {
     const auto c = static_cast<std::size_t>(k);
     return {x[c], y[c], z[c]};

@@ -55,6 +55,22 @@ std::uint64_t AlongDirection::planes_below(const PlacedSolid& s, double height) 
   return planes;
 }
 
+void mark_outside(const PlacedSolid& a, const PlacedSolid& b, bool strictly, OutsideBits& bits) {
+  const double bound = strictly ? 0.0 : std::numeric_limits<double>::denorm_min();
+  for (std::size_t k = 0; k < a.rows; k += kRow) {
+    std::array<std::uint64_t, kRow> outside{};
+    for (std::size_t p = 0; p < b.planes; ++p) {
+      const std::uint64_t bit = std::uint64_t{1} << p;
+      for (std::size_t j = 0; j < kRow; ++j) {
+        const double above =
+            b.nx[p] * a.x[k + j] + b.ny[p] * a.y[k + j] + b.nz[p] * a.z[k + j] - b.offset[p];
+        outside[j] |= above >= bound ? bit : 0;
+      }
+    }
+    std::copy_n(outside.begin(), kRow, bits.begin() + static_cast<std::ptrdiff_t>(k));
+  }
+}
+
 double gap_above_planes(const PlacedSolid& a, const PlacedSolid& b, Vec3& n) {
   double greatest = -std::numeric_limits<double>::infinity();
   for (std::size_t p = 0; p < b.planes; ++p) {

@@ -21,6 +21,12 @@ struct AlongDirection {
   [[nodiscard]] std::uint64_t planes_below(const PlacedSolid& s, double height) const;
 };
 
+/// Per corner, bit p: outside the placed plane p of the other solid.
+using OutsideBits = std::array<std::uint64_t, Solid::kMostCorners>;
+
+/// Of the corners of `a`. `strictly`: what lies in a plane is outside it.
+void mark_outside(const PlacedSolid& a, const PlacedSolid& b, bool strictly, OutsideBits& bits);
+
 /// Greatest gap [m] of the corners of `a` above a placed plane of `b`, whose normal is put into
 /// `n`; not above 0: none of these planes keeps them apart.
 [[nodiscard]] double gap_above_planes(const PlacedSolid& a, const PlacedSolid& b, Vec3& n);

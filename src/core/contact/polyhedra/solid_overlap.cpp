@@ -5,6 +5,7 @@
 #include "contact/polyhedra/solid_overlap.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -53,8 +54,10 @@ double OverlapFinder::work(Vec3& n) {
   const double gap = along_second_.low - along_first_.high;
   if (gap > 0.0) return gap;
   place_planes_in_slab(n);
-  const Sums of_first = press_faces({first_, second_, -1.0, false});
-  const Sums of_second = press_faces({second_, first_, 1.0, true});
+  mark_outside(first_, second_, false, bits_first_);
+  mark_outside(second_, first_, true, bits_second_);
+  const Sums of_first = press_faces({first_, second_, bits_first_, -1.0, false});
+  const Sums of_second = press_faces({second_, first_, bits_second_, 1.0, true});
   if (!touching()) return search_gap(n);
   if (overlap_.largest_strain <= kTouch) {
     overlap_ = {};
@@ -80,7 +83,9 @@ void OverlapFinder::place_planes_in_slab(const Vec3& n) {
     second &= along_second_.planes_below(second_, high);
   }
   first_.place_planes(Mat3::Identity(), first);
+  first_.lead(n);
   second_.place_planes(turn_, second);
+  second_.lead(-n);
 }
 
 double OverlapFinder::search_gap(Vec3& n) {
@@ -136,32 +141,21 @@ void OverlapFinder::press_face(const Side& side, std::size_t plane, const Solid:
 /// nothing.
 bool OverlapFinder::cut_face(const Side& side, const Solid::Face& face) {
   const int* loop = side.of.solid->loop().data() + face.begin;
+  std::uint64_t all = ~std::uint64_t{0}, any = 0;
+  for (int k = 0; k < face.count; ++k) {
+    const std::uint64_t corner = side.bits[static_cast<std::size_t>(loop[k])];
+    all &= corner;
+    any |= corner;
+  }
+  if (all != 0) return false;
   outline_ = 0;
   Outline& outline = faces_[0];
   outline.count = static_cast<std::size_t>(face.count);
   for (std::size_t k = 0; k < outline.count; ++k) outline.corner[k] = side.of.corner(loop[k]);
-  std::uint64_t done = 0;
-  for (;;) {
-    const int plane = next_cut(side, done);
-    if (plane < 0) return plane == kInside;
-    if (!cut_outline(side, static_cast<std::size_t>(plane))) return false;
-    done |= std::uint64_t{1} << plane;
-  }
-}
-
-/// The plane that the outline is farthest outside of, of those that are not done.
-int OverlapFinder::next_cut(const Side& side, std::uint64_t done) {
+  for (; any != 0; any &= any - 1)
+    if (!cut_outline(side, static_cast<std::size_t>(std::countr_zero(any)))) return false;
   find_depths(side.into);
-  int next = kInside;
-  double farthest = side.strictly ? std::numeric_limits<double>::denorm_min() : 0.0;
-  const double bound = farthest;
-  for (std::size_t p = 0; p < side.into.planes; ++p) {
-    if (depths_.most[p] < bound) return kNothing;
-    if (depths_.least[p] >= farthest || (done >> p & 1) != 0) continue;
-    farthest = depths_.least[p];
-    next = static_cast<int>(p);
-  }
-  return next;
+  return true;
 }
 
 /// Of the outline that is left.
@@ -185,13 +179,17 @@ void OverlapFinder::find_depths(const PlacedSolid& into) {
   }
 }
 
+/// By one plane; false: nothing is left.
 bool OverlapFinder::cut_outline(const Side& side, std::size_t p) {
   const PlacedSolid& into = side.into;
   const Outline& outline = faces_[outline_];
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < outline.count; ++k) {
     const Vec3& at = outline.corner[k];
     value_[k] = into.offset[p] - into.nx[p] * at.x() - into.ny[p] * at.y() - into.nz[p] * at.z();
+    least = std::min(least, value_[k]);
   }
+  if (side.strictly ? least > 0.0 : least >= 0.0) return true;
   outline_ = 1 - outline_;
   cut(outline, value_.data(), side.strictly, faces_[outline_]);
   return faces_[outline_].count >= 3;

@@ -74,6 +74,7 @@ class OverlapFinder {
   /// Of one solid's surface in the other.
   struct Side {
     const PlacedSolid &of, &into;
+    const OutsideBits& bits;
     double sign;    ///< of the push of the first solid
     bool strictly;  ///< surface in a plane of both counts for the first solid
                     ///< only
@@ -87,14 +88,12 @@ class OverlapFinder {
   struct Depths {
     alignas(64) std::array<double, Solid::kMostPlanes> least, most;  ///< [m]
   };
-  static constexpr int kInside = -1, kNothing = -2;
 
   void clear();
   void place_planes_in_slab(const Vec3& n);
   [[nodiscard]] Sums press_faces(const Side& side);
   void press_face(const Side& side, std::size_t plane, const Solid::Face& face, Sums& sums);
   [[nodiscard]] bool cut_face(const Side& side, const Solid::Face& face);
-  [[nodiscard]] int next_cut(const Side& side, std::uint64_t done);
   [[nodiscard]] bool cut_outline(const Side& side, std::size_t plane);
   void find_depths(const PlacedSolid& into);
   [[nodiscard]] double press_outline(const PlacedSolid& into, const Vec3& normal, double sign);
@@ -110,6 +109,7 @@ class OverlapFinder {
   PlacedSolid first_, second_;
   Mat3 turn_ = Mat3::Identity();
   AlongDirection along_first_, along_second_;
+  OutsideBits bits_first_, bits_second_;
   SolidOverlap overlap_;
   std::array<Outline, 2> faces_;  // what is left of a face, and what it was
   std::size_t outline_ = 0;       // which of them is left
