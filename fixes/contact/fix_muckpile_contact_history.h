@@ -110,9 +110,9 @@ class FixMuckpileContactHistory : public LAMMPS_NS::Fix {
 
   ContactSource* source_ = nullptr;
   ContactsState restored_{{}, -1};  ///< of a restart file; polyhedra -1: there was none
-  std::vector<Range> range_;     ///< per atom: its records in the pool
-  std::vector<Record> records_;  ///< the pool; leavers leave holes until the next store()
-  int most_records_ = 0;         ///< of one atom
+  std::vector<Range> range_;        ///< per atom: its records in the pool
+  std::vector<Record> records_;     ///< the pool; leavers leave holes until the next store()
+  int most_records_ = 0;            ///< of one atom
 };
 
 }  // namespace muckpile

@@ -90,8 +90,7 @@ void PairMuckpileBlock::add_solid_contact(SharedStepBound& shared, const SphereP
       solids_->law, body(pair.first), body(pair.second), contacts_[pair.contact]);
   const ContactResistance& s = whole.springs;
   const ContactResistance quarter{0.25 * s.normal_stiffness, 0.0, 0.0, 0.25 * s.normal_damping};
-  const ContactResistance half{0.0, 0.5 * s.tangential_stiffness,
-                               0.0, 0.0,
+  const ContactResistance half{0.0, 0.5 * s.tangential_stiffness, 0.0, 0.0,
                                0.5 * s.tangential_damping};
   const Vec3 along = whole.normal.unitOrthogonal(), across = whole.normal.cross(along);
   const double out = std::sqrt(2.0) * whole.spread;

@@ -54,9 +54,9 @@ class SolidBlocks {
   engine::BlockHalo halo_;
   bool several_ = false;  // ranks
   int without_shape_ = 0;
-  int own_ = 0;               // bodies
-  std::vector<SolidBody> of_step_;          // per block
-  std::vector<std::uint64_t> step_of_;      // per block: that its entry of of_step_ is of
+  int own_ = 0;                         // bodies
+  std::vector<SolidBody> of_step_;      // per block
+  std::vector<std::uint64_t> step_of_;  // per block: that its entry of of_step_ is of
   std::uint64_t step_ = 0;
   std::vector<double> axes_;  // of bodies by their places: by columns
 };

@@ -119,7 +119,7 @@ awk 'function vertex(k, y) { split(corner[k % 6], c, " "); print "vertex " c[1] 
     print "endsolid body" }' >"$out/body.stl"
 sed '/^# --- joints/,$d' inputs/quarry/in.quarry >"$out/in.quarry_cut"
 run_input overhang 1 "$out/in.quarry_cut" -var surface "$out/body.stl" -var rows 1 -var holes_per_row 2 -var hole_angle 90 -var face_angle 90 \
-  -var block_min 0.7 -var block_max 2 -var fragment_x50 1.4 -var crushed_ratio 8
+  -var block_min 0.7 -var block_max 1 -var fragment_x50 1 -var crushed_ratio 8
 sed -nE 's/.*crushed zones [0-9.e+]+ m3 \(([-+0-9.e]+) %.*mean, ([0-9.e-]+) at most, ([0-9.e+]+) % .*/{"volume": \1, "near": \3}/p' "$out/overhang/screen" |
   tr -d '+' >"$out/overhang.json"
 check_figures near "overhang: volume of the cut over that of the rock [%]" "$out/overhang.json:volume" 0 1

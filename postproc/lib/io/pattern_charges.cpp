@@ -9,7 +9,6 @@
 #include "explosive/explosive_table.h"
 
 namespace muckpile {
-namespace {
 
 double density_of(const std::string& explosive, const ExplosiveTable& table) {
   try {
@@ -18,8 +17,6 @@ double density_of(const std::string& explosive, const ExplosiveTable& table) {
     return std::nan("");
   }
 }
-
-}  // namespace
 
 std::vector<TimedCharge> charges_of_decks(const ResultFolder& folder, const HoleTable& table) {
   constexpr const char* kDensity = "explosive_density_kg_m3";

@@ -4,12 +4,17 @@
 // shipped explosives.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "explosive/charge_window.h"
+#include "explosive/explosive_table.h"
 #include "io/result_folder.h"
 
 namespace muckpile {
+
+// [kg/m3]; NaN where the table has no such explosive.
+double density_of(const std::string& explosive, const ExplosiveTable& table);
 
 // Of each deck, in the table's order: when it fires and how much it holds. NaN [kg] where the deck
 // names an explosive that no table has, or scene.json has no density.

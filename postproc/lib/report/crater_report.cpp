@@ -111,7 +111,8 @@ void require_charge_on_axis(const ResultFolder& folder) {
 void report_crater(const ResultFolder& folder, const MeasureOptions& measure,
                    const SectionOptions& section) {
   if (folder.scene_word("case") == "bench") {
-    throw NotMeasurable("crater: the run must be a crater, got 'bench'; use the sub-command profile");
+    refuse_to_measure(folder, "crater",
+                      "the run must be a crater, got 'bench'; use the sub-command profile");
   }
   require_charge_on_axis(folder);
   // The rock of a crater is graded from fine at the charge to coarse far away: a block that has
@@ -133,8 +134,7 @@ void report_crater(const ResultFolder& folder, const MeasureOptions& measure,
   }
   SectionPlot plot = section_of(folder, run, rings, apparent, whole, section);
   write_rings(rings, folder.file("crater.csv"));
-  write_png(draw_section(std::move(plot)),
-            folder.file("crater.png"));
+  write_png(draw_section(std::move(plot)), folder.file("crater.png"));
   nlohmann::ordered_json keys = common_keys(folder);
   keys.update(crater_keys(apparent, whole, ejecta));
   keys["blocks_on_the_move"] = std::ranges::count(run.lies, 0);

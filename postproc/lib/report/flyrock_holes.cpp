@@ -25,8 +25,9 @@ struct ChargedDeck {
 
 void require_mass(const std::string& hole, double mass) {
   if (mass > 0.0) return;
-  throw NotMeasurable("flyrock: needs the mass of every charge of hole '" + hole +
-                      "': neither dump/explosives.csv, the shipped explosives nor scene.json give its density");
+  throw NotMeasurable(
+      "flyrock: needs the mass of every charge of hole '" + hole +
+      "': neither dump/explosives.csv, the shipped explosives nor scene.json give its density");
 }
 
 std::vector<ChargedDeck> decks_of(const std::string& hole, const HoleTable& table,

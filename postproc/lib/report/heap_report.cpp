@@ -57,7 +57,7 @@ SectionPlot section_of(const RunData& run, const PileProfile& p, const PileShape
 void report_heap(const ResultFolder& folder, const MeasureOptions& measure,
                  const SectionOptions& section) {
   if (const std::string scene = folder.scene_word("case"); scene != "heap")
-    throw NotMeasurable("heap: the run must be a heap, got '" + scene + "'");
+    refuse_to_measure(folder, "heap", "the run must be a heap, got '" + scene + "'");
   const RunData run(folder, measure);
   const std::vector<char> all(run.blocks.size(), 1);  // a heap is loose rock throughout
   const PileProfile profile = pile_profile(run.blocks, run.last, all, run.cell, run.lies);

@@ -19,4 +19,11 @@ void take_back(const ResultFolder& folder, const std::string& report,
   folder.merge_into_summary(keys, names);
 }
 
+void refuse_to_measure(const ResultFolder& folder, const std::string& report,
+                       const std::string& words) {
+  const NotMeasurable why(report + ": " + words);
+  if (std::filesystem::exists(folder.dump("run.json"))) take_back(folder, report, {}, why);
+  throw why;
+}
+
 }  // namespace muckpile

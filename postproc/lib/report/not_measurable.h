@@ -25,4 +25,8 @@ std::string refusal_key(const std::string& report);
 void take_back(const ResultFolder& folder, const std::string& report,
                const nlohmann::ordered_json& own_keys, const NotMeasurable& why);
 
+// Throws a NotMeasurable that says "<report>: <words>"; of a run that has ended all is taken back.
+[[noreturn]] void refuse_to_measure(const ResultFolder& folder, const std::string& report,
+                                    const std::string& words);
+
 }  // namespace muckpile

@@ -67,7 +67,11 @@ void add_least_relief(const std::vector<PlannedHole>& plan, nlohmann::ordered_js
 std::vector<TimedCharge> charges_without_run(const HoleTable& table) {
   std::vector<TimedCharge> charges;
   for (const Deck& deck : table.decks())
-    charges.push_back({deck.firing_time, charge_mass(deck, deck.explosive_density.value_or(kNaN))});
+    charges.push_back({deck.firing_time,
+                       charge_mass(deck, deck.explosive_density.value_or(
+                                             deck.explosive ? density_of(*deck.explosive,
+                                                                         ExplosiveTable::shipped())
+                                                            : kNaN))});
   return charges;
 }
 

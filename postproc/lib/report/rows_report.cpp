@@ -228,7 +228,7 @@ BenchScene bench_or_nothing(const ResultFolder& folder, const RunData& run) {
 
 void report_rows(const ResultFolder& folder, const MeasureOptions& measure) {
   if (!std::filesystem::exists(folder.dump("holes.csv")))
-    throw NotMeasurable("rows: needs the run's hole table, dump/holes.csv");
+    refuse_to_measure(folder, "rows", "needs the run's hole table, dump/holes.csv");
   const RunData run(folder, measure);
   const BenchScene bench = bench_or_nothing(folder, run);
   const Rows rows = rows_of(folder, run, bench);

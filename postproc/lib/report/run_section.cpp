@@ -42,6 +42,7 @@ std::vector<SectionBar> charge_bars(const PlanLine& line, const std::vector<Char
     const bool across = low.y() * high.y() < 0.0;
     const double off = across ? 0.0 : std::min(std::abs(low.y()), std::abs(high.y()));
     if (off > std::max(charge.radius, half_width)) continue;
+    if (std::max(low.x(), high.x()) < 0.0 || std::min(low.x(), high.x()) > line.length()) continue;
     bars.push_back({{low.x(), charge.toe.z()},
                     {high.x(), charge.collar.z()},
                     std::isnan(hole_radius) ? charge.radius : hole_radius,

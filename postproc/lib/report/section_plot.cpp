@@ -66,16 +66,18 @@ void draw_lines(const SectionPlot& plot, const Axes& axes, Canvas& canvas) {
 constexpr double kLeastBar = 5.0;
 
 void draw_bars(const SectionPlot& plot, const Axes& axes, Canvas& canvas) {
+  const double metre = axes.place(1.0, 0.0).x() - axes.place(0.0, 0.0).x();  // [pixels]
+  const auto fill = [&](const SectionBar& bar, double rim, Colour colour, double opacity) {
+    const Vec2 half(std::max(bar.half, 0.5 * kLeastBar / metre) + rim / metre, 0.0),
+        end(0.0, rim / metre);
+    const std::vector<Vec2> seen = clipped(
+        {bar.low - half - end, bar.low + half - end, bar.high + half + end, bar.high - half + end},
+        plot.x, plot.z);
+    if (!seen.empty()) canvas.fill(axes.places(seen), colour, opacity);
+  };
   for (const SectionBar& bar : plot.bars) {
-    const Vec2 low = axes.place(bar.low.x(), bar.low.y()),
-               high = axes.place(bar.high.x(), bar.high.y());
-    const double width = axes.place(bar.low.x() + bar.half, bar.low.y()).x() - low.x();
-    const Vec2 half(std::max(width, 0.5 * kLeastBar), 0.0), rim(1.0, 0.0), end(0.0, 1.0);
-    const Vec2 around[] = {low - half - rim + end, low + half + rim + end, high + half + rim - end,
-                           high - half - rim - end};
-    const Vec2 bar_itself[] = {low - half, low + half, high + half, high - half};
-    canvas.fill(around, kWhite, 0.8);
-    canvas.fill(bar_itself, bar.colour);
+    fill(bar, 1.0, kWhite, 0.8);
+    fill(bar, 0.0, bar.colour, 1.0);
   }
 }
 

@@ -22,7 +22,7 @@ struct GaugePeak {
   double time;                  // of it [s]
   double arrival;               // when the speed first reaches a tenth of the largest [s]
   double pressure;              // largest mean pressure [Pa]
-  double compression, tension;  // largest principal ones, both positive [Pa]
+  double compression, tension;  // largest -s3 and largest s1 [Pa]
 };
 
 // Speed, mean pressure, largest and least principal stress of at most eight gauges of as many

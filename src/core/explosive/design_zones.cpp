@@ -20,9 +20,8 @@ std::optional<double> own_radius(const ChargeOptions& options, const Deck& deck,
   if (deck.crushed_radius) return std::nullopt;
   const ChargeShape shape = deck_shape(options, deck, (deck.collar - deck.toe).norm());
   rock.hole_radius = shape.hole_radius;
-  rock.pressure_share =
-      pressure_share(deck_options(options, deck), deck_explosive(options, deck), shape,
-                     rock.attenuation_exponent);
+  rock.pressure_share = pressure_share(deck_options(options, deck), deck_explosive(options, deck),
+                                       shape, rock.attenuation_exponent);
   if (rock.pressure_share == 1.0) return std::nullopt;
   return crushed_zone_radius(CrushedZone::multiple, rock);
 }

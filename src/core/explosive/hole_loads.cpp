@@ -104,8 +104,7 @@ double gas_gamma_of(const BlastOptions& options, std::size_t hole) {
   const ChargeOptions& charge = options.charge;
   try {
     const NamedExplosive explosive =
-        options.pattern ? deck_explosive(charge, options.pattern->decks()[hole])
-                        : charge.explosive;
+        options.pattern ? deck_explosive(charge, options.pattern->decks()[hole]) : charge.explosive;
     return product_expansion(charge, explosive).gamma();
   } catch (const InputError& error) {
     refuse(options.where, "hole " + std::to_string(hole + 1) + ": " + error.what());

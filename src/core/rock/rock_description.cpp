@@ -142,10 +142,11 @@ std::string describe_voids(const TessellationStatistics& cut) {
                       ratio = rounded_text(ratios.back(), 3);
     each += (each.empty() ? " " : ", ") + hole + ' ' + ratio;
     if (ratios.back() >= kLeast && ratios.back() <= kMost) continue;
-    warnings += "WARNING: create_blocks: the void of " + hole + " is " + ratio +
-                " times its crushed zone's cylinder, beyond 0.9 to 1.1: its load is that of a " +
-                (ratios.back() > 1.0 ? "wider" : "narrower") +
-                " hole; take smaller blocks at it, rings_from 1.5, or move a plane that crosses it\n";
+    warnings +=
+        "WARNING: create_blocks: the void of " + hole + " is " + ratio +
+        " times its crushed zone's cylinder, beyond 0.9 to 1.1: its load is that of a " +
+        (ratios.back() > 1.0 ? "wider" : "narrower") +
+        " hole; take smaller blocks at it, rings_from 1.5, or move a plane that crosses it\n";
   }
   if (ratios.empty()) return "";
   if (ratios.size() > kEach)

@@ -42,8 +42,8 @@ StoredTypes types_in() {
 StoredTypes all_types() {
   return types_in<BlocksState, BlocksShare, PlacedBlock, NetworkTotals, QuietState, LedgerState,
                   SleepState, RestRecord, CrushedBed::State, JointGasState, BlockGas, BlastState,
-                  StepState, ProgressState, ContactsState, ContactRecord, GaugesState, WallState, WallContact,
-                  ShapesState>();
+                  StepState, ProgressState, ContactsState, ContactRecord, GaugesState, WallState,
+                  WallContact, ShapesState>();
 }
 
 std::string line_of(const StoredType& type) {

@@ -67,7 +67,9 @@ TEST(KirraTable, AnOriginIsTakenAsItIsAndGivenBack) {
 TEST(KirraTable, AnOriginFarFromAllHolesIsRefused) {
   KirraFrame in = frame();
   in.origin = Vec3(478330.0, 6773400.0, 200.0);
-  EXPECT_EQ(input_error_of([&] { (void)convert_kirra(kFourteen, "plan.csv", in, {3.0, 0.0}); }),
+  EXPECT_EQ(input_error_of([&] {
+              (void)convert_kirra(kFourteen, "plan.csv", in, {3.0, 0.0});
+            }),
             "plan.csv: origin must be within 1000 m of a hole, got '478330 6773400 200'; the "
             "middle of the collars is at 478327.7 6772296.6 210");
 }

@@ -89,9 +89,10 @@ TEST(HoleVoids, AreTheCylindersWhateverPlanesCrossThem) {
     }
     (void)test::expect_shared_faces(cut.blocks);
   }
-  std::printf("void over cylinder %.4f to %.4f, rock lost elsewhere up to %.4f of it; smallest "
-              "block over its size %.3f, its 3 V / A %.3f\n",
-              narrowest, widest, unclosed, smallest, thinnest);
+  std::printf(
+      "void over cylinder %.4f to %.4f, rock lost elsewhere up to %.4f of it; smallest "
+      "block over its size %.3f, its 3 V / A %.3f\n",
+      narrowest, widest, unclosed, smallest, thinnest);
   EXPECT_GT(narrowest, 0.98);
   EXPECT_LT(widest, 1.02);
   EXPECT_LT(unclosed, 0.02);

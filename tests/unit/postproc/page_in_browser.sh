@@ -36,7 +36,7 @@ expect() {  # expect WIDTH SCHEME GROUND
   local found
   found=$(seen "$1" "$2") || true
   echo "width $1, scheme $2: $found"
-  [[ $found == "data-seen=\"$1;true;4;true;$3\"" ]] || { echo "  should be $1;true;4;true;$3" && wrong=1; }
+  [[ $found == "data-seen=\"$1;true;5;true;$3\"" ]] || { echo "  should be $1;true;5;true;$3" && wrong=1; }
 }
 expect 400 1 'rgb(246, 247, 248)'
 expect 1200 1 'rgb(246, 247, 248)'

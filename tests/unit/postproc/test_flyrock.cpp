@@ -156,7 +156,7 @@ TEST_F(Flyrock, NeedsTheMassOfEachDeck) {
                                              "a,-5,0,10.5,-5,0,-1,0.1,3,5,\n"
                                              "a,-5,0,10.5,-5,0,-1,0.1,6,11.5,homemade\n");
   const std::string message = input_error_of([&] { report_flyrock(folder()); });
-  EXPECT_NE(message.find("of hole 'a': neither the shipped explosives nor scene.json"),
+  EXPECT_NE(message.find("of hole 'a': neither dump/explosives.csv, the shipped explosives nor"),
             std::string::npos)
       << message;
   EXPECT_THROW(report_flyrock(folder()), NotMeasurable);

@@ -86,9 +86,9 @@ TEST_F(Golden, TablesOfABench) {
   report_movement(folder(), {kCube, 0.25}, {});
   report_fragments(folder(), {kCube, {}});
   report_energy(folder());
-  expect_tables({"profile.csv", "movement.csv", "movement.dxf",
-                 "fragments.csv", "sieve.csv", "energy.csv"},
-                "bench");
+  expect_tables(
+      {"profile.csv", "movement.csv", "movement.dxf", "fragments.csv", "sieve.csv", "energy.csv"},
+      "bench");
 }
 
 TEST_F(Golden, PolygonsThatWereCarried) {

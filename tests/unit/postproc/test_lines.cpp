@@ -212,7 +212,8 @@ TEST(ChargeBars, StandWhereTheLineMeetsAHole) {
   // along y at x = -3: the first hole leans through the line, the second stands 0.4 m beside it
   const PlanLine line{{-3.0, -5.0}, {-3.0, 5.0}};
   const std::vector<Charge> charges{{{-2.5, 1.0, 0.0}, {-4.5, 1.0, 8.0}, 0.2},
-                                    {{-3.4, 2.0, 0.0}, {-3.4, 2.0, 8.0}, 0.2}};
+                                    {{-3.4, 2.0, 0.0}, {-3.4, 2.0, 8.0}, 0.2},
+                                    {{-3.0, 8.0, 0.0}, {-3.0, 8.0, 8.0}, 0.2}};  // beyond its end
   const std::vector<SectionBar> bars = charge_bars(line, charges, 0.0, 0.05);
   ASSERT_EQ(bars.size(), 1U);
   EXPECT_LT((bars[0].low - Vec2(6.0, 0.0)).norm(), 1e-12);  // 6 m from the line's start

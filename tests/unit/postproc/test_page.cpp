@@ -94,7 +94,7 @@ TEST_F(Page, FetchesNothing) {
     EXPECT_TRUE(attribute(element, "src").starts_with("data:image/png;base64,iVBOR"));
     EXPECT_FALSE(attribute(element, "alt").empty());
   });
-  EXPECT_EQ(pictures, 4);  // profile, movement, fragments, energy
+  EXPECT_EQ(pictures, 5);  // profile, face velocity, movement, fragments, energy
 }
 
 TEST_F(Page, SaysWhatDoesNotHold) {

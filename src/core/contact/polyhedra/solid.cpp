@@ -106,11 +106,11 @@ double Solid::reach(const Vec3& n) const {
 }
 
 double Solid::bytes() const {
-  return static_cast<double>(
-      corners_.capacity() * sizeof(Vec3) + planes_.capacity() * sizeof(Plane) +
-      faces_.capacity() * sizeof(Face) + loop_.capacity() * sizeof(int) +
-      rows_.capacity() * sizeof(double) + planes_of_corner_.capacity() * sizeof(std::uint64_t) +
-      face_begin_.capacity() * sizeof(std::size_t));
+  return static_cast<double>(corners_.capacity() * sizeof(Vec3) +
+                             planes_.capacity() * sizeof(Plane) + faces_.capacity() * sizeof(Face) +
+                             loop_.capacity() * sizeof(int) + rows_.capacity() * sizeof(double) +
+                             planes_of_corner_.capacity() * sizeof(std::uint64_t) +
+                             face_begin_.capacity() * sizeof(std::size_t));
 }
 
 void PlacedSolid::place(const Solid& what, const Mat3& turn, const Vec3& at, double size) {

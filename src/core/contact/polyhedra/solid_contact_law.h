@@ -39,8 +39,8 @@ struct SolidResponse {
 /// The springs and dashpots of a contact, sticking, and where they act.
 struct SolidResistance {
   ContactResistance springs;
-  Vec3 normal;    ///< unit, from the first to the second
-  Vec3 point;     ///< [m]
+  Vec3 normal;       ///< unit, from the first to the second
+  Vec3 point;        ///< [m]
   double spread;     ///< root mean square distance of the normal springs from there, at most [m]
   double twist_arm;  ///< distance of the tangential springs that resists spin as they do [m]
 };

@@ -52,7 +52,7 @@ class HoleRings {
   // No other seed is so near to the axis of a hole [m]; 0 where there are no rings.
   [[nodiscard]] double reach(std::size_t hole) const { return around(hole) ? reach_[hole] : 0.0; }
   void drop(std::size_t seed) { seeds_.erase(seeds_.begin() + static_cast<std::ptrdiff_t>(seed)); }
-  [[nodiscard]] double largest_reach() const;  // of all holes [m]
+  [[nodiscard]] double largest_reach() const;                        // of all holes [m]
   [[nodiscard]] std::size_t holes() const { return reach_.size(); }  // none without rings
   [[nodiscard]] const std::vector<RingSeed>& seeds() const { return seeds_; }
   // The sides and ends of the prism that is the void of a hole with rings; unit normals look out.
@@ -61,9 +61,9 @@ class HoleRings {
 
  private:
   Vec3 lo_ = Vec3::Zero(), hi_ = Vec3::Zero();  // corners of the box [m]
-  std::vector<double> reach_;    // per hole [m]; empty without rings
-  std::vector<RingSeed> seeds_;  // in the rock
-  std::vector<std::vector<CutPlane>> prisms_;  // per hole
+  std::vector<double> reach_;                   // per hole [m]; empty without rings
+  std::vector<RingSeed> seeds_;                 // in the rock
+  std::vector<std::vector<CutPlane>> prisms_;   // per hole
 };
 
 // What is left of a cell of a ring, over the least that makes a block: 3 V / A of kThinnestPart and

@@ -102,8 +102,7 @@ void VoidWalls::balance(int hole) {
   for (Carved& one : carved_) {
     if (one.wall.hole != hole) continue;
     const Vec3& normal = one.wall.plane.normal;
-    const std::optional<ConvexCell> rock =
-        part_below(one.cell, one.wall.plane.point, -normal, 0);
+    const std::optional<ConvexCell> rock = part_below(one.cell, one.wall.plane.point, -normal, 0);
     if (!rock || mean_radius(rock->shape) < kThinnest * one.size) {
       one.taken = one.volume;
       one.is_own = true;
@@ -112,7 +111,8 @@ void VoidWalls::balance(int hole) {
     missing -= one.taken;
     adjustable += one.is_own ? 0.0 : one.taken;
   }
-  const double factor = adjustable > 0.0 ? std::clamp(1.0 + missing / adjustable, kLeast, kMost) : 1.0;
+  const double factor =
+      adjustable > 0.0 ? std::clamp(1.0 + missing / adjustable, kLeast, kMost) : 1.0;
   for (Carved& one : carved_) {
     if (one.wall.hole != hole || one.is_own) continue;
     const Vec3& normal = one.wall.plane.normal;

@@ -139,7 +139,8 @@ double rock_volume(const TessellationOptions& options, const Ground& ground, con
   for (int k = 0; k < kPoints * kPoints * kPoints; ++k) {
     const Vec3 place(k % kPoints + 0.5, k / kPoints % kPoints + 0.5, k / (kPoints * kPoints) + 0.5);
     const Vec3 point = lo + place.cwiseProduct(step);
-    hits += is_within(bounds, point) && ground.in_region(point) && !in_a_hole(options, point) ? 1 : 0;
+    hits +=
+        is_within(bounds, point) && ground.in_region(point) && !in_a_hole(options, point) ? 1 : 0;
   }
   return hits * step.prod();
 }

@@ -132,7 +132,8 @@ TEST(JointLaw, ALinearLawHasItsOwnStrength) {
         if (scene.start(b).x() > 1.0)  // rock and joint in series, 5e10 Pa/m each
           scene.block(b).centre.x() = scene.start(b).x() + pull / 2.5e10;
       scene.compute(1e-6);
-      EXPECT_EQ(scene.network().broken_count(), pull > 3e6 ? wide * wide : 0) << wide << ' ' << pull;
+      EXPECT_EQ(scene.network().broken_count(), pull > 3e6 ? wide * wide : 0)
+          << wide << ' ' << pull;
     }
   }
 }
