@@ -3,6 +3,8 @@
 // Scope: see the header.
 #include "fixes/explosive/charge_design.h"
 
+#include <mpi.h>
+
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -19,11 +21,11 @@ void ChargeDesignCommand::command(int narg, char** arg) {
   const ArgValues values = engine::or_engine_error(*lmp, [&] {
     return parse_args(charge_design_table(), where, engine::words_of(narg, arg, 0));
   });
-  // All ranks have read the table before one writes the other.
   const ChargeDesign design =
       engine::or_engine_error(*lmp, [&] { return charge_design(values, where); });
   if (const std::string& word = values.word("crushed_table"); word != "none") {
     const std::filesystem::path file = word;
+    MPI_Barrier(world);        // a late rank must not read what the first one writes
     std::error_code unheeded;  // write_file tells what is wrong with the folder
     if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), unheeded);
     engine::write_file(*lmp, where, word, design.crushed_table);

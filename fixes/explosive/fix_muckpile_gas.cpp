@@ -202,7 +202,6 @@ void FixMuckpileGas::follow_blocks() {
   contents.merge(restored_);
   restored_.clear();
   gas_.set_network(joints_->network());
-  measured_ = false;
   const engine::BlockHalo& halo = joints_->halo();
   halo.forward(gas_.touches().first(halo.size()));
   tags_ = std::move(tags);
@@ -210,6 +209,7 @@ void FixMuckpileGas::follow_blocks() {
     const auto found = contents.find(tags_[b]);
     if (found != contents.end()) gas_.cells()[b].content = found->second;
   }
+  halo.forward(gas_.press_as_before().first(halo.size()), 1);
 }
 
 /// The gas of the blocks with these tags, which are on this rank now. Collective.

@@ -46,6 +46,7 @@ struct JointGasState {
   double in_open = 0.0, could_do = 0.0;  ///< [J]
   double greatest_pressure = 0.0;        ///< [Pa]
   double waited = 0.0;                   ///< since the last flow [s]
+  std::int64_t measured_at = -1;         ///< step whose pressures hold; -1: none yet
 };
 template <>
 struct Stored<JointGasState> {
@@ -54,7 +55,8 @@ struct Stored<JointGasState> {
   static auto fields(auto& state) {
     return std::tie(state.active, state.spent, state.fed, state.beds, state.taken, state.vented,
                     state.lost, state.work, state.spent_energy, state.softened,
-                    state.greatest_pressure, state.in_open, state.could_do, state.waited);
+                    state.greatest_pressure, state.in_open, state.could_do, state.waited,
+                    state.measured_at);
   }
 };
 
@@ -110,9 +112,9 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure, public Joint
   std::vector<int> tags_;  // of the owned blocks, in the order of their cells
   std::unordered_map<int, GasContent> restored_;  // by tag, until the first follow_blocks()
   bool active_ = false, spent_ = false;
-  bool measured_ = false;  // pressures are of these lists of blocks
-  double waited_ = 0.0;    // since the last flow [s]
-  std::vector<char> fed_;  // per hole
+  LAMMPS_NS::bigint measured_at_ = -1;  // step whose pressures hold; -1: none yet
+  double waited_ = 0.0;                 // since the last flow [s]
+  std::vector<char> fed_;               // per hole
   CrushedBed bed_;
   std::vector<CrushedBed::State> beds_;     // per hole, the same on all ranks
   std::vector<GasChamber> chambers_;        // per hole; joints get what has passed the bed

@@ -47,7 +47,8 @@ void FixMuckpileGas::write_restart(FILE* file) {
                             greatest_pressure(),
                             over_ranks(in_open_),
                             over_ranks(could_do_),
-                            waited_};
+                            waited_,
+                            measured_at_};
   ByteWriter mine;
   for (std::size_t b = 0; b < tags_.size(); ++b)
     mine.put(BlockGas{tags_[b], gas_.cells()[b].content});
@@ -79,6 +80,7 @@ void FixMuckpileGas::restart(char* bytes) {
   softened_ = state.softened;
   restored_pressure_ = state.greatest_pressure;
   waited_ = state.waited;
+  measured_at_ = state.measured_at;
 }
 
 double FixMuckpileGas::over_ranks(double mine, bool greatest) const {

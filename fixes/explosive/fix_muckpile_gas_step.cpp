@@ -20,15 +20,16 @@ constexpr double kSpentShare = 0.2;  // spent: nowhere more than that share abov
 
 }  // namespace
 
-/// The first step after one that a restart file is likely to be written at is one.
-bool FixMuckpileGas::in_step_of_gas() const {
-  return (update->ntimestep - 1) % every_ == 0 || every_ == 1;
-}
+/// The step after each whose number `every_` divides: a restart file of such a step goes on with
+/// one.
+bool FixMuckpileGas::in_step_of_gas() const { return (update->ntimestep - 1) % every_ == 0; }
 
+/// A set-up for a run, after a restart file too, finds what the last step pressed.
 std::span<const double> FixMuckpileGas::pressure_in_joints() {
   if (!active_) return {};
-  if (measured_ && !in_step_of_gas()) return gas_.pressed();
-  measured_ = true;
+  const bool due = in_step_of_gas() && measured_at_ != update->ntimestep;
+  if (measured_at_ >= 0 && !due) return gas_.pressed();
+  measured_at_ = update->ntimestep;
   const engine::BlockHalo& halo = joints_->halo();
   gas_.measure(joints_->network(), fed_);
   numbers_.resize(halo.size() * kCellWidth);

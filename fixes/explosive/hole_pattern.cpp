@@ -60,7 +60,7 @@ TableText taken(const std::string& own, const ArgValues& values, const std::stri
                      std::to_string(table.decks().size()) + " decks of " + own + "\n",
                  origin_of(values, where)};
   if (!made.place) return made;
-  made.text = placed_table(csv, {*made.place, radians(values.real("throw_bearing"))});
+  made.text = placed_table(csv, own, {*made.place, radians(values.real("throw_bearing"))});
   made.report += place_text(*made.place, values);
   return made;
 }

@@ -10,6 +10,7 @@
 #include "args/input_error.h"
 #include "args/suggestion.h"
 #include "explosive/hole_table.h"
+#include "explosive/kirra_table.h"
 #include "explosive/table_text.h"
 
 namespace muckpile {
@@ -53,6 +54,20 @@ std::string_view field(const CsvTable& csv, std::size_t row, std::string_view co
   return at ? csv.word(row, *at) : std::string_view();
 }
 
+/// A row without depths has those of the only deck of its hole.
+void require_depths(const CsvTable& charges, const Rows& holes) {
+  for (std::size_t row = 0; row < charges.rows(); ++row) {
+    const std::string hole(field(charges, row, "hole"));
+    const std::size_t decks = holes.at(hole).size();
+    if (decks == 1) continue;
+    for (const char* depth : {"from_m", "to_m"}) {
+      if (!field(charges, row, depth).empty()) continue;
+      throw InputError(charges.where(row) + depth + " must be given: hole '" + hole + "' has " +
+                       std::to_string(decks) + " decks in the plan");
+    }
+  }
+}
+
 std::vector<std::string_view> all_columns(const CsvTable& plan, const CsvTable& charges) {
   std::vector<std::string_view> columns = plan.header();
   for (const std::string_view name : charges.header()) {
@@ -67,7 +82,9 @@ std::string with_charges(const std::string& text, const std::string& name,
                          const CsvTable& charges) {
   charges.require_known_columns(kChargeColumns);
   const CsvTable plan = CsvTable::parse(text, name);
-  require_known_holes(charges, rows_by_hole(plan));
+  const Rows holes = rows_by_hole(plan);
+  require_known_holes(charges, holes);
+  require_depths(charges, holes);
   const Rows own = rows_by_hole(charges);
   const std::vector<std::string_view> columns = all_columns(plan, charges);
   std::ostringstream out;
@@ -84,7 +101,10 @@ std::string with_charges(const std::string& text, const std::string& name,
       for (std::size_t k = 0; k < columns.size(); ++k) {
         const std::string_view typed =
             with == own.end() ? std::string_view() : field(charges, with->second[d], columns[k]);
-        out << (k > 0 ? "," : "") << (typed.empty() ? field(plan, row, columns[k]) : typed);
+        // Another charge has another crushed zone.
+        const bool none = with != own.end() && columns[k] == "crushed_radius_m";
+        out << (k > 0 ? "," : "")
+            << (typed.empty() && !none ? field(plan, row, columns[k]) : typed);
       }
       out << '\n';
     }
@@ -94,9 +114,12 @@ std::string with_charges(const std::string& text, const std::string& name,
   return made;
 }
 
-std::string placed_table(const CsvTable& csv, const MineFrame& frame) {
+std::string placed_table(const CsvTable& csv, const std::string& name, const MineFrame& frame) {
   constexpr double kMicrometre = 1e-6;
   const HoleTable table(csv);
+  std::vector<Vec3> collars;
+  for (const Deck& deck : table.decks()) collars.push_back(deck.hole_collar);
+  require_origin_near(collars, frame.origin, name);
   std::vector<NewColumn> columns;
   for (const char* end : {"collar", "toe"}) {
     for (int c = 0; c < 3; ++c) {

@@ -13,12 +13,15 @@ namespace muckpile {
 
 /// The hole table `text`, for which `name` stands in messages, with the charges of another one.
 /// Each row of `charges` is a deck of the hole that it names and has the columns of charges of a
-/// hole table; decks of such holes in `text` go. What a row leaves empty is that of the first deck
-/// in `text`. Throws InputError where a hole is not in `text`, or as HoleTable.
+/// hole table; decks of such holes in `text` go. What a row leaves empty, but for the crushed zone,
+/// is that of the first deck in `text`. Throws InputError where a hole is not in `text`, where a
+/// row for a hole of several decks lacks a depth, or as HoleTable.
 [[nodiscard]] std::string with_charges(const std::string& text, const std::string& name,
                                        const CsvTable& charges);
 
-/// A hole table in mine coordinates as one in those of the run.
-[[nodiscard]] std::string placed_table(const CsvTable& csv, const MineFrame& frame);
+/// A hole table in mine coordinates, for which `name` stands in messages, as one in those of the
+/// run. Throws InputError where no hole is near the frame's origin.
+[[nodiscard]] std::string placed_table(const CsvTable& csv, const std::string& name,
+                                       const MineFrame& frame);
 
 }  // namespace muckpile

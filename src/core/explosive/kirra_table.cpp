@@ -174,15 +174,20 @@ Vec3 origin_by_holes(const std::vector<KirraHole>& holes, const KirraFrame& fram
 /// To a micrometre: Kirra writes a tenth of a millimetre.
 std::string short_text(double value) { return stepped_text(value, 1e-6); }
 
-/// An origin of another mine, or 0 0 0 that was left, would put rock where no hole is.
-void check_origin(const std::vector<KirraHole>& holes, const Vec3& origin,
-                  const std::string& name) {
+std::string place_text(const Vec3& at) {
+  return short_text(at.x()) + ',' + short_text(at.y()) + ',' + short_text(at.z());
+}
+
+}  // namespace
+
+void require_origin_near(const std::vector<Vec3>& collars, const Vec3& origin,
+                         const std::string& name) {
   constexpr double kFarthest = 1000.0;  // [m]
   double nearest = std::numeric_limits<double>::infinity();
   Vec3 middle = Vec3::Zero();
-  for (const KirraHole& hole : holes) {
-    nearest = std::min(nearest, (hole.collar - origin).norm());
-    middle += hole.collar / static_cast<double>(holes.size());
+  for (const Vec3& collar : collars) {
+    nearest = std::min(nearest, (collar - origin).norm());
+    middle += collar / static_cast<double>(collars.size());
   }
   if (nearest <= kFarthest) return;
   const auto text = [](const Vec3& at) {
@@ -192,12 +197,6 @@ void check_origin(const std::vector<KirraHole>& holes, const Vec3& origin,
                    " m of a hole, got '" + text(origin) + "'; the middle of the collars is at " +
                    text(middle));
 }
-
-std::string place_text(const Vec3& at) {
-  return short_text(at.x()) + ',' + short_text(at.y()) + ',' + short_text(at.z());
-}
-
-}  // namespace
 
 ConvertedHoles convert_kirra(const std::string& text, const std::string& name,
                              const KirraFrame& frame, const KirraCharge& charge) {
@@ -209,7 +208,9 @@ ConvertedHoles convert_kirra(const std::string& text, const std::string& name,
   const Names names = names_of(csv, holes);
   ConvertedHoles converted{"", holes.size(),
                            frame.origin ? *frame.origin : origin_by_holes(holes, frame)};
-  check_origin(holes, converted.origin, name);
+  std::vector<Vec3> collars;
+  for (const KirraHole& hole : holes) collars.push_back(hole.collar);
+  require_origin_near(collars, converted.origin, name);
   const Vec3 origin = turned(converted.origin, frame.throw_bearing);
   std::ostringstream table;
   table << "# holes of Kirra's file " << name << "; origin in its coordinates "

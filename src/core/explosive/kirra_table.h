@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "math/types.h"
 
@@ -31,6 +32,11 @@ struct ConvertedHoles {
   Vec3 origin;                 ///< that was taken, in the mine's coordinates [m]
   double collar_height = 0.0;  ///< mean, above the floor [m]
 };
+
+/// An origin of another mine, or 0 0 0 that was left, would put rock where no hole is: throws
+/// InputError that `name` starts.
+void require_origin_near(const std::vector<Vec3>& collars, const Vec3& origin,
+                         const std::string& name);
 
 /// `text` is Kirra's file: 12 or 14 columns without names, or columns with names. `name` stands for
 /// it in messages. Throws InputError with name and line.

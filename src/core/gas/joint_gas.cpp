@@ -195,8 +195,18 @@ double JointGas::work_to_ambient(double pressure, double volume) const {
 
 std::span<const double> JointGas::press() {
   refresh();
-  for (std::size_t b = 0; b < cells_.size(); ++b)
+  for (std::size_t b = 0; b < cells_.size(); ++b) {
     gauge_[b] = std::max(0.0, reservoirs_[b].head.pressure - p_.ambient);
+    cells_[b].content.pressed = gauge_[b];
+  }
+  return gauge_;
+}
+
+std::span<double> JointGas::press_as_before() {
+  for (std::size_t b = 0; b < cells_.size(); ++b) {
+    gauge_[b] = cells_[b].content.pressed;
+    cells_[b].volume = cells_[b].content.volume;  // until the next measure()
+  }
   return gauge_;
 }
 

@@ -40,18 +40,19 @@ namespace muckpile {
 
 /// What a block's joints hold; it travels with the block.
 struct GasContent {
-  double mass = 0.0;    ///< [kg]
-  double energy = 0.0;  ///< internal, U = p V/(gamma - 1) [J]
-  double heat = 0.0;    ///< that the block's walls have taken from it [J]
-  double volume = 0.0;  ///< that it had at the last measure() [m3]
-  double broken = 0.0;  ///< of that, what its joints have while they are closed [m3]
+  double mass = 0.0;     ///< [kg]
+  double energy = 0.0;   ///< internal, U = p V/(gamma - 1) [J]
+  double heat = 0.0;     ///< that the block's walls have taken from it [J]
+  double volume = 0.0;   ///< that it had at the last measure() [m3]
+  double broken = 0.0;   ///< of that, what its joints have while they are closed [m3]
+  double pressed = 0.0;  ///< beyond the atmosphere, as the last press() told it [Pa]
 };
 template <>
 struct Stored<GasContent> {
   static constexpr std::string_view kName = "gas_content";
-  static constexpr int kVersion = 3;
+  static constexpr int kVersion = 4;
   static auto fields(auto& gas) {
-    return std::tie(gas.mass, gas.energy, gas.heat, gas.volume, gas.broken);
+    return std::tie(gas.mass, gas.energy, gas.heat, gas.volume, gas.broken, gas.pressed);
   }
 };
 
@@ -142,6 +143,9 @@ class JointGas {
   /// What the gas of each block presses beyond the atmosphere [Pa]; valid until the next call.
   [[nodiscard]] std::span<const double> press();
   [[nodiscard]] std::span<const double> pressed() const { return gauge_; }  ///< by the last press()
+  /// After set_network(), of the contents of owned blocks: pressed() is what they pressed before;
+  /// the caller fills in the copies.
+  [[nodiscard]] std::span<double> press_as_before();
 
   struct Flows {
     std::vector<GasFlow> from_hole;   ///< what owned blocks took from each chamber, net

@@ -129,9 +129,10 @@ JointGas::Opened JointGas::open_wide() {
     GasContent& gas = cells_[b].content;
     const double kept = std::max(0.0, 1.0 - lost_volume[b] / cells_[b].volume);
     // The last joint takes all: no rounding is left behind.
-    const GasContent rest = kept < 1e-12 ? GasContent{.heat = gas.heat}
-                                         : GasContent{kept * gas.mass, kept * gas.energy, gas.heat,
-                                                      kept * gas.volume, rooms_[b]};
+    const GasContent rest = kept < 1e-12
+                                ? GasContent{.heat = gas.heat}
+                                : GasContent{kept * gas.mass,   kept * gas.energy, gas.heat,
+                                             kept * gas.volume, rooms_[b],         gas.pressed};
     opened.vented += {gas.mass - rest.mass, gas.energy - rest.energy};
     opened.could_do += work_to_ambient(pressure(cells_[b]), (1.0 - kept) * cells_[b].volume);
     gas = rest;

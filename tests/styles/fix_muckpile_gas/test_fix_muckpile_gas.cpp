@@ -157,7 +157,7 @@ TEST(FixMuckpileGas, SoftenedJointsLetTheGasGo) {
 /// Joints of 22 GPa, softened to 2.2 GPa under some 10 MPa: the gas goes on pushing, and neither
 /// its volume nor its work jumps.
 TEST(FixMuckpileGas, JointsAHundredTimesAsStiffAsTheGasKeepIt) {
-  Burst burst(MPI_COMM_WORLD, "every 1");
+  Burst burst(MPI_COMM_WORLD);
   burst.scene.run(300, kStep);
   const double pressure = burst.gas(5);
   ASSERT_GT(pressure, 5e6);
@@ -166,7 +166,7 @@ TEST(FixMuckpileGas, JointsAHundredTimesAsStiffAsTheGasKeepIt) {
   burst.scene.command("fix_modify joint soften 0.1");
   burst.scene.run(1, kStep);
   EXPECT_EQ(burst.gas(7), 0.0);
-  EXPECT_NEAR(burst.gas(5) / pressure, 1.0, 0.02);  // it falls by 1 % in that step
+  EXPECT_NEAR(burst.gas(5) / pressure, 1.0, 0.03);  // it falls by 2 % in that step of the gas
   EXPECT_NEAR(burst.scene.output("load", 3) / swept, 1.0, 0.01);
   EXPECT_NEAR(burst.scene.output("energy", 5) / work, 1.0, 0.005);
   burst.scene.run(300, kStep);

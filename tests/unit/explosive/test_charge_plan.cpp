@@ -26,8 +26,8 @@ HoleTable charged(const std::string& charges) {
 
 TEST(ChargePlan, ARowReplacesTheDecksOfItsHole) {
   const HoleTable table = charged(
-      "hole,explosive,explosive_density_kg_m3,vod_m_s,coupling,charge_diameter_m,from_m\n"
-      "a,emulsion,1150,4800,water,0.08,3\n");
+      "hole,explosive,explosive_density_kg_m3,vod_m_s,coupling,charge_diameter_m,from_m,to_m\n"
+      "a,emulsion,1150,4800,water,0.08,3,10\n");
   ASSERT_EQ(table.decks().size(), 2u);
   const Deck &a = table.decks()[0], &b = table.decks()[1];
   EXPECT_EQ(*a.explosive, "emulsion");
@@ -35,8 +35,7 @@ TEST(ChargePlan, ARowReplacesTheDecksOfItsHole) {
   EXPECT_EQ(*a.detonation_velocity, 4800.0);
   EXPECT_EQ(*a.coupling, Coupling::water);
   EXPECT_EQ(a.from, 3.0);
-  EXPECT_EQ(a.to, 10.0);  // of the first deck, as the delay
-  EXPECT_EQ(a.firing_time, 0.5);
+  EXPECT_EQ(a.firing_time, 0.5);  // of the first deck
   EXPECT_FALSE(b.explosive || b.explosive_density || b.detonation_velocity || b.coupling);
   EXPECT_DOUBLE_EQ(b.firing_time, 0.517);
 }
@@ -61,9 +60,22 @@ TEST(ChargePlan, FaultsNameTheLine) {
             std::string::npos);
 }
 
+TEST(ChargePlan, ARowForAHoleOfSeveralDecksHasDepths) {
+  EXPECT_EQ(input_error_of([] { (void)charged("hole,from_m\na,3\n"); }),
+            "c.csv:2: to_m must be given: hole 'a' has 2 decks in the plan");
+}
+
+TEST(ChargePlan, AnOriginFarFromAllHolesIsRefused) {
+  const std::string fault = input_error_of([] {
+    (void)placed_table(CsvTable::parse(kPlan, "plan"), "plan", {{5e5, 7e6, 0.0}, 0.0});
+  });
+  EXPECT_NE(fault.find("plan: origin must be within 1000 m of a hole"), std::string::npos) << fault;
+}
+
 TEST(ChargePlan, ATableOfTheMineIsTurnedIntoTheRun) {
   // the face looks to the north: x is north, y is west
-  const std::string text = placed_table(CsvTable::parse(kPlan, "plan"), {{-1.0, 2.0, 5.0}, 0.0});
+  const std::string text =
+      placed_table(CsvTable::parse(kPlan, "plan"), "plan", {{-1.0, 2.0, 5.0}, 0.0});
   const HoleTable table(CsvTable::parse(text, "made"));
   EXPECT_LT((table.decks()[2].hole_collar - Vec3(2.0, 2.0, 5.0)).norm(), 1e-9);
   EXPECT_LT((table.decks()[0].hole_toe - Vec3(-2.0, 2.0, -5.0)).norm(), 1e-9);

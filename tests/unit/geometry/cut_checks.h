@@ -15,10 +15,11 @@
 
 namespace muckpile::test {
 
-inline void expect_convex_and_closed(const Block& block) {
+/// `rounding`: of areas, over those of cuts by planes that are known to rounding.
+inline void expect_convex_and_closed(const Block& block, double rounding = 1.0) {
   const double area = std::pow(block.mass.volume, 2.0 / 3.0), size = std::sqrt(area);
   EXPECT_GT(block.mass.volume, 0.0);
-  EXPECT_LT(area_vector_sum(block.shape).norm(), 1e-8 * area);
+  EXPECT_LT(area_vector_sum(block.shape).norm(), rounding * 1e-9 * area);
   ASSERT_EQ(block.neighbour.size(), block.shape.faces.size());
   for (std::size_t f = 0; f < block.shape.faces.size(); ++f) {
     const FaceGeometry face = face_geometry(block.shape, static_cast<int>(f));
@@ -30,7 +31,7 @@ inline void expect_convex_and_closed(const Block& block) {
 
 /// Each block's faces against another have, together, the area and centroid of the other's against
 /// it. Returns the area of all of them, both sides [m2].
-inline double expect_shared_faces(const std::vector<Block>& blocks) {
+inline double expect_shared_faces(const std::vector<Block>& blocks, double rounding = 1.0) {
   std::map<std::pair<int, int>, std::pair<double, Vec3>> shared;
   double all = 0.0;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
@@ -53,8 +54,8 @@ inline double expect_shared_faces(const std::vector<Block>& blocks) {
                     << " and not the other way round";
       continue;
     }
-    EXPECT_NEAR(mine.first, back->second.first, 1e-7 * size * size);
-    EXPECT_LT((mine.second - back->second.second).norm(), 1e-7 * size * size);
+    EXPECT_NEAR(mine.first, back->second.first, rounding * 1e-9 * size * size);
+    EXPECT_LT((mine.second - back->second.second).norm(), rounding * 1e-8 * size * size);
   }
   return all;
 }

@@ -23,6 +23,7 @@ double height_of(const ConvexCell& cell, const Vec3& normal, double volume, doub
   constexpr int kMost = 60;
   auto [low, high] = extent(cell.shape, normal);
   double at_low = -volume, at_high = volume_of(cell) - volume, at = high;
+  int kept = 0;  // the end that the last cut has left, 1 the lower one
   for (int k = 0; k < kMost; ++k) {
     at = (low * at_high - high * at_low) / (at_high - at_low);
     const double off = volume_below(cell, normal, at) - volume;
@@ -30,11 +31,13 @@ double height_of(const ConvexCell& cell, const Vec3& normal, double volume, doub
     if (off > 0.0) {
       high = at;
       at_high = off;
-      at_low *= 0.5;
+      if (kept == 1) at_low *= 0.5;
+      kept = 1;
     } else {
       low = at;
       at_low = off;
-      at_high *= 0.5;
+      if (kept == -1) at_high *= 0.5;
+      kept = -1;
     }
   }
   return at;
@@ -97,7 +100,9 @@ void VoidWalls::choose(Carved& one) const {
 
 /// Lets the cells at a hole make up for what others take off too much or not at all.
 void VoidWalls::balance(int hole) {
-  constexpr double kLeast = 0.5, kMost = 1.5, kFine = 1e-9, kThinnest = 0.1;
+  constexpr double kLeast = 0.5, kMost = 1.5;        // of what the prism has of a cell
+  constexpr double kFine = 1e-9, kMostOfCell = 0.9;  // of a cell's volume
+  constexpr double kThinnest = 0.1;  // 3 V / A over the block size, below which rock is no block
   double missing = prism_volume_[static_cast<std::size_t>(hole)], adjustable = 0.0;
   for (Carved& one : carved_) {
     if (one.wall.hole != hole) continue;
@@ -116,7 +121,7 @@ void VoidWalls::balance(int hole) {
   for (Carved& one : carved_) {
     if (one.wall.hole != hole || one.is_own) continue;
     const Vec3& normal = one.wall.plane.normal;
-    const double volume = std::min(factor * one.taken, 0.9 * one.volume);
+    const double volume = std::min(factor * one.taken, kMostOfCell * one.volume);
     one.wall.plane.point = height_of(one.cell, normal, volume, kFine * one.volume) * normal;
   }
 }
