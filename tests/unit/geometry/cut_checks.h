@@ -60,14 +60,15 @@ inline double expect_shared_faces(const std::vector<Block>& blocks, double round
   return all;
 }
 
-inline void expect_sound_cut(const std::vector<Block>& blocks, double volume) {
+inline void expect_sound_cut(const std::vector<Block>& blocks, double volume,
+                             double rounding = 1.0) {
   double sum = 0.0;
   for (const Block& block : blocks) {
-    expect_convex_and_closed(block);
+    expect_convex_and_closed(block, rounding);
     sum += block.mass.volume;
   }
   EXPECT_NEAR(sum, volume, 1e-9 * volume);
-  (void)expect_shared_faces(blocks);
+  (void)expect_shared_faces(blocks, rounding);
 }
 
 /// Blocks with 3 V / A below this share of the size asked for.

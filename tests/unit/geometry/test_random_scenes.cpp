@@ -196,13 +196,14 @@ double farthest_bare_rock(const TessellationOptions& rock, const std::vector<Blo
 
 /// Returns what the crushed zones have taken of the boundary, which they should not reach [m2].
 double expect_sound(const TessellationOptions& rock, const Tessellation& cut, bool cut_by_sets) {
-  test::expect_sound_cut(cut.blocks, rock.hi.prod() - volume_of_voids(rock.hi, cut.blocks));
+  constexpr double kRounding = 100.0;  // heights of walls at voids are solved to 1e-9 of a cell
+  test::expect_sound_cut(cut.blocks, rock.hi.prod() - volume_of_voids(rock.hi, cut.blocks),
+                         kRounding);
   if (rock.planes.empty() || rock.holes.empty() || cut_by_sets) {
     // else parts of a crushed zone beside a plane are free
     EXPECT_LE(free_faces_inside(rock.hi, cut.blocks), 1e-9 * rock.hi.squaredNorm());
   }
-  const double both_sides =
-      test::expect_shared_faces(cut.blocks, 100.0);  // walls at voids are solved
+  const double both_sides = test::expect_shared_faces(cut.blocks, kRounding);
   // Faces below kSmallestFacetShare of their block carry no facet.
   EXPECT_NEAR(facet_area(cut.blocks), 0.5 * both_sides, 1e-7 * both_sides);
   const std::array<Vec3, 2> bare = walls_of_voids(rock.hi, cut.blocks);
