@@ -54,8 +54,8 @@ TEST(ChargePlan, FaultsNameTheLine) {
               (void)charged("hole,toe_x_m\na,1\n");
             }).find("c.csv: unknown column 'toe_x_m'"),
             std::string::npos);
-  EXPECT_NE(input_error_of([] { (void)charged("hole,coupling\na,mud\n"); })
-                .find("plan with its charges:3: coupling must be one of air, water, stemming, got "
+  EXPECT_NE(input_error_of([] { (void)charged("hole,coupling\nb,mud\n"); })
+                .find("plan with its charges:4: coupling must be one of air, water, stemming, got "
                       "'mud'"),
             std::string::npos);
 }
