@@ -55,7 +55,7 @@ TEST(ChargePlan, FaultsNameTheLine) {
             }).find("c.csv: unknown column 'toe_x_m'"),
             std::string::npos);
   EXPECT_NE(input_error_of([] { (void)charged("hole,coupling\nb,mud\n"); })
-                .find("plan with its charges:4: coupling must be one of air, water, stemming, got "
+                .find("plan with its charges:5: coupling must be one of air, water, stemming, got "
                       "'mud'"),
             std::string::npos);
 }
