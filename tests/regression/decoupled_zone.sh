@@ -18,5 +18,5 @@ loads() {
 
 loads full 'wave peak P1 = 214.5 MPa on r1 = 0.09 m'
 loads air 'wave peak P1 = 214.5 MPa on r1 = 0.05733 m' -var charge_diameter 0.048
-loads thin 'on r1 = 0.03 m (1 hole radii' -var charge_diameter 0.024
-loads as_full 'MPa on r1 = 0.09 m' -var charge_diameter 0.048 -var decoupled_zone full
+loads thin 'wave peak P1 = 211.2 MPa on r1 = 0.03 m (1 hole radii' -var charge_diameter 0.024
+loads as_full 'wave peak P1 = 74.88 MPa on r1 = 0.09 m' -var charge_diameter 0.048 -var decoupled_zone full
