@@ -146,7 +146,8 @@ std::string describe_voids(const TessellationStatistics& cut) {
         "WARNING: create_blocks: the void of " + hole + " is " + ratio +
         " times its crushed zone's cylinder, beyond 0.9 to 1.1: its load is that of a " +
         (ratios.back() > 1.0 ? "wider" : "narrower") +
-        " hole; take smaller blocks at it, rings_from 1.5, or move a plane that crosses it\n";
+        " hole; take smaller blocks at it, move a plane that crosses it, or, where blocks are 1.5 "
+        "radii wide or more, take rings_from 1.5\n";
   }
   if (ratios.empty()) return "";
   if (ratios.size() > kEach)
