@@ -29,6 +29,7 @@
 #include "rock/rock_surfaces.h"
 #include "rock/zone_bodies.h"
 #include "rock/zone_model.h"
+#include "rock/zone_sizes.h"
 
 namespace muckpile {
 namespace {
@@ -132,6 +133,8 @@ void CreateBlocks::command(int narg, char** arg) {
   if (comm->me == 0)
     engine::print_once(
         *lmp, describe(model, MPI_Wtime() - start) + describe_surfaces(options, model.rock) +
+                  describe_open_planes(options, model.rock) +
+                  describe_zone_sizes(options, model.rock, model.zone_of) +
                   describe_zone_bodies(options, model) + describe_zone_model(options) +
                   describe_faults(options, model) + describe_mine_frame(options) +
                   (options.muck ? describe_muck(model.muck, *options.muck) : ""));

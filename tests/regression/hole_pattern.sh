@@ -123,3 +123,16 @@ run_input overhang 1 "$out/in.quarry_cut" -var surface "$out/body.stl" -var rows
 sed -nE 's/.*crushed zones [0-9.e+]+ m3 \(([-+0-9.e]+) %.*mean, ([0-9.e-]+) at most, ([0-9.e+]+) % .*/{"volume": \1, "near": \3}/p' "$out/overhang/screen" |
   tr -d '+' >"$out/overhang.json"
 check_figures near "overhang: volume of the cut over that of the rock [%]" "$out/overhang.json:volume" 0 1
+
+# The pattern takes charges by hole and scatter, too; another order of rows has the same times.
+printf 'hole,explosive,coupling,charge_diameter_m\nr1h9,anfo,water,0.14\n' >"$out/wet.csv"
+sed '/^# --- joints/,$d' inputs/pattern/in.pattern >"$out/in.pattern_cut"
+{ sed -n 1p tests/regression/two_holes.csv; sed -n 3p tests/regression/two_holes.csv; sed -n 2p tests/regression/two_holes.csv; } >"$out/turned.csv"
+for holes in tests/regression/two_holes.csv "$out/turned.csv"; do
+  name=pattern_$(basename "$holes" .csv)
+  run_input "$name" 1 "$out/in.pattern_cut" -var hole_table "$holes" -var hole_charges "$out/wet.csv" -var delay_scatter 0.02 -var delay_seed 3
+  grep -q '^r1h9,.*,anfo,water,0.14,' "$out/$name/dump/holes.csv" || fail "hole r1h9 of the pattern is not wet: $(cat "$out/$name/dump/holes.csv")"
+  awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) if ($k == "scatter_s") c = k; next } { print $1, $c }' "$out/$name/dump/holes.csv" | sort >"$out/$name.times"
+done
+cmp "$out/pattern_two_holes.times" "$out/pattern_turned.times" || fail "scatter depends on the order of rows: $(cat "$out"/pattern_*.times)"
+grep -q '^r1h9 -\?[0-9.e-]*[1-9]' "$out/pattern_turned.times" || fail "no scatter in the pattern: $(cat "$out/pattern_turned.times")"

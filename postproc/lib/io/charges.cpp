@@ -3,6 +3,7 @@
 // Scope: see the header.
 #include "io/charges.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "args/input_error.h"
@@ -20,7 +21,8 @@ std::vector<Charge> charges_of_table(const std::filesystem::path& path) {
   std::vector<Charge> charges;
   const HoleTable table = HoleTable::read(path.string());
   for (const Deck& deck : table.decks())
-    charges.push_back({deck.toe, deck.collar, deck.crushed_radius.value_or(0.5 * deck.diameter)});
+    charges.push_back({deck.toe, deck.collar, deck.crushed_radius.value_or(0.5 * deck.diameter),
+                       0.5 * deck.diameter});
   if (charges.empty()) throw InputError(path.string() + ": holds no rows");
   return charges;
 }
@@ -46,6 +48,16 @@ std::vector<Charge> charges_of_scene(const ResultFolder& folder) {
   return charges;
 }
 
+// Of the drilled one that begins at the same place.
+void add_hole_radii(std::vector<Charge>& charges, const std::vector<Charge>& drilled) {
+  for (Charge& charge : charges) {
+    const double near = 0.01 * (charge.collar - charge.toe).norm();
+    const auto own = std::ranges::find_if(
+        drilled, [&](const Charge& other) { return (other.toe - charge.toe).norm() <= near; });
+    if (own != drilled.end()) charge.hole_radius = own->hole_radius;
+  }
+}
+
 }  // namespace
 
 std::vector<Charge> charges_of_run(const ResultFolder& folder) {
@@ -69,8 +81,11 @@ std::vector<Charge> charges_of_run(const ResultFolder& folder) {
 
 std::vector<Charge> charges_of(const ResultFolder& folder) {
   std::vector<Charge> charges = charges_of_run(folder);
-  if (!charges.empty()) return charges;
   const std::filesystem::path table = folder.dump("holes.csv");
+  if (!charges.empty()) {
+    if (std::filesystem::exists(table)) add_hole_radii(charges, charges_of_table(table));
+    return charges;
+  }
   return std::filesystem::exists(table) ? charges_of_table(table) : charges_of_scene(folder);
 }
 

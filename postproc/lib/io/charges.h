@@ -3,6 +3,7 @@
 // Scope: from run.json, else from the hole table beside it, else the row that scene.json describes.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "io/result_folder.h"
@@ -13,6 +14,7 @@ namespace muckpile {
 struct Charge {
   Vec3 toe, collar;  // ends of the axis [m]
   double radius;     // of the crushed zone; of the hole where the zone is not known [m]
+  double hole_radius = std::nan("");  // where the hole table tells it [m]
 };
 
 // Never empty: scene.json describes one hole at least. Throws InputError on a malformed list or a

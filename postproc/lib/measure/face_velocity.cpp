@@ -15,6 +15,8 @@ namespace {
 // The file's on_free_face also marks the back and the sides of the model, so the block's own
 // vertices decide.
 bool touches_face(const StartBlock& block, const BenchPlanes& planes) {
+  // Between the places where a face is known it may bulge.
+  if (planes.frames != nullptr) return planes.behind_face(block.centroid) < 0.75 * block.size;
   constexpr double kTouch = 1e-3;  // of the block's size: far above the digits of the file
   return std::ranges::any_of(block.shape.vertices, [&](const Vec3& p) {
     return std::abs(planes.behind_face(p)) <= kTouch * block.size;
@@ -23,7 +25,7 @@ bool touches_face(const StartBlock& block, const BenchPlanes& planes) {
 
 double depth_of_layer(const std::vector<StartBlock>& blocks, double burden,
                       const BenchPlanes& planes) {
-  if (planes.face != nullptr)
+  if (planes.frames == nullptr && planes.face != nullptr)
     return std::max(0.25 * burden, mean_block_size(blocks, planes.face->at_face()));
   std::vector<char> at_face(blocks.size());
   each_in_parallel(blocks.size(),
@@ -61,10 +63,11 @@ std::vector<std::vector<size_t>> face_bands(const std::vector<StartBlock>& block
 }
 
 double mean_outward_velocity(const std::vector<StartBlock>& blocks, const Snapshot& snapshot,
-                             const std::vector<size_t>& layer) {
+                             const std::vector<size_t>& layer, const BenchPlanes& planes) {
   double momentum = 0.0, mass = 0.0;
   for (const size_t b : layer) {
-    momentum += blocks[b].mass * snapshot.states[b].velocity.x();
+    momentum +=
+        blocks[b].mass * planes.outward(blocks[b].centroid).dot(snapshot.states[b].velocity);
     mass += blocks[b].mass;
   }
   return mass > 0.0 ? momentum / mass : 0.0;

@@ -23,8 +23,8 @@ std::vector<std::vector<size_t>> face_bands(const std::vector<StartBlock>& block
                                             double height, int bands,
                                             const BenchPlanes& planes = {});
 
-// Mass mean of the velocity along +x [m/s]; 0 for no blocks.
+// Mass mean of the velocity outwards [m/s]; 0 for no blocks.
 double mean_outward_velocity(const std::vector<StartBlock>& blocks, const Snapshot& snapshot,
-                             const std::vector<size_t>& layer);
+                             const std::vector<size_t>& layer, const BenchPlanes& planes = {});
 
 }  // namespace muckpile

@@ -14,6 +14,28 @@ std::vector<double> above(const std::vector<double>& floor, std::vector<double> 
   return tops;
 }
 
+// Sections are the last holes' rock.
+Reach backbreak_of_holes(const std::vector<StartBlock>& blocks, const std::vector<char>& chosen,
+                         const HoleFrames& frames, double depth) {
+  std::vector<double> farthest(frames.holes().size(), 0.0);
+  for (size_t b = 0; b < blocks.size(); ++b) {
+    const Vec3& start = blocks[b].centroid;
+    if (chosen[b] == 0 || start.z() <= 0.0 || !frames.abreast(start)) continue;
+    double& far = farthest[frames.hole_at(start)];
+    far = std::max(far, frames.row_depth(start) - depth);
+  }
+  Reach reach;
+  double last = 0.0;
+  for (size_t h = 0; h < farthest.size(); ++h) {
+    if (!frames.is_last(h)) continue;
+    reach.largest = std::max(reach.largest, farthest[h]);
+    reach.mean += farthest[h];
+    last += 1.0;
+  }
+  if (last > 0.0) reach.mean /= last;
+  return reach;
+}
+
 }  // namespace
 
 ColumnGrid plan_grid(const std::vector<StartBlock>& blocks, const Snapshot& last,
@@ -54,6 +76,7 @@ HeightMap height_map(const std::vector<StartBlock>& blocks, const Snapshot& last
 
 Reach backbreak(const std::vector<StartBlock>& blocks, const std::vector<char>& chosen,
                 const BenchPlanes& planes, double depth, double section) {
+  if (planes.frames != nullptr) return backbreak_of_holes(blocks, chosen, *planes.frames, depth);
   const double width = planes.y_high - planes.y_low;
   const auto count = static_cast<size_t>(std::max(1.0, std::round(width / section)));
   std::vector<double> farthest(count, 0.0);

@@ -55,11 +55,22 @@ std::vector<PatternHole> pattern_holes(const HoleTable& table, const std::vector
   return holes;
 }
 
+void number_rows(std::vector<PatternHole>& holes, const HoleFrames& frames) {
+  for (PatternHole& hole : holes) {
+    const auto own = std::ranges::find(frames.holes(), hole.name, &HoleFrame::name);
+    if (own != frames.holes().end()) hole.row = own->row;
+  }
+  std::ranges::stable_sort(holes, {},
+                           [](const PatternHole& h) { return std::pair(h.row, h.foot.y()); });
+}
+
 std::vector<int> hole_of_blocks(const std::vector<StartBlock>& blocks,
                                 const std::vector<PatternHole>& holes, const BenchPlanes& planes,
                                 double burden) {
   const auto across = [](const PatternHole& hole) { return hole.foot.x(); };
-  const double behind = 0.5 * burden - std::ranges::min(holes, {}, across).foot.x();
+  const double last = planes.frames != nullptr ? planes.frames->depth()
+                                               : -std::ranges::min(holes, {}, across).foot.x();
+  const double behind = last + 0.5 * burden;
   std::vector<int> nearest(blocks.size(), -1);
   for (size_t b = 0; b < blocks.size(); ++b) {
     const Vec3& start = blocks[b].centroid;
@@ -77,14 +88,16 @@ std::vector<int> hole_of_blocks(const std::vector<StartBlock>& blocks,
 }
 
 CastRock cast_rock(const std::vector<size_t>& chosen, const std::vector<StartBlock>& blocks,
-                   const Snapshot& last, const std::vector<char>& moved) {
+                   const Snapshot& last, const std::vector<char>& moved,
+                   const BenchPlanes& planes) {
   CastRock rock;
   for (const size_t b : chosen) {
     ++rock.blocks;
     rock.mass += blocks[b].mass;
     rock.volume += blocks[b].volume;
     rock.moved_volume += moved[b] != 0 ? blocks[b].volume : 0.0;
-    rock.throw_mean += blocks[b].mass * (last.states[b].centre.x() - blocks[b].centroid.x());
+    const Vec3& start = blocks[b].centroid;
+    rock.throw_mean += blocks[b].mass * planes.outward(start).dot(last.states[b].centre - start);
   }
   rock.throw_mean = rock.blocks > 0 ? rock.throw_mean / rock.mass : kNan;
   rock.velocity = rock.velocity_time = kNan;
@@ -92,9 +105,10 @@ CastRock cast_rock(const std::vector<size_t>& chosen, const std::vector<StartBlo
 }
 
 void add_velocity(CastRock& rock, const std::vector<size_t>& chosen,
-                  const std::vector<StartBlock>& blocks, const Snapshot& now) {
+                  const std::vector<StartBlock>& blocks, const Snapshot& now,
+                  const BenchPlanes& planes) {
   if (chosen.empty()) return;
-  const double velocity = mean_outward_velocity(blocks, now, chosen);
+  const double velocity = mean_outward_velocity(blocks, now, chosen, planes);
   if (velocity <= rock.velocity) return;
   rock.velocity = velocity;
   rock.velocity_time = now.time;

@@ -28,6 +28,8 @@ struct PatternHole {
 // half a burden behind the front one of a row are of that row. `masses` are the decks' [kg].
 std::vector<PatternHole> pattern_holes(const HoleTable& table, const std::vector<double>& masses,
                                        double burden);
+// By the rows of `frames`.
+void number_rows(std::vector<PatternHole>& holes, const HoleFrames& frames);
 
 // Number of the hole nearest to each block: in plan, from the block's centroid at the start to the
 // hole's axis at that height. -1 for blocks that started below the floor, beside the width of
@@ -42,15 +44,17 @@ struct CastRock {
   double mass = 0.0;          // [kg]
   double volume = 0.0;        // [m3]
   double moved_volume = 0.0;  // of the blocks that were broken out [m3]
-  double throw_mean = 0.0;    // displacement along x of its mass centre [m]; NaN for no block
-  double velocity = 0.0;  // greatest mean velocity along x over the snapshots [m/s]; NaN for none
+  double throw_mean = 0.0;    // displacement outwards of its mass centre [m]; NaN for no block
+  double velocity = 0.0;  // greatest mean velocity outwards over the snapshots [m/s]; NaN for none
   double velocity_time = 0.0;  // when that was [s]
 };
 
 // Without the velocities, which add_velocity fills in snapshot by snapshot.
 CastRock cast_rock(const std::vector<size_t>& chosen, const std::vector<StartBlock>& blocks,
-                   const Snapshot& last, const std::vector<char>& moved);
+                   const Snapshot& last, const std::vector<char>& moved,
+                   const BenchPlanes& planes = {});
 void add_velocity(CastRock& rock, const std::vector<size_t>& chosen,
-                  const std::vector<StartBlock>& blocks, const Snapshot& now);
+                  const std::vector<StartBlock>& blocks, const Snapshot& now,
+                  const BenchPlanes& planes = {});
 
 }  // namespace muckpile

@@ -15,11 +15,12 @@ int part_of(const StartBlock& block, const BenchParts& parts) {
   const Vec3& c = block.centroid;
   const double behind = parts.planes.behind_face(c);
   // Behind a face that bulges out, rock in front of the holes lies farther back than they stand.
-  const bool within = behind < parts.depth || parts.planes.face != nullptr;
+  const bool within =
+      behind < parts.depth || parts.planes.face != nullptr || parts.planes.frames != nullptr;
   if (!(c.z() < parts.height && within && parts.planes.in_front_of(parts.depth, c))) return -1;
   const int level = static_cast<int>(c.z() / parts.height * parts.levels);
   const int distance =
-      std::min(static_cast<int>(behind / parts.depth * parts.distances), parts.distances - 1);
+      std::clamp(static_cast<int>(behind / parts.depth * parts.distances), 0, parts.distances - 1);
   return level * parts.distances + distance;
 }
 

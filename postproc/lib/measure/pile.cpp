@@ -213,14 +213,14 @@ Throw throw_of(const std::vector<StartBlock>& blocks, const Snapshot& last, doub
                const BenchPlanes& planes) {
   Throw result{};
   for (size_t b = 0; b < blocks.size(); ++b) {
-    const double moved = last.states[b].centre.x() - blocks[b].centroid.x();
+    const Vec3& start = blocks[b].centroid;
+    const double moved = planes.outward(start).dot(last.states[b].centre - start);
     result.largest = std::max(result.largest, moved);
-    if (!planes.in_front_of(burden, blocks[b].centroid)) continue;
+    if (!planes.in_front_of(burden, start)) continue;
     result.prism_mass += blocks[b].mass;
     result.prism_volume += blocks[b].volume;
     result.centre_of_mass += blocks[b].mass * moved;
-    const Vec3& end = last.states[b].centre;
-    if (end.x() > planes.toe(end.y())) result.beyond_toe += blocks[b].mass;
+    if (planes.beyond_toe(start, last.states[b].centre)) result.beyond_toe += blocks[b].mass;
   }
   const double mass = result.prism_mass > 0.0 ? result.prism_mass : kNan;
   result.centre_of_mass /= mass;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The muck pile of a bench blast: its profile, throw, swell and slope.
-// Scope: free face at x = 0, throw along +x; docs/post/profile.md defines each
+// Scope: profiles along x, throw outwards (BenchPlanes); docs/post/profile.md defines each
 // measure.
 #pragma once
 
@@ -57,9 +57,9 @@ PileShape pile_shape(const PileProfile& profile, double depth, double block_size
 struct Throw {
   double prism_mass;      // of the burden prism: blocks that start in front of the front row [kg]
   double prism_volume;    // [m3]
-  double centre_of_mass;  // mean displacement of the prism along x [m]
-  double largest;         // largest displacement along x of one block [m]
-  double beyond_toe;      // share of the prism's mass that ends beyond the bench's toe, x = 0
+  double centre_of_mass;  // mean displacement of the prism outwards [m]
+  double largest;         // largest displacement outwards of one block [m]
+  double beyond_toe;      // share of the prism's mass that ends beyond the bench's toe
 };
 
 Throw throw_of(const std::vector<StartBlock>& blocks, const Snapshot& last, double burden,

@@ -7,13 +7,14 @@
 
 namespace muckpile {
 
-PitFloor::PitFloor(const std::vector<StlTriangle>& triangles, const std::string& where)
-    : ground_(std::make_shared<const GroundHeights>(triangles, where)) {}
+PitFloor::PitFloor(const std::vector<StlTriangle>& triangles, double front,
+                   const std::string& where)
+    : ground_(std::make_shared<const GroundHeights>(triangles, where)), front_(front) {}
 
 double PitFloor::at(double x, double y) const {
-  if (level() || x <= 0.0) return 0.0;
-  const double start = ground_->lo().x();
-  return x < start ? x / start * ground_->at(start, y) : ground_->at(x, y);
+  if (level()) return 0.0;
+  if (x >= front_ || ground_->covers(x, y)) return ground_->at(x, y);
+  return x <= 0.0 ? 0.0 : x / front_ * ground_->at(front_, y);
 }
 
 std::vector<double> PitFloor::under(const ColumnGrid& grid) const {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "draw/axes.h"
 #include "measure/broken_out.h"
@@ -12,6 +14,7 @@
 #include "measure/free_face.h"
 #include "measure/start_extent.h"
 #include "report/degrees.h"
+#include "report/hole_frames_of.h"
 #include "report/not_measurable.h"
 
 namespace muckpile {
@@ -69,19 +72,22 @@ Vec2 lean_of(const Charge& charge) {
   return along.head<2>() / along.z();
 }
 
-// The holes lean back by this much per height, all alike.
-double back_of_holes(const BenchScene& bench) {
+// A hole that is not as the others, or leans sideways.
+const Charge* odd_hole(const BenchScene& bench) {
   const Charge& first = bench.charges.front();
   for (const Charge& charge : bench.charges) {
     const Vec3 along = charge.collar - charge.toe;
     const Vec2 off = along.head<2>() - along.z() * Vec2(lean_of(first).x(), 0.0);
-    if (off.norm() <= kHoleOff * bench.burden && along.x() <= kHoleOff * bench.burden) continue;
-    refuse("holes must be parallel and upright, or lean straight back, got one from x = " +
-           spelled(charge.toe.x()) + ", y = " + spelled(charge.toe.y()) +
-           " m at its toe to x = " + spelled(charge.collar.x()) +
-           ", y = " + spelled(charge.collar.y()) + " m at its upper end");
+    if (off.norm() > kHoleOff * bench.burden || along.x() > kHoleOff * bench.burden) return &charge;
   }
-  return std::max(-lean_of(first).x(), 0.0);
+  return nullptr;
+}
+
+[[noreturn]] void refuse_hole(const Charge& charge, const std::string& missing) {
+  refuse("holes must be parallel and upright, or lean straight back, got one from x = " +
+         spelled(charge.toe.x()) + ", y = " + spelled(charge.toe.y()) + " m at its toe to x = " +
+         spelled(charge.collar.x()) + ", y = " + spelled(charge.collar.y()) +
+         " m at its upper end (others are measured by their burdens, but " + missing + ")");
 }
 
 double depth_of(const Charge& charge) { return -foot_of(charge).x(); }
@@ -92,6 +98,55 @@ void set_width(BenchScene& bench, double spacing) {
   const auto [low, high] = std::ranges::minmax(bench.charges, {}, y);
   bench.planes.y_low = y(low) - 0.5 * spacing;
   bench.planes.y_high = y(high) + 0.5 * spacing;
+}
+
+constexpr double kToOneSide = 0.25 * std::numbers::pi;  // a normal so far off x is of another face
+
+// Each hole by the normal of its burden.
+void measure_by_holes(BenchScene& bench, std::shared_ptr<const HoleFrames> frames) {
+  const auto& holes = frames->holes();
+  for (size_t h = 0; h < holes.size(); ++h) {
+    const double burden = frames->burden_at_floor(h);
+    if (holes[h].row > 0 || (burden > 0.0 && burden < 2.0 * bench.burden)) continue;
+    refuse(
+        "the free face must lie in front of the first holes by less than twice burden_m of "
+        "scene.json, " +
+        spelled(bench.burden) + " m, got " + to_mm(burden) + " m at the floor for hole " +
+        holes[h].name);
+  }
+  const double turn = frames->largest_turn();
+  bench.several_sides = turn > kToOneSide;
+  bench.depth = frames->depth();
+  bench.one_row = frames->rows() == 1;
+  bench.face_note = "throw, velocity and rock of each hole along the normal of its burden, up to " +
+                    spelled(std::round(degrees(turn))) + "° off x";
+  if (bench.several_sides)
+    bench.face_note +=
+        "; no height, toe, slope and swell along x, as rock goes to several sides: see heights and "
+        "section";
+  bench.planes.frames = std::move(frames);
+}
+
+// A row, or rows, that throw along x.
+void measure_along_x(BenchScene& bench, const ResultFolder& folder) {
+  bench.planes.hole_back = std::max(-lean_of(bench.charges.front()).x(), 0.0);
+  const auto [front, last] = std::ranges::minmax(bench.charges, {}, depth_of);
+  bench.depth = depth_of(last);
+  if (!(std::abs(depth_of(front) - bench.burden) <= kHoleOff * bench.burden)) {
+    refuse("the front row of holes must stand at x = " + spelled(-bench.burden) +
+           " m, the burden_m of scene.json, got x = " + spelled(-depth_of(front)) + " m");
+  }
+  require_burden(bench);
+  if (std::filesystem::exists(folder.dump("holes.csv")) && folder.scene_has("spacing_m"))
+    set_width(bench, folder.scene_number("spacing_m"));
+  bench.one_row = bench.depth < 1.5 * bench.burden;
+}
+
+std::shared_ptr<const HoleFrames> frames_of(const ResultFolder& folder, double burden,
+                                            std::string& missing) {
+  missing = "spacing_m of scene.json is missing";
+  if (!folder.scene_has("spacing_m")) return nullptr;
+  return hole_frames_of(folder, {burden, folder.scene_number("spacing_m")}, missing);
 }
 
 }  // namespace
@@ -109,17 +164,14 @@ BenchScene bench_scene(const ResultFolder& folder, const std::vector<StartBlock>
   bench.charge_bottom = bench.charge_top - folder.scene_number("charge_length_m");
   bench.hole_radius = 0.5 * folder.scene_number("hole_diameter_m");
   bench.charges = charges_of(folder);
-  bench.planes.hole_back = back_of_holes(bench);
-  const auto [front, last] = std::ranges::minmax(bench.charges, {}, depth_of);
-  bench.depth = depth_of(last);
-  if (!(std::abs(depth_of(front) - bench.burden) <= kHoleOff * bench.burden)) {
-    refuse("the front row of holes must stand at x = " + spelled(-bench.burden) +
-           " m, the burden_m of scene.json, got x = " + spelled(-depth_of(front)) + " m");
-  }
-  require_burden(bench);
-  if (std::filesystem::exists(folder.dump("holes.csv")) && folder.scene_has("spacing_m"))
-    set_width(bench, folder.scene_number("spacing_m"));
-  bench.one_row = bench.depth < 1.5 * bench.burden;
+  std::string missing;
+  auto frames = frames_of(folder, bench.burden, missing);
+  const Charge* odd = odd_hole(bench);
+  if (odd != nullptr && frames == nullptr) refuse_hole(*odd, missing);
+  if (odd != nullptr || (frames != nullptr && frames->largest_turn() > kToOneSide))
+    measure_by_holes(bench, std::move(frames));
+  else
+    measure_along_x(bench, folder);
   return bench;
 }
 
@@ -169,7 +221,7 @@ double y_of_middle_hole(const BenchScene& bench, const std::vector<StartBlock>& 
   const double middle = 0.5 * (rock.low.y() + rock.high.y());
   double nearest = std::nan("");
   for (const Charge& charge : bench.charges) {
-    if (depth_of(charge) > 1.5 * bench.burden) continue;
+    if (bench.planes.frames == nullptr && depth_of(charge) > 1.5 * bench.burden) continue;
     const double y = charge.toe.y();
     // Of two that are as near the one at the larger y.
     const double nearer = std::abs(nearest - middle) - std::abs(y - middle);
@@ -182,7 +234,7 @@ std::vector<SectionBar> hole_bars(const BenchScene& bench, double y) {
   std::vector<SectionBar> charges, stemming;
   for (const Charge& charge : bench.charges) {
     if (std::abs(charge.toe.y() - y) > charge.radius) continue;
-    const double half = bench.hole_radius;
+    const double half = std::isnan(charge.hole_radius) ? bench.hole_radius : charge.hole_radius;
     const Vec2 toe(charge.toe.x(), charge.toe.z()), collar(charge.collar.x(), charge.collar.z());
     charges.push_back({toe, collar, half, kSignal, charges.empty() ? "charge before" : ""});
     const bool highest = std::ranges::none_of(bench.charges, [&](const Charge& other) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The bench that the measures of `profile` are made for, and whether a run is one.
-// Scope: a free face of any shape in front of the holes, pit floor z = 0, holes parallel to each
-// other that lean straight back or not at all, the front row burden behind the toe x = 0, z = 0.
+// Scope: a free face of any shape in front of the holes; holes parallel to each other that lean
+// straight back or not at all, the front row burden behind the toe x = 0, z = 0; or any others
+// whose burdens are known.
 #pragma once
 
 #include <vector>
@@ -22,8 +23,9 @@ struct BenchScene {
   double hole_radius;                // [m]
   std::vector<Charge> charges;
   bool one_row;
-  BenchPlanes planes;  // with the width of the holes where a hole table says how they stand
+  BenchPlanes planes;     // with the width of the holes where a hole table says how they stand
   std::string face_note;  // what a face is that is no plane; "" for a plane
+  bool several_sides;     // holes throw to more than one, so that no profile along x tells the pile
 };
 
 // Where a charge's axis meets the height of the floor (x, y) [m].

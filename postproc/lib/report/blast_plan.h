@@ -9,6 +9,7 @@
 #include "draw/canvas.h"
 #include "explosive/charge_window.h"
 #include "measure/burden_relief.h"
+#include "measure/hole_polygons.h"
 
 namespace muckpile {
 
@@ -28,8 +29,9 @@ std::vector<PlannedHole> planned_holes(const HoleTable& table,
                                        const std::vector<TimedCharge>& charges,
                                        const std::vector<double>& to_face);
 
-// x to the right, y up, equal scales; firing times, lines of equal time, and which hole fires
-// towards which.
-Canvas draw_plan(const HoleTable& table, const std::vector<PlannedHole>& plan);
+// x to the right, y up, equal scales; firing times, lines of equal time, which hole fires towards
+// which, and the rock of each hole where its outlines are given.
+Canvas draw_plan(const HoleTable& table, const std::vector<PlannedHole>& plan,
+                 const std::vector<HolePolygon>& outlines = {});
 
 }  // namespace muckpile

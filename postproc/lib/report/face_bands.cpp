@@ -44,9 +44,10 @@ CurvePlot face_plot(const std::vector<FaceBand>& bands, bool still) {
 
 }  // namespace
 
-void add_velocity(FaceBand& band, const std::vector<StartBlock>& blocks, const Snapshot& now) {
+void add_velocity(FaceBand& band, const std::vector<StartBlock>& blocks, const Snapshot& now,
+                  const BenchPlanes& planes) {
   if (band.layer.empty()) return;
-  const double velocity = mean_outward_velocity(blocks, now, band.layer);
+  const double velocity = mean_outward_velocity(blocks, now, band.layer, planes);
   if (velocity <= band.peak) return;
   band.peak = velocity;
   band.time = now.time;

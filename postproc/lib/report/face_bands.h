@@ -24,7 +24,8 @@ struct FaceBand {
 };
 
 // Of the rock of a layer, where it is the fastest so far.
-void add_velocity(FaceBand& band, const std::vector<StartBlock>& blocks, const Snapshot& now);
+void add_velocity(FaceBand& band, const std::vector<StartBlock>& blocks, const Snapshot& now,
+                  const BenchPlanes& planes);
 
 // face_velocity.csv and face_velocity.png.
 void write_face_bands(const ResultFolder& folder, const std::vector<FaceBand>& bands, bool still);

@@ -14,6 +14,7 @@
 #include "measure/start_extent.h"
 #include "report/bench_scene.h"
 #include "report/block_colours.h"
+#include "report/hole_outlines.h"
 #include "report/not_measurable.h"
 #include "report/notes.h"
 #include "report/reports.h"
@@ -114,11 +115,18 @@ void draw_cells(const HeightMap& map, const Frame& frame, const ColourMap& colou
   }
 }
 
-void draw_bench(const BenchScene& bench, const Frame& frame, const Axes& axes, Canvas& canvas) {
+void draw_bench(const BenchScene& bench, const std::vector<HolePolygon>& outlines,
+                const Frame& frame, const Axes& axes, Canvas& canvas) {
   for (const double height : {0.0, bench.height}) {
     const std::vector<Vec2> line =
         axes.places(face_at_height(bench, height, frame.y.low, frame.y.high));
     canvas.dashes(line, 2.0, 9.0, kBench);
+  }
+  for (const HolePolygon& outline : outlines) {
+    if (outline.corners.empty()) continue;
+    std::vector<Vec2> ring = axes.places(outline.corners);
+    ring.push_back(ring.front());
+    canvas.polyline(ring, 1.5, kInk);
   }
   constexpr double kHalf = 4.0;  // of a mark [px]
   for (const Charge& charge : bench.charges) {
@@ -129,7 +137,8 @@ void draw_bench(const BenchScene& bench, const Frame& frame, const Axes& axes, C
   }
 }
 
-Canvas draw(const Heights& heights, const RunData& run, const BenchScene& bench) {
+Canvas draw(const Heights& heights, const RunData& run, const BenchScene& bench,
+            const std::vector<HolePolygon>& outlines) {
   constexpr double kLeft = 105.0, kRight = 30.0, kAbove = 150.0, kBelow = 85.0, kWidth = 1400.0;
   const Frame frame = frame_of(run, heights.map);
   const double height = kWidth * (frame.y.high - frame.y.low) / (frame.x.high - frame.x.low);
@@ -142,11 +151,14 @@ Canvas draw(const Heights& heights, const RunData& run, const BenchScene& bench)
   colours.label = "height after the blast [m]";
   axes.draw_grid(canvas);
   draw_cells(heights.map, frame, *colours.map, axes, canvas);
-  draw_bench(bench, frame, axes, canvas);
+  draw_bench(bench, outlines, frame, axes, canvas);
   axes.draw_frame(canvas, "x, from the toe of the free face along the throw [m]", "y [m]");
   draw_title({kLeft, 48.0}, "Pile and bench from above", motion_warning(run.still), 30.0, canvas);
-  canvas.text({kLeft, 88.0}, "greyed: rock that stayed; red: collars; dashed: toe and crest before",
-              20.0, kInk);
+  canvas.text(
+      {kLeft, 88.0},
+      "greyed: rock that stayed; red: collars; dashed: toe and crest before; lines: rock of "
+      "each hole",
+      20.0, kInk);
   canvas.text({kLeft, 118.0},
               "backbreak " + spelled(heights.shifted.largest) + " m · toe left " +
                   spelled(heights.toe.volume) + " m³",
@@ -184,7 +196,8 @@ void report_heights(const ResultFolder& folder, const MeasureOptions& measure) {
   const BenchScene bench = bench_or_take_back(folder, run.blocks, "heights", keys_of({}, false));
   const Heights heights = heights_of(run, bench);
   write_table(heights.map, folder);
-  write_png(draw(heights, run, bench), folder.file("heights.png"));
+  write_png(draw(heights, run, bench, hole_outlines(folder, bench, run.blocks)),
+            folder.file("heights.png"));
   nlohmann::ordered_json keys = common_keys(folder);
   keys.update(keys_of(heights, run.still));
   folder.merge_into_summary(keys, {refusal_key("heights")});

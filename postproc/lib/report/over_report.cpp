@@ -7,6 +7,7 @@
 #include "draw/curve_plot.h"
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
+#include "io/mine_frame.h"
 #include "measure/height_map.h"
 #include "report/notes.h"
 #include "report/plan_line_of.h"
@@ -93,6 +94,14 @@ void report_over(const ResultFolder& folder, const MeasureOptions& measure,
   keys["over_from_y_m"] = line.from.y();
   keys["over_to_x_m"] = line.to.x();
   keys["over_to_y_m"] = line.to.y();
+  if (const std::optional<MineFrame> frame = mine_frame(folder)) {
+    const Vec3 from = frame->of({line.from.x(), line.from.y(), 0.0}),
+               to = frame->of({line.to.x(), line.to.y(), 0.0});
+    keys["over_from_east_m"] = from.x();
+    keys["over_from_north_m"] = from.y();
+    keys["over_to_east_m"] = to.x();
+    keys["over_to_north_m"] = to.y();
+  }
   keys["over_blocks"] = over.pieces.size();
   keys["over_volume_m3"] = over.volume;
   keys["over_mass_kg"] = over.mass;

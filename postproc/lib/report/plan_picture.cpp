@@ -31,8 +31,8 @@ std::vector<double> milliseconds(const Plan& plan) {
 }
 
 // The holes with a margin of the mean distance between neighbours.
-std::pair<AxisRange, AxisRange> frame(const Plan& plan) {
-  const std::vector<Vec2> places = collars(plan);
+std::pair<AxisRange, AxisRange> frame(const Plan& plan, const std::vector<HolePolygon>& outlines) {
+  std::vector<Vec2> places = collars(plan);
   const auto range = [&](Eigen::Index k) {
     const auto [low, high] =
         std::ranges::minmax_element(places, {}, [k](const Vec2& p) { return p[k]; });
@@ -42,7 +42,14 @@ std::pair<AxisRange, AxisRange> frame(const Plan& plan) {
   const double longer = std::max(x.high - x.low, y.high - y.low);
   const double area = std::max({1.0, (x.high - x.low) * (y.high - y.low), 0.1 * longer * longer});
   const double margin = std::sqrt(area / static_cast<double>(places.size()));
-  return {{x.low - margin, x.high + margin}, {y.low - margin, y.high + margin}};
+  for (const HolePolygon& outline : outlines)
+    places.insert(places.end(), outline.corners.begin(), outline.corners.end());
+  const AxisRange all_x = range(0), all_y = range(1);
+  constexpr double kRoom = 0.2;  // of the margin, around outlines
+  return {{std::min(x.low - margin, all_x.low - kRoom * margin),
+           std::max(x.high + margin, all_x.high + kRoom * margin)},
+          {std::min(y.low - margin, all_y.low - kRoom * margin),
+           std::max(y.high + margin, all_y.high + kRoom * margin)}};
 }
 
 void draw_contours(const Plan& plan, const Axes& axes, const ColourMap& map, Canvas& canvas) {
@@ -101,10 +108,21 @@ void draw_holes(const Plan& plan, const Axes& axes, const ColourMap& map, Canvas
   }
 }
 
+// The rock of each hole.
+void draw_outlines(const std::vector<HolePolygon>& outlines, const Axes& axes, Canvas& canvas) {
+  for (const HolePolygon& outline : outlines) {
+    if (outline.corners.empty()) continue;
+    std::vector<Vec2> ring = axes.places(outline.corners);
+    ring.push_back(ring.front());
+    canvas.polyline(ring, 2.0, kGrey);
+  }
+}
+
 }  // namespace
 
-Canvas draw_plan(const HoleTable& table, const Plan& plan) {
-  const auto [x, y] = frame(plan);
+Canvas draw_plan(const HoleTable& table, const Plan& plan,
+                 const std::vector<HolePolygon>& outlines) {
+  const auto [x, y] = frame(plan, outlines);
   const double scale = kMostSide / std::max(x.high - x.low, y.high - y.low);
   const double width = std::max(600.0, scale * (x.high - x.low));
   const double height = scale * (y.high - y.low);
@@ -119,6 +137,7 @@ Canvas draw_plan(const HoleTable& table, const Plan& plan) {
   colours.map = amount_map(first, std::max(last, first + 1e-3));
   colours.label = "first deck fires [ms]";
   axes.draw_grid(canvas);
+  draw_outlines(outlines, axes, canvas);
   draw_contours(plan, axes, *colours.map, canvas);
   draw_relief(plan, axes, canvas);
   draw_holes(plan, axes, *colours.map, canvas);
@@ -128,7 +147,10 @@ Canvas draw_plan(const HoleTable& table, const Plan& plan) {
       {kLeft, 74.0},
       std::to_string(table.holes()) + " holes, " + std::to_string(table.decks().size()) + " decks",
       kTextSize + 4.0, kInk);
-  canvas.text({kLeft, 100.0}, "arrows: fires towards, ms/m", kSmallText + 2.0, kInk);
+  canvas.text({kLeft, 100.0},
+              outlines.empty() ? "arrows: fires towards, ms/m"
+                               : "arrows: fires towards, ms/m; grey: rock of each hole",
+              kSmallText + 2.0, kInk);
   canvas.text({kLeft, 132.0}, "throw", kTextSize, kInk);
   draw_arrow({kLeft + 58.0, 126.0}, {kLeft + 140.0, 126.0}, 3.0, kInk, canvas);
   draw_legend(colours, {kLeft + width - 310.0, 22.0}, canvas);

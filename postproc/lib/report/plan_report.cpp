@@ -15,6 +15,8 @@
 #include "io/mine_frame.h"
 #include "io/pattern_charges.h"
 #include "report/blast_plan.h"
+#include "report/hole_outlines.h"
+#include "report/not_measurable.h"
 #include "report/reports.h"
 #include "rock/burden_file.h"
 
@@ -97,6 +99,17 @@ void require_same_charges(const ResultFolder& folder, const HoleTable& table) {
   }
 }
 
+// The rock of each hole, where the run has cut it and it is a bench that can be measured.
+std::vector<HolePolygon> outlines_if_told(const ResultFolder& folder) {
+  if (folder.scene_word("case") != "bench" || !std::filesystem::exists(folder.dump("blocks.vtk")))
+    return {};
+  try {
+    return hole_outlines(folder, bench_scene(folder, folder.rock()), folder.rock());
+  } catch (const NotMeasurable&) {
+    return {};
+  }
+}
+
 }  // namespace
 
 void report_plan(const std::filesystem::path& what) {
@@ -111,7 +124,7 @@ void report_plan(const std::filesystem::path& what) {
   require_same_charges(folder, table);
   const std::vector<TimedCharge> charges = charges_of_decks(folder, table);
   const std::vector<PlannedHole> plan = planned_holes(table, charges, ways_to_face(folder, table));
-  write_png(draw_plan(table, plan), folder.file("plan.png"));
+  write_png(draw_plan(table, plan, outlines_if_told(folder)), folder.file("plan.png"));
   write_table(folder, plan);
   const auto firing = [](const Deck& deck) { return deck.firing_time; };
   nlohmann::ordered_json keys;

@@ -8,6 +8,7 @@
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
 #include "io/dxf_writer.h"
+#include "io/mine_frame.h"
 #include "measure/dug_polygon.h"
 #include "report/movement_table.h"
 #include "report/notes.h"
@@ -54,14 +55,18 @@ void write_drawing(const std::filesystem::path& path, const std::vector<CarriedP
 
 void write_tables(const ResultFolder& folder, const std::vector<CarriedPolygon>& polygons,
                   const SurveyPose& pose) {
-  CsvWriter table(folder.file("polygons.csv"), std::string("polygon,") + kMovementColumns +
-                                                   ",recovered_fraction,dilution_fraction");
+  const std::optional<MineFrame> frame = mine_frame(folder);
+  CsvWriter table(folder.file("polygons.csv"),
+                  with_mine_points(std::string("polygon,") + kMovementColumns +
+                                       ",recovered_fraction,dilution_fraction",
+                                   frame, {"start_", "end_"}));
   CsvWriter outlines(folder.file("polygons_moved.csv"), "polygon,x_m,y_m");
   for (const CarriedPolygon& each : polygons) {
     std::vector<double> row = movement_columns(each.dug.rock);
     row.push_back(each.dug.recovered);
     row.push_back(each.dug.dilution);
-    table.row(each.start.name, row);
+    table.row_at(each.start.name, row,
+                 mine_points(frame, {each.dug.rock.start, each.dug.rock.end}));
     for (const Vec3& corner : in_file(each.dug.outline, 0.0, pose))
       outlines.row(
           std::vector<std::string>{each.start.name, place_text(corner.x()), place_text(corner.y())},

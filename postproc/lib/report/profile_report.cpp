@@ -65,10 +65,11 @@ FaceSpeed face_speed_of(const ResultFolder& folder, const RunData& run, const Be
   for (const auto& path : folder.snapshots()) {
     const Snapshot& now = rows.read(path);
     if (!middle.empty())
-      speed.mean = std::fmax(speed.mean, mean_outward_velocity(blocks, now, middle));
+      speed.mean = std::fmax(speed.mean, mean_outward_velocity(blocks, now, middle, bench.planes));
     if (!prism.empty())
-      speed.burden = std::fmax(speed.burden, mean_outward_velocity(blocks, now, prism));
-    for (FaceBand& band : speed.bands) add_velocity(band, blocks, now);
+      speed.burden =
+          std::fmax(speed.burden, mean_outward_velocity(blocks, now, prism, bench.planes));
+    for (FaceBand& band : speed.bands) add_velocity(band, blocks, now, bench.planes);
   }
   for (const FaceBand& band : speed.bands) speed.peak = std::fmax(speed.peak, band.peak);
   return speed;
@@ -96,7 +97,8 @@ struct BenchFigures {
 // formula is for a wall.
 double collapse_of(const BenchScene& bench, const Throw& thrown, const PileShape& pile,
                    double width) {
-  const bool upright = bench.planes.face == nullptr && bench.planes.face_back == 0.0;
+  const bool upright = bench.planes.face == nullptr && bench.planes.frames == nullptr &&
+                       bench.planes.face_back == 0.0;
   if (!bench.one_row || !upright) return std::nan("");
   return collapsed_beyond_toe(
       {bench.height, bench.burden, thrown.prism_volume / width, pile.swell, pile.rest_angle});
@@ -107,7 +109,7 @@ BenchFigures figures_of(const ResultFolder& folder, const RunData& run, const Be
   BenchFigures figures{face_speed_of(folder, run, bench),
                        throw_of(run.blocks, run.last, bench.burden, bench.planes),
                        PileShape::none(), 0.0};
-  if (run.still)
+  if (run.still && !bench.several_sides)
     figures.pile = pile_shape(profile, bench.depth, mean_block_size(run.blocks, run.moved));
   if (!run.muck.empty())  // there is muck below its surface, too
     figures.pile.swell = figures.pile.bulk_volume = figures.pile.solid_volume = std::nan("");

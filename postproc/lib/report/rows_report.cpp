@@ -10,7 +10,9 @@
 #include "io/pattern_charges.h"
 #include "measure/hole_rock.h"
 #include "report/bench_scene.h"
+#include "report/degrees.h"
 #include "report/face_bands.h"
+#include "report/hole_outlines.h"
 #include "report/not_measurable.h"
 #include "report/reports.h"
 #include "report/rows_of_run.h"
@@ -97,7 +99,8 @@ std::vector<FaceBand> bands_of(const RunData& run, const BenchScene& bench,
   return bands;
 }
 
-void add_velocities(Rows& rows, const ResultFolder& folder, const RunData& run) {
+void add_velocities(Rows& rows, const ResultFolder& folder, const RunData& run,
+                    const BenchPlanes& planes) {
   std::vector<char> wanted(run.blocks.size(), 0);
   for (const Line& line : rows.lines)
     for (const size_t b : line.chosen) wanted[b] = 1;
@@ -106,8 +109,8 @@ void add_velocities(Rows& rows, const ResultFolder& folder, const RunData& run) 
   RowsOfRun reader(run, wanted);
   for (const auto& path : folder.snapshots()) {
     const Snapshot& now = reader.read(path);
-    for (Line& line : rows.lines) add_velocity(line.rock, line.chosen, run.blocks, now);
-    for (FaceBand& band : rows.bands) add_velocity(band, run.blocks, now);
+    for (Line& line : rows.lines) add_velocity(line.rock, line.chosen, run.blocks, now, planes);
+    for (FaceBand& band : rows.bands) add_velocity(band, run.blocks, now, planes);
   }
 }
 
@@ -117,12 +120,14 @@ Rows rows_of(const ResultFolder& folder, const RunData& run, const BenchScene& b
   for (const TimedCharge& charge : charges_of_decks(folder, table)) masses.push_back(charge.mass);
   Rows rows;
   rows.holes = pattern_holes(table, masses, bench.burden);
+  if (bench.planes.frames != nullptr) number_rows(rows.holes, *bench.planes.frames);
   const std::vector<int> nearest =
       hole_of_blocks(run.blocks, rows.holes, bench.planes, bench.burden);
   rows.lines = lines_of(rows.holes, nearest);
-  for (Line& line : rows.lines) line.rock = cast_rock(line.chosen, run.blocks, run.last, run.moved);
+  for (Line& line : rows.lines)
+    line.rock = cast_rock(line.chosen, run.blocks, run.last, run.moved, bench.planes);
   rows.bands = bands_of(run, bench, rows.holes, nearest);
-  add_velocities(rows, folder, run);
+  add_velocities(rows, folder, run, bench.planes);
   return rows;
 }
 
@@ -131,21 +136,31 @@ double specific_charge(const Line& line) {
   return line.rock.volume > 0.0 ? line.charge / line.rock.volume : std::nan("");
 }
 
-void write_tables(const Rows& rows, const ResultFolder& folder) {
+// Of each hole, from +x towards +y [deg]; NaN for several together.
+double turn_of(const std::string& name, const HoleFrames& frames) {
+  const auto own = std::ranges::find(frames.holes(), name, &HoleFrame::name);
+  if (own == frames.holes().end()) return std::nan("");
+  return degrees(std::atan2(own->direction.y(), own->direction.x()));
+}
+
+void write_tables(const Rows& rows, const ResultFolder& folder, const BenchPlanes& planes) {
   const std::optional<MineFrame> frame = mine_frame(folder);
   CsvWriter csv(
       folder.file("rows.csv"),
       with_mine_columns("hole,row,x_m,y_m,fires_s,charge_kg,blocks,volume_m3,mass_kg,"
-                        "specific_charge_kg_m3,moved_volume_m3,throw_m,velocity_m_s,velocity_at_s",
+                        "specific_charge_kg_m3,moved_volume_m3,throw_m,velocity_m_s,velocity_at_s" +
+                            std::string(planes.frames != nullptr ? ",throw_turn_deg" : ""),
                         frame));
   for (const Line& line : rows.lines) {
     const CastRock& rock = line.rock;
     const double x = std::isnan(line.y) ? line.y : line.x;  // a row has no one place
-    csv.row_at(line.name,
-               {line.row, line.x, line.y, line.fires, line.charge, static_cast<double>(rock.blocks),
-                rock.volume, rock.mass, specific_charge(line), rock.moved_volume, rock.throw_mean,
-                rock.velocity, rock.velocity_time},
-               mine_place(frame, x, line.y));
+    std::vector<double> row{line.row,          line.x,          line.y,
+                            line.fires,        line.charge,     static_cast<double>(rock.blocks),
+                            rock.volume,       rock.mass,       specific_charge(line),
+                            rock.moved_volume, rock.throw_mean, rock.velocity,
+                            rock.velocity_time};
+    if (planes.frames != nullptr) row.push_back(turn_of(line.name, *planes.frames));
+    csv.row_at(line.name, row, mine_place(frame, x, line.y));
   }
 }
 
@@ -220,6 +235,7 @@ BenchScene bench_or_nothing(const ResultFolder& folder, const RunData& run) {
     return bench_or_take_back(folder, run.blocks, "rows", keys_of({}));
   } catch (const NotMeasurable&) {
     remove_face_bands(folder);
+    std::filesystem::remove(folder.file("hole_polygons.csv"));
     throw;
   }
 }
@@ -232,7 +248,8 @@ void report_rows(const ResultFolder& folder, const MeasureOptions& measure) {
   const RunData run(folder, measure);
   const BenchScene bench = bench_or_nothing(folder, run);
   const Rows rows = rows_of(folder, run, bench);
-  write_tables(rows, folder);
+  write_tables(rows, folder, bench.planes);
+  write_hole_outlines(folder, hole_outlines(folder, bench, run.blocks), 0.5 * bench.height);
   write_face_bands(folder, rows.bands, run.still);
   nlohmann::ordered_json keys = common_keys(folder);
   keys.update(keys_of(rows));

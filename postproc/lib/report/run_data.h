@@ -54,7 +54,7 @@ struct RunData {
   static PitFloor floor_of(const ResultFolder& folder) {
     if (!folder.scene_has("floor_survey") || folder.scene_number("floor_survey") == 0.0) return {};
     const std::filesystem::path file = folder.dump("floor.stl");
-    return {read_stl(file, 1.0), file.string()};
+    return {read_stl(file, 1.0), folder.scene_number("floor_front_m"), file.string()};
   }
 };
 

@@ -33,6 +33,16 @@ std::vector<Vec2> line_over(const std::vector<double>& x, const std::vector<doub
   return points;
 }
 
+namespace {
+
+// Its own hole's, else that of all, else of its crushed zone.
+double half_of(const Charge& charge, double hole_radius) {
+  if (!std::isnan(charge.hole_radius)) return charge.hole_radius;
+  return std::isnan(hole_radius) ? charge.radius : hole_radius;
+}
+
+}  // namespace
+
 std::vector<SectionBar> charge_bars(const PlanLine& line, const std::vector<Charge>& charges,
                                     double half_width, double hole_radius) {
   std::vector<SectionBar> bars;
@@ -45,7 +55,7 @@ std::vector<SectionBar> charge_bars(const PlanLine& line, const std::vector<Char
     if (std::max(low.x(), high.x()) < 0.0 || std::min(low.x(), high.x()) > line.length()) continue;
     bars.push_back({{low.x(), charge.toe.z()},
                     {high.x(), charge.collar.z()},
-                    std::isnan(hole_radius) ? charge.radius : hole_radius,
+                    half_of(charge, hole_radius),
                     kSignal,
                     bars.empty() ? "charge before" : ""});
   }

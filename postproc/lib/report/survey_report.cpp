@@ -159,6 +159,7 @@ ProfileFrame profile_frame(const ResultFolder& folder, const RunData& run) {
   if (scene != "bench" || !run.floor.level()) return {};
   try {
     const BenchScene bench = bench_scene(folder, run.blocks);
+    if (bench.planes.frames != nullptr) return {};
     // The wall behind the last row is never quite sharp in a survey.
     return {true, bounded_by_rock(bench.planes, run.blocks), bench.depth - run.block_size};
   } catch (const NotMeasurable&) {

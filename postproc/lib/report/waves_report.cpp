@@ -103,15 +103,18 @@ std::vector<Vec2> points_of_blocks(const std::vector<GaugePeak>& peaks) {
 
 void write_histories(const ResultFolder& folder, const std::vector<GaugePeak>& peaks,
                      double until) {
+  const std::optional<MineFrame> frame = mine_frame(folder);
   CsvWriter csv(folder.file("waves.csv"),
-                "gauge,distance_m,time_s,speed_m_s,vx_m_s,vy_m_s,vz_m_s,pressure_Pa,s1_Pa,"
-                "s2_Pa,s3_Pa");
+                with_mine_points("gauge,distance_m,time_s,speed_m_s,vx_m_s,vy_m_s,vz_m_s,"
+                                 "pressure_Pa,s1_Pa,s2_Pa,s3_Pa",
+                                 frame, {""}));
   for (const GaugePeak& peak : peaks) {
     const GaugeHistory& gauge = *peak.gauge;
     for (size_t k = 0; k < gauge.time.size() && gauge.time[k] <= until; ++k) {
       const Vec3 &v = gauge.velocity[k], &s = gauge.principal[k];
-      csv.row({static_cast<double>(gauge.number), peak.distance, gauge.time[k], v.norm(), v.x(),
-               v.y(), v.z(), gauge.pressure[k], s.x(), s.y(), s.z()});
+      csv.row_at({static_cast<double>(gauge.number), peak.distance, gauge.time[k], v.norm(), v.x(),
+                  v.y(), v.z(), gauge.pressure[k], s.x(), s.y(), s.z()},
+                 mine_points(frame, {gauge.place}));
     }
   }
 }

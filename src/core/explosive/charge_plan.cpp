@@ -2,6 +2,7 @@
 // Charges of holes, and where the holes are; see the header.
 #include "explosive/charge_plan.h"
 
+#include <charconv>
 #include <map>
 #include <set>
 #include <sstream>
@@ -76,6 +77,26 @@ std::vector<std::string_view> all_columns(const CsvTable& plan, const CsvTable& 
   return columns;
 }
 
+/// Where each row of a made table is from: "FILE:LINE: ".
+using Sources = std::vector<std::string>;
+
+/// A fault of the made table, told of the file that its row is from.
+void check_made(const std::string& text, const std::string& name, std::size_t rows_from,
+                const Sources& sources) {
+  const std::string made = name + " with its charges", prefix = made + ":";
+  try {
+    (void)HoleTable(CsvTable::parse(text, made));
+  } catch (const InputError& error) {
+    const std::string fault = error.what();
+    const std::size_t end = fault.find(": ", prefix.size());
+    std::size_t line = 0;
+    if (fault.starts_with(prefix) && end != std::string::npos)
+      std::from_chars(fault.data() + prefix.size(), fault.data() + end, line);
+    if (line < rows_from || line - rows_from >= sources.size()) throw;
+    throw InputError(sources[line - rows_from] + fault.substr(end + 2));
+  }
+}
+
 }  // namespace
 
 std::string with_charges(const std::string& text, const std::string& name,
@@ -91,6 +112,8 @@ std::string with_charges(const std::string& text, const std::string& name,
   for (const std::string_view remark : plan.remarks()) out << '#' << remark << '\n';
   for (std::size_t k = 0; k < columns.size(); ++k) out << (k > 0 ? "," : "") << columns[k];
   out << '\n';
+  const std::size_t rows_from = plan.remarks().size() + 2;  // the line of the first row
+  Sources sources;
   std::set<std::string_view> done;
   for (std::size_t row = 0; row < plan.rows(); ++row) {
     const std::string_view hole = field(plan, row, "hole");
@@ -98,6 +121,7 @@ std::string with_charges(const std::string& text, const std::string& name,
     if (with != own.end() && !done.insert(hole).second) continue;
     const std::size_t decks = with == own.end() ? 1 : with->second.size();
     for (std::size_t d = 0; d < decks; ++d) {
+      sources.push_back(with == own.end() ? plan.where(row) : charges.where(with->second[d]));
       for (std::size_t k = 0; k < columns.size(); ++k) {
         const std::string_view typed =
             with == own.end() ? std::string_view() : field(charges, with->second[d], columns[k]);
@@ -110,7 +134,7 @@ std::string with_charges(const std::string& text, const std::string& name,
     }
   }
   const std::string made = out.str();
-  (void)HoleTable(CsvTable::parse(made, name + " with its charges"));
+  check_made(made, name, rows_from, sources);
   return made;
 }
 

@@ -14,6 +14,7 @@
 #include "explosive/hole_table.h"
 #include "explosive/table_text.h"
 #include "math/random.h"
+#include "provenance/fingerprint.h"
 
 namespace muckpile {
 namespace {
@@ -25,35 +26,39 @@ constexpr double kCut = 3.0;  // standard deviations
 class SignalScatter {
  public:
   SignalScatter(const std::vector<Deck>& decks, const DelayScatter& scatter) : scatter_(scatter) {
-    for (std::size_t row = 0; row < decks.size(); ++row)
-      first_.emplace(decks[row].hole, Element{&decks[row], row});
+    for (const Deck& deck : decks) first_.emplace(deck.hole, &deck);
   }
 
   double at(const std::string& hole) {
     if (const auto known = sums_.find(hole); known != sums_.end()) return known->second;
-    const auto& [deck, row] = first_.at(hole);
+    const Deck* deck = first_.at(hole);
     const double before = deck->after.empty() ? 0.0 : at(deck->after);
-    const double own = scatter_.share * deck->surface_delay * cut_normal(scatter_.seed, 2 * row);
+    const double own =
+        scatter_.share * deck->surface_delay * cut_normal(scatter_.seed, draw_of(hole, 0));
     return sums_[hole] = before + own;
   }
 
  private:
-  struct Element {
-    const Deck* deck;
-    std::uint64_t row;
-  };
   DelayScatter scatter_;
-  std::map<std::string, Element> first_;  // row of each hole
-  std::map<std::string, double> sums_;    // [s]
+  std::map<std::string, const Deck*> first_;  // of each hole
+  std::map<std::string, double> sums_;        // [s]
 };
+
+/// Counted from the bottom of its hole up, from 1.
+std::size_t number_of(const Deck& deck, const std::vector<Deck>& decks) {
+  const auto depth = [](const Deck& d) { return (d.toe - d.hole_toe).squaredNorm(); };
+  return 1 + static_cast<std::size_t>(std::ranges::count_if(decks, [&](const Deck& other) {
+           return other.hole == deck.hole && depth(other) < depth(deck);
+         }));
+}
 
 std::vector<double> sums(const std::vector<Deck>& decks, const DelayScatter& scatter) {
   SignalScatter signals(decks, scatter);
   std::vector<double> all;
-  for (std::size_t row = 0; row < decks.size(); ++row) {
-    const double own =
-        scatter.share * decks[row].in_hole_delay * cut_normal(scatter.seed, 2 * row + 1);
-    all.push_back(signals.at(decks[row].hole) + own);
+  for (const Deck& deck : decks) {
+    const std::uint64_t draw = draw_of(deck.hole, number_of(deck, decks));
+    const double own = scatter.share * deck.in_hole_delay * cut_normal(scatter.seed, draw);
+    all.push_back(signals.at(deck.hole) + own);
   }
   return all;
 }
@@ -72,6 +77,10 @@ std::size_t turned_pairs(const std::vector<Deck>& nominal, const std::vector<Dec
 }
 
 }  // namespace
+
+std::uint64_t draw_of(const std::string& hole, std::size_t deck) {
+  return Fingerprint().add(std::string_view(hole)).add(std::uint64_t{deck}).value();
+}
 
 double cut_normal(std::uint64_t seed, std::uint64_t index) {
   Random draws(random_bits(seed, index));

@@ -3,6 +3,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "args/first_lines.h"
 #include "explosive/attenuation.h"
 #include "explosive/hole_loads.h"
 
@@ -70,6 +71,7 @@ void describe_others(std::ostream& text, const BlastOptions& options,
                      const std::vector<Hole>& zones) {
   if (!options.pattern || !options.needs_borehole_pressure()) return;
   const LoadedHole first = loaded_hole(options, zones.front(), 0);
+  std::vector<std::string> others;
   for (std::size_t k = 1; k < zones.size(); ++k) {
     const LoadedHole hole = loaded_hole(options, zones[k], k);
     if (hole.explosive.name == first.explosive.name &&
@@ -77,11 +79,15 @@ void describe_others(std::ostream& text, const BlastOptions& options,
         hole.explosive.detonation_velocity == first.explosive.detonation_velocity &&
         hole.wall_pressure == first.wall_pressure)
       continue;
-    text << "  hole " << k + 1 << " ('" << options.pattern->decks()[k].hole
+    std::ostringstream line;
+    line.precision(4);
+    line << "  hole " << k + 1 << " ('" << options.pattern->decks()[k].hole
          << "'): " << hole.explosive.name << ", " << hole.explosive.density << " kg/m3, "
          << hole.explosive.detonation_velocity << " m/s, P0 = " << hole.initial_pressure / kMPa
          << " MPa, " << hole.wall_pressure / kMPa << " MPa on the wall\n";
+    others.push_back(line.str());
   }
+  text << first_lines(others, "  ", "charges that differ from that of hole 1");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <limits>
 #include <sstream>
 
+#include "args/first_lines.h"
 #include "args/numbers.h"
 #include "args/rounded_text.h"
 #include "geometry/shape/polygon.h"
@@ -183,7 +184,7 @@ std::string describe_burdens(const std::vector<HoleBurden>& burdens, double plan
   std::ostringstream text;
   text << "  burden of each hole along its charge, to the free face beside it [m]\n"
           "    hole    least     mean greatest  to the hole in front\n";
-  std::string warnings;
+  std::vector<std::string> warnings;
   text << std::fixed << std::setprecision(2);
   for (std::size_t h = 0; h < burdens.size(); ++h) {
     const HoleBurden& burden = burdens[h];
@@ -197,9 +198,12 @@ std::string describe_burdens(const std::vector<HoleBurden>& burdens, double plan
     if (burden.mean && burden.bare > 0.0)
       text << "  (none beside " << std::lround(100.0 * burden.bare) << " % of the charge)";
     text << '\n';
-    if (plan > 0.0) warnings += warning_of(burden, h, plan);
+    const std::string warning = plan > 0.0 ? warning_of(burden, h, plan) : "";
+    if (!warning.empty()) warnings.push_back(warning);
   }
-  return text.str() + warnings;
+  return text.str() +
+         first_lines(warnings,
+                     "WARNING: create_blocks: ", "holes with burdens that far from the plan's");
 }
 
 }  // namespace muckpile

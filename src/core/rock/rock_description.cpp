@@ -5,8 +5,10 @@
 #include <iomanip>
 #include <sstream>
 
+#include "args/first_lines.h"
 #include "args/numbers.h"
 #include "args/rounded_text.h"
+#include "geometry/cut/open_planes.h"
 #include "geometry/spheres/filling_quality.h"
 #include "rock/rock_model.h"
 
@@ -134,7 +136,8 @@ std::string describe_voids(const TessellationStatistics& cut) {
   constexpr double kLeast = 0.9, kMost = 1.1;
   constexpr std::size_t kEach = 12;  // of more holes the range
   std::vector<double> ratios;
-  std::string each, warnings;
+  std::string each;
+  std::vector<std::string> warnings;
   for (std::size_t h = 0; h < std::min(cut.hole_volume.size(), cut.cylinder_volume.size()); ++h) {
     if (!(cut.cylinder_volume[h] > 0.0)) continue;
     ratios.push_back(cut.hole_volume[h] / cut.cylinder_volume[h]);
@@ -142,19 +145,20 @@ std::string describe_voids(const TessellationStatistics& cut) {
                       ratio = rounded_text(ratios.back(), 3);
     each += (each.empty() ? " " : ", ") + hole + ' ' + ratio;
     if (ratios.back() >= kLeast && ratios.back() <= kMost) continue;
-    warnings +=
+    warnings.push_back(
         "WARNING: create_blocks: the void of " + hole + " is " + ratio +
         " times its crushed zone's cylinder, beyond 0.9 to 1.1: its load is that of a " +
         (ratios.back() > 1.0 ? "wider" : "narrower") +
         " hole; take smaller blocks at it, move a plane that crosses it, or, where blocks are 1.5 "
-        "radii wide or more, take rings_from 1.5\n";
+        "radii wide or more, take rings_from 1.5\n");
   }
   if (ratios.empty()) return "";
   if (ratios.size() > kEach)
-    each = " " + rounded_text(quantile(ratios, 0.0), 3) + " to " +
+    each = std::string(" ") + rounded_text(quantile(ratios, 0.0), 3) + " to " +
            rounded_text(quantile(ratios, 1.0), 3) + " for " + std::to_string(ratios.size()) +
            " holes";
-  return "  void over the cylinder of its crushed zone:" + each + '\n' + warnings;
+  return "  void over the cylinder of its crushed zone:" + each + '\n' +
+         first_lines(warnings, "WARNING: create_blocks: ", "voids beyond 0.9 to 1.1");
 }
 
 /// Means over some blocks, evenly chosen.
@@ -193,6 +197,18 @@ std::string describe_target(const SizeComparison& sizes, const std::string& why)
 }
 
 }  // namespace
+
+std::string describe_open_planes(const CutOptions& options, const Tessellation& cut) {
+  constexpr double kMany = 0.01;  // of the area of all faces in the planes
+  const OpenPlanes open = open_planes(options.rock, cut.blocks);
+  if (open.faces == 0) return "";
+  const double share = open.area / open.all;
+  const std::string told = std::to_string(open.faces) + " faces in planes, " +
+                           rounded_text(open.area, 3) + " m2 or " + rounded_text(100.0 * share, 3) +
+                           " % of those in them, have nothing behind them and are free";
+  if (share <= kMany) return "  " + told + '\n';
+  return "WARNING: create_blocks: " + told + ": take smaller blocks\n";
+}
 
 std::string describe(const RockModel& model, double seconds) {
   std::string text = describe_blocks(model, seconds) + describe_zones(model) +

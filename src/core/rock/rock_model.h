@@ -48,4 +48,8 @@ struct RockModel {
 /// making took.
 [[nodiscard]] std::string describe(const RockModel& model, double seconds);
 
+/// Line of the log: faces in planes of the cut that have nothing behind them, and a warning where
+/// these are many; "" for none.
+[[nodiscard]] std::string describe_open_planes(const CutOptions& options, const Tessellation& cut);
+
 }  // namespace muckpile

@@ -4,7 +4,9 @@
 #include "rock/zone_sizes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <optional>
 
 #include "args/input_error.h"
 #include "args/numbers.h"
@@ -84,6 +86,36 @@ void check_zone_sizes(const CutOptions& options) {
     throw InputError(name_of(*zone) + rest + "import', whose blocks have their size");
   if (options.target)
     throw InputError(name_of(*zone) + rest + "target', which is the curve of all of the rock");
+}
+
+std::string describe_zone_sizes(const CutOptions& options, const Tessellation& cut,
+                                const std::vector<std::uint8_t>& zone_of) {
+  constexpr double kHalf = 0.5;  // of the way from the law's size to that of the factor
+  if (first_with_factor(options.zones) == nullptr) return "";
+  TessellationOptions plain = options.rock;
+  plain.factor = nullptr;
+  const Ground ground(plain);
+  // Size over that of the law, of the block of each zone that comes nearest to the factor.
+  std::vector<std::optional<double>> nearest(options.zones.size() + 1);
+  for (std::size_t b = 0; b < zone_of.size(); ++b) {
+    if (zone_of[b] == 0) continue;
+    const double factor = options.zones[zone_of[b] - 1u].size_factor;
+    const double ratio = cut.blocks[b].target_size / ground.size(cut.blocks[b].mass.centroid);
+    std::optional<double>& best = nearest[zone_of[b]];
+    if (!best || std::abs(ratio - factor) < std::abs(*best - factor)) best = ratio;
+  }
+  std::string text;
+  for (std::size_t z = 1; z < nearest.size(); ++z) {
+    const RockZone& zone = options.zones[z - 1];
+    if (zone.size_factor == 1.0 || !nearest[z]) continue;
+    if ((*nearest[z] - 1.0) / (zone.size_factor - 1.0) >= kHalf) continue;
+    text +=
+        "WARNING: " + name_of(zone) + " " + number_text(zone.size_factor) + " leaves all blocks " +
+        rounded_text(*nearest[z], 3) +
+        " times as large as the law or nearer to it: the zone is thin against the blocks, or near "
+        "holes, where the law holds, or block_min and block_max bound it\n";
+  }
+  return text;
 }
 
 void lay_zone_sizes(CutOptions& options) {

@@ -54,10 +54,15 @@ TEST(ChargePlan, FaultsNameTheLine) {
               (void)charged("hole,toe_x_m\na,1\n");
             }).find("c.csv: unknown column 'toe_x_m'"),
             std::string::npos);
-  EXPECT_NE(input_error_of([] { (void)charged("hole,coupling\nb,mud\n"); })
-                .find("plan with its charges:5: coupling must be one of air, water, stemming, got "
-                      "'mud'"),
+  EXPECT_NE(input_error_of([] {
+              (void)charged("hole,coupling\nb,mud\n");
+            }).find("c.csv:2: coupling must be one of air, water, stemming, got 'mud'"),
             std::string::npos);
+  // of the second deck of a hole
+  EXPECT_EQ(input_error_of([] {
+              (void)charged("hole,from_m,to_m,vod_m_s\nb,7,10,\nb,2,6,9e9\n");
+            }).find("c.csv:3: vod_m_s must be"),
+            0u);
 }
 
 TEST(ChargePlan, ARowForAHoleOfSeveralDecksHasDepths) {

@@ -3,7 +3,10 @@
 // Scope: core only.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <sstream>
+#include <string>
 
 #include "explosive/delay_scatter.h"
 #include "explosive/hole_table.h"
@@ -44,13 +47,51 @@ TEST(DelayScatter, TenThousandDrawsHaveMeanZeroAndTheDeviationOfACutNormal) {
 TEST(DelayScatter, ElementsAddUpAlongTheTieUp) {
   const DelayScatter scatter{0.02, 5};
   const HoleTable fired = table(scattered(kPlan, "t", scatter).text), plan = table(kPlan);
-  // rows 0 to 3; surface elements have the even draws of a hole's first row, detonators the odd
-  const double b = 0.02 * 0.017 * cut_normal(5, 2), c = b + 0.02 * 0.017 * cut_normal(5, 4);
-  const std::array<double, 4> expected{
-      0.02 * 0.5 * cut_normal(5, 1), b + 0.02 * 0.5 * cut_normal(5, 3),
-      c + 0.02 * 0.5 * cut_normal(5, 5), c + 0.02 * 0.525 * cut_normal(5, 7)};
+  // c's first row is its lower deck, 6 to 10 m from the collar
+  const auto draw = [](const char* hole, std::size_t deck) {
+    return cut_normal(5, draw_of(hole, deck));
+  };
+  const double b = 0.02 * 0.017 * draw("b", 0), c = b + 0.02 * 0.017 * draw("c", 0);
+  const std::array<double, 4> expected{0.02 * 0.5 * draw("a", 1), b + 0.02 * 0.5 * draw("b", 1),
+                                       c + 0.02 * 0.5 * draw("c", 1),
+                                       c + 0.02 * 0.525 * draw("c", 2)};
   for (std::size_t k = 0; k < expected.size(); ++k)
     EXPECT_NEAR(fired.decks()[k].firing_time - plan.decks()[k].firing_time, expected[k], 2e-9);
+}
+
+// Rows from the last to the first, remark and header as they were.
+std::string turned_over(const std::string& text) {
+  std::istringstream in(text);
+  std::string line, head, rows;
+  while (std::getline(in, line)) {
+    if (line[0] == '#' || line.starts_with("hole,"))
+      head += line + '\n';
+    else
+      rows = line + '\n' + rows;
+  }
+  return head + rows;
+}
+
+TEST(DelayScatter, AnotherOrderOfRowsHasTheSameTimes) {
+  const HoleTable here = table(scattered(kPlan, "t", {0.02, 5}).text),
+                  there = table(scattered(turned_over(kPlan), "t", {0.02, 5}).text);
+  ASSERT_EQ(there.decks().size(), 4u);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_EQ(here.decks()[k].hole, there.decks()[3 - k].hole);
+    EXPECT_EQ(here.decks()[k].firing_time, there.decks()[3 - k].firing_time);
+  }
+}
+
+TEST(DelayScatter, HolesAndDecksHaveDrawsOfTheirOwn) {
+  double sum = 0.0, squares = 0.0;
+  constexpr int kCount = 10000;
+  for (int k = 0; k < kCount; ++k) {
+    const double value = cut_normal(7, draw_of("H" + std::to_string(k / 4), k % 4));
+    sum += value;
+    squares += value * value;
+  }
+  EXPECT_NEAR(sum / kCount, 0.0, 0.03);
+  EXPECT_NEAR(std::sqrt(squares / kCount), 0.9866, 0.03 * 0.9866);
 }
 
 TEST(DelayScatter, TheRestOfTheTableStaysAndTheSeedDecides) {

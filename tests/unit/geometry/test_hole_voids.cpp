@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cut_checks.h"
+#include "geometry/cut/open_planes.h"
 #include "geometry/cut/tessellation.h"
 #include "geometry/holes/hole_surface.h"
 #include "math/random.h"
@@ -99,6 +100,32 @@ TEST(HoleVoids, AreTheCylindersWhateverPlanesCrossThem) {
   EXPECT_LT(unclosed, 1e-3);
   EXPECT_GT(smallest, 0.45);
   EXPECT_GT(thinnest, 0.12);
+}
+
+TEST(OpenPlanes, AreFacesInPlanesThatLostTheirNeighbour) {
+  TessellationOptions rock;
+  rock.lo = Vec3::Constant(-2.0);
+  rock.hi = Vec3::Constant(2.0);
+  rock.size = SizeLaw::uniform(0.8);
+  rock.planes.push_back({Vec3(0, 0, 0.1), Vec3::UnitZ()});
+  Tessellation cut = tessellate(rock);
+  OpenPlanes open = open_planes(rock, cut.blocks);
+  EXPECT_EQ(open.faces, 0u);
+  EXPECT_NEAR(open.all, 2.0 * 16.0, 1e-6);  // both sides of 4 by 4 m
+  bool lost = false;
+  double area = 0.0;
+  for (Block& block : cut.blocks) {
+    for (std::size_t f = 0; f < block.neighbour.size() && !lost; ++f) {
+      const FaceGeometry face = face_geometry(block.shape, static_cast<int>(f));
+      if (std::abs(face.centroid.z() - 0.1) > 1e-9 || face.normal.z() < 0.99) continue;
+      block.neighbour[f] = kFreeFace;
+      area = face.area;
+      lost = true;
+    }
+  }
+  open = open_planes(rock, cut.blocks);
+  EXPECT_EQ(open.faces, 1u);
+  EXPECT_NEAR(open.area, area, 1e-12);
 }
 
 }  // namespace

@@ -104,6 +104,32 @@ TEST(SurveyedFloor, IsAsSurveyedWhereTheSurveyDoesNotReach) {
   EXPECT_NEAR(floor.highest, -1.84, 1e-12);
 }
 
+/// The front once, 116.95 by 120 m, and beside rock from x = -4 to 3.05 the strips y < -3 and y >
+/// 5, 57 and 55 m wide: 7.05 by 112 m more. Each strip has a wall along the rock.
+TEST(GroundPanels, LieBesideTheRock) {
+  const std::string survey = testing::TempDir() + "slope.csv";
+  std::ofstream out(survey);
+  for (int x = -8; x <= 20; ++x)
+    for (int y = -8; y <= 8; ++y) out << x << ',' << y << ',' << slope(x, y) << '\n';
+  out.close();
+  const std::vector<std::string> words{"file", "f.stl", "ground", survey,   "3.05", "120", "-60",
+                                       "60",   "-2",    "0.5",    "beside", "-4",   "-3",  "5"};
+  const SurveyedFloor floor =
+      ground_panels(parse_args(write_panels_table(), "write_panels", words), "write_panels").floor;
+  EXPECT_NEAR(area_above(floor, 1e-9), 116.95 * 120.0 + 7.05 * 112.0, 1e-6);
+  double wall_hi = 0.0, wall_lo = 0.0;
+  for (const auto& [a, b, c] : floor.triangles) {
+    const Vec3 twice = (b - a).cross(c - a);
+    const bool beside = a.y() == b.y() && b.y() == c.y();
+    if (!beside) continue;
+    (a.y() == 5.0 ? wall_hi : wall_lo) += 0.5 * twice.y();
+  }
+  // Mean heights at x = -0.475: 0.0475 and 0.02 y; down to the lowest place less a panel.
+  const double foot = floor.lowest - floor.cell;
+  EXPECT_NEAR(wall_hi, -7.05 * (0.0475 + 0.1 - foot), 1e-6);  // looks to -y, at the rock
+  EXPECT_NEAR(wall_lo, 7.05 * (0.0475 - 0.06 - foot), 1e-6);
+}
+
 std::string refusal_of(const std::vector<std::string>& words) {
   try {
     (void)ground_panels(parse_args(write_panels_table(), "write_panels", words), "write_panels");

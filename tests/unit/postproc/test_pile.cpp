@@ -92,16 +92,18 @@ TEST(PileShape, FindsTheSlopeOfTheSteps) {
 // A floor at `z` for x > 0.001 m.
 PitFloor floor_at(double z) {
   const Vec3 a(0.001, -50, z), b(50, -50, z), c(50, 50, z), d(0.001, 50, z);
-  return PitFloor({{a, b, c}, {a, c, d}}, "floor");
+  return PitFloor({{a, b, c}, {a, c, d}}, 0.001, "floor");
 }
 
 TEST(PitFloor, IsStraightBetweenTheToeAndWhereItBegins) {
   const Vec3 a(4, -9, -1), b(40, -9, -10), c(40, 9, -10), d(4, 9, -1);  // falls by 1 in 4
-  const PitFloor floor({{a, b, c}, {a, c, d}}, "floor");
+  const Vec3 e(-5, 9, 7), f(4, 9, 7), g(4, 20, 7);                      // beside the rock
+  const PitFloor floor({{a, b, c}, {a, c, d}, {e, f, g}}, 4.0, "floor");
   EXPECT_EQ(floor.at(-3.0, 1.0), 0.0);
   EXPECT_NEAR(floor.at(1.0, 1.0), -0.25, 1e-12);
   EXPECT_NEAR(floor.at(4.0, -5.0), -1.0, 1e-12);
   EXPECT_NEAR(floor.at(20.0, 5.0), -5.0, 1e-12);
+  EXPECT_NEAR(floor.at(-3.0, 10.0), 7.0, 1e-12);
   EXPECT_EQ(PitFloor().at(20.0, 5.0), 0.0);
 }
 

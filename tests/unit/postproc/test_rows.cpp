@@ -5,11 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "args/input_error.h"
 #include "geometry/files/block_file.h"
 #include "measure/height_map.h"
+#include "measure/hole_polygons.h"
 #include "measure/hole_rock.h"
 #include "report/all_reports.h"
 #include "report/not_measurable.h"
@@ -165,6 +167,21 @@ TEST_F(Rows, FaceVelocityStandsForEachHoleOfTheFirstRow) {
   for (size_t row = 0; row < face.rows(); ++row)
     EXPECT_NEAR(face.number(row, face.column("velocity_m_s")), 14.0, 1e-6);
   EXPECT_TRUE(std::filesystem::exists(folder().file("face_velocity.png")));
+}
+
+// To x = -6.3, half way to the hole behind, over half the width of the rock, which the holes' end
+// rock would pass by half a metre.
+TEST_F(Rows, PolygonsAreTheRockOfEachHole) {
+  report_rows(folder(), {kCube, 0.125});
+  const CsvTable table = CsvTable::read(folder().file("hole_polygons.csv"));
+  std::map<std::string, std::vector<Vec2>> corners;
+  for (size_t row = 0; row < table.rows(); ++row)
+    corners[std::string(table.word(row, 0))].emplace_back(table.number(row, 1),
+                                                          table.number(row, 2));
+  EXPECT_NEAR(area_of(corners["left"]), 6.3, 0.1);  // the bisector is not quite across
+  EXPECT_NEAR(area_of(corners["left"]), area_of(corners["right"]), 1e-6);
+  EXPECT_NEAR(area_of(corners["left"]) + area_of(corners["right"]) + area_of(corners["back"]),
+              2.0 * 8.0, 1e-6);  // all rock: half a burden behind the last row is beyond it
 }
 
 TEST_F(Rows, NeedAHoleTable) {

@@ -18,6 +18,7 @@
 #include "rock/cut_options.h"
 #include "rock/cut_table.h"
 #include "rock/rock_model.h"
+#include "rock/zone_sizes.h"
 #include "temporary_folder.h"
 
 namespace muckpile {
@@ -83,6 +84,22 @@ TEST(ZoneSizes, AreThoseOfTheLawTimesTheFactor) {
   expect_sizes("threefold", kUniform + top + "3", 0.03);
   expect_sizes("seam", kUniform + "zone seam 2000 layer 0 0 -0.5 20 40 1 size_factor 0.6", 0.03);
   expect_sizes("around a hole", kAroundAHole + top + "0.6", 0.03);
+}
+
+// Coarse blocks within fine rock, in a seam half a block thick: the growth from its borders is all
+// that they have.
+TEST(ZoneSizes, ThatAThinZoneDoesNotReachAreWarnedOf) {
+  const auto told = [](const std::string& words) {
+    const CutOptions options = options_of(kUniform + words);
+    const RockModel model = cut(options);
+    return describe_zone_sizes(options, model.rock, model.zone_of);
+  };
+  const std::string thin = told("zone seam 2000 layer 0 0 -0.5 20 40 0.2 size_factor 2");
+  EXPECT_EQ(thin.find("WARNING: create_blocks: zone 'seam': size_factor 2 leaves all blocks 1"), 0u)
+      << thin;
+  EXPECT_EQ(told("zone seam 2000 layer 0 0 -0.5 20 40 1 size_factor 0.6"), "");
+  EXPECT_EQ(told("zone top 2000 above 0 0 0 0 0 size_factor 2"), "");
+  EXPECT_EQ(told("zone top 2000 above 0 0 0 0 0"), "");
 }
 
 TEST(ZoneSizes, HoldForJointSets) {

@@ -3,7 +3,10 @@
 // Scope: see the header.
 #include "geometry/surface/ground_panels.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 #include "args/input_error.h"
@@ -30,21 +33,91 @@ FloorExtent extent_of(const std::vector<std::string>& words, const std::string& 
   return {x_lo, x_hi, y_lo, y_hi, bottom, cell};
 }
 
+/// Where the rock stands that the ground surrounds on three sides [m].
+struct RockSides {
+  double back, y_lo, y_hi;
+};
+
+RockSides sides_of(const std::vector<std::string>& words, const FloorExtent& extent,
+                   const std::string& where) {
+  const auto real = [&](std::size_t k) {
+    return parse_real(where, "beside", words[k], "m", Range::closed(-1e7, 1e7));
+  };
+  const RockSides sides{real(0), real(1), real(2)};
+  const bool within = sides.back < extent.x_lo && sides.y_lo < sides.y_hi &&
+                      sides.y_lo > extent.y_lo && sides.y_hi < extent.y_hi;
+  if (!within)
+    refuse(where,
+           "beside must be a place behind x_lo of ground and two within its y that rise, got '" +
+               words[0] + " " + words[1] + " " + words[2] + "'");
+  return sides;
+}
+
+/// What of a triangle lies where sign (y - end) >= 0.
+std::vector<Vec3> beyond(const StlTriangle& triangle, double end, double sign) {
+  std::vector<Vec3> kept;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 &a = triangle[k], &b = triangle[(k + 1) % 3];
+    const double here = sign * (a.y() - end), there = sign * (b.y() - end);
+    if (here >= 0.0) kept.push_back(a);
+    if (here * there >= 0.0) continue;
+    kept.push_back(a + here / (here - there) * (b - a));
+    kept.back().y() = end;  // to the last digit, as the neighbour has it
+  }
+  return kept;
+}
+
+/// The wall below an edge of ground that ends at the rock.
+void add_wall(std::vector<StlTriangle>& triangles, const Vec3& a, const Vec3& b, double foot) {
+  const Vec3 under_a(a.x(), a.y(), foot), under_b(b.x(), b.y(), foot);
+  triangles.push_back({b, a, under_a});
+  triangles.push_back({b, under_a, under_b});
+}
+
+/// Ground beside the rock, with a wall down along it.
+void add_beside(SurveyedFloor& floor, const GroundHeights& ground, const FloorExtent& front,
+                const RockSides& sides) {
+  FloorExtent extent = front;
+  extent.x_lo = sides.back;
+  extent.x_hi = front.x_lo;
+  extent.cell = floor.cell;
+  const SurveyedFloor all = surveyed_floor(ground, extent);
+  floor.lowest = std::min(floor.lowest, all.lowest);
+  floor.highest = std::max(floor.highest, all.highest);
+  const double foot = std::min(front.bottom, floor.lowest - floor.cell);
+  for (const StlTriangle& triangle : all.triangles) {
+    if (!((triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).z() > 0.0)) continue;
+    for (const auto& [end, sign] : {std::pair{sides.y_hi, 1.0}, std::pair{sides.y_lo, -1.0}}) {
+      const std::vector<Vec3> part = beyond(triangle, end, sign);
+      for (std::size_t k = 1; k + 1 < part.size(); ++k)
+        floor.triangles.push_back({part[0], part[k], part[k + 1]});
+      for (std::size_t k = 0; part.size() > 2 && k < part.size(); ++k) {
+        const Vec3 &a = part[k], &b = part[(k + 1) % part.size()];
+        if (a.y() == end && b.y() == end) add_wall(floor.triangles, a, b, foot);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 ArgTable& add_ground_words(ArgTable& table) {
   return add_mine_words(
-      table.group("ground", kWords, kWords, false,
-                  "FILE x_lo x_hi y_lo y_hi bottom width: a floor at the heights of surveyed "
-                  "ground (files as of `terrain` of create_blocks), with a step at x_lo down to "
-                  "bottom, in panels of about that width where there is a survey [m]"),
+      table
+          .group("ground", kWords, kWords, false,
+                 "FILE x_lo x_hi y_lo y_hi bottom width: a floor at the heights of surveyed "
+                 "ground (files as of `terrain` of create_blocks), with a step at x_lo down to "
+                 "bottom, in panels of about that width where there is a survey [m]")
+          .group("beside", 3, 3, false,
+                 "x_back y_lo y_hi: that ground lies beside the rock, too, from x_back to x_lo "
+                 "beyond y_lo and y_hi, with steps there [m]"),
       "the file of `ground`");
 }
 
 GroundPanels ground_panels(const ArgValues& words, const std::string& where) {
   GroundPanels made;
   const auto groups = words.groups("ground");
-  for (const char* word : {"origin", "x_bearing", "unit"})
+  for (const char* word : {"origin", "x_bearing", "unit", "beside"})
     if (groups.empty() && words.given(word)) refuse(where, std::string(word) + " needs ground");
   if (groups.empty()) return made;
   const std::vector<std::string>& given = groups.front();
@@ -53,6 +126,8 @@ GroundPanels ground_panels(const ArgValues& words, const std::string& where) {
   const GroundHeights ground(terrain_triangles(read_placed(given[0], mine.frame, mine.unit)),
                              where + ": ground " + given[0]);
   made.floor = surveyed_floor(ground, extent);
+  for (const std::vector<std::string>& sides : words.groups("beside"))
+    add_beside(made.floor, ground, extent, sides_of(sides, extent, where));
   made.told = where + ": ground of " + given[0] + " from x = " + number_text(extent.x_lo) +
               " m on: " + std::to_string(made.floor.triangles.size()) +
               " triangles between z = " + rounded_text(made.floor.lowest) + " and " +

@@ -82,6 +82,11 @@ double GroundHeights::at(double x, double y) const {
   return t[0].z() - (normal.x() * way.x() + normal.y() * way.y()) / normal.z();
 }
 
+bool GroundHeights::covers(double x, double y) const {
+  constexpr double kBorder = 1e-9;  // [m]
+  return plan_.closest({x, y, 0.0}).distance <= kBorder;
+}
+
 SurveyedFloor surveyed_floor(const GroundHeights& ground, FloorExtent extent) {
   const auto& [x_lo, x_hi, y_lo, y_hi, bottom, cell] = extent;
   const Vec3 &lo = ground.lo(), &hi = ground.hi();

@@ -18,6 +18,7 @@ class GroundHeights {
 
   /// Beyond the survey that of its nearest place in plan [m].
   [[nodiscard]] double at(double x, double y) const;
+  [[nodiscard]] bool covers(double x, double y) const;
   [[nodiscard]] const Vec3& lo() const { return plan_.lo(); }  // of the survey in plan [m]
   [[nodiscard]] const Vec3& hi() const { return plan_.hi(); }
 

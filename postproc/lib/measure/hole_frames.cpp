@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Directions of holes, and what they make of places.
+// Scope: see the header.
+#include "measure/hole_frames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "args/input_error.h"
+
+namespace muckpile {
+namespace {
+
+// (along the direction, to its left).
+Vec2 turned(const Vec2& way, const Vec2& direction) {
+  return {direction.dot(way), direction.x() * way.y() - direction.y() * way.x()};
+}
+
+// Least squares of the face's places over height; 0 for a single one.
+double rise_of(const std::vector<Vec2>& face) {
+  Vec2 mean = Vec2::Zero();
+  for (const Vec2& p : face) mean += p / static_cast<double>(face.size());
+  double zz = 0.0, zs = 0.0;
+  for (const Vec2& p : face) {
+    zz += (p.x() - mean.x()) * (p.x() - mean.x());
+    zs += (p.x() - mean.x()) * (p.y() - mean.y());
+  }
+  return zz > 0.0 ? zs / zz : 0.0;
+}
+
+}  // namespace
+
+HoleFrames::HoleFrames(std::vector<HoleFrame> holes, HolePlan plan)
+    : holes_(std::move(holes)), plan_(plan) {
+  for (const HoleFrame& hole : holes_) {
+    if (hole.face.empty()) throw InputError("hole " + hole.name + " has no free face beside it");
+    rise_.push_back(rise_of(hole.face));
+    rows_ = std::max(rows_, hole.row + 1);
+  }
+  depth_ = rows_ * plan_.burden;
+  for (size_t h = 0; h < holes_.size(); ++h) {
+    bool last = true;
+    for (size_t g = 0; g < holes_.size(); ++g) last = last && (g == h || !stands_behind(g, h));
+    last_.push_back(last ? 1 : 0);
+  }
+}
+
+Vec2 HoleFrames::from_axis(const Vec3& p, size_t hole) const {
+  const HoleFrame& h = holes_[hole];
+  return turned(p.head<2>() - h.foot - p.z() * h.lean, h.direction);
+}
+
+// One burden behind it, as a hole of the next row, which may be staggered.
+bool HoleFrames::stands_behind(size_t other, size_t hole) const {
+  const HoleFrame& h = holes_[hole];
+  const Vec2 place = turned(holes_[other].foot - h.foot, h.direction);
+  return place.x() < -0.25 * plan_.burden && place.x() > -1.75 * plan_.burden &&
+         std::abs(place.y()) <= 0.75 * plan_.spacing;
+}
+
+size_t HoleFrames::hole_at(const Vec3& p) const {
+  size_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (size_t h = 0; h < holes_.size(); ++h) {
+    const double distance = (p.head<2>() - holes_[h].foot - p.z() * holes_[h].lean).squaredNorm();
+    if (distance >= least) continue;
+    least = distance;
+    nearest = h;
+  }
+  return nearest;
+}
+
+double HoleFrames::largest_turn() const {
+  double turn = 0.0;
+  for (const HoleFrame& hole : holes_)
+    turn = std::max(turn, std::acos(std::clamp(hole.direction.x(), -1.0, 1.0)));
+  return turn;
+}
+
+// Straight on above and below what is known.
+double HoleFrames::face_at(size_t hole, double height) const {
+  const std::vector<Vec2>& face = holes_[hole].face;
+  const auto above = std::ranges::find_if(face, [&](const Vec2& p) { return p.x() >= height; });
+  if (above == face.begin() || above == face.end()) {
+    const Vec2& end = above == face.end() ? face.back() : face.front();
+    return end.y() + rise_[hole] * (height - end.x());
+  }
+  const Vec2 &low = *(above - 1), &high = *above;
+  const double way = high.x() - low.x();
+  return way > 0.0 ? low.y() + (height - low.x()) / way * (high.y() - low.y()) : low.y();
+}
+
+double HoleFrames::burden_at_floor(size_t hole) const {
+  return face_at(hole, 0.0) - holes_[hole].direction.dot(holes_[hole].foot);
+}
+
+double HoleFrames::behind_face(const Vec3& p) const {
+  const size_t hole = hole_at(p);
+  return face_at(hole, std::max(p.z(), 0.0)) - holes_[hole].direction.dot(p.head<2>());
+}
+
+double HoleFrames::depth_of_row(size_t hole) const {
+  return last_[hole] != 0 ? depth_ : (holes_[hole].row + 1) * plan_.burden;
+}
+
+// A hole alone, of the first row and of the last, has the planes of both at its axis.
+double HoleFrames::row_depth(const Vec3& p) const {
+  const size_t hole = hole_at(p);
+  const double before = from_axis(p, hole).x();
+  if (holes_[hole].row == 0 && before >= 0.0) return plan_.burden - before;
+  if (before < 0.0) return depth_of_row(hole) - before;
+  return std::max(depth_of_row(hole) - before, std::nextafter(plan_.burden, depth_ + 1.0));
+}
+
+bool HoleFrames::abreast(const Vec3& p) const {
+  constexpr double kFarBehind = 2.0;  // burdens: from there on other rock stands behind a hole
+  for (size_t h = 0; h < holes_.size(); ++h) {
+    const Vec2 place = from_axis(p, h);
+    if (std::abs(place.y()) <= 0.5 * plan_.spacing && place.x() >= -kFarBehind * plan_.burden)
+      return true;
+  }
+  return false;
+}
+
+Vec3 HoleFrames::outward(const Vec3& start) const {
+  const Vec2& direction = holes_[hole_at(start)].direction;
+  return {direction.x(), direction.y(), 0.0};
+}
+
+bool HoleFrames::beyond_toe(const Vec3& start, const Vec3& end) const {
+  const size_t hole = hole_at(start);
+  return holes_[hole].direction.dot(end.head<2>()) > face_at(hole, 0.0);
+}
+
+}  // namespace muckpile

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The rock of each hole in plan: what is nearest to its axis at one height, between the face and
+// half a burden behind the last row, and half a spacing beside the outermost holes. Scope: as
+// hole_of_blocks (measure/hole_rock.h) counts blocks; holes that throw to several sides are bounded
+// each by itself where no other hole stands.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "measure/hole_rock.h"
+
+namespace muckpile {
+
+struct HolePolygon {
+  std::string hole;
+  std::vector<Vec2> corners;  // counter-clockwise; empty where the hole has no rock there [m]
+};
+
+// How far the rock reaches in plan, and where it is cut.
+struct PlanCut {
+  double height;   // [m]
+  Vec2 low, high;  // of the rock before the blast [m]
+  double burden;   // [m]
+  double depth;    // of the last row, as BenchPlanes::row_depth has it [m]
+};
+
+std::vector<HolePolygon> hole_polygons(const std::vector<PatternHole>& holes,
+                                       const BenchPlanes& planes, const PlanCut& cut);
+
+double area_of(const std::vector<Vec2>& corners);  // [m2]
+
+}  // namespace muckpile

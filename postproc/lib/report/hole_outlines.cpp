@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Polygons of rock of holes: from the run to a table.
+// Scope: see the header.
+#include "report/hole_outlines.h"
+
+#include <filesystem>
+
+#include "explosive/hole_table.h"
+#include "io/csv_writer.h"
+#include "io/mine_frame.h"
+#include "measure/start_extent.h"
+
+namespace muckpile {
+
+std::vector<HolePolygon> hole_outlines(const ResultFolder& folder, const BenchScene& bench,
+                                       const std::vector<StartBlock>& blocks) {
+  const std::filesystem::path path = folder.dump("holes.csv");
+  if (!std::filesystem::exists(path)) return {};
+  const HoleTable table = HoleTable::read(path.string());
+  const std::vector<double> masses(table.decks().size(), 0.0);
+  const Extent rock = extent_at_start(blocks);
+  return hole_polygons(
+      pattern_holes(table, masses, bench.burden), bench.planes,
+      {0.5 * bench.height, rock.low.head<2>(), rock.high.head<2>(), bench.burden, bench.depth});
+}
+
+void write_hole_outlines(const ResultFolder& folder, const std::vector<HolePolygon>& outlines,
+                         double height) {
+  const std::optional<MineFrame> frame = mine_frame(folder);
+  CsvWriter csv(folder.file("hole_polygons.csv"), with_mine_columns("hole,x_m,y_m,z_m", frame));
+  for (const HolePolygon& outline : outlines) {
+    for (const Vec2& p : outline.corners)
+      csv.row_at(outline.hole, {p.x(), p.y(), height}, mine_place(frame, p.x(), p.y()));
+  }
+}
+
+}  // namespace muckpile
