@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "args/parse_args.h"
 #include "run/blast_scene.h"
@@ -20,7 +21,8 @@ struct BlastPlan {
   double wave_end = 0.0;             ///< wave and gas push, at the earliest [s]
   double time_end = 0.0;             ///< of all [s]
   double still_share = 0.0;          ///< of the mass, that may still move at rest [-]
-  double pulse_step = 0.0;           ///< longest step that resolves the pulse [s]
+  double pulse_step = 0.0;           ///< longest step that resolves a pulse [s]
+  std::vector<PulseSpan> pulses{};   ///< when that step holds: in their order, apart
   double wave_share = 1.0;           ///< step over the longest stable one, in the wave [-]
   double stable_share = 1.0;         ///< the same in the throw [-]
 
