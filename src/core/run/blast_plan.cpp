@@ -137,6 +137,9 @@ BlastPlan blast_plan(const ArgValues& words, const BlastScene& scene, const std:
   // 5 GPa: 3.6 % with 3 steps in the rise, 0.7 to 1 % with 5, 0.13 % with 10.
   const double rise = scene.timing.rise_time;  // [s]
   plan.pulse_step = rise > 0.0 ? 0.2 * rise : 1e30;
+  // Between pulses: in rock of 5 GPa, which bears 3.6 times the pulse's step, the kinetic energy is
+  // then within 3 % of that with a fourth of the step; with all that it bears it falls by 9 %.
+  plan.between_step = rise > 0.0 ? 2.0 * plan.pulse_step : 1e30;
   if (rise > 0.0) plan.pulses = joined(scene.timing.pulses, plan.pulse_step);
   plan.wave_share = share_of_squeezable(words.real("wave_share"), rock.poisson_ratio);
   plan.stable_share = words.real("stable_share");

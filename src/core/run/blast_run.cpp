@@ -90,8 +90,8 @@ BlastRun::Phase BlastRun::wave() {
 BlastRun::Stretch BlastRun::stretch_before(double end) const {
   const auto pulse = std::ranges::find_if(
       plan_.pulses, [this](const PulseSpan& span) { return steps_until(span.end) > 0; });
-  if (pulse == plan_.pulses.end()) return {kAnyStep, end};
-  if (steps_until(pulse->begin) > 0) return {kAnyStep, std::min(end, pulse->begin)};
+  if (pulse == plan_.pulses.end()) return {plan_.between_step, end};
+  if (steps_until(pulse->begin) > 0) return {plan_.between_step, std::min(end, pulse->begin)};
   return {plan_.pulse_step, std::min(end, pulse->end)};
 }
 
