@@ -19,6 +19,8 @@ void add_phases(ArgTable& table) {
       .word("wave_end", {}, "auto",
             "earliest end of wave and gas push [s], > 0 and <= 1000; auto: last firing + vent_time "
             "+ 5 vent_decay of fix muckpile/blast, or the end of its last pulse if that is later")
+      .word("end", {"rest", "wave"}, "rest",
+            "rest: the run ends when the rock rests; wave: at wave_end, before the throw")
       .word("throw_name", {}, "throw", "of the last phase, for screen and history.csv");
 }
 
@@ -112,6 +114,7 @@ double closed_damping(double restitution) {
 BlastPlan blast_plan(const ArgValues& words, const BlastScene& scene, const std::string& where) {
   const RockConstants& rock = scene.rock;
   BlastPlan plan;
+  plan.ends_with_wave = words.word("end") == "wave";
   plan.throw_name = words.word("throw_name");
   plan.last_firing = scene.timing.last_firing;
   plan.wave_end = wave_end_of(words, scene.timing, where);
