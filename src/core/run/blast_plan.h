@@ -20,6 +20,7 @@ struct BlastPlan {
   double last_firing = 0.0;          ///< [s]
   double wave_end = 0.0;             ///< wave and gas push, at the earliest [s]
   double time_end = 0.0;             ///< of all [s]
+  bool ends_with_wave = false;       ///< at wave_end, on joints as stiff as they are then
   double still_share = 0.0;          ///< of the mass, that may still move at rest [-]
   double pulse_step = 0.0;           ///< longest step that resolves a pulse [s]
   double between_step = 1e30;        ///< longest step between pulses and after them [s]

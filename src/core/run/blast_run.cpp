@@ -33,6 +33,11 @@ BlastRun::BlastRun(const BlastPlan& plan, RunEngine& engine, BlastedRock& rock,
     : plan_(plan), engine_(engine), rock_(rock) {
   const double left = rock_.stiffness();
   in_throw_ = left < 1.0 && left < kRounding * plan_.softening;
+  if (in_throw_ && plan_.ends_with_wave) {
+    throw InputError(where +
+                     ": end must be rest, as the joints have been softened for the throw already, "
+                     "got 'wave'");
+  }
   if (plan_.softening > kRounding * left) {
     throw InputError(where + ": softening must be <= " + rounded_text(left) +
                      ", to which the joints have been softened already, got " +
@@ -43,7 +48,10 @@ BlastRun::BlastRun(const BlastPlan& plan, RunEngine& engine, BlastedRock& rock,
 BlastRun::Phase BlastRun::go() {
   prepare();
   Phase phase = in_throw_ ? Phase::settling : Phase::wave;
-  while (phase != Phase::rest && phase != Phase::interrupted) phase = step_through(phase);
+  const auto over = [&] {
+    return phase == Phase::rest || phase == Phase::wave_over || phase == Phase::interrupted;
+  };
+  while (!over()) phase = step_through(phase);
   if (phase == Phase::rest) tell_of_rest(engine_, plan_.still_share);
   return phase;
 }
@@ -68,6 +76,7 @@ BlastRun::Phase BlastRun::step_through(Phase phase) {
     case Phase::settling:
       return settle();
     case Phase::rest:
+    case Phase::wave_over:
     case Phase::interrupted:
       break;
   }
@@ -145,7 +154,11 @@ void BlastRun::soften_for_push() {
   engine_.set_up();
 }
 
-BlastRun::Phase BlastRun::after_push() const {
+BlastRun::Phase BlastRun::after_push() {
+  if (plan_.ends_with_wave) {
+    engine_.say("Wave and gas push end after " + rounded_text(engine_.time()) + " s.");
+    return Phase::wave_over;
+  }
   switch (plan_.gas) {
     case Gas::in_joints:
       return Phase::gas_in_joints;

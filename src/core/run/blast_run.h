@@ -15,12 +15,22 @@ namespace muckpile {
 
 class BlastRun {
  public:
-  enum class Phase { wave, push, gas_in_joints, gas_in_holes, settling, rest, interrupted };
+  enum class Phase {
+    wave,
+    push,
+    gas_in_joints,
+    gas_in_holes,
+    settling,
+    rest,
+    wave_over,
+    interrupted
+  };
 
   /// InputError, which begins with `where`: the joints are softer already than the plan has them.
   BlastRun(const BlastPlan& plan, RunEngine& engine, BlastedRock& rock, const std::string& where);
 
-  /// All phases, from the one that the engine is in. What it returns is rest or interrupted.
+  /// All phases, from the one that the engine is in. What it returns is rest, wave_over or
+  /// interrupted.
   Phase go();
 
   static constexpr const char* kFirstName = "wave_and_gas";
@@ -40,7 +50,7 @@ class BlastRun {
   Phase settle();
 
   void begin_settling();
-  [[nodiscard]] Phase after_push() const;
+  [[nodiscard]] Phase after_push();
   [[nodiscard]] Phase after_gas() const;
   [[nodiscard]] Stretch stretch_before(double end) const;
   bool go_on(const Stretch& stretch);

@@ -70,7 +70,7 @@ TEST(BlastPlan, AsksForTheEndWhereGasFlowsAndHasNoTimes) {
 
 TEST(BlastPlan, StepsThePulseInFive) {
   EXPECT_NEAR(plan_of({}).pulse_step, 2e-5, 1e-18);  // a fifth of 1e-4 s
-  EXPECT_NEAR(plan_of({}).between_step, 4e-5, 1e-18);
+  EXPECT_NEAR(plan_of({}).between_step, 3e-5, 1e-18);
 }
 
 TEST(BlastPlan, StepsThePulseFromTenStepsBeforeTheFiringUntilItHasGone) {

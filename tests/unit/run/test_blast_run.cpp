@@ -286,6 +286,37 @@ TEST(BlastRun, EndsWhereTimeRunsOutInTheThrow) {
   EXPECT_EQ(engine.lines.back().substr(0, 25), "time_end is reached after");
 }
 
+TEST(BlastRun, EndsWithTheWaveWhereThePlanSaysSo) {
+  for (const Gas gas : {Gas::vents_by_time, Gas::in_joints, Gas::in_holes}) {
+    FakeBlast engine;
+    engine.on_walls = 1e6;
+    BlastPlan short_one = plan();
+    short_one.gas = gas;
+    short_one.ends_with_wave = true;
+    EXPECT_EQ(go(short_one, engine), Phase::wave_over);
+    EXPECT_NEAR(engine.now, 0.1, 1e-9);
+    EXPECT_EQ(engine.joints, 1.0);
+    EXPECT_FALSE(engine.was_told("phase throw"));
+    EXPECT_EQ(engine.lines, std::vector<std::string>{"Wave and gas push end after 0.1 s."});
+  }
+}
+
+TEST(BlastRun, DoesNotEndWithAWaveThatIsOver) {
+  FakeBlast engine;
+  engine.joints = 2e-4;
+  BlastPlan short_one = plan();
+  short_one.ends_with_wave = true;
+  try {
+    go(short_one, engine);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "run_blast: end must be rest, as the joints have been softened for the throw "
+              "already, got 'wave'");
+  }
+  EXPECT_TRUE(engine.told.empty());
+}
+
 TEST(BlastRun, SetsUpEveryFourthLap) {
   FakeBlast engine;
   EXPECT_EQ(go(plan(), engine), Phase::rest);
