@@ -55,7 +55,10 @@ void add_frame(std::vector<HalfPlane>& sides, const HoleFrames& frames, const st
   const Vec2 axis = own->foot + cut.height * own->lean;
   const auto hole = static_cast<size_t>(own - frames.holes().begin());
   sides.push_back({along, frames.face_at(hole, cut.height)});
-  if (frames.is_last(hole)) sides.push_back({-along, 0.5 * cut.burden - along.dot(axis)});
+  const double row = frames.is_last(hole) ? frames.depth() : (own->row + 1) * frames.plan().burden;
+  const double rear =
+      frames.depth() + 0.5 * cut.burden - row;  // behind the axis, as row_depth has it
+  sides.push_back({-along, rear - along.dot(axis)});
   const double half = 0.5 * frames.plan().spacing;
   for (const Vec2& side : {left, Vec2(-left)}) {
     const bool bounded = std::ranges::any_of(frames.holes(), [&](const HoleFrame& other) {
@@ -123,15 +126,6 @@ std::vector<HolePolygon> hole_polygons(const std::vector<PatternHole>& holes,
     polygons.push_back({holes[h].name, std::move(corners)});
   }
   return polygons;
-}
-
-double area_of(const std::vector<Vec2>& corners) {
-  double twice = 0.0;
-  for (size_t k = 0; k < corners.size(); ++k) {
-    const Vec2 &a = corners[k], &b = corners[(k + 1) % corners.size()];
-    twice += a.x() * b.y() - a.y() * b.x();
-  }
-  return 0.5 * twice;
 }
 
 }  // namespace muckpile

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/shape/polygon.h"
 #include "measure/hole_rock.h"
 
 namespace muckpile {
@@ -27,7 +28,5 @@ struct PlanCut {
 
 std::vector<HolePolygon> hole_polygons(const std::vector<PatternHole>& holes,
                                        const BenchPlanes& planes, const PlanCut& cut);
-
-double area_of(const std::vector<Vec2>& corners);  // [m2]
 
 }  // namespace muckpile
