@@ -30,9 +30,9 @@ TEST(LatinHypercube, EachPartOfARangeHoldsOneRun) {
   const auto design = latin_hypercube(kRuns, kQuantities, 1);
   ASSERT_EQ(design.size(), kRuns);
   for (size_t k = 0; k < kQuantities; ++k) {
-    std::vector<int> held(kRuns, 0);
-    for (const double share : column(design, k)) ++held.at(static_cast<size_t>(share * kRuns));
-    for (const int count : held) EXPECT_EQ(count, 1);
+    std::vector<int> counts(kRuns, 0);
+    for (const double share : column(design, k)) ++counts.at(static_cast<size_t>(share * kRuns));
+    for (const int count : counts) EXPECT_EQ(count, 1);
   }
 }
 
