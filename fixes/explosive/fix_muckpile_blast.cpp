@@ -72,7 +72,6 @@ void FixMuckpileBlast::init() {
   described_ = true;
   size_array_rows = static_cast<int>(holes_.count());
   surface_->expect_pressure(!over_);
-  check_timestep();
 }
 
 /// A wall gives way to pressure by that over its stiffness: on joints softened to next to nothing
@@ -125,7 +124,7 @@ void FixMuckpileBlast::pre_delete(bool unfixflag) {
   surface->expect_pressure(false);
 }
 
-/// Told of every change of the step. Once the pulse has passed, rise_time is no measure of it.
+/// Before a charge fires, and once its pulse has passed, rise_time is no measure of the step.
 void FixMuckpileBlast::check_timestep() {
   // The sampled peak of a starfield pulse is then within 0.5 % of P1; measured in a small bench,
   // work of wave and gas are within 0.4 % of those with 15 steps.
@@ -133,7 +132,7 @@ void FixMuckpileBlast::check_timestep() {
   constexpr double kRounding = 1e-9;
   const double longest = (1.0 + kRounding) * options_.pulse_shape.rise_time / kStepsPerRise;
   if (warned_ || over_ || update->dt <= longest) return;
-  if (holes_.pulses_over(last_clock())) return;
+  if (!holes_.any_pulse(clock())) return;
   warned_ = true;
   if (comm->me != 0) return;
   error->warning(FLERR,
@@ -157,6 +156,7 @@ BlastTiming FixMuckpileBlast::timing() const {
     for (const HoleBlast& hole : hole_blasts(options_, holes_of(*surface))) {
       timing.last_firing = std::max(timing.last_firing, hole.firing_time());
       timing.pulse_end = std::max(timing.pulse_end, hole.pulse_end());
+      timing.pulses.push_back({hole.firing_time(), hole.pulse_end()});
     }
   });
   return timing;
@@ -218,6 +218,7 @@ void FixMuckpileBlast::pre_force(int /*vflag*/) {
   if (over_) return;
   const double time = clock();
   if (!holes_.any_fired(time)) return;
+  check_timestep();
   refresh_arrivals();
   load_faces(time);
   if (holes_.all_over()) finish();

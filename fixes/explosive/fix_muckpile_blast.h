@@ -50,7 +50,6 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix,
   int setmask() override;
   void pre_delete(bool unfixflag) override;
   void init() override;
-  void reset_dt() override { check_timestep(); }
   void setup_pre_force(int vflag) override;
   void pre_force(int vflag) override;
   void end_of_step() override;

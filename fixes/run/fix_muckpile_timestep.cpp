@@ -121,6 +121,7 @@ void FixMuckpileTimestep::init() {
 
 /// Forces are up to date here, and with them poses and contacts.
 void FixMuckpileTimestep::setup(int) {
+  set_up_ = true;
   if (goes_on_unchanged()) {
     if (wanted() <= kUnbounded && update->dt != then_.step) set_step(then_.step);
     if (then_.within_run) return;
@@ -261,6 +262,9 @@ int FixMuckpileTimestep::modify_param(int narg, char** arg) {
       settings_.longest = parse_real(where, key, arg[1], "s", Range::left_open(0.0, 1e30));
     return 0;
   });
+  // A run without a set-up looks after `every` steps only.
+  if (key == "max" && set_up_ && update->dt > settings_.longest)
+    set_step(three_digits(settings_.longest));
   return 2;
 }
 

@@ -104,6 +104,7 @@ class FixMuckpileTimestep : public LAMMPS_NS::Fix {
   StepLimit* joints_ = nullptr;  // looked up in every init(); null: no joints
   int known_changes_ = -1;       // of the joints' stiffness at the last look at them
   int changes_ = 0, products_ = 0;
+  bool set_up_ = false;  // the engine knows all that a new step is told to
   LAMMPS_NS::bigint read_at_ = -1;  // step of the restart file from which the run goes on
   StepState then_;                  // of that file
 };

@@ -28,6 +28,7 @@ void RunBlastCommand::command(int narg, char** arg) {
   if (domain->box_exist == 0) engine::stop(*lmp, std::string(kStyle) + ": needs blocks before it");
   const ArgValues words = engine::read_args(*lmp, run_blast_table(), kStyle, narg, arg, 0);
   const BlastScene found = scene();
+  if (words.word("end") == "rest") warn_without_gravity();
   engine::or_engine_error(*lmp, [&] {
     const BlastPlan plan = blast_plan(words, found, kStyle);
     ScriptEngine script(lmp, kStyle, words);
@@ -35,6 +36,11 @@ void RunBlastCommand::command(int narg, char** arg) {
     BlastRun(plan, script, rock, kStyle).go();
     return 0;
   });
+}
+
+void RunBlastCommand::warn_without_gravity() const {
+  if (comm->me == 0 && modify->find_fix_style_strict("gravity", 0) == nullptr)
+    error->warning(FLERR, "run_blast: no fix gravity before it: what is thrown stays in the air");
 }
 
 /// The styles of the script, of which each has its own part of it.
@@ -50,8 +56,6 @@ BlastScene RunBlastCommand::scene() const {
   need(charges != nullptr, "fix muckpile/blast");
   need(contacts != nullptr && contacts->hertz_contacts().has_value(),
        "pair_style muckpile/block with model hertz");
-  if (comm->me == 0 && find("gravity") == nullptr)
-    error->warning(FLERR, "run_blast: no fix gravity before it: what is thrown stays in the air");
   const Gas gas = find("muckpile/gas") != nullptr ? Gas::in_joints
                   : charges->vents_by_flow()      ? Gas::in_holes
                                                   : Gas::vents_by_time;

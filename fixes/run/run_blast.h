@@ -18,6 +18,7 @@ class RunBlastCommand : protected LAMMPS_NS::Pointers {
 
  private:
   [[nodiscard]] BlastScene scene() const;
+  void warn_without_gravity() const;
 };
 
 }  // namespace muckpile

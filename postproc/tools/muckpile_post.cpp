@@ -26,6 +26,7 @@
 #include "report/not_measurable.h"
 #include "report/plan_report.h"
 #include "report/reports.h"
+#include "run_id_command.h"
 #include "sample_command.h"
 #include "survey_command.h"
 #include "sweep_command.h"
@@ -123,6 +124,7 @@ int main(int argc, char** argv) {
   add_flyrock_command(app);
   add_overlay_command(app);
   add_survey_command(app);
+  add_run_id_command(app);
   add_sample_command(app);
   add_sweep_command(app);
   try {

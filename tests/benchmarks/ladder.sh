@@ -16,11 +16,7 @@ export OMPI_MCA_btl_vader_single_copy_mechanism=none
 
 # The sizes of the standard blocks (median, smallest, largest) times a factor. At the wall of the crushed zone, 0.192 m wide here,
 # the inputs cut blocks down to it.
-sizes() {
-  awk -v f="$1" 'BEGIN {
-    least = 0.18 * f < 0.19 ? 0.18 * f : 0.19
-    printf "-var fragment_x50 %.4g -var block_min %.4g -var block_max %.4g", 0.35 * f, least, 0.50 * f }'
-}
+sizes() { "$(dirname "$report")/log_figures" sizes 0.35 0.18 0.50 "$1" 0.19; }
 
 # name|knob|setting|variables; the knob groups the points of a plot. The finest run is the longest, so it starts first.
 ladder=(

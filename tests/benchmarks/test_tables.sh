@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# test_tables.sh PERF_TABLE LADDER_REPORT PEERS_TABLE TURNS_TABLE: the tables of the benchmark page, from made-up figures whose ratios are seen at a glance;
+# test_tables.sh PERF_TABLE LADDER_REPORT PEERS_TABLE TURNS_TABLE LOG_FIGURES: the tables of the benchmark page, from made-up figures whose ratios are seen at a glance;
 # what is not there is told of by its file.
 set -euo pipefail
 perf_table=$(readlink -f "$1") ladder_report=$(readlink -f "$2") peers_table=$(readlink -f "$3") turns_table=$(readlink -f "$4")
+figures=$(readlink -f "$5")
 source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
 cd "$out"
 
@@ -123,3 +124,53 @@ is rows.md <<'EOT'
 EOT
 sed '2s/,2$//' raw.csv >short.csv
 refuses "short.csv:2" "$peers_table" short.csv .
+
+# Figures of logs.
+
+gives() {  # gives TEXT WORD...: log_figures WORD...
+  [[ $("$figures" "${@:2}") == "$1" ]] || fail "log_figures ${*:2} gives '$("$figures" "${@:2}")', not '$1'"
+}
+tick=$(getconf CLK_TCK)
+stat() { echo "ticks $1 123 (liggghts-muck) R 1 2 3 4 5 6 7 8 9 10 $2 $3 0 0"; }  # stat NAME USER SYSTEM
+{
+  stat fall $tick 0
+  stat fall $((3 * tick)) $((tick / 2))
+  echo 'seconds rock 2.25'
+  printf 'Step Atoms f_joint[1] f_joint[2] \n10 8 40 5 \nStep Atoms touches \n 20 8 66 \nStep Atoms touches\n 30 8 70\natoms 12 bonds 34\n'
+} >peer.log
+gives 2.5 seconds fall peer.log
+gives 2.25 seconds rock peer.log
+gives 40 below 'joint[2]' 3 peer.log
+gives 70 below touches 3 peer.log
+gives 34 beside atoms 4 peer.log
+refuses "peer.log: has no time of 'pile'" "$figures" seconds pile peer.log
+refuses "peer.log: has nothing below 'Bonds'" "$figures" below Bonds 3 peer.log
+refuses "peer.log: a line has no word 9" "$figures" beside atoms 9 peer.log
+refuses "peer.log: has no line 'bonds'" "$figures" beside bonds 2 peer.log
+{ for ((k = 0; k < 9; ++k)); do echo head; done; echo '7 3 0.5 0.25 1.5 0.0499'; } >start.txt
+"$figures" lammps_data 2.5 start.txt >start.data
+is start.data <<'EOT'
+clumps
+
+1 atoms
+1 atom types
+0 bonds
+0 bond types
+0 2.5 xlo xhi
+0 2.5 ylo yhi
+0 10 zlo zhi
+
+Atoms
+
+7 1 0.5 0.25 1.5 0.0998 2500 3
+EOT
+mkdir size1
+echo '2048 1.0' >size1/rank.0
+echo '4096 2.0' >size1/rank.1
+printf '%s\n' 'create_blocks: 1000 blocks, 5000 spheres, 7000 joints, 9 supported' '  largest initial sphere overlap 0.61 of a radius; 4.84 s' \
+  'Loop time of 9.5 on 2 procs for 10 steps with 5000 atoms' 'Loop time of 2 on 2 procs for 100 steps with 5000 atoms' >size1/log
+gives "1,2,1000,7000,4.84,100,2,20,4,6" scaling 1 2 size1
+sed -i '/^Loop/d' size1/log
+refuses "size1/log: a figure must be a number" "$figures" scaling 1 2 size1
+gives "-var fragment_x50 0.245 -var block_min 0.126 -var block_max 0.35" sizes 0.35 0.18 0.50 0.7 0.19
+gives "-var fragment_x50 0.49 -var block_min 0.19 -var block_max 0.7" sizes 0.35 0.18 0.50 1.4 0.19

@@ -29,14 +29,6 @@ std::string id_in_line(const std::filesystem::path& path, int number) {
   return run_id_in(line);
 }
 
-std::string id_in_json(const std::filesystem::path& path) {
-  const nlohmann::ordered_json object = read_json_object(path);
-  const auto found = object.find("run_id");
-  if (found == object.end() || !found->is_string()) return {};
-  const auto id = found->get<std::string>();
-  return is_run_id(id) ? id : std::string();
-}
-
 // One for each id that the rows have: a second run may have gone on writing at the end.
 void add_table(const std::filesystem::path& path, std::vector<Origin>& origins) {
   const CsvTable table = CsvTable::read(path);
@@ -62,10 +54,10 @@ std::vector<Origin> origins_in(const std::filesystem::path& dump) {
     if (std::filesystem::exists(path)) origins.push_back({path.string(), id_of(path)});
   };
   add(dump / "blocks.vtk", [](const auto& path) { return id_in_line(path, 2); });
-  add(dump / "run.json", id_in_json);
+  add(dump / "run.json", run_id_in_json);
   // A script that prints this file by itself gives it no id.
-  if (std::filesystem::exists(dump / "scene.json") && !id_in_json(dump / "scene.json").empty())
-    add(dump / "scene.json", id_in_json);
+  if (std::filesystem::exists(dump / "scene.json") && !run_id_in_json(dump / "scene.json").empty())
+    add(dump / "scene.json", run_id_in_json);
   for (const char* name : {"history.csv", "gauges.csv", "burden.csv"})
     if (std::filesystem::exists(dump / name)) add_table(dump / name, origins);
   for (const auto& path : snapshot_files(dump))
@@ -78,6 +70,14 @@ std::string words_for(const Origin& origin) {
 }
 
 }  // namespace
+
+std::string run_id_in_json(const std::filesystem::path& path) {
+  const nlohmann::ordered_json object = read_json_object(path);
+  const auto found = object.find("run_id");
+  if (found == object.end() || !found->is_string()) return {};
+  const auto id = found->get<std::string>();
+  return is_run_id(id) ? id : std::string();
+}
 
 std::string run_id_of(const std::filesystem::path& dump) {
   const std::vector<Origin> origins = origins_in(dump);

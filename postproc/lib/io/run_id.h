@@ -14,4 +14,7 @@ namespace muckpile {
 // is not to be measured as one.
 std::string run_id_of(const std::filesystem::path& dump);
 
+// Of one JSON file; "" if it has none.
+std::string run_id_in_json(const std::filesystem::path& path);
+
 }  // namespace muckpile

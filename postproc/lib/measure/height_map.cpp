@@ -9,8 +9,8 @@
 namespace muckpile {
 namespace {
 
-std::vector<double> above_floor(std::vector<double> tops) {
-  for (double& top : tops) top = std::max(top, 0.0);
+std::vector<double> above(const std::vector<double>& floor, std::vector<double> tops) {
+  for (size_t k = 0; k < tops.size(); ++k) tops[k] = std::max(tops[k], floor[k]);
   return tops;
 }
 
@@ -30,20 +30,23 @@ ColumnGrid plan_grid(const std::vector<StartBlock>& blocks, const Snapshot& last
 }
 
 HeightMap height_map(const std::vector<StartBlock>& blocks, const Snapshot& last,
-                     const std::vector<char>& moved, const std::vector<char>& lies, double cell) {
+                     const std::vector<char>& moved, const std::vector<char>& lies, double cell,
+                     const PitFloor& floor) {
   const std::vector<BlockState> start = start_snapshot(blocks).states;
   HeightMap map;
   map.grid = plan_grid(blocks, last, lies, cell);
+  map.floor = floor.under(map.grid);
   const std::vector<char> all(blocks.size(), 1);
   std::vector<char> stayed(moved);
   for (size_t b = 0; b < moved.size(); ++b) {
     stayed[b] = moved[b] == 0 && lies[b] != 0;
-    if (moved[b] != 0 && lies[b] != 0 && last.states[b].centre.z() > 0.0)
+    const Vec3& end = last.states[b].centre;
+    if (moved[b] != 0 && lies[b] != 0 && end.z() > floor.at(end.x(), end.y()))
       map.solid_volume += blocks[b].volume;
   }
-  map.before = above_floor(tops_through(map.grid, blocks, start, all).top);
-  map.after = above_floor(tops_through(map.grid, blocks, last.states, lies).top);
-  map.in_place = above_floor(tops_through(map.grid, blocks, last.states, stayed).top);
+  map.before = above(map.floor, tops_through(map.grid, blocks, start, all).top);
+  map.after = above(map.floor, tops_through(map.grid, blocks, last.states, lies).top);
+  map.in_place = above(map.floor, tops_through(map.grid, blocks, last.states, stayed).top);
   for (size_t k = 0; k < map.grid.cells(); ++k)
     map.pile_volume += (map.after[k] - map.in_place[k]) * map.grid.dx * map.grid.dy;
   return map;

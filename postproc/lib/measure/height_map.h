@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Heights of a bench before and after its blast over the plan, and what the blast left standing.
-// Scope: tops of columns, as a survey from above would have them; floor z = 0.
+// Scope: tops of columns, as a survey from above would have them.
 #pragma once
 
 #include <vector>
@@ -9,13 +9,15 @@
 #include "io/snapshot.h"
 #include "measure/bench_planes.h"
 #include "measure/columns.h"
+#include "measure/pit_floor.h"
 
 namespace muckpile {
 
-// Per cell of the grid, 0 where there is no rock above the floor [m].
+// Per cell of the grid, the floor's where there is no rock above it [m].
 struct HeightMap {
   ColumnGrid grid;
   std::vector<double> before, after, in_place;  // in_place: of the rock that stayed
+  std::vector<double> floor;
   double pile_volume = 0.0;  // between the surface after and the rock that stayed or the floor [m3]
   double solid_volume = 0.0;  // of the broken-out rock that lies above the floor [m3]
 };
@@ -26,7 +28,8 @@ ColumnGrid plan_grid(const std::vector<StartBlock>& blocks, const Snapshot& last
 
 // Blocks that `lies` leaves out are in no surface after.
 HeightMap height_map(const std::vector<StartBlock>& blocks, const Snapshot& last,
-                     const std::vector<char>& moved, const std::vector<char>& lies, double cell);
+                     const std::vector<char>& moved, const std::vector<char>& lies, double cell,
+                     const PitFloor& floor = {});
 
 // How far a blast reached beyond its holes [m].
 struct Reach {

@@ -16,7 +16,6 @@ namespace muckpile {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kFloor = 0.0;          // [m]
 constexpr double kSectionBlocks = 2.0;  // width of a section over the mean block size
 
 // Mean over the rows [begin, end) of the grid.
@@ -31,8 +30,7 @@ std::vector<double> mean_over_rows(const ColumnGrid& grid, int begin, int end, V
 }
 
 std::vector<double> mean_top(const Columns& columns, int begin, int end) {
-  return mean_over_rows(columns.grid, begin, end,
-                        [&](size_t cell) { return std::max(columns.top[cell], kFloor); });
+  return mean_over_rows(columns.grid, begin, end, [&](size_t cell) { return columns.top[cell]; });
 }
 
 std::vector<double> mean_top(const Columns& columns) {
@@ -50,7 +48,7 @@ std::vector<std::vector<double>> section_tops(const Columns& columns, double wid
 }
 
 std::vector<double> highest_top(const Columns& columns) {
-  std::vector<double> highest(static_cast<size_t>(columns.grid.nx), kFloor);
+  std::vector<double> highest(static_cast<size_t>(columns.grid.nx), kNoRock);
   for (int i = 0; i < columns.grid.nx; ++i) {
     double& out = highest[static_cast<size_t>(i)];
     for (int j = 0; j < columns.grid.ny; ++j)
@@ -65,8 +63,7 @@ std::vector<double> centre_top(const Columns& columns) {
   const int low = (grid.ny - 1) / 2, high = grid.ny / 2;
   std::vector<double> centre;
   for (int i = 0; i < grid.nx; ++i) {
-    centre.push_back(0.5 * (std::max(columns.top[grid.at(i, low)], kFloor) +
-                            std::max(columns.top[grid.at(i, high)], kFloor)));
+    centre.push_back(0.5 * (columns.top[grid.at(i, low)] + columns.top[grid.at(i, high)]));
   }
   return centre;
 }
@@ -75,6 +72,19 @@ std::vector<double> centre_top(const Columns& columns) {
 Columns over_both(Columns both, const Columns& other) {
   for (size_t k = 0; k < both.top.size(); ++k) both.top[k] = std::max(both.top[k], other.top[k]);
   return both;
+}
+
+// No lower than the floor.
+Columns above(const std::vector<double>& floor, Columns columns) {
+  for (size_t k = 0; k < floor.size(); ++k) columns.top[k] = std::max(columns.top[k], floor[k]);
+  return columns;
+}
+
+std::vector<double> thickness(const std::vector<double>& top, const std::vector<double>& floor) {
+  if (floor.empty()) return top;
+  std::vector<double> thick;
+  for (size_t i = 0; i < top.size(); ++i) thick.push_back(top[i] - floor[i]);
+  return thick;
 }
 
 // Highest sample beyond the holes, x.size() where there is no pile.
@@ -94,9 +104,10 @@ size_t index_of_toe(const std::vector<double>& top, size_t peak, double block_si
 }
 
 // Between the last sample above `level` and the next, by a straight line.
-double crossing_after(const PileProfile& p, size_t i, double level) {
-  if (i + 1 >= p.x.size() || p.pile[i] <= level) return p.x[i];
-  return p.x[i] + (p.pile[i] - level) / (p.pile[i] - p.pile[i + 1]) * p.dx;
+double crossing_after(const PileProfile& p, const std::vector<double>& thick, size_t i,
+                      double level) {
+  if (i + 1 >= p.x.size() || thick[i] <= level) return p.x[i];
+  return p.x[i] + (thick[i] - level) / (thick[i] - thick[i + 1]) * p.dx;
 }
 
 double place_of_share(const PileProfile& p, double share) {
@@ -121,11 +132,13 @@ constexpr double kRestStretchBlocks = 4.0;
 double rest_slope(const PileProfile& p, double depth, double block_size, double stretch) {
   double sum = 0.0;
   int sections = 0;
-  for (const std::vector<double>& top : p.sections) {
-    const size_t peak = index_of_peak(p.x, top, depth);
+  for (size_t k = 0; k < p.sections.size(); ++k) {
+    const std::vector<double> thick =
+        p.section_floors.empty() ? p.sections[k] : thickness(p.sections[k], p.section_floors[k]);
+    const size_t peak = index_of_peak(p.x, thick, depth);
     if (peak == p.x.size()) continue;
-    const double slope =
-        steepest_slope(p.x, top, peak, index_of_toe(top, peak, block_size) + 1, stretch);
+    const double slope = steepest_slope(p.x, p.sections[k], peak,
+                                        index_of_toe(thick, peak, block_size) + 1, stretch);
     if (std::isnan(slope)) continue;
     sum += slope;
     ++sections;
@@ -137,7 +150,7 @@ double rest_slope(const PileProfile& p, double depth, double block_size, double 
 
 PileProfile pile_profile(const std::vector<StartBlock>& blocks, const Snapshot& last,
                          const std::vector<char>& moved, double cell, const std::vector<char>& lies,
-                         const BenchPlanes& planes) {
+                         const BenchPlanes& planes, const PitFloor& pit_floor) {
   const Snapshot start = start_snapshot(blocks);
   const Extent before = extent_at_start(blocks), after = extent_of(blocks, last.states);
   const ColumnGrid grid = column_grid(
@@ -149,12 +162,13 @@ PileProfile pile_profile(const std::vector<StartBlock>& blocks, const Snapshot& 
     stayed[b] = moved[b] == 0 && lies[b] != 0;
     broken[b] = moved[b] != 0 && lies[b] != 0;
   }
-  const Columns pile = columns_through(grid, blocks, last.states, broken);
-  const Columns in_place = tops_through(grid, blocks, last.states, stayed);
+  const std::vector<double> floor = pit_floor.under(grid);
+  const Columns pile = above(floor, columns_through(grid, blocks, last.states, broken));
+  const Columns in_place = above(floor, tops_through(grid, blocks, last.states, stayed));
   const Columns rock = over_both(in_place, pile);
   PileProfile profile;
   for (int i = 0; i < grid.nx; ++i) profile.x.push_back(grid.x(i));
-  profile.before = mean_top(tops_through(grid, blocks, start.states, all));
+  profile.before = mean_top(above(floor, tops_through(grid, blocks, start.states, all)));
   profile.mean = mean_top(rock);
   profile.centre = centre_top(rock);
   profile.highest = highest_top(rock);
@@ -162,7 +176,11 @@ PileProfile pile_profile(const std::vector<StartBlock>& blocks, const Snapshot& 
   profile.pile = mean_top(pile);
   profile.pile_length =
       mean_over_rows(grid, 0, grid.ny, [&](size_t column) { return pile.length[column]; });
-  profile.sections = section_tops(pile, kSectionBlocks * mean_block_size(blocks, all));
+  const double section = kSectionBlocks * mean_block_size(blocks, all);
+  const Columns bare{grid, floor, {}, {}};
+  profile.sections = section_tops(pile, section);
+  profile.section_floors = section_tops(bare, section);
+  profile.floor = mean_top(bare);
   profile.dx = grid.dx;
   profile.width = grid.dy * grid.ny;
   return profile;
@@ -172,20 +190,21 @@ PileShape PileShape::none() { return {kNan, kNan, kNan, kNan, kNan, kNan, kNan, 
 
 PileShape pile_shape(const PileProfile& p, double depth, double block_size) {
   PileShape shape{kNan, kNan, kNan, place_of_share(p, 0.98), kNan, 0.0, 0.0, kNan, kNan};
-  const size_t peak = index_of_peak(p.x, p.pile, depth);
+  const std::vector<double> thick = thickness(p.pile, p.floor);
+  const size_t peak = index_of_peak(p.x, thick, depth);
   if (peak == p.x.size()) return shape;
-  const size_t toe = index_of_toe(p.pile, peak, block_size);
-  shape.height = p.pile[peak];
+  const size_t toe = index_of_toe(thick, peak, block_size);
+  shape.height = thick[peak];
   shape.height_x = p.x[peak];
-  shape.toe = crossing_after(p, toe, block_size);
+  shape.toe = crossing_after(p, thick, toe, block_size);
   for (size_t i = 0; i <= toe; ++i) {
     if (p.x[i] < 0.0) continue;
-    shape.bulk_volume += p.pile[i] * p.dx * p.width;
+    shape.bulk_volume += thick[i] * p.dx * p.width;
     shape.solid_volume += p.pile_length[i] * p.dx * p.width;
   }
   if (shape.solid_volume > 0.0) shape.swell = shape.bulk_volume / shape.solid_volume;
   const double low = 0.2 * shape.height, high = 0.8 * shape.height;
-  shape.front_angle = std::atan(slope_between_heights(p.x, p.pile, peak, toe + 1, low, high));
+  shape.front_angle = std::atan(slope_between_heights(p.x, thick, peak, toe + 1, low, high));
   const double stretch = std::max(shape.height, kRestStretchBlocks * block_size);
   shape.rest_angle = std::atan(rest_slope(p, depth, block_size, stretch));
   return shape;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The muck pile of a bench blast: its profile, throw, swell and slope.
-// Scope: free face at x = 0, throw along +x, pit floor at z = 0; docs/post/profile.md defines each
+// Scope: free face at x = 0, throw along +x; docs/post/profile.md defines each
 // measure.
 #pragma once
 
@@ -10,11 +10,11 @@
 #include "io/snapshot.h"
 #include "measure/bench_planes.h"
 #include "measure/columns.h"
+#include "measure/pit_floor.h"
 
 namespace muckpile {
 
-// Heights [m] above the pit floor at each x of the grid; where there is no rock the height is the
-// floor's, 0.
+// Heights [m] over z = 0 at each x of the grid; where there is no rock above the floor the floor's.
 struct PileProfile {
   std::vector<double> x;              // [m]
   std::vector<double> before;         // top of the bench, mean over y
@@ -26,20 +26,21 @@ struct PileProfile {
   std::vector<double> pile_length;    // rock of the pile in a column [m], mean over y
   // Top of the broken-out rock again, mean over y of each of the sections two blocks wide that the
   // width is cut into.
-  std::vector<std::vector<double>> sections;
-  double dx;     // [m]
-  double width;  // along y [m]
+  std::vector<std::vector<double>> sections, section_floors;
+  std::vector<double> floor;  // mean over y; empty, as section_floors: level at 0
+  double dx;                  // [m]
+  double width;               // along y [m]
 };
 
 // Blocks that `lies` leaves out are in no surface after. Abreast of the holes of `planes`.
 PileProfile pile_profile(const std::vector<StartBlock>& blocks, const Snapshot& last,
                          const std::vector<char>& moved, double cell, const std::vector<char>& lies,
-                         const BenchPlanes& planes = {});
+                         const BenchPlanes& planes = {}, const PitFloor& floor = {});
 
 struct PileShape {
   static PileShape none();  // no measure has a meaning
 
-  double height, height_x;  // highest point of `pile` and where [m]
+  double height, height_x;  // of `pile` above the floor, where it is highest, and where [m]
   double toe;               // where the pile becomes thinner than one mean block for good [m]
   double toe_98;            // 98 % of the pile's rock beyond the face lies behind [m]
   double swell;             // bulk over solid volume, between the face and the toe

@@ -20,9 +20,9 @@ struct PlanLine {
     const Vec2 way = (to - from) / length(), d = p - from;
     return {way.dot(d), way.x() * d.y() - way.y() * d.x()};
   }
-  [[nodiscard]] Vec2 at(double distance) const {
-    return from + distance / length() * (to - from);
-  }
+  [[nodiscard]] Vec2 at(double distance) const { return from + distance / length() * (to - from); }
+  // Unit vector to its left.
+  [[nodiscard]] Vec2 left() const { return Vec2(from.y() - to.y(), to.x() - from.x()) / length(); }
 };
 
 // In axes whose x runs along the line and whose y is to its left: poses, velocities and spins.
@@ -34,9 +34,9 @@ struct OverLine {
     double distance;      // beyond the line [m]
     double volume, mass;  // [m3], [kg]
   };
-  std::vector<Piece> pieces;  // the farthest first
+  std::vector<Piece> pieces;        // the farthest first
   double volume = 0.0, mass = 0.0;  // of all of them [m3], [kg]
-  double sign = 1.0;  // 1: beyond is to the left of the line, -1: to its right
+  double sign = 1.0;                // 1: beyond is to the left of the line, -1: to its right
 };
 
 // Beyond is the side on which the smaller part of the rock's mass stood before the blast. Counted

@@ -28,8 +28,8 @@ struct Heights {
   HeightMap map;
   Reach shifted, broken;
   ToeLeft toe;
-  double prism = 0.0;  // in front of the last row, abreast of the holes [m3]
-  double moved = 0.0;  // all that was broken out [m3]
+  double prism = 0.0;                // in front of the last row, abreast of the holes [m3]
+  double moved = 0.0;                // all that was broken out [m3]
   double before = 0.0, after = 0.0;  // under the surfaces, above the floor [m3]
   double cut = 0.0, fill = 0.0;      // between them, where the one after is lower, and higher [m3]
 };
@@ -39,8 +39,8 @@ void add_volumes(Heights& heights) {
   const double cell = map.grid.dx * map.grid.dy;
   for (size_t k = 0; k < map.grid.cells(); ++k) {
     const double rise = map.after[k] - map.before[k];
-    heights.before += map.before[k] * cell;
-    heights.after += map.after[k] * cell;
+    heights.before += (map.before[k] - map.floor[k]) * cell;
+    heights.after += (map.after[k] - map.floor[k]) * cell;
     (rise > 0.0 ? heights.fill : heights.cut) += std::abs(rise) * cell;
   }
 }
@@ -48,7 +48,7 @@ void add_volumes(Heights& heights) {
 Heights heights_of(const RunData& run, const BenchScene& bench) {
   const BenchPlanes planes = bounded_by_rock(bench.planes, run.blocks);
   Heights heights;
-  heights.map = height_map(run.blocks, run.last, run.moved, run.lies, run.cell);
+  heights.map = height_map(run.blocks, run.last, run.moved, run.lies, run.cell, run.floor);
   heights.shifted = backbreak(run.blocks, shifted(run.blocks, run.last, kShift), planes,
                               bench.depth, run.block_size);
   heights.broken = backbreak(run.blocks, loosened(run.last), planes, bench.depth, run.block_size);
@@ -100,8 +100,8 @@ void draw_cells(const HeightMap& map, const Frame& frame, const ColourMap& colou
   for (int j = 0; j < g.ny; ++j) {
     for (int i = 0; i < g.nx; ++i) {
       const double x = g.x(i), y = g.y(j), height = map.after[g.at(i, j)];
-      if (height <= 0.0 || x < frame.x.low || x > frame.x.high || y < frame.y.low ||
-          y > frame.y.high)
+      if (height <= map.floor[g.at(i, j)] || x < frame.x.low || x > frame.x.high ||
+          y < frame.y.low || y > frame.y.high)
         continue;
       const bool stayed = map.in_place[g.at(i, j)] >= height;
       const Colour colour = colours.at(height);
@@ -137,7 +137,8 @@ Canvas draw(const Heights& heights, const RunData& run, const BenchScene& bench)
                 static_cast<int>(kAbove + height + kBelow), kWhite);
   const Axes axes({kLeft, kAbove}, {kLeft + kWidth, kAbove + height}, frame.x, frame.y);
   BlockColours colours;
-  colours.map = amount_map(0.0, *std::ranges::max_element(heights.map.after));
+  const auto [lowest, highest] = std::ranges::minmax(heights.map.after);
+  colours.map = amount_map(std::min(0.0, lowest), highest);
   colours.label = "height after the blast [m]";
   axes.draw_grid(canvas);
   draw_cells(heights.map, frame, *colours.map, axes, canvas);

@@ -40,7 +40,7 @@ std::vector<Beyond> table_of(const OverLine& over) {
 
 // Between the surfaces after and before, beyond the line, where the first is higher [m3].
 double bulk_beyond(const PlanLine& line, const OverLine& over, const RunData& run) {
-  const HeightMap map = height_map(run.blocks, run.last, run.moved, run.lies, run.cell);
+  const HeightMap map = height_map(run.blocks, run.last, run.moved, run.lies, run.cell, run.floor);
   double volume = 0.0;
   for (int j = 0; j < map.grid.ny; ++j) {
     for (int i = 0; i < map.grid.nx; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Sub-command profile: section, profile and measures of the muck pile of a bench.
-// Scope: bench coordinates, toe of the free face at x = 0, pit floor at z = 0.
+// Scope: bench coordinates, toe of the free face at x = 0, z = 0.
 #include <algorithm>
 #include <cmath>
 
@@ -202,11 +202,12 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run, const Pil
   const double y = options.y.value_or(y_of_middle_hole(bench, run.blocks));
   const Extent before = extent_at_start(run.blocks);
   const double top = std::max(bench.height, *std::ranges::max_element(p.mean));
+  const double bottom = std::min(before.low.z(), *std::ranges::min_element(p.floor));
   SectionPlot plot = section_of_run(run, y, options.colour_by);
   plot.title = title_of(folder);
   plot.x_label = "distance from the toe of the free face, along the throw [m]";
   plot.x = {before.low.x() - 1.0, reach_of(p, bench, run) + 1.0};
-  plot.z = {before.low.z() - 0.5, top + 0.12 * bench.height};
+  plot.z = {bottom - 0.5, top + 0.12 * bench.height};
   plot.bars = hole_bars(bench, y);
   plot.lines = {
       {line_over(p.x, p.before), kBench, 2.5, true, "bench before"},
@@ -244,7 +245,7 @@ void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
   const RunData run(folder, measure);
   const BenchScene bench = bench_or_nothing(folder, run);
   const PileProfile profile =
-      pile_profile(run.blocks, run.last, run.moved, run.cell, run.lies, bench.planes);
+      pile_profile(run.blocks, run.last, run.moved, run.cell, run.lies, bench.planes, run.floor);
   const BenchFigures figures = figures_of(folder, run, bench, profile);
   SectionPlot plot = section_of(folder, run, profile, bench, section);
   write_profile(profile, folder.file("profile.csv"));

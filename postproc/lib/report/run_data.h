@@ -8,6 +8,7 @@
 #include "io/muck.h"
 #include "io/result_folder.h"
 #include "measure/broken_out.h"
+#include "measure/pit_floor.h"
 #include "report/options.h"
 
 namespace muckpile {
@@ -23,7 +24,8 @@ struct RunData {
         cell(options.cell.value_or(0.25 * block_size)),
         moved(broken_out(blocks, last.states, options.least_move.value_or(block_size))),
         lies(blocks.size(), 1),
-        still(of.is_still()) {
+        still(of.is_still()),
+        floor(floor_of(of)) {
     // At the end of a run that is not still nearly all may move: then the surface is that of all.
     if (!still) return;
     for (char& each : lies = on_the_move(last.states)) each = each == 0;
@@ -46,6 +48,14 @@ struct RunData {
   std::vector<char> moved;
   std::vector<char> lies;  // 0: still on the move as the pile had come to rest
   bool still;              // the run ended at rest
+  PitFloor floor;
+
+ private:
+  static PitFloor floor_of(const ResultFolder& folder) {
+    if (!folder.scene_has("floor_survey") || folder.scene_number("floor_survey") == 0.0) return {};
+    const std::filesystem::path file = folder.dump("floor.stl");
+    return {read_stl(file, 1.0), file.string()};
+  }
 };
 
 }  // namespace muckpile

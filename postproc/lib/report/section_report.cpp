@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Sub-command section: rock and heights along any line in plan.
-// Scope: every scene; benches and heaps have a floor at z = 0.
+// Scope: every scene; benches and heaps have a floor.
 #include <algorithm>
 #include <cmath>
 
@@ -22,20 +22,34 @@ namespace {
 // Along the line; NaN where there is neither rock nor a floor [m].
 struct LineHeights {
   std::vector<double> distance, before, after, in_place;
+  std::vector<double> floor;  // NaN where there is none
   double step = 0.0;
 };
 
+// Of the cells of a grid along the line; lower than all rock where there is none.
+std::vector<double> floor_along(const PlanLine& line, const ColumnGrid& grid, const RunData& run,
+                                bool floor) {
+  std::vector<double> heights;
+  for (int j = 0; j < grid.ny; ++j) {
+    for (int i = 0; i < grid.nx; ++i) {
+      const Vec2 at = line.at(grid.x(i)) + grid.y(j) * line.left();
+      heights.push_back(floor ? run.floor.at(at.x(), at.y()) : kNoRock);
+    }
+  }
+  return heights;
+}
+
 // Means over the width of the grid.
-std::vector<double> mean_tops(const Columns& columns, bool floor) {
-  const ColumnGrid& grid = columns.grid;
+std::vector<double> mean_tops(const ColumnGrid& grid, const std::vector<double>& tops,
+                              const std::vector<double>& floor) {
   std::vector<double> means;
   for (int i = 0; i < grid.nx; ++i) {
     double sum = 0.0;
     int known = 0;
     for (int j = 0; j < grid.ny; ++j) {
-      const double top = columns.top[grid.at(i, j)];
-      if (!floor && top == kNoRock) continue;
-      sum += floor ? std::max(top, 0.0) : top;
+      const double top = std::max(tops[grid.at(i, j)], floor[grid.at(i, j)]);
+      if (top == kNoRock) continue;
+      sum += top;
       ++known;
     }
     means.push_back(known > 0 ? sum / known : std::nan(""));
@@ -55,17 +69,24 @@ LineHeights heights_along(const PlanLine& line, const RunData& run, double width
   LineHeights heights;
   heights.step = grid.dx;
   for (int i = 0; i < grid.nx; ++i) heights.distance.push_back(grid.x(i));
-  heights.before = mean_tops(tops_through(grid, run.blocks, before, all), floor);
-  heights.after = mean_tops(tops_through(grid, run.blocks, after, run.lies), floor);
-  heights.in_place = mean_tops(tops_through(grid, run.blocks, after, stayed), floor);
+  const std::vector<double> floors = floor_along(line, grid, run, floor);
+  const auto means = [&](const std::vector<BlockState>& states, const std::vector<char>& keep) {
+    return mean_tops(grid, tops_through(grid, run.blocks, states, keep).top, floors);
+  };
+  heights.before = means(before, all);
+  heights.after = means(after, run.lies);
+  heights.in_place = means(after, stayed);
+  heights.floor = mean_tops(grid, floors, floors);
   return heights;
 }
 
-void require_rock(const LineHeights& heights, const PlanLine& line, const RunData& run,
-                  bool floor) {
-  const auto is_rock = [floor](double z) { return !std::isnan(z) && !(floor && z == 0.0); };
-  if (std::ranges::any_of(heights.before, is_rock) || std::ranges::any_of(heights.after, is_rock))
-    return;
+void require_rock(const LineHeights& heights, const PlanLine& line, const RunData& run) {
+  const auto is_rock = [&](const std::vector<double>& tops) {
+    for (size_t i = 0; i < tops.size(); ++i)
+      if (!std::isnan(tops[i]) && tops[i] != heights.floor[i]) return true;
+    return false;
+  };
+  if (is_rock(heights.before) || is_rock(heights.after)) return;
   const Extent rock = extent_of(run.blocks, run.last.states);
   throw InputError("section: the line " + words_of(line) + " meets no rock, which lies from x = " +
                    spelled(rock.low.x()) + " to " + spelled(rock.high.x()) +
@@ -167,7 +188,7 @@ void report_section(const ResultFolder& folder, const MeasureOptions& measure,
   const bool floor = scene == "bench" || scene == "heap";
   const RunData run(folder, measure);
   const LineHeights heights = heights_along(line, run, options.width.value_or(run.cell), floor);
-  require_rock(heights, line, run, floor);
+  require_rock(heights, line, run);
   SectionPlot plot = plot_of(heights, line, run, options, floor);
   const bool drilled = folder.scene_has("hole_diameter_m");
   plot.bars = charge_bars(line, charges_if_told(folder), 0.5 * options.width.value_or(0.0),

@@ -53,8 +53,8 @@ bool beside_the_model(double x, double y, const Extent& start) {
   return x < 0.0 && (x < start.low.x() || y < start.low.y() || y > start.high.y());
 }
 
-// Where there is no rock, there is the floor or the free surface at z = 0, but for a scene of one's
-// own. Rock lies above a floor; a crater reaches below its surface.
+// Where there is no rock, there is the floor, or the free surface at z = 0, but for a scene of
+// one's own. Rock lies above a floor; a crater reaches below its surface.
 RunSurface surface_of(const RunData& run, const ColumnGrid& grid, const std::string& scene) {
   const Columns columns = columns_through(grid, run.blocks, run.last.states, run.lies);
   const Extent start = extent_at_start(run.blocks);
@@ -64,14 +64,15 @@ RunSurface surface_of(const RunData& run, const ColumnGrid& grid, const std::str
     const double x = grid.x(static_cast<int>(k % columns_x));
     const double y = grid.y(static_cast<int>(k / columns_x));
     const bool unknown = scene == "other" || (scene == "bench" && beside_the_model(x, y, start));
-    return unknown ? kNaN : 0.0;
+    return unknown ? kNaN : run.floor.at(x, y);
   };
+  const std::vector<double> floor = run.floor.under(grid);
   RunSurface surface;
   for (size_t k = 0; k < grid.cells(); ++k) {
     const bool known = columns.top_block[k] >= 0;
     double height = known ? columns.top[k] : without_rock(k);
-    if (on_floor) height = std::max(height, 0.0);
-    const bool rock = known && !(on_floor && height <= 0.0);
+    if (on_floor) height = std::max(height, floor[k]);
+    const bool rock = known && !(on_floor && height <= floor[k]);
     surface.heights.push_back(height);
     surface.rock.push_back(rock ? 1 : 0);
     surface.pile.push_back(rock && run.moved[static_cast<size_t>(columns.top_block[k])] != 0 ? 1
@@ -132,10 +133,11 @@ Comparison compared(const RunData& run, const RunSurface& surface, const ColumnG
   Comparison c{{grid, surface.heights, std::move(heights), {}}, 0.0};
   double pile = 0.0, known_pile = 0.0;
   const double least = 0.5 * run.block_size;  // a surveyed floor is never quite level
+  const std::vector<double> floor = run.floor.under(grid);
   for (size_t k = 0; k < grid.cells(); ++k) {
     const double survey = c.pair.survey[k];
     const bool known = !std::isnan(survey) && !std::isnan(surface.heights[k]);
-    const bool any = known && (surface.rock[k] != 0 || std::abs(survey) > least);
+    const bool any = known && (surface.rock[k] != 0 || std::abs(survey - floor[k]) > least);
     c.pair.compared.push_back(any ? 1 : 0);
     pile += surface.pile[k];
     if (known) known_pile += surface.pile[k];
@@ -154,7 +156,7 @@ struct ProfileFrame {
 ProfileFrame profile_frame(const ResultFolder& folder, const RunData& run) {
   const std::string scene = folder.scene_word("case");
   if (scene == "heap") return {true, bounded_by_rock({}, run.blocks), 0.0};
-  if (scene != "bench") return {};
+  if (scene != "bench" || !run.floor.level()) return {};
   try {
     const BenchScene bench = bench_scene(folder, run.blocks);
     // The wall behind the last row is never quite sharp in a survey.

@@ -50,8 +50,8 @@ AxisRange width_of(const ResultFolder& folder, const RunData& run) {
                       spelled(width.low) + " to " + spelled(width.high) + " m");
 }
 
-std::vector<double> row_means(const ColumnGrid& grid, const std::vector<double>& heights,
-                              int begin, int end) {
+std::vector<double> row_means(const ColumnGrid& grid, const std::vector<double>& heights, int begin,
+                              int end) {
   std::vector<double> means(static_cast<size_t>(grid.nx), 0.0);
   for (int i = 0; i < grid.nx; ++i) {
     for (int j = begin; j < end; ++j)
@@ -72,7 +72,7 @@ Strip strip_of(const HeightMap& map, const std::vector<double>& x, int begin, in
 }
 
 Troughs troughs_of(const RunData& run, AxisRange width, double wanted) {
-  const HeightMap map = height_map(run.blocks, run.last, run.moved, run.lies, run.cell);
+  const HeightMap map = height_map(run.blocks, run.last, run.moved, run.lies, run.cell, run.floor);
   const auto row_at = [&](double y) {
     return std::clamp(static_cast<int>(std::lround((y - map.grid.y0) / map.grid.dy)), 0,
                       map.grid.ny);

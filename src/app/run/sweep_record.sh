@@ -37,22 +37,21 @@ conditions() {  # of the run that was chosen last
   done | sort
 }
 
-run_id_in() { sed -nE 's/.*"run_id": *"([^"]*)".*/\1/p' "$1" | head -n 1; }  # run_id_in FILE: nothing if it has none
+run_id_of() { "$build_dir/postproc/tools/muckpile-post" run-id "$@"; }  # run_id_of FILE...: of one run; an empty line if it has none
 
 write_record() {
   {
     conditions
-    printf 'run_id %s\nmeasured_by %s\n' "$(run_id_in "$out/dump/scene.json")" "$measured_by"
+    printf 'run_id %s\nmeasured_by %s\n' "$(run_id_of "$out/dump/scene.json")" "$measured_by"
   } >"$out/$sweep_record.part"
   mv -f -- "$out/$sweep_record.part" "$out/$sweep_record"
 }
 
 # Its results are there, of this run and of no other that has used the folder since.
 has_ended_well() {
-  local run=$out/$folder file id
+  local run=$out/$folder id
   [[ -f $run/$sweep_record && -s $run/summary.json && -f $run/dump/scene.json ]] || return 1
-  id=$(sed -n 's/^run_id //p' "$run/$sweep_record")
-  for file in "$run/dump/scene.json" "$run/summary.json"; do [[ $(run_id_in "$file") == "$id" ]] || return 1; done
+  id=$(run_id_of "$run/dump/scene.json" "$run/summary.json" 2>/dev/null) && grep -qxF "run_id $id" "$run/$sweep_record" || return 1
   [[ $(grep -vE "$kept_apart" "$run/$sweep_record") == "$(conditions)" ]]
 }
 

@@ -26,9 +26,10 @@ bool BlastHoles::all_over() const {
   return std::ranges::all_of(state_.over, [](char over) { return over != 0; });
 }
 
-bool BlastHoles::pulses_over(double time) const {
-  return std::ranges::all_of(blasts_,
-                             [time](const HoleBlast& blast) { return blast.pulse_over(time); });
+bool BlastHoles::any_pulse(double time) const {
+  return std::ranges::any_of(blasts_, [time](const HoleBlast& blast) {
+    return time >= blast.firing_time() && !blast.pulse_over(time);
+  });
 }
 
 int BlastHoles::active(double time) const {

@@ -46,8 +46,8 @@ class BlastHoles {
   /// Holes that have fired and are not over.
   [[nodiscard]] int active(double time) const;
 
-  /// True once every pulse has passed its hole's wall.
-  [[nodiscard]] bool pulses_over(double time) const;
+  /// A hole has fired whose pulse has not passed its wall yet.
+  [[nodiscard]] bool any_pulse(double time) const;
 
   /// Books what the walls have done in the last step: `swept` volume since the start [m3] and
   /// `work` of the step [J] of each hole.

@@ -73,6 +73,8 @@ void add_venting_keywords(ArgTable& table) {
             "of the stemming, as it lies")
       .real("stemming_shear", "Pa", Range::closed(0.0, 1e9), 0.0,
             "resistance of the stemming per area of the hole's wall")
+      .real("stemming_grain", "m", Range::closed(0.0, 0.1), 0.0,
+            "size of the stones of the stemming, between which gas leaks; 0: none does")
       .real("collar_discharge", "", Range::closed(0.0, 1.0), 0.8,
             "share of the choked flow through the open collar");
   add_optional(
@@ -150,6 +152,7 @@ void read_venting(BlastOptions& options, const ArgValues& values) {
   options.crushed_friction = values.real("crushed_friction") * M_PI / 180.0;
   options.flow.stemming_density = values.real("stemming_density");
   options.flow.stemming_shear = values.real("stemming_shear");
+  options.flow.stemming_grain = values.real("stemming_grain");
   options.flow.collar_discharge = values.real("collar_discharge");
   options.flow.crack_discharge = values.real("crack_discharge");
 }

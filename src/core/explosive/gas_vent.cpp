@@ -15,6 +15,12 @@ double choked_flux(double pressure, double density, double gamma) {
          std::pow(2.0 / (gamma + 1.0), 0.5 * (gamma + 1.0) / (gamma - 1.0));
 }
 
+namespace {
+
+constexpr double kGrainDensity = 2650.0;  // kg/m3, of crushed stone
+
+}  // namespace
+
 GasVent::GasVent(const Parameters& parameters) : p_(parameters) {
   require_positive("hole_diameter", "m", 2.0 * p_.hole_radius);
   require_positive("crushed-zone radius", "m", p_.zone_radius);
@@ -23,6 +29,11 @@ GasVent::GasVent(const Parameters& parameters) : p_(parameters) {
   require_not_negative("stemming_length", "m", p_.stemming_length);
   require_positive("stemming_density", "kg/m3", p_.stemming_density);
   require_not_negative("stemming_shear", "Pa", p_.stemming_shear);
+  require_not_negative("stemming_grain", "m", p_.stemming_grain);
+  if (p_.stemming_grain > 0.0 && !(p_.stemming_density < kGrainDensity)) {
+    refuse_value("stemming_density", "< 2650 with stemming_grain above 0, that of stone without pores",
+                 "kg/m3", p_.stemming_density);
+  }
   require_not_negative("collar_discharge", "", p_.collar_discharge);
   require_not_negative("crack_delay", "s", p_.crack_delay);
   require_not_negative("crack_discharge", "", p_.crack_discharge);
@@ -33,14 +44,23 @@ double GasVent::bore() const {
 }
 
 double GasVent::open_area(const GasState& state, const Chamber& chamber) const {
-  double area = 0.0;
-  if (state.stemming_path >= p_.stemming_length) {
-    area += p_.collar_discharge * bore();
-  }
+  const double in_hole = p_.stemming_length - state.stemming_path;  // [m]
+  double area = bore() * (in_hole > 0.0 ? leak_discharge(in_hole) : p_.collar_discharge);
   if (chamber.time >= p_.crack_delay) {
     area += p_.crack_discharge * std::max(0.0, chamber.swept_volume) / p_.zone_radius;
   }
   return area;
+}
+
+/// Flow through the pores over the choked one through the open bore. Gas that expands in the pores
+/// at one temperature has p dp = -c G^2 (p0/rho0) dx, c = 1.75 (1 - e)/(e^3 d), and leaves at next
+/// to no pressure.
+double GasVent::leak_discharge(double in_hole) const {
+  if (p_.stemming_grain == 0.0) return 0.0;
+  const double pores = 1.0 - p_.stemming_density / kGrainDensity;
+  const double loss = 1.75 * (1.0 - pores) / (pores * pores * pores * p_.stemming_grain);  // [1/m]
+  return std::min(p_.collar_discharge,
+                  1.0 / (std::sqrt(2.0 * loss * in_hole) * choked_flux(1.0, 1.0, p_.gamma)));
 }
 
 double GasVent::cleared_room(const GasState& state) const {

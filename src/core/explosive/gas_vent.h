@@ -53,6 +53,7 @@ class GasVent {
     double stemming_length = 0.0;      ///< 0: the collar is open from the start [m]
     double stemming_density = 1800.0;  ///< [kg/m3]
     double stemming_shear = 0.0;       ///< resistance per wall area [Pa]
+    double stemming_grain = 0.0;       ///< size of its grains; 0: it leaks nothing [m]
     double collar_discharge = 0.8;     ///< share of the choked flow through the collar
     double crack_delay = 0.0;          ///< until cracks reach a free face [s]
     double crack_discharge = 0.05;     ///< share of the choked flow through the cracks
@@ -62,7 +63,8 @@ class GasVent {
   explicit GasVent(const Parameters& parameters);
 
   /// Area of the openings times their discharge [m2]. The collar opens when the stemming has gone
-  /// its own length. The cracks' area at the wall is what the wall has lengthened by, times the
+  /// its own length; until then gas leaks through the pores of what is left in the hole, in
+  /// turbulent flow (Ergun 1952): (p rho)^(1/2) (e^3 d / (3.5 (1 - e) (L - x)))^(1/2) [kg/(m2 s)]. The cracks' area at the wall is what the wall has lengthened by, times the
   /// charge's length: swept volume / r1 (all stretch taken by open radial cracks; ours).
   [[nodiscard]] double open_area(const GasState& state, const Chamber& chamber) const;
 
@@ -76,6 +78,7 @@ class GasVent {
  private:
   /// Cross section of the hole [m2].
   [[nodiscard]] double bore() const;
+  [[nodiscard]] double leak_discharge(double in_hole) const;
   void push_stemming(GasState& state, const Chamber& chamber, double dt) const;
 
   Parameters p_;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "args/parse_args.h"
 #include "run/blast_scene.h"
@@ -19,8 +20,11 @@ struct BlastPlan {
   double last_firing = 0.0;          ///< [s]
   double wave_end = 0.0;             ///< wave and gas push, at the earliest [s]
   double time_end = 0.0;             ///< of all [s]
+  bool ends_with_wave = false;       ///< at wave_end, on joints as stiff as they are then
   double still_share = 0.0;          ///< of the mass, that may still move at rest [-]
-  double pulse_step = 0.0;           ///< longest step that resolves the pulse [s]
+  double pulse_step = 0.0;           ///< longest step that resolves a pulse [s]
+  double between_step = 1e30;        ///< longest step between pulses and after them [s]
+  std::vector<PulseSpan> pulses{};   ///< when that step holds: in their order, apart
   double wave_share = 1.0;           ///< step over the longest stable one, in the wave [-]
   double stable_share = 1.0;         ///< the same in the throw [-]
 

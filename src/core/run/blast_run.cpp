@@ -19,6 +19,10 @@ constexpr double kStretch = 0.05;       // of wave_end, from one check of the ga
 /// Gas stays in joints whose shear modulus is 100 times its pressure (fix muckpile/gas); a tenth
 /// more is for what the pressure may still rise.
 constexpr double kBearing = 110.0;
+/// Steps within which one that may be longer becomes so.
+constexpr long kStepLag = 10;
+constexpr double kAnyStep = 1e30;   // s
+constexpr double kSnapshots = 0.1;  // of wave_end, at most, from one to the next
 /// A step that grows by less is not worth the change.
 constexpr double kPays = 0.5;
 
@@ -29,6 +33,11 @@ BlastRun::BlastRun(const BlastPlan& plan, RunEngine& engine, BlastedRock& rock,
     : plan_(plan), engine_(engine), rock_(rock) {
   const double left = rock_.stiffness();
   in_throw_ = left < 1.0 && left < kRounding * plan_.softening;
+  if (in_throw_ && plan_.ends_with_wave) {
+    throw InputError(where +
+                     ": end must be rest, as the joints have been softened for the throw already, "
+                     "got 'wave'");
+  }
   if (plan_.softening > kRounding * left) {
     throw InputError(where + ": softening must be <= " + rounded_text(left) +
                      ", to which the joints have been softened already, got " +
@@ -39,7 +48,10 @@ BlastRun::BlastRun(const BlastPlan& plan, RunEngine& engine, BlastedRock& rock,
 BlastRun::Phase BlastRun::go() {
   prepare();
   Phase phase = in_throw_ ? Phase::settling : Phase::wave;
-  while (phase != Phase::rest && phase != Phase::interrupted) phase = step_through(phase);
+  const auto over = [&] {
+    return phase == Phase::rest || phase == Phase::wave_over || phase == Phase::interrupted;
+  };
+  while (!over()) phase = step_through(phase);
   if (phase == Phase::rest) tell_of_rest(engine_, plan_.still_share);
   return phase;
 }
@@ -64,23 +76,49 @@ BlastRun::Phase BlastRun::step_through(Phase phase) {
     case Phase::settling:
       return settle();
     case Phase::rest:
+    case Phase::wave_over:
     case Phase::interrupted:
       break;
   }
   return phase;
 }
 
-/// Stiff joints carry the wave, in steps that resolve the pulse.
+/// Stiff joints carry the waves.
 BlastRun::Phase BlastRun::wave() {
-  if (rock_.stiffness() == 1.0)
-    engine_.bound_step({.share = plan_.wave_share, .longest = plan_.pulse_step});
-  engine_.set_up();
-  engine_.take_snapshots_every(steps_of(0.1 * plan_.wave_end));
   const double from =
       plan_.last_firing + plan_.push_from * (plan_.wave_end - plan_.last_firing);  // [s]
+  if (rock_.stiffness() == 1.0) bound_wave_step(stretch_before(from));
+  engine_.set_up();
+  engine_.take_snapshots_every(steps_of(kSnapshots * plan_.wave_end));
   while (steps_until(from) > 0)
-    if (!run(steps_until(from))) return Phase::interrupted;
+    if (!go_on(stretch_before(from))) return Phase::interrupted;
   return Phase::push;
+}
+
+/// From now to the next time at which a pulse begins or has gone.
+BlastRun::Stretch BlastRun::stretch_before(double end) const {
+  const auto pulse = std::ranges::find_if(
+      plan_.pulses, [this](const PulseSpan& span) { return steps_until(span.end) > 0; });
+  if (pulse == plan_.pulses.end()) return {plan_.between_step, end};
+  if (steps_until(pulse->begin) > 0) return {plan_.between_step, std::min(end, pulse->begin)};
+  return {plan_.pulse_step, std::min(end, pulse->end)};
+}
+
+/// The end is counted in steps, so a step that may grow does so before.
+bool BlastRun::go_on(const Stretch& stretch) {
+  const bool grows = stretch.longest_step > longest_step_;
+  bound_wave_step(stretch);
+  const long left = steps_until(stretch.end);
+  if (!grows) return run(left);
+  if (!run(std::min(kStepLag, left))) return false;
+  engine_.take_snapshots_every(steps_of(kSnapshots * plan_.wave_end));
+  return true;
+}
+
+void BlastRun::bound_wave_step(const Stretch& stretch) {
+  if (stretch.longest_step == longest_step_) return;
+  longest_step_ = stretch.longest_step;
+  engine_.bound_step({.share = plan_.wave_share, .longest = longest_step_});
 }
 
 /// What is left until wave_end, on softer joints and with a longer step once the waves have gone.
@@ -112,11 +150,15 @@ void BlastRun::soften_for_push() {
   const double softer = std::max(plan_.push_softening, kBearing * gas / plan_.shear_modulus);
   if (!(softer < kPays && softer > plan_.softening)) return;
   rock_.soften(softer, {});
-  engine_.bound_step({.share = plan_.wave_share, .longest = 1e30});
+  engine_.bound_step({.share = plan_.wave_share, .longest = kAnyStep});
   engine_.set_up();
 }
 
-BlastRun::Phase BlastRun::after_push() const {
+BlastRun::Phase BlastRun::after_push() {
+  if (plan_.ends_with_wave) {
+    engine_.say("Wave and gas push end after " + rounded_text(engine_.time()) + " s.");
+    return Phase::wave_over;
+  }
   switch (plan_.gas) {
     case Gas::in_joints:
       return Phase::gas_in_joints;
@@ -190,7 +232,7 @@ void BlastRun::begin_settling() {
   if (!in_throw_) rock_.soften(plan_.softening / rock_.stiffness(), plan_.closed_damping);
   engine_.begin_phase({plan_.throw_name, plan_.time_end, 1000});
   engine_.bound_step({.share = plan_.stable_share,
-                      .longest = 1e30,
+                      .longest = kAnyStep,
                       .collision = plan_.collision.step,
                       .collision_speed = plan_.collision.speed()});
   engine_.set_up();

@@ -15,18 +15,32 @@ namespace muckpile {
 
 class BlastRun {
  public:
-  enum class Phase { wave, push, gas_in_joints, gas_in_holes, settling, rest, interrupted };
+  enum class Phase {
+    wave,
+    push,
+    gas_in_joints,
+    gas_in_holes,
+    settling,
+    rest,
+    wave_over,
+    interrupted
+  };
 
   /// InputError, which begins with `where`: the joints are softer already than the plan has them.
   BlastRun(const BlastPlan& plan, RunEngine& engine, BlastedRock& rock, const std::string& where);
 
-  /// All phases, from the one that the engine is in. What it returns is rest or interrupted.
+  /// All phases, from the one that the engine is in. What it returns is rest, wave_over or
+  /// interrupted.
   Phase go();
 
   static constexpr const char* kFirstName = "wave_and_gas";
 
  private:
   void prepare();
+  /// A stretch of the wave: the longest step that the pulses allow, and until when [s].
+  struct Stretch {
+    double longest_step, end;
+  };
   // Each takes steps until its end, and returns what follows.
   Phase step_through(Phase phase);
   Phase wave();
@@ -36,8 +50,11 @@ class BlastRun {
   Phase settle();
 
   void begin_settling();
-  [[nodiscard]] Phase after_push() const;
+  [[nodiscard]] Phase after_push();
   [[nodiscard]] Phase after_gas() const;
+  [[nodiscard]] Stretch stretch_before(double end) const;
+  bool go_on(const Stretch& stretch);
+  void bound_wave_step(const Stretch& stretch);
   [[nodiscard]] bool waves_have_gone();
   void soften_for_push();
   void tell_of_joints(double work_share);
@@ -51,6 +68,7 @@ class BlastRun {
   BlastPlan plan_;
   RunEngine& engine_;
   BlastedRock& rock_;
+  double longest_step_ = 0.0;    // as the engine was told in the wave [s]
   double elastic_before_ = 0.0;  // at the last look whether waves have gone [J]
   bool in_throw_;                ///< from the start: a restart file of a throw
 };

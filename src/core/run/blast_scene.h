@@ -4,8 +4,14 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 namespace muckpile {
+
+/// From a charge's firing until its pulse has gone.
+struct PulseSpan {
+  double begin = 0.0, end = 0.0;  ///< [s]
+};
 
 /// What the charges say of the time that they need; their clock starts with the first run that has
 /// them.
@@ -14,6 +20,7 @@ struct BlastTiming {
   double rise_time = 0.0;    ///< of the pulse, and of the gas behind it; 0: a jump [s]
   double pulse_end = 0.0;    ///< of all holes: joints may be softened from then on [s]
   double last_firing = 0.0;  ///< [s]
+  std::vector<PulseSpan> pulses{};  ///< of all charges
   /// From firing until the gas vents, and its decay then [s]; 0 without gas, nothing where the gas
   /// leaves by flow and no such times are given.
   std::optional<double> vent_time = 0.0, vent_decay = 0.0;

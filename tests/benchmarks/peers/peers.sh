@@ -5,6 +5,7 @@
 # are left out, with a word, where they are not installed. `full` lets the 8,000 clumps come to rest too (about an hour).
 set -euo pipefail
 program=$(readlink -f "$1") table=$(readlink -f "$2") out=$3 full=${4-}
+figures=$(dirname "$table")/log_figures
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 readonly rounds=3
 readonly start=$out/peers/start.txt raw=$out/peers/raw.csv
@@ -30,23 +31,6 @@ run() {  # run LOG COMMAND...
   }
 }
 
-# CPU seconds of the stretch NAME in a log: of two copies of /proc/PID/stat, or as printed.
-seconds_of() {  # seconds_of NAME LOG
-  awk -v name="$1" -v tick="$(getconf CLK_TCK)" '
-    $0 ~ "^seconds " name " " { seconds = $3 }
-    match($0, "ticks " name " [0-9]+ [(]") {
-      split(substr($0, RSTART), words, " ")
-      ticks = words[16] + words[17]   # utime and stime, fields 14 and 15 of stat
-      if (seen++) seconds = (ticks - first) / tick; else first = ticks
-    }
-    END { if (seconds > 0) print seconds; else exit 1 }' "$2" || { say "error: $2 has no time of '$1'" >&2; exit 1; }
-}
-
-# The last row under a thermo header that ends in WORD: that column.
-last_thermo() {  # last_thermo WORD COLUMN LOG
-  awk -v word="$1" -v column="$2" '$NF ~ word { getline; value = $column } END { print value + 0 }' "$3"
-}
-
 record() {  # record SCENE CODE LAW PARTICLES LINKS STEPS SECONDS
   local IFS=,
   printf '%s\n' "$*" >>"$raw"
@@ -59,40 +43,31 @@ rock() {
   steps=300
   run "$log" "$program" -in "$here/rock_muckpile.in" -log none -var count $steps
   record rock Muckpile "joint of 3 points: Mohr-Coulomb + cut-off + moments + dilatation; blocks of 5 spheres" \
-    8000 "$(last_thermo 'joint\[2\]' 3 "$log")" $steps "$(seconds_of rock "$log")"
+    8000 "$("$figures" below 'joint[2]' 3 "$log")" $steps "$("$figures" seconds rock "$log")"
   steps=500
   run "$log" "$program" -in "$here/rock_liggghts.in" -log none -var count $steps
   record rock LIGGGHTS "no bonds in stock: Hertz contact with friction instead" \
-    8788 $(($(last_thermo touches 3 "$log") / 2)) $steps "$(seconds_of rock "$log")"
+    8788 $(($("$figures" below touches 3 "$log") / 2)) $steps "$("$figures" seconds rock "$log")"
   if have lmp lammps; then
     steps=1000
     run "$log" lmp -in "$here/rock_lammps.in" -log none -var count $steps
     record rock LAMMPS "bond_style harmonic: central force only; no strength" \
-      8788 "$(last_thermo Bonds 3 "$log")" $steps "$(seconds_of rock "$log")"
+      8788 "$("$figures" below Bonds 3 "$log")" $steps "$("$figures" seconds rock "$log")"
   fi
   if have yade yade; then
     steps=300
     CELLS=13 COUNT=$steps run "$log" yade -n -x -j1 "$here/rock_yade.py"
     record rock YADE "JCFpm: normal and shear spring; Mohr-Coulomb + cut-off" \
-      8788 "$(awk '$1 == "atoms" { print $4 }' "$log")" $steps "$(seconds_of rock "$log")"
+      8788 "$("$figures" beside atoms 4 "$log")" $steps "$("$figures" seconds rock "$log")"
   fi
 }
 
 # Scene: loose clumps
 
-lammps_data() {  # lammps_data SIDE: the dump on standard input as a data file
-  awk -v side="$1" 'NR > 9 { row[++n] = $1 " 1 " $3 " " $4 " " $5 " " 2 * $6 " 2500 " $2 }
-    END {
-      print "clumps\n\n" n " atoms\n1 atom types\n0 bonds\n0 bond types"
-      print "0 " side " xlo xhi\n0 " side " ylo yhi\n0 10 zlo zhi\n\nAtoms\n"
-      for (i = 1; i <= n; i++) print row[i]
-    }'
-}
-
 record_clumps() {  # record_clumps CODE LAW LOG TOUCHES COUNT [pile]
   local code=$1 law=$2 log=$3 touches=$4 count=$5 pile=${6-}
-  record "fall of $bodies" "$code" "$law" "$bodies" 0 "$count" "$(seconds_of fall "$log")"
-  [[ -z $pile ]] || record "pile of $bodies" "$code" "$law" "$bodies" $((touches / 2)) "$count" "$(seconds_of pile "$log")"
+  record "fall of $bodies" "$code" "$law" "$bodies" 0 "$count" "$("$figures" seconds fall "$log")"
+  [[ -z $pile ]] || record "pile of $bodies" "$code" "$law" "$bodies" $((touches / 2)) "$count" "$("$figures" seconds pile "$log")"
 }
 
 clumps() {  # clumps BODIES SIDE SETTLE COUNT [pile]
@@ -100,23 +75,23 @@ clumps() {  # clumps BODIES SIDE SETTLE COUNT [pile]
   local vars=(-log none -var side "$side" -var settle "$settle" -var count "$count" -var start)
   for own in 1 0; do
     run "$log" "$program" -in "$here/clumps_liggghts.in" "${vars[@]}" "$start" -var own $own -var bodies "$bodies"
-    bodies=$(($(awk 'NR == 4' "$start") / 8))
+    bodies=$(($(sed -n 4p "$start") / 8))
     if ((own)); then
       record_clumps Muckpile "fix multisphere/muckpile; pair muckpile/block (Hertz-Mindlin)" "$log" \
-        "$(last_thermo touches 3 "$log")" "$count" "$pile"
+        "$("$figures" below touches 3 "$log")" "$count" "$pile"
     else
       record_clumps LIGGGHTS "fix multisphere; pair gran hertz tangential history" "$log" \
-        "$(last_thermo touches 3 "$log")" "$count" "$pile"
+        "$("$figures" below touches 3 "$log")" "$count" "$pile"
     fi
   done
   if have lmp lammps; then
-    lammps_data "$side" <"$start" >"$out/peers/start.data"
+    "$figures" lammps_data "$side" "$start" >"$out/peers/start.data"
     run "$log" lmp -in "$here/clumps_lammps.in" "${vars[@]}" "$out/peers/start.data"
-    record_clumps LAMMPS "fix rigid/small; gran/hertz/history" "$log" "$(last_thermo touches 3 "$log")" "$count" "$pile"
+    record_clumps LAMMPS "fix rigid/small; gran/hertz/history" "$log" "$("$figures" below touches 3 "$log")" "$count" "$pile"
   fi
   if have yade yade; then
     START=$start SETTLE=$settle COUNT=$count SIDE=$side run "$log" yade -n -x -j1 "$here/clumps_yade.py"
-    record_clumps YADE "clumps; Hertz-Mindlin" "$log" "$(awk '$1 == "touches" { print $2 }' "$log")" "$count" "$pile"
+    record_clumps YADE "clumps; Hertz-Mindlin" "$log" "$("$figures" beside touches 2 "$log")" "$count" "$pile"
   fi
 }
 

@@ -85,6 +85,44 @@ TEST(GasVent, AChamberOfConstantVolumeEmptiesAsTheClosedFormSays) {
   EXPECT_NEAR(state.mass_left, expected, 1e-3 * expected);  // first order in the step
 }
 
+TEST(GasVent, GasLeaksThroughThePoresOfAPlugThatHolds) {
+  // As above, but the discharge of the leak in place of the collar's. By hand: e = 1 - 1800/2650 =
+  // 0.32075, e^3 d/(3.5 (1 - e) L) = 0.033000 * 0.01/(3.5 * 0.67925 * 1.8) = 7.7115e-5, its root
+  // 8.78165e-3; choked 1.4^(1/2) (2/2.4)^3 = 0.684731: together 0.01282495.
+  GasVent::Parameters p = vent();
+  p.stemming_length = 1.8;
+  p.stemming_density = 1800.0;
+  p.stemming_grain = 0.01;
+  p.stemming_shear = 1e9;  // holds
+  const GasVent gas(p);
+  const double p0 = 2e8, rho0 = 400.0;
+  const double bore = std::numbers::pi * 0.045 * 0.045;
+  const double leak = 0.01282495;
+  EXPECT_NEAR(gas.open_area({}, {p0, rho0, 0.0, 0.0}), leak * bore, 1e-5 * leak * bore);
+  const double k = leak * bore * choked_flux(p0, rho0, 1.4) / 60.0;
+  GasState state;
+  constexpr double kStep = 1e-4;
+  for (int i = 0; i < 10000; ++i) {
+    gas.advance(state,
+                {p0 * std::pow(state.mass_left, 1.4), rho0 * state.mass_left, 0.0, i * kStep},
+                kStep);
+  }
+  const double expected = std::pow(1.0 + 0.2 * k * 1.0, -5.0);
+  ASSERT_LT(expected, 0.9);
+  EXPECT_NEAR(state.mass_left, expected, 1e-3 * expected);
+  EXPECT_EQ(state.stemming_path, 0.0);
+}
+
+TEST(GasVent, AShortPlugLeaksNoMoreThanTheOpenCollar) {
+  GasVent::Parameters p = vent();
+  p.stemming_grain = 0.05;
+  p.stemming_length = 1e-4;
+  EXPECT_DOUBLE_EQ(GasVent(p).open_area({}, {2e8, 400.0, 0.0, 0.0}),
+                   p.collar_discharge * std::numbers::pi * p.hole_radius * p.hole_radius);
+  p.stemming_density = 2700.0;
+  EXPECT_THROW(GasVent{p}, InputError);
+}
+
 TEST(GasVent, GasThatIsLeftFillsTheChamberAlone) {
   BlastLoad::Parameters parameters{
       .wave_peak = 0.0,

@@ -104,7 +104,7 @@ TEST(PanelMesh, NeighboursShareTheirPoints) {
 }
 
 TEST(PanelMesh, RefusesWordsThatMakeNoPanel) {
-  EXPECT_EQ(refusal_of({"name", "floor"}), "write_panels: needs a panel");
+  EXPECT_EQ(refusal_of({"name", "floor"}), "write_panels: needs a panel, or ground");
   std::vector<std::string> words = kFloor;
   words.push_back("2");
   EXPECT_EQ(refusal_of(words),

@@ -8,6 +8,7 @@
 
 #include "measure/broken_out.h"
 #include "measure/face_velocity.h"
+#include "measure/height_map.h"
 #include "measure/pile.h"
 #include "synthetic_run.h"
 
@@ -86,6 +87,44 @@ TEST(PileShape, FindsTheSlopeOfTheSteps) {
     for (size_t i = 0; i < section.size(); ++i) EXPECT_NEAR(section[i], m.profile.pile[i], 1e-8);
   }
   EXPECT_NEAR(std::tan(m.shape.rest_angle), kLayer, 0.03 * kLayer);
+}
+
+// A floor at `z` for x > 0.001 m.
+PitFloor floor_at(double z) {
+  const Vec3 a(0.001, -50, z), b(50, -50, z), c(50, 50, z), d(0.001, 50, z);
+  return PitFloor({{a, b, c}, {a, c, d}}, "floor");
+}
+
+TEST(PitFloor, IsStraightBetweenTheToeAndWhereItBegins) {
+  const Vec3 a(4, -9, -1), b(40, -9, -10), c(40, 9, -10), d(4, 9, -1);  // falls by 1 in 4
+  const PitFloor floor({{a, b, c}, {a, c, d}}, "floor");
+  EXPECT_EQ(floor.at(-3.0, 1.0), 0.0);
+  EXPECT_NEAR(floor.at(1.0, 1.0), -0.25, 1e-12);
+  EXPECT_NEAR(floor.at(4.0, -5.0), -1.0, 1e-12);
+  EXPECT_NEAR(floor.at(20.0, 5.0), -5.0, 1e-12);
+  EXPECT_EQ(PitFloor().at(20.0, 5.0), 0.0);
+}
+
+// The same pile lies a metre lower: all that is measured above the floor stays.
+TEST(PitFloor, APileIsMeasuredAboveIt) {
+  MeasuredBench m;
+  const std::vector<char> all = all_of(m.run);
+  const HeightMap level = height_map(m.run.blocks, m.run.last, m.moved, all, kCell);
+  for (size_t b = 0; b < m.moved.size(); ++b)
+    if (m.moved[b] != 0) m.run.last.states[b].centre.z() -= 1.0;
+  const PileProfile lower =
+      pile_profile(m.run.blocks, m.run.last, m.moved, kCell, all, {}, floor_at(-1.0));
+  const PileShape shape = pile_shape(lower, kBurden, mean_block_size(m.run.blocks, m.moved));
+  EXPECT_NEAR(shape.height, m.shape.height, 1e-8);
+  EXPECT_NEAR(shape.toe, m.shape.toe, 1e-8);
+  EXPECT_NEAR(shape.swell, m.shape.swell, 1e-8);
+  EXPECT_NEAR(shape.bulk_volume, m.shape.bulk_volume, 1e-6);
+  EXPECT_NEAR(shape.front_angle, m.shape.front_angle, 1e-8);
+  EXPECT_NEAR(shape.rest_angle, m.shape.rest_angle, 1e-8);
+  EXPECT_NEAR(at(lower, lower.mean, 7.3), 7 * kLayer - 1.0, 1e-8);  // over z = 0
+  const HeightMap map = height_map(m.run.blocks, m.run.last, m.moved, all, kCell, floor_at(-1.0));
+  EXPECT_NEAR(map.pile_volume, level.pile_volume, 1e-6);
+  EXPECT_NEAR(map.solid_volume, level.solid_volume, 1e-9);
 }
 
 // Falls from 6 m at x = 0 by `upper` in 1 as far as `bend` [m], then by `lower` in 1 to the floor;

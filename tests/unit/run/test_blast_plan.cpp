@@ -70,6 +70,20 @@ TEST(BlastPlan, AsksForTheEndWhereGasFlowsAndHasNoTimes) {
 
 TEST(BlastPlan, StepsThePulseInFive) {
   EXPECT_NEAR(plan_of({}).pulse_step, 2e-5, 1e-18);  // a fifth of 1e-4 s
+  EXPECT_NEAR(plan_of({}).between_step, 3e-5, 1e-18);
+}
+
+TEST(BlastPlan, StepsThePulseFromTenStepsBeforeTheFiringUntilItHasGone) {
+  BlastScene scene = bench();
+  scene.timing.pulses = {{0.017, 0.020}, {0.0, 0.003}, {0.0032, 0.006}, {0.0180, 0.0195}};
+  const std::vector<PulseSpan> spans = plan_of({}, scene).pulses;  // of two times two, as they meet
+  ASSERT_EQ(spans.size(), 2u);
+  EXPECT_NEAR(spans[0].begin, -2e-4, 1e-15);
+  EXPECT_NEAR(spans[0].end, 0.006, 1e-15);
+  EXPECT_NEAR(spans[1].begin, 0.0168, 1e-15);
+  EXPECT_NEAR(spans[1].end, 0.020, 1e-15);
+  scene.timing.rise_time = 0.0;  // a jump, whatever the step
+  EXPECT_TRUE(plan_of({}, scene).pulses.empty());
 }
 
 TEST(BlastPlan, StepsNearlyIncompressibleRockFiner) {

@@ -50,6 +50,7 @@ BlastPlan plan() {
   plan.time_end = 1.0;
   plan.still_share = 0.01;
   plan.pulse_step = 2e-5;
+  plan.pulses = {{-2e-4, 0.01}};
   plan.push_softening = 0.1;
   plan.push_elastic = 0.005;
   plan.push_from = 0.35;
@@ -77,7 +78,11 @@ TEST(BlastRun, GoesThroughItsPhases) {
                                           "step for pulse",
                                           "set up",
                                           "snapshots 10",
-                                          "run 35",
+                                          "run 10",
+                                          "step for joints",
+                                          "run 10",
+                                          "snapshots 10",
+                                          "run 15",
                                           "run 5",
                                           "run 5",
                                           "run 5",
@@ -108,6 +113,30 @@ TEST(BlastRun, GoesThroughItsPhases) {
   EXPECT_EQ(engine.lines[0].substr(0, 20), "The rock rests after");
 }
 
+/// Charges fire at 0 and 20 ms; outside of their pulses the joints bear twice the step.
+TEST(BlastRun, StepsArePulsesOnlyWhileThoseAct) {
+  FakeBlast engine;
+  BlastPlan two = plan();
+  two.pulses = {{-2e-4, 0.01}, {0.02, 0.025}};
+  std::vector<std::pair<double, double>> bounds;  // time, longest step
+  engine.happens = [&](FakeBlast& e) {
+    bounds.emplace_back(e.now, *e.rule.longest);
+    e.dt = *e.rule.longest < 1.0 ? 1e-3 : 2e-3;
+    e.at_rest = e.now > 0.25;
+  };
+  go(two, engine);
+  // After each run: the pulse, ten steps that may grow, the rest until the next, its pulse, again.
+  ASSERT_GT(bounds.size(), 5u);
+  EXPECT_NEAR(bounds[0].first, 0.010, 1e-9);
+  EXPECT_EQ(bounds[0].second, 2e-5);
+  EXPECT_NEAR(bounds[1].first, 0.020, 1e-9);
+  EXPECT_EQ(bounds[1].second, 1e30);
+  EXPECT_NEAR(bounds[2].first, 0.026, 1e-9);  // steps of 2 ms until the engine is told in its run
+  EXPECT_EQ(bounds[2].second, 2e-5);
+  EXPECT_EQ(bounds[3].second, 1e30);
+  EXPECT_NEAR(bounds[3].first, 0.035, 1e-9);
+}
+
 TEST(BlastRun, StressesLockedInTheRockAreNoWaves) {
   for (const double locked : {0.08, 0.12}) {
     FakeBlast engine;
@@ -130,7 +159,7 @@ TEST(BlastRun, WaitsForTheLastChargeBeforeThePush) {
   with_delays.last_firing = 0.06;
   engine.happens = [](FakeBlast& e) { e.quit = e.joints < 1.0; };
   EXPECT_EQ(go(with_delays, engine), Phase::interrupted);
-  EXPECT_TRUE(engine.was_told("run 74"));  // 60 + 0.35 * 40 ms
+  EXPECT_NEAR(engine.now, 0.076, 1e-9);  // softened after 60 + 0.35 * 40 ms, and two steps
 }
 
 TEST(BlastRun, KeepsStiffJointsWhileWavesGo) {
@@ -255,6 +284,37 @@ TEST(BlastRun, EndsWhereTimeRunsOutInTheThrow) {
   EXPECT_EQ(go(plan(), engine), Phase::rest);
   EXPECT_NEAR(engine.now, 1.0, 1e-9);
   EXPECT_EQ(engine.lines.back().substr(0, 25), "time_end is reached after");
+}
+
+TEST(BlastRun, EndsWithTheWaveWhereThePlanSaysSo) {
+  for (const Gas gas : {Gas::vents_by_time, Gas::in_joints, Gas::in_holes}) {
+    FakeBlast engine;
+    engine.on_walls = 1e6;
+    BlastPlan short_one = plan();
+    short_one.gas = gas;
+    short_one.ends_with_wave = true;
+    EXPECT_EQ(go(short_one, engine), Phase::wave_over);
+    EXPECT_NEAR(engine.now, 0.1, 1e-9);
+    EXPECT_EQ(engine.joints, 1.0);
+    EXPECT_FALSE(engine.was_told("phase throw"));
+    EXPECT_EQ(engine.lines, std::vector<std::string>{"Wave and gas push end after 0.1 s."});
+  }
+}
+
+TEST(BlastRun, DoesNotEndWithAWaveThatIsOver) {
+  FakeBlast engine;
+  engine.joints = 2e-4;
+  BlastPlan short_one = plan();
+  short_one.ends_with_wave = true;
+  try {
+    go(short_one, engine);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "run_blast: end must be rest, as the joints have been softened for the throw "
+              "already, got 'wave'");
+  }
+  EXPECT_TRUE(engine.told.empty());
 }
 
 TEST(BlastRun, SetsUpEveryFourthLap) {

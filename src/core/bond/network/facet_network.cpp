@@ -37,9 +37,8 @@ void FacetNetwork::set_facets(FacetLists lists) {
   }
   leaning_.reset();
   if (LeaningFaces::exist_in(tables_)) leaning_.emplace().set(tables_, blocks_.size());
-  list_anew();
   faces_.set(std::move(lists.faces), tables_, history_, blocks_.size());
-  count_unbonded();
+  list_anew();
 }
 
 FacetLists FacetNetwork::lists() const { return {facets(), memory(), faces()}; }

@@ -6,6 +6,7 @@
 #include "args/input_error.h"
 #include "args/numbers.h"
 #include "args/rounded_text.h"
+#include "geometry/surface/ground_panels.h"
 
 namespace muckpile {
 namespace {
@@ -84,21 +85,24 @@ ArgTable write_panels_table() {
       .group("panel", kCoordinates, kCoordinates + 2, true,
              "x y z of four corners [m], anticlockwise seen from where blocks are; then numbers of "
              "parts from corner 1 to 2 and from 1 to 4, else 1 and 1");
-  return table;
+  return add_ground_words(table);
 }
 
 std::vector<Panel> panels_of(const ArgValues& words, const std::string& where) {
-  if (!words.given("panel")) throw InputError(where + ": needs a panel");
+  if (!words.given("panel") && !words.given("ground"))
+    throw InputError(where + ": needs a panel, or ground");
   std::vector<Panel> panels;
   for (const std::vector<std::string>& group : words.groups("panel"))
     panels.push_back(panel_of(group, where));
   return panels;
 }
 
-std::string stl_text(const std::string& name, std::span<const Panel> panels) {
+std::string stl_text(const std::string& name, std::span<const Panel> panels,
+                     std::span<const StlTriangle> triangles) {
   std::string text = "solid ";
   text.append(name).append("\n");
   for (const Panel& panel : panels) append_panel(text, panel);
+  for (const auto& [a, b, c] : triangles) append_triangle(text, a, b, c);
   return text.append("endsolid ").append(name).append("\n");
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "args/parse_args.h"
+#include "geometry/files/stl_file.h"
 #include "math/types.h"
 
 namespace muckpile {
@@ -23,12 +24,13 @@ struct Panel {
   int along = 1, across = 1;
 };
 
-/// The panels of write_panels. InputError, which begins with `where`: a word is no number, or a
-/// panel has no area.
+/// The panels of write_panels, none where it has ground alone. InputError, which begins with
+/// `where`: a word is no number, or a panel has no area.
 [[nodiscard]] std::vector<Panel> panels_of(const ArgValues& words, const std::string& where);
 
-/// Coordinates have 15 digits. Panels with an edge and its number of parts in common share the
-/// points on it to the last digit.
-[[nodiscard]] std::string stl_text(const std::string& name, std::span<const Panel> panels);
+/// Panels, then single triangles. Coordinates have 15 digits. Panels with an edge and its number of
+/// parts in common share the points on it to the last digit.
+[[nodiscard]] std::string stl_text(const std::string& name, std::span<const Panel> panels,
+                                   std::span<const StlTriangle> triangles = {});
 
 }  // namespace muckpile

@@ -88,6 +88,33 @@ TEST(FacetLists, TheNetworkGoesOnWithThemAsIfNothingHadBeen) {
   }
 }
 
+/// A block at rest has its dilatation anew at each step where a hole's pressure may squeeze it.
+TEST(FacetLists, BlocksAtRestBesideTheFacesOfAHoleAreStirredAtOnce) {
+  BondScene scene(test::cuboids(3, 1, 1), test::rock(0.25));
+  scene.network().let_rest(std::vector<int>{1, 1, 1, 1});
+  FacetLists lists = scene.network().lists();
+  for (BoundaryFace& face : lists.faces)
+    if (face.block == 2 && face.normal.x() > 0.5) face.hole = 0;
+  scene.network().set_facets(std::move(lists));
+  EXPECT_FALSE(scene.network().schedule().stirred(0));
+  EXPECT_TRUE(scene.network().schedule().stirred(2));
+}
+
+TEST(FacetLists, FewerBlocksMayFollow) {
+  BondScene few(test::cuboids(2, 1, 1), test::rock(0.25));
+  FacetNetwork network = BondScene(test::cuboids(3, 3, 3), test::rock(0.25)).network();
+  std::vector<BlockConstants> blocks = few.network().blocks();
+  blocks.pop_back();  // the ground, which set() appends
+  network.set(std::move(blocks), few.network().lists());
+  for (std::size_t b = 0; b < few.size(); ++b) network.state()[b] = few.block(b);
+  few.block(1).centre.x() += 1e-5;
+  network.state()[1].centre.x() += 1e-5;
+  few.compute();
+  network.step(0.0);
+  for (std::size_t b = 0; b < few.size(); ++b)
+    EXPECT_EQ(network.force()[b], few.network().force()[b]);
+}
+
 /// A corner of rock between tilted symmetry planes and ground that has yielded for some steps.
 BondScene rock_on_yielding_ground() {
   std::vector<Block> blocks = test::voronoi_blocks(4.0, 5, 5);

@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# floor_survey.sh LIGGGHTS_MUCKPILE: blocks that fall on a floor of write_panels come to rest at the height of the survey, on its slope and on the
+# level above its step; and the quarry has such a floor, and refuses it with walls that cannot follow it.
+# Scope: four cubes of one sphere each, whose centres rest a radius from the ground.
+set -euo pipefail
+program=$1
+source "$(dirname "${BASH_SOURCE[0]}")/runs.sh"
+
+# Falls by 10 % along x and rises by 4 % along y, from 1 m below the toe up to a level of 0.5 m between x = 10 and 11.
+awk 'BEGIN { for (x = -5; x <= 30; x += 1) for (y = -15; y <= 15; y += 1)
+  print 5000 + x "," 7000 + y "," 200 + (x > 10 ? 0.5 : -0.1 * x + 0.04 * y) }' >"$out/ground.csv"
+cat >"$out/in.fall" <<'END'
+units si
+atom_style granular
+atom_modify map array sort 0 0
+boundary m m m
+newton off
+communicate single vel yes
+region box block -1 40 -20 20 -4 10 units box
+create_box 2 box
+neighbor 0.2 bin
+neigh_modify delay 0 every 1 check yes binsize 1.5
+variable contact_modulus index 2.5e7
+variable restitution index 0.3
+variable friction index 0.7
+variable rolling_friction index 1.0
+include inputs/common/contact.in
+fix blocks all multisphere/muckpile
+variable x_hi equal ${x}+1
+variable z_hi equal ${z}+0.5
+region rock block ${x} ${x_hi} -0.5 0.5 ${z} ${z_hi} units box
+create_blocks rock density 2700 size uniform 0.5 block_min 0.5 block_max 0.5 cut joint_sets joint_set 90 0 joint_set 90 90 spheres_per_block 1 sphere_growth 1 file ${out}/dump/blocks.vtk
+write_panels file ${out}/dump/floor.stl name floor ground ${ground} 0.5 30 -15 15 -3 0.25 origin 5000 7000 200
+print "lowest ${panels_lowest} highest ${panels_highest}"
+fix floor all muckpile/wall mesh ${out}/dump/floor.stl friction 1.0
+fix pull all gravity 9.81 vector 0 0 -1
+run_blocks phase rest until still directory ${out}/dump time_end 20 still_share 0.002 density 2700 block_min 0.5 spheres_per_block 1 steps_per_contact 10
+END
+
+wrong=0
+rests() {  # rests NAME X Z COSINE HEIGHT: dropped from Z, its spheres' centres rest above HEIGHT(x, y), an awk expression
+  run_input "$1" 1 "$out/in.fall" -var ground "$out/ground.csv" -var x "$2" -var z "$3"
+  local last
+  last=$(ls -v "$out/$1"/dump/blocks_*.csv | tail -n 1)
+  # The elastic overlap of 340 kg is 4 mm.
+  awk -F, -v cosine="$4" '
+    /^#/ { next }
+    !n++ { for (k = 1; k <= NF; ++k) { if ($k == "x_m") cx = k; if ($k == "y_m") cy = k; if ($k == "z_m") cz = k }; next }
+    { x = $cx; y = $cy; off = $cz - ('"$5"') - 0.25 / cosine; blocks++; if (off < -0.008 || off > 0.002) bad++; printf "x %.3f y %.3f z %.4f off %.4f m\n", x, y, $cz, off }
+    END { exit !(blocks == 4 && bad == 0) }' "$last" || { echo "$1: does not rest at the height of the survey"; wrong=1; }
+}
+rests slope 5 0.2 0.99425 "-0.1 * x + 0.04 * y"  # cosine 1 / sqrt(1 + 0.1^2 + 0.04^2)
+rests level 14 0.8 1 "0.5"
+grep -qE '^lowest -1.(6|59999+[0-9]*) highest 0.5(5|49999+[0-9]*)$' "$out/level/screen" || { echo "not the survey's heights: $(grep ^lowest "$out/level/screen")"; wrong=1; }
+
+# The quarry: the same floor in front of its plane face, cut at the end of the rock.
+run_quarry() {  # run_quarry [-var NAME VALUE]...
+  sed '/^run_blast/,$c run 0' inputs/quarry/in.quarry >"$out/in.quarry"
+  rm -rf "$out/quarry" && mkdir -p "$out/quarry/dump"
+  on_ranks 1 -in "$out/in.quarry" -log none -var out "$out/quarry" -var rows 1 -var holes_per_row 2 -var block_min 0.7 -var block_max 1.6 \
+    -var fragment_x50 1.1 -var rise_time 4e-4 -var crushed_ratio 8 -var crushed_grain 7.875e-3 -var floor_survey "$out/ground.csv" \
+    -var terrain_east 5000 -var terrain_north 7000 -var terrain_height 200 "$@" >"$out/quarry/screen" 2>&1
+}
+run_quarry || { tail -n 5 "$out/quarry/screen"; wrong=1; }
+grep -q "ground of $out/ground.csv from x = .* between z = -1.55[0-9]* and 0.58[0-9]* m, in panels of 0.8 m" "$out/quarry/screen" || { grep "ground of" "$out/quarry/screen"; echo "the quarry has not the floor of the survey"; wrong=1; }
+grep -q '"floor_survey": 1' "$out/quarry/dump/scene.json" || { echo "scene.json does not tell of the floor"; wrong=1; }
+if run_quarry -var walls liggghts; then echo "walls liggghts are not refused"; wrong=1; fi
+grep -q "walls_on_the_floor_of_floor_survey must be one of own, got 'liggghts'" "$out/quarry/screen" || { grep ERROR "$out/quarry/screen"; wrong=1; }
+exit $wrong

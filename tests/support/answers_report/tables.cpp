@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Tables of runs of one blast.
+// Scope: see the header.
+#include "tables.h"
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "args/input_error.h"
+#include "figures/figures.h"
+
+namespace muckpile::check {
+namespace {
+
+std::ifstream opened(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  if (!in) refuse(path.string(), "cannot be opened");
+  return in;
+}
+
+FigureFile summary_of(const std::filesystem::path& results, const std::string& run) {
+  return FigureFile(results / run / "summary.json");
+}
+
+double figure_in(const FigureFile& summary, const std::string& quantity) {
+  if (quantity == "burden_speed_m_s")
+    return summary.get("throw_cg_m") / summary.get("physical_time_s");
+  if (quantity == "load_work_J") return summary.get("wave_work_J") + summary.get("gas_work_J");
+  return summary.get(quantity);
+}
+
+std::string formatted(const char* format, double value) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
+
+std::string row_of(const FigureFile& run, const FigureFile& base, const std::string& name) {
+  const double speed = figure_in(run, "burden_speed_m_s");
+  const double energy = run.get("explosive_energy_J");
+  std::string row = "| " + name + formatted(" | %.1f", run.get("face_velocity_mean_m_s")) +
+                    formatted(" | %.2f", speed) +
+                    formatted(" | %.2f", speed / figure_in(base, "burden_speed_m_s"));
+  for (const char* part :
+       {"wave_work_J", "gas_work_J", "energy_audit_J.crushing", "energy_audit_J.rock_heat",
+        "energy_audit_J.vented", "energy_audit_J.stemming"})
+    row += formatted(" | %.1f", 100.0 * run.get(part) / energy);
+  row += formatted(" | %.2f", 100.0 * run.get("energy_audit_error"));
+  const auto out = run.find("stemming_out_s");
+  return row + (out ? formatted(" | %.1f |\n", 1000.0 * *out) : " | - |\n");
+}
+
+}  // namespace
+
+std::vector<std::vector<std::string>> rows_of(const std::filesystem::path& file) {
+  std::ifstream in = opened(file);
+  std::vector<std::vector<std::string>> rows;
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line.substr(0, line.find('#')));
+    std::vector<std::string> row{std::istream_iterator<std::string>(words), {}};
+    if (!row.empty()) rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+double figure_of(const std::filesystem::path& results, const std::string& run,
+                 const std::string& quantity) {
+  return figure_in(summary_of(results, run), quantity);
+}
+
+std::string answers_table(const std::filesystem::path& answers,
+                          const std::filesystem::path& results) {
+  std::string table = "name,factor,value,base\n";
+  for (const auto& row : rows_of(answers)) {
+    if (row.size() != 5)
+      refuse(answers.string(), "a row must be NAME FACTOR QUANTITY RUN BASE, got '" + row[0] +
+                                   "' with " + std::to_string(row.size()) + " words");
+    const auto figure = [&](const std::string& run) {
+      return run == "-" ? std::string() : text_of(figure_of(results, run, row[2]));
+    };
+    table += row[0] + "," + (row[1] == "-" ? "" : row[1]) + "," + figure(row[3]) + "," +
+             figure(row[4]) + "\n";
+  }
+  return table;
+}
+
+std::string runs_table(const std::filesystem::path& runs, const std::filesystem::path& results,
+                       const std::string& scene) {
+  std::string table =
+      "| run | face velocity, m/s | burden, m/s | over base | work of the wave | of the gas | "
+      "crushing | heat into rock | vented | stemming | missing | stemming out, ms |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+  const FigureFile base = summary_of(results, "base");
+  for (const auto& row : rows_of(runs)) {
+    if (row.size() < 2) refuse(runs.string(), "run '" + row[0] + "' has no scene");
+    if (row[0] == "base" || row[1] == scene)
+      table += row_of(summary_of(results, row[0]), base, row[0]);
+  }
+  return table;
+}
+
+std::string with_table(const std::filesystem::path& page, const std::string& scene,
+                       const std::string& table) {
+  const std::string begin = "<!-- runs: " + scene + " -->", end = "<!-- end of runs -->";
+  std::ifstream in = opened(page);
+  std::string text;
+  bool inside = false, begun = false;
+  for (std::string line; std::getline(in, line);) {
+    if (line == end) inside = false;
+    if (!inside) text += line + "\n";
+    if (line != begin) continue;
+    text += table;
+    inside = begun = true;
+  }
+  if (!begun) refuse(page.string(), "has no line '" + begin + "'");
+  if (inside) refuse(page.string(), "has no line '" + end + "' behind '" + begin + "'");
+  return text;
+}
+
+}  // namespace muckpile::check
