@@ -105,8 +105,8 @@ void BlockPlacement::settle_new_fixes() {
 }
 
 void BlockPlacement::place(const RockModel& model, const std::vector<Hole>& holes) {
-  int blocks = static_cast<int>(model.rock.blocks.size() + model.muck.blocks.size());
-  MPI_Bcast(&blocks, 1, MPI_INT, 0, world);
+  const int blocks = engine::of_first_rank(
+      static_cast<int>(model.rock.blocks.size() + model.muck.blocks.size()), world);
   if (FixMuckpileBalance* balance = FixMuckpileBalance::find(*lmp)) {
     std::vector<Vec3> centres;
     for (const RigidBody* body : all_bodies(model)) centres.push_back(body->centre);

@@ -58,7 +58,7 @@ std::size_t installed_memory() {
 std::vector<Hole> with_shares(std::vector<Hole> holes, const RockModel& model, MPI_Comm world) {
   std::vector<double> shares(holes.size(), 1.0);
   for (std::size_t h = 0; h < model.holes.size(); ++h) shares[h] = model.holes[h].share;
-  MPI_Bcast(shares.data(), static_cast<int>(shares.size()), MPI_DOUBLE, 0, world);
+  engine::take_from_first_rank(shares, world);
   for (std::size_t h = 0; h < holes.size(); ++h) holes[h].share = shares[h];
   return holes;
 }
@@ -244,9 +244,8 @@ void CreateBlocks::share_sweeps_of_rank_0(TessellationOptions& what) const {
   what.team.gather = [this](const std::vector<double>& mine) {
     return engine::gather_all(mine, world);
   };
-  auto most = static_cast<std::uint64_t>(what.max_blocks);  // other nodes may have less memory
-  MPI_Bcast(&most, 1, MPI_UINT64_T, 0, world);
-  what.max_blocks = static_cast<std::size_t>(most);
+  const auto most = static_cast<std::int64_t>(what.max_blocks);  // other nodes may have less memory
+  what.max_blocks = static_cast<std::size_t>(engine::of_first_rank(most, world));
   if (comm->me == 0) return;
   try {
     share_sweeps(what);

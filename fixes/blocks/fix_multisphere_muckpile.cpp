@@ -211,7 +211,7 @@ void FixMultisphereMuckpile::initial_integrate(int vflag) {
   }
 }
 
-/// Resting bodies are held before their forces, which are incomplete, can become velocities.
+/// Resting bodies are stopped before their forces, which are incomplete, can become velocities.
 void FixMultisphereMuckpile::calc_force(bool setupflag) {
   if (plain_) {
     if (!members_known_) list_members();

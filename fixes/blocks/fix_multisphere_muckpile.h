@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix multisphere/muckpile: LIGGGHTS' fix multisphere with a leaner step.
 // Scope: moves bodies and their spheres, and sums the forces on them, through a list made when
-// bodies or spheres change their places; leaves out full-step velocities that nobody reads; holds
+// bodies or spheres change their places; leaves out full-step velocities that nothing reads; holds
 // bodies that rest. Whatever else a step may need (virial, heat, drag, streams) the base class
 // does.
 #pragma once

@@ -14,7 +14,7 @@ class BlockDirectory {
  public:
   /// Collective: every rank tells its tags.
   BlockDirectory(const std::vector<int>& owned_tags, MPI_Comm world);
-  /// Owner rank of each tag, -1 for a tag that nobody owns. Collective.
+  /// Owner rank of each tag, -1 for a tag that no rank owns. Collective.
   [[nodiscard]] std::vector<int> owners(const std::vector<int>& tags) const;
 
  private:

@@ -39,7 +39,7 @@ void BorderSpheres::carry(const BlockHalo& halo, const std::vector<int>& from,
   for (const int sphere : from)
     for (double** const array : arrays) number = std::copy_n(array[sphere], 3, number);
   double* const received = number;
-  // A sphere for which nobody sends keeps what it has.
+  // A sphere for which no rank sends keeps what it has.
   for (const int sphere : to)
     for (double** const array : arrays) number = std::copy_n(array[sphere], 3, number);
   halo.forward(values_, width);

@@ -11,9 +11,11 @@
 #include <filesystem>
 
 #include "args/numbers.h"
+#include "fixes/engine/exchange.h"
 #include "fixes/engine/style_args.h"
 
 namespace muckpile::engine {
+
 ArgTable periodic_output_table(const std::string& style, const std::string& every_text,
                                const std::string& directory_text) {
   return ArgTable(style)
@@ -29,7 +31,7 @@ void make_output_folder(LAMMPS_NS::LAMMPS& lmp, const std::string& where,
     std::filesystem::create_directories(folder, fault);
     bad = fault || access(folder.c_str(), W_OK | X_OK) != 0 ? 1 : 0;
   }
-  MPI_Bcast(&bad, 1, MPI_INT, 0, lmp.world);
+  bad = of_first_rank(bad, lmp.world);
   if (bad != 0) stop(lmp, where + ": directory must be writable, got '" + folder + "'");
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // LIGGGHTS regions by name.
-// Scope: regions may be deleted between runs, so nobody keeps the pointer.
+// Scope: regions may be deleted between runs, so the pointer is not kept.
 #pragma once
 
 #include <string>

@@ -20,7 +20,7 @@ enum Output {
   kSpent,
   kEnergyTaken,
   kHeat,
-  kEnergyHeld,
+  kEnergyInJoints,
   kEnergyVented,
   kAirWork,
   kBedHeat,
@@ -120,7 +120,7 @@ double FixMuckpileGas::compute_vector(int n) {
       return over_ranks(gas_.spent().heat) + heat_of_beds();
     case kBedHeat:
       return heat_of_beds();
-    case kEnergyHeld:
+    case kEnergyInJoints:
       return over_ranks(gas_.contained().energy);
     case kEnergyVented:
       return vented_.energy + over_ranks(lost_.energy);

@@ -16,7 +16,7 @@ class YieldingSupports {
 
   /// The ground behind the intact fixed supports that `chosen` accepts, by their centroid in the
   /// start configuration [m], yields from now on like rock, `rock_behind` [m] thick for a lasting
-  /// load. What the supports carry now is held. To be called when forces are up to date. Returns
+  /// load. What the supports carry now stays. To be called when forces are up to date. Returns
   /// their number and area [m2].
   struct Chosen {
     double count = 0.0, area = 0.0;

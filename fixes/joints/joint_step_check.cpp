@@ -41,7 +41,7 @@ void JointStepCheck::at_setup(LAMMPS_NS::LAMMPS& lmp, const StepLimit& joints,
 
 void JointStepCheck::at_end_of_step(LAMMPS_NS::LAMMPS& lmp, const StepLimit& joints) {
   if (off_) return;
-  // A step that has just grown, in a run without set-up, is held against the bound of this moment.
+  // A step that has just grown, in a run without set-up, is compared with the bound of this moment.
   if (is_due(lmp) || above_bound(lmp)) look(lmp, joints);
   if (above_bound(lmp)) engine::stop_with_state(lmp, fault(lmp, engine::at_present(lmp)));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix muckpile/gauges: velocity, displacement and stress at points that ride with the rock.
-// Scope: a gauge is a point of the block that held it at the start; it costs nothing between
+// Scope: a gauge is a point of the block that it was in at the start; it costs nothing between
 // samples. SI units.
 #pragma once
 

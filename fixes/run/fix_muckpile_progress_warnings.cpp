@@ -29,7 +29,7 @@ void FixMuckpileProgress::warn_of_solid(const RunLook& now) {
       FLERR, (where_ + ": blocks in region '" + solid_ +
               "', where no rock can be: " + number_text(now.in_solid) + ", block " +
               std::to_string(first) + " first, at t = " + number_text(now.time) +
-              " s. No wall held them, and they spoil what is measured of the pile; hold them with "
+              " s. No wall stops them, and they spoil what is measured of the pile; stop them with "
               "fix muckpile/ground, or with a larger contact modulus")
                  .c_str());
 }

@@ -4,7 +4,8 @@
 // Scope: core only, no communication: three passes over intact rock, without and with dashpots,
 // over rock cut by leaning joint sets, over rock whose facets are all broken but closed, and over
 // rock that has fallen apart; two over joints of Barton and Bandis, intact and broken but closed,
-// which are worked on one by one.
+// and two over rock with half of its points broken, without and with decohesion, which are worked
+// on one by one.
 #include <nlohmann/json.hpp>
 
 #include "bond/law/barton_bandis.h"
@@ -57,6 +58,39 @@ nlohmann::ordered_json time_of(test::BondScene& scene) {
   return {{"step_s", step}, {"ns_per_point", 1e9 * step / (facets * kFacetPoints)}};
 }
 
+double broken_points(const FacetTraces& traces) {
+  double count = 0.0;
+  for (std::size_t p = 0; p < kFacetPoints; ++p) count += traces.broken[p] ? 1.0 : 0.0;
+  return count;
+}
+
+/// Rock whose blocks have turned by so much that half of the points of facets have broken, in most
+/// facets some of the three, which soften where there is a fracture energy [J/m2].
+nlohmann::ordered_json time_of_transition(const std::vector<Block>& blocks,
+                                          double fracture_energy) {
+  constexpr double kStrength = 1e6, kTurn = 4.5e-5;  // [Pa], [rad]
+  JointParameters rock = rock_of(kStrength);
+  rock.fracture_energy_tension = rock.fracture_energy_shear = fracture_energy;
+  test::BondScene scene(blocks, rock);
+  scene.shake(0.0, kTurn, 1);
+  for (int k = 0; k < 3; ++k) scene.compute(kStep);
+  nlohmann::ordered_json result = time_of(scene);
+  const FacetNetwork& network = scene.network();
+  double broken = 0.0, partly = 0.0, softening = 0.0;
+  const std::size_t count = network.facet_count();
+  for (std::size_t f = 0; f < count; ++f) {
+    const double points = broken_points(network.history().traces(f));
+    broken += points / kFacetPoints;
+    partly += points > 0.0 && points < kFacetPoints ? 1.0 : 0.0;
+    softening += network.history().softens(f) ? 1.0 : 0.0;
+  }
+  const auto facets = static_cast<double>(count);
+  result["broken_share_of_points"] = broken / facets;
+  result["partly_broken_share"] = partly / facets;
+  result["softening_share"] = softening / facets;
+  return result;
+}
+
 }  // namespace
 
 nlohmann::ordered_json measure() {
@@ -105,6 +139,8 @@ nlohmann::ordered_json measure() {
   parted.compute();
   parted.deform(-kStrain * Mat3::Identity());
   result["barton_bandis_closed"] = time_of(parted);
+  result["partly_broken"] = time_of_transition(blocks, 0.0);
+  result["softening"] = time_of_transition(blocks, 1e4);
   return result;
 }
 

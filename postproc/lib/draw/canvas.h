@@ -4,6 +4,7 @@
 // everywhere.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -55,7 +56,7 @@ class Canvas {
   }
 
   int width_, height_;
-  std::vector<Colour> samples_;
+  std::unique_ptr<Colour[]> samples_;
   std::vector<double> crossings_;
 };
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -22,23 +23,31 @@
 namespace muckpile {
 namespace {
 
-struct FileTables {
-  CellTable cells;
+struct FileCells {
+  std::vector<Polyhedron> shapes;
   CellData data;
 };
 
-FileTables read_file(const std::filesystem::path& path, const std::string& file) {
-  const FileText whole(path);
-  size_t length = 0;
-  if (auto plain = read_plain_cells(whole.text(), length)) {
-    TextWords rest(std::string(whole.text().substr(length)));
-    CellData data = read_cell_data(rest, plain->cells(), file);
-    return {std::move(*plain), std::move(data)};
-  }
-  TextWords text{std::string(whole.text())};
-  CellTable cells = read_cell_table(text, file);
+FileCells read_any_file(const std::filesystem::path& path, const std::string& file) {
+  std::string whole;
+  read_text(path, whole);
+  TextWords text{std::move(whole)};
+  const CellTable cells = read_cell_table(text, file);
   CellData data = read_cell_data(text, cells.cells(), file);
-  return {std::move(cells), std::move(data)};
+  std::vector<Polyhedron> shapes(cells.cells());
+  each_in_parallel(shapes.size(), [&](size_t c) { shapes[c] = cell_of(cells, c); });
+  return {std::move(shapes), std::move(data)};
+}
+
+FileCells read_file(const std::filesystem::path& path, const std::string& file) {
+  FileWindow window(path);
+  std::optional<std::vector<Polyhedron>> plain = read_plain_cells(window);
+  if (!plain) return read_any_file(path, file);
+  std::string rest;
+  read_text(path, rest, window.at());
+  TextWords text{std::move(rest)};
+  CellData data = read_cell_data(text, plain->size(), file);
+  return {std::move(*plain), std::move(data)};
 }
 
 int whole_id(double value, const std::string& file) {
@@ -80,7 +89,7 @@ void check(const StartBlock& block, double measured, const std::string& file) {
 
 std::vector<StartBlock> read_blocks(const std::filesystem::path& path) {
   const std::string file = path.string();
-  const auto [cells, data] = read_file(path, file);
+  auto [shapes, data] = read_file(path, file);
   const auto& id = cell_array(data, "id", file);
   const auto& volume = cell_array(data, "volume_m3", file);
   const auto& size = cell_array(data, "size_m", file);
@@ -89,10 +98,10 @@ std::vector<StartBlock> read_blocks(const std::filesystem::path& path) {
 
   const auto muck = data.find("muck");
   const auto zones = data.find("zone");
-  std::vector<StartBlock> blocks(cells.cells());
-  each_in_parallel(cells.cells(), [&](size_t c) {
+  std::vector<StartBlock> blocks(shapes.size());
+  each_in_parallel(shapes.size(), [&](size_t c) {
     blocks[c] = {
-        whole_id(id[c], file), cell_of(cells, c), Vec3::Zero(), volume[c], size[c], mass[c],
+        whole_id(id[c], file), std::move(shapes[c]), Vec3::Zero(), volume[c], size[c], mass[c],
         free_face[c] != 0.0};
     if (zones != data.end()) blocks[c].zone = zone_number(zones->second[c], file);
     const MassProperties exact = mass_properties(blocks[c].shape);

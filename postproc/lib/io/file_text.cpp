@@ -4,13 +4,11 @@
 #include "io/file_text.h"
 
 #include <fcntl.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -18,7 +16,6 @@
 #include "parallel/in_parallel.h"
 
 namespace muckpile {
-namespace {
 
 class OpenFile {
  public:
@@ -39,31 +36,32 @@ class OpenFile {
 
   [[nodiscard]] std::size_t size() const { return size_; }
 
-  // Copies the file on all cores; returns how much of it there was.
-  std::size_t read(char* to) const {
+  // Copies the bytes [from, from + count) on all cores; returns how many of them there were.
+  std::size_t read(std::size_t from, std::size_t count, char* to) const {
     constexpr std::size_t kPart = 4 << 20;  // bytes
-    std::vector<std::size_t> missing((size_ + kPart - 1) / kPart, 0);
+    std::vector<std::size_t> missing((count + kPart - 1) / kPart, 0);
     in_parallel(missing.size(), [&](std::size_t part) {
-      const std::size_t end = std::min(size_, (part + 1) * kPart);
-      missing[part] = end - read_from(part * kPart, end, to);
+      const std::size_t begin = part * kPart, end = std::min(count, begin + kPart);
+      missing[part] = end - begin - read_part(from + begin, end - begin, to + begin);
     });
     const auto cut = std::ranges::find_if(missing, [](std::size_t bytes) { return bytes > 0; });
-    if (cut == missing.end()) return size_;
+    if (cut == missing.end()) return count;
     const auto part = static_cast<std::size_t>(cut - missing.begin());
-    return std::min(size_, (part + 1) * kPart) - *cut;
+    return std::min(count, (part + 1) * kPart) - *cut;
   }
 
  private:
-  // Returns where what could be read ends.
-  std::size_t read_from(std::size_t at, std::size_t end, char* to) const {
-    while (at < end) {
-      const ::ssize_t got = ::pread(number_, to + at, end - at, static_cast<::off_t>(at));
+  std::size_t read_part(std::size_t from, std::size_t count, char* to) const {
+    std::size_t done = 0;
+    while (done < count) {
+      const ::ssize_t got =
+          ::pread(number_, to + done, count - done, static_cast<::off_t>(from + done));
       if (got < 0 && errno == EINTR) continue;
       if (got < 0) throw InputError(path_ + ": cannot be read: " + std::strerror(errno));
       if (got == 0) break;
-      at += static_cast<std::size_t>(got);
+      done += static_cast<std::size_t>(got);
     }
-    return at;
+    return done;
   }
 
   std::string path_;
@@ -71,28 +69,27 @@ class OpenFile {
   std::size_t size_ = 0;
 };
 
-}  // namespace
-
-void read_text(const std::filesystem::path& path, std::string& text) {
+void read_text(const std::filesystem::path& path, std::string& text, std::size_t from) {
   const OpenFile in(path);
-  text.resize(in.size());
-  text.resize(in.read(text.data()));
+  text.resize(in.size() - std::min(from, in.size()));
+  text.resize(in.read(from, text.size(), text.data()));
 }
 
-FileText::FileText(const std::filesystem::path& path) {
-  const OpenFile in(path);
-  size_ = in.size();
-  if (size_ == 0) return;
-  void* const place =
-      ::mmap(nullptr, size_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (place == MAP_FAILED) throw std::bad_alloc();
-  (void)::madvise(place, size_, MADV_HUGEPAGE);  // advice: small pages do as well
-  place_ = static_cast<char*>(place);
-  length_ = in.read(place_);
+FileWindow::FileWindow(const std::filesystem::path& path, std::size_t bytes)
+    : file_(std::make_unique<OpenFile>(path)), held_(std::min(bytes, file_->size())) {}
+
+FileWindow::~FileWindow() = default;
+
+void FileWindow::fill() {
+  std::copy(held_.data() + from_, held_.data() + length_, held_.data());
+  length_ -= from_;
+  from_ = 0;
+  const std::size_t wanted = std::min(held_.size() - length_, file_->size() - read_);
+  const std::size_t got = file_->read(read_, wanted, held_.data() + length_);
+  length_ += got;
+  read_ += got;
 }
 
-FileText::~FileText() {
-  if (place_ != nullptr) ::munmap(place_, size_);
-}
+std::size_t FileWindow::file_size() const { return file_->size(); }
 
 }  // namespace muckpile

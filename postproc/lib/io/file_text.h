@@ -5,28 +5,45 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace muckpile {
 
-// Reads a file into `text`, whose memory is used again. Throws InputError if it cannot be opened.
-void read_text(const std::filesystem::path& path, std::string& text);
+class OpenFile;
 
-// A file of some 100 MB in memory of large pages, which takes half the time that a string would.
-// Throws InputError if the file cannot be opened.
-class FileText {
+// Reads a file from its byte `from` on into `text`, whose memory is used again. Throws InputError
+// if it cannot be opened.
+void read_text(const std::filesystem::path& path, std::string& text, std::size_t from = 0);
+
+// A file of some 100 MB from its front to its back, through memory that is small and used again:
+// new memory would take longer than reading. Throws InputError if the file cannot be opened.
+class FileWindow {
  public:
-  explicit FileText(const std::filesystem::path& path);
-  ~FileText();
-  FileText(const FileText&) = delete;
-  FileText& operator=(const FileText&) = delete;
-  [[nodiscard]] std::string_view text() const { return {place_, length_}; }
+  explicit FileWindow(const std::filesystem::path& path, std::size_t bytes = kBytes);
+  ~FileWindow();
+  FileWindow(const FileWindow&) = delete;
+  FileWindow& operator=(const FileWindow&) = delete;
+
+  // Reads on, to as many bytes as the window holds or the file has.
+  void fill();
+  // What has been read and not skipped, until the next fill().
+  [[nodiscard]] std::string_view text() const {
+    return std::string_view(held_.data(), length_).substr(from_);
+  }
+  void skip(std::size_t bytes) { from_ += bytes; }
+  // Where text() begins in the file.
+  [[nodiscard]] std::size_t at() const { return read_ - length_ + from_; }
+  [[nodiscard]] std::size_t file_size() const;
 
  private:
-  char* place_ = nullptr;
-  std::size_t size_ = 0;    // of the memory
-  std::size_t length_ = 0;  // of what has been read
+  static constexpr std::size_t kBytes = 16 << 20;
+  std::unique_ptr<OpenFile> file_;
+  std::vector<char> held_;
+  std::size_t length_ = 0, from_ = 0;  // of what is held, and of what is skipped of it
+  std::size_t read_ = 0;               // of the file
 };
 
 }  // namespace muckpile

@@ -52,6 +52,7 @@ void add_images(std::vector<StartBlock>& blocks, int symmetry) {
 }
 
 size_t modelled(const std::vector<StartBlock>& blocks) {
+  if (blocks.empty() || blocks.back().image <= 0) return blocks.size();  // images stand behind
   const auto images = std::ranges::find_if(blocks, [](const StartBlock& b) { return b.image > 0; });
   return static_cast<size_t>(images - blocks.begin());
 }

@@ -5,131 +5,154 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <numeric>
-#include <vector>
+#include <string_view>
 
+#include "geometry/files/cell_file.h"
 #include "io/line_pieces.h"
+#include "io/plain_number.h"
 #include "parallel/in_parallel.h"
 
 namespace muckpile {
 namespace {
 
-bool is_between(char c) { return c == ' ' || c == '\n'; }
+constexpr int kPolyhedron = 42;  // VTK's type of cell
 
-// The number of each piece's first word, and behind them how many words there are, if they are
-// plain.
-std::vector<size_t> first_words(const std::vector<std::string_view>& pieces) {
-  std::vector<size_t> first(pieces.size() + 1, 0);
-  in_parallel(pieces.size(), [&](size_t k) {
-    first[k + 1] = static_cast<size_t>(std::ranges::count(pieces[k], ' ') +
-                                       std::ranges::count(pieces[k], '\n'));
-  });
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  return first;
+bool skip(FileWindow& in, std::string_view words) {
+  if (!in.text().starts_with(words)) return false;
+  in.skip(words.size());
+  return true;
 }
 
-// The words of a piece into their places from `to` on. False if there are not `count` of them.
-template <class Number>
-bool read_piece(std::string_view text, Number* to, size_t count) {
-  const char *at = text.data(), *end = at + text.size();
-  for (; count > 0; ++to, --count) {
-    const auto [stop, error] = std::from_chars(at, end, *to);
-    if (error != std::errc() || stop == end || !is_between(*stop)) return false;
-    if (!std::isfinite(static_cast<double>(*to))) return false;
-    at = stop + 1;
-  }
-  return at == end;
+bool skip_line(FileWindow& in) {
+  const size_t end = in.text().find('\n');
+  if (end == std::string_view::npos) return false;
+  in.skip(end + 1);
+  return true;
 }
 
-template <class Number>
-bool read_words(const std::vector<std::string_view>& pieces, const std::vector<size_t>& first,
-                Number* to) {
-  std::vector<char> plain(pieces.size(), 0);
-  in_parallel(pieces.size(), [&](size_t k) {
-    plain[k] = read_piece(pieces[k], to + first[k], first[k + 1] - first[k]) ? 1 : 0;
-  });
-  return std::ranges::find(plain, 0) == plain.end();
+bool read_count(FileWindow& in, size_t& value) {
+  const std::string_view text = in.text();
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  in.skip(static_cast<size_t>(stop - text.data()));
+  return error == std::errc();
 }
 
-// A text from its front to its back.
-class Cursor {
- public:
-  explicit Cursor(std::string_view text) : text_(text) {}
-  [[nodiscard]] size_t at() const { return at_; }
-  bool skip(std::string_view words) {
-    if (!text_.substr(at_).starts_with(words)) return false;
-    at_ += words.size();
-    return true;
-  }
-  bool skip_line() { return skip_behind("\n"); }
-  bool number(size_t& value) {
-    const char *from = text_.data() + at_, *end = text_.data() + text_.size();
-    const auto [stop, error] = std::from_chars(from, end, value);
-    at_ += static_cast<size_t>(stop - from);
-    return error == std::errc();
-  }
-  // The lines before the one that begins with `words`, or nothing where no line does.
-  std::string_view until(std::string_view words) {
-    const size_t from = at_;
-    if (!skip_behind(words)) return {};
-    const std::string_view before = text_.substr(from, at_ - words.size() - from);
-    return before.ends_with('\n') ? before : std::string_view();
-  }
+size_t lines_of(std::string_view text) {
+  return static_cast<size_t>(std::ranges::count(text, '\n'));
+}
 
- private:
-  bool skip_behind(std::string_view words) {
-    const size_t found = text_.find(words, at_);
-    if (found == std::string_view::npos) return false;
-    at_ = found + words.size();
-    return true;
-  }
+// The first `lines` of a text.
+std::string_view first_lines(std::string_view text, size_t lines) {
+  size_t length = 0;
+  for (; lines > 0; --lines) length = text.find('\n', length) + 1;
+  return text.substr(0, length);
+}
 
-  std::string_view text_;
-  size_t at_ = 0;
+// Of what the window holds, the whole lines, `most` of them at most, in pieces.
+struct Pieces {
+  Pieces(std::string_view text, size_t most) {
+    text = text.substr(0, text.rfind('\n') + 1);
+    texts = line_pieces(text);
+    std::vector<size_t> counts(texts.size(), 0);
+    in_parallel(texts.size(), [&](size_t k) { counts[k] = lines_of(texts[k]); });
+    for (size_t k = 0; k < texts.size() && lines < most; ++k) {
+      if (counts[k] > most - lines) {
+        counts[k] = most - lines;
+        texts[k] = first_lines(texts[k], counts[k]);
+      }
+      before.push_back(lines);
+      lines += counts[k];
+      bytes += texts[k].size();
+    }
+  }
+  std::vector<std::string_view> texts;
+  std::vector<size_t> before;  // lines before each piece; as many as there are pieces to read
+  size_t lines = 0, bytes = 0;
 };
 
-bool read_points(std::string_view text, size_t count, std::vector<Vec3>& points) {
-  const std::vector<std::string_view> pieces = line_pieces(text);
-  const std::vector<size_t> first = first_words(pieces);
-  if (count == 0 || text.size() / 6 < count || first.back() != 3 * count) return false;
-  points.resize(count);
-  return read_words(pieces, first, points.front().data());
-}
-
-bool read_lists(std::string_view text, size_t cells, CellTable& table) {
-  const std::vector<std::string_view> pieces = line_pieces(text);
-  const std::vector<size_t> first = first_words(pieces);
-  table.words.resize(first.back());
-  return !table.words.empty() && read_words(pieces, first, table.words.data()) &&
-         table.find_cells(cells);
-}
-
-bool read_types(Cursor& cursor, size_t cells, CellTable& table) {
-  for (size_t type = 0; cells > 0; --cells) {
-    if (!cursor.number(type) || type > 255 || !cursor.skip("\n")) return false;
-    table.types.push_back(static_cast<int>(type));
+// Calls read(line, number of the line) for each of the next `lines` lines, on all cores; `line`
+// begins with the line, and read() goes behind its end. False where it is false for one of them.
+template <class Read>
+bool read_lines(FileWindow& in, size_t lines, Read&& read) {
+  for (size_t done = 0; done < lines;) {
+    in.fill();
+    const Pieces pieces(in.text(), lines - done);
+    if (pieces.lines == 0) return false;
+    std::vector<char> plain(pieces.before.size(), 0);
+    in_parallel(plain.size(), [&](size_t k) {
+      const char *at = pieces.texts[k].data(), *end = at + pieces.texts[k].size();
+      size_t line = done + pieces.before[k];
+      for (; at != end; ++line)
+        if (!read(at, end, line)) return;
+      plain[k] = 1;
+    });
+    if (std::ranges::find(plain, 0) != plain.end()) return false;
+    done += pieces.lines;
+    in.skip(pieces.bytes);
   }
+  in.fill();
   return true;
+}
+
+bool read_points(FileWindow& in, std::vector<Vec3>& points) {
+  size_t count = 0;
+  if (!read_count(in, count) || !skip(in, " double\n")) return false;
+  if (count == 0 || in.file_size() / 6 < count) return false;
+  points.resize(count);
+  return read_lines(in, count, [&](const char*& at, const char* end, size_t line) {
+    Vec3& p = points[line];
+    return read_number(at, end, p.x(), ' ') && read_number(at, end, p.y(), ' ') &&
+           read_number(at, end, p.z(), '\n');
+  });
+}
+
+// The words of a cell's line behind their count. False where there are not as many.
+bool read_words(const char*& at, const char* end, std::vector<int>& words) {
+  size_t count = 0;
+  if (!read_number(at, end, count, ' ') || count == 0 || static_cast<size_t>(end - at) < count)
+    return false;
+  words.resize(count);
+  for (size_t k = 0; k + 1 < count; ++k)
+    if (!read_number(at, end, words[k], ' ')) return false;
+  return read_number(at, end, words.back(), '\n');
+}
+
+bool read_shapes(FileWindow& in, const std::vector<Vec3>& points, std::vector<Polyhedron>& shapes) {
+  size_t cells = 0, words = 0;
+  if (!read_count(in, cells) || !skip(in, " ") || !read_count(in, words) || !skip(in, "\n"))
+    return false;
+  if (cells == 0 || in.file_size() / 4 < cells) return false;
+  shapes.resize(cells);
+  return read_lines(in, cells, [&](const char*& at, const char* end, size_t line) {
+    thread_local std::vector<int> list;
+    if (!read_words(at, end, list)) return false;
+    shapes[line] = cell_of(list, kPolyhedron, points, line);
+    return true;
+  });
+}
+
+bool read_types(FileWindow& in, size_t cells) {
+  size_t types = 0;
+  if (!read_count(in, types) || types != cells || !skip(in, "\n")) return false;
+  return read_lines(in, cells, [](const char*& at, const char* end, size_t) {
+    int type = 0;
+    return read_number(at, end, type, '\n') && type == kPolyhedron;
+  });
 }
 
 }  // namespace
 
-std::optional<CellTable> read_plain_cells(std::string_view text, size_t& length) {
-  static_assert(sizeof(Vec3) == 3 * sizeof(double));  // points lie one behind the other
-  Cursor cursor(text);
-  CellTable table;
-  size_t points = 0, cells = 0, words = 0, types = 0;
-  const bool plain =
-      cursor.skip("# vtk DataFile Version 3.0\n") && cursor.skip_line() &&
-      cursor.skip("ASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS ") && cursor.number(points) &&
-      cursor.skip(" double\n") && read_points(cursor.until("CELLS "), points, table.points) &&
-      cursor.number(cells) && cursor.skip(" ") && cursor.number(words) && cursor.skip("\n") &&
-      read_lists(cursor.until("CELL_TYPES "), cells, table) && cursor.number(types) &&
-      types == cells && cells > 0 && cursor.skip("\n") && read_types(cursor, cells, table);
+std::optional<std::vector<Polyhedron>> read_plain_cells(FileWindow& in) {
+  std::vector<Vec3> points;
+  std::vector<Polyhedron> shapes;
+  in.fill();
+  const bool plain = skip(in, "# vtk DataFile Version 3.0\n") && skip_line(in) &&
+                     skip(in, "ASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS ") &&
+                     read_points(in, points) && skip(in, "CELLS ") &&
+                     read_shapes(in, points, shapes) && skip(in, "CELL_TYPES ") &&
+                     read_types(in, shapes.size());
   if (!plain) return std::nullopt;
-  length = cursor.at();
-  return table;
+  return shapes;
 }
 
 }  // namespace muckpile

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <atomic>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <optional>
 
 #include "io/line_pieces.h"
+#include "io/plain_number.h"
 #include "parallel/in_parallel.h"
 
 namespace muckpile {
@@ -26,21 +26,11 @@ struct PlainRow {
   int fragment;
 };
 
-// Reads the number at `at` and goes behind what stands behind it.
-template <class Number>
-bool read_number(const char*& at, const char* end, Number& value, char behind) {
-  const auto [stop, error] = std::from_chars(at, end, value);
-  if (error != std::errc() || stop == end || *stop != behind) return false;
-  at = stop + 1;
-  return true;
-}
-
 // What stands behind the id, with the line end.
 bool read_row(const char*& at, const char* end, PlainRow& row) {
   for (double& number : row.numbers)
-    if (!read_number(at, end, number, ',') || !std::isfinite(number)) return false;
-  return read_number(at, end, row.fragment, ',') && read_number(at, end, row.broken, '\n') &&
-         std::isfinite(row.broken);
+    if (!read_number(at, end, number, ',')) return false;
+  return read_number(at, end, row.fragment, ',') && read_number(at, end, row.broken, '\n');
 }
 
 // The same for a row that is not requested.
@@ -55,14 +45,13 @@ bool skip_row(const char*& at, const char* end) {
 
 class RowReader {
  public:
-  RowReader(const std::vector<StartBlock>& blocks, size_t modelled, double unit_tolerance,
-            const std::vector<char>& wanted, std::vector<BlockState>& states)
-      : blocks_(blocks),
-        modelled_(modelled),
+  RowReader(const std::vector<int>& ids, double unit_tolerance, const std::vector<char>& wanted,
+            std::vector<BlockState>& states)
+      : ids_(ids),
         unit_tolerance_(unit_tolerance),
         wanted_(wanted),
         states_(states),
-        seen_(modelled, 0) {}
+        seen_(ids.size(), 0) {}
 
   bool read(std::string_view rows) {
     const char *at = rows.data(), *end = at + rows.size();
@@ -86,11 +75,10 @@ class RowReader {
  private:
   // Rows mostly follow each other as the blocks do.
   [[nodiscard]] std::optional<size_t> find(int id, size_t hint) const {
-    if (hint < modelled_ && blocks_[hint].id == id) return hint;
-    const auto end = blocks_.begin() + static_cast<std::ptrdiff_t>(modelled_);
-    const auto found = std::ranges::lower_bound(blocks_.begin(), end, id, {}, &StartBlock::id);
-    if (found == end || found->id != id) return std::nullopt;
-    return static_cast<size_t>(found - blocks_.begin());
+    if (hint < ids_.size() && ids_[hint] == id) return hint;
+    const auto found = std::ranges::lower_bound(ids_, id);
+    if (found == ids_.end() || *found != id) return std::nullopt;
+    return static_cast<size_t>(found - ids_.begin());
   }
   [[nodiscard]] bool put(const PlainRow& row, BlockState& state) const {
     const auto& n = row.numbers;
@@ -101,8 +89,7 @@ class RowReader {
     return true;
   }
 
-  const std::vector<StartBlock>& blocks_;
-  size_t modelled_;
+  const std::vector<int>& ids_;
   double unit_tolerance_;
   const std::vector<char>& wanted_;
   std::vector<BlockState>& states_;
@@ -111,12 +98,11 @@ class RowReader {
 
 }  // namespace
 
-bool read_plain_rows(std::string_view rows, const std::vector<StartBlock>& blocks, size_t modelled,
-                     double unit_tolerance, const std::vector<char>& wanted,
-                     std::vector<BlockState>& states) {
+bool read_plain_rows(std::string_view rows, const std::vector<int>& ids, double unit_tolerance,
+                     const std::vector<char>& wanted, std::vector<BlockState>& states) {
   if (!rows.starts_with(kHeader)) return false;
   const std::vector<std::string_view> pieces = line_pieces(rows.substr(kHeader.size()));
-  RowReader reader(blocks, modelled, unit_tolerance, wanted, states);
+  RowReader reader(ids, unit_tolerance, wanted, states);
   std::vector<char> plain(pieces.size(), 0);
   in_parallel(pieces.size(),
               [&](size_t piece) { plain[piece] = reader.read(pieces[piece]) ? 1 : 0; });

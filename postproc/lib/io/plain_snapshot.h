@@ -12,12 +12,11 @@
 namespace muckpile {
 
 // Of a text that is the rows of a snapshot without its remark, header first. Fills the states of
-// `blocks` by their ids, each once; false where a row is not plain, a number is not finite, an id
-// is none of the blocks', occurs twice or is missing, or a quaternion is no unit one to within
-// `unit_tolerance`. Where `wanted` is not empty, only the states of the blocks for which it is not
-// 0 are filled; rows of others must have as many fields, whatever is in them.
-bool read_plain_rows(std::string_view rows, const std::vector<StartBlock>& blocks, size_t modelled,
-                     double unit_tolerance, const std::vector<char>& wanted,
-                     std::vector<BlockState>& states);
+// the blocks with these ids, which rise, each once; false where a row is not plain, a number is not
+// finite, an id is none of them, occurs twice or is missing, or a quaternion is no unit one to
+// within `unit_tolerance`. Where `wanted` is not empty, only the states of the blocks for which it
+// is not 0 are filled; rows of others must have as many fields, whatever is in them.
+bool read_plain_rows(std::string_view rows, const std::vector<int>& ids, double unit_tolerance,
+                     const std::vector<char>& wanted, std::vector<BlockState>& states);
 
 }  // namespace muckpile

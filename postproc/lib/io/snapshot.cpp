@@ -110,8 +110,16 @@ std::vector<std::filesystem::path> snapshot_files(const std::filesystem::path& d
 
 namespace {
 
+// Of the blocks of the model.
+std::vector<int> ids_of(const std::vector<StartBlock>& blocks) {
+  std::vector<int> ids;
+  for (size_t b = 0; b < modelled(blocks); ++b) ids.push_back(blocks[b].id);
+  return ids;
+}
+
 void read_into(const std::filesystem::path& path, const std::vector<StartBlock>& blocks,
-               const std::vector<char>& wanted, const std::string& text, Snapshot& snapshot) {
+               const std::vector<int>& ids, const std::vector<char>& wanted,
+               const std::string& text, Snapshot& snapshot) {
   const std::string file = path.string();
   const std::string_view remark = first_line(text);
   const CsvTable head = CsvTable::parse(
@@ -120,8 +128,8 @@ void read_into(const std::filesystem::path& path, const std::vector<StartBlock>&
   snapshot.step = std::lround(remark_number(head, file, "step"));
   snapshot.time = remark_number(head, file, "time_s");
   snapshot.states.resize(blocks.size());
-  if (!read_plain_rows(std::string_view(text).substr(remark.size()), blocks, modelled(blocks),
-                       kUnitTolerance, wanted, snapshot.states))
+  if (!read_plain_rows(std::string_view(text).substr(remark.size()), ids, kUnitTolerance, wanted,
+                       snapshot.states))
     read_table(CsvTable::parse(text, file), file, blocks, snapshot.states);
   add_image_states(blocks, snapshot.states);
 }
@@ -132,20 +140,20 @@ Snapshot read_snapshot(const std::filesystem::path& path, const std::vector<Star
   Snapshot snapshot;
   std::string text;
   read_text(path, text);
-  read_into(path, blocks, {}, text, snapshot);
+  read_into(path, blocks, ids_of(blocks), {}, text, snapshot);
   return snapshot;
 }
 
 SnapshotReader::SnapshotReader(const std::vector<StartBlock>& blocks, std::vector<char> wanted)
-    : blocks_(blocks), wanted_(std::move(wanted)) {
-  const size_t count = modelled(blocks);
+    : blocks_(blocks), ids_(ids_of(blocks)), wanted_(std::move(wanted)) {
+  const size_t count = ids_.size();
   for (size_t b = count; b < wanted_.size(); ++b)  // an image is made of its original
     if (wanted_[b] != 0) wanted_[b % count] = 1;
 }
 
 const Snapshot& SnapshotReader::read(const std::filesystem::path& path) {
   read_text(path, text_);
-  read_into(path, blocks_, wanted_, text_, snapshot_);
+  read_into(path, blocks_, ids_, wanted_, text_, snapshot_);
   return snapshot_;
 }
 

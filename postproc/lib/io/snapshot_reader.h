@@ -23,6 +23,7 @@ class SnapshotReader {
 
  private:
   const std::vector<StartBlock>& blocks_;
+  std::vector<int> ids_;  // of the blocks of the model
   std::vector<char> wanted_;
   std::string text_;
   Snapshot snapshot_;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "args/input_error.h"
 #include "args/numbers.h"
@@ -112,21 +113,34 @@ class BlockReaches {
  public:
   BlockReaches(const ColumnGrid& grid, const std::vector<StartBlock>& blocks,
                const std::vector<BlockState>& states)
-      : grid_(grid), states_(states), reach_(blocks.size()) {
-    each_in_parallel(blocks.size(), [&](size_t b) { reach_[b] = reach_of(blocks[b]); });
+      : grid_(grid), y_(blocks.size()), reach_(blocks.size()) {
+    each_in_parallel(blocks.size(), [&](size_t b) {
+      y_[b] = states[b].centre.y();
+      reach_[b] = reach_of(blocks[b]);
+    });
   }
   [[nodiscard]] double of(size_t b) const { return reach_[b]; }
   [[nodiscard]] bool reaches(size_t b, RowRange rows) const {
-    const double y = states_[b].centre.y();
-    return y + reach_[b] >= grid_.y0 + rows.begin * grid_.dy &&
-           y - reach_[b] <= grid_.y0 + rows.end * grid_.dy;
+    return y_[b] + reach_[b] >= grid_.y0 + rows.begin * grid_.dy &&
+           y_[b] - reach_[b] <= grid_.y0 + rows.end * grid_.dy;
   }
 
  private:
   const ColumnGrid& grid_;
-  const std::vector<BlockState>& states_;
-  std::vector<double> reach_;
+  std::vector<double> y_, reach_;
 };
+
+// The blocks to keep by how high they may reach; of equal ones in their order.
+std::vector<size_t> from_highest(const BlockReaches& reach, const std::vector<BlockState>& states,
+                                 const std::vector<char>& keep) {
+  std::vector<std::pair<double, size_t>> tops;
+  for (size_t b = 0; b < states.size(); ++b)
+    if (keep[b] != 0) tops.emplace_back(-states[b].centre.z() - reach.of(b), b);
+  std::ranges::sort(tops);
+  std::vector<size_t> blocks;
+  for (const auto& top : tops) blocks.push_back(top.second);
+  return blocks;
+}
 
 // Calls work(rows) for strips of the grid, some to each core, as they differ in rock.
 template <class Work>
@@ -142,17 +156,14 @@ Extent nothing() {
   return {Vec3::Constant(std::numeric_limits<double>::infinity()), Vec3::Constant(kNoRock)};
 }
 
-// With the states that state(b) tells.
-template <class State>
-Extent extent_where(const std::vector<StartBlock>& blocks, State&& state) {
+// Of the vertices that vertices_of(b) tells, in memory of its own or the blocks'.
+template <class Vertices>
+Extent extent_where(size_t count, Vertices&& vertices_of) {
   constexpr size_t kTogether = 4096;
-  const size_t count = blocks.size();
   std::vector<Extent> parts((count + kTogether - 1) / kTogether, nothing());
   in_parallel(parts.size(), [&](size_t part) {
-    std::vector<Vec3> vertices;
     for (size_t b = part * kTogether; b < std::min(count, (part + 1) * kTogether); ++b) {
-      move_vertices(blocks[b], state(b), vertices);
-      for (const Vec3& p : vertices) {
+      for (const Vec3& p : vertices_of(b)) {
         parts[part].low = parts[part].low.cwiseMin(p);
         parts[part].high = parts[part].high.cwiseMax(p);
       }
@@ -202,11 +213,7 @@ Columns tops_through(const ColumnGrid& grid, const std::vector<StartBlock>& bloc
   Columns columns{
       grid, std::vector<double>(grid.cells(), kNoRock), std::vector<int>(grid.cells(), -1), {}};
   const BlockReaches reach(grid, blocks, states);
-  std::vector<size_t> from_above;
-  for (size_t b = 0; b < blocks.size(); ++b)
-    if (keep[b] != 0) from_above.push_back(b);
-  std::ranges::stable_sort(from_above, std::ranges::greater{},
-                           [&](size_t b) { return states[b].centre.z() + reach.of(b); });
+  const std::vector<size_t> from_above = from_highest(reach, states, keep);
   each_strip(grid, [&](RowRange rows) {
     ColumnFiller filler(columns, rows);
     std::vector<Vec3> vertices;
@@ -221,7 +228,11 @@ Columns tops_through(const ColumnGrid& grid, const std::vector<StartBlock>& bloc
 }
 
 Extent extent_of(const std::vector<StartBlock>& blocks, const std::vector<BlockState>& states) {
-  return extent_where(blocks, [&](size_t b) -> const BlockState& { return states[b]; });
+  return extent_where(blocks.size(), [&](size_t b) -> const std::vector<Vec3>& {
+    thread_local std::vector<Vec3> vertices;
+    move_vertices(blocks[b], states[b], vertices);
+    return vertices;
+  });
 }
 
 Extent extent_at_start(const std::vector<StartBlock>& blocks) {
@@ -230,7 +241,9 @@ Extent extent_at_start(const std::vector<StartBlock>& blocks) {
     (void)split_muck(rock);
     return extent_at_start(rock);
   }
-  return extent_where(blocks, [&](size_t b) { return start_state(blocks[b]); });
+  return extent_where(blocks.size(), [&](size_t b) -> const std::vector<Vec3>& {
+    return blocks[b].shape.vertices;
+  });
 }
 
 }  // namespace muckpile

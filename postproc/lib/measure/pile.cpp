@@ -10,6 +10,7 @@
 
 #include "measure/broken_out.h"
 #include "measure/slope.h"
+#include "measure/start_extent.h"
 
 namespace muckpile {
 namespace {
@@ -151,7 +152,7 @@ PileProfile pile_profile(const std::vector<StartBlock>& blocks, const Snapshot& 
                          const std::vector<char>& moved, double cell, const std::vector<char>& lies,
                          const BenchPlanes& planes, const PitFloor& pit_floor) {
   const Snapshot start = start_snapshot(blocks);
-  const Extent before = extent_of(blocks, start.states), after = extent_of(blocks, last.states);
+  const Extent before = extent_at_start(blocks), after = extent_of(blocks, last.states);
   const ColumnGrid grid = column_grid(
       std::min(before.low.x(), after.low.x()), std::max(after.high.x(), 0.0) + cell,
       std::max(before.low.y(), planes.y_low), std::min(before.high.y(), planes.y_high), cell);

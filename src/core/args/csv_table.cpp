@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Strict reader for comma-separated tables; see the header.
-// Scope: the file is held as one text, fields are views into it.
+// Scope: the whole file is one text, fields are views into it.
 #include "args/csv_table.h"
 
 #include <algorithm>

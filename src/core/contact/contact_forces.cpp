@@ -110,7 +110,7 @@ void ContactForces::work() {
   count_ = 0;
 }
 
-/// Lanes behind the last contact repeat it, as nobody's.
+/// Lanes behind the last contact repeat it, and their forces go to no sphere.
 void ContactForces::gather() {
   const auto put = [](const double* from, Rows& to, std::size_t k) {
     for (std::size_t d = 0; d < 3; ++d) to[d].values[k] = from[d];

@@ -58,7 +58,7 @@ class WallSurface {
   /// Of a sphere, all of whose parts are in `parts`.
   virtual void find_touches(const Vec3& centre, double radius, std::span<const std::size_t> parts,
                             WallTouches& touches) const = 0;
-  /// Whether a sphere can get so deep behind it that it is not held any more.
+  /// Whether a sphere can get so deep behind it that the wall stops it no more.
   [[nodiscard]] virtual bool lets_go() const = 0;
   /// How deep a place lies in the ground right behind the wall [m]; 0: before it or beside it.
   [[nodiscard]] virtual double depth(const Vec3& place) const = 0;

@@ -19,15 +19,15 @@ constexpr double kDepth = 0.5;      // centre of the cube to its face [m]
 constexpr double kTimeStep = 4e-7;  // [s]
 constexpr int kElastic = 4, kFracture = 5, kStableStep = 8;
 
-/// A cube of 1 m, held at x = 0 (`faces` 1) or at x = 0 and x = 1 m (2).
+/// A cube of 1 m, supported at x = 0 (`faces` 1) or at x = 0 and x = 1 m (2).
 void hold_cube(RockScene& scene, const std::string& support, int faces, double cohesion,
                double tension) {
   scene.command("region low block -0.1 0.001 -1 2 -1 2 units box");
   scene.command("region high block 0.999 1.1 -1 2 -1 2 units box");
-  std::string held = " support " + support + " low";
-  if (faces == 2) held += " support " + support + " high";
+  std::string supports = " support " + support + " low";
+  if (faces == 2) supports += " support " + support + " high";
   scene.cut("0 1 0 1 0 1",
-            "density 2600 size uniform 1 block_min 1 block_max 1 spheres_per_block 1" + held);
+            "density 2600 size uniform 1 block_min 1 block_max 1 spheres_per_block 1" + supports);
   scene.command(
       "fix joint all muckpile/joint youngs_modulus 50e9 poisson_ratio 0 density 2600 "
       "friction_angle 45 cohesion " +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Spheres of other ranks' bodies: what nobody sends stays as it is.
+// Spheres of other ranks' bodies: what no rank sends stays as it is.
 #include <gtest/gtest.h>
 #include <mpi.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The candidate list of sphere pairs is complete, stays so while blocks move, is ordered, and free
-// of pairs nobody here owns.
+// of pairs that no rank here owns.
 // Scope: random blocks of spheres, compared with a search over all pairs of spheres.
 #include <gtest/gtest.h>
 

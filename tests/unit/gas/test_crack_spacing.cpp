@@ -73,10 +73,10 @@ TEST(CrackSpacing, LargerThanTheBlocksItIsBitEqualToNone) {
 
 TEST(CrackSpacing, MassAndEnergyAreKept) {
   const FedCube none(0.0), fine(0.3);
-  const GasFlow held = fine.cube.gas.contained(), taken = fine.cube.taken[0];
-  const double mass = (held.mass + fine.vented.mass) / taken.mass - 1.0;
+  const GasFlow contained = fine.cube.gas.contained(), taken = fine.cube.taken[0];
+  const double mass = (contained.mass + fine.vented.mass) / taken.mass - 1.0;
   const double energy =
-      (held.energy + fine.vented.energy + fine.cube.gas.spent().heat) / taken.energy - 1.0;
+      (contained.energy + fine.vented.energy + fine.cube.gas.spent().heat) / taken.energy - 1.0;
   const double heat = fine.cube.gas.spent().heat / taken.energy,
                of_one = none.cube.gas.spent().heat / none.cube.taken[0].energy;
   std::cout << "cracks of 0.3 m in blocks of 1 m: mass off by " << mass << ", energy by " << energy

@@ -51,7 +51,7 @@ TEST(JointGas, TwoBlocksComeToThePressureOfAllTheEnergy) {
 }
 
 TEST(JointGas, SteadyFlowThroughARowIsTheSumOfItsJoints) {
-  // Ends held at 100 and 20 MPa, n joints. What flows keeps its temperature (throttling), so
+  // Ends kept at 100 and 20 MPa, n joints. What flows keeps its temperature (throttling), so
   // across a joint G^2/2 (1 + f L/(2w)) = gamma/(gamma + 1) p rho [1 - (p'/p)^((gamma + 1)/gamma)]
   // with p rho = p^2/(R T). The joints are so narrow that none of them chokes.
   constexpr int kBlocks = 7;

@@ -21,13 +21,13 @@ TEST(EvenCuts, EveryPartHoldsTheSameWeight) {
   double total = 0.0;
   for (double w : weights) total += w;
   for (std::size_t part = 0; part < 7; ++part) {
-    double held = 0.0;
+    double inside = 0.0;
     for (std::size_t k = 0; k < weights.size(); ++k) {
       const double lo = std::max(cuts[part], static_cast<double>(k) / 1000.0);
       const double hi = std::min(cuts[part + 1], static_cast<double>(k + 1) / 1000.0);
-      held += weights[k] * std::max(hi - lo, 0.0) * 1000.0;
+      inside += weights[k] * std::max(hi - lo, 0.0) * 1000.0;
     }
-    EXPECT_NEAR(held, total / 7.0, 1e-9 * total) << "part " << part;
+    EXPECT_NEAR(inside, total / 7.0, 1e-9 * total) << "part " << part;
   }
 }
 
@@ -58,12 +58,13 @@ TEST(EvenCuts, NeighbourlyCutsDoNotPassTheOldNeighbour) {
 TEST(EvenCuts, WhatIsBeyondItsBorderByLessThanTheMarginGoesNoFartherThanToANeighbour) {
   const std::vector<double> now{0.0, 0.25, 0.5, 0.75, 1.0};
   const double margin = 0.0625;
-  for (const auto& wanted : {std::vector{0.0, 0.01, 0.02, 0.03, 1.0},
-                             std::vector{0.0, 0.97, 0.98, 0.99, 1.0},
-                             std::vector{0.0, 0.01, 0.98, 0.99, 1.0}}) {
+  for (const auto& wanted :
+       {std::vector{0.0, 0.01, 0.02, 0.03, 1.0}, std::vector{0.0, 0.97, 0.98, 0.99, 1.0},
+        std::vector{0.0, 0.01, 0.98, 0.99, 1.0}}) {
     const std::vector<double> cuts = neighbourly_cuts(now, wanted, margin);
     for (std::size_t part = 0; part < 4; ++part) {
-      const std::size_t below = part == 0 ? 0 : part - 1, above = std::min<std::size_t>(part + 2, 4);
+      const std::size_t below = part == 0 ? 0 : part - 1,
+                        above = std::min<std::size_t>(part + 2, 4);
       if (below > 0) EXPECT_LE(cuts[below], now[part] - margin);
       if (above < 4) EXPECT_GE(cuts[above], now[part + 1] + margin);
     }

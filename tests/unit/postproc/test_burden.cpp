@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "args/csv_table.h"
+#include "golden_files.h"
 #include "input_error_of.h"
 #include "io/result_folder.h"
 #include "report/burden_report.h"
@@ -49,6 +50,11 @@ class Burden : public ::testing::Test {
   [[nodiscard]] CsvTable table() const { return CsvTable::read(folder().file("burden.csv")); }
   TemporaryFolder temporary_;
 };
+
+TEST_F(Burden, TheTableIsTheGoldenOne) {
+  report_burden(folder());
+  expect_golden(folder().file("burden.csv"), "holes_burden");
+}
 
 TEST_F(Burden, IsJudgedHoleByHole) {
   report_burden(folder());

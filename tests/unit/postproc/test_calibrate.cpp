@@ -13,6 +13,7 @@
 #include "calibrate/measured.h"
 #include "calibrate/site_file.h"
 #include "figures/figures.h"
+#include "golden_files.h"
 #include "temporary_folder.h"
 
 namespace muckpile {
@@ -205,6 +206,13 @@ TEST_F(CalibrateFiles, TheTableOfFiguresIsTheGoldenOne) {
       "largest_in_sweep,runs,runs_to_spare\nthrow_cg_m,11,0.5,11,"))
       << table;
   EXPECT_TRUE(table.ends_with(",8.15415,12.4079,9,3\n")) << table;
+}
+
+TEST_F(CalibrateFiles, TheOtherTablesAreTheGoldenOnes) {
+  report_calibration(options());
+  for (const char* name :
+       {"calibrate", "calibrate_figures", "calibrate_directions", "calibrate_covariance"})
+    expect_golden(file(name + std::string(".csv")), name);
 }
 
 // Of throw alone: one direction is told, along the slope (4 + 2 ln e, -2) at the estimate.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "args/csv_table.h"
+#include "golden_files.h"
 #include "measure/damage.h"
 #include "report/damage_report.h"
 #include "report/not_measurable.h"
@@ -80,6 +81,12 @@ TEST_F(DamageOfARun, FindsTheKnownRadii) {
     volume += table.number(row, table.column("volume_m3"));
   EXPECT_NEAR(volume, 8.0 * 2.0 * 11.5, 1e-3);
   EXPECT_GT(std::filesystem::file_size(folder().file("damage.png")), 200U);
+}
+
+TEST_F(DamageOfARun, TheTableIsTheGoldenOne) {
+  set_charge();
+  report_damage(folder());
+  expect_golden(folder().file("damage.csv"), "bench_damage");
 }
 
 TEST_F(DamageOfARun, WithoutChargesIsNotMeasured) {

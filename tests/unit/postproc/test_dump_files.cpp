@@ -8,6 +8,7 @@
 #include "args/csv_table.h"
 #include "args/text_words.h"
 #include "geometry/files/block_file.h"
+#include "geometry/files/cell_file.h"
 #include "input_error_of.h"
 #include "io/energy_history.h"
 #include "io/file_text.h"
@@ -74,10 +75,27 @@ TEST_F(DumpFiles, LargeFilesAreReadWhole) {
   std::string text(9'000'001, ' ');
   for (size_t k = 0; k < text.size(); ++k) text[k] = static_cast<char>('a' + k * k % 23);
   const std::filesystem::path path = write_text(dump("large.txt"), text);
-  EXPECT_TRUE(FileText(path).text() == text);
   std::string again = "of an earlier file";
   read_text(path, again);
   EXPECT_TRUE(again == text);
+  read_text(path, again, 5'000'000);
+  EXPECT_TRUE(again == text.substr(5'000'000));
+}
+
+TEST_F(DumpFiles, WindowGoesOverAFileFromFrontToBack) {
+  const std::string text = "the quick brown fox jumps over the lazy dog";
+  FileWindow window(write_text(dump("small.txt"), text), 10);
+  EXPECT_EQ(window.text(), "");
+  std::string all;
+  for (window.fill(); !window.text().empty(); window.fill()) {
+    EXPECT_EQ(window.at(), all.size());
+    EXPECT_LE(window.text().size(), 10U);
+    const std::string part(window.text().substr(0, 7));
+    all += part;
+    window.skip(part.size());
+  }
+  EXPECT_EQ(all, text);
+  EXPECT_EQ(window.at(), text.size());
 }
 
 // A file as the engine writes it is read by another way than one with blanks in it.
@@ -142,46 +160,66 @@ TEST_F(DumpFiles, ReaderOfSomeBlocksRefusesCutAndForeignRows) {
 // A file as the engine writes it is read on all cores, any other word by word.
 TEST_F(DumpFiles, PlainCellsAreThoseOfTheOtherReader) {
   const std::string whole = text_of(dump("blocks.vtk"));
-  size_t length = 0;
-  const auto plain = read_plain_cells(whole, length);
-  ASSERT_TRUE(plain);
-  EXPECT_EQ(whole.substr(length, 9), "CELL_DATA");
   TextWords words(whole);
-  const CellTable table = read_cell_table(words, "blocks.vtk");
-  EXPECT_EQ(plain->points, table.points);
-  EXPECT_EQ(plain->words, table.words);
-  EXPECT_EQ(plain->begin, table.begin);
-  EXPECT_EQ(plain->types, table.types);
+  const std::vector<Polyhedron> shapes = read_cells(words, "blocks.vtk");
+  // A window of the whole file, and one that is filled again and again.
+  for (const size_t bytes : {size_t{1} << 24, size_t{5000}}) {
+    FileWindow window(dump("blocks.vtk"), bytes);
+    const auto plain = read_plain_cells(window);
+    ASSERT_TRUE(plain);
+    EXPECT_EQ(whole.substr(window.at(), 9), "CELL_DATA");
+    ASSERT_EQ(plain->size(), shapes.size());
+    for (size_t b = 0; b < shapes.size(); ++b) {
+      EXPECT_EQ((*plain)[b].vertices, shapes[b].vertices);
+      EXPECT_EQ((*plain)[b].faces, shapes[b].faces);
+    }
+  }
 }
 
-// As many separators as there should be words, and a word more without one behind it.
-TEST_F(DumpFiles, PlainCellsEndWithALine) {
+bool are_plain(const std::filesystem::path& path, const std::string& text) {
+  FileWindow window(write_text(path, text));
+  return read_plain_cells(window).has_value();
+}
+
+TEST_F(DumpFiles, PlainCellsAreAPointOrACellALine) {
   const std::string head =
-      "# vtk DataFile Version 3.0\nBlocks\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 1 double\n";
-  const std::string tail = "CELL_TYPES 1\n42\n";
-  size_t length = 0;
-  EXPECT_TRUE(read_plain_cells(head + "1 2 3\nCELLS 1 2\n1 0\n" + tail, length));
-  EXPECT_FALSE(read_plain_cells(head + "1 2 3 4CELLS 1 2\n1 0\n" + tail, length));
-  EXPECT_FALSE(read_plain_cells(head + "1 2 3\nCELLS 1 2\n1 0\n5" + tail, length));
+      "# vtk DataFile Version 3.0\nBlocks\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n";
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+  const std::string cells = "CELLS 1 18\n17 4 3 0 1 2 3 0 1 3 3 1 2 3 3 0 2 3\n";
+  const std::string types = "CELL_TYPES 1\n42\n";
+  const auto plain = [&](const std::string& text) { return are_plain(dump("cells.vtk"), text); };
+  EXPECT_TRUE(plain(head + points + cells + types));
+  EXPECT_FALSE(plain(head + "0 0 0 1 0 0\n0 1 0\n0 0 1\n" + cells + types));
+  EXPECT_FALSE(plain(head + "0 0 0\n1 0 0\n0 1 0\n0 0 1 5" + cells + types));
+  EXPECT_FALSE(plain(head + "0 0 0\n1 0 0\n0 1 0\n0 0 nan\n" + cells + types));
+  EXPECT_FALSE(plain(head + points + cells + "5" + types));
+  EXPECT_FALSE(plain(head + points + "CELLS 1 18\n17 4 3 0 1 2\n" + types));
+  EXPECT_FALSE(plain(head + points + cells + "CELL_TYPES 1\n10\n"));
+  EXPECT_FALSE(plain(head + points + cells));
+  EXPECT_FALSE(plain(head + points));
+  EXPECT_FALSE(plain(""));
 }
 
 // As when another run begins in the same folder.
-TEST_F(DumpFiles, TextOfAFileStaysWhenTheFileIsCut) {
-  const std::string whole = text_of(dump("blocks.vtk"));
-  const FileText text(dump("blocks.vtk"));
+TEST_F(DumpFiles, WindowEndsWhereTheFileIsCutMeanwhile) {
+  FileWindow window(dump("blocks.vtk"), 100);
+  window.fill();
+  EXPECT_EQ(window.text(), text_of(dump("blocks.vtk")).substr(0, 100));
   std::filesystem::resize_file(dump("blocks.vtk"), 0);
-  EXPECT_EQ(text.text(), whole);
-  EXPECT_EQ(FileText(dump("blocks.vtk")).text(), "");
-  expect_contains(input_error_of([&] { FileText(dump("none.vtk")); }), "cannot be opened");
-  expect_contains(input_error_of([&] { FileText(dump("")); }), "cannot be opened");  // a folder
+  window.skip(60);
+  window.fill();
+  EXPECT_EQ(window.text().size(), 40U);
+  EXPECT_FALSE(read_plain_cells(window));
+  FileWindow empty(dump("blocks.vtk"));
+  EXPECT_FALSE(read_plain_cells(empty));
+  expect_contains(input_error_of([&] { FileWindow(dump("none.vtk")); }), "cannot be opened");
+  expect_contains(input_error_of([&] { FileWindow(dump("")); }), "cannot be opened");  // a folder
 }
 
 TEST_F(DumpFiles, BlanksBetweenTheNumbersOfBlocksChangeNothing) {
   const auto plain = read_blocks(dump("blocks.vtk"));
   edit("blocks.vtk", "\nCELLS ", "\n\nCELLS  ");
-  const std::string spaced = text_of(dump("blocks.vtk"));
-  size_t length = 0;
-  EXPECT_FALSE(read_plain_cells(spaced, length));
+  EXPECT_FALSE(are_plain(dump("spaced.vtk"), text_of(dump("blocks.vtk"))));
   const auto blocks = read_blocks(dump("blocks.vtk"));
   ASSERT_EQ(blocks.size(), plain.size());
   for (size_t b = 0; b < blocks.size(); ++b) {

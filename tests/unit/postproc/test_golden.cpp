@@ -4,11 +4,11 @@
 // order or digit may change unseen. With MUCKPILE_WRITE_GOLDEN set the files are written anew.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <sstream>
 
+#include "golden_files.h"
+#include "report/damage_report.h"
+#include "report/plan_report.h"
 #include "report/reports.h"
 #include "synthetic_run.h"
 
@@ -16,46 +16,6 @@ namespace muckpile {
 namespace {
 
 using namespace testing;
-
-const std::filesystem::path kGolden = MUCKPILE_GOLDEN_FOLDER;
-constexpr double kLastDigit = 2e-6;  // tables have six digits
-constexpr double kNothing = 1e-9;    // rounding about zero, in units of metres, radians, joules
-
-std::vector<std::string> words_of(std::string text) {
-  for (char& c : text)
-    if (c == ',') c = ' ';
-  std::istringstream in(text);
-  std::vector<std::string> words;
-  for (std::string word; in >> word;) words.push_back(word);
-  return words;
-}
-
-bool are_same(const std::string& a, const std::string& b) {
-  if (a == b) return true;
-  char *end_a = nullptr, *end_b = nullptr;
-  const double x = std::strtod(a.c_str(), &end_a), y = std::strtod(b.c_str(), &end_b);
-  return *end_a == 0 && *end_b == 0 &&
-         std::abs(x - y) <= kNothing + kLastDigit * std::max(std::abs(x), std::abs(y));
-}
-
-// Line by line, as empty fields count.
-void expect_golden(const std::filesystem::path& made, const std::string& name) {
-  const std::filesystem::path golden = kGolden / (name + made.extension().string());
-  if (std::getenv("MUCKPILE_WRITE_GOLDEN") != nullptr) write_text(golden, text_of(made));
-  std::istringstream got(text_of(made)), wanted(text_of(golden));
-  std::string line, expected;
-  for (int number = 1; std::getline(wanted, expected); ++number) {
-    ASSERT_TRUE(std::getline(got, line)) << golden << " has more lines";
-    ASSERT_EQ(std::ranges::count(line, ','), std::ranges::count(expected, ',')) << golden << number;
-    const auto words = words_of(line), others = words_of(expected);
-    ASSERT_EQ(words.size(), others.size()) << golden << ':' << number << ": " << line;
-    for (size_t k = 0; k < words.size(); ++k)
-      ASSERT_TRUE(are_same(words[k], others[k])) << golden << ':' << number << ": got\n"
-                                                 << line << "\nnot\n"
-                                                 << expected;
-  }
-  EXPECT_FALSE(std::getline(got, line)) << golden << " has fewer lines";
-}
 
 class Golden : public ::testing::Test {
  protected:
@@ -86,9 +46,9 @@ TEST_F(Golden, TablesOfABench) {
   report_movement(folder(), {kCube, 0.25}, {});
   report_fragments(folder(), {kCube, {}});
   report_energy(folder());
-  expect_tables(
-      {"profile.csv", "movement.csv", "movement.dxf", "fragments.csv", "sieve.csv", "energy.csv"},
-      "bench");
+  expect_tables({"profile.csv", "face_velocity.csv", "movement.csv", "movement.dxf",
+                 "fragments.csv", "sieve.csv", "energy.csv"},
+                "bench");
 }
 
 TEST_F(Golden, PolygonsThatWereCarried) {
@@ -129,7 +89,9 @@ TEST_F(Golden, TablesOfAPattern) {
   report_rows(folder(), {kCube, 0.125});
   report_heights(folder(), {kCube, 0.5});
   report_flyrock(folder());
-  expect_tables({"rows.csv", "heights.csv", "flyrock.csv"}, "pattern");
+  report_plan(temporary_.path());
+  expect_tables({"rows.csv", "face_velocity.csv", "heights.csv", "flyrock.csv", "plan.csv"},
+                "pattern");
 }
 
 // Not the list of all fragments and blocks, whose digits would fill the folder: its first ones.

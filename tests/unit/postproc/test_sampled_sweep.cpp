@@ -7,6 +7,7 @@
 
 #include "args/csv_table.h"
 #include "args/input_error.h"
+#include "golden_files.h"
 #include "sweep/correlation.h"
 #include "sweep/influence.h"
 #include "sweep/influence_plot.h"
@@ -30,9 +31,9 @@ TEST(LatinHypercube, EachPartOfARangeHoldsOneRun) {
   const auto design = latin_hypercube(kRuns, kQuantities, 1);
   ASSERT_EQ(design.size(), kRuns);
   for (size_t k = 0; k < kQuantities; ++k) {
-    std::vector<int> held(kRuns, 0);
-    for (const double share : column(design, k)) ++held.at(static_cast<size_t>(share * kRuns));
-    for (const int count : held) EXPECT_EQ(count, 1);
+    std::vector<int> counts(kRuns, 0);
+    for (const double share : column(design, k)) ++counts.at(static_cast<size_t>(share * kRuns));
+    for (const int count : counts) EXPECT_EQ(count, 1);
   }
 }
 
@@ -144,6 +145,11 @@ TEST_F(SampledFiles, TheVariableThatMattersMostStandsFirstWithItsExponent) {
     EXPECT_NEAR(table.number(row, table.column("explained")), 1.0, 1e-6);
     EXPECT_EQ(table.whole(row, table.column("runs")), 5);
   }
+}
+
+TEST_F(SampledFiles, TheTableOfInfluencesIsTheGoldenOne) {
+  report_sweep(temporary_.path(), {"throw_cg_m"});
+  expect_golden(file("sweep_influence.csv"), "bench_sweep_influence");
 }
 
 TEST_F(SampledFiles, AllRunsAreOneCombination) {

@@ -134,7 +134,7 @@ TEST_F(Survey, ThatLiesLowerIsLowerByAsMuch) {
   EXPECT_GT(std::filesystem::file_size(folder().file("survey.png")), 2000U);
 }
 
-// The bench goes on beside the model, which ends at |y| = 1 m, and nobody knows how. Compared are
+// The bench goes on beside the model, which ends at |y| = 1 m; how is not known. Compared are
 // the 34 m2 as ever, and the block, 0.5 m high on 0.25 m2, over a surveyed floor at -0.2 m.
 TEST_F(Survey, OfABlockThatRestsAsideHasNoFloorInTheBenchBesideTheModel) {
   BenchRun run = bench_run();
@@ -241,7 +241,7 @@ std::string binary_plane(float z) {
   const float corners[2][9] = {{-10, -2, z, 16, -2, z, 16, 2, z},
                                {-10, -2, z, 16, 2, z, -10, 2, z}};
   for (const auto& triangle : corners) {
-    bytes.append(12, '\0');  // the normal, which nobody reads
+    bytes.append(12, '\0');  // the normal, which is not read
     for (const float each : triangle) add(each);
     bytes.append(2, '\0');
   }

@@ -8,6 +8,7 @@
 #include "args/csv_table.h"
 #include "args/input_error.h"
 #include "draw/panels.h"
+#include "golden_files.h"
 #include "sweep/power_law.h"
 #include "sweep/spread.h"
 #include "sweep/sweep_fits.h"
@@ -127,6 +128,12 @@ TEST_F(SweepFiles, EachRunIsARowOfAllItsNumbers) {
             "burden,bench_height,seed,state,energy_audit_J.vented,still,swell_factor,throw_cg_m\n"
             "2,6,1,done,5,1,1.1,12\n2,6,2,done,5,1,1.2,13.2");
   EXPECT_TRUE(table.ends_with("\n4,9,2,failed,,,,\n"));
+}
+
+TEST_F(SweepFiles, TheTablesAreTheGoldenOnes) {
+  report_sweep(temporary_.path(), {});
+  for (const char* name : {"sweep", "sweep_mean", "sweep_fit"})
+    expect_golden(file(name + std::string(".csv")), std::string("bench_") + name);
 }
 
 // Two seeds of 6 m: 12 and 13.2 m; P10 a tenth of the way.

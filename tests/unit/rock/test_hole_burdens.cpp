@@ -40,8 +40,8 @@ std::vector<Block> bench(const std::vector<Hole>& holes) {
 }
 
 Support support_of_bench(const Vec3& at) {
-  const bool held = std::abs(at.y()) > 3.0 - 1e-6 || at.x() < -6.0 + 1e-6 || at.z() < 1e-6;
-  return held ? Support::fixed : Support::free;
+  const bool supported = std::abs(at.y()) > 3.0 - 1e-6 || at.x() < -6.0 + 1e-6 || at.z() < 1e-6;
+  return supported ? Support::fixed : Support::free;
 }
 
 // Upright: at height z the face is z cot(70) nearer. In each twentieth the nearest counts, its top.
@@ -111,11 +111,11 @@ TEST(HoleBurdens, OfASubdrillAreNotToTheEndOfTheFace) {
   options.sweeps = 3;
   options.holes = holes;
   const auto blocks = tessellate(options).blocks;
-  const HoleBurden burden =
-      hole_burdens(blocks, holes, [](const Vec3& at) {
-        const bool held = std::abs(at.y()) > 3.0 - 1e-6 || at.x() < -6.0 + 1e-6 || at.z() < 0.0;
-        return held ? Support::fixed : Support::free;
-      }).front();
+  const HoleBurden burden = hole_burdens(blocks, holes, [](const Vec3& at) {
+                              const bool supported = std::abs(at.y()) > 3.0 - 1e-6 ||
+                                                     at.x() < -6.0 + 1e-6 || at.z() < 0.0;
+                              return supported ? Support::fixed : Support::free;
+                            }).front();
   for (const BurdenPiece& piece : burden.pieces) {
     if (piece.at.z() > 0.3) {
       EXPECT_NEAR(piece.burden.value(), 1.6, 1e-6);
@@ -146,8 +146,8 @@ TEST(HoleBurdens, OfANotchReachToItsRoot) {
   const HoleBurden burden =
       hole_burdens({beside_a_notch(1.0), beside_a_notch(-1.0)}, holes, [](const Vec3& at) {
         const bool within = std::abs(at.y()) < 1e-9 && at.x() < -1.0;
-        const bool held = std::abs(at.y()) > 3.0 - 1e-6 || at.x() < -5.0 + 1e-6;
-        return within || held ? Support::fixed : Support::free;
+        const bool supported = std::abs(at.y()) > 3.0 - 1e-6 || at.x() < -5.0 + 1e-6;
+        return within || supported ? Support::fixed : Support::free;
       }).front();
   for (const BurdenPiece& piece : burden.pieces) {
     EXPECT_NEAR(piece.burden.value(), 1.0, 1e-9);  // 2 m of the plan less 1 m of the notch
@@ -193,13 +193,13 @@ TEST(HoleBurdens, OfSurveyedGroundAreThoseOfTheSurvey) {
   const Vec3 nose(-2.0, 0.0, 0.0), hollow(-2.5, -3.0, 0.0);
   const std::vector<Hole> holes{{nose + 0.1 * along, nose + 2.1 * along, 0.1},
                                 {hollow, hollow + Vec3(0.0, 0.0, 2.0), 0.1}};
-  const auto held = [&](const Vec3& p) {
+  const auto supported = [&](const Vec3& p) {
     return p.z() < -0.5 || p.x() > 2.9 || p.x() < -4.9 || std::abs(p.y()) > 4.9 ? Support::fixed
                                                                                 : Support::free;
   };
   const auto blocks = tessellate(options).blocks;
-  const auto exact = hole_burdens(blocks, holes, held, surveyed);
-  const auto coarse = hole_burdens(blocks, holes, held);
+  const auto exact = hole_burdens(blocks, holes, supported, surveyed);
+  const auto coarse = hole_burdens(blocks, holes, supported);
   // On the nose's axis the distance to the curve grows sideways: 2.5 m to its top is not the least.
   const auto least_way = [&](double x, double y, double squeeze) {
     double least = 1e9;

@@ -44,12 +44,12 @@ TEST(RockModel, SupportsAndJointClassesReachTheFacets) {
     return at.z() < 1e-6 ? Support::fixed : Support::free;
   };
   const RockModel model = cut_rock(cube("size uniform 0.5 joint_plane 1 1 1 90 90 3"), 1, floor);
-  double held = 0.0, natural = 0.0;
+  double supported = 0.0, natural = 0.0;
   for (const Facet& facet : model.facets.facets) {
-    if (facet.kind == FacetKind::fixed) held += facet.area;
+    if (facet.kind == FacetKind::fixed) supported += facet.area;
     if (facet.joint_class == 3) natural += facet.area;
   }
-  EXPECT_NEAR(held, 4.0, 1e-9);
+  EXPECT_NEAR(supported, 4.0, 1e-9);
   EXPECT_NEAR(natural, 4.0, 1e-9);
 }
 

@@ -30,7 +30,7 @@ bool is_beyond(const std::vector<CutPlane>& bounds, const Hole& hole) {
   });
 }
 
-/// Takes away blocks without faces, which are nobody's neighbour.
+/// Takes away blocks without faces, which no block has for a neighbour.
 void drop_empty(std::vector<Block>& blocks) {
   std::vector<int> number(blocks.size());
   int count = 0;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <map>
-#include <span>
 #include <utility>
 
 #include "args/text_words.h"
@@ -101,6 +100,7 @@ FaceList faces_of(std::span<const int> list, int type, std::size_t cell) {
   if (type == kPolyhedron) {
     if (!list.empty() && list[0] > kMostFaces)
       fail_import("cell ", cell, " must have at most ", kMostFaces, " faces, got '", list[0], "'");
+    if (!list.empty()) faces.reserve(std::min(list.size(), static_cast<std::size_t>(list[0])));
     std::size_t at = 1;
     for (int f = 0; !list.empty() && f < list[0]; ++f) {
       const std::size_t count = at < list.size() ? static_cast<std::size_t>(list[at]) : 0;
@@ -184,12 +184,13 @@ Polyhedron turned_cell(FaceList faces, const std::vector<Vec3>& points, std::siz
   if (used.empty() || used.front() < 0 || used.back() >= static_cast<int>(points.size()))
     fail_import("cell ", cell, " has a point that is not in the file");
   Polyhedron shape;
+  shape.vertices.reserve(used.size());
   for (const int v : used) shape.vertices.push_back(points[static_cast<std::size_t>(v)]);
   for (std::vector<int>& corners : faces) {
     for (int& v : corners) v = places.place_of(v);
     if (faces_inwards(shape, corners)) std::reverse(corners.begin(), corners.end());
-    shape.faces.push_back(std::move(corners));
   }
+  shape.faces = std::move(faces);
   return shape;
 }
 
@@ -228,7 +229,12 @@ Polyhedron cell_of(const CellTable& table, std::size_t number) {
   const std::size_t begin = table.begin[number];
   const std::span<const int> list(table.words.data() + begin,
                                   static_cast<std::size_t>(table.words[begin - 1]));
-  return turned_cell(faces_of(list, table.types[number], number + 1), table.points, number + 1);
+  return cell_of(list, table.types[number], table.points, number);
+}
+
+Polyhedron cell_of(std::span<const int> words, int type, const std::vector<Vec3>& points,
+                   std::size_t number) {
+  return turned_cell(faces_of(words, type, number + 1), points, number + 1);
 }
 
 std::vector<Polyhedron> read_cells(TextWords& text, const std::string& name) {

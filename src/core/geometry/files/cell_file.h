@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,10 @@ struct CellTable {
 /// Cell `number` of the table, counted from 0; faces turned outwards. Throws InputError where it is
 /// not what a cell should be.
 [[nodiscard]] Polyhedron cell_of(const CellTable& table, std::size_t number);
+
+/// The same of the words behind the count of its line, of VTK's `type`.
+[[nodiscard]] Polyhedron cell_of(std::span<const int> words, int type,
+                                 const std::vector<Vec3>& points, std::size_t number);
 
 /// The cells as they stand in the file, faces turned outwards. `name` is used in messages. Throws
 /// InputError where the file is not what it should be.

@@ -32,7 +32,7 @@ TEST(QuietGround, TakesImpedanceAndStiffnessFromTheRock) {
 }
 
 TEST(QuietGround, StepIsTheTrapezoidalRule) {
-  // Z = 3, k = 2, g0 = 5, t0 = 7, held 1, dt = 0.5, and say t1 = 4 at the end:
+  // Z = 3, k = 2, g0 = 5, t0 = 7, carried 1, dt = 0.5, and say t1 = 4 at the end:
   // Z (g1 - 5)/0.5 + (g1 + 5) = -((7 + 4)/2 - 1)  =>  7 g1 = 30 - 5 - 4.5  =>  g1 = 20.5/7
   const GroundStep step = ground_step(3.0, 2.0, 5.0, 7.0, 1.0, 0.5);
   EXPECT_NEAR(step.predicted - step.compliance * 4.0, 20.5 / 7.0, 1e-15);
@@ -40,7 +40,7 @@ TEST(QuietGround, StepIsTheTrapezoidalRule) {
   EXPECT_EQ(ground_step(3.0, 2.0, 5.0, 7.0, 1.0, 0.0).compliance, 0.0);
 }
 
-/// Column of 1 m cubes along x: supported at x = 0, held by symmetry planes around it.
+/// Column of 1 m cubes along x: supported at x = 0, between symmetry planes.
 SupportRule column(double width = 1.0) {
   return [width](const Vec3& at) {
     if (at.x() < 1e-9) return Support::fixed;

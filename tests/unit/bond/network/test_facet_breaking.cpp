@@ -351,12 +351,12 @@ TEST(FacetNetwork, IntactMirrorLetsGoOfABlockThatSlidesAlongIt) {
     scene.compute();
     return scene.network().force()[0].y();
   };
-  const double held = force_at(0.0);
-  EXPECT_GT(held, 0.0);
-  EXPECT_NEAR(force_at(0.05) / held, 1.0, 1e-9);  // 0.09 radii
+  const double matching = force_at(0.0);
+  EXPECT_GT(matching, 0.0);
+  EXPECT_NEAR(force_at(0.05) / matching, 1.0, 1e-9);  // 0.09 radii
   // At 0.35 radii it is a contact that fades, with the compression that the joint carried.
   const double fading = (0.5 - 0.2 * std::sqrt(M_PI)) / 0.4;
-  EXPECT_NEAR(force_at(0.2) / (fading * held), 1.0, 1e-6);
+  EXPECT_NEAR(force_at(0.2) / (fading * matching), 1.0, 1e-6);
   EXPECT_EQ(force_at(0.3), 0.0);  // 0.53 radii
   EXPECT_EQ(scene.network().torque()[0].norm(), 0.0);
 }

@@ -152,8 +152,8 @@ TEST(JointClasses, ClosedBrokenFacetsAreAsStiffAsRockAndJointInSeries) {
   EXPECT_NEAR(closed_stiffness({}, free) / 60e9, 1.0, kRounding);
   EXPECT_NEAR(closed_stiffness({{weak_joint()}, {plane}}, free) / 24e9, 1.0, kRounding);
   // Supports are half a block away.
-  for (const Support held : {Support::fixed, Support::mirror}) {
-    const auto at_x = [held](const Vec3& at) { return at.x() < 1e-6 ? held : Support::free; };
+  for (const Support support : {Support::fixed, Support::mirror}) {
+    const auto at_x = [support](const Vec3& at) { return at.x() < 1e-6 ? support : Support::free; };
     EXPECT_NEAR(closed_stiffness({}, at_x) / 120e9, 1.0, kRounding);
   }
 }

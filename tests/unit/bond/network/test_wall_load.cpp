@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Pressure on the wall of a crushed zone: it acts while the block is held from behind, and ends
+// Pressure on the wall of a crushed zone: it acts while the block is joined behind, and ends
 // once gas flows round it.
 // Scope: two unit cubes along x, the face x = 0 of block 0 on the chamber; its area is 1 m2.
 #include <gtest/gtest.h>
