@@ -3,9 +3,13 @@
 // Scope: straight or logarithmic axes.
 #include "draw/axes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numeric>
+#include <utility>
+
+#include "draw/text.h"
 
 namespace muckpile {
 namespace {
@@ -20,6 +24,32 @@ double share_of(double value, const AxisRange& range, Scale scale) {
   return scale == Scale::kStraight ? (value - range.low) / (range.high - range.low)
                                    : std::log(value / range.low) / std::log(range.high / range.low);
 }
+
+// 1, 2, 5 and their powers of ten before other ticks of a logarithmic axis; straight ones in order.
+int rank_of(double tick, Scale scale) {
+  if (scale == Scale::kStraight) return 0;
+  const double first = tick / std::pow(10.0, std::floor(std::log10(tick) + 1e-9));
+  return first < 1.5 ? 0 : std::abs(first - 2.0) < 0.5 || std::abs(first - 5.0) < 0.5 ? 1 : 2;
+}
+
+// Words under the axis, each in the middle of its tick.
+class WordsInARow {
+ public:
+  // Whether they have room beside those that were added before.
+  bool add(double middle, const std::string& words) {
+    const double half = 0.5 * (text_mask(words, kTextSize, 0.0).advance.x() + kBetween);
+    const auto meets = [&](const std::pair<double, double>& other) {
+      return std::abs(middle - other.first) < half + other.second;
+    };
+    if (std::ranges::any_of(taken_, meets)) return false;
+    taken_.emplace_back(middle, half);
+    return true;
+  }
+
+ private:
+  static constexpr double kBetween = 8.0;         // [px]
+  std::vector<std::pair<double, double>> taken_;  // middle and half the width [px]
+};
 
 }  // namespace
 
@@ -115,9 +145,13 @@ void Axes::draw_frame(Canvas& canvas, const std::string& x_label,
   const Vec2 low = place(x_.low, y_.low), high = place(x_.high, y_.high);
   const Vec2 frame[] = {low, {high.x(), low.y()}, high, {low.x(), high.y()}, low};
   canvas.polyline(frame, 1.2, kInk);
-  for (const double x : x_ticks()) {
+  std::vector<double> ticks = x_ticks();
+  std::ranges::stable_sort(ticks, {}, [&](double x) { return rank_of(x, x_scale_); });
+  WordsInARow words;
+  for (const double x : ticks) {
     const Vec2 at = place(x, y_.low);
     canvas.line(at, at + Vec2(0.0, kTick), 1.2, kInk);
+    if (!words.add(at.x(), x_text(x))) continue;
     canvas.text(at + Vec2(0.0, kTick + kTextSize), x_text(x), kTextSize, kInk, Anchor::kCentre);
   }
   for (const double y : y_ticks()) {

@@ -11,6 +11,7 @@
 #include "draw/axes.h"
 #include "draw/png_file.h"
 #include "draw/scene.h"
+#include "draw/text.h"
 #include "draw/title.h"
 #include "io/csv_writer.h"
 #include "io/mine_frame.h"
@@ -118,16 +119,24 @@ class Picture {
     canvas.rectangle({0.0, bottom - kBelow}, {right, bottom}, kWhite, kVeil);
     char time[64];
     std::snprintf(time, sizeof time, "t = %.3f s", snapshot.time);
-    draw_title({28.0, 46.0}, time, warning, 28.0, canvas);
+    draw_title({kMargin, 46.0}, time, warning, 28.0, canvas);
     std::string words =
         std::to_string(blocks_.size()) + " blocks; blue: box around the rock before the blast";
     if (rock_blocks(blocks_) < blocks_.size()) words += "; grey-green: muck that lay in front";
     if (options_.mirror > 0) words += "; model repeated by mirror images at its symmetry planes";
     words += cut_words_;
-    canvas.text({28.0, options_.height - 20.0}, words, 18.0, kInk);
+    canvas.text({kMargin, bottom - 20.0}, words, size_beside_bar(words, right), kInk);
     draw_legend(colours, {options_.width - 340.0, 18.0}, canvas);
   }
 
+  // Smaller where the words would reach to the scale bar at the right end.
+  [[nodiscard]] static double size_beside_bar(const std::string& words, double width) {
+    constexpr double kSize = 18.0, kLeast = 9.0, kBar = 250.0;  // [px]
+    const double length = text_mask(words, kSize, 0.0).advance.x();
+    return std::clamp(kSize * (width - kMargin - kBar) / length, kLeast, kSize);
+  }
+
+  static constexpr double kMargin = 28.0;  // of the words [px]
   const std::vector<StartBlock>& blocks_;
   const PictureOptions& options_;
   const BlockFields& fields_;

@@ -100,6 +100,33 @@ TEST(Axes, PlacesDataLinearlyAndByLogarithm) {
   EXPECT_NEAR(logarithmic.place(0.1, 0.0).x(), 200.0, 1e-9);
 }
 
+// How many words stand in these rows, with a gap of at least `gap` columns between them.
+int words_in_rows(const Canvas& canvas, int top, int bottom, int gap) {
+  const auto bytes = canvas.bytes();
+  int words = 0, blank = gap;
+  for (int x = 0; x < canvas.width(); ++x) {
+    bool ink = false;
+    for (int y = top; y < bottom; ++y)
+      ink = ink || bytes[3 * static_cast<size_t>(y * canvas.width() + x)] < 128;
+    if (ink && blank >= gap) ++words;
+    blank = ink ? 0 : blank + 1;
+  }
+  return words;
+}
+
+// Ticks at 0.0005, 0.0006 ... 0.001, 0.002 some 30 px apart, words of 60 px: 0.0005, 0.001, 0.002
+// and, of what is between, 0.0007.
+TEST(Axes, WordsOfTicksDoNotOverlap) {
+  Canvas canvas(500, 200, kWhite);
+  const Axes axes({100, 20}, {450, 120}, {4.5e-4, 2.2e-3}, {0.0, 1.0}, Scale::kLogarithmic);
+  axes.draw_frame(canvas, "", "");
+  EXPECT_EQ(words_in_rows(canvas, 130, 148, 8), 4);
+  Canvas wide(1500, 200, kWhite);
+  const Axes room({100, 20}, {1450, 120}, {4.5e-4, 2.2e-3}, {0.0, 1.0}, Scale::kLogarithmic);
+  room.draw_frame(wide, "", "");
+  EXPECT_EQ(words_in_rows(wide, 130, 148, 8), 7);
+}
+
 double area_of(const std::vector<Vec2>& polygon) {
   double twice = 0.0;
   for (size_t k = 0; k < polygon.size(); ++k) {

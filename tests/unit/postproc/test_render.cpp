@@ -2,6 +2,9 @@
 // Sub-command render: what a picture frames, what a section leaves, films.
 // Scope: report/picture_view, picture_scene, film, and small pictures of made-up runs.
 #include <gtest/gtest.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
 
 #include <algorithm>
 #include <cmath>
@@ -67,6 +70,29 @@ TEST(View, GoesToItsFocusAndComesNearer) {
   const Vec2 middle = near.camera.place(near.target);
   EXPECT_NEAR(middle.x(), 0.5 * canvas.sample_width(), 1e-9);
   EXPECT_NEAR(middle.y(), 0.5 * canvas.sample_height(), 1e-9);
+}
+
+// The scale bar begins at most 230 px from the right, and the words end some pixels before.
+TEST(PictureOfABench, WordsBelowEndBeforeTheScaleBar) {
+  TemporaryFolder temporary;
+  write_bench(temporary.path());
+  PictureOptions options;
+  options.width = 641;
+  options.height = 401;
+  report_picture(ResultFolder(temporary.path()), options);
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName((temporary.path() / "pile3d.png").c_str());
+  reader->Update();
+  const auto dark = [&](int from, int to) {
+    int count = 0;
+    for (int y = 12; y < 38; ++y)  // VTK counts from below
+      for (int x = from; x < to; ++x)
+        count += reader->GetOutput()->GetScalarComponentAsDouble(x, y, 0, 0) < 80.0;
+    return count;
+  };
+  EXPECT_GT(dark(28, 385), 200);
+  EXPECT_EQ(dark(393, 409), 0);
+  EXPECT_GT(dark(409, 620), 200);
 }
 
 // Two cubes side by side along y, cut through the first at y = 0.25.
