@@ -5,6 +5,7 @@
 #include "measure/trough.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 
 namespace muckpile {
@@ -61,6 +62,21 @@ Trough deepest_trough(const std::vector<double>& x, const std::vector<double>& z
   trough.width = trough.front - trough.back;
   for (size_t i = begin; i < end; ++i) trough.area += area_below(x, z, i, trough.rim);
   return trough;
+}
+
+Trough deepest_trough(const std::vector<double>& x, const std::vector<double>& z,
+                      const std::vector<double>& floor, double least) {
+  const auto ground = [&](size_t i) { return z[i] - floor[i] <= least; };
+  size_t begin = 0, end = z.size();
+  while (end > 0 && ground(end - 1)) --end;
+  while (begin < end && ground(begin)) ++begin;
+  if (begin > 0) --begin;  // the toe
+  if (end < z.size()) ++end;
+  const auto part = [=](const std::vector<double>& all) {
+    return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(begin),
+                               all.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  return deepest_trough(part(x), part(z), least);
 }
 
 }  // namespace muckpile

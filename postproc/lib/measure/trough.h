@@ -21,4 +21,9 @@ struct Trough {
 // z [m] over x [m], along the throw. Valleys less than `least` [m] deep are none: all lengths 0.
 Trough deepest_trough(const std::vector<double>& x, const std::vector<double>& z, double least);
 
+// The same between the first and the last sample that lie `least` above the floor (NaN: there is
+// none): valleys of the ground beyond the pile are none of its.
+Trough deepest_trough(const std::vector<double>& x, const std::vector<double>& z,
+                      const std::vector<double>& floor, double least);
+
 }  // namespace muckpile

@@ -78,7 +78,8 @@ const Charge* odd_hole(const BenchScene& bench) {
   for (const Charge& charge : bench.charges) {
     const Vec3 along = charge.collar - charge.toe;
     const Vec2 off = along.head<2>() - along.z() * Vec2(lean_of(first).x(), 0.0);
-    if (off.norm() > kHoleOff * bench.burden || along.x() > kHoleOff * bench.burden) return &charge;
+    const bool as_first = off.norm() <= kHoleOff * bench.burden;
+    if (!(as_first && along.x() <= kHoleOff * bench.burden)) return &charge;  // NaN: level
   }
   return nullptr;
 }
@@ -116,6 +117,7 @@ void measure_by_holes(BenchScene& bench, std::shared_ptr<const HoleFrames> frame
   }
   const double turn = frames->largest_turn();
   bench.several_sides = turn > kToOneSide;
+  if (!bench.several_sides) set_width(bench, frames->plan().spacing);
   bench.depth = frames->depth();
   bench.one_row = frames->rows() == 1;
   bench.face_note = "throw, velocity and rock of each hole along the normal of its burden, up to " +
@@ -193,6 +195,7 @@ BenchPlanes bounded_by_rock(BenchPlanes planes, const std::vector<StartBlock>& b
 }
 
 std::vector<Vec2> face_line(const BenchScene& bench, double y) {
+  if (bench.several_sides) return {};  // the map is of the face that looks along x
   if (bench.planes.face == nullptr)
     return {{-bench.planes.face_back * bench.height, bench.height}, {0.0, 0.0}};
   std::vector<Vec2> line = bench.planes.face->section(y);
@@ -202,6 +205,7 @@ std::vector<Vec2> face_line(const BenchScene& bench, double y) {
 
 std::vector<Vec2> face_at_height(const BenchScene& bench, double z, double y_low, double y_high) {
   constexpr int kPieces = 200;
+  if (bench.several_sides) return {};
   if (bench.planes.face == nullptr) {
     const double x = -bench.planes.face_back * z;
     return {{x, y_low}, {x, y_high}};

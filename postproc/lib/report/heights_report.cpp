@@ -146,8 +146,12 @@ Canvas draw(const Heights& heights, const RunData& run, const BenchScene& bench,
                 static_cast<int>(kAbove + height + kBelow), kWhite);
   const Axes axes({kLeft, kAbove}, {kLeft + kWidth, kAbove + height}, frame.x, frame.y);
   BlockColours colours;
-  const auto [lowest, highest] = std::ranges::minmax(heights.map.after);
-  colours.map = amount_map(std::min(0.0, lowest), highest);
+  double lowest = 0.0;  // of the cells that are drawn
+  for (size_t i = 0; i < heights.map.after.size(); ++i)
+    if (heights.map.after[i] > heights.map.floor[i])
+      lowest = std::min(lowest, heights.map.after[i]);
+  const double highest = std::ranges::max(heights.map.after);
+  colours.map = amount_map(lowest, highest);
   colours.label = "height after the blast [m]";
   axes.draw_grid(canvas);
   draw_cells(heights.map, frame, *colours.map, axes, canvas);
@@ -156,8 +160,9 @@ Canvas draw(const Heights& heights, const RunData& run, const BenchScene& bench,
   draw_title({kLeft, 48.0}, "Pile and bench from above", motion_warning(run.still), 30.0, canvas);
   canvas.text(
       {kLeft, 88.0},
-      "greyed: rock that stayed; red: collars; dashed: toe and crest before; lines: rock of "
-      "each hole",
+      std::string("greyed: rock that stayed; red: collars") +
+          (bench.several_sides ? "" : "; dashed: toe and crest before") +
+          (outlines.empty() ? "" : "; lines: rock of each hole"),
       20.0, kInk);
   canvas.text({kLeft, 118.0},
               "backbreak " + spelled(heights.shifted.largest) + " m · toe left " +

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "explosive/hole_table.h"
 #include "rock/burden_file.h"
@@ -16,7 +17,7 @@ namespace {
 struct DrilledHole {
   HoleFrame frame;
   Vec2 way = Vec2::Zero();  // sum of the ways to the face [m]
-  std::vector<Vec3> faces{};
+  std::vector<std::pair<Vec3, Vec3>> pieces{};  // each with its nearest place of the face
   std::optional<size_t> in_front{};  // the deck
 };
 
@@ -31,15 +32,23 @@ void add_burden(DrilledHole& hole, const HoleBurden& burden) {
   for (const BurdenPiece& piece : burden.pieces) {
     if (!piece.burden || piece.face.z() < 0.0) continue;
     hole.way += (piece.face - piece.at).head<2>();
-    hole.faces.push_back(piece.face);
+    hole.pieces.emplace_back(piece.at, piece.face);
   }
   if (burden.in_front && !hole.in_front) hole.in_front = burden.in_front;
 }
 
+// The face along the direction is where the plane through its nearest place, across the way there,
+// is met: of a corner hole that is the corner, though no nearest place lies there.
 void set_direction(DrilledHole& hole) {
+  constexpr double kGrazing = 0.3;  // cosine: a face so far aside is none of this direction
   if (hole.way.norm() > 0.0) hole.frame.direction = hole.way.normalized();
-  for (const Vec3& face : hole.faces)
-    hole.frame.face.emplace_back(face.z(), hole.frame.direction.dot(face.head<2>()));
+  const Vec2& direction = hole.frame.direction;
+  for (const auto& [at, face] : hole.pieces) {
+    const Vec2 way = (face - at).head<2>();
+    const double along = direction.dot(way);
+    if (along <= kGrazing * way.norm()) continue;
+    hole.frame.face.emplace_back(face.z(), direction.dot(at.head<2>()) + way.squaredNorm() / along);
+  }
   std::ranges::stable_sort(hole.frame.face, {}, [](const Vec2& p) { return p.x(); });
 }
 
@@ -79,6 +88,12 @@ std::shared_ptr<const HoleFrames> hole_frames_of(const ResultFolder& folder, Hol
     if (fresh) holes.push_back({frame_of(table.decks()[k])});
     hole_of_deck.push_back(place->second);
     add_burden(holes[place->second], burdens.holes[k]);
+  }
+  for (const Deck& deck : table.decks()) {
+    const Vec3 along = deck.hole_collar - deck.hole_toe;
+    if (along.z() > 0.5 * along.norm()) continue;
+    missing = "hole " + deck.hole + " is flatter than 30°";
+    return nullptr;
   }
   std::vector<HoleFrame> frames;
   for (size_t h = 0; h < holes.size(); ++h) {

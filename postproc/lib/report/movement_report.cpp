@@ -106,8 +106,10 @@ SectionPlot section_of(const RunData& run, const BenchScene& bench, const BenchP
   plot.x = {before.low.x() - 1.0, 1.2 * farthest + 1.0};
   plot.z = {before.low.z() - 0.5, 1.12 * bench.height};
   std::vector<Vec2> outline = face_line(bench, y);
-  if (!outline.empty()) outline.insert(outline.begin(), {before.low.x(), outline.front().y()});
-  plot.lines.push_back({std::move(outline), kInk, 2.0, true, "bench before"});
+  if (!outline.empty()) {
+    outline.insert(outline.begin(), {before.low.x(), outline.front().y()});
+    plot.lines.push_back({std::move(outline), kInk, 2.0, true, "bench before"});
+  }
   const double head = 0.012 * (plot.x.high - plot.x.low);
   int named = -1;
   for (const PartMovement& part : movement) {

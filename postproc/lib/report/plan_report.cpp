@@ -105,7 +105,7 @@ std::vector<HolePolygon> outlines_if_told(const ResultFolder& folder) {
     return {};
   try {
     return hole_outlines(folder, bench_scene(folder, folder.rock()), folder.rock());
-  } catch (const NotMeasurable&) {
+  } catch (const InputError&) {
     return {};
   }
 }

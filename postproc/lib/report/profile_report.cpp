@@ -204,11 +204,13 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run, const Pil
   const double y = options.y.value_or(y_of_middle_hole(bench, run.blocks));
   const Extent before = extent_at_start(run.blocks);
   const double top = std::max(bench.height, *std::ranges::max_element(p.mean));
-  const double bottom = std::min(before.low.z(), *std::ranges::min_element(p.floor));
+  const double reach = reach_of(p, bench, run);
+  double bottom = before.low.z();
+  for (size_t i = 0; i < p.x.size() && p.x[i] <= reach; ++i) bottom = std::min(bottom, p.floor[i]);
   SectionPlot plot = section_of_run(run, y, options.colour_by);
   plot.title = title_of(folder);
   plot.x_label = "distance from the toe of the free face, along the throw [m]";
-  plot.x = {before.low.x() - 1.0, reach_of(p, bench, run) + 1.0};
+  plot.x = {before.low.x() - 1.0, reach + 1.0};
   plot.z = {bottom - 0.5, top + 0.12 * bench.height};
   plot.bars = hole_bars(bench, y);
   plot.lines = {

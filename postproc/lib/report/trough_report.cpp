@@ -23,7 +23,7 @@ namespace {
 // Means over the rows [begin, end) of the grid.
 struct Strip {
   double y_low = 0.0, y_high = 0.0;  // [m]
-  std::vector<double> before, after;
+  std::vector<double> before, after, floor;
   Trough trough;
 };
 
@@ -66,8 +66,9 @@ Strip strip_of(const HeightMap& map, const std::vector<double>& x, int begin, in
               map.grid.y0 + end * map.grid.dy,
               row_means(map.grid, map.before, begin, end),
               row_means(map.grid, map.after, begin, end),
+              row_means(map.grid, map.floor, begin, end),
               {}};
-  strip.trough = deepest_trough(x, strip.after, least);
+  strip.trough = deepest_trough(x, strip.after, strip.floor, least);
   return strip;
 }
 
@@ -169,9 +170,14 @@ CurvePlot plot_of(const Troughs& troughs) {
   // To where the pile ends on average.
   double end = troughs.x.back();
   const double thin = 0.02 * bench_height_of(troughs.mean);
-  for (size_t i = troughs.x.size(); i-- > 0 && troughs.mean.after[i] < thin;) end = troughs.x[i];
+  const Strip& mean = troughs.mean;
+  double lowest_floor = 0.0;
+  for (size_t i = troughs.x.size(); i-- > 0 && mean.after[i] - mean.floor[i] < thin;)
+    end = troughs.x[i];
+  for (size_t i = 0; i < troughs.x.size() && troughs.x[i] <= end; ++i)
+    lowest_floor = std::min(lowest_floor, mean.after[i]);
   plot.x = AxisRange{troughs.x.front(), end + 1.0};
-  plot.y = AxisRange{0.0, 1.12 * std::max(bench_height_of(troughs.mean),
+  plot.y = AxisRange{lowest_floor, 1.12 * std::max(bench_height_of(troughs.mean),
                                           *std::ranges::max_element(troughs.mean.after))};
   return plot;
 }

@@ -71,7 +71,10 @@ TEST_F(DeckCharge, TheLogTellsThoseThatDiffer) {
   const std::string text = describe(options_, zones_, hole_blasts(options_, zones_));
   EXPECT_NE(text.find("  hole 2 ('heavy'): anfo, 1150 kg/m3, 4800 m/s, P0 = "), std::string::npos)
       << text;
-  EXPECT_NE(text.find("  hole 5 ('water'): anfo, 800 kg/m3, "), std::string::npos);
+  EXPECT_NE(text.find("  hole 4 ('air'): anfo, 800 kg/m3, "), std::string::npos) << text;
+  EXPECT_EQ(text.find("hole 5"), std::string::npos) << text;  // three lines, and how many more
+  EXPECT_NE(text.find("  and 2 more charges that differ from that of hole 1"), std::string::npos)
+      << text;
 }
 
 TEST_F(DeckCharge, MassesFollowInTheLoadAndInTheDesign) {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "geometry/files/block_file.h"
 #include "measure/hole_polygons.h"
@@ -105,6 +106,23 @@ TEST_F(Corner, RowsMeasureEachHoleAlongTheNormalOfItsBurden) {
   EXPECT_NEAR(value("c", "throw_turn_deg"), 90.0, 1e-9);
   EXPECT_NEAR(value("all", "throw_m"), (2 * kFarX + kFarY) / 3.0 * 144.0 / 216.0, 1e-5);
   EXPECT_TRUE(std::filesystem::exists(folder().file("face_velocity.csv")));
+}
+
+// Half of its charge is nearer to one face, half to the other: it throws to the corner, 2 sqrt(2) m
+// away, though no nearest place of a face lies there.
+TEST_F(Corner, AHoleThatLooksToTwoFacesThrowsToTheirCorner) {
+  HoleBurden both = burden_to({-2, -2, 0}, {0, -2, 0});
+  both.pieces[1] = burden_to({-2, -2, 0}, {-2, 0, 0}).pieces[1];
+  const BurdenFile burdens{
+      {burden_to({-2, -5, 0}, {0, -5, 0}), both, burden_to({-5, -2, 0}, {-5, 0, 0})}, 2.0};
+  write_burdens((temporary_.path() / "dump/burden.csv").string(), burdens, "");
+  const BenchScene bench = bench_scene(folder(), folder().rock());
+  ASSERT_NE(bench.planes.frames, nullptr);
+  const HoleFrame& hole = bench.planes.frames->holes()[1];
+  EXPECT_NEAR(hole.direction.x(), std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(hole.direction.y(), std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(bench.planes.frames->burden_at_floor(1), 2.0 * std::numbers::sqrt2, 1e-9);
+  for (const Vec2& face : hole.face) EXPECT_NEAR(face.y(), 0.0, 1e-12);
 }
 
 TEST_F(Corner, ProfileMeasuresThrowAndFaceButNoPileAlongX) {

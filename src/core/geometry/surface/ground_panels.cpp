@@ -111,7 +111,7 @@ ArgTable& add_ground_words(ArgTable& table) {
           .group("beside", 3, 3, false,
                  "x_back y_lo y_hi: that ground lies beside the rock, too, from x_back to x_lo "
                  "beyond y_lo and y_hi, with steps there [m]"),
-      "the file of `ground`");
+      "the files of `ground`");
 }
 
 GroundPanels ground_panels(const ArgValues& words, const std::string& where) {
