@@ -64,7 +64,8 @@ class GasVent {
 
   /// Area of the openings times their discharge [m2]. The collar opens when the stemming has gone
   /// its own length; until then gas leaks through the pores of what is left in the hole, in
-  /// turbulent flow (Ergun 1952): (p rho)^(1/2) (e^3 d / (3.5 (1 - e) (L - x)))^(1/2) [kg/(m2 s)]. The cracks' area at the wall is what the wall has lengthened by, times the
+  /// turbulent flow (Ergun 1952): (p rho)^(1/2) (e^3 d / (3.5 (1 - e) (L - x)))^(1/2)
+  /// [kg/(m2 s)]. The cracks' area at the wall is what the wall has lengthened by, times the
   /// charge's length: swept volume / r1 (all stretch taken by open radial cracks; ours).
   [[nodiscard]] double open_area(const GasState& state, const Chamber& chamber) const;
 

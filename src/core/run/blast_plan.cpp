@@ -140,8 +140,8 @@ BlastPlan blast_plan(const ArgValues& words, const BlastScene& scene, const std:
   // 5 GPa: 3.6 % with 3 steps in the rise, 0.7 to 1 % with 5, 0.13 % with 10.
   const double rise = scene.timing.rise_time;  // [s]
   plan.pulse_step = rise > 0.0 ? 0.2 * rise : 1e30;
-  // Between pulses granite bears 1.3 times that. Rock of 5 GPa bears 3.6 times, but has then 9 % less
-  // kinetic energy than with a tenth of the step, 4 % less with half (docs/theory/timestep.md).
+  // Between pulses granite bears little more than that. Rock of 5 GPa bears 3.6 times, but has then
+  // 9 % less kinetic energy than with an eighth of the step (docs/theory/timestep.md).
   plan.between_step = rise > 0.0 ? 1.5 * plan.pulse_step : 1e30;
   if (rise > 0.0) plan.pulses = joined(scene.timing.pulses, plan.pulse_step);
   plan.wave_share = share_of_squeezable(words.real("wave_share"), rock.poisson_ratio);

@@ -104,12 +104,18 @@ BlastRun::Stretch BlastRun::stretch_before(double end) const {
   return {plan_.pulse_step, std::min(end, pulse->end)};
 }
 
-/// The end is counted in steps, so a step that may grow does so before.
+/// The end is counted in steps, so a step that has just been let loose grows before; one that may
+/// grow still takes no more steps than the longest would.
 bool BlastRun::go_on(const Stretch& stretch) {
   const bool grows = stretch.longest_step > longest_step_;
   bound_wave_step(stretch);
   const long left = steps_until(stretch.end);
-  if (!grows) return run(left);
+  if (!grows) {
+    const bool no_pulse = stretch.longest_step >= kAnyStep;
+    const double share = no_pulse ? 1.0 : std::min(1.0, engine_.step() / stretch.longest_step);
+    const auto safe = static_cast<long>(share * static_cast<double>(left));
+    return run(std::max(std::min(left, kStepLag), safe));
+  }
   if (!run(std::min(kStepLag, left))) return false;
   engine_.take_snapshots_every(steps_of(kSnapshots * plan_.wave_end));
   return true;

@@ -137,6 +137,23 @@ TEST(BlastRun, StepsArePulsesOnlyWhileThoseAct) {
   EXPECT_NEAR(bounds[3].first, 0.035, 1e-9);
 }
 
+/// The step grows as rock comes apart, in the middle of a gap between pulses.
+TEST(BlastRun, AStepThatGrowsDoesNotRunIntoTheNextPulse) {
+  FakeBlast engine;
+  BlastPlan two = plan();
+  two.between_step = 1.5e-3;
+  two.pulses = {{-2e-4, 0.001}, {0.03, 0.031}};
+  double entered = 0.0;
+  engine.happens = [&](FakeBlast& e) {
+    if (e.now > 0.015) e.dt = 1.4e-3;
+    if (e.now > 0.029 && entered == 0.0) entered = e.now;
+    e.at_rest = e.now > 0.25;
+  };
+  go(two, engine);
+  EXPECT_GE(entered, 0.03 - 1e-9);
+  EXPECT_LE(entered, 0.03 + 1.4e-3);
+}
+
 TEST(BlastRun, StressesLockedInTheRockAreNoWaves) {
   for (const double locked : {0.08, 0.12}) {
     FakeBlast engine;

@@ -3,24 +3,16 @@
 // Scope: see the header.
 #include "geometry/cut/open_planes.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "geometry/cut/ground.h"
+#include "geometry/cut/unit_planes.h"
 
 namespace muckpile {
 namespace {
 
 // Beside rounding of the block size.
-constexpr double kParallel = 1e-7, kRounding = 1e-6, kOut = 1e-3;
-
-bool in_a_plane(const FaceGeometry& face, const std::vector<CutPlane>& planes, double rounding) {
-  return std::ranges::any_of(planes, [&](const CutPlane& plane) {
-    const Vec3 normal = plane.normal.normalized();
-    return normal.cross(face.normal).norm() < kParallel &&
-           std::abs(normal.dot(face.centroid - plane.point)) < rounding;
-  });
-}
+constexpr double kRounding = 1e-6, kOut = 1e-3;
 
 }  // namespace
 
@@ -28,11 +20,12 @@ OpenPlanes open_planes(const TessellationOptions& options, const std::vector<Blo
   OpenPlanes open;
   if (options.planes.empty()) return open;
   const Ground ground = voronoi_ground(options);
+  const UnitPlanes planes(options.planes);
   for (const Block& block : blocks) {
     const double size = std::cbrt(block.mass.volume);
     for (std::size_t f = 0; f < block.neighbour.size(); ++f) {
       const FaceGeometry face = face_geometry(block.shape, static_cast<int>(f));
-      if (!in_a_plane(face, options.planes, kRounding * size)) continue;
+      if (!planes.hold(face, kRounding * size)) continue;
       // Where the rock ends in the plane, nothing should be behind it.
       if (!ground.in_region(face.centroid + kOut * size * face.normal)) continue;
       open.all += face.area;

@@ -7,6 +7,7 @@
 
 #include "geometry/cut/ground.h"
 #include "geometry/cut/hole_rings.h"
+#include "geometry/cut/unit_planes.h"
 #include "geometry/holes/hole_surface.h"
 
 namespace muckpile {
@@ -63,16 +64,10 @@ void open_to_voids(std::span<const VoidWall> walls, int number, Block& block) {
 
 void open_planes_to_voids(const TessellationOptions& options, std::vector<Block>& blocks) {
   // The latter of the block size: how far a void may reach beside its hole.
-  constexpr double kParallel = 1e-7, kRounding = 1e-7, kOut = 1e-3, kFarthest = 2.0;
+  constexpr double kRounding = 1e-7, kOut = 1e-3, kFarthest = 2.0;
   const Ground ground = voronoi_ground(options);
   std::vector<int> near;
-  const auto in_a_plane = [&](const FaceGeometry& face, double rounding) {
-    return std::ranges::any_of(options.planes, [&](const CutPlane& plane) {
-      const Vec3 normal = plane.normal.normalized();
-      return normal.cross(face.normal).norm() < kParallel &&
-             std::abs(normal.dot(face.centroid - plane.point)) < rounding;
-    });
-  };
+  const UnitPlanes planes(options.planes);
   const auto hole_at = [&](const Vec3& point, double size) {
     ground.holes_near(point, size, near);
     int nearest = -1;
@@ -91,7 +86,7 @@ void open_planes_to_voids(const TessellationOptions& options, std::vector<Block>
     for (std::size_t f = 0; f < block.neighbour.size(); ++f) {
       if (block.neighbour[f] != kFreeFace) continue;
       const FaceGeometry face = face_geometry(block.shape, static_cast<int>(f));
-      if (!in_a_plane(face, kRounding * size)) continue;
+      if (!planes.hold(face, kRounding * size)) continue;
       if (!ground.in_region(face.centroid + kOut * size * face.normal)) continue;
       const int hole = hole_at(face.centroid, kFarthest * block.target_size);
       if (hole >= 0) block.neighbour[f] = hole_face(hole);

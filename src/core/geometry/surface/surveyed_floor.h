@@ -39,8 +39,8 @@ struct SurveyedFloor {
   double cell;                         ///< wider than asked for where the survey is large [m]
 };
 
-/// Panels of two triangles each; they share their corners to the last digit. Beyond the survey they
-/// grow with the distance from it.
+/// Panels of two triangles each; within the floor, and within the ground beside, they share their
+/// corners to the last digit. Beyond the survey they grow with the distance from it.
 [[nodiscard]] SurveyedFloor surveyed_floor(const GroundHeights& ground, FloorExtent extent);
 
 }  // namespace muckpile
