@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix muckpile/timestep: keeps the time step a given share of the longest stable one.
-// Scope: joints and sphere contacts of blocks, with each other and with fix muckpile/wall; LIGGGHTS'
-// walls do not count.
+// Scope: joints and sphere contacts of blocks, with each other and with fix muckpile/wall;
+// LIGGGHTS' walls do not count.
 #pragma once
 
 #include <fix.h>
@@ -104,7 +104,7 @@ class FixMuckpileTimestep : public LAMMPS_NS::Fix {
   StepLimit* joints_ = nullptr;  // looked up in every init(); null: no joints
   int known_changes_ = -1;       // of the joints' stiffness at the last look at them
   int changes_ = 0, products_ = 0;
-  bool set_up_ = false;  // the engine knows all that a new step is told to
+  bool set_up_ = false;             // the engine knows all that a new step is told to
   LAMMPS_NS::bigint read_at_ = -1;  // step of the restart file from which the run goes on
   StepState then_;                  // of that file
 };

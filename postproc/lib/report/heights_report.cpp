@@ -158,12 +158,11 @@ Canvas draw(const Heights& heights, const RunData& run, const BenchScene& bench,
   draw_bench(bench, outlines, frame, axes, canvas);
   axes.draw_frame(canvas, "x, from the toe of the free face along the throw [m]", "y [m]");
   draw_title({kLeft, 48.0}, "Pile and bench from above", motion_warning(run.still), 30.0, canvas);
-  canvas.text(
-      {kLeft, 88.0},
-      std::string("greyed: rock that stayed; red: collars") +
-          (bench.several_sides ? "" : "; dashed: toe and crest before") +
-          (outlines.empty() ? "" : "; lines: rock of each hole"),
-      20.0, kInk);
+  canvas.text({kLeft, 88.0},
+              std::string("greyed: rock that stayed; red: collars") +
+                  (bench.several_sides ? "" : "; dashed: toe and crest before") +
+                  (outlines.empty() ? "" : "; lines: rock of each hole"),
+              20.0, kInk);
   canvas.text({kLeft, 118.0},
               "backbreak " + spelled(heights.shifted.largest) + " m · toe left " +
                   spelled(heights.toe.volume) + " m³",

@@ -16,9 +16,9 @@ namespace {
 
 struct DrilledHole {
   HoleFrame frame;
-  Vec2 way = Vec2::Zero();  // sum of the ways to the face [m]
+  Vec2 way = Vec2::Zero();                      // sum of the ways to the face [m]
   std::vector<std::pair<Vec3, Vec3>> pieces{};  // each with its nearest place of the face
-  std::optional<size_t> in_front{};  // the deck
+  std::optional<size_t> in_front{};             // the deck
 };
 
 HoleFrame frame_of(const Deck& deck) {

@@ -23,8 +23,8 @@ BlockColours colours_of_run(const RunData& run, const std::string& field);
 std::vector<Vec2> line_over(const std::vector<double>& x, const std::vector<double>& z);
 
 // Along a line in plan: the charges whose axes come within the radius of their crushed zone, or
-// half the width, of it, as wide as their holes; where the table does not tell, as `hole_radius` [m],
-// and where that is NaN, as their crushed zones.
+// half the width, of it, as wide as their holes; where the table does not tell, as `hole_radius`
+// [m], and where that is NaN, as their crushed zones.
 std::vector<SectionBar> charge_bars(const PlanLine& line, const std::vector<Charge>& charges,
                                     double half_width, double hole_radius);
 

@@ -128,7 +128,8 @@ nlohmann::ordered_json keys_of(const LineHeights& heights, const PlanLine& line,
       if_still(area_between(heights.after, heights.before, heights.step));
   const bool measured = bench && run.still;
   const Trough trough =
-      measured ? deepest_trough(heights.distance, heights.after, heights.floor, run.block_size) : Trough{};
+      measured ? deepest_trough(heights.distance, heights.after, heights.floor, run.block_size)
+               : Trough{};
   keys["section_trough_depth_m"] = measured ? trough.depth : std::nan("");
   keys["section_trough_width_m"] = measured ? trough.width : std::nan("");
   return keys;

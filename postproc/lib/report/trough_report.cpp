@@ -62,12 +62,10 @@ std::vector<double> row_means(const ColumnGrid& grid, const std::vector<double>&
 
 Strip strip_of(const HeightMap& map, const std::vector<double>& x, int begin, int end,
                double least) {
-  Strip strip{map.grid.y0 + begin * map.grid.dy,
-              map.grid.y0 + end * map.grid.dy,
-              row_means(map.grid, map.before, begin, end),
-              row_means(map.grid, map.after, begin, end),
-              row_means(map.grid, map.floor, begin, end),
-              {}};
+  Strip strip{
+      map.grid.y0 + begin * map.grid.dy,           map.grid.y0 + end * map.grid.dy,
+      row_means(map.grid, map.before, begin, end), row_means(map.grid, map.after, begin, end),
+      row_means(map.grid, map.floor, begin, end),  {}};
   strip.trough = deepest_trough(x, strip.after, strip.floor, least);
   return strip;
 }
@@ -178,7 +176,7 @@ CurvePlot plot_of(const Troughs& troughs) {
     lowest_floor = std::min(lowest_floor, mean.after[i]);
   plot.x = AxisRange{troughs.x.front(), end + 1.0};
   plot.y = AxisRange{lowest_floor, 1.12 * std::max(bench_height_of(troughs.mean),
-                                          *std::ranges::max_element(troughs.mean.after))};
+                                                   *std::ranges::max_element(troughs.mean.after))};
   return plot;
 }
 

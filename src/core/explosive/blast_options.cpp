@@ -74,7 +74,8 @@ void add_venting_keywords(ArgTable& table) {
       .real("stemming_shear", "Pa", Range::closed(0.0, 1e9), 0.0,
             "resistance of the stemming per area of the hole's wall")
       .real("stemming_grain", "m", Range::closed(0.0, 0.1), 0.0,
-            "size of the stones of the stemming, between which gas leaks, at a stemming_density below "
+            "size of the stones of the stemming, between which gas leaks, at a stemming_density "
+            "below "
             "2650; 0: none does")
       .real("collar_discharge", "", Range::closed(0.0, 1.0), 0.8,
             "share of the choked flow through the open collar");

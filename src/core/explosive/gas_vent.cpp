@@ -31,8 +31,9 @@ GasVent::GasVent(const Parameters& parameters) : p_(parameters) {
   require_not_negative("stemming_shear", "Pa", p_.stemming_shear);
   require_not_negative("stemming_grain", "m", p_.stemming_grain);
   if (p_.stemming_grain > 0.0 && !(p_.stemming_density < kGrainDensity)) {
-    refuse_value("stemming_density", "< 2650 with stemming_grain above 0, that of stone without pores",
-                 "kg/m3", p_.stemming_density);
+    refuse_value("stemming_density",
+                 "< 2650 with stemming_grain above 0, that of stone without pores", "kg/m3",
+                 p_.stemming_density);
   }
   require_not_negative("collar_discharge", "", p_.collar_discharge);
   require_not_negative("crack_delay", "s", p_.crack_delay);

@@ -16,10 +16,10 @@ struct PulseSpan {
 /// What the charges say of the time that they need; their clock starts with the first run that has
 /// them.
 struct BlastTiming {
-  double start = 0.0;        ///< of that clock, on the engine's [s]
-  double rise_time = 0.0;    ///< of the pulse, and of the gas behind it; 0: a jump [s]
-  double pulse_end = 0.0;    ///< of all holes: joints may be softened from then on [s]
-  double last_firing = 0.0;  ///< [s]
+  double start = 0.0;               ///< of that clock, on the engine's [s]
+  double rise_time = 0.0;           ///< of the pulse, and of the gas behind it; 0: a jump [s]
+  double pulse_end = 0.0;           ///< of all holes: joints may be softened from then on [s]
+  double last_firing = 0.0;         ///< [s]
   std::vector<PulseSpan> pulses{};  ///< of all charges
   /// From firing until the gas vents, and its decay then [s]; 0 without gas, nothing where the gas
   /// leaves by flow and no such times are given.

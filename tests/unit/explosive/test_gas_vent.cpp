@@ -22,6 +22,16 @@ GasVent::Parameters vent() {
   return p;
 }
 
+/// A chamber of constant volume, ideal gas of exponent 1.4, after that many steps [s].
+GasState emptied(const GasVent& gas, double p0, double rho0, int steps, double step) {
+  GasState state;
+  for (int i = 0; i < steps; ++i) {
+    const double left = state.mass_left;
+    gas.advance(state, {p0 * std::pow(left, 1.4), rho0 * left, 0.0, i * step}, step);
+  }
+  return state;
+}
+
 TEST(GasVent, ChokedFluxIsThatOfAnIdealGas) {
   // air at 1 bar, 1.2 kg/m3: sqrt(1.4 x 1e5 x 1.2) (2/2.4)^3 = 409.878 x 0.578704 = 237.198
   EXPECT_NEAR(choked_flux(1e5, 1.2, 1.4), 237.198, 1e-3);
@@ -73,13 +83,7 @@ TEST(GasVent, AChamberOfConstantVolumeEmptiesAsTheClosedFormSays) {
   const GasVent gas(p);
   const double p0 = 2e8, rho0 = 400.0;
   const double k = 0.8 * std::numbers::pi * 0.045 * 0.045 * choked_flux(p0, rho0, 1.4) / 60.0;
-  GasState state;
-  constexpr double kStep = 1e-5;
-  for (int i = 0; i < 3000; ++i) {
-    gas.advance(state,
-                {p0 * std::pow(state.mass_left, 1.4), rho0 * state.mass_left, 0.0, i * kStep},
-                kStep);
-  }
+  const GasState state = emptied(gas, p0, rho0, 3000, 1e-5);
   const double expected = std::pow(1.0 + 0.2 * k * 0.03, -5.0);
   ASSERT_LT(expected, 0.7);
   EXPECT_NEAR(state.mass_left, expected, 1e-3 * expected);  // first order in the step
@@ -100,13 +104,7 @@ TEST(GasVent, GasLeaksThroughThePoresOfAPlugThatHolds) {
   const double leak = 0.01282495;
   EXPECT_NEAR(gas.open_area({}, {p0, rho0, 0.0, 0.0}), leak * bore, 1e-5 * leak * bore);
   const double k = leak * bore * choked_flux(p0, rho0, 1.4) / 60.0;
-  GasState state;
-  constexpr double kStep = 1e-4;
-  for (int i = 0; i < 10000; ++i) {
-    gas.advance(state,
-                {p0 * std::pow(state.mass_left, 1.4), rho0 * state.mass_left, 0.0, i * kStep},
-                kStep);
-  }
+  const GasState state = emptied(gas, p0, rho0, 10000, 1e-4);
   const double expected = std::pow(1.0 + 0.2 * k * 1.0, -5.0);
   ASSERT_LT(expected, 0.9);
   EXPECT_NEAR(state.mass_left, expected, 1e-3 * expected);

@@ -72,7 +72,8 @@ TEST(Trough, OfAPileAboveTheBenchIsFilledToTheBench) {
 
 // A ditch of 5 m in the ground, 2 m beyond the toe: the pile's trough is the same without it.
 TEST(Trough, IsNotADitchOfTheGroundBeyondThePile) {
-  const Surface s({{-2, 10}, {0, 10}, {3, 4}, {6, 7}, {13, 0}, {15, 0}, {17, -5}, {19, 0}, {25, 0}});
+  const Surface s(
+      {{-2, 10}, {0, 10}, {3, 4}, {6, 7}, {13, 0}, {15, 0}, {17, -5}, {19, 0}, {25, 0}});
   Surface ground({{-2, 0}, {15, 0}, {17, -5}, {19, 0}, {25, 0}});
   EXPECT_NEAR(deepest_trough(s.x, s.z, 0.5).depth, 5.0, 1e-9);
   EXPECT_NEAR(deepest_trough(s.x, s.z, ground.z, 0.5).depth, 3.0, 1e-9);
