@@ -152,8 +152,7 @@ void add_harries(std::ostream& text, ChargeDesign& design, const CrushedZoneInpu
   text << " the last ends at " << harries_reach(harries) << " m\n";
 }
 
-std::vector<TimedCharge> timed_charges(const HoleTable& pattern, const ChargeOptions& charge,
-                                       const std::string& where) {
+std::vector<TimedCharge> timed_charges(const HoleTable& pattern, const ChargeOptions& charge) {
   std::vector<TimedCharge> charges;
   for (const Deck& deck : pattern.decks()) {
     const NamedExplosive explosive = deck_explosive(charge, deck);
@@ -196,7 +195,7 @@ void add_pattern(std::ostream& text, ChargeDesign& design, const ChargeOptions& 
                  const ArgValues& values, const std::string& where) {
   const CsvTable table = CsvTable::read(values.word("hole_table"));
   design.pattern = HoleTable(table);
-  const std::vector<TimedCharge> charges = timed_charges(*design.pattern, charge, where);
+  const std::vector<TimedCharge> charges = timed_charges(*design.pattern, charge);
   for (const TimedCharge& each : charges) design.pattern_mass += each.mass;
   design.window_mass = largest_within(charges, kVibrationWindow);
   const CrushedZoneInput rock = rock_input(values, rock_of(values, where), where);

@@ -65,8 +65,12 @@ TEST(EvenCuts, WhatIsBeyondItsBorderByLessThanTheMarginGoesNoFartherThanToANeigh
     for (std::size_t part = 0; part < 4; ++part) {
       const std::size_t below = part == 0 ? 0 : part - 1,
                         above = std::min<std::size_t>(part + 2, 4);
-      if (below > 0) EXPECT_LE(cuts[below], now[part] - margin);
-      if (above < 4) EXPECT_GE(cuts[above], now[part + 1] + margin);
+      if (below > 0) {
+        EXPECT_LE(cuts[below], now[part] - margin);
+      }
+      if (above < 4) {
+        EXPECT_GE(cuts[above], now[part + 1] + margin);
+      }
     }
   }
 }

@@ -116,7 +116,7 @@ TEST_F(Page, SaysWhatTheAuditMissesAndWhatTheGasLost) {
   report_profile(folder(), {kCube, 0.125}, {});
   report_energy(folder());
   const std::string page = page_of(folder());
-  for (const std::string said :
+  for (const std::string& said :
        {"Gas gave " + in_words("_share", 0.5) + " of", "took " + in_words("_share", 0.2) + " of",
         "energy misses " + in_words("_fraction", 0.02) + " of it", std::string("not accounted for"),
         in_words("_J", 2e5)})

@@ -206,7 +206,7 @@ TEST_F(Fields, ZonesThatAreNoNumbersAreRefused) {
   for (size_t b = 1; b < run_.blocks.size(); ++b) text += "0\n";
   write_text(path, text);
   EXPECT_NE(input_error_of([&] {
-              ResultFolder(temporary_.path()).blocks();
+              (void)ResultFolder(temporary_.path()).blocks();
             }).find("zone must be a whole number from 0 to 255, got '1.5"),
             std::string::npos);
 }
