@@ -106,6 +106,12 @@ std::optional<double> FigureFile::find(const std::string& quantity) const {
   return column_averaged ? mean(*column) : table.number(table.rows() - 1, *column);
 }
 
+bool FigureFile::is_null(const std::string& quantity) const {
+  const auto* object = std::get_if<Json>(&content_);
+  const Json* found = object != nullptr ? value_of(*object, quantity) : nullptr;
+  return found != nullptr && found->is_null();
+}
+
 double FigureFile::get(const std::string& quantity) const {
   if (const auto found = find(quantity)) return *found;
   refuse(name_, "has no '" + quantity + "'");

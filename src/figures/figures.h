@@ -28,7 +28,9 @@ class FigureFile {
 
   /// Nothing if the file does not have the quantity. mean(NAME) is the mean over a table's column.
   [[nodiscard]] std::optional<double> find(const std::string& quantity) const;
-  /// The same, but the quantity must be there.
+  /// The file of JSON has the quantity as null: it does not apply. For find() that is an error.
+  [[nodiscard]] bool is_null(const std::string& quantity) const;
+  /// As find(), but the quantity must be there.
   [[nodiscard]] double get(const std::string& quantity) const;
   /// Throws unless every number in it is finite and no value is null or empty. A column that begins
   /// with a word is one of words.

@@ -20,7 +20,7 @@ one_run() {  # one_run NAME THROW WAVE [MORE]
     >"results/$1/summary.json"
 }
 one_run base 3 10 ', "stemming_out_s": 0.0088'
-one_run half 1.5 5
+one_run half 1.5 5 ', "stemming_out_s": null'
 one_run grain 2.4 10
 one_run fine 3 12
 mkdir case
