@@ -73,7 +73,7 @@ sed -i 's/"gas_work_J": 10, //' "$WRITES/run.json"
 fails "has no 'gas_work_J'" "${ranks[@]}"
 
 # The shortcut saves steps where the word off is not among the variables.
-on_off=("$root/tests/regression/on_off.sh" "$program" "-var off 1" 0.01 0.9 in.x)
+on_off=("$root/tests/regression/on_off.sh" "$program" "-var off 1" 0.01 0.01 0.9 in.x)
 fake mpirun 'all=$*; while [[ $1 != out ]]; do shift; done
 cp "$WRITES"/run.json "$WRITES"/blocks_1.csv "$2/dump"; [[ $all != *"-var off 1"* ]] || sed -i "s/100/200/; s/10,/10.01,/" "$2/dump/run.json"'
 good
