@@ -186,7 +186,7 @@ fails 2 'primer_ratio is there twice' exponents answers.csv answers.json
 mkdir -p slice
 peaks() { printf 'gauge,distance_m,scaled_distance_m_kg05,ppv_m_s\n%s' "$1" >slice/ppv.csv; }
 peaks $'1,31.4159265359,9.93458827190,0.7\n2,62.8318530718,19.8691765438,0.175\n3,90,28.46,5\n'
-holds near_field field.json 30 70 slice
+holds near_field field.json 30 70 slice/
 printf '{"case": "slice", "expected": [%s, %s, %s, %s]}' "$(row slice_over_law 0.637280 1e-6)" "$(row slice_over_law_least 0.406126 1e-6)" \
   "$(row slice_over_law_most 1 1e-9)" "$(row slice_distance_exponent -2 1e-9)" >expected.json
 holds case expected.json field.json

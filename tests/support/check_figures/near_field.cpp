@@ -54,7 +54,7 @@ Json near_field(const std::vector<std::filesystem::path>& folders, double near, 
       ratios.push_back(peak.speed / holmberg_persson(peak.charge, peak.distance));
       mean += std::log(ratios.back()) / static_cast<double>(peaks.size());
     }
-    const std::string name = folder.filename().string();
+    const std::string name = (folder / "").parent_path().filename().string();
     result[name + "_over_law"] = std::exp(mean);
     result[name + "_over_law_least"] = *std::min_element(ratios.begin(), ratios.end());
     result[name + "_over_law_most"] = *std::max_element(ratios.begin(), ratios.end());
