@@ -39,14 +39,20 @@ class DrawnPicture {
   [[nodiscard]] Box extent(Colour colour, const Box& within) const;
   // Middles of the lines that a row crosses: stretches that are not white.
   [[nodiscard]] std::vector<double> lines_across(int row, int from, int to) const;
-  // Whether these words, as Canvas::text sets them in the colour kInk on white, stand within a
-  // pixel of the place.
+  // How far words within a pixel of the place are from these, as Canvas::text sets them in the
+  // colour kInk on white: 0 for the same, 1 where there are none.
+  [[nodiscard]] double misfit(const std::string& words, double size, const Vec2& place,
+                              Anchor anchor) const;
+  // Whether they are these, rather than others or a part of them.
   [[nodiscard]] bool reads(const std::string& words, double size, const Vec2& place,
                            Anchor anchor) const;
 
  private:
-  // By how much of the ink of a picture of words this one differs from it, with its corner here.
-  [[nodiscard]] double share_off(const DrawnPicture& words, int left, int top) const;
+  // By how much of the ink of both a picture of words differs from what is here, with its corner at
+  // a pixel: around the words, and so much beside them.
+  [[nodiscard]] double share_off(const DrawnPicture& words, int left, int top, int beside) const;
+  // Around all that is not white.
+  [[nodiscard]] Box dark() const;
 
   int width_, height_;
   std::vector<unsigned char> bytes_;  // row by row from the top, 3 per pixel
