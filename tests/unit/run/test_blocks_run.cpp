@@ -94,7 +94,8 @@ TEST(BlocksRun, TakesNoStepAfterASignal) {
   EXPECT_EQ(BlocksRun(plan_of({}), engine).go(), LapsEnd::interrupted);
   EXPECT_EQ(BlocksRun(plan_of({}), engine).go(), LapsEnd::interrupted);
   EXPECT_EQ(engine.steps, 100);
-  EXPECT_EQ(engine.lines, std::vector<std::string>{"interrupted: before the first step of phase run"});
+  EXPECT_EQ(engine.lines,
+            std::vector<std::string>{"interrupted: before the first step of phase run"});
 }
 
 TEST(BlocksPlan, ResolvesTheCollisionOfTwoSmallestBlocks) {
