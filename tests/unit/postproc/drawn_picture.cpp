@@ -129,9 +129,9 @@ double DrawnPicture::misfit(const std::string& words, double size, const Vec2& p
   const int left = static_cast<int>(std::floor(place.x())) - reach,
             top = static_cast<int>(std::floor(place.y() - 2.0 * size));
   double best = 1.0;
-  for (int k = 0; k < 49; ++k) {
+  for (int k = 0; k < 25; ++k) {
     Canvas alone(2 * reach, static_cast<int>(3.0 * size), kWhite);
-    const Vec2 shift((k % 7 - 3) * kThird, (k / 7 - 3) * kThird);
+    const Vec2 shift((k % 5 - 2) * kThird, (k / 5 - 2) * kThird);
     alone.text(place + shift - Vec2(left, top), words, size, kInk, anchor);
     best = std::min(best, share_off(DrawnPicture(alone), left, top, static_cast<int>(0.6 * size)));
   }
