@@ -18,7 +18,7 @@ atom_modify map array sort 0 0
 boundary m m m
 newton off
 communicate single vel yes
-region box block -1 40 -20 20 -4 10 units box
+region box block -12 40 -20 20 -4 10 units box
 create_box 2 box
 neighbor 0.2 bin
 neigh_modify delay 0 every 1 check yes binsize 1.5
