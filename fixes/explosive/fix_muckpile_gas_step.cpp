@@ -31,7 +31,7 @@ std::span<const double> FixMuckpileGas::pressure_in_joints() {
   if (measured_at_ >= 0 && !due) return gas_.pressed();
   measured_at_ = update->ntimestep;
   const engine::BlockHalo& halo = joints_->halo();
-  gas_.measure(joints_->network(), fed_);
+  gas_.measure(joints_->rooms(), fed_);
   numbers_.resize(halo.size() * kCellWidth);
   const std::span<GasCell> cells = gas_.cells();
   for (std::size_t b = 0; b < halo.owned(); ++b) {

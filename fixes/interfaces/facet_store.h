@@ -10,11 +10,8 @@
 #include "bond/facet.h"
 #include "bond/network/facet_lists.h"
 #include "fixes/engine/block_halo.h"
+#include "fixes/engine/bodies.h"
 #include "fixes/interfaces/known_blocks.h"
-
-namespace LAMMPS_NS {
-class FixMultisphere;
-}
 
 namespace muckpile {
 
@@ -51,8 +48,8 @@ class FacetStore {
   /// Tags of the copies of other ranks' blocks, in halo order after the owned ones.
   [[nodiscard]] virtual const std::vector<int>& copy_tags() const = 0;
   [[nodiscard]] virtual const engine::BlockHalo& halo() const = 0;
-  /// What engine::Bodies makes the bodies of the blocks from.
-  [[nodiscard]] virtual LAMMPS_NS::FixMultisphere& bodies() = 0;
+  /// Of this rank; good until bodies are added, removed or exchanged.
+  [[nodiscard]] virtual engine::Bodies bodies() = 0;
 };
 
 }  // namespace muckpile

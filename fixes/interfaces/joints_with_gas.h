@@ -8,13 +8,16 @@
 #include <span>
 #include <vector>
 
+#include "bond/network/joint_rooms.h"
 #include "fixes/engine/block_halo.h"
-#include "fixes/interfaces/network_view.h"
 
 namespace muckpile {
 
-class JointsWithGas : public NetworkView {
+class JointsWithGas {
  public:
+  virtual ~JointsWithGas() = default;
+  /// Blocks of this rank first, in the order of their bodies.
+  [[nodiscard]] virtual JointRooms rooms() const = 0;
   /// Grows whenever the lists of blocks and joints in it may have changed.
   [[nodiscard]] virtual std::uint64_t lists_version() const = 0;
   /// Tags of the owned blocks, in the order of their bodies.

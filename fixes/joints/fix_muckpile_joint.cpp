@@ -5,7 +5,6 @@
 
 #include <comm.h>
 #include <error.h>
-#include <fix_multisphere.h>
 #include <modify.h>
 #include <update.h>
 
@@ -252,7 +251,7 @@ RankTeam FixMuckpileJoint::team() const {
 }
 
 void FixMuckpileJoint::gather_state() {
-  const engine::Bodies bodies(store_->bodies());
+  const engine::Bodies bodies = store_->bodies();
   const engine::BlockHalo& halo = store_->halo();
   const std::span<BlockState> state = network_.state();
   for (int b = 0; b < bodies.count(); ++b) {
@@ -281,7 +280,7 @@ void FixMuckpileJoint::gather_state() {
 }
 
 void FixMuckpileJoint::apply_forces() {
-  engine::Bodies bodies(store_->bodies());
+  engine::Bodies bodies = store_->bodies();
   for (int b = 0; b < bodies.count(); ++b) {
     bodies.force(b) += network_.force()[static_cast<std::size_t>(b)];
     bodies.torque(b) += network_.torque()[static_cast<std::size_t>(b)];

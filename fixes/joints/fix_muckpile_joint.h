@@ -11,10 +11,12 @@
 #include <string>
 #include <vector>
 
+#include "bond/network/block_stress.h"
 #include "bond/network/facet_network.h"
 #include "fixes/interfaces/acting_joints.h"
 #include "fixes/interfaces/blast_surface.h"
 #include "fixes/interfaces/block_neighbours.h"
+#include "fixes/interfaces/block_stresses.h"
 #include "fixes/interfaces/facet_store.h"
 #include "fixes/interfaces/joint_damage.h"
 #include "fixes/interfaces/joint_energies.h"
@@ -39,6 +41,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
                          public JoinedBlocks,
                          public StepLimit,
                          public JointsWithGas,
+                         public BlockStresses,
                          public JointEnergies,
                          public JointFragments,
                          public JointDamage,
@@ -107,11 +110,18 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   [[nodiscard]] std::vector<double> broken_share() const override;
   void add_cost_of_joints(std::span<double> costs, double cost) const override;
 
+  [[nodiscard]] std::vector<Mat3> stresses(std::span<const int> bodies) const override {
+    return block_stresses(network_, bodies);
+  }
+  [[nodiscard]] std::vector<double> distances_from_blocks(const Vec3& point) const override {
+    return muckpile::distances_from_blocks(network_, point);
+  }
+
   [[nodiscard]] JointEnergySums energies() const override;
   [[nodiscard]] std::span<const Vec3> joint_forces() const override { return network_.force(); }
   [[nodiscard]] std::span<const Vec3> joint_torques() const override { return network_.torque(); }
 
-  [[nodiscard]] const FacetNetwork& network() const override { return network_; }
+  [[nodiscard]] JointRooms rooms() const override { return JointRooms(network_); }
   [[nodiscard]] std::uint64_t lists_version() const override { return version_; }
   [[nodiscard]] std::vector<int> block_tags() const override;
   [[nodiscard]] const engine::BlockHalo& halo() const override { return store_->halo(); }

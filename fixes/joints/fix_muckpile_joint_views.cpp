@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // fix muckpile/joint as other styles see it: joints, faces under pressure, supports, neighbours.
 // Scope: the interfaces that the class implements; nothing here runs unless another style asks.
-#include <fix_multisphere.h>
 
 #include <algorithm>
 
@@ -108,7 +107,7 @@ YieldingSupports::Chosen FixMuckpileJoint::let_ground_yield(
 }
 
 StepBound FixMuckpileJoint::stable_step(Breaking breaking, double guess) const {
-  const engine::Bodies bodies(store_->bodies());
+  const engine::Bodies bodies = store_->bodies();
   std::vector<Mat3> inertia;
   for (int b = 0; b < bodies.count(); ++b) inertia.push_back(bodies.inertia_in_space(b));
   return muckpile::stable_step(network_, inertia, breaking, team(), guess);
@@ -178,7 +177,7 @@ void FixMuckpileJoint::release_gas(std::span<const std::uint32_t> joints) {
 /// With full-step velocities force x velocity x dt is exactly the work that the integrator lets the
 /// force do.
 double FixMuckpileJoint::gas_power() const {
-  const engine::Bodies bodies(store_->bodies());
+  const engine::Bodies bodies = store_->bodies();
   double rate = 0.0;
   if (network_.gas_force().empty()) return rate;
   for (int b = 0; b < bodies.count(); ++b) {

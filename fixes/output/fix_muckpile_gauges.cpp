@@ -16,7 +16,6 @@
 #include <cmath>
 
 #include "args/numbers.h"
-#include "bond/network/block_stress.h"
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/exchange.h"
 #include "fixes/engine/find_view.h"
@@ -26,9 +25,9 @@
 #include "fixes/engine/single_fix.h"
 #include "fixes/engine/style_args.h"
 #include "fixes/engine/style_name.h"
+#include "fixes/interfaces/block_stresses.h"
 #include "fixes/interfaces/keyword_tables.h"
 #include "fixes/interfaces/known_blocks.h"
-#include "fixes/interfaces/network_view.h"
 
 namespace muckpile {
 namespace {
@@ -66,11 +65,11 @@ int FixMuckpileGauges::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
 
 void FixMuckpileGauges::init() {
   blocks_ = engine::find_view<KnownBlocks>(*lmp);
-  joints_ = engine::find_view<NetworkView>(*lmp);
+  rock_ = engine::find_view<BlockStresses>(*lmp);
   if (blocks_ == nullptr) engine::stop(*lmp, where_ + ": needs create_blocks before the first run");
-  if (joints_ == nullptr)
+  if (rock_ == nullptr)
     engine::stop(*lmp, where_ + ": needs a fix muckpile/joint, which knows the stress of blocks");
-  if (engine::place_of<NetworkView>(*lmp) > modify->find_fix(id))
+  if (engine::place_of<BlockStresses>(*lmp) > modify->find_fix(id))
     engine::stop(*lmp, where_ + ": must be defined after fix muckpile/joint");
   refuse_shared_file();
 }
@@ -118,7 +117,7 @@ bool FixMuckpileGauges::due() const {
 /// lowest tag. Without blocks it is infinitely far.
 FixMuckpileGauges::Nearest FixMuckpileGauges::nearest_to(const Vec3& point) const {
   const engine::Bodies bodies(*engine::find_multisphere(*lmp));
-  const std::vector<double> outside = distances_from_blocks(joints_->network(), point);
+  const std::vector<double> outside = rock_->distances_from_blocks(point);
   Nearest nearest;
   for (int b = 0; b < bodies.count(); ++b) {
     const auto k = static_cast<std::size_t>(b);
@@ -182,7 +181,7 @@ std::vector<double> FixMuckpileGauges::rows_of_this_rank() const {
   std::vector<int> gauged;
   for (int b = 0; b < bodies.count(); ++b)
     if (of_block_.contains(bodies.tag(b))) gauged.push_back(b);
-  const std::vector<Mat3> stresses = block_stresses(joints_->network(), gauged);
+  const std::vector<Mat3> stresses = rock_->stresses(gauged);
   std::vector<double> rows;
   for (std::size_t k = 0; k < gauged.size(); ++k) {
     const int b = gauged[k];

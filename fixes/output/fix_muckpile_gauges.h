@@ -18,8 +18,8 @@
 
 namespace muckpile {
 
+class BlockStresses;
 class KnownBlocks;
-class NetworkView;
 
 /// A gauge and the block that carries it.
 struct Gauge {
@@ -83,7 +83,7 @@ class FixMuckpileGauges : public LAMMPS_NS::Fix {
   std::string where_;
   engine::RunTable table_;
   KnownBlocks* blocks_ = nullptr;
-  NetworkView* joints_ = nullptr;
+  BlockStresses* rock_ = nullptr;
   std::vector<Gauge> gauges_;
   std::unordered_multimap<int, std::size_t> of_block_;  // gauges by tag of their block
   double next_ = 0.0;                                   // time of the next sample, by interval [s]

@@ -42,7 +42,7 @@ nlohmann::ordered_json measure() {
   scene.deform(kOpening * Mat3::Identity());
   scene.compute();
   JointGas gas({});
-  gas.set_network(network);
+  gas.set_network(JointRooms(network));
   fill(gas);
   const auto nanoseconds = [&](const std::function<void()>& body) {
     return 1e9 * least_time(body, kSteps) / static_cast<double>(network.facet_count());
@@ -56,7 +56,7 @@ nlohmann::ordered_json measure() {
   std::vector<OpenJoint> open;
   result["opening_of_joints"]["ns_per_joint"] =
       nanoseconds([&] { network.open_joints(joints, open); });
-  result["measure"]["ns_per_joint"] = nanoseconds([&] { gas.measure(network, {}); });
+  result["measure"]["ns_per_joint"] = nanoseconds([&] { gas.measure(JointRooms(network), {}); });
   result["pressures"]["ns_per_joint"] = nanoseconds([&] { static_cast<void>(gas.press()); });
   result["flow"]["ns_per_joint"] = nanoseconds([&] { static_cast<void>(gas.flow({}, kStep)); });
   result["cool"]["ns_per_joint"] = nanoseconds([&] { gas.cool(kStep); });

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # walls.sh LIGGGHTS_MUCKPILE BOUND INPUT [-var NAME VALUE]...: INPUT with walls of fix muckpile/wall and with LIGGGHTS' takes to the same rock, and
 # what the walls took of it until the end stands in both energy accounts; it may differ by BOUND (a share).
-# Scope: until rock has hit the ground; how piles compare is in docs/styles/fix_muckpile_wall.md.
+# Scope: until rock has hit the ground; how piles compare is in docs/verification/styles.md.
 set -euo pipefail
 program=$1 bound=$2 input=$3
 shift 3

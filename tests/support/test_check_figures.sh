@@ -182,6 +182,21 @@ holds case expected.json answers.json
 printf 'name,factor,value,base\nprimer,,3,4\nprimer,,3,4\n' >answers.csv
 fails 2 'primer_ratio is there twice' exponents answers.csv answers.json
 
+# A charge of 10 kg/m: 0.7 m/s by the law at 10 pi m; a quarter of that at twice the distance is 0.25 2^0.7 = 0.406126 of the law.
+mkdir -p slice
+peaks() { printf 'gauge,distance_m,scaled_distance_m_kg05,ppv_m_s\n%s' "$1" >slice/ppv.csv; }
+peaks $'1,31.4159265359,9.93458827190,0.7\n2,62.8318530718,19.8691765438,0.175\n3,90,28.46,5\n'
+holds near_field field.json 30 70 slice/
+printf '{"case": "slice", "expected": [%s, %s, %s, %s]}' "$(row slice_over_law 0.637280 1e-6)" "$(row slice_over_law_least 0.406126 1e-6)" \
+  "$(row slice_over_law_most 1 1e-9)" "$(row slice_distance_exponent -2 1e-9)" >expected.json
+holds case expected.json field.json
+fails 2 'needs two gauges between 80 and 100 m' near_field field.json 80 100 slice
+fails 2 'none/ppv.csv' near_field field.json 30 70 none
+peaks $'1,31.4,9.9,0.7\n2,31.4,9.9,0.7\n'
+fails 2 'has gauges at one distance only' near_field field.json 30 70 slice
+peaks $'1,31.4,9.9,0\n2,62.8,19.9,0.7\n'
+fails 2 'ppv.csv:2: ppv_m_s must be > 0' near_field field.json 30 70 slice
+
 # A figure within a figure.
 echo '{"audit_J": {"vented": 3, "deep": {"er": 4}, "word": "x"}, "a.b": 5}' >inner.json
 holds near vented inner.json:audit_J.vented 3 0

@@ -37,8 +37,8 @@ JointGas::JointGas(const Parameters& parameters)
     refuse_value("crack_spacing", "0 or >= " + number_text(kFinestSpacing), "m", p_.crack_spacing);
 }
 
-void JointGas::set_network(const FacetNetwork& network) {
-  const std::size_t count = network.blocks().size();
+void JointGas::set_network(const JointRooms& rooms) {
+  const std::size_t count = rooms.blocks().size();
   cells_.assign(count, {});
   reached_.assign(count, 0);
   holds_.assign(count, 0);
@@ -52,12 +52,12 @@ void JointGas::set_network(const FacetNetwork& network) {
   ending_.clear();
   wide_.clear();
   ends_.clear();
-  keeps_.assign(network.facet_count(), Keeps::unknown);
+  keeps_.assign(rooms.facet_count(), Keeps::unknown);
   listed_ = false;
   owned_.resize(count);
-  for (std::size_t b = 0; b < count; ++b) owned_[b] = network.blocks()[b].owned ? 1 : 0;
+  for (std::size_t b = 0; b < count; ++b) owned_[b] = rooms.blocks()[b].owned ? 1 : 0;
   touches_.assign(count, 0);
-  for (const BoundaryFace& face : network.faces()) {
+  for (const BoundaryFace& face : rooms.faces()) {
     int& code = touches_[static_cast<std::size_t>(face.block)];
     if (face.hole < 0) {
       code |= 1;
@@ -68,19 +68,19 @@ void JointGas::set_network(const FacetNetwork& network) {
 }
 
 /// A joint whose law knows its apertures is a crack of the rock itself.
-double JointGas::cracks_of(const FacetNetwork& network, std::size_t f) const {
-  if (p_.crack_spacing == 0.0 || network.tables().joint(f).apertures(0.0)) return 1.0;
+double JointGas::cracks_of(const JointRooms& rooms, std::size_t f) const {
+  if (p_.crack_spacing == 0.0 || rooms.law_has_apertures(f)) return 1.0;
   const auto size = [&](int b) {
-    return std::cbrt(network.blocks()[static_cast<std::size_t>(b)].volume);
+    return std::cbrt(rooms.blocks()[static_cast<std::size_t>(b)].volume);
   };
-  const FacetEnds facet = network.ends(f);
+  const FacetEnds facet = rooms.ends(f);
   const bool joint = facet.kind == FacetKind::joint;
   const double way = joint ? 0.5 * (size(facet.i) + size(facet.j)) : size(facet.i);
   return std::max(1.0, way / p_.crack_spacing);
 }
 
-JointGas::End JointGas::end_of(const FacetNetwork& network, std::size_t f) const {
-  const FacetEnds facet = network.ends(f);
+JointGas::End JointGas::end_of(const JointRooms& rooms, std::size_t f) const {
+  const FacetEnds facet = rooms.ends(f);
   const auto i = static_cast<std::size_t>(facet.i), j = static_cast<std::size_t>(facet.j);
   const bool joint = facet.kind == FacetKind::joint, mirror = facet.kind == FacetKind::mirror;
   const int of_i = touches_[i], of_j = mirror ? of_i : joint ? touches_[j] : 0;
@@ -90,14 +90,14 @@ JointGas::End JointGas::end_of(const FacetNetwork& network, std::size_t f) const
           .joint = joint,
           .mirror = mirror,
           .surfaces = (of_i & of_j & 1) != 0,
-          .many = cracks_of(network, f)};
+          .many = cracks_of(rooms, f)};
 }
 
 /// Whether cracks_ is still right. A list depends on which facets are broken, and on which blocks
 /// have gas, or are copies, which may have got gas on their own rank, or lie on a chamber.
-bool JointGas::list_holds(const FacetNetwork& network, const std::vector<char>& fed) {
+bool JointGas::list_holds(const JointRooms& rooms, const std::vector<char>& fed) {
   const auto intact = static_cast<std::size_t>(
-      std::count(network.states().begin(), network.states().end(), FacetState::intact));
+      std::count(rooms.states().begin(), rooms.states().end(), FacetState::intact));
   bool same = listed_ && intact == intact_ && fed == fed_;
   for (std::size_t b = 0; b < cells_.size(); ++b) {
     const int hole = touches_[b] / 2 - 1;
@@ -112,12 +112,11 @@ bool JointGas::list_holds(const FacetNetwork& network, const std::vector<char>& 
 }
 
 /// Blocks with gas and those beside them.
-void JointGas::mark_reached(const FacetNetwork& network) {
+void JointGas::mark_reached(const JointRooms& rooms) {
   open_to_gas_.clear();
-  for (std::size_t f = 0; f < network.facet_count(); ++f) {
-    if (network.states()[f] == FacetState::intact) continue;
-    if (keeps_[f] == Keeps::unknown)
-      keeps_[f] = network.traces()[f].gas ? Keeps::gas : Keeps::nothing;
+  for (std::size_t f = 0; f < rooms.facet_count(); ++f) {
+    if (rooms.states()[f] == FacetState::intact) continue;
+    if (keeps_[f] == Keeps::unknown) keeps_[f] = rooms.keeps_gas(f) ? Keeps::gas : Keeps::nothing;
     if (keeps_[f] == Keeps::gas) open_to_gas_.push_back(static_cast<std::uint32_t>(f));
   }
   std::fill(reached_.begin(), reached_.end(), 0);
@@ -129,12 +128,12 @@ void JointGas::mark_reached(const FacetNetwork& network) {
   }
 }
 
-void JointGas::list_cracks(const FacetNetwork& network) {
+void JointGas::list_cracks(const JointRooms& rooms) {
   if (ends_.empty()) {
-    ends_.reserve(network.facet_count());
-    for (std::size_t f = 0; f < network.facet_count(); ++f) ends_.push_back(end_of(network, f));
+    ends_.reserve(rooms.facet_count());
+    for (std::size_t f = 0; f < rooms.facet_count(); ++f) ends_.push_back(end_of(rooms, f));
   }
-  mark_reached(network);
+  mark_reached(rooms);
   cracks_.clear();
   crack_facets_.clear();
   ending_.clear();

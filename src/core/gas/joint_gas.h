@@ -30,7 +30,7 @@
 #include <span>
 #include <vector>
 
-#include "bond/network/facet_network.h"
+#include "bond/network/joint_rooms.h"
 #include "gas/closed_joint.h"
 #include "gas/crack_flow.h"
 #include "gas/wall_heat.h"
@@ -124,7 +124,7 @@ class JointGas {
   explicit JointGas(const Parameters& parameters);
 
   /// New lists of blocks and facets; every cell is empty after that.
-  void set_network(const FacetNetwork& network);
+  void set_network(const JointRooms& rooms);
   /// Code of what each block touches: 2 (hole + 1) + (1 if it has a free face). Right for owned
   /// blocks after set_network(); the caller fills in the copies.
   [[nodiscard]] std::span<int> touches() {
@@ -137,7 +137,7 @@ class JointGas {
 
   /// Volumes of the owned blocks that gas can reach in this step, in the pose of the network; a
   /// hole whose `fed` is false lets no gas out.
-  void measure(const FacetNetwork& network, const std::vector<char>& fed);
+  void measure(const JointRooms& rooms, const std::vector<char>& fed);
   /// Per hole, what measure() found: the part of GasChamber::ways of owned blocks.
   [[nodiscard]] std::span<const double> chamber_ways() const { return chamber_ways_; }
   /// What the gas of each block presses beyond the atmosphere [Pa]; valid until the next call.
@@ -210,13 +210,13 @@ class JointGas {
   };
 
   [[nodiscard]] bool owned(std::size_t b) const { return owned_[b] != 0; }
-  [[nodiscard]] double cracks_of(const FacetNetwork& network, std::size_t f) const;
-  [[nodiscard]] End end_of(const FacetNetwork& network, std::size_t f) const;
-  [[nodiscard]] bool list_holds(const FacetNetwork& network, const std::vector<char>& fed);
-  void mark_reached(const FacetNetwork& network);
-  void list_cracks(const FacetNetwork& network);
+  [[nodiscard]] double cracks_of(const JointRooms& rooms, std::size_t f) const;
+  [[nodiscard]] End end_of(const JointRooms& rooms, std::size_t f) const;
+  [[nodiscard]] bool list_holds(const JointRooms& rooms, const std::vector<char>& fed);
+  void mark_reached(const JointRooms& rooms);
+  void list_cracks(const JointRooms& rooms);
   void find_pressures();
-  void find_apertures(const FacetNetwork& network);
+  void find_apertures(const JointRooms& rooms);
   void close_joints();
   void find_passages();
   void count_crack(std::size_t c);

@@ -8,8 +8,8 @@
 
 namespace muckpile {
 
-void JointGas::find_apertures(const FacetNetwork& network) {
-  network.open_joints(crack_facets_, openings_);
+void JointGas::find_apertures(const JointRooms& rooms) {
+  rooms.open(crack_facets_, openings_);
   for (std::size_t c = 0; c < cracks_.size(); ++c) {
     const OpenJoint& open = openings_[c];
     const bool wide = open.parted_squared > 1.0;
@@ -85,14 +85,14 @@ void JointGas::count_crack(std::size_t c) {
   });
 }
 
-void JointGas::measure(const FacetNetwork& network, const std::vector<char>& fed) {
-  if (!list_holds(network, fed)) list_cracks(network);
+void JointGas::measure(const JointRooms& rooms, const std::vector<char>& fed) {
+  if (!list_holds(rooms, fed)) list_cracks(rooms);
   wide_.clear();
   std::fill(walls_.begin(), walls_.end(), 0.0);
   std::fill(rooms_.begin(), rooms_.end(), 0.0);
   for (GasCell& cell : cells_) cell.volume = cell.ways = 0.0;
   chamber_ways_.assign(fed.size(), 0.0);
-  find_apertures(network);
+  find_apertures(rooms);
   find_passages();
   for (std::size_t c = 0; c < cracks_.size(); ++c) count_crack(c);
   expand();

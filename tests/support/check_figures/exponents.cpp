@@ -8,16 +8,10 @@
 
 #include "args/csv_table.h"
 #include "args/input_error.h"
+#include "check_figures/positive_number.h"
 
 namespace muckpile::check {
 namespace {
-
-double positive(const CsvTable& table, size_t row, const char* name) {
-  const double value = table.number(row, table.column(name));
-  if (value <= 0.0)
-    throw InputError(table.where(row) + name + " must be > 0, got " + text_of(value));
-  return value;
-}
 
 bool given(const CsvTable& table, size_t row, const char* name) {
   return !table.word(row, table.column(name)).empty();
@@ -26,11 +20,11 @@ bool given(const CsvTable& table, size_t row, const char* name) {
 /// Name and value of the figure of a row.
 std::pair<std::string, double> answer_of(const CsvTable& table, size_t row, bool by_factor) {
   const std::string name(table.word(row, table.column("name")));
-  const double value = positive(table, row, "value");
+  const double value = positive_number(table, row, "value");
   if (!given(table, row, "factor") && !given(table, row, "base")) return {name, value};
-  const double ratio = value / positive(table, row, "base");
+  const double ratio = value / positive_number(table, row, "base");
   if (!given(table, row, "factor")) return {name + "_ratio", ratio};
-  const double factor = positive(table, row, "factor");
+  const double factor = positive_number(table, row, "factor");
   if (factor == 1.0) throw InputError(table.where(row) + "factor must not be 1");
   return {name + (by_factor ? "_at_" + text_of(factor) : "") + "_exponent",
           std::log(ratio) / std::log(factor)};

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "check_figures/burden_fit.h"
 #include "check_figures/crater_depths.h"
 #include "check_figures/exponents.h"
+#include "check_figures/near_field.h"
 #include "figures/expected.h"
 #include "figures/figures.h"
 
@@ -25,7 +27,8 @@ using namespace muckpile::check;
 struct Options {
   std::string name, figure, reference, table, summary, expected;
   std::vector<std::string> figures, files;
-  double bound = 0.0, times = 1.0;
+  std::vector<std::filesystem::path> folders;
+  double bound = 0.0, times = 1.0, nearest = 0.0, farthest = 0.0;
   bool share = false;
   std::string at_least, at_most, above, below;
 };
@@ -112,6 +115,12 @@ void add_case_commands(CLI::App& app, Options& o, bool& holds) {
   answers->add_option("TABLE", o.table, "name, factor, value, base (CSV)")->required();
   answers->add_option("SUMMARY", o.summary, "exponent of each row (JSON)")->required();
   answers->callback([&] { write_summary(o, exponents(o.table)); });
+  CLI::App* field = app.add_subcommand("near_field", "peaks beside a law: FOLDERs to SUMMARY");
+  field->add_option("SUMMARY", o.summary, "ratios and exponents (JSON)")->required();
+  field->add_option("NEAREST", o.nearest, "gauge that counts [m]")->required();
+  field->add_option("FARTHEST", o.farthest, "gauge that counts [m]")->required();
+  field->add_option("FOLDER", o.folders, "of a run, with ppv.csv")->required();
+  field->callback([&] { write_summary(o, near_field(o.folders, o.nearest, o.farthest)); });
 }
 
 void add_figure_commands(CLI::App& app, Options& o, bool& holds) {

@@ -58,7 +58,7 @@ struct GasScene {
     scene.deform(kOpening * apart);  // every joint breaks: its gap counts from here
     scene.compute();
     scene.deform(2.0 * kOpening * apart);
-    gas.set_network(scene.network());
+    gas.set_network(JointRooms(scene.network()));
   }
   /// Of the temperature that a pressure has on the isentrope, whatever room it has.
   void fill(std::size_t b, double mass, double pressure = 100e6) {
@@ -70,12 +70,12 @@ struct GasScene {
   void open(double opening, const Mat3& apart = Mat3::Identity()) {
     scene.deform(opening * apart);
     scene.compute();
-    gas.measure(scene.network(), fed);
+    gas.measure(JointRooms(scene.network()), fed);
   }
   double energy() { return gas.contained().energy; }
   double pressure(std::size_t b) { return gas.pressure(gas.cells()[b]); }
   void step(double dt) {
-    gas.measure(scene.network(), fed);
+    gas.measure(JointRooms(scene.network()), fed);
     press(gas, scene.network());
     for (std::size_t h = 0; h < chambers.size(); ++h) chambers[h].ways = gas.chamber_ways()[h];
     const JointGas::Flows flows = gas.flow(chambers, dt);

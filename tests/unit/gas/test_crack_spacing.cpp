@@ -51,7 +51,7 @@ struct FedCube {
   }
   void step(double dt) {
     cube.chambers[0] = chamber_of(150e6, 100.0);
-    cube.gas.measure(cube.scene.network(), cube.fed);
+    cube.gas.measure(JointRooms(cube.scene.network()), cube.fed);
     press(cube.gas, cube.scene.network());
     cube.chambers[0].ways = cube.gas.chamber_ways()[0];
     const JointGas::Flows flows = cube.gas.flow(cube.chambers, dt);
@@ -112,9 +112,9 @@ TEST(CrackSpacing, MeanSizeOfTheTwoBlocksCounts) {
     scene.block(1).centre.x() = scene.start(1).x() + by;
     scene.compute();
   }
-  gas.set_network(scene.network());
+  gas.set_network(JointRooms(scene.network()));
   gas.cells()[0].content = {0.01, 5e3};
-  gas.measure(scene.network(), {});
+  gas.measure(JointRooms(scene.network()), {});
   const double many = 0.5 * (1.0 + std::cbrt(2.0)) / 0.5;
   EXPECT_NEAR(gas.cells()[0].volume / (0.5 * (many * 1e-4 + kOpening)), 1.0, 1e-9);
 }
@@ -202,9 +202,9 @@ TEST(CrackSpacing, JointWithALawOfItsOwnIsOneCrack) {
   }
   for (const double spacing : {0.0, 0.1}) {
     JointGas gas(with_spacing(spacing));
-    gas.set_network(scene.network());
+    gas.set_network(JointRooms(scene.network()));
     gas.cells()[0].content = {0.01, 5e3};
-    gas.measure(scene.network(), {});
+    gas.measure(JointRooms(scene.network()), {});
     EXPECT_NEAR(gas.cells()[0].volume / (0.5 * 3e-4), 1.0, 1e-5) << spacing;
   }
 }

@@ -155,7 +155,7 @@ struct RoughJoint {
   RoughJoint() {
     scene.network().keep_gas_in_joints();
     open(1e-9);  // no tension: breaks
-    gas.set_network(scene.network());
+    gas.set_network(JointRooms(scene.network()));
     gas.cells()[0].content = gas.cells()[1].content = {0.01, 5e3, 0.0, 0.0};
   }
   /// Volume of both blocks' gas [m3].
@@ -163,7 +163,7 @@ struct RoughJoint {
     scene.block(1).centre.x() = scene.start(1).x() + by;
     scene.compute(1e-6);
     if (gas.cells().empty()) return 0.0;
-    gas.measure(scene.network(), {});
+    gas.measure(JointRooms(scene.network()), {});
     return gas.cells()[0].volume + gas.cells()[1].volume;
   }
 };
@@ -195,15 +195,15 @@ TEST(JointGas, RoughJointBreaksWithTheApertureOfItsOwnLaw) {
   };
   move(1e-9, 0.0, 0.0);
   JointGas gas(closed());
-  gas.set_network(scene.network());
+  gas.set_network(JointRooms(scene.network()));
   seal(gas);
   for (const std::size_t b : {0u, 1u}) gas.cells()[b].content = {0.01, 5e3};
-  gas.measure(scene.network(), {});
+  gas.measure(JointRooms(scene.network()), {});
   const double energy = gas.contained().energy, volume = gas.cells()[1].volume;
   constexpr double kCloser = 5e-5;
   move(1e-9, -kCloser, 2e-4);
   ASSERT_NE(scene.network().states()[1], FacetState::intact);
-  gas.measure(scene.network(), {});
+  gas.measure(JointRooms(scene.network()), {});
   const double closure = pair.law.close(kCloser, 50e9, 0.0).closure;
   ASSERT_GT(closure, 2e-5);
   EXPECT_NEAR((gas.cells()[1].volume - volume) / (0.5 * (2e-4 - closure)), 1.0, 1e-6);
@@ -211,7 +211,7 @@ TEST(JointGas, RoughJointBreaksWithTheApertureOfItsOwnLaw) {
   EXPECT_NEAR(gas.spent().swept_volume, 0.0, 1e-12);
   // What it parts from there on works.
   move(1e-9, 1e-4, 2e-4);
-  gas.measure(scene.network(), {});
+  gas.measure(JointRooms(scene.network()), {});
   EXPECT_NEAR(gas.spent().swept_volume / (0.5 * (1e-4 + closure)), 1.0, 1e-3);
 }
 

@@ -55,14 +55,14 @@ struct Row {
         scene.block(b).centre.x() = scene.start(b).x() + stretch * (scene.start(b).x() - middle);
       scene.compute();
     }
-    gas.set_network(scene.network());
+    gas.set_network(JointRooms(scene.network()));
     for (int& code : gas.touches()) code = 0;  // sealed, but for the chamber
     gas.touches()[first] = 2;
     if (!half) gas.touches()[first - 1] = 2;
     start = account();
   }
   void step(double dt) {
-    gas.measure(scene.network(), {1});
+    gas.measure(JointRooms(scene.network()), {1});
     press(gas, scene.network());
     chamber.ways = gas.chamber_ways()[0];
     const JointGas::Flows flows = gas.flow({&chamber, 1}, dt);

@@ -30,7 +30,7 @@ using test::weak;
 TEST(JointGas, VolumeIsHalfTheApertureOfEveryBrokenJoint) {
   GasScene row(test::cuboids(3, 1, 1), closed());
   row.fill(1, 0.1);
-  row.gas.measure(row.scene.network(), row.fed);
+  row.gas.measure(JointRooms(row.scene.network()), row.fed);
   const double joint = 0.5 * (1e-4 + kOpening);  // of 1 m2
   EXPECT_NEAR(row.gas.cells()[0].volume, joint, 1e-12);
   EXPECT_NEAR(row.gas.cells()[1].volume, 2.0 * joint, 1e-12);
@@ -41,7 +41,7 @@ TEST(JointGas, TwoBlocksComeToThePressureOfAllTheEnergy) {
   seal(pair.gas);
   pair.fill(0, 0.01);
   for (int n = 0; n < 4000; ++n) pair.step(5e-6);
-  pair.gas.measure(pair.scene.network(), pair.fed);
+  pair.gas.measure(JointRooms(pair.scene.network()), pair.fed);
   const double energy = energy_of(0.01, 100e6, density_at(100e6));
   const double expected = (kGamma - 1.0) * energy / (1e-4 + kOpening);  // of 1 m2
   EXPECT_NEAR(pair.pressure(0) / expected, 1.0, 1e-9);
@@ -125,7 +125,7 @@ TEST(JointGas, ChamberFeedsAtTheChokedFluxIntoEmptyJoints) {
   EXPECT_NEAR(pair.taken[0].mass / (flux * area * 20e-6), 1.0, 1e-12);
   EXPECT_NEAR((pair.mass(0) + pair.mass(1)) / pair.taken[0].mass, 1.0, 1e-14);
   for (int n = 0; n < 4000; ++n) pair.step(1e-5);  // to the pressure of the chamber
-  pair.gas.measure(pair.scene.network(), pair.fed);
+  pair.gas.measure(JointRooms(pair.scene.network()), pair.fed);
   EXPECT_NEAR(pair.gas.pressure(pair.gas.cells()[0]) / 100e6, 1.0, 1e-9);
 }
 
@@ -133,7 +133,7 @@ TEST(JointGas, SmallChamberIsNotEmptiedByManyJoints) {
   // A chamber with a fiftieth of the joints' volume, and steps so long that only the limit holds.
   GasScene cube(test::voronoi_blocks(4.0, 3), closed(), 1);
   for (int& code : cube.gas.touches()) code = 2;
-  cube.gas.measure(cube.scene.network(), cube.fed);
+  cube.gas.measure(JointRooms(cube.scene.network()), cube.fed);
   double volume = 0.0;
   for (const GasCell& cell : cube.gas.cells()) volume += cell.volume;
   const double room = volume / 50.0, start = density_at(150e6) * room;
@@ -188,7 +188,7 @@ TEST(JointGas, SurfaceLetsGasOutDownToTheAtmosphere) {
   pair.fill(0, 0.01);
   pair.fill(1, 0.02);
   for (int n = 0; n < 20000; ++n) pair.step(1e-5);
-  pair.gas.measure(pair.scene.network(), pair.fed);
+  pair.gas.measure(JointRooms(pair.scene.network()), pair.fed);
   EXPECT_NEAR(pair.gas.pressure(pair.gas.cells()[0]) / 1e5, 1.0, 1e-6);
   EXPECT_NEAR(pair.mass(0) + pair.mass(1) + pair.vented, 0.03, 1e-15);
 }
@@ -206,7 +206,7 @@ void expect_mass_kept(double open_gas) {
     filled += 0.01 * static_cast<double>(b);
   }
   for (int n = 0; n < 3000; ++n) {
-    cube.gas.measure(cube.scene.network(), cube.fed);
+    cube.gas.measure(JointRooms(cube.scene.network()), cube.fed);
     if (n % 500 == 499) {  // joints open beyond what they bear
       cube.scene.block(static_cast<std::size_t>(n / 500)).centre += Vec3(0.9, 0.6, 0.3);
       cube.scene.compute();
@@ -236,7 +236,7 @@ TEST(JointGas, PressurePushesBothBlocksApartWithItsTrueResultant) {
   GasScene pair(test::cuboids(2, 1, 1), p);
   pair.fill(0, 0.01);
   pair.fill(1, 0.02);
-  pair.gas.measure(pair.scene.network(), pair.fed);
+  pair.gas.measure(JointRooms(pair.scene.network()), pair.fed);
   press(pair.gas, pair.scene.network());
   pair.scene.network().step(0.0);
   const auto gauge = [&](std::size_t b) { return pair.pressure(b) - 1e5; };
@@ -256,7 +256,7 @@ TEST(JointGas, ClosedJointCarriesTheRestOfTheLoad) {
   const double contact = pair.scene.network().force()[1].x();
   pair.fill(0, 0.002);
   pair.fill(1, 0.002);
-  pair.gas.measure(pair.scene.network(), pair.fed);
+  pair.gas.measure(JointRooms(pair.scene.network()), pair.fed);
   EXPECT_NEAR(pair.gas.cells()[0].volume, 0.5e-4, 1e-14);
   press(pair.gas, pair.scene.network());
   pair.scene.network().step(0.0);
@@ -268,9 +268,9 @@ TEST(JointGas, IntactJointsHoldNoGas) {
   BondScene pair(test::cuboids(2, 1, 1), test::rock(0.25));
   pair.compute();
   JointGas gas(closed());
-  gas.set_network(pair.network());
+  gas.set_network(JointRooms(pair.network()));
   gas.cells()[0].content = {1.0, 1e6, 0.0, 0.0};
-  gas.measure(pair.network(), {});
+  gas.measure(JointRooms(pair.network()), {});
   EXPECT_EQ(gas.cells()[0].volume, 0.0);
   press(gas, pair.network());
   pair.network().step(0.0);
@@ -312,9 +312,9 @@ TEST(JointGas, NewRoomCostsNoWork) {  // Joule: a joint that breaks beside gas k
   GasScene row(test::cuboids(3, 1, 1), closed());
   seal(row.gas);
   row.fill(1, 0.01);
-  row.gas.measure(row.scene.network(), row.fed);
+  row.gas.measure(JointRooms(row.scene.network()), row.fed);
   const double before = row.energy();
-  row.gas.measure(row.scene.network(), row.fed);
+  row.gas.measure(JointRooms(row.scene.network()), row.fed);
   EXPECT_EQ(row.energy(), before);
   EXPECT_EQ(row.gas.spent().work, 0.0);
 }

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# run.sh [RESULTS [LIGGGHTS_MUCKPILE MUCKPILE_POST]]: peak particle velocity beside one charge, by in.broken_zone with gauges, for holes of 51 to 204 mm, three
+# block sizes, two seeds, other explosives and another rock, beside the law of Holmberg and Persson.
+# Writes RESULTS/summary.json. RESULTS is results/near_field unless given.
+# Scope: fails if a figure is missing or outside what expected.json allows.
+set -euo pipefail
+# shellcheck source=tests/support/validation_case.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../../../tests/support/validation_case.sh" near_field "$@"
+# Along x, along y, and between them.
+lines="line 0.6 0 0.5 7.4 0 0.5 25 line 0 0.6 0.5 0 7.4 0.5 25 line 0.43 0.43 0.5 5.23 5.23 0.5 25"
+folders=()
+
+# peaks NAME [VAR VALUE]...: a run, and its peak velocities at the gauges.
+peaks() {
+  local name=$1 out=$results/$1
+  run_input inputs/validation/broken_zone/in.broken_zone "$out" half_width 8 time_end 4e-3 \
+    gauge_interval 1e-5 gauge_line 0 gauge_words "$lines" "${@:2}"
+  "$post" waves "$out" --until 3e-3
+  folders+=("$out")
+}
+
+peaks anfo
+peaks seed_2 seed 2
+peaks fine fragment_x50 0.2 block_min 0.14 block_max 0.3
+peaks coarse fragment_x50 0.4 block_min 0.3 block_max 0.8
+peaks hole_51_mm hole_diameter 0.051
+peaks hole_72_mm hole_diameter 0.072
+peaks hole_144_mm hole_diameter 0.144
+peaks hole_204_mm hole_diameter 0.204
+peaks heavy_anfo explosive heavy_anfo
+peaks emulsion explosive emulsion
+peaks anfo_covolume expansion covolume
+peaks emulsion_covolume explosive emulsion expansion covolume
+# Liu and Katsabanis' exponents of the two.
+peaks anfo_slow_fall expansion covolume attenuation_exponent 1.43
+peaks emulsion_slow_fall explosive emulsion expansion covolume attenuation_exponent 1.49
+peaks limestone rock limestone
+check_figures near_field "$results/summary.json" 2 7.4 "${folders[@]}"
+check_figures case "$case_dir/expected.json" "$results/summary.json"
