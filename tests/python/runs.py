@@ -100,5 +100,5 @@ def hand_made() -> Path:
     (dump / "history.csv").write_text(
         f"step,time_s,phase,kinetic_J,run_id\n0,0,wave,0,{RUN_ID}\n10,0.5,throw,1.5e3,{RUN_ID}\n")
     (folder / "summary.json").write_text(f'{{"run_id": "{RUN_ID}", "swell_factor": null}}\n')
-    (folder / "profile.csv").write_text("x_m,pile_mean_m\n-1,0.5\n0,\n")
+    (folder / "profile.csv").write_text("x_m,pile_mean_m,floor_m\n-1,0.5,0\n0,,-0.25\n")
     return folder

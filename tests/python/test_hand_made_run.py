@@ -137,3 +137,4 @@ class HandMadeRun(unittest.TestCase):
         self.assertEqual(history["step"].tolist(), [0, 10])
         same(history["kinetic_J"], np.array([0.0, 1500.0]))
         np.testing.assert_array_equal(self.run_.profile["pile_mean_m"], [0.5, np.nan])
+        same(self.run_.profile["floor_m"], np.array([0.0, -0.25]))

@@ -248,6 +248,25 @@ call run inputs/demo/in.demo
 [[ $status -eq 130 ]] || problem "an interrupted run must end with status 130"
 told 'interrupted; there is no state to go on from'
 
+# Ctrl-C behind the last step, as the engine is about to end; behind its end, as its results are measured. The run is whole.
+old_results
+fake bin/mpirun "$steps; $engine_ok; asked=''; trap 'asked=1' USR2; kill -TERM \$PPID; for ((k = 0; k < 600; ++k)); do sleep 0.1; [[ -z \$asked ]] || exit 0; done"
+call run inputs/demo/in.demo
+[[ $status -eq 130 ]] || problem "a run that was interrupted behind its last step must end with status 130"
+told 'interrupted; the run in results/demo is whole, and not measured: build/release/postproc/tools/muckpile-post all results/demo does that'
+[[ -e results/demo/dump/scene.json && ! -e results/demo/.previous ]] || problem "a whole run is not kept"
+! grep -q '^muckpile-post' calls || problem "measured behind a signal"
+fake bin/mpirun "$steps; $engine_ok; echo 'interrupted: before the first step of phase two' >>results/demo/log.liggghts; asked=''; trap 'asked=1' USR2; kill -TERM \$PPID; for ((k = 0; k < 600; ++k)); do sleep 0.1; [[ -z \$asked ]] || exit 0; done"
+call run inputs/demo/in.demo
+[[ $status -eq 130 ]] || problem "an interrupted run must end with status 130"
+told 'interrupted; there is no state to go on from'
+fake bin/mpirun "$steps; $engine_ok"
+fake build/release/postproc/tools/muckpile-post 'trap "echo stopped >>calls; exit 143" TERM; kill -TERM $PPID; for ((k = 0; k < 600; ++k)); do sleep 0.1; done'
+call run inputs/demo/in.demo -vtk
+[[ $status -eq 130 ]] || problem "a run that was interrupted as it was measured must end with status 130"
+told 'not measured: build/release/postproc/tools/muckpile-post all results/demo --vtk does that'
+called '^stopped$'
+
 # A full disk.
 healthy
 old_results

@@ -9,6 +9,7 @@
 #include <vtkTextProperty.h>
 #include <vtkTextRenderer.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -54,6 +55,13 @@ TextMask text_mask(const std::string& words, double size, double degrees) {
       mask.cover.push_back(data[(y * mask.width + x) * channels + channels - 1]);
   }
   return mask;
+}
+
+double fitting_size(const std::string& words, double size, double length) {
+  constexpr double kLeast = 1.0;
+  const double long_now = text_mask(words, size, 0.0).advance.x();
+  if (long_now <= length) return size;
+  return std::max(kLeast, std::floor(size * length / long_now));  // letters have whole sizes
 }
 
 }  // namespace muckpile

@@ -24,4 +24,7 @@ struct TextMask {
 // `size` is the height of the letters' body in pixels; `degrees` counter-clockwise.
 TextMask text_mask(const std::string& words, double size, double degrees);
 
+// `size`, or the smaller one at which level words are `length` long, both [px].
+double fitting_size(const std::string& words, double size, double length);
+
 }  // namespace muckpile

@@ -13,4 +13,7 @@ namespace muckpile {
 void draw_title(const Vec2& place, const std::string& title, const std::string& warning,
                 double size, Canvas& canvas);
 
+// Of both [px].
+double title_length(const std::string& title, const std::string& warning, double size);
+
 }  // namespace muckpile

@@ -33,7 +33,7 @@ OverLine over_line(const PlanLine& line, const std::vector<StartBlock>& blocks,
     const double before = over.sign * left_of(blocks[b].centroid),
                  after = over.sign * left_of(last.states[b].centre);
     if (lies[b] == 0 || !(before <= 0.0 && after > 0.0)) continue;
-    over.pieces.push_back({after, blocks[b].volume, blocks[b].mass});
+    over.pieces.push_back({after, blocks[b].volume, blocks[b].mass, last.states[b].centre});
     over.volume += blocks[b].volume;
     over.mass += blocks[b].mass;
   }

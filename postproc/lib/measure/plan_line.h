@@ -33,6 +33,7 @@ struct OverLine {
   struct Piece {
     double distance;      // beyond the line [m]
     double volume, mass;  // [m3], [kg]
+    Vec3 place;           // of its centroid [m]
   };
   std::vector<Piece> pieces;        // the farthest first
   double volume = 0.0, mass = 0.0;  // of all of them [m3], [kg]

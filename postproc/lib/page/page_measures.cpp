@@ -19,7 +19,7 @@ struct Picture {
   const char *file, *title, *caption;
 };
 
-void add_pile(Html& page, const PageContent& run) {
+const std::vector<Picture>& pictures_of_the_pile() {
   static const std::vector<Picture> pictures{
       {"profile.png", "Section",
        "Section through a hole, with equal scales; table in profile.csv."},
@@ -40,36 +40,45 @@ void add_pile(Html& page, const PageContent& run) {
        "Rock and heights along the line; table in section.csv."},
       {"over.png", "Over a line", "What lies beyond the line, by distance; table in over.csv."},
   };
-  for (const Picture& picture : pictures)
+  return pictures;
+}
+
+const std::vector<NamedKey>& figures_of_the_pile() {
+  static const std::vector<NamedKey> figures{
+      {"blast_volume_m3", "Rock of the holes"},
+      {"blast_specific_charge_kg_m3", "Explosive per rock of the holes"},
+      {"front_row_throw_m", "Throw, rock of the first row"},
+      {"last_row_throw_m", "Throw, rock of the last row"},
+      {"hole_throw_least_m", "Throw, hole of the least"},
+      {"hole_throw_most_m", "Throw, hole of the most"},
+      {"moved_volume_m3", "Rock that was broken out"},
+      {"pile_survey_swell", "Swell, survey from above"},
+      {"cut_volume_m3", "Surface lower than before, volume"},
+      {"fill_volume_m3", "Surface higher than before, volume"},
+      {"trough_depth_m", "Power trough, mean depth"},
+      {"trough_width_m", "Power trough, mean width"},
+      {"end_to_inner_throw", "Throw, end holes over inner ones"},
+      {"end_to_inner_moved", "Share moved, end holes over inner ones"},
+      {"over_volume_m3", "Rock over the line"},
+      {"backbreak_m", "Backbreak, largest"},
+      {"backbreak_mean_m", "Backbreak, mean along the row"},
+      {"toe_left_volume_m3", "Rock left in front of the last row"},
+      {"dig_rock_t", "Rock within the dig line"},
+      {"dig_dilution_fraction", "Dilution"},
+      {"dig_ore_loss_t", "Ore loss"},
+      {"dig_ore_loss_fraction", "Ore loss, share of the ore"},
+      {"survey_run_above_m3", "Run higher than the survey"},
+      {"survey_run_below_m3", "Run lower than the survey"},
+      {"survey_rms_difference_m", "Run and survey, RMS of the vertical difference"},
+      {"survey_rms_distance_m", "RMS of the distance from surface to surface"},
+      {"largest_charge_within_8_ms_kg", "Explosive within 8 ms"}};
+  return figures;
+}
+
+void add_pile(Html& page, const PageContent& run) {
+  for (const Picture& picture : pictures_of_the_pile())
     add_picture(page, run, picture.file, picture.title, picture.caption);
-  add_table(page, run,
-            {{"blast_volume_m3", "Rock of the holes"},
-             {"blast_specific_charge_kg_m3", "Explosive per rock of the holes"},
-             {"front_row_throw_m", "Throw, rock of the first row"},
-             {"last_row_throw_m", "Throw, rock of the last row"},
-             {"hole_throw_least_m", "Throw, hole of the least"},
-             {"hole_throw_most_m", "Throw, hole of the most"},
-             {"moved_volume_m3", "Rock that was broken out"},
-             {"pile_survey_swell", "Swell, survey from above"},
-             {"cut_volume_m3", "Surface lower than before, volume"},
-             {"fill_volume_m3", "Surface higher than before, volume"},
-             {"trough_depth_m", "Power trough, mean depth"},
-             {"trough_width_m", "Power trough, mean width"},
-             {"end_to_inner_throw", "Throw, end holes over inner ones"},
-             {"end_to_inner_moved", "Share moved, end holes over inner ones"},
-             {"over_volume_m3", "Rock over the line"},
-             {"backbreak_m", "Backbreak, largest"},
-             {"backbreak_mean_m", "Backbreak, mean along the row"},
-             {"toe_left_volume_m3", "Rock left in front of the last row"},
-             {"dig_rock_t", "Rock within the dig line"},
-             {"dig_dilution_fraction", "Dilution"},
-             {"dig_ore_loss_t", "Ore loss"},
-             {"dig_ore_loss_fraction", "Ore loss, share of the ore"},
-             {"survey_run_above_m3", "Run higher than the survey"},
-             {"survey_run_below_m3", "Run lower than the survey"},
-             {"survey_rms_difference_m", "Run and survey, RMS of the vertical difference"},
-             {"survey_rms_distance_m", "RMS of the distance from surface to surface"},
-             {"largest_charge_within_8_ms_kg", "Explosive within 8 ms"}});
+  add_table(page, run, figures_of_the_pile());
 }
 
 void add_speeds(Html& page, const PageContent& run) {

@@ -14,7 +14,7 @@
 namespace muckpile {
 namespace {
 
-constexpr double kLength = 300.0, kThick = 16.0, kTextSize = 18.0;  // of the legend [px]
+constexpr double kThick = 16.0, kTextSize = 18.0;  // of the legend [px]
 
 ColourMap map_of(FieldScale scale, double low, double high) {
   if (scale == FieldScale::kOrigin) return strata_map(low, high);
@@ -49,16 +49,16 @@ void paint_muck(const BlockField& field, BlockColours& colours) {
 }
 
 // In rows as long as the bar is; what does not fit into two of them is counted.
-void draw_names(const BlockColours& colours, const Vec2& place, Canvas& canvas) {
+void draw_names(const BlockColours& colours, const Vec2& place, double length, Canvas& canvas) {
   constexpr double kGap = 8.0;
   constexpr int kRows = 2;
   Vec2 at = place + Vec2(0.0, 1.6 * kTextSize);
   int row = 0;
   for (size_t k = 0; k < colours.names.size(); ++k) {
     const auto& [colour, name] = colours.names[k];
-    const double wide =
-        kThick + 0.5 * kGap + text_mask(name, kTextSize, 0.0).advance.x() + 1.5 * kGap;
-    const bool ends_row = at.x() + wide > place.x() + kLength + 1.5 * kGap && at.x() > place.x();
+    const double size = fitting_size(name, kTextSize, length - kThick - 0.5 * kGap);
+    const double wide = kThick + 0.5 * kGap + text_mask(name, size, 0.0).advance.x() + 1.5 * kGap;
+    const bool ends_row = at.x() + wide > place.x() + length + 1.5 * kGap && at.x() > place.x();
     if (ends_row && ++row < kRows) at = {place.x(), at.y() + 1.3 * kTextSize};
     if (row == kRows) {
       canvas.text({at.x(), at.y() + 0.85 * kThick},
@@ -66,9 +66,23 @@ void draw_names(const BlockColours& colours, const Vec2& place, Canvas& canvas) 
       return;
     }
     canvas.rectangle(at, at + Vec2(kThick, kThick), colour);
-    canvas.text(at + Vec2(kThick + 0.5 * kGap, 0.85 * kThick), name, kTextSize, kInk);
+    canvas.text(at + Vec2(kThick + 0.5 * kGap, 0.85 * kThick), name, size, kInk);
     at.x() += wide;
   }
+}
+
+// Of both ends of a bar and of its middle, the latter if there is room.
+void draw_numbers(double low, double high, const Vec2& place, double length, Canvas& canvas) {
+  constexpr double kGap = 8.0;
+  const std::string first = spelled(low), middle = spelled(0.5 * (low + high)),
+                    last = spelled(high);
+  const auto long_is = [](const std::string& number) {
+    return text_mask(number, kTextSize, 0.0).advance.x();
+  };
+  canvas.text(place, first, kTextSize, kInk);
+  canvas.text(place + Vec2(length, 0.0), last, kTextSize, kInk, Anchor::kRight);
+  if (0.5 * (length - long_is(middle)) > std::max(long_is(first), long_is(last)) + kGap)
+    canvas.text(place + Vec2(0.5 * length, 0.0), middle, kTextSize, kInk, Anchor::kCentre);
 }
 
 }  // namespace
@@ -94,25 +108,22 @@ BlockColours block_colours(const BlockField& field, const ValueRange& extremes,
   return colours;
 }
 
-void draw_legend(const BlockColours& colours, const Vec2& place, Canvas& canvas) {
+void draw_legend(const BlockColours& colours, const Vec2& place, Canvas& canvas, double length) {
   constexpr int kSteps = 60;
-  canvas.text(place + Vec2(0.0, kTextSize), colours.label, kTextSize, kInk);
+  canvas.text(place + Vec2(0.0, kTextSize), colours.label,
+              fitting_size(colours.label, kTextSize, length), kInk);
   if (!colours.map) {
-    draw_names(colours, place, canvas);
+    draw_names(colours, place, length, canvas);
     return;
   }
   const Vec2 bar = place + Vec2(0.0, 1.6 * kTextSize);
   const double low = colours.map->low(), high = colours.map->high();
   for (int k = 0; k < kSteps; ++k) {
-    const Vec2 corner = bar + Vec2(kLength * k / kSteps, 0.0);
-    canvas.rectangle(corner, corner + Vec2(kLength / kSteps + 0.34, kThick),
+    const Vec2 corner = bar + Vec2(length * k / kSteps, 0.0);
+    canvas.rectangle(corner, corner + Vec2(length / kSteps + 0.34, kThick),
                      colours.map->at(low + (high - low) * (k + 0.5) / kSteps));
   }
-  const double under = kThick + 1.15 * kTextSize;
-  canvas.text(bar + Vec2(0.0, under), spelled(low), kTextSize, kInk);
-  canvas.text(bar + Vec2(0.5 * kLength, under), spelled(0.5 * (low + high)), kTextSize, kInk,
-              Anchor::kCentre);
-  canvas.text(bar + Vec2(kLength, under), spelled(high), kTextSize, kInk, Anchor::kRight);
+  draw_numbers(low, high, bar + Vec2(0.0, kThick + 1.15 * kTextSize), length, canvas);
 }
 
 }  // namespace muckpile

@@ -18,9 +18,9 @@ namespace muckpile {
 inline constexpr Colour kMuck{0.36F, 0.55F, 0.55F};
 
 struct BlockColours {
-  std::vector<Colour> of_block;  // by index
-  std::string label;             // what the colours show, with unit
-  std::optional<ColourMap> map;  // none where colours only name things
+  std::vector<Colour> of_block;                         // by index
+  std::string label;                                    // what the colours show, with unit
+  std::optional<ColourMap> map;                         // none where colours only name things
   std::vector<std::pair<Colour, std::string>> names{};  // of what they name, where it has names
 };
 
@@ -31,7 +31,11 @@ using ValueRange = std::optional<std::array<double, 2>>;
 BlockColours block_colours(const BlockField& field, const ValueRange& extremes = std::nullopt,
                            const ValueRange& range = std::nullopt);
 
-// A bar of the colours with end values, or the names, its upper left corner at `place` [px].
-void draw_legend(const BlockColours& colours, const Vec2& place, Canvas& canvas);
+inline constexpr double kLegendLength = 300.0;  // [px]
+
+// A bar of the colours with end values, or the names, its upper left corner at `place`, both as
+// long as `length` [px]; longer words are set smaller.
+void draw_legend(const BlockColours& colours, const Vec2& place, Canvas& canvas,
+                 double length = kLegendLength);
 
 }  // namespace muckpile

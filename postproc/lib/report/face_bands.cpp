@@ -34,6 +34,10 @@ CurvePlot face_plot(const std::vector<FaceBand>& bands, bool still) {
     if (!std::isnan(band.peak))
       plot.curves.back().points.emplace_back(band.peak, 0.5 * (band.low + band.high));
   }
+  if (plot.curves.size() == 1) {  // nothing to tell apart
+    plot.curves.front().label.clear();
+    plot.curves.front().style = CurveStyle::kLine;
+  }
   plot.title = plot.curves.size() > 1
                    ? "Face velocity over height, in front of each hole of the first row"
                    : "Face velocity over height";

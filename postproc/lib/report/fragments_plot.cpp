@@ -53,10 +53,15 @@ struct KeyLine {
   bool dashed;
 };
 
-void draw_key(const std::vector<KeyLine>& lines, Canvas& canvas) {
+struct Drawn {
+  std::vector<Vec2> places;  // [px]
+  KeyLine line;
+};
+
+void draw_key(const std::vector<Drawn>& curves, Canvas& canvas) {
   constexpr double kStroke = 44.0, kFirst = 124.0, kStep = 30.0;
   double x = kLeft, y = kFirst;
-  for (const KeyLine& line : lines) {
+  for (const auto& [places, line] : curves) {
     const double width = kStroke + 36.0 + text_mask(line.name, kText, 0.0).advance.x();
     if (x + width > kWidth) {
       x = kLeft;
@@ -73,19 +78,58 @@ void draw_key(const std::vector<KeyLine>& lines, Canvas& canvas) {
   }
 }
 
+// Whether a curve comes into a box around a place [px].
+bool meets(const std::vector<Vec2>& curve, const Vec2& middle, const Vec2& half) {
+  const Vec2 low = middle - half, high = middle + half;
+  for (size_t k = 1; k < curve.size(); ++k) {
+    const Vec2 from = curve[k - 1].cwiseMin(curve[k]), to = curve[k - 1].cwiseMax(curve[k]);
+    if ((from.array() <= high.array()).all() && (to.array() >= low.array()).all()) return true;
+  }
+  return false;
+}
+
+// Where the middle of a box may stand between two heights so that no curve is in it, as near to
+// their middle as may be [px]; at the top where there is no such place.
+double free_height(double x, const AxisRange& y, const Vec2& half,
+                   const std::vector<Drawn>& curves) {
+  constexpr double kStep = 2.0;
+  const double middle = 0.5 * (y.low + y.high);
+  for (double off = 0.0; middle - off >= y.low; off += kStep) {
+    for (const double each : {middle - off, middle + off}) {
+      const auto is_here = [&](const Drawn& curve) { return meets(curve.places, {x, each}, half); };
+      if (std::ranges::none_of(curves, is_here)) return each;
+    }
+  }
+  return y.low;
+}
+
+// Lines of words from below to above, between two sizes where no curve is.
+void draw_upright(const std::vector<std::string>& lines, const AxisRange& between, const Axes& axes,
+                  const std::vector<Drawn>& curves, Canvas& canvas) {
+  constexpr double kLine = 28.0, kRoom = 10.0;  // [px]
+  double length = 0.0;
+  for (const std::string& line : lines)
+    length = std::max(length, text_mask(line, kText, 0.0).advance.x());
+  const Vec2 half(0.5 * kLine * static_cast<double>(lines.size()), 0.5 * length + kRoom);
+  const Vec2 top = axes.place(between.low, 100.0), bottom = axes.place(between.high, 0.0);
+  const double x = 0.5 * (top.x() + bottom.x());
+  const double y = free_height(x, {top.y() + half.y(), bottom.y() - half.y()}, half, curves);
+  Vec2 at(x - half.x() + 0.75 * kLine, y);  // on the base line of the first one
+  for (const std::string& line : lines) {
+    canvas.text(at, line, kText, kInk, Anchor::kCentre, 90.0);
+    at.x() += kLine;
+  }
+}
+
 // What no block can show: nothing is finer than the finest block, and only joints that hold make
 // pieces coarser than the coarsest.
-void draw_limits(const FragmentCurves& c, const Axes& axes, const AxisRange& x, Canvas& canvas) {
+void draw_limits(const FragmentCurves& c, const Axes& axes, const AxisRange& x,
+                 const std::vector<Drawn>& curves, Canvas& canvas) {
   const double finest = c.block_sieve.front().size, coarsest = c.block_sieve.back().size;
   canvas.rectangle(axes.place(x.low, 100.0), axes.place(finest, 0.0), kGrey, 0.22);
   canvas.rectangle(axes.place(coarsest, 100.0), axes.place(x.high, 0.0), kGrey, 0.12);
-  const double middle = std::sqrt(x.low * finest);
-  canvas.text(axes.place(middle, 50.0) + Vec2(-8.0, 0.0), "finer than any block:", kText, kInk,
-              Anchor::kCentre, 90.0);
-  canvas.text(axes.place(middle, 50.0) + Vec2(20.0, 0.0), "not simulated", kText, kInk,
-              Anchor::kCentre, 90.0);
-  canvas.text(axes.place(std::sqrt(coarsest * x.high), 50.0) + Vec2(7.0, 0.0),
-              "blocks that hold together", kText, kInk, Anchor::kCentre, 90.0);
+  draw_upright({"finer than any block:", "not simulated"}, {x.low, finest}, axes, curves, canvas);
+  draw_upright({"blocks that hold together"}, {coarsest, x.high}, axes, curves, canvas);
 }
 
 std::string percent(double share) { return spelled(100.0 * share, 2) + " %"; }
@@ -94,37 +138,40 @@ std::string with_error(double value, double error) {
   return spelled(value) + " ± " + spelled(error, 1);
 }
 
-std::vector<KeyLine> draw_lines(const FragmentCurves& c, const Axes& axes, const AxisRange& x,
-                                Canvas& canvas) {
-  std::vector<KeyLine> key;
-  const auto draw = [&](const std::vector<Vec2>& points, const KeyLine& line) {
-    std::vector<Vec2> places = axes.places(points);
+std::vector<Drawn> curves_of(const FragmentCurves& c, const Axes& axes, const AxisRange& x) {
+  std::vector<Drawn> curves;
+  const auto add = [&](const std::vector<Vec2>& points, const KeyLine& line) {
+    curves.push_back({axes.places(points), line});
+  };
+  add(steps(c.block_sieve, x), {"blocks by sieve, if every joint broke", kGrey, 2.0, false});
+  add(steps(c.by_volume, x), {"fragments by volume^(1/3)", colour_of_curve(5), 2.0, false});
+  add(steps(c.sieve, x), {"fragments by sieve", kBench, 3.5, false});
+  if (c.rosin_rammler)
+    add(line_of(c.rosin_rammler->curve(), x),
+        {"Rosin-Rammler fit, n " +
+             with_error(c.rosin_rammler->shape, c.rosin_rammler->shape_error) + ", RMS " +
+             percent(c.rosin_rammler->rms),
+         colour_of_curve(1), 2.2, false});
+  if (c.swebrec)
+    add(line_of(c.swebrec->curve(), x),
+        {"Swebrec fit, b " + with_error(c.swebrec->shape, c.swebrec->shape_error) + ", RMS " +
+             percent(c.swebrec->rms),
+         colour_of_curve(2), 2.2, false});
+  if (c.kuz_ram)
+    add(line_of(c.kuz_ram->curve(), x),
+        {"Kuz-Ram, a formula, x50 " + spelled(c.kuz_ram->x50) + " m, n " + spelled(c.kuz_ram->n),
+         kSignal, 2.2, true});
+  return curves;
+}
+
+void draw_lines(const std::vector<Drawn>& curves, Canvas& canvas) {
+  for (const auto& [places, line] : curves) {
     if (line.dashed) {
       canvas.dashes(places, line.thickness, 8.0, line.colour);
     } else {
       canvas.polyline(places, line.thickness, line.colour);
     }
-    key.push_back(line);
-  };
-  draw(steps(c.block_sieve, x), {"blocks by sieve, if every joint broke", kGrey, 2.0, false});
-  draw(steps(c.by_volume, x), {"fragments by volume^(1/3)", colour_of_curve(5), 2.0, false});
-  draw(steps(c.sieve, x), {"fragments by sieve", kBench, 3.5, false});
-  if (c.rosin_rammler)
-    draw(line_of(c.rosin_rammler->curve(), x),
-         {"Rosin-Rammler fit, n " +
-              with_error(c.rosin_rammler->shape, c.rosin_rammler->shape_error) + ", RMS " +
-              percent(c.rosin_rammler->rms),
-          colour_of_curve(1), 2.2, false});
-  if (c.swebrec)
-    draw(line_of(c.swebrec->curve(), x),
-         {"Swebrec fit, b " + with_error(c.swebrec->shape, c.swebrec->shape_error) + ", RMS " +
-              percent(c.swebrec->rms),
-          colour_of_curve(2), 2.2, false});
-  if (c.kuz_ram)
-    draw(line_of(c.kuz_ram->curve(), x),
-         {"Kuz-Ram, a formula, x50 " + spelled(c.kuz_ram->x50) + " m, n " + spelled(c.kuz_ram->n),
-          kSignal, 2.2, true});
-  return key;
+  }
 }
 
 }  // namespace
@@ -141,8 +188,10 @@ Canvas draw_fragments(const FragmentCurves& curves, const std::string& title,
   const Axes axes({kLeft, kTop}, {kWidth - kRight, kHeight - kBelow}, x, {0.0, 100.0},
                   Scale::kLogarithmic);
   axes.draw_grid(canvas);
-  draw_limits(curves, axes, x, canvas);
-  draw_key(draw_lines(curves, axes, x, canvas), canvas);
+  const std::vector<Drawn> drawn = curves_of(curves, axes, x);
+  draw_limits(curves, axes, x, drawn, canvas);
+  draw_lines(drawn, canvas);
+  draw_key(drawn, canvas);
   axes.draw_frame(canvas, "size [m]", "mass passing [%]");
   std::string numbers = "sieve";
   for (const int share : {20, 50, 80})

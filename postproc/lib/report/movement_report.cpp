@@ -98,6 +98,7 @@ SectionPlot section_of(const RunData& run, const BenchScene& bench, const BenchP
   const Extent before = extent_at_start(run.blocks);
   SectionPlot plot = section_of_run(run, y, "start_height");
   colour_by_level(plot, levels_of(run.blocks, parts));
+  plot.note += ", and so is rock that started in none of the parts";
   double farthest = bench.burden;
   for (const PartMovement& part : movement) farthest = std::max(farthest, part.rock.end.x());
   plot.title = "Movement of the bench by level and distance from the face";

@@ -21,22 +21,36 @@ constexpr int kSteps = 20;  // of distance, in table and picture
 
 struct Beyond {
   double distance, volume, mass;  // of all that lies at least so far beyond [m], [m3], [kg]
+  Vec3 centre;                    // of that mass; NaN without any [m]
 };
 
 std::vector<Beyond> table_of(const OverLine& over) {
   std::vector<Beyond> rows;
   const double farthest = over.pieces.empty() ? 0.0 : over.pieces.front().distance;
   for (int k = 0; k <= kSteps; ++k) {
-    Beyond row{farthest * k / kSteps, 0.0, 0.0};
+    Beyond row{farthest * k / kSteps, 0.0, 0.0, Vec3::Zero()};
     for (const OverLine::Piece& piece : over.pieces) {
       if (piece.distance < row.distance) break;
       row.volume += piece.volume;
       row.mass += piece.mass;
+      row.centre += piece.mass * piece.place;
     }
+    row.centre /= row.mass;
     rows.push_back(row);
     if (farthest == 0.0) break;
   }
   return rows;
+}
+
+void write_table(const std::vector<Beyond>& rows, const ResultFolder& folder) {
+  const std::optional<MineFrame> frame = mine_frame(folder);
+  CsvWriter csv(folder.file("over.csv"),
+                with_mine_points("beyond_m,volume_m3,mass_kg,x_m,y_m,z_m", frame, {""}));
+  for (const Beyond& row : rows) {
+    const Vec3& at = row.centre;
+    csv.row_at({row.distance, row.volume, row.mass, at.x(), at.y(), at.z()},
+               mine_points(frame, {at}));
+  }
 }
 
 // Between the surfaces after and before, beyond the line, where the first is higher [m3].
@@ -83,8 +97,7 @@ void report_over(const ResultFolder& folder, const MeasureOptions& measure,
     for (char& each : lies = on_the_move(run.last.states)) each = each == 0;
   const OverLine over = over_line(line, run.blocks, run.last, lies);
   const std::vector<Beyond> rows = table_of(over);
-  CsvWriter csv(folder.file("over.csv"), "beyond_m,volume_m3,mass_kg");
-  for (const Beyond& row : rows) csv.row({row.distance, row.volume, row.mass});
+  write_table(rows, folder);
   write_png(draw_curves(plot_of(rows, line, run)), folder.file("over.png"));
   double moved = 0.0;
   for (size_t b = 0; b < run.blocks.size(); ++b)

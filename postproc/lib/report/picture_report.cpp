@@ -11,8 +11,6 @@
 #include "draw/axes.h"
 #include "draw/png_file.h"
 #include "draw/scene.h"
-#include "draw/text.h"
-#include "draw/title.h"
 #include "io/csv_writer.h"
 #include "io/mine_frame.h"
 #include "io/muck.h"
@@ -22,6 +20,7 @@
 #include "report/notes.h"
 #include "report/picture_scene.h"
 #include "report/picture_view.h"
+#include "report/picture_words.h"
 #include "report/plan_line_of.h"
 #include "report/reports.h"
 
@@ -53,11 +52,11 @@ class Picture {
     if (framed_.empty()) frame_all(last);
     if (options.section) {
       cut_ = cut_along({{0.0, *options.section}, {1.0, *options.section}}, to_eye_);
-      cut_words_ = "; rock in front of y = " + spelled(*options.section) + " m cut away";
+      cut_words_ = "rock in front of y = " + spelled(*options.section) + " m cut away";
     }
     if (line) {
       cut_ = cut_along(*line, to_eye_);
-      cut_words_ = "; cut " + words_of(*line);
+      cut_words_ = "cut " + words_of(*line);
     }
   }
 
@@ -68,7 +67,7 @@ class Picture {
         block_colours(fields_.of(options_.colour_by, snapshot), range, options_.colour_range);
     const View view = framing_view(framed_, to_eye_, options_, canvas);
     draw_scene(scene_of(snapshot, colours), view.camera, canvas);
-    draw_words(snapshot, warning, colours, canvas);
+    draw_words(words_for(snapshot, warning), colours, canvas);
     draw_scale_bar(view, canvas);
     write_png(canvas, path);
   }
@@ -110,33 +109,21 @@ class Picture {
     return sum / static_cast<double>(blocks_.size());
   }
 
-  void draw_words(const Snapshot& snapshot, const std::string& warning, const BlockColours& colours,
-                  Canvas& canvas) const {
-    // Rock may reach behind the words.
-    constexpr double kVeil = 0.65, kAbove = 92.0, kBelow = 66.0;  // opacity; heights [px]
-    const double right = options_.width, bottom = options_.height;
-    canvas.rectangle({0.0, 0.0}, {right, kAbove}, kWhite, kVeil);
-    canvas.rectangle({0.0, bottom - kBelow}, {right, bottom}, kWhite, kVeil);
+  [[nodiscard]] PictureWords words_for(const Snapshot& snapshot, const std::string& warning) const {
     char time[64];
     std::snprintf(time, sizeof time, "t = %.3f s", snapshot.time);
-    draw_title({kMargin, 46.0}, time, warning, 28.0, canvas);
-    std::string words =
-        std::to_string(blocks_.size()) + " blocks; blue: box around the rock before the blast";
-    if (rock_blocks(blocks_) < blocks_.size()) words += "; grey-green: muck that lay in front";
-    if (options_.mirror > 0) words += "; model repeated by mirror images at its symmetry planes";
-    words += cut_words_;
-    canvas.text({kMargin, bottom - 20.0}, words, size_beside_bar(words, right), kInk);
-    draw_legend(colours, {options_.width - 340.0, 18.0}, canvas);
+    PictureWords words{
+        time,
+        warning,
+        {std::to_string(blocks_.size()) + " blocks", "blue: box around the rock before the blast"}};
+    if (rock_blocks(blocks_) < blocks_.size())
+      words.caption.emplace_back("grey-green: muck that lay in front");
+    if (options_.mirror > 0)
+      words.caption.emplace_back("model repeated by mirror images at its symmetry planes");
+    if (!cut_words_.empty()) words.caption.push_back(cut_words_);
+    return words;
   }
 
-  // Smaller where the words would reach to the scale bar at the right end.
-  [[nodiscard]] static double size_beside_bar(const std::string& words, double width) {
-    constexpr double kSize = 18.0, kLeast = 9.0, kBar = 250.0;  // [px]
-    const double length = text_mask(words, kSize, 0.0).advance.x();
-    return std::clamp(kSize * (width - kMargin - kBar) / length, kLeast, kSize);
-  }
-
-  static constexpr double kMargin = 28.0;  // of the words [px]
   const std::vector<StartBlock>& blocks_;
   const PictureOptions& options_;
   const BlockFields& fields_;

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "draw/axes.h"
+#include "draw/text.h"
 #include "measure/broken_out.h"
 #include "measure/places.h"
 #include "measure/start_extent.h"
@@ -111,8 +112,9 @@ void draw_scale_bar(const View& view, Canvas& canvas) {
   canvas.line(left, right, 3.0, kInk);
   canvas.line(left - cap, left + cap, 3.0, kInk);
   canvas.line(right - cap, right + cap, 3.0, kInk);
-  canvas.text(right - Vec2(0.0, kCap + 0.5 * kTextSize),
-              spelled(length) + " m in the middle of the view", kTextSize, kInk, Anchor::kRight);
+  const std::string words = spelled(length) + " m in the middle of the view";
+  canvas.text(right - Vec2(0.0, kCap + 0.5 * kTextSize), words,
+              fitting_size(words, kTextSize, canvas.width() - 2.0 * kMargin), kInk, Anchor::kRight);
 }
 
 }  // namespace muckpile

@@ -75,13 +75,16 @@ FaceSpeed face_speed_of(const ResultFolder& folder, const RunData& run, const Be
   return speed;
 }
 
-void write_profile(const PileProfile& p, const std::filesystem::path& path) {
-  CsvWriter csv(path,
-                "x_m,bench_before_m,pile_mean_m,pile_centre_m,pile_max_m,rock_in_place_m,broken_"
-                "rock_m,broken_rock_length_m");
+// A level floor is at 0 and has no column.
+void write_profile(const PileProfile& p, bool level, const std::filesystem::path& path) {
+  CsvWriter csv(path, std::string("x_m,bench_before_m,pile_mean_m,pile_centre_m,pile_max_m,"
+                                  "rock_in_place_m,broken_rock_m,broken_rock_length_m") +
+                          (level ? "" : ",floor_m"));
   for (size_t i = 0; i < p.x.size(); ++i) {
-    csv.row({p.x[i], p.before[i], p.mean[i], p.centre[i], p.highest[i], p.rock_in_place[i],
-             p.pile[i], p.pile_length[i]});
+    std::vector<double> row{p.x[i],       p.before[i],        p.mean[i], p.centre[i],
+                            p.highest[i], p.rock_in_place[i], p.pile[i], p.pile_length[i]};
+    if (!level) row.push_back(p.floor[i]);
+    csv.row(row);
   }
 }
 
@@ -216,6 +219,8 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run, const Pil
   plot.lines = {
       {line_over(p.x, p.before), kBench, 2.5, true, "bench before"},
       {line_over(p.x, p.mean), kSignal, 3.0, false, "surface after, mean over the width"}};
+  if (!run.floor.level())
+    plot.lines.push_back({line_over(p.x, p.floor), kInk, 2.0, false, "pit floor, likewise"});
   const auto beyond = std::ranges::count_if(
       run.last.states, [&](const BlockState& s) { return s.centre.x() > plot.x.high; });
   if (beyond > 0) {
@@ -252,7 +257,7 @@ void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
       pile_profile(run.blocks, run.last, run.moved, run.cell, run.lies, bench.planes, run.floor);
   const BenchFigures figures = figures_of(folder, run, bench, profile);
   SectionPlot plot = section_of(folder, run, profile, bench, section);
-  write_profile(profile, folder.file("profile.csv"));
+  write_profile(profile, run.floor.level(), folder.file("profile.csv"));
   if (!rows_draw_the_face(folder)) write_face_bands(folder, figures.face.bands, run.still);
   plot.subtitle = subtitle_of(bench, figures);
   write_png(draw_section(std::move(plot)), folder.file("profile.png"));

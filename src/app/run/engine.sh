@@ -1,13 +1,27 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # shellcheck shell=bash disable=SC2154
 # liggghts-muckpile as a child of this script, on so many ranks.
-# Scope: sourced by muckpile, whose $build_dir it uses.
+# Scope: sourced by muckpile, whose $build_dir it uses. $signals counts those that ask to stop; outside of the engine's time, and that of
+# muckpile-post, they do what $on_signal says.
 
 available_cores() {
   local physical usable
   usable=$(nproc)
   physical=$(lscpu -p=Core,Socket 2>/dev/null | grep -v '^#' | sort -u | wc -l || true)
   if ((physical > 0 && physical < usable)); then echo "$physical"; else echo "$usable"; fi
+}
+
+# shellcheck disable=SC2064  # what $on_signal says now
+let_signals_be() { trap "$on_signal" INT TERM HUP; }
+
+# Status of a child that has ended: a signal, which a trap counts, interrupts the waiting only, and who waits again gets it.
+wait_for() {  # wait_for PROCESS
+  local status before
+  while true; do
+    status=0 before=$signals
+    wait "$1" || status=$?
+    ((signals > before)) || return "$status"
+  done
 }
 
 # Ctrl-C asks the engine to write its state and stop, and waits for that; mpirun, which would kill it after two seconds, is
@@ -21,18 +35,13 @@ run_engine() {  # run_engine RANKS OUT INPUT [-var NAME VALUE]...
   if ((ranks > $(available_cores))); then mpi+=(--oversubscribe); fi
   local engine='' signal=USR2 status=0
   # shellcheck disable=SC2086  # no word while there is no engine
-  trap 'kill -s "$signal" $engine 2>/dev/null || true; signal=TERM' INT TERM HUP
+  trap 'signals=$((signals + 1)); kill -s "$signal" $engine 2>/dev/null || true; signal=TERM' INT TERM HUP
   # Containers forbid the single-copy mechanism; Open MPI would warn and fall back at every message.
   OMPI_MCA_btl_vader_single_copy_mechanism=none setsid "${mpi[@]}" "$build_dir/src/app/liggghts-muckpile" \
     -in "$input" -log "$out/log.liggghts" -var out "$out" "$@" &
   engine=$!
-  [[ $signal == USR2 ]] || kill -s USR2 "$engine" 2>/dev/null || true  # asked to stop before it was there
-  wait "$engine" || status=$?
-  while kill -0 "$engine" 2>/dev/null; do  # only the waiting was interrupted
-    status=0
-    wait "$engine" || status=$?
-  done
-  trap - INT TERM HUP
-  [[ $signal == USR2 ]] || return 130
+  ((signals == 0)) || kill -s USR2 "$engine" 2>/dev/null || true  # asked to stop before it was there
+  wait_for "$engine" || status=$?
+  let_signals_be
   return "$status"
 }

@@ -29,6 +29,7 @@ value_from_root() {
 run() {
   local command=run known_options='-np, -var, -out, -vtk' default_folder=results/
   local input='' ranks='' out='' go_on cores engine_args=() reports=()
+  local signals=0 on_signal=-
   cores=$(available_cores)
   read_run_words "$@"
   cd "$root"
@@ -141,16 +142,26 @@ run_in_folder() {
     drop_previous "$out"
     exit 130
   fi
+  if ((signals > 0)) && ! is_whole; then status=130; fi
   if ! has_left_something; then end_without_a_step; fi
   drop_previous "$out"
   ((status != 130)) || { say "interrupted; there is no state to go on from" && exit 130; }
   ((status == 0)) || die "the run stopped with an error; see the message above or $out/log.liggghts"
 }
 
+# The engine was asked to stop when it had nothing left to do: it says where that cuts something short.
+is_whole() { ((status == 0)) && ! grep -qs '^interrupted: ' "$out/log.liggghts" && has_taken_steps; }
+
 has_left_something() {
   if ((status == 0)); then
     [[ $(written_in "$out") != "$written_before" ]]
-  elif continues; then
+  else
+    has_taken_steps
+  fi
+}
+
+has_taken_steps() {
+  if continues; then
     [[ $(steps_in "$out") != "$steps_before" ]]
   else
     started "$out"
@@ -173,10 +184,23 @@ end_without_a_step() {
   exit 0
 }
 
+# A signal, now or behind the engine's last step, leaves what the engine has done, to be measured another time.
 post_process() {  # post_process OUT [OPTION OF muckpile-post all]...
+  local measuring='' status=130
   if [[ ! -f $1/dump/scene.json ]]; then
     say "no $1/dump/scene.json: nothing to extract"
     return
   fi
-  "$build_dir/postproc/tools/muckpile-post" all "$@" || die "muckpile-post failed; the reason is above"
+  trap 'signals=$((signals + 1)); kill -s TERM $measuring 2>/dev/null || true' INT TERM HUP
+  if ((signals == 0)); then
+    "$build_dir/postproc/tools/muckpile-post" all "$@" &
+    measuring=$! status=0
+    wait_for "$measuring" || status=$?
+  fi
+  let_signals_be
+  if ((signals > 0 && status != 0)); then
+    say "interrupted; the run in $1 is whole, and not measured: ${build_dir#"$root"/}/postproc/tools/muckpile-post all $* does that"
+    exit 130
+  fi
+  ((status == 0)) || die "muckpile-post failed; the reason is above"
 }

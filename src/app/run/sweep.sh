@@ -179,7 +179,7 @@ run_all() {
 stop_all() {
   local processes=("${!running[@]}")
   stopping=1
-  ((${#processes[@]} == 0)) || kill -s TERM -- "${processes[@]/#/-}" 2>/dev/null || true
+  ((${#processes[@]} == 0)) || kill -s TERM -- "${processes[@]}" 2>/dev/null || true
 }
 
 begin_run() {  # begin_run K
@@ -194,7 +194,10 @@ begin_run() {  # begin_run K
   [[ -z $stopping ]] || stop_all  # asked to stop before it was there
 }
 
+# A signal reaches this process alone, which lets what it has begun come to an end: the engine by its state, files whole.
 run_one() {  # run_one STATE: in a process of its own
+  local signals=0 on_signal='signals=$((signals + 1))'
+  let_signals_be
   SECONDS=0
   out+=/$folder
   if [[ $1 == measure ]]; then
@@ -202,12 +205,14 @@ run_one() {  # run_one STATE: in a process of its own
   else
     rm -f -- "$out/$sweep_record"
     prepare_folder
+    ((signals == 0)) || exit 130
     run_in_folder
     refuse_empty_files "$out"
+    [[ ! -f $out/dump/scene.json ]] || write_record nothing
   fi
   post_process "$out" "${reports[@]}"
   [[ -s $out/summary.json ]] || die "the run has left no $out/summary.json"
-  write_record
+  write_record "$measured_by"
   say "took $SECONDS s"
 }
 
@@ -225,12 +230,13 @@ wait_for_one() {
   k=${running[$process]}
   unset "running[$process]"
   choose "${runs[k]}"
-  if ((status == 0)) && has_ended_well; then
+  if ((status == 0)) && has_run_well && is_measured; then
     states[k]='done'
     tell "$k" 'done' " ($(sed -nE 's/^muckpile: took (.*)$/\1/p' "$out/$folder/run.log" | tail -n 1))"
   elif ((status == 130)) || [[ -n $stopping ]]; then
     states[k]=interrupted
-    tell "$k" interrupted
+    if has_run_well; then states[k]=measure; fi
+    tell "$k" interrupted "$([[ ${states[k]} != measure ]] || echo ': the run is whole, and not measured')"
   else
     states[k]=failed
     tell "$k" failed ": $(reason_in "$out/$folder/run.log")"

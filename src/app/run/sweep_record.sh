@@ -3,7 +3,7 @@
 # What each run of a sweep came of, written beside its results, so that a sweep does again only what is missing or was made otherwise.
 # Scope: sourced by muckpile together with sweep.sh, whose local variables it uses.
 
-# In the folder of a run that has ended well. Two equal records but for the lines of kept_apart give the same results.
+# In the folder of a run whose engine has ended well. Two equal records but for the lines of kept_apart give the same results.
 readonly sweep_record=sweep_record.txt
 readonly kept_apart='^(run_id|measured_by) '
 
@@ -39,23 +39,28 @@ conditions() {  # of the run that was chosen last
 
 run_id_of() { "$build_dir/postproc/tools/muckpile-post" run-id "$@"; }  # run_id_of FILE...: of one run; an empty line if it has none
 
-write_record() {
+write_record() {  # write_record MEASURED_BY
   {
     conditions
-    printf 'run_id %s\nmeasured_by %s\n' "$(run_id_of "$out/dump/scene.json")" "$measured_by"
+    printf 'run_id %s\nmeasured_by %s\n' "$(run_id_of "$out/dump/scene.json")" "$1"
   } >"$out/$sweep_record.part"
   mv -f -- "$out/$sweep_record.part" "$out/$sweep_record"
 }
 
-# Its results are there, of this run and of no other that has used the folder since.
-has_ended_well() {
+# What the engine has left is there, of this run and of no other that has used the folder since.
+has_run_well() {
   local run=$out/$folder id
-  [[ -f $run/$sweep_record && -s $run/summary.json && -f $run/dump/scene.json ]] || return 1
-  id=$(run_id_of "$run/dump/scene.json" "$run/summary.json" 2>/dev/null) && grep -qxF "run_id $id" "$run/$sweep_record" || return 1
+  [[ -f $run/$sweep_record && -f $run/dump/scene.json ]] || return 1
+  id=$(run_id_of "$run/dump/scene.json" 2>/dev/null) && grep -qxF "run_id $id" "$run/$sweep_record" || return 1
   [[ $(grep -vE "$kept_apart" "$run/$sweep_record") == "$(conditions)" ]]
 }
 
-is_measured_by_this_program() { grep -qxF "measured_by $measured_by" "$out/$folder/$sweep_record"; }
+# By this program, where the run has ended well.
+is_measured() {
+  local run=$out/$folder
+  [[ -s $run/summary.json ]] && run_id_of "$run/dump/scene.json" "$run/summary.json" >/dev/null 2>&1 &&
+    grep -qxF "measured_by $measured_by" "$run/$sweep_record"
+}
 
 # Sets the state of each run, and tells why those that have results begin anew.
 note_what_has_ended() {
@@ -64,9 +69,9 @@ note_what_has_ended() {
   for k in "${!runs[@]}"; do
     choose "${runs[k]}"
     states[k]=waiting
-    if has_ended_well; then
+    if has_run_well; then
       states[k]=measure
-      if is_measured_by_this_program; then
+      if is_measured; then
         states[k]='done'
         count=$((count + 1))
       fi

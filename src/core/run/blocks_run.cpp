@@ -42,7 +42,10 @@ BlocksPlan blocks_plan(const ArgValues& words, const BlockContacts& contacts,
 }
 
 LapsEnd BlocksRun::go() {
-  if (engine_.interrupted()) return LapsEnd::interrupted;
+  if (engine_.interrupted()) {
+    engine_.say("interrupted: before the first step of phase " + plan_.phase);
+    return LapsEnd::interrupted;
+  }
   const double end = std::min(plan_.until.value_or(plan_.time_end), plan_.time_end);  // [s]
   begin(end);
   const LapsEnd how = run_laps(engine_, end, !plan_.until);

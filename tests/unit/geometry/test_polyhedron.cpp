@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "geometry/shape/centroid.h"
 #include "geometry/shape/polyhedron.h"
 #include "shapes.h"
 
@@ -82,6 +83,16 @@ TEST(MassProperties, MatchesTheClosedFormOfACornerTetrahedron) {
   Mat3 expected = Mat3::Constant(1.0 / 480.0);
   expected.diagonal().setConstant(1.0 / 80.0);
   EXPECT_LT((mass.inertia - expected).norm(), kRounding);
+}
+
+TEST(VolumeAndCentroid, AreThoseOfTheMassProperties) {
+  for (unsigned long seed = 1; seed <= 20; ++seed) {
+    const Polyhedron cell = test::voronoi_cell(seed);
+    const MassProperties mass = mass_properties(cell);
+    const VolumeAndCentroid first = volume_and_centroid(cell);
+    EXPECT_EQ(first.volume, mass.volume);
+    EXPECT_EQ(first.centroid, mass.centroid);
+  }
 }
 
 TEST(MassProperties, AgreesWithSurfaceIntegrationOnVoronoiCells) {

@@ -354,6 +354,35 @@ TEST_F(Lines, VolumeOverALineIsThatOfThePileBeyond) {
   EXPECT_EQ(rows.rows(), 21U);
   EXPECT_NEAR(rows.number(0, rows.column("volume_m3")), 45.0, 1e-4);
   EXPECT_NEAR(rows.number(20, rows.column("volume_m3")), 4 * 0.125, 1e-6);  // the last column
+  // That has a cube in each of the four rows, from x = 13.5 on.
+  EXPECT_NEAR(rows.number(20, rows.column("x_m")), 13.75, 1e-4);
+  EXPECT_NEAR(rows.number(20, rows.column("y_m")), 0.0, 1e-6);
+  EXPECT_NEAR(rows.number(20, rows.column("z_m")), kLayer - 0.25, 1e-6);
+  // Columns of n cubes at 5 + 9 - n + 0.25 and 0.75 m: the sum of 2 n (14.5 - n) over 90 cubes.
+  double moment = 0.0;
+  for (int n = 1; n <= 9; ++n) moment += 2.0 * n * (14.5 - n);
+  EXPECT_NEAR(rows.number(0, rows.column("x_m")), moment / 90.0, 1e-4);
+  EXPECT_FALSE(rows.find_column("east_m"));
+}
+
+// x looks north, so y looks west.
+TEST_F(Lines, RockOverALineHasPlacesOfTheMine) {
+  add_to_scene(
+      "\"terrain_east_m\": 355000, \"terrain_north_m\": 6200000, \"terrain_height_m\": 412, "
+      "\"x_bearing_deg\": 0");
+  LineOptions line;
+  line.from = {5.0, 0.0};
+  line.to = {5.0, 1.0};
+  report_over(folder(), measure_, line);
+  const CsvTable rows = table("over.csv");
+  EXPECT_EQ(rows.word(20, rows.column("east_m")), "355000.000");
+  EXPECT_EQ(rows.word(20, rows.column("north_m")), "6200013.750");
+  EXPECT_EQ(rows.word(20, rows.column("elevation_m")), "412.400");
+  line.from = {20.0, 0.0};  // nothing is there
+  line.to = {20.0, 1.0};
+  report_over(folder(), measure_, line);
+  EXPECT_EQ(whole_file(folder().file("over.csv")),
+            "beyond_m,volume_m3,mass_kg,x_m,y_m,z_m,east_m,north_m,elevation_m\n0,0,0,,,,,,\n");
 }
 
 // The prism has gone: between the wall at x = -5 and the pile at x = 0 the floor is bare.

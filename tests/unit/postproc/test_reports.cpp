@@ -15,6 +15,9 @@
 
 #include "args/csv_table.h"
 #include "args/input_error.h"
+#include "compare/comparison.h"
+#include "compare/run_figures.h"
+#include "compare/table_curves.h"
 #include "io/vtk_series.h"
 #include "measure/broken_out.h"
 #include "report/reports.h"
@@ -83,6 +86,105 @@ TEST_F(BenchReports, ProfileWritesItsKeysTableAndPicture) {
   const PictureFacts picture = facts_of(folder.file("profile.png"));
   EXPECT_EQ(picture.width, 1600);
   EXPECT_TRUE(picture.has_drawing);
+}
+
+// A floor that was surveyed a metre lower from x = 1 m on, with the same pile on it.
+class OnASurveyedFloor : public BenchReports {
+ protected:
+  void SetUp() override {
+    BenchReports::SetUp();
+    lower_the_floor(temporary_.path());
+  }
+  static void lower_the_floor(const std::filesystem::path& folder) {
+    write_text(folder / "dump/floor.stl",
+               "solid floor\n"
+               "facet normal 0 0 1\nouter loop\nvertex 1 -50 -1\nvertex 60 -50 -1\n"
+               "vertex 60 50 -1\nendloop\nendfacet\n"
+               "facet normal 0 0 1\nouter loop\nvertex 1 -50 -1\nvertex 60 50 -1\n"
+               "vertex 1 50 -1\nendloop\nendfacet\nendsolid floor\n");
+    std::string scene = text_of(folder / "dump/scene.json");
+    write_text(folder / "dump/scene.json",
+               scene.insert(1, "\"floor_survey\": 1, \"floor_front_m\": 1.0, "));
+  }
+};
+
+TEST_F(OnASurveyedFloor, ProfileHasItsHeightBesideTheSurfaces) {
+  const ResultFolder folder(temporary_.path());
+  report_profile(folder, {kCube, 0.125}, {});
+  const CsvTable table = CsvTable::read(folder.file("profile.csv"));
+  const size_t floor = table.column("floor_m"), x = table.column("x_m"),
+               mean = table.column("pile_mean_m");
+  for (size_t row = 0; row < table.rows(); ++row) {
+    const double at = table.number(row, x);
+    EXPECT_NEAR(table.number(row, floor), at < 0.0 ? 0.0 : std::max(-at, -1.0), 1e-5) << at;
+    EXPECT_GE(table.number(row, mean), table.number(row, floor));
+  }
+}
+
+TEST_F(OnASurveyedFloor, TablesWithItsHeightAreComparedAndOverlaid) {
+  report_profile(ResultFolder(temporary_.path()), {kCube, 0.125}, {});
+  TemporaryFolder other;
+  write_bench(other.path());
+  lower_the_floor(other.path());
+  report_profile(ResultFolder(other.path()), {kCube, 0.125}, {});
+  const auto compared =
+      compare_runs(read_run_figures(temporary_.path()), read_run_figures(other.path()), {});
+  const auto floor = std::ranges::find(compared, "profile.csv:floor_m", &ComparedQuantity::name);
+  ASSERT_NE(floor, compared.end());
+  EXPECT_TRUE(floor->same);
+  const auto curves = read_curves(temporary_.path() / "profile.csv");
+  EXPECT_TRUE(curves.of_column.contains("floor_m"));
+}
+
+TEST_F(BenchReports, ProfileOnALevelFloorHasNoHeightOfIt) {
+  const ResultFolder folder(temporary_.path());
+  report_profile(folder, {kCube, 0.125}, {});
+  EXPECT_FALSE(CsvTable::read(folder.file("profile.csv")).find_column("floor_m"));
+}
+
+// The face layer, two cubes deep, moves the faster the higher: 4 m/s and 2 m/s more for each metre
+// above the floor at 10 ms, half as much at 20 ms, but for its lowest 2 m, which are twice as fast
+// then. A band of 1.05 m has the mean of its cubes.
+TEST_F(BenchReports, FaceVelocityOverHeightIsThatOfTheFaceAtEachHeight) {
+  const BenchRun run = bench_run();
+  const auto speed = [](double height, double share) { return share * (4.0 + 2.0 * height); };
+  const auto write = [&](long step, double time, double low, double high) {
+    Snapshot now = start_snapshot(run.blocks);
+    now.step = step;
+    now.time = time;
+    for (size_t b = 0; b < run.blocks.size(); ++b) {
+      const Vec3& at = run.blocks[b].centroid;
+      if (at.z() < 0.0) continue;
+      const double along = at.x() > -1.0 ? speed(at.z(), at.z() < 2.0 ? low : high) : 0.5;
+      now.states[b].velocity = Vec3(along, 30.0, -3.0);  // sidewards and down do not count
+    }
+    char name[40];
+    std::snprintf(name, sizeof name, "dump/blocks_%09ld.csv", step);
+    write_snapshot(temporary_.path() / name, run.blocks, now);
+  };
+  write(1000, 0.01, 1.0, 1.0);
+  write(1500, 0.02, 2.0, 0.5);
+  report_profile(ResultFolder(temporary_.path()), {kCube, 0.125}, {});
+  const CsvTable face = CsvTable::read(temporary_.path() / "face_velocity.csv");
+  ASSERT_EQ(face.rows(), 10U);
+  double fastest = 0.0;
+  for (size_t band = 0; band < face.rows(); ++band) {
+    const double low = 1.05 * static_cast<double>(band), high = low + 1.05;
+    double sum = 0.0;
+    int cubes = 0;
+    for (double height = 0.25; height < kBenchHeight; height += kCube) {
+      if (height < low || height > high) continue;
+      sum += speed(height, height < 2.0 ? 2.0 : 1.0);
+      ++cubes;
+    }
+    const bool late = high < 2.2;  // cubes of its two bands lie below 2 m
+    EXPECT_NEAR(face.number(band, face.column("height_low_m")), low, 1e-5);
+    EXPECT_NEAR(face.number(band, face.column("height_high_m")), high, 1e-5);
+    EXPECT_NEAR(face.number(band, face.column("velocity_m_s")), sum / cubes, 1e-4) << band;
+    EXPECT_NEAR(face.number(band, face.column("velocity_at_s")), late ? 0.02 : 0.01, 1e-9) << band;
+    fastest = std::max(fastest, sum / cubes);
+  }
+  EXPECT_NEAR(summary()["face_velocity_m_s"], fastest, 1e-6);
 }
 
 // A block 60 m up as the pile rests, which falls at 20 m/s: no part of the pile. Of a run that is

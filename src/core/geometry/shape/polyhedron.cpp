@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "geometry/shape/centroid.h"
+
 namespace muckpile {
 namespace {
 
@@ -17,18 +19,19 @@ Vec3 mean_of(const std::vector<Vec3>& points) {
   return points.empty() ? sum : Vec3(sum / static_cast<double>(points.size()));
 }
 
-std::vector<Vec3> face_points(const Polyhedron& shape, const std::vector<int>& face) {
-  std::vector<Vec3> points;
-  points.reserve(face.size());
+// Into `points`, whose memory is used again.
+void take_face_points(const Polyhedron& shape, const std::vector<int>& face,
+                      std::vector<Vec3>& points) {
+  points.clear();
   for (const int v : face) points.push_back(shape.vertices[static_cast<std::size_t>(v)]);
-  return points;
 }
 
 // Calls visit(a, b, c) for the triangles of every face, fanned about the mean of its vertices.
 template <class Visitor>
 void for_each_triangle(const Polyhedron& shape, Visitor visit) {
+  std::vector<Vec3> points;
   for (const std::vector<int>& face : shape.faces) {
-    const std::vector<Vec3> points = face_points(shape, face);
+    take_face_points(shape, face, points);
     const Vec3 middle = mean_of(points);
     for (std::size_t k = 0; k < points.size(); ++k) {
       visit(middle, points[k], points[(k + 1) % points.size()]);
@@ -90,20 +93,25 @@ void principal_axes(const std::vector<Vec3>& points, FaceGeometry& face) {
 
 }  // namespace
 
-MassProperties mass_properties(const Polyhedron& shape) {
-  MassProperties mass;
+VolumeAndCentroid volume_and_centroid(const Polyhedron& shape) {
   const Vec3 start = mean_of(shape.vertices);
   const FirstMoments first = first_moments(shape, start);
+  return {first.volume, first.volume != 0.0 ? Vec3(start + first.moment / first.volume) : start};
+}
+
+MassProperties mass_properties(const Polyhedron& shape) {
+  MassProperties mass;
+  const VolumeAndCentroid first = volume_and_centroid(shape);
   mass.volume = first.volume;
-  mass.centroid = first.volume != 0.0 ? Vec3(start + first.moment / first.volume) : start;
+  mass.centroid = first.centroid;
   const Mat3 second = second_moment(shape, mass.centroid);
   mass.inertia = second.trace() * Mat3::Identity() - second;
   return mass;
 }
 
 FaceGeometry face_geometry(const Polyhedron& shape, int face_number) {
-  const std::vector<Vec3> points =
-      face_points(shape, shape.faces[static_cast<std::size_t>(face_number)]);
+  std::vector<Vec3> points;
+  take_face_points(shape, shape.faces[static_cast<std::size_t>(face_number)], points);
   FaceGeometry face;
   face.centroid = mean_of(points);
   Vec3 area_vector = Vec3::Zero();
