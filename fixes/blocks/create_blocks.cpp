@@ -21,6 +21,7 @@
 #include "fixes/blocks/fix_muckpile_blocks.h"
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/exchange.h"
+#include "fixes/engine/first_rank.h"
 #include "fixes/engine/over_ranks.h"
 #include "geometry/files/block_file.h"
 #include "rock/burden_file.h"
@@ -34,18 +35,8 @@
 namespace muckpile {
 namespace {
 
-/// Runs `body` on rank 0; a fault there stops all ranks with its message.
 void on_rank_0(LAMMPS_NS::LAMMPS& lmp, const std::function<void()>& body) {
-  std::string fault;
-  if (lmp.comm->me == 0) {
-    try {
-      body();
-    } catch (const std::exception& error) {
-      fault = error.what();
-    }
-  }
-  fault = engine::of_first_rank(std::move(fault), lmp.world);
-  if (!fault.empty()) engine::stop(lmp, in_create_blocks(fault));
+  engine::on_first_rank(lmp, body, in_create_blocks);
 }
 
 /// Memory of this machine [bytes].

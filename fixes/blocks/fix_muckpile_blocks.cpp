@@ -38,6 +38,8 @@ FixMuckpileBlocks::~FixMuckpileBlocks() {
 
 int FixMuckpileBlocks::setmask() { return LAMMPS_NS::FixConst::PRE_NEIGHBOR; }
 
+engine::Bodies FixMuckpileBlocks::bodies() { return engine::Bodies(*multisphere_); }
+
 void FixMuckpileBlocks::setup(int /*vflag*/) {
   if (!contact_warned_) engine::warn_without_contact_law(*lmp);
   contact_warned_ = true;

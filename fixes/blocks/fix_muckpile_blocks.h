@@ -118,7 +118,7 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix,
   [[nodiscard]] const std::vector<int>& copy_tags() const override { return copy_tags_; }
   [[nodiscard]] const engine::BlockHalo& halo() const override { return halo_; }
   [[nodiscard]] bool restored() const override { return restored_; }
-  [[nodiscard]] engine::Bodies bodies() override { return engine::Bodies(*multisphere_); }
+  [[nodiscard]] engine::Bodies bodies() override;
 
   void keep_given(double energy) override { given_ += energy; }
   [[nodiscard]] double take_given() override { return std::exchange(given_, 0.0); }

@@ -187,7 +187,7 @@ void FixMuckpileGas::end_of_gas(const std::string& how) {
   spent_ = true;
   active_ = false;
   joints_->release_gas();
-  gas_.set_network(joints_->rooms());
+  gas_.set_rooms(joints_->rooms());
   engine::print_once(*lmp, where_ + ": the gas in joints " + how + " at " +
                                number_text(update->get_cur_time()) + " s\n");
 }
@@ -201,7 +201,7 @@ void FixMuckpileGas::follow_blocks() {
   if (active_) contents = contents_here(tags);
   contents.merge(restored_);
   restored_.clear();
-  gas_.set_network(joints_->rooms());
+  gas_.set_rooms(joints_->rooms());
   const engine::BlockHalo& halo = joints_->halo();
   halo.forward(gas_.touches().first(halo.size()));
   tags_ = std::move(tags);

@@ -13,9 +13,10 @@ namespace muckpile {
 class BlockStresses {
  public:
   virtual ~BlockStresses() = default;
-  /// As bond/network/block_stress.h has it, of owned blocks by their body [Pa].
+  /// Mean Cauchy stress of each of `bodies` of this rank, each once, in their order, tension
+  /// positive [Pa]; see bond/network/block_stress.h.
   [[nodiscard]] virtual std::vector<Mat3> stresses(std::span<const int> bodies) const = 0;
-  /// Likewise, of every body of this rank [m].
+  /// Per body of this rank: how far `point` lies outside of its faces [m], negative within.
   [[nodiscard]] virtual std::vector<double> distances_from_blocks(const Vec3& point) const = 0;
 };
 

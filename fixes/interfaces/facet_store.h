@@ -10,10 +10,12 @@
 #include "bond/facet.h"
 #include "bond/network/facet_lists.h"
 #include "fixes/engine/block_halo.h"
-#include "fixes/engine/bodies.h"
 #include "fixes/interfaces/known_blocks.h"
 
 namespace muckpile {
+namespace engine {
+class Bodies;
+}
 
 /// Computes with the facets and gives them back before blocks migrate. They are large, so there is
 /// only one copy: in the store while blocks migrate, otherwise with the keeper.

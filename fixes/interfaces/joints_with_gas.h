@@ -16,9 +16,10 @@ namespace muckpile {
 class JointsWithGas {
  public:
   virtual ~JointsWithGas() = default;
-  /// Blocks of this rank first, in the order of their bodies.
+  /// As the last force computation left them, blocks of this rank first, in the order of their
+  /// bodies; good until lists_version() grows.
   [[nodiscard]] virtual JointRooms rooms() const = 0;
-  /// Grows whenever the lists of blocks and joints in it may have changed.
+  /// Grows whenever the lists of blocks and joints in rooms() may have changed.
   [[nodiscard]] virtual std::uint64_t lists_version() const = 0;
   /// Tags of the owned blocks, in the order of their bodies.
   [[nodiscard]] virtual std::vector<int> block_tags() const = 0;

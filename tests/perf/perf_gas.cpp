@@ -42,7 +42,7 @@ nlohmann::ordered_json measure() {
   scene.deform(kOpening * Mat3::Identity());
   scene.compute();
   JointGas gas({});
-  gas.set_network(JointRooms(network));
+  gas.set_rooms(JointRooms(network));
   fill(gas);
   const auto nanoseconds = [&](const std::function<void()>& body) {
     return 1e9 * least_time(body, kSteps) / static_cast<double>(network.facet_count());

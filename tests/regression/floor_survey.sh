@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# floor_survey.sh LIGGGHTS_MUCKPILE: blocks that fall on a floor of write_panels come to rest at the height of the survey, on its slope and on the
-# level above its step; and the quarry has such a floor, and refuses it with walls that cannot follow it.
+# floor_survey.sh LIGGGHTS_MUCKPILE: blocks that fall on a surveyed floor come to rest at the height of the survey: on its slope where that is lower
+# than the base of the rock, on the level above its step, and beside the place of the rock, where the floor in front begins; at that place they rest
+# at the base of the rock. The quarry has such a floor, and refuses it with walls that cannot follow it.
 # Scope: four cubes of one sphere each, whose centres rest a radius from the ground.
 set -euo pipefail
 program=$1
@@ -17,7 +18,7 @@ atom_modify map array sort 0 0
 boundary m m m
 newton off
 communicate single vel yes
-region box block -1 40 -20 20 -4 10 units box
+region box block -12 40 -20 20 -4 10 units box
 create_box 2 box
 neighbor 0.2 bin
 neigh_modify delay 0 every 1 check yes binsize 1.5
@@ -29,30 +30,52 @@ include inputs/common/contact.in
 fix blocks all multisphere/muckpile
 variable x_hi equal ${x}+1
 variable z_hi equal ${z}+0.5
-region rock block ${x} ${x_hi} -0.5 0.5 ${z} ${z_hi} units box
+variable y_lo equal ${y}-0.5
+variable y_hi equal ${y}+0.5
+region rock block ${x} ${x_hi} ${y_lo} ${y_hi} ${z} ${z_hi} units box
 create_blocks rock density 2700 size uniform 0.5 block_min 0.5 block_max 0.5 cut joint_sets joint_set 90 0 joint_set 90 90 spheres_per_block 1 sphere_growth 1 file ${out}/dump/blocks.vtk
-write_panels file ${out}/dump/floor.stl name floor ground ${ground} 0.5 30 -15 15 -3 0.25 origin 5000 7000 200
+# Rock would stand at x < 0.5, |y| < 3, with its base at z = -0.3: at x = 5 the ground is lower.
+variable floor_start equal 0.5
+variable floor_length equal 30
+variable floor_half_width equal 15
+variable floor_depth equal 0.3
+variable block_max equal 0.5
+variable bottom_z equal -0.3
+variable rear_x index -10
+variable floor_side_lo equal -3
+variable floor_side_hi equal 3
+variable place_east equal 5000
+variable place_north equal 7000
+variable place_height equal 200
+variable throw_bearing equal 90
+variable with_floor_file index 1
+variable floor_file index ${ground}
+include inputs/common/pit_floor.in
 print "lowest ${panels_lowest} highest ${panels_highest}"
-fix floor all muckpile/wall mesh ${out}/dump/floor.stl friction 1.0
+variable wall_mesh string ${out}/dump/floor.stl
+include inputs/common/walls_own.in
 fix pull all gravity 9.81 vector 0 0 -1
-run_blocks phase rest until still directory ${out}/dump time_end 20 still_share 0.002 density 2700 block_min 0.5 spheres_per_block 1 steps_per_contact 10
+run_blocks phase rest until still directory ${out}/dump time_end 20 still_share 0.002 solid in_the_ground density 2700 block_min 0.5 spheres_per_block 1 steps_per_contact 10
 END
 
 wrong=0
-rests() {  # rests NAME X Z COSINE HEIGHT: dropped from Z, its spheres' centres rest above HEIGHT(x, y), an awk expression
-  run_input "$1" 1 "$out/in.fall" -var ground "$out/ground.csv" -var x "$2" -var z "$3"
+rests() {  # rests NAME X Y Z COSINE HEIGHT: dropped from Z, its spheres' centres rest above HEIGHT(x, y), an awk expression
+  run_input "$1" 1 "$out/in.fall" -var ground "$out/ground.csv" -var x "$2" -var y "$3" -var z "$4"
   local last
   last=$(ls -v "$out/$1"/dump/blocks_*.csv | tail -n 1)
   # The elastic overlap of 340 kg is 4 mm.
-  awk -F, -v cosine="$4" '
+  awk -F, -v cosine="$5" '
     /^#/ { next }
     !n++ { for (k = 1; k <= NF; ++k) { if ($k == "x_m") cx = k; if ($k == "y_m") cy = k; if ($k == "z_m") cz = k }; next }
-    { x = $cx; y = $cy; off = $cz - ('"$5"') - 0.25 / cosine; blocks++; if (off < -0.008 || off > 0.002) bad++; printf "x %.3f y %.3f z %.4f off %.4f m\n", x, y, $cz, off }
+    { x = $cx; y = $cy; off = $cz - ('"$6"') - 0.25 / cosine; blocks++; if (off < -0.008 || off > 0.002) bad++; printf "x %.3f y %.3f z %.4f off %.4f m\n", x, y, $cz, off }
     END { exit !(blocks == 4 && bad == 0) }' "$last" || { echo "$1: does not rest at the height of the survey"; wrong=1; }
+  check_figures near "$1: blocks in the ground" "$out/$1/dump/run.json:blocks_in_solid" 0 0 || wrong=1
 }
-rests slope 5 0.2 0.99425 "-0.1 * x + 0.04 * y"  # cosine 1 / sqrt(1 + 0.1^2 + 0.04^2)
-rests level 14 0.8 1 "0.5"
-grep -qE '^lowest -1.(6|59999+[0-9]*) highest 0.5(5|49999+[0-9]*)$' "$out/level/screen" || { echo "not the survey's heights: $(grep ^lowest "$out/level/screen")"; wrong=1; }
+rests slope 5 0 0.2 0.99425 "-0.1 * x + 0.04 * y"  # cosine 1 / sqrt(1 + 0.1^2 + 0.04^2)
+rests level 14 0 0.8 1 "0.5"
+rests beside 0 6 0.8 0.99425 "-0.1 * x + 0.04 * y"
+rests under_the_rock -3 0 0.2 1 "-0.3"
+grep -qE '^lowest -1.(6|59999+[0-9]*) highest 1.(1|09999+[0-9]*|10000+[0-9]*)$' "$out/level/screen" || { echo "not the survey's heights: $(grep ^lowest "$out/level/screen")"; wrong=1; }
 
 # The quarry: the same floor in front of its plane face, cut at the end of the rock.
 run_quarry() {  # run_quarry [-var NAME VALUE]...

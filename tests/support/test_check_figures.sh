@@ -192,6 +192,9 @@ printf '{"case": "slice", "expected": [%s, %s, %s, %s]}' "$(row slice_over_law 0
 holds case expected.json field.json
 fails 2 'needs two gauges between 80 and 100 m' near_field field.json 80 100 slice
 fails 2 'none/ppv.csv' near_field field.json 30 70 none
+fails 2 'slice is there twice' near_field field.json 30 70 slice ./slice/
+fails 2 '0 < NEAREST < FARTHEST' near_field field.json 70 30 slice
+fails 2 '0 < NEAREST < FARTHEST' near_field field.json 30 nan slice
 peaks $'1,31.4,9.9,0.7\n2,31.4,9.9,0.7\n'
 fails 2 'has gauges at one distance only' near_field field.json 30 70 slice
 peaks $'1,31.4,9.9,0\n2,62.8,19.9,0.7\n'

@@ -14,7 +14,7 @@ folders=()
 # peaks NAME [VAR VALUE]...: a run, and its peak velocities at the gauges.
 peaks() {
   local name=$1 out=$results/$1
-  run_input inputs/validation/broken_zone/in.broken_zone "$out" half_width 8 time_end 4e-3 \
+  run_input inputs/validation/broken_zone/in.broken_zone "$out" half_width 8 thickness 1 time_end 4e-3 \
     gauge_interval 1e-5 gauge_line 0 gauge_words "$lines" "${@:2}"
   "$post" waves "$out" --until 3e-3
   folders+=("$out")

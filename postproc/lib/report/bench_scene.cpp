@@ -144,6 +144,16 @@ void measure_along_x(BenchScene& bench, const ResultFolder& folder) {
   bench.one_row = bench.depth < 1.5 * bench.burden;
 }
 
+// How well a section along x shows the hole: 0: of the front row, thrown along x; 1: of the front
+// row, thrown to another side; 2: of another row.
+int section_rank(const BenchScene& bench, const Charge& charge) {
+  if (bench.planes.frames == nullptr) return depth_of(charge) > 1.5 * bench.burden ? 2 : 0;
+  const HoleFrames& frames = *bench.planes.frames;
+  const HoleFrame& hole = frames.holes()[frames.hole_at(charge.toe)];
+  if (hole.row > 0) return 2;
+  return hole.direction.x() >= std::cos(kToOneSide) ? 0 : 1;
+}
+
 std::shared_ptr<const HoleFrames> frames_of(const ResultFolder& folder, double burden,
                                             std::string& missing) {
   missing = "spacing_m of scene.json is missing";
@@ -223,9 +233,11 @@ std::vector<Vec2> face_at_height(const BenchScene& bench, double z, double y_low
 double y_of_middle_hole(const BenchScene& bench, const std::vector<StartBlock>& blocks) {
   const Extent rock = extent_at_start(blocks);
   const double middle = 0.5 * (rock.low.y() + rock.high.y());
+  const auto rank = [&bench](const Charge& charge) { return section_rank(bench, charge); };
+  const int best = rank(*std::ranges::min_element(bench.charges, {}, rank));
   double nearest = std::nan("");
   for (const Charge& charge : bench.charges) {
-    if (bench.planes.frames == nullptr && depth_of(charge) > 1.5 * bench.burden) continue;
+    if (rank(charge) != best) continue;
     const double y = charge.toe.y();
     // Of two that are as near the one at the larger y.
     const double nearer = std::abs(nearest - middle) - std::abs(y - middle);

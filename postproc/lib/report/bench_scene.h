@@ -49,7 +49,8 @@ std::vector<Vec2> face_line(const BenchScene& bench, double y);
 // Where the face was before the blast at a height [m], from y_low to y_high (x, y) [m].
 std::vector<Vec2> face_at_height(const BenchScene& bench, double z, double y_low, double y_high);
 
-// y of the front row's charge nearest to the middle of the rock's width [m].
+// y of the front row's charge nearest to the middle of the rock's width [m]: one that throws along
+// x, where there is one.
 double y_of_middle_hole(const BenchScene& bench, const std::vector<StartBlock>& blocks);
 
 // Charges and stemming of the holes that a section at y [m] cuts: of one beside it there is nothing

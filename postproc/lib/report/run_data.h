@@ -53,8 +53,9 @@ struct RunData {
  private:
   static PitFloor floor_of(const ResultFolder& folder) {
     if (!folder.scene_has("floor_survey") || folder.scene_number("floor_survey") == 0.0) return {};
+    // Solids behind the first are not the ground, but what the rock stands on.
     const std::filesystem::path file = folder.dump("floor.stl");
-    return {read_stl(file, 1.0), folder.scene_number("floor_front_m"), file.string()};
+    return {read_first_solid(file, 1.0), folder.scene_number("floor_front_m"), file.string()};
   }
 };
 

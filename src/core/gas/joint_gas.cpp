@@ -37,7 +37,7 @@ JointGas::JointGas(const Parameters& parameters)
     refuse_value("crack_spacing", "0 or >= " + number_text(kFinestSpacing), "m", p_.crack_spacing);
 }
 
-void JointGas::set_network(const JointRooms& rooms) {
+void JointGas::set_rooms(const JointRooms& rooms) {
   const std::size_t count = rooms.blocks().size();
   cells_.assign(count, {});
   reached_.assign(count, 0);

@@ -124,9 +124,9 @@ class JointGas {
   explicit JointGas(const Parameters& parameters);
 
   /// New lists of blocks and facets; every cell is empty after that.
-  void set_network(const JointRooms& rooms);
+  void set_rooms(const JointRooms& rooms);
   /// Code of what each block touches: 2 (hole + 1) + (1 if it has a free face). Right for owned
-  /// blocks after set_network(); the caller fills in the copies.
+  /// blocks after set_rooms(); the caller fills in the copies.
   [[nodiscard]] std::span<int> touches() {
     ends_.clear();
     listed_ = false;
@@ -135,15 +135,15 @@ class JointGas {
   [[nodiscard]] std::span<GasCell> cells() { return cells_; }
   [[nodiscard]] std::span<const GasCell> cells() const { return cells_; }
 
-  /// Volumes of the owned blocks that gas can reach in this step, in the pose of the network; a
-  /// hole whose `fed` is false lets no gas out.
+  /// Volumes of the owned blocks that gas can reach in this step, as their last step left the
+  /// joints; a hole whose `fed` is false lets no gas out.
   void measure(const JointRooms& rooms, const std::vector<char>& fed);
   /// Per hole, what measure() found: the part of GasChamber::ways of owned blocks.
   [[nodiscard]] std::span<const double> chamber_ways() const { return chamber_ways_; }
   /// What the gas of each block presses beyond the atmosphere [Pa]; valid until the next call.
   [[nodiscard]] std::span<const double> press();
   [[nodiscard]] std::span<const double> pressed() const { return gauge_; }  ///< by the last press()
-  /// After set_network(), of the contents of owned blocks: pressed() is what they pressed before;
+  /// After set_rooms(), of the contents of owned blocks: pressed() is what they pressed before;
   /// the caller fills in the copies.
   [[nodiscard]] std::span<double> press_as_before();
 
@@ -163,7 +163,7 @@ class JointGas {
   /// A joint that has parted by its radius is more void than joint. It goes on as the void between
   /// its two blocks, until press() found no more than the pressure of the atmosphere in both, or it
   /// has parted by `open_gas` radii: then it loses what it holds and holds nothing from now on; the
-  /// caller tells the network of it.
+  /// caller tells their owner of it.
   struct Opened {
     std::vector<std::uint32_t> joints;
     GasFlow vented;         ///< what owned blocks let into the atmosphere so
@@ -185,7 +185,7 @@ class JointGas {
   [[nodiscard]] double blocks_with_gas() const;    ///< owned ones
 
  private:
-  struct End {  // of a facet; the same until the network changes
+  struct End {  // of a facet; the same until the next set_rooms()
     std::uint32_t i, j;
     int hole;  // that it ends in, -1: none
     bool joint;

@@ -104,6 +104,11 @@ BlastRun::Stretch BlastRun::stretch_before(double end) const {
   return {plan_.pulse_step, std::min(end, pulse->end)};
 }
 
+bool BlastRun::pulse_is_ahead() const {
+  return std::ranges::any_of(plan_.pulses,
+                             [this](const PulseSpan& span) { return steps_until(span.end) > 0; });
+}
+
 /// The end is counted in steps, so a step that has just been let loose grows before; one that may
 /// grow still takes no more steps than the longest would.
 bool BlastRun::go_on(const Stretch& stretch) {
@@ -127,14 +132,19 @@ void BlastRun::bound_wave_step(const Stretch& stretch) {
   engine_.bound_step({.share = plan_.wave_share, .longest = longest_step_});
 }
 
-/// What is left until wave_end, on softer joints and with a longer step once the waves have gone.
+/// What is left until wave_end, on softer joints and with a longer step once the waves have gone;
+/// softer joints would not bear a pulse.
 BlastRun::Phase BlastRun::push() {
-  const double stretch = kStretch * (plan_.wave_end - plan_.last_firing);  // [s]
+  const double look = kStretch * (plan_.wave_end - plan_.last_firing);  // [s]
   for (;;) {
-    if (waves_have_gone()) soften_for_push();
+    if (!pulse_is_ahead() && waves_have_gone()) soften_for_push();
     const long left = steps_until(plan_.wave_end);
     if (left <= 0) return after_push();
-    if (!run(std::min(left, steps_of(stretch)))) return Phase::interrupted;
+    const bool goes_on =
+        rock_.stiffness() == 1.0
+            ? go_on(stretch_before(std::min(engine_.time() + look, plan_.wave_end)))
+            : run(std::min(left, steps_of(look)));
+    if (!goes_on) return Phase::interrupted;
   }
 }
 

@@ -53,6 +53,7 @@ class BlastRun {
   [[nodiscard]] Phase after_push();
   [[nodiscard]] Phase after_gas() const;
   [[nodiscard]] Stretch stretch_before(double end) const;
+  [[nodiscard]] bool pulse_is_ahead() const;
   bool go_on(const Stretch& stretch);
   void bound_wave_step(const Stretch& stretch);
   [[nodiscard]] bool waves_have_gone();

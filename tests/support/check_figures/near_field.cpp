@@ -43,6 +43,9 @@ double holmberg_persson(double charge_per_metre, double distance) {
 }
 
 Json near_field(const std::vector<std::filesystem::path>& folders, double near, double far) {
+  if (!(0.0 < near && near < far && std::isfinite(far)))
+    refuse("near_field",
+           "must have 0 < NEAREST < FARTHEST [m], got " + text_of(near) + " and " + text_of(far));
   Json result = Json::object();
   for (const std::filesystem::path& folder : folders) {
     const std::vector<Peak> peaks = peaks_between(folder / "ppv.csv", near, far);
@@ -55,6 +58,7 @@ Json near_field(const std::vector<std::filesystem::path>& folders, double near, 
       mean += std::log(ratios.back()) / static_cast<double>(peaks.size());
     }
     const std::string name = (folder / "").parent_path().filename().string();
+    if (result.contains(name + "_over_law")) refuse(folder.string(), name + " is there twice");
     result[name + "_over_law"] = std::exp(mean);
     result[name + "_over_law_least"] = *std::min_element(ratios.begin(), ratios.end());
     result[name + "_over_law_most"] = *std::max_element(ratios.begin(), ratios.end());

@@ -20,7 +20,8 @@ namespace muckpile::check {
 ///   NAME_over_law: mean of the peaks over the law's, of the logarithms;
 ///   NAME_over_law_least, NAME_over_law_most: of single gauges;
 ///   NAME_distance_exponent: n of v = c r^n by least squares of the logarithms.
-/// InputError where a file, column or gauge is missing, or a number is not > 0.
+/// InputError where a file, column or gauge is missing, a number is not > 0, or two folders have
+/// one name.
 [[nodiscard]] Json near_field(const std::vector<std::filesystem::path>& folders, double near,
                               double far);
 

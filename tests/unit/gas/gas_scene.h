@@ -58,7 +58,7 @@ struct GasScene {
     scene.deform(kOpening * apart);  // every joint breaks: its gap counts from here
     scene.compute();
     scene.deform(2.0 * kOpening * apart);
-    gas.set_network(JointRooms(scene.network()));
+    gas.set_rooms(JointRooms(scene.network()));
   }
   /// Of the temperature that a pressure has on the isentrope, whatever room it has.
   void fill(std::size_t b, double mass, double pressure = 100e6) {

@@ -112,7 +112,7 @@ TEST(CrackSpacing, MeanSizeOfTheTwoBlocksCounts) {
     scene.block(1).centre.x() = scene.start(1).x() + by;
     scene.compute();
   }
-  gas.set_network(JointRooms(scene.network()));
+  gas.set_rooms(JointRooms(scene.network()));
   gas.cells()[0].content = {0.01, 5e3};
   gas.measure(JointRooms(scene.network()), {});
   const double many = 0.5 * (1.0 + std::cbrt(2.0)) / 0.5;
@@ -202,7 +202,7 @@ TEST(CrackSpacing, JointWithALawOfItsOwnIsOneCrack) {
   }
   for (const double spacing : {0.0, 0.1}) {
     JointGas gas(with_spacing(spacing));
-    gas.set_network(JointRooms(scene.network()));
+    gas.set_rooms(JointRooms(scene.network()));
     gas.cells()[0].content = {0.01, 5e3};
     gas.measure(JointRooms(scene.network()), {});
     EXPECT_NEAR(gas.cells()[0].volume / (0.5 * 3e-4), 1.0, 1e-5) << spacing;

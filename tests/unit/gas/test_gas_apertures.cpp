@@ -155,7 +155,7 @@ struct RoughJoint {
   RoughJoint() {
     scene.network().keep_gas_in_joints();
     open(1e-9);  // no tension: breaks
-    gas.set_network(JointRooms(scene.network()));
+    gas.set_rooms(JointRooms(scene.network()));
     gas.cells()[0].content = gas.cells()[1].content = {0.01, 5e3, 0.0, 0.0};
   }
   /// Volume of both blocks' gas [m3].
@@ -195,7 +195,7 @@ TEST(JointGas, RoughJointBreaksWithTheApertureOfItsOwnLaw) {
   };
   move(1e-9, 0.0, 0.0);
   JointGas gas(closed());
-  gas.set_network(JointRooms(scene.network()));
+  gas.set_rooms(JointRooms(scene.network()));
   seal(gas);
   for (const std::size_t b : {0u, 1u}) gas.cells()[b].content = {0.01, 5e3};
   gas.measure(JointRooms(scene.network()), {});

@@ -55,7 +55,7 @@ struct Row {
         scene.block(b).centre.x() = scene.start(b).x() + stretch * (scene.start(b).x() - middle);
       scene.compute();
     }
-    gas.set_network(JointRooms(scene.network()));
+    gas.set_rooms(JointRooms(scene.network()));
     for (int& code : gas.touches()) code = 0;  // sealed, but for the chamber
     gas.touches()[first] = 2;
     if (!half) gas.touches()[first - 1] = 2;

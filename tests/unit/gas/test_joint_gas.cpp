@@ -268,7 +268,7 @@ TEST(JointGas, IntactJointsHoldNoGas) {
   BondScene pair(test::cuboids(2, 1, 1), test::rock(0.25));
   pair.compute();
   JointGas gas(closed());
-  gas.set_network(JointRooms(pair.network()));
+  gas.set_rooms(JointRooms(pair.network()));
   gas.cells()[0].content = {1.0, 1e6, 0.0, 0.0};
   gas.measure(JointRooms(pair.network()), {});
   EXPECT_EQ(gas.cells()[0].volume, 0.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The void of a hole with rings is its cylinder's, whatever planes cross it.
-// Scope: random scenes of some 300 blocks of 1 m, with whole, half and quarter holes of 1.6 to 4
+// The void of a hole is its cylinder's, whatever planes cross it, with rings and without.
+// Scope: random scenes of some 300 blocks of 1 m, with whole, half and quarter holes of 0.9 to 4
 // blocks over radius, up to two of them, that lean, and up to four planes; every scene follows from
 // its number.
 #include <gtest/gtest.h>
@@ -36,7 +36,12 @@ struct Scene {
   double share = 1.0;  // of each hole that is modelled
 };
 
-Scene scene_of(int number) {
+/// Blocks over the radius of a hole.
+struct Blocks {
+  double least, most;
+};
+
+Scene scene_of(int number, const Blocks& blocks) {
   Random random(static_cast<std::uint64_t>(number));
   Scene scene;
   TessellationOptions& rock = scene.rock;
@@ -44,7 +49,7 @@ Scene scene_of(int number) {
   rock.hi = Vec3(3.5, 3.0, 7.0);
   rock.size = SizeLaw::uniform(1.0);
   rock.seed = static_cast<unsigned long>(number) + 1;
-  const double radius = 1.0 / between(random, 1.6, 4.0);
+  const double radius = 1.0 / between(random, blocks.least, blocks.most);
   Vec3 toe = around(random, 0.3) + Vec3(0, 0, 1.5), lean = around(random, 0.5) + Vec3(0, 0, 3.2);
   const int kind = number % 4;  // whole, half, quarter, two
   if (kind == 1 || kind == 2) toe.x() = rock.lo.x(), lean.x() = 0.0;
@@ -66,40 +71,67 @@ Scene scene_of(int number) {
   return scene;
 }
 
-TEST(HoleVoids, AreTheCylindersWhateverPlanesCrossThem) {
+/// Of all scenes.
+struct Voids {
+  double narrowest = 2.0, widest = 0.0;   // over the cylinder
+  double unclosed = 0.0;                  // rock lost elsewhere, over the cylinder
+  double smallest = 1.0, thinnest = 1.0;  // block, and its 3 V / A, over its size
+  std::size_t lost = 0;                   // parts
+};
+
+Voids voids_of_scenes(const Blocks& over_radius) {
   constexpr double kRounding = 100.0;  // heights of walls are solved to 1e-9 of a cell's volume
-  double narrowest = 2.0, widest = 0.0, smallest = 1.0, thinnest = 1.0, unclosed = 0.0;
+  Voids found;
   for (int number = 0; number < kScenes; ++number) {
     SCOPED_TRACE(number);
-    const auto [rock, share] = scene_of(number);
+    const auto [rock, share] = scene_of(number, over_radius);
     const Tessellation cut = tessellate(rock);
     double voids = 0.0, cylinders = 0.0;
     for (std::size_t h = 0; h < rock.holes.size(); ++h) {
       const double cylinder = share * cylinder_volume(rock.holes[h]);
       const double ratio = cut.statistics.hole_volume[h] / cylinder;
-      narrowest = std::min(narrowest, ratio);
-      widest = std::max(widest, ratio);
+      found.narrowest = std::min(found.narrowest, ratio);
+      found.widest = std::max(found.widest, ratio);
       voids += cut.statistics.hole_volume[h];
       cylinders += cylinder;
     }
-    unclosed = std::max(unclosed, std::abs(cut.statistics.void_volume - voids) / cylinders);
-    EXPECT_EQ(cut.statistics.lost_parts, 0u);
+    const double unclosed = std::abs(cut.statistics.void_volume - voids) / cylinders;
+    found.unclosed = std::max(found.unclosed, unclosed);
+    found.lost += cut.statistics.lost_parts;
     for (const Block& block : cut.blocks) {
       test::expect_convex_and_closed(block, kRounding);
-      smallest = std::min(smallest, std::cbrt(block.mass.volume) / block.target_size);
-      thinnest = std::min(thinnest, mean_radius(block.shape) / block.target_size);
+      found.smallest = std::min(found.smallest, std::cbrt(block.mass.volume) / block.target_size);
+      found.thinnest = std::min(found.thinnest, mean_radius(block.shape) / block.target_size);
     }
     (void)test::expect_shared_faces(cut.blocks, kRounding);
   }
   std::printf(
       "void over cylinder %.4f to %.4f, rock lost elsewhere up to %.4f of it; smallest "
       "block over its size %.3f, its 3 V / A %.3f\n",
-      narrowest, widest, unclosed, smallest, thinnest);
-  EXPECT_GT(narrowest, 0.999);
-  EXPECT_LT(widest, 1.001);
-  EXPECT_LT(unclosed, 1e-3);
-  EXPECT_GT(smallest, 0.45);
-  EXPECT_GT(thinnest, 0.12);
+      found.narrowest, found.widest, found.unclosed, found.smallest, found.thinnest);
+  return found;
+}
+
+TEST(HoleVoids, AreTheCylindersWhateverPlanesCrossThem) {
+  const Voids voids = voids_of_scenes({1.6, 4.0});
+  EXPECT_GT(voids.narrowest, 0.999);
+  EXPECT_LT(voids.widest, 1.001);
+  EXPECT_LT(voids.unclosed, 1e-3);
+  EXPECT_EQ(voids.lost, 0U);
+  EXPECT_GT(voids.smallest, 0.45);
+  EXPECT_GT(voids.thinnest, 0.12);
+}
+
+/// Images of the seeds would leave up to 1.96 times the cylinder. Three thin parts get no seed:
+/// what they had of the rock is missing beside the void, by up to 1.3 % of it.
+TEST(HoleVoids, AreTheCylindersWithoutRingsToo) {
+  const Voids voids = voids_of_scenes({0.9, 1.45});
+  EXPECT_GT(voids.narrowest, 0.995);
+  EXPECT_LT(voids.widest, 1.015);
+  EXPECT_LT(voids.unclosed, 1e-3);
+  EXPECT_LE(voids.lost, 3U);  // as counted, so that a change shows
+  EXPECT_GT(voids.smallest, 0.4);
+  EXPECT_GT(voids.thinnest, 0.12);
 }
 
 TEST(OpenPlanes, AreFacesInPlanesThatLostTheirNeighbour) {

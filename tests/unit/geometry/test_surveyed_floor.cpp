@@ -3,8 +3,10 @@
 // Scope: no engine; that blocks rest on them is in tests/regression/floor_survey.sh.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <set>
 
 #include "args/input_error.h"
 #include "geometry/files/panel_mesh.h"
@@ -24,7 +26,7 @@ GroundHeights surveyed(Height&& z) {
 }
 
 double slope(double x, double y) { return -0.1 * x + 0.02 * y; }
-constexpr FloorExtent kExtent{3.05, 120.0, -60.0, 60.0, -2.0, 0.5};
+constexpr FloorExtent kExtent{3.05, 120.0, -60.0, 60.0, 0.5};
 
 double area_above(const SurveyedFloor& floor, double steepness) {
   double area = 0.0;
@@ -42,8 +44,7 @@ TEST(SurveyedFloor, LiesOnASurveyedSlope) {
   for (const StlTriangle& triangle : floor.triangles)
     for (const Vec3& p : triangle) {
       const bool in_survey = p.x() <= 20.0 && std::abs(p.y()) <= 8.0;
-      const bool of_step = p.x() == 3.05 && p.z() < floor.lowest;
-      if (!in_survey || of_step) continue;
+      if (!in_survey) continue;
       EXPECT_NEAR(p.z(), slope(p.x(), p.y()), 1e-12);
     }
 }
@@ -56,23 +57,13 @@ TEST(SurveyedFloor, GoesOnBeyondTheSurvey) {
   EXPECT_NEAR(ground.at(10.0, -40.0), -0.1 * 10.0 - 0.02 * 8.0, 1e-12);
 }
 
-/// Floor and step once each: 116.95 by 120 m in plan, and a step without area in plan. Panels of
-/// half a metre over 17 by 16 m and few beyond.
+/// 116.95 by 120 m in plan. Panels of half a metre over 17 by 16 m and few beyond.
 TEST(SurveyedFloor, CoversItsExtentOnce) {
   const SurveyedFloor floor = surveyed_floor(surveyed(slope), kExtent);
   EXPECT_NEAR(area_above(floor, 1e-9), 116.95 * 120.0, 1e-6);
   EXPECT_LT(floor.triangles.size(), 10000u);
   EXPECT_NEAR(floor.lowest, -2.0 - 0.16, 1e-12);  // at x = 20, y = -8 and beyond
   EXPECT_NEAR(floor.highest, -0.305 + 0.16, 1e-12);
-  double step = 0.0;
-  for (const auto& [a, b, c] : floor.triangles) {
-    const Vec3 twice = (b - a).cross(c - a);
-    if (std::abs(twice.z()) > 1e-12 * twice.norm()) continue;
-    EXPECT_LT(twice.x(), 0.0);  // looks at the rock
-    step += 0.5 * twice.norm();
-  }
-  // From the lowest ground less a panel, 2.66 m deep, to the mean height -0.305 m.
-  EXPECT_NEAR(step, 120.0 * (2.66 - 0.305), 1e-6);
 }
 
 /// Two levels with a step of 1.5 m between x = 10 and 11, which no panel is farther from than its
@@ -82,7 +73,6 @@ TEST(SurveyedFloor, FollowsASurveyedStep) {
       surveyed_floor(surveyed([](double x, double) { return x > 10.5 ? 1.5 : 0.0; }), kExtent);
   for (const StlTriangle& triangle : floor.triangles)
     for (const Vec3& p : triangle) {
-      if (p.z() < 0.0) continue;  // of the step at the rock
       if (p.x() <= 10.0) {
         EXPECT_EQ(p.z(), 0.0);
       } else if (p.x() >= 11.0) {
@@ -92,42 +82,100 @@ TEST(SurveyedFloor, FollowsASurveyedStep) {
 }
 
 TEST(SurveyedFloor, TakesWiderPanelsForALargeSurvey) {
-  const FloorExtent fine{3.05, 20.0, -8.0, 8.0, -2.0, 0.01};
+  const FloorExtent fine{3.05, 20.0, -8.0, 8.0, 0.01};
   const SurveyedFloor floor = surveyed_floor(surveyed(slope), fine);
   EXPECT_NEAR(floor.cell, std::sqrt(16.95 * 16.0 / 4e4), 1e-12);  // 0.082 m
   EXPECT_LT(floor.triangles.size(), 90000u);
 }
 
 TEST(SurveyedFloor, IsAsSurveyedWhereTheSurveyDoesNotReach) {
-  const SurveyedFloor floor = surveyed_floor(surveyed(slope), {30.0, 60.0, 20.0, 40.0, -9.0, 0.5});
+  const SurveyedFloor floor = surveyed_floor(surveyed(slope), {30.0, 60.0, 20.0, 40.0, 0.5});
   EXPECT_NEAR(floor.lowest, -1.84, 1e-12);
   EXPECT_NEAR(floor.highest, -1.84, 1e-12);
 }
 
-/// The front once, 116.95 by 120 m, and beside rock from x = -4 to 3.05 the strips y < -3 and y >
-/// 5, 57 and 55 m wide: 7.05 by 112 m more. Each strip has a wall along the rock.
-TEST(GroundPanels, LieBesideTheRock) {
+GroundPanels panels_on_a_slope(const std::vector<std::string>& more,
+                               const std::string& x_lo = "3.05") {
   const std::string survey = testing::TempDir() + "slope.csv";
   std::ofstream out(survey);
   for (int x = -8; x <= 20; ++x)
     for (int y = -8; y <= 8; ++y) out << x << ',' << y << ',' << slope(x, y) << '\n';
   out.close();
-  const std::vector<std::string> words{"file", "f.stl", "ground", survey,   "3.05", "120", "-60",
-                                       "60",   "-2",    "0.5",    "beside", "-4",   "-3",  "5"};
-  const SurveyedFloor floor =
-      ground_panels(parse_args(write_panels_table(), "write_panels", words), "write_panels").floor;
-  EXPECT_NEAR(area_above(floor, 1e-9), 116.95 * 120.0 + 7.05 * 112.0, 1e-6);
-  double wall_hi = 0.0, wall_lo = 0.0;
+  std::vector<std::string> words{"file", "f.stl", "ground", survey, x_lo, "120", "-60", "60"};
+  words.insert(words.end(), more.begin(), more.end());
+  return ground_panels(parse_args(write_panels_table(), "write_panels", words), "write_panels");
+}
+
+/// Areas of walls that stand at x or y = `place`, by where they look along that axis [m2].
+struct WallAreas {
+  double ahead = 0.0, back = 0.0;
+};
+WallAreas walls_at(const SurveyedFloor& floor, Eigen::Index axis, double place) {
+  WallAreas areas;
   for (const auto& [a, b, c] : floor.triangles) {
-    const Vec3 twice = (b - a).cross(c - a);
-    const bool beside = a.y() == b.y() && b.y() == c.y();
-    if (!beside) continue;
-    (a.y() == 5.0 ? wall_hi : wall_lo) += 0.5 * twice.y();
+    if (a[axis] != place || b[axis] != place || c[axis] != place) continue;
+    const double area = 0.5 * (b - a).cross(c - a)[axis];
+    (area > 0.0 ? areas.ahead : areas.back) += std::abs(area);
   }
-  // Mean heights at x = -0.475: 0.0475 and 0.02 y; down to the lowest place less a panel.
-  const double foot = floor.lowest - floor.cell;
-  EXPECT_NEAR(wall_hi, -7.05 * (0.0475 + 0.1 - foot), 1e-6);  // looks to -y, at the rock
-  EXPECT_NEAR(wall_lo, 7.05 * (0.0475 - 0.06 - foot), 1e-6);
+  return areas;
+}
+
+/// From the lowest ground less a panel, 2.66 m deep, to the mean height -0.305 m.
+TEST(GroundPanels, HaveAStepAtTheRock) {
+  const GroundPanels made = panels_on_a_slope({"-2", "0.5"});
+  const WallAreas step = walls_at(made.floor, 0, 3.05);
+  EXPECT_NEAR(step.back, 120.0 * (2.66 - 0.305), 1e-6);
+  EXPECT_EQ(step.ahead, 0.0);
+  EXPECT_TRUE(made.under_rock.empty());
+}
+
+/// The front once, 116.95 by 120 m, and beside rock from x = -4 to 3.05 the strips y < -3 and y >
+/// 5, 57 and 55 m wide: 7.05 by 112 m more. The rock stands between on a floor at z = -2, with
+/// walls along it and nothing beneath the ground beside it.
+TEST(GroundPanels, LieBesideTheRock) {
+  const GroundPanels made = panels_on_a_slope({"-2", "0.5", "beside", "-4", "-3", "5"});
+  EXPECT_NEAR(area_above(made.floor, 1e-9), 116.95 * 120.0 + 7.05 * 112.0, 1e-6);
+  // Mean heights at x = -0.475: 0.0475 and 0.02 y; at x = 3.05 over y: -0.305 + 0.02.
+  const WallAreas high = walls_at(made.floor, 1, 5.0), low = walls_at(made.floor, 1, -3.0),
+                  step = walls_at(made.floor, 0, 3.05);
+  EXPECT_NEAR(high.back, 7.05 * (0.0475 + 0.1 + 2.0), 1e-6);  // looks to -y, at the rock
+  EXPECT_EQ(high.ahead, 0.0);
+  EXPECT_NEAR(low.ahead, 7.05 * (0.0475 - 0.06 + 2.0), 1e-6);
+  EXPECT_EQ(low.back, 0.0);
+  EXPECT_NEAR(step.back, 8.0 * (-0.305 + 0.02 + 2.0), 1e-6);
+  EXPECT_EQ(step.ahead, 0.0);
+  ASSERT_EQ(made.under_rock.size(), 2U);
+  for (const StlTriangle& triangle : made.under_rock)
+    for (const Vec3& p : triangle) {
+      EXPECT_TRUE(p.x() == -4.0 || p.x() == 3.05);
+      EXPECT_TRUE(p.y() == -3.0 || p.y() == 5.0);
+      EXPECT_EQ(p.z(), -2.0);
+    }
+}
+
+/// The rock stands at the height of the ground in front of it at y = 0: for y > 0 a wall rises 0.02
+/// y to the ground, 0.01 * 5^2 in all, for y < 0 one falls to it, 0.01 * 3^2, and looks at the pit.
+TEST(GroundPanels, FallLowerThanTheRockStands) {
+  const GroundPanels made = panels_on_a_slope({"-0.305", "0.5", "beside", "-4", "-3", "5"});
+  const WallAreas step = walls_at(made.floor, 0, 3.05);
+  EXPECT_NEAR(step.back, 0.25, 1e-9);
+  EXPECT_NEAR(step.ahead, 0.09, 1e-9);
+  EXPECT_NEAR(made.floor.lowest, -2.16, 1e-12);
+}
+
+/// Beside the rock the survey is so large, 23 by 16 m, that panels are wider than asked for: those
+/// in front are, too, so that both share their corners.
+TEST(GroundPanels, AreAsWideInFrontAsBeside) {
+  const GroundPanels made = panels_on_a_slope({"-2", "0.01", "beside", "-60", "-3", "5"}, "15");
+  EXPECT_NEAR(made.floor.cell, std::sqrt(23.0 * 16.0 / 4e4), 1e-12);
+  std::set<double> front, beside;  // y of corners at x_lo
+  for (const StlTriangle& t : made.floor.triangles) {
+    const double least = std::min({t[0].x(), t[1].x(), t[2].x()});
+    const bool stands = t[0].x() == t[1].x() && t[1].x() == t[2].x();
+    for (const Vec3& p : t)
+      if (!stands && p.x() == 15.0 && p.y() > 5.0) (least < 15.0 ? beside : front).insert(p.y());
+  }
+  EXPECT_EQ(front, beside);
 }
 
 std::string refusal_of(const std::vector<std::string>& words) {

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "geometry/files/block_file.h"
+#include "geometry/files/panel_mesh.h"
 
 namespace muckpile::testing {
 namespace {
@@ -176,6 +177,23 @@ void write_bench(const std::filesystem::path& folder) {
     middle.states[b].velocity = Vec3(run.blocks[b].centroid.x() > -1.0 ? 14.0 : 6.0, 0.0, 0.0);
   }
   write_snapshot(folder / "dump" / "blocks_000001000.csv", run.blocks, middle);
+}
+
+void put_on_slope(const std::filesystem::path& folder, double fall) {
+  BenchRun run = bench_run();
+  for (size_t b = 0; b < run.blocks.size(); ++b) {
+    Vec3& centre = run.last.states[b].centre;
+    if (in_prism(run.blocks[b])) centre.z() -= fall * centre.x();
+  }
+  write_snapshot(folder / "dump" / "blocks_000002000.csv", run.blocks, run.last);
+  const Panel floor{
+      {Vec3(0, -50, 0), Vec3(100, -50, -100 * fall), Vec3(100, 50, -100 * fall), Vec3(0, 50, 0)}};
+  const Panel under{{Vec3(-50, -50, -3), Vec3(0, -50, -3), Vec3(0, 50, -3), Vec3(-50, 50, -3)}};
+  write_text(folder / "dump" / "floor.stl", stl_text("floor", std::vector{floor}) +
+                                                stl_text("under_the_rock", std::vector{under}));
+  std::string scene = text_of(folder / "dump" / "scene.json");
+  scene.insert(scene.find('{') + 1, "\"floor_survey\": 1, \"floor_front_m\": 0.001, ");
+  write_text(folder / "dump" / "scene.json", scene);
 }
 
 void write_crater(const std::filesystem::path& folder) {

@@ -53,6 +53,9 @@ void write_snapshot(const std::filesystem::path& path, const std::vector<StartBl
 // The dump/ folder of a bench: blocks, scene, history, run and three snapshots; in the middle one
 // the prism moves at 6 m/s along x and its two outer layers of cubes at 14 m/s.
 void write_bench(const std::filesystem::path& folder);
+// Puts the floor of that bench on a surveyed slope, which falls by `fall` per metre from the toe
+// on, and its pile with it. dump/floor.stl has the slope, and behind it what the rock stands on.
+void put_on_slope(const std::filesystem::path& folder, double fall);
 void write_crater(const std::filesystem::path& folder);
 // The pile of the bench alone, as a heap on the floor in front of the symmetry plane x = 0.
 void write_heap(const std::filesystem::path& folder);

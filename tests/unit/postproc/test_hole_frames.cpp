@@ -188,6 +188,27 @@ TEST_F(Corner, BarsAreAsWideAsTheirOwnHoles) {
   EXPECT_NEAR(bars[1].half, 0.05, 1e-12);
 }
 
+// The rock's middle is at y = -4 m: hole c stands there and throws along y, and hole d, half a
+// metre from there, stands behind b. Hole a is a metre from it.
+TEST_F(Corner, TheSectionGoesThroughAHoleOfTheFrontRowThatThrowsAlongX) {
+  std::string table = kTable;
+  table.replace(table.find("c,-5,-2,3,-5,-2"), 15, "c,-5,-3,3,-5,-3");
+  table += "d,-4,-3.5,3,-4,-3.5,0,0.1,1,3,0\n";
+  write_text(folder().dump("holes.csv"), table);
+  BurdenFile burdens{{burden_to({-2, -5, 0}, {0, -5, 0}), burden_to({-2, -2, 0}, {0, -2, 0}),
+                      burden_to({-5, -3, 0}, {-5, 0, 0}), burden_to({-4, -3.5, 0}, {0, -3.5, 0})},
+                     2.0};
+  burdens.holes[3].in_front = 1;
+  write_burdens((temporary_.path() / "dump/burden.csv").string(), burdens, "");
+  BenchScene bench = bench_scene(folder(), folder().rock());
+  ASSERT_NE(bench.planes.frames, nullptr);
+  EXPECT_EQ(bench.planes.frames->holes()[3].row, 1);
+  EXPECT_DOUBLE_EQ(y_of_middle_hole(bench, folder().rock()), -5.0);
+  // Of holes that all throw along y the one next to the middle.
+  std::erase_if(bench.charges, [](const Charge& charge) { return charge.toe.x() > -4.5; });
+  EXPECT_DOUBLE_EQ(y_of_middle_hole(bench, folder().rock()), -3.0);
+}
+
 // The middle hole leans aside: without burdens that is refused, with them each block belongs to the
 // axis that is nearest at its height.
 TEST_F(Corner, HolesThatAreNotParallelNeedTheirBurdens) {

@@ -207,6 +207,39 @@ TEST_F(Lines, SectionAlongTheThrowHasTheHeightsOfBenchAndPile) {
   EXPECT_GT(std::filesystem::file_size(folder().file("section.png")), 2000U);
 }
 
+// The floor falls by 1 in 10 from the toe on, and each cube of the pile lies as much lower as at
+// its middle. Where rock has gone the floor is that of the toe, whatever the rock stands on.
+TEST_F(Lines, SectionOverASlopeHasItsFloor) {
+  put_on_slope(temporary_.path(), 0.1);
+  LineOptions line;
+  line.from = {-8.0, 0.3};
+  line.to = {20.0, 0.3};
+  report_section(folder(), measure_, line);
+  const CsvTable rows = table("section.csv");
+  ASSERT_EQ(rows.rows(), 112U);
+  const auto at = [&](size_t row, const char* name) { return rows.number(row, rows.column(name)); };
+  EXPECT_NEAR(at(20, "after_m"), 0.0, 1e-9);  // x = -2.875
+  // x = 6.125, in the column of 8 cubes from 6 to 6.5 m.
+  EXPECT_NEAR(at(56, "before_m"), -0.6125, 1e-6);
+  EXPECT_NEAR(at(56, "after_m"), 8 * kLayer - 0.625, 1e-6);
+  EXPECT_NEAR(at(56, "rock_in_place_m"), -0.6125, 1e-6);
+  EXPECT_NEAR(at(111, "after_m"), -1.9875, 1e-6);  // bare at x = 19.875
+  // As on a level floor: a cube's columns lie as far in front of its middle as behind it.
+  EXPECT_NEAR(summary()["section_cut_area_m2"], 52.5, 1e-6);
+  EXPECT_NEAR(summary()["section_fill_area_m2"], 210 * 0.5 * kLayer, 1e-5);
+  EXPECT_NEAR(summary()["section_trough_depth_m"], kSteps * kLayer - 0.025, 1e-6);
+}
+
+// Along the row, 1 m beyond the toe of the pile: ground alone is no rock.
+TEST_F(Lines, SectionOverBareGroundIsRefused) {
+  put_on_slope(temporary_.path(), 0.1);
+  LineOptions line;
+  line.from = {15.0, -0.9};
+  line.to = {15.0, 0.9};
+  EXPECT_NE(input_error_of([&] { report_section(folder(), measure_, line); }).find("meets no rock"),
+            std::string::npos);
+}
+
 TEST_F(Lines, SectionAcrossTheThrowRunsAlongTheRow) {
   LineOptions line;
   line.from = {3.2, 1.0};

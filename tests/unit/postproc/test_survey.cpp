@@ -27,11 +27,13 @@ using namespace testing;
 
 constexpr double kCell = 0.125;  // of the measuring columns [m]
 
-// Top of the made-up bench after its blast.
-double run_height(double x) {
+// Top of the made-up bench after its blast, on a floor that falls by so much per metre.
+double run_height(double x, double fall = 0.0) {
   if (x < -kBurden) return kBenchHeight;
-  if (x < 0.0 || x > kSteps) return 0.0;
-  return kLayer * (kSteps - std::floor(x));
+  if (x < 0.0) return 0.0;
+  if (x > kSteps) return -fall * x;
+  const double middle = (std::floor(x / kCube) + 0.5) * kCube;  // of the column of cubes [m]
+  return kLayer * (kSteps - std::floor(x)) - fall * middle;
 }
 
 // Planes that rise by 3 in 4 and are 0.5 m apart along their normal: 0.5/0.8 = 0.625 m vertically.
@@ -79,12 +81,13 @@ class Survey : public ::testing::Test {
     return (temporary_.path() / name).string();
   }
   // A point at the middle of each column and beyond, `lower` than the run [m].
-  std::string points(double lower, const std::function<Vec3(const Vec3&)>& in_file) const {
+  std::string points(double lower, const std::function<Vec3(const Vec3&)>& in_file,
+                     double fall = 0.0) const {
     std::ostringstream out;
     out.precision(12);
     for (double y = -2.0 + 0.5 * kCell; y < 2.0; y += kCell) {
       for (double x = -10.0 + 0.5 * kCell; x < 16.0; x += kCell) {
-        const Vec3 p = in_file({x, y, run_height(x) - lower});
+        const Vec3 p = in_file({x, y, run_height(x, fall) - lower});
         out << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
       }
     }
@@ -132,6 +135,40 @@ TEST_F(Survey, ThatLiesLowerIsLowerByAsMuch) {
   expect_low_survey(summary());
   EXPECT_EQ(summary()["survey_file"], "pile.xyz");
   EXPECT_GT(std::filesystem::file_size(folder().file("survey.png")), 2000U);
+}
+
+// On a floor that falls by 1 in 10 the rock is what it is on a level one, whatever the rock stood
+// on; heights over the floor and toes are not measured there.
+TEST_F(Survey, OfAPileOnASlopeIsLowerByAsMuch) {
+  put_on_slope(temporary_.path(), 0.1);
+  write_text(temporary_.path() / "pile.xyz", points(
+                                                 0.2, [](const Vec3& p) { return p; }, 0.1));
+  measure("pile.xyz");
+  const nlohmann::ordered_json keys = summary();
+  EXPECT_NEAR(keys["survey_compared_area_m2"], 34.0, 1e-9);
+  EXPECT_NEAR(keys["survey_compared_pile_fraction"], 1.0, 1e-12);
+  EXPECT_NEAR(keys["survey_run_above_m3"], 6.8, 1e-5);
+  EXPECT_NEAR(keys["survey_run_below_m3"], 0.0, 1e-5);
+  EXPECT_NEAR(keys["survey_p90_difference_m"], 0.2, 1e-6);
+  EXPECT_TRUE(keys["survey_height_m"].is_null());
+  EXPECT_TRUE(keys["survey_run_toe_m"].is_null());
+}
+
+// What lies on the floor of the survey alone is compared with that floor: half a metre of rock that
+// the run does not have, from x = 14.5 to 15.5 m.
+TEST_F(Survey, OfRockThatTheRunDoesNotHaveIsComparedWithTheSlope) {
+  put_on_slope(temporary_.path(), 0.1);
+  write_text(temporary_.path() / "pile.xyz", points(
+                                                 0.0,
+                                                 [](const Vec3& p) {
+                                                   const bool more = p.x() > 14.5 && p.x() < 15.5;
+                                                   return Vec3(p + Vec3(0, 0, more ? 0.5 : 0.0));
+                                                 },
+                                                 0.1));
+  measure("pile.xyz");
+  EXPECT_NEAR(summary()["survey_compared_area_m2"], 36.0, 1e-9);
+  EXPECT_NEAR(summary()["survey_run_below_m3"], 0.5 * 1.0 * 2.0, 1e-5);
+  EXPECT_NEAR(summary()["survey_run_above_m3"], 0.0, 1e-5);
 }
 
 // The bench goes on beside the model, which ends at |y| = 1 m; how is not known. Compared are

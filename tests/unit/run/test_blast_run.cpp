@@ -154,6 +154,27 @@ TEST(BlastRun, AStepThatGrowsDoesNotRunIntoTheNextPulse) {
   EXPECT_LE(entered, 0.03 + 1.4e-3);
 }
 
+/// Until 60 ms, though the push may begin at 35 ms and nothing is elastic: softer joints would not
+/// bear it, nor would a longer step resolve it.
+TEST(BlastRun, APulseThatOutlastsTheWaveIsBorneByStiffJoints) {
+  for (const double elastic : {0.0, 1.0}) {
+    FakeBlast engine;
+    engine.elastic = elastic;
+    BlastPlan slow = plan();
+    slow.pulses = {{-2e-4, 0.06}};
+    double softened_at = 1.0;
+    engine.happens = [&](FakeBlast& e) {
+      const double longest = *e.rule.longest;
+      if (e.now < 0.0601) EXPECT_EQ(longest, 2e-5) << e.now;
+      if (e.now > 0.0601) EXPECT_EQ(longest, 1e30) << e.now;
+      if (e.joints < 1.0) softened_at = std::min(softened_at, e.now);
+      e.quit = e.now > 0.095;
+    };
+    EXPECT_EQ(go(slow, engine), Phase::interrupted);
+    EXPECT_NEAR(softened_at, elastic > 0.0 ? 1.0 : 0.065, 1e-9);  // a look after it
+  }
+}
+
 TEST(BlastRun, StressesLockedInTheRockAreNoWaves) {
   for (const double locked : {0.08, 0.12}) {
     FakeBlast engine;

@@ -31,8 +31,8 @@ class JointRooms {
     return network_->tables().joint(f).apertures(0.0).has_value();
   }
   /// Of each of `facets`, in order.
-  void open(std::span<const LaneSet> facets, std::vector<OpenJoint>& open) const {
-    network_->open_joints(facets, open);
+  void open(std::span<const LaneSet> facets, std::vector<OpenJoint>& joints) const {
+    network_->open_joints(facets, joints);
   }
 
  private:

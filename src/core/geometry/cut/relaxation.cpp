@@ -30,6 +30,14 @@ bool is_beyond(const std::vector<CutPlane>& bounds, const Hole& hole) {
   });
 }
 
+/// Whether all of a hole lies before all planes, and farther than so from them [m].
+bool is_within(const std::vector<CutPlane>& bounds, const Hole& hole, double farther) {
+  return std::all_of(bounds.begin(), bounds.end(), [&](const CutPlane& bound) {
+    const auto height = [&](const Vec3& p) { return bound.normal.dot(p - bound.point); };
+    return std::max(height(hole.toe), height(hole.collar)) < -(hole.radius + farther);
+  });
+}
+
 /// Takes away blocks without faces, which no block has for a neighbour.
 void drop_empty(std::vector<Block>& blocks) {
   std::vector<int> number(blocks.size());
@@ -228,17 +236,32 @@ std::vector<VoidWall> Relaxation::own_walls() const {
   return walls;
 }
 
-std::vector<VoidWall> Relaxation::fitted_walls(CellCutter& cutter) const {
+std::vector<std::vector<CutPlane>> Relaxation::prisms_between_planes() const {
+  std::vector<std::vector<CutPlane>> prisms(options_.holes.size());
+  if (bounds_.empty()) return prisms;
+  for (std::size_t h = 0; h < prisms.size(); ++h) {
+    const Hole& hole = options_.holes[h];
+    if (rings_.around(h))
+      prisms[h] = rings_.prism(h);
+    else if (!is_beyond(bounds_, hole) && !is_within(bounds_, hole, options_.size.at(hole.radius)))
+      prisms[h] = round_prism(hole);
+  }
+  return prisms;
+}
+
+std::vector<VoidWall> Relaxation::fitted_walls(
+    CellCutter& cutter, const std::vector<std::vector<CutPlane>>& prisms) const {
   constexpr double kReach = 2.0;  // [block sizes] from a seed to the wall of a hole in its cell
   std::vector<VoidWall> walls = own_walls();
-  if (bounds_.empty() || rings_.holes() == 0) return walls;
-  VoidWalls fitted(rings_);
+  const auto has_none = [&](int h) { return prisms[static_cast<std::size_t>(h)].empty(); };
+  if (std::ranges::all_of(prisms, [](const auto& prism) { return prism.empty(); })) return walls;
+  VoidWalls fitted(prisms);
   Polyhedron shape;
   std::vector<int> behind, holes;
   for (std::size_t i = 0; i < seeds_.size(); ++i) {
     const double size = ground_.size(seeds_[i]);
     ground_.holes_near(seeds_[i], kReach * size, holes);
-    std::erase_if(holes, [&](int h) { return !rings_.around(static_cast<std::size_t>(h)); });
+    std::erase_if(holes, has_none);
     if (holes.empty() || !cut(cutter, i, {})) continue;
     cutter.extract(shape, behind);
     fitted.offer(i, shape, size, holes, ring_seed(i));
@@ -248,12 +271,16 @@ std::vector<VoidWall> Relaxation::fitted_walls(CellCutter& cutter) const {
 }
 
 std::vector<Block> Relaxation::make_blocks() const {
-  Images images = mirror_seeds(seeds_, mirrored_holes_, options_.region, ground_);
+  const std::vector<std::vector<CutPlane>> prisms = prisms_between_planes();
+  std::vector<Hole> mirrored = mirrored_holes_;
+  for (std::size_t h = 0; h < mirrored.size(); ++h)
+    if (!prisms[h].empty()) mirrored[h].radius = 0.0;
+  Images images = mirror_seeds(seeds_, mirrored, options_.region, ground_);
   bound_by_fitted(images);
   const std::vector<Vec3> points = points_with(images);
   CellCutter cutter(points, options_.lo, options_.hi, bounds_);
   std::vector<Block> blocks(seeds_.size());
-  const std::vector<VoidWall> walls = fitted_walls(cutter);
+  const std::vector<VoidWall> walls = fitted_walls(cutter, prisms);
   std::vector<int> behind;
   for (std::size_t i = 0; i < seeds_.size(); ++i) {
     Block& block = blocks[i];

@@ -51,7 +51,10 @@ class Relaxation {
   // Those of the rings themselves; per seed.
   [[nodiscard]] std::vector<VoidWall> own_walls() const;
   // Where all cells end at voids: between planes they reach over several sides of one.
-  [[nodiscard]] std::vector<VoidWall> fitted_walls(CellCutter& cutter) const;
+  [[nodiscard]] std::vector<VoidWall> fitted_walls(
+      CellCutter& cutter, const std::vector<std::vector<CutPlane>>& prisms) const;
+  // Of the holes that have rings, and of those that planes cross; none for others.
+  [[nodiscard]] std::vector<std::vector<CutPlane>> prisms_between_planes() const;
   [[nodiscard]] Vec3 relaxed(const Vec3& seed, const Vec3& centroid, double volume) const;
   void add_hole_volumes(const Polyhedron& shape, const std::vector<int>& codes,
                         std::vector<double>& carved) const;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Where cells end at the voids of holes with rings.
+// Where cells end at the voids of holes.
 // Scope: see the header.
 #include "geometry/cut/void_walls.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -57,8 +58,9 @@ void VoidWalls::offer(std::size_t seed, const Polyhedron& shape, double size,
   ConvexCell cell{shape, std::vector<int>(shape.faces.size(), 0)};
   std::optional<Carved> most;
   for (const int h : holes) {
-    if (!rings_.around(static_cast<std::size_t>(h))) continue;
-    std::optional<ConvexCell> inside = part_in(cell, rings_.prism(static_cast<std::size_t>(h)));
+    const std::vector<CutPlane>& planes = prisms_[static_cast<std::size_t>(h)];
+    if (planes.empty()) continue;
+    std::optional<ConvexCell> inside = part_in(cell, planes);
     const double prism = inside ? volume_of(*inside) : 0.0;
     if (!(prism > 0.0)) continue;
     prism_volume_[static_cast<std::size_t>(h)] += prism;
@@ -82,7 +84,7 @@ void VoidWalls::offer(std::size_t seed, const Polyhedron& shape, double size,
 /// The direction of the wall.
 void VoidWalls::choose(Carved& one) const {
   constexpr double kCoarse = 1e-3, kAlong = 0.2;  // of the volume; cosine
-  const std::vector<CutPlane>& prism = rings_.prism(static_cast<std::size_t>(one.wall.hole));
+  const std::vector<CutPlane>& prism = prisms_[static_cast<std::size_t>(one.wall.hole)];
   const Vec3 outward = (centroid_of(one.cell) - centroid_of(one.in_prism)).stableNormalized();
   std::vector<Vec3> normals{outward};
   for (const CutPlane& side : prism)
@@ -133,6 +135,24 @@ void VoidWalls::fit(std::vector<VoidWall>& walls) {
     if (prism_volume_[h] > 0.0) balance(static_cast<int>(h));
   for (const std::size_t seed : untouched_) walls[seed].hole = -1;
   for (const Carved& one : carved_) walls[one.seed] = one.wall;
+}
+
+std::vector<CutPlane> round_prism(const Hole& hole) {
+  constexpr int kSides = 16;  // four times as many as there are quarters of a hole on two walls
+  constexpr double kStep = 2.0 * std::numbers::pi / kSides;
+  const Vec3 along = (hole.collar - hole.toe).normalized();
+  const Vec3 x = Vec3::UnitX() - along.x() * along, y = Vec3::UnitY() - along.y() * along;
+  const Vec3 first = (x.norm() > 0.5 ? x : y).normalized(), second = along.cross(first);
+  const double apothem = hole.radius * std::sqrt(0.5 * kStep / std::tan(0.5 * kStep));
+  std::vector<CutPlane> planes;
+  for (int k = 0; k < kSides; ++k) {
+    const double angle = kStep * (k + 0.5);
+    const Vec3 out = std::cos(angle) * first + std::sin(angle) * second;
+    planes.push_back({hole.toe + apothem * out, out});
+  }
+  planes.push_back({hole.toe, -along});
+  planes.push_back({hole.collar, along});
+  return planes;
 }
 
 }  // namespace muckpile

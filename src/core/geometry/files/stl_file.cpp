@@ -49,12 +49,13 @@ class StlText {
  public:
   StlText(std::string path, const std::string& text) : path_(std::move(path)), in_(text) {}
 
-  std::vector<StlTriangle> triangles() {
+  std::vector<StlTriangle> triangles(bool first_only) {
     for (std::string line; std::getline(in_, line);) {
       ++number_;
       std::istringstream words(line);
       std::string word;
       if (words >> word) take(word, words);
+      if (first_only && word == "endsolid") break;
     }
     if (in_solid_)
       refuse(path_, "ends at line " + std::to_string(number_) + " without endsolid: it is cut");
@@ -157,18 +158,27 @@ std::vector<StlTriangle> triangles_of_bytes(const std::string& path, const std::
   return triangles;
 }
 
-}  // namespace
-
-std::vector<StlTriangle> read_stl(const std::filesystem::path& path, double unit) {
+std::vector<StlTriangle> triangles_in(const std::filesystem::path& path, double unit,
+                                      bool first_only) {
   const std::string bytes = bytes_of(path);
   if (bytes.empty()) refuse(path.string(), "is empty");
   std::vector<StlTriangle> triangles = is_text(bytes)
-                                           ? StlText(path.string(), bytes).triangles()
+                                           ? StlText(path.string(), bytes).triangles(first_only)
                                            : triangles_of_bytes(path.string(), bytes, unit);
   if (triangles.empty()) refuse(path.string(), "has no triangles");
   for (StlTriangle& triangle : triangles)
     for (Vec3& corner : triangle) corner *= unit;
   return triangles;
+}
+
+}  // namespace
+
+std::vector<StlTriangle> read_stl(const std::filesystem::path& path, double unit) {
+  return triangles_in(path, unit, false);
+}
+
+std::vector<StlTriangle> read_first_solid(const std::filesystem::path& path, double unit) {
+  return triangles_in(path, unit, true);
 }
 
 }  // namespace muckpile

@@ -19,4 +19,7 @@ using StlTriangle = std::array<Vec3, 3>;
 // 5 cm. `unit` is what its numbers count in [m]; the corners are in metres.
 std::vector<StlTriangle> read_stl(const std::filesystem::path& path, double unit);
 
+// Those of the first solid of a text file that may have several.
+std::vector<StlTriangle> read_first_solid(const std::filesystem::path& path, double unit);
+
 }  // namespace muckpile

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -18,9 +19,15 @@ namespace muckpile {
 namespace {
 
 constexpr std::size_t kWords = 7;
+constexpr double kSame = 1e-9;  // [m], between places: nothing fits in
 
 /// The six numbers behind the file.
-FloorExtent extent_of(const std::vector<std::string>& words, const std::string& where) {
+struct GroundWords {
+  FloorExtent extent;
+  double bottom;  // [m]
+};
+
+GroundWords ground_words(const std::vector<std::string>& words, const std::string& where) {
   constexpr double kFar = 1e7;
   std::array<double, kWords - 1> value{};
   for (std::size_t k = 0; k < value.size(); ++k)
@@ -30,7 +37,7 @@ FloorExtent extent_of(const std::vector<std::string>& words, const std::string& 
     refuse(where, "ground needs x and y that rise, got x from '" + words[1] + "' to '" + words[2] +
                       "' and y from '" + words[3] + "' to '" + words[4] + "'");
   if (!(cell > 0.0)) refuse(where, "ground needs panels wider than 0 m, got '" + words[6] + "'");
-  return {x_lo, x_hi, y_lo, y_hi, bottom, cell};
+  return {{x_lo, x_hi, y_lo, y_hi, cell}, bottom};
 }
 
 /// Where the rock stands that the ground surrounds on three sides [m].
@@ -54,8 +61,10 @@ RockSides sides_of(const std::vector<std::string>& words, const FloorExtent& ext
 }
 
 /// What of a triangle lies where sign (y - end) >= 0.
-std::vector<Vec3> beyond(const StlTriangle& triangle, double end, double sign) {
+std::vector<Vec3> beyond(StlTriangle triangle, double end, double sign) {
   std::vector<Vec3> kept;
+  for (Vec3& corner : triangle)
+    if (std::abs(corner.y() - end) < kSame) corner.y() = end;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 &a = triangle[k], &b = triangle[(k + 1) % 3];
     const double here = sign * (a.y() - end), there = sign * (b.y() - end);
@@ -67,36 +76,59 @@ std::vector<Vec3> beyond(const StlTriangle& triangle, double end, double sign) {
   return kept;
 }
 
-/// The wall below an edge of ground that ends at the rock.
-void add_wall(std::vector<StlTriangle>& triangles, const Vec3& a, const Vec3& b, double foot) {
-  const Vec3 under_a(a.x(), a.y(), foot), under_b(b.x(), b.y(), foot);
-  triangles.push_back({b, a, under_a});
-  triangles.push_back({b, under_a, under_b});
-}
-
-/// Ground beside the rock, with a wall down along it.
-void add_beside(SurveyedFloor& floor, const GroundHeights& ground, const FloorExtent& front,
-                const RockSides& sides) {
-  FloorExtent extent = front;
-  extent.x_lo = sides.back;
-  extent.x_hi = front.x_lo;
-  extent.cell = floor.cell;
-  const SurveyedFloor all = surveyed_floor(ground, extent);
-  floor.lowest = std::min(floor.lowest, all.lowest);
-  floor.highest = std::max(floor.highest, all.highest);
-  const double foot = std::min(front.bottom, floor.lowest - floor.cell);
-  for (const StlTriangle& triangle : all.triangles) {
-    if (!((triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).z() > 0.0)) continue;
+/// Ground beside the rock, and walls between it and what the rock stands on.
+void add_beside(SurveyedFloor& floor, const SurveyedFloor& beside, const RockSides& sides,
+                double bottom) {
+  floor.lowest = std::min(floor.lowest, beside.lowest);
+  floor.highest = std::max(floor.highest, beside.highest);
+  for (const StlTriangle& triangle : beside.triangles) {
     for (const auto& [end, sign] : {std::pair{sides.y_hi, 1.0}, std::pair{sides.y_lo, -1.0}}) {
       const std::vector<Vec3> part = beyond(triangle, end, sign);
       for (std::size_t k = 1; k + 1 < part.size(); ++k)
         floor.triangles.push_back({part[0], part[k], part[k + 1]});
       for (std::size_t k = 0; part.size() > 2 && k < part.size(); ++k) {
         const Vec3 &a = part[k], &b = part[(k + 1) % part.size()];
-        if (a.y() == end && b.y() == end) add_wall(floor.triangles, a, b, foot);
+        if (a.y() == end && b.y() == end) add_wall(floor.triangles, a, b, bottom);
       }
     }
   }
+}
+
+/// The wall below the ground's edge at x_lo, between y_lo and y_hi.
+void add_step(SurveyedFloor& floor, double y_lo, double y_hi, double foot) {
+  for (std::size_t k = 0; k + 1 < floor.edge.size(); ++k) {
+    const Vec3 &low = floor.edge[k], &high = floor.edge[k + 1];
+    const double from = std::max(y_lo, low.y()), to = std::min(y_hi, high.y());
+    if (!(from + kSame < to)) continue;
+    const auto at = [&](double y) -> Vec3 {
+      if (y == low.y() || y == high.y()) return y == low.y() ? low : high;
+      const double height = low.z() + (y - low.y()) / (high.y() - low.y()) * (high.z() - low.z());
+      return {low.x(), y, height};
+    };
+    add_wall(floor.triangles, at(to), at(from), foot);
+  }
+}
+
+/// The ground in front, or around the place of the rock.
+void add_ground(GroundPanels& made, const GroundHeights& ground, const GroundWords& words,
+                const std::optional<RockSides>& sides) {
+  FloorExtent front = words.extent;
+  if (!sides) {
+    made.floor = surveyed_floor(ground, front);
+    const double foot = std::min(words.bottom, made.floor.lowest - made.floor.cell);
+    return add_step(made.floor, front.y_lo, front.y_hi, foot);
+  }
+  FloorExtent beside = front;
+  beside.x_lo = sides->back;
+  beside.x_hi = front.x_lo;
+  front.cell = beside.cell = std::max(panel_width(ground, front), panel_width(ground, beside));
+  made.floor = surveyed_floor(ground, front);
+  add_step(made.floor, sides->y_lo, sides->y_hi, words.bottom);
+  add_beside(made.floor, surveyed_floor(ground, beside), *sides, words.bottom);
+  const auto corner = [&](double x, double y) { return Vec3(x, y, words.bottom); };
+  const Vec3 a = corner(sides->back, sides->y_lo), b = corner(front.x_lo, sides->y_lo),
+             c = corner(front.x_lo, sides->y_hi), d = corner(sides->back, sides->y_hi);
+  made.under_rock = {{a, b, c}, {a, c, d}};
 }
 
 }  // namespace
@@ -110,7 +142,8 @@ ArgTable& add_ground_words(ArgTable& table) {
                  "bottom, in panels of about that width where there is a survey [m]")
           .group("beside", 3, 3, false,
                  "x_back y_lo y_hi: that ground lies beside the rock, too, from x_back to x_lo "
-                 "beyond y_lo and y_hi, with steps there [m]"),
+                 "beyond y_lo and y_hi; the rock stands between on a level floor at bottom, with "
+                 "walls up or down to the ground on three sides [m]"),
       "the files of `ground`");
 }
 
@@ -121,14 +154,15 @@ GroundPanels ground_panels(const ArgValues& words, const std::string& where) {
     if (groups.empty() && words.given(word)) refuse(where, std::string(word) + " needs ground");
   if (groups.empty()) return made;
   const std::vector<std::string>& given = groups.front();
-  const FloorExtent extent = extent_of(given, where);
+  const GroundWords numbers = ground_words(given, where);
   const MineWords mine = read_mine_words(words, where);
   const GroundHeights ground(terrain_triangles(read_placed(given[0], mine.frame, mine.unit)),
                              where + ": ground " + given[0]);
-  made.floor = surveyed_floor(ground, extent);
-  for (const std::vector<std::string>& sides : words.groups("beside"))
-    add_beside(made.floor, ground, extent, sides_of(sides, extent, where));
-  made.told = where + ": ground of " + given[0] + " from x = " + number_text(extent.x_lo) +
+  std::optional<RockSides> sides;
+  for (const std::vector<std::string>& group : words.groups("beside"))
+    sides = sides_of(group, numbers.extent, where);
+  add_ground(made, ground, numbers, sides);
+  made.told = where + ": ground of " + given[0] + " from x = " + number_text(numbers.extent.x_lo) +
               " m on: " + std::to_string(made.floor.triangles.size()) +
               " triangles between z = " + rounded_text(made.floor.lowest) + " and " +
               rounded_text(made.floor.highest) + " m, in panels of " +

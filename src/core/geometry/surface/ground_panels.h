@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "args/parse_args.h"
 #include "geometry/surface/surveyed_floor.h"
@@ -14,8 +15,9 @@ namespace muckpile {
 ArgTable& add_ground_words(ArgTable& table);
 
 struct GroundPanels {
-  SurveyedFloor floor{{}, 0.0, 0.0, 0.0};  ///< nothing where the words have no ground
-  std::string told;                        ///< lines for the log
+  SurveyedFloor floor{{}, {}, 0.0, 0.0, 0.0};  ///< with its walls; nothing without ground
+  std::vector<StlTriangle> under_rock;         ///< what the rock stands on between ground beside it
+  std::string told;                            ///< lines for the log
 };
 
 /// `where` begins each message.

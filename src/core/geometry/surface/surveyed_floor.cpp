@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "args/input_error.h"
 
@@ -87,14 +88,19 @@ bool GroundHeights::covers(double x, double y) const {
   return plan_.closest({x, y, 0.0}).distance <= kBorder;
 }
 
-SurveyedFloor surveyed_floor(const GroundHeights& ground, FloorExtent extent) {
-  const auto& [x_lo, x_hi, y_lo, y_hi, bottom, cell] = extent;
+double panel_width(const GroundHeights& ground, const FloorExtent& extent) {
   const Vec3 &lo = ground.lo(), &hi = ground.hi();
-  const double surveyed = overlap(x_lo, x_hi, lo.x(), hi.x()) * overlap(y_lo, y_hi, lo.y(), hi.y());
-  const double width = std::max(cell, std::sqrt(surveyed / kMostCells));
-  const std::vector<double> x = borders(x_lo, x_hi, lo.x(), hi.x(), width),
-                            y = borders(y_lo, y_hi, lo.y(), hi.y(), width);
-  SurveyedFloor floor{{}, HUGE_VAL, -HUGE_VAL, width};
+  const double surveyed = overlap(extent.x_lo, extent.x_hi, lo.x(), hi.x()) *
+                          overlap(extent.y_lo, extent.y_hi, lo.y(), hi.y());
+  return std::max(extent.cell, std::sqrt(surveyed / kMostCells));
+}
+
+SurveyedFloor surveyed_floor(const GroundHeights& ground, FloorExtent extent) {
+  const Vec3 &lo = ground.lo(), &hi = ground.hi();
+  const double width = panel_width(ground, extent);
+  const std::vector<double> x = borders(extent.x_lo, extent.x_hi, lo.x(), hi.x(), width),
+                            y = borders(extent.y_lo, extent.y_hi, lo.y(), hi.y(), width);
+  SurveyedFloor floor{{}, {}, HUGE_VAL, -HUGE_VAL, width};
   std::vector<std::vector<Vec3>> corner(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     for (const double at : y) {
@@ -107,15 +113,23 @@ SurveyedFloor surveyed_floor(const GroundHeights& ground, FloorExtent extent) {
     for (std::size_t j = 0; j + 1 < y.size(); ++j)
       add_panel(floor.triangles, corner[i][j], corner[i + 1][j], corner[i + 1][j + 1],
                 corner[i][j + 1]);
-  const double foot = std::min(bottom, floor.lowest - width);
-  const auto below = [foot](Vec3 place) {
-    place.z() = foot;
-    return place;
-  };
-  for (std::size_t j = 0; j + 1 < y.size(); ++j)
-    add_panel(floor.triangles, below(corner[0][j]), corner[0][j], corner[0][j + 1],
-              below(corner[0][j + 1]));
+  floor.edge = std::move(corner.front());
   return floor;
+}
+
+void add_wall(std::vector<StlTriangle>& triangles, const Vec3& a, const Vec3& b, double foot) {
+  constexpr double kFlat = 1e-9;  // of the edge's length: a lower wall is none
+  const double flat = kFlat * (b - a).norm(), at_a = a.z() - foot, at_b = b.z() - foot;
+  const bool rises_a = std::abs(at_a) > flat, rises_b = std::abs(at_b) > flat;
+  if (rises_a && rises_b && at_a * at_b < 0.0) {
+    Vec3 level = a + at_a / (at_a - at_b) * (b - a);
+    level.z() = foot;
+    add_wall(triangles, a, level, foot);
+    return add_wall(triangles, level, b, foot);
+  }
+  const Vec3 under_a(a.x(), a.y(), foot), under_b(b.x(), b.y(), foot);
+  if (rises_a) triangles.push_back({b, a, under_a});
+  if (rises_b) triangles.push_back({b, under_a, under_b});
 }
 
 }  // namespace muckpile

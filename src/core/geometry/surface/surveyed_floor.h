@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Surveyed ground as a floor of panels that goes on beyond the survey, and a step down at one side.
+// Surveyed ground as a floor of panels that goes on beyond the survey, and walls below its edges.
 // Scope: ground without overhangs; between the corners of panels the floor is straight.
 #pragma once
 
@@ -29,18 +29,25 @@ class GroundHeights {
 
 struct FloorExtent {
   double x_lo, x_hi, y_lo, y_hi;  ///< [m]
-  double bottom;  ///< of the step at x_lo; the lowest ground where that is lower [m]
-  double cell;    ///< about the width of panels where there is a survey [m]
+  double cell;                    ///< about the width of panels where there is a survey [m]
 };
 
 struct SurveyedFloor {
-  std::vector<StlTriangle> triangles;  ///< of the floor up, of the step to -x
-  double lowest, highest;              ///< of the floor [m]
+  std::vector<StlTriangle> triangles;  ///< they look up
+  std::vector<Vec3> edge;              ///< corners of panels at x_lo, their y rising
+  double lowest, highest;              ///< [m]
   double cell;                         ///< wider than asked for where the survey is large [m]
 };
 
-/// Panels of two triangles each; within the floor, and within the ground beside, they share their
-/// corners to the last digit. Beyond the survey they grow with the distance from it.
+/// Wider than asked for where the survey within the extent is large [m].
+[[nodiscard]] double panel_width(const GroundHeights& ground, const FloorExtent& extent);
+
+/// Panels of two triangles each, which share their corners to the last digit, also with a floor
+/// beside it of the same cell. Beyond the survey they grow with the distance from it.
 [[nodiscard]] SurveyedFloor surveyed_floor(const GroundHeights& ground, FloorExtent extent);
+
+/// Between an edge of ground that lies on the left from a to b, and a level floor at z = `foot` on
+/// the right: it looks at that floor where the ground is higher, away from it where it is lower.
+void add_wall(std::vector<StlTriangle>& triangles, const Vec3& a, const Vec3& b, double foot);
 
 }  // namespace muckpile
