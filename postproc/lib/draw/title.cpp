@@ -6,7 +6,6 @@
 #include "draw/text.h"
 
 namespace muckpile {
-
 namespace {
 
 // Where the warning begins.

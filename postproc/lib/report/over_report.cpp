@@ -28,7 +28,7 @@ std::vector<Beyond> table_of(const OverLine& over) {
   std::vector<Beyond> rows;
   const double farthest = over.pieces.empty() ? 0.0 : over.pieces.front().distance;
   for (int k = 0; k <= kSteps; ++k) {
-    Beyond row{farthest * k / kSteps, 0.0, 0.0, Vec3::Zero()};
+    Beyond row{k == kSteps ? farthest : farthest * k / kSteps, 0.0, 0.0, Vec3::Zero()};
     for (const OverLine::Piece& piece : over.pieces) {
       if (piece.distance < row.distance) break;
       row.volume += piece.volume;

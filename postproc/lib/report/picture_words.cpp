@@ -4,6 +4,7 @@
 #include "report/picture_words.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "args/suggestion.h"
 #include "draw/text.h"
@@ -24,8 +25,8 @@ void draw_above(const PictureWords& words, const BlockColours& colours, Canvas& 
   const bool beside = kMargin + title + kGap <= canvas.width() - kFromRight;
   canvas.rectangle({0.0, 0.0}, {1.0 * canvas.width(), kAbove + (beside ? 0.0 : kRow)}, kWhite,
                    kVeil);
-  draw_title({kMargin, 46.0}, words.title, words.warning, kTitleSize * std::min(1.0, room / title),
-             canvas);
+  draw_title({kMargin, 46.0}, words.title, words.warning,
+             std::floor(kTitleSize * std::min(1.0, room / title)), canvas);
   if (beside) {
     draw_legend(colours, {canvas.width() - kFromRight, 18.0}, canvas);
   } else {

@@ -191,7 +191,7 @@ begin_run() {  # begin_run K
   (run_one "${states[$1]}") </dev/null >"$out/$folder/run.log" 2>&1 &
   set +m
   running[$!]=$1
-  [[ -z $stopping ]] || stop_all  # asked to stop before it was there
+  [[ -z $stopping ]] || kill -s TERM -- "$!" 2>/dev/null || true  # asked to stop before it was there
 }
 
 # A signal reaches this process alone, which lets what it has begun come to an end: the engine by its state, files whole.
@@ -202,6 +202,7 @@ run_one() {  # run_one STATE: in a process of its own
   out+=/$folder
   if [[ $1 == measure ]]; then
     lock "$out"
+    write_record nothing
   else
     rm -f -- "$out/$sweep_record"
     prepare_folder

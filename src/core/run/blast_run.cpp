@@ -90,9 +90,14 @@ BlastRun::Phase BlastRun::wave() {
   if (rock_.stiffness() == 1.0) bound_wave_step(stretch_before(from));
   engine_.set_up();
   engine_.take_snapshots_every(steps_of(kSnapshots * plan_.wave_end));
-  while (steps_until(from) > 0)
-    if (!go_on(stretch_before(from))) return Phase::interrupted;
-  return Phase::push;
+  return go_on_until(from) ? Phase::push : Phase::interrupted;
+}
+
+/// With stiff joints, in steps that resolve the pulses on the way.
+bool BlastRun::go_on_until(double end) {
+  while (steps_until(end) > 0)
+    if (!go_on(stretch_before(end))) return false;
+  return true;
 }
 
 /// From now to the next time at which a pulse begins or has gone.
@@ -140,10 +145,9 @@ BlastRun::Phase BlastRun::push() {
     if (!pulse_is_ahead() && waves_have_gone()) soften_for_push();
     const long left = steps_until(plan_.wave_end);
     if (left <= 0) return after_push();
-    const bool goes_on =
-        rock_.stiffness() == 1.0
-            ? go_on(stretch_before(std::min(engine_.time() + look, plan_.wave_end)))
-            : run(std::min(left, steps_of(look)));
+    const bool goes_on = rock_.stiffness() == 1.0
+                             ? go_on_until(std::min(engine_.time() + look, plan_.wave_end))
+                             : run(std::min(left, steps_of(look)));
     if (!goes_on) return Phase::interrupted;
   }
 }

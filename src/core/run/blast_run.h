@@ -54,6 +54,7 @@ class BlastRun {
   [[nodiscard]] Phase after_gas() const;
   [[nodiscard]] Stretch stretch_before(double end) const;
   [[nodiscard]] bool pulse_is_ahead() const;
+  bool go_on_until(double end);
   bool go_on(const Stretch& stretch);
   void bound_wave_step(const Stretch& stretch);
   [[nodiscard]] bool waves_have_gone();

@@ -129,7 +129,7 @@ TEST(HoleVoids, AreTheCylindersWithoutRingsToo) {
   EXPECT_GT(voids.narrowest, 0.995);
   EXPECT_LT(voids.widest, 1.015);
   EXPECT_LT(voids.unclosed, 1e-3);
-  EXPECT_LE(voids.lost, 3U);  // as counted, so that a change shows
+  EXPECT_LE(voids.lost, 3U);  // parts too thin for a seed
   EXPECT_GT(voids.smallest, 0.4);
   EXPECT_GT(voids.thinnest, 0.12);
 }

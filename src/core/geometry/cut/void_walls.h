@@ -4,10 +4,9 @@
 //
 // Where planes cross a hole some seeds of its rings make no block in the part, and the cells beside
 // them reach over several sides of the void's prism, or into it; of a hole without rings few cells
-// of the part are at the void. A cell stays convex: one plane
-// takes off it as much as the prism has of it. The void of the part then has the prism's volume,
-// and of all directions of sides and ends the plane has the one in which it takes off most of the
-// prism's part.
+// of the part are at the void. A cell stays convex: one plane takes off it as much as the prism has
+// of it. The void of the part then has the prism's volume, and of all directions of sides and ends
+// the plane has the one in which it takes off most of the prism's part.
 #pragma once
 
 #include <cstddef>
