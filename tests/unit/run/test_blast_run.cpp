@@ -166,8 +166,7 @@ TEST(BlastRun, APulseThatOutlastsTheWaveIsBorneByStiffJoints) {
     double softened_at = 1.0;
     engine.happens = [&](FakeBlast& e) {
       const double longest = *e.rule.longest;
-      if (e.now < 0.0601) EXPECT_EQ(longest, 2e-5) << e.now;
-      if (e.now > 0.0601) EXPECT_EQ(longest, 1e30) << e.now;
+      EXPECT_EQ(longest, e.now < 0.0601 ? 2e-5 : 1e30) << e.now;
       if (e.joints < 1.0) softened_at = std::min(softened_at, e.now);
       e.quit = e.now > 0.095;
     };
