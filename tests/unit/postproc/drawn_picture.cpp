@@ -22,6 +22,19 @@ std::array<int, 3> levels_of(Colour colour) {
 
 int darkness(const std::array<int, 3>& colour) { return 765 - colour[0] - colour[1] - colour[2]; }
 
+/// The next higher and the next lower digit in each place.
+std::vector<std::string> with_one_other_digit(const std::string& words) {
+  std::vector<std::string> others;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (words[k] < '0' || words[k] > '9') continue;
+    for (const int step : {1, 9}) {
+      others.push_back(words);
+      others.back()[k] = static_cast<char>('0' + (words[k] - '0' + step) % 10);
+    }
+  }
+  return others;
+}
+
 }  // namespace
 
 DrawnPicture::DrawnPicture(const std::filesystem::path& png) {
@@ -141,7 +154,11 @@ double DrawnPicture::misfit(const std::string& words, double size, const Vec2& p
 bool DrawnPicture::reads(const std::string& words, double size, const Vec2& place,
                          Anchor anchor) const {
   constexpr double kMostOff = 0.4;  // letters of VTK differ by what was set before them
-  return misfit(words, size, place, anchor) < kMostOff;
+  const double off = misfit(words, size, place, anchor);
+  const std::vector<std::string> others = with_one_other_digit(words);
+  return off < kMostOff && std::ranges::all_of(others, [&](const std::string& other) {
+           return misfit(other, size, place, anchor) > off;
+         });
 }
 
 }  // namespace muckpile::testing

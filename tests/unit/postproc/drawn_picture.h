@@ -43,7 +43,7 @@ class DrawnPicture {
   // colour kInk on white: 0 for the same, 1 where there are none.
   [[nodiscard]] double misfit(const std::string& words, double size, const Vec2& place,
                               Anchor anchor) const;
-  // Whether they are these, rather than others or a part of them.
+  // Whether they are these, rather than the same with another digit, or a part of them.
   [[nodiscard]] bool reads(const std::string& words, double size, const Vec2& place,
                            Anchor anchor) const;
 

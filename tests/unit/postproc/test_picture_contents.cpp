@@ -229,6 +229,7 @@ TEST(PictureOfAPlan, HasHolesWhereTheyAreInTheColoursOfTheirTimes) {
                       Anchor::kRight, kNumbers),
             "2");
   EXPECT_TRUE(drawn.reads("59", 18.0, ruler.at(-5.0, 1.5) - Vec2(0.0, 11.0), Anchor::kCentre));
+  EXPECT_FALSE(drawn.reads("58", 18.0, ruler.at(-5.0, 1.5) - Vec2(0.0, 11.0), Anchor::kCentre));
 }
 
 // Seen from beside, level: the rock's near side is 1 m in front of the middle and shows it to
@@ -329,6 +330,7 @@ TEST(PictureWords, FitAnyWidth) {
     EXPECT_EQ(drawn.count(kInk, bar) + drawn.count(kSignal, bar) + drawn.count(kWhite, bar), 0);
     const double below = bar.y0 + 16.0 + 1.15 * 18.0;
     EXPECT_TRUE(drawn.reads("10.2", 18.0, {1.0 * bar.x1, below}, Anchor::kRight));
+    EXPECT_FALSE(drawn.reads("10.3", 18.0, {1.0 * bar.x1, below}, Anchor::kRight));
     EXPECT_TRUE(drawn.reads("-0.75", 18.0, {1.0 * bar.x0, below}, Anchor::kLeft));
   }
 }
