@@ -134,8 +134,11 @@ void add_expansion_keywords(ArgTable& table) {
       .word("gas_switch_pressure", {}, "energy",
             "pressure p_k at which the gas stage starts and the isentrope of two_stage changes its "
             "exponent [Pa], 1e5 to 1e12; energy: the one with which the products of two_stage hold "
-            "what the explosive releases, 200e6 with jwl and covolume, which hold it anyway, and "
-            "where the energy is not known")
+            "what the explosive releases (200e6 where that is not known), and at which those of "
+            "jwl and covolume have spent dense_share of it")
+      .word("dense_share", {}, kNotGiven,
+            "share of the products' energy that wave and crushing have taken as the gas stage "
+            "starts, >= 0 and < 1, with gas_switch_pressure energy (jwl, covolume); auto: 0.25")
       .real("gas_gamma_dense", "", Range::closed(1.0, 10.0), 3.0,
             "isentrope exponent above p_k (two_stage)")
       .real("gas_gamma", "", Range::closed(1.0, 10.0), 1.4,
@@ -217,6 +220,13 @@ void read_expansion(ChargeOptions& options, const ArgValues& values, const std::
     options.isentrope.switch_pressure =
         parse_real(where, "gas_switch_pressure", values.word("gas_switch_pressure"), "Pa",
                    Range::closed(1e5, 1e12));
+  }
+  if (const auto share =
+          optional_real(values, where, "dense_share", "", Range::right_open(0.0, 1.0))) {
+    if (options.expansion == Expansion::two_stage || !options.switch_by_energy) {
+      refuse(where, "dense_share needs expansion covolume or jwl, and gas_switch_pressure energy");
+    }
+    options.dense_share = *share;
   }
   options.isentrope.dense_exponent = values.real("gas_gamma_dense");
   options.isentrope.dilute_exponent = values.real("gas_gamma");

@@ -34,6 +34,10 @@ enum class BoreholeModel {
 /// In the order of kExpansions (charge_options.cpp).
 enum class Expansion { two_stage, jwl, covolume };
 
+/// Where the gas stage of covolume and jwl starts unless a pressure is typed: the share of the
+/// products' energy that wave and crushing have taken until then (ours; docs/theory/charge.md).
+inline constexpr double kDenseShare = 0.25;
+
 struct ChargeOptions {
   ExplosiveTable table = ExplosiveTable::shipped();
   NamedExplosive explosive{};  ///< with what the user typed in its place; released()
@@ -44,10 +48,11 @@ struct ChargeOptions {
   Expansion expansion = Expansion::two_stage;
   /// Without its initial pressure: p_k of every law, exponents of two_stage and covolume.
   TwoStageIsentrope::Parameters isentrope{};
-  bool switch_by_energy = true;  ///< its switch pressure follows from the explosive's energy
-  bool switch_typed = false;     ///< the script says how the switch pressure is found
-  double energy_share = 1.0;     ///< of the explosive's energy, what is released in time [-]
-  double hole_radius = 0.0;      ///< [m]
+  bool switch_by_energy = true;      ///< its switch pressure follows from the explosive's energy
+  bool switch_typed = false;         ///< the script says how the switch pressure is found
+  double dense_share = kDenseShare;  ///< of the products' energy, spent as the gas stage starts [-]
+  double energy_share = 1.0;         ///< of the explosive's energy, what is released in time [-]
+  double hole_radius = 0.0;          ///< [m]
   std::optional<double> charge_radius{};  ///< nothing: fills the hole [m]
   std::optional<double> charge_length{};  ///< nothing: fills the axis [m]
   DecouplingRule decoupling{};

@@ -141,12 +141,15 @@ std::string alternative_pressures(const ChargeOptions& options, const NamedExplo
 }
 
 ProductExpansion product_expansion(const ChargeOptions& options, const NamedExplosive& explosive) {
+  const auto gas_stage = [&options](const ProductExpansion& expansion) {
+    return options.switch_by_energy ? expansion.switched_after(options.dense_share) : expansion;
+  };
   switch (options.expansion) {
     case Expansion::jwl:
       require_jwl(options, explosive);
-      return ProductExpansion(JwlGas(*explosive.jwl, options.isentrope.switch_pressure));
+      return gas_stage(ProductExpansion(JwlGas(*explosive.jwl, options.isentrope.switch_pressure)));
     case Expansion::covolume:
-      return ProductExpansion(covolume_of(options, explosive));
+      return gas_stage(ProductExpansion(covolume_of(options, explosive)));
     case Expansion::two_stage:
       break;
   }

@@ -25,16 +25,35 @@ double ProductExpansion::stored_energy(double volume_ratio) const {
          hotter_ * std::visit([ratio](const auto& law) { return law.stored_energy(ratio); }, law_);
 }
 
-double ProductExpansion::work_down_to(double wanted) const {
-  if (pressure(filled_) <= wanted) return 0.0;
-  if (wanted <= 0.0) return energy();
-  double low = filled_, high = 2.0 * filled_;
-  while (pressure(high) > wanted) high *= 2.0;
-  for (int halving = 0; halving < 100; ++halving) {  // to rounding; the curve falls monotonically
+namespace {
+
+/// Volume ratio from `start` on at which `above` becomes false, to rounding; it does so once.
+template <class Above>
+double volume_ratio_where(double start, const Above& above) {
+  if (!above(start)) return start;
+  double low = start, high = 2.0 * start;
+  while (above(high)) high *= 2.0;
+  for (int halving = 0; halving < 100; ++halving) {
     const double middle = 0.5 * (low + high);
-    (pressure(middle) > wanted ? low : high) = middle;
+    (above(middle) ? low : high) = middle;
   }
-  return energy() - stored_energy(high);
+  return high;
+}
+
+}  // namespace
+
+double ProductExpansion::work_down_to(double wanted) const {
+  if (wanted <= 0.0) return energy();
+  return energy() - stored_energy(volume_ratio_where(
+                        filled_, [&](double ratio) { return pressure(ratio) > wanted; }));
+}
+
+ProductExpansion ProductExpansion::switched_after(double share) const {
+  ProductExpansion switched = *this;
+  const double left = (1.0 - share) * energy();
+  switched.switch_ratio_ =
+      volume_ratio_where(filled_, [&](double ratio) { return stored_energy(ratio) > left; });
+  return switched;
 }
 
 ProductExpansion ProductExpansion::after_filling(double volume_ratio) const {

@@ -33,10 +33,15 @@ class ProductExpansion {
   /// Work per volume V0 of charge from where they start down to a pressure [J/m3].
   [[nodiscard]] double work_down_to(double pressure) const;
 
+  /// The same law with its gas stage from where it has done a share, 0 to 1 (exclusive), of the
+  /// work that it can do.
+  [[nodiscard]] ProductExpansion switched_after(double share) const;
+
   /// The products once they have filled a room of this volume ratio without work, and have come to
-  /// rest: in it they have the energy that they had in V0. The law's pressures times energy()/stored_energy
-  /// (ratio), exact for a gas of constant exponent with or without covolume, where more heat at one
-  /// volume is more pressure in proportion; below that ratio it stays that of the room.
+  /// rest: in it they have the energy that they had in V0. The law's pressures times
+  /// energy()/stored_energy (ratio), exact for a gas of constant exponent with or without covolume,
+  /// where more heat at one volume is more pressure in proportion; below that ratio it stays that
+  /// of the room.
   [[nodiscard]] ProductExpansion after_filling(double volume_ratio) const;
 
  private:

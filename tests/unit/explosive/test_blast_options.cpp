@@ -168,6 +168,17 @@ TEST(BlastOptions, SwitchPressureFollowsTheEnergy) {
   EXPECT_NEAR(start(""), 200e6, 1.0);
 }
 
+TEST(BlastOptions, GasStageOfCovolumeByTheShareSpent) {
+  const auto start = [](const std::string& words) {
+    const BlastOptions options =
+        read(kCharge + kGas + " explosive_energy 3e6 expansion covolume" + words);
+    return hole_blasts(options, {kZone}).front().load().gas_pressure(0.0, 0.0);
+  };
+  EXPECT_NEAR(start(""), 2784.375e6 * std::pow(0.75, 3.5), 1e3);
+  EXPECT_NEAR(start(" dense_share 0.4"), 2784.375e6 * std::pow(0.6, 3.5), 1e3);
+  EXPECT_NEAR(start(" gas_switch_pressure 2e8"), 200e6, 1e3);
+}
+
 TEST(BlastOptions, AShareOfTheEnergyDetonatesMoreSlowly) {
   const std::string rest = " hole_diameter 0.09 poisson_ratio 0.22" + kGas;
   for (const char* name : {"anfo", "heavy_anfo", "emulsion", "gelatine", "tnt"}) {
@@ -216,6 +227,11 @@ TEST(BlastOptions, EachWrongWordIsNamedWithItsRule) {
        "hole 1: energy_share does not go with JWL, which is a fit to the whole reaction"},
       {"gas_switch_pressure energy",
        "hole 1: gas_switch_pressure energy needs explosive_energy [J/kg]"},
+      {"dense_share 0.3",
+       "dense_share needs expansion covolume or jwl, and gas_switch_pressure energy"},
+      {"expansion covolume gas_switch_pressure 2e8 dense_share 0.3",
+       "dense_share needs expansion covolume or jwl, and gas_switch_pressure energy"},
+      {"expansion covolume dense_share 1", "dense_share must be >= 0 and < 1, got '1'"},
       {"expansion covolume", "hole 1: expansion covolume needs explosive_energy [J/kg]"},
       {"gas_switch_pressure energy explosive_energy 1e5",
        "hole 1: explosive_energy x explosive_density must be above 1.39219e+09 and "
