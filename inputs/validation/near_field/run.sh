@@ -30,11 +30,11 @@ peaks hole_144_mm hole_diameter 0.144
 peaks hole_204_mm hole_diameter 0.204
 peaks heavy_anfo explosive heavy_anfo
 peaks emulsion explosive emulsion
-peaks anfo_covolume expansion covolume
-peaks emulsion_covolume explosive emulsion expansion covolume
+peaks anfo_two_stage expansion two_stage attenuation_exponent auto
+peaks emulsion_two_stage explosive emulsion expansion two_stage attenuation_exponent auto
 # Liu and Katsabanis' exponents of the two.
-peaks anfo_slow_fall expansion covolume attenuation_exponent 1.43
-peaks emulsion_slow_fall explosive emulsion expansion covolume attenuation_exponent 1.49
+peaks anfo_own_fall attenuation_exponent 1.43
+peaks emulsion_own_fall explosive emulsion attenuation_exponent 1.49
 peaks limestone rock limestone
 check_figures near_field "$results/summary.json" 2 7.4 "${folders[@]}"
 check_figures case "$case_dir/expected.json" "$results/summary.json"
