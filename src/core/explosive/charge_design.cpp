@@ -109,7 +109,8 @@ std::optional<double> radius_if_known(CrushedZone model, const CrushedZoneInput&
 /// One line per model: its radius, and the wave's peak there by each exponent.
 void describe_zones(std::ostream& text, const CrushedZoneInput& in, const Rock& rock,
                     const ChargeOptions& charge, CrushedZone chosen) {
-  text << "  crushed zone    r1 [m]  r1/hole   P1 [MPa]: shock";
+  text << "  crushed zone    r1 [m]  r1/hole   P1 [MPa]: exponent " << in.attenuation_exponent
+       << "  shock";
   if (rock.elastic()) text << "  Liu-Katsabanis";
   text << "  Hino\n";
   for (std::size_t k = 0; k < kCrushedZones.size(); ++k) {
@@ -121,6 +122,7 @@ void describe_zones(std::ostream& text, const CrushedZoneInput& in, const Rock& 
     const auto peak = [&](double exponent) {
       text << ' ' << attenuated_pressure(wall_peak(in), in.hole_radius, *radius, exponent) / kMPa;
     };
+    peak(in.attenuation_exponent);
     peak(crushed_zone_exponent(in.poisson_ratio));
     if (rock.elastic()) {
       peak(liu_katsabanis_exponent(rock.speed(), charge.explosive.detonation_velocity));
@@ -136,8 +138,8 @@ void add_harries(std::ostream& text, ChargeDesign& design, const CrushedZoneInpu
                  double breaking_strain) {
   const double radius = *design.crushed_radius;
   const double shear_modulus = 0.5 * in.youngs_modulus / (1.0 + in.poisson_ratio);
-  const double peak = attenuated_pressure(wall_peak(in), in.hole_radius, radius,
-                                          crushed_zone_exponent(in.poisson_ratio));
+  const double peak =
+      attenuated_pressure(wall_peak(in), in.hole_radius, radius, in.attenuation_exponent);
   const HarriesParameters harries{.hole_radius = radius,
                                   .wall_strain = 0.5 * peak / shear_modulus,
                                   .breaking_strain = breaking_strain,

@@ -96,6 +96,23 @@ CovolumeIsentrope covolume_of(const ChargeOptions& options, const NamedExplosive
                             .switch_pressure = options.isentrope.switch_pressure});
 }
 
+ProductExpansion jwl_of(const ChargeOptions& options, const NamedExplosive& explosive) {
+  require_jwl(options, explosive);
+  if (!options.switch_by_energy) {
+    return ProductExpansion(JwlGas(*explosive.jwl, options.isentrope.switch_pressure));
+  }
+  const JwlIsentrope fit(*explosive.jwl);
+  const double most = 1.0 - fit.stored_energy(JwlIsentrope::kFittedTo) / fit.stored_energy(1.0);
+  if (options.dense_share > most) {
+    std::ostringstream rule;
+    rule << "at most " << most << ", what is spent at " << JwlIsentrope::kFittedTo
+         << " V0 to which JWL is fitted,";
+    refuse_value("dense_share", rule.str(), "", options.dense_share);
+  }
+  const ProductExpansion from_start(JwlGas(*explosive.jwl, fit.pressure(1.0)));
+  return from_start.switched_after(options.dense_share);
+}
+
 }  // namespace
 
 NamedExplosive released(const ChargeOptions& options, NamedExplosive explosive, bool vod_typed) {
@@ -141,15 +158,13 @@ std::string alternative_pressures(const ChargeOptions& options, const NamedExplo
 }
 
 ProductExpansion product_expansion(const ChargeOptions& options, const NamedExplosive& explosive) {
-  const auto gas_stage = [&options](const ProductExpansion& expansion) {
-    return options.switch_by_energy ? expansion.switched_after(options.dense_share) : expansion;
-  };
   switch (options.expansion) {
     case Expansion::jwl:
-      require_jwl(options, explosive);
-      return gas_stage(ProductExpansion(JwlGas(*explosive.jwl, options.isentrope.switch_pressure)));
-    case Expansion::covolume:
-      return gas_stage(ProductExpansion(covolume_of(options, explosive)));
+      return jwl_of(options, explosive);
+    case Expansion::covolume: {
+      const ProductExpansion gas(covolume_of(options, explosive));
+      return options.switch_by_energy ? gas.switched_after(options.dense_share) : gas;
+    }
     case Expansion::two_stage:
       break;
   }

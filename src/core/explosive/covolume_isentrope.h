@@ -10,7 +10,7 @@ namespace muckpile {
 /// per volume of charge at the explosion state has
 ///     b = 1 - (gamma - 1) E/P0
 /// and the work down to a pressure p is E (1 - (p/P0)^((gamma - 1)/gamma)). b over the charge's
-/// density is the covolume: 0.4 to 0.6 l/kg for what Muckpile ships, with gamma = 1.4.
+/// density is the covolume: 0.3 to 0.5 l/kg for what Muckpile ships, with gamma = 1.4.
 class CovolumeIsentrope {
  public:
   struct Parameters {

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "args/require.h"
+#include "explosive/volume_ratio.h"
 
 namespace muckpile {
 namespace {
@@ -49,14 +50,7 @@ double JwlIsentrope::pressure(double volume_ratio) const {
 }
 
 double JwlIsentrope::volume_ratio_at(double wanted) const {
-  double low = 1.0, high = 2.0;
-  if (curve(low) <= wanted) return low;
-  while (curve(high) > wanted) high *= 2.0;
-  for (int halving = 0; halving < 100; ++halving) {  // to rounding; the curve falls monotonically
-    const double middle = 0.5 * (low + high);
-    (curve(middle) > wanted ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+  return volume_ratio_where(1.0, [&](double ratio) { return curve(ratio) > wanted; });
 }
 
 double JwlIsentrope::energy_from(double v) const {

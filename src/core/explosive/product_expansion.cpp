@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "explosive/volume_ratio.h"
+
 namespace muckpile {
 
 ProductExpansion::ProductExpansion(const Law& law)
@@ -24,23 +26,6 @@ double ProductExpansion::stored_energy(double volume_ratio) const {
   return plateau +
          hotter_ * std::visit([ratio](const auto& law) { return law.stored_energy(ratio); }, law_);
 }
-
-namespace {
-
-/// Volume ratio from `start` on at which `above` becomes false, to rounding; it does so once.
-template <class Above>
-double volume_ratio_where(double start, const Above& above) {
-  if (!above(start)) return start;
-  double low = start, high = 2.0 * start;
-  while (above(high)) high *= 2.0;
-  for (int halving = 0; halving < 100; ++halving) {
-    const double middle = 0.5 * (low + high);
-    (above(middle) ? low : high) = middle;
-  }
-  return high;
-}
-
-}  // namespace
 
 double ProductExpansion::work_down_to(double wanted) const {
   if (wanted <= 0.0) return energy();

@@ -179,6 +179,20 @@ TEST(BlastOptions, GasStageOfCovolumeByTheShareSpent) {
   EXPECT_NEAR(start(" gas_switch_pressure 2e8"), 200e6, 1e3);
 }
 
+TEST(BlastOptions, GasStageOfJwlStaysWithinItsFit) {
+  // JWL of tnt has spent 0.69 of its energy at 7 V0.
+  const std::string tnt =
+      "explosive tnt hole_diameter 0.09 poisson_ratio 0.22 expansion jwl" + kGas;
+  EXPECT_NO_THROW((void)hole_blasts(read(tnt + " dense_share 0.68"), {kZone}));
+  try {
+    (void)hole_blasts(read(tnt + " dense_share 0.7"), {kZone});
+    FAIL() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("dense_share must be at most 0.69"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(BlastOptions, AShareOfTheEnergyDetonatesMoreSlowly) {
   const std::string rest = " hole_diameter 0.09 poisson_ratio 0.22" + kGas;
   for (const char* name : {"anfo", "heavy_anfo", "emulsion", "gelatine", "tnt"}) {
