@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Fails if a source file under the folder $1 includes what its layer must not know.
+# Fails if a source file under the folder $1 includes what its layer must not know, or prefetches by itself.
 # Rule: src/core knows no engine, MPI, VTK, printing or upper layer; postproc no engine, MPI or
 # fixes; fixes no postproc. The engine's headers are those that LIGGGHTS installs. A style's header is included in its own folder
 # alone, and where styles are registered: other styles see it through fixes/interfaces.
+# Memory is prefetched through src/core/math/prefetch.h, as GCC may drop what calls the builtin itself.
 set -euo pipefail
 root=$1
 engine_dir=${LIGGGHTS_INCLUDE_DIR:-/usr/include/liggghts}
@@ -50,9 +51,18 @@ check_styles() {
   done < <(includes_of fixes)
 }
 
+check_prefetches() {
+  local place
+  while IFS= read -r place; do
+    printf '%s calls __builtin_prefetch, not math/prefetch.h\n' "${place#"$root"/}"
+    faults=$((faults + 1))
+  done < <(grep -rnF __builtin_prefetch "$root"/{src,fixes,postproc} | grep -v '/math/prefetch\.h:' | cut -d: -f1,2)
+}
+
 check src/core '^(mpi\.h|vtk|iostream$|cstdio$|stdio\.h|engine/|interfaces/|fixes/|postproc/|fix_|pair_)' no
 check postproc '^(mpi\.h|engine/|interfaces/|fixes/|fix_|pair_)' no
 check fixes '^(vtk|postproc/)' yes
 check src/app '^(vtk|postproc/)' yes
 check_styles
+check_prefetches
 [[ $faults -eq 0 ]]

@@ -5,7 +5,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
 readonly check=$here/check_layers.sh tree=$out
 export LIGGGHTS_INCLUDE_DIR=$tree/engine
-mkdir -p "$tree"/{engine,src/core/args,src/app,fixes/{joints,output,engine},postproc/lib}
+mkdir -p "$tree"/{engine,src/core/{args,math},src/app,fixes/{joints,output,engine},postproc/lib}
 touch "$tree"/engine/{lammps.h,region.h} "$tree"/postproc/lib/region.h
 
 echo '#include "args/range.h"
@@ -16,6 +16,7 @@ echo '#include <lammps.h>
 #include <mpi.h>' >"$tree/fixes/c.cpp"
 echo '#include "fixes/joints/fix_muckpile_joint.h"' >"$tree/fixes/joints/fix_muckpile_joint.cpp"
 echo '#include "fixes/joints/fix_muckpile_joint.h"' >"$tree/fixes/engine/registry.cpp"
+echo '__builtin_prefetch(place);' >"$tree/src/core/math/prefetch.h"
 "$check" "$tree" || { echo "a clean tree was refused"; exit 1; }
 
 expect_fault() {  # expect_fault FILE HEADER
@@ -40,3 +41,7 @@ expect_fault fixes/x.cpp '<vtkPoints.h>'
 expect_fault fixes/output/x.cpp '"fixes/joints/fix_muckpile_joint.h"'
 expect_fault fixes/engine/x.cpp '"fixes/contact/pair_muckpile_block.h"'
 expect_fault src/app/x.cpp '"postproc/lib/b.h"'
+
+echo '__builtin_prefetch(place);' >"$tree/src/core/args/x.cpp"
+output=$("$check" "$tree") && { echo "a prefetch of its own passed"; exit 1; }
+grep -qF "src/core/args/x.cpp:1 calls" <<<"$output" || { echo "wrong message: $output"; exit 1; }

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "math/prefetch.h"
+
 namespace muckpile {
 namespace {
 
@@ -65,8 +67,8 @@ void ContactForces::call_loads(std::size_t k) {
     const SpherePair& touch = *near_[k].pair;
     const int block = spheres_.blocks[side == 0 ? touch.first : touch.second];
     block_[side][k] = block;
-    __builtin_prefetch(&spheres_.loads[block], 1);
-    __builtin_prefetch(spheres_.loads[block].numbers.data() + 8, 1);
+    prefetch_to_write(&spheres_.loads[block]);
+    prefetch_to_write(spheres_.loads[block].numbers.data() + 8);
   }
 }
 
@@ -86,12 +88,12 @@ void ContactForces::admit() {
     near_[touching] = n;
     if (spheres_.loads != nullptr) call_loads(touching);
     ++touching;
-    __builtin_prefetch(&(*contacts_)[pair.contact], 1);
+    prefetch_to_write(&(*contacts_)[pair.contact]);
     for (const int sphere : {pair.first, pair.second}) {
-      __builtin_prefetch(of(spheres_.velocities, sphere));
-      __builtin_prefetch(of(spheres_.spins, sphere));
-      __builtin_prefetch(of(spheres_.forces, sphere), 1);
-      __builtin_prefetch(of(spheres_.torques, sphere), 1);
+      prefetch(of(spheres_.velocities, sphere));
+      prefetch(of(spheres_.spins, sphere));
+      prefetch_to_write(of(spheres_.forces, sphere));
+      prefetch_to_write(of(spheres_.torques, sphere));
     }
   }
   count_ = touching;

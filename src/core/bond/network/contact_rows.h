@@ -48,7 +48,7 @@ class ContactRows {
   /// Prefetches how far the points of a group were open as they broke, ahead of its use.
   void fetch_openings(std::size_t group) const {
     if (known_[group] == 0) return;
-    for (const FacetRows<double>& offset : of(group).offset) __builtin_prefetch(offset[0].data());
+    for (const FacetRows<double>& offset : of(group).offset) prefetch(offset[0].data());
   }
 
   // Of one facet.

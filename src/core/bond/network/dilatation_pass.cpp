@@ -16,7 +16,11 @@ void DilatationPass::sum_openings() {
     blocks_.sums[b].bonded = leaves_resting_ ? resting[b] : 0.0;
     blocks_.sums[b].loaded = 0.0;
   }
-  for (const LaneSet& set : leaves_resting_ ? schedule_.opening() : schedule_.bonded()) open(set);
+  const std::vector<LaneSet>& sets = leaves_resting_ ? schedule_.opening() : schedule_.bonded();
+  for (std::size_t k = 0; k < sets.size(); ++k) {
+    if (k + kGroupsAhead < sets.size()) facets_.tables.fetch_group(sets[k + kGroupsAhead].group);
+    open(sets[k]);
+  }
 }
 
 /// The parts of facets of which both blocks rest.
@@ -71,7 +75,6 @@ void DilatationPass::find_theta() {
 }
 
 void DilatationPass::find_bulk_stresses() {
-  constexpr std::size_t kAhead = 32 / kGroup;  // groups fetched ahead of the one at work
   const bool all = !leaves_resting_ || !schedule_.resting_known();
   schedule_.set_resting_known(leaves_resting_);
   const FacetTables& tables = facets_.tables;
@@ -80,7 +83,8 @@ void DilatationPass::find_bulk_stresses() {
   for (BlockSums& of_block : sums) of_block.uneven = 0.0;
   for (const LaneSet& set : all ? schedule_.bonded() : schedule_.coupled()) {
     const FacetGroup& group = tables.group(set.group);
-    if (set.group + kAhead < tables.groups()) tables.group(set.group + kAhead).fetch_couplings();
+    if (set.group + kGroupsAhead < tables.groups())
+      tables.group(set.group + kGroupsAhead).fetch_couplings();
     for (std::size_t k = 0; k < kGroup; ++k) {  // nothing of those that are not bonded
       const auto i = static_cast<std::size_t>(group.i[k]), j = static_cast<std::size_t>(group.j[k]);
       const double part = group.sharpening[k] * (theta[i] - theta[j]);

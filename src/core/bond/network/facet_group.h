@@ -13,11 +13,13 @@
 #include <vector>
 
 #include "math/lanes.h"
+#include "math/prefetch.h"
 #include "math/types.h"
 
 namespace muckpile {
 
-inline constexpr std::size_t kGroup = kNativeLanes;  ///< facets
+inline constexpr std::size_t kGroup = kNativeLanes;       ///< facets
+inline constexpr std::size_t kGroupsAhead = 32 / kGroup;  ///< by so many passes prefetch
 
 template <class T>
 using FacetRow = std::array<T, kGroup>;
@@ -38,8 +40,8 @@ struct alignas(64) FacetGroup {
 
   /// Prefetches i, j and sharpening ahead of their use.
   void fetch_couplings() const {
-    __builtin_prefetch(i.data());
-    if constexpr (sizeof(i) + sizeof(j) >= 64) __builtin_prefetch(sharpening.data());
+    prefetch(i.data());
+    if constexpr (sizeof(i) + sizeof(j) >= 64) prefetch(sharpening.data());
   }
 };
 

@@ -57,9 +57,6 @@ template <class Is>
   return {of(0), of(1), of(2)};
 }
 
-/// By how many groups what broken facets remember is prefetched.
-inline constexpr std::size_t kContactsAhead = 32 / kGroup;
-
 /// A facet that has turned so far begins to fade, and does not hold on by a last point, as by a
 /// hinge [rad].
 inline constexpr double kTurnStart = 0.1;

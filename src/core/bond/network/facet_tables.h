@@ -112,6 +112,7 @@ class FacetTables {
   [[nodiscard]] bool is_joint(std::size_t f) const { return names_[f].kind == FacetKind::joint; }
   [[nodiscard]] bool is_mirror(std::size_t f) const { return names_[f].kind == FacetKind::mirror; }
   [[nodiscard]] const FacetGroup& group(std::size_t g) const { return groups_[g]; }
+  void fetch_group(std::size_t g) const { prefetch_all(&groups_[g]); }  ///< ahead of its use
   [[nodiscard]] std::size_t groups() const { return groups_.size(); }
   [[nodiscard]] const FacetGroup& group_of(std::size_t f) const { return groups_[f / kGroup]; }
   [[nodiscard]] static std::size_t lane_of(std::size_t f) { return f % kGroup; }

@@ -98,8 +98,11 @@ void open_joints(const FacetKinematics& all, std::span<const LaneSet> facets,
                  std::vector<OpenJoint>& open) {
   open.clear();
   for (std::size_t k = 0; k < facets.size(); ++k) {
-    if (k + kContactsAhead < facets.size())
-      all.history.contacts().fetch_openings(facets[k + kContactsAhead].group);
+    if (k + kGroupsAhead < facets.size()) {
+      const std::size_t ahead = facets[k + kGroupsAhead].group;
+      all.tables.fetch_group(ahead);
+      all.history.contacts().fetch_openings(ahead);
+    }
     open_group_of_joints(all, facets[k], open);
   }
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bond/network/leaning_group.h"
+
 namespace muckpile {
 namespace {
 
@@ -16,6 +18,112 @@ std::span<double> numbers_of(std::vector<Mat3>& tensors, std::size_t blocks) {
 /// From the centre of block i to that of j in the start [m].
 Vec3 line_of_centres(const FacetTables& tables, std::size_t f) {
   return tables.arm_i(f) - tables.arm_j(f);
+}
+
+/// Calls `add` with block, `opened`, m and g of each side on which a facet leans.
+template <class Add>
+void stretch_facet(const LeaningFaces& faces, const FacetKinematics& facets, std::size_t f,
+                   const Add& add) {
+  const std::array<bool, 2> leans = facets.tables.name(f).slanted();
+  if (facets.history.bonded_points(f) == 0 || !(leans[0] || leans[1])) return;
+  const FacetMotion motion = facets.motion(f);
+  const FacetOpenings openings = facets.openings(f, motion.scale);
+  const BondConstants bond = facets.tables.bond(f);
+  const FacetLean& leaning = faces.facet(f);
+  const Vec3 jump = leaning.strained(facets.bonded_jump(f, motion), motion.normal);
+  const auto add_side = [&](std::size_t b, double area, const Vec3& opening, const Vec3& lean) {
+    add(b, Vec3(area / facets.blocks.volume(b) * jump), opening,
+        facets.turned(f, lean, motion.scale));
+  };
+  const auto [i, j] = facets.tables.blocks_of(f);
+  if (leans[0]) add_side(i, bond.area_i, openings.i, leaning.lean[0]);
+  if (leans[1]) add_side(j, bond.area_j, openings.j, leaning.lean[1]);
+}
+
+template <class Add>
+void stretch_group(const LeaningFaces& faces, const FacetKinematics& facets, const LaneSet& set,
+                   const Add& add) {
+  const LeaningLanes lanes(facets, set);
+  if (lanes.at_once == 0)
+    return each_lane(set.lanes, [&](std::size_t k) {
+      stretch_facet(faces, facets, set.group * kGroup + k, add);
+    });
+  const LeaningGroup group(faces, facets, set.group);
+  const StretchRows on_i(group, group.side_i(), facets.blocks),
+      on_j(group, group.side_j(), facets.blocks);
+  each_lane(set.lanes, [&](std::size_t k) {
+    const std::size_t f = set.group * kGroup + k;
+    if ((lanes.at_once >> k & 1u) == 0) return stretch_facet(faces, facets, f, add);
+    const auto [i, j] = facets.tables.blocks_of(f);
+    const auto add_side = [&](std::size_t b, const StretchRows& rows) {
+      add(b, at_lane(rows.opened, k), at_lane(rows.opening, k), at_lane(rows.lean, k));
+    };
+    if ((lanes.on_i >> k & 1u) != 0) add_side(i, on_i);
+    if ((lanes.on_j >> k & 1u) != 0) add_side(j, on_j);
+  });
+}
+
+/// Displacement gradients and stresses T of all blocks.
+struct BlockTensors {
+  const std::vector<Mat3>&gradients, &stresses;
+};
+
+/// Calls `add` with a facet that leans, its traction and the torque on both of its blocks.
+template <class Add>
+void pull_facet(const LeaningFaces& faces, const FacetKinematics& facets,
+                const BlockTensors& tensors, std::size_t f, const Add& add) {
+  const FacetTables& tables = facets.tables;
+  const std::array<bool, 2> leans = tables.name(f).slanted();
+  if (facets.history.bonded_points(f) == 0 || !(leans[0] || leans[1])) return;
+  const FacetMotion motion = facets.motion(f);
+  const FacetOpenings openings = facets.openings(f, motion.scale);
+  const BondConstants bond = tables.bond(f);
+  const FacetLean& leaning = faces.facet(f);
+  const Vec3 jump = leaning.strained(facets.bonded_jump(f, motion), motion.normal);
+  Vec3 traction = Vec3::Zero(), turning = Vec3::Zero();
+  const auto add_side = [&](std::size_t b, double share, const Vec3& opening, const Vec3& start) {
+    const Vec3 lean = facets.blocks.rock[b].two_g * facets.turned(f, start, motion.scale);
+    traction += share * (tensors.stresses[b] * opening - tensors.gradients[b] * lean);
+    turning += share * (opening.cross(Vec3(tensors.stresses[b].transpose() * jump)) -
+                        lean.cross(Vec3(tensors.gradients[b].transpose() * jump)));
+  };
+  const auto [i, j] = tables.blocks_of(f);
+  if (leans[0]) add_side(i, bond.bulk_i, openings.i, leaning.lean[0]);
+  if (leans[1]) add_side(j, bond.bulk_j, openings.j, leaning.lean[1]);
+  add(f, leaning.strained(traction, motion.normal),
+      Vec3(-0.5 * tables.area(f) * (turning + jump.cross(traction))));
+}
+
+template <class Add>
+void pull_group(const LeaningFaces& faces, const FacetKinematics& facets,
+                const BlockTensors& tensors, const LaneSet& set, const Add& add) {
+  const LeaningLanes lanes(facets, set);
+  alignas(64) FacetRows<double> tractions, torques;
+  if (lanes.at_once != 0) {
+    const LeaningGroup group(faces, facets, set.group);
+    const WideVec& jump = group.jump();
+    WideVec traction, turning;
+    const auto add_side = [&](unsigned on, const LeaningGroup::Side& side)
+        __attribute__((always_inline)) {
+      const Wide share = choose(mask_of<Wide>(on), group.bulk(), 0.0);
+      const auto two_g = [&](std::size_t b) { return facets.blocks.rock[b].two_g; };
+      const WideVec lean = group.number(side, two_g) * side.lean;
+      const WideMat stress = group.tensor(side, tensors.stresses),
+                    gradient = group.tensor(side, tensors.gradients);
+      traction += share * (stress * side.opening - gradient * lean);
+      turning +=
+          share * (cross(side.opening, stress.back(jump)) - cross(lean, gradient.back(jump)));
+    };
+    add_side(lanes.on_i, group.side_i());
+    add_side(lanes.on_j, group.side_j());
+    store(group.strained(traction), tractions);
+    store(Wide(-0.5) * group.area() * (turning + cross(jump, traction)), torques);
+  }
+  each_lane(set.lanes, [&](std::size_t k) {
+    const std::size_t f = set.group * kGroup + k;
+    if ((lanes.at_once >> k & 1u) == 0) return pull_facet(faces, facets, tensors, f, add);
+    add(f, at_lane(tractions, k), at_lane(torques, k));
+  });
 }
 
 }  // namespace
@@ -83,22 +191,11 @@ void LeaningFaces::stretch(const FacetKinematics& facets, const std::vector<Lane
   const BlockFields& blocks = facets.blocks;
   std::fill(gradients_.begin(), gradients_.end(), Mat3::Zero());
   for (BlockLean& block : blocks_) block.excess.setZero();
-  each_facet(bonded, [&](std::size_t f) {
-    const std::array<bool, 2> leans = facets.tables.name(f).slanted();
-    if (facets.history.bonded_points(f) == 0 || !(leans[0] || leans[1])) return;
-    const FacetMotion motion = facets.motion(f);
-    const FacetOpenings openings = facets.openings(f, motion.scale);
-    const BondConstants bond = facets.tables.bond(f);
-    const Vec3 jump = facets_[f].strained(facets.bonded_jump(f, motion), motion.normal);
-    const auto add = [&](int block, double area, const Vec3& opening, const Vec3& lean) {
-      const auto b = static_cast<std::size_t>(block);
-      const Vec3 opened = area / blocks.volume(b) * jump;
-      gradients_[b] += opened * opening.transpose();
-      blocks_[b].excess += opened * facets.turned(f, lean, motion.scale).transpose();
-    };
-    if (leans[0]) add(facets.tables.i_of(f), bond.area_i, openings.i, facets_[f].lean[0]);
-    if (leans[1]) add(facets.tables.j_of(f), bond.area_j, openings.j, facets_[f].lean[1]);
-  });
+  const auto add = [&](std::size_t b, const Vec3& opened, const Vec3& opening, const Vec3& lean) {
+    gradients_[b].noalias() += opened * opening.transpose();
+    blocks_[b].excess.noalias() += opened * lean.transpose();
+  };
+  for (const LaneSet& set : bonded) stretch_group(*this, facets, set, add);
   for (std::size_t b = 0; b < blocks.size(); ++b) stresses_[b] = stress(b, blocks);
 }
 
@@ -130,31 +227,15 @@ Vec3 LeaningFaces::moment_torque(std::size_t b, const Mat3& r, double volume,
 /// the energy: hence the torques.
 void LeaningFaces::pull(const FacetKinematics& facets, const std::vector<LaneSet>& working,
                         std::vector<Vec3>& torque) {
-  const FacetTables& tables = facets.tables;
   const BlockFields& blocks = facets.blocks;
-  each_facet(working, [&](std::size_t f) {
-    const std::array<bool, 2> leans = tables.name(f).slanted();
-    if (facets.history.bonded_points(f) == 0 || !(leans[0] || leans[1])) return;
-    const FacetMotion motion = facets.motion(f);
-    const FacetOpenings openings = facets.openings(f, motion.scale);
-    const BondConstants bond = tables.bond(f);
-    const Vec3 jump = facets_[f].strained(facets.bonded_jump(f, motion), motion.normal);
-    Vec3 traction = Vec3::Zero(), turning = Vec3::Zero();
-    const auto add = [&](int block, double share, const Vec3& opening, const Vec3& start) {
-      const auto b = static_cast<std::size_t>(block);
-      const Vec3 lean = blocks.rock[b].two_g * facets.turned(f, start, motion.scale);
-      traction += share * (stresses_[b] * opening - gradients_[b] * lean);
-      turning += share * (opening.cross(Vec3(stresses_[b].transpose() * jump)) -
-                          lean.cross(Vec3(gradients_[b].transpose() * jump)));
-    };
-    if (leans[0]) add(tables.i_of(f), bond.bulk_i, openings.i, facets_[f].lean[0]);
-    if (leans[1]) add(tables.j_of(f), bond.bulk_j, openings.j, facets_[f].lean[1]);
-    tractions_[f] = facets_[f].strained(traction, motion.normal);
-    turning = (-0.5 * tables.area(f) * (turning + jump.cross(traction))).eval();
-    const auto [i, j] = tables.blocks_of(f);
+  const auto add = [&](std::size_t f, const Vec3& traction, const Vec3& turning) {
+    const auto [i, j] = facets.tables.blocks_of(f);
+    tractions_[f] = traction;
     torque[i] += turning;
     torque[j] += turning;
-  });
+  };
+  const BlockTensors tensors{gradients_, stresses_};
+  for (const LaneSet& set : working) pull_group(*this, facets, tensors, set, add);
   for (std::size_t b = 0; b < blocks.size(); ++b)
     torque[b] +=
         moment_torque(b, blocks.state[b].rotation, blocks.volume(b), 0.5 * blocks.rock[b].two_g);

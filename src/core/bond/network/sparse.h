@@ -9,6 +9,8 @@
 #include <memory>
 #include <vector>
 
+#include "math/prefetch.h"
+
 namespace muckpile {
 
 template <class T>
@@ -35,12 +37,7 @@ class Sparse {
   }
   void drop() { value_.reset(); }
   /// Prefetches the value, if there is one, ahead of its use.
-  void fetch() const {
-    constexpr std::size_t kLine = 64;
-    const auto* bytes = reinterpret_cast<const char*>(value_.get());
-    for (std::size_t k = 0; bytes != nullptr && k < sizeof(T); k += kLine)
-      __builtin_prefetch(bytes + k);
-  }
+  void fetch() const { prefetch_all(value_.get()); }
 
  private:
   std::unique_ptr<T> value_;

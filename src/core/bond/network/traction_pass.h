@@ -37,7 +37,7 @@ class TractionPass {
   void work_group(const LaneSet& working, const LaneSet& active);
   void add(const LaneSet& working, const GroupForces& sums);
   void work_alone(std::size_t f);
-  void fetch_contacts(const LaneSet& working) const;
+  void fetch(const LaneSet& working) const;
   [[nodiscard]] unsigned intact_forces(std::size_t g, unsigned lanes, const WidePose& pose,
                                        WideForces& forces) const;
   [[nodiscard]] WideField pull_of(const FacetGroup& group, const WidePose& pose) const;

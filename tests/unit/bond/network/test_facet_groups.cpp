@@ -198,6 +198,33 @@ TEST(FacetGroups, CrushingWallsDoToo) {
   EXPECT_GE(work_in_groups_and_one_by_one(3e5).crush, 12);  // of 0.6 MPa and more
 }
 
+/// Blocks whose faces lean, moved a little.
+test::BondScene leaning_and_shaken() {
+  test::BondScene scene = test::leaning_scene(4.0, test::rock(0.25));
+  scene.shake(1e-5, 1e-5, 1);
+  return scene;
+}
+
+TEST(FacetGroups, LeaningFacetsHaveTheForcesOfFacetsWorkedOnOneByOne) {
+  test::BondScene together = leaning_and_shaken(), alone = leaning_and_shaken();
+  FacetLists lists = alone.network().give_up();
+  for (FacetMemory& memory : lists.memory) memory.state = FacetState::cracked;  // at no point yet
+  alone.network().set_facets(std::move(lists));
+  for (test::BondScene* scene : {&together, &alone}) scene->compute(kStep);
+  ASSERT_NE(together.network().leaning(), nullptr);
+  for (std::size_t b = 0; b < together.size(); ++b) {
+    const FacetNetwork &a = together.network(), &other = alone.network();
+    const double rounding = 1e-9 * (1.0 + other.force()[b].norm() + other.torque()[b].norm());
+    EXPECT_LT((a.force()[b] - other.force()[b]).norm(), rounding) << b;
+    EXPECT_LT((a.torque()[b] - other.torque()[b]).norm(), rounding) << b;
+  }
+  for (std::size_t f = 0; f < together.network().facet_count(); ++f) {
+    const Vec3& traction = together.network().leaning()->traction(f);
+    EXPECT_LT((traction - alone.network().leaning()->traction(f)).norm(), 1e-9 * traction.norm());
+    EXPECT_GT(traction.norm(), 1.0) << f;
+  }
+}
+
 TEST(FacetGroups, AnIntactFacetLetsGoOnceItHasTurnedTooFar) {
   const std::vector<Facet> of = joints();
   const Facet& facet = of[5];
