@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "fixes/engine/registry.h"
+#include "input_end.h"
 #include "unused_variables.h"
 
 namespace {
@@ -91,7 +92,9 @@ int main(int argc, char** argv) {
   give_screen(*lmp);
   muckpile::engine::register_styles(*lmp);
   warn(unused);
+  const muckpile::InputEnd end(*lmp);
   lmp->input->file();
+  if (rank == 0) muckpile::tell_end(*lmp, end.line(*lmp));
   warn(unused);  // once more, where it is seen
   delete lmp;
   MPI_Finalize();

@@ -250,16 +250,29 @@ told 'interrupted; there is no state to go on from'
 
 # Ctrl-C behind the last step, as the engine is about to end; behind its end, as its results are measured. The run is whole.
 old_results
-fake bin/mpirun "$steps; $engine_ok; asked=''; trap 'asked=1' USR2; kill -TERM \$PPID; for ((k = 0; k < 600; ++k)); do sleep 0.1; [[ -z \$asked ]] || exit 0; done"
+ends_whole="echo 'whole: the input has run to its end' >>results/demo/log.liggghts"
+is_stopped="asked=''; trap 'asked=1' USR2; kill -TERM \$PPID; for ((k = 0; k < 600; ++k)); do sleep 0.1; [[ -z \$asked ]] || break; done"
+fake bin/mpirun "$steps; $engine_ok; $ends_whole; $is_stopped; exit 0"
 call run inputs/demo/in.demo
 [[ $status -eq 130 ]] || problem "a run that was interrupted behind its last step must end with status 130"
 told 'interrupted; the run in results/demo is whole, and not measured: build/release/postproc/tools/muckpile-post all results/demo does that'
 [[ -e results/demo/dump/scene.json && ! -e results/demo/.previous ]] || problem "a whole run is not kept"
 ! grep -q '^muckpile-post' calls || problem "measured behind a signal"
-fake bin/mpirun "$steps; $engine_ok; echo 'interrupted: before the first step of phase two' >>results/demo/log.liggghts; asked=''; trap 'asked=1' USR2; kill -TERM \$PPID; for ((k = 0; k < 600; ++k)); do sleep 0.1; [[ -z \$asked ]] || exit 0; done"
+# A plain run that is cut short; a log that a full disk has cut; an error and a killed rank behind a signal: none of them is whole.
+for end in "echo 'interrupted: before the last step of a run' >>results/demo/log.liggghts; exit 0" \
+  "$ends_whole; echo 'interrupted: before the first step of phase two' >>results/demo/log.liggghts; exit 0" 'exit 0' "$ends_whole; exit 1" "$ends_whole; exit 137"; do
+  fake bin/mpirun "$steps; $engine_ok; $is_stopped; $end"
+  call run inputs/demo/in.demo
+  [[ $status -eq 130 ]] || problem "an interrupted run must end with status 130: $end"
+  told 'interrupted; there is no state to go on from'
+  ! grep -q '^muckpile-post' calls || problem "an interrupted run was measured: $end"
+done
+# A signal that has reached the engine alone.
+fake bin/mpirun "$steps; $engine_ok; echo 'interrupted: before the last step of a run' >>results/demo/log.liggghts; exit 0"
 call run inputs/demo/in.demo
-[[ $status -eq 130 ]] || problem "an interrupted run must end with status 130"
+[[ $status -eq 130 ]] || problem "a run whose engine was interrupted must end with status 130"
 told 'interrupted; there is no state to go on from'
+! grep -q '^muckpile-post' calls || problem "a run whose engine was interrupted was measured"
 fake bin/mpirun "$steps; $engine_ok"
 fake build/release/postproc/tools/muckpile-post 'trap "echo stopped >>calls; exit 143" TERM; kill -TERM $PPID; for ((k = 0; k < 600; ++k)); do sleep 0.1; done'
 call run inputs/demo/in.demo -vtk

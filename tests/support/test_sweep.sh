@@ -39,7 +39,7 @@ printf "step,time_s\n0,0\n200,0.1\n" >"$out/dump/history.csv"
 if matches late; then
   asked="" && trap "asked=1" USR2
   touch hanging
-  for ((k = 0; k < 600; ++k)); do [[ -z $asked ]] || exit 0; sleep 0.1; done
+  for ((k = 0; k < 600; ++k)); do [[ -z $asked ]] || { echo "whole: the input has run to its end" >"$out/log.liggghts" && exit 0; }; sleep 0.1; done
 fi
 for ((k = 0; k < 200; ++k)); do [[ -e together && $(wc -l <begun) -lt $(cat together) ]] || break; sleep 0.05; done'
 # 24 m over the burden, and a tenth of the seed. Measuring the run whose scene is like the pattern in the file linger lasts until it is stopped.

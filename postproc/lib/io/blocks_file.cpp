@@ -25,7 +25,7 @@ namespace muckpile {
 namespace {
 
 struct FileCells {
-  std::vector<Polyhedron> shapes;
+  std::vector<BlockShape> shapes;
   CellData data;
 };
 
@@ -35,14 +35,14 @@ FileCells read_any_file(const std::filesystem::path& path, const std::string& fi
   TextWords text{std::move(whole)};
   const CellTable cells = read_cell_table(text, file);
   CellData data = read_cell_data(text, cells.cells(), file);
-  std::vector<Polyhedron> shapes(cells.cells());
+  std::vector<BlockShape> shapes(cells.cells());
   each_in_parallel(shapes.size(), [&](size_t c) { shapes[c] = cell_of(cells, c); });
   return {std::move(shapes), std::move(data)};
 }
 
 FileCells read_file(const std::filesystem::path& path, const std::string& file) {
   FileWindow window(path);
-  std::optional<std::vector<Polyhedron>> plain = read_plain_cells(window);
+  std::optional<std::vector<BlockShape>> plain = read_plain_cells(window);
   if (!plain) return read_any_file(path, file);
   std::string rest;
   read_text(path, rest, window.at());

@@ -7,14 +7,14 @@
 #include <filesystem>
 #include <vector>
 
-#include "geometry/shape/polyhedron.h"
+#include "io/block_shape.h"
 #include "math/types.h"
 
 namespace muckpile {
 
 struct StartBlock {
   int id;
-  Polyhedron shape;  // vertices [m], faces counter-clockwise seen from outside
+  BlockShape shape;  // vertices [m], faces counter-clockwise seen from outside
   Vec3 centroid;     // of the volume [m]
   double volume;     // [m3]
   double size;       // volume^(1/3) [m]

@@ -16,10 +16,12 @@ Vec3 signs_of(int image) {
 
 StartBlock image_of(StartBlock block, int image, int id) {
   const Vec3 signs = signs_of(image);
-  for (Vec3& vertex : block.shape.vertices) vertex = vertex.cwiseProduct(signs);
+  Polyhedron shape = polyhedron_of(block.shape);
+  for (Vec3& vertex : shape.vertices) vertex = vertex.cwiseProduct(signs);
   if (signs.prod() < 0.0) {
-    for (std::vector<int>& face : block.shape.faces) std::ranges::reverse(face);
+    for (std::vector<int>& face : shape.faces) std::ranges::reverse(face);
   }
+  block.shape = shape;
   block.centroid = block.centroid.cwiseProduct(signs);
   block.id = id;
   block.image = image;

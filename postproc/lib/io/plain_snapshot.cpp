@@ -20,6 +20,7 @@ constexpr std::string_view kHeader =
     "id,x_m,y_m,z_m,qw,qx,qy,qz,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s,fragment_id,"
     "broken_fraction\n";
 constexpr size_t kNumbers = 13;  // between id and fragment: place, rotation, velocity, spin
+constexpr size_t kBeforeVelocity = 7;
 
 struct PlainRow {
   double numbers[kNumbers], broken;
@@ -33,19 +34,39 @@ bool read_row(const char*& at, const char* end, PlainRow& row) {
   return read_number(at, end, row.fragment, ',') && read_number(at, end, row.broken, '\n');
 }
 
-// The same for a row that is not requested.
-bool skip_row(const char*& at, const char* end) {
+// Some at a time, whose count fits one byte, so that many are compared at once.
+std::ptrdiff_t commas_between(const char* at, const char* end) {
+  constexpr std::ptrdiff_t kTogether = 128;
+  std::ptrdiff_t commas = 0;
+  while (at != end) {
+    unsigned char some = 0;
+    for (const char* const stop = at + std::min(kTogether, end - at); at != stop; ++at)
+      some = static_cast<unsigned char>(some + (*at == ',' ? 1 : 0));
+    commas += some;
+  }
+  return commas;
+}
+
+// Where a row ends, whatever is in its fields; null where it has another number of them.
+const char* end_of_row(const char* at, const char* end) {
   const void* const found = std::memchr(at, '\n', static_cast<size_t>(end - at));
-  if (found == nullptr) return false;
+  if (found == nullptr) return nullptr;
   const char* const line_end = static_cast<const char*>(found);
-  if (std::count(at, line_end, ',') != static_cast<std::ptrdiff_t>(kNumbers) + 1) return false;
-  at = line_end + 1;
-  return true;
+  const bool whole = commas_between(at, line_end) == static_cast<std::ptrdiff_t>(kNumbers) + 1;
+  return whole ? line_end : nullptr;
+}
+
+// Of a row that has all its fields.
+bool read_velocity(const char* at, const char* line_end, Vec3& velocity) {
+  for (size_t commas = 0; commas < kBeforeVelocity; ++at) commas += *at == ',' ? 1 : 0;
+  return read_number(at, line_end, velocity.x(), ',') &&
+         read_number(at, line_end, velocity.y(), ',') &&
+         read_number(at, line_end, velocity.z(), ',');
 }
 
 class RowReader {
  public:
-  RowReader(const std::vector<int>& ids, double unit_tolerance, const std::vector<char>& wanted,
+  RowReader(const std::vector<int>& ids, double unit_tolerance, const WantedStates& wanted,
             std::vector<BlockState>& states)
       : ids_(ids),
         unit_tolerance_(unit_tolerance),
@@ -61,10 +82,14 @@ class RowReader {
       if (!read_number(at, end, id, ',')) return false;
       const auto block = find(id, hint);
       if (!block || std::atomic_ref<char>(seen_[*block]).exchange(1) != 0) return false;
-      if (wanted_.empty() || wanted_[*block] != 0) {
+      const bool wanted = wanted_.of.empty() || wanted_.of[*block] != 0;
+      if (wanted && wanted_.parts == StateParts::kAll) {
         if (!read_row(at, end, row) || !put(row, states_[*block])) return false;
-      } else if (!skip_row(at, end)) {
-        return false;
+      } else {
+        const char* const line_end = end_of_row(at, end);
+        if (line_end == nullptr) return false;
+        if (wanted && !read_velocity(at, line_end, states_[*block].velocity)) return false;
+        at = line_end + 1;
       }
       hint = *block + 1;
     }
@@ -91,7 +116,7 @@ class RowReader {
 
   const std::vector<int>& ids_;
   double unit_tolerance_;
-  const std::vector<char>& wanted_;
+  WantedStates wanted_;
   std::vector<BlockState>& states_;
   std::vector<char> seen_;
 };
@@ -99,7 +124,7 @@ class RowReader {
 }  // namespace
 
 bool read_plain_rows(std::string_view rows, const std::vector<int>& ids, double unit_tolerance,
-                     const std::vector<char>& wanted, std::vector<BlockState>& states) {
+                     const WantedStates& wanted, std::vector<BlockState>& states) {
   if (!rows.starts_with(kHeader)) return false;
   const std::vector<std::string_view> pieces = line_pieces(rows.substr(kHeader.size()));
   RowReader reader(ids, unit_tolerance, wanted, states);

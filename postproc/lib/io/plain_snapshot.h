@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/snapshot.h"
+#include "io/snapshot_reader.h"
 
 namespace muckpile {
 
@@ -15,8 +15,13 @@ namespace muckpile {
 // the blocks with these ids, which rise, each once; false where a row is not plain, a number is not
 // finite, an id is none of them, occurs twice or is missing, or a quaternion is no unit one to
 // within `unit_tolerance`. Where `wanted` is not empty, only the states of the blocks for which it
-// is not 0 are filled; rows of others must have as many fields, whatever is in them.
+// is not 0 are filled, with these parts; rows of others must have as many fields, whatever is in
+// them.
+struct WantedStates {
+  const std::vector<char>& of;
+  StateParts parts;
+};
 bool read_plain_rows(std::string_view rows, const std::vector<int>& ids, double unit_tolerance,
-                     const std::vector<char>& wanted, std::vector<BlockState>& states);
+                     const WantedStates& wanted, std::vector<BlockState>& states);
 
 }  // namespace muckpile

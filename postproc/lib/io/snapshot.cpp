@@ -118,8 +118,8 @@ std::vector<int> ids_of(const std::vector<StartBlock>& blocks) {
 }
 
 void read_into(const std::filesystem::path& path, const std::vector<StartBlock>& blocks,
-               const std::vector<int>& ids, const std::vector<char>& wanted,
-               const std::string& text, Snapshot& snapshot) {
+               const std::vector<int>& ids, const WantedStates& wanted, const std::string& text,
+               Snapshot& snapshot) {
   const std::string file = path.string();
   const std::string_view remark = first_line(text);
   const CsvTable head = CsvTable::parse(
@@ -140,12 +140,13 @@ Snapshot read_snapshot(const std::filesystem::path& path, const std::vector<Star
   Snapshot snapshot;
   std::string text;
   read_text(path, text);
-  read_into(path, blocks, ids_of(blocks), {}, text, snapshot);
+  read_into(path, blocks, ids_of(blocks), {{}, StateParts::kAll}, text, snapshot);
   return snapshot;
 }
 
-SnapshotReader::SnapshotReader(const std::vector<StartBlock>& blocks, std::vector<char> wanted)
-    : blocks_(blocks), ids_(ids_of(blocks)), wanted_(std::move(wanted)) {
+SnapshotReader::SnapshotReader(const std::vector<StartBlock>& blocks, std::vector<char> wanted,
+                               StateParts parts)
+    : blocks_(blocks), ids_(ids_of(blocks)), wanted_(std::move(wanted)), parts_(parts) {
   const size_t count = ids_.size();
   for (size_t b = count; b < wanted_.size(); ++b)  // an image is made of its original
     if (wanted_[b] != 0) wanted_[b % count] = 1;
@@ -153,7 +154,7 @@ SnapshotReader::SnapshotReader(const std::vector<StartBlock>& blocks, std::vecto
 
 const Snapshot& SnapshotReader::read(const std::filesystem::path& path) {
   read_text(path, text_);
-  read_into(path, blocks_, ids_, wanted_, text_, snapshot_);
+  read_into(path, blocks_, ids_, {wanted_, parts_}, text_, snapshot_);
   return snapshot_;
 }
 

@@ -11,12 +11,16 @@
 
 namespace muckpile {
 
+enum class StateParts { kAll, kVelocity };
+
 // Reads one snapshot after the other into the same memory.
 class SnapshotReader {
  public:
   // `wanted` is 1 for each block whose state is asked for, empty for all of them. The states of the
-  // others are not to be used: of their rows only the id and the number of fields are checked.
-  explicit SnapshotReader(const std::vector<StartBlock>& blocks, std::vector<char> wanted = {});
+  // others are not to be used: of their rows only the id and the number of fields are checked. So
+  // it is with the other `parts` of a state.
+  explicit SnapshotReader(const std::vector<StartBlock>& blocks, std::vector<char> wanted = {},
+                          StateParts parts = StateParts::kAll);
 
   // Holds until the next call. Throws as read_snapshot does.
   const Snapshot& read(const std::filesystem::path& path);
@@ -25,6 +29,7 @@ class SnapshotReader {
   const std::vector<StartBlock>& blocks_;
   std::vector<int> ids_;  // of the blocks of the model
   std::vector<char> wanted_;
+  StateParts parts_;
   std::string text_;
   Snapshot snapshot_;
 };

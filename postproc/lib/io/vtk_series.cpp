@@ -25,7 +25,7 @@ void add_cells(const std::vector<StartBlock>& blocks, vtkUnstructuredGrid& grid)
   vtkIdType first = 0;
   for (const StartBlock& block : blocks) {
     std::vector<vtkIdType> faces;
-    for (const std::vector<int>& face : block.shape.faces) {
+    for (const std::span<const int> face : block.shape.faces) {
       faces.push_back(static_cast<vtkIdType>(face.size()));
       for (const int v : face) faces.push_back(first + v);
     }

@@ -11,7 +11,7 @@ namespace {
 
 bool is_within(const StartBlock& block, const Vec3& point) {
   constexpr double kOutside = 1e-9;  // of the block's size
-  return std::ranges::all_of(block.shape.faces, [&](const std::vector<int>& face) {
+  return std::ranges::all_of(block.shape.faces, [&](std::span<const int> face) {
     const auto vertex = [&](size_t k) -> const Vec3& {
       return block.shape.vertices[static_cast<size_t>(face[k])];
     };

@@ -21,7 +21,7 @@ namespace muckpile {
 namespace {
 
 // Twice the vector area of a polygon (Newell): exact for plane faces, stable for slivers.
-Vec3 face_normal(const std::vector<Vec3>& vertices, const std::vector<int>& face) {
+Vec3 face_normal(const std::vector<Vec3>& vertices, std::span<const int> face) {
   const Vec3& origin = vertices[static_cast<size_t>(face[0])];
   Vec3 normal = Vec3::Zero();
   for (size_t k = 1; k + 1 < face.size(); ++k) {
@@ -59,7 +59,7 @@ class ColumnFiller {
     return true;
   }
 
-  void add(const std::vector<Vec3>& vertices, const std::vector<int>& face, int block) {
+  void add(const std::vector<Vec3>& vertices, std::span<const int> face, int block) {
     const Vec3 normal = face_normal(vertices, face);
     if (tops_only_ && normal.z() <= 0.0) return;
     if (std::abs(normal.z()) <= kUpright * normal.norm()) return;
@@ -201,7 +201,7 @@ Columns columns_through(const ColumnGrid& grid, const std::vector<StartBlock>& b
     for (size_t b = 0; b < blocks.size(); ++b) {
       if (keep[b] == 0 || !reach.reaches(b, rows)) continue;
       move_vertices(blocks[b], states[b], vertices);
-      for (const std::vector<int>& face : blocks[b].shape.faces)
+      for (const std::span<const int> face : blocks[b].shape.faces)
         filler.add(vertices, face, static_cast<int>(b));
     }
   });
@@ -220,7 +220,7 @@ Columns tops_through(const ColumnGrid& grid, const std::vector<StartBlock>& bloc
     for (const size_t b : from_above) {
       if (!reach.reaches(b, rows) || filler.hides(states[b].centre, reach.of(b))) continue;
       move_vertices(blocks[b], states[b], vertices);
-      for (const std::vector<int>& face : blocks[b].shape.faces)
+      for (const std::span<const int> face : blocks[b].shape.faces)
         filler.add(vertices, face, static_cast<int>(b));
     }
   });
@@ -241,9 +241,7 @@ Extent extent_at_start(const std::vector<StartBlock>& blocks) {
     (void)split_muck(rock);
     return extent_at_start(rock);
   }
-  return extent_where(blocks.size(), [&](size_t b) -> const std::vector<Vec3>& {
-    return blocks[b].shape.vertices;
-  });
+  return extent_where(blocks.size(), [&](size_t b) { return blocks[b].shape.vertices; });
 }
 
 }  // namespace muckpile

@@ -22,9 +22,9 @@ bool reaches(const StartBlock& block, double distance) {
 }
 
 /// An edge that belongs to two faces gives the same point twice.
-std::vector<Vec2> crossings(double y, const std::vector<Vec3>& vertices, const Polyhedron& shape) {
+std::vector<Vec2> crossings(double y, const std::vector<Vec3>& vertices, const FlatPolyhedron& shape) {
   std::vector<Vec2> points;
-  for (const std::vector<int>& face : shape.faces) {
+  for (const std::span<const int> face : shape.faces) {
     for (size_t k = 0; k < face.size(); ++k) {
       const auto [from, to] = std::minmax(face[k], face[(k + 1) % face.size()]);
       const Vec3 &a = vertices[static_cast<size_t>(from)], &b = vertices[static_cast<size_t>(to)];

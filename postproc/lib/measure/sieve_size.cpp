@@ -115,10 +115,11 @@ double sieve_size(const std::vector<Vec3>& points, const std::vector<Vec3>& star
 }
 
 double sieve_size(const StartBlock& block) {
+  const Polyhedron shape = polyhedron_of(block.shape);
   std::vector<Vec3> normals;
-  for (int face = 0; face < static_cast<int>(block.shape.faces.size()); ++face)
-    normals.push_back(face_geometry(block.shape, face).normal);
-  return sieve_size(block.shape.vertices, normals);
+  for (int face = 0; face < static_cast<int>(shape.faces.size()); ++face)
+    normals.push_back(face_geometry(shape, face).normal);
+  return sieve_size(shape.vertices, normals);
 }
 
 std::vector<Vec3> spread_directions(int count) {

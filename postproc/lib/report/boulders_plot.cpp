@@ -73,7 +73,7 @@ void draw_surface(const RunData& run, const Frame& frame, const Axes& axes, Canv
 void draw_block(const StartBlock& block, const BlockState& state, const Frame& frame, Colour colour,
                 const Axes& axes, Canvas& canvas) {
   const std::vector<Vec3> vertices = moved_vertices(block, state);
-  for (const std::vector<int>& face : block.shape.faces) {
+  for (const std::span<const int> face : block.shape.faces) {
     std::vector<Vec2> outline;
     double area = 0.0;
     for (const int v : face) outline.emplace_back(vertices[static_cast<size_t>(v)].head<2>());

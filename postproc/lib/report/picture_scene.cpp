@@ -36,7 +36,7 @@ void add_blocks(const std::vector<StartBlock>& blocks, const Snapshot& snapshot,
   each_in_parallel(blocks.size(), [&](size_t b) {
     const std::vector<Vec3> vertices = moved_vertices(blocks[b], snapshot.states[b]);
     size_t number = first[b];
-    for (const std::vector<int>& face : blocks[b].shape.faces) {
+    for (const std::span<const int> face : blocks[b].shape.faces) {
       ScenePolygon& polygon = scene.polygons[number++];
       polygon = {{}, colours[b], static_cast<int>(b)};
       polygon.corners.reserve(face.size());

@@ -102,7 +102,7 @@ void draw_scale_bar(const View& view, Canvas& canvas) {
   constexpr double kWanted = 200.0, kMargin = 30.0, kCap = 6.0, kTextSize = 18.0;  // [px]
   const double per_metre =
       view.camera.samples_per_metre(view.camera.depth(view.target)) / Canvas::kSamples;
-  const double longest = kWanted / per_metre;  // [m]
+  const double longest = std::min(kWanted, canvas.width() - 2.0 * kMargin) / per_metre;  // [m]
   const double power = std::pow(10.0, std::floor(std::log10(longest)));
   const double length = longest >= 5.0 * power   ? 5.0 * power
                         : longest >= 2.0 * power ? 2.0 * power

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The snapshots of a run, of which some blocks of the rock are asked for.
+// The velocities of some blocks of the rock in the snapshots of a run.
 // Scope: io/snapshot_reader.h for the rock alone, whether the snapshots have muck or not.
 #pragma once
 
@@ -13,9 +13,9 @@ namespace muckpile {
 
 class RowsOfRun {
  public:
-  // `wanted` as in SnapshotReader, of run.blocks.
+  // `wanted` as in SnapshotReader, of run.blocks. Of their states only the velocities hold.
   RowsOfRun(const RunData& run, std::vector<char> wanted)
-      : reader_(run.folder.blocks(), with_muck(std::move(wanted), run)) {}
+      : reader_(run.folder.blocks(), with_muck(std::move(wanted), run), StateParts::kVelocity) {}
 
   // Holds until the next call.
   const Snapshot& read(const std::filesystem::path& path) { return reader_.read(path); }

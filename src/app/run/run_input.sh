@@ -142,15 +142,18 @@ run_in_folder() {
     drop_previous "$out"
     exit 130
   fi
-  if ((signals > 0)) && ! is_whole; then status=130; fi
+  if was_cut_short || { ((signals > 0)) && ! is_whole; }; then status=130; fi
   if ! has_left_something; then end_without_a_step; fi
   drop_previous "$out"
   ((status != 130)) || { say "interrupted; there is no state to go on from" && exit 130; }
   ((status == 0)) || die "the run stopped with an error; see the message above or $out/log.liggghts"
 }
 
-# The engine was asked to stop when it had nothing left to do: it says where that cuts something short.
-is_whole() { ((status == 0)) && ! grep -qs '^interrupted: ' "$out/log.liggghts" && has_taken_steps; }
+# A signal has reached the engine, from this script or from elsewhere, before it had done all of its input.
+was_cut_short() { ((status == 0)) && grep -qs '^interrupted: ' "$out/log.liggghts"; }
+
+# The engine was asked to stop when it had nothing left to do. An error, a killed rank or a full disk leave no such line.
+is_whole() { ((status == 0)) && ! was_cut_short && grep -qs '^whole: ' "$out/log.liggghts" && has_taken_steps; }
 
 has_left_something() {
   if ((status == 0)); then

@@ -53,7 +53,7 @@ TEST_F(DumpFiles, BlocksComeBackAsTheyWereWritten) {
     EXPECT_EQ(blocks[b].id, run.blocks[b].id);
     EXPECT_EQ(blocks[b].shape.faces.size(), 6U);
     EXPECT_NEAR((blocks[b].centroid - run.blocks[b].centroid).norm(), 0.0, 1e-12);
-    EXPECT_NEAR(mass_properties(blocks[b].shape).volume, 0.125, 1e-12);
+    EXPECT_NEAR(mass_properties(polyhedron_of(blocks[b].shape)).volume, 0.125, 1e-12);
     EXPECT_NEAR(blocks[b].mass, 0.125 * kDensity, 1e-9);
   }
 }
@@ -133,6 +133,22 @@ TEST_F(DumpFiles, ReaderFillsTheStatesThatAreWanted) {
   for (size_t b = 0; b < blocks.size(); ++b) EXPECT_EQ(same.states[b].centre, all.states[b].centre);
 }
 
+TEST_F(DumpFiles, ReaderOfVelocitiesHasThoseOfTheWholeStates) {
+  const auto blocks = read_blocks(dump("blocks.vtk"));
+  std::vector<char> wanted(blocks.size(), 0);
+  wanted[3] = wanted.back() = 1;
+  for (const std::vector<char>& of : {wanted, std::vector<char>()}) {
+    SnapshotReader reader(blocks, of, StateParts::kVelocity);
+    for (const char* name : {"blocks_000001000.csv", "blocks_000002000.csv"}) {
+      const Snapshot all = read_snapshot(dump(name), blocks);
+      const Snapshot& now = reader.read(dump(name));
+      EXPECT_EQ(now.time, all.time);
+      for (size_t b = 0; b < blocks.size(); ++b)
+        if (of.empty() || of[b] != 0) EXPECT_EQ(now.states[b].velocity, all.states[b].velocity);
+    }
+  }
+}
+
 TEST_F(DumpFiles, ReaderOfSomeBlocksRefusesCutAndForeignRows) {
   const auto blocks = read_blocks(dump("blocks.vtk"));
   std::vector<char> wanted(blocks.size(), 0);
@@ -157,6 +173,12 @@ TEST_F(DumpFiles, ReaderOfSomeBlocksRefusesCutAndForeignRows) {
   expect_contains(message(), "blocks_000002000.csv:");
 }
 
+void expect_same(const FlatPolyhedron& shape, const Polyhedron& other) {
+  const Polyhedron own = polyhedron_of(shape);
+  EXPECT_EQ(own.vertices, other.vertices);
+  EXPECT_EQ(own.faces, other.faces);
+}
+
 // A file as the engine writes it is read on all cores, any other word by word.
 TEST_F(DumpFiles, PlainCellsAreThoseOfTheOtherReader) {
   const std::string whole = text_of(dump("blocks.vtk"));
@@ -170,8 +192,7 @@ TEST_F(DumpFiles, PlainCellsAreThoseOfTheOtherReader) {
     EXPECT_EQ(whole.substr(window.at(), 9), "CELL_DATA");
     ASSERT_EQ(plain->size(), shapes.size());
     for (size_t b = 0; b < shapes.size(); ++b) {
-      EXPECT_EQ((*plain)[b].vertices, shapes[b].vertices);
-      EXPECT_EQ((*plain)[b].faces, shapes[b].faces);
+      expect_same((*plain)[b], shapes[b]);
     }
   }
 }
@@ -189,6 +210,13 @@ TEST_F(DumpFiles, PlainCellsAreAPointOrACellALine) {
   const std::string types = "CELL_TYPES 1\n42\n";
   const auto plain = [&](const std::string& text) { return are_plain(dump("cells.vtk"), text); };
   EXPECT_TRUE(plain(head + points + cells + types));
+  for (const char* words : {"17 4 3 0 1 2 3 0 1 4 3 1 2 4 3 0 2 4",  // a point that is not there
+                            "17 4 3 0 1 2 3 0 1 -1 3 1 2 -1 3 0 2 -1",
+                            "17 4 3 0 1 2 3 0 1 2 3 1 2 0 3 0 2 1 5",  // more words than faces
+                            "16 4 3 0 1 2 3 0 1 3 3 1 2 3 2 0 2",      // a face of two corners
+                            "13 4 3 0 1 2 3 0 1 3 3 1 2 3",            // cut short
+                            "9 2 3 0 1 3 3 0 1 3"})                    // leaves out point 2
+    EXPECT_FALSE(plain(head + points + "CELLS 1 18\n" + words + "\n" + types)) << words;
   EXPECT_FALSE(plain(head + "0 0 0 1 0 0\n0 1 0\n0 0 1\n" + cells + types));
   EXPECT_FALSE(plain(head + "0 0 0\n1 0 0\n0 1 0\n0 0 1 5" + cells + types));
   EXPECT_FALSE(plain(head + "0 0 0\n1 0 0\n0 1 0\n0 0 nan\n" + cells + types));
@@ -223,8 +251,7 @@ TEST_F(DumpFiles, BlanksBetweenTheNumbersOfBlocksChangeNothing) {
   const auto blocks = read_blocks(dump("blocks.vtk"));
   ASSERT_EQ(blocks.size(), plain.size());
   for (size_t b = 0; b < blocks.size(); ++b) {
-    EXPECT_EQ(blocks[b].shape.vertices, plain[b].shape.vertices);
-    EXPECT_EQ(blocks[b].shape.faces, plain[b].shape.faces);
+    expect_same(blocks[b].shape, polyhedron_of(plain[b].shape));
     EXPECT_EQ(blocks[b].centroid, plain[b].centroid);
   }
 }
@@ -236,6 +263,16 @@ TEST_F(DumpFiles, MovedPointTurnsAboutTheCentroid) {
   s.states[0].rotation = Quat(Eigen::AngleAxisd(0.5 * M_PI, Vec3::UnitZ()));
   const Vec3 moved = moved_point(blocks[0], s.states[0], blocks[0].centroid + Vec3(0.1, 0.2, 0.3));
   EXPECT_NEAR((moved - Vec3(9.8, 0.1, 0.3)).norm(), 0.0, 1e-12);
+}
+
+// The one before it would be taken for the pile at rest.
+TEST_F(DumpFiles, TheSnapshotOfTheEndMustBeThere) {
+  std::filesystem::remove(dump("blocks_000002000.csv"));
+  expect_contains(input_error_of([&] { ResultFolder(folder_.path()).snapshots(); }),
+                  "blocks_000001000.csv: is the last snapshot, but the run came to rest at step "
+                  "2000: that one's is missing");
+  edit("run.json", "\"still\": true", "\"still\": false");
+  EXPECT_EQ(ResultFolder(folder_.path()).snapshots().size(), 2U);
 }
 
 TEST_F(DumpFiles, SnapshotsAreListedByStep) {
@@ -315,7 +352,8 @@ TEST_F(DumpFiles, FacesInsideOutAreTurned) {
   auto shapes = bench_run().shapes;
   for (auto& face : shapes[0].shape.faces) std::reverse(face.begin(), face.end());
   write_blocks(dump("blocks.vtk").string(), shapes, 1, kDensity);
-  EXPECT_NEAR(mass_properties(read_blocks(dump("blocks.vtk"))[0].shape).volume, 0.125, 1e-12);
+  EXPECT_NEAR(mass_properties(polyhedron_of(read_blocks(dump("blocks.vtk"))[0].shape)).volume,
+              0.125, 1e-12);
 }
 
 TEST_F(DumpFiles, BrokenVtkFileIsRefused) {

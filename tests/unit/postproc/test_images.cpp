@@ -37,7 +37,7 @@ TEST(Images, MoveAsReflectionsOfTheModel) {
   for (size_t b = count; b < blocks.size(); ++b) {
     const size_t model = b % count;
     const Vec3 signs(b / count == 1 ? 1 : -1, b / count == 2 ? 1 : -1, 1);
-    EXPECT_NEAR(mass_properties(blocks[b].shape).volume, blocks[b].volume, 1e-12);
+    EXPECT_NEAR(mass_properties(polyhedron_of(blocks[b].shape)).volume, blocks[b].volume, 1e-12);
     const auto original = moved_vertices(blocks[model], states[model]);
     const auto image = moved_vertices(blocks[b], states[b]);
     for (size_t v = 0; v < original.size(); ++v) {

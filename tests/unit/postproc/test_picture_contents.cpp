@@ -12,6 +12,7 @@
 #include "report/block_colours.h"
 #include "report/fragments_plot.h"
 #include "report/picture_report.h"
+#include "report/picture_view.h"
 #include "report/picture_words.h"
 #include "report/plan_report.h"
 #include "report/reports.h"
@@ -332,6 +333,53 @@ TEST(PictureWords, FitAnyWidth) {
     EXPECT_TRUE(drawn.reads("10.2", 18.0, {1.0 * bar.x1, below}, Anchor::kRight));
     EXPECT_FALSE(drawn.reads("10.3", 18.0, {1.0 * bar.x1, below}, Anchor::kRight));
     EXPECT_TRUE(drawn.reads("-0.75", 18.0, {1.0 * bar.x0, below}, Anchor::kLeft));
+  }
+}
+
+bool is_white(const DrawnPicture& picture, int x, int y) { return picture.shows(kWhite, x, y); }
+
+// Pixels of one that lie beside pixels of the other, or on them.
+int meetings(const DrawnPicture& one, const DrawnPicture& other) {
+  constexpr int kBeside = 2;
+  int meet = 0;
+  for (int y = kBeside; y < one.height() - kBeside; ++y) {
+    for (int x = kBeside; x < one.width() - kBeside; ++x) {
+      if (is_white(one, x, y)) continue;
+      for (int k = 0; k < (2 * kBeside + 1) * (2 * kBeside + 1); ++k)
+        meet += is_white(other, x + k % 5 - kBeside, y + k / 5 - kBeside) ? 0 : 1;
+    }
+  }
+  return meet;
+}
+
+// A view in which a metre of the rock is so long.
+View view_of_scale(double pixels_per_metre) {
+  constexpr int kSize = 200;
+  return {Camera::parallel(Vec3(0, 1, 0), Vec3::Zero(), 0.5 * kSize / pixels_per_metre,
+                           kSize * Canvas::kSamples),
+          Vec3::Zero()};
+}
+
+// The longest bars, of 1, 2 and 5 m, and a short one, below captions of any length.
+TEST(PictureWords, CaptionAndScaleBarDoNotMeet) {
+  constexpr int kHeight = 300;
+  const BlockColours colours{{}, "", strata_map(0.0, 1.0)};
+  for (const int width : {200, 230, 261, 340, 500, 641, 900}) {
+    for (const double per_metre : {40.0, 81.0, 100.0, 200.0}) {
+      Canvas bar(width, kHeight, kWhite);
+      draw_scale_bar(view_of_scale(per_metre), bar);
+      const DrawnPicture scale(bar);
+      for (const Box& side : {Box{0, 0, 20, kHeight}, Box{width - 20, 0, width, kHeight}})
+        EXPECT_EQ(scale.count(kWhite, side), side.width() * side.height()) << width;
+      for (const size_t letters : {5U, 15U, 25U, 35U, 45U, 60U, 80U}) {
+        SCOPED_TRACE(std::to_string(width) + " px, " + std::to_string(per_metre) + " px/m, " +
+                     std::to_string(letters));
+        Canvas words(width, kHeight, kWhite);
+        draw_words({"", "", {std::string(letters, 'g'), "yj"}}, colours, words);
+        words.rectangle({0.0, 0.0}, {1.0 * width, 0.5 * kHeight}, kWhite, 1.0);  // the key
+        EXPECT_EQ(meetings(DrawnPicture(words), scale), 0);
+      }
+    }
   }
 }
 

@@ -4,12 +4,12 @@
 #include "geometry/files/cell_file.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <utility>
 
 #include "args/text_words.h"
 #include "geometry/files/import_fault.h"
-#include "geometry/shape/convex_cell.h"
 
 namespace muckpile {
 namespace {
@@ -164,19 +164,6 @@ class UsedPoints {
   int first_ = 0;
 };
 
-/// Whether the cell lies in front of a face, by its corners' order.
-bool faces_inwards(const Polyhedron& shape, const std::vector<int>& face) {
-  const auto at = [&](std::size_t k) -> const Vec3& {
-    return shape.vertices[static_cast<std::size_t>(face[k % face.size()])];
-  };
-  Vec3 mean = Vec3::Zero(), normal = Vec3::Zero();
-  for (std::size_t k = 0; k < face.size(); ++k) mean += at(k);
-  mean /= static_cast<double>(face.size());
-  for (std::size_t k = 0; k < face.size(); ++k) normal += (at(k) - mean).cross(at(k + 1) - mean);
-  const auto [lowest, highest] = extent(shape, normal);
-  return lowest + highest > 2.0 * normal.dot(mean);
-}
-
 /// With its own vertices, in the order of the file; faces turned so that the cell is behind them.
 Polyhedron turned_cell(FaceList faces, const std::vector<Vec3>& points, std::size_t cell) {
   const UsedPoints places(faces);
@@ -188,13 +175,30 @@ Polyhedron turned_cell(FaceList faces, const std::vector<Vec3>& points, std::siz
   for (const int v : used) shape.vertices.push_back(points[static_cast<std::size_t>(v)]);
   for (std::vector<int>& corners : faces) {
     for (int& v : corners) v = places.place_of(v);
-    if (faces_inwards(shape, corners)) std::reverse(corners.begin(), corners.end());
+    if (faces_inwards(shape.vertices, corners)) std::reverse(corners.begin(), corners.end());
   }
   shape.faces = std::move(faces);
   return shape;
 }
 
 }  // namespace
+
+bool faces_inwards(std::span<const Vec3> vertices, std::span<const int> face) {
+  const auto at = [&](std::size_t k) -> const Vec3& {
+    return vertices[static_cast<std::size_t>(face[k])];
+  };
+  Vec3 mean = Vec3::Zero(), normal = Vec3::Zero();
+  for (std::size_t k = 0; k < face.size(); ++k) mean += at(k);
+  mean /= static_cast<double>(face.size());
+  for (std::size_t k = 0; k < face.size(); ++k)
+    normal += (at(k) - mean).cross(at(k + 1 == face.size() ? 0 : k + 1) - mean);
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (const Vec3& v : vertices) {
+    lowest = std::min(lowest, normal.dot(v));
+    highest = std::max(highest, normal.dot(v));
+  }
+  return lowest + highest > 2.0 * normal.dot(mean);
+}
 
 bool CellTable::find_cells(std::size_t cells) {
   begin.clear();

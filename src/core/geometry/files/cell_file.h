@@ -37,6 +37,9 @@ struct CellTable {
 [[nodiscard]] Polyhedron cell_of(std::span<const int> words, int type,
                                  const std::vector<Vec3>& points, std::size_t number);
 
+/// Whether a cell of these vertices lies in front of a face, by the order of the face's corners.
+[[nodiscard]] bool faces_inwards(std::span<const Vec3> vertices, std::span<const int> face);
+
 /// The cells as they stand in the file, faces turned outwards. `name` is used in messages. Throws
 /// InputError where the file is not what it should be.
 /// What stands behind the cells is left in `text`.

@@ -3,6 +3,7 @@
 // Scope: the same numbers as there, to the last bit.
 #pragma once
 
+#include "geometry/shape/flat_polyhedron.h"
 #include "geometry/shape/polyhedron.h"
 
 namespace muckpile {
@@ -13,5 +14,6 @@ struct VolumeAndCentroid {
 };
 
 [[nodiscard]] VolumeAndCentroid volume_and_centroid(const Polyhedron& shape);
+[[nodiscard]] VolumeAndCentroid volume_and_centroid(const FlatPolyhedron& shape);
 
 }  // namespace muckpile

@@ -7,31 +7,32 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 #include "geometry/shape/centroid.h"
 
 namespace muckpile {
 namespace {
 
-Vec3 mean_of(const std::vector<Vec3>& points) {
+Vec3 mean_of(std::span<const Vec3> points) {
   Vec3 sum = Vec3::Zero();
   for (const Vec3& p : points) sum += p;
   return points.empty() ? sum : Vec3(sum / static_cast<double>(points.size()));
 }
 
 // Into `points`, whose memory is used again.
-void take_face_points(const Polyhedron& shape, const std::vector<int>& face,
+void take_face_points(std::span<const Vec3> vertices, std::span<const int> face,
                       std::vector<Vec3>& points) {
   points.clear();
-  for (const int v : face) points.push_back(shape.vertices[static_cast<std::size_t>(v)]);
+  for (const int v : face) points.push_back(vertices[static_cast<std::size_t>(v)]);
 }
 
 // Calls visit(a, b, c) for the triangles of every face, fanned about the mean of its vertices.
-template <class Visitor>
-void for_each_triangle(const Polyhedron& shape, Visitor visit) {
+template <class Shape, class Visitor>
+void for_each_triangle(const Shape& shape, Visitor visit) {
   std::vector<Vec3> points;
-  for (const std::vector<int>& face : shape.faces) {
-    take_face_points(shape, face, points);
+  for (const std::span<const int> face : shape.faces) {
+    take_face_points(shape.vertices, face, points);
     const Vec3 middle = mean_of(points);
     for (std::size_t k = 0; k < points.size(); ++k) {
       visit(middle, points[k], points[(k + 1) % points.size()]);
@@ -44,7 +45,8 @@ struct FirstMoments {
   Vec3 moment = Vec3::Zero();
 };
 
-FirstMoments first_moments(const Polyhedron& shape, const Vec3& apex) {
+template <class Shape>
+FirstMoments first_moments(const Shape& shape, const Vec3& apex) {
   FirstMoments sum;
   for_each_triangle(shape, [&](const Vec3& a, const Vec3& b, const Vec3& c) {
     const double volume = (a - apex).dot((b - apex).cross(c - apex)) / 6.0;
@@ -91,13 +93,18 @@ void principal_axes(const std::vector<Vec3>& points, FaceGeometry& face) {
   face.radius2 = std::sqrt(std::max(0.0, mean - half_gap) / face.area);
 }
 
-}  // namespace
-
-VolumeAndCentroid volume_and_centroid(const Polyhedron& shape) {
+template <class Shape>
+VolumeAndCentroid exact_first(const Shape& shape) {
   const Vec3 start = mean_of(shape.vertices);
   const FirstMoments first = first_moments(shape, start);
   return {first.volume, first.volume != 0.0 ? Vec3(start + first.moment / first.volume) : start};
 }
+
+}  // namespace
+
+VolumeAndCentroid volume_and_centroid(const Polyhedron& shape) { return exact_first(shape); }
+
+VolumeAndCentroid volume_and_centroid(const FlatPolyhedron& shape) { return exact_first(shape); }
 
 MassProperties mass_properties(const Polyhedron& shape) {
   MassProperties mass;
@@ -111,7 +118,7 @@ MassProperties mass_properties(const Polyhedron& shape) {
 
 FaceGeometry face_geometry(const Polyhedron& shape, int face_number) {
   std::vector<Vec3> points;
-  take_face_points(shape, shape.faces[static_cast<std::size_t>(face_number)], points);
+  take_face_points(shape.vertices, shape.faces[static_cast<std::size_t>(face_number)], points);
   FaceGeometry face;
   face.centroid = mean_of(points);
   Vec3 area_vector = Vec3::Zero();

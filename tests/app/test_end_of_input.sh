@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# test_end_of_input.sh PROGRAM: the log says whether all of an input has run, or a signal has cut it short; inputs without Muckpile's commands
+# among them.
+set -euo pipefail
+program=$1
+source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
+cd "$out"
+
+scene='units si
+atom_style granular
+atom_modify map array sort 0 0
+boundary f f f
+newton off
+communicate single vel yes
+region box block -2 2 -2 2 -2 2 units box
+create_box 1 box
+neighbor 0.1 bin
+fix integrate all nve/sphere
+timestep 1e-6'
+stop='shell "kill -USR2 $PPID"'  # the engine runs the shell
+
+ends() {  # ends LINE TEXT_OF_INPUT [ON SCREEN]
+  rm -f log.liggghts
+  printf '%s\n' "$scene" "$2" >in.plain
+  output=$("$program" -in in.plain </dev/null 2>&1) || fail "exit status $?"
+  [[ $(grep -E '^(whole|interrupted): ' log.liggghts) == "$1" ]] || fail "the log must say '$1' of: $2"$'\n'"$(tail -n 3 log.liggghts)"
+  [[ $(grep -c "^${1%%:*}: " <<<"$output") -eq $([[ $1 == whole* ]] && echo 0 || echo 1) ]] || fail "the screen must tell of a cut only"
+}
+whole='whole: the input has run to its end'
+ends "$whole" 'run 10'
+ends "$whole" "run 10
+$stop
+# nothing
+
+"
+ends 'interrupted: before the end of the input' "run 10
+$stop
+run 5"
+printf '%s\nrun 5\n' "$stop" >in.part
+ends 'interrupted: before the end of the input' 'run 10
+include in.part'
+printf 'run 5\n%s' "$stop" >in.part
+ends 'interrupted: before the end of the input' 'include in.part
+print more'
+
+# A signal in the middle of a plain run.
+printf '%s\nrun 2000000000\n' "$scene" >in.plain
+"$program" -in in.plain >screen 2>&1 </dev/null &
+engine=$!
+for ((k = 0; k < 300; ++k)); do
+  if grep -qs '^Step' log.liggghts screen; then break; fi
+  sleep 0.1
+done
+kill -USR2 "$engine"
+wait "$engine" || fail "exit status $?"
+[[ $(grep -E '^(whole|interrupted): ' log.liggghts) == 'interrupted: before the last step of a run' ]] || fail "a run cut short is not told: $(tail -n 3 log.liggghts)"
+
+# An error leaves no line.
+printf '%s\nrun x\n' "$scene" >in.plain
+! "$program" -in in.plain >screen 2>&1 </dev/null || fail "an error ends well"
+! grep -qE '^(whole|interrupted): ' log.liggghts || fail "an input with an error is called whole"
