@@ -9,8 +9,10 @@
 #include <memory>
 
 #include "args/input_error.h"
+#include "args/suggestion.h"
 #include "command_words.h"
 #include "compare/comparison.h"
+#include "compare/inputs_apart.h"
 
 namespace muckpile {
 namespace {
@@ -63,6 +65,8 @@ bool compare(const CompareWords& words) {
   }
   if (!words.csv.empty()) write_csv(words.csv, rows);
   std::printf("%zu quantities, %td differ\n", rows.size(), differing);
+  const std::vector<std::string> apart = inputs_apart(words.a, words.b);
+  if (!apart.empty()) std::printf("the inputs differ: %s\n", joined(apart, "; ").c_str());
   return differing == 0;
 }
 

@@ -4,6 +4,7 @@
 // explanation; 3 where a report has no measures for the scene of a sound run; of compare, see
 // compare_command.h.
 #include <CLI/CLI.hpp>
+#include <cctype>
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -96,6 +97,19 @@ void add_series_command(CLI::App& app) {
   series->callback([o] { report_series(ResultFolder(o->folder), o->every); });
 }
 
+// Of a message that may quote a file of another kind: its beginning, without what moves a cursor.
+std::string printable(std::string message) {
+  constexpr size_t kMost = 800;
+  if (message.size() > kMost) message = message.substr(0, kMost) + " ...";
+  for (char& c : message)
+    if (std::iscntrl(static_cast<unsigned char>(c)) != 0 && c != '\n') c = '?';
+  return message;
+}
+
+void tell(const std::exception& fault) {
+  std::fprintf(stderr, "muckpile-post: %s\n", printable(fault.what()).c_str());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -132,10 +146,10 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error);
   } catch (const NotMeasurable& refusal) {
-    std::fprintf(stderr, "muckpile-post: %s\n", refusal.what());
+    tell(refusal);
     return kNotMeasurableExitCode;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "muckpile-post: %s\n", error.what());
+    tell(error);
     return 1;
   }
   return status;

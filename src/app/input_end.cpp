@@ -6,7 +6,6 @@
 #include <fcntl.h>
 #include <lammps.h>
 #include <signal_handling.h>
-#include <update.h>
 
 #include <cctype>
 
@@ -39,10 +38,12 @@ bool InputEnd::nothing_left(const LAMMPS_NS::LAMMPS& lmp) const {
   return lmp.infile == script_ && holds_no_command(script_);
 }
 
+/// LIGGGHTS writes its state as it leaves a run, and shortens the run to the steps that it has
+/// done; behind the last run the state that was asked for stays unwritten.
 std::string InputEnd::line(const LAMMPS_NS::LAMMPS& lmp) const {
-  if (!LAMMPS_NS::SignalHandler::request_quit) return kWhole;
-  if (lmp.update->ntimestep < lmp.update->laststep)
-    return "interrupted: before the last step of a run";
+  namespace signals = LAMMPS_NS::SignalHandler;
+  if (!signals::request_quit) return kWhole;
+  if (!signals::request_write_restart) return "interrupted: before the last step of a run";
   return nothing_left(lmp) ? kWhole : "interrupted: before the end of the input";
 }
 

@@ -44,12 +44,13 @@ printf 'run 5\n%s' "$stop" >in.part
 ends 'interrupted: before the end of the input' 'include in.part
 print more'
 
-# A signal in the middle of a plain run.
-printf '%s\nrun 2000000000\n' "$scene" >in.plain
+# A signal in the middle of a plain run, which looks for signals where it writes.
+printf '%s\nthermo 1000\nrun 2000000000\n' "$scene" >in.plain
+rm -f log.liggghts
 "$program" -in in.plain >screen 2>&1 </dev/null &
 engine=$!
 for ((k = 0; k < 300; ++k)); do
-  if grep -qs '^Step' log.liggghts screen; then break; fi
+  if grep -qs '^ *Step' screen; then break; fi
   sleep 0.1
 done
 kill -USR2 "$engine"
@@ -57,6 +58,6 @@ wait "$engine" || fail "exit status $?"
 [[ $(grep -E '^(whole|interrupted): ' log.liggghts) == 'interrupted: before the last step of a run' ]] || fail "a run cut short is not told: $(tail -n 3 log.liggghts)"
 
 # An error leaves no line.
-printf '%s\nrun x\n' "$scene" >in.plain
+printf '%s\nno_such_command\n' "$scene" >in.plain
 ! "$program" -in in.plain >screen 2>&1 </dev/null || fail "an error ends well"
 ! grep -qE '^(whole|interrupted): ' log.liggghts || fail "an input with an error is called whole"

@@ -23,11 +23,43 @@ double area_of(const std::vector<Vec2>& corners) {
   return 0.5 * std::abs(twice);
 }
 
+// On which side of the line through two points another lies: 1 or -1, 0 on it.
+int side_of(const Vec2& a, const Vec2& b, const Vec2& point) {
+  constexpr double kRounding = 1e-12;
+  const Vec2 along = b - a, to = point - a;
+  const double one = along.x() * to.y(), other = along.y() * to.x();
+  if (std::abs(one - other) <= kRounding * (std::abs(one) + std::abs(other))) return 0;
+  return one > other ? 1 : -1;
+}
+
+// Whether each of two edges has the ends of the other on both sides of it. Edges that touch or lie
+// on each other, as around an island, do not.
+bool cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  return side_of(a, b, c) * side_of(a, b, d) < 0 && side_of(c, d, a) * side_of(c, d, b) < 0;
+}
+
+void require_no_crossing(const OrePolygon& polygon, const std::string& where) {
+  const std::vector<Vec2>& corners = polygon.corners;
+  const auto corner = [&](size_t k) -> const Vec2& { return corners[k % corners.size()]; };
+  for (size_t j = 0; j < corners.size(); ++j) {
+    for (size_t k = j + 2; k < corners.size(); ++k) {
+      if (!cross(corner(j), corner(j + 1), corner(k), corner(k + 1))) continue;
+      const auto named = [&](size_t edge) {
+        return std::to_string(edge + 1) + " to " + std::to_string((edge + 1) % corners.size() + 1);
+      };
+      throw InputError(where + "polygon '" + polygon.name +
+                       "' crosses itself: its edge from corner " + named(j) +
+                       " and that from corner " + named(k) + "; give the corners in order");
+    }
+  }
+}
+
 void require_area(const OrePolygon& polygon, const std::string& where) {
   const std::string name = "polygon '" + polygon.name + "'";
   if (polygon.corners.size() < 3)
     throw InputError(where + name + " must have three corners at least, got " +
                      std::to_string(polygon.corners.size()));
+  require_no_crossing(polygon, where);
   if (!(area_of(polygon.corners) > 0.0)) throw InputError(where + name + " has no area");
 }
 

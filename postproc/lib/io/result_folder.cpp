@@ -10,7 +10,7 @@
 #include "io/images.h"
 #include "io/muck.h"
 #include "io/run_id.h"
-#include "parallel/in_parallel.h"
+#include "provenance/run_files.h"
 
 namespace muckpile {
 namespace {
@@ -25,10 +25,15 @@ void require_lengths(const nlohmann::ordered_json& scene, const std::filesystem:
   }
 }
 
-// On all cores, as it takes a while to give back the memory of 200,000 polyhedra.
-void leave(std::vector<StartBlock>* blocks) {
-  const std::unique_ptr<std::vector<StartBlock>> all(blocks);
-  each_in_parallel(all->size(), [&](size_t b) { (*all)[b].shape = {}; });
+// A run that has come to rest has left a snapshot of its last step.
+void require_end(const std::filesystem::path& last, const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return;
+  const nlohmann::ordered_json run = read_json_object(file);
+  const auto still = run.find("still"), steps = run.find("steps");
+  if (still == run.end() || *still != true || steps == run.end() || !steps->is_number()) return;
+  if (snapshot_step(last.filename().string()) >= steps->get<long long>()) return;
+  throw InputError(last.string() + ": is the last snapshot, but the run came to rest at step " +
+                   steps->dump() + ": that one's is missing");
 }
 
 }  // namespace
@@ -55,8 +60,7 @@ const std::vector<StartBlock>& ResultFolder::blocks() const {
       rock_ = std::make_shared<const std::vector<StartBlock>>(
           blocks.begin(), blocks.begin() + static_cast<std::ptrdiff_t>(rock));
     }
-    blocks_ = std::shared_ptr<const std::vector<StartBlock>>(
-        new std::vector<StartBlock>(std::move(blocks)), leave);
+    blocks_ = std::make_shared<const std::vector<StartBlock>>(std::move(blocks));
   }
   return *blocks_;
 }
@@ -85,6 +89,7 @@ bool ResultFolder::is_still() const {
 std::vector<std::filesystem::path> ResultFolder::snapshots() const {
   std::vector<std::filesystem::path> files = snapshot_files(folder_ / "dump");
   if (files.empty()) throw InputError(dump("").string() + ": holds no blocks_<step>.csv");
+  require_end(files.back(), dump("run.json"));
   return files;
 }
 

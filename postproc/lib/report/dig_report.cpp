@@ -133,6 +133,11 @@ nlohmann::ordered_json write_dig(const ResultFolder& folder, const RunData& run,
   const std::vector<double> shares = ore_shares(run, options, ore, pose);
   const DigResult dug = dig(lines, run.blocks, run.last, run.moved, shares);
   if (!(dug.ore > 0.0)) refuse("movement: --dig", "no block of the run is ore");
+  if (!(dug.all.rock > 0.0))
+    refuse(
+        options.dig,
+        "no rock lies in its polygons after the blast; see their place (--shift, --turn, --mine) "
+        "and heights");
   write_table(folder.file("dig.csv"), in_file, dug);
   write_png(draw_curves(plot_of(lines, run, shares, dug)), folder.file("dig.png"));
   return keys_of(dug);

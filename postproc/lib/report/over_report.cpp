@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "args/input_error.h"
+#include "draw/axes.h"
 #include "draw/curve_plot.h"
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
@@ -67,6 +69,17 @@ double bulk_beyond(const PlanLine& line, const OverLine& over, const RunData& ru
   return volume;
 }
 
+// That nothing went over a line of another place is no measure.
+void require_near(const PlanLine& line, const RunData& run) {
+  constexpr double kFarthest = 1e4;  // [m]; no rock flies as far
+  const Extent rock = extent_of(run.blocks, run.last.states);
+  const Vec2 middle = 0.5 * (rock.low + rock.high).head<2>();
+  const double away = std::min((line.from - middle).norm(), (line.to - middle).norm());
+  if (away <= kFarthest) return;
+  throw InputError("over: the line " + words_of(line) + " must lie within 10 km of the rock, got " +
+                   spelled(1e-3 * away, 4) + " km; places in the mine are given with --mine");
+}
+
 CurvePlot plot_of(const std::vector<Beyond>& rows, const PlanLine& line, const RunData& run) {
   CurvePlot plot;
   plot.title = "Rock that went over the line " + words_of(line);
@@ -92,6 +105,7 @@ void report_over(const ResultFolder& folder, const MeasureOptions& measure,
                  const LineOptions& options) {
   const PlanLine line = plan_line_of(folder, options, "over");
   const RunData run(folder, measure);
+  require_near(line, run);
   std::vector<char> lies = run.lies;
   if (!run.still)
     for (char& each : lies = on_the_move(run.last.states)) each = each == 0;

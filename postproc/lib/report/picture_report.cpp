@@ -8,12 +8,14 @@
 #include <cstdio>
 #include <optional>
 
+#include "args/input_error.h"
 #include "draw/axes.h"
 #include "draw/png_file.h"
 #include "draw/scene.h"
 #include "io/csv_writer.h"
 #include "io/mine_frame.h"
 #include "io/muck.h"
+#include "measure/section.h"
 #include "measure/start_extent.h"
 #include "report/block_colours.h"
 #include "report/film.h"
@@ -58,6 +60,7 @@ class Picture {
       cut_ = cut_along(*line, to_eye_);
       cut_words_ = "cut " + words_of(*line);
     }
+    if (cut_) require_rock_in(*cut_, last);
   }
 
   void write(const Snapshot& snapshot, const std::string& warning, const ValueRange& range,
@@ -73,6 +76,17 @@ class Picture {
   }
 
  private:
+  // A plane beside the rock would leave all of it, or nothing.
+  void require_rock_in(const CutPlane& cut, const Snapshot& last) const {
+    const auto meets = [&](const std::vector<BlockState>& states) {
+      return !section_at(0.0, blocks_, seen_along(cut.line, states)).empty();
+    };
+    if (meets(start_snapshot(blocks_).states) || meets(last.states)) return;
+    throw InputError("render: a cut must meet rock, which lies from x = " + spelled(rock_.low.x()) +
+                     " to " + spelled(rock_.high.x()) + " m, y = " + spelled(rock_.low.y()) +
+                     " to " + spelled(rock_.high.y()) + " m before the blast; got " + cut_words_);
+  }
+
   // The box before the blast, and the rock but for what flew farthest.
   void frame_all(const Snapshot& last) {
     for (const SceneLine& edge : edges_of(whole_))

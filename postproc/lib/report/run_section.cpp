@@ -6,13 +6,31 @@
 #include <algorithm>
 #include <cmath>
 
+#include "args/input_error.h"
+#include "draw/axes.h"
+#include "measure/section.h"
+#include "measure/start_extent.h"
 #include "report/notes.h"
 
 namespace muckpile {
+namespace {
+
+void require_rock_at(double y, const RunData& run) {
+  constexpr double kRounding = 1e-6;  // [m], of rock that ends in a plane of the section
+  const Extent before = extent_at_start(run.blocks), after = extent_of(run.blocks, run.last.states);
+  const double low = std::min(before.low.y(), after.low.y()),
+               high = std::max(before.high.y(), after.high.y());
+  if (y >= low - kRounding && y <= high + kRounding) return;
+  throw InputError("--y must be where rock lies, from " + spelled(low) + " to " + spelled(high) +
+                   " m, got '" + spelled(y) + "'");
+}
+
+}  // namespace
 
 SectionPlot section_of_run(const RunData& run, double y, const std::string& colour_by) {
   SectionPlot plot{};
   const std::vector<StartBlock>& all = run.folder.blocks();
+  require_rock_at(y, run);
   plot.polygons = section_at(y, all, run.with_muck().states);
   plot.moved = run.moved;
   plot.moved.resize(all.size(), 1);

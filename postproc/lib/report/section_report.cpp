@@ -80,6 +80,13 @@ LineHeights heights_along(const PlanLine& line, const RunData& run, double width
   return heights;
 }
 
+void require_width(const LineOptions& options) {
+  constexpr double kWidest = 1e4;  // [m]
+  if (options.width && !(*options.width <= kWidest))
+    throw InputError("section: --width must be at most 1e4 m, got '" + spelled(*options.width) +
+                     "'");
+}
+
 void require_rock(const LineHeights& heights, const PlanLine& line, const RunData& run) {
   const auto is_rock = [&](const std::vector<double>& tops) {
     for (size_t i = 0; i < tops.size(); ++i)
@@ -185,6 +192,7 @@ SectionPlot plot_of(const LineHeights& heights, const PlanLine& line, const RunD
 void report_section(const ResultFolder& folder, const MeasureOptions& measure,
                     const LineOptions& options) {
   const PlanLine line = plan_line_of(folder, options, "section");
+  require_width(options);
   const std::string scene = folder.scene_word("case");
   const bool floor = scene == "bench" || scene == "heap";
   const RunData run(folder, measure);

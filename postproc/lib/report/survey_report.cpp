@@ -123,6 +123,20 @@ void require_overlap(const std::string& file, const Extent& survey, const Extent
              shift_text(shift_between(survey, run, pose)));
 }
 
+// Grids often hold a number such as -9999 where nothing was surveyed.
+void require_heights(const std::string& file, const SurfacePair& pair) {
+  constexpr double kFarthest = 500.0;  // [m]; no bench or heap is as high
+  for (size_t k = 0; k < pair.grid.cells(); ++k) {
+    if (pair.compared[k] == 0 || std::abs(pair.survey[k] - pair.run[k]) <= kFarthest) continue;
+    const auto columns_x = static_cast<size_t>(pair.grid.nx);
+    refuse(file, "has the height " + spelled(pair.survey[k], 6) +
+                     " m at x = " + spelled(pair.grid.x(static_cast<int>(k % columns_x))) +
+                     ", y = " + spelled(pair.grid.y(static_cast<int>(k / columns_x))) +
+                     " m, where the run's is " + spelled(pair.run[k]) +
+                     " m; leave out points that stand for no data");
+  }
+}
+
 struct Comparison {
   SurfacePair pair;
   double pile_share = 0.0;  // of the pile's plan that has a surveyed height
@@ -259,6 +273,7 @@ void report_survey(const ResultFolder& folder, const MeasureOptions& measure,
     refuse(options.surface,
            "has no height over the run's rock, though their boxes overlap; see --shift, --turn and "
            "--gap");
+  require_heights(options.surface, c.pair);
   const Shapes shapes = shapes_of(c.pair, profile_frame(folder, run), run.block_size);
   const SurfaceDifference difference = difference_of(c.pair);
   write_table(c.pair, folder);

@@ -197,6 +197,20 @@ TEST_F(CalibrateFiles, TheConstantsOfTheMeasuredBlastComeOut) {
   EXPECT_GT(std::filesystem::file_size(file("calibrate.png")), 1000U);
 }
 
+// Their profiles have the column floor_m, which is no figure of a blast.
+TEST_F(CalibrateFiles, RunsOnASurveyedFloorAreFittedByTheirFigures) {
+  for (const char* e : {"0.5", "0.7", "1"})
+    for (const char* f : {"0.3", "0.5", "0.8"})
+      write_text(file("run" + std::string(e) + "-" + f + "/profile.csv"),
+                 "x_m,pile_mean_m,floor_m\n0,4,-0.5\n1,3,-0.6\n");
+  report_calibration(options());
+  const CsvTable table = CsvTable::read(file("calibrate.csv"));
+  EXPECT_NEAR(table.number(0, table.column("estimate")), 0.8, 1e-5);
+  EXPECT_NEAR(table.number(1, table.column("estimate")), 0.45, 1e-5);
+  measure("throw_cg_m,11,0.5\nfloor_m,-0.5,0.1\n");
+  expect_refused("no run of the sweep has the figure 'floor_m'");
+}
+
 TEST_F(CalibrateFiles, TheTableOfFiguresIsTheGoldenOne) {
   measure("throw_cg_m,11,0.5\n");
   report_calibration(options());

@@ -7,6 +7,7 @@
 
 #include "args/input_error.h"
 #include "compare/comparison.h"
+#include "compare/inputs_apart.h"
 #include "temporary_folder.h"
 
 namespace muckpile {
@@ -52,6 +53,19 @@ class Compare : public ::testing::Test {
 };
 
 using Names = std::vector<std::string>;
+
+TEST_F(Compare, TellsInWhichKnobsTheInputsDiffer) {
+  EXPECT_EQ(inputs_apart(path("a"), path("b")), Names{});  // no scene
+  const auto scene = [&](const char* run, const std::string& knobs) {
+    std::filesystem::create_directory(path(run) / "dump");
+    write_text(path(run) / "dump" / "scene.json", R"({"case": "bench", "knobs": {)" + knobs + "}}");
+  };
+  scene("a", R"("out": "a", "bench_height": 10.0, "seed": 1, "rock": "granite", "burden": 2.5)");
+  scene("b", R"("out": "b", "bench_height": 8, "seed": 1.0, "rock": "basalt", "sleep": 0)");
+  EXPECT_EQ(inputs_apart(path("a"), path("b")), (Names{"bench_height 10, 8", "burden 2.5, none",
+                                                       "rock granite, basalt", "sleep none, 0"}));
+  EXPECT_EQ(inputs_apart(path("a") / "summary.json", path("b")), Names{});
+}
 
 TEST_F(Compare, ARunIsAsItself) { EXPECT_EQ(differing(), Names{}); }
 

@@ -165,5 +165,12 @@ TEST_F(DigOfABench, RefusesWhatHasNoOre) {
   EXPECT_NE(error().find("no block of the run is ore"), std::string::npos);
 }
 
+// As lines of another place, or in other coordinates.
+TEST_F(DigOfABench, RefusesLinesWithoutRock) {
+  options_.dig = file("lines.csv", box("far", 400, 500, -2, 2, "-1,20"));
+  EXPECT_NE(error().find("lines.csv: no rock lies in its polygons after the blast"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace muckpile

@@ -339,6 +339,17 @@ TEST_F(Lines, FaultyLinesAreRefused) {
               report_section(folder(), measure_, line);
             }).find("meets no rock, which lies from x = -8 to 14 m"),
             std::string::npos);
+  line.width = 1e9;
+  EXPECT_NE(input_error_of([&] {
+              report_section(folder(), measure_, line);
+            }).find("section: --width must be at most 1e4 m, got '1e+09'"),
+            std::string::npos);
+  line.from = {600000.0, 7100000.0};
+  line.to = {600010.0, 7100000.0};
+  EXPECT_NE(input_error_of([&] {
+              report_over(folder(), measure_, line);
+            }).find("must lie within 10 km of the rock, got 7125 km; places in the mine are"),
+            std::string::npos);
 }
 
 TEST_F(Lines, VolumeOverALineIsThatOfThePileBeyond) {

@@ -137,12 +137,26 @@ TEST_F(Polygons, FaultyOnesAreRefusedByLine) {
   expect_refused(head, "has no row");
   expect_refused(head + "A,0,0\nA,1,0\n", "ore.csv:3: polygon 'A' must have three corners");
   expect_refused(head + "A,0,0\nA,1,0\nA,2,0\n", "polygon 'A' has no area");
+  expect_refused(head + "A,0,0\nA,4,4\nA,4,0\nA,0,3\n",
+                 "ore.csv:5: polygon 'A' crosses itself: its edge from corner 1 to 2 and that from "
+                 "corner 3 to 4; give the corners in order");
   expect_refused(head + "A,0,0\nA,1,0\nA,0,1\nB,0,0\nB,1,0\nB,0,1\nA,3,3\n",
                  "ore.csv:8: the rows of polygon 'A' must follow each other");
   expect_refused(head + "A,0,x\n", "ore.csv:2");
   expect_refused("polygon,x_m,y_m,z_low_m\nA,0,0,0\n", "must both be there, or neither");
   expect_refused("polygon,x_m,y_m,z_low_m,z_high_m\nA,0,0,2,1\n", "z_high_m must be > z_low_m");
   expect_refused("polygon,x_m,y_m,z_low_m,z_high_m\nA,0,0,0,1\nA,0,0,0,2\n", "must be the same");
+}
+
+// A ring around an island, whose corners come twice where it is cut open, and a corner on an edge.
+TEST_F(Polygons, MayTouchThemselves) {
+  const auto ring = read_ore_polygons(
+      file("polygon,x_m,y_m\nA,0.1,0.3\nA,9.1,0.3\nA,9.1,9.3\nA,0.1,9.3\nA,0.1,0.3\n"
+           "A,3.1,3.3\nA,3.1,6.3\nA,6.1,6.3\nA,6.1,3.3\nA,3.1,3.3\n"));
+  EXPECT_TRUE(ring[0].contains(Vec3(1, 5, 0)));
+  EXPECT_FALSE(ring[0].contains(Vec3(5, 5, 0)));
+  EXPECT_EQ(read_ore_polygons(file("polygon,x_m,y_m\nA,0,0\nA,2,0\nA,2,2\nA,1,0\nA,0,2\n")).size(),
+            1U);
 }
 
 // The whole prism in one polygon: it goes as far as the throw.

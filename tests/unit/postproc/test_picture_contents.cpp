@@ -9,6 +9,7 @@
 
 #include "draw/text.h"
 #include "drawn_picture.h"
+#include "input_error_of.h"
 #include "report/block_colours.h"
 #include "report/fragments_plot.h"
 #include "report/picture_report.h"
@@ -127,6 +128,17 @@ TEST_F(PicturesOfABench, ProfileHasRockHoleAndSurfacesToScale) {
   const Box crest = drawn.extent(kBench, ruler.box(-4.8, 0.5, -0.2, 11.0));  // before, dashed
   EXPECT_NEAR(crest.width() / ruler.per_metre, 4.6, 0.4);
   EXPECT_NEAR((ruler.origin.y() - crest.middle().y()) / ruler.per_metre, kBenchHeight, off);
+}
+
+TEST_F(PicturesOfABench, ProfileBesideTheRockIsRefused) {
+  SectionOptions options;
+  for (const double y : {1e6, -2.1, std::nan("")}) {
+    options.y = y;
+    EXPECT_NE(input_error_of([&] {
+                report_profile(folder(), {kCube, 0.125}, options);
+              }).find("--y must be where rock lies, from -1 to 1 m, got '"),
+              std::string::npos);
+  }
 }
 
 TEST_F(PicturesOfABench, ProfileHasEachBlockInItsColour) {
@@ -364,14 +376,14 @@ View view_of_scale(double pixels_per_metre) {
 TEST(PictureWords, CaptionAndScaleBarDoNotMeet) {
   constexpr int kHeight = 300;
   const BlockColours colours{{}, "", strata_map(0.0, 1.0)};
-  for (const int width : {200, 230, 261, 340, 500, 641, 900}) {
-    for (const double per_metre : {40.0, 81.0, 100.0, 200.0}) {
+  for (const int width : {200, 261, 500, 900}) {
+    for (const double per_metre : {40.0, 81.0, 200.0}) {
       Canvas bar(width, kHeight, kWhite);
       draw_scale_bar(view_of_scale(per_metre), bar);
       const DrawnPicture scale(bar);
       for (const Box& side : {Box{0, 0, 20, kHeight}, Box{width - 20, 0, width, kHeight}})
         EXPECT_EQ(scale.count(kWhite, side), side.width() * side.height()) << width;
-      for (const size_t letters : {5U, 15U, 25U, 35U, 45U, 60U, 80U}) {
+      for (const size_t letters : {5U, 25U, 45U, 80U}) {
         SCOPED_TRACE(std::to_string(width) + " px, " + std::to_string(per_metre) + " px/m, " +
                      std::to_string(letters));
         Canvas words(width, kHeight, kWhite);

@@ -300,6 +300,22 @@ TEST_F(Render, DrawsASectionInTheBrokenShare) {
   EXPECT_NE(text_of(file("pile3d.png")), whole);
 }
 
+TEST_F(Render, RefusesACutBesideTheRock) {
+  for (const double y : {1e6, -1e6, std::nan("")}) {
+    options_.section = y;
+    EXPECT_NE(input_error_of([&] { draw(); }).find("render: a cut must meet rock"),
+              std::string::npos);
+  }
+  options_.section.reset();
+  LineOptions line;
+  line.from = {500.0, 0.0};
+  line.to = {500.0, 1.0};
+  EXPECT_NE(input_error_of([&] {
+              report_picture(ResultFolder(temporary_.path()), options_, line);
+            }).find("render: a cut must meet rock, which lies from x = "),
+            std::string::npos);
+}
+
 TEST_F(Render, DrawsASectionAlongAnyLine) {
   options_.section = 0.0;
   draw();

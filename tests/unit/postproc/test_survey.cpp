@@ -361,6 +361,17 @@ TEST(SurveyedPoints, AcrossAGapAreNotJoinedWhereOneStraysFarOff) {
   EXPECT_TRUE(std::isnan(in_the_gap()));
 }
 
+// As grids mark what was not surveyed.
+TEST_F(Survey, HeightsThatStandForNoDataAreRefused) {
+  std::istringstream all(points(0.2, [](const Vec3& p) { return p; }));
+  std::string holed;
+  for (std::string line; std::getline(all, line);)
+    holed +=
+        line.starts_with("3.0625 ") ? line.substr(0, line.rfind(' ')) + " -9999\n" : line + "\n";
+  expect_in("pile.xyz: has the height -9999 m at x = 3.0", refused("pile.xyz", holed));
+  expect_in("leave out points that stand for no data", refused("pile.xyz", holed));
+}
+
 TEST_F(Survey, PointFilesAreRefusedByLine) {
   expect_in("a.xyz:2: expected 3 fields as in the lines before, got 2",
             refused("a.xyz", "1 2 3\n4 5\n"));
