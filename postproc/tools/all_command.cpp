@@ -33,7 +33,7 @@ void report_all(const std::string& path, bool vtk) {
     try {
       make_report(folder, name);
     } catch (const NotMeasurable& refusal) {
-      std::fprintf(stderr, "muckpile-post: %s\n", refusal.what());
+      tell(refusal);
       refused += " " + name;
     }
   }

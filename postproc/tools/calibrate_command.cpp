@@ -27,7 +27,7 @@ int status_of(const CheckOptions& options) {
     print(result.lines);
     return result.agrees ? 0 : 1;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "muckpile-post: %s\n", error.what());
+    tell(error);
     return 2;
   }
 }

@@ -3,7 +3,9 @@
 // Scope: see the header.
 #include "command_words.h"
 
+#include <cctype>
 #include <cmath>
+#include <cstdio>
 
 #include "args/suggestion.h"
 #include "report/block_fields.h"
@@ -18,6 +20,18 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* help, std::st
 
 namespace {
 
+std::string printable(std::string message) {
+  constexpr std::size_t kMost = 800;
+  if (message.size() > kMost) {
+    std::size_t end = kMost;  // not within a character of UTF-8
+    while (end > 0 && (static_cast<unsigned char>(message[end]) & 0xC0u) == 0x80u) --end;
+    message = message.substr(0, end) + " ...";
+  }
+  for (char& c : message)
+    if (std::iscntrl(static_cast<unsigned char>(c)) != 0 && c != '\n') c = '?';
+  return message;
+}
+
 CLI::Validator finite(bool (*allowed)(double), const std::string& rule, const char* name) {
   const auto wrong = [allowed, rule](const std::string& word) -> std::string {
     double number = 0.0;
@@ -28,6 +42,10 @@ CLI::Validator finite(bool (*allowed)(double), const std::string& rule, const ch
 }
 
 }  // namespace
+
+void tell(const std::exception& fault) {
+  std::fprintf(stderr, "muckpile-post: %s\n", printable(fault.what()).c_str());
+}
 
 CLI::Validator above_zero() {
   return finite([](double number) { return number > 0.0; }, "> 0", "POSITIVE");

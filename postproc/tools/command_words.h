@@ -4,6 +4,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <exception>
 #include <string>
 
 #include "report/options.h"
@@ -17,6 +18,10 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* help, std::st
 /// print the largest number there is instead.
 CLI::Validator above_zero();
 CLI::Validator at_least_zero();
+
+/// Tells of a fault on the error stream: the beginning of its message, which may quote a file of
+/// another kind, without what moves a cursor.
+void tell(const std::exception& fault);
 
 /// --moved and --cell.
 void add_measure(CLI::App* command, MeasureOptions& options);

@@ -74,7 +74,7 @@ int status_of(const CompareWords& words) {
   try {
     return compare(words) ? 0 : 1;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "muckpile-post: %s\n", error.what());
+    tell(error);
     return 2;
   }
 }

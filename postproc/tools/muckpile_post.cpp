@@ -4,7 +4,6 @@
 // explanation; 3 where a report has no measures for the scene of a sound run; of compare, see
 // compare_command.h.
 #include <CLI/CLI.hpp>
-#include <cctype>
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -95,19 +94,6 @@ void add_series_command(CLI::App& app) {
   series->add_option("--every", o->every, "write only every n-th snapshot and the last")
       ->check(above_zero());
   series->callback([o] { report_series(ResultFolder(o->folder), o->every); });
-}
-
-// Of a message that may quote a file of another kind: its beginning, without what moves a cursor.
-std::string printable(std::string message) {
-  constexpr size_t kMost = 800;
-  if (message.size() > kMost) message = message.substr(0, kMost) + " ...";
-  for (char& c : message)
-    if (std::iscntrl(static_cast<unsigned char>(c)) != 0 && c != '\n') c = '?';
-  return message;
-}
-
-void tell(const std::exception& fault) {
-  std::fprintf(stderr, "muckpile-post: %s\n", printable(fault.what()).c_str());
 }
 
 }  // namespace

@@ -23,7 +23,8 @@ void add_overlay_command(CLI::App& app) {
   command->add_option("--table", options->table,
                       "which table of each: profile.csv, fragments.csv, sieve.csv, crater.csv, "
                       "heap.csv, movement.csv, polygons.csv, rows.csv ...");
-  command->add_option("--columns", options->columns, "of the table (default: all)");
+  command->add_option("--columns", options->columns,
+                      "of the table (default: all that every run has)");
   command->add_option("--out", options->out, "folder for what is written");
   command->callback([options] {
     for (const auto& file : report_overlay(*options))

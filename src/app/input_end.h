@@ -25,7 +25,8 @@ class InputEnd {
  private:
   [[nodiscard]] bool nothing_left(const LAMMPS_NS::LAMMPS& lmp) const;
   std::FILE* script_ = nullptr;
-  int number_ = -1;  // of the open file
+  int number_ = -1;           // of the open file
+  bool ends_plainly_ = true;  // its last command runs no others
 };
 
 /// In the log, and on the screen where something was cut short.

@@ -44,6 +44,20 @@ printf 'run 5\n%s' "$stop" >in.part
 ends 'interrupted: before the end of the input' 'include in.part
 print more'
 
+ends 'interrupted: before the end of the input' "if '1 == 1' then \"shell 'kill -USR2 \$PPID'\" 'run 10'"
+ends 'interrupted: before the end of the input' "run 20 every 10 &
+  \"shell 'kill -USR2 \$PPID'\""
+ends 'interrupted: before the end of the input' "write_restart_on_signal no
+run 10
+$stop"
+
+# A pipe that stays open is not waited for.
+mkfifo pipe
+(printf '%s\nrun 10\n%s\n' "$scene" "$stop"; exec sleep 60) >pipe &
+writer=$!
+timeout 30 "$program" <pipe >screen 2>&1 || fail "the engine waits for more of its input"
+kill "$writer"
+
 # A signal in the middle of a plain run, which looks for signals where it writes.
 printf '%s\nthermo 1000\nrun 2000000000\n' "$scene" >in.plain
 rm -f log.liggghts

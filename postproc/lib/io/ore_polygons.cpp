@@ -23,12 +23,13 @@ double area_of(const std::vector<Vec2>& corners) {
   return 0.5 * std::abs(twice);
 }
 
-// On which side of the line through two points another lies: 1 or -1, 0 on it.
+// On which side of the line through two points another lies: 1 or -1, 0 on it, as is what lies
+// within the centimetre of surveys.
 int side_of(const Vec2& a, const Vec2& b, const Vec2& point) {
-  constexpr double kRounding = 1e-12;
+  constexpr double kSurvey = 0.01;  // [m]
   const Vec2 along = b - a, to = point - a;
   const double one = along.x() * to.y(), other = along.y() * to.x();
-  if (std::abs(one - other) <= kRounding * (std::abs(one) + std::abs(other))) return 0;
+  if (std::abs(one - other) <= kSurvey * along.norm()) return 0;
   return one > other ? 1 : -1;
 }
 

@@ -101,8 +101,8 @@ bool read_decimal(const char*& at, const char* end, Number& value, char behind) 
   Number number = 0;
   for (unsigned digit = 0; stop != end; ++stop) {
     if ((digit = static_cast<unsigned>(*stop - '0')) > 9) break;
-    number = 10 * number + static_cast<Number>(digit);
     if (stop - at == std::numeric_limits<Number>::digits10) return false;
+    number = 10 * number + static_cast<Number>(digit);
   }
   if (stop == at || stop == end || *stop != behind) return false;
   value = number;

@@ -22,7 +22,8 @@ bool reaches(const StartBlock& block, double distance) {
 }
 
 /// An edge that belongs to two faces gives the same point twice.
-std::vector<Vec2> crossings(double y, const std::vector<Vec3>& vertices, const FlatPolyhedron& shape) {
+std::vector<Vec2> crossings(double y, const std::vector<Vec3>& vertices,
+                            const FlatPolyhedron& shape) {
   std::vector<Vec2> points;
   for (const std::span<const int> face : shape.faces) {
     for (size_t k = 0; k < face.size(); ++k) {

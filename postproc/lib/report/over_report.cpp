@@ -74,7 +74,9 @@ void require_near(const PlanLine& line, const RunData& run) {
   constexpr double kFarthest = 1e4;  // [m]; no rock flies as far
   const Extent rock = extent_of(run.blocks, run.last.states);
   const Vec2 middle = 0.5 * (rock.low + rock.high).head<2>();
-  const double away = std::min((line.from - middle).norm(), (line.to - middle).norm());
+  const Vec2 along = line.to - line.from, to = middle - line.from;
+  const double at = std::clamp(to.dot(along) / along.squaredNorm(), 0.0, 1.0);
+  const double away = (to - at * along).norm();
   if (away <= kFarthest) return;
   throw InputError("over: the line " + words_of(line) + " must lie within 10 km of the rock, got " +
                    spelled(1e-3 * away, 4) + " km; places in the mine are given with --mine");

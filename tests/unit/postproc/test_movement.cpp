@@ -157,6 +157,13 @@ TEST_F(Polygons, MayTouchThemselves) {
   EXPECT_FALSE(ring[0].contains(Vec3(5, 5, 0)));
   EXPECT_EQ(read_ore_polygons(file("polygon,x_m,y_m\nA,0,0\nA,2,0\nA,2,2\nA,1,0\nA,0,2\n")).size(),
             1U);
+  // In mine coordinates of two decimals, a corner at the middle of another edge is on it.
+  EXPECT_EQ(
+      read_ore_polygons(file("polygon,x_m,y_m\nA,600022.01,7100093.25\nA,600041.35,7100111.67\n"
+                             "A,600022.47,7100112.13\nA,600031.68,7100102.46\n"
+                             "A,600019.24,7100109.06\n"))
+          .size(),
+      1U);
 }
 
 // The whole prism in one polygon: it goes as far as the throw.
