@@ -75,12 +75,12 @@ std::map<int, Pose> poses(const fs::path& dump) {
 
 /// The cube around the spheres.
 StartBlock cube(int id, const Pose& pose) {
-  StartBlock block{id, {}, pose.centre, std::pow(kEdge, 3), kEdge, 1.0, false};
+  Polyhedron shape;
   for (std::size_t s = 0; s < kSpheres; ++s)
-    block.shape.vertices.push_back(pose.centre + 0.5 * kEdge * (pose.turn * corner(s)));
-  block.shape.faces = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
-                       {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
-  return block;
+    shape.vertices.push_back(pose.centre + 0.5 * kEdge * (pose.turn * corner(s)));
+  shape.faces = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                 {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  return {id, shape, pose.centre, std::pow(kEdge, 3), kEdge, 1.0, false};
 }
 
 struct Heap {
