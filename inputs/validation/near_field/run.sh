@@ -30,6 +30,8 @@ peaks hole_144_mm hole_diameter 0.144
 peaks hole_204_mm hole_diameter 0.204
 peaks heavy_anfo explosive heavy_anfo
 peaks emulsion explosive emulsion
+peaks anfo_shock attenuation_exponent auto
+peaks emulsion_shock explosive emulsion attenuation_exponent auto
 peaks anfo_two_stage expansion two_stage attenuation_exponent auto
 peaks emulsion_two_stage explosive emulsion expansion two_stage attenuation_exponent auto
 # Liu and Katsabanis' exponents of the two.
