@@ -143,8 +143,10 @@ TEST_F(DumpFiles, ReaderOfVelocitiesHasThoseOfTheWholeStates) {
       const Snapshot all = read_snapshot(dump(name), blocks);
       const Snapshot& now = reader.read(dump(name));
       EXPECT_EQ(now.time, all.time);
-      for (size_t b = 0; b < blocks.size(); ++b)
-        if (of.empty() || of[b] != 0) EXPECT_EQ(now.states[b].velocity, all.states[b].velocity);
+      for (size_t b = 0; b < blocks.size(); ++b) {
+        if (!of.empty() && of[b] == 0) continue;
+        EXPECT_EQ(now.states[b].velocity, all.states[b].velocity);
+      }
     }
   }
 }
@@ -268,7 +270,7 @@ TEST_F(DumpFiles, MovedPointTurnsAboutTheCentroid) {
 // The one before it would be taken for the pile at rest.
 TEST_F(DumpFiles, TheSnapshotOfTheEndMustBeThere) {
   std::filesystem::remove(dump("blocks_000002000.csv"));
-  expect_contains(input_error_of([&] { ResultFolder(folder_.path()).snapshots(); }),
+  expect_contains(input_error_of([&] { (void)ResultFolder(folder_.path()).snapshots(); }),
                   "blocks_000001000.csv: is the last snapshot, but the run came to rest at step "
                   "2000: that one's is missing");
   edit("run.json", "\"still\": true", "\"still\": false");
