@@ -106,7 +106,7 @@ ProductExpansion jwl_of(const ChargeOptions& options, const NamedExplosive& expl
   if (options.dense_share > most) {
     std::ostringstream rule;
     rule << "at most " << most << ", what is spent at " << JwlIsentrope::kFittedTo
-         << " V0 to which JWL is fitted,";
+         << " V0 to which JWL is fitted";
     refuse_value("dense_share", rule.str(), "", options.dense_share);
   }
   const ProductExpansion from_start(JwlGas(*explosive.jwl, fit.pressure(1.0)));
