@@ -72,7 +72,7 @@ JwlGas::JwlGas(const JwlParameters& parameters, double switch_pressure)
   if (switch_ratio_ <= JwlIsentrope::kFittedTo) return;
   std::ostringstream rule;
   rule << "at least " << isentrope_.pressure(JwlIsentrope::kFittedTo) << " Pa, the pressure at "
-       << JwlIsentrope::kFittedTo << " V0 to which JWL is fitted,";
+       << JwlIsentrope::kFittedTo << " V0 to which JWL is fitted";
   refuse_value("gas_switch_pressure", rule.str().c_str(), "", switch_pressure);
 }
 
