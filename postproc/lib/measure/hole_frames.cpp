@@ -51,7 +51,6 @@ Vec2 HoleFrames::from_axis(const Vec3& p, size_t hole) const {
   return turned(p.head<2>() - h.foot - p.z() * h.lean, h.direction);
 }
 
-// One burden behind it, as a hole of the next row, which may be staggered.
 bool HoleFrames::stands_behind(size_t other, size_t hole) const {
   const HoleFrame& h = holes_[hole];
   const Vec2 place = turned(holes_[other].foot - h.foot, h.direction);
@@ -66,6 +65,19 @@ size_t HoleFrames::hole_at(const Vec3& p) const {
     const double distance = (p.head<2>() - holes_[h].foot - p.z() * holes_[h].lean).squaredNorm();
     if (distance >= least) continue;
     least = distance;
+    nearest = h;
+  }
+  return nearest;
+}
+
+std::optional<size_t> HoleFrames::hole_behind(const Vec3& p) const {
+  std::optional<size_t> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (size_t h = 0; h < holes_.size(); ++h) {
+    const Vec2 place = from_axis(p, h);
+    if (place.x() < 0.0 || std::abs(place.y()) > 0.5 * plan_.spacing) continue;
+    if (place.squaredNorm() >= least) continue;
+    least = place.squaredNorm();
     nearest = h;
   }
   return nearest;

@@ -4,6 +4,7 @@
 // Scope: rock is measured by the hole whose axis is nearest to it, in plan at its own height.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,11 @@ class HoleFrames {
   [[nodiscard]] double face_at(size_t hole, double height) const;
   // The nearest one.
   [[nodiscard]] size_t hole_at(const Vec3& p) const;
+  // The nearest of those that stand behind it, half a spacing to a side at most; none where all
+  // stand in front or farther aside.
+  [[nodiscard]] std::optional<size_t> hole_behind(const Vec3& p) const;
+  // One burden behind it, as a hole of the next row, which may be staggered.
+  [[nodiscard]] bool stands_behind(size_t other, size_t hole) const;
   // No hole stands behind it.
   [[nodiscard]] bool is_last(size_t hole) const { return last_[hole] != 0; }
   // Of the last row by BenchPlanes::row_depth [m].
@@ -59,7 +65,6 @@ class HoleFrames {
 
  private:
   [[nodiscard]] Vec2 from_axis(const Vec3& p, size_t hole) const;
-  [[nodiscard]] bool stands_behind(size_t other, size_t hole) const;
   [[nodiscard]] double depth_of_row(size_t hole) const;
 
   std::vector<HoleFrame> holes_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace muckpile {
 namespace {
@@ -26,105 +27,139 @@ std::vector<Vec2> clipped(const std::vector<Vec2>& polygon, const HalfPlane& sid
   return kept.size() < 3 ? std::vector<Vec2>{} : kept;
 }
 
-Vec2 axis_at(const PatternHole& hole, double height) { return hole.foot + height * hole.lean; }
+// A row as it is at one height: its holes' places, by y, and the borders between them.
+struct RowCut {
+  std::vector<Vec2> axes;
+  std::vector<double> borders;  // one less [m]
+};
 
-void add_bisectors(std::vector<HalfPlane>& sides, const std::vector<PatternHole>& holes, size_t own,
-                   double height) {
-  const Vec2 axis = axis_at(holes[own], height);
-  for (size_t other = 0; other < holes.size(); ++other) {
-    const Vec2 way = axis_at(holes[other], height) - axis;
-    if (other != own) sides.push_back({way, way.dot(axis + 0.5 * way)});
+std::vector<RowCut> rows_at(const std::vector<PatternHole>& holes, double height) {
+  std::vector<RowCut> rows;
+  for (size_t first = 0; first < holes.size(); first = end_of_row(holes, first)) {
+    RowCut row;
+    for (size_t h = first; h < end_of_row(holes, first); ++h) {
+      row.axes.push_back(axis_at(holes[h], height));
+      const size_t k = row.axes.size();
+      if (k > 1) row.borders.push_back(0.5 * (row.axes[k - 2].y() + row.axes[k - 1].y()));
+    }
+    rows.push_back(std::move(row));
   }
+  return rows;
 }
 
-// Face, rear and ends of a bench that throws along x; a face that is no plane is cut by its line.
-void add_bench(std::vector<HalfPlane>& sides, const BenchPlanes& planes, const PlanCut& cut) {
-  const double rear = cut.depth + 0.5 * cut.burden + planes.hole_back * cut.height;
-  sides.push_back({-Vec2::UnitX(), rear});
-  sides.push_back({-Vec2::UnitY(), -planes.y_low});
-  sides.push_back({Vec2::UnitY(), planes.y_high});
-  if (planes.face == nullptr) sides.push_back({Vec2::UnitX(), -planes.face_back * cut.height});
-}
-
-// Of a hole with a direction of its own; half a spacing to a side where no hole stands.
-void add_frame(std::vector<HalfPlane>& sides, const HoleFrames& frames, const std::string& name,
-               const PlanCut& cut) {
-  const auto own = std::ranges::find(frames.holes(), name, &HoleFrame::name);
-  if (own == frames.holes().end()) return;
-  const Vec2 along = own->direction, left(-along.y(), along.x());
-  const Vec2 axis = own->foot + cut.height * own->lean;
-  const auto hole = static_cast<size_t>(own - frames.holes().begin());
-  sides.push_back({along, frames.face_at(hole, cut.height)});
-  const double row = frames.is_last(hole) ? frames.depth() : (own->row + 1) * frames.plan().burden;
-  const double rear =
-      frames.depth() + 0.5 * cut.burden - row;  // behind the axis, as row_depth has it
-  sides.push_back({-along, rear - along.dot(axis)});
-  const double half = 0.5 * frames.plan().spacing;
-  for (const Vec2& side : {left, Vec2(-left)}) {
-    const bool bounded = std::ranges::any_of(frames.holes(), [&](const HoleFrame& other) {
-      const Vec2 way = other.foot - own->foot;
-      return side.dot(way) > 0.5 * half && std::abs(along.dot(way)) < 1.75 * cut.burden;
-    });
-    if (!bounded) sides.push_back({side, side.dot(axis) + half});
+// Where rock of row `r` ends in front, before a piece of the width within which no border lies.
+double front_at(const std::vector<RowCut>& rows, size_t r, double y) {
+  double front = HUGE_VAL;
+  for (size_t q = 0; q < r; ++q) {
+    const auto hole = std::ranges::upper_bound(rows[q].borders, y) - rows[q].borders.begin();
+    front = std::min(front, rows[q].axes[static_cast<size_t>(hole)].x());
   }
+  return front;
 }
 
-// Where a line of constant y runs through a convex polygon: least and greatest x; false beside it.
-bool across(const std::vector<Vec2>& polygon, double y, Vec2& ends) {
-  ends = {HUGE_VAL, -HUGE_VAL};
-  for (size_t k = 0; k < polygon.size(); ++k) {
-    const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
-    if (std::min(a.y(), b.y()) > y || std::max(a.y(), b.y()) < y) continue;
-    const double share = a.y() == b.y() ? 0.0 : (y - a.y()) / (b.y() - a.y());
-    for (const double x : {a.x() + share * (b.x() - a.x()), a.y() == b.y() ? b.x() : HUGE_VAL}) {
-      if (x == HUGE_VAL) continue;
-      ends = {std::min(ends.x(), x), std::max(ends.y(), x)};
+// Where its front may turn, rising, both ends included.
+std::vector<double> turns_between(const std::vector<RowCut>& rows, size_t r, double low,
+                                  double high, bool curved_face) {
+  constexpr int kPieces = 24;
+  std::vector<double> turns{low, high};
+  for (size_t q = 0; q < r; ++q)
+    std::ranges::copy_if(rows[q].borders, std::back_inserter(turns),
+                         [&](double y) { return y > low && y < high; });
+  for (int k = 1; curved_face && k < kPieces; ++k)
+    turns.push_back(low + (high - low) * k / kPieces);
+  std::ranges::sort(turns);
+  return turns;
+}
+
+void add_corner(std::vector<Vec2>& corners, const Vec2& p) {
+  const size_t n = corners.size();
+  if (n > 1 && corners[n - 2].x() == p.x() && corners[n - 1].x() == p.x()) corners.pop_back();
+  if (corners.empty() || corners.back() != p) corners.push_back(p);
+}
+
+// Of a bench that throws along x: hole `k` of row `r`.
+std::vector<Vec2> burden_along_x(const std::vector<RowCut>& rows, size_t r, size_t k,
+                                 const BenchPlanes& planes, const PlanCut& cut) {
+  const RowCut& row = rows[r];
+  const double low = k > 0 ? row.borders[k - 1] : std::max(planes.y_low, cut.low.y());
+  const double high =
+      k + 1 < row.axes.size() ? row.borders[k] : std::min(planes.y_high, cut.high.y());
+  const double rear = std::max(row.axes[k].x(), cut.low.x());
+  const auto face = [&](double y) {
+    const double x =
+        planes.face != nullptr ? planes.face->x(y, cut.height) : -planes.face_back * cut.height;
+    return std::min(x, cut.high.x());
+  };
+  std::vector<Vec2> corners;
+  double reach = 0.0;
+  const std::vector<double> turns = turns_between(rows, r, low, high, planes.face != nullptr);
+  for (size_t t = 0; t + 1 < turns.size(); ++t) {
+    const double front = front_at(rows, r, 0.5 * (turns[t] + turns[t + 1]));
+    for (const double y : {turns[t], turns[t + 1]}) {
+      const double x = std::max(rear, std::min(front, face(y)));
+      add_corner(corners, {x, y});
+      reach = std::max(reach, x - rear);
     }
   }
-  return ends.x() <= ends.y();
+  if (low >= high || reach <= 0.0) return {};
+  corners.emplace_back(rear, high);
+  corners.emplace_back(rear, low);
+  return corners;
 }
 
-// Its front as the face is there.
-std::vector<Vec2> behind_face(const std::vector<Vec2>& polygon, const FaceMap& face,
-                              double height) {
-  constexpr int kPieces = 24;
-  if (polygon.empty()) return {};
-  const auto by_y = [](const Vec2& p) { return p.y(); };
-  const double low = std::ranges::min(polygon, {}, by_y).y(),
-               high = std::ranges::max(polygon, {}, by_y).y();
-  std::vector<Vec2> front, rear;
-  for (int k = 0; k <= kPieces; ++k) {
-    const double y = low + (high - low) * k / kPieces;
-    Vec2 ends;
-    if (!across(polygon, y, ends)) continue;
-    const double x = std::min(ends.y(), face.x(y, height));
-    if (x <= ends.x()) continue;
-    front.emplace_back(x, y);
-    rear.emplace_back(ends.x(), y);
+void add_bisectors(std::vector<HalfPlane>& sides, const HoleFrames& frames, size_t own,
+                   double height) {
+  const auto axis_of = [&](size_t hole) {
+    return Vec2(frames.holes()[hole].foot + height * frames.holes()[hole].lean);
+  };
+  const Vec2 axis = axis_of(own);
+  for (size_t other = 0; other < frames.holes().size(); ++other) {
+    const Vec2 way = axis_of(other) - axis;
+    if (other == own) continue;
+    if (frames.stands_behind(own, other)) {  // its rock begins behind the other
+      const Vec2& along = frames.holes()[other].direction;
+      sides.push_back({along, along.dot(axis_of(other))});
+    } else {
+      sides.push_back({way, way.dot(axis + 0.5 * way)});
+    }
   }
-  front.insert(front.end(), rear.rbegin(), rear.rend());
-  return front.size() < 4 ? std::vector<Vec2>{} : front;
+}
+
+// Of a hole with a direction of its own.
+std::vector<HalfPlane> sides_of(const HoleFrames& frames, size_t hole, double height) {
+  std::vector<HalfPlane> sides;
+  add_bisectors(sides, frames, hole, height);
+  const HoleFrame& own = frames.holes()[hole];
+  const Vec2 along = own.direction, left(-along.y(), along.x());
+  const Vec2 axis = own.foot + height * own.lean;
+  sides.push_back({along, frames.face_at(hole, height)});
+  sides.push_back({-along, -along.dot(axis)});
+  for (const Vec2& side : {left, Vec2(-left)})
+    sides.push_back({side, side.dot(axis) + 0.5 * frames.plan().spacing});
+  return sides;
+}
+
+std::vector<HolePolygon> burdens_by_frames(const HoleFrames& frames, const PlanCut& cut) {
+  std::vector<HolePolygon> polygons;
+  for (size_t h = 0; h < frames.holes().size(); ++h) {
+    std::vector<Vec2> corners{
+        cut.low, {cut.high.x(), cut.low.y()}, cut.high, {cut.low.x(), cut.high.y()}};
+    for (const HalfPlane& side : sides_of(frames, h, cut.height)) corners = clipped(corners, side);
+    polygons.push_back({frames.holes()[h].name, std::move(corners)});
+  }
+  return polygons;
 }
 
 }  // namespace
 
 std::vector<HolePolygon> hole_polygons(const std::vector<PatternHole>& holes,
                                        const BenchPlanes& planes, const PlanCut& cut) {
-  const bool by_x = planes.frames == nullptr;
+  if (planes.frames != nullptr) return burdens_by_frames(*planes.frames, cut);
+  const std::vector<RowCut> rows = rows_at(holes, cut.height);
   std::vector<HolePolygon> polygons;
-  for (size_t h = 0; h < holes.size(); ++h) {
-    std::vector<HalfPlane> sides;
-    add_bisectors(sides, holes, h, cut.height);
-    if (by_x)
-      add_bench(sides, planes, cut);
-    else
-      add_frame(sides, *planes.frames, holes[h].name, cut);
-    std::vector<Vec2> corners{
-        cut.low, {cut.high.x(), cut.low.y()}, cut.high, {cut.low.x(), cut.high.y()}};
-    for (const HalfPlane& side : sides) corners = clipped(corners, side);
-    if (by_x && planes.face != nullptr) corners = behind_face(corners, *planes.face, cut.height);
-    polygons.push_back({holes[h].name, std::move(corners)});
-  }
+  for (size_t r = 0; r < rows.size(); ++r)
+    for (size_t k = 0; k < rows[r].axes.size(); ++k)
+      polygons.push_back({holes[polygons.size()].name, burden_along_x(rows, r, k, planes, cut)});
   return polygons;
 }
 

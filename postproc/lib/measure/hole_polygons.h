@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The rock of each hole in plan: what is nearest to its axis at one height, between the face and
-// half a burden behind the last row, and half a spacing beside the outermost holes. Scope: as
+// The burden of each hole in plan at one height: between it and the row in front of it, or the
+// face, to half way to the holes beside it and half a spacing beside the outermost ones. Scope: as
 // hole_of_blocks (measure/hole_rock.h) counts blocks; holes that throw to several sides are bounded
 // each by itself where no other hole stands.
 #pragma once
@@ -22,8 +22,6 @@ struct HolePolygon {
 struct PlanCut {
   double height;   // [m]
   Vec2 low, high;  // of the rock before the blast [m]
-  double burden;   // [m]
-  double depth;    // of the last row, as BenchPlanes::row_depth has it [m]
 };
 
 std::vector<HolePolygon> hole_polygons(const std::vector<PatternHole>& holes,

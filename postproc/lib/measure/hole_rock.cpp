@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "measure/face_velocity.h"
 
@@ -37,6 +38,29 @@ void number_rows(std::vector<PatternHole>& holes, double burden) {
                            [](const PatternHole& h) { return std::pair(h.row, h.foot.y()); });
 }
 
+int owner_of(const Vec3& p, const std::vector<PatternHole>& holes) {
+  for (size_t first = 0; first < holes.size(); first = end_of_row(holes, first)) {
+    const size_t hole = hole_beside(holes, first, p);
+    if (p.x() >= axis_at(holes[hole], p.z()).x()) return static_cast<int>(hole);
+  }
+  return -1;
+}
+
+int owner_of(const Vec3& p, const HoleFrames& frames, const std::vector<int>& numbers) {
+  const std::optional<size_t> hole = frames.hole_behind(p);
+  return hole ? numbers[*hole] : -1;
+}
+
+// Of each frame, its hole's; -1 where there is none.
+std::vector<int> numbers_of(const HoleFrames& frames, const std::vector<PatternHole>& holes) {
+  std::vector<int> numbers;
+  for (const HoleFrame& frame : frames.holes()) {
+    const auto own = std::ranges::find(holes, frame.name, &PatternHole::name);
+    numbers.push_back(own != holes.end() ? static_cast<int>(own - holes.begin()) : -1);
+  }
+  return numbers;
+}
+
 }  // namespace
 
 std::vector<PatternHole> pattern_holes(const HoleTable& table, const std::vector<double>& masses,
@@ -64,27 +88,34 @@ void number_rows(std::vector<PatternHole>& holes, const HoleFrames& frames) {
                            [](const PatternHole& h) { return std::pair(h.row, h.foot.y()); });
 }
 
+Vec2 axis_at(const PatternHole& hole, double height) { return hole.foot + height * hole.lean; }
+
+size_t end_of_row(const std::vector<PatternHole>& holes, size_t first) {
+  size_t end = first;
+  while (end < holes.size() && holes[end].row == holes[first].row) ++end;
+  return end;
+}
+
+size_t hole_beside(const std::vector<PatternHole>& holes, size_t first, const Vec3& p) {
+  const auto aside = [&](size_t h) { return std::abs(p.y() - axis_at(holes[h], p.z()).y()); };
+  size_t beside = first;
+  for (size_t h = first; h < end_of_row(holes, first); ++h)
+    if (aside(h) < aside(beside)) beside = h;
+  return beside;
+}
+
 std::vector<int> hole_of_blocks(const std::vector<StartBlock>& blocks,
-                                const std::vector<PatternHole>& holes, const BenchPlanes& planes,
-                                double burden) {
-  const auto across = [](const PatternHole& hole) { return hole.foot.x(); };
-  const double last = planes.frames != nullptr ? planes.frames->depth()
-                                               : -std::ranges::min(holes, {}, across).foot.x();
-  const double behind = last + 0.5 * burden;
-  std::vector<int> nearest(blocks.size(), -1);
+                                const std::vector<PatternHole>& holes, const BenchPlanes& planes) {
+  const std::vector<int> of_frames =
+      planes.frames != nullptr ? numbers_of(*planes.frames, holes) : std::vector<int>{};
+  std::vector<int> owner(blocks.size(), -1);
   for (size_t b = 0; b < blocks.size(); ++b) {
     const Vec3& start = blocks[b].centroid;
-    if (!planes.in_front_of(behind, start)) continue;
-    double least = std::numeric_limits<double>::infinity();
-    for (size_t h = 0; h < holes.size(); ++h) {
-      const Vec2 axis = holes[h].foot + start.z() * holes[h].lean;
-      const double distance = (start.head<2>() - axis).norm();
-      if (distance >= least) continue;
-      least = distance;
-      nearest[b] = static_cast<int>(h);
-    }
+    if (!planes.in_front_of(std::numeric_limits<double>::infinity(), start)) continue;
+    owner[b] = planes.frames != nullptr ? owner_of(start, *planes.frames, of_frames)
+                                        : owner_of(start, holes);
   }
-  return nearest;
+  return owner;
 }
 
 CastRock cast_rock(const std::vector<size_t>& chosen, const std::vector<StartBlock>& blocks,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What became of the rock of each hole of a blast: throw, velocity, moved volume.
-// Scope: the rock of a hole is what started nearest to it; holes stand in rows behind the toe of
-// the face, x = 0, z = 0.
+// Scope: the rock of a hole is its burden, what started between it and the row in front of it, or
+// the face; holes stand in rows behind the toe of the face, x = 0, z = 0.
 #pragma once
 
 #include <string>
@@ -31,12 +31,19 @@ std::vector<PatternHole> pattern_holes(const HoleTable& table, const std::vector
 // By the rows of `frames`.
 void number_rows(std::vector<PatternHole>& holes, const HoleFrames& frames);
 
-// Number of the hole nearest to each block: in plan, from the block's centroid at the start to the
-// hole's axis at that height. -1 for blocks that started below the floor, beside the width of
-// `planes`, or farther behind the last row than half a burden [m].
+// Where its axis is at a height [m].
+Vec2 axis_at(const PatternHole& hole, double height);
+// Of the row that begins with a hole, the end.
+size_t end_of_row(const std::vector<PatternHole>& holes, size_t first);
+// Of such a row, the hole next to a place across the throw, along y.
+size_t hole_beside(const std::vector<PatternHole>& holes, size_t first, const Vec3& p);
+
+// Number of the hole whose burden each block was by its centroid at the start: of the first row
+// from the face whose next hole, along y, stands behind it at its height. Where holes throw to
+// several sides, of the nearest hole that stands behind it. -1 for blocks that started behind all
+// of them, below the floor, or beside the width of `planes`.
 std::vector<int> hole_of_blocks(const std::vector<StartBlock>& blocks,
-                                const std::vector<PatternHole>& holes, const BenchPlanes& planes,
-                                double burden);
+                                const std::vector<PatternHole>& holes, const BenchPlanes& planes);
 
 // Of any set of blocks.
 struct CastRock {

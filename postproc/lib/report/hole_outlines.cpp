@@ -19,9 +19,8 @@ std::vector<HolePolygon> hole_outlines(const ResultFolder& folder, const BenchSc
   const HoleTable table = HoleTable::read(path.string());
   const std::vector<double> masses(table.decks().size(), 0.0);
   const Extent rock = extent_at_start(blocks);
-  return hole_polygons(
-      pattern_holes(table, masses, bench.burden), bench.planes,
-      {0.5 * bench.height, rock.low.head<2>(), rock.high.head<2>(), bench.burden, bench.depth});
+  return hole_polygons(pattern_holes(table, masses, bench.burden), bench.planes,
+                       {0.5 * bench.height, rock.low.head<2>(), rock.high.head<2>()});
 }
 
 void write_hole_outlines(const ResultFolder& folder, const std::vector<HolePolygon>& outlines,

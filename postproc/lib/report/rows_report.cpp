@@ -61,11 +61,11 @@ Line together(const std::string& name, double row, const std::vector<Line>& hole
   return all;
 }
 
-std::vector<Line> lines_of(const std::vector<PatternHole>& holes, const std::vector<int>& nearest) {
+std::vector<Line> lines_of(const std::vector<PatternHole>& holes, const std::vector<int>& owner) {
   std::vector<Line> single;
   for (const PatternHole& hole : holes) single.push_back(line_of(hole));
-  for (size_t b = 0; b < nearest.size(); ++b) {
-    if (nearest[b] >= 0) single[static_cast<size_t>(nearest[b])].chosen.push_back(b);
+  for (size_t b = 0; b < owner.size(); ++b) {
+    if (owner[b] >= 0) single[static_cast<size_t>(owner[b])].chosen.push_back(b);
   }
   std::vector<Line> lines = single;
   for (int row = 0; row <= holes.back().row; ++row) {
@@ -80,7 +80,7 @@ std::vector<Line> lines_of(const std::vector<PatternHole>& holes, const std::vec
 
 std::vector<FaceBand> bands_of(const RunData& run, const BenchScene& bench,
                                const std::vector<PatternHole>& holes,
-                               const std::vector<int>& nearest) {
+                               const std::vector<int>& owner) {
   std::vector<FaceBand> bands;
   const double step = bench.height / kFaceBands;
   const std::vector<std::vector<size_t>> layers =
@@ -89,7 +89,7 @@ std::vector<FaceBand> bands_of(const RunData& run, const BenchScene& bench,
     for (int k = 0; k < kFaceBands; ++k) {
       FaceBand band{name, k * step, (k + 1) * step, {}};
       for (const size_t b : layers[static_cast<size_t>(k)])
-        if (belongs(nearest[b])) band.layer.push_back(b);
+        if (belongs(owner[b])) band.layer.push_back(b);
       bands.push_back(std::move(band));
     }
   };
@@ -121,12 +121,11 @@ Rows rows_of(const ResultFolder& folder, const RunData& run, const BenchScene& b
   Rows rows;
   rows.holes = pattern_holes(table, masses, bench.burden);
   if (bench.planes.frames != nullptr) number_rows(rows.holes, *bench.planes.frames);
-  const std::vector<int> nearest =
-      hole_of_blocks(run.blocks, rows.holes, bench.planes, bench.burden);
-  rows.lines = lines_of(rows.holes, nearest);
+  const std::vector<int> owner = hole_of_blocks(run.blocks, rows.holes, bench.planes);
+  rows.lines = lines_of(rows.holes, owner);
   for (Line& line : rows.lines)
     line.rock = cast_rock(line.chosen, run.blocks, run.last, run.moved, bench.planes);
-  rows.bands = bands_of(run, bench, rows.holes, nearest);
+  rows.bands = bands_of(run, bench, rows.holes, owner);
   add_velocities(rows, folder, run, bench.planes);
   return rows;
 }

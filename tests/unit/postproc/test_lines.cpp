@@ -444,11 +444,12 @@ TEST_F(Lines, EndHolesAreComparedWithInnerOnes) {
   double moment = 0.0, cubes = 0.0, moved = 0.0;
   for (size_t b = 0; b < run.blocks.size(); ++b) {
     const Vec3& start = run.blocks[b].centroid;
-    if (std::abs(start.y()) > 0.5) run.last.states[b].centre = start;
-    if (std::abs(start.y()) > 0.5 || start.z() < 0.0 || start.x() < -7.5) continue;
+    const bool low = start.z() < 0.5 * kBenchHeight;  // of the rock between them, half stays
+    if (std::abs(start.y()) > 0.5 || low) run.last.states[b].centre = start;
+    if (std::abs(start.y()) > 0.5 || start.z() < 0.0 || start.x() < -kBurden) continue;
     const double way = run.last.states[b].centre.x() - start.x();
     moment += way, ++cubes;
-    if (start.x() > -kBurden) ++moved;
+    if (!low) ++moved;
   }
   write_snapshot(folder().dump("blocks_000002000.csv"), run.blocks, run.last);
   report_rows(folder(), measure_);

@@ -59,24 +59,49 @@ TEST(PatternHoles, DecksOfOneHoleAreTogetherAndLeaningOnesStandAtTheFloor) {
   EXPECT_EQ(holes[0].firing_time, 0.01);
 }
 
-TEST(HoleOfBlocks, IsTheNearestAtTheHeightOfTheBlock) {
-  // One hole leans back by a metre per metre from x = -1, the other stands at x = -4: at z = 0.25
-  // the middle is at x = -2.625, at z = 2.25 at x = -3.625.
+TEST(HoleOfBlocks, IsTheFirstBehindTheBlockAtItsHeight) {
+  // One hole leans back by a metre per metre from x = -1, the other stands at x = -4: their rock
+  // meets at the axis of the first.
   const auto holes =
       pattern_holes(table("hole,collar_x_m,collar_y_m,collar_z_m,toe_x_m,toe_y_m,toe_z_m,"
                           "diameter_m\n"
                           "a,-4,0,3,-1,0,0,0.1\nb,-4,0,3,-4,0,0,0.1\n"),
                     {1.0, 1.0}, 2.0);
   const auto blocks = as_start_blocks(cubes_in({-5.0, 0.0, -0.5}, {0.0, 0.5, 3.0}));
-  const std::vector<int> nearest = hole_of_blocks(blocks, holes, {}, 1.5);
+  const std::vector<int> owner = hole_of_blocks(blocks, holes, {});
   for (size_t b = 0; b < blocks.size(); ++b) {
     const Vec3& c = blocks[b].centroid;
-    const int expected = c.z() < 0.0     ? -1  // below the floor
-                         : c.x() < -4.75 ? -1  // half a burden behind the last row
-                         : c.x() > -0.5 * (1.0 + c.z() + 4.0) ? 0
-                                                              : 1;
-    if (c.x() == -4.75) continue;  // on the border
-    EXPECT_EQ(nearest[b], expected) << c.transpose();
+    const int expected = c.z() < 0.0          ? -1  // below the floor
+                         : c.x() < -4.0       ? -1  // behind the last row
+                         : c.x() > -1 - c.z() ? 0
+                                              : 1;
+    if (c.x() == -1 - c.z()) continue;  // on the border
+    EXPECT_EQ(owner[b], expected) << c.transpose();
+  }
+}
+
+// Of two holes of a row a metre apart along the throw each has its own line; the hole behind has
+// what lies behind both.
+TEST(HoleOfBlocks, FollowsRowsThatAreNotStraight) {
+  const auto holes = pattern_holes(
+      table("hole,collar_x_m,collar_y_m,collar_z_m,toe_x_m,toe_y_m,toe_z_m,diameter_m\n"
+            "left,-2,-1,3,-2,-1,0,0.1\nright,-3,1,3,-3,1,0,0.1\nback,-6,0.3,3,-6,0.3,0,0.1\n"),
+      {1.0, 1.0, 1.0}, 3.0);
+  const auto blocks = as_start_blocks(cubes_in({-7.0, -2.0, 0.0}, {0.0, 2.0, 0.5}));
+  const std::vector<int> owner = hole_of_blocks(blocks, holes, {});
+  BenchPlanes planes;
+  const auto polygons = hole_polygons(holes, planes, {0.25, {-7.0, -2.0}, {0.0, 2.0}});
+  ASSERT_EQ(polygons.size(), 3U);
+  EXPECT_NEAR(area_of(polygons[0].corners), 2.0 * 2.0, 1e-12);
+  EXPECT_NEAR(area_of(polygons[1].corners), 3.0 * 2.0, 1e-12);
+  EXPECT_NEAR(area_of(polygons[2].corners), 4.0 * 2.0 + 3.0 * 2.0, 1e-12);
+  for (size_t b = 0; b < blocks.size(); ++b) {
+    const Vec3& c = blocks[b].centroid;
+    const int expected = c.x() < -6.0   ? -1
+                         : c.y() < 0.0  ? (c.x() > -2.0 ? 0 : 2)
+                         : c.x() > -3.0 ? 1
+                                        : 2;
+    EXPECT_EQ(owner[b], expected) << c.transpose();
   }
 }
 
@@ -128,7 +153,7 @@ class Rows : public ::testing::Test {
   static constexpr double kThrow = 507.5 / 105.0 + 2.5;  // of the burden prism
 };
 
-TEST_F(Rows, RockOfEachHoleIsWhatStartedNearestToIt) {
+TEST_F(Rows, RockOfEachHoleIsItsBurden) {
   report_rows(folder(), {kCube, 0.125});
   const CsvTable rows = CsvTable::read(folder().file("rows.csv"));
   ASSERT_EQ(rows.rows(), 6U);  // three holes, two rows, all
@@ -138,24 +163,24 @@ TEST_F(Rows, RockOfEachHoleIsWhatStartedNearestToIt) {
   EXPECT_EQ(rows.word(0, 0), "left");
   EXPECT_EQ(rows.word(2, 0), "back");
   EXPECT_EQ(rows.word(3, 0), "row 1");
-  // To x = -6.3, half way to the hole behind: 13 columns of 2 x 21 cubes of 0.125 m3; 10 columns
-  // of them were thrown.
+  // To x = -5: 10 columns of 2 x 21 cubes of 0.125 m3, all thrown.
   for (const size_t hole : {0U, 1U}) {
-    EXPECT_EQ(value(hole, "blocks"), 546.0);
-    EXPECT_NEAR(value(hole, "volume_m3"), 68.25, 1e-3);
+    EXPECT_EQ(value(hole, "blocks"), 420.0);
+    EXPECT_NEAR(value(hole, "volume_m3"), 52.5, 1e-3);
     EXPECT_NEAR(value(hole, "moved_volume_m3"), 52.5, 1e-3);
-    EXPECT_NEAR(value(hole, "throw_m"), kThrow * 10.0 / 13.0, 1e-5);
-    EXPECT_NEAR(value(hole, "velocity_m_s"), (2 * 14.0 + 8 * 6.0) / 13.0, 1e-5);
+    EXPECT_NEAR(value(hole, "throw_m"), kThrow, 1e-5);
+    EXPECT_NEAR(value(hole, "velocity_m_s"), (2 * 14.0 + 8 * 6.0) / 10.0, 1e-5);
     EXPECT_NEAR(value(hole, "velocity_at_s"), 0.01, 1e-9);
-    EXPECT_NEAR(value(hole, "specific_charge_kg_m3"), kCharge / 68.25, 1e-5);
+    EXPECT_NEAR(value(hole, "specific_charge_kg_m3"), kCharge / 52.5, 1e-5);
   }
-  EXPECT_EQ(value(2, "blocks"), 252.0);  // three columns of 4 x 21
+  // On to x = -7.6: five columns of 4 x 21 whose centres lie in front of it.
+  EXPECT_EQ(value(2, "blocks"), 420.0);
   EXPECT_EQ(value(2, "throw_m"), 0.0);
-  EXPECT_EQ(value(5, "blocks"), 1344.0);
-  EXPECT_NEAR(value(5, "throw_m"), kThrow * 840.0 / 1344.0, 1e-5);
+  EXPECT_EQ(value(5, "blocks"), 1260.0);
+  EXPECT_NEAR(value(5, "throw_m"), kThrow * 840.0 / 1260.0, 1e-5);
   EXPECT_EQ(summary()["rows"], 2);
   EXPECT_NEAR(summary()["blast_charge_kg"], 3.0 * kCharge, 1e-9);
-  EXPECT_NEAR(summary()["front_row_throw_m"], kThrow * 10.0 / 13.0, 1e-6);
+  EXPECT_NEAR(summary()["front_row_throw_m"], kThrow, 1e-6);
   EXPECT_EQ(summary()["last_row_throw_m"], 0.0);
 }
 
@@ -169,19 +194,19 @@ TEST_F(Rows, FaceVelocityStandsForEachHoleOfTheFirstRow) {
   EXPECT_TRUE(std::filesystem::exists(folder().file("face_velocity.png")));
 }
 
-// To x = -6.3, half way to the hole behind, over half the width of the rock, which the holes' end
-// rock would pass by half a metre.
-TEST_F(Rows, PolygonsAreTheRockOfEachHole) {
+// To x = -5 each over half the width of the rock, which half a spacing beside them would pass by
+// half a metre; behind them to x = -7.6.
+TEST_F(Rows, PolygonsAreTheBurdenOfEachHole) {
   report_rows(folder(), {kCube, 0.125});
   const CsvTable table = CsvTable::read(folder().file("hole_polygons.csv"));
   std::map<std::string, std::vector<Vec2>> corners;
   for (size_t row = 0; row < table.rows(); ++row)
     corners[std::string(table.word(row, 0))].emplace_back(table.number(row, 1),
                                                           table.number(row, 2));
-  EXPECT_NEAR(area_of(corners["left"]), 6.3, 0.1);  // the bisector is not quite across
-  EXPECT_NEAR(area_of(corners["left"]), area_of(corners["right"]), 1e-6);
-  EXPECT_NEAR(area_of(corners["left"]) + area_of(corners["right"]) + area_of(corners["back"]),
-              2.0 * 8.0, 1e-6);  // all rock: half a burden behind the last row is beyond it
+  EXPECT_NEAR(area_of(corners["left"]), 5.0, 1e-6);
+  EXPECT_NEAR(area_of(corners["right"]), 5.0, 1e-6);
+  EXPECT_NEAR(area_of(corners["back"]), 2.6 * 2.0, 1e-6);
+  EXPECT_EQ(corners["back"].size(), 4U);
 }
 
 TEST_F(Rows, NeedAHoleTable) {
