@@ -42,8 +42,9 @@ std::optional<size_t> nearest_hole(const Vec3& point, const std::vector<Charge>&
 std::optional<size_t> hole_at_wall(const RockFace& face, const std::vector<Charge>& charges) {
   constexpr double kFar = 4.0;   // [radii]
   constexpr double kLook = 0.5;  // cosine
+  if (face.other) return std::nullopt;
   const std::optional<size_t> hole = nearest_hole(face.centroid, charges);
-  if (face.other || !hole) return std::nullopt;
+  if (!hole) return std::nullopt;
   const Vec3 inward = nearest_on_axis(charges[*hole], face.centroid) - face.centroid;
   const bool near = inward.norm() < kFar * charges[*hole].radius;
   return near && face.normal.dot(inward) > kLook * inward.norm() ? hole : std::nullopt;
@@ -101,26 +102,48 @@ std::optional<size_t> nearest_of(const std::set<size_t>& holes, const Vec3& poin
   return nearest == holes.end() ? std::nullopt : std::optional(*nearest);
 }
 
-// Angle of a point around the axis of a charge, as the number of a direction.
-size_t direction_of(const Charge& charge, const Vec3& point) {
-  const Vec3 along = (charge.collar - charge.toe).normalized();
-  constexpr double kAlongX = 0.99;
-  const Vec3 start = std::abs(along.x()) < kAlongX ? Vec3::UnitX() : Vec3::UnitY();
-  const Vec3 first = (start - start.dot(along) * along).normalized(),
-             second = (along.z() < 0.0 ? -along : along).cross(first);
-  const Vec3 out = point - charge.toe;
-  const double turn = std::atan2(second.dot(out), first.dot(out)) / (2.0 * std::numbers::pi);
-  const auto number = static_cast<long>(std::floor((turn - std::floor(turn)) * kDirections));
-  return static_cast<size_t>(number) % kDirections;
+// A charge's axis with the two directions across it from which angles count.
+struct AxisFrame {
+  explicit AxisFrame(const Charge& charge)
+      : toe(charge.toe),
+        along((charge.collar - charge.toe).normalized()),
+        length((charge.collar - charge.toe).norm()) {
+    constexpr double kAlongX = 0.99;
+    const Vec3 start = std::abs(along.x()) < kAlongX ? Vec3::UnitX() : Vec3::UnitY();
+    first = (start - start.dot(along) * along).normalized();
+    second = (along.z() < 0.0 ? -along : along).cross(first);
+  }
+  [[nodiscard]] size_t direction_of(const Vec3& point) const {
+    const Vec3 out = point - toe;
+    const double turn = std::atan2(second.dot(out), first.dot(out)) / (2.0 * std::numbers::pi);
+    const double place = (turn - std::floor(turn)) * kDirections;
+    return static_cast<size_t>(place) % kDirections;
+  }
+  [[nodiscard]] double from_axis(const Vec3& point) const {
+    return along.cross(point - toe).norm();
+  }
+  Vec3 toe, along, first = Vec3::Zero(), second = Vec3::Zero();
+  double length;
+};
+
+// Points along a line, close enough not to miss a direction at its end.
+template <class Visit>
+void each_point(const std::pair<Vec3, Vec3>& line, const Visit& visit) {
+  constexpr int kParts = 8;
+  for (int part = 0; part <= kParts; ++part)
+    visit(line.first + part * (line.second - line.first) / kParts);
 }
 
-// Points along the edges of a face, close enough not to miss a direction at its end.
+// Calls visit(section, line) for the sections that cut a face.
 template <class Visit>
-void each_point(const RockFace& face, const Visit& visit) {
-  constexpr int kParts = 8;
-  for (size_t k = 0; k < face.corners.size(); ++k) {
-    const Vec3 &from = face.corners[k], &to = face.corners[(k + 1) % face.corners.size()];
-    for (int part = 0; part < kParts; ++part) visit(from + part * (to - from) / kParts);
+void each_section(const AxisFrame& axis, const RockFace& face, const Visit& visit) {
+  const auto up = [&](const Vec3& p) { return axis.along.dot(p - axis.toe); };
+  const auto [low, high] = std::ranges::minmax(face.corners, {}, up);
+  for (size_t section = 0; section < kSections; ++section) {
+    const double at = (static_cast<double>(section) + 0.5) / kSections * axis.length;
+    if (at < up(low) || at > up(high)) continue;
+    if (const auto line = cut_of(face, axis.along, axis.along.dot(axis.toe) + at))
+      visit(section, *line);
   }
 }
 
@@ -163,15 +186,17 @@ std::vector<std::optional<size_t>> crack_holes(const std::vector<RockFace>& face
 Reaches crack_reaches(const std::vector<RockFace>& faces,
                       const std::vector<std::optional<size_t>>& crack_holes, const Charge& charge,
                       size_t hole) {
-  const Axis axis = axis_of(charge);
+  const AxisFrame axis(charge);
   Reaches reaches;
   reaches.fill(std::numeric_limits<double>::quiet_NaN());
   for (size_t f = 0; f < faces.size(); ++f) {
     if (!faces[f].other) continue;
-    each_point(faces[f], [&](const Vec3& point) {
-      double& reach = reaches[direction_of(charge, point)];
-      if (std::isnan(reach)) reach = charge.radius;
-      if (crack_holes[f] == hole) reach = std::max(reach, axis.distance(point));
+    each_section(axis, faces[f], [&](size_t section, const std::pair<Vec3, Vec3>& line) {
+      each_point(line, [&](const Vec3& point) {
+        double& reach = reaches[section * kDirections + axis.direction_of(point)];
+        if (std::isnan(reach)) reach = charge.radius;
+        if (crack_holes[f] == hole) reach = std::max(reach, axis.from_axis(point));
+      });
     });
   }
   return reaches;

@@ -22,20 +22,22 @@ std::vector<std::optional<size_t>> crack_holes(const std::vector<RockFace>& face
                                                const std::vector<Charge>& charges);
 
 inline constexpr size_t kDirections = 36;  // of equal width around the axis of a hole
+inline constexpr size_t kSections = 10;    // across it, evenly along the charge
 
-// In each direction, by the angle around the axis from x (an axis along x: from y) towards y, the
-// distance of the farthest point of a crack of the hole from its axis [m]: the radius of the
-// crushed zone where there is none, NaN where no joint of the model lies.
-using Reaches = std::array<double, kDirections>;
+// In each direction of each section, at [section * kDirections + direction], the distance of the
+// farthest point of a crack of the hole from its axis [m]: the radius of the crushed zone where
+// there is none, NaN where the section meets no joint of the model. Directions are by the angle
+// around the axis from x (an axis along x: from y) towards y.
+using Reaches = std::array<double, kSections * kDirections>;
 Reaches crack_reaches(const std::vector<RockFace>& faces,
                       const std::vector<std::optional<size_t>>& crack_holes, const Charge& charge,
                       size_t hole);
 
-// The reach that is exceeded in a share of the directions of all holes, linear between those in
-// order [m]; share 0: the farthest. NaN where there is none.
+// The reach that is exceeded in a share of the directions of all sections and holes, linear between
+// those in order [m]; share 0: the farthest. NaN where there is none.
 double reach_exceeded(const std::vector<Reaches>& holes, double share);
 
-// Share of the directions of all holes in which cracks reach farther than a distance [m].
+// Share of these directions in which cracks reach farther than a distance [m].
 double directions_beyond(const std::vector<Reaches>& holes, double distance);
 
 }  // namespace muckpile

@@ -66,4 +66,16 @@ std::vector<RockFace> faces_of_rock(const std::vector<StartBlock>& blocks) {
   return once;
 }
 
+std::optional<std::pair<Vec3, Vec3>> cut_of(const RockFace& face, const Vec3& normal,
+                                            double distance) {
+  std::vector<Vec3> ends;
+  for (size_t k = 0; k < face.corners.size(); ++k) {
+    const Vec3 &a = face.corners[k], &b = face.corners[(k + 1) % face.corners.size()];
+    const double from = normal.dot(a) - distance, to = normal.dot(b) - distance;
+    if ((from < 0.0) != (to < 0.0)) ends.push_back(a + from / (from - to) * (b - a));
+  }
+  if (ends.size() != 2) return std::nullopt;
+  return std::pair(ends[0], ends[1]);
+}
+
 }  // namespace muckpile

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "io/blocks_file.h"
@@ -23,5 +24,10 @@ struct RockFace {
 // Each joint once, from the block that comes first, and the faces with nothing behind, in the order
 // of the blocks. Faces too small for a joint are left out.
 std::vector<RockFace> faces_of_rock(const std::vector<StartBlock>& blocks);
+
+// Where a plane with this unit normal, so far from the origin along it, cuts a face; none where it
+// does not, or runs along it [m].
+std::optional<std::pair<Vec3, Vec3>> cut_of(const RockFace& face, const Vec3& normal,
+                                            double distance);
 
 }  // namespace muckpile

@@ -19,6 +19,19 @@ void add_area(const RockFace& face, std::vector<double>& areas) {
   areas[*face.other] += face.area;
 }
 
+// Mean and largest reach in a direction [m]; NaN where the model has no rock.
+std::pair<double, double> over_sections(const Reaches& reaches, size_t direction) {
+  double sum = 0.0, farthest = std::nan("");
+  int count = 0;
+  for (size_t k = direction; k < reaches.size(); k += kDirections) {
+    if (std::isnan(reaches[k])) continue;
+    sum += reaches[k];
+    farthest = std::fmax(farthest, reaches[k]);
+    ++count;
+  }
+  return {sum / count, farthest};
+}
+
 }  // namespace
 
 double CracksOfRun::connected_share() const {
@@ -58,13 +71,13 @@ std::optional<CracksOfRun> cracks_of_run(const ResultFolder& folder,
 }
 
 void write_crack_table(const CracksOfRun& cracks, const std::filesystem::path& path) {
-  CsvWriter csv(path, "charge,direction_deg,reach_m,reach_hole_radii");
+  CsvWriter csv(path, "charge,direction_deg,reach_m,reach_hole_radii,farthest_m");
   constexpr double kWidth = 360.0 / kDirections;  // [degrees]
   for (size_t h = 0; h < cracks.reaches.size(); ++h) {
     for (size_t d = 0; d < kDirections; ++d) {
-      const double reach = cracks.reaches[h][d];
-      csv.row({static_cast<double>(h + 1), (static_cast<double>(d) + 0.5) * kWidth, reach,
-               reach / cracks.hole_radius});
+      const auto [mean, farthest] = over_sections(cracks.reaches[h], d);
+      csv.row({static_cast<double>(h + 1), (static_cast<double>(d) + 0.5) * kWidth, mean,
+               mean / cracks.hole_radius, farthest});
     }
   }
 }

@@ -32,7 +32,7 @@ std::optional<CracksOfRun> cracks_of_run(const ResultFolder& folder,
                                          const std::vector<StartBlock>& rock, long step,
                                          double hole_radius);
 
-// cracks.csv: per charge and direction.
+// cracks.csv: per charge and direction, over its sections.
 void write_crack_table(const CracksOfRun& cracks, const std::filesystem::path& path);
 
 // The joints where a level plane through the middle of the first charge cuts them.

@@ -23,24 +23,12 @@ struct Trace {
   enum class Kind { kHolding, kApart, kConnected } kind;
 };
 
-// Where a convex face cuts the plane z = level.
-std::vector<Vec2> cut_of(const RockFace& face, double level) {
-  std::vector<Vec2> points;
-  for (size_t k = 0; k < face.corners.size(); ++k) {
-    const Vec3 &a = face.corners[k], &b = face.corners[(k + 1) % face.corners.size()];
-    if ((a.z() < level) == (b.z() < level)) continue;
-    const Vec3 at = a + (level - a.z()) / (b.z() - a.z()) * (b - a);
-    points.emplace_back(at.head<2>());
-  }
-  return points;
-}
-
 std::vector<Trace> traces_of(const CracksOfRun& cracks, double level) {
   std::vector<Trace> traces;
   for (size_t f = 0; f < cracks.faces.size(); ++f) {
-    const std::vector<Vec2> cut = cut_of(cracks.faces[f], level);
-    if (!cracks.faces[f].other || cut.size() != 2) continue;
-    traces.push_back({cut[0], cut[1],
+    const auto cut = cut_of(cracks.faces[f], Vec3::UnitZ(), level);
+    if (!cracks.faces[f].other || !cut) continue;
+    traces.push_back({cut->first.head<2>(), cut->second.head<2>(),
                       cracks.connected(f)     ? Trace::Kind::kConnected
                       : cracks.broken[f] != 0 ? Trace::Kind::kApart
                                               : Trace::Kind::kHolding});

@@ -81,6 +81,24 @@ TEST_F(Cracks, OfAPlaneOfFacesReachAsFarAsThePlane) {
   EXPECT_NEAR(directions_beyond(reach, 1.0), 2.0 / 36.0, 1e-12);
 }
 
+// Half of the sections are below z = 0.5 m.
+TEST_F(Cracks, ReachOnlyInTheSectionsThatTheyCross) {
+  make({upright(0, 0)}, [](const RockFace& face) {
+    return in_y_plane(face, 0.25, 0.25, 3.25) && face.centroid.z() < 0.5;
+  });
+  EXPECT_NEAR(directions_beyond(reaches(), 1.0), 0.5 * 2.0 / 36.0, 1e-12);
+}
+
+// The angle from x around an axis that leans by 45 degrees in the plane x, z: y is at 90 degrees.
+TEST(CrackReaches, AreAcrossALeaningCharge) {
+  RockFace face{0, 0, 1, {}, Vec3::Zero(), Vec3::UnitZ(), 8.0};
+  face.corners = {{-1.0, 2.0, -1.0}, {3.0, 2.0, 3.0}, {3.0, 2.1, 3.0}, {-1.0, 2.1, -1.0}};
+  const Charge charge{{0, 0, 0}, {2.0, 0, 2.0}, 0.1};
+  const Reaches reach = crack_reaches({face}, {size_t{0}}, charge, 0);
+  EXPECT_NEAR(reach[9], 2.1, 1e-9);  // from 90 to 100 degrees
+  EXPECT_TRUE(std::isnan(reach[0]));
+}
+
 TEST_F(Cracks, LeaveOutAClusterThatIsApart) {
   make({upright(0, 0)}, [](const RockFace& face) {
     return in_y_plane(face, 0.25, 0.25, 1.25) || in_y_plane(face, 0.25, 1.75, 4.75);
@@ -144,7 +162,7 @@ TEST_F(Cracks, BetweenTwoHolesAreOfTheNearerOne) {
 TEST(ReachExceeded, IsLinearBetweenDirectionsInOrder) {
   Reaches reach;
   reach.fill(std::nan(""));  // beyond a symmetry plane
-  for (size_t d = 0; d < 11; ++d) reach[d] = static_cast<double>(d);
+  for (size_t d = 0; d < 11; ++d) reach[d * 7] = static_cast<double>(d);
   EXPECT_DOUBLE_EQ(reach_exceeded({reach}, 0.0), 10.0);
   EXPECT_DOUBLE_EQ(reach_exceeded({reach}, 0.5), 5.0);
   EXPECT_DOUBLE_EQ(reach_exceeded({reach}, 0.25), 7.5);
