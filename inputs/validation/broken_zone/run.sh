@@ -10,7 +10,7 @@ table=$results/zones.csv
 figures=()
 echo "run,half_radius_m,tenth_radius_m,half_hole_radii,tenth_hole_radii,crack_half_hole_radii,crack_tenth_hole_radii,crack_beyond_50_radii" >"$table"
 
-# zone NAME [VAR VALUE]...: a row of the table, and two figures of the summary.
+# zone NAME [VAR VALUE]...: a row of the table, and five figures of the summary.
 zone() {
   local name=$1 out=$results/$1 row half tenth crack_half crack_tenth beyond
   run_input "$case_dir/in.broken_zone" "$out" "${@:2}"
