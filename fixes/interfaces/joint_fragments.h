@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a snapshot tells of the joints: which blocks hang together, and how far each is freed.
+// What snapshots tell of the joints: which blocks hang together, how far each is freed, and which
+// joints still hold.
 // Scope: an interface only; fix muckpile/joint implements it, fix muckpile/dump reads it.
 #pragma once
 
 #include <vector>
 
 namespace muckpile {
+
+/// A joint between two blocks, named by the block of the smaller tag and its face.
+struct HoldingJoint {
+  int tag;
+  int face;             ///< number in the polyhedron of that block
+  double broken_share;  ///< below 1 [-]
+};
 
 class JointFragments {
  public:
@@ -15,6 +23,8 @@ class JointFragments {
   [[nodiscard]] virtual std::vector<int> fragment_ids() const = 0;
   /// Per body of this rank, in body order: broken share of its joint area [-].
   [[nodiscard]] virtual std::vector<double> broken_share() const = 0;
+  /// Joints of which a part holds, those that a body of this rank names.
+  [[nodiscard]] virtual std::vector<HoldingJoint> holding_joints() const = 0;
 };
 
 }  // namespace muckpile

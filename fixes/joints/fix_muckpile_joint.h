@@ -108,6 +108,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   [[nodiscard]] double joints_broken() const override;
   [[nodiscard]] std::vector<int> fragment_ids() const override;
   [[nodiscard]] std::vector<double> broken_share() const override;
+  [[nodiscard]] std::vector<HoldingJoint> holding_joints() const override;
   void add_cost_of_joints(std::span<double> costs, double cost) const override;
 
   [[nodiscard]] std::vector<Mat3> stresses(std::span<const int> bodies) const override {

@@ -144,6 +144,10 @@ std::vector<double> FixMuckpileJoint::broken_share() const {
   return muckpile::broken_share(network_, store_->halo().owned());
 }
 
+std::vector<HoldingJoint> FixMuckpileJoint::holding_joints() const {
+  return muckpile::holding_joints(network_, store_->halo().owned());
+}
+
 void FixMuckpileJoint::add_cost_of_joints(std::span<double> costs, double cost) const {
   for (std::size_t f = 0; f < network_.facet_count(); ++f) {
     if (network_.states()[f] == FacetState::retired || network_.traces()[f].open) continue;

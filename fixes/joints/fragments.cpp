@@ -8,27 +8,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 #include "fixes/engine/over_ranks.h"
+#include "math/union_find.h"
 
 namespace muckpile {
 namespace {
-
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t root(std::size_t k) {
-    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
-    return k;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[root(a)] = root(b); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 bool holds(const FacetTraces& m) { return m.broken.count() < kFacetPoints; }
 
@@ -80,6 +65,19 @@ std::vector<double> broken_share(const FacetNetwork& network, std::size_t owned)
   std::vector<double> share(owned, 0.0);
   for (std::size_t b = 0; b < share.size(); ++b) share[b] = all[b] > 0.0 ? broken[b] / all[b] : 0.0;
   return share;
+}
+
+std::vector<HoldingJoint> holding_joints(const FacetNetwork& network, std::size_t owned) {
+  std::vector<HoldingJoint> joints;
+  for (std::size_t f = 0; f < network.facet_count(); ++f) {
+    const FacetEnds facet = network.ends(f);
+    const auto first = static_cast<std::size_t>(facet.i);
+    const FacetTraces& traces = network.traces()[f];
+    if (facet.kind != FacetKind::joint || first >= owned || !holds(traces)) continue;
+    joints.push_back({network.blocks()[first].tag, network.tables().name(f).face,
+                      traces.broken.count() / double{kFacetPoints}});
+  }
+  return joints;
 }
 
 }  // namespace muckpile

@@ -9,6 +9,7 @@
 
 #include "bond/network/facet_network.h"
 #include "fixes/engine/block_halo.h"
+#include "fixes/interfaces/joint_fragments.h"
 
 namespace muckpile {
 
@@ -18,5 +19,9 @@ namespace muckpile {
 
 /// Per owned block, in body order: broken share of its joint area [-].
 [[nodiscard]] std::vector<double> broken_share(const FacetNetwork& network, std::size_t owned);
+
+/// Joints between two blocks of which a part holds, those whose first block is owned.
+[[nodiscard]] std::vector<HoldingJoint> holding_joints(const FacetNetwork& network,
+                                                       std::size_t owned);
 
 }  // namespace muckpile

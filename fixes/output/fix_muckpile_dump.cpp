@@ -39,7 +39,7 @@ constexpr const char* kHeader =
 
 const ArgTable& table() {
   static const ArgTable args = engine::periodic_output_table(
-      "fix muckpile/dump", "between snapshots", "where blocks_<step>.csv go");
+      "fix muckpile/dump", "between snapshots", "where blocks_<step>.csv and joints.csv go");
   return args;
 }
 
@@ -121,6 +121,7 @@ void FixMuckpileDump::clear_folder() {
 void FixMuckpileDump::post_run() {
   clear_folder();
   write();
+  write_joints();
 }
 
 void FixMuckpileDump::end_of_step() {
@@ -159,10 +160,8 @@ std::string FixMuckpileDump::rows() const {
   return text;
 }
 
-void FixMuckpileDump::write() {
-  if (last_ == update->ntimestep) return;
-  last_ = update->ntimestep;
-  const std::string mine = rows();
+/// What the ranks have, one behind the other, on the first of them. Collective.
+std::string FixMuckpileDump::of_all_ranks(const std::string& mine) const {
   const int length = static_cast<int>(mine.size());
   std::vector<int> lengths(static_cast<std::size_t>(comm->nprocs)), first(lengths.size(), 0);
   MPI_Gather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, 0, world);
@@ -171,13 +170,34 @@ void FixMuckpileDump::write() {
                   '\0');
   MPI_Gatherv(mine.data(), length, MPI_CHAR, all.data(), lengths.data(), first.data(), MPI_CHAR, 0,
               world);
-  std::ostringstream head;
-  head.precision(12);
-  head << "# step=" << update->ntimestep << " time_s=" << update->get_cur_time() << " "
+  return all;
+}
+
+void FixMuckpileDump::write_file(const std::string& name, const char* header,
+                                 const std::string& mine) const {
+  std::ostringstream text;
+  text.precision(12);
+  text << "# step=" << update->ntimestep << " time_s=" << update->get_cur_time() << " "
        << run_mark(blocks_->run_id()) << '\n'
-       << kHeader;
-  engine::write_file(*lmp, where_, folder_ + "/" + snapshot_name(update->ntimestep),
-                     head.str() + all);
+       << header << of_all_ranks(mine);
+  engine::write_file(*lmp, where_, folder_ + "/" + name, text.str());
+}
+
+void FixMuckpileDump::write() {
+  if (last_ == update->ntimestep) return;
+  last_ = update->ntimestep;
+  write_file(snapshot_name(update->ntimestep), kHeader, rows());
+}
+
+void FixMuckpileDump::write_joints() const {
+  if (joints_ == nullptr) return;
+  std::string text;
+  for (const HoldingJoint& joint : joints_->holding_joints()) {
+    text += std::to_string(joint.tag) + ',' + std::to_string(joint.face);
+    append(text, std::array{joint.broken_share}, 5);
+    text += '\n';
+  }
+  write_file(kJointsFile, "id,face,broken_share\n", text);
 }
 
 }  // namespace muckpile

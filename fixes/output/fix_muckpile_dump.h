@@ -27,7 +27,10 @@ class FixMuckpileDump : public LAMMPS_NS::Fix {
  private:
   void clear_folder();
   void write();
+  void write_joints() const;
   [[nodiscard]] std::string rows() const;
+  [[nodiscard]] std::string of_all_ranks(const std::string& mine) const;
+  void write_file(const std::string& name, const char* header, const std::string& mine) const;
 
   KnownBlocks* blocks_ = nullptr;
   JointFragments* joints_ = nullptr;

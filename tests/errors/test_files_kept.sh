@@ -23,7 +23,7 @@ sums() { (cd dump && md5sum -- *); }
 run 0 <<<"$outputs
 run 5"
 before=$(sums)
-[[ $(wc -l <<<"$before") -eq 6 ]] || fail "not four snapshots, a history and a run.json: $before"
+[[ $(wc -l <<<"$before") -eq 7 ]] || fail "not four snapshots, a history, joints and a run.json: $before"
 run 1 <<<"$outputs
 fix dt all muckpile/timestep min 0.01
 run 5"
@@ -31,7 +31,7 @@ says "shorter than min"
 [[ $(sums) == "$before" ]] || fail "a refused run has changed files: $(ls dump)"
 run 0 <<<"$outputs
 run 1"
-[[ $(ls dump) == $'blocks_000000000.csv\nblocks_000000001.csv\nhistory.csv\nrun.json' ]] || fail "the same run, shorter, left files: $(ls dump)"
+[[ $(ls dump) == $'blocks_000000000.csv\nblocks_000000001.csv\nhistory.csv\njoints.csv\nrun.json' ]] || fail "the same run, shorter, left files: $(ls dump)"
 
 # One row cut off, one snapshot of another run: each told of once.
 echo '4,4e-' >cut_row

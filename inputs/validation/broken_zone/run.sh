@@ -8,17 +8,18 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../../../tests/support/validation_case.sh" broken_zone "$@"
 table=$results/zones.csv
 figures=()
-echo "run,half_radius_m,tenth_radius_m,half_hole_radii,tenth_hole_radii" >"$table"
+echo "run,half_radius_m,tenth_radius_m,half_hole_radii,tenth_hole_radii,crack_half_hole_radii,crack_tenth_hole_radii,crack_beyond_50_radii" >"$table"
 
-# zone NAME [VAR VALUE]...: a row of the table, and two figures of the summary.
+# zone NAME [VAR VALUE]...: a row of the table, and five figures of the summary.
 zone() {
-  local name=$1 out=$results/$1 row half tenth
+  local name=$1 out=$results/$1 row half tenth crack_half crack_tenth beyond
   run_input "$case_dir/in.broken_zone" "$out" "${@:2}"
   "$post" damage "$out"
-  row=$(check_figures print "$out"/summary.json:damage_{half_radius_m,tenth_radius_m,half_hole_radii,tenth_hole_radii})
+  row=$(check_figures print "$out"/summary.json:{damage_{half_radius_m,tenth_radius_m,half_hole_radii,tenth_hole_radii},crack_{reach_{half,tenth}_hole_radii,directions_beyond_50_radii}})
   echo "$name,${row// /,}" | tee -a "$table"
-  read -r _ _ half tenth <<<"$row"
-  figures+=("\"${name}_half_hole_radii\": $half" "\"${name}_tenth_hole_radii\": $tenth")
+  read -r _ _ half tenth crack_half crack_tenth beyond <<<"$row"
+  figures+=("\"${name}_half_hole_radii\": $half" "\"${name}_tenth_hole_radii\": $tenth" "\"${name}_crack_half_hole_radii\": $crack_half"
+    "\"${name}_crack_tenth_hole_radii\": $crack_tenth" "\"${name}_crack_beyond_50_radii\": $beyond")
 }
 
 zone standard

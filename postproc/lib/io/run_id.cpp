@@ -60,8 +60,9 @@ std::vector<Origin> origins_in(const std::filesystem::path& dump) {
     add(dump / "scene.json", run_id_in_json);
   for (const char* name : {"history.csv", "gauges.csv", "burden.csv"})
     if (std::filesystem::exists(dump / name)) add_table(dump / name, origins);
-  for (const auto& path : snapshot_files(dump))
-    add(path, [](const auto& snapshot) { return id_in_line(snapshot, 1); });
+  const auto id_in_first_line = [](const auto& path) { return id_in_line(path, 1); };
+  add(dump / kJointsFile, id_in_first_line);
+  for (const auto& path : snapshot_files(dump)) add(path, id_in_first_line);
   return origins;
 }
 

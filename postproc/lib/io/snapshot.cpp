@@ -14,6 +14,7 @@
 #include "io/images.h"
 #include "io/plain_snapshot.h"
 #include "io/posed_block.h"
+#include "io/remarks.h"
 #include "io/snapshot_reader.h"
 #include "provenance/run_files.h"
 
@@ -22,18 +23,6 @@ namespace {
 
 // Nine digits of text leave a unit quaternion within 1e-8; a wrong column is off by far more.
 constexpr double kUnitTolerance = 1e-4;
-
-// The text after "<key>=" in a remark such as "step=1000 time_s=0.005".
-double remark_number(const CsvTable& table, const std::string& file, std::string_view key) {
-  const std::string wanted = std::string(key) + "=";
-  for (const std::string_view remark : table.remarks()) {
-    const size_t at = remark.find(wanted);
-    if (at == std::string_view::npos) continue;
-    const std::string_view value = remark.substr(at + wanted.size());
-    return parse_number(value.substr(0, value.find(' ')), file + ": " + std::string(key));
-  }
-  throw InputError(file + ": the first line must hold '# step=<n> time_s=<t>'");
-}
 
 struct Columns {
   explicit Columns(const CsvTable& t)

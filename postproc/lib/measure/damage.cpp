@@ -9,7 +9,7 @@
 namespace muckpile {
 
 std::vector<DamageRing> damage_rings(const std::vector<DamagedBlock>& blocks, double width) {
-  std::map<long, DamageRing> rings;  // broken_fraction is the sum of broken volumes at first
+  std::map<long, DamageRing> rings;  // fractions are sums of volumes at first
   for (const DamagedBlock& block : blocks) {
     const long number = static_cast<long>(std::floor(block.distance / width));
     const double middle = (static_cast<double>(number) + 0.5) * width;
@@ -17,10 +17,12 @@ std::vector<DamageRing> damage_rings(const std::vector<DamagedBlock>& blocks, do
     ++ring.blocks;
     ring.volume += block.volume;
     ring.broken_fraction += block.volume * block.broken_fraction;
+    ring.connected_fraction += block.volume * block.connected_fraction;
   }
   std::vector<DamageRing> list;
   for (auto& [number, ring] : rings) {
     ring.broken_fraction /= ring.volume;
+    ring.connected_fraction /= ring.volume;
     list.push_back(ring);
   }
   return list;

@@ -9,16 +9,18 @@
 namespace muckpile {
 
 struct DamagedBlock {
-  double distance;         // from the nearest charge's axis, at the start [m]
-  double volume;           // [m3]
-  double broken_fraction;  // of its joint area
+  double distance;                  // from the nearest charge's axis, at the start [m]
+  double volume;                    // [m3]
+  double broken_fraction;           // of its joint area
+  double connected_fraction = 0.0;  // of it in cracks that hang together with a hole
 };
 
 struct DamageRing {
   double distance;  // of its middle [m]
   int blocks;
-  double volume;           // of its blocks [m3]
-  double broken_fraction;  // mean by volume
+  double volume;                    // of its blocks [m3]
+  double broken_fraction;           // mean by volume
+  double connected_fraction = 0.0;  // the same
 };
 
 // From the nearest ring to the farthest, without empty ones. `width` > 0 [m].

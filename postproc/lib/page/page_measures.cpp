@@ -32,6 +32,9 @@ const std::vector<Picture>& pictures_of_the_pile() {
       {"survey.png", "Survey", "Surface of the run less the surveyed one; table in survey.csv."},
       {"damage.png", "Broken joints",
        "Broken share of the joints around the charges; table in damage.csv."},
+      {"cracks.png", "Cracks",
+       "Broken joints around the charges, and which of them hang together with a hole; table in "
+       "cracks.csv."},
       {"heights.png", "From above",
        "Heights of the pile and of the rock that stayed; table in heights.csv."},
       {"trough.png", "Power trough",

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Which run wrote the files of a dump folder, by the run id that each of them carries.
 
-Scope: the rule of muckpile-post: blocks.vtk, run.json, history.csv, gauges.csv, burden.csv, the snapshots, and
-scene.json where it has an id; files that are not there are no strangers.
+Scope: the rule of muckpile-post: blocks.vtk, run.json, history.csv, gauges.csv, burden.csv, joints.csv, the snapshots,
+and scene.json where it has an id; files that are not there are no strangers.
 """
 
 import re
@@ -66,7 +66,8 @@ def _origins(dump: Path) -> list[tuple[str, str]]:
     for name in ("history.csv", "gauges.csv", "burden.csv"):
         if (dump / name).exists():
             found += _ids_of_table(dump / name)
-    for path in snapshot_files(dump):
+    joints = [dump / "joints.csv"] if (dump / "joints.csv").exists() else []
+    for path in joints + snapshot_files(dump):
         found.append((str(path), _id_in("".join(first_lines(path, 1)))))
     return found
 

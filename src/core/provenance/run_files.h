@@ -17,6 +17,9 @@ namespace muckpile {
 /// The id in the first such mark among the words of a line; "" if there is none.
 [[nodiscard]] std::string run_id_in(std::string_view line);
 
+/// Of the joints that hold at the end of a run.
+inline constexpr const char* kJointsFile = "joints.csv";
+
 /// "blocks_000001000.csv" for step 1000.
 [[nodiscard]] std::string snapshot_name(long long step);
 

@@ -6,11 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
+#include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "lump.h"
+#include "scratch_folder.h"
 
 namespace muckpile::test {
 namespace {
@@ -117,6 +121,42 @@ TEST(FixMuckpileJoint, RanksShareASofteningBodyWithoutChangingIt) {
 
 TEST(FixMuckpileJoint, RanksShareABodyWhoseStrengthGrowsWithItsRate) {
   EXPECT_NE(broken_on_ranks(kRate), broken_alone(kStrength));
+}
+
+/// Rows of a table in alphabetic order, without its two first lines.
+std::vector<std::string> sorted_rows(const std::filesystem::path& table) {
+  std::istringstream in(content(table));
+  std::vector<std::string> rows;
+  for (std::string line; std::getline(in, line);) rows.push_back(line);
+  EXPECT_GE(rows.size(), 2u);
+  EXPECT_EQ(rows[1], "id,face,broken_share");
+  rows.erase(rows.begin(), rows.begin() + 2);
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
+
+// Each joint is written once, by the rank of its first block, unless it is broken whole.
+TEST(FixMuckpileJoint, RanksWriteTheJointsThatHoldOnce) {
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  const ScratchFolder base("joints_that_hold");
+  const auto into_alone = base / ("alone" + std::to_string(rank)), into_shared = base / "shared";
+  RockScene alone(MPI_COMM_SELF, "-4 4 -4 4 -4 4"),
+      shared(MPI_COMM_WORLD, "-4 4 -4 4 -4 4", "* * 1");
+  for (const auto& [scene, into] :
+       {std::pair(&alone, into_alone), std::pair(&shared, into_shared)}) {
+    scene->command("fix snapshots all muckpile/dump every 10000 directory " + into.string());
+    spin_to_pieces(*scene, kStrength);
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  const std::vector<std::string> rows = sorted_rows(into_alone / "joints.csv");
+  EXPECT_EQ(rows, sorted_rows(into_shared / "joints.csv"));
+  EXPECT_EQ(std::adjacent_find(rows.begin(), rows.end()), rows.end());
+  const auto cracked = std::count_if(rows.begin(), rows.end(),
+                                     [](const std::string& row) { return !row.ends_with(",0"); });
+  const double whole = alone.output("joint", joints) - static_cast<double>(rows.size());
+  EXPECT_GT(whole, 20.0);
+  EXPECT_EQ(whole + static_cast<double>(cracked), alone.output("joint", broken));
 }
 
 // How slip is taken depends on the volumes of both blocks, also of those of other ranks.
