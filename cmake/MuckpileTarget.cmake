@@ -48,7 +48,7 @@ endfunction()
 # precompiled for it; library or program by what the target is, unless given.
 function(muckpile_target target)
   muckpile_compile_options(${target})
-  if(NOT MUCKPILE_PRECOMPILE)
+  if(NOT MUCKPILE_QUICK_BUILD)
     return()
   endif()
   set(kind library)
