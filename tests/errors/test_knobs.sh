@@ -12,6 +12,7 @@ cd "$root"
 source src/app/run/input_variables.sh
 readonly kWords=' out site from holes_by holes_of hole_table pulse_table gas_file '
 mkdir "$out/dump"
+export OMPI_MCA_ess_singleton_isolated=1  # hundreds of runs on one rank, each of which would start Open MPI's daemon
 
 readonly bench=inputs/bench/in.bench
 files() { files_of "$1" | sort -u; }

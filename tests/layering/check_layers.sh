@@ -4,6 +4,7 @@
 # Rule: src/core knows no engine, MPI, VTK, printing or upper layer; postproc no engine, MPI or
 # fixes; fixes no postproc. The engine's headers are those that LIGGGHTS installs. A style's header is included in its own folder
 # alone, and where styles are registered: other styles see it through fixes/interfaces.
+# What is precompiled are headers of others, and for libraries none that core must not know: it would compile with it unseen.
 # Memory is prefetched through src/core/math/prefetch.h, as GCC may drop what calls the builtin itself.
 set -euo pipefail
 root=$1
@@ -59,10 +60,24 @@ check_prefetches() {
   done < <(grep -rnF __builtin_prefetch "$root"/{src,fixes,postproc} | grep -v '/math/prefetch\.h:' | cut -d: -f1,2)
 }
 
+headers_of() { sed -n "/^set(muckpile_$1_headers/,/)/p" "$root/cmake/MuckpileTarget.cmake" 2>/dev/null || true; }
+
+check_precompiled() {
+  local header
+  while IFS= read -r header; do
+    printf 'cmake/MuckpileTarget.cmake precompiles %s\n' "$header"
+    faults=$((faults + 1))
+  done < <(
+    headers_of '[a-z]*' | grep -oE '"[^"]+"' || true
+    headers_of library | grep -oE '<(mpi\.h|vtk[^>]*|iostream|cstdio|stdio\.h|lammps\.h|gtest/[^>]*)>' || true
+  )
+}
+
 check src/core '^(mpi\.h|vtk|iostream$|cstdio$|stdio\.h|engine/|interfaces/|fixes/|postproc/|fix_|pair_)' no
 check postproc '^(mpi\.h|engine/|interfaces/|fixes/|fix_|pair_)' no
 check fixes '^(vtk|postproc/)' yes
 check src/app '^(vtk|postproc/)' yes
 check_styles
 check_prefetches
+check_precompiled
 [[ $faults -eq 0 ]]

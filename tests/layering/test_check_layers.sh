@@ -5,7 +5,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
 readonly check=$here/check_layers.sh tree=$out
 export LIGGGHTS_INCLUDE_DIR=$tree/engine
-mkdir -p "$tree"/{engine,src/core/{args,math},src/app,fixes/{joints,output,engine},postproc/lib}
+mkdir -p "$tree"/{engine,cmake,src/core/{args,math},src/app,fixes/{joints,output,engine},postproc/lib}
 touch "$tree"/engine/{lammps.h,region.h} "$tree"/postproc/lib/region.h
 
 echo '#include "args/range.h"
@@ -17,6 +17,8 @@ echo '#include <lammps.h>
 echo '#include "fixes/joints/fix_muckpile_joint.h"' >"$tree/fixes/joints/fix_muckpile_joint.cpp"
 echo '#include "fixes/joints/fix_muckpile_joint.h"' >"$tree/fixes/engine/registry.cpp"
 echo '__builtin_prefetch(place);' >"$tree/src/core/math/prefetch.h"
+readonly headers=$tree/cmake/MuckpileTarget.cmake
+printf 'set(muckpile_library_headers <vector>\n  <Eigen/Core>)\nset(muckpile_program_headers <vector> <iostream>)\n' >"$headers"
 "$check" "$tree" || { echo "a clean tree was refused"; exit 1; }
 
 expect_fault() {  # expect_fault FILE HEADER
@@ -45,3 +47,10 @@ expect_fault src/app/x.cpp '"postproc/lib/b.h"'
 echo '__builtin_prefetch(place);' >"$tree/src/core/args/x.cpp"
 output=$("$check" "$tree") && { echo "a prefetch of its own passed"; exit 1; }
 grep -qF "src/core/args/x.cpp:1 calls" <<<"$output" || { echo "wrong message: $output"; exit 1; }
+rm "$tree/src/core/args/x.cpp"
+
+for header in '"math/types.h"' '<iostream>'; do
+  printf 'set(muckpile_library_headers <vector>\n  %s)\n' "$header" >"$headers"
+  output=$("$check" "$tree") && { echo "$header was precompiled for libraries"; exit 1; }
+  grep -qF "precompiles $header" <<<"$output" || { echo "wrong message: $output"; exit 1; }
+done

@@ -16,7 +16,9 @@ loads() {
   grep -q 'block_min 0.235 m is wider than 2 radii of the crushed zone; 0.17991 m is taken' "$out/$name/screen" || fail "$name: other blocks at the wall"
 }
 
-loads full 'wave peak P1 = 535.9 MPa on r1 = 0.09 m'
+loads full 'wave peak P1 = 535.9 MPa on r1 = 0.09 m' &
 loads air 'wave peak P1 = 535.9 MPa on r1 = 0.05342 m' -var charge_diameter 0.048
-loads thin 'wave peak P1 = 230.6 MPa on r1 = 0.03 m (1 hole radii' -var charge_diameter 0.024
+wait $!
+loads thin 'wave peak P1 = 230.6 MPa on r1 = 0.03 m (1 hole radii' -var charge_diameter 0.024 &
 loads as_full 'wave peak P1 = 245.1 MPa on r1 = 0.09 m' -var charge_diameter 0.048 -var decoupled_zone full
+wait $!

@@ -22,6 +22,8 @@ mapfile -t expected < <(sed -nE 's/^# expect: (.*)$/\1/p' "$input")
 [[ ${#expected[@]} -gt 0 ]] || fail "$input has no line '# expect: TEXT'"
 np=$(sed -nE 's/^# np: ([0-9]+)$/\1/p' "$input")
 
+# mpirun waits a second for the ranks that a refusal leaves, which have nothing more to say.
+export OMPI_MCA_odls_base_sigkill_timeout=0
 status=0
 output=$(OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 \
   OMPI_MCA_btl_vader_single_copy_mechanism=none \

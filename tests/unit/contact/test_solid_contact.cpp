@@ -64,10 +64,10 @@ TEST_P(Collisions, ConserveEnergyMomentumAndAngularMomentum) {
 INSTANTIATE_TEST_SUITE_P(Seeds, Collisions, testing::Range(1u, 7u));
 
 enum class Feature { face, edge, corner };
-class Restitution : public testing::TestWithParam<std::tuple<Feature, double>> {};
+class RestitutionOfSolids : public testing::TestWithParam<std::tuple<Feature, double>> {};
 
 // A cube meets a face of another one head-on, with its face, its edge or its corner.
-TEST_P(Restitution, IsTheAskedShareOfTheSpeedBeforeAnImpact) {
+TEST_P(RestitutionOfSolids, IsTheAskedShareOfTheSpeedBeforeAnImpact) {
   const auto [feature, restitution] = GetParam();
   const double edge = 0.5;
   Mat3 axes = Mat3::Identity();
@@ -91,7 +91,7 @@ TEST_P(Restitution, IsTheAskedShareOfTheSpeedBeforeAnImpact) {
   std::printf("restitution asked %.2f, got %.4f\n", restitution, after);
   EXPECT_NEAR(after, restitution, 0.02);
 }
-INSTANTIATE_TEST_SUITE_P(All, Restitution,
+INSTANTIATE_TEST_SUITE_P(All, RestitutionOfSolids,
                          testing::Combine(testing::Values(Feature::face, Feature::edge,
                                                           Feature::corner),
                                           testing::Values(0.2, 0.5, 0.9)));

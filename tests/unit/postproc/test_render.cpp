@@ -96,7 +96,7 @@ TEST(PictureOfABench, WordsBelowEndBeforeTheScaleBar) {
 }
 
 // Two cubes side by side along y, cut through the first at y = 0.25.
-class Section : public ::testing::Test {
+class DrawnSection : public ::testing::Test {
  protected:
   void cut(bool keep_high) {
     const CutPlane plane{{{0.0, 0.25}, {1.0, 0.25}}, keep_high};
@@ -110,7 +110,7 @@ class Section : public ::testing::Test {
   Scene scene_;
 };
 
-TEST_F(Section, LeavesWhatIsBehindItAndAFaceTowardsTheEye) {
+TEST_F(DrawnSection, LeavesWhatIsBehindItAndAFaceTowardsTheEye) {
   cut(true);
   ASSERT_EQ(scene_.polygons.size(), 5U + 6U + 1U);  // the first cube has lost its front
   for (const ScenePolygon& polygon : scene_.polygons)
@@ -119,7 +119,7 @@ TEST_F(Section, LeavesWhatIsBehindItAndAFaceTowardsTheEye) {
   EXPECT_NEAR(normal_of(scene_.polygons.back().corners).normalized().y(), -1.0, 1e-12);
 }
 
-TEST_F(Section, FacesAnEyeOnTheOtherSideToo) {
+TEST_F(DrawnSection, FacesAnEyeOnTheOtherSideToo) {
   cut(false);
   ASSERT_EQ(scene_.polygons.size(), 5U + 1U);
   EXPECT_NEAR(normal_of(scene_.polygons.back().corners).normalized().y(), 1.0, 1e-12);

@@ -14,8 +14,6 @@
 namespace muckpile::test {
 namespace {
 
-INSTANTIATE_TEST_SUITE_P(Laws, EachJointLaw, testing::ValuesIn(joint_laws()), name_of_law);
-
 constexpr double kTension = 1e6;                              // [Pa]
 constexpr double kGivenTension = 200.0, kGivenShear = 800.0;  // fracture energies [J/m2]
 

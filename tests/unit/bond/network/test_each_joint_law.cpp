@@ -18,6 +18,7 @@
 namespace muckpile::test {
 namespace {
 
+// Those of test_decohesion.cpp, too.
 INSTANTIATE_TEST_SUITE_P(Laws, EachJointLaw, testing::ValuesIn(joint_laws()), name_of_law);
 
 /// Does not break.
