@@ -25,7 +25,7 @@ inline Triangles halved(const Triangles& coarse) {
   return fine;
 }
 
-inline Triangles box(const Vec3& lo, const Vec3& hi) {
+inline Triangles closed_box(const Vec3& lo, const Vec3& hi) {
   const auto corner = [&](int k) {
     return Vec3((k & 1) != 0 ? hi.x() : lo.x(), (k & 2) != 0 ? hi.y() : lo.y(),
                 (k & 4) != 0 ? hi.z() : lo.z());
@@ -48,7 +48,7 @@ Triangles mapped(Triangles triangles, const Map& map) {
 
 /// A ball, each face of a cube divided by 4^rounds.
 inline Triangles ball(double radius, int rounds) {
-  Triangles triangles = box(Vec3::Constant(-1.0), Vec3::Constant(1.0));
+  Triangles triangles = closed_box(Vec3::Constant(-1.0), Vec3::Constant(1.0));
   for (int k = 0; k < rounds; ++k) triangles = halved(triangles);
   return mapped(triangles, [&](const Vec3& p) { return Vec3(radius * p.normalized()); });
 }

@@ -58,7 +58,7 @@ TEST(SurfaceCut, BallHasItsVolume) {
 TEST(SurfaceCut, TiltedBoxHasFlatFaces) {
   const Quat turn(Eigen::AngleAxisd(0.4, Vec3(1.0, 2.0, 0.5).normalized()));
   const std::vector<RockSurface> rock{
-      test::surface_of(test::mapped(test::box({-1.0, -0.8, -0.7}, {1.0, 0.8, 0.7}),
+      test::surface_of(test::mapped(test::closed_box({-1.0, -0.8, -0.7}, {1.0, 0.8, 0.7}),
                                     [&](const Vec3& p) { return Vec3(turn * p); }))};
   const CutRock made = cut(rock, Vec3::Constant(-1.6), Vec3::Constant(1.6), 0.25, "tilted box");
   EXPECT_LT(std::abs(made.volume_error), 1e-3);
@@ -83,7 +83,7 @@ TEST(SurfaceCut, RoughGroundIsFollowed) {
 
 /// Floor, leaning face and top as one closed body, all rough.
 std::vector<RockSurface> rough_bench() {
-  auto triangles = test::box({-3.0, -2.0, -1.0}, {0.0, 2.0, 3.0});
+  auto triangles = test::closed_box({-3.0, -2.0, -1.0}, {0.0, 2.0, 3.0});
   for (int k = 0; k < 4; ++k) triangles = test::halved(triangles);
   return {test::surface_of(test::mapped(triangles, [](const Vec3& p) {
     const double lean = -0.25 * (p.z() + 1.0) * (p.x() + 3.0) / 3.0;
@@ -179,7 +179,7 @@ TEST(JointSetsInSurfaces, BallHasItsVolume) {
 TEST(JointSetsInSurfaces, TiltedBoxHasFlatFaces) {
   const Quat turn(Eigen::AngleAxisd(0.4, Vec3(1.0, 2.0, 0.5).normalized()));
   const std::vector<RockSurface> rock{
-      test::surface_of(test::mapped(test::box({-1.0, -0.8, -0.7}, {1.0, 0.8, 0.7}),
+      test::surface_of(test::mapped(test::closed_box({-1.0, -0.8, -0.7}, {1.0, 0.8, 0.7}),
                                     [&](const Vec3& p) { return Vec3(turn * p); }))};
   const CutRock made = cut(rock, Vec3::Constant(-1.6), Vec3::Constant(1.6), 0.25,
                            "tilted box, joint sets", by_joint_sets);

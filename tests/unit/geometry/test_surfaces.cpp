@@ -112,7 +112,7 @@ TEST(SurfaceChecks, OpenSurfaceMustBeTurnedAlike) {
   const auto turned_alike = [](const test::Triangles& triangles) {
     return input_error_of([&] { require_turned_alike(triangles, "it", "ground"); });
   };
-  test::Triangles open = test::box(Vec3::Constant(-1.0), Vec3::Constant(1.0));
+  test::Triangles open = test::closed_box(Vec3::Constant(-1.0), Vec3::Constant(1.0));
   open.pop_back();
   EXPECT_EQ(turned_alike(open), "");
   // Corners that are one to rounding leave no edge between them.
@@ -140,7 +140,7 @@ TEST(SurfaceChecks, DoubledTrianglesAreLeftOut) {
 }
 
 TEST(SurfaceChecks, NameWhatIsWrong) {
-  const test::Triangles good = test::box(Vec3::Constant(-1.0), Vec3::Constant(1.0));
+  const test::Triangles good = test::closed_box(Vec3::Constant(-1.0), Vec3::Constant(1.0));
   EXPECT_EQ(refusal(good), "");
   test::Triangles open = good;
   open.pop_back();
@@ -154,7 +154,7 @@ TEST(SurfaceChecks, NameWhatIsWrong) {
   const test::Triangles inward = test::mapped(good, [](const Vec3& p) { return Vec3(-p); });
   EXPECT_TRUE(refusal(inward).starts_with("it: must have triangles that look out of the rock"));
   test::Triangles twice = good;
-  for (const StlTriangle& t : test::box(Vec3::Constant(-0.5), Vec3::Constant(1.5)))
+  for (const StlTriangle& t : test::closed_box(Vec3::Constant(-0.5), Vec3::Constant(1.5)))
     twice.push_back(t);
   EXPECT_TRUE(refusal(twice).starts_with("it: must not overlap itself"));
 }

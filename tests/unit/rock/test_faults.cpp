@@ -89,7 +89,7 @@ TEST(SurfaceIndex, PartsWhatLiesOnTwoSides) {
   }
   EXPECT_GT(parted, 500);
   // Through edges of a cube: by one of the two triangles there.
-  const SurfaceIndex cube(test::box(Vec3::Constant(-1.0), Vec3::Constant(1.0)));
+  const SurfaceIndex cube(test::closed_box(Vec3::Constant(-1.0), Vec3::Constant(1.0)));
   EXPECT_TRUE(cube.parts(Vec3::Zero(), Vec3(2, 2, 0)));
   EXPECT_TRUE(cube.parts(Vec3::Zero(), Vec3(0, 0, 3)));
 }
