@@ -26,6 +26,8 @@ Canvas draw_panels(const Panels& panels) {
   const double key_top = top, right = kWidth - 0.3 * kLeft;
   if (std::ranges::any_of(curves, [](const PlotCurve& curve) { return !curve.label.empty(); }))
     top += lay_out_key(curves, kLeft, right, key_top, nullptr);
+  // One alone takes the width.
+  const double frame_width = panels.plots.size() > 1 ? kFrameWidth : right - kLeft;
   const size_t rows = (panels.plots.size() + kColumns - 1) / kColumns;
   const double row_height = kAbove + kFrameHeight + kBelow;
   const double height = top + static_cast<double>(rows) * row_height;
@@ -37,8 +39,8 @@ Canvas draw_panels(const Panels& panels) {
     const CurvePlot& plot = panels.plots[k];
     const double x = kLeft + static_cast<double>(k % kColumns) * kWidth / kColumns;
     const double y = top + kAbove + static_cast<double>(k / kColumns) * row_height;
-    draw_frame_of(plot, {x, y}, {x + kFrameWidth, y + kFrameHeight}, canvas);
-    canvas.text({x + kFrameWidth, y - 8.0}, plot.title, kTextSize, kInk, Anchor::kRight);
+    draw_frame_of(plot, {x, y}, {x + frame_width, y + kFrameHeight}, canvas);
+    canvas.text({x + frame_width, y - 8.0}, plot.title, kTextSize, kInk, Anchor::kRight);
   }
   return canvas;
 }

@@ -49,6 +49,14 @@ PlotCurve band_of(const OverlaidCurve& curve) {
   return band;
 }
 
+// Of many runs, whose lines would hide an area.
+PlotCurve edge_of(const OverlaidCurve& curve, double Spread::*quantile, std::string label) {
+  PlotCurve edge{std::move(label), CurveStyle::kThin, 0, {}};
+  for (size_t k = 0; k < curve.x.size(); ++k)
+    edge.points.emplace_back(curve.x[k], curve.spread[k].*quantile);
+  return edge;
+}
+
 CurvePlot plot_of(const OverlaidCurve& curve, const std::string& over,
                   const std::vector<std::string>& runs) {
   constexpr size_t kNamed = 6;  // more runs are thin lines of one colour
@@ -58,14 +66,18 @@ CurvePlot plot_of(const OverlaidCurve& curve, const std::string& over,
   plot.y_label = name_of_figure(curve.column);
   if ((over == "sieve_m" || over == "size_m") && curve.x.front() > 0.0)
     plot.x_scale = Scale::kLogarithmic;
-  if (runs.size() > 2) plot.curves.push_back(band_of(curve));
+  const bool named = runs.size() <= kNamed;
+  if (runs.size() > 2 && named) plot.curves.push_back(band_of(curve));
   for (size_t k = 0; k < runs.size(); ++k) {
-    const bool named = runs.size() <= kNamed;
     plot.curves.push_back({named    ? runs[k]
                            : k == 0 ? "each run"
                                     : "",
                            CurveStyle::kThin, named ? static_cast<int>(k + 1) : kGrey,
                            curve.runs[k]});
+  }
+  if (!named) {
+    plot.curves.push_back(edge_of(curve, &Spread::p10, "P10 and P90"));
+    plot.curves.push_back(edge_of(curve, &Spread::p90, ""));
   }
   PlotCurve middle{"P50", CurveStyle::kLine, 0, {}};
   for (size_t k = 0; k < curve.x.size(); ++k)

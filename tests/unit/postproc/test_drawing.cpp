@@ -12,6 +12,7 @@
 #include "draw/canvas.h"
 #include "draw/clip.h"
 #include "draw/curve_plot.h"
+#include "draw/panels.h"
 #include "draw/scene.h"
 #include "draw/text.h"
 #include "report/section_plot.h"
@@ -235,6 +236,30 @@ TEST(Scene, RoofThrowsAShadowBesideItself) {
   };
   EXPECT_LT(red(roofed, shaded), 0.7 * red(bare, shaded));
   EXPECT_EQ(red(roofed, lit), red(bare, lit));
+}
+
+// A level line goes to the end of its frame: three quarters across the picture there is one if the
+// frame is alone, and in the second of two frames.
+TEST(Panels, AFrameAloneTakesTheWidth) {
+  CurvePlot plot;
+  plot.x = {0.0, 1.0};
+  plot.y = {0.0, 2.0};
+  plot.curves.push_back({"", CurveStyle::kLine, 0, {{0.0, 1.0}, {1.0, 1.0}}});
+  const auto coloured = [](const Canvas& canvas, int x) {
+    for (int y = 100; y < 350; ++y) {
+      const Pixel p = pixel(canvas, x, y);
+      if (p.blue > p.red + 50) return true;
+    }
+    return false;
+  };
+  Panels panels;
+  panels.plots = {plot};
+  const Canvas alone = draw_panels(panels);
+  for (const int x : {200, 600, 1100}) EXPECT_TRUE(coloured(alone, x)) << x;
+  panels.plots = {plot, plot};
+  const Canvas two = draw_panels(panels);
+  EXPECT_EQ(alone.width(), two.width());
+  EXPECT_FALSE(coloured(two, 600));  // between them
 }
 
 }  // namespace
