@@ -21,10 +21,11 @@ struct DamageWords {
 
 void add_damage_command(CLI::App& app) {
   const auto words = std::make_shared<DamageWords>();
-  CLI::App* command = app.add_subcommand(
-      "damage",
-      "runs with charges: damage.csv, damage.png; broken share of the joints against the distance "
-      "from the nearest charge");
+  CLI::App* command = app.add_subcommand("damage",
+                                         "runs with charges: damage.csv, damage.png, cracks.csv, "
+                                         "cracks.png; reach of the cracks from a "
+                                         "hole on, broken share of the joints against the distance "
+                                         "from the nearest charge");
   command->add_option("folder", words->folder, "result folder of the run; it holds dump/")
       ->required();
   command

@@ -213,6 +213,7 @@ double reach_exceeded(const std::vector<Reaches>& holes, double share) {
 
 double directions_beyond(const std::vector<Reaches>& holes, double distance) {
   const std::vector<double> all = in_order(holes);
+  if (all.empty() || std::isnan(distance)) return std::numeric_limits<double>::quiet_NaN();
   const auto beyond = std::ranges::count_if(all, [&](double r) { return r > distance; });
   return static_cast<double>(beyond) / static_cast<double>(all.size());
 }

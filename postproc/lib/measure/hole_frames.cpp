@@ -136,7 +136,7 @@ bool HoleFrames::abreast(const Vec3& p) const {
 }
 
 Vec3 HoleFrames::outward(const Vec3& start) const {
-  const Vec2& direction = holes_[hole_at(start)].direction;
+  const Vec2& direction = holes_[hole_behind(start).value_or(hole_at(start))].direction;
   return {direction.x(), direction.y(), 0.0};
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A bench whose holes do not all throw to one side: each hole has a direction, along which its rock
 // goes, and the face in front of it.
-// Scope: rock is measured by the hole whose axis is nearest to it, in plan at its own height.
+// Scope: faces and distances are those of the hole whose axis is nearest in plan at the place's own
+// height, throw is along the direction of the hole whose burden the rock was.
 #pragma once
 
 #include <optional>

@@ -99,7 +99,7 @@ size_t end_of_row(const std::vector<PatternHole>& holes, size_t first) {
 size_t hole_beside(const std::vector<PatternHole>& holes, size_t first, const Vec3& p) {
   const auto aside = [&](size_t h) { return std::abs(p.y() - axis_at(holes[h], p.z()).y()); };
   size_t beside = first;
-  for (size_t h = first; h < end_of_row(holes, first); ++h)
+  for (size_t h = first; h < holes.size() && holes[h].row == holes[first].row; ++h)
     if (aside(h) < aside(beside)) beside = h;
   return beside;
 }

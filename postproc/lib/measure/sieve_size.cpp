@@ -107,8 +107,7 @@ double sieve_size(const std::vector<Vec3>& points, const std::vector<Vec3>& star
     const Opening straight = opening_at(points, u);
     // A thin plate passes along the diagonal of the opening.
     if (straight.side < best.side) best = straight;
-    const Opening diagonal =
-        opening_at(points, (straight.u + straight.v).normalized(), best.side);
+    const Opening diagonal = opening_at(points, (straight.u + straight.v).normalized(), best.side);
     if (diagonal.side < best.side) best = diagonal;
   }
   return refined(points, best).side;

@@ -104,7 +104,7 @@ Canvas draw_damage(const Damage& damage) {
   return draw_curves(plot);
 }
 
-// A third of the directions, say, or a radius: null where cracks are not known.
+// Keys of the cracks; null where they are not known.
 void add_crack_keys(const Damage& damage, nlohmann::ordered_json& keys) {
   const auto& cracks = damage.cracks;
   const auto reach = [&](double share) {

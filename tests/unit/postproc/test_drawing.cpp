@@ -260,6 +260,7 @@ TEST(Panels, AFrameAloneTakesTheWidth) {
   const Canvas two = draw_panels(panels);
   EXPECT_EQ(alone.width(), two.width());
   EXPECT_FALSE(coloured(two, 600));  // between them
+  EXPECT_TRUE(coloured(two, 900));
 }
 
 }  // namespace

@@ -203,8 +203,7 @@ TEST_F(Corner, TheSectionGoesThroughAHoleOfTheFrontRowThatThrowsAlongX) {
   EXPECT_DOUBLE_EQ(y_of_middle_hole(bench, folder().rock()), -3.0);
 }
 
-// The middle hole leans aside: without burdens that is refused, with them each block belongs to the
-// axis that is nearest at its height.
+// The middle hole leans aside: without burdens that is refused, with them they are measured.
 TEST_F(Corner, HolesThatAreNotParallelNeedTheirBurdens) {
   std::string table = kTable;
   table.replace(table.find("b,-2,-2,3"), 9, "b,-2,-3,3");
