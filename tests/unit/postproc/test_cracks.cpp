@@ -169,7 +169,7 @@ TEST(ReachExceeded, IsLinearBetweenDirectionsInOrder) {
   EXPECT_DOUBLE_EQ(directions_beyond({reach}, 7.5), 3.0 / 11.0);
 }
 
-TEST(Cracks, ShareOfDirectionsIsUnknownWhereTheDistanceIs) {
+TEST(ReachExceeded, ShareOfDirectionsIsUnknownWhereTheDistanceIs) {
   EXPECT_TRUE(std::isnan(directions_beyond({}, 1.0)));
   EXPECT_TRUE(std::isnan(directions_beyond({Reaches{}}, std::nan(""))));
 }
