@@ -30,10 +30,10 @@ peaks hole_144_mm hole_diameter 0.144
 peaks hole_204_mm hole_diameter 0.204
 peaks heavy_anfo explosive heavy_anfo
 peaks emulsion explosive emulsion
-peaks anfo_shock attenuation_exponent auto
-peaks emulsion_shock explosive emulsion attenuation_exponent auto
-peaks anfo_two_stage expansion two_stage attenuation_exponent auto
-peaks emulsion_two_stage explosive emulsion expansion two_stage attenuation_exponent auto
+peaks anfo_shock attenuation shock
+peaks emulsion_shock explosive emulsion attenuation shock
+peaks anfo_two_stage expansion two_stage attenuation shock
+peaks emulsion_two_stage explosive emulsion expansion two_stage attenuation shock
 # Liu and Katsabanis' exponents of the two.
 peaks anfo_own_fall attenuation_exponent 1.43
 peaks emulsion_own_fall explosive emulsion attenuation_exponent 1.49

@@ -18,6 +18,10 @@ namespace muckpile {
 /// Hino (1956): exponents 1.2 to 1.5, worked with 1.4 here; shown beside the others only.
 inline constexpr double kHinoExponent = 1.4;
 
+/// Where no other is asked for: of a stress wave, the highest that Hino has
+/// (docs/theory/charge.md).
+inline constexpr double kStressWaveExponent = 1.5;
+
 /// pressure (borehole_radius / radius)^exponent [Pa]. InputError if a radius is not positive, if
 /// radius < borehole_radius, or if the pressure or exponent is negative.
 [[nodiscard]] double attenuated_pressure(double pressure, double borehole_radius, double radius,

@@ -35,15 +35,11 @@ void add_pulse_keywords(ArgTable& table) {
   add_optional(table, "pulse_end", "end of `triangular` [s], > rise_time and <= 10");
   add_optional(table, "pulse_half_time", "of `itasca` after the peak [s], > 0 and <= 10");
   table.word("pulse_table", {}, "none", "CSV file of `table`: columns time_s, share of P1");
+  add_attenuation_keywords(table, {"shock", "liu_katsabanis"},
+                           "that of a shock, 2 + nu/(1 - nu), or 1.54 (c_p/D)^-0.33");
   add_optional(table, "poisson_ratio", "of the rock, >= 0 and < 0.5; needed by attenuation shock");
-  table.word(
-      "attenuation", {"shock", "liu_katsabanis"}, "shock",
-      "exponent of the fall of the peak from hole wall to crushed-zone wall: of a shock, 2 + "
-      "nu/(1 - nu), or 1.54 (c_p/D)^-0.33");
   add_optional(table, "rock_p_wave_speed",
-               "c_p of the rock [m/s], 100 to 2e4; needed by attenuation liu_katsabanis only");
-  add_optional(table, "attenuation_exponent",
-               "that exponent itself, 0 to 10; auto: from attenuation");
+               "c_p of the rock [m/s], 100 to 2e4; needed by attenuation liu_katsabanis");
   add_optional(table, "peak_pressure",
                "P1 on the crushed-zone wall itself [Pa], 1e5 to 1e12; auto: P0 attenuated");
 }
@@ -110,18 +106,15 @@ void read_attenuation(BlastOptions& options, const ArgValues& values) {
   };
   options.poisson_ratio = number("poisson_ratio", "", Range::right_open(0.0, 0.5));
   options.p_wave_speed = number("rock_p_wave_speed", "m/s", Range::closed(100.0, 2e4));
-  options.typed_exponent = number("attenuation_exponent", "", Range::closed(0.0, 10.0));
+  options.exponent = read_attenuation_exponent(values, options.where, Range::closed(0.0, 10.0));
   options.peak_pressure = number("peak_pressure", "Pa", Range::closed(1e5, 1e12));
-  if (values.word("attenuation") == "liu_katsabanis") {
-    options.attenuation = Attenuation::liu_katsabanis;
+  if (!options.exponent) {
+    const bool shock = values.word("attenuation") == "shock";
+    options.attenuation = shock ? Attenuation::shock : Attenuation::liu_katsabanis;
   }
-  if (options.typed_exponent && values.given("attenuation")) {
-    refuse(options.where, "attenuation_exponent and attenuation exclude each other");
-  }
-  if (options.typed_exponent) options.attenuation = Attenuation::typed;
   if (options.peak_pressure || !options.pulse) return;
   if (options.attenuation == Attenuation::shock && !options.poisson_ratio) {
-    refuse(options.where, "needs poisson_ratio, attenuation_exponent or peak_pressure");
+    refuse(options.where, "attenuation shock needs poisson_ratio");
   }
   if (options.attenuation == Attenuation::liu_katsabanis && !options.p_wave_speed) {
     refuse(options.where, "attenuation liu_katsabanis needs rock_p_wave_speed [m/s]");

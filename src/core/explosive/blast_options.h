@@ -18,13 +18,13 @@ namespace muckpile {
 
 [[nodiscard]] ArgTable blast_table();
 
-enum class Attenuation { shock, liu_katsabanis, typed };
+enum class Attenuation { exponent, shock, liu_katsabanis };
 
 struct BlastOptions {
   std::string where;  ///< starts every message
   ChargeOptions charge{};
-  Attenuation attenuation = Attenuation::shock;
-  std::optional<double> typed_exponent{};
+  Attenuation attenuation = Attenuation::exponent;
+  std::optional<double> exponent{};       ///< of Attenuation::exponent
   std::optional<double> poisson_ratio{};  ///< of the rock
   std::optional<double> p_wave_speed{};   ///< of the rock [m/s]
   std::optional<double> peak_pressure{};  ///< P1 as typed [Pa]

@@ -56,9 +56,8 @@ CrushedZoneInput rock_input(const ArgValues& values, const Rock& rock, const std
   in.tensile_strength = rock.tensile_strength;
   in.strain_rate = values.real("strain_rate");
   in.multiple = values.real("crushed_ratio");
-  in.attenuation_exponent =
-      optional_real(values, where, "attenuation_exponent", "", Range::left_open(0.0, 10.0))
-          .value_or(crushed_zone_exponent(rock.poisson_ratio));
+  const auto exponent = read_attenuation_exponent(values, where, Range::left_open(0.0, 10.0));
+  in.attenuation_exponent = exponent ? *exponent : crushed_zone_exponent(rock.poisson_ratio);
   return in;
 }
 
@@ -251,9 +250,7 @@ ArgTable charge_design_table() {
       .real("strain_rate", "1/s", Range::closed(1e2, 1e4), 1e3, "in the crushed zone, for `dai`");
   table.real("breaking_strain", "", Range::closed(1e-6, 1.0), 3e-4,
              "dynamic tensile strain at which rock cracks, for Harries' counting (2e-4 to 6e-4)");
-  add_optional(table, "attenuation_exponent",
-               "of the fall of the peak in crushed rock, > 0 and <= 10; auto: of a shock, 2 + "
-               "nu/(1 - nu)");
+  add_attenuation_keywords(table, {"shock"}, "or that of a shock, 2 + nu/(1 - nu)");
   table.word("hole_table", {}, "none", "CSV file of a pattern")
       .word("crushed_table", {}, "none",
             "CSV file to write, which may be that of `hole_table`: the pattern with the crushed "

@@ -10,11 +10,13 @@
 #include "args/input_error.h"
 #include "args/numbers.h"
 #include "args/require.h"
+#include "explosive/attenuation.h"
 
 namespace muckpile {
 namespace {
 
 constexpr const char* kNotGiven = "auto";
+constexpr const char* kByExponent = "exponent";
 constexpr double kAtOnce =
     1e20;  // a detonation velocity that fires the whole charge in no time [m/s]
 
@@ -22,8 +24,8 @@ const std::vector<std::string> kModels = {"explosion_state",       "explosion_st
                                           "explosion_state_gamma", "chapman_jouguet",
                                           "impedance_matched",     "jwl"};
 
-const std::vector<std::string> kExpansions = {"two_stage", "jwl",
-                                              "covolume"};  // in the order of Expansion
+const std::vector<std::string> kExpansions = {"two_stage", "jwl", "covolume",
+                                              kNotGiven};  // in the order of Expansion
 
 const std::vector<std::string> kAirGaps = {"energy", "isentrope", "power"};  // order of AirGap
 
@@ -129,8 +131,22 @@ void add_decoupling_keywords(ArgTable& table) {
             "only");
 }
 
+void add_attenuation_keywords(ArgTable& table, std::vector<std::string> laws,
+                              const std::string& text) {
+  laws.insert(laws.begin(), kByExponent);
+  table.word("attenuation", laws, kByExponent,
+             "by which the peak of the wave falls from hole wall to crushed-zone wall: "
+             "attenuation_exponent, " +
+                 text);
+  add_optional(table, "attenuation_exponent",
+               "exponent of that fall, at most 10; auto: 1.5, of a stress wave");
+}
+
 void add_expansion_keywords(ArgTable& table) {
-  table.word("expansion", kExpansions, kExpansions.front(), "law by which the products expand")
+  table
+      .word("expansion", kExpansions, kNotGiven,
+            "law by which the products expand; auto: covolume, or two_stage where the explosive's "
+            "energy is not known")
       .word("gas_switch_pressure", {}, "energy",
             "pressure p_k at which the gas stage starts and the isentrope of two_stage changes its "
             "exponent [Pa], 1e5 to 1e12; energy: the one with which the products of two_stage hold "
@@ -208,9 +224,22 @@ void read_decoupling(ChargeOptions& options, const ArgValues& values, const std:
   }
 }
 
-void read_expansion(ChargeOptions& options, const ArgValues& values, const std::string& where) {
+/// The law as typed. Only two stages do without the explosive's energy, and only they have an
+/// exponent of the dense products.
+Expansion expansion_of(const ChargeOptions& options, const ArgValues& values) {
+  if (values.word("expansion") == kNotGiven) {
+    const bool two_stage = !options.energy_known || values.given("gas_gamma_dense");
+    return two_stage ? Expansion::two_stage : Expansion::covolume;
+  }
   const auto at = std::find(kExpansions.begin(), kExpansions.end(), values.word("expansion"));
-  options.expansion = static_cast<Expansion>(at - kExpansions.begin());
+  return static_cast<Expansion>(at - kExpansions.begin());
+}
+
+void read_expansion(ChargeOptions& options, const ArgValues& values, const std::string& where) {
+  options.expansion = expansion_of(options, values);
+  if (values.given("gas_gamma_dense") && options.expansion != Expansion::two_stage) {
+    refuse(where, "gas_gamma_dense needs expansion two_stage");
+  }
   const bool jwl = options.expansion == Expansion::jwl;
   // The isentrope has a pressure of its own at the charge's volume.
   if (jwl && !options.typed_pressure && !values.given("borehole_model")) {
@@ -232,6 +261,15 @@ void read_expansion(ChargeOptions& options, const ArgValues& values, const std::
   }
   options.isentrope.dense_exponent = values.real("gas_gamma_dense");
   options.isentrope.dilute_exponent = values.real("gas_gamma");
+}
+
+std::optional<double> read_attenuation_exponent(const ArgValues& values, const std::string& where,
+                                                Range range) {
+  const auto typed = optional_real(values, where, "attenuation_exponent", "", range);
+  const std::string& law = values.word("attenuation");
+  if (law == kByExponent) return typed.value_or(kStressWaveExponent);
+  if (typed) refuse(where, "attenuation_exponent and attenuation " + law + " exclude each other");
+  return std::nullopt;
 }
 
 }  // namespace muckpile

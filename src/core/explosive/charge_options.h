@@ -45,7 +45,7 @@ struct ChargeOptions {
   BoreholeModel model = BoreholeModel::explosion_state;
   std::optional<double> typed_pressure{};  ///< P0 [Pa]
   std::optional<double> rock_impedance{};  ///< [Pa s/m]
-  Expansion expansion = Expansion::two_stage;
+  Expansion expansion = Expansion::covolume;
   /// Without its initial pressure: p_k of every law, exponents of two_stage and covolume.
   TwoStageIsentrope::Parameters isentrope{};
   bool switch_by_energy = true;      ///< its switch pressure follows from the explosive's energy
@@ -63,6 +63,10 @@ void add_explosive_keywords(ArgTable& table);
 void add_borehole_keywords(ArgTable& table);
 void add_decoupling_keywords(ArgTable& table);
 void add_expansion_keywords(ArgTable& table);
+/// The words attenuation and attenuation_exponent; `laws`, described by `text`, may be chosen in
+/// place of the exponent.
+void add_attenuation_keywords(ArgTable& table, std::vector<std::string> laws,
+                              const std::string& text);
 
 /// Fill in `options` from the words that the functions above have added to the table. InputError
 /// where words contradict each other or one that is needed is missing. read_explosive() reads those
@@ -70,6 +74,11 @@ void add_expansion_keywords(ArgTable& table);
 void read_explosive(ChargeOptions& options, const ArgValues& values, const std::string& where);
 void read_decoupling(ChargeOptions& options, const ArgValues& values, const std::string& where);
 void read_expansion(ChargeOptions& options, const ArgValues& values, const std::string& where);
+/// The exponent as typed or, without one, kStressWaveExponent; nothing where the word `attenuation`
+/// names a law that gives it.
+[[nodiscard]] std::optional<double> read_attenuation_exponent(const ArgValues& values,
+                                                              const std::string& where,
+                                                              Range range);
 
 /// The explosive as it detonates when only energy_share of its energy is released in time: so much
 /// of the energy, and the square root of it of the detonation velocity unless that was typed (the

@@ -121,10 +121,10 @@ double exponent_of(const BlastOptions& options, Attenuation by, const NamedExplo
       return options.p_wave_speed
                  ? liu_katsabanis_exponent(*options.p_wave_speed, explosive.detonation_velocity)
                  : 0.0;
-    case Attenuation::typed:
+    case Attenuation::exponent:
       break;
   }
-  return options.typed_exponent.value_or(0.0);
+  return options.exponent.value_or(0.0);
 }
 
 LoadedHole loaded_hole(const BlastOptions& options, const Hole& zone, std::size_t index) {

@@ -226,10 +226,10 @@ TEST(FixMuckpileBlast, EachHoleAccountsForItsCharge) {
     // pi 0.05^2 0.6 x 1100 x 3.0e6; hole 2 is 0.602 m long
     EXPECT_NEAR(charge, M_PI * 0.0025 * 0.601 * 1100 * 3.0e6, 0.002 * charge) << hole;
     EXPECT_NEAR(engine.hole(hole, kError) / charge, 0.0, 1e-3) << hole;
-    // 36 kg/m2 under 558 MPa or less: after 51 us at the earliest, with 790 m/s at most
-    EXPECT_GT(engine.hole(hole, kOut), 5e-5) << hole;
+    // 36 kg/m2 under 1017 MPa or less: after 37 us at the earliest, with 1064 m/s at most
+    EXPECT_GT(engine.hole(hole, kOut), 3.7e-5) << hole;
     EXPECT_LT(engine.hole(hole, kOut), 1e-4) << hole;
-    EXPECT_LT(engine.hole(hole, kSpeed), 790.0) << hole;
+    EXPECT_LT(engine.hole(hole, kSpeed), 1064.0) << hole;
     // half of 36 kg/m2 pi 0.05^2 m2 times that speed squared; the plug moves in steps
     const double motion = 0.5 * 36.0 * M_PI * 0.0025 * std::pow(engine.hole(hole, kSpeed), 2.0);
     EXPECT_NEAR(engine.hole(hole, kStemming) / motion, 1.0, 0.03) << hole;

@@ -33,7 +33,7 @@ struct Burst {
         "4e6 friction_angle 50 tension 2e6");
     scene.command(
         "fix load all muckpile/blast explosive_density 1100 vod 4500 hole_diameter 0.1 "
-        "poisson_ratio 0.25 venting flow stemming_length 100 crack_delay 0");
+        "attenuation shock poisson_ratio 0.25 venting flow stemming_length 100 crack_delay 0");
     if (gas != "none") scene.command("fix gas all muckpile/gas " + gas);
     scene.command("fix energy all muckpile/ledger");
   }

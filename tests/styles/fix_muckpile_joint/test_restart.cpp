@@ -199,7 +199,7 @@ void add_blast(RockScene& scene) {
   for (const char* line :
        {"region far block -2 -0.89 -2 2 -2 2 units box",
         "fix load all muckpile/blast explosive_density 1100 vod 4500 hole_diameter 0.1 "
-        "poisson_ratio 0.25 venting flow stemming_length 100 crack_delay 0",
+        "attenuation shock poisson_ratio 0.25 venting flow stemming_length 100 crack_delay 0",
         "fix gas all muckpile/gas", "fix quiet all muckpile/quiet region far rock_behind 5",
         "fix ledger all muckpile/ledger"})
     scene.command(line);

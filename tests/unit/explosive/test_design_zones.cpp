@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Crushed zones of decoupled charges, by hand, alone and in a pattern.
-// Scope: emulsion, P0 = 2784.375 MPa and 3300 MJ/m3, in rock of nu = 0.25: alpha = 7/3. By
-// two_stage V_k = 1.7085 V0; in 1.5625 V0 the products that keep their energy press 0.3491 P0.
+// Scope: emulsion, P0 = 2784.375 MPa and 3300 MJ/m3, in rock of nu = 0.25: alpha = 7/3 of a shock.
+// By two_stage V_k = 1.7085 V0; in 1.5625 V0 the products that keep their energy press 0.3491 P0.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -17,15 +17,17 @@
 namespace muckpile {
 namespace {
 
-ChargeDesign design(const std::string& more) {
-  std::istringstream text("explosive emulsion poisson_ratio 0.25 " + more);
+const std::string kLaws = "expansion two_stage attenuation shock ";
+
+ChargeDesign design(const std::string& more, const std::string& laws = kLaws) {
+  std::istringstream text("explosive emulsion poisson_ratio 0.25 " + laws + more);
   std::vector<std::string> words;
   for (std::string word; text >> word;) words.push_back(word);
   return charge_design(parse_args(charge_design_table(), "charge_design", words), "charge_design");
 }
 
-double radii(const std::string& more) {
-  return *design("hole_diameter 0.1 " + more).crushed_radius / 0.05;
+double radii(const std::string& more, const std::string& laws = kLaws) {
+  return *design("hole_diameter 0.1 " + more, laws).crushed_radius / 0.05;
 }
 
 TEST(DesignZones, AFullHoleKeepsItsRatioToTheLastBit) {
@@ -49,8 +51,15 @@ TEST(DesignZones, EndWhereTheAttenuatedPeakIsThatOfAFullHole) {
   // In 6.25 V0: 0.4 x 3300/6.25 = 211.2 MPa = 0.0759 P0; 3 x 0.0759^(3/7) = 0.994
   EXPECT_EQ(radii("charge_diameter 0.04"), 1.0);
   EXPECT_DOUBLE_EQ(radii("charge_diameter 0.08 decoupled_zone full"), 3.0);
-  EXPECT_NEAR(radii("charge_diameter 0.08 coupling water attenuation_exponent 1.44"),
+  EXPECT_NEAR(radii("charge_diameter 0.08 coupling water", "attenuation_exponent 1.44 "),
               3.0 * 0.894427, 1e-5);  // 0.8^(0.72/1.44)
+}
+
+/// By default covolume and 1.5. P0 b = P0 V0 - 0.4 x 3300 V0: b = 0.52592 V0; products that keep
+/// their energy press 0.4 x 3300/(1.5625 - b) in 1.5625 V0, 0.45734 P0; 3 x 0.45734^(2/3).
+TEST(DesignZones, LawsByDefault) {
+  EXPECT_NEAR(radii("charge_diameter 0.08", ""), 1.7808, 1e-4);
+  EXPECT_NEAR(radii("charge_diameter 0.08 coupling water", ""), 2.6953, 1e-4);  // 0.8^(0.72/1.5)
 }
 
 TEST(DesignZones, FormulasHaveThePressureOnTheWall) {
@@ -68,7 +77,7 @@ TEST(DesignZones, TheLoadBeginsWithTheSamePeakOnEach) {
     const double r1 = 0.05 * radii(decoupling);
     std::istringstream text(
         "explosive emulsion hole_diameter 0.1 poisson_ratio 0.25 vent_time 0.01 vent_decay 0.004 " +
-        decoupling);
+        kLaws + decoupling);
     std::vector<std::string> words;
     for (std::string word; text >> word;) words.push_back(word);
     const BlastOptions options = blast_options(parse_args(blast_table(), "blast", words), "blast");
