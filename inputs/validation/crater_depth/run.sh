@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# run.sh [RESULTS [LIGGGHTS_MUCKPILE MUCKPILE_POST]]: craters of 20 kg at seven depths beside Boreskov's and Pokrovskii's rules.
+# run.sh [RESULTS [LIGGGHTS_MUCKPILE MUCKPILE_POST]]: craters of 20 kg at eight depths beside Boreskov's and Pokrovskii's rules.
 # Writes RESULTS/craters.csv and RESULTS/summary.json. RESULTS is results/crater_depth unless given. SEEDS="1 2 3" takes three seeds; one is the default.
 # SYMMETRY=1 models the whole crater; a quarter (4) is the default.
 # Scope: fails if a figure is missing or outside what expected.json allows.
@@ -34,5 +34,6 @@ crater 0.7 1.900 0.3167 1.056e-4 20
 crater 0.9 2.443 0.4072 1.357e-4 20
 crater 1.2 3.257 0.5428 1.809e-4 20
 crater 1.6 4.343 0.7238 2.413e-4 20
+crater 2.0 5.429 0.9048 3.016e-4 20
 check_figures crater_depths "$table" "$results/summary.json"
 check_figures case "$case_dir/expected.json" "$results/summary.json"

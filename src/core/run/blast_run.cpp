@@ -104,9 +104,11 @@ bool BlastRun::go_on_until(double end) {
 BlastRun::Stretch BlastRun::stretch_before(double end) const {
   const auto pulse = std::ranges::find_if(
       plan_.pulses, [this](const PulseSpan& span) { return steps_until(span.end) > 0; });
-  if (pulse == plan_.pulses.end()) return {plan_.between_step, end};
-  if (steps_until(pulse->begin) > 0) return {plan_.between_step, std::min(end, pulse->begin)};
-  return {plan_.pulse_step, std::min(end, pulse->end)};
+  const bool at_wave_end = end >= plan_.wave_end;
+  if (pulse == plan_.pulses.end()) return {plan_.between_step, end, at_wave_end};
+  if (steps_until(pulse->begin) > 0)
+    return {plan_.between_step, std::min(end, pulse->begin), pulse->begin <= end || at_wave_end};
+  return {plan_.pulse_step, std::min(end, pulse->end), at_wave_end};
 }
 
 bool BlastRun::pulse_is_ahead() const {
@@ -114,15 +116,15 @@ bool BlastRun::pulse_is_ahead() const {
                              [this](const PulseSpan& span) { return steps_until(span.end) > 0; });
 }
 
-/// The end is counted in steps, so a step that has just been let loose grows before; one that may
-/// grow still takes no more steps than the longest would.
+/// The end is counted in steps, so a step that has just been let loose grows before; to an exact
+/// end, one that may grow still takes no more steps than the longest would.
 bool BlastRun::go_on(const Stretch& stretch) {
   const bool grows = stretch.longest_step > longest_step_;
   bound_wave_step(stretch);
   const long left = steps_until(stretch.end);
   if (!grows) {
-    const bool no_pulse = stretch.longest_step >= kAnyStep;
-    const double share = no_pulse ? 1.0 : std::min(1.0, engine_.step() / stretch.longest_step);
+    const bool may_grow = stretch.exact && stretch.longest_step < kAnyStep;
+    const double share = may_grow ? std::min(1.0, engine_.step() / stretch.longest_step) : 1.0;
     const auto safe = static_cast<long>(share * static_cast<double>(left));
     return run(std::max(std::min(left, kStepLag), safe));
   }

@@ -37,9 +37,11 @@ class BlastRun {
 
  private:
   void prepare();
-  /// A stretch of the wave: the longest step that the pulses allow, and until when [s].
+  /// A stretch of the wave: the longest step that the pulses allow, until when [s], and whether a
+  /// step that grows on the way must not take it farther.
   struct Stretch {
     double longest_step, end;
+    bool exact;
   };
   // Each takes steps until its end, and returns what follows.
   Phase step_through(Phase phase);

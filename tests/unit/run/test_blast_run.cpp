@@ -195,6 +195,25 @@ TEST(BlastRun, WavesAreNotTakenForGoneBetweenLooks) {
   EXPECT_EQ(softened_at, 1.0);  // at 99 ms it is still 0.016 of the kinetic energy
 }
 
+/// No step can overshoot anything there, so each look is reached at once, however much the step may
+/// grow.
+TEST(BlastRun, LooksWhetherWavesHaveGoneAreOneRunEach) {
+  FakeBlast engine;
+  engine.elastic = 1.0;
+  engine.dt = 1e-5;
+  BlastPlan plain = plan();
+  plain.between_step = 3e-5;
+  plain.pulses = {{-2e-4, 0.01}};
+  std::vector<double> looks;
+  engine.happens = [&](FakeBlast& e) {
+    if (e.now > 0.0401 && e.now < 0.0901) looks.push_back(e.now);
+    e.quit = e.now > 0.095;
+  };
+  EXPECT_EQ(go(plain, engine), Phase::interrupted);
+  ASSERT_EQ(looks.size(), 10u);  // of 5 ms
+  for (std::size_t k = 0; k < looks.size(); ++k) EXPECT_NEAR(looks[k], 0.045 + 5e-3 * k, 1e-9);
+}
+
 TEST(BlastRun, StressesLockedInTheRockAreNoWaves) {
   for (const double locked : {0.08, 0.12}) {
     FakeBlast engine;
