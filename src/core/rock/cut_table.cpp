@@ -35,21 +35,18 @@ const ArgTable& cut_table() {
                   "swebrec x50 xmax b` (fitted to that size curve, m), `import FILE` (blocks as a "
                   "VTK file has them); required")
               .word("surface", {}, "none",
-                    "file of a closed surface (.stl, or faces of .dxf) that holds the rock: what "
-                    "of the "
-                    "region lies outside is cut off")
+                    "file of a closed surface (.stl, or faces of .dxf) that holds the rock")
               .word(
                   "terrain", {}, "none",
                   "file of a ground surface, one height everywhere (.xyz, .csv, .txt, .las, .stl, "
-                  ".dxf): what of the region lies above is cut off"),
+                  ".dxf), above which there is no rock"),
           "the files of `surface`, `terrain`, `block_model`, `fault` and zones")
           .real("burden", "m", Range::closed(0.0, 1e3), 0.0,
-                "of the plan: the report has a table of the burden of each hole along its charge, "
-                "and warns below 0.6 and above 1.5 of this; 0: a table only with `surface` or "
-                "`terrain`, and no warning")
+                "of the plan: the report has the burden of each hole along its charge, and warns "
+                "below 0.6 and above 1.5 of this; 0: only with `surface` or `terrain`, no "
+                "warning")
           .word("burden_file", {}, "none",
-                "CSV file for the burden of each hole along its charge, which `muckpile-post "
-                "burden` draws, or none")
+                "CSV file for the burdens, which `muckpile-post burden` draws, or none")
           .flag("superpose", false,
                 "with `size harries`: the cracks of all charges add up, not those of the nearest "
                 "alone")
@@ -60,16 +57,14 @@ const ArgTable& cut_table() {
                  "removed")
           .group("hole_row", 11, 11, true,
                  "N dx dy dz, then the words of `hole`: N equal holes, each shifted by (dx, dy, "
-                 "dz) [m] from the "
-                 "one before; numbered after all single holes")
+                 "dz) [m] from the one before")
           .group(
               "hole_table", 2, 2, false,
               "FILE RATIO: the pattern of a CSV file, one crushed zone per charged deck, of RATIO "
-              "hole radii (>= 1) unless the file says; numbered after all rows")
+              "hole radii (>= 1) unless the file says")
           .group("support", 2, 2, true,
                  "`fixed REGION` or `mirror REGION`: how boundary faces with their centroid in "
-                 "that region "
-                 "are supported; all others are free faces")
+                 "that region are supported; all others are free")
           .group(
               "joint_plane", 6, 7, true,
               "natural joint: x y z of a point [m], dip and dip direction [degrees; y is north, x "
@@ -87,8 +82,8 @@ const ArgTable& cut_table() {
                  "have the `joint_class` N of fix muckpile/joint (0: none)")
           .group(
               "block_model", 1, 2, false,
-              "FILE: CSV file of cells of rock, for zones with `model`; the rock that they leave "
-              "bare is refused, or, with `partial` behind FILE, that of `density`")
+              "FILE: CSV file of cells of rock, for zones with `model`; with `partial` behind it, "
+              "rock without a cell has `density`, else it is refused")
           .group("zone", 3, 13, true,
                  "zone of other rock: NAME, its density [kg/m3], where it is, and optionally "
                  "`class N` "
@@ -102,11 +97,10 @@ const ArgTable& cut_table() {
                  "follows plane borders")
           .group("muck", 5, 7, false,
                  "FOLDER dx dy dz, `all` or `moved`, and optionally SHARE (0) and FLOOR (none): "
-                 "the blocks of the run with results in FOLDER, as its last snapshot has them, "
-                 "shifted by (dx, dy, dz) [m], lie loose in front of the rock; `all` of them, or"
-                 " those that have `moved` by more than their size V^(1/3). At most SHARE (0 to "
-                 "1) of their mass may lie in the rock, below the height FLOOR [m] or beyond the"
-                 " simulation box, and is left out. FOLDER `none`: no muck")
+                 "the blocks of the last snapshot of the run in FOLDER, shifted by (dx, dy, dz) "
+                 "[m], lie loose in front of the rock; `all`, or those that have `moved` by more "
+                 "than V^(1/3). At most SHARE (0 to 1) of their mass may lie in the rock, below "
+                 "the height FLOOR [m] or beyond the box, and is left out. FOLDER `none`: no muck")
           .word("cut", {"voronoi", "joint_sets"}, "voronoi",
                 "how the rock is cut: graded Voronoi blocks, or joint sets in concentric bands")
           .group("joint_set", 2, 3, true,
@@ -117,17 +111,15 @@ const ArgTable& cut_table() {
                 "size asked for")
           .real("rings_from", "", Range::closed(kImagesTooLarge, kImagesFail), kImagesTooLarge,
                 "for `cut voronoi`: block size over radius of a crushed zone from which on blocks "
-                "stand in rings around it")
+                "stand in rings")
           .word("wall", {"round", "blocks"}, "round",
-                "how stiff the rock around a crushed zone is: `round`, its wall gives way to a "
-                "pressure as that of a round hole does, whatever the block size; `blocks`, the "
-                "joints there are as stiff as all others")
+                "of a crushed zone: `round`, it gives way to a pressure as that of a round hole "
+                "does; `blocks`, the joints there are as stiff as all others")
           .integer("spheres_per_block", "", Range::closed(1, 64), 8,
                    "contact spheres in each block")
           .real("sphere_growth", "", Range::closed(1.0, 1.5), 1.0,
-                "radius of the contact spheres over that of spheres inside the block; above 1 they "
-                "stand for the "
-                "volume of the corners; overlaps at the start carry no force")
+                "radius of the contact spheres over that of spheres inside the block; overlaps at "
+                "the start carry no force")
           .integer("type", "", Range::closed(1, 1000), 1, "atom type of the spheres")
           .integer("seed", "", Range::closed(1, 2147483647), 1, "seed of the cut")
           .integer("sweeps", "", Range::closed(0, 200), 20, "size-weighted Lloyd sweeps")

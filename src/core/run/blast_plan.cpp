@@ -17,8 +17,7 @@ namespace {
 void add_phases(ArgTable& table) {
   table
       .word("wave_end", {}, "auto",
-            "earliest end of wave and gas push [s], > 0 and <= 1000; auto: last firing + vent_time "
-            "+ 5 vent_decay of fix muckpile/blast, or the end of its last pulse if that is later")
+            "earliest end of wave and gas push [s], > 0 and <= 1000; auto: by fix muckpile/blast")
       .word("end", {"rest", "wave"}, "rest",
             "rest: the run ends when the rock rests; wave: at wave_end, before the throw")
       .word("throw_name", {}, "throw", "of the last phase, for screen and history.csv");
@@ -43,11 +42,10 @@ void add_softening(ArgTable& table) {
       .real("push_elastic", "", Range::closed(0.0, 0.1), 0.01,
             "share of the kinetic energy: with less elastic energy than that the waves have gone")
       .real("push_from", "", Range::closed(0.1, 1.0), 0.35,
-            "share of the time from the last firing to wave_end, before which the push does not "
-            "begin")
-      .real("hole_rest", "Pa", Range::closed(1e3, 1e9), 3e5,
-            "greatest pressure on a wall with which the throw begins, where the gas leaves by flow "
-            "and enters no joints")
+            "share of the time from the last firing to wave_end at which the push begins")
+      .real(
+          "hole_rest", "Pa", Range::closed(1e3, 1e9), 3e5,
+          "greatest pressure on a wall with which the throw begins, where gas leaves by flow alone")
       .real("gas_rest", "", Range::left_open(0.0, 0.1), 5e-4,
             "share of the blast's work: the throw begins when a twentieth of wave_end adds less, "
             "where gas enters joints")

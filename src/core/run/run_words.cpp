@@ -23,17 +23,18 @@ void add_end_words(ArgTable& table) {
 
 void add_collision_words(ArgTable& table) {
   table
-      .real("block_min", "m", Range::closed(1e-3, 100.0), {},
-            "as in create_blocks, for the step of loose blocks: with a larger one collisions are "
-            "stepped too coarsely, with a smaller one the run takes longer")
+      .real(
+          "block_min", "m", Range::closed(1e-3, 100.0), {},
+          "as in create_blocks, for the step of loose blocks: too large a one makes it too coarse")
       .integer("spheres_per_block", "", Range::closed(1, 64), 8,
-               "as in create_blocks, for the same: with fewer the step can be too long")
+               "as in create_blocks, for the same: too few make it too coarse")
       .real("steps_per_contact", "", Range::closed(5.0, 1000.0), 8.0,
             "least number of steps in a fast collision of two smallest blocks: at the speed of the "
             "fastest in run_blast, at 20 m/s in run_blocks")
-      .real("stable_share", "", Range::closed(0.01, 1.0), 0.8,
-            "longest step of loose blocks, as a share of the longest stable one; the rest is for "
-            "contacts that become stiffer between two checks");
+      .real(
+          "stable_share", "", Range::closed(0.01, 1.0), 0.8,
+          "longest step of loose blocks, as a share of the longest stable one, as contacts become "
+          "stiffer between two checks");
 }
 
 CollisionStep collision_step(const ArgValues& words, double density,
