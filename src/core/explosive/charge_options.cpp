@@ -146,7 +146,7 @@ void add_expansion_keywords(ArgTable& table) {
   table
       .word("expansion", kExpansions, kNotGiven,
             "law by which the products expand; auto: covolume, or two_stage where the explosive's "
-            "energy is not known")
+            "energy is not known or gas_gamma_dense is given")
       .word("gas_switch_pressure", {}, "energy",
             "pressure p_k at which the gas stage starts and the isentrope of two_stage changes its "
             "exponent [Pa], 1e5 to 1e12; energy: the one with which the products of two_stage hold "

@@ -31,6 +31,7 @@ struct Burst {
     scene.command(
         "fix joint all muckpile/joint youngs_modulus 55e9 poisson_ratio 0.25 density 2700 cohesion "
         "4e6 friction_angle 50 tension 2e6");
+    // The fall of a shock, so that the wave leaves joints closed, which then bear stress.
     scene.command(
         "fix load all muckpile/blast explosive_density 1100 vod 4500 hole_diameter 0.1 "
         "attenuation shock poisson_ratio 0.25 venting flow stemming_length 100 crack_delay 0");

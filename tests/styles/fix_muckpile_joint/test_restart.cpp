@@ -193,7 +193,8 @@ TEST(Restart, LooseBlocksGoOnAsIfNothingHadHappened) {
   EXPECT_LE(difference(went_on, restarted), 1e-10);  // contacts are summed in another order
 }
 
-/// A charge whose gas flows into the joints, on ground that yields at one side.
+/// A charge whose gas flows into the joints, on ground that yields at one side; its wave, which
+/// falls as a shock, leaves the rock there joined to the ground.
 void add_blast(RockScene& scene) {
   add_laws(scene, kStrength);
   for (const char* line :

@@ -175,6 +175,14 @@ TEST(BlastRun, APulseThatOutlastsTheWaveIsBorneByStiffJoints) {
   }
 }
 
+/// One pulse, after which the step may be 30 us.
+BlastPlan plan_with_pulse_until(double end) {
+  BlastPlan slow = plan();
+  slow.between_step = 3e-5;
+  slow.pulses = {{-2e-4, end}};
+  return slow;
+}
+
 /// They are looked for after every twentieth of the time, 5 ms, whatever the step: here it is a
 /// third of what pulses would bear, and grows as the pulse ends, and the elastic energy falls by a
 /// fifth in each look.
@@ -182,9 +190,7 @@ TEST(BlastRun, WavesAreNotTakenForGoneBetweenLooks) {
   FakeBlast engine;
   engine.elastic = 0.09;
   engine.dt = 1e-5;
-  BlastPlan slow = plan();
-  slow.between_step = 3e-5;
-  slow.pulses = {{-2e-4, 0.06}};
+  const BlastPlan slow = plan_with_pulse_until(0.06);
   double softened_at = 1.0;
   engine.happens = [&](FakeBlast& e) {
     e.elastic = 0.09 * std::pow(0.8, (e.now - 0.06) / 5e-3);
@@ -201,9 +207,7 @@ TEST(BlastRun, LooksWhetherWavesHaveGoneAreOneRunEach) {
   FakeBlast engine;
   engine.elastic = 1.0;
   engine.dt = 1e-5;
-  BlastPlan plain = plan();
-  plain.between_step = 3e-5;
-  plain.pulses = {{-2e-4, 0.01}};
+  const BlastPlan plain = plan_with_pulse_until(0.01);
   std::vector<double> looks;
   engine.happens = [&](FakeBlast& e) {
     if (e.now > 0.0401 && e.now < 0.0901) looks.push_back(e.now);
