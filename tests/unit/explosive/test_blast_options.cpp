@@ -268,7 +268,7 @@ TEST(BlastOptions, EachWrongWordIsNamedWithItsRule) {
        "dense_share needs expansion covolume or jwl, and gas_switch_pressure energy"},
       {"expansion covolume dense_share 1", "dense_share must be >= 0 and < 1, got '1'"},
       {"expansion covolume", "hole 1: expansion covolume needs explosive_energy [J/kg]"},
-      {"gas_switch_pressure energy explosive_energy 1e5",
+      {"expansion two_stage explosive_energy 1e5",
        "hole 1: explosive_energy x explosive_density must be above 1.39219e+09 and "
        "at most 6.96094e+09, what products of these exponents can hold at P0 = 2.78438e+09 Pa (a "
        "slow detonation releases less: energy_share), J/m3, got '1.1e+08'"},
