@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # run.sh [RESULTS [LIGGGHTS_MUCKPILE MUCKPILE_POST]]: a small bench blast, and the same with one thing changed at a time; exponents and ratios of what it
-# answers. Writes RESULTS/answers.csv, RESULTS/summary.json and RESULTS/bench.md, RESULTS/assumed.md, the tables of README.md,
-# which WRITE_PAGES=1 in the environment puts there; answers_report makes them. RESULTS is results/responses unless given. Two runs at once.
+# answers. Writes RESULTS/answers.csv, RESULTS/summary.json and RESULTS/bench.csv, RESULTS/assumed.csv with the figures of all runs, which
+# WRITE_PAGES=1 in the environment puts beside this file and into README.md; answers_report makes them. RESULTS is results/responses unless given.
+# Two runs at once.
 # Scope: fails if a figure is missing or outside what expected.json allows. The runs and the rows are in runs.txt, answers.txt beside this file.
 set -euo pipefail
 # shellcheck source=tests/support/validation_case.sh
@@ -39,7 +40,8 @@ run_all() {
 
 run_all
 pages=(bench= assumed=)
-[[ -z ${WRITE_PAGES-} ]] || pages=("bench=$case_dir/README.md" "assumed=$case_dir/README.md")
+[[ -z ${WRITE_PAGES-} ]] || pages=(bench= "assumed=$case_dir/README.md")
 "$(dirname "$check_program")/../answers_report/answers_report" "$case_dir" "$results" "${pages[@]}"
+[[ -z ${WRITE_PAGES-} ]] || cp "$results/bench.csv" "$results/assumed.csv" "$case_dir"
 check_figures exponents "$results/answers.csv" "$results/summary.json"
 check_figures case "$case_dir/expected.json" "$results/summary.json"

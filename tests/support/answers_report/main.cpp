@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // answers_report CASE RESULTS [SCENE=PAGE]...: the tables of inputs/validation/responses.
 // Scope: CASE holds runs.txt and answers.txt, RESULTS a folder of each run. Writes
-// RESULTS/answers.csv and, for each scene named, RESULTS/SCENE.md; where a page is named (SCENE=
-// for none), the table goes there, too. Exit status 2 where anything is missing.
+// RESULTS/answers.csv and, for each scene named, RESULTS/SCENE.csv; where a page is named (SCENE=
+// for none), a table of fewer columns goes there. Exit status 2 where anything is missing.
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -44,10 +44,12 @@ int main(int argc, char** argv) {
     std::cout << answers;
     for (int k = 3; k < argc; ++k) {
       const auto [scene, page] = scene_and_page(argv[k]);
-      const std::string table = check::runs_table(of / "runs.txt", results, scene);
-      write(results / (scene + ".md"), table);
-      if (!page.empty()) write(page, check::with_table(page, scene, table));
+      const std::string table = check::runs_csv(of / "runs.txt", results, scene);
+      write(results / (scene + ".csv"), table);
       std::cout << table;
+      if (page.empty()) continue;
+      const std::string shown = check::runs_table(of / "runs.txt", results, scene);
+      write(page, check::with_table(page, scene, shown));
     }
   } catch (const std::exception& error) {
     std::cerr << "answers_report: " << error.what() << '\n';

@@ -39,21 +39,52 @@ std::string formatted(const char* format, double value) {
   return text.data();
 }
 
-std::string row_of(const FigureFile& run, const FigureFile& base, const std::string& name) {
+/// Figures of one run as text, in the order of kColumns.
+std::vector<std::string> figures_of_run(const FigureFile& run, const FigureFile& base) {
   const double speed = figure_in(run, "burden_speed_m_s");
   const double energy = run.get("explosive_energy_J");
-  std::string row = "| " + name + formatted(" | %.1f", run.get("face_velocity_mean_m_s")) +
-                    formatted(" | %.2f", speed) +
-                    formatted(" | %.2f", speed / figure_in(base, "burden_speed_m_s"));
+  std::vector<std::string> figures{formatted("%.1f", run.get("face_velocity_mean_m_s")),
+                                   formatted("%.2f", speed),
+                                   formatted("%.2f", speed / figure_in(base, "burden_speed_m_s"))};
   for (const char* part :
        {"wave_work_J", "gas_work_J", "energy_audit_J.crushing", "energy_audit_J.rock_heat",
         "energy_audit_J.vented", "energy_audit_J.stemming"})
-    row += formatted(" | %.1f", 100.0 * run.get(part) / energy);
-  row += formatted(" | %.2f", 100.0 * run.get("energy_audit_error"));
+    figures.push_back(formatted("%.1f", 100.0 * run.get(part) / energy));
+  figures.push_back(formatted("%.2f", 100.0 * run.get("energy_audit_error")));
   // Stemming that is in the hole at the end has no such time.
   const std::string when = "stemming_out_s";
   const auto out = run.is_null(when) ? std::nullopt : run.find(when);
-  return row + (out ? formatted(" | %.1f |\n", 1000.0 * *out) : " | - |\n");
+  figures.push_back(out ? formatted("%.1f", 1000.0 * *out) : std::string());
+  return figures;
+}
+
+struct Column {
+  const char* in_csv;
+  const char* on_page;  // nullptr: in the CSV file only
+};
+
+constexpr std::array<Column, 11> kColumns{{{"face_velocity_mean_m_s", nullptr},
+                                           {"burden_speed_m_s", "burden, m/s"},
+                                           {"burden_speed_over_base", "over base"},
+                                           {"wave_work_percent", "wave"},
+                                           {"gas_work_percent", "gas"},
+                                           {"crushing_percent", "crushing"},
+                                           {"rock_heat_percent", "heat into rock"},
+                                           {"vented_percent", "vented"},
+                                           {"stemming_percent", nullptr},
+                                           {"missing_percent", nullptr},
+                                           {"stemming_out_ms", nullptr}}};
+
+/// Calls each(name, figures) for the run `base` and those of the scene.
+template <class Each>
+void for_each_run(const std::filesystem::path& runs, const std::filesystem::path& results,
+                  const std::string& scene, const Each& each) {
+  const FigureFile base = summary_of(results, "base");
+  for (const auto& row : rows_of(runs)) {
+    if (row.size() < 2) refuse(runs.string(), "run '" + row[0] + "' has no scene");
+    if (row[0] == "base" || row[1] == scene)
+      each(row[0], figures_of_run(summary_of(results, row[0]), base));
+  }
 }
 
 }  // namespace
@@ -90,18 +121,36 @@ std::string answers_table(const std::filesystem::path& answers,
   return table;
 }
 
+std::string runs_csv(const std::filesystem::path& runs, const std::filesystem::path& results,
+                     const std::string& scene) {
+  std::string table = "run";
+  for (const Column& column : kColumns) table += std::string(",") + column.in_csv;
+  table += "\n";
+  for_each_run(runs, results, scene,
+               [&](const std::string& name, const std::vector<std::string>& figures) {
+                 table += name;
+                 for (const std::string& figure : figures) table += "," + figure;
+                 table += "\n";
+               });
+  return table;
+}
+
 std::string runs_table(const std::filesystem::path& runs, const std::filesystem::path& results,
                        const std::string& scene) {
-  std::string table =
-      "| run | face velocity, m/s | burden, m/s | over base | work of the wave | of the gas | "
-      "crushing | heat into rock | vented | stemming | missing | stemming out, ms |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
-  const FigureFile base = summary_of(results, "base");
-  for (const auto& row : rows_of(runs)) {
-    if (row.size() < 2) refuse(runs.string(), "run '" + row[0] + "' has no scene");
-    if (row[0] == "base" || row[1] == scene)
-      table += row_of(summary_of(results, row[0]), base, row[0]);
+  std::string table = "| run |", rule = "|---|";
+  for (const Column& column : kColumns) {
+    if (column.on_page == nullptr) continue;
+    table += std::string(" ") + column.on_page + " |";
+    rule += "---|";
   }
+  table += "\n" + rule + "\n";
+  for_each_run(runs, results, scene,
+               [&](const std::string& name, const std::vector<std::string>& figures) {
+                 table += "| " + name + " |";
+                 for (std::size_t k = 0; k < kColumns.size(); ++k)
+                   if (kColumns[k].on_page != nullptr) table += " " + figures[k] + " |";
+                 table += "\n";
+               });
   return table;
 }
 

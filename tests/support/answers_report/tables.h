@@ -24,8 +24,12 @@ namespace muckpile::check {
 [[nodiscard]] std::string answers_table(const std::filesystem::path& answers,
                                         const std::filesystem::path& results);
 
-/// Markdown: a row for the run `base` and for each "NAME SCENE ..." of `runs` with that scene.
-/// Shares are those of the explosive's energy [%].
+/// CSV: a row for the run `base` and for each "NAME SCENE ..." of `runs` with that scene. Shares
+/// are those of the explosive's energy [%]. stemming_out_ms is empty where the stemming stays in.
+[[nodiscard]] std::string runs_csv(const std::filesystem::path& runs,
+                                   const std::filesystem::path& results, const std::string& scene);
+
+/// Markdown: the same rows, with the columns that a page shows.
 [[nodiscard]] std::string runs_table(const std::filesystem::path& runs,
                                      const std::filesystem::path& results,
                                      const std::string& scene);
