@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // argument_tables check|write ROOT: the arguments tables of docs/styles are those by which the
 // styles parse. `write` puts the present ones into the pages.
-// Scope: tables between <!-- arguments of STYLE --> and <!-- end of arguments -->.
+// Scope: tables between <!-- arguments of STYLE --> and <!-- end of arguments -->, or, without the
+// rows that another page has, between <!-- arguments of STYLE beside OTHER --> and that.
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 #include "fixes/interfaces/keyword_tables.h"
@@ -16,28 +19,73 @@ namespace {
 
 constexpr const char* kEnd = "<!-- end of arguments -->";
 
-std::string head_of(const std::string& style) { return "<!-- arguments of " + style + " -->\n"; }
+/// Where a table stands in the pages.
+struct Place {
+  fs::path path;
+  std::string other;      // the style whose rows are left out, or none
+  std::size_t begin = 0;  // of the table, behind its head
+};
 
-/// The page of docs/styles that has the table of a style.
-fs::path page_with(const std::string& head, const fs::path& styles) {
-  for (const auto& entry : fs::directory_iterator(styles))
-    if (muckpile::text_of(entry.path()).find(head) != std::string::npos) return entry.path();
-  throw std::runtime_error("no page in " + styles.string() + " has the line " + head);
+Place place_of(const std::string& style, const fs::path& styles) {
+  const std::string head = "<!-- arguments of " + style, beside = " beside ", tail = " -->\n";
+  for (const auto& entry : fs::directory_iterator(styles)) {
+    const std::string text = muckpile::text_of(entry.path());
+    for (std::size_t at = text.find(head); at != std::string::npos; at = text.find(head, at + 1)) {
+      const std::size_t rest = at + head.size(), end = text.find(tail, rest);
+      if (end == rest) return {entry.path(), "", end + tail.size()};
+      if (end != std::string::npos && text.compare(rest, beside.size(), beside) == 0)
+        return {entry.path(), text.substr(rest + beside.size(), end - rest - beside.size()),
+                end + tail.size()};
+    }
+  }
+  throw std::runtime_error("no page in " + styles.string() + " has the line " + head + tail);
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+/// The table without the rows that `other` has, and a line that names their keywords.
+std::string rows_beside(const std::string& table, const std::string& other,
+                        const std::string& other_page) {
+  const std::vector<std::string> there = lines_of(other);
+  std::string rows, names;
+  for (const std::string& line : lines_of(table)) {
+    if (!line.starts_with("| `") || std::find(there.begin(), there.end(), line) == there.end()) {
+      rows += line + "\n";
+    } else {
+      names += (names.empty() ? "" : ", ") + line.substr(2, line.find('`', 3) - 1);
+    }
+  }
+  return rows + "\nThese are as [" + other_page.substr(0, other_page.find(".md")) + "](" +
+         other_page + "#arguments) has them: " + names + ".\n";
+}
+
+std::string shown(const muckpile::ArgTable& table, const Place& place, const fs::path& styles) {
+  if (place.other.empty()) return table.markdown();
+  for (const muckpile::ArgTable& other : muckpile::keyword_tables())
+    if (other.style() == place.other)
+      return rows_beside(table.markdown(), other.markdown(),
+                         place_of(place.other, styles).path.filename().string());
+  throw std::runtime_error(place.path.string() + ": no style " + place.other);
 }
 
 /// True if the page had another table.
 bool renew(const muckpile::ArgTable& table, const fs::path& styles, bool write) {
-  const std::string head = head_of(table.style());
-  const fs::path path = page_with(head, styles);
-  std::string text = muckpile::text_of(path);
-  const std::size_t begin = text.find(head) + head.size(), end = text.find(kEnd, begin);
-  if (end == std::string::npos) throw std::runtime_error(path.string() + ": lacks " + kEnd);
-  if (text.compare(begin, end - begin, table.markdown()) == 0) return false;
+  const Place place = place_of(table.style(), styles);
+  std::string text = muckpile::text_of(place.path);
+  const std::size_t end = text.find(kEnd, place.begin);
+  if (end == std::string::npos) throw std::runtime_error(place.path.string() + ": lacks " + kEnd);
+  const std::string must = shown(table, place, styles);
+  if (text.compare(place.begin, end - place.begin, must) == 0) return false;
   if (write) {
-    std::ofstream(path) << text.replace(begin, end - begin, table.markdown());
+    std::ofstream(place.path) << text.replace(place.begin, end - place.begin, must);
   } else {
-    std::printf("%s: the table of %s must be\n%s", path.c_str(), table.style().c_str(),
-                table.markdown().c_str());
+    std::printf("%s: the table of %s must be\n%s", place.path.c_str(), table.style().c_str(),
+                must.c_str());
   }
   return true;
 }
