@@ -32,7 +32,7 @@ for what in "${measured[@]}"; do
   echo "muckpile: perf_$what"
   "$perf/perf_$what" 2>/dev/null >"$results/$what.json" || fail "perf_$what failed"
 done
-"$perf/perf_table" "$results" "${measured[@]}" | tee "$results/perf.md"
+"$perf/perf_table" "$results" "${measured[@]}" | tee "$results/perf.csv"
 ladder_mode=quick page=()
 if [[ $mode != --quick ]]; then
   compare_codes
@@ -43,3 +43,4 @@ rm -rf "$results/cases"
 echo "Machine: $(sed -nE 's/^model name[[:space:]]*: //p;T;q' /proc/cpuinfo) ($(widest_vectors)), $(nproc) cores, $(date +%Y-%m-%d)." \
   >"$results/machine.md"
 "$build/tests/verification/verify_make_page" "$results" "${page[@]}" || fail "the page could not be made; the reason is above"
+((${#page[@]} == 0)) || cp "$results/perf.csv" "$here/../../docs/benchmarks/hot_loops.csv"

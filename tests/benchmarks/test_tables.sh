@@ -26,14 +26,13 @@ EOT
 cat >contacts.json <<'EOT'
 {"rebuild_target_s": 0.15, "touching": {"core_rebuild": {"total_s": 1}, "engine": {"rebuild_wall_s": 0.04091, "contacts": 7}}}
 EOT
-"$perf_table" . blocks contacts >perf.md
-is perf.md <<'EOT'
-| program | scene | figure | value |
-|---|---|---|---|
-| perf_blocks | target | target_ns_per_sphere | 10 |
-| perf_blocks | step, 200 blocks of 5 spheres | ns_per_sphere | 13 |
-| perf_contacts | target | rebuild_target_s | 0.15 |
-| perf_contacts | touching | rebuild_wall_s | 0.0409 |
+"$perf_table" . blocks contacts >perf.csv
+is perf.csv <<'EOT'
+program,scene,figure,value
+perf_blocks,"target",target_ns_per_sphere,10
+perf_blocks,"step, 200 blocks of 5 spheres",ns_per_sphere,13
+perf_contacts,"target",rebuild_target_s,0.15
+perf_contacts,"touching",rebuild_wall_s,0.0409
 EOT
 refuses "./facets.json: cannot be opened" "$perf_table" . facets
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Figures of the perf programs as the rows of a Markdown table.
+// Figures of the perf programs as the rows of a CSV file.
 // Scope: perf_table RESULTS NAME...; RESULTS/NAME.json is what perf_NAME has printed. Only the
 // figures per point, sphere, joint, pair and rebuild, and their targets, are shown.
 #include <cstdio>
@@ -36,8 +36,8 @@ class Table {
         for (const Json& run : value) add(run, scene, size_of(run));
       } else if (value.is_number() && is_shown(key)) {
         const bool target = key.find("target") != std::string::npos;
-        std::printf("| %s | %s | %s | %.3g |\n", program_.c_str(),
-                    target ? "target" : scene.c_str(), key.c_str(), value.get<double>());
+        std::printf("%s,\"%s\",%s,%.3g\n", program_.c_str(), target ? "target" : scene.c_str(),
+                    key.c_str(), value.get<double>());
       }
     }
   }
@@ -52,7 +52,7 @@ class Table {
 };
 
 void write(int argc, char** argv) {
-  std::puts("| program | scene | figure | value |\n|---|---|---|---|");
+  std::puts("program,scene,figure,value");
   for (int k = 2; k < argc; ++k) {
     const std::string name = argv[k];
     const auto path = std::filesystem::path(argv[1]) / (name + ".json");
