@@ -43,4 +43,7 @@ rm -rf "$results/cases"
 echo "Machine: $(sed -nE 's/^model name[[:space:]]*: //p;T;q' /proc/cpuinfo) ($(widest_vectors)), $(nproc) cores, $(date +%Y-%m-%d)." \
   >"$results/machine.md"
 "$build/tests/verification/verify_make_page" "$results" "${page[@]}" || fail "the page could not be made; the reason is above"
-((${#page[@]} == 0)) || cp "$results/perf.csv" "$here/../../docs/benchmarks/hot_loops.csv"
+if ((${#page[@]} > 0)); then
+  cp "$results/perf.csv" "$here/../../docs/benchmarks/hot_loops.csv"
+  cp "$results/ladder.csv" "$here/../../docs/benchmarks/ladder.csv"
+fi
