@@ -4,6 +4,7 @@
 #include "args/arg_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -13,13 +14,20 @@
 namespace muckpile {
 namespace {
 
+/// "1 to 5" where both ends belong to it.
+std::string interval(const Range& range) {
+  const bool closed =
+      std::isfinite(range.lo) && std::isfinite(range.hi) && !range.lo_open && !range.hi_open;
+  return closed ? number_text(range.lo) + " to " + number_text(range.hi) : range.text();
+}
+
 std::string range_cell(const Keyword& keyword) {
   using Kind = Keyword::Kind;
   switch (keyword.kind) {
     case Kind::real:
-      return keyword.range.text().empty() ? "any" : keyword.range.text();
+      return keyword.range.text().empty() ? "any" : interval(keyword.range);
     case Kind::integer:
-      return keyword.range.text().empty() ? "whole" : "whole, " + keyword.range.text();
+      return keyword.range.text().empty() ? "whole" : "whole, " + interval(keyword.range);
     case Kind::word:
       return keyword.choices.empty() ? "one word" : joined(keyword.choices);
     case Kind::flag:

@@ -149,14 +149,12 @@ void add_expansion_keywords(ArgTable& table) {
             "energy is not known or gas_gamma_dense is given")
       .word("gas_switch_pressure", {}, "energy",
             "pressure p_k at which the gas stage starts and the isentrope of two_stage changes its "
-            "exponent [Pa], 1e5 to 1e12; energy: the one with which the products of two_stage hold "
-            "what the explosive releases (200e6 where that is not known), and at which those of "
-            "jwl and covolume have spent dense_share of it")
+            "exponent [Pa], 1e5 to 1e12; energy: by the energy of the explosive and, of jwl and "
+            "covolume, dense_share (200e6 where that energy is not known)")
       .word(
           "dense_share", {}, kNotGiven,
-          "share of the products' energy that wave and crushing have taken as the gas stage of a "
-          "charge that fills its hole starts, >= 0 and < 1, with gas_switch_pressure energy (jwl, "
-          "covolume); auto: 0.25")
+          "share of the products' energy that is spent as the gas stage of a charge that fills its "
+          "hole starts, >= 0 and < 1, with gas_switch_pressure energy (jwl, covolume); auto: 0.25")
       .real("gas_gamma_dense", "", Range::closed(1.0, 10.0), 3.0,
             "isentrope exponent above p_k (two_stage)")
       .real("gas_gamma", "", Range::closed(1.0, 10.0), 1.4,

@@ -72,20 +72,17 @@ ArgTable hole_pattern_table() {
   const Range length = Range::left_open(0.0, 100.0);
   const Range delays = Range::closed(0.0, 10.0);  // 17 is one in milliseconds
   table.word("file", {}, std::nullopt, "CSV file to write")
-      .word("take", {}, "none",
-            "a hole table of one's own, which is checked and copied to `file` instead; `charges`, "
-            "`origin`, `throw_bearing` and those that say so count, the others are only checked "
-            "for their ranges")
+      .word(
+          "take", {}, "none",
+          "a hole table of one's own, which is checked and copied to `file` instead; of the other "
+          "keywords `charges`, `origin`, `throw_bearing` and those that say so count")
       .word(
           "kirra", {}, "none",
           "a CSV file of holes that Kirra has exported, which is converted to `file` instead, with "
-          "`stemming` and `in_hole_delay`; of the other keywords only those below that say so "
-          "are used")
+          "`stemming`, `in_hole_delay` and those below that say so")
       .word("charges", {}, "none",
-            "a CSV file of what is in holes of the plan, of a table that is taken or of Kirra, by "
-            "their "
-            "names; the others have what the "
-            "plan says")
+            "a CSV file of what is in single holes, by their names; the others have what the plan "
+            "says")
       .real("throw_bearing", "deg", Range::closed(0.0, 360.0), 90.0,
             "with `kirra` or `origin`: that the face looks to, from north over east; it becomes "
             "the x axis")

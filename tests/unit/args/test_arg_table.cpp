@@ -14,6 +14,9 @@ TEST(ArgTable, PrintsTheDocsTable) {
   ArgTable table("fix muckpile/blast");
   table.real("decay_time", "s", Range::positive(), std::nullopt, "e-folding time")
       .integer("seed", "", Range::at_least(1), 7, "random seed")
+      .real("share", "", Range::closed(0.0, 0.5), 0.25, "of all")
+      .integer("parts", "", Range::closed(1, 9), 2, "of each")
+      .real("ratio", "", Range::right_open(0.0, 0.5), 0.25, "Poisson's")
       .word("law", {"harries", "table"}, "harries", "size law")
       .flag("echo", true, "print the values")
       .group("hole", 7, 7, true, "x y z x y z r")
@@ -23,6 +26,9 @@ TEST(ArgTable, PrintsTheDocsTable) {
             "|---|---|---|---|---|\n"
             "| `decay_time` | s | > 0 | required | e-folding time |\n"
             "| `seed` | - | whole, >= 1 | 7 | random seed |\n"
+            "| `share` | - | 0 to 0.5 | 0.25 | of all |\n"
+            "| `parts` | - | whole, 1 to 9 | 2 | of each |\n"
+            "| `ratio` | - | >= 0 and < 0.5 | 0.25 | Poisson's |\n"
             "| `law` | - | harries, table | harries | size law |\n"
             "| `echo` | - | yes, no | yes | print the values |\n"
             "| `hole` | - | 7 words, repeatable | none | x y z x y z r |\n"
