@@ -178,9 +178,8 @@ void measure_layers(Report& report, const std::string& name, const RockSample& s
       1.0 / mean([](Rock r) { return 1.0 / r.shear_modulus(); }));
   if (tolerance < kTolerance)
     report.known_shortfall(
-        "blocks beside the boundary cannot turn apart: their facets resist bending, as shear "
-        "across rigid blocks of two rocks "
-        "would have it; the error falls with the blocks per layer");
+        "facets between blocks beside the boundary resist bending; the error falls with the "
+        "blocks per layer");
   row("G in their planes: arithmetic mean", c(5, 5),
       mean([](Rock r) { return r.shear_modulus(); }));
   row("stiffness along the layers, c11", c(0, 0), along + coupled * coupled * across);
