@@ -82,6 +82,8 @@ struct LeaningBlock {
            cross(lean, turned_back(gradient, jump));
   }
 };
+template <class Number, class Matrix>
+LeaningBlock(Number, Matrix, Matrix) -> LeaningBlock<Number, Matrix>;  // Clang 14 finds it not
 
 /// Of both blocks of a facet on it.
 template <class Number, class Vector>
