@@ -43,19 +43,19 @@ void LinearNetwork::add_spring(const FacetNetwork& network, std::size_t f, Break
   spring.i = ends.i;
   spring.j = ends.j == network.ground() ? -1 : ends.j;
   spring.normal = motion.normal;
-  spring.opening_i = openings.i;
-  spring.opening_j = openings.j;
+  spring.on_i = {openings.i, Vec3::Zero()};
+  spring.on_j = {openings.j, Vec3::Zero()};
   spring.pull_i = bond.point_area * bond.bulk_i;
   spring.pull_j = bond.point_area * bond.bulk_j;
   spring.strain_i = bond.area_i / kFacetPoints;
   spring.strain_j = bond.area_j / kFacetPoints;
   if (view == BreakView::as_it_is) spring.sharpening = facets.tables.coupling(f).sharpening;
   spring.slanted = facets.tables.name(f).slanted();
-  spring.lean = {Vec3::Zero(), Vec3::Zero()};
   if (const LeaningFaces* leaning = network.leaning()) {
-    spring.shear_share = leaning->facet(f).shear_share;
-    for (std::size_t k = 0; k < 2; ++k)
-      spring.lean[k] = facets.turned(f, leaning->facet(f).lean[k], motion.scale);
+    const FacetLean& lean = leaning->facet(f);
+    spring.shear_share = lean.shear_share;
+    spring.on_i.lean = facets.turned(f, lean.lean[0], motion.scale);
+    spring.on_j.lean = facets.turned(f, lean.lean[1], motion.scale);
   }
   set_points(spring, network, f, view, damping_rate);
   springs_.push_back(spring);
@@ -116,8 +116,9 @@ void LinearNetwork::bulk_stresses(std::span<const double> motion, const RankTeam
     for (std::size_t p = 0; p < kFacetPoints; ++p) {
       if (!s.bonded[p]) continue;
       const Vec3 opened = s.counted(p, jump(s, p, motion));
-      theta_[static_cast<std::size_t>(s.i)] += s.strain_i * s.opening_i.dot(opened);
-      if (s.j >= 0) theta_[static_cast<std::size_t>(s.j)] += s.strain_j * s.opening_j.dot(opened);
+      theta_[static_cast<std::size_t>(s.i)] += s.strain_i * s.on_i.opening.dot(opened);
+      if (s.j >= 0)
+        theta_[static_cast<std::size_t>(s.j)] += s.strain_j * s.on_j.opening.dot(opened);
     }
   }
   for (std::size_t b = 0; b < theta_.size(); ++b) theta_[b] /= volume_[b];
@@ -146,18 +147,19 @@ void LinearNetwork::slant_stresses(std::span<const double> motion, const RankTea
   for (const Spring& s : springs_) {
     for (std::size_t p = 0; p < kFacetPoints; ++p) {
       if (!s.bonded[p]) continue;
-      const Vec3 opened = s.strained(s.counted(p, jump(s, p, motion)));
-      const auto add = [&](int block, double strain, const Vec3& opening, const Vec3& lean) {
+      const Vec3 strained = s.strained(s.counted(p, jump(s, p, motion)));
+      const auto add = [&](int block, double strain, const LeaningSide<Vec3>& side) {
         const auto b = static_cast<std::size_t>(block);
-        slants_[b].gradient += strain / rock_volume_[b] * opened * opening.transpose();
-        slants_[b].excess += strain / rock_volume_[b] * opened * lean.transpose();
+        add_opened(opened(strain, rock_volume_[b], strained), side, slants_[b].gradient,
+                   slants_[b].excess);
       };
-      if (s.slanted[0]) add(s.i, s.strain_i, s.opening_i, s.lean[0]);
-      if (s.slanted[1]) add(s.j, s.strain_j, s.opening_j, s.lean[1]);
+      if (s.slanted[0]) add(s.i, s.strain_i, s.on_i);
+      if (s.slanted[1]) add(s.j, s.strain_j, s.on_j);
     }
   }
   for (std::size_t b = 0; b < slants_.size(); ++b)
-    slants_[b].stress = rock_[b].two_g * (slants_[b].gradient * moment_[b] - slants_[b].excess);
+    slants_[b].stress =
+        leaning_stress(rock_[b].two_g, slants_[b].gradient, moment_[b], slants_[b].excess);
   static_assert(sizeof(Slant) == 27 * sizeof(double));
   team.fill_copies(
       {slants_.empty() ? nullptr : slants_.front().gradient.data(), 27 * slants_.size()}, 27);
@@ -166,20 +168,20 @@ void LinearNetwork::slant_stresses(std::span<const double> motion, const RankTea
 /// Force of a bonded point by the slant [N].
 Vec3 LinearNetwork::slant_pull(const Spring& s) const {
   Vec3 pull = Vec3::Zero();
-  const auto add = [&](int block, double share, const Vec3& opening, const Vec3& lean) {
+  const auto add = [&](int block, double share, const LeaningSide<Vec3>& side) {
     const auto b = static_cast<std::size_t>(block);
-    const Slant& slant = slants_[b];
-    pull += share * (slant.stress * opening - rock_[b].two_g * (slant.gradient * lean));
+    const LeaningBlock on_facet{rock_[b].two_g, slants_[b].stress, slants_[b].gradient};
+    pull += share * on_facet.traction(side);
   };
-  if (s.slanted[0]) add(s.i, s.pull_i, s.opening_i, s.lean[0]);
-  if (s.slanted[1]) add(s.j, s.pull_j, s.opening_j, s.lean[1]);
+  if (s.slanted[0]) add(s.i, s.pull_i, s.on_i);
+  if (s.slanted[1]) add(s.j, s.pull_j, s.on_j);
   return s.strained(pull);
 }
 
 /// Force of a bonded point by the bulk stresses [N].
 Vec3 LinearNetwork::bulk_pull(const Spring& s) const {
-  Vec3 pull = s.pull_i * bulk_[static_cast<std::size_t>(s.i)] * s.opening_i;
-  if (s.j >= 0) pull += s.pull_j * bulk_[static_cast<std::size_t>(s.j)] * s.opening_j;
+  Vec3 pull = s.pull_i * bulk_[static_cast<std::size_t>(s.i)] * s.on_i.opening;
+  if (s.j >= 0) pull += s.pull_j * bulk_[static_cast<std::size_t>(s.j)] * s.on_j.opening;
   return pull;
 }
 

@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "bond/law/leaning_law.h"
 #include "bond/network/facet_network.h"
 #include "bond/network/rank_team.h"
 
@@ -35,10 +36,10 @@ class LinearNetwork {
  private:
   struct Spring {
     int i, j;  // -1: the ground
-    Vec3 normal, opening_i, opening_j;
+    Vec3 normal;
+    LeaningSide<Vec3> on_i, on_j;
     std::array<bool, 2> slanted;  // blocks i and j have the terms of leaning_faces.h
-    std::array<Vec3, 2> lean;
-    double shear_share;                                   // see FacetLean
+    double shear_share;           // see FacetLean
     std::array<Vec3, kFacetPoints> arm_i, arm_j;          // of the points, from the centres [m]
     std::array<LinearClosure<double>, kFacetPoints> law;  // times the area of the point [N/m]
     // Of the points: how much more than a rigid joint's share of a normal motion strains the rock.
@@ -54,7 +55,7 @@ class LinearNetwork {
       return v + (normal_share[p] - 1.0) * normal.dot(v) * normal;
     }
     [[nodiscard]] Vec3 strained(const Vec3& v) const {
-      return shear_share * v + (1.0 - shear_share) * normal.dot(v) * normal;
+      return StrainedPart<double, Vec3>{shear_share, normal}.of(v);
     }
   };
 

@@ -171,8 +171,7 @@ double BondedPoints::crush_blocks(std::size_t f, const FacetMotion& motion, doub
   shed(i, bond.area_i, openings.i);
   shed(j, bond.area_j, openings.j);
   if (parts_.leaning != nullptr)
-    parts_.leaning->drop(facets_, f,
-                         {kFacetPoints * closer * motion.normal, motion.normal, openings, true});
+    parts_.leaning->drop(facets_, f, {kFacetPoints * closer * motion.normal, true});
   parts_.books.newly_cracked = true;
   return taken;
 }

@@ -195,9 +195,7 @@ void FacetBreaking::drop_from_dilatation(std::size_t f, const PointBreak& broken
   const auto [depth_i, depth_j] = facets_.tables.depths(f);
   drop(facets_.tables.i_of(f), bond.area_i, broken.openings.i, depth_i);
   drop(facets_.tables.j_of(f), bond.area_j, broken.openings.j, depth_j);
-  if (parts_.leaning != nullptr)
-    parts_.leaning->drop(facets_, f,
-                         {left.strain_lost, broken.normal, broken.openings, left.slips});
+  if (parts_.leaning != nullptr) parts_.leaning->drop(facets_, f, {left.strain_lost, left.slips});
 }
 
 void FacetBreaking::book_step() {

@@ -78,19 +78,26 @@ struct WidePlace {
   WideVec centre;  // [m]
 };
 
-/// Where the states of a group's blocks lie, in numbers after that of the first block. The numbers
-/// of a block are loaded together and transposed: 5 % of all passes less than with the processor's
-/// gather, which is much slower on those that guard it against snooping.
-class BlockPlaces {
+/// Where what a group's blocks have lies, one OfBlock each, in numbers after that of the first
+/// block. The numbers of a block are loaded together and transposed: 5 % of all passes less than
+/// with the processor's gather, which is much slower on those that guard it against snooping.
+template <class OfBlock>
+class PlacesOf {
  public:
-  [[gnu::always_inline]] explicit BlockPlaces(const FacetRow<std::int32_t>& blocks) {
-    static_assert(sizeof(BlockState) % sizeof(double) == 0);
-    constexpr int kNumbers = sizeof(BlockState) / sizeof(double);
+  [[gnu::always_inline]] explicit PlacesOf(const FacetRow<std::int32_t>& blocks) {
+    static_assert(sizeof(OfBlock) % sizeof(double) == 0);
+    constexpr int kNumbers = sizeof(OfBlock) / sizeof(double);
     for (std::size_t k = 0; k < kGroup; ++k) at_[k] = kNumbers * blocks[k];
   }
   /// `first` is that of the first block. A number before the vector is read as well.
   [[gnu::always_inline]] WideVec vector(const Vec3& first) const {
     return rows_of_four(first.data() - 1).vector();
+  }
+  [[gnu::always_inline]] WideMat matrix(const Mat3& first) const {
+    const double* from = first.data();
+    const WideFour a = rows_of_four(from), b = rows_of_four(from + 4),
+                   last = rows_of_four(from + 5);
+    return {{a.n0, a.n1, a.n2}, {a.n3, b.n0, b.n1}, {b.n2, b.n3, last.n3}};
   }
   [[gnu::always_inline]] WidePlace place(const BlockState& first) const;
 
@@ -135,7 +142,10 @@ class BlockPlaces {
   alignas(64) FacetRow<std::int32_t> at_;
 };
 
-[[gnu::always_inline]] inline WidePlace BlockPlaces::place(const BlockState& first) const {
+using BlockPlaces = PlacesOf<BlockState>;
+
+template <class OfBlock>
+[[gnu::always_inline]] inline WidePlace PlacesOf<OfBlock>::place(const BlockState& first) const {
   static_assert(offsetof(BlockState, centre) == 9 * sizeof(double));
   const double* from = first.rotation.data();
 #if defined(__AVX512F__) && defined(__AVX512VL__)

@@ -20,78 +20,64 @@ Vec3 line_of_centres(const FacetTables& tables, std::size_t f) {
   return tables.arm_i(f) - tables.arm_j(f);
 }
 
-/// Calls `add` with block, `opened`, m and g of each side on which a facet leans.
+bool leans(const FacetKinematics& facets, std::size_t f) {
+  const FacetName& name = facets.tables.name(f);
+  return facets.history.bonded_points(f) > 0 && (name.slanted_i || name.slanted_j);
+}
+
+[[gnu::always_inline]] inline LeaningFacet facet_of(const LeaningFaces& faces,
+                                                    const FacetKinematics& facets, std::size_t f) {
+  const FacetMotion motion = facets.motion(f);
+  return {faces.facet(f), facets, f, motion, facets.bonded_jump(f, motion)};
+}
+
+/// Calls `add` with block, what has opened and the side, of each side on which a facet leans.
 template <class Add>
 void stretch_facet(const LeaningFaces& faces, const FacetKinematics& facets, std::size_t f,
                    const Add& add) {
-  const std::array<bool, 2> leans = facets.tables.name(f).slanted();
-  if (facets.history.bonded_points(f) == 0 || !(leans[0] || leans[1])) return;
-  const FacetMotion motion = facets.motion(f);
-  const FacetOpenings openings = facets.openings(f, motion.scale);
-  const BondConstants bond = facets.tables.bond(f);
-  const FacetLean& leaning = faces.facet(f);
-  const Vec3 jump = leaning.strained(facets.bonded_jump(f, motion), motion.normal);
-  const auto add_side = [&](std::size_t b, double area, const Vec3& opening, const Vec3& lean) {
-    add(b, Vec3(area / facets.blocks.volume(b) * jump), opening,
-        facets.turned(f, lean, motion.scale));
-  };
-  const auto [i, j] = facets.tables.blocks_of(f);
-  if (leans[0]) add_side(i, bond.area_i, openings.i, leaning.lean[0]);
-  if (leans[1]) add_side(j, bond.area_j, openings.j, leaning.lean[1]);
+  if (!leans(facets, f)) return;
+  const LeaningFacet facet = facet_of(faces, facets, f);
+  facet.each_side([&](int, const LeaningFacet::Side& side) {
+    add(side.block, opened_on(facet, side, facets.blocks), side);
+  });
 }
 
 template <class Add>
 void stretch_group(const LeaningFaces& faces, const FacetKinematics& facets, const LaneSet& set,
                    const Add& add) {
   const LeaningLanes lanes(facets, set);
-  if (lanes.at_once == 0)
-    return each_lane(set.lanes, [&](std::size_t k) {
-      stretch_facet(faces, facets, set.group * kGroup + k, add);
+  struct {
+    alignas(64) FacetRows<double> opened, opening, lean;
+  } rows[2];
+  if (lanes.at_once != 0) {
+    const LeaningGroup group(faces, facets, set.group, lanes);
+    group.each_side([&](int s, const LeaningGroup::Side& side) __attribute__((always_inline)) {
+      store(opened_on(group, side, facets.blocks), rows[s].opened);
+      store(side.opening, rows[s].opening);
+      store(side.lean, rows[s].lean);
     });
-  const LeaningGroup group(faces, facets, set.group);
-  const StretchRows on_i(group, group.side_i(), facets.blocks),
-      on_j(group, group.side_j(), facets.blocks);
+  }
   each_lane(set.lanes, [&](std::size_t k) {
     const std::size_t f = set.group * kGroup + k;
     if ((lanes.at_once >> k & 1u) == 0) return stretch_facet(faces, facets, f, add);
     const auto [i, j] = facets.tables.blocks_of(f);
-    const auto add_side = [&](std::size_t b, const StretchRows& rows) {
-      add(b, at_lane(rows.opened, k), at_lane(rows.opening, k), at_lane(rows.lean, k));
+    const auto add_side = [&](std::size_t b, int s) {
+      add(b, at_lane(rows[s].opened, k),
+          LeaningSide<Vec3>{at_lane(rows[s].opening, k), at_lane(rows[s].lean, k)});
     };
-    if ((lanes.on_i >> k & 1u) != 0) add_side(i, on_i);
-    if ((lanes.on_j >> k & 1u) != 0) add_side(j, on_j);
+    if ((lanes.on_i >> k & 1u) != 0) add_side(i, 0);
+    if ((lanes.on_j >> k & 1u) != 0) add_side(j, 1);
   });
 }
-
-/// Displacement gradients and stresses T of all blocks.
-struct BlockTensors {
-  const std::vector<Mat3>&gradients, &stresses;
-};
 
 /// Calls `add` with a facet that leans, its traction and the torque on both of its blocks.
 template <class Add>
 void pull_facet(const LeaningFaces& faces, const FacetKinematics& facets,
                 const BlockTensors& tensors, std::size_t f, const Add& add) {
-  const FacetTables& tables = facets.tables;
-  const std::array<bool, 2> leans = tables.name(f).slanted();
-  if (facets.history.bonded_points(f) == 0 || !(leans[0] || leans[1])) return;
-  const FacetMotion motion = facets.motion(f);
-  const FacetOpenings openings = facets.openings(f, motion.scale);
-  const BondConstants bond = tables.bond(f);
-  const FacetLean& leaning = faces.facet(f);
-  const Vec3 jump = leaning.strained(facets.bonded_jump(f, motion), motion.normal);
-  Vec3 traction = Vec3::Zero(), turning = Vec3::Zero();
-  const auto add_side = [&](std::size_t b, double share, const Vec3& opening, const Vec3& start) {
-    const Vec3 lean = facets.blocks.rock[b].two_g * facets.turned(f, start, motion.scale);
-    traction += share * (tensors.stresses[b] * opening - tensors.gradients[b] * lean);
-    turning += share * (opening.cross(Vec3(tensors.stresses[b].transpose() * jump)) -
-                        lean.cross(Vec3(tensors.gradients[b].transpose() * jump)));
-  };
-  const auto [i, j] = tables.blocks_of(f);
-  if (leans[0]) add_side(i, bond.bulk_i, openings.i, leaning.lean[0]);
-  if (leans[1]) add_side(j, bond.bulk_j, openings.j, leaning.lean[1]);
-  add(f, leaning.strained(traction, motion.normal),
-      Vec3(-0.5 * tables.area(f) * (turning + jump.cross(traction))));
+  if (!leans(facets, f)) return;
+  const LeaningFacet facet = facet_of(faces, facets, f);
+  const LeaningPull pull = pull_on(facet, tensors, facets.blocks);
+  add(f, pull.traction(), pull.torque(facet.area()));
 }
 
 template <class Add>
@@ -100,24 +86,10 @@ void pull_group(const LeaningFaces& faces, const FacetKinematics& facets,
   const LeaningLanes lanes(facets, set);
   alignas(64) FacetRows<double> tractions, torques;
   if (lanes.at_once != 0) {
-    const LeaningGroup group(faces, facets, set.group);
-    const WideVec& jump = group.jump();
-    WideVec traction, turning;
-    const auto add_side = [&](unsigned on, const LeaningGroup::Side& side)
-        __attribute__((always_inline)) {
-      const Wide share = choose(mask_of<Wide>(on), group.bulk(), 0.0);
-      const auto two_g = [&](std::size_t b) { return facets.blocks.rock[b].two_g; };
-      const WideVec lean = group.number(side, two_g) * side.lean;
-      const WideMat stress = group.tensor(side, tensors.stresses),
-                    gradient = group.tensor(side, tensors.gradients);
-      traction += share * (stress * side.opening - gradient * lean);
-      turning +=
-          share * (cross(side.opening, stress.back(jump)) - cross(lean, gradient.back(jump)));
-    };
-    add_side(lanes.on_i, group.side_i());
-    add_side(lanes.on_j, group.side_j());
-    store(group.strained(traction), tractions);
-    store(Wide(-0.5) * group.area() * (turning + cross(jump, traction)), torques);
+    const LeaningGroup group(faces, facets, set.group, lanes);
+    const LeaningPull pull = pull_on(group, tensors, facets.blocks);
+    store(pull.traction(), tractions);
+    store(pull.torque(group.area()), torques);
   }
   each_lane(set.lanes, [&](std::size_t k) {
     const std::size_t f = set.group * kGroup + k;
@@ -191,9 +163,8 @@ void LeaningFaces::stretch(const FacetKinematics& facets, const std::vector<Lane
   const BlockFields& blocks = facets.blocks;
   std::fill(gradients_.begin(), gradients_.end(), Mat3::Zero());
   for (BlockLean& block : blocks_) block.excess.setZero();
-  const auto add = [&](std::size_t b, const Vec3& opened, const Vec3& opening, const Vec3& lean) {
-    gradients_[b].noalias() += opened * opening.transpose();
-    blocks_[b].excess.noalias() += opened * lean.transpose();
+  const auto add = [&](std::size_t b, const Vec3& opened, const LeaningSide<Vec3>& side) {
+    add_opened(opened, side, gradients_[b], blocks_[b].excess);
   };
   for (const LaneSet& set : bonded) stretch_group(*this, facets, set, add);
   for (std::size_t b = 0; b < blocks.size(); ++b) stresses_[b] = stress(b, blocks);
@@ -202,8 +173,8 @@ void LeaningFaces::stretch(const FacetKinematics& facets, const std::vector<Lane
 /// T of a block [Pa].
 Mat3 LeaningFaces::stress(std::size_t b, const BlockFields& blocks) const {
   const Mat3& r = blocks.state[b].rotation;
-  return blocks.rock[b].two_g *
-         (gradients_[b] * (r * blocks_[b].moment * r.transpose()) - blocks_[b].excess);
+  return leaning_stress(blocks.rock[b].two_g, gradients_[b], r * blocks_[b].moment * r.transpose(),
+                        blocks_[b].excess);
 }
 
 double LeaningFaces::energy(std::size_t b, const BlockFields& blocks) const {
@@ -217,7 +188,7 @@ double LeaningFaces::energy(std::size_t b, const BlockFields& blocks) const {
 /// On a block that turns its moment Q against its gradient [N m].
 Vec3 LeaningFaces::moment_torque(std::size_t b, const Mat3& r, double volume,
                                  double shear_modulus) const {
-  const Mat3 q = r * blocks_[b].moment * r.transpose();
+  const Mat3 q = moment(b, r);
   const Mat3 squared = gradients_[b].transpose() * gradients_[b];
   const Mat3 swirl = q * squared - squared * q;
   return 2.0 * volume * shear_modulus * Vec3(swirl(2, 1), swirl(0, 2), swirl(1, 0));
@@ -242,23 +213,15 @@ void LeaningFaces::pull(const FacetKinematics& facets, const std::vector<LaneSet
 }
 
 void LeaningFaces::drop(const FacetKinematics& facets, std::size_t f, const LostPoint& point) {
-  const FacetTables& tables = facets.tables;
-  const double scale = facets.motion(f).scale;
-  const BondConstants bond = tables.bond(f);
-  const Vec3 jump = facets_[f].strained(point.lost, point.normal);
-  const auto take = [&](int side, int block, double area, const Vec3& opening) {
-    if (!tables.name(f).slanted()[static_cast<std::size_t>(side)]) return;
-    const auto b = static_cast<std::size_t>(block);
-    const double volume = facets.blocks.volume(b);
-    const Vec3 opened = area / (kFacetPoints * volume) * jump;
-    const Vec3 lean = facets.turned(f, facets_[f].lean[static_cast<std::size_t>(side)], scale);
-    lost_[b].gradient += opened * opening.transpose();
-    lost_[b].excess += opened * lean.transpose();
-    if (tables.is_joint(f) && !point.slips)
-      lost_[b].moment += point_moment(tables, f, side) / volume;
-  };
-  take(0, tables.i_of(f), bond.area_i, point.openings.i);
-  take(1, tables.j_of(f), bond.area_j, point.openings.j);
+  const LeaningFacet facet(facets_[f], facets, f, facets.motion(f), point.lost);
+  facet.each_side([&](int s, const LeaningFacet::Side& side) {
+    LostLean& lost = lost_[side.block];
+    const double volume = facets.blocks.volume(side.block);
+    add_opened(opened(facet.area() * side.share, kFacetPoints * volume, facet.jump()), side,
+               lost.gradient, lost.excess);
+    if (facets.tables.is_joint(f) && !point.slips)
+      lost.moment += point_moment(facets.tables, f, s) / volume;
+  });
 }
 
 void LeaningFaces::book(const BlockFields& blocks, JointLosses& losses) {

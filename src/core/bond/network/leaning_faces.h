@@ -34,11 +34,6 @@ struct FacetLean {
   std::array<Vec3, 2> lean{Vec3::Zero(), Vec3::Zero()};  ///< g of both blocks, in the start [-]
   /// Of the jump that strains rock over that along the normal; 0 for a mirror [-].
   double shear_share = 1.0;
-
-  /// The part of a jump that strains rock, over its share along the normal.
-  [[nodiscard]] Vec3 strained(const Vec3& jump, const Vec3& normal) const {
-    return shear_share * jump + (1.0 - shear_share) * normal.dot(jump) * normal;
-  }
 };
 
 class LeaningFaces {
@@ -76,11 +71,9 @@ class LeaningFaces {
   /// Of a block [J].
   [[nodiscard]] double energy(std::size_t b, const BlockFields& blocks) const;
 
-  /// Point of a facet that breaks: what its blocks lose. `lost` is the jump that leaves the
-  /// dilatations [m], `opening` the m of both blocks in the present pose.
+  /// Point of a facet that breaks: what its blocks lose.
   struct LostPoint {
-    Vec3 lost, normal;
-    FacetOpenings openings;
+    Vec3 lost;   ///< jump that leaves the dilatations [m]
     bool slips;  ///< stays in the dilatations
   };
   void drop(const FacetKinematics& facets, std::size_t f, const LostPoint& point);
