@@ -166,7 +166,7 @@ void PairMuckpileBlock::compute(int eflag, int vflag) {
   if (eflag || vflag)
     ev_setup(eflag, vflag);
   else
-    evflag = vflag_fdotr = 0;
+    evflag = vflag_fdotr = eflag_global = 0;
   if (neighbor->ago == 0 && list_is_stale_) {
     rebuild();
   } else if (atom->nlocal + atom->nghost > 0) {
