@@ -13,6 +13,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "fixes/run/run_blocks.h"
+
 namespace muckpile {
 namespace {
 
@@ -81,11 +83,12 @@ bool InputEnd::nothing_left(const LAMMPS_NS::LAMMPS& lmp) const {
 /// one (write_restart_on_signal no) nothing tells the two apart.
 std::string InputEnd::line(const LAMMPS_NS::LAMMPS& lmp) const {
   namespace signals = LAMMPS_NS::SignalHandler;
-  if (!signals::request_quit) return kWhole;
   constexpr const char* kCut = "interrupted: before the end of the input";
+  const bool left_out = RunBlocksCommand::has_been_cut();  // a signal of another rank, too
+  if (!signals::request_quit) return left_out ? kCut : kWhole;
   if (!signals::enable_restart_writing) return kCut;
   if (!signals::request_write_restart) return "interrupted: before the last step of a run";
-  return nothing_left(lmp) ? kWhole : kCut;
+  return nothing_left(lmp) && !left_out ? kWhole : kCut;
 }
 
 void tell_end(const LAMMPS_NS::LAMMPS& lmp, const std::string& line) {

@@ -51,6 +51,36 @@ ends 'interrupted: before the end of the input' "write_restart_on_signal no
 run 10
 $stop"
 
+# A last run_blocks that is left before its first step, as a signal has come to the second rank alone.
+cat >in.blocks <<END
+units si
+atom_style granular
+atom_modify map array sort 0 0
+boundary m m m
+newton off
+communicate single vel yes
+region box block -2 4 -2 4 -2 4 units box
+create_box 1 box
+neighbor 0.2 bin
+neigh_modify delay 0 every 1 check yes binsize 1.5
+variable contact_modulus index 2.5e7
+variable restitution index 0.3
+variable friction index 0.7
+variable rolling_friction index 1.0
+include $root/inputs/common/contact.in
+fix blocks all multisphere/muckpile
+region rock block 0 1 0 1 0 1 units box
+create_blocks rock density 2700 size uniform 0.5 block_min 0.5 block_max 0.5 cut joint_sets joint_set 90 0 joint_set 90 90 spheres_per_block 1 &
+  sphere_growth 1 file blocks.vtk
+shell "kill -USR2 \$(ps -o pid= --ppid \$(ps -o ppid= -p \$PPID) | grep -vw \$PPID)"
+run_blocks phase rest until still directory . time_end 1 still_share 0.002 solid rock density 2700 block_min 0.5 spheres_per_block 1 steps_per_contact 10
+END
+rm -f log.liggghts
+unset output
+on_ranks 2 -in in.blocks </dev/null >screen 2>&1 || fail "exit status $?"
+[[ $(grep -E '^(whole|interrupted): ' log.liggghts) == 'interrupted: before the first step of phase rest
+interrupted: before the end of the input' ]] || fail "an input whose last phase was left out must not be whole: $(grep -E '^(whole|interrupted): ' log.liggghts)"
+
 # A pipe that stays open is not waited for.
 mkfifo pipe
 (printf '%s\nrun 10\n%s\n' "$scene" "$stop"; exec sleep 60) >pipe &
@@ -60,7 +90,7 @@ kill "$writer"
 
 # A signal in the middle of a plain run, which looks for signals where it writes.
 printf '%s\nthermo 1000\nrun 2000000000\n' "$scene" >in.plain
-rm -f log.liggghts
+rm -f log.liggghts screen  # the one before has the line that is waited for
 "$program" -in in.plain >screen 2>&1 </dev/null &
 engine=$!
 for ((k = 0; k < 300; ++k)); do

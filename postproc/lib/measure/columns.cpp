@@ -241,7 +241,7 @@ Extent extent_at_start(const std::vector<StartBlock>& blocks) {
     (void)split_muck(rock);
     return extent_at_start(rock);
   }
-  return extent_where(blocks.size(), [&](size_t b) { return blocks[b].shape.vertices; });
+  return extent_where(blocks.size(), [&](size_t b) { return std::span(blocks[b].shape.vertices); });
 }
 
 }  // namespace muckpile

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 
@@ -100,6 +101,14 @@ std::vector<StlTriangle> joined_to_triangles(const std::vector<Vec3>& points, do
   return triangles;
 }
 
+// Calls use(point) for each point and corner.
+template <class Use>
+void each_place(const SurveyedSurface& surface, Use&& use) {
+  for (const Vec3& point : surface.points) use(point);
+  for (const StlTriangle& triangle : surface.triangles)
+    for (const Vec3& corner : triangle) use(corner);
+}
+
 }  // namespace
 
 SurveyedSurface placed(SurveyedSurface surface, const SurveyPose& pose) {
@@ -112,13 +121,23 @@ SurveyedSurface placed(SurveyedSurface surface, const SurveyPose& pose) {
 Extent extent_of(const SurveyedSurface& surface) {
   constexpr double kFar = std::numeric_limits<double>::max();
   Extent extent{Vec3::Constant(kFar), Vec3::Constant(-kFar)};
-  const auto add = [&](const Vec3& p) {
+  each_place(surface, [&](const Vec3& p) {
     extent.low = extent.low.cwiseMin(p);
     extent.high = extent.high.cwiseMax(p);
-  };
-  for (const Vec3& point : surface.points) add(point);
-  for (const StlTriangle& triangle : surface.triangles)
-    for (const Vec3& corner : triangle) add(corner);
+  });
+  return extent;
+}
+
+Extent extent_of_most(const SurveyedSurface& surface, double farthest) {
+  Extent extent = extent_of(surface);
+  if (extent.high.z() - extent.low.z() <= farthest) return extent;
+  std::vector<double> heights;
+  each_place(surface, [&](const Vec3& p) { heights.push_back(p.z()); });
+  std::ranges::sort(heights);
+  heights.erase(std::ranges::unique(heights).begin(), heights.end());
+  const double middle = heights[heights.size() / 2];
+  extent.low.z() = *std::ranges::lower_bound(heights, middle - farthest);
+  extent.high.z() = *std::prev(std::ranges::upper_bound(heights, middle + farthest));
   return extent;
 }
 

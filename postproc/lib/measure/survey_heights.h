@@ -32,6 +32,10 @@ struct SurveyPose {
 SurveyedSurface placed(SurveyedSurface surface, const SurveyPose& pose);
 Extent extent_of(const SurveyedSurface& surface);
 
+// In height, of what is no farther than `farthest` [m] from the middle one of all heights that
+// differ: a number that stands for no data counts once, however often it occurs.
+Extent extent_of_most(const SurveyedSurface& surface, double farthest);
+
 // Height of the surface at each cell [m], NaN where it has none. Points are thinned to their means
 // over a cell and joined to triangles whose sides are no longer than `gap` [m] in plan; by default
 // five times the mean distance of neighbours over the grid and a few cells around it.

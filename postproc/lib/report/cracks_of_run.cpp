@@ -3,9 +3,14 @@
 // Scope: see the header; the picture is cracks_plot.cpp.
 #include "report/cracks_of_run.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "args/input_error.h"
 #include "io/csv_writer.h"
 #include "io/joints_file.h"
 #include "provenance/run_files.h"
@@ -30,6 +35,21 @@ std::pair<double, double> over_sections(const Reaches& reaches, size_t direction
     ++count;
   }
   return {sum / count, farthest};
+}
+
+// A row that is of no joint would otherwise count as a joint that has broken, somewhere else.
+void require_joints(const std::string& file, const HoldingJoints& holding,
+                    const std::vector<RockFace>& faces, const std::vector<StartBlock>& rock) {
+  std::vector<HoldingJoints::Joint> joints, strays;
+  for (const RockFace& face : faces)
+    if (face.other) joints.push_back({rock[face.block].id, face.face});
+  std::ranges::sort(joints);
+  std::ranges::set_difference(holding.joints, joints, std::back_inserter(strays));
+  if (strays.empty()) return;
+  throw InputError(
+      file + ": " + std::to_string(strays.size()) + " of " + std::to_string(holding.joints.size()) +
+      " rows are of no joint of blocks.vtk, the first of face " +
+      std::to_string(strays.front().face) + " of block " + std::to_string(strays.front().id));
 }
 
 }  // namespace
@@ -62,6 +82,7 @@ std::optional<CracksOfRun> cracks_of_run(const ResultFolder& folder,
   const HoldingJoints holding = read_joints(folder.dump(kJointsFile));
   if (holding.step != step) return std::nullopt;
   CracksOfRun cracks{faces_of_rock(rock), {}, charges_of(folder), {}, {}, hole_radius};
+  require_joints(folder.dump(kJointsFile).string(), holding, cracks.faces, rock);
   for (const RockFace& face : cracks.faces)
     cracks.broken.push_back(face.other && !holding.has(rock[face.block].id, face.face) ? 1 : 0);
   cracks.holes = crack_holes(cracks.faces, cracks.broken, cracks.charges);

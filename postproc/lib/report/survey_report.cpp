@@ -123,9 +123,10 @@ void require_overlap(const std::string& file, const Extent& survey, const Extent
              shift_text(shift_between(survey, run, pose)));
 }
 
+constexpr double kFarthest = 500.0;  // [m]; no bench or heap is as high
+
 // Grids often hold a number such as -9999 where nothing was surveyed.
 void require_heights(const std::string& file, const SurfacePair& pair) {
-  constexpr double kFarthest = 500.0;  // [m]; no bench or heap is as high
   for (size_t k = 0; k < pair.grid.cells(); ++k) {
     if (pair.compared[k] == 0 || std::abs(pair.survey[k] - pair.run[k]) <= kFarthest) continue;
     const auto columns_x = static_cast<size_t>(pair.grid.nx);
@@ -266,8 +267,8 @@ void report_survey(const ResultFolder& folder, const MeasureOptions& measure,
   const std::string scene = folder.scene_word("case");
   const ColumnGrid grid = grid_of(run, extent_of(survey), scene);
   const RunSurface surface = surface_of(run, grid, scene);
-  require_overlap(options.surface, extent_of(survey), extent_of_heights(grid, surface.heights),
-                  pose, run.block_size);
+  require_overlap(options.surface, extent_of_most(survey, kFarthest),
+                  extent_of_heights(grid, surface.heights), pose, run.block_size);
   const Comparison c = compared(run, surface, grid, heights_over(grid, survey, options.gap));
   if (std::ranges::count(c.pair.compared, 1) == 0)
     refuse(options.surface,

@@ -13,6 +13,7 @@
 #include "drawn_picture.h"
 #include "geometry/files/block_file.h"
 #include "golden_files.h"
+#include "input_error_of.h"
 #include "measure/damage.h"
 #include "measure/joint_faces.h"
 #include "report/damage_report.h"
@@ -212,6 +213,18 @@ TEST_F(CracksOfARun, FaultyJointsAreRefused) {
   std::string text = text_of(dump() / "joints.csv");
   write_text(dump() / "joints.csv", text + "1,1,0\n1,1,0\n");
   EXPECT_THROW(damage(), InputError);
+}
+
+// Of a block that the rock does not have, and of a face of block 1 that is on the outside.
+TEST_F(CracksOfARun, JointsOfOtherRockAreRefused) {
+  const std::string text = text_of(dump() / "joints.csv");
+  const auto rows = std::ranges::count(text, '\n') - 2;
+  write_text(dump() / "joints.csv", text + "9999,0,0\n1,77,0\n");
+  const std::string error = input_error_of([&] { (void)damage(); });
+  EXPECT_NE(error.find("joints.csv: 2 of " + std::to_string(rows + 2) +
+                       " rows are of no joint of blocks.vtk, the first of face 77 of block 1"),
+            std::string::npos)
+      << error;
 }
 
 }  // namespace

@@ -3,6 +3,9 @@
 // Scope: sweep/overlay on tables written by hand.
 #include <gtest/gtest.h>
 
+#include "draw/colours.h"
+#include "draw/curve_plot.h"
+#include "drawn_picture.h"
 #include "input_error_of.h"
 #include "sweep/overlay.h"
 #include "sweep/overlay_report.h"
@@ -50,6 +53,39 @@ TEST_F(Overlay, TheBandIsThatOfAllRunsAtEachPlace) {
             "pile_mean_m,1,3,5,3,2,2.6,5,7.4,8\n"
             "pile_mean_m,2,3,5,2,3,3.4,5,6.6,7\n");
   EXPECT_GT(std::filesystem::file_size(files[1]), 2000U);
+}
+
+// Middles of the blue lines that a column of a picture crosses, from its top, below the key.
+std::vector<double> blue_lines(const DrawnPicture& picture, int column) {
+  constexpr int kBelowKey = 100, kBlue = 40;  // [px], steps of 255
+  std::vector<double> middles;
+  int begin = -1;
+  for (int y = kBelowKey; y < picture.height(); ++y) {
+    const auto [red, green, blue] = picture.at(column, y);
+    const bool is_blue = blue - red > kBlue;
+    if (is_blue && begin < 0) begin = y;
+    if (!is_blue && begin >= 0) middles.push_back(0.5 * (begin + y));
+    if (!is_blue) begin = -1;
+  }
+  return middles;
+}
+
+// P10, P50 and P90 of 0, 1 ... 6 m are 0.6, 3 and 5.4 m. An area between the first and the last
+// shows beside six runs, whose lines have colours of their own, and would be hidden by seven.
+TEST_F(Overlay, TheBandOfManyRunsHasEdgesOnly) {
+  for (int k = 0; k < 7; ++k) {
+    const std::string height = std::to_string(k);
+    table(k, "profile.csv", "x_m,pile_mean_m\n0," + height + "\n2," + height + "\n");
+  }
+  const Colour area = mix(kWhite, colour_of_curve(0), 0.25);
+  const DrawnPicture few(report_overlay(options("profile.csv", 6))[1]);
+  EXPECT_GT(few.count(area, few.all()), few.width() * few.height() / 5);
+  const DrawnPicture many(report_overlay(options("profile.csv", 7))[1]);
+  EXPECT_EQ(many.count(area, many.all()), 0);
+  const std::vector<double> lines = blue_lines(many, many.width() / 2);
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_NEAR(lines[1] - lines[0], lines[2] - lines[1], 1.5);  // [px], rounded
+  EXPECT_GT(lines[1] - lines[0], 0.2 * many.height());
 }
 
 // Recovered 0.9 and 0.7: mean 0.8, deviation sqrt(0.02), P10 0.72.

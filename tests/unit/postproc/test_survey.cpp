@@ -372,6 +372,20 @@ TEST_F(Survey, HeightsThatStandForNoDataAreRefused) {
   expect_in("leave out points that stand for no data", refused("pile.xyz", holed));
 }
 
+// The advice is about the surveyed ground, which is wrong in height only, however much of the file
+// has no data.
+TEST_F(Survey, NumbersForNoDataDoNotChangeTheAdvisedShift) {
+  std::istringstream all(points(0.0, [](const Vec3& p) { return Vec3(p + Vec3(0, 0, 412)); }));
+  std::string holed;
+  int number = 0;
+  for (std::string line; std::getline(all, line); ++number)
+    holed += number % 3 == 0 ? line + "\n" : line.substr(0, line.rfind(' ')) + " -9999\n";
+  const std::string error = refused("pile.xyz", holed);
+  expect_in("pile.xyz: does not overlap the run", error);
+  expect_in("z 412 to 42", error);
+  expect_in(" -412", error);
+}
+
 TEST_F(Survey, PointFilesAreRefusedByLine) {
   expect_in("a.xyz:2: expected 3 fields as in the lines before, got 2",
             refused("a.xyz", "1 2 3\n4 5\n"));
