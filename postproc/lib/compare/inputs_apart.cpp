@@ -3,46 +3,52 @@
 // Scope: see the header.
 #include "compare/inputs_apart.h"
 
-#include <array>
+#include <algorithm>
+#include <optional>
 #include <set>
 
 #include "figures/figures.h"
+#include "provenance/knobs.h"
 
 namespace muckpile {
 namespace {
 
-constexpr std::array kNoInputs{"out", "go_on", "from", "pour_from", "restart_every"};
+std::string text_of(const check::Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  return value.is_number() ? check::text_of(value.get<double>()) : value.dump();
+}
 
-check::Json knobs_of(const std::filesystem::path& folder) {
+/// Nothing where the folder has no scene.
+std::optional<Knobs> knobs_of(const std::filesystem::path& folder) {
   const std::filesystem::path scene = folder / "dump" / "scene.json";
   if (!std::filesystem::exists(scene)) return {};
   const check::Json all = check::read_json_object(scene);
-  const auto knobs = all.find("knobs");
-  return knobs != all.end() && knobs->is_object() ? *knobs : check::Json();
+  const auto found = all.find("knobs");
+  if (found == all.end() || !found->is_object()) return {};
+  Knobs knobs;
+  for (const auto& [name, value] : found->items()) knobs.push_back({name, text_of(value)});
+  return knobs;
 }
 
-std::string text_of(const check::Json& knobs, const std::string& name) {
-  const auto knob = knobs.find(name);
-  if (knob == knobs.end()) return "none";
-  if (knob->is_string()) return knob->get<std::string>();
-  return knob->is_number() ? check::text_of(knob->get<double>()) : knob->dump();
+std::string value_in(const Knobs& knobs, const std::string& name) {
+  const auto knob = std::ranges::find(knobs, name, &Knob::name);
+  return knob == knobs.end() ? "none" : knob->value.value_or("none");
 }
 
 }  // namespace
 
 std::vector<std::string> inputs_apart(const std::filesystem::path& a,
                                       const std::filesystem::path& b) {
-  const check::Json of_a = knobs_of(a), of_b = knobs_of(b);
-  if (of_a.is_null() || of_b.is_null()) return {};
-  std::set<std::string> names;
-  for (const check::Json* knobs : {&of_a, &of_b})
-    for (const auto& [name, value] : knobs->items()) names.insert(name);
-  for (const char* name : kNoInputs) names.erase(name);
+  const std::optional<Knobs> of_a = knobs_of(a), of_b = knobs_of(b);
+  if (!of_a || !of_b) return {};
+  const KnobChanges changes =
+      knob_changes(*of_a, *of_b, {"out", "go_on", "from", "pour_from", "restart_every"});
+  std::set<std::string> names(changes.missing.begin(), changes.missing.end());
+  names.insert(changes.added.begin(), changes.added.end());
+  for (const KnobChange& change : changes.other) names.insert(change.name);
   std::vector<std::string> apart;
-  for (const std::string& name : names) {
-    const std::string one = text_of(of_a, name), other = text_of(of_b, name);
-    if (one != other) apart.push_back(name + " " + one + ", " + other);
-  }
+  for (const std::string& name : names)
+    apart.push_back(name + " " + value_in(*of_a, name) + ", " + value_in(*of_b, name));
   return apart;
 }
 

@@ -61,7 +61,7 @@ TEST_F(Compare, TellsInWhichKnobsTheInputsDiffer) {
     write_text(path(run) / "dump" / "scene.json", R"({"case": "bench", "knobs": {)" + knobs + "}}");
   };
   scene("a", R"("out": "a", "bench_height": 10.0, "seed": 1, "rock": "granite", "burden": 2.5)");
-  scene("b", R"("out": "b", "bench_height": 8, "seed": 1.0, "rock": "basalt", "sleep": 0)");
+  scene("b", R"("out": "b", "bench_height": 8, "seed": "1.0", "rock": "basalt", "sleep": 0)");
   EXPECT_EQ(inputs_apart(path("a"), path("b")), (Names{"bench_height 10, 8", "burden 2.5, none",
                                                        "rock granite, basalt", "sleep none, 0"}));
   EXPECT_EQ(inputs_apart(path("a") / "summary.json", path("b")), Names{});
