@@ -33,7 +33,8 @@ void RunBlastCommand::command(int narg, char** arg) {
     const BlastPlan plan = blast_plan(words, found, kStyle);
     ScriptEngine script(lmp, kStyle, words);
     ScriptRock rock(lmp, words.real("sleep_distance"));
-    BlastRun(plan, script, rock, kStyle).go();
+    if (BlastRun(plan, script, rock, kStyle).go() == BlastRun::Phase::interrupted)
+      ScriptEngine::note_cut();
     return 0;
   });
 }

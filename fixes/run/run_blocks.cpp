@@ -16,8 +16,6 @@
 
 namespace muckpile {
 
-bool RunBlocksCommand::has_been_cut_ = false;
-
 void RunBlocksCommand::command(int narg, char** arg) {
   if (domain->box_exist == 0) engine::stop(*lmp, std::string(kStyle) + ": needs blocks before it");
   const ArgValues words = engine::read_args(*lmp, run_blocks_table(), kStyle, narg, arg, 0);
@@ -29,7 +27,7 @@ void RunBlocksCommand::command(int narg, char** arg) {
   engine::or_engine_error(*lmp, [&] {
     const BlocksPlan plan = blocks_plan(words, *contacts->hertz_contacts(), kStyle);
     ScriptEngine script(lmp, kStyle, words);
-    if (BlocksRun(plan, script).go() == LapsEnd::interrupted) has_been_cut_ = true;
+    if (BlocksRun(plan, script).go() == LapsEnd::interrupted) ScriptEngine::note_cut();
     return 0;
   });
 }

@@ -13,13 +13,6 @@ class RunBlocksCommand : protected LAMMPS_NS::Pointers {
 
   explicit RunBlocksCommand(LAMMPS_NS::LAMMPS* engine) : Pointers(engine) {}
   void command(int narg, char** arg);
-
-  /// Whether a signal has cut one short. LIGGGHTS does not know of one that was left before its
-  /// first step.
-  static bool has_been_cut() { return has_been_cut_; }
-
- private:
-  static bool has_been_cut_;
 };
 
 }  // namespace muckpile

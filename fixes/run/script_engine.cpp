@@ -19,6 +19,8 @@
 
 namespace muckpile {
 
+bool ScriptEngine::has_been_cut_ = false;
+
 ScriptEngine::ScriptEngine(LAMMPS_NS::LAMMPS* engine, std::string command, const ArgValues& words)
     : Pointers(engine),
       command_(std::move(command)),

@@ -35,11 +35,17 @@ class ScriptEngine : public RunEngine, protected LAMMPS_NS::Pointers {
   void say(const std::string& line) override;
   void warn(const std::string& line) override;
 
+  /// A signal has cut a command short. LIGGGHTS does not know of a run that was left before its
+  /// first step, nor rank 0 of a signal to another rank.
+  static void note_cut() { has_been_cut_ = true; }
+  [[nodiscard]] static bool has_been_cut() { return has_been_cut_; }
+
  private:
   void tell(const std::string& line) const;
   void write_table() const;
   [[nodiscard]] std::string id_of(const std::string& style) const;
 
+  static bool has_been_cut_;
   std::string command_;
   ArgValues words_;
   std::string directory_;

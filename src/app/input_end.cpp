@@ -13,7 +13,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "fixes/run/run_blocks.h"
+#include "fixes/run/script_engine.h"
 
 namespace muckpile {
 namespace {
@@ -84,7 +84,7 @@ bool InputEnd::nothing_left(const LAMMPS_NS::LAMMPS& lmp) const {
 std::string InputEnd::line(const LAMMPS_NS::LAMMPS& lmp) const {
   namespace signals = LAMMPS_NS::SignalHandler;
   constexpr const char* kCut = "interrupted: before the end of the input";
-  const bool left_out = RunBlocksCommand::has_been_cut();  // a signal of another rank, too
+  const bool left_out = ScriptEngine::has_been_cut();  // a signal of another rank, too
   if (!signals::request_quit) return left_out ? kCut : kWhole;
   if (!signals::enable_restart_writing) return kCut;
   if (!signals::request_write_restart) return "interrupted: before the last step of a run";

@@ -49,9 +49,9 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 /// The table without the rows that `other` has, and a line that names their keywords.
-std::string rows_beside(const std::string& table, const std::string& other,
+std::string rows_beside(const std::string& table, const muckpile::ArgTable& other,
                         const std::string& other_page) {
-  const std::vector<std::string> there = lines_of(other);
+  const std::vector<std::string> there = lines_of(other.markdown());
   std::string rows, names;
   for (const std::string& line : lines_of(table)) {
     if (!line.starts_with("| `") || std::find(there.begin(), there.end(), line) == there.end()) {
@@ -60,16 +60,20 @@ std::string rows_beside(const std::string& table, const std::string& other,
       names += (names.empty() ? "" : ", ") + line.substr(2, line.find('`', 3) - 1);
     }
   }
-  return rows + "\nThese are as [" + other_page.substr(0, other_page.find(".md")) + "](" +
-         other_page + "#arguments) has them: " + names + ".\n";
+  if (names.empty()) throw std::runtime_error(other.style() + " has no row of the other table");
+  return rows + "\nThese are as [" + other.style() + "](" + other_page +
+         "#arguments) has them: " + names + ".\n";
 }
 
 std::string shown(const muckpile::ArgTable& table, const Place& place, const fs::path& styles) {
   if (place.other.empty()) return table.markdown();
+  const Place there = place_of(place.other, styles);
+  if (!there.other.empty())
+    throw std::runtime_error(there.path.string() + ": leaves out rows of its own, so " +
+                             table.style() + " cannot be beside " + place.other);
   for (const muckpile::ArgTable& other : muckpile::keyword_tables())
     if (other.style() == place.other)
-      return rows_beside(table.markdown(), other.markdown(),
-                         place_of(place.other, styles).path.filename().string());
+      return rows_beside(table.markdown(), other, there.path.filename().string());
   throw std::runtime_error(place.path.string() + ": no style " + place.other);
 }
 

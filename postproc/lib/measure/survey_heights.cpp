@@ -128,6 +128,12 @@ Extent extent_of(const SurveyedSurface& surface) {
   return extent;
 }
 
+bool has_height_between(const SurveyedSurface& surface, double low, double high) {
+  bool any = false;
+  each_place(surface, [&](const Vec3& p) { any = any || (p.z() >= low && p.z() <= high); });
+  return any;
+}
+
 Extent extent_of_most(const SurveyedSurface& surface, double farthest) {
   Extent extent = extent_of(surface);
   if (extent.high.z() - extent.low.z() <= farthest) return extent;

@@ -32,6 +32,9 @@ struct SurveyPose {
 SurveyedSurface placed(SurveyedSurface surface, const SurveyPose& pose);
 Extent extent_of(const SurveyedSurface& surface);
 
+// Whether any of its points or corners has such a height [m].
+bool has_height_between(const SurveyedSurface& surface, double low, double high);
+
 // In height, of what is no farther than `farthest` [m] from the middle one of all heights that
 // differ: a number that stands for no data counts once, however often it occurs.
 Extent extent_of_most(const SurveyedSurface& surface, double farthest);

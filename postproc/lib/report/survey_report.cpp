@@ -108,12 +108,18 @@ Vec3 shift_between(const Extent& survey, const Extent& run, const SurveyPose& po
   return pose.shift_to(in_file, base(run));
 }
 
+constexpr double kFarthest = 500.0;  // [m]; no bench or heap is as high
+
 // `margin` [m] in height, as a survey may stand over the run's rock all over.
-void require_overlap(const std::string& file, const Extent& survey, const Extent& run,
+void require_overlap(const std::string& file, const SurveyedSurface& surface, const Extent& run,
                      const SurveyPose& pose, double margin) {
+  // Of a whole pit a part may lie at the run's height; else numbers for no data do not count.
+  const bool meets = has_height_between(surface, run.low.z() - margin, run.high.z() + margin);
+  const Extent survey = extent_of_most(surface, kFarthest);
+  const Extent reached = meets ? extent_of(surface) : survey;
   const Vec3 room(0.0, 0.0, margin);
-  const bool apart = ((survey.low - room).array() > run.high.array()).any() ||
-                     ((survey.high + room).array() < run.low.array()).any();
+  const bool apart = ((reached.low - room).array() > run.high.array()).any() ||
+                     ((reached.high + room).array() < run.low.array()).any();
   if (!apart) return;
   refuse(file,
          "does not overlap the run: after --unit, --shift and --turn it spans " +
@@ -122,8 +128,6 @@ void require_overlap(const std::string& file, const Extent& survey, const Extent
              "throw along +x), for a start by " +
              shift_text(shift_between(survey, run, pose)));
 }
-
-constexpr double kFarthest = 500.0;  // [m]; no bench or heap is as high
 
 // Grids often hold a number such as -9999 where nothing was surveyed.
 void require_heights(const std::string& file, const SurfacePair& pair) {
@@ -267,8 +271,8 @@ void report_survey(const ResultFolder& folder, const MeasureOptions& measure,
   const std::string scene = folder.scene_word("case");
   const ColumnGrid grid = grid_of(run, extent_of(survey), scene);
   const RunSurface surface = surface_of(run, grid, scene);
-  require_overlap(options.surface, extent_of_most(survey, kFarthest),
-                  extent_of_heights(grid, surface.heights), pose, run.block_size);
+  require_overlap(options.surface, survey, extent_of_heights(grid, surface.heights), pose,
+                  run.block_size);
   const Comparison c = compared(run, surface, grid, heights_over(grid, survey, options.gap));
   if (std::ranges::count(c.pair.compared, 1) == 0)
     refuse(options.surface,

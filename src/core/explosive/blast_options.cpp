@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <map>
+#include <string>
 
 #include "args/input_error.h"
 #include "args/numbers.h"
@@ -109,8 +111,9 @@ void read_attenuation(BlastOptions& options, const ArgValues& values) {
   options.exponent = read_attenuation_exponent(values, options.where, Range::closed(0.0, 10.0));
   options.peak_pressure = number("peak_pressure", "Pa", Range::closed(1e5, 1e12));
   if (!options.exponent) {
-    const bool shock = values.word("attenuation") == "shock";
-    options.attenuation = shock ? Attenuation::shock : Attenuation::liu_katsabanis;
+    static const std::map<std::string, Attenuation> kLaws{
+        {"shock", Attenuation::shock}, {"liu_katsabanis", Attenuation::liu_katsabanis}};
+    options.attenuation = kLaws.at(values.word("attenuation"));
   }
   if (options.peak_pressure || !options.pulse) return;
   if (options.attenuation == Attenuation::shock && !options.poisson_ratio) {

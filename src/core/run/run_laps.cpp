@@ -34,9 +34,11 @@ LapsEnd run_laps(RunEngine& engine, double end, bool to_rest) {
   for (int lap = 0;; lap = (lap + 1) % kLapsASetUp) {
     const long left = steps_until(engine, end);
     if (left <= 0) return LapsEnd::time;
+    const double begun = engine.time();
     engine.run(std::min(left, steps_of(engine, kLap)), lap == 0);
-    if (engine.interrupted()) return LapsEnd::interrupted;
-    if (to_rest && engine.still()) return LapsEnd::still;
+    if (to_rest && engine.still() && engine.time() > begun) return LapsEnd::still;
+    // A signal behind the last step has left nothing out.
+    if (engine.interrupted() && steps_until(engine, end) > 0) return LapsEnd::interrupted;
   }
 }
 

@@ -386,6 +386,15 @@ TEST_F(Survey, NumbersForNoDataDoNotChangeTheAdvisedShift) {
   expect_in(" -412", error);
 }
 
+// Its walls are higher than any bench, and most of its points are far above the run.
+TEST_F(Survey, AWholePitMayLieAboveTheRun) {
+  std::string pit = points(0.0, [](const Vec3& p) { return p; });
+  for (int k = 0; k < 2000; ++k)
+    pit += std::to_string(500 + k) + " 700 " + std::to_string(600.0 + 0.3 * k) + "\n";
+  write_text(temporary_.path() / "pit.xyz", pit);
+  EXPECT_NO_THROW(measure("pit.xyz"));
+}
+
 TEST_F(Survey, PointFilesAreRefusedByLine) {
   expect_in("a.xyz:2: expected 3 fields as in the lines before, got 2",
             refused("a.xyz", "1 2 3\n4 5\n"));

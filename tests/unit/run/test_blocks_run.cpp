@@ -79,6 +79,24 @@ TEST(BlocksRun, KeepsTheStepOfAFastCollision) {
   EXPECT_EQ(engine.rule.collision_speed, 0.0);
 }
 
+TEST(BlocksRun, ASignalBehindTheLastStepLeavesNothingOut) {
+  FakeEngine engine;
+  engine.after_run = [&engine] { engine.quit = engine.now > 0.95; };
+  EXPECT_EQ(BlocksRun(plan_of({"until", "1"}), engine).go(), LapsEnd::time);
+  FakeEngine still;
+  still.after_run = [&still] { still.at_rest = still.quit = still.now > 0.25; };
+  EXPECT_EQ(BlocksRun(plan_of({}), still).go(), LapsEnd::still);
+}
+
+TEST(BlocksRun, ASignalBeforeTheFirstStepCutsItShort) {
+  class Quitting : public FakeEngine {
+   public:
+    void run(long /*count*/, bool /*afresh*/) override { quit = true; }
+  } engine;
+  engine.at_rest = true;
+  EXPECT_EQ(BlocksRun(plan_of({}), engine).go(), LapsEnd::interrupted);
+}
+
 /// As a script does that goes on after a restart file.
 TEST(BlocksRun, TakesNoStepsInAPhaseThatIsOver) {
   FakeEngine engine;

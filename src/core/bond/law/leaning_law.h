@@ -83,7 +83,8 @@ struct LeaningBlock {
   }
 };
 template <class Number, class Matrix>
-LeaningBlock(Number, Matrix, Matrix) -> LeaningBlock<Number, Matrix>;  // Clang 14 finds it not
+LeaningBlock(Number, Matrix, Matrix)
+    -> LeaningBlock<Number, Matrix>;  // Clang 14 does not deduce it
 
 /// Of both blocks of a facet on it.
 template <class Number, class Vector>
