@@ -52,6 +52,13 @@ run 10
 $stop"
 
 # A last run_blocks that is left before its first step, as a signal has come to the second rank alone.
+cat >signal_others.sh <<'END'
+# signal_others.sh RANK: to the other children of its parent.
+parent=$(awk '/^PPid:/ {print $2}' "/proc/$1/status")
+for process in /proc/[0-9]*; do
+  [ "${process#/proc/}" = "$1" ] || ! grep -qs "^PPid:[[:space:]]*$parent\$" "$process/status" || kill -USR2 "${process#/proc/}"
+done
+END
 cat >in.blocks <<END
 units si
 atom_style granular
@@ -72,7 +79,7 @@ fix blocks all multisphere/muckpile
 region rock block 0 1 0 1 0 1 units box
 create_blocks rock density 2700 size uniform 0.5 block_min 0.5 block_max 0.5 cut joint_sets joint_set 90 0 joint_set 90 90 spheres_per_block 1 &
   sphere_growth 1 file blocks.vtk
-shell "kill -USR2 \$(ps -o pid= --ppid \$(ps -o ppid= -p \$PPID) | grep -vw \$PPID)"
+shell "sh signal_others.sh \$PPID"
 run_blocks phase rest until still directory . time_end 1 still_share 0.002 solid rock density 2700 block_min 0.5 spheres_per_block 1 steps_per_contact 10
 END
 rm -f log.liggghts
