@@ -17,11 +17,10 @@ namespace {
 std::vector<RockFace> all_faces(const std::vector<StartBlock>& blocks) {
   std::vector<RockFace> faces;
   for (size_t b = 0; b < modelled(blocks); ++b) {
-    const double smallest = kSmallestFacetShare * std::pow(blocks[b].volume, 2.0 / 3.0);
     const Polyhedron shape = polyhedron_of(blocks[b].shape);
     for (size_t f = 0; f < shape.faces.size(); ++f) {
       const FaceGeometry geometry = face_geometry(shape, static_cast<int>(f));
-      if (geometry.area < smallest) continue;
+      if (!(geometry.area > 0.0)) continue;
       RockFace face{
           b, static_cast<int>(f), {}, {}, geometry.centroid, geometry.normal, geometry.area};
       for (const int v : shape.faces[f])
@@ -30,6 +29,11 @@ std::vector<RockFace> all_faces(const std::vector<StartBlock>& blocks) {
     }
   }
   return faces;
+}
+
+// As build_facets() has it, which makes a joint from the block that comes first.
+bool is_too_small(const RockFace& face, const std::vector<StartBlock>& blocks) {
+  return face.area < kSmallestFacetShare * std::pow(blocks[face.block].volume, 2.0 / 3.0);
 }
 
 bool are_one(const RockFace& a, const RockFace& b) {
@@ -47,22 +51,23 @@ std::vector<RockFace> faces_of_rock(const std::vector<StartBlock>& blocks) {
   std::vector<Vec3> centroids;
   for (const RockFace& face : faces) centroids.push_back(face.centroid);
   const PointIndex index(centroids);
-  std::vector<char> behind(faces.size(), 0);  // of a joint that its first block has
+  std::vector<char> left_out(faces.size(), 0);  // of a joint that its first block has, or too small
   PointIndex::Found found;
   for (size_t f = 0; f < faces.size(); ++f) {
-    if (faces[f].other || behind[f] != 0) continue;
+    if (left_out[f] != 0) continue;
     index.shell(faces[f].centroid, 0.0, kNear * std::sqrt(faces[f].area), found);
     for (const auto& [distance2, number] : found) {
       const auto g = static_cast<size_t>(number);
-      if (g <= f || behind[g] != 0 || !are_one(faces[f], faces[g])) continue;
+      if (g <= f || left_out[g] != 0 || !are_one(faces[f], faces[g])) continue;
       faces[f].other = faces[g].block;
-      behind[g] = 1;
+      left_out[g] = 1;
       break;
     }
+    if (is_too_small(faces[f], blocks)) left_out[f] = 1;
   }
   std::vector<RockFace> once;
   for (size_t f = 0; f < faces.size(); ++f)
-    if (behind[f] == 0) once.push_back(std::move(faces[f]));
+    if (left_out[f] == 0) once.push_back(std::move(faces[f]));
   return once;
 }
 

@@ -69,6 +69,22 @@ TEST(FacesOfRock, AreThoseBetweenTheCubesOnce) {
   EXPECT_EQ(faces.size(), 7U + 36U - 14U);
 }
 
+// As the network has it: the first block of two makes their joint, if the face is not too small for
+// it.
+TEST(FacesOfRock, AreLeftOutWhereTheyAreTooSmallForTheFirstBlock) {
+  const std::vector<StartBlock> two = as_start_blocks(cubes_in({0, 0, 0}, {1.0, 0.5, 0.5}));
+  ASSERT_EQ(two.size(), 2U);
+  constexpr double kHuge = 1e9;  // [m3], for which a face of a cube is too small
+  for (const size_t huge : {0U, 1U}) {
+    std::vector<StartBlock> blocks = two;
+    blocks[huge].volume = kHuge;
+    const auto faces = faces_of_rock(blocks);
+    EXPECT_EQ(std::ranges::count_if(faces, [](const RockFace& f) { return f.other.has_value(); }),
+              huge == 1 ? 1 : 0);
+    EXPECT_EQ(faces.size(), huge == 1 ? 6U : 5U);  // the huge one has no free faces either
+  }
+}
+
 // A radial crack from the corner of the shaft: the plane y = 0.25 m, x from 0.25 to 3.25 m.
 TEST_F(Cracks, OfAPlaneOfFacesReachAsFarAsThePlane) {
   make({upright(0, 0)}, [](const RockFace& face) { return in_y_plane(face, 0.25, 0.25, 3.25); });
