@@ -141,6 +141,7 @@ void BlockContactList::pair_up() {
   block_pairs_.clear();
   sphere_pairs_.clear();
   gates_.clear();
+  clearances_.clear();
   added_.clear();
   added_at_.assign(reference_.size(), -1);
   added_pairs_.clear();
@@ -238,6 +239,7 @@ void BlockContactList::make_gates() {
     gate.second = block_pairs_[k].second;
     gates_.push_back(gate);
   }
+  clearances_.resize(gates_.size());
 }
 
 void BlockContactList::deactivate(std::size_t k) {
@@ -254,8 +256,8 @@ double BlockContactList::bytes() const {
   };
   return size(start_) + size(members_) + size(reference_) + size(arm_) + size(extent_) +
          size(places_) + size(items_) + size(swept_) + size(block_pairs_) + size(gates_) +
-         size(path_) + size(sphere_pairs_) + size(block_item_) + size(item_block_) + size(added_) +
-         size(added_at_) + size(partners_) + size(outgrown_);
+         size(clearances_) + size(path_) + size(sphere_pairs_) + size(block_item_) +
+         size(item_block_) + size(added_) + size(added_at_) + size(partners_) + size(outgrown_);
 }
 
 }  // namespace muckpile

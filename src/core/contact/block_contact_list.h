@@ -105,14 +105,11 @@ class BlockContactList {
         .subspan(static_cast<std::size_t>(gates_[k].begin),
                  static_cast<std::size_t>(gates_[k].count));
   }
-  /// None of the candidates of block pair k touches: wake() holds it back until one can.
+  /// None of the candidates of block pair k touches: wake() holds it back until one can, by how far
+  /// its blocks have gone, and then by how far they have moved against each other.
   void rest(std::size_t k, const double* positions);
   /// Nothing of block pair k is nearer to touching than this [m], above 0.
-  void rest(std::size_t k, double gap) {
-    Gate& gate = gates_[k];
-    gate.due = std::min(gate.due, path_of(gate.first, gate.second) + gap);
-    gate.count = 0;
-  }
+  void rest(std::size_t k, double gap);
   /// Leaves block pair k alone until it is activated again.
   void deactivate(std::size_t k);
   void activate(std::size_t k);
@@ -149,10 +146,20 @@ class BlockContactList {
     int begin = 0, count = 0;  ///< sphere pairs to be worked on before
   };
 
+  /// What was between the two blocks of a pair when nothing of it touched.
+  struct Clearance {
+    double gap = 0.0;            ///< [m]; not above 0: unknown
+    double travel = 0.0;         ///< of both blocks' turning, then [m]
+    Vec3 offset = Vec3::Zero();  ///< second block's reference less the first's, then [m]
+  };
+
   [[nodiscard]] double path_of(int first, int second) const {
     return path_[static_cast<std::size_t>(first)] + path_[static_cast<std::size_t>(second)];
   }
   void make_gates();
+  /// By how much the blocks may still move against each other before anything of pair k touches
+  /// that did not when it was laid to rest [m].
+  [[nodiscard]] double clearance_left(std::size_t k) const;
   void open(std::size_t k, const SphereSet& spheres, std::vector<int>& dropped);
 
   struct Member {
@@ -206,6 +213,7 @@ class BlockContactList {
   HierarchicalGrid grid_;
   int skipped_blocks_ = 0;
   std::vector<Gate> gates_;                  ///< per block pair; those behind have none yet
+  std::vector<Clearance> clearances_;        ///< per gate
   std::vector<double> path_;                 ///< per block: no point of it went further [m]
   std::vector<int> outgrown_;                ///< blocks
   double most_range_ = 0.0, fastest_ = 0.0;  ///< of the last search for all [m], [m/s]

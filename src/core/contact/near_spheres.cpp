@@ -21,8 +21,14 @@ Vec3 position(const double* positions, int sphere) {
 
 void BlockContactList::open(std::size_t k, const SphereSet& spheres, std::vector<int>& dropped) {
   BlockPair& pair = block_pairs_[k];
-  if (moved(pair)) look_up(pair, spheres, dropped);
   Gate& gate = gates_[k];
+  if (moved(pair)) {
+    look_up(pair, spheres, dropped);
+  } else if (const double left = clearance_left(k); left > 0.0) {
+    gate.due = std::min(pair.due, path_of(gate.first, gate.second) + left);
+    return;
+  }
+  clearances_[k].gap = 0.0;
   gate.due = pair.due;
   gate.begin = pair.begin;
   gate.count = pair.count;
@@ -35,6 +41,24 @@ void BlockContactList::rest(std::size_t k, const double* positions) {
     gap = std::min(gap, between.norm() - pair.reach);
   }
   if (gap > 0.0) rest(k, gap);
+}
+
+void BlockContactList::rest(std::size_t k, double gap) {
+  Gate& gate = gates_[k];
+  gate.due = std::min(gate.due, path_of(gate.first, gate.second) + gap);
+  gate.count = 0;
+  const Place& a = places_[static_cast<std::size_t>(gate.first)];
+  const Place& b = places_[static_cast<std::size_t>(gate.second)];
+  clearances_[k] = {gap, a.travel + b.travel, b.reference - a.reference};
+}
+
+double BlockContactList::clearance_left(std::size_t k) const {
+  const Clearance& then = clearances_[k];
+  if (!(then.gap > 0.0)) return 0.0;
+  const Place& a = places_[static_cast<std::size_t>(gates_[k].first)];
+  const Place& b = places_[static_cast<std::size_t>(gates_[k].second)];
+  return then.gap - (a.travel + b.travel - then.travel) -
+         (b.reference - a.reference - then.offset).norm();
 }
 
 void BlockContactList::look_up(BlockPair& pair, const SphereSet& spheres,

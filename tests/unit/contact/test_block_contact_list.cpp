@@ -214,6 +214,33 @@ TEST(BlockContactList, MissesNoTouchWhilePairsThatCannotTouchYetAreHeldBack) {
   EXPECT_GT(touches, 10000u);
 }
 
+// Two balls of 1 m, 0.04 m apart, fly a hundred times as far as that side by side; then one comes
+// near the other.
+TEST(BlockContactList, BlocksThatFlyTogetherAreHeldBackUntilTheyMeet) {
+  Scene scene;
+  scene.positions = {0.0, 0.0, 0.0, 1.04, 0.0, 0.0};
+  scene.radii = {0.5, 0.5};
+  scene.tags = {1, 2};
+  scene.blocks = {0, 1};
+  scene.owned = scene.block_count = 2;
+  const std::vector<double> spins(6, 0.0);
+  BlockContactList list = listed(scene, 10.0);
+  std::vector<int> dropped;
+  const auto wakes = [&] {
+    list.follow(scene.positions.data(), spins.data(), 1.0);
+    return list.wake(0, scene.view(), dropped);
+  };
+  ASSERT_TRUE(wakes());
+  list.rest(0, scene.positions.data());
+  for (int step = 0; step < 40; ++step) {
+    for (const std::size_t y : {1u, 4u}) scene.positions[y] += 0.1;
+    scene.positions[3] -= 0.0009;
+    EXPECT_FALSE(wakes()) << "step " << step;
+  }
+  scene.positions[3] -= 0.005;  // 1 mm into the other
+  EXPECT_TRUE(wakes());
+}
+
 TEST(BlockContactList, AMutedBlockPairIsHeldBackUntilItIsHeard) {
   const Scene scene = random_scene(60, 3);
   BlockContactList list = listed(scene, 0.03);

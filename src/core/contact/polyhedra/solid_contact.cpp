@@ -101,17 +101,15 @@ SolidContact::Outcome SolidContact::step(const SolidContactLaw& law, const Solid
   if (is_new) state = {};
   const double size = 1.0 - state.overlap_offset;
   response = {};
-  bool apart = false;
-  if (axis.squaredNorm() > 0.0) {
+  if (is_new && axis.squaredNorm() > 0.0) {
     const Along there = along(*first.solid, *second.solid, first.pose.axes.transpose() * axis,
                               second.pose.axes.transpose() * axis,
                               axis.dot(second.pose.centre - first.pose.centre));
-    const double gap = there.between - size * there.reach;
-    if (gap > 0.0 && size == 1.0) return {false, gap};
-    apart = gap > 0.0;
+    const double gap = there.between - there.reach;
+    if (gap > 0.0) return {false, gap};
   }
   see(first, second, axis);
-  if (apart || !overlap(first, second, size)) return part(first, second, axis, state);
+  if (!overlap(first, second, size)) return part(first, second, axis, state);
   if (is_new) {
     if (overlapped_before(first, second, time_step)) {
       state.overlap_offset = std::max(0.0, 1.0 - touching_size(first, second));

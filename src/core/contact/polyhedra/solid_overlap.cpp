@@ -45,6 +45,7 @@ void OverlapFinder::clear() {
   pressed_at_.setZero();
   pressed_square_.setZero();
   weight_at_.setZero();
+  lane_sums_ = {};
 }
 
 double OverlapFinder::work(Vec3& n) {
@@ -58,6 +59,7 @@ double OverlapFinder::work(Vec3& n) {
   mark_outside(second_, first_, true, bits_second_);
   const Sums of_first = press_faces({first_, second_, bits_first_, -1.0, false});
   const Sums of_second = press_faces({second_, first_, bits_second_, 1.0, true});
+  if (in_lanes_) sum_lanes();
   if (!touching()) return search_gap(n);
   if (overlap_.largest_strain <= kTouch) {
     overlap_ = {};
@@ -116,7 +118,8 @@ OverlapFinder::Sums OverlapFinder::press_faces(const Side& side) {
   for (std::size_t p = 0; p < side.of.planes; ++p) {
     const std::size_t plane = side.of.plane[p];
     for (std::size_t f = solid.face_begin(plane); f < solid.face_begin(plane + 1); ++f)
-      press_face(side, p, solid.faces()[f], sums);
+      if (!in_lanes_ || !press_face_in_lanes(side, p, solid.faces()[f], sums))
+        press_face(side, p, solid.faces()[f], sums);
   }
   return sums;
 }

@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 
+#include "contact/polyhedra/lane_outline.h"
 #include "contact/polyhedra/solid_gap.h"
 
 namespace muckpile {
@@ -65,6 +66,9 @@ class OverlapFinder {
 
   [[nodiscard]] bool touching() const { return overlap_.pressed > 0.0; }
 
+  /// For tests: one corner after the other, also where outlines go through lanes.
+  void take_corners_one_by_one() { in_lanes_ = false; }
+
  private:
   static constexpr std::size_t kRoom = 3 * Solid::kMostPlanes + Solid::kMostCorners;
   struct Outline {
@@ -92,6 +96,14 @@ class OverlapFinder {
   void clear();
   void place_planes_in_slab(const Vec3& n);
   [[nodiscard]] Sums press_faces(const Side& side);
+  /// As press_face(); false: nothing done.
+  [[nodiscard]] bool press_face_in_lanes(const Side& side, std::size_t plane,
+                                         const Solid::Face& face, Sums& sums);
+  [[nodiscard]] bool press_parts(const PlacedSolid& into, const LaneOutline& outline,
+                                 const OutlineVec& normal, LaneSums& sums);
+  [[nodiscard]] std::size_t list_nearest(const PlacedSolid& into, const LaneOutline& outline);
+  /// Adds what lane_sums_ has to the sums.
+  void sum_lanes();
   void press_face(const Side& side, std::size_t plane, const Solid::Face& face, Sums& sums);
   [[nodiscard]] bool cut_face(const Side& side, const Solid::Face& face);
   [[nodiscard]] bool cut_outline(const Side& side, std::size_t plane);
@@ -124,6 +136,8 @@ class OverlapFinder {
   double weight_ = 0.0,
          weight_square_ = 0.0;  // of stiffness, and times place squared
   Vec3 weight_at_ = Vec3::Zero();
+  LaneSums lane_sums_;
+  bool in_lanes_ = kLaneOutlines;
 };
 
 }  // namespace muckpile
