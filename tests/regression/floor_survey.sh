@@ -11,56 +11,9 @@ source "$(dirname "${BASH_SOURCE[0]}")/runs.sh"
 # Falls by 10 % along x and rises by 4 % along y, from 1 m below the toe up to a level of 0.5 m between x = 10 and 11.
 awk 'BEGIN { for (x = -5; x <= 30; x += 1) for (y = -15; y <= 15; y += 1)
   print 5000 + x "," 7000 + y "," 200 + (x > 10 ? 0.5 : -0.1 * x + 0.04 * y) }' >"$out/ground.csv"
-cat >"$out/in.fall" <<'END'
-units si
-atom_style granular
-atom_modify map array sort 0 0
-boundary m m m
-newton off
-communicate single vel yes
-region box block -12 40 -20 20 -4 10 units box
-create_box 2 box
-neighbor 0.2 bin
-neigh_modify delay 0 every 1 check yes binsize 1.5
-variable contact_modulus index 2.5e7
-variable restitution index 0.3
-variable friction index 0.7
-variable rolling_friction index 1.0
-include inputs/common/contact.in
-fix blocks all multisphere/muckpile
-variable x_hi equal ${x}+1
-variable z_hi equal ${z}+0.5
-variable y_lo equal ${y}-0.5
-variable y_hi equal ${y}+0.5
-region rock block ${x} ${x_hi} ${y_lo} ${y_hi} ${z} ${z_hi} units box
-create_blocks rock density 2700 size uniform 0.5 block_min 0.5 block_max 0.5 cut joint_sets joint_set 90 0 joint_set 90 90 spheres_per_block 1 sphere_growth 1 file ${out}/dump/blocks.vtk
-# Rock would stand at x < 0.5, |y| < 3, with its base at z = -0.3: at x = 5 the ground is lower.
-variable floor_start equal 0.5
-variable floor_length equal 30
-variable floor_half_width equal 15
-variable floor_depth equal 0.3
-variable block_max equal 0.5
-variable bottom_z equal -0.3
-variable rear_x index -10
-variable floor_side_lo equal -3
-variable floor_side_hi equal 3
-variable place_east equal 5000
-variable place_north equal 7000
-variable place_height equal 200
-variable throw_bearing equal 90
-variable with_floor_file index 1
-variable floor_file index ${ground}
-include inputs/common/pit_floor.in
-print "lowest ${panels_lowest} highest ${panels_highest}"
-variable wall_mesh string ${out}/dump/floor.stl
-include inputs/common/walls_own.in
-fix pull all gravity 9.81 vector 0 0 -1
-run_blocks phase rest until still directory ${out}/dump time_end 20 still_share 0.002 solid in_the_ground density 2700 block_min 0.5 spheres_per_block 1 steps_per_contact 10
-END
-
 wrong=0
 rests() {  # rests NAME X Y Z COSINE HEIGHT: dropped from Z, its spheres' centres rest above HEIGHT(x, y), an awk expression
-  run_input "$1" 1 "$out/in.fall" -var ground "$out/ground.csv" -var x "$2" -var y "$3" -var z "$4"
+  run_input "$1" 1 tests/regression/in.fall -var with_floor_file 1 -var floor_file "$out/ground.csv" -var x "$2" -var y "$3" -var z "$4"
   local last
   last=$(ls -v "$out/$1"/dump/blocks_*.csv | tail -n 1)
   # The elastic overlap of 340 kg is 4 mm.

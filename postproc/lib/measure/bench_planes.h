@@ -21,6 +21,7 @@ struct BenchPlanes {
   // Of the rock that holes stand in, where the rock goes on beside them [m].
   double y_low = -std::numeric_limits<double>::infinity();
   double y_high = std::numeric_limits<double>::infinity();
+  double spacing = std::numeric_limits<double>::infinity();  // of the holes, where it is known [m]
   std::shared_ptr<const FaceMap> face{};  // of a face that is no plane, else none
   std::shared_ptr<const HoleFrames> frames{};
 

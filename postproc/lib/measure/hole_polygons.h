@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The burden of each hole in plan at one height: between it and the row in front of it, or the
-// face, to half way to the holes beside it and half a spacing beside the outermost ones. Scope: as
-// hole_of_blocks (measure/hole_rock.h) counts blocks; holes that throw to several sides are bounded
-// each by itself where no other hole stands.
+// The rock of each hole in plan at one height, as hole_of_blocks (measure/hole_rock.h) counts
+// blocks. Scope: in front of a hole that throws to a side of its own the face is taken as a line
+// across its direction.
 #pragma once
 
 #include <string>
@@ -24,6 +23,8 @@ struct PlanCut {
   Vec2 low, high;  // of the rock before the blast [m]
 };
 
+// Of each hole one; several one after the other, of rock that throws to several sides, where that
+// of other holes parts it, and clockwise where other rock lies within it.
 std::vector<HolePolygon> hole_polygons(const std::vector<PatternHole>& holes,
                                        const BenchPlanes& planes, const PlanCut& cut);
 

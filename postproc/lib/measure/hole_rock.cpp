@@ -38,16 +38,19 @@ void number_rows(std::vector<PatternHole>& holes, double burden) {
                            [](const PatternHole& h) { return std::pair(h.row, h.foot.y()); });
 }
 
-int owner_of(const Vec3& p, const std::vector<PatternHole>& holes) {
+int owner_of(const Vec3& p, const std::vector<PatternHole>& holes, double spacing) {
+  int aside = -1;
   for (size_t first = 0; first < holes.size(); first = end_of_row(holes, first)) {
     const size_t hole = hole_beside(holes, first, p);
-    if (p.x() >= axis_at(holes[hole], p.z()).x()) return static_cast<int>(hole);
+    if (p.x() < axis_at(holes[hole], p.z()).x()) continue;
+    if (reaches(holes, hole, p, spacing)) return static_cast<int>(hole);
+    if (aside < 0) aside = static_cast<int>(hole);
   }
-  return -1;
+  return aside;
 }
 
 int owner_of(const Vec3& p, const HoleFrames& frames, const std::vector<int>& numbers) {
-  const std::optional<size_t> hole = frames.hole_behind(p);
+  const std::optional<size_t> hole = frames.hole_of(p);
   return hole ? numbers[*hole] : -1;
 }
 
@@ -104,6 +107,14 @@ size_t hole_beside(const std::vector<PatternHole>& holes, size_t first, const Ve
   return beside;
 }
 
+bool reaches(const std::vector<PatternHole>& holes, size_t hole, const Vec3& p, double spacing) {
+  const double y = axis_at(holes[hole], p.z()).y(), aside = p.y() - y;
+  if (std::abs(aside) <= 0.5 * spacing) return true;
+  const size_t next = aside > 0.0 ? hole + 1 : hole - 1;  // past the last one below the first
+  if (next >= holes.size() || holes[next].row != holes[hole].row) return false;
+  return std::abs(axis_at(holes[next], p.z()).y() - y) <= kNeighbours * spacing;
+}
+
 std::vector<int> hole_of_blocks(const std::vector<StartBlock>& blocks,
                                 const std::vector<PatternHole>& holes, const BenchPlanes& planes) {
   const std::vector<int> of_frames =
@@ -113,7 +124,7 @@ std::vector<int> hole_of_blocks(const std::vector<StartBlock>& blocks,
     const Vec3& start = blocks[b].centroid;
     if (!planes.in_front_of(std::numeric_limits<double>::infinity(), start)) continue;
     owner[b] = planes.frames != nullptr ? owner_of(start, *planes.frames, of_frames)
-                                        : owner_of(start, holes);
+                                        : owner_of(start, holes, planes.spacing);
   }
   return owner;
 }

@@ -38,10 +38,15 @@ size_t end_of_row(const std::vector<PatternHole>& holes, size_t first);
 // Of such a row, the hole next to a place across the throw, along y.
 size_t hole_beside(const std::vector<PatternHole>& holes, size_t first, const Vec3& p);
 
+// Of a hole that is next to a place along y: whether it breaks rock so far aside, half a spacing or
+// half way to a neighbour of its row.
+bool reaches(const std::vector<PatternHole>& holes, size_t hole, const Vec3& p, double spacing);
+
 // Number of the hole whose burden each block was by its centroid at the start: of the first row
-// from the face whose next hole, along y, stands behind it at its height. Where holes throw to
-// several sides, of the nearest hole that stands behind it. -1 for blocks that started behind all
-// of them, below the floor, or beside the width of `planes`.
+// from the face whose next hole, along y, stands behind it at its height and reaches it; where none
+// reaches it, of the first that stands behind it. Where holes throw to several sides, as
+// HoleFrames::hole_of tells. -1 for blocks that started behind all of them, below the floor, or
+// beside the width of `planes`.
 std::vector<int> hole_of_blocks(const std::vector<StartBlock>& blocks,
                                 const std::vector<PatternHole>& holes, const BenchPlanes& planes);
 

@@ -97,6 +97,7 @@ double depth_of(const Charge& charge) { return -foot_of(charge).x(); }
 void set_width(BenchScene& bench, double spacing) {
   const auto y = [](const Charge& charge) { return foot_of(charge).y(); };
   const auto [low, high] = std::ranges::minmax(bench.charges, {}, y);
+  bench.planes.spacing = spacing;
   bench.planes.y_low = y(low) - 0.5 * spacing;
   bench.planes.y_high = y(high) + 0.5 * spacing;
 }

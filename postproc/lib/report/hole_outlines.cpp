@@ -26,10 +26,16 @@ std::vector<HolePolygon> hole_outlines(const ResultFolder& folder, const BenchSc
 void write_hole_outlines(const ResultFolder& folder, const std::vector<HolePolygon>& outlines,
                          double height) {
   const std::optional<MineFrame> frame = mine_frame(folder);
-  CsvWriter csv(folder.file("hole_polygons.csv"), with_mine_columns("hole,x_m,y_m,z_m", frame));
+  CsvWriter csv(folder.file("hole_polygons.csv"),
+                with_mine_columns("hole,x_m,y_m,z_m,part", frame));
+  const std::string* last = nullptr;
+  int part = 0;
   for (const HolePolygon& outline : outlines) {
+    part = last != nullptr && *last == outline.hole ? part + 1 : 1;
+    last = &outline.hole;
     for (const Vec2& p : outline.corners)
-      csv.row_at(outline.hole, {p.x(), p.y(), height}, mine_place(frame, p.x(), p.y()));
+      csv.row_at(outline.hole, {p.x(), p.y(), height, static_cast<double>(part)},
+                 mine_place(frame, p.x(), p.y()));
   }
 }
 

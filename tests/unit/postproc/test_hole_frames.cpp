@@ -52,7 +52,7 @@ class Corner : public ::testing::Test {
     middle.time = 0.01, last.time = 4.5;
     for (size_t b = 0; b < blocks.size(); ++b) {
       const Vec3& p = blocks[b].centroid;
-      const bool to_x = p.x() > -2.0 && p.y() > -6.5 && p.y() < -0.5;
+      const bool to_x = (p.x() > -2.0 && p.y() > -6.5) || (p.x() > -3.5 && p.y() > -2.0);
       const bool to_y = p.y() > -2.0 && p.x() > -6.5 && p.x() < -3.5;
       middle.states[b].velocity = Vec3(to_x ? kFastX : 0.0, to_y ? kFastY : 0.0, 0.0);
       last.states[b].centre += Vec3(to_x ? kFarX : 0.0, to_y ? kFarY : 0.0, 0.0);
@@ -83,7 +83,12 @@ class Corner : public ::testing::Test {
   TemporaryFolder temporary_;
 };
 
-// Rock of each hole to half a spacing beside it: the 4 x 6 x 6 cubes in front of it, which went.
+// Volumes of rock: of a and c in front of them to half a spacing beside, of b with the corner, too.
+constexpr double kSide = 2.0 * 3.0 * kHeight;
+constexpr double kAtCorner = kSide + (1.5 * 2.0 + 2.0 * 0.5) * kHeight;
+constexpr double kAll = 2.0 * kSide + kAtCorner;
+constexpr double kToX = (kSide + kAtCorner) / kAll, kToY = kSide / kAll;
+
 TEST_F(Corner, RowsMeasureEachHoleAlongTheNormalOfItsBurden) {
   report_rows(folder(), {kCube, 0.25});
   const CsvTable rows = CsvTable::read(folder().file("rows.csv"));
@@ -93,8 +98,9 @@ TEST_F(Corner, RowsMeasureEachHoleAlongTheNormalOfItsBurden) {
       if (rows.word(row, 0) == name) return rows.number(row, rows.column(column));
     return std::nan("");
   };
+  EXPECT_EQ(value("b", "blocks"), 240.0);
+  EXPECT_EQ(value("a", "blocks"), 144.0);
   for (const char* name : {"a", "b"}) {
-    EXPECT_EQ(value(name, "blocks"), 144.0);
     EXPECT_NEAR(value(name, "throw_m"), kFarX, 1e-5);
     EXPECT_NEAR(value(name, "velocity_m_s"), kFastX, 1e-5);
     EXPECT_NEAR(value(name, "throw_turn_deg"), 0.0, 1e-9);
@@ -103,7 +109,7 @@ TEST_F(Corner, RowsMeasureEachHoleAlongTheNormalOfItsBurden) {
   EXPECT_NEAR(value("c", "throw_m"), kFarY, 1e-5);
   EXPECT_NEAR(value("c", "velocity_m_s"), kFastY, 1e-5);
   EXPECT_NEAR(value("c", "throw_turn_deg"), 90.0, 1e-9);
-  EXPECT_NEAR(value("all", "throw_m"), (2 * kFarX + kFarY) / 3.0, 1e-5);
+  EXPECT_NEAR(value("all", "throw_m"), kToX * kFarX + kToY * kFarY, 1e-5);
   EXPECT_TRUE(std::filesystem::exists(folder().file("face_velocity.csv")));
 }
 
@@ -127,10 +133,11 @@ TEST_F(Corner, AHoleThatLooksToTwoFacesThrowsToTheirCorner) {
 TEST_F(Corner, ProfileMeasuresThrowAndFaceButNoPileAlongX) {
   report_profile(folder(), {kCube, 0.25}, {});
   const auto keys = summary();
-  EXPECT_NEAR(keys["throw_cg_m"], (2 * kFarX + kFarY) / 3.0, 1e-6);
+  EXPECT_NEAR(keys["throw_cg_m"], kToX * kFarX + kToY * kFarY, 1e-6);
   EXPECT_NEAR(keys["throw_max_m"], kFarX, 1e-6);
-  EXPECT_NEAR(keys["burden_velocity_m_s"], (2 * kFastX + kFastY) / 3.0, 1e-6);
-  EXPECT_NEAR(keys["face_velocity_m_s"], (2 * kFastX + kFastY) / 3.0, 1e-6);
+  EXPECT_NEAR(keys["burden_velocity_m_s"], kToX * kFastX + kToY * kFastY, 1e-6);
+  // In front of a and b to the corner 6.5 m of face, of c 3 m.
+  EXPECT_NEAR(keys["face_velocity_m_s"], (6.5 * kFastX + 3.0 * kFastY) / 9.5, 1e-6);
   EXPECT_NEAR(keys["beyond_toe_fraction"], 1.0, 1e-12);
   EXPECT_TRUE(keys["pile_height_m"].is_null());
   EXPECT_NE(keys["face_note"].get<std::string>().find("up to 90° off x; no height"),
@@ -139,10 +146,10 @@ TEST_F(Corner, ProfileMeasuresThrowAndFaceButNoPileAlongX) {
 
 TEST_F(Corner, HeightsCountTheRockInFrontOfTheHoles) {
   report_heights(folder(), {kCube, 0.25});
-  EXPECT_NEAR(summary()["prism_volume_m3"], 3 * 144 * 0.125, 1e-9);
+  EXPECT_NEAR(summary()["prism_volume_m3"], kAll, 1e-9);
   EXPECT_NEAR(summary()["toe_left_volume_m3"], 0.0, 1e-12);
   EXPECT_NEAR(summary()["backbreak_m"], 0.0, 1e-12);
-  EXPECT_NEAR(summary()["moved_volume_m3"], 3 * 144 * 0.125, 1e-9);
+  EXPECT_NEAR(summary()["moved_volume_m3"], kAll, 1e-9);
 }
 
 TEST_F(Corner, MovementHasPartsOfBothFaces) {
@@ -154,11 +161,11 @@ TEST_F(Corner, MovementHasPartsOfBothFaces) {
     along_y +=
         parts.number(row, parts.column("mass_kg")) * parts.number(row, parts.column("moved_y_m"));
   }
-  EXPECT_NEAR(mass, 3 * 144 * 0.125 * kDensity, 1e-3);
-  EXPECT_NEAR(along_y / mass, kFarY / 3.0, 1e-6);
+  EXPECT_NEAR(mass, kAll * kDensity, 1e-3);
+  EXPECT_NEAR(along_y / mass, kToY * kFarY, 1e-5);  // digits of the table
 }
 
-// From the face to the hole, half a spacing beside the row where no hole stands: 2 m by 3 m each.
+// From the face to the hole, half a spacing beside the row where no hole stands.
 TEST_F(Corner, PolygonsAreTheRockOfEachHole) {
   report_rows(folder(), {kCube, 0.25});
   const CsvTable table = CsvTable::read(folder().file("hole_polygons.csv"));
@@ -169,7 +176,9 @@ TEST_F(Corner, PolygonsAreTheRockOfEachHole) {
     EXPECT_EQ(table.number(row, 3), 0.5 * kHeight);
   }
   ASSERT_EQ(corners.size(), 3U);
-  for (const char* name : {"a", "b", "c"}) EXPECT_NEAR(area_of(corners[name]), 6.0, 1e-6) << name;
+  EXPECT_NEAR(area_of(corners["a"]), kSide / kHeight, 1e-6);
+  EXPECT_NEAR(area_of(corners["b"]), kAtCorner / kHeight, 1e-6);
+  EXPECT_NEAR(area_of(corners["c"]), kSide / kHeight, 1e-6);
 }
 
 TEST_F(Corner, BarsAreAsWideAsTheirOwnHoles) {
