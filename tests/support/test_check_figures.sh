@@ -225,6 +225,22 @@ fails 2 'three depths' crater_depths craters.csv craters.json
 craters $'12,1,-2,3,0\n12,2,1,2,0\n12,3,1,2,0\n'
 fails 2 'craters.csv:2: crater_radius_m must be >= 0' crater_depths craters.csv craters.json
 
+call count craters.csv burial_depth_m 2
+[[ $status -eq 0 && $output == 2 ]] || problem 'must count the rows with 2 m at least'
+fails 2 'width_m' count craters.csv width_m 2
+
+# Throws of 0.01 and 0.25 burdens at 1 and 4 kg/m3: 0.05 lies half way in the logarithms.
+limits() { printf 'burden_m,charge_kg,throw_m\n%s' "$1" >limits.csv; }
+limits $'2,32,0.5\n2,8,0.02\n0.5,0.125,0.025\n0.5,0.0625,0\n'
+holds limit_charges limits.csv limits.json
+printf '{"case": "limits", "expected": [%s, %s, %s]}' "$(row limit_kg_m3_at_200 2 1e-12)" "$(row limit_over_langefors_at_200 5.314437556 1e-9)" \
+  "$(row limit_kg_m3_at_50 1 1e-9)" >expected.json
+holds case expected.json limits.json
+limits $'2,8,0.2\n2,32,0.5\n'
+fails 2 'no charge whose throw is below' limit_charges limits.csv limits.json
+limits $'2,0,0.2\n'
+fails 2 'limits.csv:2: charge_kg must be > 0' limit_charges limits.csv limits.json
+
 fails 2 '' neer
 holds --help
 holds near --help

@@ -11,10 +11,12 @@
 #include <string>
 #include <vector>
 
+#include "args/csv_table.h"
 #include "args/input_error.h"
 #include "check_figures/burden_fit.h"
 #include "check_figures/crater_depths.h"
 #include "check_figures/exponents.h"
+#include "check_figures/limit_charges.h"
 #include "check_figures/near_field.h"
 #include "figures/expected.h"
 #include "figures/figures.h"
@@ -28,7 +30,7 @@ struct Options {
   std::string name, figure, reference, table, summary, expected;
   std::vector<std::string> figures, files;
   std::vector<std::filesystem::path> folders;
-  double bound = 0.0, times = 1.0, nearest = 0.0, farthest = 0.0;
+  double bound = 0.0, times = 1.0, nearest = 0.0, farthest = 0.0, least = 0.0;
   bool share = false;
   std::string at_least, at_most, above, below;
 };
@@ -87,6 +89,15 @@ void print_figures(const Options& o) {
   std::printf("%s\n", line.c_str());
 }
 
+void print_count(const Options& o) {
+  const CsvTable table = CsvTable::read(o.table);
+  const size_t column = table.column(o.name);
+  int rows = 0;
+  for (size_t row = 0; row < table.rows(); ++row)
+    rows += table.number(row, column) >= o.least ? 1 : 0;
+  std::printf("%d\n", rows);
+}
+
 void write_summary(const Options& o, const Json& figures) {
   std::ofstream out(o.summary);
   out << figures.dump(2) << '\n';
@@ -115,6 +126,10 @@ void add_case_commands(CLI::App& app, Options& o, bool& holds) {
   answers->add_option("TABLE", o.table, "name, factor, value, base (CSV)")->required();
   answers->add_option("SUMMARY", o.summary, "exponent of each row (JSON)")->required();
   answers->callback([&] { write_summary(o, exponents(o.table)); });
+  CLI::App* limits = app.add_subcommand("limit_charges", "charges that loosen: TABLE to SUMMARY");
+  limits->add_option("TABLE", o.table, "burden, charge, throw (CSV)")->required();
+  limits->add_option("SUMMARY", o.summary, "limits beside a law (JSON)")->required();
+  limits->callback([&] { write_summary(o, limit_charges(o.table)); });
   CLI::App* field = app.add_subcommand("near_field", "peaks beside a law: FOLDERs to SUMMARY");
   field->add_option("SUMMARY", o.summary, "ratios and exponents (JSON)")->required();
   field->add_option("NEAREST", o.nearest, "gauge that counts [m]")->required();
@@ -145,6 +160,11 @@ void add_figure_commands(CLI::App& app, Options& o, bool& holds) {
   finite->callback([&] {
     for (const std::string& file : o.files) FigureFile(file).require_finite();
   });
+  CLI::App* count = app.add_subcommand("count", "print how many rows have that much in a column");
+  count->add_option("TABLE", o.table, "CSV")->required();
+  count->add_option("COLUMN", o.name)->required();
+  count->add_option("LEAST", o.least)->required();
+  count->callback([&] { print_count(o); });
   CLI::App* print = app.add_subcommand("print", "the figures in one line");
   print->add_option("FIGURE", o.figures)->required();
   print->callback([&] { print_figures(o); });

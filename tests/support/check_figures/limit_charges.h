@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Charges of a single hole that just loosen its burden, beside the law of sizes of Langefors and
+// Kihlstrom.
+// Scope: a table with a row per run.
+#pragma once
+
+#include <filesystem>
+
+#include "figures/figures.h"
+
+namespace muckpile::check {
+
+/// Of a table with the columns burden_m, which is the bench's height too, charge_kg and throw_m, of
+/// the mass centre of the burden. Gives for each burden W in cm
+///   limit_kg_m3_at_W: charge over W^3 at which the throw is a twentieth of the burden, linear in
+///     the logarithms between the two charges of which the smaller throws less;
+///   limit_over_langefors_at_W: that over 0.07/W + 0.40/1.2 + 0.004 W, of usual rock without the
+///     technical margin of a fifth (Langefors, after Bastante's lecture book, chapter 7).
+/// Throws InputError where a number is missing or out of range, or no two charges of a burden lie
+/// on both sides.
+[[nodiscard]] Json limit_charges(const std::filesystem::path& table);
+
+}  // namespace muckpile::check
