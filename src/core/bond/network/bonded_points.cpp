@@ -75,8 +75,8 @@ void BondedPoints::work(std::size_t f, const FacetMotion& motion, const ContactC
                         FacetPull& pull, double dt) {
   const FacetTraces& traces = facets_.history.traces(f);
   const bool smooth = contact.shear == 0.0;  // a mirror: see slid_along()
-  const bool away = (smooth || traces.slipping.any()) && slid_away(motion, contact);
-  const bool torn = motion.turned(kTurnStart) || (smooth && away);
+  const bool away = (smooth || traces.slipping.any()) && parting_of(motion, contact).slid_away();
+  const bool torn = motion.turn().exceeds(kTurnStart) || (smooth && away);
   const LaneMask slipping = where_slipping(traces);
   const LaneMask fails =
       torn ? is_point() : failing(facets_, f, pull, slipping) || (slipping && LaneMask(away));

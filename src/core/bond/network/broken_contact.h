@@ -13,8 +13,8 @@
 
 namespace muckpile {
 
-/// Whether a facet has slid so far that it begins to fade.
-[[nodiscard]] bool slid_away(const FacetMotion& motion, const ContactConstants& contact);
+[[nodiscard]] FacetParting<double> parting_of(const FacetMotion& motion,
+                                              const ContactConstants& contact);
 
 /// Of the points that have left the dilatations, on block i: what their springs carry, without
 /// dashpots; 0 at the others [Pa].
@@ -42,13 +42,11 @@ class BrokenContact {
 
  private:
   struct Remembered;  // what the contact of a group's facets remembers
-  struct Parting;     // how far the two sides of each facet of a group have parted
 
   void fade(std::size_t f, const FacetMotion& motion, double matching);
   void retire(std::size_t f);
   [[nodiscard]] Remembered remembered(std::size_t g, unsigned lanes);
-  [[nodiscard]] static Parting parting_of(const FacetGroup& group, const WidePose& pose);
-  void fade_lanes(std::size_t g, unsigned lanes, const Parting& parting,
+  void fade_lanes(std::size_t g, unsigned lanes, const FacetParting<Wide>& parting,
                   const ContactGroup& memory);
   [[nodiscard]] unsigned remaining_lanes(std::size_t g, unsigned lanes, const WidePose& pose,
                                          const ContactGroup& memory);

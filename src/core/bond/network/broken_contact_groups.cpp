@@ -30,33 +30,6 @@ struct BrokenContact::Remembered {
   FacetRow<double> wall_strength{};                 // where walls crush
 };
 
-/// How far the two sides of each facet have parted.
-struct BrokenContact::Parting {
-  Wide opened;                // [m]
-  Wide slid, radius_squared;  // squares; of the circle of equal area [m2]
-  WideTurn turn;
-
-  [[nodiscard]] unsigned begins_to_fade() const {
-    return bits_of<Wide>(slid > kSlideStart * kSlideStart * radius_squared ||
-                         turn.exceeds(kTurnStart));
-  }
-  [[nodiscard]] unsigned open_by(double radii) const {
-    return bits_of<Wide>(opened > 0.0 && opened * opened > radii * radii * radius_squared);
-  }
-  /// Between the points that are closest, at least [m].
-  [[nodiscard]] Wide gap() const {
-    const Wide tilted = sqrt(slid * turn.squared()) + kSurelyOpen * sqrt(radius_squared);
-    return opened - sqrt(turn.apart_1) - sqrt(turn.apart_2) - tilted;
-  }
-};
-
-[[gnu::always_inline]] inline BrokenContact::Parting BrokenContact::parting_of(
-    const FacetGroup& group, const WidePose& pose) {
-  const Wide opened = dot(pose.normal, pose.jump);
-  return {opened, max(dot(pose.jump, pose.jump) - opened * opened, Wide(0.0)),
-          M_1_PI * wide(group.area), turn_of(group, pose)};
-}
-
 unsigned BrokenContact::apart_lanes(const LaneSet& working) const {
   unsigned lanes = 0;
   const unsigned in_group = working.lanes & ~facets_.tables.alone_lanes(working.group);
@@ -87,7 +60,7 @@ BrokenContact::Remembered BrokenContact::remembered(std::size_t g, unsigned lane
 }
 
 /// Lets facets fade whose sides match less than before.
-void BrokenContact::fade_lanes(std::size_t g, unsigned lanes, const Parting& parting,
+void BrokenContact::fade_lanes(std::size_t g, unsigned lanes, const FacetParting<Wide>& parting,
                                const ContactGroup& memory) {
   const Wide slid = sqrt(parting.slid / parting.radius_squared);
   const Wide turned = sqrt(parting.turn.squared());
@@ -102,13 +75,12 @@ void BrokenContact::fade_lanes(std::size_t g, unsigned lanes, const Parting& par
 /// Those of `lanes` that touch; the others are open or retire.
 unsigned BrokenContact::remaining_lanes(std::size_t g, unsigned lanes, const WidePose& pose,
                                         const ContactGroup& memory) {
-  const Parting parting = parting_of(facets_.tables.group(g), pose);
-  const unsigned fading = lanes & parting.begins_to_fade();
+  const FacetParting<Wide> parting = parting_of(facets_.tables.group(g), pose);
+  const unsigned fading = lanes & bits_of<Wide>(parting.begins_to_fade());
   if (fading != 0) fade_lanes(g, fading, parting, memory);
-  const unsigned gone =
-      lanes & (parting.open_by(kOpened) | bits_of<Wide>(wide(memory.fade) == 0.0));
+  const unsigned gone = lanes & bits_of<Wide>(parting.open_by(kOpened) || wide(memory.fade) == 0.0);
   each_lane(gone, [&](std::size_t k) { retire(g * kGroup + k); });
-  unsigned open = lanes & ~gone & parting.open_by(kSurelyOpen);
+  unsigned open = lanes & ~gone & bits_of<Wide>(parting.open_by(kSurelyOpen));
   if (open == 0) return lanes & ~gone;
   open &= bits_of<Wide>(parting.gap() > 0.0);
   each_lane(open, [&](std::size_t k) { history_.set_open(g * kGroup + k, true); });

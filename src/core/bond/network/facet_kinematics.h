@@ -9,6 +9,7 @@
 
 #include "bond/network/block_fields.h"
 #include "bond/network/facet_history.h"
+#include "bond/network/facet_parting.h"
 #include "bond/network/facet_points.h"
 #include "bond/network/facet_tables.h"
 #include "math/lanes.h"
@@ -27,17 +28,9 @@ struct FacetMotion {
   [[nodiscard]] LaneVec jump() const { return at_points(apart); }
   [[nodiscard]] LaneVec side() const { return at_points(near); }
 
-  /// Square of the angle between the two blocks, while small [rad2]: by how much the half axes of
-  /// both sides differ.
-  [[nodiscard]] double turned_squared() const {
+  [[nodiscard]] FacetTurn<double> turn() const {
     const Lanes differ = dot(apart, apart), lengths = dot(near, near);
-    return differ[1] / lengths[1] + differ[2] / lengths[2];
-  }
-  /// Whether they have turned by more than `angle` [rad]; without a division.
-  [[nodiscard]] bool turned(double angle) const {
-    const Lanes differ = dot(apart, apart), lengths = dot(near, near);
-    return differ[1] * lengths[2] + differ[2] * lengths[1] >
-           angle * angle * lengths[1] * lengths[2];
+    return {differ[1], differ[2], lengths[1], lengths[2]};
   }
 
   /// The facet's own axes, which turn with the mean of the two blocks, as the jump between points

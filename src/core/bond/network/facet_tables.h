@@ -53,12 +53,6 @@ struct ContactConstants {
   LinearContact<double> closure;
   double shear;           ///< stiffness when closed [Pa/m]
   double radius_squared;  ///< of the circle of equal area [m2]
-
-  [[nodiscard]] double radius() const { return std::sqrt(radius_squared); }
-  /// Whether `length` is positive and more than so many radii.
-  [[nodiscard]] bool longer(double length, double radii) const {
-    return length > 0.0 && length * length > radii * radii * radius_squared;
-  }
 };
 
 /// Of the dilatations of a facet's two blocks.

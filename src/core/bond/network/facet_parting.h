@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// How far the two sides of a facet have turned and parted, and what follows of it: whether it still
+// holds, matches, may touch.
+// Scope: pure functions of one facet (Number: double) or of the facets of a group (Wide), one per
+// lane. Limits are those of facet_points.h.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "bond/network/facet_points.h"
+
+namespace muckpile {
+
+/// By how much the half axes of the two sides differ: squares, and those of the half axes [m2].
+template <class Number>
+struct FacetTurn {
+  Number apart_1, apart_2, length_1, length_2;
+
+  /// Whether they have turned by more than `angle` [rad]; without a division.
+  [[nodiscard, gnu::always_inline]] auto exceeds(double angle) const {
+    return apart_1 * length_2 + apart_2 * length_1 > Number(angle * angle) * length_1 * length_2;
+  }
+  /// Square of the angle between the two blocks, while small [rad2].
+  [[nodiscard, gnu::always_inline]] Number squared() const {
+    return apart_1 / length_1 + apart_2 / length_2;
+  }
+};
+
+template <class Number>
+struct FacetParting {
+  Number opened;          ///< of the centroids, along the normal [m]
+  Number slid;            ///< across, its square [m2]
+  Number radius_squared;  ///< of the circle of equal area [m2]
+  FacetTurn<Number> turn;
+
+  /// `jump_squared`: of the centroids [m2].
+  [[gnu::always_inline]] FacetParting(const Number& along_normal, const Number& jump_squared,
+                                      const Number& of_radius, const FacetTurn<Number>& of_axes)
+      : opened(along_normal),
+        slid(none_below(jump_squared)),
+        radius_squared(of_radius),
+        turn(of_axes) {}
+
+  /// So far that broken faces begin to fade by it.
+  [[nodiscard, gnu::always_inline]] auto slid_away() const {
+    return slid > kSlideStart * kSlideStart * radius_squared;
+  }
+  [[nodiscard, gnu::always_inline]] auto begins_to_fade() const {
+    return slid_away() || turn.exceeds(kTurnStart);
+  }
+  [[nodiscard, gnu::always_inline]] auto open_by(double radii) const {
+    return opened > 0.0 && opened * opened > radii * radii * radius_squared;
+  }
+  /// Between the points that are closest, at least [m].
+  [[nodiscard, gnu::always_inline]] Number gap() const {
+    using std::sqrt;
+    const Number tilted = sqrt(slid * turn.squared()) + kSurelyOpen * sqrt(radius_squared);
+    return opened - sqrt(turn.apart_1) - sqrt(turn.apart_2) - tilted;
+  }
+
+ private:
+  [[gnu::always_inline]] Number none_below(const Number& jump_squared) const {
+    using std::max;
+    return max(jump_squared - opened * opened, Number(0.0));
+  }
+};
+
+}  // namespace muckpile
