@@ -31,7 +31,8 @@ LaneVec contact_tractions(const FacetKinematics& facets, std::size_t f, const Fa
 }
 
 FacetParting<double> parting_of(const FacetMotion& motion, const ContactConstants& contact) {
-  return {dot(LaneVec(motion.normal), motion.apart)[0], dot(motion.apart, motion.apart)[0],
+  const double opened = dot(LaneVec(motion.normal), motion.apart)[0];
+  return {opened, across_squared<double>(dot(motion.apart, motion.apart)[0], opened),
           contact.radius_squared, motion.turn()};
 }
 

@@ -13,6 +13,7 @@
 
 namespace muckpile {
 
+/// Of one facet's two sides.
 [[nodiscard]] FacetParting<double> parting_of(const FacetMotion& motion,
                                               const ContactConstants& contact);
 

@@ -27,20 +27,20 @@ struct FacetTurn {
   }
 };
 
+/// The square of what a jump has across a normal, by its own square and by its part along.
+template <class Number>
+[[nodiscard, gnu::always_inline]] inline Number across_squared(const Number& jump_squared,
+                                                               const Number& along) {
+  using std::max;
+  return max(jump_squared - along * along, Number(0.0));
+}
+
 template <class Number>
 struct FacetParting {
   Number opened;          ///< of the centroids, along the normal [m]
   Number slid;            ///< across, its square [m2]
   Number radius_squared;  ///< of the circle of equal area [m2]
   FacetTurn<Number> turn;
-
-  /// `jump_squared`: of the centroids [m2].
-  [[gnu::always_inline]] FacetParting(const Number& along_normal, const Number& jump_squared,
-                                      const Number& of_radius, const FacetTurn<Number>& of_axes)
-      : opened(along_normal),
-        slid(none_below(jump_squared)),
-        radius_squared(of_radius),
-        turn(of_axes) {}
 
   /// So far that broken faces begin to fade by it.
   [[nodiscard, gnu::always_inline]] auto slid_away() const {
@@ -57,12 +57,6 @@ struct FacetParting {
     using std::sqrt;
     const Number tilted = sqrt(slid * turn.squared()) + kSurelyOpen * sqrt(radius_squared);
     return opened - sqrt(turn.apart_1) - sqrt(turn.apart_2) - tilted;
-  }
-
- private:
-  [[gnu::always_inline]] Number none_below(const Number& jump_squared) const {
-    using std::max;
-    return max(jump_squared - opened * opened, Number(0.0));
   }
 };
 

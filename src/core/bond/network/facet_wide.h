@@ -243,7 +243,8 @@ struct WideField {
 
 [[gnu::always_inline]] inline FacetParting<Wide> parting_of(const FacetGroup& group,
                                                             const WidePose& pose) {
-  return {dot(pose.normal, pose.jump), dot(pose.jump, pose.jump), M_1_PI * wide(group.area),
+  const Wide opened = dot(pose.normal, pose.jump);
+  return {opened, across_squared(dot(pose.jump, pose.jump), opened), M_1_PI * wide(group.area),
           turn_of(group, pose)};
 }
 
