@@ -9,10 +9,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string>
 #include <vector>
 
 #include "bond/law/coulomb.h"
 #include "bond/law/joint_in_rock.h"
+#include "bond/law/joint_law_table.h"
 #include "joint_laws.h"
 
 namespace muckpile::test {
@@ -20,6 +22,13 @@ namespace {
 
 // Those of test_decohesion.cpp, too.
 INSTANTIATE_TEST_SUITE_P(Laws, EachJointLaw, testing::ValuesIn(joint_laws()), name_of_law);
+
+TEST(JointLaw, EveryLawThatAUserCanNameIsTested) {
+  const std::vector<LawOfJoints> tested = joint_laws();
+  const auto name_of = [](const LawOfJoints& law) { return std::string(law.name); };
+  for (const JointLawEntry& entry : joint_law_entries())
+    EXPECT_EQ(std::ranges::count(tested, entry.name, name_of), 1) << entry.name;
+}
 
 /// Does not break.
 BartonBandis strong() {
