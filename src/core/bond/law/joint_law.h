@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "bond/law/joint_material.h"
+#include "bond/law/proportional_closure.h"
 #include "bond/law/strength.h"
 #include "math/lanes.h"
 
@@ -29,14 +30,6 @@ struct JointHistory {
 template <class Number>
 struct JointHistoryOf {
   Number closure = 0.0, slip = 0.0;
-};
-
-/// A joint closed in series with the rock on both sides.
-template <class Number>
-struct JointClosure {
-  Number closure;   ///< of the joint; negative where it is pulled open [m]
-  Number pressure;  ///< positive in compression [Pa]
-  Number rate;      ///< of the closure per jump of joint and rock together, between 0 and 1 [-]
 };
 
 /// Of a joint, for gas.

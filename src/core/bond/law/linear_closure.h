@@ -5,8 +5,7 @@
 // VectorOf<Number>. Per area of the facet; tension is positive.
 #pragma once
 
-#include <cmath>
-
+#include "bond/law/proportional_closure.h"
 #include "math/lanes.h"
 #include "math/types.h"
 
@@ -21,24 +20,17 @@ struct FacetStiffness {
   double rock_share;  ///< share of the normal jump that strains the rock, not the joint [-]
 };
 
-/// a and b in series; an infinite b leaves a.
-[[nodiscard]] inline double in_series(double a, double b) {
-  return std::isinf(b) ? a : a * b / (a + b);
-}
-
 /// A joint of stiffness kn and ks [Pa/m; infinite: rigid] between rock of 2G/h along the normal and
 /// along the facet (`normal`, `shear`; they differ between two rocks) and (lambda + 2G)/h
 /// (`uniaxial`) [Pa/m]. The share of the jump that strains the rock is exact for uniaxial strain
 /// normal to the joint.
 [[nodiscard]] inline FacetStiffness joint_in_rock(double normal, double shear, double uniaxial,
                                                   double kn, double ks) {
-  FacetStiffness k{};
-  k.rock_share = std::isinf(kn) ? 1.0 : kn / (kn + uniaxial);
-  const double joint_share = 1.0 - k.rock_share;
-  const double joint_part = std::isinf(kn) ? 0.0 : kn * joint_share * joint_share;
-  k.normal = normal * k.rock_share * k.rock_share + joint_part;
-  k.shear = in_series(shear, ks);
-  return k;
+  const ProportionalClosure joint{kn};
+  const double share = joint.rock_share(uniaxial);
+  const double in_joint = joint.close(1.0, uniaxial, 0.0).closure;  // of a jump of 1
+  return {normal * share * share + 2.0 * joint.stored(in_joint, in_joint),
+          ProportionalClosure{ks}.in_series(shear), share};
 }
 
 /// Of points that hold: the part of their traction that comes from their own jump.

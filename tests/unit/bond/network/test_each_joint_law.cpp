@@ -58,7 +58,7 @@ TEST(JointLaw, RockAndJointCloseInSeries) {
 TEST(JointLaw, ALinearLawHasItsOwnStrength) {
   for (const int wide : {1, 6}) {  // facets between two layers of cubes: 1, 36
     JointClass joint = coulomb_joint({.tension = 1e6});
-    joint.law = law_everywhere(Coulomb{{3e6, 1e30, 0.6, 0.5}, 5e10});
+    joint.law = law_everywhere(Coulomb{{3e6, 1e30, 0.6, 0.5}, {5e10}});
     BondScene scene = cubes(2, wide, rock(0.0), joint);
     for (const double pull : {2.9e6, 3.1e6}) {
       for (std::size_t b = 0; b < scene.size(); ++b)
