@@ -5,6 +5,7 @@
 // VectorOf<Number>. Per area of the facet; tension is positive.
 #pragma once
 
+#include "bond/law/giving_way.h"
 #include "bond/law/proportional_closure.h"
 #include "math/lanes.h"
 #include "math/types.h"
@@ -83,11 +84,19 @@ struct LinearContact {
   [[nodiscard, gnu::always_inline]] Number stiffest() const { return normal; }
 };
 
-/// And with walls that crush under a pressure: they are pressed no further together than to the gap
-/// where they carry it, whatever is beyond stays (elastic and perfectly plastic: Thornton 1997).
+/// And with walls that crush, of faces that match by `fade`.
 template <class Number>
 struct CrushingContact : LinearContact<Number> {
-  Number deepest;  ///< gap of that pressure, negative [m]
+  Number deepest;  ///< gap beyond which the walls crush, negative [m]
+
+  /// `closed`: stiffness of faces that match wholly [Pa/m]; 0 where there is no facet.
+  [[gnu::always_inline]] CrushingContact(const Number& fade, const Number& closed,
+                                         const Number& wall_strength)
+      : LinearContact<Number>{fade * closed},
+        deepest(-wall_strength / max(closed, Number(1e-300))) {}
+  [[nodiscard, gnu::always_inline]] CrushingWalls<Number> walls() const {
+    return {-this->traction(deepest)};
+  }
 };
 
 }  // namespace muckpile

@@ -10,14 +10,14 @@
 namespace muckpile {
 namespace {
 
-/// `normal`: stiffness as faded, `closed`: of faces that match [Pa/m].
+/// `closed`: stiffness of faces that match wholly [Pa/m].
 template <class Closure>
-[[gnu::always_inline]] inline Closure closure_of(const Wide& normal, const Wide& closed,
+[[gnu::always_inline]] inline Closure closure_of(const Wide& fade, const Wide& closed,
                                                  const Wide& wall_strength) {
   if constexpr (Crushing<Closure>)
-    return {{normal}, -wall_strength / max(closed, Wide(1e-300))};  // 0: no facet
+    return {fade, closed, wall_strength};
   else
-    return {normal};
+    return {fade * closed};
 }
 
 }  // namespace
@@ -111,8 +111,7 @@ void BrokenContact::touch(std::size_t g, unsigned lanes, const WidePose& pose,
   const CoulombStrength<Wide> joint{.tan_residual = wide(contact.tan_residual)};
   const Wide grip = choose(at_mirror(group), Wide(0.0), 1.0);
   const PlaneContact law{
-      closure_of<Closure<Wide>>(fade * closed, closed, wide(contact.wall_strength)), shear,
-      fade * dashpot,
+      closure_of<Closure<Wide>>(fade, closed, wide(contact.wall_strength)), shear, fade * dashpot,
       SlipFriction<Wide, CoulombStrength<Wide>>{joint, 0.0, grip, laws.slip_weakening()}};
   const WideMask broken = fade > 0.0, fresh = wide(contact.fresh) > 0.0;
   WideVec traction, moment;

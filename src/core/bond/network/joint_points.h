@@ -30,10 +30,9 @@ template <class Use>
 auto of_contact(const FacetKinematics& facets, std::size_t f, const ContactConstants& contact,
                 double fade, const Use& use) {
   if (!facets.tables.joint(f).linear()) return use(series_contact(facets, f, fade));
-  const LinearContact<Lanes> closure{fade * contact.closure.normal};
-  if (!facets.tables.laws().crushes()) return use(closure);
-  return use(
-      CrushingContact<Lanes>{closure, -facets.tables.wall_strength(f) / contact.closure.normal});
+  const double closed = contact.closure.normal;
+  if (!facets.tables.laws().crushes()) return use(LinearContact<Lanes>{fade * closed});
+  return use(CrushingContact<Lanes>(fade, closed, facets.tables.wall_strength(f)));
 }
 
 // Points that hold.
