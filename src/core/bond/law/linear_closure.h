@@ -7,12 +7,9 @@
 
 #include "bond/law/giving_way.h"
 #include "bond/law/proportional_closure.h"
-#include "math/lanes.h"
-#include "math/types.h"
+#include "math/vectors.h"
 
 namespace muckpile {
-
-[[nodiscard]] inline double dot(const Vec3& a, const Vec3& b) { return a.dot(b); }
 
 /// Stiffness of one facet whose block centres are h apart along its normal.
 struct FacetStiffness {

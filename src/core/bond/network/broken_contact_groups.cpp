@@ -97,7 +97,8 @@ void BrokenContact::touch(std::size_t g, unsigned lanes, const WidePose& pose,
                   jump = jump_of(group, pose);
   const WideVec half_1 = pose.sum * wide(group.half_1), half_2 = pose.sum * wide(group.half_2);
   const WideField arm = {pose.arm(), Wide(0.5) * half_1, Wide(0.5) * half_2};
-  const WideMat axes = axes_of(pose.normal, half_1);
+  const FacetAxes<WideVec> own(pose.normal, half_1);
+  const WideMat axes = {own.normal, own.along, own.across};
   const ContactGroup& memory = *contact.memory;
   const Wide fade = choose(mask_of<Wide>(lanes), wide(memory.fade), 0.0),
              shear = fade * wide(group.shear);

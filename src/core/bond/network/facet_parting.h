@@ -9,8 +9,29 @@
 #include <cmath>
 
 #include "bond/network/facet_points.h"
+#include "math/vectors.h"
 
 namespace muckpile {
+
+/// A facet's own axes, which turn with the mean of the two blocks, as the jump between points on
+/// both of them does. What broken points remember turns so: turned by one block, a facet that has
+/// slid and then tilts would do work that no spring stores.
+template <class Vector>
+struct FacetAxes {
+  Vector normal;
+  Vector along;   ///< the first half axis, of both sides together
+  Vector across;  ///< normal x along
+
+  [[gnu::always_inline]] FacetAxes(const Vector& facet_normal, const Vector& half)
+      : normal(facet_normal), along(unit_along(half)), across(cross(normal, along)) {}
+
+ private:
+  [[nodiscard, gnu::always_inline]] Vector unit_along(const Vector& half) const {
+    using std::sqrt;
+    const Vector in_plane = half - dot(normal, half) * normal;
+    return 1.0 / sqrt(dot(in_plane, in_plane)) * in_plane;
+  }
+};
 
 /// By how much the half axes of the two sides differ: squares, and those of the half axes [m2].
 template <class Number>

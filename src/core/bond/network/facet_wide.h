@@ -215,13 +215,6 @@ struct WideField {
   return {pose.jump, pose.difference * wide(group.half_1), pose.difference * wide(group.half_2)};
 }
 
-/// As FacetMotion::axes. `half`: first half axis of both sides together.
-[[gnu::always_inline]] inline WideMat axes_of(const WideVec& normal, const WideVec& half) {
-  const WideVec along = half - dot(normal, half) * normal;
-  const WideVec unit = 1.0 / sqrt(dot(along, along)) * along;
-  return {normal, unit, cross(normal, unit)};
-}
-
 /// `first`: the state of the first block. Motion of block j's side against block i's [m/s].
 [[gnu::always_inline]] inline WideField rate_of(const FacetGroup& group, const WidePose& pose,
                                                 const BlockState& first) {
