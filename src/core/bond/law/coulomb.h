@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The joint law that facets have unless their class has another: linear closure, Mohr and Coulomb's
-// strength with a tension cut-off, constant friction.
+// The joint law that facets have unless their class has another: closure in proportion to pressure,
+// Mohr and Coulomb's strength with a tension cut-off, constant friction.
 // Scope: pure functions of one point, one per lane; tension is positive.
 #pragma once
 
@@ -17,8 +17,7 @@ struct JointLawEntry;
 [[nodiscard]] JointLawEntry coulomb_entry();
 
 struct Coulomb : CoulombStrength<double>, ProportionalClosure {
-  /// Facets are worked on by their stiffness (LinearPoints), which close() gives in series.
-  static constexpr bool kLinear = true;
+  static constexpr bool kGrouped = true;  ///< JointLaw::grouped()
 
   [[nodiscard]] std::optional<JointApertures> apertures(double /*closure*/) const { return {}; }
   [[nodiscard]] Coulomb softened(double factor) const {

@@ -35,7 +35,7 @@ class BrokenContact {
   void add_tractions(std::size_t f, const FacetMotion& motion, const ContactConstants& contact,
                      FacetPull& pull);
 
-  /// Those of a group's facets that are broken at all points, of a linear law, and do not soften.
+  /// Those of a group's facets that are broken at all points, of a grouped law, and do not soften.
   [[nodiscard]] unsigned apart_lanes(const LaneSet& working) const;
   /// Forces of those of `lanes`, which are apart, that touch; returns which.
   [[nodiscard]] unsigned find_forces(std::size_t g, unsigned lanes, const WidePose& pose,

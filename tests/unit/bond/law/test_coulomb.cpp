@@ -118,7 +118,7 @@ TEST(Coulomb, FourPointsFailAndRubAsOneDoes) {
     EXPECT_EQ(fails[k], joint.fails(one, squared, {0.5, 1.5})) << k;
     EXPECT_EQ(friction[k], 0.3);
   }
-  EXPECT_TRUE(law.linear());
+  EXPECT_TRUE(law.grouped());
 }
 
 TEST(Coulomb, FrictionIsAskedForAtAnyWidthAndIsNoneAtAMirror) {

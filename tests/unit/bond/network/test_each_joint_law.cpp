@@ -55,7 +55,7 @@ TEST(JointLaw, RockAndJointCloseInSeries) {
 }
 
 /// The numbers of the class are those of another law: facets alone and in groups heed the law's.
-TEST(JointLaw, ALinearLawHasItsOwnStrength) {
+TEST(JointLaw, AGroupedLawHasItsOwnStrength) {
   for (const int wide : {1, 6}) {  // facets between two layers of cubes: 1, 36
     JointClass joint = coulomb_joint({.tension = 1e6});
     joint.law = law_everywhere(Coulomb{{3e6, 1e30, 0.6, 0.5}, {5e10}});
@@ -236,7 +236,7 @@ TEST_P(EachJointLaw, WhatAFacetRemembersGivesTheSameForces) {
   other.block(1) = scene.block(1);
   other.compute();
   EXPECT_EQ(scene.network().force()[1], other.network().force()[1]);
-  if (!law_of(closing)->linear()) {
+  if (!law_of(closing)->grouped()) {
     EXPECT_GT(scene.network().memory(0).extra.get().joint[0].closure, 0.0);
   }
 }
