@@ -92,15 +92,16 @@ template <class Number, class Closure, class Friction>
   const VectorOf<Number> shear = contact.shear * stuck, slip = at.rate - rate * at.normal;
   const Slide<Number> slide(shear, contact.friction.limit(normal, dot(slip, slip)));
   const VectorOf<Number> kept = slide.kept * stuck, path = Number(dt) * at.rate;
-  const Number slid = twice_taken_for_good(stuck, kept, path);
+  Number rubbed = 0.0;
+  if (any_of(slide.slips)) rubbed = twice_taken_for_good(stuck, kept, path);
   const Mask opens = forgets && !at.fresh && !closed && gap < dt * rate;
-  const Number forgotten =
-      choose(opens, twice_taken_for_good(sheared, VectorOf<Number>(), path), 0.0);
+  if (any_of(opens))
+    rubbed += choose(opens, twice_taken_for_good(sheared, VectorOf<Number>(), path), 0.0);
   return {normal * at.normal + slide.kept * shear,
           slide.slips || yields,
           gap * at.normal + kept,
           (normal - by_spring) * rate,
-          slid + forgotten,
+          rubbed,
           crushed};
 }
 
