@@ -55,22 +55,7 @@ void check_front(const HolePattern& p, const std::string& where) {
   }
 }
 
-}  // namespace
-
-double HolePattern::hole_length() const { return (bench_height + subdrill) / std::sin(hole_angle); }
-
-double HolePattern::charged_length() const {
-  return hole_length() - stemming - static_cast<double>(decks - 1) * deck_stemming;
-}
-
-double HolePattern::front_burden(double height) const {
-  return std::sin(face_angle) * (burden + height * (run_back(hole_angle) - run_back(face_angle)));
-}
-
-ArgTable hole_pattern_table() {
-  ArgTable table("hole_pattern");
-  const Range length = Range::left_open(0.0, 100.0);
-  const Range delays = Range::closed(0.0, 10.0);  // 17 is one in milliseconds
+void add_tables(ArgTable& table) {
   table.word("file", {}, std::nullopt, "CSV file to write")
       .word(
           "take", {}, "none",
@@ -89,8 +74,12 @@ ArgTable hole_pattern_table() {
       .group("origin", 3, 3, false,
              "with `kirra` or `take`: x y z of the face's toe in the coordinates of the file [m]; "
              "without it, and with `auto auto auto`, the holes of `kirra` set it, and a table that "
-             "is taken stays where it is")
-      .integer("rows", "", Range::closed(1, 1000), std::nullopt, "rows of holes behind the face")
+             "is taken stays where it is");
+}
+
+void add_lengths(ArgTable& table) {
+  const Range length = Range::left_open(0.0, 100.0);
+  table.integer("rows", "", Range::closed(1, 1000), std::nullopt, "rows of holes behind the face")
       .integer("holes_per_row", "", Range::closed(1, 1000), std::nullopt, "holes in each row")
       .real(
           "burden", "m", length, std::nullopt,
@@ -109,8 +98,12 @@ ArgTable hole_pattern_table() {
       .real("face_angle", "deg", Range::closed(30.0, 90.0), 90.0,
             "of the free face, from the horizontal; 90: upright")
       .real("hole_angle", "deg", Range::closed(45.0, 90.0), 90.0,
-            "of the holes, from the horizontal; below 90 the collar lies behind the toe")
-      .real("delay_in_row", "s", delays, 0.0, "from hole to hole of a row")
+            "of the holes, from the horizontal; below 90 the collar lies behind the toe");
+}
+
+void add_delays(ArgTable& table) {
+  const Range delays = Range::closed(0.0, 10.0);  // 17 is one in milliseconds
+  table.real("delay_in_row", "s", delays, 0.0, "from hole to hole of a row")
       .real("delay_between_rows", "s", delays, 0.0,
             "from the first hole of a row to that of the next")
       .real("in_hole_delay", "s", delays, 0.0, "of the detonators")
@@ -121,6 +114,25 @@ ArgTable hole_pattern_table() {
             "standard deviation of each delay element over its delay, of surface delays and of "
             "in-hole delays; for tables of `take` and `kirra`, too")
       .integer("scatter_seed", "", Range::closed(1, 2147483647), 1, "of its draws");
+}
+
+}  // namespace
+
+double HolePattern::hole_length() const { return (bench_height + subdrill) / std::sin(hole_angle); }
+
+double HolePattern::charged_length() const {
+  return hole_length() - stemming - static_cast<double>(decks - 1) * deck_stemming;
+}
+
+double HolePattern::front_burden(double height) const {
+  return std::sin(face_angle) * (burden + height * (run_back(hole_angle) - run_back(face_angle)));
+}
+
+ArgTable hole_pattern_table() {
+  ArgTable table("hole_pattern");
+  add_tables(table);
+  add_lengths(table);
+  add_delays(table);
   return table;
 }
 

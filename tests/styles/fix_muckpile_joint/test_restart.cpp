@@ -143,7 +143,7 @@ TEST(Restart, CracksKeepWhatTheyHold) {
   go_on_and_restart(kStrength + " fracture_energy_tension 40 fracture_energy_shear 160", "", 5e-3);
 }
 
-TEST(Restart, NonlinearJointsKeepTheirHistory) {
+TEST(Restart, JointsOfBartonAndBandisKeepTheirHistory) {
   go_on_and_restart(
       kStrength +
           " joint_class 1 law barton_bandis initial_stiffness 1e10 closure_limit 1e-4 "

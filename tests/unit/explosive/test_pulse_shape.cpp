@@ -3,6 +3,7 @@
 // Scope: hand-worked values, peaks, bounds, refusals.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -25,6 +26,12 @@ std::vector<PulseParameters> all_kinds() {
           {.kind = Kind::triangular, .rise_time = kRise, .end_time = 6e-4},
           {.kind = Kind::itasca, .rise_time = kRise, .half_time = 2e-4},
           kTable};
+}
+
+TEST(PulseShape, AllKindsHasEachKindThatAUserCanName) {
+  const std::vector<PulseParameters> tested = all_kinds();
+  for (const auto& [name, kind] : pulse_kinds())
+    EXPECT_EQ(std::ranges::count(tested, kind, &PulseParameters::kind), 1) << name;
 }
 
 TEST(PulseShape, DuvallOfRatioTwoIsStarfieldPugliese) {

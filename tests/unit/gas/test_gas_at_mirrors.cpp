@@ -144,7 +144,7 @@ TEST(GasAtAMirror, NoJointThereHasALawOfItsOwn) {
                    {{Vec3(0, 0, 0), Vec3::UnitX(), 1}, {Vec3(1, 0, 0), Vec3::UnitX(), 1}}});
   int mirrors = 0, laws = 0;
   for (std::size_t f = 0; f < scene.network().facet_count(); ++f) {
-    const bool has_law = !scene.network().tables().joint(f).linear();
+    const bool has_law = !scene.network().tables().joint(f).grouped();
     laws += has_law ? 1 : 0;
     if (scene.network().ends(f).kind != FacetKind::mirror) continue;
     ++mirrors;

@@ -63,7 +63,7 @@ TEST(StoredFacets, TracesAndContactComeBack) {
   EXPECT_EQ(back.contact.get().fade, sent.contact.get().fade);
 }
 
-TEST(StoredFacets, HistoryOfJointsWithANonlinearLawComesBack) {
+TEST(StoredFacets, HistoryOfJointsOfAnotherLawThanCoulombsComesBack) {
   const FacetMemory sent = remembering(), back = through_bytes(sent);
   for (std::size_t p = 0; p < kFacetPoints; ++p) {
     const JointHistory &a = sent.extra.get().joint[p], &b = back.extra.get().joint[p];

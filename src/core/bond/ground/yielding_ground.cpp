@@ -136,7 +136,7 @@ void YieldingGround::yield_beside_block(const FacetKinematics& facets, const Cha
   const double lambda = facets.blocks.rock[b].lame_lambda;
   const BlockSums& sums = changes.sums[b];
   double opened = sums.bonded + sums.loaded;
-  double volume = facets.blocks.volume(b) * facets.blocks.stiffening(b, sums);
+  double volume = facets.blocks.stiffened_volume(b, sums);
   for (std::size_t y = first; y < last; ++y) {
     const std::size_t f = supports_[y];
     const Plan to = plan(facets, f, dt);

@@ -34,7 +34,7 @@ JointClass make(const ArgValues& args, const std::string& /*where*/) {
 Coulomb coulomb_of(const JointMaterial& joints) {
   const JointParameters& p = joints.parameters();
   return {{p.tension, p.cohesion, joints.tan_friction(), joints.tan_residual_friction()},
-          p.normal_stiffness};
+          {p.normal_stiffness}};
 }
 
 JointLawMaker coulomb_law() {

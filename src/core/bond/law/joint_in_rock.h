@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The joint of a facet in series with the rock on both sides, whatever its law: points that hold
 // and points that have broken. Each in two forms with the same members: by the stiffness of the
-// facet where the law is linear, and of any law. tests/unit/bond/law/test_coulomb.cpp compares
+// facet where the law is grouped, and of any law. tests/unit/bond/law/test_coulomb.cpp compares
 // them. Scope: pure functions of the three points of one facet; network/joint_points.h chooses the
 // form.
 #pragma once
@@ -17,7 +17,7 @@ struct StiffestNormal {
   double share;      ///< of the motion that strains rock, over FacetTables::rock_share() [-]
 };
 
-/// Points that hold, of a linear law.
+/// Points that hold, of a law that is grouped.
 struct LinearPoints {
   LinearClosure<double> facet;
 
@@ -83,7 +83,7 @@ struct SeriesPoints {
   [[nodiscard]] Parts parts(const Lanes& along) const;
 };
 
-/// Points that have broken, of any law: what LinearContact is for a linear one.
+/// Points that have broken, of any law: what LinearContact is for a grouped one.
 struct SeriesContact {
   const JointLaw* law;
   double fade;      ///< how far the faces match [-]

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "bond/law/joint_material.h"
+#include "bond/law/proportional_closure.h"
 #include "bond/law/strength.h"
 #include "math/lanes.h"
 
@@ -29,14 +30,6 @@ struct JointHistory {
 template <class Number>
 struct JointHistoryOf {
   Number closure = 0.0, slip = 0.0;
-};
-
-/// A joint closed in series with the rock on both sides.
-template <class Number>
-struct JointClosure {
-  Number closure;   ///< of the joint; negative where it is pulled open [m]
-  Number pressure;  ///< positive in compression [Pa]
-  Number rate;      ///< of the closure per jump of joint and rock together, between 0 and 1 [-]
 };
 
 /// Of a joint, for gas.
@@ -62,15 +55,16 @@ struct JointApertures {
 /// - Apertures are > 0 at every closure, the mechanical one falls by what the closure grows.
 class JointLaw {
  public:
-  explicit JointLaw(bool linear) : linear_(linear) {}
+  explicit JointLaw(bool grouped) : grouped_(grouped) {}
   JointLaw(const JointLaw&) = default;
   JointLaw& operator=(const JointLaw&) = default;
   virtual ~JointLaw() = default;
 
-  /// Closure goes with pressure, whatever was before: points remember nothing, and facets are
-  /// worked on in groups by their stiffness (law/joint_in_rock.h) and by strength().
-  [[nodiscard]] bool linear() const { return linear_; }
-  /// Of a linear law; its fails() and friction() say the same.
+  /// Closure is a ProportionalClosure, strength and friction are a CoulombStrength, there are no
+  /// apertures: points remember nothing, and facets are worked on in groups by their stiffness
+  /// (law/joint_in_rock.h) and by strength(). Those of all other laws are worked on one by one.
+  [[nodiscard]] bool grouped() const { return grouped_; }
+  /// Of a law that is grouped; its fails() and friction() say the same.
   [[nodiscard]] virtual CoulombStrength<double> strength() const = 0;
 
   /// Of joint and rock squeezed by `jump` [m] together; `rock` is the rock's stiffness [Pa/m].
@@ -96,22 +90,23 @@ class JointLaw {
   [[nodiscard]] virtual std::shared_ptr<const JointLaw> softened(double factor) const = 0;
 
  private:
-  bool linear_;
+  bool grouped_;
 };
 
 template <class Law>
-concept LinearJoint = Law::kLinear;
+concept GroupedJoint = Law::kGrouped;
 
 /// A law's value type `Law` as a JointLaw. Its member functions are those of above, templated on
 /// the number type.
 template <class Law>
 class JointLawOf : public JointLaw {
  public:
-  static_assert(!LinearJoint<Law> || std::derived_from<Law, CoulombStrength<double>>,
-                "facets of a linear law are worked on in groups by its CoulombStrength");
-  explicit JointLawOf(Law law) : JointLaw(LinearJoint<Law>), law_(std::move(law)) {}
+  static_assert(!GroupedJoint<Law> || (std::derived_from<Law, CoulombStrength<double>> &&
+                                       std::derived_from<Law, ProportionalClosure>),
+                "facets of a grouped law are worked on by these two");
+  explicit JointLawOf(Law law) : JointLaw(GroupedJoint<Law>), law_(std::move(law)) {}
   [[nodiscard]] CoulombStrength<double> strength() const override {
-    if constexpr (LinearJoint<Law>) return law_;
+    if constexpr (GroupedJoint<Law>) return law_;
     return {};
   }
   [[nodiscard]] JointClosure<Lanes> close(const Lanes& jump, double rock,

@@ -6,13 +6,10 @@
 // VectorOf and MatrixOf of it. SI units.
 #pragma once
 
-#include "bond/law/linear_closure.h"
-#include "math/lanes.h"
-#include "math/types.h"
+#include "math/vectors.h"
 
 namespace muckpile {
 
-[[nodiscard]] inline Vec3 cross(const Vec3& a, const Vec3& b) { return a.cross(b); }
 /// By the transposed matrix.
 [[nodiscard]] inline Vec3 turned_back(const Mat3& m, const Vec3& v) { return m.transpose() * v; }
 template <class Number>

@@ -5,14 +5,11 @@
 // VectorOf<Number>. Per area of the facet; tension is positive.
 #pragma once
 
-#include <cmath>
-
-#include "math/lanes.h"
-#include "math/types.h"
+#include "bond/law/giving_way.h"
+#include "bond/law/proportional_closure.h"
+#include "math/vectors.h"
 
 namespace muckpile {
-
-[[nodiscard]] inline double dot(const Vec3& a, const Vec3& b) { return a.dot(b); }
 
 /// Stiffness of one facet whose block centres are h apart along its normal.
 struct FacetStiffness {
@@ -21,24 +18,17 @@ struct FacetStiffness {
   double rock_share;  ///< share of the normal jump that strains the rock, not the joint [-]
 };
 
-/// a and b in series; an infinite b leaves a.
-[[nodiscard]] inline double in_series(double a, double b) {
-  return std::isinf(b) ? a : a * b / (a + b);
-}
-
 /// A joint of stiffness kn and ks [Pa/m; infinite: rigid] between rock of 2G/h along the normal and
 /// along the facet (`normal`, `shear`; they differ between two rocks) and (lambda + 2G)/h
 /// (`uniaxial`) [Pa/m]. The share of the jump that strains the rock is exact for uniaxial strain
 /// normal to the joint.
 [[nodiscard]] inline FacetStiffness joint_in_rock(double normal, double shear, double uniaxial,
                                                   double kn, double ks) {
-  FacetStiffness k{};
-  k.rock_share = std::isinf(kn) ? 1.0 : kn / (kn + uniaxial);
-  const double joint_share = 1.0 - k.rock_share;
-  const double joint_part = std::isinf(kn) ? 0.0 : kn * joint_share * joint_share;
-  k.normal = normal * k.rock_share * k.rock_share + joint_part;
-  k.shear = in_series(shear, ks);
-  return k;
+  const ProportionalClosure joint{kn};
+  const double share = joint.rock_share(uniaxial);
+  const double in_joint = joint.close(1.0, uniaxial, 0.0).closure;  // of a jump of 1
+  return {normal * share * share + 2.0 * joint.stored(in_joint, in_joint),
+          ProportionalClosure{ks}.in_series(shear), share};
 }
 
 /// Of points that hold: the part of their traction that comes from their own jump.
@@ -91,11 +81,19 @@ struct LinearContact {
   [[nodiscard, gnu::always_inline]] Number stiffest() const { return normal; }
 };
 
-/// And with walls that crush under a pressure: they are pressed no further together than to the gap
-/// where they carry it, whatever is beyond stays (elastic and perfectly plastic: Thornton 1997).
+/// And with walls that crush, of faces that match by `fade`.
 template <class Number>
 struct CrushingContact : LinearContact<Number> {
-  Number deepest;  ///< gap of that pressure, negative [m]
+  Number deepest;  ///< gap beyond which the walls crush, negative [m]
+
+  /// `closed`: stiffness of faces that match wholly [Pa/m]; 0 where there is no facet.
+  [[gnu::always_inline]] CrushingContact(const Number& fade, const Number& closed,
+                                         const Number& wall_strength)
+      : LinearContact<Number>{fade * closed},
+        deepest(-wall_strength / max(closed, Number(1e-300))) {}
+  [[nodiscard, gnu::always_inline]] CrushingWalls<Number> walls() const {
+    return {-this->traction(deepest)};
+  }
 };
 
 }  // namespace muckpile

@@ -5,6 +5,7 @@
 // group's facets. Formulas are in docs/styles/fix_muckpile_joint.md.
 #pragma once
 
+#include "bond/law/giving_way.h"
 #include "bond/law/linear_closure.h"
 #include "bond/law/slip_friction.h"
 #include "math/lanes.h"
@@ -61,8 +62,7 @@ struct Slide {
   }
 };
 
-/// What friction and crushing take is booked as the work that leapfrog takes from the blocks, that
-/// of the mean of the forces before and after the step's path, less what the springs have gained.
+/// What friction and crushing take: giving_way.h.
 template <class Number, class Closure, class Friction>
 [[nodiscard, gnu::always_inline]] inline PlanePull<Number> plane_pull(
     const PlaneContact<Number, Closure, Friction>& contact, const PlanePoint<Number>& at,
@@ -81,9 +81,9 @@ template <class Number, class Closure, class Friction>
   Mask yields = forgets;
   if constexpr (Crushing<Closure>) {
     const Mask crushes = closed && whole < gap;
-    normal = max(normal, contact.closure.traction(contact.closure.deepest));
+    normal = contact.closure.walls().bear(normal);
     const Number path = dt * rate, before = min(whole - path, Number(0.0));  // 0: it was open
-    crushed = choose(crushes, (before + gap) * (path + before - gap), 0.0);
+    crushed = choose(crushes, twice_taken_for_good(before + path, gap, path), 0.0);
     yields = yields || crushes;
   }
 
@@ -91,14 +91,18 @@ template <class Number, class Closure, class Friction>
   const VectorOf<Number> stuck = choose(closed && !forgets, Number(1.0), 0.0) * sheared;
   const VectorOf<Number> shear = contact.shear * stuck, slip = at.rate - rate * at.normal;
   const Slide<Number> slide(shear, contact.friction.limit(normal, dot(slip, slip)));
-  const Number kept = slide.kept;
-
-  const VectorOf<Number> path = Number(dt) * at.rate;
-  const Number slid = (1.0 - kept) * dot(stuck, (1.0 + kept) * stuck - path);
+  const VectorOf<Number> kept = slide.kept * stuck, path = Number(dt) * at.rate;
+  Number rubbed = 0.0;
+  if (any_of(slide.slips)) rubbed = twice_taken_for_good(stuck, kept, path);
   const Mask opens = forgets && !at.fresh && !closed && gap < dt * rate;
-  const Number forgotten = choose(opens, dot(sheared, sheared - path), 0.0);
-  return {normal * at.normal + kept * shear, slide.slips || yields, gap * at.normal + kept * stuck,
-          (normal - by_spring) * rate,       slid + forgotten,      crushed};
+  if (any_of(opens))
+    rubbed += choose(opens, twice_taken_for_good(sheared, VectorOf<Number>(), path), 0.0);
+  return {normal * at.normal + slide.kept * shear,
+          slide.slips || yields,
+          gap * at.normal + kept,
+          (normal - by_spring) * rate,
+          rubbed,
+          crushed};
 }
 
 }  // namespace muckpile

@@ -95,7 +95,7 @@ void LinearNetwork::set_blocks(const FacetNetwork& network, BreakView view) {
   const LeaningFaces* leaning = view == BreakView::as_it_is ? network.leaning() : nullptr;
   rock_ = blocks.rock;
   for (std::size_t b = 0; b + 1 < blocks.size(); ++b) {
-    volume_.push_back(blocks.volume(b) * blocks.stiffening(b, blocks.sums[b]));
+    volume_.push_back(blocks.stiffened_volume(b, blocks.sums[b]));
     rock_volume_.push_back(blocks.volume(b));
     moment_.push_back(leaning != nullptr ? leaning->moment(b, blocks.state[b].rotation)
                                          : Mat3(Mat3::Zero()));
@@ -132,7 +132,7 @@ void LinearNetwork::bulk_stresses(std::span<const double> motion, const RankTeam
     bulk_[j] -= uneven;
   }
   for (std::size_t b = 0; b < bulk_.size(); ++b)
-    bulk_[b] = rock_[b].lame_lambda * theta_[b] + bulk_[b] / volume_[b];
+    bulk_[b] = rock_[b].bulk_stress(theta_[b], bulk_[b], volume_[b]);
   team.fill_copies(bulk_, 1);
 }
 

@@ -2,9 +2,9 @@
 // The facet network for small motions about its present pose: the stiffness matrix as a product.
 // Scope: blocks as rigid bodies, six numbers each (shift [m], turn [rad]); the geometric stiffness
 // of the tractions is left out (they are 1e-4 of the moduli). Broken facets count as closed and
-// sticking, whether they are or not; joints with a nonlinear law as closed as makes them stiffest.
-// Yielding ground counts as fixed, which is what it is at the limit of stability. All ranks
-// together.
+// sticking, whether they are or not; joints whose law is not grouped as closed as makes them
+// stiffest. Yielding ground counts as fixed, which is what it is at the limit of stability. All
+// ranks together.
 #pragma once
 
 #include <array>
@@ -79,7 +79,7 @@ class LinearNetwork {
   };
   std::vector<Slant> slants_;         // of `motion`
   std::optional<bool> slanted_;       // a spring of any rank is
-  std::vector<double> volume_;        // V (1 + phi lambda/2G), per block [m3]
+  std::vector<double> volume_;        // BlockFields::stiffened_volume(), per block [m3]
   std::vector<double> theta_, bulk_;  // dilatation [-] and bulk stress [Pa] of `motion`
 };
 

@@ -2,9 +2,10 @@
 // How long a time step the facets bear: 2/omega of the fastest vibration of all blocks together,
 // with their rotations, the coupling by dilatation, and dashpots.
 // Scope: small motions about the present pose (linear_network.h); leapfrog whose dashpots see the
-// velocity half a step late. Contacts between spheres are not known here. A joint with a nonlinear
-// law stiffens as a wave closes it, before the next look: wherever it is now, it counts with the
-// largest stiffness along the normal that it can reach, and all of its motion strains the rock.
+// velocity half a step late. Contacts between spheres are not known here. A joint whose law is not
+// grouped may stiffen as a wave closes it, before the next look: wherever it is now, it counts with
+// the largest stiffness along the normal that any law can reach, and all of its motion strains the
+// rock.
 //
 // omega^2 = largest eigenvalue of M^-1 K, by Lanczos' method from a random start. Its value never
 // exceeds the eigenvalue; that it falls short by more than a share e has, after k products and for

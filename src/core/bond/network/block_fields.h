@@ -27,6 +27,12 @@ struct BlockSums {
 /// Elastic constants of a block's rock [Pa].
 struct BlockRock {
   double lame_lambda, two_g;
+
+  /// p of facet_network.h of that dilatation [Pa]. `uneven`: as in BlockSums; `volume`:
+  /// BlockFields::stiffened_volume().
+  [[nodiscard]] double bulk_stress(double theta, double uneven, double volume) const {
+    return lame_lambda * theta + uneven / volume;
+  }
 };
 
 struct BlockFields {
@@ -77,15 +83,19 @@ struct BlockFields {
   [[nodiscard]] double stiffening(std::size_t b, const BlockSums& of) const {
     return 1.0 + of.unbonded * rock[b].lame_lambda / rock[b].two_g;
   }
+  /// V s [m3].
+  [[nodiscard]] double stiffened_volume(std::size_t b, const BlockSums& of) const {
+    return volume(b) * stiffening(b, of);
+  }
   /// By its sums [-].
   [[nodiscard]] double dilatation(std::size_t b) const {
-    return (sums[b].bonded + sums[b].loaded) / (volume(b) * stiffening(b, sums[b]));
+    return (sums[b].bonded + sums[b].loaded) / stiffened_volume(b, sums[b]);
   }
   /// Energy of the dilatation that block b has with these sums, less the potential of the pressures
   /// on its faces [J].
   [[nodiscard]] double potential(std::size_t b, const BlockSums& of) const {
     const double opened = of.bonded + of.loaded;
-    return 0.5 * rock[b].lame_lambda * opened * opened / (volume(b) * stiffening(b, of));
+    return 0.5 * rock[b].lame_lambda * opened * opened / stiffened_volume(b, of);
   }
 };
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "bond/law/giving_way.h"
 #include "bond/network/border_relief.h"
 #include "bond/network/broken_contact.h"
 #include "bond/network/joint_points.h"
@@ -75,8 +76,8 @@ void BondedPoints::work(std::size_t f, const FacetMotion& motion, const ContactC
                         FacetPull& pull, double dt) {
   const FacetTraces& traces = facets_.history.traces(f);
   const bool smooth = contact.shear == 0.0;  // a mirror: see slid_along()
-  const bool away = (smooth || traces.slipping.any()) && slid_away(motion, contact);
-  const bool torn = motion.turned(kTurnStart) || (smooth && away);
+  const bool away = (smooth || traces.slipping.any()) && parting_of(motion, contact).slid_away();
+  const bool torn = motion.turn().exceeds(kTurnStart) || (smooth && away);
   const LaneMask slipping = where_slipping(traces);
   const LaneMask fails =
       torn ? is_point() : failing(facets_, f, pull, slipping) || (slipping && LaneMask(away));
@@ -179,13 +180,13 @@ double BondedPoints::crush_blocks(std::size_t f, const FacetMotion& motion, doub
 /// Walls of points that slip, which stay in the dilatations, crush under a pressure beyond their
 /// strength: the two sides come closer for good. What is taken is what the springs and the blocks
 /// give up, one facet after the other, less the work that the limited force has not taken from the
-/// blocks (see rub()).
+/// blocks (giving_way.h).
 void BondedPoints::crush(std::size_t f, const FacetMotion& motion, const ContactConstants& contact,
                          FacetPull& pull, double dt) {
-  const double strength = facets_.tables.wall_strength(f);
+  const CrushingWalls<Lanes> walls{facets_.tables.wall_strength(f)};
   const Lanes along = dot(pull.normal, pull.traction), rate = dot(pull.normal, pull.rate);
   const LaneMask slipping = where_slipping(facets_.history.traces(f));
-  const Lanes over = choose(slipping, min(along + strength, Lanes(0.0)), 0.0);
+  const Lanes over = choose(slipping, along - walls.bear(along), 0.0);
   const LaneMask crushes = over < 0.0;
   if (none_of(crushes)) return;
   pull.traction = pull.traction - over * pull.normal;
@@ -199,16 +200,17 @@ void BondedPoints::crush(std::size_t f, const FacetMotion& motion, const Contact
     if (crushes[p])
       contacts.set_offset(f, p, contacts.offset(f, p) + in_axes.at(static_cast<int>(p)));
   const double mean_closer = sum(closer) / kFacetPoints;
-  const Lanes mean =
-      over - 0.5 * (spring * closer + pressed_through_blocks(facets_, f) * mean_closer);
-  const Lanes taken = spring * closer * (elastic - 0.5 * closer) - dt * mean * rate;
-  parts_.books.losses.crush(contact.weight * contact.point_area * sum(choose(crushes, taken, 0.0)) +
+  const Lanes by_blocks = 0.5 * pressed_through_blocks(facets_, f) * mean_closer;
+  const Lanes by_springs =
+      taken_for_good<Lanes>(spring, spring * elastic, over - by_blocks, closer, dt * rate);
+  parts_.books.losses.crush(contact.weight * contact.point_area *
+                                sum(choose(crushes, by_springs, 0.0)) +
                             crush_blocks(f, motion, mean_closer));
 }
 
 /// Friction and the dashpot of the points that slip, which stay in the dilatations: their normal
-/// law is that of the bonded point. Losses as those of plane_pull(), of a spring as stiff as the
-/// facet and its dilatations.
+/// law is that of the bonded point. What friction takes is that of a spring as stiff as the facet
+/// and its dilatations (giving_way.h).
 void BondedPoints::rub(std::size_t f, const FacetMotion& motion, const ContactConstants& contact,
                        FacetPull& pull, double dt) {
   ContactRows& contacts = parts_.history.contacts();
@@ -216,9 +218,9 @@ void BondedPoints::rub(std::size_t f, const FacetMotion& motion, const ContactCo
   const LaneMask slipping = where_slipping(facets_.history.traces(f));
   const Lanes rate = dot(pull.normal, pull.rate);
   const Lanes elastic = choose(slipping, dot(pull.normal, pull.traction), 0.0);
-  const Lanes normal = max(
-      min(elastic + choose(slipping, facets_.tables.contact_damping(f) * rate, 0.0), Lanes(0.0)),
-      Lanes(-facets_.tables.wall_strength(f)));
+  const Lanes damped = elastic + choose(slipping, facets_.tables.contact_damping(f) * rate, 0.0);
+  const CrushingWalls<Lanes> walls{facets_.tables.wall_strength(f)};
+  const Lanes normal = walls.bear(min(damped, Lanes(0.0)));
   const LaneVec shear = choose(slipping, Lanes(1.0), 0.0) * pull.traction - elastic * pull.normal;
   const LaneVec slip = pull.rate - rate * pull.normal;
   const auto [slips, kept] =
@@ -237,9 +239,9 @@ void BondedPoints::rub(std::size_t f, const FacetMotion& motion, const ContactCo
     if (slips[p])
       contacts.set_offset(f, p, contacts.offset(f, p) + in_axes.at(static_cast<int>(p)));
   remember_slip(facets_.tables, parts_.history, f, slips, slid, 1.0);
-  const double stiffness = contact.shear * (1.0 + through.dilatations);
-  const LaneVec mean = over - Lanes(0.5 * stiffness) * slid;
-  losses.friction += booked * sum(dot(slid, kept * shear + mean) - dt * dot(mean, pull.rate));
+  const Lanes stiffness = contact.shear * (1.0 + through.dilatations);
+  losses.friction +=
+      booked * sum(taken_for_good(stiffness, shear, over, slid, Lanes(dt) * pull.rate));
 }
 
 }  // namespace muckpile

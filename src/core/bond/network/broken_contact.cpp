@@ -3,7 +3,6 @@
 // Scope: see the header.
 #include "bond/network/broken_contact.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "bond/network/facet_energy.h"
@@ -12,12 +11,6 @@
 
 namespace muckpile {
 namespace {
-
-/// Square of the mean slide of a facet's sides [m2].
-double slid_squared(const LaneVec& apart, const Vec3& normal) {
-  const double opened = dot(LaneVec(normal), apart)[0];
-  return std::max(dot(apart, apart)[0] - opened * opened, 0.0);
-}
 
 PlanePoint<Lanes> contact_points(const FacetKinematics& facets, std::size_t f,
                                  const FacetMotion& motion, const LaneVec& rate) {
@@ -37,9 +30,10 @@ LaneVec contact_tractions(const FacetKinematics& facets, std::size_t f, const Fa
   return choose(at.broken, Lanes(1.0), 0.0) * pull.traction;
 }
 
-bool slid_away(const FacetMotion& motion, const ContactConstants& contact) {
-  return slid_squared(motion.apart, motion.normal) >
-         kSlideStart * kSlideStart * contact.radius_squared;
+FacetParting<double> parting_of(const FacetMotion& motion, const ContactConstants& contact) {
+  const double opened = dot(LaneVec(motion.normal), motion.apart)[0];
+  return {opened, across_squared<double>(dot(motion.apart, motion.apart)[0], opened),
+          contact.radius_squared, motion.turn()};
 }
 
 void BrokenContact::add_tractions(std::size_t f, const FacetMotion& motion,
@@ -67,15 +61,13 @@ void BrokenContact::add_tractions(std::size_t f, const FacetMotion& motion,
 
 bool BrokenContact::remains(std::size_t f, const FacetMotion& motion,
                             const ContactConstants& contact) {
-  const double opened = dot(LaneVec(motion.normal), motion.apart)[0];
-  const Lanes squares = dot(motion.apart, motion.apart);  // of the jump, of how half axes differ
-  const double slid = slid_squared(motion.apart, motion.normal);
-  if (slid > kSlideStart * kSlideStart * contact.radius_squared || motion.turned(kTurnStart)) {
+  const FacetParting<double> parting = parting_of(motion, contact);
+  if (parting.begins_to_fade()) {
     fade(f, motion,
-         matching_faces(std::sqrt(slid / contact.radius_squared),
-                        std::sqrt(motion.turned_squared())));
+         matching_faces(std::sqrt(parting.slid / parting.radius_squared),
+                        std::sqrt(parting.turn.squared())));
   }
-  const bool away = history_.contacts().fade(f) == 0.0 || contact.longer(opened, kOpened);
+  const bool away = history_.contacts().fade(f) == 0.0 || parting.open_by(kOpened);
   if (facets_.tables.laws().softens() && history_.softens(f)) {
     if (!away) return true;
     // Faces that no longer match hold nothing.
@@ -86,12 +78,7 @@ bool BrokenContact::remains(std::size_t f, const FacetMotion& motion,
     retire(f);
     return false;
   }
-  if (!contact.longer(opened, kSurelyOpen)) return true;
-  const Lanes lengths = sqrt(squares);
-  const double radius = contact.radius();
-  const double tilted = std::sqrt(slid * motion.turned_squared()) + kSurelyOpen * radius;
-  const double gap = opened - lengths[1] - lengths[2] - tilted;
-  if (gap <= 0.0) return true;
+  if (!parting.open_by(kSurelyOpen) || parting.gap() <= 0.0) return true;
   history_.set_open(f, true);
   return false;
 }

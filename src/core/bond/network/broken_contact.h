@@ -13,8 +13,9 @@
 
 namespace muckpile {
 
-/// Whether a facet has slid so far that it begins to fade.
-[[nodiscard]] bool slid_away(const FacetMotion& motion, const ContactConstants& contact);
+/// Of one facet's two sides.
+[[nodiscard]] FacetParting<double> parting_of(const FacetMotion& motion,
+                                              const ContactConstants& contact);
 
 /// Of the points that have left the dilatations, on block i: what their springs carry, without
 /// dashpots; 0 at the others [Pa].
@@ -34,7 +35,7 @@ class BrokenContact {
   void add_tractions(std::size_t f, const FacetMotion& motion, const ContactConstants& contact,
                      FacetPull& pull);
 
-  /// Those of a group's facets that are broken at all points, of a linear law, and do not soften.
+  /// Those of a group's facets that are broken at all points, of a grouped law, and do not soften.
   [[nodiscard]] unsigned apart_lanes(const LaneSet& working) const;
   /// Forces of those of `lanes`, which are apart, that touch; returns which.
   [[nodiscard]] unsigned find_forces(std::size_t g, unsigned lanes, const WidePose& pose,
@@ -42,13 +43,11 @@ class BrokenContact {
 
  private:
   struct Remembered;  // what the contact of a group's facets remembers
-  struct Parting;     // how far the two sides of each facet of a group have parted
 
   void fade(std::size_t f, const FacetMotion& motion, double matching);
   void retire(std::size_t f);
   [[nodiscard]] Remembered remembered(std::size_t g, unsigned lanes);
-  [[nodiscard]] static Parting parting_of(const FacetGroup& group, const WidePose& pose);
-  void fade_lanes(std::size_t g, unsigned lanes, const Parting& parting,
+  void fade_lanes(std::size_t g, unsigned lanes, const FacetParting<Wide>& parting,
                   const ContactGroup& memory);
   [[nodiscard]] unsigned remaining_lanes(std::size_t g, unsigned lanes, const WidePose& pose,
                                          const ContactGroup& memory);

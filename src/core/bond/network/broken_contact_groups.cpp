@@ -10,14 +10,14 @@
 namespace muckpile {
 namespace {
 
-/// `normal`: stiffness as faded, `closed`: of faces that match [Pa/m].
+/// `closed`: stiffness of faces that match wholly [Pa/m].
 template <class Closure>
-[[gnu::always_inline]] inline Closure closure_of(const Wide& normal, const Wide& closed,
+[[gnu::always_inline]] inline Closure closure_of(const Wide& fade, const Wide& closed,
                                                  const Wide& wall_strength) {
   if constexpr (Crushing<Closure>)
-    return {{normal}, -wall_strength / max(closed, Wide(1e-300))};  // 0: no facet
+    return {fade, closed, wall_strength};
   else
-    return {normal};
+    return {fade * closed};
 }
 
 }  // namespace
@@ -29,33 +29,6 @@ struct BrokenContact::Remembered {
   FacetRow<double> shear_over_p_wave{}, dashpot{};  // where there is more than one rock
   FacetRow<double> wall_strength{};                 // where walls crush
 };
-
-/// How far the two sides of each facet have parted.
-struct BrokenContact::Parting {
-  Wide opened;                // [m]
-  Wide slid, radius_squared;  // squares; of the circle of equal area [m2]
-  WideTurn turn;
-
-  [[nodiscard]] unsigned begins_to_fade() const {
-    return bits_of<Wide>(slid > kSlideStart * kSlideStart * radius_squared ||
-                         turn.exceeds(kTurnStart));
-  }
-  [[nodiscard]] unsigned open_by(double radii) const {
-    return bits_of<Wide>(opened > 0.0 && opened * opened > radii * radii * radius_squared);
-  }
-  /// Between the points that are closest, at least [m].
-  [[nodiscard]] Wide gap() const {
-    const Wide tilted = sqrt(slid * turn.squared()) + kSurelyOpen * sqrt(radius_squared);
-    return opened - sqrt(turn.apart_1) - sqrt(turn.apart_2) - tilted;
-  }
-};
-
-[[gnu::always_inline]] inline BrokenContact::Parting BrokenContact::parting_of(
-    const FacetGroup& group, const WidePose& pose) {
-  const Wide opened = dot(pose.normal, pose.jump);
-  return {opened, max(dot(pose.jump, pose.jump) - opened * opened, Wide(0.0)),
-          M_1_PI * wide(group.area), turn_of(group, pose)};
-}
 
 unsigned BrokenContact::apart_lanes(const LaneSet& working) const {
   unsigned lanes = 0;
@@ -87,7 +60,7 @@ BrokenContact::Remembered BrokenContact::remembered(std::size_t g, unsigned lane
 }
 
 /// Lets facets fade whose sides match less than before.
-void BrokenContact::fade_lanes(std::size_t g, unsigned lanes, const Parting& parting,
+void BrokenContact::fade_lanes(std::size_t g, unsigned lanes, const FacetParting<Wide>& parting,
                                const ContactGroup& memory) {
   const Wide slid = sqrt(parting.slid / parting.radius_squared);
   const Wide turned = sqrt(parting.turn.squared());
@@ -102,13 +75,12 @@ void BrokenContact::fade_lanes(std::size_t g, unsigned lanes, const Parting& par
 /// Those of `lanes` that touch; the others are open or retire.
 unsigned BrokenContact::remaining_lanes(std::size_t g, unsigned lanes, const WidePose& pose,
                                         const ContactGroup& memory) {
-  const Parting parting = parting_of(facets_.tables.group(g), pose);
-  const unsigned fading = lanes & parting.begins_to_fade();
+  const FacetParting<Wide> parting = parting_of(facets_.tables.group(g), pose);
+  const unsigned fading = lanes & bits_of<Wide>(parting.begins_to_fade());
   if (fading != 0) fade_lanes(g, fading, parting, memory);
-  const unsigned gone =
-      lanes & (parting.open_by(kOpened) | bits_of<Wide>(wide(memory.fade) == 0.0));
+  const unsigned gone = lanes & bits_of<Wide>(parting.open_by(kOpened) || wide(memory.fade) == 0.0);
   each_lane(gone, [&](std::size_t k) { retire(g * kGroup + k); });
-  unsigned open = lanes & ~gone & parting.open_by(kSurelyOpen);
+  unsigned open = lanes & ~gone & bits_of<Wide>(parting.open_by(kSurelyOpen));
   if (open == 0) return lanes & ~gone;
   open &= bits_of<Wide>(parting.gap() > 0.0);
   each_lane(open, [&](std::size_t k) { history_.set_open(g * kGroup + k, true); });
@@ -125,7 +97,8 @@ void BrokenContact::touch(std::size_t g, unsigned lanes, const WidePose& pose,
                   jump = jump_of(group, pose);
   const WideVec half_1 = pose.sum * wide(group.half_1), half_2 = pose.sum * wide(group.half_2);
   const WideField arm = {pose.arm(), Wide(0.5) * half_1, Wide(0.5) * half_2};
-  const WideMat axes = axes_of(pose.normal, half_1);
+  const FacetAxes<WideVec> own(pose.normal, half_1);
+  const WideMat axes = {own.normal, own.along, own.across};
   const ContactGroup& memory = *contact.memory;
   const Wide fade = choose(mask_of<Wide>(lanes), wide(memory.fade), 0.0),
              shear = fade * wide(group.shear);
@@ -139,8 +112,7 @@ void BrokenContact::touch(std::size_t g, unsigned lanes, const WidePose& pose,
   const CoulombStrength<Wide> joint{.tan_residual = wide(contact.tan_residual)};
   const Wide grip = choose(at_mirror(group), Wide(0.0), 1.0);
   const PlaneContact law{
-      closure_of<Closure<Wide>>(fade * closed, closed, wide(contact.wall_strength)), shear,
-      fade * dashpot,
+      closure_of<Closure<Wide>>(fade, closed, wide(contact.wall_strength)), shear, fade * dashpot,
       SlipFriction<Wide, CoulombStrength<Wide>>{joint, 0.0, grip, laws.slip_weakening()}};
   const WideMask broken = fade > 0.0, fresh = wide(contact.fresh) > 0.0;
   WideVec traction, moment;

@@ -95,8 +95,8 @@ void DilatationPass::find_bulk_stresses() {
   if (!tables.borders().empty()) relieve_borders(facets_, blocks_);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (!all && !schedule_.stirred(b)) continue;  // no facet that works reads it
-    blocks_.bulk_stress[b] = blocks_.rock[b].lame_lambda * theta[b] +
-                             sums[b].uneven / (blocks_.volume(b) * blocks_.stiffening(b, sums[b]));
+    blocks_.bulk_stress[b] =
+        blocks_.rock[b].bulk_stress(theta[b], sums[b].uneven, blocks_.stiffened_volume(b, sums[b]));
   }
   blocks_.bulk_stress.back() = 0.0;  // the ground
 }

@@ -46,7 +46,7 @@ class FacetHistory {
   [[nodiscard]] Cohesion& cohesion_of_point(std::size_t f, std::size_t p) {
     return extra_.get_or_create(f).cohesion[p];
   }
-  /// Of a joint with a nonlinear law.
+  /// Of a joint whose law is not grouped.
   [[nodiscard]] const JointHistory& joint(std::size_t f, std::size_t p) const {
     return extra_.get(f).joint[p];
   }

@@ -9,6 +9,7 @@
 
 #include "bond/network/block_fields.h"
 #include "bond/network/facet_history.h"
+#include "bond/network/facet_parting.h"
 #include "bond/network/facet_points.h"
 #include "bond/network/facet_tables.h"
 #include "math/lanes.h"
@@ -27,30 +28,15 @@ struct FacetMotion {
   [[nodiscard]] LaneVec jump() const { return at_points(apart); }
   [[nodiscard]] LaneVec side() const { return at_points(near); }
 
-  /// Square of the angle between the two blocks, while small [rad2]: by how much the half axes of
-  /// both sides differ.
-  [[nodiscard]] double turned_squared() const {
+  [[nodiscard]] FacetTurn<double> turn() const {
     const Lanes differ = dot(apart, apart), lengths = dot(near, near);
-    return differ[1] / lengths[1] + differ[2] / lengths[2];
-  }
-  /// Whether they have turned by more than `angle` [rad]; without a division.
-  [[nodiscard]] bool turned(double angle) const {
-    const Lanes differ = dot(apart, apart), lengths = dot(near, near);
-    return differ[1] * lengths[2] + differ[2] * lengths[1] >
-           angle * angle * lengths[1] * lengths[2];
+    return {differ[1], differ[2], lengths[1], lengths[2]};
   }
 
-  /// The facet's own axes, which turn with the mean of the two blocks, as the jump between points
-  /// on both of them does: normal, along the first half axis, across. What broken points remember
-  /// turns so: turned by one block, a facet that has slid and then tilts would do work that no
-  /// spring stores.
   [[nodiscard]] Mat3 axes() const {
-    const Vec3 half = 2.0 * near.at(1) + apart.at(1);
-    const Vec3 along = half - normal.dot(half) * normal;
+    const FacetAxes<Vec3> axes(normal, 2.0 * near.at(1) + apart.at(1));
     Mat3 columns;
-    columns.col(0) = normal;
-    columns.col(1) = 1.0 / std::sqrt(along.squaredNorm()) * along;
-    columns.col(2) = normal.cross(Vec3(columns.col(1)));
+    columns << axes.normal, axes.along, axes.across;
     return columns;
   }
 
@@ -94,7 +80,7 @@ struct FacetKinematics {
   }
 
  private:
-  /// Where a point has broken, or the law is not linear. By value: an intact facet's motion needs
+  /// Where a point has broken, or the law is not grouped. By value: an intact facet's motion needs
   /// no place in memory then.
   [[nodiscard]] Vec3 bonded_jump_of_points(std::size_t f, FacetMotion motion) const;
 };

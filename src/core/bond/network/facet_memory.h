@@ -26,12 +26,12 @@ enum class FacetState : std::uint8_t {
   retired   ///< the facet carries nothing any more
 };
 
-/// What few facets remember: those that soften, those with a nonlinear joint law, and supports
+/// What few facets remember: those that soften, those whose joint law is not grouped, and supports
 /// whose ground has moved.
 struct ExtraMemory {
   std::array<Cohesion, kFacetPoints> cohesion{};   ///< broken point: what it still holds
   GroundMemory ground;                             ///< of a support only
-  std::array<JointHistory, kFacetPoints> joint{};  ///< of a joint with a nonlinear law only
+  std::array<JointHistory, kFacetPoints> joint{};  ///< of a law that is not grouped
 };
 
 /// What facets with a broken point remember of their contact.

@@ -33,7 +33,7 @@ void FacetTables::reset(std::size_t count) {
   empty.normal[0].fill(1.0f);  // lanes without a facet are worked on as well
   groups_.assign((count + kGroup - 1) / kGroup, empty);
   stiffening_ = {};
-  alone_.assign(laws_.any_nonlinear() ? groups_.size() : 0, 0);
+  alone_.assign(laws_.any_alone() ? groups_.size() : 0, 0);
   borders_ = {};
   border_lanes_.assign(laws_.zoned() ? groups_.size() : 0, 0);
 }
@@ -185,7 +185,7 @@ void FacetTables::derive(std::size_t f, int bonded_points) {
   const double d = kSharpening * (2.0 * rock.lame_lambda() + rock.shear_modulus()) / 6.0;  // [Pa]
   const double uneven = facet.sharpened ? d * k.rock_share * (depth_i + depth_j) : 0.0;
 
-  if (!joint(f).linear())
+  if (!joint(f).grouped())
     alone_[f / kGroup] = static_cast<std::uint8_t>(alone_[f / kGroup] | 1u << lane_of(f));
   FacetGroup& group = groups_[f / kGroup];
   const std::size_t lane = lane_of(f);

@@ -53,12 +53,6 @@ struct ContactConstants {
   LinearContact<double> closure;
   double shear;           ///< stiffness when closed [Pa/m]
   double radius_squared;  ///< of the circle of equal area [m2]
-
-  [[nodiscard]] double radius() const { return std::sqrt(radius_squared); }
-  /// Whether `length` is positive and more than so many radii.
-  [[nodiscard]] bool longer(double length, double radii) const {
-    return length > 0.0 && length * length > radii * radii * radius_squared;
-  }
 };
 
 /// Of the dilatations of a facet's two blocks.
@@ -138,7 +132,7 @@ class FacetTables {
   [[nodiscard]] const CoulombStrength<double>& strength(std::size_t f) const {
     return laws_.strength(names_[f].law);
   }
-  /// Of a group, bit per facet: those whose law is not linear. They are worked on one by one.
+  /// Of a group, bit per facet: those whose law is not grouped. They are worked on one by one.
   [[nodiscard]] unsigned alone_lanes(std::size_t g) const {
     return alone_.empty() ? 0u : alone_[g];
   }
@@ -222,7 +216,7 @@ class FacetTables {
   std::vector<FacetName> names_;
   std::vector<float> stiffening_;  // empty: 1 for all
   std::vector<FacetGroup> groups_;
-  std::vector<std::uint8_t> alone_;  // see alone_lanes(); empty where all laws are linear
+  std::vector<std::uint8_t> alone_;  // see alone_lanes(); empty where all laws are grouped
 };
 
 [[gnu::always_inline]] inline BondConstants FacetTables::bond(std::size_t f) const {

@@ -12,6 +12,7 @@
 #endif
 
 #include "bond/network/facet_group.h"
+#include "bond/network/facet_parting.h"
 #include "bond/network/facet_points.h"
 #include "bond/network/network_block.h"
 #include "math/lanes.h"
@@ -214,13 +215,6 @@ struct WideField {
   return {pose.jump, pose.difference * wide(group.half_1), pose.difference * wide(group.half_2)};
 }
 
-/// As FacetMotion::axes. `half`: first half axis of both sides together.
-[[gnu::always_inline]] inline WideMat axes_of(const WideVec& normal, const WideVec& half) {
-  const WideVec along = half - dot(normal, half) * normal;
-  const WideVec unit = 1.0 / sqrt(dot(along, along)) * along;
-  return {normal, unit, cross(normal, unit)};
-}
-
 /// `first`: the state of the first block. Motion of block j's side against block i's [m/s].
 [[gnu::always_inline]] inline WideField rate_of(const FacetGroup& group, const WidePose& pose,
                                                 const BlockState& first) {
@@ -233,25 +227,18 @@ struct WideField {
           half * cross(spin, pose.sum * wide(group.half_2))};
 }
 
-/// By how much the half axes of the two sides of each facet differ: squares, and those of the half
-/// axes [m2].
-struct WideTurn {
-  Wide apart_1, apart_2, length_1, length_2;
-
-  /// FacetMotion::turned.
-  [[nodiscard, gnu::always_inline]] WideMask exceeds(double angle) const {
-    return apart_1 * length_2 + apart_2 * length_1 > Wide(angle * angle) * length_1 * length_2;
-  }
-  /// FacetMotion::turned_squared [rad2].
-  [[nodiscard, gnu::always_inline]] Wide squared() const {
-    return apart_1 / length_1 + apart_2 / length_2;
-  }
-};
-
-[[gnu::always_inline]] inline WideTurn turn_of(const FacetGroup& group, const WidePose& pose) {
+[[gnu::always_inline]] inline FacetTurn<Wide> turn_of(const FacetGroup& group,
+                                                      const WidePose& pose) {
   const WideVec half_1 = wide(group.half_1), half_2 = wide(group.half_2);
   const WideVec apart_1 = pose.difference * half_1, apart_2 = pose.difference * half_2;
   return {dot(apart_1, apart_1), dot(apart_2, apart_2), dot(half_1, half_1), dot(half_2, half_2)};
+}
+
+[[gnu::always_inline]] inline FacetParting<Wide> parting_of(const FacetGroup& group,
+                                                            const WidePose& pose) {
+  const Wide opened = dot(pose.normal, pose.jump);
+  return {opened, across_squared(dot(pose.jump, pose.jump), opened), M_1_PI * wide(group.area),
+          turn_of(group, pose)};
 }
 
 /// `force` and `moment` are those on block i, `between` leads from its centre to that of block j.

@@ -34,16 +34,15 @@ JointLaws::JointLaws(const JointMaterial& material, const std::vector<JointClass
   }
   derive();
   const auto strength_of = [](const JointMaterial& law) { return law.parameters().wall_strength; };
-  if (crushes_ && any_nonlinear())
+  if (crushes_ && any_alone())
     throw InputError(
-        "wall_strength of the rock, of zones and of linear classes must be 0 beside a joint_class "
-        "with a "
-        "nonlinear law, got '" +
+        "wall_strength of the rock, of zones and of classes with law coulomb must be 0 beside a "
+        "joint_class with another law, got '" +
         number_text(std::ranges::min(laws_ | std::views::transform(strength_of))) + "'");
 }
 
-bool JointLaws::any_nonlinear() const {
-  return std::ranges::any_of(joints_, [](const auto& law) { return !law->linear(); });
+bool JointLaws::any_alone() const {
+  return std::ranges::any_of(joints_, [](const auto& law) { return !law->grouped(); });
 }
 
 void JointLaws::soften(double factor, std::optional<double> damping) {

@@ -54,11 +54,12 @@ class JointLaws {
   /// Of a border the strengths, damping and fracture energies alone (weaker_of()).
   [[nodiscard]] const JointMaterial& of_law(std::size_t law) const { return laws_.at(law); }
   [[nodiscard]] const JointLaw& joint(std::size_t law) const { return *joints_[law]; }
-  /// Of a law that is linear: for groups of facets, in lanes beside each other.
+  /// Of a law that is grouped: for groups of facets, in lanes beside each other.
   [[nodiscard]] const CoulombStrength<double>& strength(std::size_t law) const {
     return strengths_[law];
   }
-  [[nodiscard]] bool any_nonlinear() const;
+  /// There is a law whose facets are worked on one by one.
+  [[nodiscard]] bool any_alone() const;
 
   /// Every stiffness times `factor`; `damping`, a share of the impedance, replaces that of all
   /// classes.

@@ -112,7 +112,7 @@ std::optional<BrokenApertures> mean_apertures(const FacetKinematics& facets, std
 void remember_break(const FacetKinematics& facets, FacetHistory& history, std::size_t f,
                     std::size_t p, const Vec3& normal, const Vec3& elastic, double traction,
                     bool slips) {
-  if (facets.tables.joint(f).linear()) return;
+  if (facets.tables.joint(f).grouped()) return;
   const SeriesContact contact = series_contact(facets, f, 1.0);
   const Lanes closure = slips ? series_points(facets, f).closure(Lanes(normal.dot(elastic)))
                               : contact.closure(contact.gap(traction));
@@ -121,7 +121,7 @@ void remember_break(const FacetKinematics& facets, FacetHistory& history, std::s
 
 void remember_slip(const FacetTables& tables, FacetHistory& history, std::size_t f,
                    const LaneMask& slips, const LaneVec& speed, double time) {
-  if (tables.joint(f).linear()) return;
+  if (tables.joint(f).grouped()) return;
   const Lanes length = time * sqrt(dot(speed, speed));
   for (std::size_t p = 0; p < kFacetPoints; ++p)
     if (slips[p]) history.joint_of_point(f, p).slip += length[p];
@@ -130,7 +130,7 @@ void remember_slip(const FacetTables& tables, FacetHistory& history, std::size_t
 void remember_closure(const FacetKinematics& facets, FacetHistory& history, JointLosses& losses,
                       std::size_t f, const FacetMotion& motion, const ContactConstants& contact) {
   const JointLaw& law = facets.tables.joint(f);
-  if (law.linear()) return;
+  if (law.grouped()) return;
   const double fade = history.bonded_points(f) == kFacetPoints ? 1.0 : history.contacts().fade(f);
   const LaneMask apart = where_contact(history.traces(f));
   const Lanes before = joint_history(history, f).closure;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What the passes ask of a facet's joint law, one facet at a time: closure, energy, friction,
 // contact, apertures, memory. of_bonded() and of_contact() alone choose the form that a law has.
-// Scope: the pose of the blocks. Where a law is linear, whole groups of facets go by their
+// Scope: the pose of the blocks. Where a law is grouped, whole groups of facets go by their
 // stiffness instead (TractionPass, BrokenContact, DilatationPass). SI units; per area unless said.
 #pragma once
 
@@ -22,18 +22,17 @@ namespace muckpile {
 /// use(points that hold): LinearPoints or SeriesPoints.
 template <class Use>
 auto of_bonded(const FacetKinematics& facets, std::size_t f, const Use& use) {
-  if (!facets.tables.joint(f).linear()) return use(series_points(facets, f));
+  if (!facets.tables.joint(f).grouped()) return use(series_points(facets, f));
   return use(LinearPoints{facets.tables.bond(f)});
 }
 /// use(points that have broken): LinearContact, whose walls may crush, or SeriesContact.
 template <class Use>
 auto of_contact(const FacetKinematics& facets, std::size_t f, const ContactConstants& contact,
                 double fade, const Use& use) {
-  if (!facets.tables.joint(f).linear()) return use(series_contact(facets, f, fade));
-  const LinearContact<Lanes> closure{fade * contact.closure.normal};
-  if (!facets.tables.laws().crushes()) return use(closure);
-  return use(
-      CrushingContact<Lanes>{closure, -facets.tables.wall_strength(f) / contact.closure.normal});
+  if (!facets.tables.joint(f).grouped()) return use(series_contact(facets, f, fade));
+  const double closed = contact.closure.normal;
+  if (!facets.tables.laws().crushes()) return use(LinearContact<Lanes>{fade * closed});
+  return use(CrushingContact<Lanes>(fade, closed, facets.tables.wall_strength(f)));
 }
 
 // Points that hold.
@@ -69,7 +68,7 @@ struct BrokenApertures : JointApertures {
 [[nodiscard]] std::optional<BrokenApertures> mean_apertures(const FacetKinematics& facets,
                                                             std::size_t f);
 
-// What points remember; of a linear law nothing.
+// What points remember; of a grouped law nothing.
 /// Of a point that has just broken and left the dilatations, closed under that normal traction, or
 /// slips in them with that elastic jump: the closure that gas finds first.
 void remember_break(const FacetKinematics& facets, FacetHistory& history, std::size_t f,

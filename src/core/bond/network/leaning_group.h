@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // How one facet, or the facets of a group, one per lane, lean in the present pose: what the law of
-// leaning_law.h takes. In a group are those that hold at every point and whose law is linear.
+// leaning_law.h takes. In a group are those that hold at every point and whose law is grouped.
 // Scope: for LeaningFaces; reads tables, poses and what blocks remember. SI units.
 #pragma once
 

@@ -40,9 +40,7 @@ template <class Of>
                                                                 const WidePose& pose) {
   const WideMask smooth = at_mirror(group);
   if (none_of(smooth)) return 0;
-  const Wide opened = dot(pose.normal, pose.jump);
-  const Wide slid = dot(pose.jump, pose.jump) - opened * opened;
-  return bits_of<Wide>(smooth && slid > kSlideStart * kSlideStart * M_1_PI * wide(group.area));
+  return bits_of<Wide>(smooth && parting_of(group, pose).slid_away());
 }
 
 /// Those of `lanes` of which no point fails.

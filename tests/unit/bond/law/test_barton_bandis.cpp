@@ -197,11 +197,11 @@ std::string refusal(const std::string& line) {
   return "nothing";
 }
 
-bool linear(const JointClass& joint) {
+bool grouped(const JointClass& joint) {
   JointParameters rock;
   rock.youngs_modulus = 5e10;
   rock.density = 2600.0;
-  return joint.law(JointMaterial(rock).with_joints(joint))->linear();
+  return joint.law(JointMaterial(rock).with_joints(joint))->grouped();
 }
 
 TEST(JointClassWords, ClassesAreTakenOutOfTheWords) {
@@ -212,10 +212,10 @@ TEST(JointClassWords, ClassesAreTakenOutOfTheWords) {
   EXPECT_EQ(words.others, split("tension 2 damping 0.1"));
   ASSERT_EQ(words.classes.size(), 2u);
   EXPECT_EQ(words.classes[0].tension, 5.0);
-  EXPECT_TRUE(linear(words.classes[0]));
+  EXPECT_TRUE(grouped(words.classes[0]));
   EXPECT_NEAR(words.classes[0].friction_angle, 45.0 * kDegree, kRounding);
   EXPECT_TRUE(std::isinf(words.classes[0].normal_stiffness));
-  EXPECT_FALSE(linear(words.classes[1]));
+  EXPECT_FALSE(grouped(words.classes[1]));
   EXPECT_EQ(words.classes[1].normal_stiffness, 1e10);
 }
 

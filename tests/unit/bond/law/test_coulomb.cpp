@@ -23,7 +23,7 @@ constexpr double kRock = 4e10, kUniaxial = 6e10, kShear = 3e10;  // [Pa/m]
 /// Both forms of one joint of that stiffness [Pa/m].
 struct BothForms {
   explicit BothForms(double stiffness)
-      : joint(Coulomb{{}, stiffness}),
+      : joint(Coulomb{{}, {stiffness}}),
         facet(joint_in_rock(kRock, kShear, kUniaxial, stiffness,
                             std::numeric_limits<double>::infinity())) {}
 
@@ -95,7 +95,7 @@ TEST(Coulomb, TheStiffnessOfClosedPointsIsItsClosureInSeriesWithTheRock) {
 
 TEST(Coulomb, StoresTheWorkOfItsPressure) {
   // 1e10 Pa/m closed by 3e-5 m: 3e5 Pa, 4.5 J/m2; rock of 6e10 Pa/m gives way by 0.5e-5 m more.
-  const Coulomb joint{{}, 1e10};
+  const Coulomb joint{{}, {1e10}};
   EXPECT_NEAR(joint.stored(3e-5, 0.0), 4.5, kRounding);
   EXPECT_NEAR(joint.jump_at(3e5, kUniaxial, 0.0), 3.5e-5, 1e-17);
   const JointClosure<double> at = joint.close(3.5e-5, kUniaxial, 0.0);
@@ -108,7 +108,7 @@ TEST(Coulomb, StoresTheWorkOfItsPressure) {
 }
 
 TEST(Coulomb, FourPointsFailAndRubAsOneDoes) {
-  const Coulomb joint{{2e6, 4e6, 0.5, 0.3}, 1e10};
+  const Coulomb joint{{2e6, 4e6, 0.5, 0.3}, {1e10}};
   const JointLawOf<Coulomb> law(joint);
   const Lanes normal = 1e11 * kSteps, shear = 4e6 - 0.4 * normal;
   const LaneMask fails = law.fails(normal, shear * shear, {0.5, 1.5});
@@ -118,11 +118,11 @@ TEST(Coulomb, FourPointsFailAndRubAsOneDoes) {
     EXPECT_EQ(fails[k], joint.fails(one, squared, {0.5, 1.5})) << k;
     EXPECT_EQ(friction[k], 0.3);
   }
-  EXPECT_TRUE(law.linear());
+  EXPECT_TRUE(law.grouped());
 }
 
 TEST(Coulomb, FrictionIsAskedForAtAnyWidthAndIsNoneAtAMirror) {
-  const Coulomb joint{{0.0, 0.0, 0.5, 0.6}, 1e10};
+  const Coulomb joint{{0.0, 0.0, 0.5, 0.6}, {1e10}};
   const JointLawOf<Coulomb> law(joint);
   const SlipWeakening weakening{0.1, 0.2};
   for (const double grip : {1.0, 0.0}) {

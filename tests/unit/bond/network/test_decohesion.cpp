@@ -98,7 +98,7 @@ TEST_P(EachJointLaw, AJointPulledAfterACycleTakesItsFractureEnergyAndKeepsItsClo
     EXPECT_EQ(by.scene.network().force()[0].norm(), 0.0);
     EXPECT_FALSE(by.softens());
     EXPECT_EQ(by.closure(), closure);
-    EXPECT_EQ(closure > 0.0, !law_of(joint({}))->linear());
+    EXPECT_EQ(closure > 0.0, !law_of(joint({}))->grouped());
   }
 }
 

@@ -9,10 +9,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string>
 #include <vector>
 
 #include "bond/law/coulomb.h"
 #include "bond/law/joint_in_rock.h"
+#include "bond/law/joint_law_table.h"
 #include "joint_laws.h"
 
 namespace muckpile::test {
@@ -20,6 +22,13 @@ namespace {
 
 // Those of test_decohesion.cpp, too.
 INSTANTIATE_TEST_SUITE_P(Laws, EachJointLaw, testing::ValuesIn(joint_laws()), name_of_law);
+
+TEST(JointLaw, EveryLawThatAUserCanNameIsTested) {
+  const std::vector<LawOfJoints> tested = joint_laws();
+  const auto name_of = [](const LawOfJoints& law) { return std::string(law.name); };
+  for (const JointLawEntry& entry : joint_law_entries())
+    EXPECT_EQ(std::ranges::count(tested, entry.name, name_of), 1) << entry.name;
+}
 
 /// Does not break.
 BartonBandis strong() {
@@ -46,10 +55,10 @@ TEST(JointLaw, RockAndJointCloseInSeries) {
 }
 
 /// The numbers of the class are those of another law: facets alone and in groups heed the law's.
-TEST(JointLaw, ALinearLawHasItsOwnStrength) {
+TEST(JointLaw, AGroupedLawHasItsOwnStrength) {
   for (const int wide : {1, 6}) {  // facets between two layers of cubes: 1, 36
     JointClass joint = coulomb_joint({.tension = 1e6});
-    joint.law = law_everywhere(Coulomb{{3e6, 1e30, 0.6, 0.5}, 5e10});
+    joint.law = law_everywhere(Coulomb{{3e6, 1e30, 0.6, 0.5}, {5e10}});
     BondScene scene = cubes(2, wide, rock(0.0), joint);
     for (const double pull : {2.9e6, 3.1e6}) {
       for (std::size_t b = 0; b < scene.size(); ++b)
@@ -227,7 +236,7 @@ TEST_P(EachJointLaw, WhatAFacetRemembersGivesTheSameForces) {
   other.block(1) = scene.block(1);
   other.compute();
   EXPECT_EQ(scene.network().force()[1], other.network().force()[1]);
-  if (!law_of(closing)->linear()) {
+  if (!law_of(closing)->grouped()) {
     EXPECT_GT(scene.network().memory(0).extra.get().joint[0].closure, 0.0);
   }
 }

@@ -227,7 +227,7 @@ TEST(WallStrength, IsTheRocksUnlessAClassHasItsOwnAndTheLesserBetweenTwoRocks) {
   EXPECT_THROW(JointMaterial{loose_rock(0.25, 0.0)}, InputError);
 }
 
-TEST(WallStrength, IsRefusedBesideNonlinearLaws) {
+TEST(WallStrength, IsRefusedBesideAnotherLawThanCoulombs) {
   BartonBandis law;
   law.initial_stiffness = 1e10;
   law.closure_limit = 1e-4;
