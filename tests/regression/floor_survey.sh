@@ -13,7 +13,7 @@ awk 'BEGIN { for (x = -5; x <= 30; x += 1) for (y = -15; y <= 15; y += 1)
   print 5000 + x "," 7000 + y "," 200 + (x > 10 ? 0.5 : -0.1 * x + 0.04 * y) }' >"$out/ground.csv"
 wrong=0
 rests() {  # rests NAME X Y Z COSINE HEIGHT: dropped from Z, its spheres' centres rest above HEIGHT(x, y), an awk expression
-  run_input "$1" 1 tests/regression/in.fall -var with_floor_file 1 -var floor_file "$out/ground.csv" -var x "$2" -var y "$3" -var z "$4"
+  run_input "$1" 1 tests/regression/in.fall -var with_floor_file 1 -var floor_file "${ground:-$out/ground.csv}" -var x "$2" -var y "$3" -var z "$4"
   local last
   last=$(ls -v "$out/$1"/dump/blocks_*.csv | tail -n 1)
   # The elastic overlap of 340 kg is 4 mm.
@@ -28,6 +28,10 @@ rests slope 5 0 0.2 0.99425 "-0.1 * x + 0.04 * y"  # cosine 1 / sqrt(1 + 0.1^2 +
 rests level 14 0 0.8 1 "0.5"
 rests beside 0 6 0.8 0.99425 "-0.1 * x + 0.04 * y"
 rests under_the_rock -3 0 0.2 1 "-0.3"
+# A survey that begins 3 m in front of the block, 7.5 m in front of the rock: there its edge goes on, and that is told.
+awk -F, '$1 >= 5008' "$out/ground.csv" >"$out/begins.csv"
+ground=$out/begins.csv rests edge 5 0 0.2 0.99920 "-0.8 + 0.04 * y"
+grep -q "WARNING: the survey begins at x = 8 m, the floor at x = 0.5 m" "$out/edge/screen" || { echo "not told where the survey begins"; wrong=1; }
 grep -qE '^lowest -1.(6|59999+[0-9]*) highest 1.(1|09999+[0-9]*|10000+[0-9]*)$' "$out/level/screen" || { echo "not the survey's heights: $(grep ^lowest "$out/level/screen")"; wrong=1; }
 
 # The quarry: the same floor in front of its plane face, cut at the end of the rock.

@@ -3,8 +3,10 @@
 // Scope: for files of some 100 MB, which streams read ten times as slowly.
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -46,6 +48,16 @@ class TextWords {
     at_ = end == std::string::npos ? text_.size() : end + 1;
     const std::string_view rest = std::string_view(text_).substr(from);
     return rest.substr(0, end == std::string::npos ? end : end - from);
+  }
+
+  /// Of the last word, from 1.
+  [[nodiscard]] std::size_t line_number() const {
+    const auto end = text_.begin() + static_cast<std::ptrdiff_t>(at_);
+    return 1 + static_cast<std::size_t>(std::count(text_.begin(), end, '\n'));
+  }
+  /// Only blanks are left, or nothing.
+  [[nodiscard]] bool at_end() const {
+    return std::all_of(text_.begin() + static_cast<std::ptrdiff_t>(at_), text_.end(), is_blank);
   }
 
  private:

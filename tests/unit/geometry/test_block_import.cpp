@@ -132,9 +132,11 @@ TEST(BlockImport, NamesWhatIsWrong) {
   EXPECT_EQ(refusal(tetra + "CELLS 1 27\n25 6 3 0 2 1 3 0 1 3 3 0 3 2 3 1 2 4 3 2 3 4 3 3 1 4\n"
                             "CELL_TYPES 1\n42\n"),
             "block import: cell 1 is not convex at its face 4");
-  EXPECT_EQ(refusal("POINTS 1 double\n0 0"), "block import: 'test.vtk': a coordinate expected");
+  EXPECT_EQ(refusal("POINTS 1 double\n0 0"),
+            "'test.vtk', line 6: a coordinate expected; the file ends there, as if it had been cut "
+            "short");
   EXPECT_EQ(refusal("POINTS -3 double\n"),
-            "block import: 'test.vtk': number of points must be >= 0 and <= 1000000000, got '-3'");
+            "'test.vtk', line 5: number of points must be >= 0 and <= 1000000000, got '-3'");
   TextWords no_vtk("hello\n");
   EXPECT_THROW((void)read_cells(no_vtk, "x"), InputError);
   TextWords new_vtk("# vtk DataFile Version 5.1\nt\nASCII\n");

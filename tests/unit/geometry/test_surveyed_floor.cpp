@@ -202,5 +202,30 @@ TEST(GroundPanels, RefusesWhatIsNoGround) {
                 ": must have ground that looks up, on more than one line in plan");
 }
 
+// The slope's survey ends at x = -8 and begins at x = 20: a file in other coordinates, or with
+// x and y exchanged, would be a level floor at the height of its nearest point.
+TEST(GroundPanels, RefusesASurveyOfAnotherPlace) {
+  try {
+    (void)panels_on_a_slope({"-2", "0.5", "origin", "5000", "0", "0"});
+    FAIL() << "made";
+  } catch (const InputError& refused) {
+    EXPECT_NE(std::string(refused.what())
+                  .find("must have points of the floor, x = 3.05 to 120 and y = -60 to 60 m of the "
+                        "run; they lie at x = -5008 to -4980 and y = -8 to 8 m: give the place"),
+              std::string::npos)
+        << refused.what();
+  }
+}
+
+TEST(GroundPanels, TellWhereASurveyBeginsInFrontOfTheRock) {
+  EXPECT_EQ(panels_on_a_slope({"-2", "0.5"}).told.find("WARNING"), std::string::npos);
+  const GroundPanels made = panels_on_a_slope({"-2", "0.5"}, "-30");
+  EXPECT_NE(
+      made.told.find("WARNING: the survey begins at x = -8 m, the floor at x = -30 m; between "
+                     "them the floor is as high as the survey's edge"),
+      std::string::npos)
+      << made.told;
+}
+
 }  // namespace
 }  // namespace muckpile

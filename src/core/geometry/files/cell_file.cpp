@@ -37,26 +37,34 @@ class Words {
   template <class Number>
   Number next(const char* what) {
     Number value{};
-    if (!text_.number(value)) fail_import("'", name_, "': ", what, " expected");
+    if (!text_.number(value)) refuse(what);
     return value;
   }
   std::size_t count(const char* what) {
     constexpr long kMost = 1000000000;
     const long value = next<long>(what);
     if (value < 0 || value > kMost)
-      fail_import("'", name_, "': ", what, " must be >= 0 and <= ", kMost, ", got '", value, "'");
+      fail_file(place(), what, " must be >= 0 and <= ", kMost, ", got '", value, "'");
     return static_cast<std::size_t>(value);
   }
   void expect(const std::string& word) {
     const std::string got(text_.word());
-    if (got.empty()) fail_import("'", name_, "': '", word, "' expected");
-    if (got != word) fail_import("'", name_, "': '", word, "' expected, got '", got, "'");
+    if (got.empty()) refuse("'" + word + "'");
+    if (got != word) fail_file(place(), "'", word, "' expected, got '", got, "'");
   }
   void skip(const char* what) {
-    if (text_.word().empty()) fail_import("'", name_, "': ", what, " expected");
+    if (text_.word().empty()) refuse(what);
   }
 
  private:
+  [[nodiscard]] std::string place() const {
+    return "'" + name_ + "', line " + std::to_string(text_.line_number()) + ": ";
+  }
+  [[noreturn]] void refuse(const std::string& what) const {
+    fail_file(place(), what, " expected",
+              text_.at_end() ? "; the file ends there, as if it had been cut short" : "");
+  }
+
   TextWords& text_;
   const std::string& name_;
 };
@@ -65,9 +73,9 @@ void read_header(TextWords& text, const std::string& name) {
   const std::string first(text.line());
   (void)text.line();  // the title
   constexpr const char* kStart = "# vtk DataFile Version ";
-  if (first.rfind(kStart, 0) != 0) fail_import("'", name, "' is no legacy VTK file");
+  if (first.rfind(kStart, 0) != 0) fail_file("'", name, "' is no legacy VTK file");
   if (first.substr(std::string(kStart).size(), 1) > "4")
-    fail_import("'", name, "' has file version 5; write it as version 4.2 or earlier");
+    fail_file("'", name, "' has file version 5; write it as version 4.2 or earlier");
 }
 
 std::vector<Vec3> read_points(Words& words) {
@@ -222,10 +230,10 @@ CellTable read_cell_table(TextWords& text, const std::string& name) {
   read_lists(words, table);
   words.expect("CELL_TYPES");
   if (words.count("number of cell types") != table.cells())
-    fail_import("'", name, "': there must be as many cell types as cells");
+    fail_file("'", name, "': there must be as many cell types as cells");
   for (std::size_t c = 0; c < table.cells(); ++c)
     table.types.push_back(words.next<int>("a cell type"));
-  if (table.types.empty()) fail_import("'", name, "' holds no cell");
+  if (table.types.empty()) fail_file("'", name, "' holds no cell");
   return table;
 }
 

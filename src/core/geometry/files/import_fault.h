@@ -9,12 +9,18 @@
 
 namespace muckpile {
 
+/// With a file's name.
 template <class... Words>
-[[noreturn]] void fail_import(const Words&... words) {
+[[noreturn]] void fail_file(const Words&... words) {
   std::ostringstream text;
-  text << "block import: ";
   (text << ... << words);
   throw InputError(text.str());
+}
+
+/// Of its cells.
+template <class... Words>
+[[noreturn]] void fail_import(const Words&... words) {
+  fail_file("block import: ", words...);
 }
 
 }  // namespace muckpile

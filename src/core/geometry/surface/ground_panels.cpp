@@ -131,6 +131,33 @@ void add_ground(GroundPanels& made, const GroundHeights& ground, const GroundWor
   made.under_rock = {{a, b, c}, {a, c, d}};
 }
 
+std::string reach_text(double x_lo, double x_hi, double y_lo, double y_hi) {
+  return "x = " + rounded_text(x_lo) + " to " + rounded_text(x_hi) +
+         " and y = " + rounded_text(y_lo) + " to " + rounded_text(y_hi) + " m";
+}
+
+/// A survey of another place would give a floor at the height of its nearest point.
+void require_survey_there(const GroundHeights& ground, const FloorExtent& extent, double x_back,
+                          const std::string& where) {
+  const Vec3 &lo = ground.lo(), &hi = ground.hi();
+  if (lo.x() < extent.x_hi && hi.x() > x_back && lo.y() < extent.y_hi && hi.y() > extent.y_lo)
+    return;
+  refuse(where, "must have points of the floor, " +
+                    reach_text(x_back, extent.x_hi, extent.y_lo, extent.y_hi) +
+                    " of the run; they lie at " + reach_text(lo.x(), hi.x(), lo.y(), hi.y()) +
+                    ": give the place of 0 0 0 of the run in the file's coordinates by origin");
+}
+
+/// A survey that begins in front of the rock; "" for one that reaches it.
+std::string told_of_edge(const GroundHeights& ground, const SurveyedFloor& floor, double x_lo,
+                         const std::string& where) {
+  const double begins = ground.lo().x();
+  if (begins <= x_lo + floor.cell) return "";
+  return where + ": WARNING: the survey begins at x = " + rounded_text(begins) +
+         " m, the floor at x = " + rounded_text(x_lo) +
+         " m; between them the floor is as high as the survey's edge\n";
+}
+
 }  // namespace
 
 ArgTable& add_ground_words(ArgTable& table) {
@@ -161,12 +188,15 @@ GroundPanels ground_panels(const ArgValues& words, const std::string& where) {
   std::optional<RockSides> sides;
   for (const std::vector<std::string>& group : words.groups("beside"))
     sides = sides_of(group, numbers.extent, where);
+  require_survey_there(ground, numbers.extent, sides ? sides->back : numbers.extent.x_lo,
+                       where + ": ground " + given[0]);
   add_ground(made, ground, numbers, sides);
   made.told = where + ": ground of " + given[0] + " from x = " + number_text(numbers.extent.x_lo) +
               " m on: " + std::to_string(made.floor.triangles.size()) +
               " triangles between z = " + rounded_text(made.floor.lowest) + " and " +
               rounded_text(made.floor.highest) + " m, in panels of " +
-              rounded_text(made.floor.cell) + " m\n";
+              rounded_text(made.floor.cell) + " m\n" +
+              told_of_edge(ground, made.floor, numbers.extent.x_lo, where);
   return made;
 }
 
