@@ -6,7 +6,7 @@ set -euo pipefail
 build=$1 results=$2 mode=${3-}
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 readonly program=$build/src/app/liggghts-muckpile post=$build/postproc/tools/muckpile-post perf=$build/tests/perf tables=$build/tests/benchmarks
-readonly measured=(contacts facets blocks gas)
+readonly measured=(contacts facets blocks gas polyhedra)
 
 fail() {
   printf '%s\n' "benchmark: error: $*" >&2

@@ -19,7 +19,8 @@ bool is_shown(const std::string& key) {
   static const std::set<std::string> shown{
       "ns_per_point",         "target_ns_per_point", "ns_per_sphere",
       "target_ns_per_sphere", "ns_per_joint",        "target_ns_per_joint",
-      "rebuild_wall_s",       "rebuild_target_s",    "contact_step_ns_per_candidate_pair"};
+      "rebuild_wall_s",       "rebuild_target_s",    "contact_step_ns_per_candidate_pair",
+      "ns_per_pair"};
   return shown.contains(key);
 }
 
