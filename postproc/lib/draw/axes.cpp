@@ -51,6 +51,39 @@ class WordsInARow {
   std::vector<std::pair<double, double>> taken_;  // middle and half the width [px]
 };
 
+// Ticks that get words, of those in the order of their ranks: as many as there is room for. Of a
+// logarithmic axis all of a rank or none, or every second, third... power of ten: even steps.
+template <class Add>
+std::vector<double> ticks_with_words(const std::vector<double>& ticks, Scale scale, Add add) {
+  WordsInARow words;
+  std::vector<double> chosen;
+  for (int rank = 0; rank < 3; ++rank) {
+    std::vector<double> own;
+    std::ranges::copy_if(ticks, std::back_inserter(own),
+                         [&](double tick) { return rank_of(tick, scale) == rank; });
+    for (size_t every = 1;; ++every) {
+      WordsInARow tried = words;
+      std::vector<double> fit;
+      bool all = true;
+      for (size_t k = 0; k < own.size(); k += every) {
+        if (add(tried, own[k]))
+          fit.push_back(own[k]);
+        else
+          all = false;
+      }
+      if (!all && scale == Scale::kLogarithmic) {
+        if (rank == 0) continue;
+        return chosen;
+      }
+      words = tried;
+      chosen.insert(chosen.end(), fit.begin(), fit.end());
+      if (every > 1) return chosen;
+      break;
+    }
+  }
+  return chosen;
+}
+
 }  // namespace
 
 std::vector<double> straight_ticks(AxisRange range, int wanted) {
@@ -145,15 +178,15 @@ void Axes::draw_frame(Canvas& canvas, const std::string& x_label,
   const Vec2 low = place(x_.low, y_.low), high = place(x_.high, y_.high);
   const Vec2 frame[] = {low, {high.x(), low.y()}, high, {low.x(), high.y()}, low};
   canvas.polyline(frame, 1.2, kInk);
-  std::vector<double> ticks = x_ticks();
-  std::ranges::stable_sort(ticks, {}, [&](double x) { return rank_of(x, x_scale_); });
-  WordsInARow words;
-  for (const double x : ticks) {
-    const Vec2 at = place(x, y_.low);
-    canvas.line(at, at + Vec2(0.0, kTick), 1.2, kInk);
-    if (!words.add(at.x(), x_text(x))) continue;
-    canvas.text(at + Vec2(0.0, kTick + kTextSize), x_text(x), kTextSize, kInk, Anchor::kCentre);
-  }
+  const std::vector<double> ticks = x_ticks();
+  for (const double x : ticks)
+    canvas.line(place(x, y_.low), place(x, y_.low) + Vec2(0.0, kTick), 1.2, kInk);
+  const auto add = [&](WordsInARow& words, double x) {
+    return words.add(place(x, y_.low).x(), x_text(x));
+  };
+  for (const double x : ticks_with_words(ticks, x_scale_, add))
+    canvas.text(place(x, y_.low) + Vec2(0.0, kTick + kTextSize), x_text(x), kTextSize, kInk,
+                Anchor::kCentre);
   for (const double y : y_ticks()) {
     const Vec2 at = place(x_.low, y);
     canvas.line(at, at - Vec2(kTick, 0.0), 1.2, kInk);

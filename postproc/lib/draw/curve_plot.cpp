@@ -117,6 +117,17 @@ void draw_curve(Canvas& canvas, const Axes& axes, const PlotCurve& curve, const 
   for (const PlotBar& bar : curve.bars) draw_bar(canvas, axes, bar, colour_of_curve(curve.colour));
 }
 
+// The range that has more pixels to a metre, about its middle.
+void widen_to_one_scale(AxisRange& x, AxisRange& y, const Vec2& size) {
+  const double metres = std::max((x.high - x.low) / size.x(), (y.high - y.low) / size.y());
+  const auto widen = [metres](AxisRange& range, double pixels) {
+    const double more = 0.5 * (metres * pixels - (range.high - range.low));
+    range = {range.low - more, range.high + more};
+  };
+  widen(x, size.x());
+  widen(y, size.y());
+}
+
 }  // namespace
 
 Colour colour_of_curve(int number) {
@@ -165,8 +176,8 @@ double lay_out_key(const std::vector<PlotCurve>& curves, double left, double rig
 
 void draw_frame_of(const CurvePlot& plot, const Vec2& upper_left, const Vec2& lower_right,
                    Canvas& canvas) {
-  const AxisRange x = x_range_of(plot);
-  const AxisRange y = plot.y.value_or(range_of(plot, 1, plot.y_scale));
+  AxisRange x = x_range_of(plot), y = plot.y.value_or(range_of(plot, 1, plot.y_scale));
+  if (plot.one_scale) widen_to_one_scale(x, y, lower_right - upper_left);
   Axes axes(upper_left, lower_right, x, y, plot.x_scale, plot.y_scale);
   axes.name_x(plot.x_words);
   axes.draw_grid(canvas);

@@ -33,6 +33,7 @@ struct CurvePlot {
   std::string title, x_label, y_label;
   Scale x_scale = Scale::kStraight, y_scale = Scale::kStraight;
   std::optional<AxisRange> x, y;
+  bool one_scale = false;  // a metre is as long along y as along x; for straight axes
   std::vector<PlotCurve> curves;
   std::string warning{};    // behind the title, may be empty
   double room_below = 0.0;  // left free under the plot [px]

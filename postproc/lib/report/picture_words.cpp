@@ -14,7 +14,6 @@ namespace muckpile {
 namespace {
 
 constexpr double kMargin = 28.0;                  // beside the words [px]
-constexpr double kVeil = 0.65;                    // opacity: rock may reach behind the words
 constexpr double kTitleSize = 28.0, kGap = 40.0;  // [px]
 
 void draw_above(const PictureWords& words, const BlockColours& colours, Canvas& canvas) {
@@ -23,8 +22,7 @@ void draw_above(const PictureWords& words, const BlockColours& colours, Canvas& 
   const double room = canvas.width() - 2.0 * kMargin;
   const double title = title_length(words.title, words.warning, kTitleSize);
   const bool beside = kMargin + title + kGap <= canvas.width() - kFromRight;
-  canvas.rectangle({0.0, 0.0}, {1.0 * canvas.width(), kAbove + (beside ? 0.0 : kRow)}, kWhite,
-                   kVeil);
+  canvas.rectangle({0.0, 0.0}, {1.0 * canvas.width(), kAbove + (beside ? 0.0 : kRow)}, kWhite);
   draw_title({kMargin, 46.0}, words.title, words.warning,
              std::floor(kTitleSize * std::min(1.0, room / title)), canvas);
   if (beside) {
@@ -43,7 +41,7 @@ void draw_below(const std::vector<std::string>& caption, Canvas& canvas) {
   const double size = fitting_size(all, kSize, right - kMargin - kBar);
   const bool beside = size >= kLeast;
   const double lines = beside ? 0.0 : kLine * static_cast<double>(caption.size());
-  canvas.rectangle({0.0, bottom - kBelow - lines}, {right, bottom}, kWhite, kVeil);
+  canvas.rectangle({0.0, bottom - kBelow - lines}, {right, bottom}, kWhite);
   if (beside) {
     canvas.text({kMargin, bottom - kBase}, all, size, kInk);
     return;

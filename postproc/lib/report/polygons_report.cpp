@@ -84,6 +84,7 @@ CurvePlot plot_of(const std::vector<CarriedPolygon>& polygons, const RunData& ru
   plot.title = "Polygons before the blast (dashed) and carried by their rock";
   plot.x_label = "x, along the throw [m]";
   plot.y_label = "y [m]";
+  plot.one_scale = true;
   plot.warning = motion_warning(run.still);
   int colour = 0;
   for (const CarriedPolygon& each : polygons) {

@@ -49,6 +49,27 @@ TEST(CurvePlot, TellsTwentyFourSetsOfPointsApart) {
   EXPECT_EQ(looks.size(), 24U);
 }
 
+// A square in a frame three times as wide as high.
+TEST(CurvePlot, OfOneScaleShowsASquareAsOne) {
+  CurvePlot plot;
+  plot.one_scale = true;
+  plot.curves.push_back({"", CurveStyle::kLine, 0, {{1, 5}, {3, 5}, {3, 7}, {1, 7}, {1, 5}}});
+  Canvas canvas(800, 300, kWhite);
+  draw_frame_of(plot, {100, 20}, {700, 220}, canvas);
+  const auto bytes = canvas.bytes();
+  Vec2 low(800, 300), high(0, 0);
+  for (int y = 0; y < 300; ++y) {
+    for (int x = 0; x < 800; ++x) {
+      const size_t at = 3 * static_cast<size_t>(y * canvas.width() + x);
+      if (bytes[at + 2] <= bytes[at] + 50) continue;  // no bluer than red
+      low = low.cwiseMin(Vec2(x, y));
+      high = high.cwiseMax(Vec2(x, y));
+    }
+  }
+  EXPECT_GT(high.x() - low.x(), 100.0);
+  EXPECT_NEAR(high.x() - low.x(), high.y() - low.y(), 2.0);
+}
+
 TEST(Canvas, BlendsByOpacity) {
   Canvas canvas(4, 4, kWhite);
   canvas.rectangle({0, 0}, {4, 4}, {1.0F, 0.0F, 0.0F}, 0.5);
@@ -116,16 +137,26 @@ int words_in_rows(const Canvas& canvas, int top, int bottom, int gap) {
 }
 
 // Ticks at 0.0005, 0.0006 ... 0.001, 0.002 some 30 px apart, words of 60 px: 0.0005, 0.001, 0.002
-// and, of what is between, 0.0007.
+// and, as not all have room that are between, none of these.
 TEST(Axes, WordsOfTicksDoNotOverlap) {
   Canvas canvas(500, 200, kWhite);
   const Axes axes({100, 20}, {450, 120}, {4.5e-4, 2.2e-3}, {0.0, 1.0}, Scale::kLogarithmic);
   axes.draw_frame(canvas, "", "");
-  EXPECT_EQ(words_in_rows(canvas, 130, 148, 8), 4);
+  EXPECT_EQ(words_in_rows(canvas, 130, 148, 8), 3);
   Canvas wide(1500, 200, kWhite);
   const Axes room({100, 20}, {1450, 120}, {4.5e-4, 2.2e-3}, {0.0, 1.0}, Scale::kLogarithmic);
   room.draw_frame(wide, "", "");
   EXPECT_EQ(words_in_rows(wide, 130, 148, 8), 7);
+}
+
+// Five decades in 600 px: the powers of ten alone have room; in 250 px every second of them.
+TEST(Axes, WordsOfManyDecadesAreEven) {
+  for (const auto& [width, words] : {std::pair{600.0, 6}, {250.0, 3}}) {
+    Canvas canvas(800, 200, kWhite);
+    const Axes axes({100, 20}, {100 + width, 120}, {1e-5, 1.0}, {0.0, 1.0}, Scale::kLogarithmic);
+    axes.draw_frame(canvas, "", "");
+    EXPECT_EQ(words_in_rows(canvas, 130, 148, 8), words);
+  }
 }
 
 double area_of(const std::vector<Vec2>& polygon) {
