@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,46 @@ TEST(JointLaw, AGroupedLawHasItsOwnStrength) {
           << wide << ' ' << pull;
     }
   }
+}
+
+/// Coulomb's law without the word that its facets go in groups.
+struct OneByOne : CoulombStrength<double>, ProportionalClosure {
+  [[nodiscard]] std::optional<JointApertures> apertures(double /*closure*/) const { return {}; }
+  [[nodiscard]] OneByOne softened(double factor) const {
+    OneByOne soft = *this;
+    soft.stiffness *= factor;
+    return soft;
+  }
+};
+
+TEST(JointLaw, FacetsWorkedOnOneByOneDoAsGroupsDo) {
+  JointClass joint = coulomb_joint({.tension = 2e5, .cohesion = 4e5});
+  const Coulomb law = coulomb_of(JointMaterial(rock(0.25)).with_joints(joint));
+  BondScene grouped = cubes(4, 3, 0.25, joint);
+  joint.law = law_everywhere(OneByOne{law, law});
+  BondScene alone = cubes(4, 3, 0.25, joint);
+  ASSERT_FALSE(law_of(joint)->grouped());
+  double worst = 0.0, largest = 0.0;
+  for (const unsigned seed : {1u, 2u, 3u, 4u}) {  // breaks points, slides and opens broken ones
+    for (BondScene* scene : {&grouped, &alone}) {
+      scene->shake(1e-5, 1e-5, seed);
+      scene->compute(1e-6);
+    }
+    EXPECT_EQ(alone.network().broken_count(), grouped.network().broken_count()) << seed;
+    for (std::size_t b = 0; b < grouped.size(); ++b) {
+      const Vec3 force = grouped.network().force()[b];
+      worst = std::max(worst, (alone.network().force()[b] - force).norm());
+      largest = std::max(largest, force.norm());
+    }
+  }
+  const double broken = grouped.network().broken_count();
+  std::printf("one by one and in groups: %g broken facets, forces of up to %.3g N off by %.2g\n",
+              broken, largest, worst / largest);
+  EXPECT_GT(broken, 0.0);
+  EXPECT_LT(broken, static_cast<double>(grouped.network().facet_count()));
+  EXPECT_LT(worst, 1e-9 * largest);
+  EXPECT_NEAR(alone.network().losses().friction, grouped.network().losses().friction,
+              1e-6 * grouped.network().losses().friction);
 }
 
 double energy(BondScene& scene) {
