@@ -34,4 +34,6 @@ top_of() {  # top_of INPUT HEIGHT [-var NAME VALUE]...
 }
 coarse=(-var block_min 0.7 -var block_max 1.6 -var fragment_x50 1.1 -var rise_time 4e-4 -var crushed_ratio 8 -var crushed_grain 7.875e-3)
 top_of inputs/quarry/in.quarry 8.000 "${coarse[@]}" -var rows 1 -var holes_per_row 2 -var bench_height 8
+top_of inputs/bench/in.bench 4.000 -var accuracy quick -var bench_height 4 -var burden 1.5 -var hole_diameter 0.06
+top_of inputs/pattern/in.pattern 10.000 -var hole_table tests/regression/two_holes.csv
 exit $wrong

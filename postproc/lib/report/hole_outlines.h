@@ -14,7 +14,7 @@ namespace muckpile {
 std::vector<HolePolygon> hole_outlines(const ResultFolder& folder, const BenchScene& bench,
                                        const std::vector<StartBlock>& blocks);
 
-// hole_polygons.csv: corners, counter-clockwise.
+// hole_polygons.csv: corners of each part, counter-clockwise; clockwise of what is cut out of it.
 void write_hole_outlines(const ResultFolder& folder, const std::vector<HolePolygon>& outlines,
                          double height);
 

@@ -11,10 +11,11 @@
 namespace muckpile::check {
 
 /// Of a table with the columns burden_m, which is the bench's height too, charge_kg and throw_m, of
-/// the mass centre of the burden. Gives for each burden W in cm
-///   limit_kg_m3_at_W: charge over W^3 at which the throw is a twentieth of the burden, linear in
-///     the logarithms between the two charges of which the smaller throws less;
-///   limit_over_langefors_at_W: that over 0.07/W + 0.40/1.2 + 0.004 W, of usual rock without the
+/// the mass centre of the burden. Gives for each burden V [m], 100 V in the names,
+///   limit_kg_m3_at_: charge over V^3 at which the throw is a twentieth of the burden, linear in
+///   the
+///     logarithms between two charges of which the smaller throws less, the largest such two;
+///   limit_over_langefors_at_: that over 0.07/V + 0.40/1.2 + 0.004 V, of usual rock without the
 ///     technical margin of a fifth (Langefors, after Bastante's lecture book, chapter 7).
 /// Throws InputError where a number is missing or out of range, or no two charges of a burden lie
 /// on both sides.

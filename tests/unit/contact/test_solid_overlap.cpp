@@ -10,6 +10,7 @@
 
 #include "../geometry/shapes.h"
 #include "args/input_error.h"
+#include "contact/polyhedra/lane_outline.h"
 #include "contact/polyhedra/solid_overlap.h"
 #include "geometry/shape/shared_volume.h"
 #include "tumbling_solids.h"
@@ -147,32 +148,35 @@ TEST_P(RandomPairs, GapIsNeverAboveTheDistance) {
   }
 }
 
-double worst_difference(const SolidOverlap& a, const SolidOverlap& b) {
+/// Of all parts together: a maximum would pass over what is not a number.
+double summed_difference(const SolidOverlap& a, const SolidOverlap& b) {
   const auto off = [](double x, double y) { return std::abs(x - y) / std::max(std::abs(y), 1e-9); };
   const auto off_by = [](const auto& x, const auto& y) { return (x - y).norm() / y.norm(); };
-  return std::max({off(a.volume, b.volume), off(a.energy, b.energy), off(a.stiffness, b.stiffness),
-                   off(a.mean_square, b.mean_square), off(a.largest_strain, b.largest_strain),
-                   off(a.pressed, b.pressed), off(a.arm, b.arm), off_by(a.push, b.push),
-                   off_by(a.moment, b.moment), off_by(a.point, b.point),
-                   off_by(a.spread, b.spread)});
+  return off(a.volume, b.volume) + off(a.energy, b.energy) + off(a.stiffness, b.stiffness) +
+         off(a.mean_square, b.mean_square) + off(a.largest_strain, b.largest_strain) +
+         off(a.pressed, b.pressed) + off(a.arm, b.arm) + off_by(a.push, b.push) +
+         off_by(a.moment, b.moment) + off_by(a.point, b.point) + off_by(a.spread, b.spread);
 }
 
 // From bodies that only just touch to such as share a fifth of their size. Sums in another order
 // differ by rounding, 1e-16 times the 1e3 by which the least overlaps here are smaller than the
 // bodies, whose second moments are left over from lengths of theirs.
 TEST_P(RandomPairs, CornersInLanesGiveWhatOneByOneGives) {
+  if (!kLaneOutlines) GTEST_SKIP() << "this processor has no such lanes";
   Pair pair = random_pair(GetParam()), other = pair;
   other.finder.take_corners_one_by_one();
   const Vec3 in = -pair.between.normalized();
-  double worst = 0.0;
+  int compared = 0;
   for (const double deeper : {-0.02, -0.01, 0.0, 0.05, 0.1, 0.2}) {
     const SolidOverlap lanes = pair.overlap(deeper * in), one = other.overlap(deeper * in);
     EXPECT_EQ(pair.finder.touching(), other.finder.touching());
     if (one.largest_strain < 1e-3) continue;
-    worst = std::max(worst, worst_difference(lanes, one));
+    const double off = summed_difference(lanes, one);
+    std::printf("corners in lanes against one by one: %.1e\n", off);
+    EXPECT_LT(off, 1e-10);
+    ++compared;
   }
-  std::printf("corners in lanes against one by one: %.1e\n", worst);
-  EXPECT_LT(worst, 1e-10);
+  EXPECT_GT(compared, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomPairs, testing::Range(1u, 41u));

@@ -202,8 +202,8 @@ TEST(GroundPanels, RefusesWhatIsNoGround) {
                 ": must have ground that looks up, on more than one line in plan");
 }
 
-// The slope's survey ends at x = -8 and begins at x = 20: a file in other coordinates, or with
-// x and y exchanged, would be a level floor at the height of its nearest point.
+// The slope's survey ends at x = -8 and begins at x = 20: a file in other coordinates would be a
+// level floor at the height of its nearest point.
 TEST(GroundPanels, RefusesASurveyOfAnotherPlace) {
   try {
     (void)panels_on_a_slope({"-2", "0.5", "origin", "5000", "0", "0"});

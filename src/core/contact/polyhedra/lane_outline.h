@@ -4,6 +4,8 @@
 // OverlapFinder takes one corner after the other.
 #pragma once
 
+#include <immintrin.h>
+
 #include <bit>
 #include <cstdint>
 #include <span>
@@ -12,7 +14,7 @@
 
 namespace muckpile {
 
-#if defined(__AVX512F__)
+#if defined(__AVX512F__) && defined(__AVX512VL__)
 inline constexpr bool kLaneOutlines = true;
 #else
 inline constexpr bool kLaneOutlines = false;
@@ -44,12 +46,13 @@ struct LaneSums {
 
 class LaneOutline;
 
-#if defined(__AVX512F__)
+#if defined(__AVX512F__) && defined(__AVX512VL__)
 
 /// Corners, counter-clockwise, in the first lanes; the others hold anything.
 class LaneOutline {
  public:
   static constexpr int kMost = 8;
+  static_assert(OutlineLanes::size() == kMost);
   enum class Left { all, part, nothing, unknown };
 
   /// Of a list of corners [m]. Fewer than nine.

@@ -11,7 +11,7 @@
 
 namespace muckpile {
 
-#if defined(__AVX512F__)
+#if defined(__AVX512F__) && defined(__AVX512VL__)
 
 namespace {
 

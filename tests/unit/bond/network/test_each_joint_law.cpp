@@ -108,6 +108,7 @@ TEST(JointLaw, FacetsWorkedOnOneByOneDoAsGroupsDo) {
   EXPECT_GT(broken, 0.0);
   EXPECT_LT(broken, static_cast<double>(grouped.network().facet_count()));
   EXPECT_LT(worst, 1e-9 * largest);
+  EXPECT_GT(grouped.network().losses().friction, 0.0);
   EXPECT_NEAR(alone.network().losses().friction, grouped.network().losses().friction,
               1e-6 * grouped.network().losses().friction);
 }
