@@ -4,8 +4,6 @@
 // OverlapFinder takes one corner after the other.
 #pragma once
 
-#include <immintrin.h>
-
 #include <bit>
 #include <cstdint>
 #include <span>
