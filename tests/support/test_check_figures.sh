@@ -231,7 +231,7 @@ fails 2 'width_m' count craters.csv width_m 2
 
 # Throws of 0.01 and 0.25 burdens at 1 and 4 kg/m3: 0.05 lies half way in the logarithms.
 limits() { printf 'burden_m,charge_kg,throw_m\n%s' "$1" >limits.csv; }
-limits $'2,32,0.5\n2,8,0.02\n0.5,0.125,0.025\n0.5,0.0625,0\n'
+limits $'2,32,0.7\n2,8,0.02\n2,32,0.3\n0.5,0.125,0.025\n0.5,0.0625,0\n'
 holds limit_charges limits.csv limits.json
 printf '{"case": "limits", "expected": [%s, %s, %s]}' "$(row limit_kg_m3_at_200 2 1e-12)" "$(row limit_over_langefors_at_200 5.314437556 1e-9)" \
   "$(row limit_kg_m3_at_50 1 1e-9)" >expected.json

@@ -19,9 +19,22 @@ namespace {
 constexpr double kLoose = 0.05;       // throw over burden [-]
 constexpr double kLeastThrow = 1e-6;  // below that of rock that stays [-]
 
+/// Over the burden [-], by the charge over the burden's cube [kg/m3]; all cuts of one charge.
+using Throws = std::map<double, std::vector<double>>;
+
 struct Run {
-  double charge, thrown;  // over the burden's cube [kg/m3], over the burden [-]
+  double charge, thrown;
 };
+
+std::vector<Run> means(const Throws& throws) {
+  std::vector<Run> runs;
+  for (const auto& [charge, of_cuts] : throws) {
+    double sum = 0.0;
+    for (const double thrown : of_cuts) sum += thrown;
+    runs.push_back({charge, std::max(sum / static_cast<double>(of_cuts.size()), kLeastThrow)});
+  }
+  return runs;
+}
 
 /// [kg/m3]
 double langefors(double burden) {
@@ -46,19 +59,18 @@ double limit_of(const std::vector<Run>& runs, const std::string& of) {
 
 Json limit_charges(const std::filesystem::path& file) {
   const CsvTable table = CsvTable::read(file);
-  std::map<double, std::vector<Run>> burdens;
+  std::map<double, Throws> burdens;
   for (size_t row = 0; row < table.rows(); ++row) {
     const double burden = positive_number(table, row, "burden_m");
     const double thrown = table.number(row, table.column("throw_m")) / burden;
-    burdens[burden].push_back({positive_number(table, row, "charge_kg") / std::pow(burden, 3),
-                               std::max(thrown, kLeastThrow)});
+    burdens[burden][positive_number(table, row, "charge_kg") / std::pow(burden, 3)].push_back(
+        thrown);
   }
   if (burdens.empty()) refuse(file.string(), "has no row");
   Json figures;
-  for (auto& [burden, runs] : burdens) {
-    std::ranges::sort(runs, {}, &Run::charge);
+  for (const auto& [burden, throws] : burdens) {
     const std::string at = "_at_" + std::to_string(std::lround(100.0 * burden));
-    const double limit = limit_of(runs, file.string() + ", burden " + text_of(burden));
+    const double limit = limit_of(means(throws), file.string() + ", burden " + text_of(burden));
     figures["limit_kg_m3" + at] = limit;
     figures["limit_over_langefors" + at] = limit / langefors(burden);
   }

@@ -11,7 +11,7 @@
 namespace muckpile::check {
 
 /// Of a table with the columns burden_m, which is the bench's height too, charge_kg and throw_m, of
-/// the mass centre of the burden. Gives for each burden V [m], 100 V in the names,
+/// the mass centre of the burden; rows of one charge are cuts, and count by their mean. Gives for each burden V [m], 100 V in the names,
 ///   limit_kg_m3_at_: charge over V^3 at which the throw is a twentieth of the burden, linear in
 ///   the
 ///     logarithms between two charges of which the smaller throws less, the largest such two;
