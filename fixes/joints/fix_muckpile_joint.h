@@ -156,6 +156,10 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   void end_what_does_not_go_on();
   void follow_blocks();
   void add_forces(double dt);
+  /// False before the first run, and from create_blocks to the next one.
+  [[nodiscard]] bool follows_blocks() const {
+    return store_ != nullptr && version_ != 0 && version_ == store_->version();
+  }
   void gather_state();
   void press_gas();
   void apply_forces();

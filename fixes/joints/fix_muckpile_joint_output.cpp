@@ -38,8 +38,8 @@ double FixMuckpileJoint::compute_vector(int n) {
     case pressure_work_done:
       return sum(network_.pressure_work());
     case longest_step:
-      return version_ == 0 ? std::numeric_limits<double>::infinity()
-                           : stable_step(Breaking::possible, 0.0).seconds;
+      return follows_blocks() ? stable_step(Breaking::possible, 0.0).seconds
+                              : std::numeric_limits<double>::infinity();
     case softened:
       return network_.softened();
     case crushing:
@@ -55,11 +55,16 @@ int FixMuckpileJoint::modify_param(int narg, char** arg) {
   if (narg < 2) engine::stop(*lmp, where + ": soften needs a factor in (0, 1]");
   const bool damps = narg > 2 && std::strcmp(arg[2], "damping") == 0;
   if (damps && narg < 4) engine::stop(*lmp, where + ": soften ... damping needs a share >= 0");
-  if (version_ == 0) engine::stop(*lmp, where + ": soften needs a run (run 0 will do) before it");
+  if (version_ == 0 || store_ == nullptr)
+    engine::stop(*lmp, where + ": soften needs a run (run 0 will do) before it");
   engine::or_engine_error(*lmp, [&] {
     const double factor = parse_real(where, "soften", arg[1], "", Range::left_open(0.0, 1.0));
     std::optional<double> damping;
     if (damps) damping = parse_real(where, "damping", arg[3], "", Range::closed(0.0, 10.0));
+    if (!follows_blocks()) {  // create_blocks has cut more since the last run
+      check_classes();
+      follow_blocks();
+    }
     gather_state();
     network_.soften(factor, damping, team());
     ++softenings_;

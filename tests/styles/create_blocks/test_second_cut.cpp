@@ -129,5 +129,17 @@ TEST(SecondCut, CreatesNoEnergy) {
   EXPECT_LT(scene.output("ledger", 0), 0.01);
 }
 
+TEST(SecondCut, JointsMayBeReadAndSoftenedBeforeTheNextRun) {
+  RockScene scene(MPI_COMM_WORLD, kBox);
+  burst(scene);
+  cut_more(scene);
+  EXPECT_EQ(scene.output("joint", 8), HUGE_VAL);  // not known yet
+  scene.command("fix_modify joint soften 0.25");
+  EXPECT_EQ(scene.output("joint", 10), 0.25);
+  EXPECT_LT(scene.output("joint", 8), 1.0);
+  scene.run(10, kTimeStep);
+  EXPECT_LT(scene.output("ledger", 0), 0.01);
+}
+
 }  // namespace
 }  // namespace muckpile::test
