@@ -84,9 +84,10 @@ void FixMuckpileQuiet::init() {
 
 /// Forces are up to date here, so what the supports carry now is known and can be carried on.
 void FixMuckpileQuiet::setup(int) {
-  last_time_ = update->get_cur_time();
   if (state_.begun) return;
   state_.begun = true;
+  state_.last_time = update->get_cur_time();
+  state_.last_radiated = engine::sum_over_ranks(supports_->energy_radiated(), world);
   const auto mine =
       supports_->let_ground_yield([this](const Vec3& at) { return chosen(at); }, rock_behind_);
   const double count = engine::sum_over_ranks(mine.count, world);
@@ -115,9 +116,10 @@ void FixMuckpileQuiet::end_of_step() {
 void FixMuckpileQuiet::look() {
   const double time = update->get_cur_time(),
                radiated = engine::sum_over_ranks(supports_->energy_radiated(), world);
-  state_.power = time > last_time_ ? (radiated - state_.last_radiated) / (time - last_time_) : 0.0;
+  const double passed = time - state_.last_time;  // [s]
+  state_.power = passed > 0.0 ? (radiated - state_.last_radiated) / passed : 0.0;
   state_.greatest_power = std::max(state_.greatest_power, state_.power);
-  last_time_ = time;
+  state_.last_time = time;
   state_.last_radiated = radiated;
   if (time >= until_) return stop("until is reached");
   if (state_.greatest_power > 0.0 && state_.power < power_share_ * state_.greatest_power)

@@ -20,14 +20,15 @@ struct QuietState {
   bool begun = false, over = false;
   double power = 0.0, greatest_power = 0.0;  ///< radiated, mean between looks [W]
   double last_radiated = 0.0;                ///< at the last look [J]
+  double last_time = 0.0;                    ///< of the last look [s]
 };
 template <>
 struct Stored<QuietState> {
   static constexpr std::string_view kName = "quiet_state";
-  static constexpr int kVersion = 1;
+  static constexpr int kVersion = 2;
   static auto fields(auto& state) {
-    return std::tie(state.begun, state.over, state.power, state.greatest_power,
-                    state.last_radiated);
+    return std::tie(state.begun, state.over, state.power, state.greatest_power, state.last_radiated,
+                    state.last_time);
   }
 };
 
@@ -55,7 +56,6 @@ class FixMuckpileQuiet : public LAMMPS_NS::Fix {
   double rock_behind_, until_, power_share_;
   YieldingSupports* supports_ = nullptr;  // looked up in every init()
   QuietState state_;
-  double last_time_ = 0.0;  // of the last look [s]
 };
 
 }  // namespace muckpile

@@ -168,5 +168,24 @@ TEST(FixMuckpileQuiet, BrokenSupportsStopYielding) {
   EXPECT_LT(column.scene.output("energy", 0), 0.03);
 }
 
+TEST(FixMuckpileQuiet, PowerIsThatBetweenLooksInAnyRunAndAnyFix) {
+  Column one(MPI_COMM_WORLD), two(MPI_COMM_WORLD);
+  for (Column* column : {&one, &two}) {
+    column->quiet("rock_behind 30 power_share 0.001 every 20");
+    column->jolt(1.0);
+  }
+  one.scene.run(60, kStep);
+  two.scene.run(50, kStep);
+  two.scene.run(10, kStep);
+  EXPECT_NEAR(two.scene.output("quiet", power) / one.scene.output("quiet", power), 1.0, 1e-9);
+  one.scene.command("unfix quiet");
+  one.quiet("rock_behind 30 every 20");
+  one.scene.run(0, kStep);
+  const double before = one.scene.output("quiet", radiated);
+  one.scene.run(20, kStep);
+  const double more = one.scene.output("quiet", radiated) - before;
+  EXPECT_NEAR(one.scene.output("quiet", power), more / (20 * kStep), 1e-6 * before / kStep);
+}
+
 }  // namespace
 }  // namespace muckpile::test
