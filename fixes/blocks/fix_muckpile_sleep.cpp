@@ -25,6 +25,7 @@
 #include "fixes/engine/style_args.h"
 #include "fixes/engine/style_name.h"
 #include "fixes/interfaces/blast_energies.h"
+#include "fixes/interfaces/energy_account.h"
 #include "fixes/interfaces/joint_pressure.h"
 #include "fixes/interfaces/keyword_tables.h"
 
@@ -70,7 +71,9 @@ int FixMuckpileSleep::setmask() {
 
 /// An unfix wakes all; at the end of the program there is nothing to do.
 void FixMuckpileSleep::pre_delete(bool unfixflag) {
-  if (unfixflag) wake_joints();
+  if (!unfixflag) return;
+  wake_joints();
+  if (auto* account = engine::find_view<EnergyAccount>(*lmp)) account->keep_books_of_sleep(taken_);
 }
 
 /// fix muckpile/joint may have gone since init().

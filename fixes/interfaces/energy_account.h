@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The account of the run's energy.
 // Scope: an interface only; fix muckpile/ledger implements it, fix muckpile/progress reads it,
-// block_motion books what it gives.
+// block_motion books what it gives, fixes that end what they have booked.
 #pragma once
 
 namespace muckpile {
@@ -39,6 +39,11 @@ class EnergyAccount {
   [[nodiscard]] virtual double fastest_block() = 0;
   /// Kinetic energy [J] that a command has given to blocks of this rank.
   virtual void book_given(double energy) = 0;
+  /// The fix of the joints ends: its losses and works of this rank so far [J] stay in the account,
+  /// and so does what its joints store, unless another fix takes them over before the next run.
+  virtual void keep_books_of_joints(const EnergyLedger& ended) = 0;
+  /// The fix that lays blocks to rest ends, having taken that energy of this rank [J].
+  virtual void keep_books_of_sleep(double taken) = 0;
 };
 
 }  // namespace muckpile

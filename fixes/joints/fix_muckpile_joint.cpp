@@ -22,6 +22,7 @@
 #include "fixes/engine/stop_with_state.h"
 #include "fixes/engine/style_args.h"
 #include "fixes/engine/style_name.h"
+#include "fixes/interfaces/energy_account.h"
 #include "fixes/joints/fix_muckpile_joint_arguments.h"
 
 namespace muckpile {
@@ -77,6 +78,19 @@ FixMuckpileJoint::~FixMuckpileJoint() {
 int FixMuckpileJoint::setmask() {
   return LAMMPS_NS::FixConst::PRE_NEIGHBOR | LAMMPS_NS::FixConst::POST_FORCE |
          LAMMPS_NS::FixConst::END_OF_STEP;
+}
+
+/// An unfix; at the end of the program there is nothing to do.
+void FixMuckpileJoint::pre_delete(bool unfixflag) {
+  auto* account = unfixflag ? engine::find_view<EnergyAccount>(*lmp) : nullptr;
+  if (account == nullptr) return;
+  const JointEnergySums mine = energies();
+  account->keep_books_of_joints({.joint_elastic = mine.elastic,
+                                 .blast_work = mine.pressure_work,
+                                 .fracture = mine.fracture,
+                                 .joint_friction = mine.friction,
+                                 .joint_damping = mine.damping,
+                                 .quiet = mine.quiet});
 }
 
 void FixMuckpileJoint::init() {

@@ -52,6 +52,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   ~FixMuckpileJoint() override;
 
   int setmask() override;
+  void pre_delete(bool unfixflag) override;
   void init() override;
   void setup_pre_neighbor() override { follow_blocks(); }
   void pre_neighbor() override { follow_blocks(); }
@@ -155,11 +156,11 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   void warn_of_other_density() const;
   void end_what_does_not_go_on();
   void follow_blocks();
-  void add_forces(double dt);
   /// False before the first run, and from create_blocks to the next one.
   [[nodiscard]] bool follows_blocks() const {
     return store_ != nullptr && version_ != 0 && version_ == store_->version();
   }
+  void add_forces(double dt);
   void gather_state();
   void press_gas();
   void apply_forces();

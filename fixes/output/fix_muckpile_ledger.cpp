@@ -40,6 +40,12 @@ constexpr std::array kColumns = {
     &EnergyLedger::contact_damping, &EnergyLedger::walls,         &EnergyLedger::quiet,
     &EnergyLedger::sleep,           &EnergyLedger::given};
 
+/// What fixes and contact styles leave behind as they end.
+constexpr std::array kKept = {&EnergyLedger::contact_friction, &EnergyLedger::contact_damping,
+                              &EnergyLedger::fracture,         &EnergyLedger::joint_friction,
+                              &EnergyLedger::joint_damping,    &EnergyLedger::quiet,
+                              &EnergyLedger::blast_work,       &EnergyLedger::sleep};
+
 /// What is in the system or came into it, each of which may be the largest.
 constexpr std::array kSources = {&EnergyLedger::kinetic,         &EnergyLedger::joint_elastic,
                                  &EnergyLedger::contact_elastic, &EnergyLedger::gravity,
@@ -72,14 +78,36 @@ void FixMuckpileLedger::init() {
   contacts_ = dynamic_cast<ContactWork*>(force->pair);
   if (contacts_ != nullptr) contacts_->watch();
   keep_books_of_contacts();
+  let_go_of_joints();
   walls_may_move_ = !engine::walls_stand_still(*lmp);
 }
 
 /// A pair style that is given anew begins its books anew.
 void FixMuckpileLedger::keep_books_of_contacts() {
   if (of_pair("friction_J") != 0.0 || of_pair("damping_J") != 0.0) return;
-  for (std::size_t k = 0; k < former_losses_.size(); ++k) former_losses_[k] += contact_losses_[k];
+  former_.contact_friction += contact_losses_[0];
+  former_.contact_damping += contact_losses_[1];
   contact_losses_ = {};
+}
+
+void FixMuckpileLedger::keep_books_of_joints(const EnergyLedger& ended) {
+  for (const auto kept : kKept) former_.*kept += ended.*kept;
+  former_.joint_elastic += ended.joint_elastic;
+  joints_ = nullptr;
+  computed_at_ = -1;
+}
+
+void FixMuckpileLedger::keep_books_of_sleep(double taken) {
+  former_.sleep += taken;
+  laid_to_rest_ = 0.0;
+  sleep_ = nullptr;
+  computed_at_ = -1;
+}
+
+/// Joints that no fix has taken over hold nothing any more: lost, as what softening gives up.
+void FixMuckpileLedger::let_go_of_joints() {
+  if (joints_ == nullptr) former_.fracture += former_.joint_elastic;
+  former_.joint_elastic = 0.0;
 }
 
 void FixMuckpileLedger::setup(int) {
@@ -164,7 +192,7 @@ double FixMuckpileLedger::of_pair(const char* name) const {
 const EnergyLedger& FixMuckpileLedger::ledger() {
   if (computed_at_ == update->ntimestep) return ledger_;
   computed_at_ = update->ntimestep;
-  EnergyLedger mine;
+  EnergyLedger mine = former_;
   const engine::Bodies bodies(*multisphere_);
   Vec3 g = Vec3::Zero();
   if (gravity_ != nullptr) gravity_->get_gravity(g.data());
@@ -174,18 +202,18 @@ const EnergyLedger& FixMuckpileLedger::ledger() {
   }
   if (joints_ != nullptr) {
     const JointEnergySums joints = joints_->energies();
-    mine.joint_elastic = joints.elastic;
-    mine.fracture = joints.fracture;
-    mine.joint_friction = joints.friction;
-    mine.joint_damping = joints.damping;
-    mine.quiet = joints.quiet;
-    mine.blast_work = joints.pressure_work;
+    mine.joint_elastic += joints.elastic;
+    mine.fracture += joints.fracture;
+    mine.joint_friction += joints.friction;
+    mine.joint_damping += joints.damping;
+    mine.quiet += joints.quiet;
+    mine.blast_work += joints.pressure_work;
   }
   if (sleep_ != nullptr) laid_to_rest_ = sleep_->energy_taken();
-  mine.sleep = laid_to_rest_;
+  mine.sleep += laid_to_rest_;
   mine.contact_elastic = of_pair("elastic_J");
-  mine.contact_friction = former_losses_[0] + of_pair("friction_J");
-  mine.contact_damping = former_losses_[1] + of_pair("damping_J");
+  mine.contact_friction += of_pair("friction_J");
+  mine.contact_damping += of_pair("damping_J");
   mine.walls = walls();
   mine.given = given_;
   std::array<double, kColumns.size()> all{};
@@ -231,7 +259,7 @@ void FixMuckpileLedger::write_restart(FILE* file) {
   state.sphere_work = total(sphere_work_);
   state.contact_work = total(contact_work_);
   state.walls_before = total(walls_before_);
-  std::ranges::transform(former_losses_, state.former_losses.begin(), total);
+  for (std::size_t k = 0; k < kKept.size(); ++k) state.former[k] = total(former_.*kKept[k]);
   state.given = total(given_);
   state.laid_to_rest = total(sleep_ != nullptr ? sleep_->energy_taken() : laid_to_rest_);
   engine::write_state(*lmp, style, file, state);
@@ -248,7 +276,7 @@ void FixMuckpileLedger::restart(char* bytes) {
   sphere_work_ = share(state.sphere_work);
   contact_work_ = share(state.contact_work);
   walls_before_ = share(state.walls_before);
-  std::ranges::transform(state.former_losses, former_losses_.begin(), share);
+  for (std::size_t k = 0; k < kKept.size(); ++k) former_.*kKept[k] = share(state.former[k]);
   given_ = share(state.given);
   laid_to_rest_ = share(state.laid_to_rest);
 }

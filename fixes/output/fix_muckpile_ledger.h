@@ -28,17 +28,17 @@ struct LedgerState {
   double start_residual = 0.0, start_gravity = 0.0, largest = 0.0;
   int last_tag = 0;
   double sphere_work = 0.0, contact_work = 0.0, walls_before = 0.0;
-  std::array<double, 2> former_losses{};
+  std::array<double, 8> former{};  ///< of fixes and contact styles that have ended
   double given = 0.0, laid_to_rest = 0.0;
 };
 template <>
 struct Stored<LedgerState> {
   static constexpr std::string_view kName = "ledger_state";
-  static constexpr int kVersion = 1;
+  static constexpr int kVersion = 2;
   static auto fields(auto& state) {
     return std::tie(state.started, state.start_residual, state.start_gravity, state.largest,
                     state.last_tag, state.sphere_work, state.contact_work, state.walls_before,
-                    state.former_losses, state.given, state.laid_to_rest);
+                    state.former, state.given, state.laid_to_rest);
   }
 };
 
@@ -60,10 +60,13 @@ class FixMuckpileLedger : public LAMMPS_NS::Fix, public EnergyAccount {
   [[nodiscard]] bool balanced(double allowed) override;
   [[nodiscard]] double fastest_block() override;
   void book_given(double energy) override;
+  void keep_books_of_joints(const EnergyLedger& ended) override;
+  void keep_books_of_sleep(double taken) override;
 
  private:
   [[nodiscard]] double work_rate_of_spheres() const;
   void keep_books_of_contacts();
+  void let_go_of_joints();
   void begin();
   void take_in_new_blocks();
   [[nodiscard]] double walls() const { return contact_work_ - sphere_work_; }
@@ -76,15 +79,15 @@ class FixMuckpileLedger : public LAMMPS_NS::Fix, public EnergyAccount {
   RestingBlocks* sleep_ = nullptr;
   ContactWork* contacts_ = nullptr;
   bool walls_may_move_ = false;
-  double laid_to_rest_ = 0.0;  // of this rank, also after that fix is gone [J]
+  double laid_to_rest_ = 0.0;  // by fix muckpile/sleep, also of a restart file that knew one; this
+                               // rank [J]
   EnergyLedger ledger_;
   // This rank, since the start, by all forces on spheres, and by those of the contact style [J].
   double sphere_work_ = 0.0, contact_work_ = 0.0;
   double walls_before_ = 0.0;  // this rank's part of `walls` when one of them moved last [J]
-  // Of friction and dashpots [J]: of contact styles that the script has replaced, and of the
-  // present one at the last step. This rank.
-  std::array<double, 2> former_losses_{}, contact_losses_{};
-  double given_ = 0.0;  // this rank, since the start [J]
+  EnergyLedger former_;        // of fixes and contact styles that have ended; this rank
+  std::array<double, 2> contact_losses_{};  // friction, dashpots at the last step; this rank [J]
+  double given_ = 0.0;                      // this rank, since the start [J]
   double start_residual_ = 0.0, start_gravity_ = 0.0;
   double largest_ = 0.0;  // energy of one kind that was seen [J]
   int last_tag_ = 0;      // of the blocks that the account has taken in

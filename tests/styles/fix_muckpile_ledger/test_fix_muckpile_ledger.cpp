@@ -272,5 +272,35 @@ TEST(FixMuckpileLedger, RoundingOfRockAtRestIsNoError) {
   EXPECT_LT(scene.output("ledger", 0), 1e-3);
 }
 
+TEST(FixMuckpileLedger, KeepsTheBooksOfJointsThatEnd) {
+  constexpr int kElastic = 2, kFracture = 6, kDamping = 8;
+  const std::string joints =
+      "fix joint all muckpile/joint youngs_modulus 50e9 poisson_ratio 0.25 density 2600 cohesion "
+      "1e12 friction_angle 50 tension 1e12 damping 0.1";
+  for (const bool again : {true, false}) {
+    RockScene scene(MPI_COMM_WORLD, "-4 4 -4 4 -1 6");
+    scene.cut(
+        "-0.6 0.6 -0.6 0.6 0 1.8",
+        "density 2600 size uniform 0.4 block_min 0.4 block_max 0.4 spheres_per_block 8 seed 3");
+    scene.command(joints);
+    scene.command("fix ledger all muckpile/ledger");
+    scene.set_motion([](int, const Vec3& at) { return Motion{at, Vec3::Zero()}; });
+    scene.run(20, 1e-5);
+    const double damping = scene.output("ledger", kDamping),
+                 elastic = scene.output("ledger", kElastic);
+    ASSERT_GT(damping, 0.0);
+    ASSERT_GT(elastic, 0.0);
+    scene.command("unfix joint");
+    EXPECT_EQ(scene.output("ledger", kDamping), damping);
+    EXPECT_EQ(scene.output("ledger", kElastic), elastic);
+    if (again) scene.command(joints);
+    scene.run(0, 1e-5);
+    EXPECT_NEAR(scene.output("ledger", kDamping), damping, 1e-9 * damping);
+    EXPECT_NEAR(scene.output("ledger", kFracture), again ? 0.0 : elastic, 1e-9 * elastic);
+    scene.run(10, 1e-5);
+    EXPECT_LT(scene.output("ledger", 0), 0.01) << again;
+  }
+}
+
 }  // namespace
 }  // namespace muckpile::test

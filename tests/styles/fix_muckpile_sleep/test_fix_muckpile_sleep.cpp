@@ -242,5 +242,20 @@ TEST(FixMuckpileSleep, WakesOnCommand) {
   EXPECT_GT(falling, 10);
 }
 
+TEST(FixMuckpileSleep, EnergyTakenStaysBookedAfterIt) {
+  LooseBlocks scene(MPI_COMM_WORLD, "distance 0.5 time 1e-3 speed 100 every 1");
+  scene.run_to(0.01);
+  const double taken = scene.output("ledger", laid_to_rest);
+  ASSERT_GT(taken, 0.0);
+  scene.command("unfix sleep");
+  EXPECT_EQ(scene.output("ledger", laid_to_rest), taken);
+  scene.run_to(0.02);
+  EXPECT_EQ(scene.output("ledger", laid_to_rest), taken);
+  scene.command("fix sleep all muckpile/sleep " + kSleep);
+  scene.run_to(0.03);
+  EXPECT_EQ(scene.output("ledger", laid_to_rest), taken + scene.output("sleep", 2));
+  EXPECT_LT(scene.output("ledger", 0), 0.02);
+}
+
 }  // namespace
 }  // namespace muckpile::test
