@@ -188,6 +188,18 @@ void FixMuckpileBlast::setup_pre_force(int vflag) {
 }
 
 /// Refuses a hole that lies in part outside the rock and not behind mirror planes: half a wall
+/// Forces are up to date here, and so are the poses: charges that have not pressed yet find the
+/// walls where they are now, whatever has moved them before.
+void FixMuckpileBlast::setup(int) {
+  if (over_ || (walls_swept_ && holes_.any_fired(clock()))) return;
+  if (engine::place_of<BlastSurface>(*lmp) > modify->find_fix(id)) return;  // not yet up to date
+  walls_swept_ = true;
+  std::vector<double> swept(holes_.count(), 0.0);
+  surface_->swept_volume(swept);
+  engine::sum_over_ranks_in_place(swept, world);
+  holes_.start_from(swept);
+}
+
 /// would sweep half the volume, but with the gas of a whole charge.
 void FixMuckpileBlast::check_walls() const {
   // Of the modelled part of the cylinder. Its wall is a prism of six sides at least; that of a part
@@ -225,7 +237,8 @@ void FixMuckpileBlast::pre_force(int /*vflag*/) {
 }
 
 void FixMuckpileBlast::end_of_step() {
-  if (over_ || !holes_.any_fired(clock())) return;
+  constexpr double kStepsAhead = 10.0;  // of the first charge: the step may grow meanwhile
+  if (over_ || !holes_.any_fired(clock() + kStepsAhead * update->dt)) return;
   sum_over_walls();
   holes_.advance(clock(), update->dt);
 }

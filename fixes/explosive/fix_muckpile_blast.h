@@ -50,6 +50,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix,
   int setmask() override;
   void pre_delete(bool unfixflag) override;
   void init() override;
+  void setup(int vflag) override;
   void setup_pre_force(int vflag) override;
   void pre_force(int vflag) override;
   void end_of_step() override;
@@ -111,5 +112,6 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix,
   bool over_ = false;               // all holes are
   bool warned_ = false;             // of a step too long for the pulse
 };
+  bool walls_swept_ = false;        // the first charges know where their walls are
 
 }  // namespace muckpile

@@ -140,6 +140,7 @@ void FixMuckpileBlast::restart(char* bytes) {
                  std::move(state.books)});
   over_ = state.over;
   walls_checked_ = state.walls_checked;
+  walls_swept_ = state.clock > 0.0;
   softened_ = state.softened;
 }
 

@@ -39,6 +39,10 @@ int BlastHoles::active(double time) const {
   return active;
 }
 
+void BlastHoles::start_from(std::span<const double> swept) {
+  for (std::size_t h = 0; h < count(); ++h) state_.swept[h] = state_.gas[h].swept_before = swept[h];
+}
+
 void BlastHoles::book_walls(std::span<const double> swept, std::span<const double> work,
                             double time) {
   for (std::size_t h = 0; h < count(); ++h) {

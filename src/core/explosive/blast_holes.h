@@ -49,6 +49,8 @@ class BlastHoles {
   /// A hole has fired whose pulse has not passed its wall yet.
   [[nodiscard]] bool any_pulse(double time) const;
 
+  /// Before any hole has fired: what the walls have `swept` since the start is not the gas's [m3].
+  void start_from(std::span<const double> swept);
   /// Books what the walls have done in the last step: `swept` volume since the start [m3] and
   /// `work` of the step [J] of each hole.
   void book_walls(std::span<const double> swept, std::span<const double> work, double time);
