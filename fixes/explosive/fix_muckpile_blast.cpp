@@ -39,6 +39,7 @@ FixMuckpileBlast::FixMuckpileBlast(LAMMPS_NS::LAMMPS* lmp_in, int narg, char** a
   engine::require_id_of_restart(*lmp, where_, *this);
   const ArgValues values = engine::read_args(*lmp, blast_table(), where_, narg, arg, 3);
   options_ = engine::or_engine_error(*lmp, [&] { return blast_options(values, where_); });
+  crack_discharge_ = options_.flow.crack_discharge;
   vector_flag = array_flag = 1;
   size_vector = kOutputs;
   size_array_cols = kHoleOutputs;
@@ -187,7 +188,6 @@ void FixMuckpileBlast::setup_pre_force(int vflag) {
   release_from_softened_walls();
 }
 
-/// Refuses a hole that lies in part outside the rock and not behind mirror planes: half a wall
 /// Forces are up to date here, and so are the poses: charges that have not pressed yet find the
 /// walls where they are now, whatever has moved them before.
 void FixMuckpileBlast::setup(int) {
@@ -200,6 +200,7 @@ void FixMuckpileBlast::setup(int) {
   holes_.start_from(swept);
 }
 
+/// Refuses a hole that lies in part outside the rock and not behind mirror planes: half a wall
 /// would sweep half the volume, but with the gas of a whole charge.
 void FixMuckpileBlast::check_walls() const {
   // Of the modelled part of the cylinder. Its wall is a prism of six sides at least; that of a part
@@ -285,6 +286,11 @@ void FixMuckpileBlast::let_gas_into_joints(double ambient) {
     throw InputError(where_ + ": gas in joints needs gas yes and venting flow");
   options_.flow.crack_discharge = 0.0;
   holes_.press_against(ambient);
+}
+
+void FixMuckpileBlast::keep_gas_out_of_joints() {
+  options_.flow.crack_discharge = crack_discharge_;
+  holes_.press_against(0.0);
 }
 
 GasChamber FixMuckpileBlast::chamber(std::size_t hole) const {

@@ -68,6 +68,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix,
   [[nodiscard]] bool vents_by_flow() const override { return options_.vent_by_flow; }
 
   void let_gas_into_joints(double ambient) override;
+  void keep_gas_out_of_joints() override;
   [[nodiscard]] double gas_gamma() const override;
   [[nodiscard]] double gas_constant() const override;
   [[nodiscard]] GasChamber chamber(std::size_t hole) const override;
@@ -92,6 +93,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix,
 
   std::string where_;
   BlastOptions options_;
+  double crack_discharge_ = 0.0;     // that of its words, which options_ lacks with gas in joints
   BlastSurface* surface_ = nullptr;  // looked up in every init()
   double softened_ = 1.0;            // what the walls have been looked at for [-]
   // Swept volumes are those of the last force computation: the faces of a block cannot tell once it
@@ -110,8 +112,8 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix,
   std::vector<double> pressures_;   // per loaded face of this rank [Pa]
   std::vector<double> wave_share_;  // per loaded face of this rank
   bool over_ = false;               // all holes are
+  bool walls_swept_ = false;        // the first charges know where their walls are
   bool warned_ = false;             // of a step too long for the pulse
 };
-  bool walls_swept_ = false;        // the first charges know where their walls are
 
 }  // namespace muckpile

@@ -117,10 +117,13 @@ int FixMuckpileGas::setmask() {
   return LAMMPS_NS::FixConst::PRE_NEIGHBOR | LAMMPS_NS::FixConst::END_OF_STEP;
 }
 
-/// An unfix lets all gas go; at the end of the program there is nothing to do.
+/// An unfix lets all gas go, and the holes vent as fix muckpile/blast says by itself; at the end of
+/// the program there is nothing to do.
 void FixMuckpileGas::pre_delete(bool unfixflag) {
   auto* joints = unfixflag ? engine::find_view<JointsWithGas>(*lmp) : nullptr;
   if (joints != nullptr) joints->release_gas();
+  auto* blast = unfixflag ? engine::find_view<GasChambers>(*lmp) : nullptr;
+  if (blast != nullptr) blast->keep_gas_out_of_joints();
 }
 
 void FixMuckpileGas::init() {

@@ -17,6 +17,8 @@ class GasChambers {
   /// crack_discharge, and gas presses on the walls by its excess over `ambient` [Pa]. InputError
   /// unless the gas vents by flow.
   virtual void let_gas_into_joints(double ambient) = 0;
+  /// Undoes that, from the next set-up on.
+  virtual void keep_gas_out_of_joints() = 0;
   [[nodiscard]] virtual double gas_gamma() const = 0;
   /// R of the products of all holes, the mean by mass [J/(kg K)].
   [[nodiscard]] virtual double gas_constant() const = 0;

@@ -185,5 +185,14 @@ TEST(FixMuckpileGas, UnfixLetsTheGasGo) {
   EXPECT_LT(burst.scene.output("energy", 0), 5e-3);
 }
 
+TEST(FixMuckpileGas, UnfixLeavesTheBlastAsItIsWithout) {
+  Burst undone(MPI_COMM_WORLD), none(MPI_COMM_WORLD, "none");
+  undone.scene.command("unfix gas");
+  for (Burst* burst : {&undone, &none}) burst->scene.run(200, kStep);
+  EXPECT_LT(none.scene.output("load", 11), 0.99);  // gas has gone through cracks
+  EXPECT_DOUBLE_EQ(undone.scene.output("load", 11), none.scene.output("load", 11));
+  EXPECT_DOUBLE_EQ(undone.scene.output("load", 4), none.scene.output("load", 4));
+}
+
 }  // namespace
 }  // namespace muckpile
