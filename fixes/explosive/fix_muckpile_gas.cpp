@@ -221,7 +221,8 @@ std::unordered_map<int, GasContent> FixMuckpileGas::contents_here(const std::vec
   std::vector<int> with_gas;
   std::unordered_map<int, GasContent> all;
   for (std::size_t b = 0; b < tags_.size(); ++b) {
-    if (gas_.cells()[b].content.mass == 0.0) continue;
+    const GasContent& content = gas_.cells()[b].content;
+    if (content.mass == 0.0 && content.heat == 0.0) continue;
     with_gas.push_back(tags_[b]);
     all[tags_[b]] = gas_.cells()[b].content;
   }
