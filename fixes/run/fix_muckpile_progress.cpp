@@ -33,6 +33,7 @@
 #include "fixes/interfaces/joint_energies.h"
 #include "fixes/interfaces/keyword_tables.h"
 #include "fixes/interfaces/known_blocks.h"
+#include "run/phase_name.h"
 
 namespace muckpile {
 namespace {
@@ -74,7 +75,7 @@ FixMuckpileProgress::FixMuckpileProgress(LAMMPS_NS::LAMMPS* engine, int narg, ch
   every_ = static_cast<int>(args.integer("every"));
   nevery = 1;
   folder_ = args.word("directory");
-  phase_ = args.word("phase");
+  phase_ = phase_of(where_, args.word("phase"));
   time_end_ = args.real("time_end");
   still_speed_ = args.real("still_speed");
   still_share_ = args.real("still_share");
@@ -260,6 +261,11 @@ void FixMuckpileProgress::write_run(const RunLook& now) const {
 
 double FixMuckpileProgress::compute_scalar() { return still(look()) ? 1.0 : 0.0; }
 
+std::string FixMuckpileProgress::phase_of(const std::string& where,
+                                          const std::string& typed) const {
+  return engine::or_engine_error(*lmp, [&] { return phase_name(where, "phase", typed); });
+}
+
 double FixMuckpileProgress::compute_vector(int n) {
   const RunLook now = look();
   return std::array{now.fastest, now.moving_share, now.gone,
@@ -275,7 +281,7 @@ int FixMuckpileProgress::modify_param(int narg, char** arg) {
     return 2;
   }
   if (narg < 2) engine::stop(*lmp, where + ": " + key + " needs a value");
-  if (key == "phase") phase_ = arg[1];
+  if (key == "phase") phase_ = phase_of(where, arg[1]);
   if (key == "time_end") {
     time_end_ = engine::or_engine_error(
         *lmp, [&] { return parse_real(where, key, arg[1], "s", time_range()); });

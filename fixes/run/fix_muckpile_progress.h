@@ -49,6 +49,7 @@ class FixMuckpileProgress : public LAMMPS_NS::Fix, public StateWriter {
   std::string write_state() override;
 
  private:
+  [[nodiscard]] std::string phase_of(const std::string& where, const std::string& typed) const;
   void look_if_due();
   [[nodiscard]] RunLook look();
   void look_at_blocks(RunLook& now) const;

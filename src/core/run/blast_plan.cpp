@@ -10,6 +10,7 @@
 #include "args/input_error.h"
 #include "args/numbers.h"
 #include "args/rounded_text.h"
+#include "run/phase_name.h"
 
 namespace muckpile {
 namespace {
@@ -129,7 +130,7 @@ BlastPlan blast_plan(const ArgValues& words, const BlastScene& scene, const std:
   const RockConstants& rock = scene.rock;
   BlastPlan plan;
   plan.ends_with_wave = words.word("end") == "wave";
-  plan.throw_name = words.word("throw_name");
+  plan.throw_name = phase_name(where, "throw_name", words.word("throw_name"));
   plan.last_firing = scene.timing.last_firing;
   plan.wave_end = wave_end_of(words, scene.timing, where);
   plan.time_end = words.real("time_end");

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "args/numbers.h"
+#include "run/phase_name.h"
 
 namespace muckpile {
 namespace {
@@ -30,7 +31,7 @@ ArgTable run_blocks_table() {
 BlocksPlan blocks_plan(const ArgValues& words, const BlockContacts& contacts,
                        const std::string& where) {
   BlocksPlan plan;
-  plan.phase = words.word("phase");
+  plan.phase = phase_name(where, "phase", words.word("phase"));
   const std::string& until = words.word("until");
   if (until != kStill)
     plan.until = parse_real(where, "until", until, "s", Range::left_open(0.0, 1000.0));

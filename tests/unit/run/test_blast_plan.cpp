@@ -140,5 +140,16 @@ TEST(BlastPlan, RefusesChargesThatFireLater) {
             "yet, and 0.5 s are over");
 }
 
+// A restart file of the throw is told from one of the wave by its softer joints.
+TEST(BlastPlan, RefusesAThrowOnJointsAsStiffAsBefore) {
+  EXPECT_EQ(refusal_of({"softening", "1"}),
+            "run_blast: softening must be >= 1e-07 and < 1, got '1'");
+}
+
+TEST(BlastPlan, RefusesANameThatSplitsALineOfTheHistory) {
+  EXPECT_EQ(refusal_of({"throw_name", "a,b"}),
+            "run_blast: throw_name must be without commas and quotes, got 'a,b'");
+}
+
 }  // namespace
 }  // namespace muckpile
