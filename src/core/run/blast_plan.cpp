@@ -36,7 +36,7 @@ void add_steps(ArgTable& table) {
 
 void add_softening(ArgTable& table) {
   table
-      .real("softening", "", Range::closed(1e-7, 1.0), 2e-4,
+      .real("softening", "", Range::right_open(1e-7, 1.0), 2e-4,
             "joint stiffness in the throw over that at the start")
       .real("push_softening", "", Range::closed(1e-3, 1.0), 0.1,
             "joint stiffness while the gas pushes over that at the start; 1: unchanged")
