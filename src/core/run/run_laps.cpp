@@ -11,9 +11,10 @@
 namespace muckpile {
 namespace {
 
-constexpr double kLap = 0.1;        // s, from one check of rest to the next
-constexpr int kLapsASetUp = 4;      // the ranks share the blocks anew at every fourth
-constexpr double kMostSteps = 1e9;  // of one run: the engine counts them in an int
+constexpr double kLap = 0.1;          // s, from one check of rest to the next
+constexpr int kLapsASetUp = 4;        // the ranks share the blocks anew at every fourth
+constexpr double kFirstGrowth = 2.0;  // of a step that has been let loose
+constexpr double kMostSteps = 1e9;    // of one run: the engine counts them in an int
 
 /// The next whole number, but for rounding; what is beyond any run is left to the next one.
 long whole_steps(double steps) {
@@ -30,12 +31,24 @@ long steps_of(const RunEngine& engine, double duration) {
   return std::max(1L, whole_steps(duration / engine.step()));
 }
 
+namespace {
+
+/// `growth`: of the step in the last run. If it goes on, the end is not passed by more than a step.
+long next_steps(const RunEngine& engine, double end, double growth) {
+  const auto left = static_cast<double>(steps_until(engine, end));
+  const long safe = std::lround(std::ceil(left / std::max(growth, 1.0)));
+  return std::min(safe, steps_of(engine, kLap));
+}
+
+}  // namespace
+
 LapsEnd run_laps(RunEngine& engine, double end, bool to_rest) {
+  double growth = kFirstGrowth;
   for (int lap = 0;; lap = (lap + 1) % kLapsASetUp) {
-    const long left = steps_until(engine, end);
-    if (left <= 0) return LapsEnd::time;
-    const double begun = engine.time();
-    engine.run(std::min(left, steps_of(engine, kLap)), lap == 0);
+    if (steps_until(engine, end) <= 0) return LapsEnd::time;
+    const double begun = engine.time(), step = engine.step();
+    engine.run(next_steps(engine, end, growth), lap == 0);
+    growth = engine.step() / step;
     if (to_rest && engine.still() && engine.time() > begun) return LapsEnd::still;
     // A signal behind the last step has left nothing out.
     if (engine.interrupted() && steps_until(engine, end) > 0) return LapsEnd::interrupted;

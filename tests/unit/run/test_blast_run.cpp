@@ -415,7 +415,7 @@ TEST(BlastRun, GoesOnInTheMiddleOfTheThrow) {
   EXPECT_EQ(go(plan(), engine), Phase::rest);
   const std::vector<std::string> expected{"prepare throw",       "sleep",  "phase throw",
                                           "step for collisions", "set up", "snapshots 1000000",
-                                          "run afresh 50"};
+                                          "run afresh 25",       "run 25"};
   EXPECT_EQ(engine.told, expected);
   EXPECT_EQ(engine.joints, 2e-4);
 }

@@ -36,6 +36,19 @@ TEST(BlocksRun, RunsToATimeInLaps) {
   EXPECT_TRUE(engine.lines.empty());
 }
 
+TEST(BlocksRun, AStepThatGrowsDoesNotRunBeyondTheEnd) {
+  FakeEngine engine;
+  double begun = 0.0;
+  engine.after_run = [&] {  // it has grown by 1.8 after the first half of the steps
+    engine.now += 0.5 * 0.8 * (engine.now - begun);
+    begun = engine.now;
+    if (engine.dt < 0.02) engine.dt *= 1.8;
+  };
+  EXPECT_EQ(BlocksRun(plan_of({"until", "0.45"}), engine).go(), LapsEnd::time);
+  EXPECT_GE(engine.now, 0.45 - 1e-6 * engine.dt);
+  EXPECT_LE(engine.now, 0.45 + engine.dt);
+}
+
 TEST(BlocksRun, EndsWhenTheRockIsStill) {
   FakeEngine engine;
   engine.after_run = [&engine] { engine.at_rest = engine.now > 0.25; };
@@ -133,6 +146,11 @@ TEST(BlocksPlan, RefusesAnEndThatIsNoTime) {
   };
   EXPECT_EQ(refusal_of("rest"), "run_blocks: until must be a number in s, got 'rest'");
   EXPECT_EQ(refusal_of("0"), "run_blocks: until must be > 0 and <= 1000 s, got '0'");
+}
+
+TEST(BlocksPlan, RefusesANameThatSplitsALineOfTheHistory) {
+  for (const char* name : {"a,b", "a\"b", "a'b"})
+    EXPECT_THROW(plan_of({"phase", name}), InputError);
 }
 
 }  // namespace
