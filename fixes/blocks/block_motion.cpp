@@ -181,8 +181,8 @@ void BlockMotionCommand::hand_over(const std::vector<int>& bodies,
   }
   if (auto* account = engine::find_view<EnergyAccount>(*lmp))
     account->book_given(given);
-  else
-    engine::find_view<GivenEnergy>(*lmp)->keep_given(given);
+  else if (auto* before = engine::find_view<GivenEnergy>(*lmp))  // not there without create_blocks
+    before->keep_given(given);
 }
 
 /// The set-up of a run works out contacts with the velocities that spheres have; some of them may

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <string>
 
@@ -148,6 +149,28 @@ TEST(BlockMotion, WakesBlocksThatSleep) {
   scene.command("run 100 pre no");
   EXPECT_EQ(scene.output("sleep", 0), 0.0);
   for (const auto& [tag, block] : scene.blocks()) EXPECT_NEAR(block.velocity.z(), 1.0, 1e-12);
+}
+
+/// Bodies of LIGGGHTS, without an account of energy.
+TEST(BlockMotion, MovesBodiesThatCreateBlocksHasNotMade) {
+  const ScratchFolder folder("block_motion_bodies");
+  std::ofstream(folder / "two.txt") << "0 0 0 0.1\n0.1 0 0 0.1\n";
+  RockScene scene(MPI_COMM_WORLD, "-2 6 -2 6 -2 9", "* 1 1", "multisphere/muckpile");
+  scene.command(
+      "fix two all particletemplate/multisphere 15485863 atom_type 1 density constant 2500 "
+      "nspheres "
+      "2 ntry 100000 spheres file " +
+      (folder / "two.txt").string() + " scale 1.0 type 1");
+  scene.command("fix sizes all particledistribution/discrete 32452843 1 two 1.0");
+  scene.command("region in block 0 4 0 4 0 4 units box");
+  scene.command(
+      "fix pour all insert/pack seed 32452867 distributiontemplate sizes insert_every once "
+      "overlapcheck yes all_in yes particles_in_region 3 region in");
+  scene.run(2, kStep);
+  scene.command("block_motion all velocity 1 0 0");
+  const auto blocks = scene.blocks();
+  ASSERT_EQ(blocks.size(), 3u);
+  for (const auto& [tag, block] : blocks) EXPECT_EQ(block.velocity, Vec3::UnitX()) << tag;
 }
 
 }  // namespace
