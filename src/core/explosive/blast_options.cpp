@@ -173,7 +173,11 @@ void read_pulse(BlastOptions& options, const ArgValues& values) {
   };
   pulse.end_time = needed({Kind::triangular}, "pulse_end");
   pulse.half_time = needed({Kind::itasca}, "pulse_half_time");
-  if (pulse.kind == Kind::table) pulse.table = read_pulse_table(values.word("pulse_table"));
+  if (pulse.kind == Kind::table) {
+    if (!values.given("pulse_table"))
+      refuse(options.where, "pulse_table, a CSV file, is needed with pulse_shape table");
+    pulse.table = read_pulse_table(values.word("pulse_table"));
+  }
   try {
     pulse.rise_time = PulseShape(pulse).rise_time();
   } catch (const InputError& error) {

@@ -287,7 +287,7 @@ TEST(BlastOptions, EachWrongWordIsNamedWithItsRule) {
       {"pulse_shape triangular pulse_end 1e-5", "pulse_end must be > rise_time s, got '1e-05'"},
       {"pulse_shape itasca", "pulse_half_time [s] is needed with pulse_shape itasca"},
       {"pulse_shape duvall pulse_ratio 1", "pulse_ratio must be > 1 and <= 1000, got '1'"},
-      {"pulse_shape table", "none: cannot be opened"},
+      {"pulse_shape table", "pulse_table, a CSV file, is needed with pulse_shape table"},
       {"venting flow", "stemming_length [m] is needed with gas yes and venting flow"},
       {"venting flow stemming_length 3",
        "crack_delay [s] is needed with gas yes and venting flow (about 1e-3 s per metre of "
@@ -310,8 +310,7 @@ TEST(BlastOptions, EachWrongWordIsNamedWithItsRule) {
        "borehole_pressure and borehole_model exclude each other"},
   };
   for (const WrongInput& wrong : cases) {
-    const std::string start = std::string(wrong.words) == "pulse_shape table" ? "" : kWhere + ": ";
-    EXPECT_EQ(message(kCharge + kGas + " " + wrong.words), start + wrong.message);
+    EXPECT_EQ(message(kCharge + kGas + " " + wrong.words), kWhere + ": " + wrong.message);
   }
 }
 
