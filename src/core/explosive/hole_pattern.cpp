@@ -8,6 +8,7 @@
 
 #include "args/input_error.h"
 #include "args/numbers.h"
+#include "explosive/hole_table.h"
 #include "explosive/table_text.h"
 
 namespace muckpile {
@@ -40,6 +41,15 @@ void check_lengths(const HolePattern& p, const std::string& where) {
                     short_text(p.hole_length()) + " m, got '" + number_text(p.stemming) +
                     "' m and " + std::to_string(p.decks - 1) + " times '" +
                     number_text(p.deck_stemming) + "' m");
+}
+
+// The table of the holes has a limit of its own for what the decks add up to.
+void check_delays(const HolePattern& p, const std::string& where) {
+  const double last = p.in_hole_delay + static_cast<double>(p.decks - 1) * p.deck_delay;
+  if (delay_range().contains(last)) return;
+  refuse(where, "in_hole_delay and deck_delay must come to " + delay_range().text() +
+                    " s in the highest of " + std::to_string(p.decks) + " decks, got '" +
+                    number_text(last) + "' s");
 }
 
 // The face leans back faster than the holes, so the collar is nearest to it, or the toe.
@@ -160,6 +170,7 @@ HolePattern hole_pattern(const ArgValues& values, const std::string& where) {
                      std::to_string(kMost) + " charges, got '" +
                      std::to_string(p.rows * p.holes_per_row * p.decks) + "'");
   check_lengths(p, where);
+  check_delays(p, where);
   check_front(p, where);
   return p;
 }
