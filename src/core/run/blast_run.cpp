@@ -178,6 +178,7 @@ void BlastRun::soften_for_push() {
 
 BlastRun::Phase BlastRun::after_push() {
   if (plan_.ends_with_wave) {
+    engine_.take_snapshots_every(kNoSnapshots);  // another command may go on
     engine_.say("Wave and gas push end after " + rounded_text(engine_.time()) + " s.");
     return Phase::wave_over;
   }

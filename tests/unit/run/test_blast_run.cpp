@@ -378,6 +378,7 @@ TEST(BlastRun, EndsWithTheWaveWhereThePlanSaysSo) {
     EXPECT_NEAR(engine.now, 0.1, 1e-9);
     EXPECT_EQ(engine.joints, 1.0);
     EXPECT_FALSE(engine.was_told("phase throw"));
+    EXPECT_EQ(engine.told.back(), "snapshots 1000000");  // for a command that goes on
     EXPECT_EQ(engine.lines, std::vector<std::string>{"Wave and gas push end after 0.1 s."});
   }
 }
