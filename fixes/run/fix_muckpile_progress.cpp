@@ -45,7 +45,7 @@ const ArgTable& table() {
   static const ArgTable args =
       engine::periodic_output_table("fix muckpile/progress", "between checks",
                                     "where history.csv and run.json go")
-          .word("phase", {}, "run", "name of the phase that begins")
+          .word("phase", {}, "run", "name of the phase that begins, without commas and quotes")
           .real("time_end", "s", time_range(), 1e30,
                 "physical time at which the phase ends at the latest; for the time left")
           .real("still_speed", "m/s", Range::left_open(0.0, 1e3), 0.1,

@@ -21,7 +21,8 @@ void add_phases(ArgTable& table) {
             "earliest end of wave and gas push [s], > 0 and <= 1000; auto: by fix muckpile/blast")
       .word("end", {"rest", "wave"}, "rest",
             "rest: the run ends when the rock rests; wave: at wave_end, before the throw")
-      .word("throw_name", {}, "throw", "of the last phase, for screen and history.csv");
+      .word("throw_name", {}, "throw",
+            "of the last phase, for screen and history.csv; without commas and quotes");
 }
 
 void add_steps(ArgTable& table) {

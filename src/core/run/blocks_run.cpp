@@ -17,7 +17,9 @@ constexpr const char* kStill = "still";
 
 ArgTable run_blocks_table() {
   ArgTable table("run_blocks");
-  table.word("phase", {}, "run", "name of the phase, for screen and history.csv")
+  table
+      .word("phase", {}, "run",
+            "name of the phase, for screen and history.csv; without commas and quotes")
       .word("until", {}, kStill,
             "end of the phase on the clock of the run [s], > 0 and <= 1000; still: when the rock "
             "rests");
