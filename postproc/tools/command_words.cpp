@@ -6,7 +6,9 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 
+#include "args/numbers.h"
 #include "args/suggestion.h"
 #include "report/block_fields.h"
 
@@ -32,7 +34,8 @@ std::string printable(std::string message) {
   return message;
 }
 
-CLI::Validator finite(bool (*allowed)(double), const std::string& rule, const char* name) {
+CLI::Validator finite(const std::function<bool(double)>& allowed, const std::string& rule,
+                      const char* name) {
   const auto wrong = [allowed, rule](const std::string& word) -> std::string {
     double number = 0.0;
     const bool read = CLI::detail::lexical_cast(word, number) && std::isfinite(number);
@@ -53,6 +56,15 @@ CLI::Validator above_zero() {
 
 CLI::Validator at_least_zero() {
   return finite([](double number) { return number >= 0.0; }, ">= 0", "NONNEGATIVE");
+}
+
+CLI::Validator between(double least, double most) {
+  return finite([least, most](double number) { return number >= least && number <= most; },
+                "from " + number_text(least) + " to " + number_text(most), "RANGE");
+}
+
+CLI::Validator any_number() {
+  return finite([](double) { return true; }, "a finite number", "NUMBER");
 }
 
 void add_measure(CLI::App* command, MeasureOptions& options) {

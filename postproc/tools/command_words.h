@@ -18,6 +18,8 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* help, std::st
 /// print the largest number there is instead.
 CLI::Validator above_zero();
 CLI::Validator at_least_zero();
+CLI::Validator between(double least, double most);  ///< as CLI::Range, which lets NaN pass
+CLI::Validator any_number();
 
 /// Tells of a fault on the error stream: the beginning of its message, which may quote a file of
 /// another kind, without what moves a cursor.

@@ -76,9 +76,9 @@ void add_flyrock_command(CLI::App& app) {
   command
       ->add_option("--launch-angle", options.launch_angle_deg,
                    "of stemming that is blown out, to the horizontal [deg]")
-      ->check(CLI::Range(45.0, 90.0));
+      ->check(between(45.0, 90.0));
   command->add_option("--factor", options.safety_factor, "factor of safety: clearance over range")
-      ->check(CLI::Range(1.0, 10.0));
+      ->check(between(1.0, 10.0));
   command->callback([words] {
     const ResultFolder folder(words->folder);
     report_flyrock(folder, words->options);

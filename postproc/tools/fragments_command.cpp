@@ -50,14 +50,14 @@ void add_fines(CLI::App* command, FragmentOptions& options) {
           ->add_option("--fines", options.fines_radius,
                        "fines by a law, no simulation: rock within this many hole radii of a "
                        "charge is crushed; fines.csv, fines.png (default: none)")
-          ->check(CLI::Range(1.0, 20.0));
+          ->check(between(1.0, 20.0));
   command->add_option("--fines-top", options.fines_top, "99 % of the fines pass this size [m]")
-      ->check(CLI::Range(1e-6, 1.0))
+      ->check(between(1e-6, 1.0))
       ->needs(fines);
   command
       ->add_option("--fines-exponent", options.fines_exponent,
                    "of the Rosin-Rammler curve of the fines")
-      ->check(CLI::Range(0.2, 5.0))
+      ->check(between(0.2, 5.0))
       ->needs(fines);
 }
 

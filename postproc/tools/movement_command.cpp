@@ -55,13 +55,17 @@ void add_movement_command(CLI::App& app) {
                             ->add_option("--ore-column", o->options.ore_column,
                                          "of --model: cells with --cutoff or more in it are ore")
                             ->needs(dig);
-  movement->add_option("--cutoff", o->options.cutoff, "in the column's unit")->needs(column);
+  movement->add_option("--cutoff", o->options.cutoff, "in the column's unit")
+      ->check(any_number())
+      ->needs(column);
   movement->add_option("--shift", o->options.shift,
                        "of polygons and model along x, y and z [m], before they are turned; "
-                       "drawings and moved places are in their axes");
+                       "drawings and moved places are in their axes")
+      ->check(any_number());
   movement->add_option("--turn", o->options.turn_deg,
                        "of the shifted ones about the run's z axis, counter-clockwise seen from "
-                       "above [deg]");
+                       "above [deg]")
+      ->check(any_number());
   movement
       ->add_flag("--mine", o->mine,
                  "polygons and model are in the coordinates of the mine that scene.json tells, in "

@@ -49,15 +49,17 @@ void add_view(CLI::App* render, PictureOptions& picture) {
   render->add_option("--width", picture.width, "[px]")->check(CLI::Range(200, 8000));
   render->add_option("--height", picture.height, "[px]")->check(CLI::Range(200, 8000));
   render->add_option("--azimuth", picture.azimuth,
-                     "of the eye, from the throw direction towards -y [deg]");
+                     "of the eye, from the throw direction towards -y [deg]")
+      ->check(any_number());
   render
       ->add_option("--elevation", picture.elevation,
                    "of the eye [deg] (default: 28, of a crater 45)")
-      ->check(CLI::Range(1.0, 89.0));
+      ->check(between(1.0, 89.0));
   render->add_option("--zoom", picture.zoom, "the eye comes nearer by this factor")
-      ->check(CLI::Range(0.05, 100.0));
+      ->check(between(0.05, 100.0));
   render->add_option("--focus", picture.focus,
-                     "X Y Z in the middle of the picture [m] (default: of what it shows)");
+                     "X Y Z in the middle of the picture [m] (default: of what it shows)")
+      ->check(any_number());
 }
 
 }  // namespace

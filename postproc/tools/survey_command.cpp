@@ -56,10 +56,12 @@ void add_survey_command(CLI::App& app) {
                    "points x y z (.xyz, .csv, .txt, .las) or triangles (.stl, .dxf)")
       ->required();
   command->add_option("--shift", options.shift,
-                      "of the surface along x, y and z [m], before it is turned");
+                      "of the surface along x, y and z [m], before it is turned")
+      ->check(any_number());
   command->add_option("--turn", options.turn_deg,
                       "of the shifted surface about the run's z axis, counter-clockwise seen from "
-                      "above [deg]");
+                      "above [deg]")
+      ->check(any_number());
   command
       ->add_flag("--mine", words->mine,
                  "the surface is in the coordinates of the mine that scene.json tells, in place of "
