@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "args/input_error.h"
-#include "explosive/hole_table.h"
 
 namespace muckpile {
 namespace {
@@ -58,7 +57,28 @@ void add_hole_radii(std::vector<Charge>& charges, const std::vector<Charge>& dri
   }
 }
 
+void require_same_charges(const ResultFolder& folder, const HoleTable& table) {
+  const std::vector<Charge> charges = charges_of_run(folder);
+  if (charges.empty()) return;
+  for (const Deck& deck : table.decks()) {
+    const double near = 0.01 * (deck.collar - deck.toe).norm();
+    const bool found = std::ranges::any_of(charges, [&](const Charge& charge) {
+      return (charge.toe - deck.toe).norm() <= near && (charge.collar - deck.collar).norm() <= near;
+    });
+    if (found) continue;
+    throw InputError(folder.dump("holes.csv").string() + ": hole '" + deck.hole +
+                     "' is not where " + folder.dump("run.json").string() +
+                     " has a charge; give the folder the table that the run has read");
+  }
+}
+
 }  // namespace
+
+HoleTable hole_table_of(const ResultFolder& folder) {
+  HoleTable table = HoleTable::read(folder.dump("holes.csv").string());
+  require_same_charges(folder, table);
+  return table;
+}
 
 std::vector<Charge> charges_of_run(const ResultFolder& folder) {
   const std::filesystem::path path = folder.dump("run.json");

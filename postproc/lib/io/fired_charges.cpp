@@ -13,10 +13,9 @@
 namespace muckpile {
 namespace {
 
-std::vector<FiredCharge> charges_of_table(const ResultFolder& folder,
-                                          const std::filesystem::path& path) {
+std::vector<FiredCharge> charges_of_table(const ResultFolder& folder) {
   std::vector<FiredCharge> charges;
-  const HoleTable table = HoleTable::read(path.string());
+  const HoleTable table = hole_table_of(folder);
   const std::vector<TimedCharge> timed = charges_of_decks(folder, table);
   for (size_t k = 0; k < timed.size(); ++k) {
     const Deck& deck = table.decks()[k];
@@ -35,8 +34,7 @@ double mass_by_scene(const ResultFolder& folder) {
 }  // namespace
 
 std::vector<FiredCharge> fired_charges(const ResultFolder& folder) {
-  const std::filesystem::path table = folder.dump("holes.csv");
-  if (std::filesystem::exists(table)) return charges_of_table(folder, table);
+  if (std::filesystem::exists(folder.dump("holes.csv"))) return charges_of_table(folder);
   const double mass = mass_by_scene(folder);
   std::vector<FiredCharge> charges;
   for (const Charge& charge : charges_of(folder))

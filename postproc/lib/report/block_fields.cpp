@@ -11,7 +11,6 @@
 
 #include "args/input_error.h"
 #include "args/suggestion.h"
-#include "explosive/hole_table.h"
 #include "io/charges.h"
 #include "io/muck.h"
 #include "io/snapshot_reader.h"
@@ -109,9 +108,8 @@ struct NamedAxis {
 // Of the holes of the table, else of the charges of the run, which are numbered.
 std::vector<NamedAxis> hole_axes(const ResultFolder& folder) {
   std::vector<NamedAxis> axes;
-  const std::filesystem::path path = folder.dump("holes.csv");
-  if (std::filesystem::exists(path)) {
-    const HoleTable table = HoleTable::read(path.string());
+  if (std::filesystem::exists(folder.dump("holes.csv"))) {
+    const HoleTable table = hole_table_of(folder);
     for (const Deck& deck : table.decks()) {
       const auto same = [&](const NamedAxis& axis) { return axis.name == deck.hole; };
       if (std::ranges::none_of(axes, same))

@@ -8,7 +8,7 @@
 #include <map>
 
 #include "draw/png_file.h"
-#include "explosive/hole_table.h"
+#include "io/charges.h"
 #include "io/csv_writer.h"
 #include "io/mine_frame.h"
 #include "report/burden_plot.h"
@@ -23,7 +23,7 @@ namespace {
 std::vector<std::string> names_of(const ResultFolder& folder, size_t charges) {
   std::vector<std::string> names;
   if (std::filesystem::exists(folder.dump("holes.csv"))) {
-    const HoleTable table = HoleTable::read(folder.dump("holes.csv").string());
+    const HoleTable table = hole_table_of(folder);
     if (table.decks().size() == charges) {
       for (const Deck& deck : table.decks()) names.push_back(deck.hole);
       return names;

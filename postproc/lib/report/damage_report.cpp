@@ -8,7 +8,6 @@
 
 #include "draw/curve_plot.h"
 #include "draw/png_file.h"
-#include "explosive/hole_table.h"
 #include "io/charges.h"
 #include "io/csv_writer.h"
 #include "io/fired_charges.h"
@@ -39,9 +38,8 @@ std::vector<FiredCharge> axes_of(const ResultFolder& folder) {
 // Of the scene, else of the first charge of the hole table; NaN where neither tells [m].
 double hole_radius(const ResultFolder& folder) {
   if (folder.scene_has("hole_diameter_m")) return 0.5 * folder.scene_number("hole_diameter_m");
-  const std::filesystem::path path = folder.dump("holes.csv");
-  if (!std::filesystem::exists(path)) return kNaN;
-  const HoleTable table = HoleTable::read(path.string());
+  if (!std::filesystem::exists(folder.dump("holes.csv"))) return kNaN;
+  const HoleTable table = hole_table_of(folder);
   return table.decks().empty() ? kNaN : 0.5 * table.decks().front().diameter;
 }
 

@@ -9,7 +9,7 @@
 
 #include "draw/curve_plot.h"
 #include "draw/png_file.h"
-#include "explosive/hole_table.h"
+#include "io/charges.h"
 #include "io/csv_writer.h"
 #include "measure/fines_law.h"
 #include "report/notes.h"
@@ -19,14 +19,13 @@ namespace {
 
 // Of each charge [m]: of its deck in the hole table, else of the scene.
 std::vector<ChargedHole> charged_holes(const ResultFolder& folder) {
-  const std::filesystem::path path = folder.dump("holes.csv");
-  const bool has_table = std::filesystem::exists(path);
+  const bool has_table = std::filesystem::exists(folder.dump("holes.csv"));
   if (folder.scene_word("case") != "bench" && !has_table && charges_of_run(folder).empty())
     refuse("fragments: --fines", "the run has no charges");
   const std::vector<Charge> charges = charges_of(folder);
   std::vector<double> diameters;
   if (has_table) {
-    const HoleTable table = HoleTable::read(path.string());
+    const HoleTable table = hole_table_of(folder);
     for (const Deck& deck : table.decks()) diameters.push_back(deck.diameter);
   }
   if (diameters.size() != charges.size()) {

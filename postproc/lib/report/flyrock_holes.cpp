@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "io/charges.h"
 #include "io/fired_charges.h"
 #include "io/pattern_charges.h"
 #include "measure/hole_rock.h"
@@ -43,8 +44,8 @@ std::vector<ChargedDeck> decks_of(const std::string& hole, const HoleTable& tabl
   return decks;
 }
 
-std::vector<FlyrockHole> holes_of_table(const ResultFolder& folder, const std::string& path) {
-  const HoleTable table = HoleTable::read(path);
+std::vector<FlyrockHole> holes_of_table(const ResultFolder& folder) {
+  const HoleTable table = hole_table_of(folder);
   const std::vector<TimedCharge> charges = charges_of_decks(folder, table);
   const double burden = folder.scene_number("burden_m");
   std::vector<double> masses;
@@ -78,12 +79,11 @@ std::vector<FlyrockHole> flyrock_holes(const ResultFolder& folder) {
   if (folder.scene_word("case") != "bench")
     throw NotMeasurable("flyrock: the formulas are for a bench, got '" + folder.scene_word("case") +
                         "'");
-  const std::filesystem::path path = folder.dump("holes.csv");
-  const bool table = std::filesystem::exists(path);
+  const bool table = std::filesystem::exists(folder.dump("holes.csv"));
   if (!table && !folder.scene_has("charge_mass_kg") && !folder.scene_has("explosive_density_kg_m3"))
     throw NotMeasurable("flyrock: needs charge_mass_kg in " + folder.dump("scene.json").string() +
                         ", by write_scene");
-  return table ? holes_of_table(folder, path.string()) : holes_of_scene(folder);
+  return table ? holes_of_table(folder) : holes_of_scene(folder);
 }
 
 }  // namespace muckpile

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "explosive/hole_table.h"
+#include "io/charges.h"
 #include "rock/burden_file.h"
 
 namespace muckpile {
@@ -74,7 +74,7 @@ std::shared_ptr<const HoleFrames> hole_frames_of(const ResultFolder& folder, Hol
     missing = std::string("dump/") + file + " is missing";
     return nullptr;
   }
-  const HoleTable table = HoleTable::read(folder.dump("holes.csv").string());
+  const HoleTable table = hole_table_of(folder);
   const BurdenFile burdens = read_burdens(folder.dump("burden.csv"));
   if (burdens.holes.size() != table.decks().size()) {
     missing = "dump/burden.csv has other charges than dump/holes.csv";

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "explosive/hole_table.h"
+#include "io/charges.h"
 #include "io/csv_writer.h"
 #include "io/mine_frame.h"
 #include "measure/start_extent.h"
@@ -14,9 +14,8 @@ namespace muckpile {
 
 std::vector<HolePolygon> hole_outlines(const ResultFolder& folder, const BenchScene& bench,
                                        const std::vector<StartBlock>& blocks) {
-  const std::filesystem::path path = folder.dump("holes.csv");
-  if (!std::filesystem::exists(path)) return {};
-  const HoleTable table = HoleTable::read(path.string());
+  if (!std::filesystem::exists(folder.dump("holes.csv"))) return {};
+  const HoleTable table = hole_table_of(folder);
   const std::vector<double> masses(table.decks().size(), 0.0);
   const Extent rock = extent_at_start(blocks);
   return hole_polygons(pattern_holes(table, masses, bench.burden), bench.planes,

@@ -83,22 +83,6 @@ size_t most_decks_together(const HoleTable& table) {
   return static_cast<size_t>(std::lround(largest_within(decks, kVibrationWindow)));
 }
 
-// The table may be one that another run has left, or have been changed since.
-void require_same_charges(const ResultFolder& folder, const HoleTable& table) {
-  const std::vector<Charge> charges = charges_of_run(folder);
-  if (charges.empty()) return;
-  for (const Deck& deck : table.decks()) {
-    const double near = 0.01 * (deck.collar - deck.toe).norm();
-    const bool found = std::ranges::any_of(charges, [&](const Charge& charge) {
-      return (charge.toe - deck.toe).norm() <= near && (charge.collar - deck.collar).norm() <= near;
-    });
-    if (found) continue;
-    throw InputError(folder.dump("holes.csv").string() + ": hole '" + deck.hole +
-                     "' is not where " + folder.dump("run.json").string() +
-                     " has a charge; give the folder the table that the run has read");
-  }
-}
-
 // The rock of each hole, where the run has cut it and it is a bench that can be measured.
 std::vector<HolePolygon> outlines_if_told(const ResultFolder& folder) {
   if (folder.scene_word("case") != "bench" || !std::filesystem::exists(folder.dump("blocks.vtk")))
@@ -120,8 +104,7 @@ void report_plan(const std::filesystem::path& what) {
     return;
   }
   const ResultFolder folder(what);
-  const HoleTable table = HoleTable::read(folder.dump("holes.csv").string());
-  require_same_charges(folder, table);
+  const HoleTable table = hole_table_of(folder);
   const std::vector<TimedCharge> charges = charges_of_decks(folder, table);
   const std::vector<PlannedHole> plan = planned_holes(table, charges, ways_to_face(folder, table));
   write_png(draw_plan(table, plan, outlines_if_told(folder)), folder.file("plan.png"));

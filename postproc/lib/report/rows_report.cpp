@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/charges.h"
 #include "io/csv_writer.h"
 #include "io/mine_frame.h"
 #include "io/pattern_charges.h"
@@ -115,7 +116,7 @@ void add_velocities(Rows& rows, const ResultFolder& folder, const RunData& run,
 }
 
 Rows rows_of(const ResultFolder& folder, const RunData& run, const BenchScene& bench) {
-  const HoleTable table = HoleTable::read(folder.dump("holes.csv").string());
+  const HoleTable table = hole_table_of(folder);
   std::vector<double> masses;
   for (const TimedCharge& charge : charges_of_decks(folder, table)) masses.push_back(charge.mass);
   Rows rows;

@@ -216,6 +216,22 @@ TEST_F(Rows, NeedAHoleTable) {
   EXPECT_EQ(std::ranges::count(reports, "rows"), 0);
 }
 
+TEST_F(Rows, RefuseTheHoleTableOfAnotherRun) {
+  const std::string run = text_of(folder().dump("run.json"));
+  const auto back_charge_at = [&](const std::string& x) {
+    std::string holes;
+    for (const std::string& place : {x + ", 0", std::string("-5, -0.5"), std::string("-5, 0.5")})
+      holes += (holes.empty() ? R"({"toe_m": [)" : R"(, {"toe_m": [)") + place +
+               R"(, -1], "collar_m": [)" + place + R"(, 8], "radius_m": 0.15})";
+    write_text(folder().dump("run.json"),
+               std::string(run).insert(1, "\"holes\": [" + holes + "], "));
+  };
+  back_charge_at("-7.6");
+  EXPECT_NO_THROW(report_rows(folder(), {}));
+  back_charge_at("-6.6");
+  EXPECT_THROW(report_rows(folder(), {}), InputError);
+}
+
 TEST_F(Rows, ArePartOfAllWhereThereIsATable) {
   const auto reports = reports_of(folder(), false);
   EXPECT_EQ(std::ranges::count(reports, "rows"), 1);
