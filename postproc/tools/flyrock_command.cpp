@@ -72,7 +72,7 @@ void add_flyrock_command(CLI::App& app) {
   command
       ->add_option("--k", options.site_constant,
                    "site constant of Richards & Moore (default: its usual range, 14 to 30)")
-      ->check(above_zero());
+      ->check(between(0.1, 1000.0));
   command
       ->add_option("--launch-angle", options.launch_angle_deg,
                    "of stemming that is blown out, to the horizontal [deg]")

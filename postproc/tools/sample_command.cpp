@@ -3,11 +3,13 @@
 // Scope: see the header.
 #include "sample_command.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "args/input_error.h"
 #include "sweep/latin_hypercube.h"
 
 namespace muckpile {
@@ -20,7 +22,11 @@ struct SampleWords {
 
 void print_samples(const SampleWords& words) {
   std::vector<SampledRange> ranges;
-  for (const std::string& range : words.ranges) ranges.push_back(parse_range(range));
+  for (const std::string& range : words.ranges) {
+    ranges.push_back(parse_range(range));
+    if (std::ranges::count(ranges, ranges.back().name, &SampledRange::name) > 1)
+      throw InputError("sample: each variable once, got '" + ranges.back().name + "' twice");
+  }
   const auto design = latin_hypercube(static_cast<size_t>(words.runs), ranges.size(),
                                       static_cast<std::uint64_t>(words.seed));
   for (const std::vector<double>& run : design) {

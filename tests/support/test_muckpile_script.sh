@@ -28,6 +28,7 @@ must_refuse "has no variable 'bench_heigth'; did you mean 'bench_height'? (it ha
   run inputs/demo/in.demo -var bench_heigth 10
 must_refuse "-var bench_height needs one value" run inputs/demo/in.demo -var bench_height ''
 must_refuse "computes 'step' itself" run inputs/demo/in.demo -var step 2
+must_refuse "-var go_on 1 needs -var from FILE" run inputs/demo/in.demo -var go_on 1
 must_refuse "-var from FILE needs -var go_on 1" run inputs/demo/in.demo -var from a.restart
 must_refuse "use -out DIR" run inputs/demo/in.demo -var out here
 must_refuse "splits names at blanks" run inputs/demo/in.demo -out 'a b'

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "args/input_error.h"
 
@@ -70,6 +71,11 @@ void require_same_charges(const ResultFolder& folder, const HoleTable& table) {
                      "' is not where " + folder.dump("run.json").string() +
                      " has a charge; give the folder the table that the run has read");
   }
+  if (charges.size() > table.decks().size())
+    throw InputError(folder.dump("holes.csv").string() + ": has " +
+                     std::to_string(table.decks().size()) + " charges, " +
+                     folder.dump("run.json").string() + " " + std::to_string(charges.size()) +
+                     "; give the folder the table that the run has read");
 }
 
 }  // namespace

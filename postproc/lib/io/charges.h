@@ -25,8 +25,8 @@ std::vector<Charge> charges_of(const ResultFolder& folder);
 // The "holes" of run.json; empty where there is no such file or it has none.
 std::vector<Charge> charges_of_run(const ResultFolder& folder);
 
-// dump/holes.csv. InputError where run.json has charges and none is where the table has one: the
-// table may be one that another run has left, or have been changed since.
+// dump/holes.csv. InputError where run.json has charges and these are others than the table's: that
+// may be one that another run has left, or have been changed since.
 HoleTable hole_table_of(const ResultFolder& folder);
 
 }  // namespace muckpile

@@ -98,9 +98,12 @@ std::vector<HolePolygon> outlines_if_told(const ResultFolder& folder) {
 
 void report_plan(const std::filesystem::path& what) {
   if (!std::filesystem::is_directory(what)) {
+    const auto picture = std::filesystem::path(what).replace_extension(".png");
+    if (picture == what)
+      throw InputError("plan: " + what.string() +
+                       ": the picture would replace the table; call that .csv, say");
     const HoleTable table = HoleTable::read(what.string());
-    write_png(draw_plan(table, planned_holes(table, charges_without_run(table), {})),
-              std::filesystem::path(what).replace_extension(".png"));
+    write_png(draw_plan(table, planned_holes(table, charges_without_run(table), {})), picture);
     return;
   }
   const ResultFolder folder(what);

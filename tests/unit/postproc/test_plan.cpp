@@ -64,6 +64,12 @@ TEST_F(Plan, OfATableLiesBesideIt) {
   EXPECT_GT(std::filesystem::file_size(picture), 5000u);
 }
 
+TEST_F(Plan, NeverReplacesTheTable) {
+  const std::string table = write("holes.png", kRows);
+  EXPECT_THROW(report_plan(table), InputError);
+  EXPECT_TRUE(testing::text_of(table).starts_with("hole,"));
+}
+
 TEST_F(Plan, OfAResultFolderAddsItsKeys) {
   write("dump/holes.csv", kRows);
   const std::filesystem::path& folder = temporary_.path();

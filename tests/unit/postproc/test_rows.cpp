@@ -230,6 +230,10 @@ TEST_F(Rows, RefuseTheHoleTableOfAnotherRun) {
   EXPECT_NO_THROW(report_rows(folder(), {}));
   back_charge_at("-6.6");
   EXPECT_THROW(report_rows(folder(), {}), InputError);
+  back_charge_at("-7.6");
+  const std::string table = text_of(folder().dump("holes.csv"));
+  write_text(folder().dump("holes.csv"), table.substr(0, table.find("right")));
+  EXPECT_THROW(report_rows(folder(), {}), InputError);
 }
 
 TEST_F(Rows, ArePartOfAllWhereThereIsATable) {
