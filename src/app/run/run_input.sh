@@ -34,6 +34,7 @@ run() {
   read_run_words "$@"
   cd "$root"
   check_run_words
+  [[ $go_on != 1 || -n $(value_of from "${engine_args[@]}") ]] || die "-var go_on 1 needs -var from FILE with it, a restart file of the run"
   build liggghts-muckpile muckpile-post
   prepare_folder
   run_in_folder
@@ -80,7 +81,6 @@ check_run_words() {
   check_variables
   go_on=$(value_of go_on "${engine_args[@]}")
   [[ $go_on == 1 || -z $(value_of from "${engine_args[@]}") ]] || die "-var from FILE needs -var go_on 1 with it"
-  [[ $go_on != 1 || -n $(value_of from "${engine_args[@]}") ]] || die "-var go_on 1 needs -var from FILE with it, a restart file of the run"
   : "${out:=$default_folder$(basename "$(dirname "$(realpath "$input")")")}"
   [[ $out != *[[:space:]]* ]] || die "LIGGGHTS splits names at blanks; choose another folder than '$out'"
   [[ $out != *[%*]* ]] || die "% and * mean something else in LIGGGHTS' names of files; choose another folder than '$out'"
