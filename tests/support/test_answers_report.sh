@@ -13,16 +13,18 @@ refuses() {  # refuses TEXT COMMAND...
   grep -qF -- "$1" <<<"$output" || fail "does not tell '$1' but '$output'"
 }
 
-one_run() {  # one_run NAME THROW WAVE [MORE]
+one_run() {  # one_run NAME/CUT THROW WAVE [MORE]
   mkdir -p "results/$1"
   echo "{\"throw_cg_m\": $2, \"physical_time_s\": 0.5, \"face_velocity_mean_m_s\": 12.34, \"explosive_energy_J\": 200, \"wave_work_J\": $3,
     \"gas_work_J\": 20, \"energy_audit_J\": {\"crushing\": 40, \"rock_heat\": 80, \"vented\": 10, \"stemming\": 2}, \"energy_audit_error\": 0.001${4-}}" \
     >"results/$1/summary.json"
 }
-one_run base 3 10 ', "stemming_out_s": 0.0088'
-one_run half 1.5 5 ', "stemming_out_s": null'
-one_run grain 2.4 10
-one_run fine 3 12
+one_run base/1 2 9 ', "stemming_out_s": 0.008'
+one_run base/2 4 11 ', "stemming_out_s": 0.0096'
+one_run half/1 1.5 5 ', "stemming_out_s": null'
+one_run half/2 1.5 5 ', "stemming_out_s": 0.02'
+one_run grain/1 2.4 10
+one_run fine/1 3 12
 mkdir case
 printf '# NAME SCENE\nbase bench\n\nhalf bench energy_share 0.5 # so\ngrain assumed crushed_grain 1\nfine slice\n' >case/runs.txt
 printf '# NAME\nenergy 0.5 burden_speed_m_s half base\nload - load_work_J fine base\nvented - energy_audit_J.vented base -\n' >case/answers.txt
@@ -56,10 +58,12 @@ refuses "page.md: has no line '<!-- runs: slice -->'" "$report" case results sli
 refuses "needs SCENE=PAGE, got 'bench'" "$report" case results bench
 sed -i '$d' page.md
 refuses "page.md: has no line '<!-- end of runs -->'" "$report" case results assumed=page.md
-one_run half null 5
-refuses "half/summary.json: throw_cg_m must be a finite number, got null" "$report" case results
+one_run half/2 null 5
+refuses "half/2/summary.json: throw_cg_m must be a finite number, got null" "$report" case results
 echo 'short 0.5 load_work_J base' >case/answers.txt
 refuses "a row must be NAME FACTOR QUANTITY RUN BASE, got 'short' with 4 words" "$report" case results
 echo 'whole 0.5 load_work_J base -' >case/answers.txt
-rm results/base/summary.json
-refuses "results/base/summary.json: cannot be opened" "$report" case results bench=
+rm results/base/2/summary.json
+refuses "results/base/2/summary.json: cannot be opened" "$report" case results bench=
+rm -r results/base/*
+refuses "results/base: has no folder of a cut" "$report" case results bench=

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # run.sh [RESULTS [LIGGGHTS_MUCKPILE MUCKPILE_POST]]: a small bench blast, and the same with one thing changed at a time; exponents and ratios of what it
-# answers. Writes RESULTS/answers.csv, RESULTS/summary.json and RESULTS/bench.csv, RESULTS/assumed.csv with the figures of all runs, which
+# answers, in the mean of three cuts. Writes RESULTS/answers.csv, RESULTS/summary.json and RESULTS/bench.csv, RESULTS/assumed.csv with the figures of all runs, which
 # WRITE_PAGES=1 in the environment puts beside this file and into README.md; answers_report makes them. RESULTS is results/responses unless given.
 # Two runs at once.
 # Scope: fails if a figure is missing or outside what expected.json allows. The runs and the rows are in runs.txt, answers.txt beside this file.
@@ -9,10 +9,11 @@ set -euo pipefail
 # shellcheck source=tests/support/validation_case.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../../../tests/support/validation_case.sh" responses "$@"
 
-# blast NAME SCENE [VAR VALUE]...: runs a scene until the burden is in flight.
+# blast SEED NAME SCENE [VAR VALUE]...: runs a scene in one cut until the burden is in flight.
 blast() {
-  local name=$1 scene=$2 fixed=()
-  shift 2
+  local seed=$1 name=$2 scene=$3 fixed=()
+  shift 3
+  local out=$results/$name/$seed
   if [[ $scene != slice ]]; then
     fixed=(accuracy quick bench_height 4 time_end 0.1)
     scene=inputs/bench/in.bench
@@ -22,18 +23,21 @@ blast() {
     fixed=(thickness 2.4 hole_diameter 0.102)
     scene=inputs/validation/burden_velocity/in.burden_velocity
   fi
-  run_input "$scene" "$results/$name" "$@" "${fixed[@]}"
-  "$post" profile "$results/$name" >"$results/$name/profile.txt"
-  echo "$name done"
+  run_input "$scene" "$out" "$@" "${fixed[@]}" seed "$seed"
+  "$post" profile "$out" >"$out/profile.txt"
+  echo "$name, cut $seed done"
 }
 
 # All runs, two at once; one that fails ends the script.
 run_all() {
-  local name words
+  local name words seed
   while read -r name words; do
-    while (($(jobs -rp | wc -l) >= 2)); do wait -n; done
-    # shellcheck disable=SC2086
-    blast "$name" $words </dev/null &
+    rm -rf "${results:?}/$name"
+    for seed in 1 2 3; do
+      while (($(jobs -rp | wc -l) >= 2)); do wait -n; done
+      # shellcheck disable=SC2086
+      blast "$seed" "$name" $words </dev/null &
+    done
   done < <(grep '^[^#]' "$case_dir/runs.txt")
   while (($(jobs -p | wc -l) > 0)); do wait -n; done
 }

@@ -3,6 +3,7 @@
 // Scope: see the header.
 #include "tables.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <fstream>
@@ -22,16 +23,40 @@ std::ifstream opened(const std::filesystem::path& path) {
   return in;
 }
 
-FigureFile summary_of(const std::filesystem::path& results, const std::string& run) {
-  return FigureFile(results / run / "summary.json");
-}
+/// The summaries of one run's cuts.
+class Cuts {
+ public:
+  Cuts(const std::filesystem::path& results, const std::string& run) {
+    const std::filesystem::path folder = results / run;
+    for (const auto& cut : std::filesystem::directory_iterator(folder))
+      cuts_.emplace_back(cut.path() / "summary.json");
+    if (cuts_.empty()) refuse(folder.string(), "has no folder of a cut");
+  }
 
-double figure_in(const FigureFile& summary, const std::string& quantity) {
-  if (quantity == "burden_speed_m_s")
-    return summary.get("throw_cg_m") / summary.get("physical_time_s");
-  if (quantity == "load_work_J") return summary.get("wave_work_J") + summary.get("gas_work_J");
-  return summary.get(quantity);
-}
+  /// Mean over the cuts.
+  [[nodiscard]] double get(const std::string& quantity) const {
+    double sum = 0.0;
+    for (const FigureFile& cut : cuts_) sum += figure_in(cut, quantity);
+    return sum / static_cast<double>(cuts_.size());
+  }
+  /// Nothing where a cut has none.
+  [[nodiscard]] std::optional<double> find(const std::string& quantity) const {
+    const auto lacks = [&](const FigureFile& cut) {
+      return cut.is_null(quantity) || !cut.find(quantity);
+    };
+    return std::ranges::any_of(cuts_, lacks) ? std::nullopt : std::optional(get(quantity));
+  }
+
+ private:
+  [[nodiscard]] static double figure_in(const FigureFile& summary, const std::string& quantity) {
+    if (quantity == "burden_speed_m_s")
+      return summary.get("throw_cg_m") / summary.get("physical_time_s");
+    if (quantity == "load_work_J") return summary.get("wave_work_J") + summary.get("gas_work_J");
+    return summary.get(quantity);
+  }
+
+  std::vector<FigureFile> cuts_;
+};
 
 std::string formatted(const char* format, double value) {
   std::array<char, 64> text{};
@@ -40,20 +65,19 @@ std::string formatted(const char* format, double value) {
 }
 
 /// Figures of one run as text, in the order of kColumns.
-std::vector<std::string> figures_of_run(const FigureFile& run, const FigureFile& base) {
-  const double speed = figure_in(run, "burden_speed_m_s");
+std::vector<std::string> figures_of_run(const Cuts& run, const Cuts& base) {
+  const double speed = run.get("burden_speed_m_s");
   const double energy = run.get("explosive_energy_J");
   std::vector<std::string> figures{formatted("%.1f", run.get("face_velocity_mean_m_s")),
                                    formatted("%.2f", speed),
-                                   formatted("%.2f", speed / figure_in(base, "burden_speed_m_s"))};
+                                   formatted("%.2f", speed / base.get("burden_speed_m_s"))};
   for (const char* part :
        {"wave_work_J", "gas_work_J", "energy_audit_J.crushing", "energy_audit_J.rock_heat",
         "energy_audit_J.vented", "energy_audit_J.stemming"})
     figures.push_back(formatted("%.1f", 100.0 * run.get(part) / energy));
   figures.push_back(formatted("%.2f", 100.0 * run.get("energy_audit_error")));
   // Stemming that is in the hole at the end has no such time.
-  const std::string when = "stemming_out_s";
-  const auto out = run.is_null(when) ? std::nullopt : run.find(when);
+  const auto out = run.find("stemming_out_s");
   figures.push_back(out ? formatted("%.1f", 1000.0 * *out) : std::string());
   return figures;
 }
@@ -79,11 +103,11 @@ constexpr std::array<Column, 11> kColumns{{{"face_velocity_mean_m_s", nullptr},
 template <class Each>
 void for_each_run(const std::filesystem::path& runs, const std::filesystem::path& results,
                   const std::string& scene, const Each& each) {
-  const FigureFile base = summary_of(results, "base");
+  const Cuts base(results, "base");
   for (const auto& row : rows_of(runs)) {
     if (row.size() < 2) refuse(runs.string(), "run '" + row[0] + "' has no scene");
     if (row[0] == "base" || row[1] == scene)
-      each(row[0], figures_of_run(summary_of(results, row[0]), base));
+      each(row[0], figures_of_run(Cuts(results, row[0]), base));
   }
 }
 
@@ -102,7 +126,7 @@ std::vector<std::vector<std::string>> rows_of(const std::filesystem::path& file)
 
 double figure_of(const std::filesystem::path& results, const std::string& run,
                  const std::string& quantity) {
-  return figure_in(summary_of(results, run), quantity);
+  return Cuts(results, run).get(quantity);
 }
 
 std::string answers_table(const std::filesystem::path& answers,

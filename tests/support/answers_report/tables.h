@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What runs of one blast, with one thing changed at a time, have given: a table of answers and a
 // table of each scene's runs.
-// Scope: reads RESULTS/NAME/summary.json of each run; throws InputError, naming file and quantity,
-// where a figure is missing, but for the end of the stemming, which may stay in its hole.
+// Scope: reads RESULTS/NAME/CUT/summary.json of each run's cuts, whose mean counts; throws
+// InputError, naming file and quantity, where a figure is missing, but for the end of the stemming,
+// which may stay in its hole.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +15,7 @@ namespace muckpile::check {
 /// Lines of words; empty lines and those that begin with # are left out.
 [[nodiscard]] std::vector<std::vector<std::string>> rows_of(const std::filesystem::path& file);
 
-/// Of a run: a quantity of its summary, or burden_speed_m_s, the way of the burden's mass centre
+/// Of a run: a quantity of its summaries, or burden_speed_m_s, the way of the burden's mass centre
 /// over the time, or load_work_J, the work of wave and gas.
 [[nodiscard]] double figure_of(const std::filesystem::path& results, const std::string& run,
                                const std::string& quantity);
