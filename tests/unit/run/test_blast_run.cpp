@@ -360,6 +360,25 @@ TEST(BlastRun, EndsWhereTimeRunsOutWhileGasWorks) {
   }
 }
 
+/// The rock comes apart and bears twice the step, in the middle of the last look at the gas.
+TEST(BlastRun, AStepThatGrowsWhileGasWorksDoesNotRunBeyondTheEnd) {
+  for (const Gas gas : {Gas::in_joints, Gas::in_holes}) {
+    FakeBlast engine;
+    engine.dt = 1e-4;
+    engine.on_walls = 1e6;
+    engine.happens = [](FakeBlast& e) { e.work *= 1.1; };
+    engine.after_step = [&] {
+      if (engine.now > 0.116) engine.dt = 2e-4;
+    };
+    BlastPlan gassy = plan();
+    gassy.gas = gas;
+    gassy.time_end = 0.12;
+    EXPECT_EQ(go(gassy, engine), Phase::rest);
+    EXPECT_GE(engine.now, 0.12 - 1e-9);
+    EXPECT_LE(engine.now, 0.12 + 2e-4);
+  }
+}
+
 TEST(BlastRun, EndsWhereTimeRunsOutInTheThrow) {
   FakeBlast engine;
   EXPECT_EQ(go(plan(), engine), Phase::rest);
