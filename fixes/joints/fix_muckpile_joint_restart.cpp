@@ -42,8 +42,11 @@ void FixMuckpileJoint::restart(char* state) {
 void FixMuckpileJoint::go_on_as_soft() {
   const RockSoftness found = store_->softness();
   if (found.factor == network_.softened()) return;  // as it was given, or in its own restart data
-  network_.resume(
-      {.softened = found.factor, .damping = found.damping, .softer_since = found.factor < 1.0});
+  NetworkTotals totals;
+  totals.softened = found.factor;
+  totals.damping = found.damping;
+  totals.softer_since = true;
+  network_.resume(totals);
   engine::print_once(*lmp, engine::name_of(*this) + ": goes on with joints that were softened to " +
                                rounded_text(found.factor) + " of their stiffness\n");
 }

@@ -215,7 +215,8 @@ TEST(BlastRun, LooksWhetherWavesHaveGoneAreOneRunEach) {
   };
   EXPECT_EQ(go(plain, engine), Phase::interrupted);
   ASSERT_EQ(looks.size(), 10u);  // of 5 ms
-  for (std::size_t k = 0; k < looks.size(); ++k) EXPECT_NEAR(looks[k], 0.045 + 5e-3 * k, 1e-9);
+  for (std::size_t k = 0; k < looks.size(); ++k)
+    EXPECT_NEAR(looks[k], 0.045 + 5e-3 * static_cast<double>(k), 1e-9);
 }
 
 TEST(BlastRun, StressesLockedInTheRockAreNoWaves) {
