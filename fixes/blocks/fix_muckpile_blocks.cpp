@@ -134,9 +134,10 @@ FacetLists FixMuckpileBlocks::hand_over() {
   return lists;
 }
 
-/// The facets of the former keeper come back first.
+/// The facets of the former keeper come back first; how soft it made them stays known.
 void FixMuckpileBlocks::set_keeper(FacetKeeper* keeper) {
   take_back();
+  softness_ = softness();
   keeper_ = keeper;
 }
 

@@ -63,14 +63,15 @@ struct BlocksState {
   std::vector<std::string> zones;
   int blocks_created = 0, facets_created = 0;
   RecordedRun run;
+  RockSoftness softness;
 };
 template <>
 struct Stored<BlocksState> {
   static constexpr std::string_view kName = "blocks_state";
-  static constexpr int kVersion = 2;
+  static constexpr int kVersion = 3;
   static auto fields(auto& state) {
     return std::tie(state.time, state.highest_joint_class, state.holes, state.zones,
-                    state.blocks_created, state.facets_created, state.run);
+                    state.blocks_created, state.facets_created, state.run, state.softness);
   }
 };
 
@@ -110,6 +111,9 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix,
 
   void set_keeper(FacetKeeper* keeper) override;
   [[nodiscard]] FacetLists hand_over() override;
+  [[nodiscard]] RockSoftness softness() const override {
+    return keeper_ != nullptr ? keeper_->softness() : softness_;
+  }
   [[nodiscard]] std::uint64_t version() const override { return version_; }
   [[nodiscard]] int highest_joint_class() const override { return highest_joint_class_; }
   [[nodiscard]] const std::vector<std::string>& zones() const override { return zones_; }
@@ -145,6 +149,7 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix,
 
   LAMMPS_NS::FixMultisphere* multisphere_;
   FacetKeeper* keeper_ = nullptr;
+  RockSoftness softness_;  // while there is no keeper
   std::vector<BlockRecord> records_;
   std::vector<Facet> facets_;
   std::vector<FacetMemory> memory_;

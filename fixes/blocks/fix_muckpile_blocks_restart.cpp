@@ -52,7 +52,8 @@ void FixMuckpileBlocks::write_restart(FILE* file) {
                           zones_,
                           blocks_created_,
                           facets_created_,
-                          record_.recorded(*lmp)};
+                          record_.recorded(*lmp),
+                          softness()};
   engine::write_state<BlocksShare>(*lmp, style, file, state, in_shares(records_, std::move(lists)));
 }
 
@@ -82,6 +83,7 @@ void FixMuckpileBlocks::restart(char* bytes) {
   blocks_created_ = state.blocks_created;
   facets_created_ = state.facets_created;
   record_.go_on_from(std::move(state.run));
+  softness_ = state.softness;
   check_bodies();
   add_facets(std::move(facets));
   restored_ = true;

@@ -188,11 +188,13 @@ void FixMuckpileBlast::setup_pre_force(int vflag) {
   release_from_softened_walls();
 }
 
-/// Forces are up to date here, and so are the poses: charges that have not pressed yet find the
-/// walls where they are now, whatever has moved them before.
+/// Until the first charge has fired, all charges find the walls where they are at the start of the
+/// run, whatever has moved them before. The joints know the poses of this moment only if they have
+/// been set up before.
 void FixMuckpileBlast::setup(int) {
   if (over_ || (walls_swept_ && holes_.any_fired(clock()))) return;
-  if (engine::place_of<BlastSurface>(*lmp) > modify->find_fix(id)) return;  // not yet up to date
+  if (engine::place_of<BlastSurface>(*lmp) > modify->find_fix(id))
+    engine::stop(*lmp, where_ + ": must be defined after fix muckpile/joint");
   walls_swept_ = true;
   std::vector<double> swept(holes_.count(), 0.0);
   surface_->swept_volume(swept);

@@ -224,7 +224,7 @@ std::unordered_map<int, GasContent> FixMuckpileGas::contents_here(const std::vec
     const GasContent& content = gas_.cells()[b].content;
     if (content.mass == 0.0 && content.heat == 0.0) continue;
     with_gas.push_back(tags_[b]);
-    all[tags_[b]] = gas_.cells()[b].content;
+    all[tags_[b]] = content;
   }
   const std::vector<int> owners = directory.owners(with_gas);
   int rank = 0, ranks = 1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The account of the run's energy.
-// Scope: an interface only; fix muckpile/ledger implements it, fix muckpile/progress reads it,
-// block_motion books what it gives, fixes that end what they have booked.
+// Scope: an interface only. fix muckpile/ledger implements it and fix muckpile/progress reads it;
+// block_motion books what it gives to blocks, and a fix that ends hands over its books.
 #pragma once
 
 namespace muckpile {

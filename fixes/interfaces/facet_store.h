@@ -9,6 +9,7 @@
 
 #include "bond/facet.h"
 #include "bond/network/facet_lists.h"
+#include "bond/network/joint_books.h"
 #include "fixes/engine/block_halo.h"
 #include "fixes/interfaces/known_blocks.h"
 
@@ -24,6 +25,7 @@ class FacetKeeper {
   virtual ~FacetKeeper() = default;
   [[nodiscard]] virtual FacetLists copy() const = 0;
   [[nodiscard]] virtual FacetLists hand_back() = 0;
+  [[nodiscard]] virtual RockSoftness softness() const = 0;
   virtual void store_is_gone() = 0;  ///< called when it is deleted first
 };
 
@@ -34,6 +36,8 @@ class FacetStore {
   virtual void set_keeper(FacetKeeper* keeper) = 0;
   /// Moves the facets to the keeper.
   [[nodiscard]] virtual FacetLists hand_over() = 0;
+  /// What keepers so far have made of the rock, those of the run before a restart file included.
+  [[nodiscard]] virtual RockSoftness softness() const = 0;
   /// Grows whenever positions, facets or faces changed.
   [[nodiscard]] virtual std::uint64_t version() const = 0;
   /// True if the blocks came from a restart file.

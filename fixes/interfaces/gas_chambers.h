@@ -17,7 +17,7 @@ class GasChambers {
   /// crack_discharge, and gas presses on the walls by its excess over `ambient` [Pa]. InputError
   /// unless the gas vents by flow.
   virtual void let_gas_into_joints(double ambient) = 0;
-  /// Undoes that, from the next set-up on.
+  /// From the next set-up of a run on, gas leaves by crack_discharge again, and presses in full.
   virtual void keep_gas_out_of_joints() = 0;
   [[nodiscard]] virtual double gas_gamma() const = 0;
   /// R of the products of all holes, the mean by mass [J/(kg K)].

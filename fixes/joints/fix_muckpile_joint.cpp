@@ -104,6 +104,7 @@ void FixMuckpileJoint::init() {
   const bool first = store_ == nullptr;
   if (first) {
     store_ = found;
+    go_on_as_soft();
     store_->set_keeper(this);
   }
   gas_ = engine::find_view<JointPressure>(*lmp);

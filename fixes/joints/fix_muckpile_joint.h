@@ -67,6 +67,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
 
   [[nodiscard]] FacetLists copy() const override;
   FacetLists hand_back() override;
+  [[nodiscard]] RockSoftness softness() const override { return network_.softness(); }
   void store_is_gone() override { store_ = nullptr; }
 
   [[nodiscard]] int facet_between(int block_tag_a, int block_tag_b) const override;
@@ -155,6 +156,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   void check_classes() const;
   void warn_of_other_density() const;
   void end_what_does_not_go_on();
+  void go_on_as_soft();
   void follow_blocks();
   /// False before the first run, and from create_blocks to the next one.
   [[nodiscard]] bool follows_blocks() const {

@@ -6,8 +6,11 @@
 
 #include <array>
 
+#include "args/rounded_text.h"
 #include "bond/network/stored_network.h"
 #include "fixes/engine/restart_file.h"
+#include "fixes/engine/style_args.h"
+#include "fixes/engine/style_name.h"
 #include "fixes/joints/fix_muckpile_joint.h"
 
 namespace muckpile {
@@ -33,6 +36,19 @@ void FixMuckpileJoint::restart(char* state) {
   auto totals = engine::read_state<NetworkTotals>(*lmp, style, state);
   for (double* all : sums_of(totals)) *all = engine::share_of_total(*lmp, *all);
   network_.resume(totals);
+}
+
+/// Rock that an earlier fix has softened stays so: what its facets remember is of that stiffness.
+void FixMuckpileJoint::go_on_as_soft() {
+  const RockSoftness found = store_->softness();
+  if (found.factor == network_.softened()) return;  // as it was given, or in its own restart data
+  NetworkTotals totals;
+  totals.softened = found.factor;
+  totals.damping = found.damping;
+  totals.softer_since = true;
+  network_.resume(totals);
+  engine::print_once(*lmp, engine::name_of(*this) + ": goes on with joints that were softened to " +
+                               rounded_text(found.factor) + " of their stiffness\n");
 }
 
 /// What a fix of the run before did to the joints ends, as at an unfix, if it is not here again.

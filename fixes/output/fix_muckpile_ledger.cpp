@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
 
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/find_view.h"
@@ -41,10 +42,11 @@ constexpr std::array kColumns = {
     &EnergyLedger::sleep,           &EnergyLedger::given};
 
 /// What fixes and contact styles leave behind as they end.
-constexpr std::array kKept = {&EnergyLedger::contact_friction, &EnergyLedger::contact_damping,
-                              &EnergyLedger::fracture,         &EnergyLedger::joint_friction,
-                              &EnergyLedger::joint_damping,    &EnergyLedger::quiet,
-                              &EnergyLedger::blast_work,       &EnergyLedger::sleep};
+constexpr std::array kKept = {
+    &EnergyLedger::contact_friction, &EnergyLedger::contact_damping, &EnergyLedger::fracture,
+    &EnergyLedger::joint_friction,   &EnergyLedger::joint_damping,   &EnergyLedger::quiet,
+    &EnergyLedger::blast_work,       &EnergyLedger::sleep,           &EnergyLedger::joint_elastic};
+static_assert(kKept.size() == std::tuple_size_v<decltype(LedgerState::former)>);
 
 /// What is in the system or came into it, each of which may be the largest.
 constexpr std::array kSources = {&EnergyLedger::kinetic,         &EnergyLedger::joint_elastic,
@@ -78,7 +80,7 @@ void FixMuckpileLedger::init() {
   contacts_ = dynamic_cast<ContactWork*>(force->pair);
   if (contacts_ != nullptr) contacts_->watch();
   keep_books_of_contacts();
-  let_go_of_joints();
+  keep_books_of_former_sleep();
   walls_may_move_ = !engine::walls_stand_still(*lmp);
 }
 
@@ -92,7 +94,6 @@ void FixMuckpileLedger::keep_books_of_contacts() {
 
 void FixMuckpileLedger::keep_books_of_joints(const EnergyLedger& ended) {
   for (const auto kept : kKept) former_.*kept += ended.*kept;
-  former_.joint_elastic += ended.joint_elastic;
   joints_ = nullptr;
   computed_at_ = -1;
 }
@@ -104,7 +105,15 @@ void FixMuckpileLedger::keep_books_of_sleep(double taken) {
   computed_at_ = -1;
 }
 
-/// Joints that no fix has taken over hold nothing any more: lost, as what softening gives up.
+/// One that is given after the first run behind a restart file begins its sum anew.
+void FixMuckpileLedger::keep_books_of_former_sleep() {
+  if (sleep_ == nullptr || engine::sum_over_ranks(sleep_->energy_taken(), world) != 0.0) return;
+  former_.sleep += laid_to_rest_;
+  laid_to_rest_ = 0.0;
+}
+
+/// Joints that no fix has taken over hold nothing any more: lost, as what softening gives up. A run
+/// begins: until then, as in init() for write_restart, another fix may still come.
 void FixMuckpileLedger::let_go_of_joints() {
   if (joints_ == nullptr) former_.fracture += former_.joint_elastic;
   former_.joint_elastic = 0.0;
@@ -112,6 +121,7 @@ void FixMuckpileLedger::let_go_of_joints() {
 
 void FixMuckpileLedger::setup(int) {
   computed_at_ = -1;
+  let_go_of_joints();
   auto* const before = engine::find_view<GivenEnergy>(*lmp);
   book_given(before != nullptr ? before->take_given() : 0.0);  // before the start: not booked
   if (started_)

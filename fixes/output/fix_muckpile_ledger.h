@@ -28,13 +28,13 @@ struct LedgerState {
   double start_residual = 0.0, start_gravity = 0.0, largest = 0.0;
   int last_tag = 0;
   double sphere_work = 0.0, contact_work = 0.0, walls_before = 0.0;
-  std::array<double, 8> former{};  ///< of fixes and contact styles that have ended
+  std::array<double, 9> former{};  ///< of fixes and contact styles that have ended
   double given = 0.0, laid_to_rest = 0.0;
 };
 template <>
 struct Stored<LedgerState> {
   static constexpr std::string_view kName = "ledger_state";
-  static constexpr int kVersion = 2;
+  static constexpr int kVersion = 3;
   static auto fields(auto& state) {
     return std::tie(state.started, state.start_residual, state.start_gravity, state.largest,
                     state.last_tag, state.sphere_work, state.contact_work, state.walls_before,
@@ -66,6 +66,7 @@ class FixMuckpileLedger : public LAMMPS_NS::Fix, public EnergyAccount {
  private:
   [[nodiscard]] double work_rate_of_spheres() const;
   void keep_books_of_contacts();
+  void keep_books_of_former_sleep();
   void let_go_of_joints();
   void begin();
   void take_in_new_blocks();
@@ -79,8 +80,8 @@ class FixMuckpileLedger : public LAMMPS_NS::Fix, public EnergyAccount {
   RestingBlocks* sleep_ = nullptr;
   ContactWork* contacts_ = nullptr;
   bool walls_may_move_ = false;
-  double laid_to_rest_ = 0.0;  // by fix muckpile/sleep, also of a restart file that knew one; this
-                               // rank [J]
+  // Taken by fix muckpile/sleep so far, in the run before a restart file, too; this rank [J].
+  double laid_to_rest_ = 0.0;
   EnergyLedger ledger_;
   // This rank, since the start, by all forces on spheres, and by those of the contact style [J].
   double sphere_work_ = 0.0, contact_work_ = 0.0;

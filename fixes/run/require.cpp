@@ -11,9 +11,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <span>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -44,6 +46,10 @@ struct Rule {
   std::optional<double> exception;  ///< allowed although outside the range
 };
 
+std::string joined_with_blanks(std::span<const std::string> words) {
+  return joined({words.begin(), words.end()}, " ");
+}
+
 Rule read_rule(const std::vector<std::string>& words) {
   Rule rule;
   for (std::size_t k = 0; k < words.size();) {
@@ -55,7 +61,7 @@ Rule read_rule(const std::vector<std::string>& words) {
     if (k == words.size())
       throw InputError(std::string(kStyle) + ": nothing follows '" + word + "'");
     if (word == "advice") {  // whatever follows: LIGGGHTS puts no variables into quoted text
-      while (k < words.size()) rule.advice += (rule.advice.empty() ? "" : " ") + words[k++];
+      rule.advice = joined_with_blanks(std::span(words).subspan(k));
       break;
     }
     const std::string& value = words[k++];
@@ -165,17 +171,39 @@ void check_outside(const std::string& name, const std::string& path, const std::
                      "'");
 }
 
-/// A fault where a number differs from that of the scene of a folder of results; "" where there is
-/// none to compare with.
-std::string other_than_in(const std::string& name, const std::string& text,
-                          const std::string& folder, const std::string& key) {
+/// What follows as_in.
+struct SceneRule {
+  std::string folder, key;
+  bool warns = false;
+  std::string advice;  ///< what to do, behind the message
+};
+
+SceneRule read_scene_rule(std::span<const std::string> words) {
+  const bool warns = words.size() == 3 && words[2] == "warn",
+             advises = words.size() > 3 && words[2] == "advice";
+  if (words.size() != 2 && !warns && !advises)
+    throw InputError(std::string(kStyle) +
+                     ": as_in takes a folder, a key and perhaps 'warn', or 'advice' and words");
+  return {words[0], words[1], warns, advises ? joined_with_blanks(words.subspan(3)) : ""};
+}
+
+/// A fault where a number differs from that of the scene of a folder of results, or where that is
+/// the scene of another case, which has no such number; "" where there is nothing to compare with.
+std::string other_than_in(const std::string& name, const std::string& text, const SceneRule& rule) {
   constexpr double kSame = 1e-6;
   const double value = parse_real("input", name, text, "", Range::any());
-  const std::optional<double> theirs = folder == "none" ? std::nullopt : scene_number(folder, key);
-  if (!theirs || std::abs(value - *theirs) <= kSame * std::max(std::abs(value), std::abs(*theirs)))
-    return "";
-  return "input: " + name + " must be " + number_text(*theirs) + ", as " + key +
-         " of the run in '" + folder + "', got '" + text + "'";
+  if (rule.folder == "none" || !has_scene(rule.folder)) return "";
+  const std::optional<double> theirs = scene_number(rule.folder, rule.key);
+  const std::string of_the_run = rule.key + " of the run in '" + rule.folder + "', ",
+                    advice = rule.advice.empty() ? "" : "; " + rule.advice;
+  if (!theirs) {
+    if (rule.warns) return "";
+    return "input: " + name + " must be " + of_the_run + "which is of another case and has none" +
+           advice;
+  }
+  if (std::abs(value - *theirs) <= kSame * std::max(std::abs(value), std::abs(*theirs))) return "";
+  return "input: " + name + " must be " + number_text(*theirs) + ", as " + of_the_run + "got '" +
+         text + "'" + advice;
 }
 
 }  // namespace
@@ -195,21 +223,38 @@ void Require::look_at_folder(const std::string& name, const std::string& value,
     check_outside(name, value, words[1]);
     return;
   }
-  const bool warns = words.size() == 4 && words[3] == "warn";
-  if (words.size() != 3 && !warns)
-    throw InputError(std::string(kStyle) + ": as_in takes a folder, a key and perhaps 'warn'");
-  const std::string fault = other_than_in(name, value, words[1], words[2]);
+  const SceneRule rule = read_scene_rule(std::span(words).subspan(1));
+  const std::string fault = other_than_in(name, value, rule);
   if (fault.empty()) return;
-  if (!warns) throw InputError(fault);
+  if (!rule.warns) throw InputError(fault);
   if (comm->me == 0) error->warning(FLERR, fault.c_str());
+}
+
+const char* Require::text_of(char* variable) const {
+  if (input->variable->find(variable) < 0)
+    throw InputError(std::string("input: the variable ") + variable + " is not set");
+  return input->variable->retrieve(variable);
+}
+
+/// A knob that would be left unheeded: LIGGGHTS cannot compare words with blanks in them.
+void Require::look_at_needed(char* name, const std::vector<char*>& words) const {
+  if (words.size() != 3 || std::strcmp(words[1], "unless") != 0)
+    throw InputError(std::string(kStyle) + ": needs takes a name, 'unless' and a text");
+  const std::string text = text_of(name), number = text_of(words[0]);
+  if (text == words[2] || parse_real("input", words[0], number, "", Range::any()) > 0.0) return;
+  throw InputError(std::string("input: ") + name + " needs " + words[0] + " > 0, got '" + number +
+                   "' with " + name + " '" + text + "'");
 }
 
 void Require::command(int narg, char** arg) {
   engine::or_engine_error(*lmp, [&] {
     if (narg < 2) throw InputError(std::string(kStyle) + ": needs a name, its value and a rule");
     if (narg == 2 && std::string(arg[1]) == "set") {
-      if (input->variable->find(arg[0]) < 0)
-        throw InputError(std::string("input: the variable ") + arg[0] + " is not set");
+      (void)text_of(arg[0]);
+      return 0;
+    }
+    if (std::string(arg[1]) == "needs") {
+      look_at_needed(arg[0], {arg + 2, arg + narg});
       return 0;
     }
     // An empty variable leaves no word: its rule has taken the value's place.

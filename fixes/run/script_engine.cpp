@@ -10,6 +10,7 @@
 #include <thermo.h>
 #include <update.h>
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -89,7 +90,13 @@ void ScriptEngine::bound_step(const StepRule& rule) {
              script_number(rule.collision_speed);
   }
   if (rule.longest) words += " max " + script_number(*rule.longest);
+  longest_ = rule.longest.value_or(longest_);
   tell("fix_modify " + id_of("muckpile/timestep") + words);
+}
+
+void ScriptEngine::cap_step(double longest) {
+  tell("fix_modify " + id_of("muckpile/timestep") + " max " +
+       script_number(std::min(longest, longest_)));
 }
 
 /// A fix of the script, or of a command before, keeps the share that it has unless one is typed.

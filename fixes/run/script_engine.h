@@ -30,6 +30,7 @@ class ScriptEngine : public RunEngine, protected LAMMPS_NS::Pointers {
   void set_up() override;
   void run(long steps, bool afresh) override;
   void bound_step(const StepRule& rule) override;
+  void cap_step(double longest) override;
   void begin_phase(const PhaseNews& news) override;
   void take_snapshots_every(long steps) override;
   void say(const std::string& line) override;
@@ -51,6 +52,7 @@ class ScriptEngine : public RunEngine, protected LAMMPS_NS::Pointers {
   std::string directory_;
   LAMMPS_NS::Fix* progress_ = nullptr;                 ///< known after prepare()
   bool own_snapshots_ = false, own_progress_ = false;  ///< made by prepare()
+  double longest_ = 1e30;                              ///< step of the last rule that has one [s]
 };
 
 }  // namespace muckpile

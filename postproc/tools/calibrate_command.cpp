@@ -56,9 +56,9 @@ void add_check(CLI::App& calibrate, int& status) {
   CLI::App* check = calibrate.add_subcommand(
       "check",
       "runs of another blast against the figures measured there; exit status 0 if all are within, "
-      "1 if not, 2 if a file cannot be read");
+      "1 if not, 2 if a file cannot be read or the runs are not of one blast");
   check->add_option("measured", options->measured, kMeasuredHelp)->required();
-  check->add_option("runs", options->runs, "result folders of one blast, with several seeds, say")
+  check->add_option("runs", options->runs, "result folders of one blast, with other seeds at most")
       ->required();
   check->add_option("--site", options->site,
                     "site file; runs with other constants are refused (default: not looked at)");

@@ -17,6 +17,7 @@ healthy() {
 healthy
 must_refuse "unknown command 'rnu'" rnu
 must_refuse "run needs an input" run
+must_refuse "run needs an input, e.g. inputs/bench/in.bench; got an empty word" run ""
 must_refuse "cannot read the input 'inputs/none'" run inputs/none
 must_refuse "-np must be a whole number >= 1, got '0'" run inputs/demo/in.demo -np 0
 must_refuse "-np must be a whole number >= 1, got 'two'" run inputs/demo/in.demo -np two

@@ -96,6 +96,9 @@ for number in 0 1 1.5; do
   must_refuse "-samples must be a whole number from 2 to 9999, got '$number'" sweep inputs/demo/in.demo -var burden 2..3 -samples "$number"
 done
 must_refuse "-var seed cannot be a range" sweep inputs/demo/in.demo -var burden 2..3 -var seed 1..9 -samples 4
+# Of muckpile-post itself: ./muckpile sweep has refused a variable that is given twice before.
+status=0 output=$("$post" sample burden=2..4 burden=1..2 --runs 3 2>&1) || status=$?
+((status != 0)) && [[ $output == *"sample: each variable once, got 'burden' twice"* ]] || problem "a variable is sampled twice: $output"
 [[ ! -e results ]] || problem "a refused sweep has made a folder"
 
 # Every combination, the last fastest, each with its own folder; two at once on two cores.

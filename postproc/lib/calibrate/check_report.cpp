@@ -9,6 +9,7 @@
 #include "calibrate/calibrate_report.h"
 #include "calibrate/measured.h"
 #include "calibrate/site_file.h"
+#include "compare/inputs_apart.h"
 #include "compare/run_figures.h"
 #include "draw/axes.h"
 #include "io/csv_writer.h"
@@ -32,6 +33,18 @@ void require_constants(const std::string& run, const SiteConstants& constants,
     if (!same_value(found, value))
       refuse(file.string(), "is of a run with " + name + " '" + found + "', but " + site +
                                 " has '" + value + "'; run it with -var site " + site);
+  }
+}
+
+/// Their scatter counts as that of the seeds. What a site file sets is among the inputs itself.
+void require_one_blast(const std::vector<std::string>& runs) {
+  for (const std::string& run : runs) {
+    const std::vector<std::string> apart =
+        inputs_apart(runs.front(), run, {"seed", "delay_seed", "site"});
+    if (!apart.empty())
+      refuse("calibrate check", "runs must be of one blast, with other seeds at most, but " +
+                                    runs.front() + " and " + run +
+                                    " differ in: " + joined(apart, "; "));
   }
 }
 
@@ -86,6 +99,7 @@ CheckResult check_calibration(const CheckOptions& options) {
     require_constants(run, constants, options.site);
     runs.push_back(read_run_figures(std::filesystem::path(run) / "summary.json"));
   }
+  require_one_blast(options.runs);
   std::vector<CheckedFigure> figures;
   for (const MeasuredFigure& each : measured) {
     std::vector<double> values;

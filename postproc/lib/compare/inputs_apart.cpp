@@ -38,11 +38,13 @@ std::string value_in(const Knobs& knobs, const std::string& name) {
 }  // namespace
 
 std::vector<std::string> inputs_apart(const std::filesystem::path& a,
-                                      const std::filesystem::path& b) {
+                                      const std::filesystem::path& b,
+                                      const std::vector<std::string>& free) {
   const std::optional<Knobs> of_a = knobs_of(a), of_b = knobs_of(b);
   if (!of_a || !of_b) return {};
-  const KnobChanges changes =
-      knob_changes(*of_a, *of_b, {"out", "go_on", "from", "pour_from", "restart_every"});
+  std::vector<std::string> all_free{"out", "go_on", "from", "pour_from", "restart_every"};
+  all_free.insert(all_free.end(), free.begin(), free.end());
+  const KnobChanges changes = knob_changes(*of_a, *of_b, all_free);
   std::set<std::string> names(changes.missing.begin(), changes.missing.end());
   names.insert(changes.added.begin(), changes.added.end());
   for (const KnobChange& change : changes.other) names.insert(change.name);

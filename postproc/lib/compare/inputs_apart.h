@@ -10,8 +10,9 @@
 namespace muckpile {
 
 // "bench_height 10, 8" for each knob whose values differ, or that one run alone has ("none"). Empty
-// where one of the two paths is no result folder.
-std::vector<std::string> inputs_apart(const std::filesystem::path& a,
-                                      const std::filesystem::path& b);
+// where one of the two paths is no result folder. Knobs that are `free` may differ.
+[[nodiscard]] std::vector<std::string> inputs_apart(const std::filesystem::path& a,
+                                                    const std::filesystem::path& b,
+                                                    const std::vector<std::string>& free = {});
 
 }  // namespace muckpile

@@ -135,7 +135,7 @@ BenchScene bench_or_nothing(const ResultFolder& folder, const RunData& run) {
     for (const std::string& key : dig_keys()) own[key] = nullptr;
     return bench_or_take_back(folder, run.blocks, "movement", own);
   } catch (const NotMeasurable&) {
-    write_polygons(folder, run, {}, {});
+    write_polygons(folder, run, {}, {}, "");
     write_ore_model(folder, run, "", {});
     write_dig(folder, run, {}, {}, {});
     std::filesystem::remove(folder.file("movement.dxf"));
@@ -186,7 +186,7 @@ void report_movement(const ResultFolder& folder, const MeasureOptions& measure,
       movement_of_parts(run.blocks, run.last, run.moved, parts);
   if (movement.empty())
     refuse("movement", "no block started between the face and the last row of holes");
-  write_polygons(folder, run, polygons, pose);
+  write_polygons(folder, run, polygons, pose, options.polygons);
   const nlohmann::ordered_json of_model = write_ore_model(folder, run, options.model, pose);
   write_table(folder, movement);
   write_drawing(folder.file("movement.dxf"), movement, pose_of_drawing(folder, options));

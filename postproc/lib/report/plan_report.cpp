@@ -100,8 +100,9 @@ void report_plan(const std::filesystem::path& what) {
   if (!std::filesystem::is_directory(what)) {
     const auto picture = std::filesystem::path(what).replace_extension(".png");
     if (picture == what)
-      throw InputError("plan: " + what.string() +
-                       ": the picture would replace the table; call that .csv, say");
+      throw InputError(
+          "plan: " + what.string() +
+          ": the picture would replace the table; rename the table, to .csv for example");
     const HoleTable table = HoleTable::read(what.string());
     write_png(draw_plan(table, planned_holes(table, charges_without_run(table), {})), picture);
     return;

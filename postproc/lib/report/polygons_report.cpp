@@ -22,13 +22,14 @@ struct CarriedPolygon {
   DugPolygon dug;
 };
 
-CarriedPolygon carried(const OrePolygon& polygon, const RunData& run) {
+CarriedPolygon carried(const OrePolygon& polygon, const RunData& run, const std::string& file) {
   std::vector<size_t> chosen;
   for (size_t b = 0; b < run.blocks.size(); ++b) {
     if (polygon.contains(run.blocks[b].centroid)) chosen.push_back(b);
   }
   if (chosen.empty())
-    refuse("movement: polygon '" + polygon.name + "'", "no block's centroid started in it");
+    refuse(file, "no block's centroid started in polygon '" + polygon.name +
+                     "'; see its place (--shift, --turn, --mine) and heights");
   return {polygon, chosen, dug_polygon(polygon, chosen, run.blocks, run.last, run.moved)};
 }
 
@@ -102,14 +103,15 @@ CurvePlot plot_of(const std::vector<CarriedPolygon>& polygons, const RunData& ru
 }  // namespace
 
 void write_polygons(const ResultFolder& folder, const RunData& run,
-                    const std::vector<OrePolygon>& polygons, const SurveyPose& pose) {
+                    const std::vector<OrePolygon>& polygons, const SurveyPose& pose,
+                    const std::string& file) {
   if (polygons.empty()) {
     for (const char* ending : {".csv", "_moved.csv", ".png", ".dxf"})
       std::filesystem::remove(folder.file(std::string("polygons") + ending));
     return;
   }
   std::vector<CarriedPolygon> all;
-  for (const OrePolygon& polygon : polygons) all.push_back(carried(polygon, run));
+  for (const OrePolygon& polygon : polygons) all.push_back(carried(polygon, run, file));
   write_tables(folder, all, pose);
   write_drawing(folder.file("polygons.dxf"), all, pose);
   write_png(draw_curves(plot_of(all, run)), folder.file("polygons.png"));

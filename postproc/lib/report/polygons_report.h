@@ -3,6 +3,7 @@
 // Scope: polygons.csv, polygons_moved.csv, polygons.dxf, polygons.png.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "io/ore_polygons.h"
@@ -13,9 +14,10 @@
 namespace muckpile {
 
 // Polygons in the run's axes; `pose` brings those of their file to them, in which the outlines are
-// written. Throws InputError where no block started in a polygon. Without polygons takes away
-// what an earlier call has left.
+// written. Throws InputError, naming their `file`, where no block started in a polygon. Without
+// polygons takes away what an earlier call has left.
 void write_polygons(const ResultFolder& folder, const RunData& run,
-                    const std::vector<OrePolygon>& polygons, const SurveyPose& pose);
+                    const std::vector<OrePolygon>& polygons, const SurveyPose& pose,
+                    const std::string& file);
 
 }  // namespace muckpile

@@ -135,6 +135,8 @@ std::vector<std::string> names_of(const std::vector<std::string>& runs) {
 std::vector<std::filesystem::path> report_overlay(const OverlayOptions& options) {
   if (options.runs.size() < 2)
     refuse("overlay", "needs two runs at least, got " + std::to_string(options.runs.size()));
+  if (!std::filesystem::is_directory(options.out))
+    refuse("overlay", "--out must be a folder that exists, got '" + options.out + "'");
   std::vector<std::filesystem::path> tables;
   for (const std::string& run : options.runs)
     tables.push_back(std::filesystem::path(run) / options.table);

@@ -17,7 +17,8 @@ struct OverlayOptions {
 };
 
 // Writes overlay_<table>.csv and, of a table of curves, overlay_<table>.png. Gives back what it has
-// written. Throws InputError as sweep/overlay.h tells, and for fewer than two runs.
+// written. Throws InputError as sweep/overlay.h tells, for fewer than two runs and where there is
+// no folder `out`.
 std::vector<std::filesystem::path> report_overlay(const OverlayOptions& options);
 
 }  // namespace muckpile

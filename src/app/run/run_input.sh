@@ -66,6 +66,7 @@ read_run_words() {
         ;;
       -*) die "unknown option '$1' of $command (known: $known_options)" ;;
       *)
+        [[ -n $1 ]] || die "$command needs an input, e.g. inputs/bench/in.bench; got an empty word"
         [[ -z $input ]] || die "$command takes one input, got '$input' and '$1'; values go behind -var NAME"
         input=$(from_root "$1")
         shift

@@ -25,6 +25,8 @@ class CsvTable {
   // the names of `header`, which must outlive the table.
   static CsvTable parse(std::string text, const std::string& name, std::string_view header = {});
 
+  // The file's, for messages.
+  [[nodiscard]] const std::string& name() const { return name_; }
   // All that was read.
   [[nodiscard]] const std::string& text() const { return *text_; }
   [[nodiscard]] const std::vector<std::string_view>& header() const { return header_; }

@@ -47,7 +47,7 @@ void check_lengths(const HolePattern& p, const std::string& where) {
 void check_delays(const HolePattern& p, const std::string& where) {
   const double last = p.in_hole_delay + static_cast<double>(p.decks - 1) * p.deck_delay;
   if (delay_range().contains(last)) return;
-  refuse(where, "in_hole_delay and deck_delay must come to " + delay_range().text() +
+  refuse(where, "in_hole_delay and deck_delay must add up to " + delay_range().text() +
                     " s in the highest of " + std::to_string(p.decks) + " decks, got '" +
                     number_text(last) + "' s");
 }

@@ -187,7 +187,7 @@ HoleTable::HoleTable(const CsvTable& csv) {
     }
     decks_.push_back(std::move(deck));
   }
-  if (decks_.empty()) throw InputError("hole table: no rows found");
+  if (decks_.empty()) refuse(csv.name(), "has no row");
   SignalTimes times(csv, signals);
   for (size_t row = 0; row < decks_.size(); ++row) {
     const double scatter = number(csv, row, "scatter_s", Range::closed(-10.0, 10.0)).value_or(0.0);

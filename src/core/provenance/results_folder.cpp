@@ -19,6 +19,18 @@ fs::path whole_path(const std::string& name) {
   return path.has_filename() ? path : path.parent_path();
 }
 
+/// None where there is no such file.
+std::optional<std::string> scene_text(const std::string& folder) {
+  for (const fs::path& each : {fs::path(folder) / "dump", fs::path(folder)}) {
+    std::ifstream in(each / "scene.json");
+    if (!in) continue;
+    std::ostringstream all;
+    all << in.rdbuf();
+    return all.str();
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 bool lies_in(const std::string& path, const std::string& folder) {
@@ -26,15 +38,10 @@ bool lies_in(const std::string& path, const std::string& folder) {
   return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
 }
 
+bool has_scene(const std::string& folder) { return scene_text(folder).has_value(); }
+
 std::optional<double> scene_number(const std::string& folder, const std::string& key) {
-  std::ostringstream all;
-  for (const fs::path& each : {fs::path(folder) / "dump", fs::path(folder)}) {
-    std::ifstream in(each / "scene.json");
-    if (!in) continue;
-    all << in.rdbuf();
-    break;
-  }
-  const std::string text = all.str(), name = '"' + key + '"';
+  const std::string text = scene_text(folder).value_or(""), name = '"' + key + '"';
   const std::size_t at = text.find(name);
   const std::size_t colon = at == std::string::npos ? at : text.find(':', at + name.size());
   if (colon == std::string::npos) return std::nullopt;

@@ -11,6 +11,9 @@ namespace muckpile {
 /// Whether a path is a folder, or lies in it, whatever links lead there. Neither need exist.
 [[nodiscard]] bool lies_in(const std::string& path, const std::string& folder);
 
+/// Whether a folder of results has a dump/scene.json, or is that folder dump.
+[[nodiscard]] bool has_scene(const std::string& folder);
+
 /// The number of a key in dump/scene.json of a folder of results, or in scene.json if it is that
 /// folder dump; none where there is no such file or no such number.
 [[nodiscard]] std::optional<double> scene_number(const std::string& folder, const std::string& key);

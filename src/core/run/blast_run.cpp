@@ -145,11 +145,10 @@ BlastRun::Phase BlastRun::push() {
   const double look = kStretch * (plan_.wave_end - plan_.last_firing);  // [s]
   for (;;) {
     if (!pulse_is_ahead() && waves_have_gone()) soften_for_push();
-    const long left = steps_until(plan_.wave_end);
-    if (left <= 0) return after_push();
+    if (steps_until(plan_.wave_end) <= 0) return after_push();
     const bool goes_on = rock_.stiffness() == 1.0
                              ? go_on_until(std::min(engine_.time() + look, plan_.wave_end))
-                             : run(std::min(left, steps_of(look)));
+                             : run_for(std::min(look, plan_.wave_end - engine_.time()));
     if (!goes_on) return Phase::interrupted;
   }
 }
@@ -201,10 +200,9 @@ BlastRun::Phase BlastRun::after_gas() const {
 /// work, and what is left is released then.
 BlastRun::Phase BlastRun::wait_for_joints() {
   for (;;) {
-    const long left = steps_until(plan_.time_end);
-    if (left <= 0) return Phase::rest;
+    if (steps_until(plan_.time_end) <= 0) return Phase::rest;
     const double before = rock_.blast_work();  // [J]
-    if (!run(std::min(left, steps_of(kStretch * plan_.wave_end)))) return Phase::interrupted;
+    if (!run_for(kStretch * plan_.wave_end)) return Phase::interrupted;
     const double work = rock_.blast_work();
     const double added = work != 0.0 ? std::abs((work - before) / work) : 0.0;
     if (added >= plan_.gas_rest && engine_.time() <= plan_.gas_patience * plan_.wave_end) continue;
@@ -225,9 +223,8 @@ void BlastRun::tell_of_joints(double work_share) {
 BlastRun::Phase BlastRun::wait_for_holes() {
   while (rock_.wall_pressure() >= plan_.hole_rest &&
          engine_.time() <= plan_.gas_patience * plan_.wave_end) {
-    const long left = steps_until(plan_.time_end);
-    if (left <= 0) return Phase::rest;
-    if (!run(std::min(left, steps_of(kStretch * plan_.wave_end)))) return Phase::interrupted;
+    if (steps_until(plan_.time_end) <= 0) return Phase::rest;
+    if (!run_for(kStretch * plan_.wave_end)) return Phase::interrupted;
   }
   tell_of_holes();
   return after_gas();
@@ -263,8 +260,13 @@ void BlastRun::begin_settling() {
   engine_.take_snapshots_every(kNoSnapshots);
 }
 
-bool BlastRun::run(long steps, bool afresh) {
-  engine_.run(steps, afresh);
+bool BlastRun::run(long steps) {
+  engine_.run(steps, false);
+  return !engine_.interrupted();
+}
+
+bool BlastRun::run_for(double duration) {
+  run_towards(engine_, plan_.time_end, duration);
   return !engine_.interrupted();
 }
 

@@ -65,7 +65,8 @@ class BlastRun {
   void tell_of_holes();
 
   /// False: the engine has been asked to end.
-  bool run(long steps, bool afresh = false);
+  bool run(long steps);
+  bool run_for(double duration);  ///< [s], and not beyond time_end
   [[nodiscard]] long steps_until(double time) const;
   [[nodiscard]] long steps_of(double duration) const;
 

@@ -41,6 +41,8 @@ class RunEngine {
   /// `afresh`: with a set-up, at which the ranks share the blocks anew.
   virtual void run(long steps, bool afresh) = 0;
   virtual void bound_step(const StepRule& rule) = 0;
+  /// Beside the rule, until the next cap: the step does not become longer than that [s].
+  virtual void cap_step(double longest) = 0;
   virtual void begin_phase(const PhaseNews& news) = 0;
   virtual void take_snapshots_every(long steps) = 0;
   virtual void say(const std::string& line) = 0;

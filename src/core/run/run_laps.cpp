@@ -11,10 +11,12 @@
 namespace muckpile {
 namespace {
 
-constexpr double kLap = 0.1;          // s, from one check of rest to the next
-constexpr int kLapsASetUp = 4;        // the ranks share the blocks anew at every fourth
-constexpr double kFirstGrowth = 2.0;  // of a step that has been let loose
-constexpr double kMostSteps = 1e9;    // of one run: the engine counts them in an int
+constexpr double kLap = 0.1;           // s, from one check of rest to the next
+constexpr int kLapsASetUp = 4;         // the ranks share the blocks anew at every fourth
+constexpr double kFirstGrowth = 2.0;   // of a step that has been let loose
+constexpr double kMostSteps = 1e9;     // of one run: the engine counts them in an int
+constexpr double kMostGrowth = 100.0;  // of a step in one run: to be bounded if less passes the end
+constexpr double kAnyStep = 1e30;      // s
 
 /// The next whole number, but for rounding; what is beyond any run is left to the next one.
 long whole_steps(double steps) {
@@ -31,23 +33,23 @@ long steps_of(const RunEngine& engine, double duration) {
   return std::max(1L, whole_steps(duration / engine.step()));
 }
 
-namespace {
-
-/// `growth`: of the step in the last run. If it goes on, the end is not passed by more than a step.
-long next_steps(const RunEngine& engine, double end, double growth) {
+void run_towards(RunEngine& engine, double end, double duration, double growth, bool afresh) {
   const auto left = static_cast<double>(steps_until(engine, end));
-  const long safe = std::lround(std::ceil(left / std::max(growth, 1.0)));
-  return std::min(safe, steps_of(engine, kLap));
+  const long steps =
+      std::min(std::lround(std::ceil(left / std::max(growth, 1.0))), steps_of(engine, duration));
+  const double longest = (end - engine.time()) / static_cast<double>(steps);  // of them [s]
+  const bool near = longest < kMostGrowth * engine.step();
+  if (near) engine.cap_step(std::max(longest, engine.step()));
+  engine.run(steps, afresh);
+  if (near) engine.cap_step(kAnyStep);
 }
-
-}  // namespace
 
 LapsEnd run_laps(RunEngine& engine, double end, bool to_rest) {
   double growth = kFirstGrowth;
   for (int lap = 0;; lap = (lap + 1) % kLapsASetUp) {
     if (steps_until(engine, end) <= 0) return LapsEnd::time;
     const double begun = engine.time(), step = engine.step();
-    engine.run(next_steps(engine, end, growth), lap == 0);
+    run_towards(engine, end, kLap, growth, lap == 0);
     growth = engine.step() / step;
     if (to_rest && engine.still() && engine.time() > begun) return LapsEnd::still;
     // A signal behind the last step has left nothing out.

@@ -13,6 +13,11 @@ constexpr long kNoSnapshots = 1000000;  ///< steps between snapshots: each run e
 [[nodiscard]] long steps_until(const RunEngine& engine, double time);
 /// Steps that last at least `duration` [s], but for rounding; 1 or more.
 [[nodiscard]] long steps_of(const RunEngine& engine, double duration);
+/// One run towards `end` [s], which is still to come: it lasts about `duration` [s], and less where
+/// the step is expected to grow by `growth`. However it grows, the run does not pass the end by
+/// more than a step: near the end the step is kept short enough for that.
+void run_towards(RunEngine& engine, double end, double duration, double growth = 1.0,
+                 bool afresh = false);
 
 enum class LapsEnd { still, time, interrupted };
 

@@ -416,6 +416,32 @@ TEST(Restart, JointsCanBeTakenOffAndGivenAgainAfterwards) {
   EXPECT_GE(restarted.output("joint", 2), broken);
 }
 
+/// Unfixed and given again, before and after a restart file of the time between: the softening and
+/// its damping go on, or the facets' memory would be that of another rock.
+TEST(Restart, SoftenedJointsStaySoftWhenAnotherFixTakesThemOver) {
+  constexpr int kElastic = 4, kSoftened = 10;
+  const ScratchFolder folder("restart");
+  const std::string file = folder / "between.restart";
+  RockScene went_on(MPI_COMM_WORLD, "-4 4 -4 4 -4 4", "* * 1", "multisphere/muckpile");
+  make_breaking_lump(went_on, kStrength);
+  went_on.run(kBefore, kStep);
+  went_on.command("fix_modify joint soften 0.25 damping 0.2");
+  went_on.run(0, kStep);
+  const double elastic = went_on.output("joint", kElastic);
+  ASSERT_GT(elastic, 0.0);
+  went_on.command("unfix joint");
+  went_on.command("write_restart " + file);
+  RockScene restarted = RockScene::restarted(MPI_COMM_WORLD, file, "* * 1");
+  for (RockScene* scene : {&went_on, &restarted}) {
+    add_laws(*scene, kStrength);
+    scene->run(0, kStep);
+    EXPECT_EQ(scene->output("joint", kSoftened), 0.25);
+    EXPECT_NEAR(scene->output("joint", kElastic), elastic, 1e-9 * elastic);
+    scene->run(kSoon, kStep);
+  }
+  EXPECT_LT(difference(went_on, restarted), 1e-3);
+}
+
 TEST(Restart, LaterSnapshotsGoAndOtherFilesStay) {
   const ScratchFolder folder("restart");
   const std::string file = folder.own("lump.restart"), out = folder.own("out");

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "rock_scene.h"
+#include "scratch_folder.h"
 
 namespace muckpile::test {
 namespace {
@@ -272,20 +273,53 @@ TEST(FixMuckpileLedger, RoundingOfRockAtRestIsNoError) {
   EXPECT_LT(scene.output("ledger", 0), 1e-3);
 }
 
-TEST(FixMuckpileLedger, KeepsTheBooksOfJointsThatEnd) {
-  constexpr int kElastic = 2, kFracture = 6, kDamping = 8;
-  const std::string joints =
-      "fix joint all muckpile/joint youngs_modulus 50e9 poisson_ratio 0.25 density 2600 cohesion "
-      "1e12 friction_angle 50 tension 1e12 damping 0.1";
+constexpr int kElastic = 2, kFracture = 6, kDamping = 8;
+const std::string kFirmJoints =
+    "fix joint all muckpile/joint youngs_modulus 50e9 poisson_ratio 0.25 density 2600 cohesion "
+    "1e12 friction_angle 50 tension 1e12 damping 0.1";
+
+/// After 20 steps in which its joints have been stretched.
+RockScene stretched_rock(const std::string& bodies = "multisphere") {
+  RockScene scene(MPI_COMM_WORLD, "-4 4 -4 4 -1 6", "* 1 1", bodies);
+  scene.cut("-0.6 0.6 -0.6 0.6 0 1.8",
+            "density 2600 size uniform 0.4 block_min 0.4 block_max 0.4 spheres_per_block 8 seed 3");
+  scene.command(kFirmJoints);
+  scene.command("fix ledger all muckpile/ledger");
+  scene.set_motion([](int, const Vec3& at) { return Motion{at, Vec3::Zero()}; });
+  scene.run(20, 1e-5);
+  return scene;
+}
+
+/// A restart file is written while no fix has them: another one may still take them over, in this
+/// run and in that which goes on from the file.
+TEST(FixMuckpileLedger, KeepsWhatJointsStoreWhileARestartFileIsWritten) {
+  const ScratchFolder folder("restart");
+  const std::string file = folder / "between.restart";
+  RockScene scene = stretched_rock("multisphere/muckpile");
+  const double elastic = scene.output("ledger", kElastic);
+  ASSERT_GT(elastic, 0.0);
+  scene.command("unfix joint");
+  scene.command("write_restart " + file);
+  EXPECT_EQ(scene.output("ledger", kElastic), elastic);
   for (const bool again : {true, false}) {
-    RockScene scene(MPI_COMM_WORLD, "-4 4 -4 4 -1 6");
-    scene.cut(
-        "-0.6 0.6 -0.6 0.6 0 1.8",
-        "density 2600 size uniform 0.4 block_min 0.4 block_max 0.4 spheres_per_block 8 seed 3");
-    scene.command(joints);
-    scene.command("fix ledger all muckpile/ledger");
-    scene.set_motion([](int, const Vec3& at) { return Motion{at, Vec3::Zero()}; });
-    scene.run(20, 1e-5);
+    RockScene restarted = RockScene::restarted(MPI_COMM_WORLD, file);
+    if (again) restarted.command(kFirmJoints);
+    restarted.command("fix ledger all muckpile/ledger");
+    restarted.run(0, 1e-5);
+    EXPECT_NEAR(restarted.output("ledger", kElastic), again ? elastic : 0.0, 1e-9 * elastic);
+    EXPECT_NEAR(restarted.output("ledger", kFracture), again ? 0.0 : elastic, 1e-9 * elastic);
+    EXPECT_LT(restarted.output("ledger", 0), 0.01);
+  }
+  scene.command(kFirmJoints);
+  scene.run(0, 1e-5);
+  EXPECT_NEAR(scene.output("ledger", kElastic), elastic, 1e-9 * elastic);
+  EXPECT_NEAR(scene.output("ledger", kFracture), 0.0, 1e-9 * elastic);
+  EXPECT_LT(scene.output("ledger", 0), 0.01);
+}
+
+TEST(FixMuckpileLedger, KeepsTheBooksOfJointsThatEnd) {
+  for (const bool again : {true, false}) {
+    RockScene scene = stretched_rock();
     const double damping = scene.output("ledger", kDamping),
                  elastic = scene.output("ledger", kElastic);
     ASSERT_GT(damping, 0.0);
@@ -293,7 +327,7 @@ TEST(FixMuckpileLedger, KeepsTheBooksOfJointsThatEnd) {
     scene.command("unfix joint");
     EXPECT_EQ(scene.output("ledger", kDamping), damping);
     EXPECT_EQ(scene.output("ledger", kElastic), elastic);
-    if (again) scene.command(joints);
+    if (again) scene.command(kFirmJoints);
     scene.run(0, 1e-5);
     EXPECT_NEAR(scene.output("ledger", kDamping), damping, 1e-9 * damping);
     EXPECT_NEAR(scene.output("ledger", kFracture), again ? 0.0 : elastic, 1e-9 * elastic);

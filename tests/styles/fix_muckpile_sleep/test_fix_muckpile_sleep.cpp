@@ -257,5 +257,23 @@ TEST(FixMuckpileSleep, EnergyTakenStaysBookedAfterIt) {
   EXPECT_LT(scene.output("ledger", 0), 0.02);
 }
 
+TEST(FixMuckpileSleep, EnergyTakenStaysBookedWhereAnotherComesLateAfterARestart) {
+  const ScratchFolder folder("restart");
+  const std::string file = folder / "loose.restart";
+  LooseBlocks went_on(MPI_COMM_WORLD, "distance 0.5 time 1e-3 speed 100 every 1");
+  went_on.run_to(0.01);
+  const double taken = went_on.output("ledger", laid_to_rest);
+  ASSERT_GT(taken, 0.0);
+  went_on.command("write_restart " + file);
+  LooseBlocks restarted(MPI_COMM_WORLD, file, 0.01, "");
+  restarted.run_to(0.02);
+  EXPECT_NEAR(restarted.output("ledger", laid_to_rest), taken, 1e-12 * taken);
+  restarted.command("fix sleep all muckpile/sleep " + kSleep);
+  restarted.run_to(0.03);
+  EXPECT_NEAR(restarted.output("ledger", laid_to_rest), taken + restarted.output("sleep", 2),
+              1e-12 * taken);
+  EXPECT_LT(restarted.output("ledger", 0), 0.02);
+}
+
 }  // namespace
 }  // namespace muckpile::test

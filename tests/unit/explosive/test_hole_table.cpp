@@ -100,7 +100,7 @@ TEST(HoleTable, EachFaultIsNamedWithItsLine) {
             "p.csv:2: surface_delay_s must be >= 0 and <= 60, got '-1'");
   EXPECT_EQ(fault(",from_m,to_m,surface_delay_s", hole + ",1,2,0.1\n" + hole + ",3,4,0.2\n"),
             "p.csv:3: hole 'a' must have the surface delay of its first row");
-  EXPECT_EQ(fault("", ""), "hole table: no rows found");
+  EXPECT_EQ(fault("", ""), "p.csv: has no row");
   EXPECT_EQ(fault(",coupling", hole + ",mud\n"),
             "p.csv:2: coupling must be one of air, water, stemming, got 'mud'");
   EXPECT_EQ(fault(",explosive_density_kg_m3", hole + ",1.15\n"),

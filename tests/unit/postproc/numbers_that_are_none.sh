@@ -19,6 +19,7 @@ for number in nan inf; do
   refused --fines fragments "$out" --fines "$number"
   for option in fines-top fines-exponent; do refused "--$option" fragments "$out" --fines 5 "--$option" "$number"; done
   refused --turn movement "$out" --turn "$number"
+  refused --cutoff movement "$out" --cutoff "$number"
   refused --shift movement "$out" --shift 0 0 "$number"
   refused --turn survey "$out" ground.csv --turn "$number"
   refused --shift survey "$out" ground.csv --shift "$number" 0 0

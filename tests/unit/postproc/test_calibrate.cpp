@@ -304,6 +304,11 @@ class CheckFiles : public CalibrateFiles {
     for (const std::string& run : runs) options.runs.push_back(file(run).string());
     return options;
   }
+  void add_throw(const std::string& run, double thrown, const std::string& knobs) const {
+    write_text(file(run + "/dump/scene.json"), R"({"case": "bench", "knobs": {)" + knobs + "}}");
+    write_text(file(run + "/summary.json"),
+               R"({"case": "bench", "throw_cg_m": )" + check::text_of(thrown) + "}");
+  }
 };
 
 // Throw of the run e = 1, f = 0.5 is 10 + 2 ln 2 = 11.386, height 5.
@@ -322,16 +327,32 @@ TEST_F(CheckFiles, ARunWithinTwoDeviationsAgrees) {
   EXPECT_TRUE(strict.lines.front().ends_with("DIFFERS")) << strict.lines.front();
 }
 
-// Runs of 10 + 2 ln 2 and 10 + 2 ln 1.25: mean 10.9163, deviation sqrt(1/2) of their difference
-// 0.940007 = 0.664686; with 0.5 of the measure 0.83175.
+// Of 12 and 11 m: mean 11.5, deviation sqrt(1/2) = 0.707107; with 0.5 of the measure 0.866025.
 TEST_F(CheckFiles, SeveralRunsBringTheirScatter) {
   measure("throw_cg_m,10.5,0.5\n");
-  CheckOptions options = words({"run1-0.5", "run1-0.8"});
+  add_throw("one", 12.0, R"("out": "one", "seed": 1, "delay_seed": 7)");
+  add_throw("two", 11.0, R"("out": "two", "seed": 2, "delay_seed": 8)");
+  CheckOptions options = words({"one", "two"});
   options.csv = file("check.csv");
   EXPECT_TRUE(check_calibration(options).agrees);
-  EXPECT_NE(text_of(file("check.csv")).find("throw_cg_m,10.5,0.5,2,10.9163,0.664686,0.5005"),
+  EXPECT_NE(text_of(file("check.csv")).find("throw_cg_m,10.5,0.5,2,11.5,0.707107,1.1547"),
             std::string::npos)
       << text_of(file("check.csv"));
+}
+
+TEST_F(CheckFiles, RunsOfDifferentBlastsAreRefused) {
+  measure("throw_cg_m,10.5,0.5\n");
+  add_throw("one", 12.0, R"("burden": 1.8, "seed": 1)");
+  add_throw("two", 11.0, R"("burden": 2.2, "seed": 2)");
+  try {
+    (void)check_calibration(words({"one", "two"}));
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "calibrate check: runs must be of one blast, with other seeds at most, but " +
+                  file("one").string() + " and " + file("two").string() +
+                  " differ in: burden 1.8, 2.2");
+  }
 }
 
 TEST_F(CheckFiles, RunsWithOtherConstantsAreRefused) {

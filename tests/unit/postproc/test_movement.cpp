@@ -7,6 +7,7 @@
 
 #include "args/csv_table.h"
 #include "args/input_error.h"
+#include "input_error_of.h"
 #include "io/ore_polygons.h"
 #include "measure/dug_polygon.h"
 #include "measure/movement.h"
@@ -185,7 +186,12 @@ TEST_F(Polygons, AreCarriedIntoThePile) {
   EXPECT_NEAR(outline.number(0, 1), 507.5 / 105.0 - 2.5, 6e-4);  // millimetres
   EXPECT_TRUE(std::filesystem::exists(folder.file("polygons.png")));
   options.polygons = file("polygon,x_m,y_m\nfar,50,0\nfar,51,0\nfar,50,1\n").string();
-  EXPECT_THROW(report_movement(folder, {kCube, 0.125}, options), InputError);
+  EXPECT_EQ(input_error_of([&] {
+              report_movement(folder, {kCube, 0.125}, options);
+            }),
+            options.polygons +
+                ": no block's centroid started in polygon 'far'; see its place (--shift, --turn, "
+                "--mine) and heights");
   report_movement(folder, {kCube, 0.125}, {});
   EXPECT_FALSE(std::filesystem::exists(folder.file("polygons.csv")));
 }

@@ -142,6 +142,9 @@ TEST_F(Overlay, UnlikeTablesAreRefused) {
   EXPECT_NE(refused(options("polygons.csv", 2)).find("must name its rows by polygon"),
             std::string::npos);
   OverlayOptions words = options("polygons.csv", 2);
+  words.out = path(7);
+  EXPECT_EQ(refused(words), "overlay: --out must be a folder that exists, got '" + path(7) + "'");
+  words.out = path(0);
   table(1, "polygons.csv", "polygon,moved_m\nA,1\n");
   words.columns = {"move_m"};
   EXPECT_NE(refused(words).find("has no column 'move_m'; did you mean 'moved_m'?"),

@@ -5,6 +5,7 @@
 
 #include "args/csv_table.h"
 #include "args/input_error.h"
+#include "input_error_of.h"
 #include "measure/burden_relief.h"
 #include "measure/contours.h"
 #include "report/plan_report.h"
@@ -138,6 +139,8 @@ TEST(BurdenRelief, TheFaceCountsWhereItIsNearerAndHolesBesideDoNot) {
 TEST_F(Plan, OfAFaultyTableSaysWhere) {
   const std::string table = write("faulty.csv", "a,0,0,9,0,0,0,-1,3,5,0,0\n");
   EXPECT_THROW(report_plan(table), InputError);
+  const std::string empty = write("empty.csv", "");
+  EXPECT_EQ(input_error_of([&] { report_plan(empty); }), empty + ": has no row");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "args/input_error.h"
 #include "geometry/files/block_file.h"
+#include "input_error_of.h"
 #include "measure/height_map.h"
 #include "measure/hole_polygons.h"
 #include "measure/hole_rock.h"
@@ -226,14 +227,19 @@ TEST_F(Rows, RefuseTheHoleTableOfAnotherRun) {
     write_text(folder().dump("run.json"),
                std::string(run).insert(1, "\"holes\": [" + holes + "], "));
   };
+  const std::string table_file = folder().dump("holes.csv").string(),
+                    run_file = folder().dump("run.json").string(),
+                    advice = "; give the folder the table that the run has read";
   back_charge_at("-7.6");
   EXPECT_NO_THROW(report_rows(folder(), {}));
   back_charge_at("-6.6");
-  EXPECT_THROW(report_rows(folder(), {}), InputError);
+  EXPECT_EQ(input_error_of([&] { report_rows(folder(), {}); }),
+            table_file + ": hole 'back' is not where " + run_file + " has a charge" + advice);
   back_charge_at("-7.6");
-  const std::string table = text_of(folder().dump("holes.csv"));
-  write_text(folder().dump("holes.csv"), table.substr(0, table.find("right")));
-  EXPECT_THROW(report_rows(folder(), {}), InputError);
+  const std::string table = text_of(table_file);
+  write_text(table_file, table.substr(0, table.find("right")));
+  EXPECT_EQ(input_error_of([&] { report_rows(folder(), {}); }),
+            table_file + ": has 2 charges, " + run_file + " 3" + advice);
 }
 
 TEST_F(Rows, ArePartOfAllWhereThereIsATable) {

@@ -215,7 +215,8 @@ TEST(BlastRun, LooksWhetherWavesHaveGoneAreOneRunEach) {
   };
   EXPECT_EQ(go(plain, engine), Phase::interrupted);
   ASSERT_EQ(looks.size(), 10u);  // of 5 ms
-  for (std::size_t k = 0; k < looks.size(); ++k) EXPECT_NEAR(looks[k], 0.045 + 5e-3 * k, 1e-9);
+  for (std::size_t k = 0; k < looks.size(); ++k)
+    EXPECT_NEAR(looks[k], 0.045 + 5e-3 * static_cast<double>(k), 1e-9);
 }
 
 TEST(BlastRun, StressesLockedInTheRockAreNoWaves) {
@@ -357,6 +358,25 @@ TEST(BlastRun, EndsWhereTimeRunsOutWhileGasWorks) {
     EXPECT_FALSE(engine.was_told("phase throw"));
     ASSERT_EQ(engine.lines.size(), 1u);
     EXPECT_EQ(engine.lines[0].substr(0, 25), "time_end is reached after");
+  }
+}
+
+/// The rock comes apart and bears twice the step, in the middle of the last look at the gas.
+TEST(BlastRun, AStepThatGrowsWhileGasWorksDoesNotRunBeyondTheEnd) {
+  for (const Gas gas : {Gas::in_joints, Gas::in_holes}) {
+    FakeBlast engine;
+    engine.dt = 1e-4;
+    engine.on_walls = 1e6;
+    engine.happens = [](FakeBlast& e) { e.work *= 1.1; };
+    engine.after_step = [&] {
+      if (engine.now > 0.116) engine.dt = 2e-4;
+    };
+    BlastPlan gassy = plan();
+    gassy.gas = gas;
+    gassy.time_end = 0.12;
+    EXPECT_EQ(go(gassy, engine), Phase::rest);
+    EXPECT_GE(engine.now, 0.12 - 1e-9);
+    EXPECT_LE(engine.now, 0.12 + 2e-4);
   }
 }
 

@@ -49,6 +49,19 @@ TEST(BlocksRun, AStepThatGrowsDoesNotRunBeyondTheEnd) {
   EXPECT_LE(engine.now, 0.45 + engine.dt);
 }
 
+/// In the middle of the last lap, long after the first; all at once, as when a fast block is gone.
+TEST(BlocksRun, AStepThatIsLetLooseLateDoesNotRunBeyondTheEnd) {
+  for (const double grown : {1.5e-3, 2e-3}) {
+    FakeEngine engine;
+    engine.after_step = [&] {
+      if (engine.now > 0.42) engine.dt = grown;
+    };
+    EXPECT_EQ(BlocksRun(plan_of({"until", "0.5"}), engine).go(), LapsEnd::time);
+    EXPECT_GE(engine.now, 0.5 - 1e-9);
+    EXPECT_LE(engine.now, 0.5 + grown);
+  }
+}
+
 TEST(BlocksRun, EndsWhenTheRockIsStill) {
   FakeEngine engine;
   engine.after_run = [&engine] { engine.at_rest = engine.now > 0.25; };

@@ -208,6 +208,7 @@ class FacetNetwork {
   [[nodiscard]] NetworkTotals totals(const RankTeam& team = {});
   /// Stiffness over that of the start [-].
   [[nodiscard]] double softened() const { return books_.softened; }
+  [[nodiscard]] RockSoftness softness() const { return {books_.softened, books_.damping_given}; }
   /// What breaking changes bit by bit is worked out from the facets again, as in a network that
   /// gets them from a restart file: the two then agree to the last bit.
   void derive_anew();

@@ -28,6 +28,12 @@ struct JointLosses {
   }
 };
 
+/// How soft the rock has become.
+struct RockSoftness {
+  double factor = 1.0;            ///< product of all factors of soften() [-]
+  std::optional<double> damping;  ///< the last one given to soften() [-]
+};
+
 /// What a network has added up, for a run that continues it.
 struct NetworkTotals {
   JointLosses losses;

@@ -180,6 +180,13 @@ struct Stored<QuietGround> {
 };
 
 template <>
+struct Stored<RockSoftness> {
+  static constexpr std::string_view kName = "rock_softness";
+  static constexpr int kVersion = 1;
+  static auto fields(auto& softness) { return std::tie(softness.factor, softness.damping); }
+};
+
+template <>
 struct Stored<NetworkTotals> {
   static constexpr std::string_view kName = "network_totals";
   static constexpr int kVersion = 2;
