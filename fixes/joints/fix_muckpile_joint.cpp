@@ -75,6 +75,11 @@ FixMuckpileJoint::~FixMuckpileJoint() {
   if (store_ != nullptr) store_->set_keeper(nullptr);
 }
 
+/// Known before the first run: what follows in the script asks how soft the joints are.
+void FixMuckpileJoint::post_create() {
+  if (const auto* store = engine::find_view<FacetStore>(*lmp)) go_on_as_soft(store->softness());
+}
+
 int FixMuckpileJoint::setmask() {
   return LAMMPS_NS::FixConst::PRE_NEIGHBOR | LAMMPS_NS::FixConst::POST_FORCE |
          LAMMPS_NS::FixConst::END_OF_STEP;
@@ -104,7 +109,6 @@ void FixMuckpileJoint::init() {
   const bool first = store_ == nullptr;
   if (first) {
     store_ = found;
-    go_on_as_soft();
     store_->set_keeper(this);
   }
   gas_ = engine::find_view<JointPressure>(*lmp);

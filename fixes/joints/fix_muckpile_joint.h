@@ -51,6 +51,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   FixMuckpileJoint(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
   ~FixMuckpileJoint() override;
 
+  void post_create() override;
   int setmask() override;
   void pre_delete(bool unfixflag) override;
   void init() override;
@@ -156,7 +157,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   void check_classes() const;
   void warn_of_other_density() const;
   void end_what_does_not_go_on();
-  void go_on_as_soft();
+  void go_on_as_soft(const RockSoftness& found);
   void follow_blocks();
   /// False before the first run, and from create_blocks to the next one.
   [[nodiscard]] bool follows_blocks() const {

@@ -39,9 +39,8 @@ void FixMuckpileJoint::restart(char* state) {
 }
 
 /// Rock that an earlier fix has softened stays so: what its facets remember is of that stiffness.
-void FixMuckpileJoint::go_on_as_soft() {
-  const RockSoftness found = store_->softness();
-  if (found.factor == network_.softened()) return;  // as it was given, or in its own restart data
+void FixMuckpileJoint::go_on_as_soft(const RockSoftness& found) {
+  if (found == network_.softness()) return;  // as it was given, or in its own restart data
   NetworkTotals totals;
   totals.softened = found.factor;
   totals.damping = found.damping;

@@ -105,15 +105,15 @@ void FixMuckpileLedger::keep_books_of_sleep(double taken) {
   computed_at_ = -1;
 }
 
-/// One that is given after the first run behind a restart file begins its sum anew.
+/// A fix muckpile/sleep that is given after the first run behind a restart file begins its sum anew.
 void FixMuckpileLedger::keep_books_of_former_sleep() {
   if (sleep_ == nullptr || engine::sum_over_ranks(sleep_->energy_taken(), world) != 0.0) return;
   former_.sleep += laid_to_rest_;
   laid_to_rest_ = 0.0;
 }
 
-/// Joints that no fix has taken over hold nothing any more: lost, as what softening gives up. A run
-/// begins: until then, as in init() for write_restart, another fix may still come.
+/// A run begins. Joints that no fix has taken over by now hold nothing any more: what they held is
+/// lost, as what softening gives up.
 void FixMuckpileLedger::let_go_of_joints() {
   if (joints_ == nullptr) former_.fracture += former_.joint_elastic;
   former_.joint_elastic = 0.0;

@@ -198,7 +198,7 @@ std::string other_than_in(const std::string& name, const std::string& text, cons
                     advice = rule.advice.empty() ? "" : "; " + rule.advice;
   if (!theirs) {
     if (rule.warns) return "";
-    return "input: " + name + " must be " + of_the_run + "which is of another case and has none" +
+    return "input: " + name + " must be " + of_the_run + "which has none: it is of another case or of an earlier version" +
            advice;
   }
   if (std::abs(value - *theirs) <= kSame * std::max(std::abs(value), std::abs(*theirs))) return "";
@@ -230,10 +230,17 @@ void Require::look_at_folder(const std::string& name, const std::string& value,
   if (comm->me == 0) error->warning(FLERR, fault.c_str());
 }
 
-const char* Require::text_of(char* variable) const {
+void Require::require_set(char* variable) const {
   if (input->variable->find(variable) < 0)
     throw InputError(std::string("input: the variable ") + variable + " is not set");
-  return input->variable->retrieve(variable);
+}
+
+std::string Require::text_of(char* variable) const {
+  require_set(variable);
+  const char* text = input->variable->retrieve(variable);
+  if (text == nullptr)
+    throw InputError(std::string("input: the variable ") + variable + " has no text");
+  return text;
 }
 
 /// A knob that would be left unheeded: LIGGGHTS cannot compare words with blanks in them.
@@ -250,7 +257,7 @@ void Require::command(int narg, char** arg) {
   engine::or_engine_error(*lmp, [&] {
     if (narg < 2) throw InputError(std::string(kStyle) + ": needs a name, its value and a rule");
     if (narg == 2 && std::string(arg[1]) == "set") {
-      (void)text_of(arg[0]);
+      require_set(arg[0]);
       return 0;
     }
     if (std::string(arg[1]) == "needs") {

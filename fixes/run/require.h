@@ -18,7 +18,8 @@ class Require : protected LAMMPS_NS::Pointers {
  private:
   void set_flag(std::string name, bool value) const;
   /// Of a variable, which must be set.
-  [[nodiscard]] const char* text_of(char* variable) const;
+  void require_set(char* variable) const;
+  [[nodiscard]] std::string text_of(char* variable) const;
   void look_at_needed(char* name, const std::vector<char*>& words) const;
   void look_at_folder(const std::string& name, const std::string& value,
                       const std::vector<std::string>& words) const;

@@ -65,5 +65,8 @@ refuses "a row must be NAME FACTOR QUANTITY RUN BASE, got 'short' with 4 words" 
 echo 'whole 0.5 load_work_J base -' >case/answers.txt
 rm results/base/2/summary.json
 refuses "results/base/2/summary.json: cannot be opened" "$report" case results bench=
-rm -r results/base/*
+touch results/base/notes.txt
+rm -r results/base/[12]
+refuses "results/base: has no folder of a cut" "$report" case results bench=
+rm -r results/base
 refuses "results/base: has no folder of a cut" "$report" case results bench=

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# run.sh [RESULTS [LIGGGHTS_MUCKPILE MUCKPILE_POST]]: a small bench blast, and the same with one thing changed at a time; exponents and ratios of what it
-# answers, in the mean of three cuts. Writes RESULTS/answers.csv, RESULTS/summary.json and RESULTS/bench.csv, RESULTS/assumed.csv with the figures of all runs, which
-# WRITE_PAGES=1 in the environment puts beside this file and into README.md; answers_report makes them. RESULTS is results/responses unless given.
+# run.sh [RESULTS [LIGGGHTS_MUCKPILE MUCKPILE_POST]]: a small bench blast, and the same with one thing changed at a time; exponents and ratios of
+# what it answers, in the mean of three cuts. Writes RESULTS/answers.csv, RESULTS/summary.json and RESULTS/bench.csv, RESULTS/assumed.csv with the
+# figures of all runs, which WRITE_PAGES=1 in the environment puts beside this file and into README.md; answers_report makes them. RESULTS is
+# results/responses unless given.
 # Two runs at once.
 # Scope: fails if a figure is missing or outside what expected.json allows. The runs and the rows are in runs.txt, answers.txt beside this file.
 set -euo pipefail

@@ -40,7 +40,7 @@ void require_constants(const std::string& run, const SiteConstants& constants,
 void require_one_blast(const std::vector<std::string>& runs) {
   for (const std::string& run : runs) {
     const std::vector<std::string> apart =
-        inputs_apart(runs.front(), run, {"seed", "delay_seed", "site"});
+        inputs_apart(runs.front(), run, {"seed", "delay_seed", "muck_seed", "site"});
     if (!apart.empty())
       refuse("calibrate check", "runs must be of one blast, with other seeds at most, but " +
                                     runs.front() + " and " + run +

@@ -15,7 +15,7 @@ constexpr double kLap = 0.1;           // s, from one check of rest to the next
 constexpr int kLapsASetUp = 4;         // the ranks share the blocks anew at every fourth
 constexpr double kFirstGrowth = 2.0;   // of a step that has been let loose
 constexpr double kMostSteps = 1e9;     // of one run: the engine counts them in an int
-constexpr double kMostGrowth = 100.0;  // of a step in one run: to be bounded if less passes the end
+constexpr double kMostGrowth = 100.0;  // a step that has to grow by more to pass the end is let be
 constexpr double kAnyStep = 1e30;      // s
 
 /// The next whole number, but for rounding; what is beyond any run is left to the next one.

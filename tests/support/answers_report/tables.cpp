@@ -9,7 +9,9 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <sstream>
+#include <system_error>
 
 #include "args/input_error.h"
 #include "figures/figures.h"
@@ -28,9 +30,12 @@ class Cuts {
  public:
   Cuts(const std::filesystem::path& results, const std::string& run) {
     const std::filesystem::path folder = results / run;
-    for (const auto& cut : std::filesystem::directory_iterator(folder))
-      cuts_.emplace_back(cut.path() / "summary.json");
-    if (cuts_.empty()) refuse(folder.string(), "has no folder of a cut");
+    std::set<std::filesystem::path> cuts;
+    std::error_code unheeded;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, unheeded))
+      if (entry.is_directory()) cuts.insert(entry.path());
+    if (cuts.empty()) refuse(folder.string(), "has no folder of a cut");
+    for (const auto& cut : cuts) cuts_.emplace_back(cut / "summary.json");
   }
 
   /// Mean over the cuts.

@@ -32,6 +32,8 @@ struct JointLosses {
 struct RockSoftness {
   double factor = 1.0;            ///< product of all factors of soften() [-]
   std::optional<double> damping;  ///< the last one given to soften() [-]
+
+  [[nodiscard]] bool operator==(const RockSoftness&) const = default;
 };
 
 /// What a network has added up, for a run that continues it.
