@@ -3,9 +3,13 @@
 // Scope: see the header.
 #include "fixes/explosive/hole_pattern.h"
 
+#include <comm.h>
+#include <error.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -31,7 +35,10 @@ double radians(double degrees) { return degrees * M_PI / 180.0; }
 struct TableText {
   std::string text, report;
   std::optional<Vec3> place{};  // in the mine that is 0 0 0 of the table [m]
+  std::string warning{};
 };
+
+constexpr double kMostCollarOffset = 0.5;  // [m], of the collars' mean height from bench_height
 
 /// The words of `origin`; nothing where it is left out, or says so.
 std::optional<Vec3> origin_of(const ArgValues& values, const std::string& where) {
@@ -52,6 +59,20 @@ std::string place_text(const Vec3& origin, const ArgValues& values) {
          number_text(values.real("throw_bearing")) + " degrees\n";
 }
 
+/// The bench is cut at bench_height, and stemming is counted from there. Holes drilled from the face
+/// have their collars lower, so this is no fault.
+std::string collars_beside(double bench_height, const HoleTable& table, const std::string& where,
+                           const std::string& file) {
+  std::map<std::string, double> heights;
+  for (const Deck& deck : table.decks()) heights[deck.hole] = deck.hole_collar.z();
+  double mean = 0.0;
+  for (const auto& [hole, height] : heights) mean += height / static_cast<double>(heights.size());
+  if (std::abs(mean - bench_height) <= kMostCollarOffset) return {};
+  return where + ": the collars of " + file + " stand at z = " + rounded_text(mean) +
+         " m in the mean, but bench_height, from which the stemming is counted, is " +
+         number_text(bench_height) + " m";
+}
+
 TableText taken(const std::string& own, const ArgValues& values, const std::string& where) {
   const CsvTable csv = CsvTable::read(own);
   const HoleTable table(csv);  // finds what is wrong with it
@@ -59,9 +80,12 @@ TableText taken(const std::string& own, const ArgValues& values, const std::stri
                  where + ": " + std::to_string(table.holes()) + " holes, " +
                      std::to_string(table.decks().size()) + " decks of " + own + "\n",
                  origin_of(values, where)};
-  if (!made.place) return made;
-  made.text = placed_table(csv, own, {*made.place, radians(values.real("throw_bearing"))});
-  made.report += place_text(*made.place, values);
+  if (made.place) {
+    made.text = placed_table(csv, own, {*made.place, radians(values.real("throw_bearing"))});
+    made.report += place_text(*made.place, values);
+  }
+  made.warning = collars_beside(values.real("bench_height"),
+                                HoleTable(CsvTable::parse(made.text, own)), where, own);
   return made;
 }
 
@@ -77,9 +101,8 @@ KirraFrame frame_of(const ArgValues& values, const std::string& where) {
 /// The bench is cut at bench_height, so the holes of the plan must be those of such a bench.
 void check_bench_height(const ConvertedHoles& holes, double bench_height,
                         const std::string& where) {
-  constexpr double kMost = 0.5;  // [m]
-  if (std::abs(holes.collar_height - bench_height) <= kMost) return;
-  refuse(where, "bench_height must be within " + number_text(kMost) +
+  if (std::abs(holes.collar_height - bench_height) <= kMostCollarOffset) return;
+  refuse(where, "bench_height must be within " + number_text(kMostCollarOffset) +
                     " m of the collars' mean height above the floor, " +
                     rounded_text(holes.collar_height) + " m by the file of kirra, got '" +
                     number_text(bench_height) + "'; the floor is that of origin or subdrill");
@@ -137,7 +160,7 @@ TableText table_and_report(const ArgValues& values, const std::string& where) {
                              static_cast<std::uint64_t>(values.integer("scatter_seed"))};
   if (scatter.share == 0.0) return made;
   const ScatteredTable late = scattered(made.text, where + ": the plan", scatter);
-  return {late.text, made.report + late.report, made.place};
+  return {late.text, made.report + late.report, made.place, made.warning};
 }
 
 }  // namespace
@@ -154,6 +177,7 @@ void HolePatternCommand::command(int narg, char** arg) {
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), unheeded);
   engine::write_file(*lmp, where, file.string(), made.text);
   engine::print_once(*lmp, made.report + "  table: " + file.string() + "\n");
+  if (!made.warning.empty() && comm->me == 0) error->warning(FLERR, made.warning.c_str());
   if (!made.place) return;
   engine::set_script_variable(*lmp, "pattern_east", made.place->x());
   engine::set_script_variable(*lmp, "pattern_north", made.place->y());

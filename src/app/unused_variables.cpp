@@ -5,6 +5,7 @@
 
 #include <glob.h>
 
+#include <algorithm>
 #include <fstream>
 #include <regex>
 #include <set>
@@ -64,6 +65,10 @@ std::vector<std::string> unused_variables(const std::vector<std::string>& argume
     const std::string& option = arguments[k];
     if (option == "-var" || option == "-v") given.push_back(arguments[k + 1]);
     if (option == "-in" || option == "-i") input = arguments[k + 1];
+  }
+  for (auto name = given.begin(); name != given.end(); ++name) {
+    if (std::count(given.begin(), name, *name) == 1)
+      lines.push_back("-var " + *name + " is given more than once: the first value counts");
   }
   if (input.empty() || given.empty()) return lines;
   Script script;

@@ -30,6 +30,10 @@ EOF
 output=$("$program" -log none -in in.x -var burdn 4 -var h 1 2>&1 </dev/null) || true
 grep -qF "did you mean 'burden'?" <<<"$output" || fail "burden must be named"
 [[ $(warnings in.x -var density 4 -var again 1 -var h 1) -eq 4 ]] || fail "a keyword and a label are no variables"
+[[ $(warnings in.x -var burden 4 -var h 1 -var burden 5) -eq 2 ]] || fail "a name that is given twice must be told"
+output=$("$program" -log none -in in.x -var burden 4 -var h 1 -var burden 5 2>&1 </dev/null) || true
+grep -q "^4 1$" <<<"$output" || fail "the first value must count"
+grep -q "^WARNING: -var burden is given more than once: the first value counts" <<<"$output" || fail "which value counts must be told"
 [[ $(warnings in.x -var burden 4 -var h 1 -var spacing 2 -var case a) -eq 0 ]] || fail "variables must not be told"
 # Its own file is a variable: no file of the folder is meant, neither the one that would use the name.
 printf 'variable site index none.in\ninclude ${site}\n' >in.any

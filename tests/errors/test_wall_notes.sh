@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # test_wall_notes.sh LIGGGHTS_MUCKPILE: blocks at the wall of a crushed zone are as wide as widest_wall_block lets them be, and inputs note it where they are cut
-# down or where a pulse rises faster than a wave crosses a block.
+# down or where a pulse rises faster than a wave crosses a block; and strengths that no rock has.
 set -euo pipefail
 program=$1
 source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
@@ -48,4 +48,15 @@ says 1 'faster than a wave crosses a block of block_min 0.8005995 m'  # of the w
 sed '1,/^hole,/s/diameter_m,/diameter_m,crushed_radius_m,/; s/,0\.165,/,0.165,0.1,/' inputs/pattern/holes.csv >"$out/own_radius.csv"
 try -in inputs/pattern/in.pattern -var out "$out" -var time_end 0.1 -var hole_table "$out/own_radius.csv"
 says 1 'NOTE: block_min 0.95 m is wider than 6 radii of the crushed zone; 0.5997 m is taken'
+
+# Strengths a thousand times too small or too large.
+for strength in tension cohesion; do
+  for value in 1e4 1e10; do
+    try -in inputs/pattern/in.pattern -var out "$out" -var time_end 0.1 -var rise_time 3e-4 -var $strength $value
+    says 1 "NOTE: $strength $value Pa is "
+    says 1 NOTE
+  done
+done
+try -in inputs/pattern/in.pattern -var out "$out" -var time_end 0.1 -var rise_time 3e-4 -var tension 0 -var cohesion 0
+says 0 NOTE
 exit $wrong

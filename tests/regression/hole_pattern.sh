@@ -27,6 +27,12 @@ sed 's/0\.042/0.05/' "$out/new/1.csv" >"$out/own.csv"
 on_ranks 2 -in "$out/in.table" -log none -var own "$out/own.csv" -var table "$out/taken/holes.csv" >"$out/screen3"
 cmp "$out/own.csv" "$out/taken/holes.csv" || fail "the table of one's own was changed"
 grep -q '^holes 6 last 0.084' "$out/screen3" || fail "the table of one's own was not read"
+# Stemming is counted from bench_height, whatever the collars of the table.
+! grep -q WARNING "$out/screen3" || fail "collars at bench_height are warned of: $(grep WARNING "$out/screen3")"
+sed 's/bench_height 10/bench_height 8/' "$out/in.table" >"$out/in.lower"
+on_ranks 2 -in "$out/in.lower" -log none -var own "$out/own.csv" -var table "$out/lower.csv" >"$out/screen"
+[[ $(grep -c "WARNING: hole_pattern: the collars of $out/own.csv stand at z = 10 m in the mean, but bench_height, .*, is 8 m" "$out/screen") -eq 1 ]] ||
+  fail "collars above bench_height are not warned of once"
 
 # Scatter: the same on one and two ranks, another by another seed, and read by charge_design.
 scattered() { sed "s/^hole_pattern/& scatter $1 scatter_seed $2/" "$out/in.table" >"$out/in.scattered"; }

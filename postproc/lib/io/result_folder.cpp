@@ -25,15 +25,17 @@ void require_lengths(const nlohmann::ordered_json& scene, const std::filesystem:
   }
 }
 
-// A run that has come to rest has left a snapshot of its last step.
+// A run, and each part of it, leaves a snapshot of its last step.
 void require_end(const std::filesystem::path& last, const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return;
   const nlohmann::ordered_json run = read_json_object(file);
   const auto still = run.find("still"), steps = run.find("steps");
-  if (still == run.end() || *still != true || steps == run.end() || !steps->is_number()) return;
+  if (steps == run.end() || !steps->is_number()) return;
   if (snapshot_step(last.filename().string()) >= steps->get<long long>()) return;
-  throw InputError(last.string() + ": is the last snapshot, but the run came to rest at step " +
-                   steps->dump() + ": that one's is missing");
+  const bool rests = still != run.end() && *still == true;
+  throw InputError(last.string() + ": is the last snapshot, but the run " +
+                   (rests ? "came to rest" : "ended") + " at step " + steps->dump() +
+                   ": that one's is missing");
 }
 
 }  // namespace
