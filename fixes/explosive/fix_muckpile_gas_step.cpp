@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "fixes/engine/exchange.h"
 #include "fixes/engine/over_ranks.h"
@@ -20,14 +21,18 @@ constexpr double kSpentShare = 0.2;  // spent: nowhere more than that share abov
 
 }  // namespace
 
-/// The step after each whose number `every_` divides: a restart file of such a step goes on with
-/// one.
-bool FixMuckpileGas::in_step_of_gas() const { return (update->ntimestep - 1) % every_ == 0; }
+/// In steps of the blocks that are as long as now: the step after each whose number divides, so a
+/// restart file of such a step goes on with one.
+bool FixMuckpileGas::is_due() const {
+  const double fit = std::floor((1.0 + 1e-9) * longest_step_ / update->dt);
+  const auto steps = static_cast<LAMMPS_NS::bigint>(std::clamp(fit, 1.0, static_cast<double>(every_)));
+  return (update->ntimestep - 1) % steps == 0;
+}
 
 /// A set-up for a run, after a restart file too, finds what the last step pressed.
 std::span<const double> FixMuckpileGas::pressure_in_joints() {
   if (!active_) return {};
-  const bool due = in_step_of_gas() && measured_at_ != update->ntimestep;
+  const bool due = is_due() && measured_at_ != update->ntimestep;
   if (measured_at_ >= 0 && !due) return gas_.pressed();
   measured_at_ = update->ntimestep;
   const engine::BlockHalo& halo = joints_->halo();
@@ -58,7 +63,7 @@ void FixMuckpileGas::end_of_step() {
   }
   book_work();
   waited_ += update->dt;
-  if (in_step_of_gas()) step_of_gas();
+  if (measured_at_ == update->ntimestep) step_of_gas();  // the step may have changed since
   if (update->ntimestep % kLookEvery == 0) look_whether_spent();
 }
 

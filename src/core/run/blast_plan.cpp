@@ -139,10 +139,11 @@ BlastPlan blast_plan(const ArgValues& words, const BlastScene& scene, const std:
   // In weak rock the joints bear a longer step than the pulse does. Error of the energy balance at
   // 5 GPa: 3.6 % with 3 steps in the rise, 0.7 to 1 % with 5, 0.13 % with 10.
   const double rise = scene.timing.rise_time;  // [s]
-  plan.pulse_step = rise > 0.0 ? 0.2 * rise : 1e30;
-  // Between pulses granite bears little more than that. Rock of 5 GPa bears 3.6 times, but has then
-  // 9 % less kinetic energy than with an eighth of the step (docs/theory/timestep.md).
-  plan.between_step = rise > 0.0 ? 1.5 * plan.pulse_step : 1e30;
+  plan.pulse_step = rise > 0.0 ? std::min(0.2 * rise, scene.gas_step) : scene.gas_step;
+  // Between pulses what the flow of the gas bears (docs/theory/timestep.md). Without one as many
+  // times the pulse's as no rock bears; a stretch to the next pulse is counted in such steps.
+  constexpr double kMost = 10.0;
+  plan.between_step = rise > 0.0 ? std::min(kMost * plan.pulse_step, scene.gas_step) : scene.gas_step;
   if (rise > 0.0) plan.pulses = joined(scene.timing.pulses, plan.pulse_step);
   plan.wave_share = share_of_squeezable(words.real("wave_share"), rock.poisson_ratio);
   plan.stable_share = words.real("stable_share");
