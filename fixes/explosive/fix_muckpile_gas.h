@@ -108,6 +108,7 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure, public Joint
   int every_;                     // steps of the blocks in one of the gas, at most
   double longest_step_;           // of the gas, if it is longer than one of the blocks [s]
   int substeps_;                  // of the flow in a step of the gas
+  bool keeps_spent_;              // follows gas that presses on nothing
   GasChambers* blast_ = nullptr;  // looked up in every init()
   JointsWithGas* joints_ = nullptr;
   std::uint64_t version_ = 0;

@@ -64,7 +64,9 @@ void FixMuckpileGas::end_of_step() {
   book_work();
   waited_ += update->dt;
   if (measured_at_ == update->ntimestep) step_of_gas();  // the step may have changed since
-  if (update->ntimestep % kLookEvery == 0) look_whether_spent();
+  if (update->ntimestep % kLookEvery != 0) return;
+  if (!keeps_spent_) lost_ += gas_.let_spent_go();
+  look_whether_spent();
 }
 
 /// What flows and cools in the time since the last one.

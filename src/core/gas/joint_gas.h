@@ -171,6 +171,11 @@ class JointGas {
   };
   [[nodiscard]] Opened open_wide();
 
+  /// Gas that had no more than the pressure of the atmosphere at the last press(), in its block and
+  /// in all that share a crack with it, and no chamber that feeds it, presses on nothing and will
+  /// not: owned blocks let it into the atmosphere. Between a flow() and the next measure().
+  [[nodiscard]] GasFlow let_spent_go();
+
   /// cp of the products [J/(kg K)].
   [[nodiscard]] double heat_capacity() const { return flow_.gamma() * cv(); }
   [[nodiscard]] double pressure(const GasCell& cell) const;  ///< absolute; 0 if empty [Pa]

@@ -70,7 +70,19 @@ TEST(BlastPlan, AsksForTheEndWhereGasFlowsAndHasNoTimes) {
 
 TEST(BlastPlan, StepsThePulseInFive) {
   EXPECT_NEAR(plan_of({}).pulse_step, 2e-5, 1e-18);  // a fifth of 1e-4 s
-  EXPECT_NEAR(plan_of({}).between_step, 3e-5, 1e-18);
+  EXPECT_NEAR(plan_of({}).between_step, 2e-4, 1e-18);  // more than rock bears
+}
+
+TEST(BlastPlan, StepsNoLongerThanGasInJointsBears) {
+  BlastScene scene = bench();
+  scene.gas_step = 6e-5;
+  EXPECT_NEAR(plan_of({}, scene).pulse_step, 2e-5, 1e-18);
+  EXPECT_EQ(plan_of({}, scene).between_step, 6e-5);
+  scene.timing.rise_time = 1e-3;
+  EXPECT_EQ(plan_of({}, scene).pulse_step, 6e-5);
+  EXPECT_EQ(plan_of({}, scene).between_step, 6e-5);
+  scene.timing.rise_time = 0.0;
+  EXPECT_EQ(plan_of({}, scene).between_step, 6e-5);
 }
 
 TEST(BlastPlan, StepsThePulseFromTenStepsBeforeTheFiringUntilItHasGone) {
