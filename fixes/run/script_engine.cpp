@@ -10,7 +10,6 @@
 #include <thermo.h>
 #include <update.h>
 
-#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -90,13 +89,11 @@ void ScriptEngine::bound_step(const StepRule& rule) {
              script_number(rule.collision_speed);
   }
   if (rule.longest) words += " max " + script_number(*rule.longest);
-  longest_ = rule.longest.value_or(longest_);
   tell("fix_modify " + id_of("muckpile/timestep") + words);
 }
 
 void ScriptEngine::cap_step(double longest) {
-  tell("fix_modify " + id_of("muckpile/timestep") + " max " +
-       script_number(std::min(longest, longest_)));
+  tell("fix_modify " + id_of("muckpile/timestep") + " cap " + script_number(longest));
 }
 
 /// A fix of the script, or of a command before, keeps the share that it has unless one is typed.

@@ -30,17 +30,47 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-size_t split(std::string_view line, std::vector<std::string_view>& out) {
+/// The end of a field in quotes that begins at or behind `begin`; `inside` is what they hold.
+/// InputError, which begins with `where`, unless just one pair of quotes is around it all.
+size_t end_of_quoted(std::string_view line, size_t begin, const std::string& where,
+                     std::string_view& inside) {
+  const size_t open = line.find('"', begin), close = line.find('"', open + 1);
+  const size_t end = std::min(line.find(',', std::min(close, line.size())), line.size());
+  if (close == std::string_view::npos || !trimmed(line.substr(close + 1, end - close - 1)).empty())
+    throw InputError(where + "quotes must stand around a whole field, got '" +
+                     std::string(line.substr(open, end - open)) + "'");
+  inside = line.substr(open + 1, close - open - 1);
+  return end;
+}
+
+size_t split(std::string_view line, const std::string& name, size_t number,
+             std::vector<std::string_view>& out) {
   size_t count = 0;
   for (size_t begin = 0; begin <= line.size(); ++count) {
-    const size_t end = std::min(line.find(',', begin), line.size());
-    out.push_back(trimmed(line.substr(begin, end - begin)));
+    size_t end = std::min(line.find(',', begin), line.size());
+    std::string_view field = trimmed(line.substr(begin, end - begin));
+    if (field.starts_with('"'))
+      end = end_of_quoted(line, begin, name + ":" + std::to_string(number) + ": ", field);
+    out.push_back(field);
     begin = end + 1;
   }
   return count;
 }
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // spreadsheets begin a file with it
+
+/// Its lines end with LF from here on, of an old spreadsheet's too.
+std::string readable(std::string text, const std::string& name) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    throw InputError(name + ": is text in UTF-16, must be in UTF-8; save it as CSV in UTF-8");
+  if (text.find('\n') == std::string::npos) std::ranges::replace(text, '\r', '\n');
+  return text;
+}
+
+void refuse_other_separators(std::string_view line, const std::string& name) {
+  if (line.find_first_of(";\t") != std::string_view::npos)
+    throw InputError(name + ": fields must stand between commas, got '" + std::string(line) + "'");
+}
 
 void refuse_twice(std::vector<std::string_view> columns, const std::string& name) {
   std::sort(columns.begin(), columns.end());
@@ -79,8 +109,8 @@ CsvTable CsvTable::read(const std::filesystem::path& path) {
 CsvTable CsvTable::parse(std::string text, const std::string& name, std::string_view header) {
   CsvTable table;
   table.name_ = name;
-  if (!header.empty()) split(header, table.header_);
-  table.text_ = std::make_shared<const std::string>(std::move(text));
+  if (!header.empty()) split(header, name, 0, table.header_);
+  table.text_ = std::make_shared<const std::string>(readable(std::move(text), name));
   std::string_view rest = *table.text_;
   if (rest.substr(0, kByteOrderMark.size()) == kByteOrderMark)
     rest.remove_prefix(kByteOrderMark.size());
@@ -90,13 +120,11 @@ CsvTable CsvTable::parse(std::string text, const std::string& name, std::string_
     if (line.front() == '#') {
       table.remarks_.push_back(line.substr(1));
     } else if (table.header_.empty()) {
-      split(line, table.header_);
+      split(line, name, number, table.header_);
       refuse_twice(table.header_, name);
-      if (table.header_.size() == 1 && line.find(';') != std::string_view::npos)
-        throw InputError(name + ": fields must stand between commas, got '" + std::string(line) +
-                         "'");
+      if (table.header_.size() == 1) refuse_other_separators(line, name);
     } else {
-      const size_t count = split(line, table.fields_);
+      const size_t count = split(line, name, number, table.fields_);
       table.lines_.push_back(number);
       if (count != table.header_.size()) {
         throw InputError(table.where(table.rows() - 1) + "expected " +
