@@ -46,10 +46,10 @@ const ArgTable& table() {
           .integer("every", "-", Range::closed(1, 100), 2,
                    "steps of the blocks in a step of the gas, at most, during which pressures hold")
           .real("longest_step", "s", Range::left_open(0.0, 1.0), 6e-5,
-                "of the gas: fewer steps of the blocks than `every` where they are that long")
+                "longest step of the gas, where `every` steps of the blocks are longer")
           .word("spent_gas", {"let_go", "kept"}, "let_go",
-                "in joints, that has no more than the pressure of the atmosphere, and none beside "
-                "it has: goes into it, or is followed on")
+                "gas in joints that presses on nothing any more: `let_go` into the atmosphere, or "
+                "followed on")
           .integer("substeps", "-", Range::closed(1, 1000), 2, "of the flow in a step of the gas")
           .real("ambient_pressure", "Pa", Range::closed(1e3, 1e7), 101325.0, "of the atmosphere")
           .real("effusivity", "W s^0.5/(m2 K)", Range::closed(0.0, 1e5), 2500.0,

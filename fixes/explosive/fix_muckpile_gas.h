@@ -116,6 +116,7 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure, public Joint
   std::unordered_map<int, GasContent> restored_;  // by tag, until the first follow_blocks()
   bool active_ = false, spent_ = false;
   LAMMPS_NS::bigint measured_at_ = -1;  // step whose pressures hold; -1: none yet
+  LAMMPS_NS::bigint lasted_ = 1;        // the present step of the gas, steps of the blocks
   double waited_ = 0.0;                 // since the last flow [s]
   std::vector<char> fed_;               // per hole
   CrushedBed bed_;

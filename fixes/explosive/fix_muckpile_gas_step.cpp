@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "fixes/engine/exchange.h"
 #include "fixes/engine/over_ranks.h"
@@ -21,19 +20,19 @@ constexpr double kSpentShare = 0.2;  // spent: nowhere more than that share abov
 
 }  // namespace
 
-/// In steps of the blocks that are as long as now: the step after each whose number divides, so a
-/// restart file of such a step goes on with one.
+/// The step of the gas ends with this one of the blocks: it would be too long with one more.
 bool FixMuckpileGas::is_due() const {
-  const double fit = std::floor((1.0 + 1e-9) * longest_step_ / update->dt);
-  const auto steps = static_cast<LAMMPS_NS::bigint>(std::clamp(fit, 1.0, static_cast<double>(every_)));
-  return (update->ntimestep - 1) % steps == 0;
+  if (measured_at_ < 0) return true;
+  if (update->setupflag != 0) return false;
+  const bool last = update->ntimestep - measured_at_ >= every_;
+  return last || waited_ + 2.0 * update->dt > (1.0 + 1e-9) * longest_step_;
 }
 
 /// A set-up for a run, after a restart file too, finds what the last step pressed.
 std::span<const double> FixMuckpileGas::pressure_in_joints() {
   if (!active_) return {};
-  const bool due = is_due() && measured_at_ != update->ntimestep;
-  if (measured_at_ >= 0 && !due) return gas_.pressed();
+  if (!is_due()) return gas_.pressed();
+  lasted_ = measured_at_ < 0 ? 1 : update->ntimestep - measured_at_;
   measured_at_ = update->ntimestep;
   const engine::BlockHalo& halo = joints_->halo();
   gas_.measure(joints_->rooms(), fed_);
@@ -64,9 +63,7 @@ void FixMuckpileGas::end_of_step() {
   book_work();
   waited_ += update->dt;
   if (measured_at_ == update->ntimestep) step_of_gas();  // the step may have changed since
-  if (update->ntimestep % kLookEvery != 0) return;
-  if (!keeps_spent_) lost_ += gas_.let_spent_go();
-  look_whether_spent();
+  if (update->ntimestep % kLookEvery == 0) look_whether_spent();
 }
 
 /// What flows and cools in the time since the last one.
@@ -83,6 +80,8 @@ void FixMuckpileGas::step_of_gas() {
   lost_ += opened.vented;
   in_open_ += opened.vented.energy;
   could_do_ += opened.could_do;
+  // At the first step of the gas of each hundred of the blocks.
+  if (!keeps_spent_ && update->ntimestep % kLookEvery < lasted_) lost_ += gas_.let_spent_go();
 }
 
 void FixMuckpileGas::read_chambers() {

@@ -266,7 +266,7 @@ int FixMuckpileTimestep::modify_param(int narg, char** arg) {
   });
   // A run without a set-up looks after `every` steps only.
   const double longest = std::min(settings_.longest, cap_);
-  if (set_up_ && update->dt > longest) set_step(three_digits(longest));
+  if (set_up_ && three_digits(longest) < update->dt) set_step(three_digits(longest));
   return 2;
 }
 
@@ -291,7 +291,7 @@ void FixMuckpileTimestep::restart(char* bytes) {
 /// Then the step is that of the restart file, and if that was written within a run, so are the
 /// looks: that run did not look once more.
 bool FixMuckpileTimestep::goes_on_unchanged() const {
-  return update->ntimestep == read_at_ && settings_ == then_.settings &&
+  return update->ntimestep == read_at_ && settings_ == then_.settings && then_.step <= cap_ &&
          (joints_ == nullptr || joints_->stiffness_changes() == known_changes_);
 }
 

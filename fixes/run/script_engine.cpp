@@ -72,8 +72,9 @@ void ScriptEngine::write_table() const {
 void ScriptEngine::set_up() { tell("run 0"); }
 
 /// Without a set-up where no fix or setting has changed since the last run, except how often files
-/// are written and how long the step may become. The engine writes its state at the first output behind a signal: one that has come
-/// behind the last output of these steps, on whatever rank, gets one step more.
+/// are written and how long the step may become. The engine writes its state at the first output
+/// behind a signal: one that has come behind the last output of these steps, on whatever rank, gets
+/// one step more.
 void ScriptEngine::run(long steps, bool afresh) {
   tell("run " + std::to_string(steps) + (afresh ? "" : " pre no"));
   namespace signals = LAMMPS_NS::SignalHandler;

@@ -30,27 +30,26 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// The end of a field in quotes that begins at or behind `begin`; `inside` is what they hold.
-/// InputError, which begins with `where`, unless just one pair of quotes is around it all.
-size_t end_of_quoted(std::string_view line, size_t begin, const std::string& where,
-                     std::string_view& inside) {
-  const size_t open = line.find('"', begin), close = line.find('"', open + 1);
-  const size_t end = std::min(line.find(',', std::min(close, line.size())), line.size());
-  if (close == std::string_view::npos || !trimmed(line.substr(close + 1, end - close - 1)).empty())
-    throw InputError(where + "quotes must stand around a whole field, got '" +
-                     std::string(line.substr(open, end - open)) + "'");
-  inside = line.substr(open + 1, close - open - 1);
-  return end;
+/// What a field in quotes holds. InputError, which begins with `where`, unless it would be the same
+/// field without them: tables are written without.
+std::string_view unquoted(std::string_view field, const std::string& where) {
+  const std::string_view inside = field.size() < 2 ? field : field.substr(1, field.size() - 2);
+  if (!field.ends_with('"') || inside.find('"') != std::string_view::npos ||
+      inside.starts_with('#'))
+    throw InputError(where +
+                     "a field in quotes must hold no comma or quote, nor begin with #, got " +
+                     std::string(field));
+  return trimmed(inside);
 }
 
 size_t split(std::string_view line, const std::string& name, size_t number,
              std::vector<std::string_view>& out) {
   size_t count = 0;
   for (size_t begin = 0; begin <= line.size(); ++count) {
-    size_t end = std::min(line.find(',', begin), line.size());
+    const size_t end = std::min(line.find(',', begin), line.size());
     std::string_view field = trimmed(line.substr(begin, end - begin));
     if (field.starts_with('"'))
-      end = end_of_quoted(line, begin, name + ":" + std::to_string(number) + ": ", field);
+      field = unquoted(field, name + ":" + std::to_string(number) + ": ");
     out.push_back(field);
     begin = end + 1;
   }
@@ -62,13 +61,13 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // spreadsheets beg
 /// Its lines end with LF from here on, of an old spreadsheet's too.
 std::string readable(std::string text, const std::string& name) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-    throw InputError(name + ": is text in UTF-16, must be in UTF-8; save it as CSV in UTF-8");
+    throw InputError(name + ": must be in UTF-8, got UTF-16");
   if (text.find('\n') == std::string::npos) std::ranges::replace(text, '\r', '\n');
   return text;
 }
 
 void refuse_other_separators(std::string_view line, const std::string& name) {
-  if (line.find_first_of(";\t") != std::string_view::npos)
+  if (trimmed(line).find_first_of(";\t") != std::string_view::npos)
     throw InputError(name + ": fields must stand between commas, got '" + std::string(line) + "'");
 }
 

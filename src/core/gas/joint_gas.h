@@ -171,9 +171,9 @@ class JointGas {
   };
   [[nodiscard]] Opened open_wide();
 
-  /// Gas that had no more than the pressure of the atmosphere at the last press(), in its block and
-  /// in all that share a crack with it, and no chamber that feeds it, presses on nothing and will
-  /// not: owned blocks let it into the atmosphere. Between a flow() and the next measure().
+  /// Gas that has no more than the pressure of the atmosphere, as all had at the last press() that
+  /// share a crack with it, and no chamber that feeds it, presses on nothing and will not: owned
+  /// blocks let it into the atmosphere. Behind a flow(), before the next set_rooms().
   [[nodiscard]] GasFlow let_spent_go();
 
   /// cp of the products [J/(kg K)].

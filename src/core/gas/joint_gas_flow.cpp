@@ -141,9 +141,9 @@ JointGas::Opened JointGas::open_wide() {
 }
 
 GasFlow JointGas::let_spent_go() {
-  if (cracks_.empty()) return {};  // new rooms, not measured yet
   std::vector<char> kept(cells_.size());
-  for (std::size_t b = 0; b < cells_.size(); ++b) kept[b] = gauge_[b] > 0.0 ? 1 : 0;
+  for (std::size_t b = 0; b < cells_.size(); ++b)  // gas may just have come
+    kept[b] = gauge_[b] > 0.0 || pressure(cells_[b]) > p_.ambient ? 1 : 0;
   for (const Crack& crack : cracks_) {
     const bool presses = gauge_[crack.i] > 0.0 || (crack.joint && gauge_[crack.j] > 0.0);
     const bool fed = crack.hole >= 0 && fed_[static_cast<std::size_t>(crack.hole)] != 0;

@@ -97,6 +97,18 @@ TEST(FixMuckpileGas, ItsStepIsNoLongerThanAskedFor) {
   expect_same_gas("every 3", "every 3 longest_step 1");
 }
 
+/// Within a step of the gas and behind one, whatever the step of the blocks has become.
+TEST(FixMuckpileGas, ASetUpIsNoStepOfTheGas) {
+  Burst burst(MPI_COMM_WORLD, "longest_step 1.1e-5");
+  for (const int steps : {100, 1, 1}) {
+    burst.scene.run(steps, kStep);
+    const double work = burst.gas(4), greatest = burst.gas(5);
+    burst.scene.run(0, 9e-6);
+    EXPECT_EQ(burst.gas(4), work);
+    EXPECT_EQ(burst.gas(5), greatest);
+  }
+}
+
 TEST(FixMuckpileGas, WorkOfTheGasIsInTheLedger) {
   Burst burst(MPI_COMM_WORLD);
   burst.scene.run(400, kStep);
