@@ -47,9 +47,6 @@ const ArgTable& table() {
                    "steps of the blocks in a step of the gas, at most, during which pressures hold")
           .real("longest_step", "s", Range::left_open(0.0, 1.0), 6e-5,
                 "longest step of the gas, where `every` steps of the blocks are longer")
-          .word("spent_gas", {"let_go", "kept"}, "let_go",
-                "gas in joints that presses on nothing any more: `let_go` into the atmosphere, or "
-                "followed on")
           .integer("substeps", "-", Range::closed(1, 1000), 2, "of the flow in a step of the gas")
           .real("ambient_pressure", "Pa", Range::closed(1e3, 1e7), 101325.0, "of the atmosphere")
           .real("effusivity", "W s^0.5/(m2 K)", Range::closed(0.0, 1e5), 2500.0,
@@ -105,7 +102,6 @@ FixMuckpileGas::FixMuckpileGas(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
   every_ = static_cast<int>(args.integer("every"));
   longest_step_ = args.real("longest_step");
   substeps_ = static_cast<int>(args.integer("substeps"));
-  keeps_spent_ = args.word("spent_gas") == "kept";
   engine::or_engine_error(*lmp, [&] {
     blast->let_gas_into_joints(ambient_);
     return 0;

@@ -108,7 +108,6 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure, public Joint
   int every_;                     // steps of the blocks in one of the gas, at most
   double longest_step_;           // of the gas, if it is longer than one of the blocks [s]
   int substeps_;                  // of the flow in a step of the gas
-  bool keeps_spent_;              // follows gas that presses on nothing
   GasChambers* blast_ = nullptr;  // looked up in every init()
   JointsWithGas* joints_ = nullptr;
   std::uint64_t version_ = 0;
@@ -116,7 +115,6 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure, public Joint
   std::unordered_map<int, GasContent> restored_;  // by tag, until the first follow_blocks()
   bool active_ = false, spent_ = false;
   LAMMPS_NS::bigint measured_at_ = -1;  // step whose pressures hold; -1: none yet
-  LAMMPS_NS::bigint lasted_ = 1;        // the present step of the gas, steps of the blocks
   double waited_ = 0.0;                 // since the last flow [s]
   std::vector<char> fed_;               // per hole
   CrushedBed bed_;

@@ -32,7 +32,6 @@ bool FixMuckpileGas::is_due() const {
 std::span<const double> FixMuckpileGas::pressure_in_joints() {
   if (!active_) return {};
   if (!is_due()) return gas_.pressed();
-  lasted_ = measured_at_ < 0 ? 1 : update->ntimestep - measured_at_;
   measured_at_ = update->ntimestep;
   const engine::BlockHalo& halo = joints_->halo();
   gas_.measure(joints_->rooms(), fed_);
@@ -80,8 +79,6 @@ void FixMuckpileGas::step_of_gas() {
   lost_ += opened.vented;
   in_open_ += opened.vented.energy;
   could_do_ += opened.could_do;
-  // At the first step of the gas of each hundred of the blocks.
-  if (!keeps_spent_ && update->ntimestep % kLookEvery < lasted_) lost_ += gas_.let_spent_go();
 }
 
 void FixMuckpileGas::read_chambers() {

@@ -171,11 +171,6 @@ class JointGas {
   };
   [[nodiscard]] Opened open_wide();
 
-  /// Gas that has no more than the pressure of the atmosphere, as all had at the last press() that
-  /// share a crack with it, and no chamber that feeds it, presses on nothing and will not: owned
-  /// blocks let it into the atmosphere. Behind a flow(), before the next set_rooms().
-  [[nodiscard]] GasFlow let_spent_go();
-
   /// cp of the products [J/(kg K)].
   [[nodiscard]] double heat_capacity() const { return flow_.gamma() * cv(); }
   [[nodiscard]] double pressure(const GasCell& cell) const;  ///< absolute; 0 if empty [Pa]

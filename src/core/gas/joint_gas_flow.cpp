@@ -140,23 +140,4 @@ JointGas::Opened JointGas::open_wide() {
   return opened;
 }
 
-GasFlow JointGas::let_spent_go() {
-  std::vector<char> kept(cells_.size());
-  for (std::size_t b = 0; b < cells_.size(); ++b)  // gas may just have come
-    kept[b] = gauge_[b] > 0.0 || pressure(cells_[b]) > p_.ambient ? 1 : 0;
-  for (const Crack& crack : cracks_) {
-    const bool presses = gauge_[crack.i] > 0.0 || (crack.joint && gauge_[crack.j] > 0.0);
-    const bool fed = crack.hole >= 0 && fed_[static_cast<std::size_t>(crack.hole)] != 0;
-    if (presses || fed) each_block(crack, [&](std::size_t b) { kept[b] = 1; });
-  }
-  GasFlow gone;
-  for (std::size_t b = 0; b < cells_.size(); ++b) {
-    GasContent& gas = cells_[b].content;
-    if (kept[b] != 0 || !owned(b) || !(gas.mass > 0.0)) continue;
-    gone += {gas.mass, gas.energy};
-    gas = {.heat = gas.heat};
-  }
-  return gone;
-}
-
 }  // namespace muckpile

@@ -50,31 +50,6 @@ TEST(JointGas, TwoBlocksComeToThePressureOfAllTheEnergy) {
   EXPECT_NEAR(pair.energy() / energy, 1.0, 1e-14);
 }
 
-TEST(JointGas, SpentGasGoesWhereNoneBesideItPresses) {
-  constexpr double kAir = 1e5;  // [Pa]
-  JointGas::Parameters open_to_air = closed();
-  open_to_air.ambient = kAir;
-  GasScene row(test::cuboids(4, 1, 1), open_to_air);
-  seal(row.gas);
-  for (std::size_t b = 0; b < 4; ++b) row.fill(b, 1e-3);
-  row.gas.measure(JointRooms(row.scene.network()), row.fed);
-  for (std::size_t b = 0; b < 4; ++b) {
-    GasCell& cell = row.gas.cells()[b];
-    cell.content.energy = (b == 3 ? 10.0 : 0.5) * kAir * cell.volume / (kGamma - 1.0);
-  }
-  const double energy = row.energy(), of_two = row.gas.cells()[0].content.energy +
-                                               row.gas.cells()[1].content.energy;
-  press(row.gas, row.scene.network());
-  const GasFlow gone = row.gas.let_spent_go();
-  EXPECT_EQ(row.mass(0), 0.0);
-  EXPECT_EQ(row.mass(1), 0.0);
-  EXPECT_EQ(row.mass(2), 1e-3);  // beside one that presses
-  EXPECT_EQ(row.mass(3), 1e-3);
-  EXPECT_NEAR(gone.mass, 2e-3, 1e-18);
-  EXPECT_NEAR(gone.energy / of_two, 1.0, 1e-15);
-  EXPECT_NEAR((row.energy() + gone.energy) / energy, 1.0, 1e-15);
-}
-
 TEST(JointGas, SteadyFlowThroughARowIsTheSumOfItsJoints) {
   // Ends kept at 100 and 20 MPa, n joints. What flows keeps its temperature (throttling), so
   // across a joint G^2/2 (1 + f L/(2w)) = gamma/(gamma + 1) p rho [1 - (p'/p)^((gamma + 1)/gamma)]
