@@ -44,7 +44,9 @@ const ArgTable& table() {
                 "0.01 or more: of the cracks of the rock, where blocks are larger: a joint stands "
                 "for that many, which share its opening; 0: for one")
           .integer("every", "-", Range::closed(1, 100), 2,
-                   "steps of the blocks in a step of the gas, during which pressures hold")
+                   "steps of the blocks in a step of the gas, at most, during which pressures hold")
+          .real("longest_step", "s", Range::left_open(0.0, 1.0), 6e-5,
+                "longest step of the gas, where `every` steps of the blocks are longer")
           .integer("substeps", "-", Range::closed(1, 1000), 2, "of the flow in a step of the gas")
           .real("ambient_pressure", "Pa", Range::closed(1e3, 1e7), 101325.0, "of the atmosphere")
           .real("effusivity", "W s^0.5/(m2 K)", Range::closed(0.0, 1e5), 2500.0,
@@ -98,6 +100,7 @@ FixMuckpileGas::FixMuckpileGas(LAMMPS_NS::LAMMPS* engine, int narg, char** arg)
   if (blast == nullptr) engine::stop(*lmp, where_ + ": needs a fix muckpile/blast before it");
   ambient_ = args.real("ambient_pressure");
   every_ = static_cast<int>(args.integer("every"));
+  longest_step_ = args.real("longest_step");
   substeps_ = static_cast<int>(args.integer("substeps"));
   engine::or_engine_error(*lmp, [&] {
     blast->let_gas_into_joints(ambient_);

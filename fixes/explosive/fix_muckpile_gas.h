@@ -76,6 +76,7 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure, public Joint
 
   [[nodiscard]] std::span<const double> pressure_in_joints() override;
   [[nodiscard]] double greatest_in_joints() const override;
+  [[nodiscard]] double longest_step() const override { return longest_step_; }
   [[nodiscard]] bool acts() const override { return active_; }
   [[nodiscard]] Sums gas_energies() const override;
 
@@ -84,7 +85,7 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure, public Joint
 
   void follow_blocks();
   [[nodiscard]] std::unordered_map<int, GasContent> contents_here(const std::vector<int>& tags);
-  [[nodiscard]] bool in_step_of_gas() const;
+  [[nodiscard]] bool is_due() const;
   void read_chambers();
   void book_work();
   void step_of_gas();
@@ -104,7 +105,8 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure, public Joint
   std::string where_;
   JointGas gas_;
   double ambient_;                // [Pa]
-  int every_;                     // steps of the blocks in one of the gas
+  int every_;                     // steps of the blocks in one of the gas, at most
+  double longest_step_;           // of the gas, if it is longer than one of the blocks [s]
   int substeps_;                  // of the flow in a step of the gas
   GasChambers* blast_ = nullptr;  // looked up in every init()
   JointsWithGas* joints_ = nullptr;

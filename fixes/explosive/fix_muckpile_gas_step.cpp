@@ -20,15 +20,18 @@ constexpr double kSpentShare = 0.2;  // spent: nowhere more than that share abov
 
 }  // namespace
 
-/// The step after each whose number `every_` divides: a restart file of such a step goes on with
-/// one.
-bool FixMuckpileGas::in_step_of_gas() const { return (update->ntimestep - 1) % every_ == 0; }
+/// The step of the gas ends with this one of the blocks: it would be too long with one more.
+bool FixMuckpileGas::is_due() const {
+  if (measured_at_ < 0) return true;
+  if (update->setupflag != 0) return false;
+  const bool last = update->ntimestep - measured_at_ >= every_;
+  return last || waited_ + 2.0 * update->dt > (1.0 + 1e-9) * longest_step_;
+}
 
 /// A set-up for a run, after a restart file too, finds what the last step pressed.
 std::span<const double> FixMuckpileGas::pressure_in_joints() {
   if (!active_) return {};
-  const bool due = in_step_of_gas() && measured_at_ != update->ntimestep;
-  if (measured_at_ >= 0 && !due) return gas_.pressed();
+  if (!is_due()) return gas_.pressed();
   measured_at_ = update->ntimestep;
   const engine::BlockHalo& halo = joints_->halo();
   gas_.measure(joints_->rooms(), fed_);
@@ -58,7 +61,7 @@ void FixMuckpileGas::end_of_step() {
   }
   book_work();
   waited_ += update->dt;
-  if (in_step_of_gas()) step_of_gas();
+  if (measured_at_ == update->ntimestep) step_of_gas();  // the step may have changed since
   if (update->ntimestep % kLookEvery == 0) look_whether_spent();
 }
 

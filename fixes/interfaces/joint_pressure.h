@@ -17,6 +17,8 @@ class JointPressure {
   [[nodiscard]] virtual std::span<const double> pressure_in_joints() = 0;
   /// Of the gas in joints, of all ranks [Pa]. Collective.
   [[nodiscard]] virtual double greatest_in_joints() const = 0;
+  /// Pressures hold no longer than this, or for one step of the blocks [s].
+  [[nodiscard]] virtual double longest_step() const = 0;
   /// True while there is gas that may reach more joints.
   [[nodiscard]] virtual bool acts() const = 0;
 };

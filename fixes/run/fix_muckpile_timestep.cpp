@@ -195,7 +195,7 @@ double FixMuckpileTimestep::longest_resolving() const {
 double FixMuckpileTimestep::wanted() const {
   return std::min({settings_.fraction * springs_bear(),
                    settings_.dashpot_fraction * dashpots_bear(), longest_resolving(),
-                   settings_.longest});
+                   settings_.longest, cap_});
 }
 
 void FixMuckpileTimestep::choose() {
@@ -249,7 +249,8 @@ double FixMuckpileTimestep::compute_vector(int n) {
 int FixMuckpileTimestep::modify_param(int narg, char** arg) {
   const std::string where = engine::name_of_modify(*this);
   const std::string key = arg[0];
-  if (key != "fraction" && key != "max" && key != "collision" && key != "collision_speed") return 0;
+  static const std::array known{"fraction", "max", "cap", "collision", "collision_speed"};
+  if (std::ranges::find(known, key) == known.end()) return 0;
   if (narg < 2) engine::stop(*lmp, where + ": " + key + " needs a value");
   engine::or_engine_error(*lmp, [&] {
     if (key == "fraction")
@@ -260,11 +261,12 @@ int FixMuckpileTimestep::modify_param(int narg, char** arg) {
       settings_.collision_speed = parse_real(where, key, arg[1], "m/s", Range::closed(0.0, 1e4));
     if (key == "max")
       settings_.longest = parse_real(where, key, arg[1], "s", Range::left_open(0.0, 1e30));
+    if (key == "cap") cap_ = parse_real(where, key, arg[1], "s", Range::left_open(0.0, 1e30));
     return 0;
   });
   // A run without a set-up looks after `every` steps only.
-  if (key == "max" && set_up_ && update->dt > settings_.longest)
-    set_step(three_digits(settings_.longest));
+  const double longest = std::min(settings_.longest, cap_);
+  if (set_up_ && three_digits(longest) < update->dt) set_step(three_digits(longest));
   return 2;
 }
 
@@ -289,7 +291,7 @@ void FixMuckpileTimestep::restart(char* bytes) {
 /// Then the step is that of the restart file, and if that was written within a run, so are the
 /// looks: that run did not look once more.
 bool FixMuckpileTimestep::goes_on_unchanged() const {
-  return update->ntimestep == read_at_ && settings_ == then_.settings &&
+  return update->ntimestep == read_at_ && settings_ == then_.settings && then_.step <= cap_ &&
          (joints_ == nullptr || joints_->stiffness_changes() == known_changes_);
 }
 

@@ -100,6 +100,7 @@ class FixMuckpileTimestep : public LAMMPS_NS::Fix {
 
   std::string where_;
   StepSettings settings_;
+  double cap_ = 1e30;  // longest step until it is told anew; not in restart files [s]
   StepLook look_;
   StepLimit* joints_ = nullptr;  // looked up in every init(); null: no joints
   int known_changes_ = -1;       // of the joints' stiffness at the last look at them

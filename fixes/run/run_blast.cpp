@@ -16,6 +16,7 @@
 #include "fixes/engine/style_args.h"
 #include "fixes/interfaces/block_contact_view.h"
 #include "fixes/interfaces/charge_timing.h"
+#include "fixes/interfaces/joint_pressure.h"
 #include "fixes/interfaces/rock_view.h"
 #include "fixes/run/script_engine.h"
 #include "fixes/run/script_rock.h"
@@ -57,10 +58,14 @@ BlastScene RunBlastCommand::scene() const {
   need(charges != nullptr, "fix muckpile/blast");
   need(contacts != nullptr && contacts->hertz_contacts().has_value(),
        "pair_style muckpile/block with model hertz");
-  const Gas gas = find("muckpile/gas") != nullptr ? Gas::in_joints
-                  : charges->vents_by_flow()      ? Gas::in_holes
-                                                  : Gas::vents_by_time;
-  return {charges->timing(), rock->rock(), *contacts->hertz_contacts(), gas};
+  BlastScene found{charges->timing(), rock->rock(), *contacts->hertz_contacts()};
+  if (const auto* gas = dynamic_cast<const JointPressure*>(find("muckpile/gas"))) {
+    found.gas = Gas::in_joints;
+    found.gas_step = gas->longest_step();
+  } else if (charges->vents_by_flow()) {
+    found.gas = Gas::in_holes;
+  }
+  return found;
 }
 
 }  // namespace muckpile

@@ -10,7 +10,6 @@
 #include <thermo.h>
 #include <update.h>
 
-#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -73,8 +72,9 @@ void ScriptEngine::write_table() const {
 void ScriptEngine::set_up() { tell("run 0"); }
 
 /// Without a set-up where no fix or setting has changed since the last run, except how often files
-/// are written and how long the step may become. The engine writes its state at the first output behind a signal: one that has come
-/// behind the last output of these steps, on whatever rank, gets one step more.
+/// are written and how long the step may become. The engine writes its state at the first output
+/// behind a signal: one that has come behind the last output of these steps, on whatever rank, gets
+/// one step more.
 void ScriptEngine::run(long steps, bool afresh) {
   tell("run " + std::to_string(steps) + (afresh ? "" : " pre no"));
   namespace signals = LAMMPS_NS::SignalHandler;
@@ -90,13 +90,11 @@ void ScriptEngine::bound_step(const StepRule& rule) {
              script_number(rule.collision_speed);
   }
   if (rule.longest) words += " max " + script_number(*rule.longest);
-  longest_ = rule.longest.value_or(longest_);
   tell("fix_modify " + id_of("muckpile/timestep") + words);
 }
 
 void ScriptEngine::cap_step(double longest) {
-  tell("fix_modify " + id_of("muckpile/timestep") + " max " +
-       script_number(std::min(longest, longest_)));
+  tell("fix_modify " + id_of("muckpile/timestep") + " cap " + script_number(longest));
 }
 
 /// A fix of the script, or of a command before, keeps the share that it has unless one is typed.

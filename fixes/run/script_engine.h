@@ -52,7 +52,6 @@ class ScriptEngine : public RunEngine, protected LAMMPS_NS::Pointers {
   std::string directory_;
   LAMMPS_NS::Fix* progress_ = nullptr;                 ///< known after prepare()
   bool own_snapshots_ = false, own_progress_ = false;  ///< made by prepare()
-  double longest_ = 1e30;                              ///< step of the last rule that has one [s]
 };
 
 }  // namespace muckpile

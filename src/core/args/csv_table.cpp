@@ -30,17 +30,46 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-size_t split(std::string_view line, std::vector<std::string_view>& out) {
+/// What a field in quotes holds. InputError, which begins with `where`, unless it would be the same
+/// field without them: tables are written without.
+std::string_view unquoted(std::string_view field, const std::string& where) {
+  const std::string_view inside = field.size() < 2 ? field : field.substr(1, field.size() - 2);
+  if (!field.ends_with('"') || inside.find('"') != std::string_view::npos ||
+      inside.starts_with('#'))
+    throw InputError(where +
+                     "a field in quotes must hold no comma or quote, nor begin with #, got " +
+                     std::string(field));
+  return trimmed(inside);
+}
+
+size_t split(std::string_view line, const std::string& name, size_t number,
+             std::vector<std::string_view>& out) {
   size_t count = 0;
   for (size_t begin = 0; begin <= line.size(); ++count) {
     const size_t end = std::min(line.find(',', begin), line.size());
-    out.push_back(trimmed(line.substr(begin, end - begin)));
+    std::string_view field = trimmed(line.substr(begin, end - begin));
+    if (field.starts_with('"'))
+      field = unquoted(field, name + ":" + std::to_string(number) + ": ");
+    out.push_back(field);
     begin = end + 1;
   }
   return count;
 }
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // spreadsheets begin a file with it
+
+/// Its lines end with LF from here on, of an old spreadsheet's too.
+std::string readable(std::string text, const std::string& name) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    throw InputError(name + ": must be in UTF-8, got UTF-16");
+  if (text.find('\n') == std::string::npos) std::ranges::replace(text, '\r', '\n');
+  return text;
+}
+
+void refuse_other_separators(std::string_view line, const std::string& name) {
+  if (trimmed(line).find_first_of(";\t") != std::string_view::npos)
+    throw InputError(name + ": fields must stand between commas, got '" + std::string(line) + "'");
+}
 
 void refuse_twice(std::vector<std::string_view> columns, const std::string& name) {
   std::sort(columns.begin(), columns.end());
@@ -79,8 +108,8 @@ CsvTable CsvTable::read(const std::filesystem::path& path) {
 CsvTable CsvTable::parse(std::string text, const std::string& name, std::string_view header) {
   CsvTable table;
   table.name_ = name;
-  if (!header.empty()) split(header, table.header_);
-  table.text_ = std::make_shared<const std::string>(std::move(text));
+  if (!header.empty()) split(header, name, 0, table.header_);
+  table.text_ = std::make_shared<const std::string>(readable(std::move(text), name));
   std::string_view rest = *table.text_;
   if (rest.substr(0, kByteOrderMark.size()) == kByteOrderMark)
     rest.remove_prefix(kByteOrderMark.size());
@@ -90,13 +119,11 @@ CsvTable CsvTable::parse(std::string text, const std::string& name, std::string_
     if (line.front() == '#') {
       table.remarks_.push_back(line.substr(1));
     } else if (table.header_.empty()) {
-      split(line, table.header_);
+      split(line, name, number, table.header_);
       refuse_twice(table.header_, name);
-      if (table.header_.size() == 1 && line.find(';') != std::string_view::npos)
-        throw InputError(name + ": fields must stand between commas, got '" + std::string(line) +
-                         "'");
+      if (table.header_.size() == 1) refuse_other_separators(line, name);
     } else {
-      const size_t count = split(line, table.fields_);
+      const size_t count = split(line, name, number, table.fields_);
       table.lines_.push_back(number);
       if (count != table.header_.size()) {
         throw InputError(table.where(table.rows() - 1) + "expected " +

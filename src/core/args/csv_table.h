@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Strict reader for comma-separated tables: what a run writes, and what a user hands in.
-// Scope: one header line, then rows of numbers or words without quotes; blanks around a field do
-// not count; `#` lines are kept as remarks.
+// Scope: one header line, then rows of numbers or words, in double quotes or not; blanks around a
+// field do not count; `#` lines are kept as remarks.
 #pragma once
 
 #include <filesystem>
@@ -18,8 +18,8 @@ namespace muckpile {
 // A whole file, split into fields. Every row has as many fields as the header has names.
 class CsvTable {
  public:
-  // Throws InputError, naming the file and the line, if it is absent, has no header or a ragged
-  // row.
+  // Throws InputError, naming the file and the line, if it is absent, in UTF-16, has no header, a
+  // ragged row, or a field in quotes that needs them.
   static CsvTable read(const std::filesystem::path& path);
   // The same from a text; `name` stands for the file in messages. A text without a header line has
   // the names of `header`, which must outlive the table.
@@ -27,7 +27,7 @@ class CsvTable {
 
   // The file's, for messages.
   [[nodiscard]] const std::string& name() const { return name_; }
-  // All that was read.
+  // All that was read, its lines ended by LF or CR LF.
   [[nodiscard]] const std::string& text() const { return *text_; }
   [[nodiscard]] const std::vector<std::string_view>& header() const { return header_; }
   [[nodiscard]] size_t rows() const { return lines_.size(); }

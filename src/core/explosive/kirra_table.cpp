@@ -38,11 +38,12 @@ struct KirraHole {
 };
 
 CsvTable rows_of(const std::string& text, const std::string& name) {
-  const std::string first = text.substr(0, text.find('\n'));
+  const std::string first = text.substr(0, text.find_first_of("\r\n"));
   if (first.find("startXLocation") != std::string::npos) return CsvTable::parse(text, name);
   const auto columns = 1 + std::count(first.begin(), first.end(), ',');
   if (columns == 12) return CsvTable::parse(text, name, kTwelve);
   if (columns == 14) return CsvTable::parse(text, name, kFourteen);
+  if (columns == 1) (void)CsvTable::parse(text, name);  // says what else than commas it found
   throw InputError(name +
                    ":1: must have 12 or 14 columns, or a first line that names them as Kirra does, "
                    "got '" +

@@ -78,15 +78,16 @@ double share_of_squeezable(double share, double poisson_ratio) {
   return share * (0.05 + 0.95 * squeezable * squeezable);
 }
 
-/// In the order of time, each from ten of the pulse's steps [s] before the charge fires. Those with
-/// so short a gap between them that two changes of the step are not worth it are one.
-std::vector<PulseSpan> joined(std::vector<PulseSpan> spans, double step) {
-  constexpr double kLead = 10.0, kGap = 40.0;  // steps
+/// In the order of time, each from ten of the pulse's steps before the charge fires. Those with so
+/// short a gap between them that two changes of the step are not worth it are one.
+std::vector<PulseSpan> joined(std::vector<PulseSpan> spans, const BlastPlan& plan) {
+  constexpr double kSteps = 10.0, kGap = 40.0;
+  const double gap = kGap * plan.pulse_step + kSteps * plan.between_step;  // [s]
   std::ranges::sort(spans, {}, &PulseSpan::begin);
   std::vector<PulseSpan> apart;
   for (const PulseSpan& span : spans) {
-    const double begin = span.begin - kLead * step;
-    if (!apart.empty() && begin <= apart.back().end + kGap * step)
+    const double begin = span.begin - kSteps * plan.pulse_step;
+    if (!apart.empty() && begin <= apart.back().end + gap)
       apart.back().end = std::max(apart.back().end, span.end);
     else
       apart.push_back({begin, span.end});
@@ -139,11 +140,11 @@ BlastPlan blast_plan(const ArgValues& words, const BlastScene& scene, const std:
   // In weak rock the joints bear a longer step than the pulse does. Error of the energy balance at
   // 5 GPa: 3.6 % with 3 steps in the rise, 0.7 to 1 % with 5, 0.13 % with 10.
   const double rise = scene.timing.rise_time;  // [s]
-  plan.pulse_step = rise > 0.0 ? 0.2 * rise : 1e30;
-  // Between pulses granite bears little more than that. Rock of 5 GPa bears 3.6 times, but has then
-  // 9 % less kinetic energy than with an eighth of the step (docs/theory/timestep.md).
-  plan.between_step = rise > 0.0 ? 1.5 * plan.pulse_step : 1e30;
-  if (rise > 0.0) plan.pulses = joined(scene.timing.pulses, plan.pulse_step);
+  plan.pulse_step = rise > 0.0 ? std::min(0.2 * rise, scene.gas_step) : scene.gas_step;
+  // Between pulses what the flow of the gas bears (docs/theory/timestep.md); without it no rock has
+  // been tried with more than three times the pulse's step.
+  plan.between_step = rise > 0.0 ? std::min(3.0 * plan.pulse_step, scene.gas_step) : scene.gas_step;
+  if (rise > 0.0) plan.pulses = joined(scene.timing.pulses, plan);
   plan.wave_share = share_of_squeezable(words.real("wave_share"), rock.poisson_ratio);
   plan.stable_share = words.real("stable_share");
   plan.push_softening = words.real("push_softening");

@@ -117,7 +117,7 @@ bool BlastRun::pulse_is_ahead() const {
 }
 
 /// The end is counted in steps, so a step that has just been let loose grows before; to an exact
-/// end, one that may grow still takes no more steps than the longest would.
+/// end, one that may grow still takes no more steps than the longest would, but for the last.
 bool BlastRun::go_on(const Stretch& stretch) {
   const bool grows = stretch.longest_step > longest_step_;
   bound_wave_step(stretch);
@@ -126,11 +126,21 @@ bool BlastRun::go_on(const Stretch& stretch) {
     const bool may_grow = stretch.exact && stretch.longest_step < kAnyStep;
     const double share = may_grow ? std::min(1.0, engine_.step() / stretch.longest_step) : 1.0;
     const auto safe = static_cast<long>(share * static_cast<double>(left));
-    return run(std::max(std::min(left, kStepLag), safe));
+    return run_within(stretch, std::max(std::min(left, kStepLag), safe));
   }
-  if (!run(std::min(kStepLag, left))) return false;
+  if (!run_within(stretch, std::min(kStepLag, left))) return false;
   engine_.take_snapshots_every(steps_of(kSnapshots * plan_.wave_end));
   return true;
+}
+
+/// Steps that grow on the way do not pass an exact end.
+bool BlastRun::run_within(const Stretch& stretch, long steps) {
+  const double longest = (stretch.end - engine_.time()) / static_cast<double>(steps);  // [s]
+  const bool near = stretch.exact && longest < stretch.longest_step;
+  if (near) engine_.cap_step(std::max(longest, engine_.step()));
+  const bool goes_on = run(steps);
+  if (near) engine_.cap_step(kAnyStep);
+  return goes_on;
 }
 
 void BlastRun::bound_wave_step(const Stretch& stretch) {

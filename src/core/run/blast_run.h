@@ -58,6 +58,7 @@ class BlastRun {
   [[nodiscard]] bool pulse_is_ahead() const;
   bool go_on_until(double end);
   bool go_on(const Stretch& stretch);
+  bool run_within(const Stretch& stretch, long steps);
   void bound_wave_step(const Stretch& stretch);
   [[nodiscard]] bool waves_have_gone();
   void soften_for_push();

@@ -53,6 +53,7 @@ struct BlastScene {
   RockConstants rock{};
   BlockContacts contacts{};
   Gas gas = Gas::vents_by_time;
+  double gas_step = 1e30;  ///< longest that the flow in joints bears [s]
 };
 
 }  // namespace muckpile

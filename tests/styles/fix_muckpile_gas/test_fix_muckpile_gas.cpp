@@ -83,6 +83,32 @@ TEST(FixMuckpileGas, GasInVoidsDoesNoMoreThanWhatIsLostWithoutThem) {
   EXPECT_NEAR(voids.gas(4) / left, 1.0, 0.05);
 }
 
+/// `words` and `same_words` of fix muckpile/gas: to the last bit.
+void expect_same_gas(const std::string& words, const std::string& same_words) {
+  Burst one(MPI_COMM_WORLD, words), other(MPI_COMM_WORLD, same_words);
+  one.scene.run(101, kStep);
+  other.scene.run(101, kStep);
+  for (int n = 1; n <= 12; ++n) EXPECT_EQ(one.gas(n), other.gas(n)) << words << ": " << n;
+}
+
+TEST(FixMuckpileGas, ItsStepIsNoLongerThanAskedFor) {
+  expect_same_gas("every 4 longest_step 1e-6", "every 1 longest_step 1");
+  expect_same_gas("every 4 longest_step 1.1e-5", "every 2 longest_step 1");
+  expect_same_gas("every 3", "every 3 longest_step 1");
+}
+
+/// Within a step of the gas and behind one, whatever the step of the blocks has become.
+TEST(FixMuckpileGas, ASetUpIsNoStepOfTheGas) {
+  Burst burst(MPI_COMM_WORLD, "longest_step 1.1e-5");
+  for (const int steps : {100, 1, 1}) {
+    burst.scene.run(steps, kStep);
+    const double work = burst.gas(4), greatest = burst.gas(5);
+    burst.scene.run(0, 9e-6);
+    EXPECT_EQ(burst.gas(4), work);
+    EXPECT_EQ(burst.gas(5), greatest);
+  }
+}
+
 TEST(FixMuckpileGas, WorkOfTheGasIsInTheLedger) {
   Burst burst(MPI_COMM_WORLD);
   burst.scene.run(400, kStep);

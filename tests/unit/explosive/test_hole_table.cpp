@@ -76,6 +76,36 @@ TEST(HoleTable, ASpreadsheetsByteOrderMarkIsSkipped) {
   EXPECT_EQ(csv.column("hole"), 0u);
 }
 
+TEST(HoleTable, ASpreadsheetMayPutFieldsInQuotes) {
+  const CsvTable csv = CsvTable::parse("\"hole\",x ,y\n\"a of row 1\" , \" 1\",\"\"\n", "p.csv");
+  EXPECT_EQ(csv.column("hole"), 0u);
+  EXPECT_EQ(csv.word(0, 0), "a of row 1");
+  EXPECT_EQ(csv.word(0, 1), "1");
+  EXPECT_EQ(csv.word(0, 2), "");
+  const HoleTable table = read("", "\"a\",\"0\",0,10,0,0,0,\"0.1\"\n");
+  EXPECT_EQ(table.decks()[0].hole, "a");
+  for (const std::string field : {"\"a, b\"", "\"", "\"a\"b", "\"a\"\"b\"", "\"#1\""}) {
+    const std::string shown = field.substr(0, field.find(','));
+    EXPECT_EQ(
+        input_error_of([&] { (void)CsvTable::parse("hole,x\n" + field + ",1\n", "p.csv"); }),
+        "p.csv:2: a field in quotes must hold no comma or quote, nor begin with #, got " + shown);
+  }
+}
+
+TEST(HoleTable, AnOldSpreadsheetEndsLinesWithCarriageReturns) {
+  const CsvTable csv = CsvTable::parse("hole,x\ra,1\rb,2\r", "p.csv");
+  ASSERT_EQ(csv.rows(), 2u);
+  EXPECT_EQ(csv.word(1, 0), "b");
+}
+
+TEST(HoleTable, OtherTextThanUtf8WithCommasIsNamed) {
+  const std::string wide("\xFF\xFEh\0o\0", 6);
+  EXPECT_EQ(input_error_of([&] { (void)CsvTable::parse(wide, "p.csv"); }),
+            "p.csv: must be in UTF-8, got UTF-16");
+  EXPECT_EQ(input_error_of([] { (void)CsvTable::parse("hole\tx\na\t1\n", "p.csv"); }),
+            "p.csv: fields must stand between commas, got 'hole\tx'");
+}
+
 TEST(HoleTable, EachFaultIsNamedWithItsLine) {
   const std::string hole = "a,0,0,10,0,0,0,0.1";
   EXPECT_EQ(fault(",dely", hole + ",1\n"), "p.csv: unknown column 'dely'");

@@ -70,7 +70,19 @@ TEST(BlastPlan, AsksForTheEndWhereGasFlowsAndHasNoTimes) {
 
 TEST(BlastPlan, StepsThePulseInFive) {
   EXPECT_NEAR(plan_of({}).pulse_step, 2e-5, 1e-18);  // a fifth of 1e-4 s
-  EXPECT_NEAR(plan_of({}).between_step, 3e-5, 1e-18);
+  EXPECT_NEAR(plan_of({}).between_step, 6e-5, 1e-18);
+}
+
+TEST(BlastPlan, StepsNoLongerThanGasInJointsBears) {
+  BlastScene scene = bench();
+  scene.gas_step = 6e-5;
+  EXPECT_NEAR(plan_of({}, scene).pulse_step, 2e-5, 1e-18);
+  EXPECT_EQ(plan_of({}, scene).between_step, 6e-5);
+  scene.timing.rise_time = 1e-3;
+  EXPECT_EQ(plan_of({}, scene).pulse_step, 6e-5);
+  EXPECT_EQ(plan_of({}, scene).between_step, 6e-5);
+  scene.timing.rise_time = 0.0;
+  EXPECT_EQ(plan_of({}, scene).between_step, 6e-5);
 }
 
 TEST(BlastPlan, StepsThePulseFromTenStepsBeforeTheFiringUntilItHasGone) {
@@ -84,6 +96,16 @@ TEST(BlastPlan, StepsThePulseFromTenStepsBeforeTheFiringUntilItHasGone) {
   EXPECT_NEAR(spans[1].end, 0.020, 1e-15);
   scene.timing.rise_time = 0.0;  // a jump, whatever the step
   EXPECT_TRUE(plan_of({}, scene).pulses.empty());
+}
+
+/// Less than 40 steps of the pulse and ten long ones: 1.4 ms.
+TEST(BlastPlan, PulsesWithTooShortAGapForLongStepsAreOne) {
+  BlastScene scene = bench();
+  scene.timing.pulses = {{0.0, 0.003}, {0.0045, 0.006}, {0.0077, 0.009}};
+  const std::vector<PulseSpan> spans = plan_of({}, scene).pulses;
+  ASSERT_EQ(spans.size(), 2u);
+  EXPECT_NEAR(spans[0].end, 0.006, 1e-15);
+  EXPECT_NEAR(spans[1].begin, 0.0075, 1e-15);
 }
 
 TEST(BlastPlan, StepsNearlyIncompressibleRockFiner) {

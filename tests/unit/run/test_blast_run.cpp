@@ -155,6 +155,26 @@ TEST(BlastRun, AStepThatGrowsDoesNotRunIntoTheNextPulse) {
   EXPECT_LE(entered, 0.03 + 1.4e-3);
 }
 
+/// Ten times the pulse's step, in the last of which it grows by itself.
+TEST(BlastRun, AStepThatGrowsLateDoesNotRunIntoTheNextPulse) {
+  for (const double grows_at : {1e-3, 2e-3, 2.9e-3, 2.97e-3}) {
+    FakeBlast engine;
+    engine.dt = 2e-5;
+    BlastPlan two = plan();
+    two.between_step = 2e-4;
+    two.pulses = {{-2e-4, 0.001}, {0.003, 0.004}};
+    double entered = 0.0;
+    engine.after_step = [&] {
+      if (entered == 0.0 && engine.now >= 0.003 - 1e-9) entered = engine.now;
+      engine.dt = engine.now < grows_at ? 2e-5 : std::min(*engine.rule.longest, 2e-4);
+    };
+    engine.happens = [](FakeBlast& e) { e.quit = e.now > 0.005; };
+    EXPECT_EQ(go(two, engine), Phase::interrupted);
+    EXPECT_GE(entered, 0.003 - 1e-9);
+    EXPECT_LT(entered, 0.003 + two.between_step) << grows_at;
+  }
+}
+
 /// Until 60 ms, though the push may begin at 35 ms and nothing is elastic: softer joints would not
 /// bear it, nor would a longer step resolve it.
 TEST(BlastRun, APulseThatOutlastsTheWaveIsBorneByStiffJoints) {
