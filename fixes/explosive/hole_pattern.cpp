@@ -73,6 +73,14 @@ std::string collars_beside(double bench_height, const HoleTable& table, const st
          number_text(bench_height) + " m";
 }
 
+/// A bench has no hole that is drilled upwards.
+std::string upside_down(const HoleTable& table, const std::string& where, const std::string& file) {
+  const auto up = std::ranges::find_if(
+      table.decks(), [](const Deck& deck) { return deck.hole_toe.z() > deck.hole_collar.z(); });
+  if (up == table.decks().end()) return {};
+  return where + ": hole " + up->hole + " of " + file + " has its toe above its collar";
+}
+
 TableText taken(const std::string& own, const ArgValues& values, const std::string& where) {
   const CsvTable csv = CsvTable::read(own);
   const HoleTable table(csv);  // finds what is wrong with it
@@ -84,8 +92,10 @@ TableText taken(const std::string& own, const ArgValues& values, const std::stri
     made.text = placed_table(csv, own, {*made.place, radians(values.real("throw_bearing"))});
     made.report += place_text(*made.place, values);
   }
-  made.warning = collars_beside(values.real("bench_height"),
-                                HoleTable(CsvTable::parse(made.text, own)), where, own);
+  const HoleTable placed(CsvTable::parse(made.text, own));
+  made.warning = upside_down(placed, where, own);
+  if (made.warning.empty())
+    made.warning = collars_beside(values.real("bench_height"), placed, where, own);
   return made;
 }
 

@@ -212,7 +212,7 @@ const EnergyLedger& FixMuckpileLedger::ledger() {
   }
   if (joints_ != nullptr) {
     const JointEnergySums joints = joints_->energies();
-    mine.joint_elastic += joints.elastic;
+    mine.joint_elastic = joints.elastic;  // what a fix before has held until the set-up, too
     mine.fracture += joints.fracture;
     mine.joint_friction += joints.friction;
     mine.joint_damping += joints.damping;

@@ -33,6 +33,10 @@ sed 's/bench_height 10/bench_height 8/' "$out/in.table" >"$out/in.lower"
 on_ranks 2 -in "$out/in.lower" -log none -var own "$out/own.csv" -var table "$out/lower.csv" >"$out/screen"
 [[ $(grep -c "WARNING: hole_pattern: the collars of $out/own.csv stand at z = 10 m in the mean, but bench_height, .*, is 8 m" "$out/screen") -eq 1 ]] ||
   fail "collars above bench_height are not warned of once"
+awk -F, -v OFS=, '$1 == "r1h2" { swap = $4; $4 = $7; $7 = swap } 1' "$out/own.csv" >"$out/up.csv"
+on_ranks 1 -in "$out/in.table" -log none -var own "$out/up.csv" -var table "$out/taken/up.csv" >"$out/screen"
+[[ $(grep -c "WARNING: hole_pattern: hole r1h2 of $out/up.csv has its toe above its collar" "$out/screen") -eq 1 ]] ||
+  fail "a hole upside down is not warned of"
 
 # Scatter: the same on one and two ranks, another by another seed, and read by charge_design.
 scattered() { sed "s/^hole_pattern/& scatter $1 scatter_seed $2/" "$out/in.table" >"$out/in.scattered"; }

@@ -6,7 +6,7 @@
 source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
 source "$root/tests/support/check_figures.sh"
 cd "$root" || exit
-trap 'if [[ $? -eq 0 ]]; then rm -rf "$out"; else echo "kept: $out"; fi' EXIT
+trap 'status=$?; rm -rf "$sessions"; if [[ $status -eq 0 ]]; then rm -rf "$out"; else echo "kept: $out"; fi' EXIT
 
 run_input() {  # run_input FOLDER RANKS INPUT [-var NAME VALUE]...: to $out/FOLDER
   local to=$out/$1 ranks=$2 input=$3

@@ -24,6 +24,10 @@ np=$(sed -nE 's/^# np: ([0-9]+)$/\1/p' "$input")
 
 # mpirun waits a second for the ranks that a refusal leaves, which have nothing more to say.
 export OMPI_MCA_odls_base_sigkill_timeout=0
+# A job of Open MPI that ends removes the folder that all share, in which another may be about to begin.
+OMPI_MCA_orte_tmpdir_base=$(mktemp -d)
+export OMPI_MCA_orte_tmpdir_base
+trap 'rm -rf "$OMPI_MCA_orte_tmpdir_base"' EXIT
 status=0
 output=$(OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 \
   OMPI_MCA_btl_vader_single_copy_mechanism=none \

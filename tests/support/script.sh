@@ -6,10 +6,13 @@
 here=$(dirname "$(readlink -f "$0")")
 root=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
 out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
+sessions=$(mktemp -d)
+trap 'rm -rf "$out" "$sessions"' EXIT
 # As MUCKPILE_MPI_ENVIRONMENT of cmake/AddTests.cmake.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1 \
   OMPI_MCA_btl_vader_single_copy_mechanism=none
+# A job of Open MPI that ends removes the folder that all share, in which another may be about to begin.
+export OMPI_MCA_orte_tmpdir_base=$sessions
 
 fail() {  # fail TEXT...: with what the program has printed last, which is in $output or $out/screen
   printf '%s\n' "$(basename "$0" .sh): $*" "--- output:" "${output-$(cat "$out/screen" 2>/dev/null || true)}"

@@ -31,13 +31,13 @@ std::string_view trimmed(std::string_view text) {
 }
 
 /// What a field in quotes holds. InputError, which begins with `where`, unless it would be the same
-/// field without them: tables are written without.
-std::string_view unquoted(std::string_view field, const std::string& where) {
+/// field without them, as tables are written: a line that begins with # is a remark.
+std::string_view unquoted(std::string_view field, bool first, const std::string& where) {
   const std::string_view inside = field.size() < 2 ? field : field.substr(1, field.size() - 2);
   if (!field.ends_with('"') || inside.find('"') != std::string_view::npos ||
-      inside.starts_with('#'))
+      (first && inside.starts_with('#')))
     throw InputError(where +
-                     "a field in quotes must hold no comma or quote, nor begin with #, got " +
+                     "a field in quotes must hold no comma or quote, nor begin a line with #, got " +
                      std::string(field));
   return trimmed(inside);
 }
@@ -49,19 +49,47 @@ size_t split(std::string_view line, const std::string& name, size_t number,
     const size_t end = std::min(line.find(',', begin), line.size());
     std::string_view field = trimmed(line.substr(begin, end - begin));
     if (field.starts_with('"'))
-      field = unquoted(field, name + ":" + std::to_string(number) + ": ");
+      field = unquoted(field, count == 0, name + ":" + std::to_string(number) + ": ");
     out.push_back(field);
     begin = end + 1;
   }
   return count;
 }
 
+/// Spreadsheets write a row of commas for an empty one, and may begin with the separator's name.
+bool is_empty(std::string_view line) {
+  return line.find_first_not_of(" \t,") == std::string_view::npos || line == "sep=,";
+}
+
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // spreadsheets begin a file with it
+
+/// Bytes of the character that begins at `at`; 0: of none in UTF-8, by the bits that say so.
+size_t length_of_character(std::string_view text, size_t at) {
+  const auto byte = [&](size_t k) { return static_cast<unsigned char>(text[k]); };
+  const unsigned char first = byte(at);
+  const size_t length = first < 0x80 ? 1 : first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first >= 0xF8 || (first >= 0x80 && first < 0xC2) || at + length > text.size()) return 0;
+  for (size_t k = at + 1; k < at + length; ++k)
+    if (byte(k) >> 6 != 2) return 0;
+  return length;
+}
+
+void require_utf8(std::string_view text, const std::string& name) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    throw InputError(name + ": must be in UTF-8, got UTF-16");
+  if (std::ranges::none_of(text, [](char c) { return (c & 0x80) != 0; })) return;
+  for (size_t at = 0; at < text.size();) {
+    const size_t length = length_of_character(text, at);
+    if (length == 0)
+      throw InputError(name + ":" + std::to_string(1 + std::ranges::count(text.substr(0, at), '\n')) +
+                       ": must be in UTF-8, got a byte that is not; save it as CSV in UTF-8");
+    at += length;
+  }
+}
 
 /// Its lines end with LF from here on, of an old spreadsheet's too.
 std::string readable(std::string text, const std::string& name) {
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-    throw InputError(name + ": must be in UTF-8, got UTF-16");
+  require_utf8(text, name);
   if (text.find('\n') == std::string::npos) std::ranges::replace(text, '\r', '\n');
   return text;
 }
@@ -74,6 +102,8 @@ void refuse_other_separators(std::string_view line, const std::string& name) {
 void refuse_twice(std::vector<std::string_view> columns, const std::string& name) {
   std::sort(columns.begin(), columns.end());
   const auto twice = std::adjacent_find(columns.begin(), columns.end());
+  if (twice != columns.end() && twice->empty())
+    throw InputError(name + ": the first line must name every column");
   if (twice != columns.end())
     throw InputError(name + ": column '" + std::string(*twice) + "' is there twice");
 }
@@ -115,7 +145,7 @@ CsvTable CsvTable::parse(std::string text, const std::string& name, std::string_
     rest.remove_prefix(kByteOrderMark.size());
   for (size_t number = 1; !rest.empty(); ++number) {
     const std::string_view line = next_line(rest);
-    if (trimmed(line).empty()) continue;
+    if (is_empty(line)) continue;
     if (line.front() == '#') {
       table.remarks_.push_back(line.substr(1));
     } else if (table.header_.empty()) {

@@ -88,8 +88,18 @@ TEST(HoleTable, ASpreadsheetMayPutFieldsInQuotes) {
     const std::string shown = field.substr(0, field.find(','));
     EXPECT_EQ(
         input_error_of([&] { (void)CsvTable::parse("hole,x\n" + field + ",1\n", "p.csv"); }),
-        "p.csv:2: a field in quotes must hold no comma or quote, nor begin with #, got " + shown);
+        "p.csv:2: a field in quotes must hold no comma or quote, nor begin a line with #, got " +
+            shown);
   }
+}
+
+TEST(HoleTable, WhatSpreadsheetsAddIsSkipped) {
+  const CsvTable csv = CsvTable::parse("sep=,\nhole,colour\na,\"#FF0000\"\n,\n , \nb,\n", "p.csv");
+  ASSERT_EQ(csv.rows(), 2u);
+  EXPECT_EQ(csv.word(0, 1), "#FF0000");
+  EXPECT_EQ(csv.word(1, 0), "b");
+  EXPECT_EQ(input_error_of([] { (void)CsvTable::parse("Plan 7,,\nhole,x,y\n", "p.csv"); }),
+            "p.csv: the first line must name every column");
 }
 
 TEST(HoleTable, AnOldSpreadsheetEndsLinesWithCarriageReturns) {
@@ -102,6 +112,11 @@ TEST(HoleTable, OtherTextThanUtf8WithCommasIsNamed) {
   const std::string wide("\xFF\xFEh\0o\0", 6);
   EXPECT_EQ(input_error_of([&] { (void)CsvTable::parse(wide, "p.csv"); }),
             "p.csv: must be in UTF-8, got UTF-16");
+  EXPECT_EQ(CsvTable::parse("hole\n\xC3\x84" "1\n", "p.csv").word(0, 0), "\xC3\x84" "1");
+  for (const std::string bad : {"\xC4" "1", "\xE2\x82", "\x80", "\xC0\xAF", "\xFF"}) {
+    EXPECT_EQ(input_error_of([&] { (void)CsvTable::parse("hole\na\n" + bad + "\n", "p.csv"); }),
+              "p.csv:3: must be in UTF-8, got a byte that is not; save it as CSV in UTF-8");
+  }
   EXPECT_EQ(input_error_of([] { (void)CsvTable::parse("hole\tx\na\t1\n", "p.csv"); }),
             "p.csv: fields must stand between commas, got 'hole\tx'");
 }
