@@ -18,8 +18,8 @@ namespace muckpile {
 // A whole file, split into fields. Every row has as many fields as the header has names.
 class CsvTable {
  public:
-  // Throws InputError, naming the file and the line, if it is absent, in UTF-16, has no header, a
-  // ragged row, or a field in quotes that needs them.
+  // Throws InputError, naming the file and the line, if it is absent, not in UTF-8, has no header,
+  // a ragged row, or a field in quotes that needs them.
   static CsvTable read(const std::filesystem::path& path);
   // The same from a text; `name` stands for the file in messages. A text without a header line has
   // the names of `header`, which must outlive the table.
