@@ -35,16 +35,26 @@ grep -q "WARNING: the survey begins at x = 8 m, the floor at x = 0.5 m" "$out/ed
 grep -qE '^lowest -1.(6|59999+[0-9]*) highest 1.(1|09999+[0-9]*|10000+[0-9]*)$' "$out/level/screen" || { echo "not the survey's heights: $(grep ^lowest "$out/level/screen")"; wrong=1; }
 
 # The quarry: the same floor in front of its plane face, cut at the end of the rock.
-run_quarry() {  # run_quarry [-var NAME VALUE]...
+run_quarry() {  # run_quarry [-var NAME VALUE]...: of two values of a knob the first counts
   sed '/^run_blast/,$c run 0' inputs/quarry/in.quarry >"$out/in.quarry"
   rm -rf "$out/quarry" && mkdir -p "$out/quarry/dump"
-  on_ranks 1 -in "$out/in.quarry" -log none -var out "$out/quarry" -var rows 1 -var holes_per_row 2 -var block_min 0.7 -var block_max 1.6 \
+  on_ranks 1 -in "$out/in.quarry" -log none -var out "$out/quarry" "$@" -var rows 1 -var holes_per_row 2 -var block_min 0.7 -var block_max 1.6 \
     -var fragment_x50 1.1 -var rise_time 4e-4 -var crushed_ratio 8 -var crushed_grain 7.875e-3 -var floor_survey "$out/ground.csv" \
-    -var terrain_east 5000 -var terrain_north 7000 -var terrain_height 200 "$@" >"$out/quarry/screen" 2>&1
+    -var terrain_east 5000 -var terrain_north 7000 -var terrain_height 200 >"$out/quarry/screen" 2>&1
 }
 run_quarry || { tail -n 5 "$out/quarry/screen"; wrong=1; }
 grep -q "ground of $out/ground.csv from x = .* between z = -1.55[0-9]* and 1.1 m, in panels of 0.8 m" "$out/quarry/screen" || { grep "ground of" "$out/quarry/screen"; echo "the quarry has not the floor of the survey"; wrong=1; }
 grep -q '"floor_survey": 1' "$out/quarry/dump/scene.json" || { echo "scene.json does not tell of the floor"; wrong=1; }
 if run_quarry -var walls liggghts; then echo "walls liggghts are not refused"; wrong=1; fi
 grep -q "walls_on_the_floor_of_floor_survey must be one of own, got 'liggghts'" "$out/quarry/screen" || { grep ERROR "$out/quarry/screen"; wrong=1; }
+
+# The survey of the quarry in metres, and in millimetres at another place: rock and floor are the same, and without the unit it is refused.
+awk -F, '/^[-0-9]/ { printf "%.0f,%.0f,%.0f\n", 1e3 * ($1 + 5000), 1e3 * ($2 + 7000), 1e3 * ($3 + 200); next } { print }' inputs/quarry/survey.csv >"$out/mm.csv"
+told() { sed -nE 's/^write_panels: ground of [^ ]* (from .*)/\1/p; s/^  (rock within .* m3) \(.*/\1/p' "$out/quarry/screen"; }
+run_quarry -var terrain inputs/quarry/survey.csv -var floor_survey inputs/quarry/survey.csv -var terrain_east 0 -var terrain_north 0 -var terrain_height 0 || wrong=1
+metres=$(told)
+run_quarry -var terrain "$out/mm.csv" -var floor_survey "$out/mm.csv" -var terrain_unit 0.001 || wrong=1
+[[ $(wc -l <<<"$metres") -eq 2 && $(told) == "$metres" ]] || { echo "a survey in millimetres gives other ground: $(told), in metres $metres"; wrong=1; }
+if run_quarry -var terrain "$out/mm.csv" -var floor_survey "$out/mm.csv"; then echo "millimetres are taken for metres"; wrong=1; fi
+grep -q "looks like millimetres: give unit 0.001, or unit 1 if it is in metres (inputs/quarry: -var terrain_unit)" "$out/quarry/screen" || { grep ERROR "$out/quarry/screen"; wrong=1; }
 exit $wrong

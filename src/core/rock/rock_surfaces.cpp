@@ -106,7 +106,8 @@ void lay_surfaces(CutOptions& options) {
     const bool body = surface.kind == SurfaceIs::body;
     const std::string where = std::string(kCreateBlocks) + ": " + name_of(surface);
     const SurfaceIndex& index = *surface.index;
-    if (!options.unit_given) require_likely_unit(index.lo(), index.hi(), body, lo, hi, where);
+    if (!options.unit_given)
+      require_likely_unit(index.lo(), index.hi(), body, lo, hi, where, "region", kUnitKnob);
     // Ground above all of the region cuts nothing off, ground below leaves nothing.
     const bool above = !body && index.lo().z() > hi.z();
     require_at_box(index.lo(), index.hi(), lo, hi, where,

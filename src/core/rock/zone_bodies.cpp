@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "geometry/surface/mine_words.h"
 #include "geometry/surface/surface_checks.h"
 #include "rock/rock_surfaces.h"
 
@@ -49,7 +50,8 @@ void check_zone_bodies(const CutOptions& options) {
     if (!zone.body) continue;
     const std::string where = name_of(zone);
     const SurfaceIndex& index = *zone.body->index;
-    if (!options.unit_given) require_likely_unit(index.lo(), index.hi(), false, lo, hi, where);
+    if (!options.unit_given)
+      require_likely_unit(index.lo(), index.hi(), false, lo, hi, where, "region", kUnitKnob);
     require_at_box(index.lo(), index.hi(), lo, hi, where, "it holds no rock of the region");
   }
 }

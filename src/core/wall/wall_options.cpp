@@ -68,7 +68,7 @@ bool reaches(const SurfaceIndex& mesh, const WallBox& box) {
 void check_mesh(const SurfaceIndex& mesh, bool unit_given, const WallBox& box,
                 const std::string& where) {
   const std::string word = "simulation box";
-  if (!unit_given) require_likely_unit(mesh.lo(), mesh.hi(), true, box.lo, box.hi, where, word);
+  if (!unit_given) require_likely_unit(mesh.lo(), mesh.hi(), true, box.lo, box.hi, where, word, "");
   if (!reaches(mesh, grown(box)))
     require_at_box(mesh.lo(), mesh.hi(), box.lo, box.hi, where,
                    "no block can touch it; make the box so large that it reaches there, if blocks "

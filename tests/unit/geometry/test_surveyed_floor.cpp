@@ -202,6 +202,35 @@ TEST(GroundPanels, RefusesWhatIsNoGround) {
                 ": must have ground that looks up, on more than one line in plan");
 }
 
+// A survey of 48 x 40 m, in millimetres, beside a floor of 117 x 120 m: 410 and 333 times as large.
+TEST(GroundPanels, RefusesMillimetresUnlessUnitSaysSo) {
+  const std::string survey = testing::TempDir() + "millimetres.csv";
+  std::ofstream out(survey);
+  for (int x = -20000; x <= 28000; x += 2000)
+    for (int y = -20000; y <= 20000; y += 2000) out << x << ',' << y << ',' << 0.5 * y << '\n';
+  out.close();
+  std::vector<std::string> words{"file", "f.stl", "ground", survey, "3",   "120",
+                                 "-60",  "60",    "-20",    "1",    "unit"};
+  words.emplace_back("auto");
+  const std::string got = refusal_of(words);
+  EXPECT_NE(
+      got.find("write_panels: ground " + survey + ": must be in metres, got one from -20000 "),
+      std::string::npos)
+      << got;
+  EXPECT_NE(got.find("beside a floor from 3 -60 0 to 120 60 1 m; it looks like millimetres: give "
+                     "unit 0.001, or unit 1 if it is in metres (inputs/quarry: -var terrain_unit)"),
+            std::string::npos)
+      << got;
+  words.back() = "0.001";
+  const GroundPanels made =
+      ground_panels(parse_args(write_panels_table(), "write_panels", words), "write_panels");
+  EXPECT_NEAR(made.floor.highest, 10.0, 1e-9);
+  words.back() = "1";
+  EXPECT_EQ(refusal_of(words), "");
+  words.back() = "mm";
+  EXPECT_EQ(refusal_of(words), "write_panels: unit must be a number in m, got 'mm'");
+}
+
 // The slope's survey ends at x = -8 and begins at x = 20: a file in other coordinates would be a
 // level floor at the height of its nearest point.
 TEST(GroundPanels, RefusesASurveyOfAnotherPlace) {

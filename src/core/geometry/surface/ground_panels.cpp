@@ -14,6 +14,7 @@
 #include "args/numbers.h"
 #include "args/rounded_text.h"
 #include "geometry/surface/mine_words.h"
+#include "geometry/surface/surface_checks.h"
 
 namespace muckpile {
 namespace {
@@ -188,6 +189,12 @@ GroundPanels ground_panels(const ArgValues& words, const std::string& where) {
   std::optional<RockSides> sides;
   for (const std::vector<std::string>& group : words.groups("beside"))
     sides = sides_of(group, numbers.extent, where);
+  if (!mine.unit_given) {
+    const FloorExtent& floor = numbers.extent;
+    require_likely_unit(ground.lo(), ground.hi(), false, {floor.x_lo, floor.y_lo, 0.0},
+                        {floor.x_hi, floor.y_hi, 1.0}, where + ": ground " + given[0], "floor",
+                        kUnitKnob);
+  }
   require_survey_there(ground, numbers.extent, sides ? sides->back : numbers.extent.x_lo,
                        where + ": ground " + given[0]);
   add_ground(made, ground, numbers, sides);

@@ -17,8 +17,9 @@ ArgTable& add_mine_words(ArgTable& table, const std::string& files) {
               " have at 0 0 0 of the run [m], as east, north and height of a mine; default 0 0 0")
       .real("x_bearing", "deg", Range::closed(0.0, 360.0), 90.0,
             "that the x axis of the run looks to in those files, from north (y) over east (x)")
-      .real("unit", "m", Range::closed(1e-4, 1e4), 1.0,
-            "what the numbers of those files count in: 0.3048 for feet");
+      .word("unit", {}, "auto",
+            "what the numbers of those files count in [m], 1e-4 to 1e4: 0.3048 for feet; auto: 1, "
+            "and a file whose size looks like another unit is refused");
 }
 
 MineWords read_mine_words(const ArgValues& args, const std::string& where) {
@@ -29,8 +30,9 @@ MineWords read_mine_words(const ArgValues& args, const std::string& where) {
     for (int c = 0; c < 3; ++c)
       words.frame.origin[c] = parse_real(where, "origin", given[static_cast<std::size_t>(c)], "m",
                                          Range::closed(-kFarthest, kFarthest));
-  words.unit = args.real("unit");
-  words.unit_given = args.given("unit");
+  const std::string& unit = args.word("unit");
+  words.unit_given = unit != "auto";
+  if (words.unit_given) words.unit = parse_real(where, "unit", unit, "m", Range::closed(1e-4, 1e4));
   return words;
 }
 

@@ -14,6 +14,9 @@ namespace muckpile {
 /// Adds `origin`, `x_bearing` and `unit` of the files named so.
 ArgTable& add_mine_words(ArgTable& table, const std::string& files);
 
+/// Of inputs/quarry, that sets `unit` of all files in mine coordinates.
+inline constexpr const char* kUnitKnob = "terrain_unit";
+
 /// How files lie in the run.
 struct MineWords {
   MineFrame frame{};

@@ -224,12 +224,13 @@ void require_height_field(const SurfaceIndex& surface, const Vec3& lo, const Vec
 
 void require_likely_unit(const Vec3& surface_lo, const Vec3& surface_hi, bool as_large,
                          const Vec3& lo, const Vec3& hi, const std::string& where,
-                         const std::string& box) {
+                         const std::string& box, const std::string& knob) {
   const auto unit = other_unit(surface_hi - surface_lo, hi - lo, as_large);
   if (!unit) return;
   refuse(where, "must be in metres, " + both_text(surface_lo, surface_hi, lo, hi, box) +
                     "; it looks like " + unit->first + ": give unit " + rounded_text(unit->second) +
-                    ", or unit 1 if it is in metres");
+                    ", or unit 1 if it is in metres" +
+                    (knob.empty() ? "" : " (inputs/quarry: -var " + knob + ")"));
 }
 
 void require_at_box(const Vec3& surface_lo, const Vec3& surface_hi, const Vec3& lo, const Vec3& hi,

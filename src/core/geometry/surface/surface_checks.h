@@ -39,10 +39,10 @@ void require_height_field(const SurfaceIndex& surface, const Vec3& lo, const Vec
 
 /// Throws InputError for a surface of a size that tells of another unit than the metre, as it
 /// stands beside the box. `as_large`: it should be about as large as the box, as a body of rock is.
-/// `box` is the word for the box.
+/// `box` is the word for the box, `knob` the variable of inputs/quarry that sets the unit, or "".
 void require_likely_unit(const Vec3& surface_lo, const Vec3& surface_hi, bool as_large,
                          const Vec3& lo, const Vec3& hi, const std::string& where,
-                         const std::string& box = "region");
+                         const std::string& box, const std::string& knob);
 
 /// Throws InputError for a surface that lies beside the box; `so` is what follows from that.
 void require_at_box(const Vec3& surface_lo, const Vec3& surface_hi, const Vec3& lo, const Vec3& hi,
