@@ -30,6 +30,7 @@ namespace muckpile {
 namespace {
 
 constexpr const char* kStyle = "require";
+constexpr const char* kAuto = "auto";
 
 bool starts_a_rule(const std::string& word) {
   constexpr std::array<const char*, 14> kWords{
@@ -44,6 +45,7 @@ struct Rule {
   std::string unit;
   std::string advice;               ///< what to do, behind the message
   std::optional<double> exception;  ///< allowed although outside the range
+  bool or_auto = false;             ///< the word is allowed
 };
 
 std::string joined_with_blanks(std::span<const std::string> words) {
@@ -67,6 +69,10 @@ Rule read_rule(const std::vector<std::string>& words) {
     const std::string& value = words[k++];
     if (word == "unit") {
       rule.unit = value;
+      continue;
+    }
+    if (word == "or" && value == kAuto) {
+      rule.or_auto = true;
       continue;
     }
     const double number = parse_real(kStyle, word, value, "", Range::any());
@@ -97,13 +103,16 @@ void check_range(const std::string& name, const std::string& text, const Rule& r
 }
 
 void check_number(const std::string& name, const std::string& text, const Rule& rule) {
-  if (!rule.exception) return check_range(name, text, rule);
-  if (parse_real("input", name, text, rule.unit, Range::any()) == *rule.exception) return;
+  if (rule.or_auto && text == kAuto) return;
+  if (rule.exception && parse_real("input", name, text, rule.unit, Range::any()) == *rule.exception)
+    return;
   try {
     check_range(name, text, rule);
   } catch (const InputError& refused) {
-    throw InputError(std::string(refused.what()) + "; " + number_text(*rule.exception) +
-                     " is allowed too");
+    std::string allowed = refused.what();
+    if (rule.exception) allowed += "; " + number_text(*rule.exception) + " is allowed too";
+    if (rule.or_auto) allowed += std::string("; ") + kAuto + " is allowed too";
+    throw InputError(allowed);
   }
 }
 
@@ -198,8 +207,8 @@ std::string other_than_in(const std::string& name, const std::string& text, cons
                     advice = rule.advice.empty() ? "" : "; " + rule.advice;
   if (!theirs) {
     if (rule.warns) return "";
-    return "input: " + name + " must be " + of_the_run + "which has none: it is of another case or of an earlier version" +
-           advice;
+    return "input: " + name + " must be " + of_the_run +
+           "which has none: it is of another case or of an earlier version" + advice;
   }
   if (std::abs(value - *theirs) <= kSame * std::max(std::abs(value), std::abs(*theirs))) return "";
   return "input: " + name + " must be " + number_text(*theirs) + ", as " + of_the_run + "got '" +
