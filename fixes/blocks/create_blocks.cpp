@@ -27,6 +27,7 @@
 #include "rock/burden_file.h"
 #include "rock/cut_table.h"
 #include "rock/faults.h"
+#include "rock/ground_checks.h"
 #include "rock/rock_surfaces.h"
 #include "rock/zone_bodies.h"
 #include "rock/zone_model.h"
@@ -107,6 +108,7 @@ void CreateBlocks::command(int narg, char** arg) {
     supports = support(args);
     return 0;
   });
+  engine::print_once(*lmp, engine::or_engine_error(*lmp, [&] { return ground_checks(options); }));
   const std::vector<double> densities = options.densities();
   BlockPlacement placement(lmp, type, options);
   if (comm->nprocs > 1 && options.is_plain_voronoi()) share_sweeps_of_rank_0(options.rock);

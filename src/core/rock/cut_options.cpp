@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "args/input_error.h"
 #include "args/numbers.h"
@@ -130,14 +131,22 @@ void add_row(std::vector<Hole>& holes, const Words& words) {
   }
 }
 
-std::vector<Hole> crushed_zones(const ArgValues& args) {
+void add_collars(std::vector<Collar>& collars, const HoleTable& table, const std::string& file) {
+  std::set<std::string> known;
+  for (const Deck& deck : table.decks())
+    if (known.insert(deck.hole).second) collars.push_back({deck.hole, file, deck.hole_collar});
+}
+
+std::vector<Hole> crushed_zones(const ArgValues& args, std::vector<Collar>& collars) {
   std::vector<Hole> holes;
   for (const Words& words : args.groups("hole")) holes.push_back(hole_of("hole", words, 0));
   for (const Words& words : args.groups("hole_row")) add_row(holes, words);
   for (const Words& words : args.groups("hole_table")) {
     const double ratio = cut_real("hole_table", words[1], "", Range::closed(1.0, 20.0));
-    const std::vector<Hole> pattern = HoleTable::read(words[0]).crushed_zones(ratio);
+    const HoleTable table = HoleTable::read(words[0]);
+    const std::vector<Hole> pattern = table.crushed_zones(ratio);
     holes.insert(holes.end(), pattern.begin(), pattern.end());
+    add_collars(collars, table, words[0]);
   }
   refuse_overlapping_holes(holes);
   return holes;
@@ -207,7 +216,7 @@ CutOptions read(const ArgValues& args, std::size_t memory) {
   options.burdens_wanted =
       options.burden > 0.0 || !options.surfaces.empty() || args.word("burden_file") != "none";
   TessellationOptions& rock = options.rock;
-  rock.holes = crushed_zones(args);
+  rock.holes = crushed_zones(args, options.collars);
   for (const Words& words : args.groups("joint_plane"))
     options.natural_joints.push_back(joint_plane_of(words));
   for (const JointPlane& plane : options.natural_joints)

@@ -38,6 +38,12 @@ struct Fault {
   double off_plane = 0.0;  ///< of its corners at the region, at most [m]
 };
 
+/// The mouth of a hole of `hole_table`.
+struct Collar {
+  std::string hole, file;     ///< its name, in which table
+  Vec3 place = Vec3::Zero();  ///< [m]
+};
+
 struct CutOptions {
   TessellationOptions rock;                  ///< without its box, region and team
   SizeLimits limits{};                       ///< block_min and block_max
@@ -47,6 +53,7 @@ struct CutOptions {
   std::vector<JointPlane> natural_joints{};  ///< the planes in rock.planes with their joint class
   /// Their planes follow once the box of the rock is known: lay_natural_joint_sets().
   std::vector<NaturalJointSet> natural_joint_sets{};
+  std::vector<Collar> collars{};        ///< one per hole of the table
   std::vector<RockSurface> surfaces{};  ///< see rock_surfaces.h
   MineFrame mine{};                     ///< that their files have
   double unit = 1.0;                    ///< that the files count in [m]

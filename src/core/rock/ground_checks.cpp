@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Mouths of holes and the region's top beside surveyed ground.
+// Scope: see the header.
+#include "rock/ground_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "args/first_lines.h"
+#include "args/input_error.h"
+#include "args/rounded_text.h"
+#include "geometry/surface/mine_words.h"
+#include "rock/cut_table.h"
+
+namespace muckpile {
+namespace {
+
+const std::string kWarning = std::string("WARNING: ") + kCreateBlocks + ": ";
+
+std::string name_of(const RockSurface& surface) {
+  return (surface.kind == SurfaceIs::body ? "surface " : "terrain ") + surface.file;
+}
+
+std::string metres(double length) { return rounded_text(length, 3) + " m"; }
+
+/// The terrain where there is one: a closed surface beside it need not be its top.
+const RockSurface& ground_of(const std::vector<RockSurface>& surfaces) {
+  const auto terrain = std::ranges::find(surfaces, SurfaceIs::terrain, &RockSurface::kind);
+  return terrain == surfaces.end() ? surfaces.front() : *terrain;
+}
+
+/// "12.8 m below the terrain FILE, which is at z = 32.8 m there and 2.4 m from it at the nearest".
+std::string place_of(const Collar& collar, const RockSurface& ground, double nearest) {
+  std::vector<SurfaceIndex::Crossing> met;
+  ground.index->crossings_at(collar.place.x(), collar.place.y(), met);
+  if (met.empty()) return metres(nearest) + " from the " + name_of(ground);
+  const double above = collar.place.z() - met.back().height;
+  return metres(std::abs(above)) + (above > 0.0 ? " above" : " below") + " the " + name_of(ground) +
+         ", which is at z = " + metres(met.back().height) + " there, and " + metres(nearest) +
+         " from it by the nearest way";
+}
+
+std::string hole_text(const Collar& collar, const RockSurface& ground, double nearest) {
+  return "hole '" + collar.hole + "' of " + collar.file +
+         " begins at z = " + metres(collar.place.z()) + ", " + place_of(collar, ground, nearest);
+}
+
+std::string advice() {
+  return "; are holes and ground at one place, and both in metres (unit and origin; inputs/quarry: "
+         "-var " +
+         std::string(kUnitKnob) + ", terrain_east, terrain_north, terrain_height)?";
+}
+
+/// The worst of those that are refused is told, the first ones that are warned of.
+std::string check_collars(const CutOptions& options) {
+  const RockSurface& ground = ground_of(options.surfaces);
+  std::vector<std::string> warnings;
+  const Collar* worst = nullptr;
+  double farthest = kCollarElsewhere;
+  for (const Collar& collar : options.collars) {
+    const double nearest = ground.index->closest(collar.place).distance;
+    if (nearest > farthest) worst = &collar, farthest = nearest;
+    if (nearest > kCollarOffGround)
+      warnings.push_back(kWarning + hole_text(collar, ground, nearest) + '\n');
+  }
+  if (worst != nullptr)
+    refuse(kCreateBlocks, hole_text(*worst, ground, farthest) + "; allowed are " +
+                              metres(kCollarElsewhere) + advice());
+  return first_lines(warnings, kWarning, "holes that begin so far from the ground");
+}
+
+std::string check_top(const RockSurface& surface, const Vec3& lo, const Vec3& hi) {
+  constexpr int kColumns = 60;  // to each side
+  std::vector<SurfaceIndex::Crossing> met;
+  int above = 0;
+  double highest = hi.z();
+  for (int k = 0; k < kColumns * kColumns; ++k) {
+    const double u = (k % kColumns + 0.5) / kColumns, v = (k / kColumns + 0.5) / kColumns;
+    surface.index->crossings_at(lo.x() + u * (hi.x() - lo.x()), lo.y() + v * (hi.y() - lo.y()),
+                                met);
+    if (met.empty() || met.back().height <= hi.z()) continue;
+    ++above;
+    highest = std::max(highest, met.back().height);
+  }
+  const double share = above / static_cast<double>(kColumns * kColumns);
+  if (share <= kCutOffShare) return "";
+  return kWarning + name_of(surface) +
+         " is higher than the region, which ends at z = " + metres(hi.z()) + ", over " +
+         rounded_text(100.0 * share, 3) + " % of its plan, by up to " + metres(highest - hi.z()) +
+         ": the rock ends level there; take a higher region (inputs/quarry: bench_height + "
+         "burden), "
+         "or put the ground where it is\n";
+}
+
+}  // namespace
+
+std::string ground_checks(const CutOptions& options) {
+  if (options.surfaces.empty()) return "";
+  std::string warnings = check_collars(options);
+  for (const RockSurface& surface : options.surfaces)
+    warnings += check_top(surface, options.rock.lo, options.rock.hi);
+  return warnings;
+}
+
+}  // namespace muckpile
