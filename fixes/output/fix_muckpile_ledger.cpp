@@ -105,7 +105,8 @@ void FixMuckpileLedger::keep_books_of_sleep(double taken) {
   computed_at_ = -1;
 }
 
-/// A fix muckpile/sleep that is given after the first run behind a restart file begins its sum anew.
+/// A fix muckpile/sleep that is given after the first run behind a restart file begins its sum
+/// anew.
 void FixMuckpileLedger::keep_books_of_former_sleep() {
   if (sleep_ == nullptr || engine::sum_over_ranks(sleep_->energy_taken(), world) != 0.0) return;
   former_.sleep += laid_to_rest_;

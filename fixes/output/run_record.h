@@ -51,6 +51,7 @@ class RunRecord {
 
   [[nodiscard]] RecordedRun recorded(LAMMPS_NS::LAMMPS& lmp) const;
   void go_on_from(RecordedRun run);
+  [[nodiscard]] bool goes_on() const { return goes_on_; }
 
   /// Stops the run if a knob has another value than in the restart file; `where` begins the
   /// message.

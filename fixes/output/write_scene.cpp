@@ -11,12 +11,14 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "args/input_error.h"
 #include "fixes/engine/find_view.h"
+#include "fixes/engine/first_rank.h"
 #include "fixes/engine/json_text.h"
 #include "fixes/engine/output_file.h"
 #include "fixes/engine/script_variables.h"
@@ -112,6 +114,27 @@ void add_record(LAMMPS_NS::LAMMPS& lmp, const std::string& run_id, Json& scene) 
   scene["knobs"] = knobs(lmp);
 }
 
+/// Of a scene that stands there: its id, or what tells that it has none.
+std::optional<std::string> id_of_scene(const std::string& file) {
+  std::ifstream in(file);
+  if (!in) return std::nullopt;
+  const Json scene = Json::parse(in, nullptr, false);
+  const auto id = scene.is_object() ? scene.find("run_id") : scene.end();
+  return scene.is_object() && id != scene.end() && id->is_string() ? id->get<std::string>()
+                                                                   : "no run_id";
+}
+
+/// A run that goes on writes on what it has left, not over the results of another.
+void refuse_other_run(LAMMPS_NS::LAMMPS& lmp, const std::string& file, const std::string& run_id) {
+  engine::on_first_rank(lmp, [&] {
+    const std::optional<std::string> there = id_of_scene(file);
+    if (!there || *there == run_id) return;
+    throw InputError(std::string(kStyle) + ": '" + file + "' must be of the run that goes on, " +
+                     run_id + ", or not be there, got the scene of another run, " + *there +
+                     "; go on in the folder of the restart file's run, or in a new one (-var out)");
+  });
+}
+
 }  // namespace
 
 void WriteScene::command(int narg, char** arg) {
@@ -124,6 +147,7 @@ void WriteScene::command(int narg, char** arg) {
                            "multisphere/muckpile");
   run->record().allow_changes(words.may_change);
   run->record().check_values(*lmp, kStyle);
+  if (run->record().goes_on()) refuse_other_run(*lmp, words.file, run->record().id());
   add_record(*lmp, run->record().id(), words.scene);
   if (comm->me == 0) {
     std::error_code unheeded;  // writing tells

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # one_run.sh LIGGGHTS_MUCKPILE INPUT EVERY TIME_END LATER [-var NAME VALUE]...: a run of INPUT, and what goes on from its restart file, are one
-# run: it ends within a few steps of TIME_END, the history with it, and every file carries one id. To go on with another seed is refused before
-# any result is written; with another spelling of it, and to LATER, it is not.
+# run: it ends within a few steps of TIME_END, the history with it, and every file carries one id. To go on with another seed, or in the folder
+# of another run, is refused before any result is written; with another spelling of it, and to LATER, it is not.
 # Scope: INPUT offers go_on and from (inputs/common/box_or_restart.in). Two ranks.
 set -euo pipefail
 program=$1 input=$2 every=$3 time_end=$4 later=$5
@@ -41,6 +41,14 @@ before=$(cd "$dump" && md5sum -- *.json history.csv blocks_*.csv)
 if (run_input run 2 "$input" -var seed 7 "$@" -var go_on 1 -var from "$out/from.restart") >"$out/refused"; then fail "another seed was accepted"; fi
 grep '^ERROR' "$out/refused" | grep -q "seed '7' (was '1')" || fail "another seed was not refused by its name: $(grep ERROR "$out/refused")"
 [[ $(cd "$dump" && md5sum -- *.json history.csv blocks_*.csv) == "$before" ]] || fail "a refused run has written files"
+
+# Nor does it go on over the results of another run.
+cp -r "$out/run" "$out/other"
+sed -i "s/$id/0123456789abcdef/" "$out"/other/dump/*.json "$out"/other/dump/history.csv
+others=$(cd "$out/other/dump" && md5sum -- *.json history.csv blocks_*.csv)
+if (run_input other 2 "$input" "$@" -var time_end "$later" -var go_on 1 -var from "$out/from.restart") >"$out/refused"; then fail "it went on over another run"; fi
+grep '^ERROR' "$out/refused" | grep -q "must be of the run that goes on, $id, or not be there, got the scene of another run, 0123456789abcdef" || fail "another run is not told of: $(grep ERROR "$out/refused")"
+[[ $(cd "$out/other/dump" && md5sum -- *.json history.csv blocks_*.csv) == "$others" ]] || fail "a run that is refused has changed the results of another"
 
 run_input run 2 "$input" -var seed +1 "$@" -var time_end "$later" -var go_on 1 -var from "$out/from.restart"
 ! grep -q 'knobs of the restart file' "$out/run/screen" || fail "knobs are told that are the same"
