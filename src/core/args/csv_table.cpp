@@ -4,10 +4,12 @@
 #include "args/csv_table.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include "args/input_error.h"
 #include "args/numbers.h"
@@ -36,9 +38,9 @@ std::string_view unquoted(std::string_view field, bool first, const std::string&
   const std::string_view inside = field.size() < 2 ? field : field.substr(1, field.size() - 2);
   if (!field.ends_with('"') || inside.find('"') != std::string_view::npos ||
       (first && inside.starts_with('#')))
-    throw InputError(where +
-                     "a field in quotes must hold no comma or quote, nor begin a line with #, got " +
-                     std::string(field));
+    throw InputError(
+        where + "a field in quotes must hold no comma or quote, nor begin a line with #, got " +
+        std::string(field));
   return trimmed(inside);
 }
 
@@ -81,7 +83,8 @@ void require_utf8(std::string_view text, const std::string& name) {
   for (size_t at = 0; at < text.size();) {
     const size_t length = length_of_character(text, at);
     if (length == 0)
-      throw InputError(name + ":" + std::to_string(1 + std::ranges::count(text.substr(0, at), '\n')) +
+      throw InputError(name + ":" +
+                       std::to_string(1 + std::ranges::count(text.substr(0, at), '\n')) +
                        ": must be in UTF-8, got a byte that is not; save it as CSV in UTF-8");
     at += length;
   }
@@ -106,6 +109,12 @@ void refuse_twice(std::vector<std::string_view> columns, const std::string& name
     throw InputError(name + ": the first line must name every column");
   if (twice != columns.end())
     throw InputError(name + ": column '" + std::string(*twice) + "' is there twice");
+}
+
+std::string in_small(std::string_view name) {
+  std::string small(name);
+  std::ranges::transform(small, small.begin(), [](unsigned char c) { return std::tolower(c); });
+  return small;
 }
 
 template <class Number>
@@ -166,18 +175,28 @@ CsvTable CsvTable::parse(std::string text, const std::string& name, std::string_
   return table;
 }
 
+bool is_same_column(std::string_view a, std::string_view b) { return in_small(a) == in_small(b); }
+
 std::optional<size_t> CsvTable::find_column(std::string_view name) const {
-  for (size_t i = 0; i < header_.size(); ++i) {
-    if (header_[i] == name) return i;
-  }
-  return std::nullopt;
+  auto found = std::ranges::find(header_, name);
+  if (found == header_.end())
+    found = std::ranges::find_if(
+        header_, [name](std::string_view column) { return is_same_column(column, name); });
+  if (found == header_.end()) return std::nullopt;
+  return static_cast<size_t>(found - header_.begin());
 }
 
 void CsvTable::require_known_columns(const std::vector<std::string>& known) const {
+  std::set<std::string> there;
   for (const std::string_view name : header_) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    throw InputError(name_ + ": unknown column '" + std::string(name) + "'" +
-                     did_you_mean(std::string(name), known));
+    const auto same = std::ranges::find_if(
+        known, [name](const std::string& column) { return is_same_column(column, name); });
+    if (same == known.end())
+      throw InputError(name_ + ": unknown column '" + std::string(name) + "'" +
+                       did_you_mean(in_small(name), known));
+    if (!there.insert(*same).second)
+      throw InputError(name_ + ": column '" + *same + "' is there twice, once as '" +
+                       std::string(name) + "'");
   }
 }
 

@@ -33,11 +33,12 @@ class CsvTable {
   [[nodiscard]] size_t rows() const { return lines_.size(); }
   [[nodiscard]] const std::vector<std::string_view>& remarks() const { return remarks_; }
 
-  // Position of a named column. Throws InputError if the header lacks it.
+  // Position of a named column, in capital or small letters; the same ones win. Throws InputError if the header lacks it.
   [[nodiscard]] size_t column(std::string_view name) const;
   // The same, nothing if the header lacks it.
   [[nodiscard]] std::optional<size_t> find_column(std::string_view name) const;
-  // Throws InputError, naming the nearest of `known`, if the header has a name that is not known.
+  // Throws InputError if the header has a name that is not known, naming the nearest of `known`, or
+  // one of them twice. Capital and small letters are the same.
   void require_known_columns(const std::vector<std::string>& known) const;
 
   // One field as a finite number. Throws InputError, naming file, line and column, otherwise.
@@ -62,6 +63,9 @@ class CsvTable {
   std::vector<std::string_view> remarks_, header_, fields_;
   std::vector<size_t> lines_;  // line number of each row, from 1
 };
+
+// Whether two names of columns are the same but for capital letters.
+[[nodiscard]] bool is_same_column(std::string_view a, std::string_view b);
 
 // A file as one text. Throws InputError if it cannot be opened.
 [[nodiscard]] std::string whole_file(const std::filesystem::path& path);

@@ -126,7 +126,7 @@ std::string with_charges(const std::string& text, const std::string& name,
         const std::string_view typed =
             with == own.end() ? std::string_view() : field(charges, with->second[d], columns[k]);
         // Another charge has another crushed zone.
-        const bool none = with != own.end() && columns[k] == "crushed_radius_m";
+        const bool none = with != own.end() && is_same_column(columns[k], "crushed_radius_m");
         out << (k > 0 ? "," : "")
             << (typed.empty() && !none ? field(plan, row, columns[k]) : typed);
       }

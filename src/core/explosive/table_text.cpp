@@ -10,8 +10,8 @@ namespace muckpile {
 namespace {
 
 const NewColumn* find(const std::vector<NewColumn>& columns, std::string_view name) {
-  const auto at = std::find_if(columns.begin(), columns.end(),
-                               [&](const NewColumn& column) { return column.first == name; });
+  const auto at = std::ranges::find_if(
+      columns, [&](const NewColumn& column) { return is_same_column(column.first, name); });
   return at == columns.end() ? nullptr : &*at;
 }
 

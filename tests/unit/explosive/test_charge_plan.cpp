@@ -40,6 +40,21 @@ TEST(ChargePlan, ARowReplacesTheDecksOfItsHole) {
   EXPECT_DOUBLE_EQ(b.firing_time, 0.517);
 }
 
+TEST(ChargePlan, ColumnsMeetWhateverTheirLetters) {
+  std::string plan = kPlan;
+  plan.replace(plan.find("from_m"), 6, "From_M");
+  plan.replace(plan.find("collar_x_m"), 10, "Collar_X_m");
+  const CsvTable charges = CsvTable::parse("HOLE,FROM_m,to_m,Explosive\nb,4,9,tnt\n", "c.csv");
+  const CsvTable made = CsvTable::parse(with_charges(plan, "plan", charges), "made");
+  EXPECT_EQ(made.header().size(), 14u);  // 13 and explosive
+  const HoleTable table(made);
+  EXPECT_EQ(table.decks()[2].from, 4.0);
+  EXPECT_EQ(*table.decks()[2].explosive, "tnt");
+  const HoleTable placed(CsvTable::parse(
+      placed_table(CsvTable::parse(plan, "plan"), "plan", {Vec3(-5, 0, 0), M_PI / 2}), "placed"));
+  EXPECT_EQ(placed.decks()[0].hole_collar, Vec3(2, 0, 10));
+}
+
 TEST(ChargePlan, SeveralRowsAreDecks) {
   const HoleTable table = charged("hole,from_m,to_m,in_hole_delay_s\nb,7,10,0.5\nb,2,6,0.525\n");
   ASSERT_EQ(table.decks().size(), 4u);

@@ -35,6 +35,20 @@ TEST(HoleTable, SemicolonsAreNoCommas) {
             "p.csv: fields must stand between commas, got 'hole;diameter_m'");
 }
 
+TEST(HoleTable, CapitalLettersInTheHeaderDoNotCount) {
+  const std::string rows = "a,1,2,10,1,2,0,0.1,emulsion\n";
+  const HoleTable table(CsvTable::parse(
+      "Hole,Collar_X_m,COLLAR_Y_M,Collar_Z_m,Toe_x_m,Toe_y_m,Toe_z_m,Diameter_m,Explosive\n" + rows,
+      "p.csv"));
+  ASSERT_EQ(table.decks().size(), 1u);
+  EXPECT_EQ(table.decks()[0].hole_collar, Vec3(1, 2, 10));
+  EXPECT_EQ(*table.decks()[0].explosive, "emulsion");
+  EXPECT_EQ(fault(",Toe_x_m", "a,0,0,10,0,0,0,0.1,1\n"),
+            "p.csv: column 'toe_x_m' is there twice, once as 'Toe_x_m'");
+  EXPECT_EQ(fault(",Explosve", "a,0,0,10,0,0,0,0.1,anfo\n"),
+            "p.csv: unknown column 'Explosve'; did you mean 'explosive'?");
+}
+
 TEST(HoleTable, WithoutDepthsTheWholeHoleIsCharged) {
   const HoleTable table = read("", "a,0,0,10,0,0,0,0.1\n");
   EXPECT_EQ(table.decks()[0].from, 0.0);
@@ -112,8 +126,15 @@ TEST(HoleTable, OtherTextThanUtf8WithCommasIsNamed) {
   const std::string wide("\xFF\xFEh\0o\0", 6);
   EXPECT_EQ(input_error_of([&] { (void)CsvTable::parse(wide, "p.csv"); }),
             "p.csv: must be in UTF-8, got UTF-16");
-  EXPECT_EQ(CsvTable::parse("hole\n\xC3\x84" "1\n", "p.csv").word(0, 0), "\xC3\x84" "1");
-  for (const std::string bad : {"\xC4" "1", "\xE2\x82", "\x80", "\xC0\xAF", "\xFF"}) {
+  EXPECT_EQ(CsvTable::parse("hole\n\xC3\x84"
+                            "1\n",
+                            "p.csv")
+                .word(0, 0),
+            "\xC3\x84"
+            "1");
+  for (const std::string bad : {"\xC4"
+                                "1",
+                                "\xE2\x82", "\x80", "\xC0\xAF", "\xFF"}) {
     EXPECT_EQ(input_error_of([&] { (void)CsvTable::parse("hole\na\n" + bad + "\n", "p.csv"); }),
               "p.csv:3: must be in UTF-8, got a byte that is not; save it as CSV in UTF-8");
   }
