@@ -103,7 +103,7 @@ void check(const BlastPlan& plan, const BlastTiming& timing, const std::string& 
   if (plan.wave_end < (1.0 - 1e-9) * timing.pulse_end) {
     refuse("wave_end must be >= " + rounded_text(timing.pulse_end) +
            " s, when the pulse of the last charge has gone, got " + rounded_text(plan.wave_end) +
-           " s");
+           " s; rise_time of fix muckpile/blast decides how long it lasts");
   }
   if (plan.time_end <= plan.wave_end) {
     refuse("time_end must be > wave_end, " + rounded_text(plan.wave_end) + " s, got " +

@@ -55,7 +55,7 @@ TEST(BlastPlan, WaitsForAPulseLongerThanTheGas) {
   EXPECT_EQ(plan_of({}, scene).wave_end, 0.05);
   EXPECT_EQ(refusal_of({"wave_end", "0.04"}, scene),
             "run_blast: wave_end must be >= 0.05 s, when the pulse of the last charge has gone, "
-            "got 0.04 s");
+            "got 0.04 s; rise_time of fix muckpile/blast decides how long it lasts");
 }
 
 TEST(BlastPlan, AsksForTheEndWhereGasFlowsAndHasNoTimes) {
@@ -144,7 +144,7 @@ TEST(BlastPlan, RefusesAnEndBeforeThatOfTheWave) {
 TEST(BlastPlan, RefusesAWaveThatEndsBeforeThePulse) {
   EXPECT_EQ(refusal_of({"wave_end", "5e-4"}),
             "run_blast: wave_end must be >= 0.001 s, when the pulse of the last charge has gone, "
-            "got 0.0005 s");
+            "got 0.0005 s; rise_time of fix muckpile/blast decides how long it lasts");
 }
 
 TEST(BlastPlan, RefusesWordsThatAreNoTime) {
