@@ -49,6 +49,12 @@ sed '1,/^hole,/s/diameter_m,/diameter_m,crushed_radius_m,/; s/,0\.165,/,0.165,0.
 try -in inputs/pattern/in.pattern -var out "$out" -var time_end 0.1 -var hole_table "$out/own_radius.csv"
 says 1 'NOTE: block_min 0.95 m is wider than 6 radii of the crushed zone; 0.5997 m is taken'
 
+# A median size that no block can have.
+try -in inputs/pattern/in.pattern -var out "$out" -var time_end 0.1 -var rise_time 3e-4 -var fragment_x50 9
+says 1 'WARNING: fragment_x50 9 m is above block_max 2.5 m: no block gets wider than that'
+try -in inputs/pattern/in.pattern -var out "$out" -var time_end 0.1 -var rise_time 3e-4
+says 0 'WARNING: fragment_x50'
+
 # Strengths a thousand times too small or too large.
 for strength in tension cohesion; do
   for value in 1e4 1e10; do
