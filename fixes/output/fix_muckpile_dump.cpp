@@ -9,6 +9,7 @@
 #include <multisphere.h>
 #include <update.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstring>
@@ -22,6 +23,7 @@
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/find_view.h"
 #include "fixes/engine/output_file.h"
+#include "fixes/engine/over_ranks.h"
 #include "fixes/engine/periodic_output.h"
 #include "fixes/engine/style_args.h"
 #include "fixes/engine/style_name.h"
@@ -174,10 +176,10 @@ std::string FixMuckpileDump::of_all_ranks(const std::string& mine) const {
 }
 
 void FixMuckpileDump::write_file(const std::string& name, const char* header,
-                                 const std::string& mine) const {
+                                 const std::string& mine, const std::string& remark) const {
   std::ostringstream text;
   text.precision(12);
-  text << "# step=" << update->ntimestep << " time_s=" << update->get_cur_time() << " "
+  text << "# step=" << update->ntimestep << " time_s=" << update->get_cur_time() << " " << remark
        << run_mark(blocks_->run_id()) << '\n'
        << header << of_all_ranks(mine);
   engine::write_file(*lmp, where_, folder_ + "/" + name, text.str());
@@ -197,7 +199,9 @@ void FixMuckpileDump::write_joints() const {
     append(text, std::array{joint.broken_share}, 5);
     text += '\n';
   }
-  write_file(kJointsFile, "id,face,broken_share\n", text);
+  // So that a file that was cut short is known: what it does not list has broken.
+  const auto rows = engine::sum_over_ranks(static_cast<int>(std::ranges::count(text, '\n')), world);
+  write_file(kJointsFile, "id,face,broken_share\n", text, "rows=" + std::to_string(rows) + ' ');
 }
 
 }  // namespace muckpile

@@ -30,7 +30,9 @@ class FixMuckpileDump : public LAMMPS_NS::Fix {
   void write_joints() const;
   [[nodiscard]] std::string rows() const;
   [[nodiscard]] std::string of_all_ranks(const std::string& mine) const;
-  void write_file(const std::string& name, const char* header, const std::string& mine) const;
+  /// `remark`, with a blank behind it, is one more of the first line.
+  void write_file(const std::string& name, const char* header, const std::string& mine,
+                  const std::string& remark = "") const;
 
   KnownBlocks* blocks_ = nullptr;
   JointFragments* joints_ = nullptr;

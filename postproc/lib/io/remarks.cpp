@@ -7,7 +7,8 @@
 
 namespace muckpile {
 
-double remark_number(const CsvTable& table, const std::string& file, std::string_view key) {
+std::optional<double> find_remark_number(const CsvTable& table, const std::string& file,
+                                         std::string_view key) {
   const std::string wanted = std::string(key) + "=";
   for (const std::string_view remark : table.remarks()) {
     const size_t at = remark.find(wanted);
@@ -15,6 +16,11 @@ double remark_number(const CsvTable& table, const std::string& file, std::string
     const std::string_view value = remark.substr(at + wanted.size());
     return parse_number(value.substr(0, value.find(' ')), file + ": " + std::string(key));
   }
+  return std::nullopt;
+}
+
+double remark_number(const CsvTable& table, const std::string& file, std::string_view key) {
+  if (const auto found = find_remark_number(table, file, key)) return *found;
   throw InputError(file + ": the first line must hold '# step=<n> time_s=<t>'");
 }
 

@@ -3,6 +3,7 @@
 // Scope: the remarks of a table that has been read.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -10,7 +11,10 @@
 
 namespace muckpile {
 
-// The number after "<key>=". Throws InputError, naming `file`, where there is none.
+// The number after "<key>="; nothing where there is none. Throws InputError, naming `file`, where
+// it is no number, and without find_ also where there is none.
+std::optional<double> find_remark_number(const CsvTable& table, const std::string& file,
+                                         std::string_view key);
 double remark_number(const CsvTable& table, const std::string& file, std::string_view key);
 
 }  // namespace muckpile

@@ -123,13 +123,15 @@ TEST(FixMuckpileJoint, RanksShareABodyWhoseStrengthGrowsWithItsRate) {
   EXPECT_NE(broken_on_ranks(kRate), broken_alone(kStrength));
 }
 
-/// Rows of a table in alphabetic order, without its two first lines.
+/// Rows of a table in alphabetic order, without its two first lines, the first of which counts
+/// them.
 std::vector<std::string> sorted_rows(const std::filesystem::path& table) {
   std::istringstream in(content(table));
   std::vector<std::string> rows;
   for (std::string line; std::getline(in, line);) rows.push_back(line);
   EXPECT_GE(rows.size(), 2u);
   EXPECT_EQ(rows[1], "id,face,broken_share");
+  EXPECT_NE(rows[0].find(" rows=" + std::to_string(rows.size() - 2) + ' '), std::string::npos);
   rows.erase(rows.begin(), rows.begin() + 2);
   std::sort(rows.begin(), rows.end());
   return rows;

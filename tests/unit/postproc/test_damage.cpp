@@ -215,6 +215,24 @@ TEST_F(CracksOfARun, FaultyJointsAreRefused) {
   EXPECT_THROW(damage(), InputError);
 }
 
+// The first line tells how many rows there are: a row that is missing is a joint that has broken.
+TEST_F(CracksOfARun, JointsCutShortAreRefused) {
+  std::string text = text_of(dump() / "joints.csv");
+  const auto rows = std::ranges::count(text, '\n') - 2;
+  text.replace(text.find("time_s"), 0, "rows=" + std::to_string(rows) + ' ');
+  write_text(dump() / "joints.csv", text);
+  EXPECT_NO_THROW((void)damage());
+  text.erase(text.rfind('\n', text.size() - 2) + 1);
+  write_text(dump() / "joints.csv", text);
+  const std::string error = input_error_of([&] { (void)damage(); });
+  EXPECT_NE(
+      error.find("joints.csv:" + std::to_string(rows + 1) + ": the table must have " +
+                 std::to_string(rows) + " rows, as its first line says, but ends here behind " +
+                 std::to_string(rows - 1) + ": it has been cut short"),
+      std::string::npos)
+      << error;
+}
+
 // Of a block that the rock does not have, and of a face of block 1 that is on the outside.
 TEST_F(CracksOfARun, JointsOfOtherRockAreRefused) {
   const std::string text = text_of(dump() / "joints.csv");
