@@ -16,6 +16,7 @@
 #include <fstream>
 #include <optional>
 #include <span>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -33,9 +34,9 @@ constexpr const char* kStyle = "require";
 constexpr const char* kAuto = "auto";
 
 bool starts_a_rule(const std::string& word) {
-  constexpr std::array<const char*, 14> kWords{
-      "above",  "at_least",  "below",  "at_most", "or",           "whole",      "unit",
-      "one_of", "script_in", "advice", "file",    "file_or_none", "outside_of", "as_in"};
+  constexpr std::array<const char*, 15> kWords{
+      "above",     "at_least", "below", "at_most",      "or",         "whole", "unit",     "one_of",
+      "script_in", "advice",   "file",  "file_or_none", "outside_of", "as_in", "script_of"};
   return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }
 
@@ -88,7 +89,7 @@ Rule read_rule(const std::vector<std::string>& words) {
       throw InputError(
           std::string(kStyle) + ": unknown keyword '" + word +
           "' (known: above, at_least, below, at_most, or, whole, unit, advice, one_of, "
-          "script_in, file, file_or_none, outside_of, as_in)");
+          "script_in, file, script_of, file_or_none, outside_of, as_in)");
     }
   }
   return rule;
@@ -164,6 +165,25 @@ void check_file(const std::string& name, const std::string& word, const std::str
   if (!folder && std::ifstream(word)) return;
   throw InputError("input: " + name + " must be " + allowed + ", got '" + word + "', which " +
                    (folder ? "is a folder" : "cannot be opened"));
+}
+
+/// Throws InputError unless every line of a file begins with one of these commands, or says
+/// nothing.
+void check_script(const std::string& name, const std::string& file,
+                  const std::vector<std::string>& commands) {
+  constexpr std::size_t kLongest = 40;  // of a word in the message
+  check_file(name, file, "a file");
+  std::ifstream in(file);
+  std::size_t number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    std::string command;
+    if (!(std::istringstream(line.substr(0, line.find('#'))) >> command)) continue;
+    if (std::ranges::find(commands, command) != commands.end()) continue;
+    throw InputError("input: " + name + " must be a script of lines that begin with " +
+                     joined(commands) + ", got '" + file + "', whose line " +
+                     std::to_string(number) + " begins with '" + command.substr(0, kLongest) + "'");
+  }
 }
 
 /// Whether a word is the name of a file that can be read; false for none.
@@ -285,6 +305,9 @@ void Require::command(int narg, char** arg) {
     } else if (rule == "file") {
       if (narg != 3) throw InputError(std::string(kStyle) + ": nothing may follow file");
       check_file(arg[0], arg[1], "a file");
+    } else if (rule == "script_of") {
+      if (narg < 4) throw InputError(std::string(kStyle) + ": nothing follows 'script_of'");
+      check_script(arg[0], arg[1], {arg + 3, arg + narg});
     } else if (rule == "one_of" || rule == "script_in") {
       check_word(arg[0], arg[1], allowed_words(rule, {arg + 3, arg + narg}));
     } else {
