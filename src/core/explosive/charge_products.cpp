@@ -23,8 +23,13 @@ void require_jwl(const ChargeOptions& options, const NamedExplosive& explosive) 
     throw InputError("energy_share does not go with JWL, which is a fit to the whole reaction");
   }
   if (!explosive.jwl) {
-    throw InputError("explosive '" + explosive.name +
-                     "' has no JWL parameters; give them with jwl, or choose another model");
+    const bool by_expansion = options.expansion == Expansion::jwl;
+    throw InputError(
+        std::string(by_expansion ? "expansion" : "borehole_model") +
+        " jwl needs JWL parameters, explosive '" + explosive.name +
+        "' has none; take an explosive_table that has them (columns jwl_a_Pa ...), the "
+        "keyword jwl, or " +
+        (by_expansion ? "expansion covolume" : "another borehole_model"));
   }
   if (jwl_holds(explosive)) return;
   const double of_fit = explosive.jwl->density;

@@ -51,6 +51,9 @@ PatternZones pattern_zones(const HoleTable& pattern, const ChargeOptions& option
   for (std::size_t k = 0; k < full.size(); ++k) {
     const Deck& deck = pattern.decks()[k];
     try {
+      // What the load would refuse of a deck's explosive, before rock is cut for it.
+      if (options.expansion == Expansion::jwl)
+        (void)product_expansion(deck_options(options, deck), deck_explosive(options, deck));
       zones.own.push_back(by_pressure ? own_radius(options, deck, rock) : std::nullopt);
     } catch (const InputError& error) {
       throw InputError("hole '" + deck.hole + "' of hole_table: " + error.what());

@@ -302,8 +302,13 @@ TEST(BlastOptions, EachWrongWordIsNamedWithItsRule) {
        "attenuation_exponent and attenuation shock exclude each other"},
       {"expansion jwl gas_gamma_dense 3", "gas_gamma_dense needs expansion two_stage"},
       {"expansion jwl",
-       "hole 1: explosive 'as typed' has no JWL parameters; give them with jwl, or choose another "
-       "model"},
+       "hole 1: expansion jwl needs JWL parameters, explosive 'as typed' has none; take an "
+       "explosive_table that has them (columns jwl_a_Pa ...), the keyword jwl, or expansion "
+       "covolume"},
+      {"borehole_model jwl",
+       "hole 1: borehole_model jwl needs JWL parameters, explosive 'as typed' has none; take an "
+       "explosive_table that has them (columns jwl_a_Pa ...), the keyword jwl, or another "
+       "borehole_model"},
       {"borehole_model explosion_state_gamma",
        "hole 1: borehole_model explosion_state_gamma needs explosive_gamma"},
       {"borehole_model chapman_jouguet borehole_pressure 1e9",
