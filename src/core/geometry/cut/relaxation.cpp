@@ -20,7 +20,7 @@ namespace muckpile {
 namespace {
 
 constexpr double kFirstReach =
-    1.5;  // [block sizes] most neighbours of a relaxed cell are within it
+    1.8;  // [block sizes] most neighbours of a relaxed cell are within it
 
 /// Whether a hole lies behind one of the planes as a whole.
 bool is_beyond(const std::vector<CutPlane>& bounds, const Hole& hole) {

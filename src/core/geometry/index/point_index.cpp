@@ -4,19 +4,25 @@
 #include "geometry/index/point_index.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numeric>
 
 namespace muckpile {
 namespace {
-constexpr int kLeafSize = 8;
-}
+constexpr int kLeafSize = 32;
+constexpr std::size_t kDeepest = 64;  // levels of halves of 2^31 points, and more
+}  // namespace
 
 PointIndex::PointIndex(const std::vector<Vec3>& points) : order_(points.size()) {
   std::iota(order_.begin(), order_.end(), 0);
   if (!points.empty()) build(points, 0, static_cast<int>(points.size()));
-  sorted_.reserve(points.size());
-  for (const int k : order_) sorted_.push_back(points[static_cast<std::size_t>(k)]);
+  for (const int k : order_) {
+    const Vec3& p = points[static_cast<std::size_t>(k)];
+    x_.push_back(p.x());
+    y_.push_back(p.y());
+    z_.push_back(p.z());
+  }
 }
 
 int PointIndex::build(const std::vector<Vec3>& points, int first, int last) {
@@ -45,27 +51,46 @@ int PointIndex::build(const std::vector<Vec3>& points, int first, int last) {
   return static_cast<int>(self);
 }
 
+void PointIndex::add_leaf(const Node& leaf, const Vec3& centre, double inner2, double outer2,
+                          Found& found) const {
+  const auto first = static_cast<std::size_t>(leaf.first);
+  const auto count = static_cast<std::size_t>(leaf.last - leaf.first);
+  const double *const x = x_.data() + first, *const y = y_.data() + first,
+                      *const z = z_.data() + first;
+  const double cx = centre.x(), cy = centre.y(), cz = centre.z();
+  std::array<double, kLeafSize> squared;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double dx = x[k] - cx, dy = y[k] - cy, dz = z[k] - cz;
+    squared[k] = dx * dx + dy * dy + dz * dz;
+  }
+  std::size_t end = found.size();
+  found.resize(end + count);
+  for (std::size_t k = 0; k < count; ++k) {  // without a branch that cannot be foreseen
+    found[end] = {squared[k], order_[first + k]};
+    end += static_cast<std::size_t>(squared[k] >= inner2) &
+           static_cast<std::size_t>(squared[k] < outer2);
+  }
+  found.resize(end);
+}
+
 void PointIndex::shell(const Vec3& centre, double inner, double outer, Found& found) const {
   found.clear();
   const double inner2 = inner * inner, outer2 = outer * outer;
-  std::vector<int> stack;
-  if (!nodes_.empty()) stack.push_back(0);
-  while (!stack.empty()) {
-    const int number = stack.back();
-    stack.pop_back();
+  std::array<int, kDeepest> waiting;  // one node per level at most
+  std::size_t count = 0;
+  if (!nodes_.empty()) waiting[count++] = 0;
+  while (count > 0) {
+    const int number = waiting[--count];
     const Node& node = nodes_[static_cast<std::size_t>(number)];
     const Vec3 nearest = centre.cwiseMax(node.lo).cwiseMin(node.hi);
     const Vec3 farthest = (centre - node.lo).cwiseAbs().cwiseMax((centre - node.hi).cwiseAbs());
     if ((nearest - centre).squaredNorm() >= outer2 || farthest.squaredNorm() < inner2) continue;
-    if (node.right != 0) {
-      stack.push_back(node.right);
-      stack.push_back(number + 1);
+    if (node.right == 0) {
+      add_leaf(node, centre, inner2, outer2, found);
       continue;
     }
-    for (int k = node.first; k < node.last; ++k) {
-      const double d2 = (sorted_[static_cast<std::size_t>(k)] - centre).squaredNorm();
-      if (d2 >= inner2 && d2 < outer2) found.emplace_back(d2, order_[static_cast<std::size_t>(k)]);
-    }
+    waiting[count++] = node.right;
+    waiting[count++] = number + 1;
   }
   std::sort(found.begin(), found.end());
 }

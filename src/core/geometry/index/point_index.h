@@ -25,9 +25,11 @@ class PointIndex {
     int right = 0;            // the left child is the next node; 0 for a leaf
   };
   int build(const std::vector<Vec3>& points, int first, int last);
+  void add_leaf(const Node& leaf, const Vec3& centre, double inner2, double outer2,
+                Found& found) const;
 
   std::vector<int> order_;
-  std::vector<Vec3> sorted_;  // points in the order of order_
+  std::vector<double> x_, y_, z_;  // of the points in the order of order_ [m]
   std::vector<Node> nodes_;
 };
 

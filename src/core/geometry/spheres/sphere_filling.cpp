@@ -9,6 +9,8 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <tuple>
+#include <utility>
 
 #include "args/input_error.h"
 
@@ -40,11 +42,22 @@ class Planes {
   [[nodiscard]] std::pair<double, std::size_t> nearest(const Vec3& point) const {
     std::pair<double, std::size_t> best(std::numeric_limits<double>::infinity(), 0);
     for (std::size_t k = 0; k < normals_.size(); ++k) {
-      best = std::min(best, std::pair(offsets_[k] - normals_[k].dot(point), k));
+      const double distance = offsets_[k] - normals_[k].dot(point);
+      if (distance < best.first) best = {distance, k};
     }
     return best;
   }
   [[nodiscard]] double clearance(const Vec3& point) const { return nearest(point).first; }
+  // How far along a way from `start` the clearance falls to a distance [-].
+  [[nodiscard]] double way_to(double distance, const Vec3& start, const Vec3& way) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < normals_.size(); ++k) {
+      const double approach = normals_[k].dot(way);
+      if (approach > 0.0)
+        least = std::min(least, (offsets_[k] - distance - normals_[k].dot(start)) / approach);
+    }
+    return least;
+  }
   [[nodiscard]] const Vec3& normal(std::size_t plane) const { return normals_[plane]; }
 
   // Whether faces of three directions meet at a vertex: where a face is divided among several
@@ -90,11 +103,12 @@ Sphere inscribed_sphere(const Planes& planes, const Vec3& start) {
   constexpr int kSteps = 150;
   constexpr double kShrink = 0.95;
   Vec3 at = start, best = start;
-  double best_clearance = planes.clearance(start);
+  auto [clearance, plane] = planes.nearest(start);
+  double best_clearance = clearance;
   double step = 0.3 * best_clearance;
   for (int k = 0; k < kSteps; ++k, step *= kShrink) {
-    at -= step * planes.normal(planes.nearest(at).second);
-    const double clearance = planes.clearance(at);
+    at -= step * planes.normal(plane);
+    std::tie(clearance, plane) = planes.nearest(at);
     if (clearance <= best_clearance) continue;
     best_clearance = clearance;
     best = at;
@@ -102,15 +116,11 @@ Sphere inscribed_sphere(const Planes& planes, const Vec3& start) {
   return inset(best, best_clearance);
 }
 
-// The sphere of a given radius on the way from the middle to a corner, as far out as it fits.
-// The clearance is concave along the way, so there is one such place and bisection finds it.
+// The sphere of a given radius on the way from the middle to a corner, as far out as it fits; in
+// the middle if it fits nowhere.
 Sphere corner_sphere(const Planes& planes, const Vec3& middle, const Vec3& corner, double radius) {
-  double inner = 0.0, outer = 1.0;
-  for (int k = 0; k < 40; ++k) {
-    const double t = 0.5 * (inner + outer);
-    (planes.clearance(middle + t * (corner - middle)) >= radius ? inner : outer) = t;
-  }
-  const Vec3 centre = middle + inner * (corner - middle);
+  const Vec3 way = corner - middle;
+  const Vec3 centre = middle + std::clamp(planes.way_to(radius, middle, way), 0.0, 1.0) * way;
   return inset(centre, planes.clearance(centre));
 }
 
