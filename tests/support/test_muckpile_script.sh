@@ -35,6 +35,7 @@ must_refuse "use -out DIR" run inputs/demo/in.demo -var out here
 must_refuse "splits names at blanks" run inputs/demo/in.demo -out 'a b'
 must_refuse "% and * mean something else" run inputs/demo/in.demo -out 'a%b'
 must_refuse "-var bench_height is given twice" run inputs/demo/in.demo -var bench_height 10 -var patience 2 -var bench_height 12
+for word in -np -out; do must_refuse "$word is given twice" run inputs/demo/in.demo "$word" 1 "$word" 2; done
 must_refuse "-np must be at most" run inputs/demo/in.demo -np 99999
 must_refuse "-np must be at most" run inputs/demo/in.demo -np 99999999999999999999
 
