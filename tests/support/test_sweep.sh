@@ -24,6 +24,7 @@ while (($#)); do
 done
 matches() { [[ -e $1 && $knobs == *$(cat "$1")* ]]; }
 echo "LIGGGHTS 3.8"
+[[ -d $OMPI_MCA_orte_tmpdir_base ]] && echo "$OMPI_MCA_orte_tmpdir_base" >>sessions
 touch "at_once/$$" && trap "rm at_once/$$" EXIT
 find at_once -type f | wc -l >>begun
 [[ ! -e nothing ]] || exit 0
@@ -114,6 +115,9 @@ sweep -var burden 2,3,4 -var patience 5 -var bench_height 6,9 -seeds 2
 rm together
 ended_with 0
 runs_were 12
+# Each with a folder of its own for what Open MPI keeps, which goes with it.
+[[ $(sort -u sessions | wc -l) -eq 12 ]] || problem "runs share a folder of Open MPI"
+while read -r folder; do [[ ! -e $folder ]] || problem "$folder has stayed"; done <sessions
 called '^mpirun -np 1 .*-var out results/sweep_demo/burden-3,bench_height-9,seed-2 -var patience 5 -var burden 3 -var bench_height 9 -var seed 2$'
 at_once_were 2
 demo=results/sweep_demo
