@@ -344,6 +344,12 @@ fake build/release/postproc/tools/muckpile-post 'echo "{}" >results/demo/summary
 call run inputs/demo/in.demo
 [[ $status -ne 0 ]] || problem "failed post-processing passed"
 
+# A folder in that of the results which this user cannot read, as lost+found of a disk.
+healthy
+fake bin/find "$(command -v find) \"\$@\"; exit 1"
+must_work run inputs/demo/in.demo
+rm bin/find
+
 healthy
 fake bin/cmake 'exit 1'
 must_refuse "the build failed" run inputs/demo/in.demo
