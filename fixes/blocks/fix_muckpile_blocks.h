@@ -85,7 +85,7 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix,
   ~FixMuckpileBlocks() override;
 
   int setmask() override;
-  void init() override { record_.check_all(*lmp); }
+  void init() override;
   void setup_pre_neighbor() override { synchronise(); }
   void pre_neighbor() override { synchronise(); }
   void setup(int vflag) override;

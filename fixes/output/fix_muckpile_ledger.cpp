@@ -76,12 +76,20 @@ int FixMuckpileLedger::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
 void FixMuckpileLedger::init() {
   gravity_ = static_cast<LAMMPS_NS::FixGravity*>(modify->find_fix_style("gravity", 0));
   joints_ = engine::find_view<JointEnergies>(*lmp);
+  if (!had_a_run_) require_joints_before();
+  had_a_run_ = true;
   sleep_ = engine::find_view<RestingBlocks>(*lmp);
   contacts_ = dynamic_cast<ContactWork*>(force->pair);
   if (contacts_ != nullptr) contacts_->watch();
   keep_books_of_contacts();
   keep_books_of_former_sleep();
   walls_may_move_ = !engine::walls_stand_still(*lmp);
+}
+
+/// What joints hold is known from their set-up on, and fixes are set up in their order.
+void FixMuckpileLedger::require_joints_before() const {
+  if (engine::place_of<JointEnergies>(*lmp) > modify->find_fix(id))
+    engine::stop(*lmp, engine::name_of(*this) + ": must be defined after fix muckpile/joint");
 }
 
 /// A pair style that is given anew begins its books anew.

@@ -68,6 +68,7 @@ class FixMuckpileLedger : public LAMMPS_NS::Fix, public EnergyAccount {
   void keep_books_of_contacts();
   void keep_books_of_former_sleep();
   void let_go_of_joints();
+  void require_joints_before() const;
   void begin();
   void take_in_new_blocks();
   [[nodiscard]] double walls() const { return contact_work_ - sphere_work_; }
@@ -92,6 +93,7 @@ class FixMuckpileLedger : public LAMMPS_NS::Fix, public EnergyAccount {
   double start_residual_ = 0.0, start_gravity_ = 0.0;
   double largest_ = 0.0;  // energy of one kind that was seen [J]
   int last_tag_ = 0;      // of the blocks that the account has taken in
+  bool had_a_run_ = false;  ///< in this process
   bool started_ = false;
   LAMMPS_NS::bigint computed_at_ = -1;
 };

@@ -99,6 +99,9 @@ void FixMuckpileProgress::init() {
   joints_ = engine::find_view<JointDamage>(*lmp);
   blocks_ = engine::find_view<KnownBlocks>(*lmp);
   if (ledger_ == nullptr) engine::stop(*lmp, where_ + ": needs a fix muckpile/ledger");
+  // Its sums begin with its set-up, and fixes are set up in their order.
+  if (engine::place_of<EnergyAccount>(*lmp) > modify->find_fix(id))
+    engine::stop(*lmp, where_ + ": must be defined after fix muckpile/ledger");
   if (blocks_ == nullptr) engine::stop(*lmp, where_ + ": needs create_blocks before the first run");
   if (!scene_.empty()) engine::require_region(*lmp, where_, scene_);
   if (!solid_.empty()) engine::require_region(*lmp, where_, solid_);

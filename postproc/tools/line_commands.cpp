@@ -23,8 +23,12 @@ struct LineWords {
 CLI::App* add_line_command(CLI::App& app, const char* name, const char* help, LineWords& words) {
   CLI::App* command = add_command(app, name, help, words.folder);
   add_measure(command, words.measure);
-  command->add_option("--from", words.line.from, "X Y of a point of the line [m]")->required();
-  command->add_option("--to", words.line.to, "X Y of another one [m]")->required();
+  command->add_option("--from", words.line.from, "X Y of a point of the line [m]")
+      ->required()
+      ->check(any_number());
+  command->add_option("--to", words.line.to, "X Y of another one [m]")
+      ->required()
+      ->check(any_number());
   command->add_flag("--mine", words.line.mine,
                     "the points are east and north of the mine, not x and y of the run");
   return command;

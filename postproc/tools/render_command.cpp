@@ -26,16 +26,19 @@ void add_sections(CLI::App* render, CLI::Option* mirror, PictureWords& words) {
       render
           ->add_option("--section", words.picture.section,
                        "cut away the rock between the eye and the plane at this y [m]")
+          ->check(any_number())
           ->excludes(mirror);
   CLI::Option* from =
       render
           ->add_option("--from", words.line.from,
                        "X Y of a point of a line in plan: cut away the rock between the eye and "
                        "the upright plane through it [m]")
+          ->check(any_number())
           ->excludes(mirror)
           ->excludes(section);
   CLI::Option* to =
       render->add_option("--to", words.line.to, "X Y of another point of that line [m]")
+          ->check(any_number())
           ->needs(from);
   from->needs(to);
   from->each([&words](const std::string&) { words.along_line = true; });
@@ -69,9 +72,11 @@ void add_render_command(CLI::App& app) {
   CLI::App* render =
       add_command(app, "render", "pile3d.png: the pile in three dimensions", o->folder);
   add_colour(render, o->picture.colour_by);
-  render->add_option("--colour-range", o->picture.colour_range,
-                     "LOW HIGH of the colours, where one block would take them all (default: that "
-                     "of the blocks)");
+  render
+      ->add_option("--colour-range", o->picture.colour_range,
+                   "LOW HIGH of the colours, where one block would take them all (default: that "
+                   "of the blocks)")
+      ->check(any_number());
   render
       ->add_option("--frames", o->picture.frames,
                    "also this many pictures over the run, pile3d_0000.png ...")

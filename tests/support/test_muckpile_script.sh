@@ -35,6 +35,7 @@ must_refuse "use -out DIR" run inputs/demo/in.demo -var out here
 must_refuse "splits names at blanks" run inputs/demo/in.demo -out 'a b'
 must_refuse "% and * mean something else" run inputs/demo/in.demo -out 'a%b'
 must_refuse "-var bench_height is given twice" run inputs/demo/in.demo -var bench_height 10 -var patience 2 -var bench_height 12
+for word in -np -out; do must_refuse "$word is given twice" run inputs/demo/in.demo "$word" 1 "$word" 2; done
 must_refuse "-np must be at most" run inputs/demo/in.demo -np 99999
 must_refuse "-np must be at most" run inputs/demo/in.demo -np 99999999999999999999
 
@@ -342,6 +343,12 @@ healthy
 fake build/release/postproc/tools/muckpile-post 'echo "{}" >results/demo/summary.json; exit 1'
 call run inputs/demo/in.demo
 [[ $status -ne 0 ]] || problem "failed post-processing passed"
+
+# A folder in that of the results which this user cannot read, as lost+found of a disk.
+healthy
+fake bin/find "$(command -v find) \"\$@\"; exit 1"
+must_work run inputs/demo/in.demo
+rm bin/find
 
 healthy
 fake bin/cmake 'exit 1'

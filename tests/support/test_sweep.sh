@@ -24,6 +24,7 @@ while (($#)); do
 done
 matches() { [[ -e $1 && $knobs == *$(cat "$1")* ]]; }
 echo "LIGGGHTS 3.8"
+[[ -d $OMPI_MCA_orte_tmpdir_base ]] && echo "$OMPI_MCA_orte_tmpdir_base" >>sessions
 touch "at_once/$$" && trap "rm at_once/$$" EXIT
 find at_once -type f | wc -l >>begun
 [[ ! -e nothing ]] || exit 0
@@ -45,6 +46,11 @@ for ((k = 0; k < 200; ++k)); do [[ -e together && $(wc -l <begun) -lt $(cat toge
 # 24 m over the burden, and a tenth of the seed. Measuring the run whose scene is like the pattern in the file linger lasts until it is stopped.
 fake build/release/postproc/tools/muckpile-post '
 [[ $1 == all ]] || exec '"$post"' "$@"
+[[ ! -s $2/summary.json && -e $2/summary.json ]] && { echo "muckpile-post: summary.json: parse error" >&2; exit 1; }
+if [[ -e unmeasured ]] && grep -q "$(cat unmeasured)" "$2/dump/scene.json"; then
+  echo "muckpile-post: profile $2" && echo "muckpile-post: no pile" >&2
+  exit 1
+fi
 if [[ -e linger ]] && grep -q "$(cat linger)" "$2/dump/scene.json"; then
   trap "echo stopped >>begun; exit 143" TERM
   touch hanging
@@ -73,6 +79,8 @@ must_refuse "sweep needs two runs at least" sweep inputs/demo/in.demo -var burde
 for values in 1,,2 ,1 1, ,; do must_refuse "-var burden has an empty value in '$values'" sweep inputs/demo/in.demo -var burden "$values"; done
 must_refuse "-var burden has the value 2 twice" sweep inputs/demo/in.demo -var burden 2,3,2.0
 must_refuse "-var burden is given twice" sweep inputs/demo/in.demo -var burden 2,3 -var burden 4,5
+for word in -out -np -jobs -seeds -samples; do must_refuse "$word is given twice" sweep inputs/demo/in.demo -var burden 2,3 "$word" 2 "$word" 3; done
+must_refuse "-var burden has the range '2..3' among values; a range goes alone" sweep inputs/demo/in.demo -var burden 4,2..3
 must_refuse "-var burden is given twice" sweep inputs/demo/in.demo -var burden 2,3 -var burden 4
 must_refuse "-var seed is given twice" sweep inputs/demo/in.demo -var burden 2,3 -var seed 4 -seeds 2
 must_refuse "has no variable 'burdn'; did you mean 'burden'?" sweep inputs/demo/in.demo -var burdn 2,3
@@ -107,6 +115,9 @@ sweep -var burden 2,3,4 -var patience 5 -var bench_height 6,9 -seeds 2
 rm together
 ended_with 0
 runs_were 12
+# Each with a folder of its own for what Open MPI keeps, which goes with it.
+[[ $(sort -u sessions | wc -l) -eq 12 ]] || problem "runs share a folder of Open MPI"
+while read -r folder; do [[ ! -e $folder ]] || problem "$folder has stayed"; done <sessions
 called '^mpirun -np 1 .*-var out results/sweep_demo/burden-3,bench_height-9,seed-2 -var patience 5 -var burden 3 -var bench_height 9 -var seed 2$'
 at_once_were 2
 demo=results/sweep_demo
@@ -212,6 +223,21 @@ sweep -var burden 2,3 -out results/none
 ended_with 1
 told 'failed burden-2: muckpile: inputs/demo/in.demo has written nothing to its ${out}'
 rm nothing
+# Where it is muckpile-post that fails, its last words are the reason; so is a folder that cannot be made. The others are run.
+echo '"burden": 3' >unmeasured
+sweep -var burden 2,3 -out results/unmeasured
+ended_with 1
+told 'failed burden-3: muckpile-post: no pile'
+told '1 of 2 runs done, 1 failed'
+rm unmeasured
+: >results/unmeasured/burden-2/summary.json
+sweep -var burden 2,3 -out results/unmeasured
+ended_with 0 && runs_were 0
+touch results/unmeasured/burden-4
+sweep -var burden 4,5 -jobs 1 -out results/unmeasured
+ended_with 1
+told "failed burden-4: cannot make the folder 'results/unmeasured/burden-4'"
+told '1 of 2 runs done, 1 failed'
 
 # A signal stops what is running and begins nothing more; TERM, as INT may be ignored here.
 sweep_stopped() {  # sweep_stopped OUT: once it hangs

@@ -36,7 +36,7 @@ FileCells read_any_file(const std::filesystem::path& path, const std::string& fi
   const CellTable cells = read_cell_table(text, file);
   CellData data = read_cell_data(text, cells.cells(), file);
   std::vector<BlockShape> shapes(cells.cells());
-  each_in_parallel(shapes.size(), [&](size_t c) { shapes[c] = cell_of(cells, c); });
+  each_in_parallel(shapes.size(), [&](size_t c) { shapes[c] = cell_of(cells, c, file); });
   return {std::move(shapes), std::move(data)};
 }
 

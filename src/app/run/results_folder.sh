@@ -51,8 +51,8 @@ results_in() {  # results_in FOLDER: paths from there
   )
 }
 
-# Names, sizes and times, to see whether any has changed.
-listed() { find "$@" -type f -printf '%P %s %T@\n' | sort; }                         # listed FOLDER [TEST]...
+# Names, sizes and times, to see whether any has changed; what cannot be looked into is not of the run.
+listed() { find "$@" -type f -printf '%P %s %T@\n' 2>/dev/null | sort || true; }      # listed FOLDER [TEST]...
 written_in() { listed "$1" ! -path "$1/.previous*" ! -path "$1/.lock" ! -path "$1/run.log" ! -name log.liggghts; }  # written_in OUT
 steps_in() {  # steps_in OUT: those of a pour of muck, too
   local dump

@@ -46,6 +46,7 @@ read_run_words() {
   while [[ $# -gt 0 ]]; do
     case $1 in
       -np)
+        [[ -z $ranks ]] || die "-np is given twice"
         [[ ${2-} =~ ^[1-9][0-9]*$ ]] || die "-np must be a whole number >= 1, got '${2-}'"
         ranks=$2
         shift 2
@@ -57,6 +58,7 @@ read_run_words() {
         ;;
       -out)
         [[ -n ${2-} ]] || die "-out needs a folder"
+        [[ -z $out ]] || die "-out is given twice"
         out=$(from_root "$2")
         shift 2
         ;;

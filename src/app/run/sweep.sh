@@ -33,16 +33,19 @@ read_sweep_words() {
   while [[ $# -gt 0 ]]; do
     case $1 in
       -seeds)
+        [[ -z $seeds ]] || die "-seeds is given twice"
         [[ ${2-} =~ ^[1-9][0-9]{0,3}$ ]] || die "-seeds must be a whole number from 1 to 9999, got '${2-}'"
         seeds=$2
         shift 2
         ;;
       -samples)
+        [[ -z $samples ]] || die "-samples is given twice"
         [[ ${2-} =~ ^[1-9][0-9]{0,3}$ && $2 -gt 1 ]] || die "-samples must be a whole number from 2 to 9999, got '${2-}'"
         samples=$2
         shift 2
         ;;
       -jobs)
+        [[ -z $jobs ]] || die "-jobs is given twice"
         [[ ${2-} =~ ^[1-9][0-9]{0,3}$ ]] || die "-jobs must be a whole number from 1 to 9999, got '${2-}'"
         jobs=$2
         shift 2
@@ -73,6 +76,7 @@ sort_out_variables() {
       sweep_over "$name" "${value%%..*}"$'\n'"${value#*..}"
     elif [[ $value == *,* ]]; then
       [[ ,$value, != *,,* ]] || die "-var $name has an empty value in '$value'"
+      [[ ! ,$value, =~ ,((log:)?$number\.\.$number), ]] || die "-var $name has the range '${BASH_REMATCH[1]}' among values; a range goes alone"
       sweep_over "$name" "$(each_from_root "${value//,/$'\n'}")"
     else
       fixed+=(-var "$name" "$value")
@@ -184,7 +188,12 @@ stop_all() {
 
 begin_run() {  # begin_run K
   choose "${runs[$1]}"
-  mkdir -p "$out/$folder" || die "cannot make the folder '$out/$folder'"
+  if ! mkdir -p "$out/$folder"; then
+    states[$1]=failed
+    tell "$1" failed ": cannot make the folder '$out/$folder'"
+    write_runs
+    return
+  fi
   tell "$1" "$([[ ${states[$1]} == measure ]] && echo measured again || echo begun)"
   # Job control makes it a process group of its own: Ctrl-C reaches it through stop_all only, once.
   set -m
@@ -202,6 +211,7 @@ run_one() {  # run_one STATE: in a process of its own
   out+=/$folder
   if [[ $1 == measure ]]; then
     lock "$out"
+    [[ -s $out/summary.json ]] || rm -f -- "$out/summary.json"  # muckpile-post adds to one that is there
     write_record nothing
   else
     rm -f -- "$out/$sweep_record"
@@ -245,10 +255,10 @@ wait_for_one() {
   write_runs
 }
 
-# The engine's message stands before those of who called it.
+# The engine's message, or that of muckpile-post, whose last it is, stands before those of who called it.
 reason_in() {  # reason_in LOG
   local reason
-  reason=$(grep -m 1 -E '^(ERROR|muckpile-post: |muckpile: error: )' "$1" || tail -n 1 "$1")
+  reason=$(grep -m 1 '^ERROR' "$1" || grep '^muckpile-post: ' "$1" | tail -n 1 | grep . || grep -m 1 '^muckpile: error: ' "$1" || tail -n 1 "$1")
   printf '%s' "${reason:-no message}"
 }
 

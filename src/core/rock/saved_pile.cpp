@@ -75,7 +75,7 @@ std::vector<SavedBlock> blocks_at_start(const std::string& file) {
       throw InputError(file + ": id must be a whole number >= 1, got '" + number_text(id[c]) + "'");
     block.id = static_cast<int>(id[c]);
     block.kg = mass[c];
-    block.shape = cell_of(cells, c);
+    block.shape = cell_of(cells, c, file);
     block.mass = mass_properties(block.shape);
     if (!(block.kg > 0.0) || !(block.mass.volume > 0.0))
       throw InputError(file + ": block " + std::to_string(block.id) +

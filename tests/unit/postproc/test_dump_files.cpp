@@ -352,6 +352,15 @@ TEST_F(DumpFiles, BlocksFileWithAWrongVolumeIsRefused) {
                   "volume_m3 must be its polyhedron's 0.125");
 }
 
+TEST_F(DumpFiles, BlocksFileWithACellCutShortIsNamed) {
+  const std::string text = text_of(dump("blocks.vtk"));
+  const size_t cell = text.find(" 6 4 ", text.find("CELLS"));
+  ASSERT_NE(cell, std::string::npos);  // six faces, the first of four corners
+  edit("blocks.vtk", text.substr(cell, 5), " 6 -4 ");
+  expect_contains(input_error_of([&] { read_blocks(dump("blocks.vtk")); }),
+                  "blocks.vtk: block import: the faces of cell 1 are cut short");
+}
+
 TEST_F(DumpFiles, FacesInsideOutAreTurned) {
   auto shapes = bench_run().shapes;
   for (auto& face : shapes[0].shape.faces) std::reverse(face.begin(), face.end());

@@ -249,6 +249,14 @@ Polyhedron cell_of(std::span<const int> words, int type, const std::vector<Vec3>
   return turned_cell(faces_of(words, type, number + 1), points, number + 1);
 }
 
+Polyhedron cell_of(const CellTable& table, std::size_t number, const std::string& name) {
+  try {
+    return cell_of(table, number);
+  } catch (const InputError& error) {
+    throw InputError(name + ": " + error.what());
+  }
+}
+
 std::vector<Polyhedron> read_cells(TextWords& text, const std::string& name) {
   const CellTable table = read_cell_table(text, name);
   std::vector<Polyhedron> cells;

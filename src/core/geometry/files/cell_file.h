@@ -33,6 +33,10 @@ struct CellTable {
 /// not what a cell should be.
 [[nodiscard]] Polyhedron cell_of(const CellTable& table, std::size_t number);
 
+/// The same, with the file's name ahead of the message.
+[[nodiscard]] Polyhedron cell_of(const CellTable& table, std::size_t number,
+                                 const std::string& name);
+
 /// The same of the words behind the count of its line, of VTK's `type`.
 [[nodiscard]] Polyhedron cell_of(std::span<const int> words, int type,
                                  const std::vector<Vec3>& points, std::size_t number);

@@ -149,6 +149,16 @@ void require_survey_there(const GroundHeights& ground, const FloorExtent& extent
                     ": give the place of 0 0 0 of the run in the file's coordinates by origin");
 }
 
+/// Of two layers of triangles a panel would have either.
+void require_one_layer(const std::vector<StlTriangle>& survey, const FloorExtent& extent,
+                       double x_back, double panel, const std::string& where) {
+  const SurfaceIndex ground(survey);
+  const Vec3 lo = ground.lo().cwiseMax(Vec3(x_back, extent.y_lo, -HUGE_VAL)),
+             hi = ground.hi().cwiseMin(Vec3(extent.x_hi, extent.y_hi, HUGE_VAL));
+  require_one_height(ground, lo, hi, panel, where,
+                     "take out one of the two, or the lower side of a closed body");
+}
+
 /// A survey that begins in front of the rock; "" for one that reaches it.
 std::string told_of_edge(const GroundHeights& ground, const SurveyedFloor& floor, double x_lo,
                          const std::string& where) {
@@ -184,20 +194,24 @@ GroundPanels ground_panels(const ArgValues& words, const std::string& where) {
   const std::vector<std::string>& given = groups.front();
   const GroundWords numbers = ground_words(given, where);
   const MineWords mine = read_mine_words(words, where);
-  const GroundHeights ground(terrain_triangles(read_placed(given[0], mine.frame, mine.unit)),
-                             where + ": ground " + given[0]);
+  const std::vector<StlTriangle> survey =
+      terrain_triangles(read_placed(given[0], mine.frame, mine.unit));
+  const GroundHeights ground(survey, where + ": ground " + given[0]);
   std::optional<RockSides> sides;
   for (const std::vector<std::string>& group : words.groups("beside"))
     sides = sides_of(group, numbers.extent, where);
+  const double x_back = sides ? sides->back : numbers.extent.x_lo;
   if (!mine.unit_given) {
     const FloorExtent& floor = numbers.extent;
     require_likely_unit(ground.lo(), ground.hi(), false, {floor.x_lo, floor.y_lo, 0.0},
                         {floor.x_hi, floor.y_hi, 1.0}, where + ": ground " + given[0], "floor",
                         kUnitKnob);
   }
-  require_survey_there(ground, numbers.extent, sides ? sides->back : numbers.extent.x_lo,
+  require_survey_there(ground, numbers.extent, x_back,
                        where + ": ground " + given[0]);
   add_ground(made, ground, numbers, sides);
+  require_one_layer(survey, numbers.extent, x_back, made.floor.cell,
+                    where + ": ground " + given[0]);
   made.told = where + ": ground of " + given[0] + " from x = " + number_text(numbers.extent.x_lo) +
               " m on: " + std::to_string(made.floor.triangles.size()) +
               " triangles between z = " + rounded_text(made.floor.lowest) + " and " +

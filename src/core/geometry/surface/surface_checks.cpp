@@ -20,8 +20,10 @@ namespace {
 /// To a millimetre, and all digits of mine coordinates.
 std::string place_text(const Vec3& p) {
   std::string text;
-  for (const double value : p)
-    text += (text.empty() ? "" : " ") + rounded_text(std::round(1e3 * value) / 1e3 + 0.0, 10);
+  for (const double value : p) {
+    if (!text.empty()) text += ' ';
+    text += rounded_text(std::round(1e3 * value) / 1e3 + 0.0, 10);
+  }
   return text;
 }
 
@@ -197,19 +199,28 @@ void require_outward(const SurfaceIndex& surface, const std::string& where) {
   });
 }
 
+void require_one_height(const SurfaceIndex& ground, const Vec3& lo, const Vec3& hi, double apart,
+                        const std::string& where, const std::string& so) {
+  std::vector<SurfaceIndex::Crossing> met;
+  for_columns(lo, hi, [&](double x, double y) {
+    ground.crossings_at(x, y, met);
+    if (met.size() > 1 && met.back().height - met.front().height > apart)
+      refuse(where, "must have one height everywhere, got heights of " +
+                        rounded_text(met.front().height) + " and " +
+                        rounded_text(met.back().height) + " m at x y " + rounded_text(x) + ' ' +
+                        rounded_text(y) + " m; " + so);
+  });
+}
+
 void require_height_field(const SurfaceIndex& surface, const Vec3& lo, const Vec3& hi,
                           const std::string& where) {
+  require_one_height(surface, lo, hi, -1.0, where,
+                     "give overhanging rock as a closed surface with the keyword surface");
   std::vector<SurfaceIndex::Crossing> met;
   int bare = 0;
   Vec3 first_bare = Vec3::Zero();
   for_columns(lo, hi, [&](double x, double y) {
     surface.crossings_at(x, y, met);
-    if (met.size() > 1)
-      refuse(where, "must have one height everywhere, got heights of " +
-                        rounded_text(met.front().height) + " and " +
-                        rounded_text(met.back().height) + " m at x y " + rounded_text(x) + ' ' +
-                        rounded_text(y) +
-                        " m; give overhanging rock as a closed surface with the keyword surface");
     if (met.empty() && bare++ == 0) first_bare = {x, y, 0.0};
   });
   if (bare == 0) return;
