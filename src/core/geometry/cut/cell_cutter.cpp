@@ -4,11 +4,9 @@
 #include "geometry/cut/cell_cutter.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <limits>
 #include <utility>
 #include <voro++/voro++.hh>
 
@@ -18,9 +16,6 @@ namespace muckpile {
 namespace {
 
 constexpr int kBound = -7;  // -1 to -6 are the walls of the box
-
-constexpr std::size_t kBatch = 8;   // planes that are looked at together
-constexpr double kOnPlane = 1e-10;  // above voro++'s tolerance [m2]
 
 // A point farther than twice the farthest vertex cannot cut the cell. voro++ keeps doubled vertex
 // coordinates, and max_radius_squared is about those: the factor two is in it.
@@ -35,8 +30,6 @@ struct CellCutter::Impl {
 
   // False if nothing is left of the cell.
   [[nodiscard]] bool cut_at(const CutPlane& bound, int number);
-  [[nodiscard]] bool cut_at_found(int point);
-  [[nodiscard]] std::array<bool, kBatch> crossing(std::size_t first, std::size_t count) const;
 
   const std::vector<Vec3>& points;
   const std::vector<CutPlane> bounds;
@@ -52,45 +45,6 @@ struct CellCutter::Impl {
 bool CellCutter::Impl::cut_at(const CutPlane& bound, int number) {
   const Vec3& n = bound.normal;
   return cell.nplane(n.x(), n.y(), n.z(), 2.0 * n.dot(bound.point - centre), number);
-}
-
-/// Of some of the points found, whether their planes reach the present cell: voro++ would take
-/// longer to see that most do not.
-std::array<bool, kBatch> CellCutter::Impl::crossing(std::size_t first, std::size_t count) const {
-  std::array<double, kBatch> x{}, y{}, z{}, beyond;
-  for (std::size_t k = 0; k < count; ++k) {
-    const Vec3 d = points[static_cast<std::size_t>(found[first + k].second)] - centre;
-    x[k] = d.x(), y[k] = d.y(), z[k] = d.z();
-  }
-  beyond.fill(-std::numeric_limits<double>::infinity());
-  for (const double *v = cell.pts, *end = v + 3 * cell.p; v != end; v += 3) {
-    for (std::size_t k = 0; k < kBatch; ++k) {
-      const double along = v[0] * x[k] + v[1] * y[k] + v[2] * z[k];
-      beyond[k] = along > beyond[k] ? along : beyond[k];
-    }
-  }
-  std::array<bool, kBatch> crosses{};
-  for (std::size_t k = 0; k < count; ++k)
-    crosses[k] = beyond[k] > found[first + k].first - kOnPlane;
-  return crosses;
-}
-
-/// Nearest first; a cell only shrinks, so what does not reach it now never will.
-bool CellCutter::Impl::cut_at_found(int point) {
-  for (std::size_t first = 0; first < found.size(); first += kBatch) {
-    const double needed = reach_of(cell);
-    if (found[first].first > needed * needed) break;
-    const std::size_t count = std::min(kBatch, found.size() - first);
-    const std::array<bool, kBatch> crosses = crossing(first, count);
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto [distance2, other] = found[first + k];
-      if (!crosses[k] || other == point) continue;
-      const Vec3 d = points[static_cast<std::size_t>(other)] - centre;
-      highest_met = std::max(highest_met, other);
-      if (!cell.nplane(d.x(), d.y(), d.z(), distance2, other)) return false;
-    }
-  }
-  return true;
 }
 
 CellCutter::CellCutter(const std::vector<Vec3>& points, const Vec3& lo, const Vec3& hi,
@@ -111,7 +65,16 @@ bool CellCutter::cut(int point, double reach, const CutPlane* wall) {
   double needed = reach_of(m.cell);
   for (double inner = 0.0, outer = reach; inner < needed;) {
     m.index.shell(m.centre, inner, outer, m.found);
-    if (!m.cut_at_found(point)) return false;
+    for (std::size_t k = 0; k < m.found.size(); ++k) {
+      const auto [distance2, other] = m.found[k];
+      if (other == point) continue;
+      if (distance2 > needed * needed) break;
+      const Vec3 d = m.points[static_cast<std::size_t>(other)] - m.centre;
+      m.highest_met = std::max(m.highest_met, other);
+      if (!m.cell.nplane(d.x(), d.y(), d.z(), distance2, other)) return false;
+      constexpr std::size_t kPlanesBetweenUpdates = 8;
+      if (k % kPlanesBetweenUpdates == 0) needed = reach_of(m.cell);
+    }
     needed = reach_of(m.cell);
     inner = outer;
     outer = std::min(1.3 * outer, 1.0001 * needed);

@@ -31,8 +31,7 @@ class CellCutter {
 
   [[nodiscard]] double volume() const;  // of the present cell [m3]
   [[nodiscard]] Vec3 centroid() const;  // of the present cell [m]
-  // Whether a plane of a point numbered `first` or above has cut the present cell; a later one may
-  // have taken off what it left.
+  // Whether a plane of a point numbered `first` or above was offered to the present cell.
   [[nodiscard]] bool met_point_from(int first) const;
   // The present cell in space, and per face the point behind it, negative for a box wall.
   void extract(Polyhedron& shape, std::vector<int>& neighbours) const;

@@ -12,6 +12,7 @@ namespace muckpile {
 namespace {
 constexpr int kLeafSize = 32;
 constexpr std::size_t kDeepest = 64;  // levels of halves of 2^31 points, and more
+constexpr double kRounding = 1e-14;   // of a square that is summed in another order
 }  // namespace
 
 PointIndex::PointIndex(const std::vector<Vec3>& points) : order_(points.size()) {
@@ -51,6 +52,7 @@ int PointIndex::build(const std::vector<Vec3>& points, int first, int last) {
   return static_cast<int>(self);
 }
 
+/// Most points of a leaf are farther than `outer`: those that may not be are chosen side by side.
 void PointIndex::add_leaf(const Node& leaf, const Vec3& centre, double inner2, double outer2,
                           Found& found) const {
   const auto first = static_cast<std::size_t>(leaf.first);
@@ -63,14 +65,17 @@ void PointIndex::add_leaf(const Node& leaf, const Vec3& centre, double inner2, d
     const double dx = x[k] - cx, dy = y[k] - cy, dz = z[k] - cz;
     squared[k] = dx * dx + dy * dy + dz * dz;
   }
-  std::size_t end = found.size();
-  found.resize(end + count);
+  std::array<std::size_t, kLeafSize> near;
+  std::size_t nears = 0;
   for (std::size_t k = 0; k < count; ++k) {  // without a branch that cannot be foreseen
-    found[end] = {squared[k], order_[first + k]};
-    end += static_cast<std::size_t>(squared[k] >= inner2) &
-           static_cast<std::size_t>(squared[k] < outer2);
+    near[nears] = k;
+    nears += static_cast<std::size_t>(squared[k] < (1.0 + kRounding) * outer2);
   }
-  found.resize(end);
+  for (std::size_t n = 0; n < nears; ++n) {
+    const std::size_t k = near[n];
+    const double d2 = (Vec3(x[k], y[k], z[k]) - centre).squaredNorm();
+    if (d2 >= inner2 && d2 < outer2) found.emplace_back(d2, order_[first + k]);
+  }
 }
 
 void PointIndex::shell(const Vec3& centre, double inner, double outer, Found& found) const {
