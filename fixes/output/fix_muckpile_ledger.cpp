@@ -77,7 +77,6 @@ void FixMuckpileLedger::init() {
   gravity_ = static_cast<LAMMPS_NS::FixGravity*>(modify->find_fix_style("gravity", 0));
   joints_ = engine::find_view<JointEnergies>(*lmp);
   if (!had_a_run_) require_joints_before();
-  had_a_run_ = true;
   sleep_ = engine::find_view<RestingBlocks>(*lmp);
   contacts_ = dynamic_cast<ContactWork*>(force->pair);
   if (contacts_ != nullptr) contacts_->watch();
@@ -129,6 +128,7 @@ void FixMuckpileLedger::let_go_of_joints() {
 }
 
 void FixMuckpileLedger::setup(int) {
+  had_a_run_ = true;
   computed_at_ = -1;
   let_go_of_joints();
   auto* const before = engine::find_view<GivenEnergy>(*lmp);

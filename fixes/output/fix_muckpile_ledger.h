@@ -91,8 +91,8 @@ class FixMuckpileLedger : public LAMMPS_NS::Fix, public EnergyAccount {
   std::array<double, 2> contact_losses_{};  // friction, dashpots at the last step; this rank [J]
   double given_ = 0.0;                      // this rank, since the start [J]
   double start_residual_ = 0.0, start_gravity_ = 0.0;
-  double largest_ = 0.0;  // energy of one kind that was seen [J]
-  int last_tag_ = 0;      // of the blocks that the account has taken in
+  double largest_ = 0.0;    // energy of one kind that was seen [J]
+  int last_tag_ = 0;        // of the blocks that the account has taken in
   bool had_a_run_ = false;  ///< in this process
   bool started_ = false;
   LAMMPS_NS::bigint computed_at_ = -1;

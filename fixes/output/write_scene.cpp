@@ -114,14 +114,13 @@ void add_record(LAMMPS_NS::LAMMPS& lmp, const std::string& run_id, Json& scene) 
   scene["knobs"] = knobs(lmp);
 }
 
-/// Of a scene that stands there: its id, or what tells that it has none.
+/// Of a scene that stands there; "" if none can be read.
 std::optional<std::string> id_of_scene(const std::string& file) {
   std::ifstream in(file);
   if (!in) return std::nullopt;
   const Json scene = Json::parse(in, nullptr, false);
   const auto id = scene.is_object() ? scene.find("run_id") : scene.end();
-  return scene.is_object() && id != scene.end() && id->is_string() ? id->get<std::string>()
-                                                                   : "no run_id";
+  return scene.is_object() && id != scene.end() && id->is_string() ? id->get<std::string>() : "";
 }
 
 /// A run that goes on writes on what it has left, not over the results of another.
@@ -130,7 +129,9 @@ void refuse_other_run(LAMMPS_NS::LAMMPS& lmp, const std::string& file, const std
     const std::optional<std::string> there = id_of_scene(file);
     if (!there || *there == run_id) return;
     throw InputError(std::string(kStyle) + ": '" + file + "' must be of the run that goes on, " +
-                     run_id + ", or not be there, got the scene of another run, " + *there +
+                     run_id + ", or not be there, got " +
+                     (there->empty() ? "one without a run_id that can be read"
+                                     : "the scene of another run, " + *there) +
                      "; go on in the folder of the restart file's run, or in a new one (-var out)");
   });
 }

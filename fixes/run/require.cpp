@@ -19,6 +19,7 @@
 #include <sstream>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "args/input_error.h"
@@ -175,10 +176,14 @@ void check_script(const std::string& name, const std::string& file,
   check_file(name, file, "a file");
   std::ifstream in(file);
   std::size_t number = 0;
+  bool goes_on = false;  // the line before, by an & at its end
   for (std::string line; std::getline(in, line);) {
     ++number;
+    const std::string said = line.substr(0, line.find('#'));
+    const bool more = std::exchange(goes_on, said.find_last_not_of(" \t\r") != std::string::npos &&
+                                                 said[said.find_last_not_of(" \t\r")] == '&');
     std::string command;
-    if (!(std::istringstream(line.substr(0, line.find('#'))) >> command)) continue;
+    if (more || !(std::istringstream(said) >> command)) continue;
     if (std::ranges::find(commands, command) != commands.end()) continue;
     throw InputError("input: " + name + " must be a script of lines that begin with " +
                      joined(commands) + ", got '" + file + "', whose line " +

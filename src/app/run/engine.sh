@@ -33,12 +33,12 @@ run_engine() {  # run_engine RANKS OUT INPUT [-var NAME VALUE]...
   local mpi=(mpirun -np "$ranks" --bind-to none)
   if [[ $(id -u) -eq 0 ]]; then mpi+=(--allow-run-as-root); fi
   if ((ranks > $(available_cores))); then mpi+=(--oversubscribe); fi
-  # A job of Open MPI that ends removes the folder that all jobs share, in which another may be about to begin.
-  local sessions
-  sessions=$(mktemp -d -p "${OMPI_MCA_orte_tmpdir_base:-${TMPDIR:-/tmp}}") || die "cannot make a folder for mpirun's own files"
   local engine='' signal=USR2 status=0
   # shellcheck disable=SC2086  # no word while there is no engine
   trap 'signals=$((signals + 1)); kill -s "$signal" $engine 2>/dev/null || true; signal=TERM' INT TERM HUP
+  # A job of Open MPI that ends may remove the folder that all jobs share, in which another is about to begin.
+  local sessions
+  sessions=$(mktemp -d -p "${OMPI_MCA_orte_tmpdir_base:-${TMPDIR:-/tmp}}") || die "cannot make a folder for mpirun's own files"
   # Containers forbid the single-copy mechanism; Open MPI would warn and fall back at every message.
   OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_orte_tmpdir_base=$sessions setsid "${mpi[@]}" "$build_dir/src/app/liggghts-muckpile" \
     -in "$input" -log "$out/log.liggghts" -var out "$out" "$@" &

@@ -255,7 +255,7 @@ wait_for_one() {
   write_runs
 }
 
-# The engine's message, or that of muckpile-post, whose last it is, stands before those of who called it.
+# The engine's message, or that of muckpile-post, whose last line it is where it has failed, stands before those of who called it.
 reason_in() {  # reason_in LOG
   local reason
   reason=$(grep -m 1 '^ERROR' "$1" || grep '^muckpile-post: ' "$1" | tail -n 1 | grep . || grep -m 1 '^muckpile: error: ' "$1" || tail -n 1 "$1")

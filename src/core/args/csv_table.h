@@ -33,7 +33,8 @@ class CsvTable {
   [[nodiscard]] size_t rows() const { return lines_.size(); }
   [[nodiscard]] const std::vector<std::string_view>& remarks() const { return remarks_; }
 
-  // Position of a named column, in capital or small letters; the same ones win. Throws InputError if the header lacks it.
+  // Position of a named column, in capital or small letters; the same ones win. Throws InputError
+  // if the header lacks it.
   [[nodiscard]] size_t column(std::string_view name) const;
   // The same, nothing if the header lacks it.
   [[nodiscard]] std::optional<size_t> find_column(std::string_view name) const;

@@ -24,10 +24,14 @@ std::string name_of(const RockSurface& surface) {
 
 std::string metres(double length) { return rounded_text(length, 3) + " m"; }
 
-/// The terrain where there is one: a closed surface beside it need not be its top.
-const RockSurface& ground_of(const std::vector<RockSurface>& surfaces) {
-  const auto terrain = std::ranges::find(surfaces, SurfaceIs::terrain, &RockSurface::kind);
-  return terrain == surfaces.end() ? surfaces.front() : *terrain;
+double distance_to(const Vec3& place, const RockSurface& surface) {
+  return surface.index->closest(place).distance;
+}
+
+/// The surface that is nearest: the rock is what all share, and its top may be any of them.
+const RockSurface& ground_at(const Vec3& place, const std::vector<RockSurface>& surfaces) {
+  return *std::ranges::min_element(
+      surfaces, {}, [&](const RockSurface& surface) { return distance_to(place, surface); });
 }
 
 /// "12.8 m below the terrain FILE, which is at z = 32.8 m there and 2.4 m from it at the nearest".
@@ -41,7 +45,9 @@ std::string place_of(const Collar& collar, const RockSurface& ground, double nea
          " from it by the nearest way";
 }
 
-std::string hole_text(const Collar& collar, const RockSurface& ground, double nearest) {
+std::string hole_text(const Collar& collar, const std::vector<RockSurface>& surfaces) {
+  const RockSurface& ground = ground_at(collar.place, surfaces);
+  const double nearest = distance_to(collar.place, ground);
   return "hole '" + collar.hole + "' of " + collar.file +
          " begins at z = " + metres(collar.place.z()) + ", " + place_of(collar, ground, nearest);
 }
@@ -49,23 +55,25 @@ std::string hole_text(const Collar& collar, const RockSurface& ground, double ne
 std::string advice() {
   return "; are holes and ground at one place, and both in metres (unit and origin; inputs/quarry: "
          "-var " +
-         std::string(kUnitKnob) + ", terrain_east, terrain_north, terrain_height)?";
+         std::string(kUnitKnob) +
+         ", terrain_east, terrain_north, terrain_height)? Where a hole goes through fill, let it "
+         "begin "
+         "on the rock";
 }
 
 /// The worst of those that are refused is told, the first ones that are warned of.
 std::string check_collars(const CutOptions& options) {
-  const RockSurface& ground = ground_of(options.surfaces);
   std::vector<std::string> warnings;
   const Collar* worst = nullptr;
   double farthest = kCollarElsewhere;
   for (const Collar& collar : options.collars) {
-    const double nearest = ground.index->closest(collar.place).distance;
+    const double nearest = distance_to(collar.place, ground_at(collar.place, options.surfaces));
     if (nearest > farthest) worst = &collar, farthest = nearest;
     if (nearest > kCollarOffGround)
-      warnings.push_back(kWarning + hole_text(collar, ground, nearest) + '\n');
+      warnings.push_back(kWarning + hole_text(collar, options.surfaces) + '\n');
   }
   if (worst != nullptr)
-    refuse(kCreateBlocks, hole_text(*worst, ground, farthest) + "; allowed are " +
+    refuse(kCreateBlocks, hole_text(*worst, options.surfaces) + "; allowed are " +
                               metres(kCollarElsewhere) + advice());
   return first_lines(warnings, kWarning, "holes that begin so far from the ground");
 }
@@ -89,8 +97,7 @@ std::string check_top(const RockSurface& surface, const Vec3& lo, const Vec3& hi
          " is higher than the region, which ends at z = " + metres(hi.z()) + ", over " +
          rounded_text(100.0 * share, 3) + " % of its plan, by up to " + metres(highest - hi.z()) +
          ": the rock ends level there; take a higher region (inputs/quarry: bench_height + "
-         "burden), "
-         "or put the ground where it is\n";
+         "burden), or put the ground where it is\n";
 }
 
 }  // namespace

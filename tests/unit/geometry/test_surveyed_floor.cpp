@@ -231,6 +231,34 @@ TEST(GroundPanels, RefusesMillimetresUnlessUnitSaysSo) {
   EXPECT_EQ(refusal_of(words), "write_panels: unit must be a number in m, got 'mm'");
 }
 
+/// Level ground at z = 0 to x = 20 and at z = 4 from x = 19.3 on, with the face between them.
+std::string overhanging_face() {
+  const std::string survey = testing::TempDir() + "overhang.stl";
+  std::ofstream out(survey);
+  out << "solid s\n";
+  const auto quad = [&](double x0, double z0, double x1, double z1) {
+    const auto corner = [&](double x, double y, double z) {
+      out << "vertex " << x << ' ' << y << ' ' << z << '\n';
+    };
+    out << "facet normal 0 0 0\nouter loop\n";
+    corner(x0, 0.0, z0), corner(x1, 0.0, z1), corner(x1, 40.0, z1);
+    out << "endloop\nendfacet\nfacet normal 0 0 0\nouter loop\n";
+    corner(x0, 0.0, z0), corner(x1, 40.0, z1), corner(x0, 40.0, z0);
+    out << "endloop\nendfacet\n";
+  };
+  quad(0.0, 0.0, 20.0, 0.0);
+  quad(20.0, 0.0, 19.3, 4.0);
+  quad(19.3, 4.0, 40.0, 4.0);
+  out << "endsolid s\n";
+  return survey;
+}
+
+TEST(GroundPanels, TakeAFaceThatHangsOverSomewhat) {
+  EXPECT_EQ(refusal_of({"file", "f.stl", "ground", overhanging_face(), "0", "40", "0", "40", "-1",
+                        "0.5", "unit", "1"}),
+            "");
+}
+
 // The slope's survey ends at x = -8 and begins at x = 20: a file in other coordinates would be a
 // level floor at the height of its nearest point.
 TEST(GroundPanels, RefusesASurveyOfAnotherPlace) {

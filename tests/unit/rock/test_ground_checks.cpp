@@ -84,6 +84,14 @@ TEST_F(GroundChecks, TakeTheNearestWay) {
   EXPECT_EQ(ground_checks(options_of(12.0, 4.0, {8.0}, -5.0)), "");
 }
 
+/// A hole through 4 m of fill that begins on the surface of the rock below the terrain.
+TEST_F(GroundChecks, TakeTheNearestSurface) {
+  CutOptions options = options_of(10.0, 10.0, {6.0});
+  EXPECT_NE(refusal_of(options), "");
+  options.surfaces.push_back(options_of(6.0, 6.0, {6.0}).surfaces.front());
+  EXPECT_EQ(ground_checks(options), "");
+}
+
 /// The farthest one is told, not the first.
 TEST_F(GroundChecks, RefuseHolesOfAnotherPlace) {
   const std::string got = refusal_of(options_of(10.0, 10.0, {12.5, 13.5, 9.0}));

@@ -149,13 +149,15 @@ void require_survey_there(const GroundHeights& ground, const FloorExtent& extent
                     ": give the place of 0 0 0 of the run in the file's coordinates by origin");
 }
 
-/// Of two layers of triangles a panel would have either.
+/// Of two layers of triangles a panel would have either; of a face that hangs over somewhat some
+/// panels have its foot or its crest.
 void require_one_layer(const std::vector<StlTriangle>& survey, const FloorExtent& extent,
                        double x_back, double panel, const std::string& where) {
   const SurfaceIndex ground(survey);
   const Vec3 lo = ground.lo().cwiseMax(Vec3(x_back, extent.y_lo, -HUGE_VAL)),
              hi = ground.hi().cwiseMin(Vec3(extent.x_hi, extent.y_hi, HUGE_VAL));
-  require_one_height(ground, lo, hi, panel, where,
+  constexpr double kLayers = 0.1;  // of the columns
+  require_one_height(ground, lo, hi, panel, kLayers, where,
                      "take out one of the two, or the lower side of a closed body");
 }
 
@@ -207,8 +209,7 @@ GroundPanels ground_panels(const ArgValues& words, const std::string& where) {
                         {floor.x_hi, floor.y_hi, 1.0}, where + ": ground " + given[0], "floor",
                         kUnitKnob);
   }
-  require_survey_there(ground, numbers.extent, x_back,
-                       where + ": ground " + given[0]);
+  require_survey_there(ground, numbers.extent, x_back, where + ": ground " + given[0]);
   add_ground(made, ground, numbers, sides);
   require_one_layer(survey, numbers.extent, x_back, made.floor.cell,
                     where + ": ground " + given[0]);

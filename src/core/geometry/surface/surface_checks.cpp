@@ -200,21 +200,26 @@ void require_outward(const SurfaceIndex& surface, const std::string& where) {
 }
 
 void require_one_height(const SurfaceIndex& ground, const Vec3& lo, const Vec3& hi, double apart,
-                        const std::string& where, const std::string& so) {
+                        double share, const std::string& where, const std::string& so) {
   std::vector<SurfaceIndex::Crossing> met;
+  int covered = 0, twice = 0;
+  std::string first;
   for_columns(lo, hi, [&](double x, double y) {
     ground.crossings_at(x, y, met);
-    if (met.size() > 1 && met.back().height - met.front().height > apart)
-      refuse(where, "must have one height everywhere, got heights of " +
-                        rounded_text(met.front().height) + " and " +
-                        rounded_text(met.back().height) + " m at x y " + rounded_text(x) + ' ' +
-                        rounded_text(y) + " m; " + so);
+    covered += met.empty() ? 0 : 1;
+    if (met.size() < 2 || !(met.back().height - met.front().height > apart)) return;
+    if (twice++ == 0)
+      first = rounded_text(met.front().height) + " and " + rounded_text(met.back().height) +
+              " m at x y " + rounded_text(x) + ' ' + rounded_text(y) + " m";
   });
+  if (twice > share * covered)
+    refuse(where, "must have one height everywhere, got heights of " + first + "; " + so);
 }
 
 void require_height_field(const SurfaceIndex& surface, const Vec3& lo, const Vec3& hi,
                           const std::string& where) {
-  require_one_height(surface, lo, hi, -1.0, where,
+  constexpr double kAny = -1.0;  // heights may even be the same
+  require_one_height(surface, lo, hi, kAny, 0.0, where,
                      "give overhanging rock as a closed surface with the keyword surface");
   std::vector<SurfaceIndex::Crossing> met;
   int bare = 0;

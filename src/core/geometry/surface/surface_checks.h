@@ -33,10 +33,11 @@ std::size_t leave_out_doubled(std::vector<StlTriangle>& triangles, const std::st
 /// Throws InputError for a closed surface whose triangles look inward, or that overlaps itself.
 void require_outward(const SurfaceIndex& surface, const std::string& where);
 
-/// Throws InputError for ground that has two heights at one place of the box in plan, more than
-/// `apart` [m] from each other; `so` is what to do.
+/// Throws InputError for ground that has two heights, more than `apart` [m] from each other, over
+/// more than that share of its columns over the box in plan; `so` is what to do. Two layers cover
+/// areas, a face that hangs over somewhat lines only.
 void require_one_height(const SurfaceIndex& ground, const Vec3& lo, const Vec3& hi, double apart,
-                        const std::string& where, const std::string& so);
+                        double share, const std::string& where, const std::string& so);
 
 /// Throws InputError for a terrain that hangs over, or does not cover the box in plan.
 void require_height_field(const SurfaceIndex& surface, const Vec3& lo, const Vec3& hi,
