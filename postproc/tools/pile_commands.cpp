@@ -26,8 +26,7 @@ void add_section(CLI::App& app, const char* name, const char* help, SectionRepor
   CLI::App* command = add_command(app, name, help, words->folder);
   add_measure(command, words->measure);
   add_colour(command, words->section.colour_by);
-  command
-      ->add_option("--y", words->section.y, "place of the section [m] (default: through a hole)")
+  command->add_option("--y", words->section.y, "place of the section [m] (default: through a hole)")
       ->check(any_number());
   command->callback(
       [words, report] { report(ResultFolder(words->folder), words->measure, words->section); });
