@@ -57,8 +57,7 @@ std::string advice() {
          "-var " +
          std::string(kUnitKnob) +
          ", terrain_east, terrain_north, terrain_height)? Where a hole goes through fill, let it "
-         "begin "
-         "on the rock";
+         "begin on the rock";
 }
 
 /// The worst of those that are refused is told, the first ones that are warned of.
