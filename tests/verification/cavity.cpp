@@ -83,8 +83,14 @@ void climb(Report& report, Scene scene, const std::vector<double>& sizes, int co
 void coarse_walls(Report& report) {
   constexpr double kCoarseTolerance = 0.1;
   const std::string source = "Selberg 1952";
-  for (const auto& [rise, size] :
-       {std::pair{3.6, 0.25}, {3.6, 0.5}, {10.0, 0.5}, {10.0, 1.0}, {20.0, 1.0}, {20.0, 1.33}}) {
+  for (const auto& [rise, size] : {std::pair{3.6, 0.25},
+                                   {3.6, 0.5},
+                                   {10.0, 0.5},
+                                   {3.6, 1.0},
+                                   {10.0, 1.0},
+                                   {20.0, 1.0},
+                                   {3.6, 1.33},
+                                   {20.0, 1.33}}) {
     Scene scene{CavityShape::cylinder, rise, size, size, {3.0, 5.0, 10.0}};
     scene.layers = 6.0;
     const Peaks exact = exact_peaks(scene), got = measure(scene).peaks;

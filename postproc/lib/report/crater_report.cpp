@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Sub-command crater: section, ring profile and measures of a crater and its ejecta.
+// Sub-command crater: section, ring profile, launch and measures of a crater and its ejecta.
 // Scope: free surface z = 0, charge on the z axis.
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,10 @@
 #include "draw/png_file.h"
 #include "io/charges.h"
 #include "io/csv_writer.h"
+#include "io/snapshot_reader.h"
 #include "measure/columns.h"
 #include "measure/crater.h"
+#include "measure/launch.h"
 #include "measure/start_extent.h"
 #include "report/not_measurable.h"
 #include "report/reports.h"
@@ -25,6 +27,22 @@ void write_rings(const std::vector<CraterRing>& rings, const std::filesystem::pa
   CsvWriter csv(path, "radius_m,surface_after_m,rock_in_place_m,broken_fraction_of_surface");
   for (const CraterRing& ring : rings)
     csv.row({ring.radius, ring.surface, ring.true_surface, ring.moved_fraction});
+}
+
+// Of every snapshot, ring by ring of a quarter of the burial depth.
+void write_launch(const ResultFolder& folder, const RunData& run,
+                  const std::filesystem::path& path) {
+  const double burial = folder.scene_number("burial_depth_m");
+  const std::vector<SurfaceRing> rings = surface_rings(run.blocks, 0.25 * burial);
+  CsvWriter csv(path, "time_s,start_radius_m,outward_m_s,upward_m_s,mass_kg");
+  SnapshotReader reader(folder.blocks());
+  for (const auto& file : folder.snapshots()) {
+    const Snapshot& snapshot = reader.read(file);
+    for (const SurfaceRing& ring : rings) {
+      const RingVelocity mean = velocity_of(ring, run.blocks, snapshot);
+      csv.row({snapshot.time, ring.radius, mean.outward, mean.upward, ring.mass});
+    }
+  }
 }
 
 nlohmann::ordered_json crater_keys(const CraterShape& apparent, const CraterShape& whole,
@@ -134,6 +152,7 @@ void report_crater(const ResultFolder& folder, const MeasureOptions& measure,
   }
   SectionPlot plot = section_of(folder, run, rings, apparent, whole, section);
   write_rings(rings, folder.file("crater.csv"));
+  write_launch(folder, run, folder.file("launch.csv"));
   write_png(draw_section(std::move(plot)), folder.file("crater.png"));
   nlohmann::ordered_json keys = common_keys(folder);
   keys.update(crater_keys(apparent, whole, ejecta));

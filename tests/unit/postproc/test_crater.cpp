@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Measures of a crater, against one dug from cubes by hand: a cylinder 4 m in radius and 2 m deep.
-// Scope: measure/crater.
+// Scope: measure/crater, measure/launch.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 
 #include "measure/broken_out.h"
 #include "measure/crater.h"
+#include "measure/launch.h"
 #include "synthetic_run.h"
 
 namespace muckpile {
@@ -80,6 +81,34 @@ TEST(Crater, IsEmptyWhereNothingMoved) {
   const auto rings = rings_of(run, std::vector<char>(run.blocks.size(), 0));
   EXPECT_EQ(true_crater(rings).volume, 0.0);
   EXPECT_EQ(apparent_crater(rings).volume, 0.0);
+}
+
+// The surface of the made-up rock has 40 by 40 cubes; those of one ring fly alike.
+TEST(Launch, RingsOfTheSurfaceHaveTheMeanOfTheirBlocks) {
+  BenchRun run = crater_run();
+  run.last = start_snapshot(run.blocks);
+  for (size_t b = 0; b < run.blocks.size(); ++b) {
+    const Vec3& start = run.blocks[b].centroid;
+    const Eigen::Vector2d away = start.head<2>().normalized();
+    run.last.states[b].velocity = {0.5 * away.x(), 0.5 * away.y(), start.z() > -kCube ? 3.0 : 9.0};
+  }
+  double mass = 0.0;
+  for (const SurfaceRing& ring : surface_rings(run.blocks, 2.0)) {
+    const RingVelocity mean = velocity_of(ring, run.blocks, run.last);
+    EXPECT_NEAR(mean.outward, 0.5, 1e-12);
+    EXPECT_NEAR(mean.upward, 3.0, 1e-12);  // no cube below the first layer counts
+    mass += ring.mass;
+  }
+  EXPECT_NEAR(mass, 1600 * kDensity * kCube * kCube * kCube, 1e-6 * mass);
+}
+
+TEST(Launch, RingsLieWhereTheirBlocksStarted) {
+  const BenchRun run = crater_run();
+  const auto rings = surface_rings(run.blocks, 2.0);
+  for (size_t k = 0; k < 5; ++k) {  // whole rings; the corners of the rock lie beyond
+    EXPECT_GT(rings[k].radius, 2.0 * static_cast<double>(k));
+    EXPECT_LT(rings[k].radius, 2.0 * static_cast<double>(k + 1));
+  }
 }
 
 }  // namespace

@@ -363,6 +363,7 @@ TEST(CraterReport, WritesItsKeysTableAndPicture) {
   EXPECT_TRUE(keys["crater_volume_m3"].is_number());
   EXPECT_TRUE(keys["ejecta_p50_m"].is_number());
   EXPECT_GT(CsvTable::read(folder.file("crater.csv")).rows(), 10U);
+  EXPECT_GT(CsvTable::read(folder.file("launch.csv")).rows(), 10U);
   EXPECT_TRUE(facts_of(folder.file("crater.png")).has_drawing);
 }
 
