@@ -21,7 +21,8 @@ blast() {
     [[ " $* " == *" burden "* ]] || fixed+=(burden 1.8)
     [[ " $* " == *" hole_diameter "* ]] || fixed+=(hole_diameter 0.06)
   else
-    fixed=(thickness 2.4 hole_diameter 0.102)
+    fixed=(thickness 2.4)
+    [[ " $* " == *" hole_diameter "* ]] || fixed+=(hole_diameter 0.102)
     scene=inputs/validation/burden_velocity/in.burden_velocity
   fi
   run_input "$scene" "$out" "$@" "${fixed[@]}" seed "$seed"
@@ -31,13 +32,13 @@ blast() {
 
 # All runs, two at once; one that fails ends the script.
 run_all() {
-  local name words seed
+  local name words given seed
   while read -r name words; do
     rm -rf "${results:?}/$name"
+    eval "given=($words)"  # a value of several words is in quotes
     for seed in 1 2 3; do
       while (($(jobs -rp | wc -l) >= 2)); do wait -n; done
-      # shellcheck disable=SC2086
-      blast "$seed" "$name" $words </dev/null &
+      blast "$seed" "$name" "${given[@]}" </dev/null &
     done
   done < <(grep '^[^#]' "$case_dir/runs.txt")
   while (($(jobs -p | wc -l) > 0)); do wait -n; done
