@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix muckpile/dump: one CSV file per snapshot, rows gathered on rank 0.
+// fix muckpile/dump: one file per snapshot, rows gathered on rank 0.
 // Scope: see the header.
 #include "fixes/output/fix_muckpile_dump.h"
 
@@ -18,6 +18,7 @@
 #include <numeric>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fixes/engine/bodies.h"
@@ -30,18 +31,21 @@
 #include "fixes/interfaces/joint_fragments.h"
 #include "fixes/interfaces/keyword_tables.h"
 #include "fixes/interfaces/known_blocks.h"
-#include "provenance/run_files.h"
+#include "state/packed_rows.h"
 
 namespace muckpile {
 namespace {
 
-constexpr const char* kHeader =
+constexpr std::string_view kHeader =
     "id,x_m,y_m,z_m,qw,qx,qy,qz,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s,fragment_id,broken_"
     "fraction\n";
 
 const ArgTable& table() {
-  static const ArgTable args = engine::periodic_output_table(
-      "fix muckpile/dump", "between snapshots", "where blocks_<step>.csv and joints.csv go");
+  static const ArgTable args =
+      engine::periodic_output_table("fix muckpile/dump", "between snapshots",
+                                    "where blocks_<step>.csv and joints.csv go")
+          .word("form", {"csv", "packed"}, "csv",
+                "of snapshots: text, or bytes of less than half the size in blocks_<step>.bin");
   return args;
 }
 
@@ -55,6 +59,17 @@ void append(std::string& text, const Numbers& numbers, int digits) {
     text += ',';
     text.append(word.begin(), end.ptr);
   }
+}
+
+void append_row(std::string& text, const BlockRow& row) {
+  text += std::to_string(row.id);
+  append(text, row.centre, 10);
+  append(text, Eigen::Vector4d(row.turn.w(), row.turn.x(), row.turn.y(), row.turn.z()), 9);
+  append(text, row.velocity, 7);
+  append(text, row.spin, 7);
+  text += ',' + std::to_string(row.fragment);
+  append(text, std::array{row.broken_share}, 5);
+  text += '\n';
 }
 
 /// The id in the first line of a snapshot, "" if there is none.
@@ -75,6 +90,7 @@ FixMuckpileDump::FixMuckpileDump(LAMMPS_NS::LAMMPS* engine, int narg, char** arg
   every_ = static_cast<int>(args.integer("every"));
   nevery = 1;
   folder_ = args.word("directory");
+  form_ = args.word("form") == "csv" ? SnapshotForm::csv : SnapshotForm::packed;
   engine::make_output_folder(*lmp, where_, folder_);
 }
 
@@ -149,15 +165,17 @@ std::string FixMuckpileDump::rows() const {
     const auto k = static_cast<std::size_t>(b);
     const BlockRecord& record = blocks_->records()[k];
     if (record.mass == 0.0) continue;  // not made by create_blocks
-    const Quat q(Mat3(bodies.axes(b) * record.start_axes.transpose()));
-    text += std::to_string(record.tag);
-    append(text, bodies.centre(b), 10);
-    append(text, Eigen::Vector4d(q.w(), q.x(), q.y(), q.z()), 9);
-    append(text, bodies.velocity(b), 7);
-    append(text, bodies.spin(b), 7);
-    text += ',' + std::to_string(fragment.empty() ? record.tag : fragment[k]);
-    append(text, std::array{broken[k]}, 5);
-    text += '\n';
+    const BlockRow row{.id = record.tag,
+                       .centre = bodies.centre(b),
+                       .turn = Quat(Mat3(bodies.axes(b) * record.start_axes.transpose())),
+                       .velocity = bodies.velocity(b),
+                       .spin = bodies.spin(b),
+                       .fragment = fragment.empty() ? record.tag : fragment[k],
+                       .broken_share = broken[k]};
+    if (form_ == SnapshotForm::packed)
+      pack(row, text);
+    else
+      append_row(text, row);
   }
   return text;
 }
@@ -175,7 +193,7 @@ std::string FixMuckpileDump::of_all_ranks(const std::string& mine) const {
   return all;
 }
 
-void FixMuckpileDump::write_file(const std::string& name, const char* header,
+void FixMuckpileDump::write_file(const std::string& name, std::string_view header,
                                  const std::string& mine, const std::string& remark) const {
   std::ostringstream text;
   text.precision(12);
@@ -188,7 +206,8 @@ void FixMuckpileDump::write_file(const std::string& name, const char* header,
 void FixMuckpileDump::write() {
   if (last_ == update->ntimestep) return;
   last_ = update->ntimestep;
-  write_file(snapshot_name(update->ntimestep), kHeader, rows());
+  const bool packed = form_ == SnapshotForm::packed;
+  write_file(snapshot_name(update->ntimestep, form_), packed ? packed_header() : kHeader, rows());
 }
 
 void FixMuckpileDump::write_joints() const {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// fix muckpile/dump: snapshots of the blocks' poses, velocities and fragments as CSV files.
+// fix muckpile/dump: snapshots of the blocks' poses, velocities and fragments, as text or packed.
 // Scope: blocks made by create_blocks; their shapes are in the file that create_blocks writes.
 #pragma once
 
 #include <fix.h>
 
 #include <string>
+#include <string_view>
+
+#include "provenance/run_files.h"
 
 namespace muckpile {
 
@@ -31,12 +34,13 @@ class FixMuckpileDump : public LAMMPS_NS::Fix {
   [[nodiscard]] std::string rows() const;
   [[nodiscard]] std::string of_all_ranks(const std::string& mine) const;
   /// `remark`, with a blank behind it, is one more of the first line.
-  void write_file(const std::string& name, const char* header, const std::string& mine,
+  void write_file(const std::string& name, std::string_view header, const std::string& mine,
                   const std::string& remark = "") const;
 
   KnownBlocks* blocks_ = nullptr;
   JointFragments* joints_ = nullptr;
   std::string where_, folder_;
+  SnapshotForm form_;
   int every_;                    // the engine looks up `nevery` only when a run is set up
   LAMMPS_NS::bigint last_ = -1;  // step of the last snapshot
   bool cleared_ = false;

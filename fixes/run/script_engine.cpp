@@ -39,7 +39,8 @@ bool ScriptEngine::interrupted() const {
 void ScriptEngine::prepare(const PhaseNews& first, const StepRule& rule) {
   make_fix(*lmp, "muckpile/ledger", "energy", "");
   own_snapshots_ =
-      make_fix(*lmp, "muckpile/dump", "snapshots", "every 1000000 directory " + directory_);
+      make_fix(*lmp, "muckpile/dump", "snapshots",
+               "every 1000000 directory " + directory_ + " form " + words_.word("snapshot_form"));
   own_progress_ = make_fix(*lmp, "muckpile/progress", "progress",
                            "every " + std::to_string(first.lines_every) + " directory " +
                                directory_ + " phase " + first.name + " time_end " +

@@ -8,6 +8,7 @@ import atexit
 import functools
 import os
 import shutil
+import struct
 import subprocess
 import tempfile
 from itertools import product
@@ -78,7 +79,19 @@ def blocks_file(boxes: dict, density: float = 2000.0, run_id: str = RUN_ID) -> s
     return "\n".join(lines) + "\n"
 
 
-def hand_made() -> Path:
+# As docs/styles/fix_muckpile_dump.md has them: header, and a row's integers, doubles and floats.
+PACKED_HEADER = ("packed i4 id f8 x_m y_m z_m i4/2147483647 qw qx qy qz f4 vx_m_s vy_m_s vz_m_s wx_rad_s "
+                 "wy_rad_s wz_rad_s i4 fragment_id f4 broken_fraction\n")
+
+
+def packed_row(line: str) -> bytes:
+    words = line.split(",")
+    turn = [round(float(word) * 2147483647) for word in words[4:8]]
+    return struct.pack("<i3d4i6fif", int(words[0]), *map(float, words[1:4]), *turn, *map(float, words[8:14]),
+                       int(words[14]), float(words[15]))
+
+
+def hand_made(packed: bool = False) -> Path:
     """A bench 1 m high, burden 1 m: a cube of 1 m at the face (id 1) and, behind it, a box of
     1 x 2 x 3 m (id 7), which the files name first. At 0.5 s they have made a quarter turn, the cube
     about x, the box about z."""
@@ -92,8 +105,12 @@ def hand_made() -> Path:
             10: (f"7,-2,0,1.5,{half},0,0,{half},0,0,1,0,3,0,7,0.25",
                  f"1,2,0,0.5,{half},{half},0,0,4,0,0,0,0,2,1,1")}
     for step, lines in rows.items():
-        (dump / f"blocks_{step:09d}.csv").write_text(
-            "\n".join([f"# step={step} time_s={step / 20} run={RUN_ID}", HEADER, *lines]) + "\n")
+        first = f"# step={step} time_s={step / 20} run={RUN_ID}\n"
+        if packed:
+            rows = b"".join(map(packed_row, lines))
+            (dump / f"blocks_{step:09d}.bin").write_bytes((first + PACKED_HEADER).encode() + rows)
+        else:
+            (dump / f"blocks_{step:09d}.csv").write_text("\n".join([first + HEADER, *lines]) + "\n")
     (dump / "scene.json").write_text(
         f'{{"case": "bench", "burden_m": 1.0, "bench_height_m": 1, "run_id": "{RUN_ID}"}}\n')
     (dump / "run.json").write_text(f'{{"blocks": 2, "still": false, "run_id": "{RUN_ID}"}}\n')

@@ -63,6 +63,24 @@ class Faults(unittest.TestCase):
                 with self.subTest(name=name, length=length):
                     self.refused(re.escape(str(self.folder)))
 
+    def test_packed_snapshots_that_are_cut_or_damaged_end_in_no_other_exception(self):
+        self.folder = hand_made(packed=True)
+        last = self.folder / "dump/blocks_000000010.bin"
+        whole = last.read_bytes()
+        for length in range(len(whole)):
+            last.write_bytes(whole[:length])
+            with self.subTest(length=length):
+                self.refused(re.escape(str(self.folder)))
+        dice = random.Random(2)
+        for _ in range(300):
+            damaged = bytearray(whole)
+            damaged[dice.randrange(len(whole))] = dice.randrange(256)
+            last.write_bytes(damaged)
+            try:
+                read_all(self.folder)
+            except muckpile.ResultError as error:
+                self.assertIn(str(self.folder), str(error))
+
     def test_damaged_bytes_end_in_no_other_exception(self):
         dice = random.Random(1)
         refusals = 0

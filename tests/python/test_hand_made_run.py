@@ -68,6 +68,12 @@ class HandMadeRun(unittest.TestCase):
         same(self.last.broken_fraction, np.array([1, 0.25]))
         self.assertEqual([s.step for s in self.run_.snapshots()], [0, 10])
 
+    def test_packed_snapshots_hold_the_same_to_the_digits_of_floats(self):
+        packed = muckpile.Run(hand_made(packed=True)).snapshot()
+        self.assertEqual((packed.step, packed.time), (self.last.step, self.last.time))
+        for field in ("position", "rotation", "velocity", "spin", "fragment", "broken_fraction"):
+            np.testing.assert_allclose(getattr(packed, field), getattr(self.last, field), rtol=1e-7, atol=1e-7)
+
     def test_snapshot_is_chosen_by_index_or_by_nearest_time(self):
         self.assertEqual(self.run_.snapshot(0).step, 0)
         self.assertEqual(self.run_.snapshot(-1).step, 10)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Where every block is at one instant, from a run's dump/blocks_<step>.csv.
+// Where every block is at one instant, from a run's dump/blocks_<step>.csv or .bin.
 // Scope: reading and rigid motion only.
 #include "io/snapshot.h"
 
@@ -17,6 +17,7 @@
 #include "io/remarks.h"
 #include "io/snapshot_reader.h"
 #include "provenance/run_files.h"
+#include "state/packed_rows.h"
 
 namespace muckpile {
 namespace {
@@ -106,19 +107,43 @@ std::vector<int> ids_of(const std::vector<StartBlock>& blocks) {
   return ids;
 }
 
+// Rows in any order.
+void read_packed(const PackedRows& rows, const std::string& file, const std::vector<int>& ids,
+                 std::vector<BlockState>& states) {
+  std::vector<char> seen(ids.size(), 0);
+  for (size_t row = 0; row < rows.count(); ++row) {
+    const BlockRow block = rows.at(row);
+    const auto found = std::ranges::lower_bound(ids, block.id);
+    if (found == ids.end() || *found != block.id)
+      throw InputError(rows.where(row) + "id " + std::to_string(block.id) +
+                       " is not a block of blocks.vtk");
+    const auto index = static_cast<size_t>(found - ids.begin());
+    if (std::exchange(seen[index], 1) != 0)
+      throw InputError(rows.where(row) + "id " + std::to_string(block.id) + " occurs twice");
+    states[index] = {block.centre, block.turn,     block.velocity,
+                     block.spin,   block.fragment, block.broken_share};
+  }
+  const auto missing = std::ranges::find(seen, 0);
+  if (missing != seen.end())
+    throw InputError(file + ": block " +
+                     std::to_string(ids[static_cast<size_t>(missing - seen.begin())]) +
+                     " has no row");
+}
+
 void read_into(const std::filesystem::path& path, const std::vector<StartBlock>& blocks,
                const std::vector<int>& ids, const WantedStates& wanted, const std::string& text,
                Snapshot& snapshot) {
   const std::string file = path.string();
   const std::string_view remark = first_line(text);
-  const CsvTable head = CsvTable::parse(
-      std::string(remark) + std::string(first_line(std::string_view(text).substr(remark.size()))),
-      file);
+  const std::string_view behind = std::string_view(text).substr(remark.size());
+  const CsvTable head =
+      CsvTable::parse(std::string(remark) + std::string(first_line(behind)), file);
   snapshot.step = std::lround(remark_number(head, file, "step"));
   snapshot.time = remark_number(head, file, "time_s");
   snapshot.states.resize(blocks.size());
-  if (!read_plain_rows(std::string_view(text).substr(remark.size()), ids, kUnitTolerance, wanted,
-                       snapshot.states))
+  if (PackedRows::begin(behind))
+    read_packed(PackedRows(behind, file), file, ids, snapshot.states);
+  else if (!read_plain_rows(behind, ids, kUnitTolerance, wanted, snapshot.states))
     read_table(CsvTable::parse(text, file), file, blocks, snapshot.states);
   add_image_states(blocks, snapshot.states);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Where every block is at one instant, from a run's dump/blocks_<step>.csv.
+// Where every block is at one instant, from a run's dump/blocks_<step>.csv or .bin.
 // Scope: every block of the start configuration has exactly one row; nothing is interpolated.
 #pragma once
 
@@ -26,7 +26,7 @@ struct Snapshot {
   std::vector<BlockState> states;  // in the order of the start blocks
 };
 
-// The files blocks_<step>.csv of a dump folder in order of step; none is no error.
+// The files blocks_<step>.csv and .bin of a dump folder in order of step; none is no error.
 std::vector<std::filesystem::path> snapshot_files(const std::filesystem::path& dump);
 
 // With the states of images that the blocks hold. Throws InputError, naming file and line, on a

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Where every block is at one instant, from dump/blocks_<step>.csv.
+"""Where every block is at one instant, from dump/blocks_<step>.csv or .bin.
 
 Scope: every block of blocks.vtk has exactly one row; nothing is interpolated.
 """
 
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,11 +13,17 @@ import numpy as np
 
 from muckpile.blocks import Blocks
 from muckpile.errors import ResultError
-from muckpile.table import Table, load_table
+from muckpile.table import load_table
 from muckpile.text_file import RUN_AGAIN
 
 # Nine digits of text leave a unit quaternion within 1e-8; a wrong column is off by far more.
 UNIT_TOLERANCE = 1e-4
+
+# Packed rows, as `form packed` of fix muckpile/dump writes them behind the first two lines.
+PACKED_HEADER = (b"packed i4 id f8 x_m y_m z_m i4/2147483647 qw qx qy qz f4 vx_m_s vy_m_s vz_m_s "
+                 b"wx_rad_s wy_rad_s wz_rad_s i4 fragment_id f4 broken_fraction\n")
+PACKED_ROW = np.dtype([("id", "<i4"), ("position", "<f8", 3), ("rotation", "<i4", 4), ("velocity", "<f4", 3),
+                       ("spin", "<f4", 3), ("fragment", "<i4"), ("broken_fraction", "<f4")])
 
 
 @dataclass(frozen=True)
@@ -34,9 +41,9 @@ class Snapshot:
 
 
 def snapshot_files(dump: Path) -> list[Path]:
-    """The files blocks_<step>.csv of a dump folder in order of step."""
+    """The files blocks_<step>.csv and .bin of a dump folder in order of step."""
     found = [(int(match[1]), path) for path in dump.iterdir()
-             if (match := re.fullmatch(r"blocks_([0-9]{1,18})\.csv", path.name))]
+             if (match := re.fullmatch(r"blocks_([0-9]{1,18})\.(?:csv|bin)", path.name))]
     return [path for _, path in sorted(found)]
 
 
@@ -58,33 +65,59 @@ def read_snapshot(path: Path, blocks: Blocks) -> Snapshot:
     Raises ResultError, naming file and line, on a malformed row, an unknown or repeated id, or a
     block without a row.
     """
+    if path.suffix == ".bin":
+        return _read_packed(path, blocks)
     table = load_table(path, words=())
     step, time = step_and_time(f"#{table.remarks[0]}" if table.remarks else "", path)
-    row = _rows_of(table, blocks)
-    rotation = table.columns("qw", "qx", "qy", "qz")
-    length = np.sqrt((rotation**2).sum(axis=1))
-    for wrong in np.flatnonzero(np.abs(length - 1.0) > UNIT_TOLERANCE)[:1]:
-        raise ResultError(f"{table.where(wrong)}qw, qx, qy, qz must be a unit quaternion, got length "
-                          f"'{length[wrong]:.6g}'")
     return Snapshot(
         step=step, time=time,
-        position=table.columns("x_m", "y_m", "z_m")[row],
-        rotation=(rotation / length[:, None])[row],
-        velocity=table.columns("vx_m_s", "vy_m_s", "vz_m_s")[row],
-        spin=table.columns("wx_rad_s", "wy_rad_s", "wz_rad_s")[row],
-        fragment=table.column("fragment_id")[row],
-        broken_fraction=table.column("broken_fraction")[row])
+        **_states(blocks, table.column("id"), table.where, path,
+                  position=table.columns("x_m", "y_m", "z_m"),
+                  rotation=table.columns("qw", "qx", "qy", "qz"),
+                  velocity=table.columns("vx_m_s", "vy_m_s", "vz_m_s"),
+                  spin=table.columns("wx_rad_s", "wy_rad_s", "wz_rad_s"),
+                  fragment=table.column("fragment_id"),
+                  broken_fraction=table.column("broken_fraction")))
 
 
-def _rows_of(table: Table, blocks: Blocks) -> np.ndarray:
+def _read_packed(path: Path, blocks: Blocks) -> Snapshot:
+    first, _, behind = path.read_bytes().partition(b"\n")
+    step, time = step_and_time(first.decode("ascii", "replace"), path)
+    data = behind.removeprefix(PACKED_HEADER)
+    if len(data) == len(behind) or len(data) % PACKED_ROW.itemsize:
+        raise ResultError(f"{path}: packed rows must stand behind their header, each of "
+                          f"{PACKED_ROW.itemsize} bytes; {RUN_AGAIN}")
+    rows = np.frombuffer(data, PACKED_ROW)
+    fields = {name: rows[name] for name in PACKED_ROW.names if name != "id"}
+    for name in ("position", "rotation", "velocity", "spin", "broken_fraction"):
+        fields[name] = fields[name].astype(float)
+        if not np.isfinite(fields[name]).all():
+            raise ResultError(f"{path}: {name} must be finite numbers; {RUN_AGAIN}")
+    fields["rotation"] /= 2147483647
+    return Snapshot(step=step, time=time,
+                    **_states(blocks, rows["id"], lambda row: f"{path}: row {row + 1}: ", path, **fields))
+
+
+def _states(blocks: Blocks, ids: np.ndarray, where: Callable[[int], str], path: Path,
+            rotation: np.ndarray, **fields: np.ndarray) -> dict[str, np.ndarray]:
+    """The rows in the order of the blocks, quaternions of length 1."""
+    row = _rows_of(ids, blocks, where, path)
+    length = np.sqrt((rotation**2).sum(axis=1))
+    for wrong in np.flatnonzero(np.abs(length - 1.0) > UNIT_TOLERANCE)[:1]:
+        raise ResultError(f"{where(wrong)}qw, qx, qy, qz must be a unit quaternion, got length "
+                          f"'{length[wrong]:.6g}'")
+    states = {name: values[row] for name, values in fields.items()}
+    return {"rotation": (rotation / length[:, None])[row], **states}
+
+
+def _rows_of(ids: np.ndarray, blocks: Blocks, where: Callable[[int], str], path: Path) -> np.ndarray:
     """The row of each block."""
-    ids = table.column("id")
     row = np.argsort(ids, kind="stable")
     ordered = ids[row]
     for wrong in row[1:][np.diff(ordered) == 0][:1]:
-        raise ResultError(f"{table.where(wrong)}id {ids[wrong]} occurs twice")
+        raise ResultError(f"{where(wrong)}id {ids[wrong]} occurs twice")
     for wrong in np.flatnonzero(~np.isin(ids, blocks.id))[:1]:
-        raise ResultError(f"{table.where(wrong)}id {ids[wrong]} is not a block of blocks.vtk")
+        raise ResultError(f"{where(wrong)}id {ids[wrong]} is not a block of blocks.vtk")
     for missing in blocks.id[~np.isin(blocks.id, ids)][:1]:
-        raise ResultError(f"{table.path}: block {missing} has no row; {RUN_AGAIN}")
+        raise ResultError(f"{path}: block {missing} has no row; {RUN_AGAIN}")
     return row

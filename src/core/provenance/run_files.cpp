@@ -10,7 +10,8 @@ namespace muckpile {
 namespace {
 
 constexpr std::string_view kMark = "run=";
-constexpr std::string_view kBefore = "blocks_", kAfter = ".csv";
+constexpr std::string_view kBefore = "blocks_", kTable = ".csv", kPacked = ".bin";
+static_assert(kTable.size() == kPacked.size());
 constexpr std::string_view kBlanks = " \t\r\n";
 
 }  // namespace
@@ -34,18 +35,18 @@ std::string run_id_in(std::string_view line) {
   }
 }
 
-std::string snapshot_name(long long step) {
+std::string snapshot_name(long long step, SnapshotForm form) {
   constexpr std::size_t kDigits = 9;  // names sort by step up to a thousand million steps
   const std::string digits = std::to_string(step);
   return std::string(kBefore) + std::string(kDigits - std::min(kDigits, digits.size()), '0') +
-         digits + std::string(kAfter);
+         digits + std::string(form == SnapshotForm::csv ? kTable : kPacked);
 }
 
 long long snapshot_step(std::string_view name) {
-  if (!name.starts_with(kBefore) || !name.ends_with(kAfter)) return -1;
-  if (name.size() < kBefore.size() + kAfter.size()) return -1;
+  if (!name.starts_with(kBefore) || !(name.ends_with(kTable) || name.ends_with(kPacked))) return -1;
+  if (name.size() < kBefore.size() + kTable.size()) return -1;
   const char* begin = name.data() + kBefore.size();
-  const char* end = name.data() + name.size() - kAfter.size();
+  const char* end = name.data() + name.size() - kTable.size();
   long long step = -1;
   const auto [stop, error] = std::from_chars(begin, end, step);
   return error == std::errc() && stop == end && step >= 0 ? step : -1;

@@ -20,10 +20,13 @@ namespace muckpile {
 /// Of the joints that hold at the end of a run.
 inline constexpr const char* kJointsFile = "joints.csv";
 
-/// "blocks_000001000.csv" for step 1000.
-[[nodiscard]] std::string snapshot_name(long long step);
+enum class SnapshotForm { csv, packed };
 
-/// The step in the name of a snapshot, with any number of digits; -1 for any other name.
+/// "blocks_000001000.csv" for step 1000; packed rows (state/packed_rows.h) are in ".bin".
+[[nodiscard]] std::string snapshot_name(long long step, SnapshotForm form = SnapshotForm::csv);
+
+/// The step in the name of a snapshot of either form, with any number of digits; -1 for any other
+/// name.
 [[nodiscard]] long long snapshot_step(std::string_view name);
 
 }  // namespace muckpile

@@ -20,6 +20,7 @@
 #include "geometry/files/cell_file.h"
 #include "geometry/shape/shape_fault.h"
 #include "provenance/run_files.h"
+#include "state/packed_rows.h"
 
 namespace muckpile {
 namespace {
@@ -90,20 +91,18 @@ std::vector<SavedBlock> blocks_at_start(const std::string& file) {
   return blocks;
 }
 
-double time_in(const CsvTable& table) {
+double time_in(std::string_view remark) {
   constexpr std::string_view kTime = "time_s=";
-  for (const std::string_view remark : table.remarks()) {
-    const std::size_t at = remark.find(kTime);
-    if (at == std::string_view::npos) continue;
-    const std::string_view value = remark.substr(at + kTime.size());
-    return parse_number(value.substr(0, value.find(' ')), "time_s");
-  }
-  return 0.0;
+  const std::size_t at = remark.find(kTime);
+  if (at == std::string_view::npos) return 0.0;
+  const std::string_view value = remark.substr(at + kTime.size());
+  return parse_number(value.substr(0, value.find_first_of(" \n")), "time_s");
 }
 
-class Rows {
+/// Columns of a snapshot that a pile needs.
+class Columns {
  public:
-  explicit Rows(const CsvTable& table)
+  explicit Columns(const CsvTable& table)
       : table_(table),
         id_(table.column("id")),
         place_(three("x_m", "y_m", "z_m")),
@@ -111,52 +110,70 @@ class Rows {
         qw_(table.column("qw")),
         velocity_(three("vx_m_s", "vy_m_s", "vz_m_s")) {}
 
-  [[nodiscard]] int id(std::size_t row) const { return table_.whole(row, id_); }
-  void put(std::size_t row, SavedBlock& block) const {
+  [[nodiscard]] BlockRow at(std::size_t row) const {
     constexpr double kUnit = 1e-4;  // nine digits leave a unit quaternion within 1e-8
     const Vec3 q = vector(row, turn_);
     const Quat turn(table_.number(row, qw_), q.x(), q.y(), q.z());
     if (std::abs(turn.norm() - 1.0) > kUnit)
       throw InputError(table_.where(row) + "qw, qx, qy, qz must be a unit quaternion");
-    block.centre = vector(row, place_);
-    block.turn = turn.normalized();
-    block.speed = vector(row, velocity_).norm();
+    return {.id = table_.whole(row, id_),
+            .centre = vector(row, place_),
+            .turn = turn.normalized(),
+            .velocity = vector(row, velocity_),
+            .spin = Vec3::Zero(),
+            .fragment = 0,
+            .broken_share = 0.0};
   }
 
  private:
-  using Columns = std::array<std::size_t, 3>;
-  [[nodiscard]] Columns three(const char* a, const char* b, const char* c) const {
+  using Three = std::array<std::size_t, 3>;
+  [[nodiscard]] Three three(const char* a, const char* b, const char* c) const {
     return {table_.column(a), table_.column(b), table_.column(c)};
   }
-  [[nodiscard]] Vec3 vector(std::size_t row, const Columns& c) const {
+  [[nodiscard]] Vec3 vector(std::size_t row, const Three& c) const {
     return {table_.number(row, c[0]), table_.number(row, c[1]), table_.number(row, c[2])};
   }
 
   const CsvTable& table_;
   std::size_t id_;
-  Columns place_, turn_;
+  Three place_, turn_;
   std::size_t qw_;
-  Columns velocity_;
+  Three velocity_;
 };
+
+/// Of a snapshot in either form.
+std::vector<BlockRow> rows_of(const std::string& text, const std::string& file) {
+  std::vector<BlockRow> rows;
+  const std::string_view behind_remark = std::string_view(text).substr(text.find('\n') + 1);
+  if (PackedRows::begin(behind_remark)) {
+    const PackedRows packed(behind_remark, file);
+    for (std::size_t row = 0; row < packed.count(); ++row) rows.push_back(packed.at(row));
+    return rows;
+  }
+  const CsvTable table = CsvTable::parse(text, file);
+  const Columns columns(table);
+  for (std::size_t row = 0; row < table.rows(); ++row) rows.push_back(columns.at(row));
+  return rows;
+}
 
 }  // namespace
 
 SavedPile read_saved_pile(const std::string& folder) {
   const fs::path dump = dump_of(folder), snapshot = last_snapshot(dump);
   SavedPile pile{blocks_at_start((dump / "blocks.vtk").string()), 0.0};
-  const CsvTable table = CsvTable::read(snapshot);
-  pile.time = time_in(table);
-  const Rows rows(table);
-  std::unordered_map<int, std::size_t> row_of;
-  for (std::size_t row = 0; row < table.rows(); ++row)
-    if (!row_of.emplace(rows.id(row), row).second)
-      throw InputError(table.where(row) + "block " + std::to_string(rows.id(row)) +
-                       " has a second row");
+  const std::string file = snapshot.string(), text = whole_file(file);
+  pile.time = time_in(std::string_view(text).substr(0, text.find('\n')));
+  std::unordered_map<int, BlockRow> row_of;
+  for (const BlockRow& row : rows_of(text, file))
+    if (!row_of.emplace(row.id, row).second)
+      throw InputError(file + ": block " + std::to_string(row.id) + " has a second row");
   for (SavedBlock& block : pile.blocks) {
     const auto found = row_of.find(block.id);
     if (found == row_of.end())
-      throw InputError(snapshot.string() + ": block " + std::to_string(block.id) + " has no row");
-    rows.put(found->second, block);
+      throw InputError(file + ": block " + std::to_string(block.id) + " has no row");
+    block.centre = found->second.centre;
+    block.turn = found->second.turn;
+    block.speed = found->second.velocity.norm();
   }
   return pile;
 }

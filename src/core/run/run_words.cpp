@@ -18,7 +18,9 @@ void add_end_words(ArgTable& table) {
       .word("scene", {}, "all", "region, as in fix muckpile/progress")
       .word("solid", {}, "none", "region, as in fix muckpile/progress")
       .integer("restart_every", "steps", Range::closed(0, 2147483647), 0,
-               "between restart files, a.restart and b.restart in turn; 0: none");
+               "between restart files, a.restart and b.restart in turn; 0: none")
+      .word("snapshot_form", {"csv", "packed"}, "csv",
+            "of snapshots that no fix of the script takes: form of fix muckpile/dump");
 }
 
 void add_collision_words(ArgTable& table) {

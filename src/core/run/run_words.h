@@ -9,7 +9,7 @@
 
 namespace muckpile {
 
-/// directory, time_end, still_share, scene, solid, restart_every.
+/// directory, time_end, still_share, scene, solid, restart_every, snapshot_form.
 void add_end_words(ArgTable& table);
 
 /// block_min, spheres_per_block, steps_per_contact, stable_share.

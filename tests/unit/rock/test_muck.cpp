@@ -16,6 +16,7 @@
 #include "input_error_of.h"
 #include "rock/cut_table.h"
 #include "rock/rock_model.h"
+#include "state/packed_rows.h"
 #include "temporary_folder.h"
 
 namespace muckpile {
@@ -97,6 +98,25 @@ TEST_F(MuckOfAnEarlierRun, LiesWhereTheSnapshotHasIt) {
   const MassProperties mass = mass_properties(muck.blocks[1].shape);
   EXPECT_NEAR(mass.volume, 0.125, 1e-9);
   EXPECT_LT((mass.inertia - muck.blocks[1].mass.inertia).norm(), 1e-9);
+}
+
+TEST_F(MuckOfAnEarlierRun, LiesAlikeWhereTheSnapshotIsPacked) {
+  const Muck text = lay(source());
+  std::string rows("# step=200 time_s=1.5 run=" + std::string(kId) + "\n");
+  rows += packed_header();
+  for (int k = 0; k < 3; ++k) {
+    const Pose& pose = poses_[static_cast<std::size_t>(k)];
+    pack({7 + k, pose.centre, pose.turn, Vec3(pose.speed, 0.0, 0.0), Vec3::Zero(), 7 + k, 0.0},
+         rows);
+  }
+  std::filesystem::remove(dump() / "blocks_000000200.csv");
+  testing::write_text(dump() / "blocks_000000200.bin", rows);
+  const Muck packed = lay(source());
+  EXPECT_EQ(packed.time, 1.5);
+  EXPECT_NEAR(packed.moving_share, text.moving_share, 1e-12);
+  ASSERT_EQ(packed.bodies.size(), text.bodies.size());
+  for (std::size_t k = 0; k < text.bodies.size(); ++k)
+    EXPECT_LT((packed.bodies[k].centre - text.bodies[k].centre).norm(), 1e-6);
 }
 
 TEST_F(MuckOfAnEarlierRun, KeepsMassAndTurnsTheSpheresOfItsBlocks) {
