@@ -8,9 +8,13 @@
 #include <cstdio>
 #include <numbers>
 #include <random>
+#include <string>
+#include <vector>
 
 #include "../geometry/shapes.h"
+#include "contact/polyhedra/solid.h"
 #include "contact/polyhedra/solid_contact.h"
+#include "input_error_of.h"
 #include "tumbling_solids.h"
 
 namespace muckpile {
@@ -34,6 +38,33 @@ Polyhedron cube(double edge) {
 }
 
 Pose at(const Vec3& centre, const Mat3& axes = Mat3::Identity()) { return {centre, axes}; }
+
+/// Upright, with so many sides.
+Polyhedron prism(int sides) {
+  Polyhedron shape;
+  std::vector<int> bottom, top;
+  for (int k = 0; k < sides; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / sides;
+    for (const double z : {-0.5, 0.5})
+      shape.vertices.emplace_back(std::cos(angle), std::sin(angle), z);
+    const int next = (k + 1) % sides;
+    shape.faces.push_back({2 * k, 2 * next, 2 * next + 1, 2 * k + 1});
+    bottom.insert(bottom.begin(), 2 * k);
+    top.push_back(2 * k + 1);
+  }
+  shape.faces.push_back(bottom);
+  shape.faces.push_back(top);
+  return shape;
+}
+
+TEST(Solids, AreRefusedWithMoreCornersOrFacesThanTheyMayHave) {
+  EXPECT_NO_THROW(Solid(prism(62), at(Vec3::Zero())));
+  const auto refusal = [](int sides) {
+    return input_error_of([&] { Solid(prism(sides), at(Vec3::Zero())); });
+  };
+  EXPECT_NE(refusal(63).find("64 faces at most"), std::string::npos) << refusal(63);
+  EXPECT_NE(refusal(65).find("128 corners at most"), std::string::npos) << refusal(65);
+}
 
 class Collisions : public testing::TestWithParam<unsigned> {};
 
