@@ -3,21 +3,19 @@
 // Scope: what crosses ranks is in fix_muckpile_blocks_migration.cpp.
 #include "fixes/blocks/fix_muckpile_blocks.h"
 
-#include <atom.h>
 #include <modify.h>
 
 #include <algorithm>
 #include <string>
-#include <string_view>
 #include <unordered_map>
 #include <utility>
 
 #include "args/input_error.h"
+#include "fixes/blocks/other_fixes.h"
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/over_ranks.h"
 #include "fixes/engine/pair_style_check.h"
 #include "fixes/engine/style_args.h"
-#include "fixes/engine/style_name.h"
 #include "rock/rock_zones.h"
 
 namespace muckpile {
@@ -26,27 +24,6 @@ namespace {
 using FacetKey = std::pair<int, int>;
 
 FacetKey key_of(const Facet& facet) { return {facet.tag_i, facet.face}; }
-
-/// Integrators of loose particles, as most scripts for LIGGGHTS have one for all.
-bool moves_particles(const LAMMPS_NS::Fix& fix) {
-  return std::string_view(fix.style).starts_with("nve");
-}
-
-/// Spheres go where their block goes; moved a second time they are a step ahead of it as contacts
-/// are computed.
-void require_no_other_mover(LAMMPS_NS::LAMMPS& lmp, LAMMPS_NS::FixMultisphere& bodies) {
-  for (int f = 0; f < lmp.modify->nfix; ++f) {
-    const LAMMPS_NS::Fix& fix = *lmp.modify->fix[f];
-    if (!moves_particles(fix)) continue;
-    bool mine = false;
-    for (int k = 0; k < lmp.atom->nlocal; ++k)
-      if (bodies.belongs_to(k) >= 0 && (lmp.atom->mask[k] & fix.groupbit) != 0) mine = true;
-    if (engine::on_any_rank(mine, lmp.world))
-      engine::stop(lmp, engine::name_of(fix) +
-                            ": must not move the spheres of blocks, which fix multisphere moves; "
-                            "take it out, or give it a group without them");
-  }
-}
 
 }  // namespace
 
@@ -66,7 +43,8 @@ int FixMuckpileBlocks::setmask() { return LAMMPS_NS::FixConst::PRE_NEIGHBOR; }
 
 void FixMuckpileBlocks::init() {
   record_.check_all(*lmp);
-  require_no_other_mover(*lmp, *multisphere_);
+  refuse_other_movers(*lmp, *multisphere_);
+  warn_of_other_holders(*lmp, *multisphere_, holders_told_);
 }
 
 engine::Bodies FixMuckpileBlocks::bodies() { return engine::Bodies(*multisphere_); }

@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <cstdio>
 #include <functional>
+#include <set>
+#include <string>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -160,7 +162,8 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix,
   engine::BlockHalo halo_;
   std::uint64_t version_ = 0;
   bool handed_over_ = false, restored_ = false, contact_warned_ = false;
-  double given_ = 0.0;  // [J]
+  std::set<std::string> holders_told_;  // fixes that were warned of
+  double given_ = 0.0;                  // [J]
   std::vector<std::string> zones_;
   int blocks_created_ = 0, lost_before_ = 0, facets_created_ = 0, highest_joint_class_ = 0;
 };

@@ -191,8 +191,9 @@ void FixMuckpileProgress::stop_if_wrong(const RunLook& now) {
     stop_with_restart("a block's velocity is not a number" + at + "; the time step is too long");
   const int blocks = blocks_->blocks_created() - blocks_->blocks_lost_before();
   if (now.bodies < blocks) {
-    stop_with_restart(std::to_string(blocks - now.bodies) + " blocks left the simulation box" + at +
-                      "; make the box larger");
+    stop_with_restart(std::to_string(blocks - now.bodies) + " blocks are gone" + at +
+                      ": they left the simulation box, which is too small, or delete_atoms took "
+                      "them");
   }
   if (now.fastest > fastest_allowed_) {
     stop_with_restart("the fastest block moves at " + number_text(now.fastest) + " m/s" + at +

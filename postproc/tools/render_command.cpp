@@ -51,8 +51,9 @@ void add_sections(CLI::App* render, CLI::Option* mirror, PictureWords& words) {
 void add_view(CLI::App* render, PictureOptions& picture) {
   render->add_option("--width", picture.width, "[px]")->check(CLI::Range(200, 8000));
   render->add_option("--height", picture.height, "[px]")->check(CLI::Range(200, 8000));
-  render->add_option("--azimuth", picture.azimuth,
-                     "of the eye, from the throw direction towards -y [deg]")
+  render
+      ->add_option("--azimuth", picture.azimuth,
+                   "of the eye, from the throw direction towards -y [deg]")
       ->check(any_number());
   render
       ->add_option("--elevation", picture.elevation,
@@ -60,8 +61,9 @@ void add_view(CLI::App* render, PictureOptions& picture) {
       ->check(between(1.0, 89.0));
   render->add_option("--zoom", picture.zoom, "the eye comes nearer by this factor")
       ->check(between(0.05, 100.0));
-  render->add_option("--focus", picture.focus,
-                     "X Y Z in the middle of the picture [m] (default: of what it shows)")
+  render
+      ->add_option("--focus", picture.focus,
+                   "X Y Z in the middle of the picture [m] (default: of what it shows)")
       ->check(any_number());
 }
 

@@ -17,6 +17,7 @@ cat >"$out/in.wall" <<'END'
 variable crushed_radius index 0.1
 variable full_radius index 0.1
 variable block_min index 0.5
+variable fragment_x50 index 0.5
 include inputs/common/wall_blocks.in
 print 'block_min is ${block_min} m'
 END
@@ -40,6 +41,11 @@ try -in inputs/pattern/in.pattern -var out "$out" -var time_end 0.1 -var rise_ti
 says 0 'NOTE'
 says 1 'ERROR: input: time_end'
 
+# So it is in the quarry: in blocks of 0.35 m the pulse would be too fast.
+try -in inputs/quarry/in.quarry -var out "$out" -var time_end 0.1 -var hole_diameter 0.03 -var rise_time 6e-5
+says 1 'NOTE: block_min 0.35 m is wider than 6 radii of the crushed zone; 0.269865 m is taken'
+says 0 'faster than a wave crosses'
+
 # The thinnest hole of the table counts, whatever the knob hole_diameter says.
 sed '/^r1h3,/s/,0\.165,/,0.089,/' inputs/pattern/holes.csv >"$out/thin.csv"
 try -in inputs/pattern/in.pattern -var out "$out" -var time_end 0.1 -var hole_table "$out/thin.csv"
@@ -52,6 +58,8 @@ says 1 'NOTE: block_min 0.95 m is wider than 6 radii of the crushed zone; 0.5997
 # A median size that no block can have.
 try -in inputs/pattern/in.pattern -var out "$out" -var time_end 0.1 -var rise_time 3e-4 -var fragment_x50 9
 says 1 'WARNING: fragment_x50 9 m is above block_max 2.5 m: no block gets wider than that'
+try -in inputs/pattern/in.pattern -var out "$out" -var time_end 0.1 -var rise_time 3e-4 -var fragment_x50 0.1
+says 1 'WARNING: fragment_x50 0.1 m is below block_min 0.95 m: no block gets narrower than that'
 try -in inputs/pattern/in.pattern -var out "$out" -var time_end 0.1 -var rise_time 3e-4
 says 0 'WARNING: fragment_x50'
 

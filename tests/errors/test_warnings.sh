@@ -89,6 +89,26 @@ run 0
 END
 says "joints of the same density" 0 "its density is not"
 
+freeze="WARNING: fix freeze 'hold': does not hold blocks"
+try "a fix that holds spheres" 0 <<'END'
+include ${dir}/joined_rock.in
+region nowhere block 1.9 2 1.9 2 1.9 2 units box
+group none region nowhere
+timestep 1e-6
+fix hold none freeze
+run 0
+END
+says "a fix that holds spheres" 0 "$freeze"
+try "a fix that holds blocks" 0 <<'END'
+include ${dir}/joined_rock.in
+timestep 1e-6
+run 0
+fix hold all freeze
+run 0
+run 0
+END
+says "a fix that holds blocks" 1 "$freeze"
+
 wide="WARNING: create_blocks: the void of hole 1 is "
 try "a void of the cylinder's volume" 0 <<'END'
 include ${dir}/rock.in

@@ -4,6 +4,7 @@
 #include "sweep/latin_hypercube.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -41,6 +42,11 @@ double worst_correlation(const Design& design) {
   return worst;
 }
 
+bool names_a_variable(const std::string& name) {
+  return std::ranges::all_of(name,
+                             [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
+}
+
 }  // namespace
 
 SampledRange parse_range(const std::string& words) {
@@ -52,6 +58,7 @@ SampledRange parse_range(const std::string& words) {
   if (equals == std::string::npos || equals == 0)
     bad("must be NAME=FROM..TO, or NAME=log:FROM..TO");
   range.name = words.substr(0, equals);
+  if (!names_a_variable(range.name)) bad("must name a variable, of letters, digits and _ alone");
   std::string values = words.substr(equals + 1);
   if (values.starts_with("log:")) {
     range.logarithmic = true;

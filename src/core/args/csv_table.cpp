@@ -4,7 +4,6 @@
 #include "args/csv_table.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -13,6 +12,7 @@
 
 #include "args/input_error.h"
 #include "args/numbers.h"
+#include "args/small_letters.h"
 #include "args/suggestion.h"
 
 namespace muckpile {
@@ -111,12 +111,6 @@ void refuse_twice(std::vector<std::string_view> columns, const std::string& name
     throw InputError(name + ": column '" + std::string(*twice) + "' is there twice");
 }
 
-std::string in_small(std::string_view name) {
-  std::string small(name);
-  std::ranges::transform(small, small.begin(), [](unsigned char c) { return std::tolower(c); });
-  return small;
-}
-
 template <class Number>
 bool parse_all(std::string_view text, Number& value) {
   const char* end = text.data() + text.size();
@@ -175,7 +169,9 @@ CsvTable CsvTable::parse(std::string text, const std::string& name, std::string_
   return table;
 }
 
-bool is_same_column(std::string_view a, std::string_view b) { return in_small(a) == in_small(b); }
+bool is_same_column(std::string_view a, std::string_view b) {
+  return in_small_letters(a) == in_small_letters(b);
+}
 
 std::optional<size_t> CsvTable::find_column(std::string_view name) const {
   auto found = std::ranges::find(header_, name);
@@ -193,7 +189,7 @@ void CsvTable::require_known_columns(const std::vector<std::string>& known) cons
         known, [name](const std::string& column) { return is_same_column(column, name); });
     if (same == known.end())
       throw InputError(name_ + ": unknown column '" + std::string(name) + "'" +
-                       did_you_mean(in_small(name), known));
+                       did_you_mean(in_small_letters(name), known));
     if (!there.insert(*same).second)
       throw InputError(name_ + ": column '" + *same + "' is there twice, once as '" +
                        std::string(name) + "'");

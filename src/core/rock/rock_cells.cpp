@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <utility>
 
 #include "args/csv_table.h"
 #include "args/input_error.h"
+#include "args/small_letters.h"
 #include "args/suggestion.h"
 #include "rock/gauge_points.h"
 
@@ -38,9 +38,7 @@ std::optional<std::size_t> find_column(const CsvTable& table, const std::string&
                                        const Names& names) {
   std::optional<std::size_t> found;
   for (std::size_t c = 0; c < table.header().size(); ++c) {
-    std::string name(table.header()[c]);
-    std::ranges::transform(name, name.begin(), [](unsigned char l) { return std::tolower(l); });
-    if (std::ranges::find(names, name) == names.end()) continue;
+    if (std::ranges::find(names, in_small_letters(table.header()[c])) == names.end()) continue;
     if (found)
       refuse(file, "a block model must have one alone of the columns " + joined(names) +
                        ", got both '" + std::string(table.header()[*found]) + "' and '" +

@@ -57,9 +57,9 @@ TEST(SampledRange, IsStraightOrLogarithmic) {
 }
 
 TEST(SampledRange, RefusesWhatIsNone) {
-  for (const char* words :
-       {"burden", "=2..3", "burden=2", "burden=3..2", "burden=2..2", "burden=2..x", "burden=..3",
-        "grain=log:0..1", "burden=2..nan", "burden=2..3..4"})
+  for (const char* words : {"burden", "=2..3", "burden=2", "burden=3..2", "burden=2..2",
+                            "burden=2..x", "burden=..3", "grain=log:0..1", "burden=2..nan",
+                            "burden=2..3..4", "my burden=2..3", "burden =2..3", " burden=2..3"})
     EXPECT_THROW(static_cast<void>(parse_range(words)), InputError) << words;
 }
 

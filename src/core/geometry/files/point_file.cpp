@@ -11,6 +11,7 @@
 
 #include "args/csv_table.h"
 #include "args/input_error.h"
+#include "args/small_letters.h"
 #include "args/suggestion.h"
 
 namespace muckpile {
@@ -59,8 +60,7 @@ bool begins_a_number(const std::string& word) {
 
 std::array<size_t, kAxes> columns_of_header(std::vector<std::string> header,
                                             const std::string& where) {
-  for (std::string& name : header)
-    std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
+  for (std::string& name : header) name = in_small_letters(name);
   std::array<size_t, kAxes> columns{};
   for (size_t axis = 0; axis < kAxes; ++axis) {
     const auto& names = column_names()[axis];

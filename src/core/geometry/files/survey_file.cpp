@@ -4,9 +4,9 @@
 #include "geometry/files/survey_file.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include "args/input_error.h"
+#include "args/small_letters.h"
 #include "args/suggestion.h"
 #include "geometry/files/dxf_file.h"
 #include "geometry/files/las_file.h"
@@ -28,8 +28,7 @@ SurveyedSurface in_unit_of_file(const std::filesystem::path& path, const std::st
 
 SurveyedSurface read_survey(const std::filesystem::path& path, double unit) {
   static const std::vector<std::string> kEndings{".xyz", ".csv", ".txt", ".las", ".stl", ".dxf"};
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string ending = in_small_letters(path.extension().string());
   if (std::ranges::find(kEndings, ending) == kEndings.end())
     refuse(path.string(),
            "must be a surface in one of " + joined(kEndings) + ", got '" + ending + "'");
