@@ -23,13 +23,13 @@ void WritePanelsCommand::command(int narg, char** arg) {
   });
   // A survey and its panels are many times as large as what the other ranks know of them.
   std::string text, told;
-  std::array<double, 2> heights{};  // [m]
+  std::array<double, 3> heights{};  // [m]
   engine::on_first_rank(*lmp, [&] {
     const GroundPanels made = ground_panels(words, where);
     text = stl_text(words.word("name"), panels_of(words, where), made.floor.triangles);
     if (!made.under_rock.empty()) text += stl_text("under_the_rock", {}, made.under_rock);
     told = made.told;
-    heights = {made.floor.lowest, made.floor.highest};
+    heights = {made.floor.lowest, made.floor.highest, made.front};
   });
   engine::write_file(*lmp, where, words.word("file"), text);
   if (!words.given("ground")) return;
@@ -37,6 +37,7 @@ void WritePanelsCommand::command(int narg, char** arg) {
   engine::take_from_first_rank(heights, world);
   engine::set_script_variable(*lmp, "panels_lowest", heights[0]);
   engine::set_script_variable(*lmp, "panels_highest", heights[1]);
+  engine::set_script_variable(*lmp, "panels_front", heights[2]);
 }
 
 }  // namespace muckpile

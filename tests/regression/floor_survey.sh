@@ -45,8 +45,12 @@ run_quarry() {  # run_quarry [-var NAME VALUE]...: of two values of a knob the f
 run_quarry || { tail -n 5 "$out/quarry/screen"; wrong=1; }
 grep -q "ground of $out/ground.csv from x = .* between z = -1.55[0-9]* and 1.1 m, in panels of 0.8 m" "$out/quarry/screen" || { grep "ground of" "$out/quarry/screen"; echo "the quarry has not the floor of the survey"; wrong=1; }
 grep -q '"floor_survey": 1' "$out/quarry/dump/scene.json" || { echo "scene.json does not tell of the floor"; wrong=1; }
+! grep -q "WARNING: in front of the rock" "$out/quarry/screen" || { echo "a floor at the toe is warned of"; wrong=1; }
 if run_quarry -var walls liggghts; then echo "walls liggghts are not refused"; wrong=1; fi
 grep -q "walls_on_the_floor_of_floor_survey must be one of own, got 'liggghts'" "$out/quarry/screen" || { grep ERROR "$out/quarry/screen"; wrong=1; }
+
+run_quarry -var terrain_height 197 || wrong=1
+grep -qE "WARNING: in front of the rock the surveyed floor is 2.9[0-9]* m above the toe" "$out/quarry/screen" || { echo "a floor above the toe is not warned of"; wrong=1; }
 
 # The survey of the quarry in metres, and in millimetres at another place: rock and floor are the same, and without the unit it is refused.
 awk -F, '/^[-0-9]/ { printf "%.0f,%.0f,%.0f\n", 1e3 * ($1 + 5000), 1e3 * ($2 + 7000), 1e3 * ($3 + 200); next } { print }' inputs/quarry/survey.csv >"$out/mm.csv"

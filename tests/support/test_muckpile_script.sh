@@ -25,6 +25,8 @@ must_refuse "-np must be a whole number >= 1, got ''" run inputs/demo/in.demo -n
 must_refuse "unknown option '-n'" run inputs/demo/in.demo -n 2
 must_refuse "run takes one input" run inputs/demo/in.demo 12
 must_refuse "-var needs a name and a value" run inputs/demo/in.demo -var bench_height
+must_refuse "-var needs a name and a value, got the option -out behind 'bench_height'" run inputs/demo/in.demo -var bench_height -out here
+must_refuse "-var takes name and value as two words, got 'bench_height=10': -var bench_height 10" run inputs/demo/in.demo -var bench_height=10 -out here
 must_refuse "has no variable 'bench_heigth'; did you mean 'bench_height'? (it has: bench_height from go_on mode patience rock_density)" \
   run inputs/demo/in.demo -var bench_heigth 10
 must_refuse "-var bench_height needs one value" run inputs/demo/in.demo -var bench_height ''

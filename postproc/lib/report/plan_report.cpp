@@ -108,6 +108,8 @@ void report_plan(const std::filesystem::path& what) {
     return;
   }
   const ResultFolder folder(what);
+  if (!std::filesystem::exists(folder.dump("holes.csv")))
+    refuse_to_measure(folder, "plan", "needs the run's hole table, dump/holes.csv");
   const HoleTable table = hole_table_of(folder);
   const std::vector<TimedCharge> charges = charges_of_decks(folder, table);
   const std::vector<PlannedHole> plan = planned_holes(table, charges, ways_to_face(folder, table));

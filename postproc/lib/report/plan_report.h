@@ -8,7 +8,8 @@
 namespace muckpile {
 
 // `what` is a hole table (CSV), then its picture lies beside it as .png; or a result folder with
-// dump/holes.csv, then plan.png and summary keys. Throws InputError on a faulty table.
+// dump/holes.csv, then plan.png and summary keys. Throws InputError on a faulty table,
+// NotMeasurable where a folder has none.
 void report_plan(const std::filesystem::path& what);
 
 }  // namespace muckpile

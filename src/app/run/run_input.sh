@@ -52,7 +52,9 @@ read_run_words() {
         shift 2
         ;;
       -var)
+        [[ ${2-} != *=* ]] || die "-var takes name and value as two words, got '$2': -var ${2/=/ }"
         [[ $# -ge 3 ]] || die "-var needs a name and a value"
+        [[ ! $3 =~ ^-(np|var|out|vtk|seeds|samples|jobs)$ ]] || die "-var needs a name and a value, got the option $3 behind '$2'"
         engine_args+=(-var "$2" "$(value_from_root "$3")")
         shift 3
         ;;

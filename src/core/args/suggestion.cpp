@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "args/small_letters.h"
+
 namespace muckpile {
 
 std::size_t edit_distance(const std::string& a, const std::string& b) {
@@ -27,17 +29,20 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 }
 
 std::string closest_word(const std::string& word, const std::vector<std::string>& known) {
+  const std::string small = in_small_letters(word);
   std::string best;
   std::size_t best_distance = 0;
   for (const std::string& candidate : known) {
-    const std::size_t distance = edit_distance(word, candidate);
+    const std::size_t distance = edit_distance(small, in_small_letters(candidate));
     if (distance > candidate.size() / 3) continue;
     if (!best.empty() && distance >= best_distance) continue;
     best = candidate;
     best_distance = distance;
   }
   if (!best.empty() || word.size() < 2) return best;
-  const auto starts = [&word](const std::string& candidate) { return candidate.starts_with(word); };
+  const auto starts = [&small](const std::string& candidate) {
+    return in_small_letters(candidate).starts_with(small);
+  };
   if (std::count_if(known.begin(), known.end(), starts) == 1)
     best = *std::find_if(known.begin(), known.end(), starts);
   return best;

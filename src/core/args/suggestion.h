@@ -12,7 +12,7 @@ namespace muckpile {
 [[nodiscard]] std::size_t edit_distance(const std::string& a, const std::string& b);
 
 /// Nearest known word within a third of its length in edits, or the only one that starts with
-/// `word`; "" if nothing is near.
+/// `word`, capital and small letters being the same; "" if nothing is near.
 [[nodiscard]] std::string closest_word(const std::string& word,
                                        const std::vector<std::string>& known);
 

@@ -29,6 +29,12 @@ TEST(ClosestWord, CompletesAWordThatOnlyOneStartsWith) {
   EXPECT_EQ(closest_word("bench", {"bench_height", "bench_width_left"}), "");
 }
 
+TEST(ClosestWord, TakesCapitalLettersForSmallOnes) {
+  EXPECT_EQ(closest_word("ANFO", {"anfo", "anfo_dense", "tnt"}), "anfo");
+  EXPECT_EQ(closest_word("TNTS", {"tnt"}), "tnt");
+  EXPECT_EQ(closest_word("Heavy", {"anfo", "heavy_anfo"}), "heavy_anfo");
+}
+
 TEST(DidYouMean, IsEmptyWhenNothingIsNear) {
   EXPECT_EQ(did_you_mean("sed", {"seed"}), "; did you mean 'seed'?");
   EXPECT_EQ(did_you_mean("colour", {"seed"}), "");

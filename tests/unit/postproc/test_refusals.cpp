@@ -250,6 +250,10 @@ TEST(CraterRefusal, OfAChargeBesideTheAxisTakesTheFiguresBack) {
   EXPECT_FALSE(read_json_object(folder.file("summary.json")).contains("crater_refused"));
 }
 
+TEST_F(Refusals, PlanNeedsAHoleTable) {
+  EXPECT_THROW(report_plan(temporary_.path()), NotMeasurable);
+}
+
 TEST_F(Refusals, PlanOfATableOfAnotherRunIsNotDrawn) {
   set_holes("[{\"toe_m\": [-5, 0, -1], \"collar_m\": [-5, 0, 8], \"radius_m\": 0.15}]");
   const std::string head =

@@ -110,12 +110,26 @@ void add_step(SurveyedFloor& floor, double y_lo, double y_hi, double foot) {
   }
 }
 
+/// Mean height of the ground's edge at x_lo, between y_lo and y_hi [m].
+double height_of_edge(const SurveyedFloor& floor, double y_lo, double y_hi) {
+  double area = 0.0, width = 0.0;
+  for (std::size_t k = 0; k + 1 < floor.edge.size(); ++k) {
+    const Vec3 &low = floor.edge[k], &high = floor.edge[k + 1];
+    const double part = std::min(y_hi, high.y()) - std::max(y_lo, low.y());
+    if (part <= 0.0) continue;
+    area += 0.5 * (low.z() + high.z()) * part;
+    width += part;
+  }
+  return width > 0.0 ? area / width : 0.0;
+}
+
 /// The ground in front, or around the place of the rock.
 void add_ground(GroundPanels& made, const GroundHeights& ground, const GroundWords& words,
                 const std::optional<RockSides>& sides) {
   FloorExtent front = words.extent;
   if (!sides) {
     made.floor = surveyed_floor(ground, front);
+    made.front = height_of_edge(made.floor, front.y_lo, front.y_hi);
     const double foot = std::min(words.bottom, made.floor.lowest - made.floor.cell);
     return add_step(made.floor, front.y_lo, front.y_hi, foot);
   }
@@ -124,6 +138,7 @@ void add_ground(GroundPanels& made, const GroundHeights& ground, const GroundWor
   beside.x_hi = front.x_lo;
   front.cell = beside.cell = std::max(panel_width(ground, front), panel_width(ground, beside));
   made.floor = surveyed_floor(ground, front);
+  made.front = height_of_edge(made.floor, sides->y_lo, sides->y_hi);
   add_step(made.floor, sides->y_lo, sides->y_hi, words.bottom);
   add_beside(made.floor, surveyed_floor(ground, beside), *sides, words.bottom);
   const auto corner = [&](double x, double y) { return Vec3(x, y, words.bottom); };

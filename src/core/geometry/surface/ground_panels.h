@@ -17,6 +17,7 @@ ArgTable& add_ground_words(ArgTable& table);
 struct GroundPanels {
   SurveyedFloor floor{{}, {}, 0.0, 0.0, 0.0};  ///< with its walls; nothing without ground
   std::vector<StlTriangle> under_rock;         ///< what the rock stands on between ground beside it
+  double front = 0.0;                          ///< mean height where it begins at the rock [m]
   std::string told;                            ///< lines for the log
 };
 
