@@ -103,6 +103,22 @@ TEST(PlaneParts, HoleThroughAPlaneKeepsItsVolume) {
   EXPECT_NEAR(classed_area(rock, kAlong) / kAreaAlong, 1.0 - lost, 0.02);
 }
 
+// Blocks of 0.2 m at the hole, up to 1 m beside it: a plane has a layer of blocks on its two sides
+// alike, but not all of them from there to the hole. Mirrored as deep as blocks are wide behind it,
+// that at 0.6 m left an eighth of the blocks.
+TEST(PlaneParts, APlaneBesideAChargeLeavesTheBlocksAtItSmall) {
+  TessellationOptions options = options_with({});
+  options.hi = Vec3(4.0, 4.0, 2.0);
+  options.holes = {{Vec3(2.0, 2.0, 0.0), Vec3(2.0, 2.0, 2.0), 0.15}};
+  options.size = SizeLaw::power({0.8, 2.0}, {0.2, 1.0});
+  const auto blocks = [&] { return static_cast<double>(tessellate(options).blocks.size()); };
+  const double without = blocks();
+  for (const double x : {2.4, 2.6, 2.8}) {
+    options.planes = {{Vec3(x, 0.0, 0.0), Vec3::UnitX()}};
+    EXPECT_NEAR(blocks() / without, 1.0, 0.25) << x;
+  }
+}
+
 TEST(PlaneParts, PlaneWithoutNormalIsRefused) {
   EXPECT_THROW(static_cast<void>(tessellate(options_with({{Vec3::Zero(), Vec3::Zero()}}))),
                InputError);

@@ -53,9 +53,12 @@ bool has_image(const std::vector<CutPlane>& planes, const Ground& ground, std::s
 void mirror_layer(const std::vector<CutPlane>& planes, const Ground& ground, double largest,
                   std::size_t number, std::vector<Vec3>& seeds) {
   const CutPlane& plane = planes[number];
+  // Of the smaller blocks of both sides: deeper, blocks grown behind the plane would take the place
+  // of small ones at a charge.
   const auto in_layer = [&](const Vec3& p) {
     const double away = std::abs(height(plane, p));
-    return away < kLayer * largest && away < kLayer * ground.size(p);
+    return away < kLayer * largest && away < kLayer * ground.size(p) &&
+           away < kLayer * ground.size(mirrored(plane, p));
   };
   std::vector<Vec3> images;
   for (const Vec3& seed : seeds) {
