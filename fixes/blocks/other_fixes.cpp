@@ -54,11 +54,12 @@ void warn_of_other_holders(LAMMPS_NS::LAMMPS& lmp, LAMMPS_NS::FixMultisphere& bo
     if (!holds_particles(fix.style) || !is_on_blocks(lmp, bodies, fix)) continue;
     if (!told.insert(engine::name_of(fix)).second || lmp.comm->me != 0) continue;
     lmp.error->warning(
-        FLERR, (engine::name_of(fix) +
-                ": does not hold blocks, which have their joints and their weight beside what acts "
-                "on their spheres; hold rock by 'support fixed' of create_blocks, stop it by "
-                "block_motion")
-                   .c_str());
+        FLERR,
+        (engine::name_of(fix) +
+         ": takes the contacts of blocks, but neither their joints nor their weight, so it does "
+         "not hold them; hold rock by 'support fixed' of create_blocks, stop it by "
+         "block_motion")
+            .c_str());
   }
 }
 

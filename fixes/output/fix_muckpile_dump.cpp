@@ -43,7 +43,7 @@ constexpr std::string_view kHeader =
 const ArgTable& table() {
   static const ArgTable args =
       engine::periodic_output_table("fix muckpile/dump", "between snapshots",
-                                    "where blocks_<step>.csv and joints.csv go")
+                                    "where blocks_<step>.csv (or .bin) and joints.csv go")
           .word("form", {"csv", "packed"}, "csv",
                 "of snapshots: text, or bytes of less than half the size in blocks_<step>.bin");
   return args;
@@ -113,7 +113,8 @@ void FixMuckpileDump::setup(int) {
 void FixMuckpileDump::initial_integrate(int) { clear_folder(); }
 
 /// Once: removes the snapshots of this run that it takes anew, those of steps after the one it was
-/// set up at. Those of other runs stay, and are told of.
+/// set up at, and the one of that step in the other form. Those of other runs stay, and are told
+/// of.
 void FixMuckpileDump::clear_folder() {
   if (cleared_) return;
   cleared_ = true;
@@ -124,9 +125,10 @@ void FixMuckpileDump::clear_folder() {
   for (; !fault && entry != std::filesystem::directory_iterator(); entry.increment(fault)) {
     const long long step = snapshot_step(entry->path().filename().string());
     if (step < 0) continue;
+    const bool other_form = entry->path().filename() != snapshot_name(step, form_);
     if (run_of(entry->path()) != blocks_->run_id())
       ++strangers;
-    else if (step > last_)
+    else if (step > last_ || (step == last_ && other_form))
       std::filesystem::remove(entry->path(), unheeded);
   }
   if (strangers == 0) return;

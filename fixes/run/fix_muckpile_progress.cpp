@@ -191,9 +191,11 @@ void FixMuckpileProgress::stop_if_wrong(const RunLook& now) {
     stop_with_restart("a block's velocity is not a number" + at + "; the time step is too long");
   const int blocks = blocks_->blocks_created() - blocks_->blocks_lost_before();
   if (now.bodies < blocks) {
-    stop_with_restart(std::to_string(blocks - now.bodies) + " blocks are gone" + at +
-                      ": they left the simulation box, which is too small, or delete_atoms took "
-                      "them");
+    const int gone = blocks - now.bodies;
+    stop_with_restart(std::to_string(gone) + (gone == 1 ? " block is" : " blocks are") + " gone" +
+                      at +
+                      ": the simulation box is too small, and it was left, or delete_atoms was "
+                      "given");
   }
   if (now.fastest > fastest_allowed_) {
     stop_with_restart("the fastest block moves at " + number_text(now.fastest) + " m/s" + at +

@@ -59,7 +59,7 @@ one_run() {  # one_run NAME VARIABLES...: leaves NAME/summary.json and NAME/seco
     return 1
   }
   "$post" profile "$folder" >"$folder/post" 2>&1 || { tail -n 5 "$folder/post"; return 1; }
-  rm -rf "$folder"/dump/blocks_*.csv "$folder"/*.png
+  rm -rf "$folder"/dump/blocks_*.{csv,bin} "$folder"/*.png
 }
 
 # On as many cores as there are, two at least: a run is on one core.

@@ -89,7 +89,7 @@ run 0
 END
 says "joints of the same density" 0 "its density is not"
 
-freeze="WARNING: fix freeze 'hold': does not hold blocks"
+freeze="WARNING: fix freeze 'hold': takes the contacts of blocks"
 try "a fix that holds spheres" 0 <<'END'
 include ${dir}/joined_rock.in
 region nowhere block 1.9 2 1.9 2 1.9 2 units box

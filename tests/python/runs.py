@@ -107,8 +107,8 @@ def hand_made(packed: bool = False) -> Path:
     for step, lines in rows.items():
         first = f"# step={step} time_s={step / 20} run={RUN_ID}\n"
         if packed:
-            rows = b"".join(map(packed_row, lines))
-            (dump / f"blocks_{step:09d}.bin").write_bytes((first + PACKED_HEADER).encode() + rows)
+            (dump / f"blocks_{step:09d}.bin").write_bytes(
+                (first + PACKED_HEADER).encode() + b"".join(map(packed_row, lines)))
         else:
             (dump / f"blocks_{step:09d}.csv").write_text("\n".join([first + HEADER, *lines]) + "\n")
     (dump / "scene.json").write_text(

@@ -50,7 +50,7 @@ class Faults(unittest.TestCase):
                      lambda: muckpile.Run(self.folder / "dump"))
         for path in self.folder.glob("dump/blocks_*.csv"):
             path.unlink()
-        self.refused("holds no blocks_<step>.csv", lambda: muckpile.Run(self.folder).snapshot())
+        self.refused("holds no blocks_<step>.csv or .bin", lambda: muckpile.Run(self.folder).snapshot())
 
     def test_files_cut_anywhere_are_refused(self):
         for name in (BLOCKS, LAST, SCENE, RECORD, HISTORY):
@@ -71,7 +71,7 @@ class Faults(unittest.TestCase):
             last.write_bytes(whole[:length])
             with self.subTest(length=length):
                 self.refused(re.escape(str(self.folder)))
-        dice = random.Random(2)
+        dice, refusals = random.Random(2), 0
         for _ in range(300):
             damaged = bytearray(whole)
             damaged[dice.randrange(len(whole))] = dice.randrange(256)
@@ -80,6 +80,8 @@ class Faults(unittest.TestCase):
                 read_all(self.folder)
             except muckpile.ResultError as error:
                 self.assertIn(str(self.folder), str(error))
+                refusals += 1
+        self.assertGreater(refusals, 150, "damage of header, ids and turns must be seen")
 
     def test_damaged_bytes_end_in_no_other_exception(self):
         dice = random.Random(1)

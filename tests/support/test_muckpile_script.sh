@@ -122,7 +122,7 @@ call run inputs/demo/in.demo
 
 printf 'variable out index x\ndump ${out}/dump ${out}/frames.txt\n' >inputs/demo/in.dumps
 # Old results: replaced when the new run has started, else as they were.
-results=(dump/{a.restart,b.restart,blocks.vtk,blocks_000000000.csv,blocks_000000100.csv,history.csv,run.json,scene.json,floor.stl,behind.stl,gas.csv,gauges.csv,holes.csv,burden.csv,gas_after_restart.csv,ground.stl,gate.stl,interrupted.restart,stopped.restart}
+results=(dump/{a.restart,b.restart,blocks.vtk,blocks_000000000.csv,blocks_000000100.csv,blocks_000000200.bin,history.csv,run.json,scene.json,floor.stl,behind.stl,gas.csv,gauges.csv,holes.csv,burden.csv,gas_after_restart.csv,ground.stl,gate.stl,interrupted.restart,stopped.restart}
   vtk/{blocks.pvd,blocks_0.vtu} {profile,movement,polygons,rows,heights,face_velocity,waves,ppv,survey,damage,crater,heap,fragments,energy,plan}.{csv,png} {flyrock,sieve,boulders,fragments_list,model_moved,polygons_moved,energy_holes,hole_polygons}.csv {movement,polygons}.dxf report.html pile3d.csv pile3d.png pile3d_0001.png
   summary.json log.liggghts)
 results+=(muck/dump/{blocks.vtk,blocks_000000300.csv,history.csv,scene.json,run.json,gate.stl,interrupted.restart} muck/{heap.csv,heap.png,summary.json})

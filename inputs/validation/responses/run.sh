@@ -35,7 +35,7 @@ run_all() {
   local name words given seed
   while read -r name words; do
     rm -rf "${results:?}/$name"
-    eval "given=($words)"  # a value of several words is in quotes
+    mapfile -t given < <(xargs -n1 <<<"$words")  # a value of several words is in quotes
     for seed in 1 2 3; do
       while (($(jobs -rp | wc -l) >= 2)); do wait -n; done
       blast "$seed" "$name" "${given[@]}" </dev/null &

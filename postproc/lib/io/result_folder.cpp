@@ -90,7 +90,7 @@ bool ResultFolder::is_still() const {
 
 std::vector<std::filesystem::path> ResultFolder::snapshots() const {
   std::vector<std::filesystem::path> files = snapshot_files(folder_ / "dump");
-  if (files.empty()) throw InputError(dump("").string() + ": holds no blocks_<step>.csv");
+  if (files.empty()) throw InputError(dump("").string() + ": holds no blocks_<step>.csv or .bin");
   require_end(files.back(), dump("run.json"));
   return files;
 }

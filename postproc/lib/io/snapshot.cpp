@@ -141,7 +141,7 @@ void read_into(const std::filesystem::path& path, const std::vector<StartBlock>&
   snapshot.step = std::lround(remark_number(head, file, "step"));
   snapshot.time = remark_number(head, file, "time_s");
   snapshot.states.resize(blocks.size());
-  if (PackedRows::begin(behind))
+  if (snapshot_form(file) == SnapshotForm::packed)
     read_packed(PackedRows(behind, file), file, ids, snapshot.states);
   else if (!read_plain_rows(behind, ids, kUnitTolerance, wanted, snapshot.states))
     read_table(CsvTable::parse(text, file), file, blocks, snapshot.states);

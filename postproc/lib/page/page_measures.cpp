@@ -23,7 +23,7 @@ const std::vector<Picture>& pictures_of_the_pile() {
   static const std::vector<Picture> pictures{
       {"profile.png", "Section",
        "Section through a hole, with equal scales; table in profile.csv."},
-      {"crater.png", "Section", "Section through the charge; table in crater.csv."},
+      {"crater.png", "Section", "Section through the charge; tables in crater.csv and, of the launch, launch.csv."},
       {"heap.png", "Section", "Section of the heap; table in heap.csv."},
       {"pile3d.png", "View", "The rock as it lies; the blue edges are the rock before the blast."},
       {"movement.png", "Movement",

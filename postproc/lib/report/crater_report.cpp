@@ -29,11 +29,19 @@ void write_rings(const std::vector<CraterRing>& rings, const std::filesystem::pa
     csv.row({ring.radius, ring.surface, ring.true_surface, ring.moved_fraction});
 }
 
+// A damaged file may hold any number.
+double burial_depth(const ResultFolder& folder) {
+  constexpr double kLeast = 1e-3, kMost = 1e4;  // [m]
+  const double depth = folder.scene_number("burial_depth_m");
+  if (depth >= kLeast && depth <= kMost) return depth;
+  throw InputError(folder.dump("scene.json").string() +
+                   ": burial_depth_m must be 1e-3 to 1e4 m, got '" + spelled(depth) + "'");
+}
+
 // Of every snapshot, ring by ring of a quarter of the burial depth.
 void write_launch(const ResultFolder& folder, const RunData& run,
                   const std::filesystem::path& path) {
-  const double burial = folder.scene_number("burial_depth_m");
-  const std::vector<SurfaceRing> rings = surface_rings(run.blocks, 0.25 * burial);
+  const std::vector<SurfaceRing> rings = surface_rings(run.blocks, 0.25 * burial_depth(folder));
   CsvWriter csv(path, "time_s,start_radius_m,outward_m_s,upward_m_s,mass_kg");
   SnapshotReader reader(folder.blocks());
   for (const auto& file : folder.snapshots()) {
@@ -76,7 +84,7 @@ SectionPlot section_of(const ResultFolder& folder, const RunData& run,
   // Blocks of a model with a symmetry plane end at y = 0: they are cut beside it.
   constexpr double kBeside = 0.1;  // of a block: beside the crack that often runs there
   const double y = options.y.value_or(folder.symmetry() > 1 ? kBeside * run.block_size : 0.0);
-  const double burial = folder.scene_number("burial_depth_m");
+  const double burial = burial_depth(folder);
   const Extent before = extent_at_start(run.blocks);
   const double reach = std::max(std::abs(before.low.x()), before.high.x());
   double top = 0.5 * burial;
@@ -112,12 +120,13 @@ void require_charge_on_axis(const ResultFolder& folder) {
   constexpr double kOff = 0.05;  // of the burial depth
   for (const Charge& charge : charges_of_run(folder)) {
     for (const Vec3& end : {charge.toe, charge.collar}) {
-      if (end.head<2>().norm() <= kOff * folder.scene_number("burial_depth_m")) continue;
+      if (end.head<2>().norm() <= kOff * burial_depth(folder)) continue;
       const NotMeasurable refusal(
           "crater: the charge must stand on the z axis, got one through x = " + spelled(end.x()) +
           ", y = " + spelled(end.y()) + " m; the crater is not measured");
       nlohmann::ordered_json own = crater_keys({}, {}, {});
       own["blocks_on_the_move"] = nullptr;
+      std::filesystem::remove(folder.file("launch.csv"));
       take_back(folder, "crater", own, refusal);
       throw refusal;
     }

@@ -17,7 +17,7 @@ void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
 // size of boulders.
 void report_fragments(const ResultFolder& folder, const MeasureOptions& measure,
                       const FragmentOptions& options = {});
-// Crater only: crater.csv, crater.png and the crater's keys. Throws NotMeasurable, as
+// Crater only: crater.csv, launch.csv, crater.png and the crater's keys. Throws NotMeasurable, as
 // report_profile does, for a charge beside the z axis.
 void report_crater(const ResultFolder& folder, const MeasureOptions& measure,
                    const SectionOptions& section);

@@ -87,7 +87,7 @@ class Run:
         """The snapshot with this index of `times` (-1 is the last, also the default), or the one
         nearest to `time` [s]. Nothing is interpolated: see `.time` of what comes back."""
         if not self._files:
-            raise ResultError(f"{self._dump}: holds no blocks_<step>.csv; the run needs fix muckpile/dump")
+            raise ResultError(f"{self._dump}: holds no blocks_<step>.csv or .bin; the run needs fix muckpile/dump")
         if index is not None and time is not None:
             raise ValueError("give either the index of a snapshot or a time, not both")
         if time is not None:

@@ -91,8 +91,8 @@ def _read_packed(path: Path, blocks: Blocks) -> Snapshot:
     fields = {name: rows[name] for name in PACKED_ROW.names if name != "id"}
     for name in ("position", "rotation", "velocity", "spin", "broken_fraction"):
         fields[name] = fields[name].astype(float)
-        if not np.isfinite(fields[name]).all():
-            raise ResultError(f"{path}: {name} must be finite numbers; {RUN_AGAIN}")
+        for wrong in np.flatnonzero(~np.isfinite(fields[name]).reshape(len(rows), -1).all(axis=1))[:1]:
+            raise ResultError(f"{path}: row {wrong + 1}: {name} must be finite numbers; {RUN_AGAIN}")
     fields["rotation"] /= 2147483647
     return Snapshot(step=step, time=time,
                     **_states(blocks, rows["id"], lambda row: f"{path}: row {row + 1}: ", path, **fields))

@@ -43,7 +43,7 @@ keep_interrupted_state() {  # keep_interrupted_state OUT INPUT [-var NAME VALUE]
 results_in() {  # results_in FOLDER: paths from there
   (
     cd "$1" && shopt -s nullglob
-    for file in {,muck/}dump/{blocks_[0-9]*,history,gas*,gauges*,holes,holes_again,burden,joints}.csv {,muck/}dump/blocks.vtk {,muck/}dump/{floor,behind,ground,gate}.stl {,muck/}dump/{run,scene}.json \
+    for file in {,muck/}dump/{blocks_[0-9]*,history,gas*,gauges*,holes,holes_again,burden,joints}.csv {,muck/}dump/blocks_[0-9]*.bin {,muck/}dump/blocks.vtk {,muck/}dump/{floor,behind,ground,gate}.stl {,muck/}dump/{run,scene}.json \
       {,muck/}dump/{a,b,interrupted,stopped}.restart {,muck/}{vtk/blocks*,summary.json,log.liggghts,report.html} \
       {,muck/}{profile,movement,polygons,rows,heights,face_velocity,waves,ppv,survey,damage,cracks,crater,heap,fragments,fines,dig,launch,energy,plan,section,over,trough,burden,boulders}.{csv,png} {,muck/}{flyrock,sieve,fragments_list,model_moved,polygons_moved,energy_holes,hole_polygons}.csv {,muck/}{movement,polygons}.dxf {,muck/}pile3d{.csv,*.png}; do
       if [[ -f $file ]]; then printf '%s\n' "$file"; fi
@@ -57,7 +57,7 @@ written_in() { listed "$1" ! -path "$1/.previous*" ! -path "$1/.lock" ! -path "$
 steps_in() {  # steps_in OUT: those of a pour of muck, too
   local dump
   for dump in "$1"/{,muck/}dump; do
-    if [[ -d $dump ]]; then listed "$dump" -maxdepth 1 \( -name history.csv -o -name 'blocks_[0-9]*.csv' \); fi
+    if [[ -d $dump ]]; then listed "$dump" -maxdepth 1 \( -name history.csv -o -name 'blocks_[0-9]*.csv' -o -name 'blocks_[0-9]*.bin' \); fi
   done
 }
 
@@ -65,11 +65,11 @@ steps_in() {  # steps_in OUT: those of a pour of muck, too
 started() {  # started OUT: a run that does not go on has got beyond its set-up
   local out=$1 file steps
   steps=$(
-    for file in "$out"/{,muck/}dump/{history,blocks_[0-9]*}.csv "$out"/{,muck/}dump/{a,b,stopped}.restart; do
+    for file in "$out"/{,muck/}dump/{history,blocks_[0-9]*}.csv "$out"/{,muck/}dump/blocks_[0-9]*.bin "$out"/{,muck/}dump/{a,b,stopped}.restart; do
       [[ -f $file && $file -nt $out/.previous/${file#"$out"/} ]] || continue
       case ${file##*/} in
         history.csv) sed -nE 's/^0*([0-9]+),.*/\1/p' "$file" ;;
-        *.csv) sed -nE 's/^blocks_0*([0-9]+)\.csv$/\1/p' <<<"${file##*/}" ;;
+        *.csv | *.bin) sed -nE 's/^blocks_0*([0-9]+)\.(csv|bin)$/\1/p' <<<"${file##*/}" ;;
         *) printf 'restart\nfile\n' ;;  # written at steps only
       esac
     done | sort -u | wc -l

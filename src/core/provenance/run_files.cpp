@@ -42,6 +42,10 @@ std::string snapshot_name(long long step, SnapshotForm form) {
          digits + std::string(form == SnapshotForm::csv ? kTable : kPacked);
 }
 
+SnapshotForm snapshot_form(std::string_view name) {
+  return name.ends_with(kPacked) ? SnapshotForm::packed : SnapshotForm::csv;
+}
+
 long long snapshot_step(std::string_view name) {
   if (!name.starts_with(kBefore) || !(name.ends_with(kTable) || name.ends_with(kPacked))) return -1;
   if (name.size() < kBefore.size() + kTable.size()) return -1;

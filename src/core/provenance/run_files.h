@@ -25,6 +25,9 @@ enum class SnapshotForm { csv, packed };
 /// "blocks_000001000.csv" for step 1000; packed rows (state/packed_rows.h) are in ".bin".
 [[nodiscard]] std::string snapshot_name(long long step, SnapshotForm form = SnapshotForm::csv);
 
+/// By the ending of a name that has a step.
+[[nodiscard]] SnapshotForm snapshot_form(std::string_view name);
+
 /// The step in the name of a snapshot of either form, with any number of digits; -1 for any other
 /// name.
 [[nodiscard]] long long snapshot_step(std::string_view name);

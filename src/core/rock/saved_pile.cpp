@@ -59,7 +59,7 @@ fs::path last_snapshot(const fs::path& dump) {
   while (!found.empty() && id_of(found.back().second) != id) found.pop_back();
   if (found.empty())
     throw InputError("muck: '" + dump.string() +
-                     "' has no snapshot blocks_<step>.csv of the run of its blocks.vtk");
+                     "' has no snapshot blocks_<step>.csv or .bin of the run of its blocks.vtk");
   return found.back().second;
 }
 
@@ -141,18 +141,24 @@ class Columns {
   Three velocity_;
 };
 
+using RowOfId = std::unordered_map<int, BlockRow>;
+
+void add_row(RowOfId& rows, const BlockRow& row, const std::string& where) {
+  if (!rows.emplace(row.id, row).second)
+    throw InputError(where + "block " + std::to_string(row.id) + " has a second row");
+}
+
 /// Of a snapshot in either form.
-std::vector<BlockRow> rows_of(const std::string& text, const std::string& file) {
-  std::vector<BlockRow> rows;
-  const std::string_view behind_remark = std::string_view(text).substr(text.find('\n') + 1);
-  if (PackedRows::begin(behind_remark)) {
-    const PackedRows packed(behind_remark, file);
-    for (std::size_t row = 0; row < packed.count(); ++row) rows.push_back(packed.at(row));
+RowOfId rows_of(const std::string& text, const std::string& file) {
+  RowOfId rows;
+  if (snapshot_form(file) == SnapshotForm::packed) {
+    const PackedRows packed(std::string_view(text).substr(text.find('\n') + 1), file);
+    for (std::size_t k = 0; k < packed.count(); ++k) add_row(rows, packed.at(k), packed.where(k));
     return rows;
   }
   const CsvTable table = CsvTable::parse(text, file);
   const Columns columns(table);
-  for (std::size_t row = 0; row < table.rows(); ++row) rows.push_back(columns.at(row));
+  for (std::size_t k = 0; k < table.rows(); ++k) add_row(rows, columns.at(k), table.where(k));
   return rows;
 }
 
@@ -163,10 +169,7 @@ SavedPile read_saved_pile(const std::string& folder) {
   SavedPile pile{blocks_at_start((dump / "blocks.vtk").string()), 0.0};
   const std::string file = snapshot.string(), text = whole_file(file);
   pile.time = time_in(std::string_view(text).substr(0, text.find('\n')));
-  std::unordered_map<int, BlockRow> row_of;
-  for (const BlockRow& row : rows_of(text, file))
-    if (!row_of.emplace(row.id, row).second)
-      throw InputError(file + ": block " + std::to_string(row.id) + " has a second row");
+  const RowOfId row_of = rows_of(text, file);
   for (SavedBlock& block : pile.blocks) {
     const auto found = row_of.find(block.id);
     if (found == row_of.end())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The blocks of an earlier run as its last snapshot has them.
-// Scope: a folder of results with dump/blocks.vtk and dump/blocks_<step>.csv, or that folder dump.
+// Scope: a folder of results with dump/blocks.vtk and dump/blocks_<step>.csv or .bin, or that folder dump.
 #pragma once
 
 #include <string>

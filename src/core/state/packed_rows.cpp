@@ -75,10 +75,11 @@ void pack(const BlockRow& row, std::string& rows) {
   });
 }
 
-bool PackedRows::begin(std::string_view text) { return text.starts_with(kHeader); }
-
 PackedRows::PackedRows(std::string_view text, std::string file)
-    : rows_(text.substr(kHeader.size())), file_(std::move(file)) {
+    : rows_(text), file_(std::move(file)) {
+  if (!rows_.starts_with(kHeader))
+    refuse(file_, "the second line of packed rows must name their numbers; the file is damaged");
+  rows_.remove_prefix(kHeader.size());
   if (rows_.size() % kRowBytes != 0)
     refuse(file_,
            "the last of its packed rows of " + std::to_string(kRowBytes) + " bytes is cut short");

@@ -31,10 +31,8 @@ void pack(const BlockRow& row, std::string& rows);
 /// Rows behind such a line. The text must outlive it.
 class PackedRows {
  public:
-  /// Whether a text begins with the line.
-  [[nodiscard]] static bool begin(std::string_view text);
-
-  /// Throws InputError, naming the file, where the last row is cut short.
+  /// Of a text that begins with the line. Throws InputError, naming the file, where it does not, or
+  /// the last row is cut short.
   PackedRows(std::string_view text, std::string file);
 
   [[nodiscard]] std::size_t count() const;

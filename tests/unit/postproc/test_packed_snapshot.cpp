@@ -3,8 +3,10 @@
 // Scope: io/snapshot on packed rows.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <filesystem>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include "args/text_words.h"
 #include "input_error_of.h"

@@ -7,6 +7,7 @@
 
 #include "args/input_error.h"
 #include "geometry/files/block_file.h"
+#include "input_error_of.h"
 #include "report/bench_scene.h"
 #include "report/not_measurable.h"
 #include "report/plan_report.h"
@@ -242,12 +243,29 @@ TEST(CraterRefusal, OfAChargeBesideTheAxisTakesTheFiguresBack) {
   set_charge("0.5");
   EXPECT_THROW(report_crater(folder, {}, {}), NotMeasurable);
   EXPECT_FALSE(std::filesystem::exists(folder.file("crater.csv")));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("launch.csv")));
   const auto refused = read_json_object(folder.file("summary.json"));
   EXPECT_FALSE(refused.contains("crater_radius_m"));
   EXPECT_TRUE(refused.contains("crater_refused"));
   set_charge("0.05");  // of 2 m burial depth: a fortieth
   report_crater(folder, {}, {});
   EXPECT_FALSE(read_json_object(folder.file("summary.json")).contains("crater_refused"));
+}
+
+TEST(CraterRefusal, OfABurialDepthThatIsNone) {
+  TemporaryFolder temporary;
+  write_crater(temporary.path());
+  const std::string file = (temporary.path() / "dump/scene.json").string(), text = text_of(file);
+  for (const std::string depth : {"0", "-2", "1e-300", "1e300"}) {
+    std::string damaged = text;
+    const std::string key = "\"burial_depth_m\": ";
+    damaged.replace(damaged.find(key), key.size() + 3, key + depth);
+    write_text(file, damaged);
+    EXPECT_NE(input_error_of([&] { report_crater(ResultFolder(temporary.path()), {}, {}); })
+                  .find("burial_depth_m must be 1e-3 to 1e4 m"),
+              std::string::npos)
+        << depth;
+  }
 }
 
 TEST_F(Refusals, PlanNeedsAHoleTable) {

@@ -27,14 +27,17 @@ TEST(RunFiles, TheStepInANameComesBack) {
   EXPECT_EQ(snapshot_name(1000), "blocks_000001000.csv");
   for (const long long step : {0LL, 7LL, 999999999LL, 12345678901LL}) {
     EXPECT_EQ(snapshot_step(snapshot_name(step)), step);
-    EXPECT_EQ(snapshot_step(snapshot_name(step, SnapshotForm::packed)), step);
+    const std::string packed = snapshot_name(step, SnapshotForm::packed);
+    EXPECT_EQ(snapshot_step(packed), step);
+    EXPECT_EQ(snapshot_form(packed), SnapshotForm::packed);
   }
   EXPECT_EQ(snapshot_step("blocks_5.csv"), 5);
 }
 
 TEST(RunFiles, OtherNamesHaveNoStep) {
-  for (const char* name : {"blocks_.csv", "blocks_mine.csv", "blocks_-5.csv", "blocks_5.csv.part",
-                           "blocks_5x.csv", "blocks_5.5.csv", "my_blocks_5.csv", "blocks.vtk", "blocks_.bin"}) {
+  for (const char* name :
+       {"blocks_.csv", "blocks_mine.csv", "blocks_-5.csv", "blocks_5.csv.part", "blocks_5x.csv",
+        "blocks_5.5.csv", "my_blocks_5.csv", "blocks.vtk", "blocks_.bin"}) {
     EXPECT_EQ(snapshot_step(name), -1) << name;
   }
 }

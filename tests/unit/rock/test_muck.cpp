@@ -216,7 +216,7 @@ TEST_F(MuckOfAnEarlierRun, IsThatOfTheRunOfItsBlocks) {
   write("00000000ffffffff", "blocks_000000900.csv");  // left by another run
   EXPECT_NEAR(lay(source()).bodies[0].centre.z(), 0.25, 1e-9);
   std::filesystem::remove(dump() / "blocks_000000200.csv");
-  EXPECT_NE(refusal(source()).find("has no snapshot blocks_<step>.csv of the run"),
+  EXPECT_NE(refusal(source()).find("has no snapshot blocks_<step>.csv or .bin of the run"),
             std::string::npos);
 }
 

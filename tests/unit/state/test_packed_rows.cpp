@@ -32,7 +32,6 @@ std::string packed(const std::vector<BlockRow>& rows) {
 TEST(PackedRows, ComeBackToTheDigitsThatTheyKeep) {
   constexpr double kFloat = 1e-7;
   const std::string text = packed({row_of(7), row_of(2000000000)});
-  ASSERT_TRUE(PackedRows::begin(text));
   const PackedRows rows(text, "file");
   ASSERT_EQ(rows.count(), 2U);
   const BlockRow got = rows.at(1), put = row_of(2000000000);
@@ -54,6 +53,13 @@ TEST(PackedRows, RefuseARowThatIsCutShort) {
   const std::string text = packed({row_of(1), row_of(2)});
   EXPECT_EQ(input_error_of([&] { PackedRows(text.substr(0, text.size() - 1), "file"); }),
             "file: the last of its packed rows of 76 bytes is cut short");
+}
+
+TEST(PackedRows, RefuseADamagedHeader) {
+  std::string text = packed({row_of(1)});
+  text[3] = '?';
+  EXPECT_EQ(input_error_of([&] { PackedRows(text, "file"); }),
+            "file: the second line of packed rows must name their numbers; the file is damaged");
 }
 
 TEST(PackedRows, RefuseWhatIsNoPose) {

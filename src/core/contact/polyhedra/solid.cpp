@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include "args/require.h"
@@ -17,14 +18,16 @@ namespace {
 constexpr double kShape = 1e-6;        // of the radius: a corner so far outside a plane is none
 constexpr double kNoDirection = 1e-9;  // of the radius squared: area of a face without a normal
 constexpr double kSamePlane = 1e-9;
-static_assert(Solid::kMostCorners == 128 && Solid::kMostPlanes == 64);  // as messages say
+/// "contact of polyhedra: a block may have 64 faces at most; ..."
+std::string too_many(std::size_t most, const char* what) {
+  return "contact of polyhedra: a block may have " + std::to_string(most) + ' ' + what +
+         " at most; take spheres for blocks that natural joints or the cut give more";
+}
 
 }  // namespace
 
 Solid::Solid(const Polyhedron& shape, const Pose& pose) {
-  require(shape.vertices.size() <= kMostCorners,
-          "contact of polyhedra: a block may have 128 corners at most; take spheres for blocks "
-          "that natural joints or the cut give more",
+  require(shape.vertices.size() <= kMostCorners, too_many(kMostCorners, "corners"),
           static_cast<double>(shape.vertices.size()));
   for (const Vec3& vertex : shape.vertices) {
     corners_.emplace_back(pose.axes.transpose() * (vertex - pose.centre));
@@ -58,9 +61,7 @@ int Solid::plane_of(const FaceGeometry& face, const Vec3& inside, const Mat3& ax
 }
 
 void Solid::check() const {
-  require(planes_.size() <= kMostPlanes,
-          "contact of polyhedra: a block may have 64 faces at most; take spheres for blocks that "
-          "natural joints or the cut give more",
+  require(planes_.size() <= kMostPlanes, too_many(kMostPlanes, "faces"),
           static_cast<double>(planes_.size()));
   require(planes_.size() >= 4, "contact of polyhedra: a block must have at least 4 faces",
           static_cast<double>(planes_.size()));
