@@ -91,7 +91,8 @@ def _read_packed(path: Path, blocks: Blocks) -> Snapshot:
     fields = {name: rows[name] for name in PACKED_ROW.names if name != "id"}
     for name in ("position", "rotation", "velocity", "spin", "broken_fraction"):
         fields[name] = fields[name].astype(float)
-        for wrong in np.flatnonzero(~np.isfinite(fields[name]).reshape(len(rows), -1).all(axis=1))[:1]:
+        sound = np.isfinite(fields[name])
+        for wrong in np.flatnonzero(~(sound if sound.ndim == 1 else sound.all(axis=1)))[:1]:
             raise ResultError(f"{path}: row {wrong + 1}: {name} must be finite numbers; {RUN_AGAIN}")
     fields["rotation"] /= 2147483647
     return Snapshot(step=step, time=time,
