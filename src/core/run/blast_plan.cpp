@@ -69,15 +69,6 @@ double wave_end_of(const ArgValues& words, const BlastTiming& timing, const std:
   return std::max(timing.last_firing + gas, timing.pulse_end);
 }
 
-/// Nearly incompressible rock gains energy as it breaks, in proportion to the step (fix
-/// muckpile/joint, Restrictions). No rock of Poisson ratio up to 0.4 has a shorter step for it; at
-/// 0.45 a fourth keeps the balance within 1 %.
-double share_of_squeezable(double share, double poisson_ratio) {
-  if (poisson_ratio <= 0.4) return share;
-  const double squeezable = (1.0 - 2.0 * poisson_ratio) / 0.2;
-  return share * (0.05 + 0.95 * squeezable * squeezable);
-}
-
 /// In the order of time, each from ten of the pulse's steps before the charge fires. Those with so
 /// short a gap between them that two changes of the step are not worth it are one.
 std::vector<PulseSpan> joined(std::vector<PulseSpan> spans, const BlastPlan& plan) {
@@ -145,7 +136,7 @@ BlastPlan blast_plan(const ArgValues& words, const BlastScene& scene, const std:
   // been tried with more than three times the pulse's step.
   plan.between_step = rise > 0.0 ? std::min(3.0 * plan.pulse_step, scene.gas_step) : scene.gas_step;
   if (rise > 0.0) plan.pulses = joined(scene.timing.pulses, plan);
-  plan.wave_share = share_of_squeezable(words.real("wave_share"), rock.poisson_ratio);
+  plan.wave_share = words.real("wave_share");
   plan.stable_share = words.real("stable_share");
   plan.push_softening = words.real("push_softening");
   plan.push_elastic = words.real("push_elastic");

@@ -108,14 +108,6 @@ TEST(BlastPlan, PulsesWithTooShortAGapForLongStepsAreOne) {
   EXPECT_NEAR(spans[1].begin, 0.0075, 1e-15);
 }
 
-TEST(BlastPlan, StepsNearlyIncompressibleRockFiner) {
-  BlastScene scene = bench();
-  scene.rock.poisson_ratio = 0.4;
-  EXPECT_EQ(plan_of({}, scene).wave_share, 0.9);
-  scene.rock.poisson_ratio = 0.45;  // (1 - 0.9)/0.2 = 0.5; 0.05 + 0.95 * 0.25 = 0.2875
-  EXPECT_NEAR(plan_of({}, scene).wave_share, 0.9 * 0.2875, 1e-12);
-}
-
 TEST(BlastPlan, ResolvesTheCollisionOfTwoSmallestBlocks) {
   // 8.604 ms at 20 m/s (CollisionTime.OfTheSmallestBlocksOfTheBench) in 8 steps.
   const BlastPlan plan = plan_of({"spheres_per_block", "5"});

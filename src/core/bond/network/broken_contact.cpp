@@ -67,7 +67,8 @@ bool BrokenContact::remains(std::size_t f, const FacetMotion& motion,
          matching_faces(std::sqrt(parting.slid / parting.radius_squared),
                         std::sqrt(parting.turn.squared())));
   }
-  const bool away = history_.contacts().fade(f) == 0.0 || parting.open_by(kOpened);
+  const double closes_at = history_.contacts().closes_at(f);
+  const bool away = history_.contacts().fade(f) == 0.0 || parting.gone(closes_at);
   if (facets_.tables.laws().softens() && history_.softens(f)) {
     if (!away) return true;
     // Faces that no longer match hold nothing.
@@ -78,7 +79,7 @@ bool BrokenContact::remains(std::size_t f, const FacetMotion& motion,
     retire(f);
     return false;
   }
-  if (!parting.open_by(kSurelyOpen) || parting.gap() <= 0.0) return true;
+  if (!parting.open_by(kSurelyOpen) || !parting.surely_open(closes_at)) return true;
   history_.set_open(f, true);
   return false;
 }

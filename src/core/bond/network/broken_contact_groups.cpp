@@ -20,6 +20,13 @@ template <class Closure>
     return {fade * closed};
 }
 
+/// Opening at which the first point of each facet carries a pressure [m].
+[[gnu::always_inline]] inline Wide closing_of(const ContactGroup& memory) {
+  const auto along = [&](std::size_t p) { return wide(memory.offset[p][0]); };
+  static_assert(kFacetPoints == 3);
+  return max(along(0), max(along(1), along(2)));
+}
+
 }  // namespace
 
 /// What the contact of a group's facets remembers, and what else its law needs.
@@ -78,11 +85,13 @@ unsigned BrokenContact::remaining_lanes(std::size_t g, unsigned lanes, const Wid
   const FacetParting<Wide> parting = parting_of(facets_.tables.group(g), pose);
   const unsigned fading = lanes & bits_of<Wide>(parting.begins_to_fade());
   if (fading != 0) fade_lanes(g, fading, parting, memory);
-  const unsigned gone = lanes & bits_of<Wide>(parting.open_by(kOpened) || wide(memory.fade) == 0.0);
+  const Wide closes_at = closing_of(memory);
+  const unsigned gone =
+      lanes & bits_of<Wide>(parting.gone(closes_at) || wide(memory.fade) == 0.0);
   each_lane(gone, [&](std::size_t k) { retire(g * kGroup + k); });
   unsigned open = lanes & ~gone & bits_of<Wide>(parting.open_by(kSurelyOpen));
   if (open == 0) return lanes & ~gone;
-  open &= bits_of<Wide>(parting.gap() > 0.0);
+  open &= bits_of<Wide>(parting.surely_open(closes_at));
   each_lane(open, [&](std::size_t k) { history_.set_open(g * kGroup + k, true); });
   return lanes & ~gone & ~open;
 }

@@ -3,6 +3,8 @@
 // Scope: see the header.
 #include "bond/network/contact_rows.h"
 
+#include <algorithm>
+
 namespace muckpile {
 
 void ContactRows::reset(std::size_t groups) {
@@ -21,6 +23,12 @@ void ContactRows::drop(std::size_t f) {
 
 void ContactRows::set_offset(std::size_t f, std::size_t p, const Vec3& offset) {
   set_lane(remember(f).offset[p], f % kGroup, offset);
+}
+
+double ContactRows::closes_at(std::size_t f) const {
+  double first = offset(f, 0).x();
+  for (std::size_t p = 1; p < kFacetPoints; ++p) first = std::max(first, offset(f, p).x());
+  return first;
 }
 
 ContactMemory ContactRows::get(std::size_t f) const {

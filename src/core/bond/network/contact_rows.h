@@ -58,6 +58,8 @@ class ContactRows {
     return at_lane(of(f / kGroup).offset[p], f % kGroup);
   }
   void set_offset(std::size_t f, std::size_t p, const Vec3& offset);
+  /// Opening at which the first of its points carries a pressure [m].
+  [[nodiscard]] double closes_at(std::size_t f) const;
   [[nodiscard]] ContactMemory get(std::size_t f) const;
   void set(std::size_t f, const ContactMemory& memory);
 

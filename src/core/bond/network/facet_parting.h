@@ -73,11 +73,17 @@ struct FacetParting {
   [[nodiscard, gnu::always_inline]] auto open_by(double radii) const {
     return opened > 0.0 && opened * opened > radii * radii * radius_squared;
   }
-  /// Between the points that are closest, at least [m].
-  [[nodiscard, gnu::always_inline]] Number gap() const {
-    using std::sqrt;
-    const Number tilted = sqrt(slid * turn.squared()) + kSurelyOpen * sqrt(radius_squared);
-    return opened - sqrt(turn.apart_1) - sqrt(turn.apart_2) - tilted;
+  /// Whether broken faces will not touch again. `closes_at`: opening at which the first of their
+  /// points carries a pressure, as it was open by that when it broke [m].
+  [[nodiscard, gnu::always_inline]] auto gone(const Number& closes_at) const {
+    return open_by(kOpened) && opened > closes_at;
+  }
+  /// Whether no point is closed, by the least that those closest are apart.
+  [[nodiscard, gnu::always_inline]] auto surely_open(const Number& closes_at) const {
+    using std::max, std::sqrt;
+    const Number first = max(closes_at, Number(kSurelyOpen * sqrt(radius_squared)));
+    const Number tilted = sqrt(slid * turn.squared());
+    return opened > first + sqrt(turn.apart_1) + sqrt(turn.apart_2) + tilted;
   }
 };
 

@@ -389,6 +389,37 @@ TEST(FacetNetwork, OpenFacetClosesAgain) {
   EXPECT_NEAR(rebound(), 0.0, 0.01);  // equal masses swap their speeds, slid by 4 mm off-centre
 }
 
+/// In soft rock a joint has opened far when it breaks: by a share of its radius beyond which others
+/// are surely open (0.01) or retire (0.1). It is pressed from there on as it closes, and gives back
+/// what it took.
+TEST(FacetNetwork, FacetClosesWhereItBrokeHoweverFarThatIs) {
+  for (const double share : {0.005, 0.03, 0.15}) {
+    const double broke_at = share * kRadius;  // [m]
+    JointParameters p = rock(0.25);
+    p.tension = 0.999 * Pair(p).at(broke_at * Vec3::UnitX()).x();
+    Pair pair(p);
+    pair.at(broke_at * Vec3::UnitX());
+    ASSERT_TRUE(pair.cracked());
+    FacetNetwork& network = pair.scene.network();
+    const double stiffness = 1.2 * 50e9;  // lambda + 2G over 1 m [Pa/m]
+    const double stored = network.elastic_energy();
+    double work = 0.0, last = 0.0;
+    constexpr int kSteps = 200;
+    for (int k = -kSteps; k <= kSteps; ++k) {  // to half of it and back
+      const double jump = broke_at * (0.5 + 0.5 * std::abs(k) / kSteps);
+      const double now = pair.at(jump * Vec3::UnitX()).x();
+      EXPECT_NEAR(now, stiffness * (jump - broke_at), 1e-6 * stiffness * broke_at) << share;
+      const double path = (k <= 0 ? -0.5 : 0.5) * broke_at / kSteps;
+      if (k > -kSteps) work -= 0.5 * path * (last + now);
+      if (k == 0) EXPECT_NEAR((stored - network.elastic_energy()) / work, 1.0, 1e-6) << share;
+      last = now;
+    }
+    EXPECT_NEAR(work, 0.0, 1e-6 * stiffness * broke_at * broke_at) << share;
+    EXPECT_EQ(pair.at(1.2 * (broke_at + kRadius / 10.0) * Vec3::UnitX()).norm(), 0.0);
+    EXPECT_EQ(network.states()[0], FacetState::retired);
+  }
+}
+
 TEST(FacetNetwork, BrokenFacetRetiresOnceItHasTurnedAway) {
   Pair pair;
   pair.at({-1e-3, 0.02, 0});
