@@ -30,6 +30,9 @@ void RunBlastCommand::command(int narg, char** arg) {
   const ArgValues words = engine::read_args(*lmp, run_blast_table(), kStyle, narg, arg, 0);
   const BlastScene found = scene();
   if (words.word("end") == "rest") warn_without_gravity();
+  const std::string squeezed = warning_of_squeezable(found.rock);
+  if (!squeezed.empty() && comm->me == 0)
+    error->warning(FLERR, (std::string(kStyle) + ": " + squeezed).c_str());
   engine::or_engine_error(*lmp, [&] {
     const BlastPlan plan = blast_plan(words, found, kStyle);
     ScriptEngine script(lmp, kStyle, words);

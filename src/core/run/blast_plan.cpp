@@ -71,11 +71,16 @@ double wave_end_of(const ArgValues& words, const BlastTiming& timing, const std:
 
 /// Nearly incompressible rock gains energy as it breaks, in proportion to the step (fix
 /// muckpile/joint, Restrictions). No rock of Poisson ratio up to 0.4 has a shorter step for it; at
-/// 0.45 a fourth keeps the balance within 1 %.
-double share_of_squeezable(double share, double poisson_ratio) {
-  if (poisson_ratio <= 0.4) return share;
+/// 0.45 a fourth keeps the balance within 1 %. Over the step of other rock.
+double step_of_squeezable(double poisson_ratio) {
+  if (poisson_ratio <= 0.4) return 1.0;
   const double squeezable = (1.0 - 2.0 * poisson_ratio) / 0.2;
-  return share * (0.05 + 0.95 * squeezable * squeezable);
+  return 0.05 + 0.95 * squeezable * squeezable;
+}
+
+/// Over Young's modulus, the square of the P-wave's speed.
+double uniaxial_modulus(double poisson_ratio) {
+  return (1.0 - poisson_ratio) / ((1.0 + poisson_ratio) * (1.0 - 2.0 * poisson_ratio));
 }
 
 /// In the order of time, each from ten of the pulse's steps before the charge fires. Those with so
@@ -123,6 +128,22 @@ ArgTable run_blast_table() {
   return table;
 }
 
+double wave_steps_over_usual(double poisson_ratio) {
+  constexpr double kUsual = 0.25;
+  return std::sqrt(uniaxial_modulus(poisson_ratio) / uniaxial_modulus(kUsual)) /
+         step_of_squeezable(poisson_ratio);
+}
+
+std::string warning_of_squeezable(const RockConstants& rock) {
+  const double ratio = rock.poisson_ratio;
+  if (ratio <= kMostPoissonRatio) return "";
+  return "poisson_ratio of the rock is " + rounded_text(ratio, 6) +
+         ": nearly incompressible rock gains energy as it breaks, and stable steps of the wave are " +
+         rounded_text(wave_steps_over_usual(ratio), 2) +
+         " times as many as at 0.25; up to " + number_text(kMostPoissonRatio) +
+         " the balance of energy closes to 1 %";
+}
+
 double closed_damping(double restitution) {
   const double log_e = std::log(restitution);
   return -std::numbers::sqrt2 * log_e / std::hypot(std::numbers::pi, log_e);
@@ -145,7 +166,7 @@ BlastPlan blast_plan(const ArgValues& words, const BlastScene& scene, const std:
   // been tried with more than three times the pulse's step.
   plan.between_step = rise > 0.0 ? std::min(3.0 * plan.pulse_step, scene.gas_step) : scene.gas_step;
   if (rise > 0.0) plan.pulses = joined(scene.timing.pulses, plan);
-  plan.wave_share = share_of_squeezable(words.real("wave_share"), rock.poisson_ratio);
+  plan.wave_share = words.real("wave_share") * step_of_squeezable(rock.poisson_ratio);
   plan.stable_share = words.real("stable_share");
   plan.push_softening = words.real("push_softening");
   plan.push_elastic = words.real("push_elastic");

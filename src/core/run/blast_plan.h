@@ -48,6 +48,17 @@ struct BlastPlan {
 [[nodiscard]] BlastPlan blast_plan(const ArgValues& words, const BlastScene& scene,
                                    const std::string& where);
 
+/// Poisson's ratio up to which the balance of energy of breaking rock has been measured to close to
+/// 1 %, with the shorter steps that it gets in the wave [-].
+inline constexpr double kMostPoissonRatio = 0.45;
+
+/// Steps of the wave over those in rock of a ratio of 0.25, from the P-wave's speed and the shorter
+/// steps above 0.4 [-].
+[[nodiscard]] double wave_steps_over_usual(double poisson_ratio);
+
+/// What to warn of, "" if nothing.
+[[nodiscard]] std::string warning_of_squeezable(const RockConstants& rock);
+
 /// Dashpots with which a closed joint rebounds as a sphere contact of this restitution does: as a
 /// share of the rock's impedance [-].
 [[nodiscard]] double closed_damping(double restitution);

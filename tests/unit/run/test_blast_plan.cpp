@@ -116,6 +116,19 @@ TEST(BlastPlan, StepsNearlyIncompressibleRockFiner) {
   EXPECT_NEAR(plan_of({}, scene).wave_share, 0.9 * 0.2875, 1e-12);
 }
 
+// (1 - nu)/((1 + nu)(1 - 2 nu)) is 1.2 at 0.25, 3.793 at 0.45: sqrt(3.161) = 1.778; over 0.2875.
+TEST(BlastPlan, WarnsOfWhatNearlyIncompressibleRockCosts) {
+  EXPECT_NEAR(wave_steps_over_usual(0.25), 1.0, 1e-12);
+  EXPECT_NEAR(wave_steps_over_usual(0.45), 6.184, 1e-3);
+  RockConstants rock{2700.0, 55e9, 0.45};
+  EXPECT_EQ(warning_of_squeezable(rock), "");
+  rock.poisson_ratio = 0.4999;  // sqrt(1667/1.2) = 37.27, over 0.05
+  EXPECT_EQ(warning_of_squeezable(rock),
+            "poisson_ratio of the rock is 0.4999: nearly incompressible rock gains energy as it "
+            "breaks, and stable steps of the wave are 750 times as many as at 0.25; up to 0.45 the "
+            "balance of energy closes to 1 %");
+}
+
 TEST(BlastPlan, ResolvesTheCollisionOfTwoSmallestBlocks) {
   // 8.604 ms at 20 m/s (CollisionTime.OfTheSmallestBlocksOfTheBench) in 8 steps.
   const BlastPlan plan = plan_of({"spheres_per_block", "5"});
