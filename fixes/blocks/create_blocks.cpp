@@ -77,8 +77,10 @@ void look_at_joint_words(LAMMPS_NS::LAMMPS& lmp, const CutOptions& options,
   std::vector<std::string> words;
   for (std::string word; text >> word;) words.push_back(word);
   if (words.empty())
-    throw InputError("create_blocks: joint_words must be the name of a variable of style index, "
-                     "which holds words of fix muckpile/joint, got '" + knob + "'");
+    throw InputError(
+        "create_blocks: joint_words must be the name of a variable of style index, "
+        "which holds words of fix muckpile/joint, got '" +
+        knob + "'");
   require_joint_words(options, knob, words);
 }
 

@@ -38,9 +38,9 @@ constexpr const char* kAuto = "auto";
 
 bool starts_a_rule(const std::string& word) {
   constexpr std::array<const char*, 16> kWords{
-      "above",  "at_least",  "below",  "at_most", "or",           "whole",      "unit",
-      "one_of", "script_in", "advice", "file",    "file_or_none", "outside_of", "as_in",
-      "script_of", "of_run"};
+      "above",      "at_least", "below",     "at_most", "or",   "whole",
+      "unit",       "one_of",   "script_in", "advice",  "file", "file_or_none",
+      "outside_of", "as_in",    "script_of", "of_run"};
   return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }
 

@@ -59,7 +59,8 @@ std::vector<std::string> take_group(const ArgTable& table, const Keyword& keywor
 std::string twice(const Keyword& keyword, const std::string& first,
                   const std::vector<std::string>& words, std::size_t at) {
   const bool of_one_value = keyword.kind != Keyword::Kind::group && at + 1 < words.size();
-  const std::string values = " as '" + first + "' and as '" + (of_one_value ? words[at + 1] : "") + "'";
+  const std::string values =
+      " as '" + first + "' and as '" + (of_one_value ? words[at + 1] : "") + "'";
   return keyword.name + " is given twice" + (of_one_value ? "," + values : "") +
          "; words that a variable adds to a command replace none of those that it has";
 }

@@ -57,11 +57,13 @@ void require_joint_words(const CutOptions& options, const std::string& knob, con
   for (const RockZone& zone : options.zones) {
     known.push_back(zone.name);
     if (std::ranges::find(zones, zone.name) != zones.end()) continue;
-    refuse(kCreateBlocks, of_fix + "'zone " + zone.name + " KEYWORD VALUE ...' for that zone" + got);
+    refuse(kCreateBlocks,
+           of_fix + "'zone " + zone.name + " KEYWORD VALUE ...' for that zone" + got);
   }
   for (const std::string& zone : zones) {
     if (std::ranges::find(known, zone) != known.end()) continue;
-    refuse(kCreateBlocks, knob + ", words of fix muckpile/joint, must have zones of the rock only (" +
+    refuse(kCreateBlocks, knob +
+                              ", words of fix muckpile/joint, must have zones of the rock only (" +
                               (known.empty() ? std::string("there are none") : joined(known)) +
                               "), got '" + zone + "'" + did_you_mean(zone, known));
   }

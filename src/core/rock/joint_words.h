@@ -10,9 +10,9 @@
 
 namespace muckpile {
 
-/// Throws InputError where natural joints, a fault or a zone have a joint_class that the words lack,
-/// where a zone is not in them, or one of theirs is not in the rock. `knob`: the variable that
-/// holds them, for the message.
+/// Throws InputError where natural joints, a fault or a zone have a joint_class that the words
+/// lack, where a zone is not in them, or one of theirs is not in the rock. `knob`: the variable
+/// that holds them, for the message.
 void require_joint_words(const CutOptions& options, const std::string& knob,
                          const std::vector<std::string>& words);
 

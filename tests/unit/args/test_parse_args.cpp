@@ -96,7 +96,8 @@ TEST(ParseArgs, RefusesAMissingValue) {
 }
 
 TEST(ParseArgs, RefusesAKeywordGivenTwice) {
-  const std::string none = "; words that a variable adds to a command replace none of those that it has";
+  const std::string none =
+      "; words that a variable adds to a command replace none of those that it has";
   EXPECT_EQ(error_of({"decay_time", "1", "decay_time", "2"}),
             kWhere + ": decay_time is given twice, as '1' and as '2'" + none);
   EXPECT_EQ(error_of({"decay_time", "1", "decay_time"}),

@@ -56,7 +56,8 @@ TEST(ResultsFolder, FilesHoldBytesAcrossPieces) {
   const testing::TemporaryFolder folder;
   const std::string file = (folder.path() / "a.restart").string(), id = "0123456789abcdef";
   const std::size_t piece = 1 << 20;  // that is read at once
-  for (const std::size_t at : {std::size_t{0}, piece - id.size(), piece - 3, piece, 2 * piece - 1}) {
+  for (const std::size_t at :
+       {std::size_t{0}, piece - id.size(), piece - 3, piece, 2 * piece - 1}) {
     testing::write_text(file, std::string(at, '7') + id + "end");
     EXPECT_TRUE(file_holds(file, id)) << at;
     EXPECT_FALSE(file_holds(file, id + 'x')) << at;

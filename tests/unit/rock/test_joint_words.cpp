@@ -39,13 +39,15 @@ TEST(JointWords, FitRockWithoutClassesAndZones) {
 }
 
 TEST(JointWords, MustHaveTheClassOfNaturalJoints) {
-  EXPECT_EQ(message("natural_joints 85 0 2 1", kNone),
-            "create_blocks: joint_words, words of fix muckpile/joint, must have 'joint_class 1 law "
-            "NAME ...' for natural_joints of that class, got 'contact_check yes'; joint_class 1 law "
-            "coulomb friction_angle 35 residual_friction_angle 35, say");
+  EXPECT_EQ(
+      message("natural_joints 85 0 2 1", kNone),
+      "create_blocks: joint_words, words of fix muckpile/joint, must have 'joint_class 1 law "
+      "NAME ...' for natural_joints of that class, got 'contact_check yes'; joint_class 1 law "
+      "coulomb friction_angle 35 residual_friction_angle 35, say");
   EXPECT_EQ(message("natural_joints 85 0 2 1", kLaw), "");
-  EXPECT_NE(message("joint_plane 0 0 0 30 90 2", kLaw).find("'joint_class 2 law NAME ...' for "
-                                                            "joint_plane of that class"),
+  EXPECT_NE(message("joint_plane 0 0 0 30 90 2", kLaw)
+                .find("'joint_class 2 law NAME ...' for "
+                      "joint_plane of that class"),
             std::string::npos);
   EXPECT_NE(message(kZone + " class 2", kLaw + " zone seam tension 0")
                 .find("'joint_class 2 law NAME ...' for zone 'seam' of that class"),
@@ -54,8 +56,9 @@ TEST(JointWords, MustHaveTheClassOfNaturalJoints) {
 
 TEST(JointWords, MustHaveTheZonesOfTheRockAndNoOthers) {
   EXPECT_EQ(message(kZone, "zone seam tension 0"), "");
-  EXPECT_NE(message(kZone, kNone).find("must have 'zone seam KEYWORD VALUE ...' for that zone, got"),
-            std::string::npos);
+  EXPECT_NE(
+      message(kZone, kNone).find("must have 'zone seam KEYWORD VALUE ...' for that zone, got"),
+      std::string::npos);
   EXPECT_NE(message(kZone, "zone seam tension 0 zone saem tension 0")
                 .find("must have zones of the rock only (seam), got 'saem'; did you mean 'seam'?"),
             std::string::npos);

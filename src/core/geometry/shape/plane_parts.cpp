@@ -48,9 +48,9 @@ bool has_image(const std::vector<CutPlane>& planes, const Ground& ground, std::s
   return true;
 }
 
-/// Makes mirror pairs of the seeds in a layer at the plane, whichever side its normal looks to: those
-/// of the side with the smaller blocks, and their images, thinned evenly to as many as the sizes on
-/// both sides ask for together. No block is wider than `largest` [m].
+/// Makes mirror pairs of the seeds in a layer at the plane, whichever side its normal looks to:
+/// those of the side with the smaller blocks, and their images, thinned evenly to as many as the
+/// sizes on both sides ask for together. No block is wider than `largest` [m].
 void mirror_layer(const std::vector<CutPlane>& planes, const Ground& ground, double largest,
                   std::size_t number, std::vector<Vec3>& seeds) {
   constexpr double kTie = 1e-6;  // of a size: rounding does not decide whose seeds count
@@ -61,7 +61,8 @@ void mirror_layer(const std::vector<CutPlane>& planes, const Ground& ground, dou
     const Vec3 image = mirrored(plane, seed);
     const double away = std::abs(height(plane, seed)), here = ground.size(seed),
                  there = ground.size(image);
-    // Deeper than of the smaller blocks, those at a charge would change with what is behind a plane.
+    // Deeper than of the smaller blocks, those at a charge would change with what is behind a
+    // plane.
     const bool in_layer = away < kLayer * std::min({largest, here, there});
     if (!in_layer || !has_image(planes, ground, number, seed)) {
       kept.push_back(seed);

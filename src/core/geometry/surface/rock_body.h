@@ -26,7 +26,7 @@ struct MineFrame {
 /// one counts.
 struct DoubledPlaces {
   std::size_t places = 0;
-  double apart = 0.0;         ///< greatest difference of their heights [m]
+  double apart = 0.0;          ///< greatest difference of their heights [m]
   Vec3 lowest = Vec3::Zero();  ///< where it is [m]
 };
 
