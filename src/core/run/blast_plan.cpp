@@ -140,8 +140,9 @@ std::string warning_of_squeezable(const RockConstants& rock) {
   return "poisson_ratio of the rock is " + rounded_text(ratio, 6) +
          ": nearly incompressible rock gains energy as it breaks, and stable steps of the wave "
          "are " +
-         rounded_text(wave_steps_over_usual(ratio), 2) + " times as many as at 0.25; up to " +
-         number_text(kMostPoissonRatio) + " the balance of energy closes to 1 %";
+         rounded_text(std::round(wave_steps_over_usual(ratio))) +
+         " times as many as at 0.25; up to " + number_text(kMostPoissonRatio) +
+         " the balance of energy closes to 1 %";
 }
 
 double closed_damping(double restitution) {
