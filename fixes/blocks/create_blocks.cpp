@@ -18,6 +18,7 @@
 #include <functional>
 #include <sstream>
 
+#include "args/input_error.h"
 #include "fixes/blocks/block_placement.h"
 #include "fixes/blocks/fix_muckpile_blocks.h"
 #include "fixes/engine/bodies.h"
