@@ -16,18 +16,22 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <sstream>
 
+#include "args/input_error.h"
 #include "fixes/blocks/block_placement.h"
 #include "fixes/blocks/fix_muckpile_blocks.h"
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/exchange.h"
 #include "fixes/engine/first_rank.h"
 #include "fixes/engine/over_ranks.h"
+#include "fixes/engine/script_variables.h"
 #include "geometry/files/block_file.h"
 #include "rock/burden_file.h"
 #include "rock/cut_table.h"
 #include "rock/faults.h"
 #include "rock/ground_checks.h"
+#include "rock/joint_words.h"
 #include "rock/rock_surfaces.h"
 #include "rock/zone_bodies.h"
 #include "rock/zone_model.h"
@@ -66,6 +70,21 @@ void write_start(const std::string& file, const RockModel& model, int first_tag,
   write_blocks(file, blocks, first_tag, densities, model.zone_of, run, muck);
 }
 
+/// Of a variable that the script has, or nothing is asked of them.
+void look_at_joint_words(LAMMPS_NS::LAMMPS& lmp, const CutOptions& options,
+                         const std::string& knob) {
+  if (knob == "none") return;
+  std::istringstream text(engine::knob_value(lmp, knob));
+  std::vector<std::string> words;
+  for (std::string word; text >> word;) words.push_back(word);
+  if (words.empty())
+    throw InputError(
+        "create_blocks: joint_words must be the name of a variable of style index, "
+        "which holds words of fix muckpile/joint, got '" +
+        knob + "'");
+  require_joint_words(options, knob, words);
+}
+
 RegionQuery query(LAMMPS_NS::Region& rock) {
   RegionQuery region;
   region.inside = [&rock](const Vec3& p) { return rock.match(p.x(), p.y(), p.z()) != 0; };
@@ -95,6 +114,7 @@ void CreateBlocks::command(int narg, char** arg) {
   SupportRule supports;
   engine::or_engine_error(*lmp, [&] {
     options = cut_options(args, installed_memory());
+    look_at_joint_words(*lmp, options, args.word("joint_words"));
     bound(options.rock, rock);
     lay_surfaces(options);
     lay_natural_joint_sets(options);

@@ -25,6 +25,8 @@
 #include "args/input_error.h"
 #include "args/numbers.h"
 #include "args/suggestion.h"
+#include "fixes/engine/first_rank.h"
+#include "fixes/engine/restart_name.h"
 #include "fixes/engine/style_args.h"
 #include "provenance/results_folder.h"
 
@@ -35,9 +37,10 @@ constexpr const char* kStyle = "require";
 constexpr const char* kAuto = "auto";
 
 bool starts_a_rule(const std::string& word) {
-  constexpr std::array<const char*, 15> kWords{
-      "above",     "at_least", "below", "at_most",      "or",         "whole", "unit",     "one_of",
-      "script_in", "advice",   "file",  "file_or_none", "outside_of", "as_in", "script_of"};
+  constexpr std::array<const char*, 16> kWords{
+      "above",      "at_least", "below",     "at_most", "or",   "whole",
+      "unit",       "one_of",   "script_in", "advice",  "file", "file_or_none",
+      "outside_of", "as_in",    "script_of", "of_run"};
   return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }
 
@@ -90,7 +93,7 @@ Rule read_rule(const std::vector<std::string>& words) {
       throw InputError(
           std::string(kStyle) + ": unknown keyword '" + word +
           "' (known: above, at_least, below, at_most, or, whole, unit, advice, one_of, "
-          "script_in, file, script_of, file_or_none, outside_of, as_in)");
+          "script_in, file, script_of, file_or_none, outside_of, as_in, of_run)");
     }
   }
   return rule;
@@ -205,6 +208,16 @@ void check_outside(const std::string& name, const std::string& path, const std::
                      "'");
 }
 
+/// Throws InputError where a folder has the scene of another run than that of a restart file.
+void check_run(const std::string& name, const std::string& folder, const std::string& restart) {
+  const std::string there = scene_run_id(folder).value_or("none");
+  if (there == "none" || (!there.empty() && file_holds(restart, there))) return;
+  throw InputError("input: " + name + " must be the folder of the run that goes on from '" +
+                   restart + "', or a new one, got '" + folder + "', which has " +
+                   (there.empty() ? "a scene without a run_id that can be read"
+                                  : "the scene of another run, " + there));
+}
+
 /// What follows as_in.
 struct SceneRule {
   std::string folder, key;
@@ -264,6 +277,20 @@ void Require::look_at_folder(const std::string& name, const std::string& value,
   if (comm->me == 0) error->warning(FLERR, fault.c_str());
 }
 
+/// Before a script that goes on writes into the folder. Files in parts have no whole one to look
+/// into; read_restart tells what is wrong with them.
+void Require::look_at_run(const std::string& name, const std::string& folder,
+                          const std::vector<std::string>& words) const {
+  if (words.size() != 1)
+    throw InputError(std::string(kStyle) + ": of_run takes the name of one restart file");
+  const std::string restart = engine::latest_restart(*lmp, words.front());
+  if (restart.find('%') != std::string::npos) return;
+  engine::on_first_rank(*lmp, [&] {
+    check_file("from", restart, "a restart file");
+    check_run(name, folder, restart);
+  });
+}
+
 void Require::require_set(char* variable) const {
   if (input->variable->find(variable) < 0)
     throw InputError(std::string("input: the variable ") + variable + " is not set");
@@ -307,6 +334,8 @@ void Require::command(int narg, char** arg) {
       set_flag(arg[3], is_file(arg[0], arg[1]));
     } else if (rule == "outside_of" || rule == "as_in") {
       look_at_folder(arg[0], arg[1], {arg + 2, arg + narg});
+    } else if (rule == "of_run") {
+      look_at_run(arg[0], arg[1], {arg + 3, arg + narg});
     } else if (rule == "file") {
       if (narg != 3) throw InputError(std::string(kStyle) + ": nothing may follow file");
       check_file(arg[0], arg[1], "a file");

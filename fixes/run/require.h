@@ -21,6 +21,8 @@ class Require : protected LAMMPS_NS::Pointers {
   void require_set(char* variable) const;
   [[nodiscard]] std::string text_of(char* variable) const;
   void look_at_needed(char* name, const std::vector<char*>& words) const;
+  void look_at_run(const std::string& name, const std::string& folder,
+                   const std::vector<std::string>& words) const;
   void look_at_folder(const std::string& name, const std::string& value,
                       const std::vector<std::string>& words) const;
 };

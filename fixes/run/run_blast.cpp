@@ -13,7 +13,10 @@
 #include <string>
 
 #include "args/input_error.h"
+#include "explosive/energy_audit.h"
+#include "fixes/engine/find_view.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/interfaces/blast_energies.h"
 #include "fixes/interfaces/block_contact_view.h"
 #include "fixes/interfaces/charge_timing.h"
 #include "fixes/interfaces/joint_pressure.h"
@@ -38,6 +41,15 @@ void RunBlastCommand::command(int narg, char** arg) {
       ScriptEngine::note_cut();
     return 0;
   });
+  warn_of_missing_energy();
+}
+
+void RunBlastCommand::warn_of_missing_energy() const {
+  const auto* blast = engine::find_view<BlastEnergies>(*lmp);
+  if (blast == nullptr) return;
+  const std::string missing = warning_of_missing(blast->audit());
+  if (!missing.empty() && comm->me == 0)
+    error->warning(FLERR, (std::string(kStyle) + ": " + missing).c_str());
 }
 
 void RunBlastCommand::warn_without_gravity() const {

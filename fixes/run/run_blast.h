@@ -19,6 +19,7 @@ class RunBlastCommand : protected LAMMPS_NS::Pointers {
  private:
   [[nodiscard]] BlastScene scene() const;
   void warn_without_gravity() const;
+  void warn_of_missing_energy() const;
 };
 
 }  // namespace muckpile

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # test_files_kept.sh LIGGGHTS_MUCKPILE: what stays of files that a run would replace: all where a fix that is set up behind the outputs refuses the
-# run, the rows ahead of a damaged one, and the old text where the disk is full.
+# run, the rows ahead of a damaged one, the old text where the disk is full, and
+# the folder of another run.
 set -euo pipefail
 program=$1
 source "$(dirname "${BASH_SOURCE[0]}")/../support/script.sh"
@@ -53,3 +54,15 @@ run 1 <<<'write_scene scene.json case bench burden_m 3'
 says "write_scene: 'scene.json' cannot be written: No space left on device"
 [[ $(cat scene.json) == old ]] || fail "a full disk took the old file"
 [[ ! -L scene.json.part ]] || fail "what was written of the new file stayed"
+
+# Inputs that write a table of holes before the rock is there look first whose folder it is.
+mkdir -p other/dump
+echo '{"run_id": "0123456789abcdef"}' >other/dump/scene.json
+echo 'of no run' >a.restart
+for input in quarry pattern; do
+  status=0
+  (cd "$root" && "$program" -in "inputs/$input/in.$input" -log none -var out "$out/other" -var go_on 1 -var from "$out/a.restart") >screen 2>&1 </dev/null || status=$?
+  [[ $status -eq 1 ]] || fail "$input: exit status $status"
+  says "input: out must be the folder of the run that goes on from '$out/a.restart', or a new one, got '$out/other', which has the scene of another run, 0123456789abcdef"
+  [[ $(ls other/dump) == scene.json ]] || fail "$input has written into the folder of another run: $(ls other/dump)"
+done

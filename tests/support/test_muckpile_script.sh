@@ -26,6 +26,12 @@ must_refuse "unknown option '-n'" run inputs/demo/in.demo -n 2
 must_refuse "run takes one input" run inputs/demo/in.demo 12
 must_refuse "-var needs a name and a value" run inputs/demo/in.demo -var bench_height
 must_refuse "-var needs a name and a value, got the option -out behind 'bench_height'" run inputs/demo/in.demo -var bench_height -out here
+# Every option that run or sweep reads.
+options=$(sed -nE 's/^ +(-[a-z]+)\).*/\1/p' src/app/run/{run_input,sweep}.sh | sort -u)
+[[ $(wc -l <<<"$options") -ge 7 ]] || problem "options read: $options"
+for option in $options; do
+  must_refuse "-var needs a name and a value, got the option $option behind 'bench_height'" run inputs/demo/in.demo -var bench_height "$option" here
+done
 must_refuse "-var takes name and value as two words, got 'bench_height=10': -var bench_height 10" run inputs/demo/in.demo -var bench_height=10 -out here
 must_refuse "has no variable 'bench_heigth'; did you mean 'bench_height'? (it has: bench_height from go_on mode patience rock_density)" \
   run inputs/demo/in.demo -var bench_heigth 10

@@ -3,6 +3,9 @@
 // Scope: see the header.
 #include "page/run_page.h"
 
+#include <cmath>
+
+#include "explosive/energy_audit.h"
 #include "page/figures_table.h"
 #include "page/html.h"
 #include "page/page_measures.h"
@@ -44,6 +47,14 @@ void add_warnings(Html& page, const PageContent& run) {
   for (const auto& [key, value] : run.summary.items()) {
     if (key.ends_with("_refused")) warn("Not measured: " + in_words(key, value));
   }
+  const auto warn_of_energy = [&](const char* key, const std::string& what) {
+    const Json* error = find(run, key);
+    if (error != nullptr && error->is_number() && std::abs(error->get<double>()) > kEnergyCloses)
+      warn(what + " misses " + in_words("_fraction", *error) + " and should close to " +
+           in_words("_fraction", kEnergyCloses) + ".");
+  };
+  warn_of_energy("energy_audit_error", "The audit of the explosive's energy");
+  warn_of_energy("energy_balance_error_worst", "The balance of energy");
   const Json* inside = find(run, "blocks_in_solid");
   if (inside != nullptr && *inside != 0)
     warn(in_words("blocks_in_solid", *inside) +

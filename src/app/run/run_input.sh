@@ -7,6 +7,8 @@
 readonly most_default_ranks=4
 # Ranks that share a core wait for each other at every step.
 readonly most_ranks_per_core=16
+readonly run_options='-np, -var, -out, -vtk'
+readonly sweep_options="$run_options, -seeds, -samples, -jobs"
 
 # $1, seen from the caller's folder, as seen from the root of the project, if it lies there.
 from_root() {
@@ -27,7 +29,7 @@ value_from_root() {
 }
 
 run() {
-  local command=run known_options='-np, -var, -out, -vtk' default_folder=results/
+  local command=run known_options=$run_options default_folder=results/
   local input='' ranks='' out='' go_on cores engine_args=() reports=()
   local signals=0 on_signal=-
   cores=$(available_cores)
@@ -54,7 +56,7 @@ read_run_words() {
       -var)
         [[ ${2-} != *=* ]] || die "-var takes name and value as two words, got '$2': -var ${2/=/ }"
         [[ $# -ge 3 ]] || die "-var needs a name and a value"
-        [[ ! $3 =~ ^-(np|var|out|vtk|seeds|samples|jobs)$ ]] || die "-var needs a name and a value, got the option $3 behind '$2'"
+        [[ ", $sweep_options," != *", $3,"* ]] || die "-var needs a name and a value, got the option $3 behind '$2'"
         engine_args+=(-var "$2" "$(value_from_root "$3")")
         shift 3
         ;;

@@ -8,7 +8,7 @@ readonly most_runs=10000
 readonly longest_folder_name=255  # of a file system
 
 sweep() {
-  local command=sweep known_options='-np, -var, -out, -vtk, -seeds, -samples, -jobs' default_folder=results/sweep_
+  local command=sweep known_options=$sweep_options default_folder=results/sweep_
   local input='' ranks='' out='' jobs='' seeds='' samples='' go_on cores engine_args=() reports=() folder
   local ranges=()  # "NAME=FROM..TO" of what is sampled
   # Of run k: "NAME<tab>VALUE<line end>"... of what is swept, and waiting, measure, done, failed or interrupted.

@@ -189,7 +189,8 @@ void CsvTable::require_known_columns(const std::vector<std::string>& known) cons
         known, [name](const std::string& column) { return is_same_column(column, name); });
     if (same == known.end())
       throw InputError(name_ + ": unknown column '" + std::string(name) + "'" +
-                       did_you_mean(in_small_letters(name), known));
+                       did_you_mean(in_small_letters(name), known) + " (known: " + joined(known) +
+                       ")");
     if (!there.insert(*same).second)
       throw InputError(name_ + ": column '" + *same + "' is there twice, once as '" +
                        std::string(name) + "'");

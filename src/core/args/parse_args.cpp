@@ -54,6 +54,17 @@ std::vector<std::string> take_group(const ArgTable& table, const Keyword& keywor
                    joined(group, " ") + "'");
 }
 
+/// Of a second keyword at `at`, beside the `first` value. A script may take words from a variable,
+/// and whoever sets that does not see the other ones.
+std::string twice(const Keyword& keyword, const std::string& first,
+                  const std::vector<std::string>& words, std::size_t at) {
+  const bool of_one_value = keyword.kind != Keyword::Kind::group && at + 1 < words.size();
+  const std::string values =
+      " as '" + first + "' and as '" + (of_one_value ? words[at + 1] : "") + "'";
+  return keyword.name + " is given twice" + (of_one_value ? "," + values : "") +
+         "; words that a variable adds to a command replace none of those that it has";
+}
+
 const char* kind_text(Keyword::Kind kind) {
   switch (kind) {
     case Keyword::Kind::real:
@@ -103,7 +114,7 @@ ArgValues parse_args(const ArgTable& table, const std::string& where,
     if (keyword == nullptr) refuse_unknown(table, where, words, at);
     ArgValues::Entry& entry = values.entries_.at(keyword->name);
     if (entry.given && !keyword->repeatable)
-      throw InputError(where + ": " + keyword->name + " is given twice");
+      throw InputError(where + ": " + twice(*keyword, entry.word, words, at));
     entry.given = true;
     ++at;
     if (keyword->kind == Keyword::Kind::group) {

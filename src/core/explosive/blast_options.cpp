@@ -174,7 +174,7 @@ void read_pulse(BlastOptions& options, const ArgValues& values) {
   pulse.end_time = needed({Kind::triangular}, "pulse_end");
   pulse.half_time = needed({Kind::itasca}, "pulse_half_time");
   if (pulse.kind == Kind::table) {
-    if (!values.given("pulse_table"))
+    if (values.word("pulse_table") == "none")
       refuse(options.where, "pulse_table, a CSV file, is needed with pulse_shape table");
     pulse.table = read_pulse_table(values.word("pulse_table"));
   }

@@ -39,10 +39,14 @@ void require_jwl(const ChargeOptions& options, const NamedExplosive& explosive) 
 }
 
 /// Between light ANFO mixes and cast high explosives; outside, none of the formulas has been tried.
-void check_formula_range(const NamedExplosive& explosive) {
-  const auto check = [](const char* name, const char* unit, double value, double lo, double hi) {
+/// `share` of the energy slows an explosive that has its own vod.
+void check_formula_range(const NamedExplosive& explosive, double share) {
+  const auto check = [&](const std::string& name, const char* unit, double value, double lo,
+                         double hi) {
     std::ostringstream rule;
     rule << "from " << lo << " to " << hi << ", the range of the formulas for P0,";
+    if (share < 1.0 && name == "vod")
+      rule << " also once energy_share " << share << " has slowed the explosive,";
     if (!(value >= lo && value <= hi)) {
       refuse_value(name, rule.str().c_str(), unit, value);
     }
@@ -133,7 +137,7 @@ NamedExplosive table_explosive(const ChargeOptions& options, const std::string& 
 
 double initial_pressure(const ChargeOptions& options, const NamedExplosive& explosive) {
   if (options.typed_pressure) return *options.typed_pressure;
-  check_formula_range(explosive);
+  check_formula_range(explosive, options.energy_share);
   return pressure_by(options.model, options, explosive);
 }
 

@@ -3,6 +3,9 @@
 #include "explosive/energy_audit.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "args/rounded_text.h"
 
 namespace muckpile {
 
@@ -23,6 +26,18 @@ const std::array<EnergyAudit::Term, 12> EnergyAudit::kTerms = {
 EnergyAudit& EnergyAudit::operator+=(const EnergyAudit& more) {
   for (const Term& term : kTerms) this->*term.value += more.*term.value;
   return *this;
+}
+
+std::string warning_of_missing(const EnergyAudit& audit) {
+  if (!(std::abs(audit.error()) > kEnergyCloses * audit.explosive)) return "";
+  const auto percent = [&](double energy) {
+    return rounded_text(100.0 * energy / audit.explosive, 3) + " %";
+  };
+  return "the audit of the explosive's energy misses " + percent(audit.error()) +
+         " of it and should close to " + rounded_text(100.0 * kEnergyCloses) +
+         " %; wave and gas have done work of " + percent(audit.wall_work + audit.joint_work) +
+         ". In soft rock a shorter longest_step of fix muckpile/gas brings it down (inputs: -var "
+         "gas_step)";
 }
 
 EnergyAudit audit_of_hole(const BlastLoad& load, double explosive, double in_hole,

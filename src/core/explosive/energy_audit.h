@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 
 #include "explosive/blast_load.h"
@@ -62,6 +63,12 @@ struct EnergyAudit {
   /// All of them, in the order above.
   static const std::array<Term, 12> kTerms;
 };
+
+/// Share of an energy that its books may miss unremarked.
+inline constexpr double kEnergyCloses = 0.01;
+
+/// What to warn of at the end of a run, "" if the audit closes.
+[[nodiscard]] std::string warning_of_missing(const EnergyAudit& audit);
 
 /// What is known of one hole.
 struct HoleAudit {

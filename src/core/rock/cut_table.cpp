@@ -80,6 +80,10 @@ const ArgTable& cut_table() {
           .group("fault", 2, 2, true,
                  "FILE N: surface of triangles (.stl, faces of .dxf), open or closed, whose facets "
                  "have the `joint_class` N of fix muckpile/joint (0: none)")
+          .word("joint_words", {}, "none",
+                "name of the variable of style `index` that holds words of fix muckpile/joint: "
+                "a joint_class or a zone that the rock asks for and they lack is told before the "
+                "cut; none: as that fix is defined")
           .group(
               "block_model", 1, 2, false,
               "FILE: CSV file of cells of rock, for zones with `model`; with `partial` behind it, "

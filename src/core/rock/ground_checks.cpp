@@ -99,13 +99,23 @@ std::string check_top(const RockSurface& surface, const Vec3& lo, const Vec3& hi
          "burden), or put the ground where it is\n";
 }
 
+std::string check_places(const RockSurface& surface) {
+  const DoubledPlaces& doubled = surface.doubled;
+  if (doubled.places == 0) return "";
+  return kWarning + name_of(surface) + " has two heights at " + std::to_string(doubled.places) +
+         " place(s), " + metres(doubled.apart) + " apart at x = " + metres(doubled.lowest.x()) +
+         ", y = " + metres(doubled.lowest.y()) +
+         " of the run: one of them counts, and the ground leans from it to the next place. Give a "
+         "steep face as triangles, or its toe and its crest at places that differ\n";
+}
+
 }  // namespace
 
 std::string ground_checks(const CutOptions& options) {
   if (options.surfaces.empty()) return "";
   std::string warnings = check_collars(options);
   for (const RockSurface& surface : options.surfaces)
-    warnings += check_top(surface, options.rock.lo, options.rock.hi);
+    warnings += check_places(surface) + check_top(surface, options.rock.lo, options.rock.hi);
   return warnings;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Whether the surveyed ground is that of the blast: the mouths of the holes lie on it, and the
-// region of the rock reaches above it.
+// Whether the surveyed ground is that of the blast: it has one height at each place, the mouths of
+// the holes lie on it, and the region of the rock reaches above it.
 // Scope: holes of `hole_table`; where surfaces bound the rock. Lengths in metres.
 #pragma once
 

@@ -26,7 +26,9 @@ std::string name_of(const RockSurface& surface) {
 
 RockSurface read_terrain(const std::string& file, const CutOptions& options) {
   RockSurface surface{file, SurfaceIs::terrain, nullptr};
-  std::vector<StlTriangle> triangles = terrain_triangles(read_placed(file, options));
+  const SurveyedSurface survey = read_placed(file, options);
+  surface.doubled = doubled_places(survey.points, kDoubledPlace * options.limits.smallest);
+  std::vector<StlTriangle> triangles = terrain_triangles(survey);
   if (triangles.empty())
     refuse(name_of(surface), "must have points that do not lie on one line in plan");
   surface.index = std::make_shared<const SurfaceIndex>(std::move(triangles));

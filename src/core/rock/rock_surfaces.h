@@ -24,6 +24,10 @@ void read_mine_frame(CutOptions& options, const ArgValues& args);
                                                             const std::string& where,
                                                             const CutOptions& options);
 
+/// Of block_min, by which two heights of ground at one place differ before that is warned of: what
+/// is finer than a block is smoothed anyway.
+inline constexpr double kDoubledPlace = 0.25;
+
 /// Reads `surface` and `terrain`. Throws InputError where a file cannot be read or a body is not
 /// closed.
 void read_surfaces(CutOptions& options, const ArgValues& args);

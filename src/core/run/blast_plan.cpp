@@ -128,8 +128,7 @@ BlastPlan blast_plan(const ArgValues& words, const BlastScene& scene, const std:
   plan.wave_end = wave_end_of(words, scene.timing, where);
   plan.time_end = words.real("time_end");
   plan.still_share = words.real("still_share");
-  // In weak rock the joints bear a longer step than the pulse does. Error of the energy balance at
-  // 5 GPa: 3.6 % with 3 steps in the rise, 0.7 to 1 % with 5, 0.13 % with 10.
+  // In weak rock the joints bear a longer step than the pulse does (docs/theory/timestep.md).
   const double rise = scene.timing.rise_time;  // [s]
   plan.pulse_step = rise > 0.0 ? std::min(0.2 * rise, scene.gas_step) : scene.gas_step;
   // Between pulses what the flow of the gas bears (docs/theory/timestep.md); without it no rock has

@@ -96,9 +96,14 @@ TEST(ParseArgs, RefusesAMissingValue) {
 }
 
 TEST(ParseArgs, RefusesAKeywordGivenTwice) {
-  EXPECT_EQ(error_of({"decay_time", "1", "decay_time", "1"}),
-            kWhere + ": decay_time is given twice");
-  EXPECT_EQ(error_of({"pick", "a", "seed", "1", "pick", "b"}), kWhere + ": pick is given twice");
+  const std::string none =
+      "; words that a variable adds to a command replace none of those that it has";
+  EXPECT_EQ(error_of({"decay_time", "1", "decay_time", "2"}),
+            kWhere + ": decay_time is given twice, as '1' and as '2'" + none);
+  EXPECT_EQ(error_of({"decay_time", "1", "decay_time"}),
+            kWhere + ": decay_time is given twice" + none);
+  EXPECT_EQ(error_of({"pick", "a", "seed", "1", "pick", "b"}),
+            kWhere + ": pick is given twice" + none);
 }
 
 TEST(ParseArgs, RefusesAValueOutsideItsRule) {

@@ -69,6 +69,9 @@ TEST(BlastOptions, FormulasForP0AreRefusedOutsideTheirRange) {
                 ": hole 1: vod must be from 1000 to 9500, the range of the formulas for P0, "
                 "m/s, got '12000'");
   EXPECT_EQ(message(fast + " peak_pressure 1e8 gas no"), "");
+  EXPECT_NE(message("explosive anfo energy_share 0.01 hole_diameter 0.09 poisson_ratio 0.2" + kGas)
+                .find("also once energy_share 0.01 has slowed the explosive, m/s, got '"),
+            std::string::npos);
 }
 
 TEST(BlastOptions, ADecoupledChargeHasItsOwnWallPressureAndRoom) {
@@ -288,6 +291,8 @@ TEST(BlastOptions, EachWrongWordIsNamedWithItsRule) {
       {"pulse_shape itasca", "pulse_half_time [s] is needed with pulse_shape itasca"},
       {"pulse_shape duvall pulse_ratio 1", "pulse_ratio must be > 1 and <= 1000, got '1'"},
       {"pulse_shape table", "pulse_table, a CSV file, is needed with pulse_shape table"},
+      {"pulse_shape table pulse_table none",
+       "pulse_table, a CSV file, is needed with pulse_shape table"},
       {"venting flow", "stemming_length [m] is needed with gas yes and venting flow"},
       {"venting flow stemming_length 3",
        "crack_delay [s] is needed with gas yes and venting flow (about 1e-3 s per metre of "

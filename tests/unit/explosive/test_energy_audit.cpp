@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <string>
 
 #include "explosive/energy_audit.h"
 
@@ -105,6 +106,25 @@ TEST(EnergyAudit, SumsHolesTermByTerm) {
   sum += one;
   for (const EnergyAudit::Term& term : EnergyAudit::kTerms)
     EXPECT_DOUBLE_EQ(sum.*term.value, 2.0 * (one.*term.value)) << term.name;
+}
+
+TEST(EnergyAudit, WarnsOfMoreThanAHundredth) {
+  EnergyAudit audit;
+  EXPECT_EQ(warning_of_missing(audit), "");  // no charge has fired
+  audit.explosive = 1000.0;
+  audit.wall_work = 100.0;
+  audit.joint_work = -20.0;
+  audit.rock_heat = 910.5;  // 9.5 are missing
+  EXPECT_EQ(warning_of_missing(audit), "");
+  for (const double sign : {1.0, -1.0}) {
+    audit.rock_heat = 920.0 - sign * 15.0;
+    const std::string told = warning_of_missing(audit);
+    EXPECT_EQ(told.find("the audit of the explosive's energy misses " +
+                        std::string(sign > 0.0 ? "1.5" : "-1.5") +
+                        " % of it and should close to 1 %; wave and gas have done work of 8 %"),
+              0U)
+        << told;
+  }
 }
 
 }  // namespace

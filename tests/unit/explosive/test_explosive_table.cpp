@@ -78,8 +78,10 @@ TEST(ExplosiveTable, EachFaultNamesFileLineAndColumn) {
   EXPECT_EQ(fault(head + "\na,1000,5000,3e6\na,1000,5000,3e6\n"),
             "own.csv:3: explosive 'a' is given twice");
   EXPECT_EQ(fault("name,density_kg_m3\na,1000\n"), "own.csv: has no column 'vod_m_s'");
-  EXPECT_EQ(fault(head + ",gama\na,1000,5000,3e6,2\n"),
-            "own.csv: unknown column 'gama'; did you mean 'gamma'?");
+  EXPECT_EQ(fault(head + ",gama\na,1000,5000,3e6,2\n")
+                .find("own.csv: unknown column 'gama'; did you mean 'gamma'? (known: name, "
+                      "density_kg_m3, "),
+            0U);
   EXPECT_NE(fault(head + ",jwl_a_Pa\na,1000,5000,3e6,2\n").find("own.csv:2: needs all of jwl_a_Pa"),
             std::string::npos);
 }

@@ -229,9 +229,10 @@ TEST(HoleRings, RefusesWhatLeavesNoRoom) {
   };
   EXPECT_EQ(message({{Vec3(0, 0, 1), Vec3(0, 0, 5), 0.16}}),
             "block tessellation: blocks at the wall of hole 1 must be <= 6 times its crushed-zone "
-            "radius 0.16 m, got '1'");
+            "radius 0.16 m, got '1'; take a block_min below 0.96 m, or a wider charge");
   EXPECT_EQ(message({{Vec3(0, 0, 3), Vec3(0, 0, 3.2), 0.25}}),
-            "block tessellation: hole 1 must be at least 0.25 of the blocks' 1 m long, got '0.2'");
+            "block tessellation: hole 1 must be at least 0.25 of the blocks' 1 m long, got '0.2'; "
+            "take a smaller block_min, or a longer charge");
   EXPECT_EQ(message({{Vec3(0, 0, 1), Vec3(0, 0, 5), 0.25}, {Vec3(1, 0, 1), Vec3(1, 0, 5), 0.25}}),
             "block tessellation: holes 1 and 2 are too near to each other for blocks of '1' m "
             "around both; make the blocks smaller or move the holes apart");

@@ -344,8 +344,9 @@ TEST(Tessellation, NamesWhatIsWrong) {
               o.size = SizeLaw::uniform(0.4);
               o.rings = false;
             }),
-            "block tessellation: blocks at the wall of hole 1 must be <= its crushed-zone "
-            "diameter 0.3 m, got '0.4'");
+            "block tessellation: with joint sets, blocks at the wall of hole 1 must be <= its "
+            "crushed-zone diameter 0.3 m, got '0.4'; take a block_min below that (inputs: -var "
+            "block_min), a wider charge or 'cut voronoi', whose blocks may be three times as wide");
   EXPECT_EQ(message([](auto& o) { o.region.inside = [](const Vec3&) { return true; }; }),
             "block tessellation: a region needs both inside and surface_points");
   const auto no_rock = [](auto& o) {

@@ -121,6 +121,12 @@ TEST_F(Page, SaysWhatTheAuditMissesAndWhatTheGasLost) {
         "energy misses " + in_words("_fraction", 0.02) + " of it", std::string("not accounted for"),
         in_words("_J", 2e5)})
     EXPECT_NE(page.find(said), std::string::npos) << said;
+  const std::string warning = "class=\"warning\">The audit of the explosive";
+  EXPECT_NE(page.find(warning), std::string::npos);
+  run["energy_audit_error"] = -0.009;
+  write_text(folder().dump("run.json"), run.dump());
+  report_profile(folder(), {kCube, 0.125}, {});
+  EXPECT_EQ(page_of(folder()).find(warning), std::string::npos);
 }
 
 TEST_F(Page, EscapesTheTextsOfARun) {

@@ -37,5 +37,33 @@ TEST(ResultsFolder, GivesNumbersOfItsScene) {
   EXPECT_FALSE(scene_number(here, "holes"));
 }
 
+TEST(ResultsFolder, GivesTheRunOfItsScene) {
+  const testing::TemporaryFolder folder;
+  const std::string here = folder.path().string();
+  EXPECT_FALSE(scene_run_id(here));
+  const auto of = [&](const std::string& text) {
+    testing::write_text(folder.path() / "dump" / "scene.json", text);
+    return scene_run_id(here).value_or("no file");
+  };
+  EXPECT_EQ(of("{\n  \"case\": \"bench\",\n  \"run_id\": \"0123456789abcdef\"\n}\n"),
+            "0123456789abcdef");
+  EXPECT_EQ(of("{\n  \"run_id\": \"0123456789abcde\"\n}\n"), "");
+  EXPECT_EQ(of("{\n  \"run_id\": 7\n}\n"), "");
+  EXPECT_EQ(of("{\n  \"case\": \"bench\"\n}\n"), "");
+}
+
+TEST(ResultsFolder, FilesHoldBytesAcrossPieces) {
+  const testing::TemporaryFolder folder;
+  const std::string file = (folder.path() / "a.restart").string(), id = "0123456789abcdef";
+  const std::size_t piece = 1 << 20;  // that is read at once
+  for (const std::size_t at :
+       {std::size_t{0}, piece - id.size(), piece - 3, piece, 2 * piece - 1}) {
+    testing::write_text(file, std::string(at, '7') + id + "end");
+    EXPECT_TRUE(file_holds(file, id)) << at;
+    EXPECT_FALSE(file_holds(file, id + 'x')) << at;
+  }
+  EXPECT_FALSE(file_holds(file + ".none", id));
+}
+
 }  // namespace
 }  // namespace muckpile

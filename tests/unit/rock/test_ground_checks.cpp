@@ -25,7 +25,7 @@ class GroundChecks : public ::testing::Test {
       for (int y = -12; y <= 12; y += 4)
         ground += std::to_string(x) + ',' + std::to_string(y) + ',' +
                   std::to_string(x < x_step ? low : high) + '\n';
-    testing::write_text(terrain_, ground);
+    testing::write_text(terrain_, ground + more_points_);
     std::string holes =
         "hole,collar_x_m,collar_y_m,collar_z_m,toe_x_m,toe_y_m,toe_z_m,diameter_m\n";
     for (std::size_t h = 0; h < collars.size(); ++h) {
@@ -54,6 +54,7 @@ class GroundChecks : public ::testing::Test {
     return "";
   }
 
+  std::string more_points_;  // of the ground, behind the others
   testing::TemporaryFolder folder_;
   std::string terrain_ = (folder_.path() / "ground.csv").string();
   std::string table_ = (folder_.path() / "holes.csv").string();
@@ -61,6 +62,16 @@ class GroundChecks : public ::testing::Test {
 
 TEST_F(GroundChecks, TakeDecimetres) {
   EXPECT_EQ(ground_checks(options_of(10.0, 10.0, {10.0, 9.6, 10.4})), "");
+}
+
+/// Blocks of 1 m do not see 0.25 m.
+TEST_F(GroundChecks, WarnOfTwoHeightsAtOnePlace) {
+  more_points_ = "3,4,10.2\n5,8,13\n7,8,9.5\n5,8,14\n";
+  EXPECT_EQ(ground_checks(options_of(10.0, 10.0, {10.0})),
+            "WARNING: create_blocks: terrain " + terrain_ +
+                " has two heights at 2 place(s), 4 m apart at x = 5 m, y = 8 m of the run: one of "
+                "them counts, and the ground leans from it to the next place. Give a steep face as "
+                "triangles, or its toe and its crest at places that differ\n");
 }
 
 TEST_F(GroundChecks, WarnOfHolesThatBeginOffTheGround) {

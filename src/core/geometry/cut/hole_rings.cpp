@@ -126,7 +126,8 @@ Ringed ringed(const TessellationOptions& options, const Ground& ground, std::siz
   if (wall_size > kCoarsest * hole.radius) {
     fail("blocks at the wall of " + name + " must be <= " + rounded_text(kCoarsest) +
          " times its crushed-zone radius " + rounded_text(hole.radius) + " m, got '" +
-         rounded_text(wall_size) + "'");
+         rounded_text(wall_size) + "'; take a block_min below " +
+         rounded_text(kCoarsest * hole.radius) + " m, or a wider charge");
   }
   Ringed ring{h, hole, wall_size, hole_length(hole), 1};
   ring.columns = column_count(options, hole);
@@ -136,7 +137,8 @@ Ringed ringed(const TessellationOptions& options, const Ground& ground, std::siz
   constexpr double kShortest = 0.25;
   if (ring.length < kShortest * ring.size) {
     fail(name + " must be at least " + rounded_text(kShortest) + " of the blocks' " +
-         rounded_text(ring.size) + " m long, got '" + rounded_text(ring.length) + "'");
+         rounded_text(ring.size) + " m long, got '" + rounded_text(ring.length) +
+         "'; take a smaller block_min, or a longer charge");
   }
   constexpr double kHighest = 1.3;  // levels [block sizes]
   ring.levels = std::max(1, static_cast<int>(std::ceil(ring.length / ring.size - (kHighest - 1))));

@@ -51,8 +51,10 @@ void check_hole(const TessellationOptions& options, std::size_t h) {
   }
   const double size = options.size.at(hole.radius);
   if (!options.rings && size > 2.0 * hole.radius) {
-    fail("blocks at the wall of hole ", h + 1, " must be <= its crushed-zone diameter ",
-         2.0 * hole.radius, " m, got '", size, "'");
+    fail("with joint sets, blocks at the wall of hole ", h + 1,
+         " must be <= its crushed-zone diameter ", 2.0 * hole.radius, " m, got '", size,
+         "'; take a block_min below that (inputs: -var block_min), a wider charge or 'cut "
+         "voronoi', whose blocks may be three times as wide");
   }
 }
 

@@ -48,27 +48,36 @@ bool has_image(const std::vector<CutPlane>& planes, const Ground& ground, std::s
   return true;
 }
 
-/// Replaces the layer of seeds below the plane by the images of the one above it. No block is wider
-/// than `largest` [m].
+/// Makes mirror pairs of the seeds in a layer at the plane, whichever side its normal looks to:
+/// those of the side with the smaller blocks, and their images, thinned evenly to as many as the
+/// sizes on both sides ask for together. No block is wider than `largest` [m].
 void mirror_layer(const std::vector<CutPlane>& planes, const Ground& ground, double largest,
                   std::size_t number, std::vector<Vec3>& seeds) {
+  constexpr double kTie = 1e-6;  // of a size: rounding does not decide whose seeds count
   const CutPlane& plane = planes[number];
-  // Of the smaller blocks of both sides: deeper, blocks grown behind the plane would take the place
-  // of small ones at a charge.
-  const auto in_layer = [&](const Vec3& p) {
-    const double away = std::abs(height(plane, p));
-    return away < kLayer * largest && away < kLayer * ground.size(p) &&
-           away < kLayer * ground.size(mirrored(plane, p));
-  };
-  std::vector<Vec3> images;
+  std::vector<Vec3> kept, images;
+  double asked = 0.5;  // pairs so far; one is made whenever a whole number is passed
   for (const Vec3& seed : seeds) {
-    if (height(plane, seed) > 0.0 && in_layer(seed) && has_image(planes, ground, number, seed))
-      images.push_back(mirrored(plane, seed));
+    const Vec3 image = mirrored(plane, seed);
+    const double away = std::abs(height(plane, seed)), here = ground.size(seed),
+                 there = ground.size(image);
+    // Deeper than of the smaller blocks, those at a charge would change with what is behind a
+    // plane.
+    const bool in_layer = away < kLayer * std::min({largest, here, there});
+    if (!in_layer || !has_image(planes, ground, number, seed)) {
+      kept.push_back(seed);
+      continue;
+    }
+    const bool above = height(plane, seed) > 0.0;
+    const bool counts = above ? here <= (1.0 + kTie) * there : there > (1.0 + kTie) * here;
+    if (!counts) continue;
+    const double before = std::floor(asked);
+    asked += 0.5 * (1.0 + std::min(1.0, std::pow(here / there, 3)));
+    if (std::floor(asked) == before) continue;
+    kept.push_back(seed);
+    images.push_back(image);
   }
-  std::erase_if(seeds, [&](const Vec3& p) {
-    return height(plane, p) <= 0.0 && in_layer(mirrored(plane, p)) &&
-           has_image(planes, ground, number, p);
-  });
+  seeds = std::move(kept);
   seeds.insert(seeds.end(), images.begin(), images.end());
 }
 

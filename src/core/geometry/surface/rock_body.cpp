@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <tuple>
 #include <utility>
 
 #include "geometry/surface/delaunay.h"
@@ -44,6 +46,21 @@ Vec3 MineFrame::to_mine(const Vec3& run) const {
 double RockSurface::height(const Vec3& point) const {
   const double distance = index->closest(point).distance;
   return inside(point) ? -distance : distance;
+}
+
+DoubledPlaces doubled_places(std::vector<Vec3> points, double apart) {
+  std::ranges::sort(points, {}, [](const Vec3& p) { return std::tuple(p.x(), p.y(), p.z()); });
+  DoubledPlaces found;
+  for (auto first = points.begin(); first != points.end();) {
+    const auto last = std::find_if(first, points.end(), [&](const Vec3& p) {
+      return p.x() != first->x() || p.y() != first->y();
+    });
+    const double here = std::prev(last)->z() - first->z();
+    if (here > apart) ++found.places;
+    if (here > std::max(apart, found.apart)) found.apart = here, found.lowest = *first;
+    first = last;
+  }
+  return found;
 }
 
 std::vector<StlTriangle> terrain_triangles(const SurveyedSurface& survey) {

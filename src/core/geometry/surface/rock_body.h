@@ -3,6 +3,7 @@
 // Scope: places them in the frame of the run and checks them; the cut sees a RegionQuery.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,12 +22,24 @@ struct MineFrame {
   [[nodiscard]] Vec3 to_mine(const Vec3& run) const;
 };
 
+/// Points of a ground that stand at the place of another in plan at another height: of each place
+/// one counts.
+struct DoubledPlaces {
+  std::size_t places = 0;
+  double apart = 0.0;          ///< greatest difference of their heights [m]
+  Vec3 lowest = Vec3::Zero();  ///< where it is [m]
+};
+
+/// Of those whose heights differ by more than `apart` [m].
+[[nodiscard]] DoubledPlaces doubled_places(std::vector<Vec3> points, double apart);
+
 enum class SurfaceIs { body, terrain };
 
 struct RockSurface {
   std::string file;
   SurfaceIs kind = SurfaceIs::body;
   std::shared_ptr<const SurfaceIndex> index;
+  DoubledPlaces doubled{};  ///< of a terrain of points
   [[nodiscard]] bool inside(const Vec3& point) const { return index->inside(point); }
   [[nodiscard]] double height(const Vec3& point) const;  ///< out of the rock [m]
 };
