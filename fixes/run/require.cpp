@@ -210,12 +210,12 @@ void check_outside(const std::string& name, const std::string& path, const std::
 
 /// Throws InputError where a folder has the scene of another run than that of a restart file.
 void check_run(const std::string& name, const std::string& folder, const std::string& restart) {
-  const std::string there = scene_run_id(folder).value_or("none");
-  if (there == "none" || (!there.empty() && file_holds(restart, there))) return;
+  const auto there = scene_run_id(folder);
+  if (!there || (!there->empty() && file_holds(restart, *there))) return;
   throw InputError("input: " + name + " must be the folder of the run that goes on from '" +
                    restart + "', or a new one, got '" + folder + "', which has " +
-                   (there.empty() ? "a scene without a run_id that can be read"
-                                  : "the scene of another run, " + there));
+                   (there->empty() ? "a scene without a run_id that can be read"
+                                   : "the scene of another run, " + *there));
 }
 
 /// What follows as_in.
@@ -286,7 +286,7 @@ void Require::look_at_run(const std::string& name, const std::string& folder,
   const std::string restart = engine::latest_restart(*lmp, words.front());
   if (restart.find('%') != std::string::npos) return;
   engine::on_first_rank(*lmp, [&] {
-    check_file("from", restart, "a restart file");
+    check_file(name + " of_run", restart, "a restart file");
     check_run(name, folder, restart);
   });
 }

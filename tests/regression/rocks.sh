@@ -90,7 +90,9 @@ read_rock north_quarry
 is north_quarry cohesion 34e6
 within north_quarry line 0.95 1.05
 # One that lacks a number is refused by its name.
-sed -i '/^variable toughness/d' inputs/common/rocks/north_quarry.in
-! "$program" -in "$out/in.rock" -log none -var out "$out" -var rock north_quarry >"$out/screen" 2>&1 </dev/null || fail "a rock without toughness was taken"
-grep -q 'ERROR: input: the variable toughness is not set' "$out/screen" || fail "the number that lacks is not named"
+for knob in $(sed -nE 's/^variable ([a-z_]+) .*/\1/p' inputs/common/rocks/north_quarry.in); do
+  sed "/^variable $knob /d" inputs/common/rocks/north_quarry.in >inputs/common/rocks/lacking.in
+  ! "$program" -in "$out/in.rock" -log none -var out "$out" -var rock lacking >"$out/screen" 2>&1 </dev/null || fail "a rock without $knob was taken"
+  grep -q "ERROR: input: the variable $knob is not set" "$out/screen" || fail "that $knob lacks is not named"
+done
 exit $wrong

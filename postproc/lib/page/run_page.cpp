@@ -37,6 +37,9 @@ std::string title_of(const PageContent& run) {
   return title;
 }
 
+/// Of a share of energy that books miss.
+bool closes(const Json& error) { return std::abs(error.get<double>()) <= kEnergyCloses; }
+
 void add_warnings(Html& page, const PageContent& run) {
   const auto warn = [&](const std::string& text) {
     page.element("p", text, {{"class", "warning"}});
@@ -49,12 +52,12 @@ void add_warnings(Html& page, const PageContent& run) {
   }
   const auto warn_of_energy = [&](const char* key, const std::string& what) {
     const Json* error = find(run, key);
-    if (error != nullptr && error->is_number() && std::abs(error->get<double>()) > kEnergyCloses)
-      warn(what + " misses " + in_words("_fraction", *error) + " and should close to " +
-           in_words("_fraction", kEnergyCloses) + ".");
+    if (error != nullptr && error->is_number() && !closes(*error))
+      warn(what + ": " + in_words("_fraction", *error) + " are missing, at most " +
+           in_words("_fraction", kEnergyCloses) + " should be.");
   };
-  warn_of_energy("energy_audit_error", "The audit of the explosive's energy");
-  warn_of_energy("energy_balance_error_worst", "The balance of energy");
+  warn_of_energy("energy_audit_error", "Audit of the explosive's energy");
+  warn_of_energy("energy_balance_error_worst", "Balance of energy, of the largest energy seen");
   const Json* inside = find(run, "blocks_in_solid");
   if (inside != nullptr && *inside != 0)
     warn(in_words("blocks_in_solid", *inside) +
@@ -94,7 +97,7 @@ void add_gas_limits(Html& page, const PageContent& run) {
                              " of the explosive's energy with it: what it may push there is left "
                              "out, or ends with the voids that keep it.");
   }
-  if (const Json* error = find(run, "energy_audit_error"))
+  if (const Json* error = find(run, "energy_audit_error"); error != nullptr && closes(*error))
     page.element("li", "The audit of the explosive's energy misses " +
                            in_words("_fraction", *error) + " of it.");
 }

@@ -45,8 +45,8 @@ void check_formula_range(const NamedExplosive& explosive, double share) {
                          double hi) {
     std::ostringstream rule;
     rule << "from " << lo << " to " << hi << ", the range of the formulas for P0,";
-    if (share < 1.0 && name == "vod")
-      rule << " also once energy_share " << share << " has slowed the explosive,";
+    if (share < 1.0 && name == "vod" && value < lo)
+      rule << " also once energy_share " << share << " has slowed an explosive of the table,";
     if (!(value >= lo && value <= hi)) {
       refuse_value(name, rule.str().c_str(), unit, value);
     }

@@ -29,7 +29,7 @@ EnergyAudit& EnergyAudit::operator+=(const EnergyAudit& more) {
 }
 
 std::string warning_of_missing(const EnergyAudit& audit) {
-  if (!(std::abs(audit.error()) > kEnergyCloses * audit.explosive)) return "";
+  if (std::abs(audit.error()) <= kEnergyCloses * audit.explosive) return "";  // not where it is NaN
   const auto percent = [&](double energy) {
     return rounded_text(100.0 * energy / audit.explosive, 3) + " %";
   };

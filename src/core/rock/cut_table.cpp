@@ -83,7 +83,7 @@ const ArgTable& cut_table() {
           .word("joint_words", {}, "none",
                 "name of the variable of style `index` that holds words of fix muckpile/joint: "
                 "a joint_class or a zone that the rock asks for and they lack is told before the "
-                "cut; none: as that fix is defined")
+                "cut, of a script with one create_blocks; none: the fix tells it, after the cut")
           .group(
               "block_model", 1, 2, false,
               "FILE: CSV file of cells of rock, for zones with `model`; with `partial` behind it, "

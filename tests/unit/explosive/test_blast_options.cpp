@@ -70,7 +70,7 @@ TEST(BlastOptions, FormulasForP0AreRefusedOutsideTheirRange) {
                 "m/s, got '12000'");
   EXPECT_EQ(message(fast + " peak_pressure 1e8 gas no"), "");
   EXPECT_NE(message("explosive anfo energy_share 0.01 hole_diameter 0.09 poisson_ratio 0.2" + kGas)
-                .find("also once energy_share 0.01 has slowed the explosive, m/s, got '"),
+                .find("also once energy_share 0.01 has slowed an explosive of the table, m/s, got '"),
             std::string::npos);
 }
 

@@ -105,7 +105,7 @@ TEST(PlaneParts, HoleThroughAPlaneKeepsItsVolume) {
 
 // Blocks of 0.2 m at the hole, up to 1 m beside it. At a plane the blocks of its two sides are
 // alike, as many as both ask for together, whichever way its normal looks: seeds of one side alone
-// made 15 % more or fewer of all of them.
+// would make 15 % more or fewer of all of them.
 TEST(PlaneParts, APlaneBesideAChargeLeavesTheNumberOfBlocks) {
   TessellationOptions options = options_with({});
   options.hi = Vec3(4.0, 4.0, 2.0);

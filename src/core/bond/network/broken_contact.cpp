@@ -79,13 +79,16 @@ bool BrokenContact::remains(std::size_t f, const FacetMotion& motion,
     retire(f);
     return false;
   }
-  if (!parting.open_by(kSurelyOpen) || !parting.surely_open(closes_at)) return true;
+  if (!parting.surely_open(closes_at)) return true;
   history_.set_open(f, true);
   return false;
 }
 
 void BrokenContact::retire(std::size_t f) {
   if (history_.state(f) == FacetState::cracked) books_.newly_let_go = true;
+  // Of a facet that tilts a corner may still be pressed.
+  books_.losses.friction +=
+      facets_.tables.weight(f) * contact_energy(facets_, f, facets_.motion(f));
   history_.retire(f);
   schedule_.note_change();
 }

@@ -73,12 +73,12 @@ struct FacetParting {
   [[nodiscard, gnu::always_inline]] auto open_by(double radii) const {
     return opened > 0.0 && opened * opened > radii * radii * radius_squared;
   }
-  /// Whether broken faces will not touch again. `closes_at`: opening at which the first of their
-  /// points carries a pressure, as it was open by that when it broke [m].
+  /// Whether broken faces have come apart for good. `closes_at`: opening of the point that was
+  /// widest when it broke; below that it presses [m].
   [[nodiscard, gnu::always_inline]] auto gone(const Number& closes_at) const {
     return open_by(kOpened) && opened > closes_at;
   }
-  /// Whether no point is closed, by the least that those closest are apart.
+  /// Whether even the nearest point is open, whatever the tilt.
   [[nodiscard, gnu::always_inline]] auto surely_open(const Number& closes_at) const {
     using std::max, std::sqrt;
     const Number first = max(closes_at, Number(kSurelyOpen * sqrt(radius_squared)));

@@ -62,11 +62,12 @@ template <class Is>
 inline constexpr double kTurnStart = 0.1;
 
 // A broken facet is a plane contact only while its two faces still match. It fades between these
-// shares of its radius slid, and of radians turned, and retires once it has opened that far.
+// shares of its radius slid, and of radians turned, and retires once it has opened by kOpened and
+// beyond where it broke.
 inline constexpr double kSlideStart = 0.1, kSlideEnd = 0.5;
 inline constexpr double kTurnEnd = 0.5;  // from kTurnStart
 inline constexpr double kOpened = 0.1;
-inline constexpr double kSurelyOpen = 0.01;  // further than its rotation explains: no point closed
+inline constexpr double kSurelyOpen = 0.01;  // least margin beyond what its rotation explains
 
 /// How far the faces match: 1 to 0. `slid` in radii, `turned` in radians.
 [[nodiscard]] inline double matching_faces(double slid, double turned) {

@@ -53,7 +53,7 @@ bool has_image(const std::vector<CutPlane>& planes, const Ground& ground, std::s
 /// sizes on both sides ask for together. No block is wider than `largest` [m].
 void mirror_layer(const std::vector<CutPlane>& planes, const Ground& ground, double largest,
                   std::size_t number, std::vector<Vec3>& seeds) {
-  constexpr double kTie = 1e-6;  // of a size: rounding does not decide whose seeds count
+  constexpr double kTie = 1e-6;  // of a size [-]: rounding does not decide whose seeds count
   const CutPlane& plane = planes[number];
   std::vector<Vec3> kept, images;
   double asked = 0.5;  // pairs so far; one is made whenever a whole number is passed
@@ -61,8 +61,8 @@ void mirror_layer(const std::vector<CutPlane>& planes, const Ground& ground, dou
     const Vec3 image = mirrored(plane, seed);
     const double away = std::abs(height(plane, seed)), here = ground.size(seed),
                  there = ground.size(image);
-    // Deeper than of the smaller blocks, those at a charge would change with what is behind a
-    // plane.
+    // As deep as the smaller blocks ask for: else blocks at a charge would depend on what lies behind
+    // a plane.
     const bool in_layer = away < kLayer * std::min({largest, here, there});
     if (!in_layer || !has_image(planes, ground, number, seed)) {
       kept.push_back(seed);
@@ -72,7 +72,7 @@ void mirror_layer(const std::vector<CutPlane>& planes, const Ground& ground, dou
     const bool counts = above ? here <= (1.0 + kTie) * there : there > (1.0 + kTie) * here;
     if (!counts) continue;
     const double before = std::floor(asked);
-    asked += 0.5 * (1.0 + std::min(1.0, std::pow(here / there, 3)));
+    asked += 0.5 * (1.0 + std::min(1.0, std::pow(here / there, 3)));  // blocks per volume
     if (std::floor(asked) == before) continue;
     kept.push_back(seed);
     images.push_back(image);

@@ -420,6 +420,27 @@ TEST(FacetNetwork, FacetClosesWhereItBrokeHoweverFarThatIs) {
   }
 }
 
+TEST(FacetNetwork, FacetThatRetiresTiltedBooksWhatItsCornerHolds) {
+  const double broke_at = 0.09 * kRadius;  // [m]
+  JointParameters p = rock(0.25);
+  p.tension = 0.999 * Pair(p).at(broke_at * Vec3::UnitX()).x();
+  Pair pair(p);
+  pair.at(broke_at * Vec3::UnitX());
+  FacetNetwork& network = pair.scene.network();
+  pair.scene.block(1).rotation = turn({0, 0.09, 0});
+  double held = 0.0, lost = 0.0;
+  for (double radii = 0.09; network.states()[0] != FacetState::retired; radii += 1e-4) {
+    ASSERT_LT(radii, 0.12);
+    held = network.elastic_energy();
+    lost = network.losses().friction;
+    pair.scene.block(1).centre = pair.scene.start(1) + Vec3(radii * kRadius, 0, 0);
+    pair.scene.compute();
+  }
+  ASSERT_GT(held, 0.0);
+  EXPECT_EQ(network.elastic_energy(), 0.0);
+  EXPECT_NEAR((network.losses().friction - lost) / held, 1.0, 0.05);  // it opened on by 0.06 mm
+}
+
 TEST(FacetNetwork, BrokenFacetRetiresOnceItHasTurnedAway) {
   Pair pair;
   pair.at({-1e-3, 0.02, 0});

@@ -201,6 +201,43 @@ TEST(FacetGroups, CrushingWallsDoToo) {
   EXPECT_GE(work_in_groups_and_one_by_one(3e5).crush, 12);  // of 0.6 MPa and more
 }
 
+/// Points that were open by different widths when they broke, as the facet closes through them: by
+/// shares of its radius beyond which others are surely open (0.01) or retire (0.1).
+TEST(FacetGroups, FacetsThatBrokeWideOpenCloseAsOneByOne) {
+  const std::vector<Facet> of = joints();
+  int pressed = 0, open = 0, retired = 0;
+  for (const double share : {0.03, 0.15}) {
+    for (std::size_t f = 0; f < 8; ++f) {
+      const double widest = share * std::sqrt(of[f].area / M_PI);  // [m]
+      FacetMemory memory;
+      memory.broken = PointSet::all();
+      memory.state = FacetState::cracked;
+      for (std::size_t p = 0; p < kFacetPoints; ++p)
+        memory.contact.get_or_create().offset[p] = Vec3(widest * (1.0 - 0.2 * p), 0.0, 0.0);
+      Pairs together(of, {f}, 0.0, {memory});
+      memory.extra.get_or_create() = {};  // facets that soften are worked on one by one
+      Pairs alone(of, {f}, 0.0, {memory});
+      for (const double opening : {1.3, 0.2, -0.2}) {  // in turn, of the widest, more than before
+        for (Pairs* pairs : {&together, &alone}) {
+          const BlockState& i = pairs->network().state()[0];
+          pairs->network().state()[1].centre += opening * widest * (i.rotation * of[f].normal);
+          pairs->compute();
+        }
+        const FacetNetwork &a = together.network(), &b = alone.network();
+        const double rounding = 1e-10 * (1.0 + b.force()[0].norm());
+        EXPECT_LT((a.force()[0] - b.force()[0]).norm(), rounding) << f;
+        EXPECT_EQ(a.states()[0], b.states()[0]) << f;
+        EXPECT_EQ(a.traces()[0].open, b.traces()[0].open) << f;
+        (a.force()[0].norm() > 1.0 ? pressed : open) += 1;
+      }
+      retired += together.network().states()[0] == FacetState::retired ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(pressed, 0);
+  EXPECT_EQ(open, 48);
+  EXPECT_EQ(retired, 8);
+}
+
 /// Blocks whose faces lean, moved a little.
 test::BondScene leaning_and_shaken() {
   test::BondScene scene = test::leaning_scene(4.0, test::rock(0.25));
