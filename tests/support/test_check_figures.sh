@@ -183,22 +183,47 @@ printf 'name,factor,value,base\nprimer,,3,4\nprimer,,3,4\n' >answers.csv
 fails 2 'primer_ratio is there twice' exponents answers.csv answers.json
 
 # A charge of 10 kg/m: 0.7 m/s by the law at 10 pi m; a quarter of that at twice the distance is 0.25 2^0.7 = 0.406126 of the law.
-mkdir -p slice
-peaks() { printf 'gauge,distance_m,scaled_distance_m_kg05,ppv_m_s\n%s' "$1" >slice/ppv.csv; }
-peaks $'1,31.4159265359,9.93458827190,0.7\n2,62.8318530718,19.8691765438,0.175\n3,90,28.46,5\n'
+mkdir -p slice/dump
+echo '{"charge_length_m": 1, "subdrill_m": 0}' >slice/dump/scene.json
+peaks() { printf 'gauge,z_m,distance_m,scaled_distance_m_kg05,ppv_m_s\n%s' "$1" >slice/ppv.csv; }
+peaks $'1,0,31.4159265359,9.93458827190,0.7\n2,0,62.8318530718,19.8691765438,0.175\n3,0,90,28.46,5\n'
 holds near_field field.json 30 70 slice/
 printf '{"case": "slice", "expected": [%s, %s, %s, %s]}' "$(row slice_over_law 0.637280 1e-6)" "$(row slice_over_law_least 0.406126 1e-6)" \
   "$(row slice_over_law_most 1 1e-9)" "$(row slice_distance_exponent -2 1e-9)" >expected.json
 holds case expected.json field.json
 fails 2 'needs two gauges between 80 and 100 m' near_field field.json 80 100 slice
-fails 2 'none/ppv.csv' near_field field.json 30 70 none
+fails 2 'none/dump/scene.json' near_field field.json 30 70 none
 fails 2 'slice is there twice' near_field field.json 30 70 slice ./slice/
 fails 2 '0 < NEAREST < FARTHEST' near_field field.json 70 30 slice
 fails 2 '0 < NEAREST < FARTHEST' near_field field.json 30 nan slice
-peaks $'1,31.4,9.9,0.7\n2,31.4,9.9,0.7\n'
+peaks $'1,0,31.4,9.9,0.7\n2,0,31.4,9.9,0.7\n'
 fails 2 'has gauges at one distance only' near_field field.json 30 70 slice
-peaks $'1,31.4,9.9,0\n2,62.8,19.9,0.7\n'
+peaks $'1,0,31.4,9.9,0\n2,0,62.8,19.9,0.7\n'
 fails 2 'ppv.csv:2: ppv_m_s must be > 0' near_field field.json 30 70 slice
+
+# Of half the pressure the exact wave is half as fast. Far from its cavity it falls by the power -0.5.
+peaks $'1,0,31.4159265359,9.93458827190,0.7\n2,0,62.8318530718,19.8691765438,0.175\n'
+for peak in 1e8 2e8; do
+  holds near_field elastic_$peak.json 30 70 slice --pulse $peak 1e-4 0.15 --rock 2650 55e9 0.25
+done
+holds bounds half elastic_1e8.json:slice_over_elastic --at-least elastic_2e8.json:slice_over_elastic --times 1.999999
+holds bounds half elastic_1e8.json:slice_over_elastic --at-most elastic_2e8.json:slice_over_elastic --times 2.000001
+holds near cylinder elastic_1e8.json:slice_elastic_exponent -0.5 0.01
+fails 2 '--rock' near_field field.json 30 70 slice --pulse 1e8 1e-4 0.15
+fails 2 'must be > 0' near_field field.json 30 70 slice --pulse 0 1e-4 0.15 --rock 2650 55e9 0.25
+
+# A charge of 2/pi kg/m, from z = -1 to 1 m: by the law 0.7 (atan(a/r) + atan(b/r))^0.7 (2/(pi r))^0.7 m/s, which is 0.7 at r = 1, 0.7 0.512559 at 3^0.5
+# and 0.7 0.425645 at r = 1, 1 m above the end. Speeds are once and half of it there, twice of it above.
+echo '{"charge_length_m": 2, "subdrill_m": 1}' >slice/dump/scene.json
+peaks $'1,0,1,0.886226925453,0.7\n2,0,1.73205080757,1.53499006192,0.179395573925\n3,2,1.41421356237,1.25331413732,0.595903229244\n4,2,2,1.77245385091,0.441723717232\n'
+holds hole_vibration hole.json slice --distances 1 2
+printf '{"case": "hole", "expected": [%s, %s, %s, %s, %s]}' "$(row slice_at_0_from_100_over_law 0.707106781 1e-8)" \
+  "$(row slice_at_0_from_100_law_exponent -1.216698345 1e-8)" "$(row slice_at_0_from_100_distance_exponent -2.478557852 1e-8)" \
+  "$(row slice_at_200_from_100_over_law 2 1e-8)" "$(row slice_over_bureau_most 0.6766407838 1e-8)" >expected.json
+holds case expected.json hole.json
+fails 2 'has gauges at one distance only' hole_vibration hole.json slice --distances 1 1.5 2
+fails 2 'slice is there twice' hole_vibration hole.json slice ./slice/ --distances 1 2
+fails 2 'two distances' hole_vibration hole.json slice --distances 2 1
 
 # A figure within a figure.
 echo '{"audit_J": {"vented": 3, "deep": {"er": 4}, "word": "x"}, "a.b": 5}' >inner.json

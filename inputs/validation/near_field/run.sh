@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # run.sh [RESULTS [LIGGGHTS_MUCKPILE MUCKPILE_POST]]: peak particle velocity beside one charge, by in.broken_zone with gauges, for holes of 51 to 204 mm, three
-# block sizes, two seeds, other explosives and another rock, beside the law of Holmberg and Persson.
+# block sizes, two seeds, other explosives and another rock, beside the law of Holmberg and Persson; then in blocks of one size, with joints that break and
+# joints that hold, beside the exact wave.
 # Writes RESULTS/summary.json. RESULTS is results/near_field unless given.
 # Scope: fails if a figure is missing or outside what expected.json allows.
 set -euo pipefail
@@ -14,8 +15,8 @@ folders=()
 # peaks NAME [VAR VALUE]...: a run, and its peak velocities at the gauges.
 peaks() {
   local name=$1 out=$results/$1
-  run_input inputs/validation/broken_zone/in.broken_zone "$out" half_width 8 thickness 1 time_end 4e-3 \
-    gauge_interval 1e-5 gauge_line 0 gauge_words "$lines" "${@:2}"
+  run_input inputs/validation/broken_zone/in.broken_zone "$out" "${@:2}" gauge_interval 1e-5 gauge_line 0 gauge_words "$lines" \
+    half_width 8 thickness 1 time_end 4e-3  # of values given twice the first holds
   "$post" waves "$out" --until 3e-3
   folders+=("$out")
 }
@@ -39,4 +40,20 @@ peaks anfo_own_fall attenuation_exponent 1.43
 peaks emulsion_own_fall explosive emulsion attenuation_exponent 1.49
 peaks limestone rock limestone
 check_figures near_field "$results/summary.json" 2 7.4 "${folders[@]}"
-check_figures case "$case_dir/expected.json" "$results/summary.json"
+
+# one_size SIZE HALF_WIDTH THICKNESS: blocks of one size, once as they are and once with a thousand times the strength, which no joint reaches.
+one_size() {
+  local middle lines  # peaks takes these
+  middle=$(awk -v t="$3" 'BEGIN { print t / 2 }')
+  lines="line 2 0 $middle 3.4 0 $middle 15 line 0 2 $middle 0 3.4 $middle 15 line 1.42 1.42 $middle 2.4 2.4 $middle 15"
+  local same=(fragment_x50 "$1" block_min "$1" block_max "$1" size_exponent 0.01 half_width "$2" thickness "$3" time_end 3e-3)
+  peaks "breaks_$1" "${same[@]}"
+  peaks "holds_$1" "${same[@]}" tensile_strength 1e10 cohesion 3.1e10
+}
+folders=()
+one_size 0.2 6 0.6
+one_size 0.14 5 0.42
+one_size 0.1 4 0.3
+# The pulse on the crushed zone as fix muckpile/blast tells it, and its radius; granite.
+check_figures near_field "$results/one_size.json" 2 3.4 "${folders[@]}" --pulse 307.9e6 1e-4 0.153 --rock 2650 55e9 0.25
+check_figures case "$case_dir/expected.json" "$results/summary.json" "$results/one_size.json"

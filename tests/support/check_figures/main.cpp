@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct Options {
   std::vector<std::string> figures, files;
   std::vector<std::filesystem::path> folders;
   double bound = 0.0, times = 1.0, nearest = 0.0, farthest = 0.0, least = 0.0;
+  std::vector<double> distances, pulse, rock;
   bool share = false;
   std::string at_least, at_most, above, below;
 };
@@ -104,6 +106,13 @@ void write_summary(const Options& o, const Json& figures) {
   if (!out.flush()) refuse(o.summary, "cannot be written");
 }
 
+std::optional<ElasticLoad> elastic_load(const Options& o) {
+  if (o.pulse.empty()) return {};
+  for (const double number : {o.pulse[0], o.pulse[1], o.pulse[2], o.rock[0], o.rock[1]})
+    if (!(number > 0.0)) refuse("near_field", "--pulse and --rock must be > 0");
+  return ElasticLoad{o.pulse[0], o.pulse[1], o.pulse[2], o.rock[0], o.rock[1], o.rock[2]};
+}
+
 /// The commands; each leaves in `holds` whether the figures are right.
 void add_case_commands(CLI::App& app, Options& o, bool& holds) {
   CLI::App* expected =
@@ -135,7 +144,19 @@ void add_case_commands(CLI::App& app, Options& o, bool& holds) {
   field->add_option("NEAREST", o.nearest, "gauge that counts [m]")->required();
   field->add_option("FARTHEST", o.farthest, "gauge that counts [m]")->required();
   field->add_option("FOLDER", o.folders, "of a run, with ppv.csv")->required();
-  field->callback([&] { write_summary(o, near_field(o.folders, o.nearest, o.farthest)); });
+  CLI::Option* pulse =
+      field->add_option("--pulse", o.pulse, "peak [Pa], rise [s], radius [m]")->expected(3);
+  field->add_option("--rock", o.rock, "density [kg/m3], modulus [Pa], Poisson's ratio")
+      ->expected(3)
+      ->needs(pulse);
+  pulse->needs("--rock");
+  field->callback(
+      [&] { write_summary(o, near_field(o.folders, o.nearest, o.farthest, elastic_load(o))); });
+  CLI::App* hole = app.add_subcommand("hole_vibration", "peaks around one hole: to SUMMARY");
+  hole->add_option("SUMMARY", o.summary, "ratios and exponents (JSON)")->required();
+  hole->add_option("FOLDER", o.folders, "of a run, with ppv.csv and dump/scene.json")->required();
+  hole->add_option("--distances", o.distances, "ends of the ranges [m]")->required();
+  hole->callback([&] { write_summary(o, hole_vibration(o.folders, o.distances)); });
 }
 
 void add_figure_commands(CLI::App& app, Options& o, bool& holds) {
