@@ -18,6 +18,7 @@
 #include "fixes/interfaces/block_neighbours.h"
 #include "fixes/interfaces/block_stresses.h"
 #include "fixes/interfaces/facet_store.h"
+#include "fixes/interfaces/force_parts.h"
 #include "fixes/interfaces/joint_damage.h"
 #include "fixes/interfaces/joint_energies.h"
 #include "fixes/interfaces/joint_fragments.h"
@@ -43,6 +44,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
                          public JointsWithGas,
                          public BlockStresses,
                          public JointEnergies,
+                         public ForceParts,
                          public JointFragments,
                          public JointDamage,
                          public ActingJoints,
@@ -124,6 +126,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   [[nodiscard]] JointEnergySums energies() const override;
   [[nodiscard]] std::span<const Vec3> joint_forces() const override { return network_.force(); }
   [[nodiscard]] std::span<const Vec3> joint_torques() const override { return network_.torque(); }
+  void forces_by_part(std::span<ByPart> forces) const override;
 
   [[nodiscard]] JointRooms rooms() const override { return JointRooms(network_); }
   [[nodiscard]] std::uint64_t lists_version() const override { return version_; }

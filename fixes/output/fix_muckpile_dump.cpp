@@ -22,12 +22,14 @@
 #include <vector>
 
 #include "fixes/engine/bodies.h"
+#include "fixes/engine/exchange.h"
 #include "fixes/engine/find_view.h"
 #include "fixes/engine/output_file.h"
 #include "fixes/engine/over_ranks.h"
 #include "fixes/engine/periodic_output.h"
 #include "fixes/engine/style_args.h"
 #include "fixes/engine/style_name.h"
+#include "fixes/interfaces/block_impulses.h"
 #include "fixes/interfaces/joint_fragments.h"
 #include "fixes/interfaces/keyword_tables.h"
 #include "fixes/interfaces/known_blocks.h"
@@ -72,6 +74,21 @@ void append_row(std::string& text, const BlockRow& row) {
   text += '\n';
 }
 
+/// Names of its numbers, a line.
+std::string impulses_header() {
+  std::string names = "id";
+  for (const std::string_view part : kImpulseNames) {
+    for (const char* axis : {"_x_N_s", "_y_N_s", "_z_N_s"}) names.append(",").append(part) += axis;
+  }
+  return names + '\n';
+}
+
+void append_row(std::string& text, const ImpulseRow& row) {
+  text += std::to_string(row.tag);
+  for (const Vec3& part : row.impulse.parts) append(text, part, 10);
+  text += '\n';
+}
+
 /// The id in the first line of a snapshot, "" if there is none.
 std::string run_of(const std::filesystem::path& snapshot) {
   std::ifstream in(snapshot);
@@ -101,6 +118,9 @@ int FixMuckpileDump::setmask() {
 void FixMuckpileDump::init() {
   blocks_ = engine::find_view<KnownBlocks>(*lmp);
   joints_ = engine::find_view<JointFragments>(*lmp);
+  impulses_ = engine::find_view<BlockImpulses>(*lmp);
+  if (engine::place_of<BlockImpulses>(*lmp) > modify->find_fix(id))
+    engine::stop(*lmp, where_ + ": must be defined after fix muckpile/impulse");
   if (blocks_ == nullptr) engine::stop(*lmp, where_ + ": needs create_blocks before the first run");
 }
 
@@ -128,8 +148,10 @@ void FixMuckpileDump::clear_folder() {
     const bool other_form = entry->path().filename() != snapshot_name(step, form_);
     if (run_of(entry->path()) != blocks_->run_id())
       ++strangers;
-    else if (step > last_ || (step == last_ && other_form))
+    else if (step > last_ || (step == last_ && other_form)) {
       std::filesystem::remove(entry->path(), unheeded);
+      if (step > last_) std::filesystem::remove(entry->path().parent_path() / impulses_name(step), unheeded);
+    }
   }
   if (strangers == 0) return;
   error->warning(FLERR, (where_ + ": '" + folder_ + "' holds " + std::to_string(strangers) +
@@ -210,6 +232,27 @@ void FixMuckpileDump::write() {
   last_ = update->ntimestep;
   const bool packed = form_ == SnapshotForm::packed;
   write_file(snapshot_name(update->ntimestep, form_), packed ? packed_header() : kHeader, rows());
+  if (impulses_ != nullptr) write_impulses();
+}
+
+/// Rows of one block may be on several ranks.
+void FixMuckpileDump::write_impulses() const {
+  std::vector<ByteWriter> outgoing(static_cast<std::size_t>(comm->nprocs));
+  for (const ImpulseRow& row : impulses_->impulses()) {
+    outgoing.front().put(row.tag);
+    outgoing.front().put(row.impulse.parts);
+  }
+  std::vector<ImpulseRow> rows;
+  engine::exchange_messages(outgoing, world, [&](ByteReader& in, std::size_t) {
+    while (!in.empty()) {
+      ImpulseRow& row = rows.emplace_back();
+      in.get(row.tag);
+      in.get(row.impulse.parts);
+    }
+  });
+  std::string text;
+  for (const ImpulseRow& row : added_up(std::move(rows))) append_row(text, row);
+  write_file(impulses_name(update->ntimestep), impulses_header(), text);
 }
 
 void FixMuckpileDump::write_joints() const {

@@ -12,6 +12,7 @@
 
 namespace muckpile {
 
+class BlockImpulses;
 class JointFragments;
 class KnownBlocks;
 
@@ -31,6 +32,7 @@ class FixMuckpileDump : public LAMMPS_NS::Fix {
   void clear_folder();
   void write();
   void write_joints() const;
+  void write_impulses() const;
   [[nodiscard]] std::string rows() const;
   [[nodiscard]] std::string of_all_ranks(const std::string& mine) const;
   /// `remark`, with a blank behind it, is one more of the first line.
@@ -39,6 +41,7 @@ class FixMuckpileDump : public LAMMPS_NS::Fix {
 
   KnownBlocks* blocks_ = nullptr;
   JointFragments* joints_ = nullptr;
+  BlockImpulses* impulses_ = nullptr;
   std::string where_, folder_;
   SnapshotForm form_;
   int every_;                    // the engine looks up `nevery` only when a run is set up

@@ -62,6 +62,15 @@ void add_energy_command(CLI::App& app) {
   energy->callback([o] { report_energy(ResultFolder(o->folder)); });
 }
 
+void add_momentum_command(CLI::App& app) {
+  const auto o = std::make_shared<Words>();
+  CLI::App* momentum = add_command(app, "momentum",
+                                   "bench and crater with impulses: momentum.csv, momentum.png; "
+                                   "what gave the rock its speed, by cause",
+                                   o->folder);
+  momentum->callback([o] { report_momentum(ResultFolder(o->folder)); });
+}
+
 void add_plan_command(CLI::App& app) {
   const auto o = std::make_shared<Words>();
   CLI::App* plan = app.add_subcommand("plan", "plan.png: the holes and when they fire");
@@ -112,6 +121,7 @@ int main(int argc, char** argv) {
   add_fragments_command(app);
   add_render_command(app);
   add_energy_command(app);
+  add_momentum_command(app);
   add_plan_command(app);
   add_burden_command(app);
   add_page_command(app);

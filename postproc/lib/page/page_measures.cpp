@@ -93,6 +93,8 @@ void add_speeds(Html& page, const PageContent& run) {
              {"face_velocity_mean_m_s", "Face, middle half of the charge"},
              {"burden_velocity_m_s", "Burden, momentum over mass"},
              {"fastest_block_m_s", "Fastest block"}});
+  add_picture(page, run, "momentum.png", "Momentum",
+              "What gave the rock its speed: wave, gas, rock around; table in momentum.csv.");
   const std::string chart = speed_chart(run.folder.dump("history.csv"));
   if (chart.empty()) return;
   const auto frame = page.open("figure");

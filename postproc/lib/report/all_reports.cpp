@@ -8,6 +8,7 @@
 #include <map>
 
 #include "args/input_error.h"
+#include "provenance/run_files.h"
 #include "report/burden_report.h"
 #include "report/plan_report.h"
 #include "report/reports.h"
@@ -29,6 +30,7 @@ const std::map<std::string, MakeReport>& makers() {
       {"fragments", [](const ResultFolder& f) { report_fragments(f, {}); }},
       {"flyrock", [](const ResultFolder& f) { report_flyrock(f); }},
       {"energy", report_energy},
+      {"momentum", report_momentum},
       {"render", [](const ResultFolder& f) { report_picture(f, {}); }},
       {"series", [](const ResultFolder& f) { report_series(f, 1); }},
       {"plan", [](const ResultFolder& f) { report_plan(f.file("")); }},
@@ -37,6 +39,14 @@ const std::map<std::string, MakeReport>& makers() {
       {"report", report_page},
   };
   return all;
+}
+
+// Behind its last snapshot.
+bool has_impulses(const ResultFolder& folder) {
+  const auto snapshots = snapshot_files(folder.dump(""));
+  if (snapshots.empty()) return false;
+  const long long step = snapshot_step(snapshots.back().filename().string());
+  return std::filesystem::exists(folder.dump(impulses_name(step)));
 }
 
 }  // namespace
@@ -65,6 +75,8 @@ std::vector<std::string> reports_of(const ResultFolder& folder, bool with_series
   if (pattern) names.emplace_back("plan");
   if (std::filesystem::exists(folder.dump("burden.csv"))) names.emplace_back("burden");
   if (std::filesystem::exists(folder.dump("gauges.csv"))) names.emplace_back("waves");
+  if ((scene == "bench" || scene == "crater") && has_impulses(folder))
+    names.emplace_back("momentum");
   names.emplace_back("report");  // shows what the others have left
   return names;
 }

@@ -14,6 +14,7 @@
 #include "measure/crater.h"
 #include "measure/launch.h"
 #include "measure/start_extent.h"
+#include "report/burial_depth.h"
 #include "report/not_measurable.h"
 #include "report/reports.h"
 #include "report/run_section.h"
@@ -27,15 +28,6 @@ void write_rings(const std::vector<CraterRing>& rings, const std::filesystem::pa
   CsvWriter csv(path, "radius_m,surface_after_m,rock_in_place_m,broken_fraction_of_surface");
   for (const CraterRing& ring : rings)
     csv.row({ring.radius, ring.surface, ring.true_surface, ring.moved_fraction});
-}
-
-// A damaged file may hold any number.
-double burial_depth(const ResultFolder& folder) {
-  constexpr double kLeast = 1e-3, kMost = 1e4;  // [m]
-  const double depth = folder.scene_number("burial_depth_m");
-  if (depth >= kLeast && depth <= kMost) return depth;
-  throw InputError(folder.dump("scene.json").string() +
-                   ": burial_depth_m must be 1e-3 to 1e4 m, got '" + spelled(depth) + "'");
 }
 
 // Of every snapshot, ring by ring of a quarter of the burial depth.

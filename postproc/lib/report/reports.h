@@ -31,6 +31,10 @@ void report_picture(const ResultFolder& folder, const PictureOptions& options);
 // vtk/blocks_<step>.vtu of every n-th snapshot and the last, vtk/blocks.pvd.
 void report_series(const ResultFolder& folder, int every);
 
+// Bench and crater with impulses: momentum.csv, momentum.png. Throws NotMeasurable for other scenes
+// and for a run without fix muckpile/impulse.
+void report_momentum(const ResultFolder& folder);
+
 // Bench only: movement.csv, movement.png.
 void report_movement(const ResultFolder& folder, const MeasureOptions& measure,
                      const MovementOptions& options);

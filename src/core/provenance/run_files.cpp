@@ -14,6 +14,13 @@ constexpr std::string_view kBefore = "blocks_", kTable = ".csv", kPacked = ".bin
 static_assert(kTable.size() == kPacked.size());
 constexpr std::string_view kBlanks = " \t\r\n";
 
+/// Names sort by step up to a thousand million steps.
+std::string nine_digits(long long step) {
+  constexpr std::size_t kDigits = 9;
+  const std::string digits = std::to_string(step);
+  return std::string(kDigits - std::min(kDigits, digits.size()), '0') + digits;
+}
+
 }  // namespace
 
 bool is_run_id(std::string_view text) {
@@ -36,11 +43,11 @@ std::string run_id_in(std::string_view line) {
 }
 
 std::string snapshot_name(long long step, SnapshotForm form) {
-  constexpr std::size_t kDigits = 9;  // names sort by step up to a thousand million steps
-  const std::string digits = std::to_string(step);
-  return std::string(kBefore) + std::string(kDigits - std::min(kDigits, digits.size()), '0') +
-         digits + std::string(form == SnapshotForm::csv ? kTable : kPacked);
+  return std::string(kBefore) + nine_digits(step) +
+         std::string(form == SnapshotForm::csv ? kTable : kPacked);
 }
+
+std::string impulses_name(long long step) { return "impulses_" + nine_digits(step) + ".csv"; }
 
 SnapshotForm snapshot_form(std::string_view name) {
   return name.ends_with(kPacked) ? SnapshotForm::packed : SnapshotForm::csv;

@@ -32,4 +32,7 @@ enum class SnapshotForm { csv, packed };
 /// name.
 [[nodiscard]] long long snapshot_step(std::string_view name);
 
+/// "impulses_000001000.csv": what has pushed each block up to the snapshot of step 1000.
+[[nodiscard]] std::string impulses_name(long long step);
+
 }  // namespace muckpile

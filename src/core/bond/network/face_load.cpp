@@ -9,6 +9,11 @@
 namespace muckpile {
 namespace {
 
+/// As its block was last placed [N].
+Vec3 force_on(const BoundaryFace& face) {
+  return -face.pressure * face.area * face.last_normal;
+}
+
 /// By the face's own displacement [m3].
 double squeezed(const BoundaryFace& face, const BlockFields& blocks) {
   const auto b = static_cast<std::size_t>(face.block);
@@ -90,7 +95,7 @@ void FaceLoad::load(const FacetKinematics& facets, BlockFields& blocks, JointBoo
     if (face.hole < 0) continue;
     const double rigid = sweep(face, blocks);
     const auto b = static_cast<std::size_t>(face.block);
-    const Vec3 force = -face.pressure * face.area * face.last_normal;
+    const Vec3 force = force_on(face);
     blocks.force[b] += force;
     blocks.torque[b] += (face.last_centroid - blocks.state[b].centre).cross(force);
     const double squeezed_now = squeezed(face, blocks);
@@ -108,6 +113,16 @@ void FaceLoad::load(const FacetKinematics& facets, BlockFields& blocks, JointBoo
   }
   softer_since_ = false;
   share_load(facets.tables, facets.history);
+}
+
+void FaceLoad::add_forces(std::span<Vec3> wave, std::span<Vec3> gas) const {
+  for (const BoundaryFace& face : faces_) {
+    if (face.hole < 0 || face.pressure == 0.0) continue;
+    const auto b = static_cast<std::size_t>(face.block);
+    const Vec3 force = force_on(face);
+    wave[b] += face.wave_share * force;
+    gas[b] += (1.0 - face.wave_share) * force;
+  }
 }
 
 double FaceLoad::volume_swept(const BoundaryFace& face, const BlockFields& blocks) {

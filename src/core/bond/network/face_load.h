@@ -48,6 +48,9 @@ class FaceLoad {
   /// Work of the pressures of each hole on owned blocks in the last load() [J]; a hole beyond the
   /// end has none.
   [[nodiscard]] std::span<const double> work_per_hole() const { return hole_work_; }
+  /// Of the last load(), hole faces alone: adds the force on each block, the share that counts as
+  /// the wave's to `wave`, the rest to `gas`; a row per block that owns a face [N].
+  void add_forces(std::span<Vec3> wave, std::span<Vec3> gas) const;
   /// By a loaded face since the start [m3].
   [[nodiscard]] static double volume_swept(const BoundaryFace& face, const BlockFields& blocks);
 

@@ -140,6 +140,10 @@ class FacetNetwork {
   }
   /// By the pressures of each hole in the last step on owned blocks; see FaceLoad [J].
   [[nodiscard]] std::span<const double> work_per_hole() const { return faces_.work_per_hole(); }
+  /// By the pressures in the last step; see FaceLoad.
+  void add_wall_forces(std::span<Vec3> wave, std::span<Vec3> gas) const {
+    faces_.add_forces(wave, gas);
+  }
   [[nodiscard]] double pressure_work() const { return books_.pressure_work; }  ///< [J]
   [[nodiscard]] double wave_work() const { return books_.wave_work; }          ///< [J]
 
