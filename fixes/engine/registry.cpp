@@ -35,6 +35,7 @@
 #include "fixes/joints/fix_muckpile_quiet.h"
 #include "fixes/output/fix_muckpile_dump.h"
 #include "fixes/output/fix_muckpile_gauges.h"
+#include "fixes/output/fix_muckpile_impulse.h"
 #include "fixes/output/fix_muckpile_ledger.h"
 #include "fixes/output/write_panels.h"
 #include "fixes/output/write_scene.h"
@@ -132,6 +133,7 @@ const std::map<std::string, FixCreator>& fixes() {
       {"muckpile/gas", &create_fix<FixMuckpileGas>},
       {"muckpile/gauges", &create_fix<FixMuckpileGauges>},
       {"muckpile/ground", &create_fix<FixMuckpileGround>},
+      {"muckpile/impulse", &create_fix<FixMuckpileImpulse>},
       {"muckpile/joint", &create_fix<FixMuckpileJoint>},
       {"muckpile/ledger", &create_fix<FixMuckpileLedger>},
       {"muckpile/progress", &create_fix<FixMuckpileProgress>},

@@ -50,7 +50,7 @@ Html::Open Html::open(const std::string& tag, HtmlAttributes attributes) {
 
 void Html::element(const std::string& tag, const std::string& text, HtmlAttributes attributes) {
   start(tag, attributes);
-  text_ += ">" + escaped(text) + "</" + tag + ">\n";
+  text_.append(">").append(escaped(text)).append("</").append(tag).append(">\n");
 }
 
 void Html::single(const std::string& tag, HtmlAttributes attributes) {

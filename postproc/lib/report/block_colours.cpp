@@ -62,7 +62,7 @@ void draw_names(const BlockColours& colours, const Vec2& place, double length, C
     if (ends_row && ++row < kRows) at = {place.x(), at.y() + 1.3 * kTextSize};
     if (row == kRows) {
       canvas.text({at.x(), at.y() + 0.85 * kThick},
-                  std::to_string(colours.names.size() - k).insert(0, "+"), kTextSize, kInk);
+                  std::string("+").append(std::to_string(colours.names.size() - k)), kTextSize, kInk);
       return;
     }
     canvas.rectangle(at, at + Vec2(kThick, kThick), colour);

@@ -4,7 +4,7 @@
 #include "report/burial_depth.h"
 
 #include "args/input_error.h"
-#include "args/suggestion.h"
+#include "draw/axes.h"
 
 namespace muckpile {
 

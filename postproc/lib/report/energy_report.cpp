@@ -87,7 +87,7 @@ std::string column_of(std::string name) {
 // What the curves show, with the row at the start.
 void write_curves(const EnergyHistory& history, const std::filesystem::path& path) {
   std::string header = "time_s";
-  for (const EnergyGroup& group : history.groups) header += "," + column_of(group.name);
+  for (const EnergyGroup& group : history.groups) header.append(",").append(column_of(group.name));
   CsvWriter csv(path, header + ",missing_J");
   const std::vector<double> missing = history.missing();
   for (size_t row = 0; row < history.time.size(); ++row) {

@@ -58,8 +58,9 @@ void write_tables(const ResultFolder& folder, const std::vector<CarriedPolygon>&
                   const SurveyPose& pose) {
   const std::optional<MineFrame> frame = mine_frame(folder);
   CsvWriter table(folder.file("polygons.csv"),
-                  with_mine_points(std::string("polygon,") + kMovementColumns +
-                                       ",recovered_fraction,dilution_fraction",
+                  with_mine_points(joined({"polygon", kMovementColumns, "recovered_fraction",
+                                           "dilution_fraction"},
+                                          ","),
                                    frame, {"start_", "end_"}));
   CsvWriter outlines(folder.file("polygons_moved.csv"), "polygon,x_m,y_m");
   for (const CarriedPolygon& each : polygons) {

@@ -43,9 +43,9 @@ keep_interrupted_state() {  # keep_interrupted_state OUT INPUT [-var NAME VALUE]
 results_in() {  # results_in FOLDER: paths from there
   (
     cd "$1" && shopt -s nullglob
-    for file in {,muck/}dump/{blocks_[0-9]*,history,gas*,gauges*,holes,holes_again,burden,joints}.csv {,muck/}dump/blocks_[0-9]*.bin {,muck/}dump/blocks.vtk {,muck/}dump/{floor,behind,ground,gate}.stl {,muck/}dump/{run,scene}.json \
+    for file in {,muck/}dump/{blocks_[0-9]*,impulses_[0-9]*,history,gas*,gauges*,holes,holes_again,burden,joints}.csv {,muck/}dump/blocks_[0-9]*.bin {,muck/}dump/blocks.vtk {,muck/}dump/{floor,behind,ground,gate}.stl {,muck/}dump/{run,scene}.json \
       {,muck/}dump/{a,b,interrupted,stopped}.restart {,muck/}{vtk/blocks*,summary.json,log.liggghts,report.html} \
-      {,muck/}{profile,movement,polygons,rows,heights,face_velocity,waves,ppv,survey,damage,cracks,crater,heap,fragments,fines,dig,launch,energy,plan,section,over,trough,burden,boulders}.{csv,png} {,muck/}{flyrock,sieve,fragments_list,model_moved,polygons_moved,energy_holes,hole_polygons}.csv {,muck/}{movement,polygons}.dxf {,muck/}pile3d{.csv,*.png}; do
+      {,muck/}{profile,movement,polygons,rows,heights,face_velocity,waves,ppv,survey,damage,cracks,crater,heap,fragments,fines,dig,launch,momentum,energy,plan,section,over,trough,burden,boulders}.{csv,png} {,muck/}{flyrock,sieve,fragments_list,model_moved,polygons_moved,energy_holes,hole_polygons}.csv {,muck/}{movement,polygons}.dxf {,muck/}pile3d{.csv,*.png}; do
       if [[ -f $file ]]; then printf '%s\n' "$file"; fi
     done
   )

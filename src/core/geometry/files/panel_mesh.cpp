@@ -18,7 +18,7 @@ constexpr std::size_t kCoordinates = 12;
 void append(std::string& text, const char* word, const Vec3& v) {
   constexpr int kDigits = 15;
   text += word;
-  for (const double value : v) text += " " + rounded_text(value + 0.0, kDigits);
+  for (const double value : v) text.append(" ").append(rounded_text(value + 0.0, kDigits));
   text += '\n';
 }
 

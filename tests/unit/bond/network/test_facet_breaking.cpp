@@ -411,7 +411,9 @@ TEST(FacetNetwork, FacetClosesWhereItBrokeHoweverFarThatIs) {
       EXPECT_NEAR(now, stiffness * (jump - broke_at), 1e-6 * stiffness * broke_at) << share;
       const double path = (k <= 0 ? -0.5 : 0.5) * broke_at / kSteps;
       if (k > -kSteps) work -= 0.5 * path * (last + now);
-      if (k == 0) EXPECT_NEAR((stored - network.elastic_energy()) / work, 1.0, 1e-6) << share;
+      if (k == 0) {
+        EXPECT_NEAR((stored - network.elastic_energy()) / work, 1.0, 1e-6) << share;
+      }
       last = now;
     }
     EXPECT_NEAR(work, 0.0, 1e-6 * stiffness * broke_at * broke_at) << share;
