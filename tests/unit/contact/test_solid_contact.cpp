@@ -63,7 +63,7 @@ TEST(Solids, AreRefusedWithMoreCornersOrFacesThanTheyMayHave) {
     return input_error_of([&] { Solid(prism(sides), at(Vec3::Zero())); });
   };
   EXPECT_NE(refusal(63).find("64 faces at most"), std::string::npos) << refusal(63);
-  EXPECT_NE(refusal(65).find("128 corners at most"), std::string::npos) << refusal(65);
+  EXPECT_NE(refusal(129).find("256 corners at most"), std::string::npos) << refusal(129);
 }
 
 class Collisions : public testing::TestWithParam<unsigned> {};

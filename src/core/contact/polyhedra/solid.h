@@ -24,7 +24,7 @@ inline constexpr std::size_t kRow = 8;
 
 class Solid {
  public:
-  static constexpr std::size_t kMostPlanes = 64, kMostCorners = 128;
+  static constexpr std::size_t kMostPlanes = 64, kMostCorners = 256;
 
   struct Plane {
     Vec3 normal;   ///< unit, outward
