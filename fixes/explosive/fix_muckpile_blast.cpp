@@ -131,7 +131,8 @@ void FixMuckpileBlast::check_timestep() {
   // work of wave and gas are within 0.4 % of those with 15 steps.
   constexpr double kStepsPerRise = 5.0;
   constexpr double kRounding = 1e-9;
-  const double longest = (1.0 + kRounding) * options_.pulse_shape.rise_time / kStepsPerRise;
+  const double of_rise = options_.pulse_shape.rise_time / kStepsPerRise;
+  const double longest = (1.0 + kRounding) * std::max(of_rise, expected_step_);
   if (warned_ || over_ || update->dt <= longest) return;
   if (!holes_.any_pulse(clock())) return;
   warned_ = true;
@@ -154,10 +155,15 @@ BlastTiming FixMuckpileBlast::timing() const {
   const auto* surface = engine::find_view<BlastSurface>(*lmp);
   if (surface == nullptr) return timing;
   engine::or_engine_error(*lmp, [&] {
-    for (const HoleBlast& hole : hole_blasts(options_, holes_of(*surface))) {
+    const std::vector<Hole> zones = holes_of(*surface);
+    const std::vector<HoleBlast> blasts = hole_blasts(options_, zones);
+    for (std::size_t h = 0; h < blasts.size(); ++h) {
+      const HoleBlast& hole = blasts[h];
       timing.last_firing = std::max(timing.last_firing, hole.firing_time());
       timing.pulse_end = std::max(timing.pulse_end, hole.pulse_end());
       timing.pulses.push_back({hole.firing_time(), hole.pulse_end()});
+      timing.wall_load =
+          std::max(timing.wall_load, hole.load().greatest_pressure() / zones[h].radius);
     }
   });
   return timing;

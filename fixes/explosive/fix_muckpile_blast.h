@@ -66,6 +66,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix,
   [[nodiscard]] bool over() const override { return over_; }
   [[nodiscard]] BlastTiming timing() const override;
   [[nodiscard]] bool vents_by_flow() const override { return options_.vent_by_flow; }
+  void expect_step(double longest) override { expected_step_ = longest; }
 
   void let_gas_into_joints(double ambient) override;
   void keep_gas_out_of_joints() override;
@@ -114,6 +115,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix,
   bool over_ = false;               // all holes are
   bool walls_swept_ = false;        // the first charges know where their walls are
   bool warned_ = false;             // of a step too long for the pulse
+  double expected_step_ = 0.0;      // that long a step is no reason to [s]
 };
 
 }  // namespace muckpile

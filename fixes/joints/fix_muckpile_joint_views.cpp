@@ -3,6 +3,7 @@
 // Scope: the interfaces that the class implements; nothing here runs unless another style asks.
 
 #include <algorithm>
+#include <cmath>
 
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/find_view.h"
@@ -55,16 +56,22 @@ void FixMuckpileJoint::set_pressure(std::span<const double> pressure,
 void FixMuckpileJoint::expect_pressure(bool expected) { network_.expect_pressure(expected); }
 
 /// Where there are zones, what a run must heed of all of them: the lightest blocks, the softest
-/// rock, and that which is least compressible.
+/// rock, that which is least compressible, and extremes of waves.
 RockConstants FixMuckpileJoint::rock() const {
   const JointLaws& laws = network_.tables().laws();
   const JointParameters& first = network_.material().parameters();
-  if (!laws.zoned()) return {first.density, first.youngs_modulus / softened(), first.poisson_ratio};
-  RockConstants all{first.density, 0.0, first.poisson_ratio};
+  RockConstants all{first.density, first.youngs_modulus / softened(), first.poisson_ratio};
+  const double stiffer = 1.0 / std::sqrt(softened());  // so were waves before
+  all.fastest_wave = stiffer * laws.rock().p_wave_speed();
+  all.impedance = first.density * all.fastest_wave;
+  if (!laws.zoned()) return all;
   for (std::size_t zone = 1; zone < laws.zones(); ++zone) {
     const JointParameters& rock = laws.rock(zone).parameters();
     all.density = std::min(all.density, rock.density);
     all.poisson_ratio = std::max(all.poisson_ratio, rock.poisson_ratio);
+    const double speed = stiffer * laws.rock(zone).p_wave_speed();
+    all.fastest_wave = std::max(all.fastest_wave, speed);
+    all.impedance = std::min(all.impedance, rock.density * speed);
   }
   all.youngs_modulus = 2.0 * (1.0 + all.poisson_ratio) * shear_modulus() / softened();
   return all;

@@ -35,6 +35,7 @@ void RunBlastCommand::command(int narg, char** arg) {
   if (words.word("end") == "rest") warn_without_gravity();
   engine::or_engine_error(*lmp, [&] {
     const BlastPlan plan = blast_plan(words, found, kStyle);
+    engine::find_view<ChargeTiming>(*lmp)->expect_step(plan.pulse_step);
     ScriptEngine script(lmp, kStyle, words);
     ScriptRock rock(lmp, words.real("sleep_distance"));
     if (BlastRun(plan, script, rock, kStyle).go() == BlastRun::Phase::interrupted)

@@ -22,7 +22,7 @@ struct BlastPlan {
   double time_end = 0.0;             ///< of all [s]
   bool ends_with_wave = false;       ///< at wave_end, on joints as stiff as they are then
   double still_share = 0.0;          ///< of the mass, that may still move at rest [-]
-  double pulse_step = 0.0;           ///< longest step that resolves a pulse [s]
+  double pulse_step = 0.0;           ///< longest step while a pulse acts [s]
   double between_step = 1e30;        ///< longest step between pulses and after them [s]
   std::vector<PulseSpan> pulses{};   ///< when that step holds: in their order, apart
   double wave_share = 1.0;           ///< step over the longest stable one, in the wave [-]

@@ -16,10 +16,11 @@ struct PulseSpan {
 /// What the charges say of the time that they need; their clock starts with the first run that has
 /// them.
 struct BlastTiming {
-  double start = 0.0;               ///< of that clock, on the engine's [s]
-  double rise_time = 0.0;           ///< of the pulse, and of the gas behind it; 0: a jump [s]
-  double pulse_end = 0.0;           ///< of all holes: joints may be softened from then on [s]
-  double last_firing = 0.0;         ///< [s]
+  double start = 0.0;        ///< of that clock, on the engine's [s]
+  double rise_time = 0.0;    ///< of the pulse, and of the gas behind it; 0: a jump [s]
+  double pulse_end = 0.0;    ///< of all holes: joints may be softened from then on [s]
+  double last_firing = 0.0;  ///< [s]
+  double wall_load = 0.0;    ///< greatest pressure on a wall over its radius, of all holes [Pa/m]
   std::vector<PulseSpan> pulses{};  ///< of all charges
   /// From firing until the gas vents, and its decay then [s]; 0 without gas, nothing where the gas
   /// leaves by flow and no such times are given.
@@ -31,6 +32,8 @@ struct RockConstants {
   double density = 0.0;         ///< [kg/m3]
   double youngs_modulus = 0.0;  ///< [Pa]
   double poisson_ratio = 0.0;   ///< [-]
+  double fastest_wave = 0.0;    ///< c_P, of the fastest rock [m/s]
+  double impedance = 0.0;       ///< rho c_P, of the rock with the least [kg/(m2 s)]
 };
 
 /// Contacts of blocks: of their spheres, by Hertz, or of the polyhedra.

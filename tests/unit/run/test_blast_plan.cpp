@@ -16,13 +16,14 @@ namespace {
 BlastScene bench() {
   return {
       .timing = {.rise_time = 1e-4, .pulse_end = 1e-3, .vent_time = 9.9e-3, .vent_decay = 4.5e-3},
-      .rock = {2700.0, 55e9, 0.25},
+      .rock = {2700.0, 55e9, 0.25, 4944.0, 2700.0 * 4944.0},
       .contacts = {2.5e7, 0.25, 0.5},
       .gas = Gas::in_joints};
 }
 
-BlastPlan plan_of(std::vector<std::string> words, const BlastScene& scene = bench()) {
-  words.insert(words.begin(), {"directory", "out", "block_min", "0.18"});
+BlastPlan plan_of(std::vector<std::string> words, const BlastScene& scene = bench(),
+                  const std::string& block_min = "0.18") {
+  words.insert(words.begin(), {"directory", "out", "block_min", block_min});
   return blast_plan(parse_args(run_blast_table(), "run_blast", words), scene, "run_blast");
 }
 
@@ -71,6 +72,32 @@ TEST(BlastPlan, AsksForTheEndWhereGasFlowsAndHasNoTimes) {
 TEST(BlastPlan, StepsThePulseInFive) {
   EXPECT_NEAR(plan_of({}).pulse_step, 2e-5, 1e-18);  // a fifth of 1e-4 s
   EXPECT_NEAR(plan_of({}).between_step, 6e-5, 1e-18);
+}
+
+/// A wave takes 152 us across a block of 0.75 m, 193 and 388 across 0.95 and 1.92 m.
+TEST(BlastPlan, StepsThePulseByTheTimeOfAWaveAcrossCoarseBlocks) {
+  const auto step = [](const std::string& block_min, const std::string& share = "0.2",
+                       const BlastScene& scene = bench()) {
+    return plan_of({"crossing_share", share}, scene, block_min).pulse_step;
+  };
+  EXPECT_NEAR(step("0.49"), 2e-5, 1e-18);  // 19.8 us are below a fifth of the rise
+  EXPECT_NEAR(step("0.75"), 0.2 * 0.75 / 4944.0, 1e-12);
+  EXPECT_NEAR(step("0.95"), 0.2 * 0.95 / 4944.0, 1e-12);
+  EXPECT_NEAR(step("1.92"), 4e-5, 1e-18);  // two fifths of the rise
+  EXPECT_NEAR(step("0.95", "0"), 2e-5, 1e-18);
+  BlastScene scene = bench();
+  scene.gas_step = 3.5e-5;
+  EXPECT_EQ(step("0.95", "0.2", scene), 3.5e-5);
+}
+
+/// 100 MPa move a wall at 100e6 / (2700 * 4944) = 7.49 m/s; a hundredth of its radius of 0.02 m in
+/// 26.7 us, of 0.01 m in 13.3 us.
+TEST(BlastPlan, StepsThePulseByAHundredthOfTheWallsRadius) {
+  BlastScene scene = bench();
+  scene.timing.wall_load = 100e6 / 0.02;
+  EXPECT_NEAR(plan_of({}, scene, "0.95").pulse_step, 2.6698e-5, 1e-9);
+  scene.timing.wall_load = 100e6 / 0.01;
+  EXPECT_NEAR(plan_of({}, scene, "0.95").pulse_step, 2e-5, 1e-18);  // that of its rise
 }
 
 TEST(BlastPlan, StepsNoLongerThanGasInJointsBears) {

@@ -46,12 +46,12 @@ void keep_swept_volume(BoundaryFace& face, double squeezed_now) {
 }  // namespace
 
 void FaceLoad::set(std::vector<BoundaryFace> faces, const FacetTables& tables,
-                   const FacetHistory& history, std::size_t blocks) {
+                   const FacetHistory& history) {
   faces_ = std::move(faces);
   faces_.shrink_to_fit();
-  walls_.emplace(tables, faces_, blocks);
+  walls_.emplace(tables, faces_);
   if (walls_->empty()) walls_.reset();
-  share_load(tables, history);
+  share_load(history);
 }
 
 std::vector<BoundaryFace> FaceLoad::give_up() {
@@ -112,7 +112,7 @@ void FaceLoad::load(const FacetKinematics& facets, BlockFields& blocks, JointBoo
     face.last_squeezed = squeezed_now;
   }
   softer_since_ = false;
-  share_load(facets.tables, facets.history);
+  share_load(facets.history);
 }
 
 void FaceLoad::add_forces(std::span<Vec3> wave, std::span<Vec3> gas) const {

@@ -19,8 +19,7 @@ namespace muckpile {
 class FaceLoad {
  public:
   /// The facets beside them are set.
-  void set(std::vector<BoundaryFace> faces, const FacetTables& tables, const FacetHistory& history,
-           std::size_t blocks);
+  void set(std::vector<BoundaryFace> faces, const FacetTables& tables, const FacetHistory& history);
   /// The faces, which are here no longer.
   [[nodiscard]] std::vector<BoundaryFace> give_up();
   [[nodiscard]] std::vector<BoundaryFace>& faces() { return faces_; }
@@ -69,8 +68,8 @@ class FaceLoad {
     hole_work_[hole] += work;
   }
   void look_anew(const BlockFields& blocks);
-  void share_load(const FacetTables& tables, const FacetHistory& history) {
-    if (walls_) walls_->share_load(tables, history, faces_);
+  void share_load(const FacetHistory& history) {
+    if (walls_) walls_->share_load(history, faces_);
   }
 
   std::vector<BoundaryFace> faces_;

@@ -37,7 +37,7 @@ void FacetNetwork::set_facets(FacetLists lists) {
   }
   leaning_.reset();
   if (LeaningFaces::exist_in(tables_)) leaning_.emplace().set(tables_, blocks_.size());
-  faces_.set(std::move(lists.faces), tables_, history_, blocks_.size());
+  faces_.set(std::move(lists.faces), tables_, history_);
   list_anew();
 }
 

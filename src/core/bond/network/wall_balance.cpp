@@ -16,70 +16,67 @@ constexpr double kRounding = 1e-6;
 
 }  // namespace
 
-WallBalance::WallBalance(const FacetTables& tables, std::span<const BoundaryFace> faces,
-                         std::size_t blocks) {
+/// A block without a wall that shares a facet with one has a place of its own at the end, where
+/// nothing is looked up.
+WallBalance::WallBalance(const FacetTables& tables, std::span<const BoundaryFace> faces) {
   std::map<std::pair<int, int>, Vec3> of;  // by block and hole
-  std::map<int, double> surface;           // of blocks that have a wall [m2]
+  std::map<int, std::uint32_t> places;     // of blocks that have a wall
   for (const BoundaryFace& face : faces) {
     if (face.hole < 0) continue;
     of.try_emplace({face.block, face.hole}, Vec3::Zero()).first->second += face.area * face.normal;
-    surface.try_emplace(face.block, 0.0);
+    places.try_emplace(face.block, static_cast<std::uint32_t>(places.size()));
   }
-  const auto add = [&surface](int block, double area) {
-    const auto found = surface.find(block);
-    if (found != surface.end()) found->second += area;
-    return found != surface.end();
+  const auto nowhere = static_cast<std::uint32_t>(places.size());
+  const auto place_of = [&](int block) {
+    const auto found = places.find(block);
+    return found != places.end() ? found->second : nowhere;
   };
+  std::vector<double> surface(places.size() + 1, 0.0);  // [m2]
   for (std::size_t f = 0; f < tables.size(); ++f) {
-    const bool at_i = add(tables.i_of(f), tables.area(f)),
-               at_j = add(tables.j_of(f), tables.area(f));
-    if (at_i || at_j) beside_.push_back(static_cast<std::uint32_t>(f));
+    const std::uint32_t i = place_of(tables.i_of(f)), j = place_of(tables.j_of(f));
+    surface[i] += tables.area(f);
+    surface[j] += tables.area(f);
+    if (i == nowhere && j == nowhere) continue;
+    beside_.push_back({static_cast<std::uint32_t>(f), i, j, tables.area(f), tables.normal(f)});
   }
-  for (const BoundaryFace& face : faces) add(face.block, face.area);
   if (empty()) return;
-  walls_.resize(faces.size());
-  for (std::size_t k = 0; k < faces.size(); ++k) {
-    const BoundaryFace& face = faces[k];
-    if (face.hole < 0) continue;
-    const Vec3& wall = of.at({face.block, face.hole});
-    walls_[k] = {wall, kRounding * surface.at(face.block) * wall.norm()};
+  faces_.assign(places.size() + 1, Vec3::Zero());
+  for (const BoundaryFace& face : faces) {
+    const std::uint32_t place = place_of(face.block);
+    surface[place] += face.area;
+    faces_[place] += face.area * face.normal;
   }
-  backs_.assign(blocks, Vec3::Zero());
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    if (faces[k].hole < 0) continue;
+    const Vec3& wall = of.at({faces[k].block, faces[k].hole});
+    const std::uint32_t place = place_of(faces[k].block);
+    walls_.push_back(
+        {static_cast<std::uint32_t>(k), place, wall, kRounding * surface[place] * wall.norm()});
+  }
 }
 
-void WallBalance::share_load(const FacetTables& tables, const FacetHistory& history,
-                             std::span<BoundaryFace> faces) {
-  for (const std::uint32_t f : beside_) {
-    const auto [i, j] = tables.blocks_of(f);
-    backs_[i].setZero();
-    backs_[j].setZero();
-  }
-  for (const BoundaryFace& face : faces) backs_[static_cast<std::size_t>(face.block)].setZero();
-  for (const BoundaryFace& face : faces)
-    backs_[static_cast<std::size_t>(face.block)] += face.area * face.normal;
-  for (const std::uint32_t f : beside_) {
+void WallBalance::share_load(const FacetHistory& history, std::span<BoundaryFace> faces) {
+  backs_ = faces_;
+  for (const Beside& beside : beside_) {
     // Gas in a joint is followed and presses by itself: there the load is not reduced.
-    const bool followed = history.traces(f).gas;
-    if (history.state(f) == FacetState::retired && !followed) continue;
-    const double share = followed ? 1.0 : history.contacts().fade(f);
-    const Vec3 part = share * tables.area(f) * tables.normal(f);
-    const auto [i, j] = tables.blocks_of(f);
-    backs_[i] += part;
-    backs_[j] -= part;
+    const bool followed = history.traces(beside.facet).gas;
+    if (history.state(beside.facet) == FacetState::retired && !followed) continue;
+    const double share = followed ? 1.0 : history.contacts().fade(beside.facet);
+    const Vec3 part = share * beside.area * beside.normal;
+    backs_[beside.i] += part;
+    backs_[beside.j] -= part;
   }
-  for (std::size_t k = 0; k < faces.size(); ++k) {
-    BoundaryFace& face = faces[k];
-    if (face.hole < 0) continue;
-    const Vec3& wall = walls_[k].sum;
-    const double lost = backs_[static_cast<std::size_t>(face.block)].dot(wall);
-    face.load_share =
-        lost <= walls_[k].rounding ? 1.0 : std::max(0.0, 1.0 - lost / wall.squaredNorm());
+  for (const Wall& wall : walls_) {
+    const double lost = backs_[wall.block].dot(wall.sum);
+    faces[wall.face].load_share =
+        lost <= wall.rounding ? 1.0 : std::max(0.0, 1.0 - lost / wall.sum.squaredNorm());
   }
 }
 
 double WallBalance::bytes() const {
-  return static_cast<double>(beside_.capacity() * sizeof(beside_[0]) +
-                             walls_.capacity() * sizeof(Wall) + backs_.capacity() * sizeof(Vec3));
+  return static_cast<double>(beside_.capacity() * sizeof(Beside) +
+                             walls_.capacity() * sizeof(Wall) +
+                             (faces_.capacity() + backs_.capacity()) * sizeof(Vec3));
 }
 
 }  // namespace muckpile

@@ -23,23 +23,30 @@ namespace muckpile {
 
 class WallBalance {
  public:
-  WallBalance(const FacetTables& tables, std::span<const BoundaryFace> faces, std::size_t blocks);
+  WallBalance(const FacetTables& tables, std::span<const BoundaryFace> faces);
 
   /// No block with a wall has facets: nothing is balanced.
   [[nodiscard]] bool empty() const { return beside_.empty(); }
   /// Sets BoundaryFace::load_share of the faces with a hole.
-  void share_load(const FacetTables& tables, const FacetHistory& history,
-                  std::span<BoundaryFace> faces);
+  void share_load(const FacetHistory& history, std::span<BoundaryFace> faces);
   [[nodiscard]] double bytes() const;
 
  private:
-  struct Wall {               // of a block to one crushed zone
-    Vec3 sum = Vec3::Zero();  // of A n [m2]
-    double rounding = 0.0;    // of the block's sum of A n, along `sum` [m4]
+  // Blocks count among those with a wall here; all that is looked up each step lies side by side.
+  struct Beside {  // a facet of such a block
+    std::uint32_t facet, i, j;
+    double area;  // [m2]
+    Vec3 normal;
   };
-  std::vector<std::uint32_t> beside_;  // facets of blocks with a wall
-  std::vector<Wall> walls_;            // per face with a hole: that to which it belongs
-  std::vector<Vec3> backs_;  // per block: sum of A n of all faces through which no gas passes [m2]
+  struct Wall {  // a face with a hole
+    std::uint32_t face, block;
+    Vec3 sum;         // of A n of the block's wall to that crushed zone [m2]
+    double rounding;  // of the block's sum of A n, along `sum` [m4]
+  };
+  std::vector<Beside> beside_;
+  std::vector<Wall> walls_;
+  std::vector<Vec3> faces_;  // per block: sum of A n of its faces without a neighbour [m2]
+  std::vector<Vec3> backs_;  // per block: that of all faces through which no gas passes [m2]
 };
 
 }  // namespace muckpile
