@@ -49,15 +49,18 @@ double single_block_share(const std::vector<Fragment>& fragments) {
 }
 
 std::vector<SizePoint> passing_curve(std::vector<Piece> pieces) {
+  // Of equal blocks, as joint sets cut them, rounding must not decide how many points there are.
+  constexpr double kSame = 1e-6;
   std::ranges::sort(pieces, {}, &Piece::size);
   std::vector<SizePoint> curve;
-  double sum = 0.0;
+  double sum = 0.0, first = 0.0;  // `first`: smallest size of the last point
   for (const Piece& piece : pieces) {
     sum += piece.mass;
-    if (!curve.empty() && curve.back().size == piece.size) {
-      curve.back().passing = sum;
+    if (!curve.empty() && piece.size <= first * (1.0 + kSame)) {
+      curve.back() = {piece.size, sum};
     } else {
       curve.push_back({piece.size, sum});
+      first = piece.size;
     }
   }
   for (SizePoint& point : curve) point.passing /= sum;

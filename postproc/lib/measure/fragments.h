@@ -37,7 +37,8 @@ struct Piece {
   double mass;  // [kg]
 };
 
-// Passing curve, one point per distinct size, ascending; the last point is 1. Empty for no pieces.
+// Passing curve, one point per size, ascending; the last point is 1. Sizes that agree to a
+// millionth are one, the largest of them. Empty for no pieces.
 std::vector<SizePoint> passing_curve(std::vector<Piece> pieces);
 
 // Size [m] below which the fraction `passing` of the mass lies: straight lines between the points,

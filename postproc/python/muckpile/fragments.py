@@ -48,12 +48,17 @@ def fragments_of(blocks: Blocks, snapshot: Snapshot, moved: np.ndarray | None = 
 
 
 def passing_curve(size: np.ndarray, mass: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Distinct sizes [m], ascending, and the mass fraction in pieces of each size or smaller."""
-    sizes, place = np.unique(size, return_inverse=True)
+    """Distinct sizes [m], ascending, and the mass fraction in pieces of each size or smaller. Sizes that agree to a
+    millionth are one, the largest of them: of equal blocks rounding does not decide how many there are."""
+    order = np.argsort(size, kind="stable")
+    sizes, passing = np.asarray(size)[order], np.cumsum(np.asarray(mass)[order])
     if not sizes.size:
         raise ResultError("a size curve needs at least one piece; nothing was broken out")
-    passing = np.cumsum(np.bincount(place, mass))
-    return sizes, passing / passing[-1]
+    last = []
+    while not last or last[-1] + 1 < sizes.size:
+        first = sizes[last[-1] + 1 if last else 0]
+        last.append(int(np.searchsorted(sizes, first * (1.0 + 1e-6), side="right")) - 1)
+    return sizes[last], passing[last] / passing[-1]
 
 
 def size_at(size: np.ndarray, mass: np.ndarray, passing: float) -> float:
