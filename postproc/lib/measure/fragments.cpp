@@ -57,7 +57,7 @@ std::vector<SizePoint> passing_curve(std::vector<Piece> pieces) {
   for (const Piece& piece : pieces) {
     sum += piece.mass;
     if (!curve.empty() && piece.size <= first * (1.0 + kSame)) {
-      curve.back() = {piece.size, sum};
+      curve.back() = {piece.size, sum, curve.back().pieces + 1};
     } else {
       curve.push_back({piece.size, sum});
       first = piece.size;
@@ -73,8 +73,9 @@ double size_at(const std::vector<SizePoint>& curve, double passing) {
   if (above == curve.begin()) return curve.front().size;
   if (above == curve.end()) return curve.back().size;
   const SizePoint& below = *std::prev(above);
+  const double one_piece = (above->passing - below.passing) / above->pieces;
   return below.size +
-         (passing - below.passing) / (above->passing - below.passing) * (above->size - below.size);
+         std::min(1.0, (passing - below.passing) / one_piece) * (above->size - below.size);
 }
 
 }  // namespace muckpile

@@ -30,6 +30,7 @@ double single_block_share(const std::vector<Fragment>& fragments);
 struct SizePoint {
   double size;     // [m]
   double passing;  // fraction of the mass in pieces of this size or smaller
+  int pieces = 1;  // of this size
 };
 
 struct Piece {
@@ -42,7 +43,8 @@ struct Piece {
 std::vector<SizePoint> passing_curve(std::vector<Piece> pieces);
 
 // Size [m] below which the fraction `passing` of the mass lies: straight lines between the points,
-// the smallest size below the first. NaN for an empty curve.
+// of a point of several pieces up to the first of them; the smallest size below the first point.
+// NaN for an empty curve.
 double size_at(const std::vector<SizePoint>& curve, double passing);
 
 }  // namespace muckpile
