@@ -217,6 +217,10 @@ class Faults(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "passing must be >= 0 and <= 1, got '50'"):
             muckpile.size_at([1.0], [1.0], 50)
         self.edit(SCENE, '"case": "bench"', '"case": "crater"')
-        self.refused("the run must be a bench, got 'crater'", lambda: muckpile.throw(muckpile.Run(self.folder)))
+        crater = (self.folder / SCENE).read_text()
+        self.edit(SCENE, '"bench_height_m"', '"height_m"')
+        for measure in (muckpile.throw, muckpile.face_velocity):
+            self.refused("the run must be a bench, got 'crater'", lambda: measure(muckpile.Run(self.folder)))
+        (self.folder / SCENE).write_text(crater)
         self.edit(SCENE, '"case": "crater", "burden_m": 1.0', '"case": "bench", "burden_m": "1 m"')
         self.refused("burden_m must be a number, got '1 m'", lambda: muckpile.throw(muckpile.Run(self.folder)))

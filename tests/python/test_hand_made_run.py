@@ -130,8 +130,16 @@ class HandMadeRun(unittest.TestCase):
         sizes, passing = muckpile.passing_curve(size, mass)
         same(sizes, np.array([1.0, 2.0, 4.0]))
         same(passing, np.array([0.25, 0.5, 1.0]))
-        same([muckpile.size_at(size, mass, share) for share in (0.1, 0.5, 0.75, 1.0)],
-             np.array([1.0, 2.0, 3.0, 4.0]))
+        # The first of the two pieces of 4 m has passed at 0.75.
+        same([muckpile.size_at(size, mass, share) for share in (0.1, 0.5, 0.625, 0.75, 1.0)],
+             np.array([1.0, 2.0, 3.0, 4.0, 4.0]))
+
+    def test_sizes_that_differ_by_rounding_are_one_point(self):
+        size, mass = np.array([2.0, 1.0, np.nextafter(2.0, 3.0)]), np.array([1.0, 1.0, 1.0])
+        sizes, _ = muckpile.passing_curve(size, mass)
+        same(sizes, np.array([1.0, np.nextafter(2.0, 3.0)]))
+        same([muckpile.size_at(size, mass, 0.5)], np.array([1.5]))  # 1 + (1/2 - 1/3)/(1/3)
+        self.assertEqual(len(muckpile.passing_curve(np.array([1.0, 1.0 + 3e-6]), np.ones(2))[0]), 2)
 
     def test_tables_and_texts_are_read_as_they_stand(self):
         self.assertEqual(self.run_.run_id, RUN_ID)

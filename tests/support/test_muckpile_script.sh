@@ -41,7 +41,9 @@ must_refuse "-var go_on 1 needs -var from FILE" run inputs/demo/in.demo -var go_
 must_refuse "-var from FILE needs -var go_on 1" run inputs/demo/in.demo -var from a.restart
 must_refuse "use -out DIR" run inputs/demo/in.demo -var out here
 must_refuse "splits names at blanks" run inputs/demo/in.demo -out 'a b'
-must_refuse "% and * mean something else" run inputs/demo/in.demo -out 'a%b'
+for letter in % '*' \$ ';' '&' '|' '(' ')' '<' '>' "'" '"' '`' \\; do
+  must_refuse "for something else; choose another -out than 'a${letter}b'" run inputs/demo/in.demo -out "a${letter}b"
+done
 must_refuse "-var bench_height is given twice" run inputs/demo/in.demo -var bench_height 10 -var patience 2 -var bench_height 12
 for word in -np -out; do must_refuse "$word is given twice" run inputs/demo/in.demo "$word" 1 "$word" 2; done
 must_refuse "-np must be at most" run inputs/demo/in.demo -np 99999

@@ -49,15 +49,18 @@ double single_block_share(const std::vector<Fragment>& fragments) {
 }
 
 std::vector<SizePoint> passing_curve(std::vector<Piece> pieces) {
+  // Of equal blocks, as joint sets cut them, rounding must not decide how many points there are.
+  constexpr double kSame = 1e-6;
   std::ranges::sort(pieces, {}, &Piece::size);
   std::vector<SizePoint> curve;
-  double sum = 0.0;
+  double sum = 0.0, first = 0.0;  // `first`: smallest size of the last point
   for (const Piece& piece : pieces) {
     sum += piece.mass;
-    if (!curve.empty() && curve.back().size == piece.size) {
-      curve.back().passing = sum;
+    if (!curve.empty() && piece.size <= first * (1.0 + kSame)) {
+      curve.back() = {piece.size, sum, curve.back().pieces + 1};
     } else {
       curve.push_back({piece.size, sum});
+      first = piece.size;
     }
   }
   for (SizePoint& point : curve) point.passing /= sum;
@@ -70,8 +73,9 @@ double size_at(const std::vector<SizePoint>& curve, double passing) {
   if (above == curve.begin()) return curve.front().size;
   if (above == curve.end()) return curve.back().size;
   const SizePoint& below = *std::prev(above);
+  const double one_piece = (above->passing - below.passing) / above->pieces;
   return below.size +
-         (passing - below.passing) / (above->passing - below.passing) * (above->size - below.size);
+         std::min(1.0, (passing - below.passing) / one_piece) * (above->size - below.size);
 }
 
 }  // namespace muckpile

@@ -30,6 +30,7 @@ double single_block_share(const std::vector<Fragment>& fragments);
 struct SizePoint {
   double size;     // [m]
   double passing;  // fraction of the mass in pieces of this size or smaller
+  int pieces = 1;  // of this size
 };
 
 struct Piece {
@@ -37,11 +38,13 @@ struct Piece {
   double mass;  // [kg]
 };
 
-// Passing curve, one point per distinct size, ascending; the last point is 1. Empty for no pieces.
+// Passing curve, one point per size, ascending; the last point is 1. Sizes that agree to a
+// millionth are one, the largest of them. Empty for no pieces.
 std::vector<SizePoint> passing_curve(std::vector<Piece> pieces);
 
 // Size [m] below which the fraction `passing` of the mass lies: straight lines between the points,
-// the smallest size below the first. NaN for an empty curve.
+// of a point of several pieces up to the first of them; the smallest size below the first point.
+// NaN for an empty curve.
 double size_at(const std::vector<SizePoint>& curve, double passing);
 
 }  // namespace muckpile

@@ -76,6 +76,7 @@ def face_velocities(run: Run) -> tuple[np.ndarray, np.ndarray]:
 
     Reads all snapshots; between two of them the face may have been faster.
     """
+    _require_bench(run)
     edges = np.linspace(0.0, scene_number(run, "bench_height_m"), FACE_BANDS + 1)
     bands = [face_layer(run, low, high) for low, high in zip(edges[:-1], edges[1:])]
     speeds = [[mean_velocity(run.blocks, now, band)[0] if band.any() else np.nan for band in bands]

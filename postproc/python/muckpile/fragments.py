@@ -47,22 +47,36 @@ def fragments_of(blocks: Blocks, snapshot: Snapshot, moved: np.ndarray | None = 
     return fragments
 
 
-def passing_curve(size: np.ndarray, mass: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Distinct sizes [m], ascending, and the mass fraction in pieces of each size or smaller."""
-    sizes, place = np.unique(size, return_inverse=True)
+def _points(size: np.ndarray, mass: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Of passing_curve(), and the number of pieces of each point."""
+    order = np.argsort(size, kind="stable")
+    sizes, passing = np.asarray(size)[order], np.cumsum(np.asarray(mass)[order])
     if not sizes.size:
         raise ResultError("a size curve needs at least one piece; nothing was broken out")
-    passing = np.cumsum(np.bincount(place, mass))
-    return sizes, passing / passing[-1]
+    last = [-1]
+    while last[-1] + 1 < sizes.size:
+        last.append(int(np.searchsorted(sizes, sizes[last[-1] + 1] * (1.0 + 1e-6), side="right")) - 1)
+    return sizes[last[1:]], passing[last[1:]] / passing[-1], np.diff(last)
+
+
+def passing_curve(size: np.ndarray, mass: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Sizes [m], ascending, and the mass fraction in pieces of each size or smaller. Sizes that agree to a millionth
+    are one, the largest of them."""
+    return _points(size, mass)[:2]
 
 
 def size_at(size: np.ndarray, mass: np.ndarray, passing: float) -> float:
-    """Size [m] that the share `passing` of the mass passes, e.g. 0.5 for P50: straight lines
-    between the points of the curve, the smallest size below the first."""
+    """Size [m] that the share `passing` of the mass passes, e.g. 0.5 for P50: straight lines between the points of
+    the curve, of a point of several pieces up to the first of them; the smallest size below the first point."""
     if not 0.0 <= passing <= 1.0:
         raise ValueError(f"passing must be >= 0 and <= 1, got '{passing}'")
-    sizes, fractions = passing_curve(size, mass)
-    return float(np.interp(passing, fractions, sizes))
+    sizes, fractions, pieces = _points(size, mass)
+    above = min(int(np.searchsorted(fractions, passing)), len(sizes) - 1)
+    if above == 0:
+        return float(sizes[0])
+    one_piece = (fractions[above] - fractions[above - 1]) / pieces[above]
+    way = min(1.0, (passing - fractions[above - 1]) / one_piece)
+    return float(sizes[above - 1] + way * (sizes[above] - sizes[above - 1]))
 
 
 def pile_p50(blocks: Blocks, snapshot: Snapshot) -> float:

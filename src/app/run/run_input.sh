@@ -90,11 +90,18 @@ check_run_words() {
   [[ $go_on == 1 || -z $(value_of from "${engine_args[@]}") ]] || die "-var from FILE needs -var go_on 1 with it"
   : "${out:=$default_folder$(basename "$(dirname "$(realpath "$input")")")}"
   [[ $out != *[[:space:]]* ]] || die "LIGGGHTS splits names at blanks; choose another folder than '$out'"
-  [[ $out != *[%*]* ]] || die "% and * mean something else in LIGGGHTS' names of files; choose another folder than '$out'"
+  refuse_odd_letters -out "$out"
+  refuse_odd_letters "-var explosive_table" "$(value_of explosive_table "${engine_args[@]}")"
   refuse_own_results
   ((${#ranks} < 6 && ranks <= most_ranks_per_core * cores)) ||
     die "-np must be at most $((most_ranks_per_core * cores)) on $cores cores, got '$ranks'"
   if [[ -z $ranks ]]; then ranks=$((cores < most_default_ranks ? cores : most_default_ranks)); fi
+}
+
+# Results would lie elsewhere than is told, or lack the file that an input copies into them.
+refuse_odd_letters() {  # refuse_odd_letters OPTION PATH
+  [[ $2 != *[%*\$\;\&\|\(\)\<\>\'\"\`\\]* ]] ||
+    die "LIGGGHTS or the shell in which it copies files takes % * \$ ; & | ( ) < > \\ and quotes for something else; choose another $1 than '$2'"
 }
 
 # What is in the folder of results makes room for the new ones.

@@ -37,7 +37,7 @@ std::string warning_of_missing(const EnergyAudit& audit) {
          " of it and should close to " + rounded_text(100.0 * kEnergyCloses) +
          " %; wave and gas have done work of " + percent(audit.wall_work + audit.joint_work) +
          ". In soft rock a shorter longest_step of fix muckpile/gas brings it down (inputs: -var "
-         "gas_step)";
+         "gas_step); what a normal_stiffness of natural joints makes of it stays";
 }
 
 EnergyAudit audit_of_hole(const BlastLoad& load, double explosive, double in_hole,

@@ -33,6 +33,20 @@ TEST(PassingCurve, GivesSizesOnStraightLinesBetweenItsPoints) {
   EXPECT_TRUE(std::isnan(size_at({}, 0.5)));
 }
 
+// A third is of 1 m, two thirds are of 2 m, but for rounding or not: P50 lies on the way to the
+// first of the two pieces, 1 + (1/2 - 1/3)/(1/3), P80 is 2 m.
+TEST(PassingCurve, HasOnePointOfSizesThatDifferByRounding) {
+  const double rounded = std::nextafter(2.0, 3.0), millionth = 2.0 * (1.0 + 3e-6);
+  const auto curve = passing_curve({{2.0, 10.0}, {1.0, 10.0}, {rounded, 10.0}});
+  ASSERT_EQ(curve.size(), 2U);
+  EXPECT_DOUBLE_EQ(curve[1].size, rounded);
+  for (const auto& same : {curve, passing_curve({{2.0, 10.0}, {1.0, 10.0}, {2.0, 10.0}})}) {
+    EXPECT_NEAR(size_at(same, 0.5), 1.5, 1e-12);
+    EXPECT_NEAR(size_at(same, 0.8), 2.0, 1e-12);
+  }
+  EXPECT_EQ(passing_curve({{2.0, 10.0}, {1.0, 10.0}, {millionth, 10.0}}).size(), 3U);
+}
+
 TEST(Fragments, GroupBlocksByTheirFragmentNumber) {
   const auto blocks = as_start_blocks(
       {cube_at({0, 0, 0}), cube_at({0.5, 0, 0}), cube_at({5, 0, 0}), cube_at({9, 0, 0})});
