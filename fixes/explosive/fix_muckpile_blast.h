@@ -115,7 +115,7 @@ class FixMuckpileBlast : public LAMMPS_NS::Fix,
   bool over_ = false;               // all holes are
   bool walls_swept_ = false;        // the first charges know where their walls are
   bool warned_ = false;             // of a step too long for the pulse
-  double expected_step_ = 0.0;      // that long a step is no reason to [s]
+  double expected_step_ = 0.0;      // steps up to this need no warning [s]
 };
 
 }  // namespace muckpile

@@ -14,7 +14,7 @@ class ChargeTiming {
   [[nodiscard]] virtual BlastTiming timing() const = 0;
   /// The gas leaves its holes by flow, not by time.
   [[nodiscard]] virtual bool vents_by_flow() const = 0;
-  /// While pulses act steps will be at most that long: no reason to warn of them [s].
+  /// Steps up to this are meant while pulses act: no warning of them [s].
   virtual void expect_step(double longest) = 0;
 };
 

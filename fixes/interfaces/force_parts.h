@@ -14,7 +14,7 @@ class ForceParts {
   virtual ~ForceParts() = default;
   /// What the last force computation put on each body of this rank, in body order [N]: the parts
   /// wave, hole_gas, joint_gas and joints are written.
-  virtual void forces_by_part(std::span<ByPart> forces) const = 0;
+  virtual void forces_by_part(std::span<ByPart> forces) = 0;
 };
 
 }  // namespace muckpile

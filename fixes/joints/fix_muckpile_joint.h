@@ -126,7 +126,7 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   [[nodiscard]] JointEnergySums energies() const override;
   [[nodiscard]] std::span<const Vec3> joint_forces() const override { return network_.force(); }
   [[nodiscard]] std::span<const Vec3> joint_torques() const override { return network_.torque(); }
-  void forces_by_part(std::span<ByPart> forces) const override;
+  void forces_by_part(std::span<ByPart> forces) override;
 
   [[nodiscard]] JointRooms rooms() const override { return JointRooms(network_); }
   [[nodiscard]] std::uint64_t lists_version() const override { return version_; }
@@ -193,7 +193,8 @@ class FixMuckpileJoint : public LAMMPS_NS::Fix,
   std::vector<std::size_t> loaded_faces_;  // positions in network_.faces()
   std::vector<LoadedFacet> loaded_;
   std::vector<double> poses_;
-  std::vector<int> of_blocks_;  // work space of mark_joined() and let_rest()
+  std::vector<int> of_blocks_;                  // work space of mark_joined() and let_rest()
+  std::vector<Vec3> wave_forces_, gas_forces_;  // work space of forces_by_part() [N]
   bool cracked_since_build_ = false;
   int softenings_ = 0;
   bool contact_missed_ = false;  ///< a joint has let go, and there is no contact law

@@ -175,16 +175,18 @@ JointEnergySums FixMuckpileJoint::energies() const {
           .pressure_work = network_.pressure_work()};
 }
 
-void FixMuckpileJoint::forces_by_part(std::span<ByPart> forces) const {
-  std::vector<Vec3> wave(network_.blocks().size(), Vec3::Zero()), hole_gas(wave);
-  network_.add_wall_forces(wave, hole_gas);
+void FixMuckpileJoint::forces_by_part(std::span<ByPart> forces) {
+  wave_forces_.assign(network_.blocks().size(), Vec3::Zero());
+  gas_forces_.assign(network_.blocks().size(), Vec3::Zero());
+  network_.add_wall_forces(wave_forces_, gas_forces_);
   const std::span<const Vec3> all = network_.force(), gas = network_.gas_force();
   for (std::size_t b = 0; b < forces.size(); ++b) {
     ByPart& on = forces[b];
-    on[ImpulsePart::wave] = wave[b];
-    on[ImpulsePart::hole_gas] = hole_gas[b];
+    on[ImpulsePart::wave] = wave_forces_[b];
+    on[ImpulsePart::hole_gas] = gas_forces_[b];
     on[ImpulsePart::joint_gas] = gas.empty() ? Vec3(Vec3::Zero()) : gas[b];
-    on[ImpulsePart::joints] = all[b] - wave[b] - hole_gas[b] - on[ImpulsePart::joint_gas];
+    on[ImpulsePart::joints] =
+        all[b] - wave_forces_[b] - gas_forces_[b] - on[ImpulsePart::joint_gas];
   }
 }
 

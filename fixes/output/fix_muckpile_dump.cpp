@@ -150,7 +150,8 @@ void FixMuckpileDump::clear_folder() {
       ++strangers;
     else if (step > last_ || (step == last_ && other_form)) {
       std::filesystem::remove(entry->path(), unheeded);
-      if (step > last_) std::filesystem::remove(entry->path().parent_path() / impulses_name(step), unheeded);
+      if (step > last_)
+        std::filesystem::remove(entry->path().parent_path() / impulses_name(step), unheeded);
     }
   }
   if (strangers == 0) return;

@@ -18,6 +18,7 @@
 #include "fixes/engine/style_args.h"
 #include "fixes/engine/style_name.h"
 #include "fixes/interfaces/force_parts.h"
+#include "fixes/interfaces/resting_blocks.h"
 
 namespace muckpile {
 
@@ -38,6 +39,7 @@ void FixMuckpileImpulse::init() {
   multisphere_ = engine::find_multisphere(*lmp);
   gravity_ = static_cast<LAMMPS_NS::FixGravity*>(modify->find_fix_style("gravity", 0));
   joints_ = engine::find_view<ForceParts>(*lmp);
+  sleep_ = engine::find_view<RestingBlocks>(*lmp);
   if (engine::place_of<ForceParts>(*lmp) > modify->find_fix(id))
     engine::stop(*lmp, engine::name_of(*this) + ": must be defined after fix muckpile/joint");
 }
@@ -73,6 +75,10 @@ void FixMuckpileImpulse::read_forces() {
   if (gravity_ != nullptr) gravity_->get_gravity(pull.data());
   for (int b = 0; b < bodies.count(); ++b) {
     ByPart& on = forces[static_cast<std::size_t>(b)];
+    if (sleep_ != nullptr && sleep_->body_rests(b)) {  // it is held, whatever acts on it
+      on = {};
+      continue;
+    }
     on[ImpulsePart::weight] = bodies.mass(b) * pull;
     on[ImpulsePart::contacts] = Vec3(bodies.force(b)) - on.sum();
   }

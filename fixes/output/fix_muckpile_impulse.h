@@ -17,6 +17,7 @@ class FixMultisphere;
 namespace muckpile {
 
 class ForceParts;
+class RestingBlocks;
 
 class FixMuckpileImpulse : public LAMMPS_NS::Fix, public BlockImpulses {
  public:
@@ -37,6 +38,7 @@ class FixMuckpileImpulse : public LAMMPS_NS::Fix, public BlockImpulses {
   LAMMPS_NS::FixMultisphere* multisphere_ = nullptr;
   LAMMPS_NS::FixGravity* gravity_ = nullptr;
   ForceParts* joints_ = nullptr;
+  RestingBlocks* sleep_ = nullptr;
   ImpulseSums sums_;
   bool begun_ = false;
   std::vector<int> tags_;  // work space

@@ -73,7 +73,8 @@ Page read_page(const fs::path& path) {
     const std::size_t level = line.find_first_not_of('#');
     if (level > 0 && level < line.size() && line[level] == ' ') {
       std::string anchor = anchor_of(line.substr(level + 1));
-      if (const int times = seen[anchor]++; times > 0) anchor.append("-").append(std::to_string(times));
+      if (const int times = seen[anchor]++; times > 0)
+        anchor.append("-").append(std::to_string(times));
       page.anchors.insert(anchor);
     }
     add_links(without_code(line), number, page.links);

@@ -43,8 +43,8 @@ struct Piece {
 std::vector<SizePoint> passing_curve(std::vector<Piece> pieces);
 
 // Size [m] below which the fraction `passing` of the mass lies: straight lines between the points,
-// of a point of several pieces up to the first of them; the smallest size below the first point.
-// NaN for an empty curve.
+// of a point of several pieces, each taken for as heavy, up to the first of them; the smallest size
+// below the first point. NaN for an empty curve.
 double size_at(const std::vector<SizePoint>& curve, double passing);
 
 }  // namespace muckpile

@@ -15,15 +15,16 @@ namespace muckpile {
 
 struct RockPart {
   std::string name;
-  double radius = 0.0;  // mean distance from the axis at the start by mass; NaN where there is none [m]
-  double mass = 0.0;    // [kg]
+  double radius =
+      0.0;  // mean distance from the axis at the start by mass; NaN where there is none [m]
+  double mass = 0.0;  // [kg]
   std::vector<size_t> blocks{};
   std::vector<Vec3> outward{};  // of each of them
 };
 
-// Of rock over a charge on the z axis, its centre `depth` [m] below the surface z = 0: `cone`, whose
-// sides rise from there at 45 degrees, and `surface`, rings of `width` [m] of the blocks that bound
-// the surface. Outward is away from the axis. None for a part without a block.
+// Of rock over a charge on the z axis, its centre `depth` [m] below the surface z = 0: `cone`,
+// whose sides rise from there at 45 degrees, and `surface`, rings of `width` [m] of the blocks that
+// bound the surface. Outward is away from the axis. None for a part without a block.
 std::vector<RockPart> crater_parts(const std::vector<StartBlock>& blocks, double depth,
                                    double width);
 

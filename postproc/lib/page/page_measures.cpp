@@ -23,7 +23,8 @@ const std::vector<Picture>& pictures_of_the_pile() {
   static const std::vector<Picture> pictures{
       {"profile.png", "Section",
        "Section through a hole, with equal scales; table in profile.csv."},
-      {"crater.png", "Section", "Section through the charge; tables in crater.csv and, of the launch, launch.csv."},
+      {"crater.png", "Section",
+       "Section through the charge; tables in crater.csv and, of the launch, launch.csv."},
       {"heap.png", "Section", "Section of the heap; table in heap.csv."},
       {"pile3d.png", "View", "The rock as it lies; the blue edges are the rock before the blast."},
       {"movement.png", "Movement",
@@ -94,7 +95,7 @@ void add_speeds(Html& page, const PageContent& run) {
              {"burden_velocity_m_s", "Burden, momentum over mass"},
              {"fastest_block_m_s", "Fastest block"}});
   add_picture(page, run, "momentum.png", "Momentum",
-              "What gave the rock its speed: wave, gas, rock around; table in momentum.csv.");
+              "What gave the rock its speed: wave, gas, joints, contacts; table in momentum.csv.");
   const std::string chart = speed_chart(run.folder.dump("history.csv"));
   if (chart.empty()) return;
   const auto frame = page.open("figure");

@@ -62,7 +62,8 @@ void draw_names(const BlockColours& colours, const Vec2& place, double length, C
     if (ends_row && ++row < kRows) at = {place.x(), at.y() + 1.3 * kTextSize};
     if (row == kRows) {
       canvas.text({at.x(), at.y() + 0.85 * kThick},
-                  std::string("+").append(std::to_string(colours.names.size() - k)), kTextSize, kInk);
+                  std::string("+").append(std::to_string(colours.names.size() - k)), kTextSize,
+                  kInk);
       return;
     }
     canvas.rectangle(at, at + Vec2(kThick, kThick), colour);

@@ -3,14 +3,17 @@
 // Scope: see the header.
 #include "report/momentum_plot.h"
 
+#include <array>
+#include <utility>
+
 #include "draw/panels.h"
 
 namespace muckpile {
 namespace {
 
 constexpr std::array<const char*, kImpulseParts> kLabels = {
-    "before the blast", "wave", "gas in the hole", "gas in joints", "joints with other rock",
-    "contacts", "weight"};
+    "before the blast",       "wave",     "gas in the hole", "gas in joints",
+    "other forces of joints", "contacts", "weight"};
 
 PlotCurve curve_of(const BudgetCurves& of, const std::string& label, CurveStyle style, int colour,
                    const auto& value) {

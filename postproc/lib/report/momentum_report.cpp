@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Sub-command momentum: what gave the rock its speed, by cause, over time.
-// Scope: runs with fix muckpile/impulse; the cone and the surface over a crater's charge, the burden
-// of a bench.
-#include <algorithm>
+// Scope: runs with fix muckpile/impulse; the cone and the surface over a crater's charge, the
+// burden of a bench.
 #include <cmath>
+#include <filesystem>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "draw/png_file.h"
 #include "io/csv_writer.h"
@@ -38,14 +40,28 @@ RockPart burden_of(const ResultFolder& folder, const std::vector<StartBlock>& bl
   return part;
 }
 
-std::vector<RockPart> parts_of(const ResultFolder& folder) {
+// What is measured: a main part, the first, and rings of the surface beyond it, which a burden has
+// not.
+struct Parts {
+  std::vector<RockPart> all;
+  double depth = 0.0;  // of the charge under the surface [m]
+};
+
+Parts parts_of(const ResultFolder& folder) {
   const std::string scene = folder.scene_word("case");
+  Parts parts;
   if (scene == "crater") {
-    const double depth = burial_depth(folder);
-    return crater_parts(folder.rock(), depth, 0.25 * depth);
+    parts.depth = burial_depth(folder);
+    parts.all = crater_parts(folder.rock(), parts.depth, 0.25 * parts.depth);
+  } else if (scene == "bench") {
+    parts.all = {burden_of(folder, folder.rock())};
+  } else {
+    refuse_to_measure(folder, "momentum",
+                      "the run must be a bench or a crater, got '" + scene + "'");
   }
-  if (scene == "bench") return {burden_of(folder, folder.rock())};
-  refuse_to_measure(folder, "momentum", "the run must be a bench or a crater, got '" + scene + "'");
+  if (parts.all.empty() || parts.all.front().blocks.empty() || parts.all.front().name == "surface")
+    refuse_to_measure(folder, "momentum", "no block lies over the charge or in front of it");
+  return parts;
 }
 
 // Of the snapshots that have impulses, each with its budgets in the order of the parts.
@@ -58,8 +74,7 @@ std::vector<Instant> instants_of(const ResultFolder& folder, const std::vector<R
   std::vector<Instant> instants;
   SnapshotReader reader(folder.blocks(), {}, StateParts::kVelocity);
   for (const auto& file : folder.snapshots()) {
-    const auto impulses_path =
-        folder.dump(impulses_name(snapshot_step(file.filename().string())));
+    const auto impulses_path = folder.dump(impulses_name(snapshot_step(file.filename().string())));
     if (!std::filesystem::exists(impulses_path)) continue;
     const Snapshot& snapshot = reader.read(file);
     const std::vector<ByPart> impulses =
@@ -71,45 +86,61 @@ std::vector<Instant> instants_of(const ResultFolder& folder, const std::vector<R
   return instants;
 }
 
+std::vector<double> row_of(const RockPart& part, int symmetry, double time, const Budget& budget) {
+  std::vector<double> row{time, part.radius, symmetry * part.mass, budget.speed};
+  row.insert(row.end(), budget.by_cause.begin(), budget.by_cause.end());
+  row.push_back(budget.left());
+  return row;
+}
+
 void write_table(const ResultFolder& folder, const std::vector<RockPart>& parts,
                  const std::vector<Instant>& instants) {
   CsvWriter csv(folder.file("momentum.csv"), kColumns);
+  const auto write = [&](size_t p, const char* direction, Budget PartBudget::*of) {
+    for (const Instant& now : instants)
+      csv.row({parts[p].name, direction},
+              row_of(parts[p], folder.symmetry(), now.time, now.budgets[p].*of));
+  };
   for (size_t p = 0; p < parts.size(); ++p) {
-    for (const auto& [direction, of] :
-         {std::pair("outward", &PartBudget::outward), std::pair("upward", &PartBudget::upward)}) {
-      for (const Instant& now : instants) {
-        const Budget& budget = now.budgets[p].*of;
-        std::vector<double> row{now.time, parts[p].radius, folder.symmetry() * parts[p].mass,
-                                budget.speed};
-        row.insert(row.end(), budget.by_cause.begin(), budget.by_cause.end());
-        row.push_back(budget.left());
-        csv.row({parts[p].name, direction}, row);
-      }
-    }
+    write(p, "outward", &PartBudget::outward);
+    write(p, "upward", &PartBudget::upward);
   }
 }
 
-// The first part both ways, then two rings of the surface.
-Canvas picture_of(const std::vector<RockPart>& parts, const std::vector<Instant>& instants,
-                  double depth) {
-  std::vector<BudgetCurves> curves;
-  const auto add = [&](size_t p, const std::string& title, Budget PartBudget::*of) {
-    BudgetCurves curve{title};
-    for (const Instant& now : instants) {
-      curve.time.push_back(now.time);
-      curve.budgets.push_back(now.budgets[p].*of);
-    }
-    curves.push_back(std::move(curve));
-  };
-  add(0, parts[0].name + ", outward", &PartBudget::outward);
-  add(0, parts[0].name + ", upward", &PartBudget::upward);
+BudgetCurves curves_of(const std::vector<Instant>& instants, size_t part, const std::string& title,
+                       Budget PartBudget::*of) {
+  BudgetCurves curves{title};
+  for (const Instant& now : instants) {
+    curves.time.push_back(now.time);
+    curves.budgets.push_back(now.budgets[part].*of);
+  }
+  return curves;
+}
+
+// The ring of the surface that began nearest to this distance from the axis [m]; 0 where there is
+// none.
+size_t ring_at(const std::vector<RockPart>& parts, double radius) {
+  size_t nearest = 0;
+  for (size_t p = 1; p < parts.size(); ++p) {
+    const auto off = [&](size_t k) { return std::abs(parts[k].radius - radius); };
+    if (nearest == 0 || off(p) < off(nearest)) nearest = p;
+  }
+  return nearest;
+}
+
+// The main part both ways, then two rings of the surface.
+Canvas picture_of(const Parts& parts, const std::vector<Instant>& instants) {
+  const std::string& name = parts.all.front().name;
+  std::vector<BudgetCurves> curves{curves_of(instants, 0, name + ", outward", &PartBudget::outward),
+                                   curves_of(instants, 0, name + ", upward", &PartBudget::upward)};
+  size_t before = 0;
   for (const double share : {0.4, 0.9}) {
-    const auto ring = std::ranges::min_element(parts.begin() + 1, parts.end(), {}, [&](const RockPart& part) {
-      return std::abs(part.radius - share * depth);
-    });
-    if (ring != parts.end())
-      add(static_cast<size_t>(ring - parts.begin()),
-          "surface at " + spelled(ring->radius, 2) + " m, outward", &PartBudget::outward);
+    const size_t ring = ring_at(parts.all, share * parts.depth);
+    if (ring == before) continue;
+    before = ring;
+    curves.push_back(curves_of(instants, ring,
+                               "surface at " + spelled(parts.all[ring].radius, 2) + " m, outward",
+                               &PartBudget::outward));
   }
   return draw_momentum(curves);
 }
@@ -117,16 +148,14 @@ Canvas picture_of(const std::vector<RockPart>& parts, const std::vector<Instant>
 }  // namespace
 
 void report_momentum(const ResultFolder& folder) {
-  const std::vector<RockPart> parts = parts_of(folder);
-  const std::vector<Instant> instants = instants_of(folder, parts);
-  if (instants.empty() || parts.empty())
+  const Parts parts = parts_of(folder);
+  const std::vector<Instant> instants = instants_of(folder, parts.all);
+  if (instants.empty())
     refuse_to_measure(folder, "momentum",
                       "needs impulses_<step>.csv, which fix muckpile/dump writes behind a fix "
                       "muckpile/impulse (-var impulses 1)");
-  const bool crater = folder.scene_word("case") == "crater";
-  write_table(folder, parts, instants);
-  write_png(picture_of(parts, instants, crater ? burial_depth(folder) : 0.0),
-            folder.file("momentum.png"));
+  write_table(folder, parts.all, instants);
+  write_png(picture_of(parts, instants), folder.file("momentum.png"));
   folder.merge_into_summary(common_keys(folder), {refusal_key("momentum")});
 }
 

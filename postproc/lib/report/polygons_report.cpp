@@ -57,11 +57,11 @@ void write_drawing(const std::filesystem::path& path, const std::vector<CarriedP
 void write_tables(const ResultFolder& folder, const std::vector<CarriedPolygon>& polygons,
                   const SurveyPose& pose) {
   const std::optional<MineFrame> frame = mine_frame(folder);
-  CsvWriter table(folder.file("polygons.csv"),
-                  with_mine_points(joined({"polygon", kMovementColumns, "recovered_fraction",
-                                           "dilution_fraction"},
-                                          ","),
-                                   frame, {"start_", "end_"}));
+  CsvWriter table(
+      folder.file("polygons.csv"),
+      with_mine_points(
+          joined({"polygon", kMovementColumns, "recovered_fraction", "dilution_fraction"}, ","),
+          frame, {"start_", "end_"}));
   CsvWriter outlines(folder.file("polygons_moved.csv"), "polygon,x_m,y_m");
   for (const CarriedPolygon& each : polygons) {
     std::vector<double> row = movement_columns(each.dug.rock);

@@ -26,8 +26,7 @@ void ImpulseSums::begin(std::span<const Vec3> momenta) {
 }
 
 void ImpulseSums::kick(double half) {
-  for (std::size_t b = 0; b < forces_.size(); ++b)
-    rows_[places_[b]].impulse.add(forces_[b], half);
+  for (std::size_t b = 0; b < forces_.size(); ++b) rows_[places_[b]].impulse.add(forces_[b], half);
 }
 
 std::vector<ImpulseRow> added_up(std::vector<ImpulseRow> rows) {

@@ -30,9 +30,7 @@ struct ByPart {
   std::array<Vec3, kImpulseParts> parts;
 
   ByPart() { parts.fill(Vec3::Zero()); }
-  [[nodiscard]] Vec3& operator[](ImpulsePart part) {
-    return parts[static_cast<std::size_t>(part)];
-  }
+  [[nodiscard]] Vec3& operator[](ImpulsePart part) { return parts[static_cast<std::size_t>(part)]; }
   [[nodiscard]] const Vec3& operator[](ImpulsePart part) const {
     return parts[static_cast<std::size_t>(part)];
   }

@@ -73,9 +73,9 @@ double wave_end_of(const ArgValues& words, const BlastTiming& timing, const std:
 }
 
 /// A fifth of the pulse's rise; or, where blocks are too coarse for that, of the time of a wave
-/// across the smallest, within which one gives way to a load. Then the impulse is left: its error
-/// is 0.08 (step/rise)^2 at most, 1.3 %. A wall, at P/(rho c_P), moves by a hundredth of its
-/// radius. Measured in docs/theory/timestep.md.
+/// across the smallest, within which one gives way to a load. There only the pulse's impulse must
+/// be right: its error is 0.08 (step/rise)^2 at most, 1.3 %. And a wall, at P/(rho c_P), is to move
+/// by no more than a hundredth of its radius. Measured in docs/theory/timestep.md.
 double pulse_step(const ArgValues& words, const BlastScene& scene) {
   constexpr double kOfRise = 0.2, kOfRiseForImpulse = 0.4, kWallMoves = 0.01;
   const double rise = scene.timing.rise_time;  // [s]

@@ -107,11 +107,11 @@ TEST(FixMuckpileImpulse, AddsUpToTheMomentumOfEachBlock) {
   EXPECT_GT(total(blocks, ImpulsePart::contacts).sum.z(), 1000.0);  // the floor's
 }
 
-/// A triangle of 100 MPa over 0.4 ms on the wall of a cylinder, whose blocks' faces make a prism:
-/// all of it is the wave's, and it is the pulse times the area.
+/// A triangle of 100 MPa over 0.4 ms on the wall of a cylinder, whose blocks make a prism of six
+/// sides of the same volume: all of it is the wave's, and it is the pulse times the area.
 TEST(FixMuckpileImpulse, TheWaveGivesItsPulseTimesTheWall) {
-  constexpr double kPeak = 100e6, kEnd = 4e-4;       // [Pa], [s]
-  constexpr double kRadius = 0.15, kLength = 0.8;    // of the crushed zone [m]
+  constexpr double kPeak = 100e6, kEnd = 4e-4;     // [Pa], [s]
+  constexpr double kRadius = 0.15, kLength = 0.8;  // of the crushed zone [m]
   const ScratchFolder folder("impulse_wave");
   RockScene scene(MPI_COMM_WORLD, "-9 9 -9 9 -9 9", "* 1 1", "multisphere/muckpile");
   make_lump(scene, folder / "", "cohesion 1e12 tension 1e12 contact_check no",
@@ -120,9 +120,10 @@ TEST(FixMuckpileImpulse, TheWaveGivesItsPulseTimesTheWall) {
   const auto blocks = impulses_in(folder / impulses_name(200));
   double outward = 0.0;  // along the level direction of each push
   for (const auto& [tag, of] : blocks) outward += of[ImpulsePart::wave].head<2>().norm();
-  const double expected = 0.5 * kPeak * kEnd * 2.0 * M_PI * kRadius * kLength;
+  const double side = kRadius * std::sqrt(2.0 * M_PI / (3.0 * std::sqrt(3.0)));  // [m]
+  const double expected = 0.5 * kPeak * kEnd * 6.0 * side * kLength;
   std::cout << "the wave's over pulse times wall: " << outward / expected << '\n';
-  EXPECT_NEAR(outward / expected, 1.0, 0.1);  // a block with two faces is pushed between them
+  EXPECT_NEAR(outward / expected, 1.0, 1e-3);
   EXPECT_EQ(total(blocks, ImpulsePart::hole_gas).size, 0.0);
   EXPECT_EQ(total(blocks, ImpulsePart::joint_gas).size, 0.0);
 }

@@ -241,6 +241,39 @@ TEST(Solid, RefusesWhatIsNotConvex) {
   EXPECT_THROW(about_centroid(box), InputError);
 }
 
+/// An upright prism with so many sides, each cut into so many faces one over the other.
+Polyhedron prism(int sides, int layers) {
+  Polyhedron shape;
+  std::vector<int> bottom, top;
+  const int column = layers + 1;  // corners over each other
+  for (int k = 0; k < sides; ++k) {
+    const double angle = 2.0 * M_PI * k / sides;
+    for (int z = 0; z <= layers; ++z)
+      shape.vertices.emplace_back(std::cos(angle), std::sin(angle), -0.5 + 1.0 * z / layers);
+    const int here = column * k, next = column * ((k + 1) % sides);
+    for (int z = 0; z < layers; ++z)
+      shape.faces.push_back({here + z, next + z, next + z + 1, here + z + 1});
+    bottom.insert(bottom.begin(), here);
+    top.push_back(here + layers);
+  }
+  shape.faces.push_back(bottom);
+  shape.faces.push_back(top);
+  return shape;
+}
+
+/// 236 corners, 61 planes.
+TEST(Solid, OfManyCornersPressesAsOneWithoutThoseInItsFaces) {
+  const Mat3 turn = Eigen::AngleAxisd(0.3, Vec3(1.0, 2.0, 0.5).normalized()).toRotationMatrix();
+  const Vec3 between(1.3, 0.6, 0.4);
+  Pair plain{cube(1.2), about_centroid(prism(59, 1)), turn, between, {}};
+  Pair cut{cube(1.2), about_centroid(prism(59, 3)), turn, between, {}};
+  ASSERT_EQ(cut.second.corners().size(), 236U);
+  const SolidOverlap expected = plain.overlap(), found = cut.overlap();
+  ASSERT_GT(expected.largest_strain, 0.01);
+  EXPECT_NEAR(found.largest_strain / expected.largest_strain, 1.0, 1e-9);
+  EXPECT_NEAR(found.energy / expected.energy, 1.0, 1e-9);
+}
+
 TEST(Solid, TakesFacesInOnePlaneAsOne) {
   EXPECT_EQ(cube(1.0).planes().size(), 6u);
   EXPECT_NEAR(cube(1.0).radius(), 0.5 * std::sqrt(3.0), 1e-14);

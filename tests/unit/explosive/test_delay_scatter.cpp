@@ -86,7 +86,8 @@ TEST(DelayScatter, HolesAndDecksHaveDrawsOfTheirOwn) {
   double sum = 0.0, squares = 0.0;
   constexpr int kCount = 10000;
   for (int k = 0; k < kCount; ++k) {
-    const double value = cut_normal(7, draw_of(std::string("H").append(std::to_string(k / 4)), k % 4));
+    const double value =
+        cut_normal(7, draw_of(std::string("H").append(std::to_string(k / 4)), k % 4));
     sum += value;
     squares += value * value;
   }

@@ -48,8 +48,7 @@ TEST(Momentum, IsToldByCauseAndDirection) {
   EXPECT_EQ(parts[1].name, "surface");
   EXPECT_NEAR(parts[3].radius, 2.5, 0.2);
   for (const RockPart& part : parts) {
-    const auto [outward, upward] =
-        budget_of(part, rock.run.blocks, rock.run.last, rock.impulses);
+    const auto [outward, upward] = budget_of(part, rock.run.blocks, rock.run.last, rock.impulses);
     const auto of = [](const Budget& budget, ImpulsePart cause) {
       return budget.by_cause[static_cast<size_t>(cause)];
     };
@@ -79,17 +78,47 @@ TEST(Momentum, OfABenchIsThatOfItsBurden) {
   write_bench(folder.path());
   const ResultFolder results(folder.path());
   EXPECT_THROW(report_momentum(results), NotMeasurable);  // no impulses
-  const auto snapshots = results.snapshots();
-  const long step = read_snapshot(snapshots[1], results.blocks()).step;
-  std::string name = snapshots[1].filename().string();
+  std::string name = results.snapshots()[1].filename().string();
   name.replace(0, std::string("blocks").size(), "impulses");
   write_impulses(results.dump(name), results.blocks(), 6.0);
   report_momentum(results);
   const CsvTable table = CsvTable::read(results.file("momentum.csv"));
-  ASSERT_EQ(table.rows(), 2U) << step;  // one snapshot has impulses
+  ASSERT_EQ(table.rows(), 2U);  // one snapshot has impulses
+  const auto of = [&](size_t row, const char* column) {
+    return table.number(row, table.column(column));
+  };
   EXPECT_EQ(table.word(0, table.column("part")), "burden");
-  EXPECT_NEAR(table.number(0, table.column("joint_gas_m_s")), 6.0, 1e-9);
+  EXPECT_EQ(table.word(0, table.column("direction")), "outward");
+  // A prism of 5 m by 10.5 m by 2 m, of which two layers of cubes of ten move at 14, the rest at 6.
+  EXPECT_NEAR(of(0, "mass_kg") / (5.0 * 10.5 * 2.0 * kDensity), 1.0, 1e-6);
+  EXPECT_NEAR(of(0, "speed_m_s"), 0.2 * 14.0 + 0.8 * 6.0, 1e-4);
+  EXPECT_NEAR(of(0, "joint_gas_m_s"), 6.0, 1e-9);
+  EXPECT_NEAR(of(0, "left_m_s"), 1.6, 1e-4);
+  EXPECT_EQ(table.word(1, table.column("direction")), "upward");
+  EXPECT_NEAR(of(1, "joint_gas_m_s"), 0.0, 1e-9);
   EXPECT_TRUE(std::filesystem::exists(results.file("momentum.png")));
+}
+
+TEST(Momentum, OfACraterIsThatOfItsConeAndSurface) {
+  const TemporaryFolder folder;
+  write_crater(folder.path());
+  const ResultFolder results(folder.path());
+  std::string name = results.snapshots().back().filename().string();
+  name.replace(0, std::string("blocks").size(), "impulses");
+  write_impulses(results.dump(name), results.blocks(), 6.0);
+  report_momentum(results);
+  const CsvTable table = CsvTable::read(results.file("momentum.csv"));
+  EXPECT_EQ(table.word(0, table.column("part")), "cone");
+  EXPECT_EQ(table.word(2, table.column("part")), "surface");
+  // All are pushed along x: around the axis that is outward as much as inward.
+  EXPECT_NEAR(table.number(0, table.column("joint_gas_m_s")), 0.0, 1e-9);
+  EXPECT_TRUE(std::filesystem::exists(results.file("momentum.png")));
+}
+
+TEST(Momentum, IsNotThatOfAHeap) {
+  const TemporaryFolder folder;
+  write_heap(folder.path());
+  EXPECT_THROW(report_momentum(ResultFolder(folder.path())), NotMeasurable);
 }
 
 TEST(Momentum, FaultyImpulsesAreNamed) {
@@ -108,6 +137,11 @@ TEST(Momentum, FaultyImpulsesAreNamed) {
   twice.back().id = 1000000;
   write_impulses(file, twice, 1.0);
   EXPECT_NE(error().find("is not a block of blocks.vtk"), std::string::npos) << error();
+  write_impulses(file, run.blocks, 1.0);
+  EXPECT_EQ(error(), "");
+  const std::string other =
+      input_error_of([&] { (void)read_impulses(file, run.blocks, "0123456789abcdef"); });
+  EXPECT_NE(other.find("is of run none"), std::string::npos) << other;
 }
 
 }  // namespace

@@ -10,9 +10,7 @@ namespace muckpile {
 namespace {
 
 /// As its block was last placed [N].
-Vec3 force_on(const BoundaryFace& face) {
-  return -face.pressure * face.area * face.last_normal;
-}
+Vec3 force_on(const BoundaryFace& face) { return -face.pressure * face.area * face.last_normal; }
 
 /// By the face's own displacement [m3].
 double squeezed(const BoundaryFace& face, const BlockFields& blocks) {

@@ -213,7 +213,8 @@ TEST(FacetGroups, FacetsThatBrokeWideOpenCloseAsOneByOne) {
       memory.broken = PointSet::all();
       memory.state = FacetState::cracked;
       for (std::size_t p = 0; p < kFacetPoints; ++p)
-        memory.contact.get_or_create().offset[p] = Vec3(widest * (1.0 - 0.2 * static_cast<double>(p)), 0.0, 0.0);
+        memory.contact.get_or_create().offset[p] =
+            Vec3(widest * (1.0 - 0.2 * static_cast<double>(p)), 0.0, 0.0);
       Pairs together(of, {f}, 0.0, {memory});
       memory.extra.get_or_create() = {};  // facets that soften are worked on one by one
       Pairs alone(of, {f}, 0.0, {memory});
