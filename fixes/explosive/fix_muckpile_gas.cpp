@@ -47,6 +47,9 @@ const ArgTable& table() {
                    "steps of the blocks in a step of the gas, at most, during which pressures hold")
           .real("longest_step", "s", Range::left_open(0.0, 1.0), 6e-5,
                 "longest step of the gas, where `every` steps of the blocks are longer")
+          .integer("calm_every", "-", Range::closed(1, 100), 8,
+                   "steps of the gas, of which joints between blocks whose pressure hardly "
+                   "changes are looked at in one; 1: in all")
           .integer("substeps", "-", Range::closed(1, 1000), 2, "of the flow in a step of the gas")
           .real("ambient_pressure", "Pa", Range::closed(1e3, 1e7), 101325.0, "of the atmosphere")
           .real("effusivity", "W s^0.5/(m2 K)", Range::closed(0.0, 1e5), 2500.0,
@@ -83,7 +86,8 @@ JointGas make_gas(LAMMPS_NS::LAMMPS& lmp, const std::string& where, const ArgVal
                                .closure_stiffness = args.real("closure_stiffness"),
                                .roughness = args.real("roughness_coefficient")},
                      .ambient = args.real("ambient_pressure"),
-                     .crack_spacing = args.real("crack_spacing")});
+                     .crack_spacing = args.real("crack_spacing"),
+                     .calm_every = static_cast<int>(args.integer("calm_every"))});
   });
 }
 

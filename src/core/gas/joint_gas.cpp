@@ -21,6 +21,9 @@ void transform_all(const std::vector<double>& a, const std::vector<double>& b,
 }
 
 constexpr double kFinestSpacing = 0.01;  // of cracks [m]
+/// Of what a block presses, the atmosphere at least: one whose pressure has changed by less from
+/// one look at all blocks to the next is calm, until it has changed by more (docs/theory/gas.md).
+constexpr double kCalm = 0.005;
 
 }  // namespace
 
@@ -35,6 +38,7 @@ JointGas::JointGas(const Parameters& parameters)
   if (!(p_.open_gas >= 1.0)) refuse_value("open_gas", ">= 1", "", p_.open_gas);
   if (p_.crack_spacing != 0.0 && !(p_.crack_spacing >= kFinestSpacing))
     refuse_value("crack_spacing", "0 or >= " + number_text(kFinestSpacing), "m", p_.crack_spacing);
+  if (p_.calm_every < 1) refuse_value("calm_every", ">= 1", "", p_.calm_every);
 }
 
 void JointGas::set_rooms(const JointRooms& rooms) {
@@ -42,10 +46,15 @@ void JointGas::set_rooms(const JointRooms& rooms) {
   cells_.assign(count, {});
   reached_.assign(count, 0);
   holds_.assign(count, 0);
+  left_out_.assign(count, 0);
+  calm_.assign(count, 0);
+  step_ = p_.calm_every - 1;  // all blocks are looked at next
+  clock_ = 0.0;
+  left_out_since_.assign(rooms.facet_count(), kFlows);
   changes_.assign(count, {});
   reservoirs_.assign(count, {});
-  for (auto* numbers :
-       {&density_, &pressure_, &root_, &gauge_, &walls_, &rooms_, &films_, &stretch_, &cooling_})
+  for (auto* numbers : {&density_, &pressure_, &root_, &gauge_, &walls_, &rooms_, &films_,
+                        &stretch_, &cooling_, &seen_, &owed_cooling_, &ways_now_})
     numbers->assign(count, 0.0);
   cracks_.clear();
   crack_facets_.clear();
@@ -93,6 +102,22 @@ JointGas::End JointGas::end_of(const JointRooms& rooms, std::size_t f) const {
           .many = cracks_of(rooms, f)};
 }
 
+/// Which blocks are left out of the coming step. All ranks find the same, as they do pressures.
+/// Blocks on a chamber that feeds them are never calm, nor are empty ones, which gas may reach.
+void JointGas::find_calm(const std::vector<char>& fed) {
+  const bool looked_at_all = step_ == 0;
+  step_ = (step_ + 1) % p_.calm_every;
+  for (std::size_t b = 0; b < cells_.size(); ++b) {
+    const double pressed = std::max(p_.ambient, pressure_[b]);
+    const int hole = touches_[b] / 2 - 1;
+    const bool is_fed = hole >= 0 && fed[static_cast<std::size_t>(hole)] != 0;
+    const bool steady =
+        !is_fed && pressure_[b] > 0.0 && std::abs(pressed - seen_[b]) <= kCalm * pressed;
+    calm_[b] = steady && (looked_at_all || calm_[b] != 0) ? 1 : 0;
+    if (looked_at_all) seen_[b] = pressed;
+  }
+}
+
 /// Whether cracks_ is still right. A list depends on which facets are broken, and on which blocks
 /// have gas, or are copies, which may have got gas on their own rank, or lie on a chamber.
 bool JointGas::list_holds(const JointRooms& rooms, const std::vector<char>& fed) {
@@ -100,6 +125,9 @@ bool JointGas::list_holds(const JointRooms& rooms, const std::vector<char>& fed)
       std::count(rooms.states().begin(), rooms.states().end(), FacetState::intact));
   bool same = listed_ && intact == intact_ && fed == fed_;
   for (std::size_t b = 0; b < cells_.size(); ++b) {
+    const char left_out = step_ != 0 ? calm_[b] : 0;
+    same = same && left_out == left_out_[b];
+    left_out_[b] = left_out;
     const int hole = touches_[b] / 2 - 1;
     const bool holds = !owned(b) || cells_[b].content.mass > 0.0 ||
                        (hole >= 0 && fed[static_cast<std::size_t>(hole)] != 0);
@@ -139,10 +167,20 @@ void JointGas::list_cracks(const JointRooms& rooms) {
   ending_.clear();
   for (const std::uint32_t f : open_to_gas_) {
     const End& end = ends_[f];
-    if (reached_[end.i] == 0 && (!end.joint || reached_[end.j] == 0)) continue;
+    double& since = left_out_since_[f];
+    const bool flowed = since == kFlows;
+    if (reached_[end.i] == 0 && (!end.joint || reached_[end.j] == 0)) {
+      since = kFlows;
+      continue;
+    }
+    if (left_out(end.i) && (!end.joint || left_out(end.j))) {
+      if (flowed) since = clock_;
+      continue;
+    }
     if (end.hole >= 0 || end.surfaces)
       ending_.push_back(static_cast<std::uint32_t>(cracks_.size()));
-    cracks_.push_back({end, f, 0.0, 0.0, 0.0, 0.0});
+    cracks_.push_back({end, f, 0.0, 0.0, 0.0, 0.0, flowed ? 0.0 : clock_ - since});
+    since = kFlows;
     add_facet(crack_facets_, f);
   }
   for (auto* numbers :
@@ -158,13 +196,13 @@ void JointGas::expand() {
   for (std::size_t b = 0; b < cells_.size(); ++b) {
     const GasContent& gas = cells_[b].content;
     const double before = gas.volume, now = cells_[b].volume - (rooms_[b] - gas.broken);
-    const bool works = owned(b) && gas.mass > 0.0 && before > 0.0 && now > 0.0;
+    const bool works = owned(b) && !left_out(b) && gas.mass > 0.0 && before > 0.0 && now > 0.0;
     stretch_[b] = works ? before / now : 1.0;
   }
   transform_all(stretch_, stretch_, cooling_,
                 [less = flow_.gamma() - 1.0](double x, double) { return power_of(x, less); });
   for (std::size_t b = 0; b < cells_.size(); ++b) {
-    if (!owned(b)) continue;
+    if (!owned(b) || left_out(b)) continue;
     GasContent& gas = cells_[b].content;
     const double work = gas.energy * (1.0 - cooling_[b]);
     spent_.work += work;

@@ -20,6 +20,10 @@
 // asperities is room without work, as it breaks and as stress narrows it: no block moves by it, so
 // the gas keeps its energy. The walls take heat (wall_heat.h).
 //
+// Calm blocks, whose pressure has hardly changed for a while, are looked at once in several steps
+// (Parameters::calm_every): joints between two of them then flow for all that time at once, so that
+// mass and energy are kept as before. A joint beside a block that is not calm flows in each step.
+//
 // A step: the caller fills the contents of owned blocks; measure(), then copies get the numbers of
 // their owners, then press(); after the forces flow(), then cool(). It may be as long as several
 // steps of the blocks, whose pressures hold meanwhile. Both owners of a facet compute
@@ -118,6 +122,7 @@ class JointGas {
     /// Between cracks that the rock has where blocks are larger: a joint stands for as many as its
     /// two blocks have of them on their way, at least one [m]; 0: for one.
     double crack_spacing = 0.0;
+    int calm_every = 1;  ///< steps, of which calm blocks are looked at in one; 1: in all
   };
 
   /// InputError on a value out of range.
@@ -200,6 +205,7 @@ class JointGas {
     double broken;                                          // of that, while it is closed [m3]
     double area;                                            // across the flow [m2]
     double way;                                             // conductance: area x passage [m2]
+    double owed;                                            // time that it was left out for [s]
     [[nodiscard]] double end() const { return 0.5 * way; }  // each block has half the aperture
   };
   struct alignas(64) Reservoir {  // gas of a block or a chamber, for the flow
@@ -210,6 +216,8 @@ class JointGas {
   };
 
   [[nodiscard]] bool owned(std::size_t b) const { return owned_[b] != 0; }
+  [[nodiscard]] bool left_out(std::size_t b) const { return left_out_[b] != 0; }
+  void find_calm(const std::vector<char>& fed);
   [[nodiscard]] double cracks_of(const JointRooms& rooms, std::size_t f) const;
   [[nodiscard]] End end_of(const JointRooms& rooms, std::size_t f) const;
   [[nodiscard]] bool list_holds(const JointRooms& rooms, const std::vector<char>& fed);
@@ -259,8 +267,19 @@ class JointGas {
 
   // What cracks_ was listed from; it stays right while none of these changes.
   std::size_t intact_ = 0;  // facets
-  std::vector<char> fed_, holds_;
+  std::vector<char> fed_, holds_, left_out_;
   bool listed_ = false;
+
+  // Calm blocks, by what they pressed when all were looked at last [Pa], the atmosphere at least.
+  std::vector<char> calm_;
+  std::vector<double> seen_;
+  int step_ = 0;        // of calm_every; in the last one all blocks are looked at
+  double clock_ = 0.0;  // of the flow [s]
+  // Per facet: since when it is left out, on that clock [s], or kFlows. Per block: time that its
+  // cooling is behind [s].
+  static constexpr double kFlows = -1.0;
+  std::vector<double> left_out_since_, owed_cooling_;
+  std::vector<double> ways_now_;  // per block left out: of those of its joints that flow [m2]
 
   std::vector<End> ends_;                   // per facet
   std::vector<Keeps> keeps_;                // per facet

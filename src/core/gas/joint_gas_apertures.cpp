@@ -63,8 +63,9 @@ void JointGas::find_passages() {
   }
 }
 
-/// To its blocks' volumes, walls and ways, and to the ways out of its hole. The way to an image has
-/// its share of the room, too, though nothing goes along it.
+/// To its blocks' volumes, walls and ways, and to the ways out of its hole. A block that is left
+/// out keeps what it has, but has no less ways than are open now, so that none is emptied. The way
+/// to an image has its share of the room, too, though nothing goes along it.
 void JointGas::count_crack(std::size_t c) {
   Crack& crack = cracks_[c];
   // A joint's room belongs to two blocks; that at a mirror to the block and its image.
@@ -76,25 +77,32 @@ void JointGas::count_crack(std::size_t c) {
   const double ways = (crack.joint || crack.mirror ? crack.way : 0.0) +
                       (crack.hole >= 0 ? crack.end() : 0.0) + (crack.surfaces ? crack.end() : 0.0);
   each_block(crack, [&](std::size_t b) {
+    if (crack.hole >= 0 && owned(b))
+      chamber_ways_[static_cast<std::size_t>(crack.hole)] += crack.end();
+    if (left_out(b)) {
+      ways_now_[b] += ways;
+      return;
+    }
     walls_[b] += wall_[c];
     rooms_[b] += crack.broken;
     cells_[b].volume += crack.volume;
     cells_[b].ways += ways;
-    if (crack.hole >= 0 && owned(b))
-      chamber_ways_[static_cast<std::size_t>(crack.hole)] += crack.end();
   });
 }
 
 void JointGas::measure(const JointRooms& rooms, const std::vector<char>& fed) {
+  find_calm(fed);
   if (!list_holds(rooms, fed)) list_cracks(rooms);
   wide_.clear();
-  std::fill(walls_.begin(), walls_.end(), 0.0);
-  std::fill(rooms_.begin(), rooms_.end(), 0.0);
-  for (GasCell& cell : cells_) cell.volume = cell.ways = 0.0;
+  for (std::size_t b = 0; b < cells_.size(); ++b)
+    if (!left_out(b)) walls_[b] = rooms_[b] = cells_[b].volume = cells_[b].ways = 0.0;
+  std::fill(ways_now_.begin(), ways_now_.end(), 0.0);
   chamber_ways_.assign(fed.size(), 0.0);
   find_apertures(rooms);
   find_passages();
   for (std::size_t c = 0; c < cracks_.size(); ++c) count_crack(c);
+  for (std::size_t b = 0; b < cells_.size(); ++b)
+    cells_[b].ways = std::max(cells_[b].ways, ways_now_[b]);
   expand();
 }
 

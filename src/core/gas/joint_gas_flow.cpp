@@ -59,21 +59,22 @@ JointGas::Flows JointGas::flow(std::span<const GasChamber> chambers, double dt) 
   Flows flows{std::vector<GasFlow>(chambers.size()), std::vector<double>(chambers.size()), {}};
   std::fill(changes_.begin(), changes_.end(), GasFlow{});
   for (std::size_t c = 0; c < cracks_.size(); ++c) {
-    if (cracks_[c].joint) exchange(c, dt);
+    if (cracks_[c].joint) exchange(c, dt + cracks_[c].owed);
   }
   std::vector<Reservoir> inlets;
   for (const GasChamber& chamber : chambers) inlets.push_back(inlet_of(chamber));
   for (const std::uint32_t c : ending_) {
     const Crack& crack = cracks_[c];
+    const double time = dt + crack.owed;  // [s]
     each_block(crack, [&](std::size_t b) {
       if (!owned(b)) return;
       if (crack.hole >= 0) {
         const auto hole = static_cast<std::size_t>(crack.hole);
-        const GasFlow got = feed(b, c, inlets[hole], dt);
+        const GasFlow got = feed(b, c, inlets[hole], time);
         flows.from_hole[hole] += got;
         flows.out_of_hole[hole] += std::max(0.0, got.mass);
       }
-      if (crack.surfaces) flows.vented += vent(b, c, dt);
+      if (crack.surfaces) flows.vented += vent(b, c, time);
     });
   }
   for (std::size_t b = 0; b < cells_.size(); ++b) {
@@ -81,6 +82,8 @@ JointGas::Flows JointGas::flow(std::span<const GasChamber> chambers, double dt) 
     cells_[b].content.mass += changes_[b].mass;
     cells_[b].content.energy += changes_[b].energy;
   }
+  for (Crack& crack : cracks_) crack.owed = 0.0;
+  clock_ += dt;
   return flows;
 }
 
@@ -100,12 +103,12 @@ void JointGas::cool_block(std::size_t b, double dt) {
 }
 
 void JointGas::cool(double dt) {
-  if (heat_.acts()) {
-    for (std::size_t b = 0; b < cells_.size(); ++b) {
-      if (owned(b)) cool_block(b, dt);
-    }
+  for (std::size_t b = 0; b < cells_.size(); ++b) {
+    owed_cooling_[b] += dt;
+    if (left_out(b)) continue;
+    if (heat_.acts() && owned(b)) cool_block(b, owed_cooling_[b]);
+    films_[b] = owed_cooling_[b] = 0.0;
   }
-  std::fill(films_.begin(), films_.end(), 0.0);
 }
 
 JointGas::Opened JointGas::open_wide() {
