@@ -33,7 +33,9 @@ enum Output {
 
 const int FixMuckpileGas::kOutputs = kOutputCount;
 
+/// Which blocks are calm is not in the file.
 void FixMuckpileGas::write_restart(FILE* file) {
+  gas_.look_at_all();
   const JointGasState state{active_,
                             spent_,
                             fed_,

@@ -48,8 +48,6 @@ void JointGas::set_rooms(const JointRooms& rooms) {
   holds_.assign(count, 0);
   left_out_.assign(count, 0);
   calm_.assign(count, 0);
-  step_ = p_.calm_every - 1;  // all blocks are looked at next
-  clock_ = 0.0;
   left_out_since_.assign(rooms.facet_count(), kFlows);
   changes_.assign(count, {});
   reservoirs_.assign(count, {});
@@ -62,7 +60,7 @@ void JointGas::set_rooms(const JointRooms& rooms) {
   wide_.clear();
   ends_.clear();
   keeps_.assign(rooms.facet_count(), Keeps::unknown);
-  listed_ = false;
+  look_at_all();
   owned_.resize(count);
   for (std::size_t b = 0; b < count; ++b) owned_[b] = rooms.blocks()[b].owned ? 1 : 0;
   touches_.assign(count, 0);
@@ -100,6 +98,17 @@ JointGas::End JointGas::end_of(const JointRooms& rooms, std::size_t f) const {
           .mirror = mirror,
           .surfaces = (of_i & of_j & 1) != 0,
           .many = cracks_of(rooms, f)};
+}
+
+void JointGas::look_at_all() {
+  for (auto* flags : {&calm_, &left_out_}) std::fill(flags->begin(), flags->end(), 0);
+  for (auto* numbers : {&seen_, &owed_cooling_, &films_})
+    std::fill(numbers->begin(), numbers->end(), 0.0);
+  std::fill(left_out_since_.begin(), left_out_since_.end(), kFlows);
+  for (Crack& crack : cracks_) crack.owed = 0.0;
+  step_ = p_.calm_every - 1;
+  clock_ = 0.0;
+  listed_ = false;
 }
 
 /// Which blocks are left out of the coming step. All ranks find the same, as they do pressures.

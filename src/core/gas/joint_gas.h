@@ -130,6 +130,9 @@ class JointGas {
 
   /// New lists of blocks and facets; every cell is empty after that.
   void set_rooms(const JointRooms& rooms);
+  /// In the coming step no block counts as calm, as after set_rooms(): what calm ones have not yet
+  /// exchanged they do not exchange. So a run goes on as the one that reads its restart file does.
+  void look_at_all();
   /// Code of what each block touches: 2 (hole + 1) + (1 if it has a free face). Right for owned
   /// blocks after set_rooms(); the caller fills in the copies.
   [[nodiscard]] std::span<int> touches() {
