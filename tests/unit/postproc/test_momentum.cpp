@@ -38,13 +38,23 @@ struct PushedRock {
   }
 };
 
+// Cubes whose centres lie in a cone with a level top of this radius, layer by layer.
+int cubes_in_cone(double height) {
+  int count = 0;
+  for (double radius = height - 0.5 * kCube; radius > 0.0; radius -= kCube)
+    for (double x = 0.5 * kCube; x < radius; x += kCube)
+      for (double y = 0.5 * kCube; y < radius; y += kCube)
+        count += std::hypot(x, y) < radius ? 4 : 0;  // one in each quarter
+  return count;
+}
+
 TEST(Momentum, IsToldByCauseAndDirection) {
   const PushedRock rock;
   const auto parts = crater_parts(rock.run.blocks, 3.0, 1.0);
   ASSERT_GT(parts.size(), 5U);
   EXPECT_EQ(parts[0].name, "cone");
-  // A cone 3 m high, of cubes of 0.5 m by their centres: those in its tip are counted short.
-  EXPECT_NEAR(parts[0].mass / (kDensity * 9.0 * M_PI), 1.0, 0.15);
+  // A cone 3 m high, of cubes by their centres: 88, 60, 32, 16 and 4, layer by layer.
+  EXPECT_NEAR(parts[0].mass, cubes_in_cone(3.0) * kDensity * std::pow(kCube, 3), 1e-6);
   EXPECT_EQ(parts[1].name, "surface");
   EXPECT_NEAR(parts[3].radius, 2.5, 0.2);
   for (const RockPart& part : parts) {
