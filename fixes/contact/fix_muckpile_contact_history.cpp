@@ -35,6 +35,7 @@ void FixMuckpileContactHistory::set_source(ContactSource* source) {
   if (source_ == nullptr) {
     source->losses().friction += restored_.losses.friction;
     source->losses().damping += restored_.losses.damping;
+    source->pace().resume(restored_.pace);
   }
   source_ = source;
 }
@@ -125,7 +126,7 @@ void FixMuckpileContactHistory::write_restart(FILE* file) {
   ContactsState state;
   if (source_ != nullptr) {
     source_->store_contacts(*this);
-    state = {source_->losses(), source_->polyhedra() ? 1 : 0};
+    state = {source_->losses(), source_->polyhedra() ? 1 : 0, source_->pace().state()};
   }
   for (double* mine : {&state.losses.friction, &state.losses.damping})
     *mine = engine::sum_over_ranks(*mine, world);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "contact/contact_law.h"
+#include "contact/contact_pace.h"
 #include "state/encoding.h"
 
 namespace muckpile {
@@ -31,12 +32,13 @@ struct Stored<ContactLosses> {
 struct ContactsState {
   ContactLosses losses;
   int polyhedra = 0;  ///< 1: the memory is that of contacts between polyhedra
+  ContactPace::State pace{};
 };
 template <>
 struct Stored<ContactsState> {
   static constexpr std::string_view kName = "contacts_state";
-  static constexpr int kVersion = 1;
-  static auto fields(auto& state) { return std::tie(state.losses, state.polyhedra); }
+  static constexpr int kVersion = 2;
+  static auto fields(auto& state) { return std::tie(state.losses, state.polyhedra, state.pace); }
 };
 
 /// What a sphere remembers of one of its contacts; stored per sphere, as numbers of the engine.
@@ -61,6 +63,7 @@ class ContactSource {
   /// Called before atoms are exchanged: put every live contact into `history`.
   virtual void store_contacts(FixMuckpileContactHistory& history) = 0;
   [[nodiscard]] virtual ContactLosses& losses() = 0;
+  [[nodiscard]] virtual ContactPace& pace() = 0;
   [[nodiscard]] virtual bool polyhedra() const = 0;  ///< or spheres
 };
 

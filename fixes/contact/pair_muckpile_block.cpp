@@ -167,18 +167,23 @@ void PairMuckpileBlock::compute(int eflag, int vflag) {
     ev_setup(eflag, vflag);
   else
     evflag = vflag_fdotr = eflag_global = 0;
+  act_ = act_of_step();
+  const bool acts = act_.strength > 0.0;
   if (neighbor->ago == 0 && list_is_stale_) {
     rebuild();
-  } else if (atom->nlocal + atom->nghost > 0) {
-    list_.follow(atom->x[0], atom->omega[0], update->dt);
+  } else if (acts && atom->nlocal + atom->nghost > 0) {
+    list_.follow(atom->x[0], atom->omega[0], act_.elapsed);
     if (list_.outgrown() && !add_pairs()) {
       store_contacts(*history_);
       list_pairs();
     }
   }
-  if (resting_ != nullptr && resting_->rests_version() != rests_version_) list_working_pairs(0);
-  step_contacts();
-  contacts_moved_ = true;
+  begin_loads();
+  if (acts) {
+    if (resting_ != nullptr && resting_->rests_version() != rests_version_) list_working_pairs(0);
+    step_contacts();
+    contacts_moved_ = true;
+  }
   if (eflag_global) eng_vdwl += last_.elastic + resting_energy();
 }
 

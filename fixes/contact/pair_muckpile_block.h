@@ -16,6 +16,7 @@
 #include "contact/block_contact_list.h"
 #include "contact/contact_forces.h"
 #include "contact/contact_law.h"
+#include "contact/contact_pace.h"
 #include "contact/contact_step_bound.h"
 #include "fixes/contact/fix_muckpile_contact_history.h"
 #include "fixes/engine/bodies.h"
@@ -25,6 +26,7 @@
 #include "fixes/interfaces/contact_steps.h"
 #include "fixes/interfaces/contact_work.h"
 #include "fixes/interfaces/joint_view.h"
+#include "fixes/interfaces/paced_contacts.h"
 #include "fixes/interfaces/resting_blocks.h"
 
 namespace LAMMPS_NS {
@@ -40,7 +42,8 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
                           public ContactSource,
                           public ContactWork,
                           public NearBlocks,
-                          public BlockContactView {
+                          public BlockContactView,
+                          public PacedContacts {
  public:
   static constexpr const char* kStyle = "pair_style muckpile/block";
 
@@ -69,12 +72,16 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
 
   void store_contacts(FixMuckpileContactHistory& history) override;
   [[nodiscard]] ContactLosses& losses() override { return losses_; }
+  [[nodiscard]] ContactPace& pace() override { return pace_; }
   [[nodiscard]] bool polyhedra() const override { return solids_ != nullptr; }
 
   void mark_near(std::span<const char> from, std::span<char> to) const override;
 
   [[nodiscard]] std::optional<BlockContacts> hertz_contacts() const override { return hertz_; }
   [[nodiscard]] const ContactParameters& contact_parameters() const override { return parameters_; }
+
+  void act_every(int steps) override { pace_.act_every(steps); }
+  [[nodiscard]] bool act_for_several() const override;
 
   void watch() override { watched_ = true; }
   double end_step(double time_step) override;
@@ -121,7 +128,9 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
   [[nodiscard]] double resting_energy();
 
   [[nodiscard]] MovingSpheres moving_spheres();
+  [[nodiscard]] ContactPace::Act act_of_step();
   void step_contacts();
+  void strengthen();
   void add_losses(double memory_step);
 
   // Where blocks touch in their own shape, pair_muckpile_block_solids.cpp has in place of these:
@@ -163,6 +172,8 @@ class PairMuckpileBlock : public LAMMPS_NS::Pair,
   std::uint64_t rests_version_ = 0;                ///< that the two are made for
   ContactStates contacts_;
   ContactForces forces_;
+  ContactPace pace_;
+  ContactPace::Act act_;         ///< of the last step
   bool list_is_stale_ = true;    ///< atoms were exchanged since the list was built
   bool contacts_moved_ = false;  ///< forces were computed since the contacts were stored
 

@@ -17,16 +17,33 @@ MovingSpheres PairMuckpileBlock::moving_spheres() {
           atom_block_.data(), loads_.empty() ? nullptr : loads_.data()};
 }
 
+/// Set-up of a run computes the forces of a state that a step has already reached.
+ContactPace::Act PairMuckpileBlock::act_of_step() {
+  if (update->setupflag == 0) return pace_.go_on(update->ntimestep, update->dt);
+  return {pace_.strength_at(update->ntimestep), update->dt};
+}
+
+bool PairMuckpileBlock::act_for_several() const { return pace_.stronger_at(update->ntimestep); }
+
+/// There are no other forces on spheres yet.
+void PairMuckpileBlock::strengthen() {
+  if (act_.strength == 1.0 || atom->nlocal == 0) return;
+  const std::size_t numbers = 3 * static_cast<std::size_t>(atom->nlocal);
+  for (double* const forces : {atom->f[0], atom->torque[0]})
+    for (std::size_t k = 0; k < numbers; ++k) forces[k] *= act_.strength;
+}
+
 void PairMuckpileBlock::step_contacts() {
   last_ = {};
-  begin_loads();
   if (solids_ != nullptr) solids_->blocks.update(engine::Bodies(*bodies_));
   if (list_.block_pairs().empty()) return;
-  // Set-up of a run computes the forces of a state that a step has already reached.
-  const double memory_step = update->setupflag != 0 ? 0.0 : update->dt;
+  const double memory_step = update->setupflag != 0 ? 0.0 : act_.elapsed;
   activate_parted_pairs();
-  if (solids_ != nullptr) return step_solids(memory_step);
-  forces_.begin(*law_, moving_spheres(), contacts_, update->dt, memory_step);
+  if (solids_ != nullptr) {
+    step_solids(memory_step);
+    return strengthen();
+  }
+  forces_.begin(*law_, moving_spheres(), contacts_, act_.elapsed, memory_step);
   awake_.clear();
   const SphereSet all = spheres();
   for (const std::size_t k : working_)
@@ -36,6 +53,7 @@ void PairMuckpileBlock::step_contacts() {
     if (!forces_.add(list_.candidates(k))) list_.rest(k, all.positions);
   last_ = forces_.finish();
   add_losses(memory_step);
+  strengthen();
 }
 
 void PairMuckpileBlock::add_losses(double memory_step) {

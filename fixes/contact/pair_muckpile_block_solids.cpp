@@ -52,7 +52,7 @@ void PairMuckpileBlock::step_solids(double memory_step) {
   const engine::Bodies bodies(*bodies_);
   const SphereSet all = spheres();
   solids.axes.resize(list_.block_pairs().size(), Vec3::Zero());
-  solids.forces.begin(solids.law, moving_spheres(), contacts_, update->dt, memory_step);
+  solids.forces.begin(solids.law, moving_spheres(), contacts_, act_.elapsed, memory_step);
   solids.blocks.begin_step();
   const auto body = [&](int key) -> const SolidBody& {
     return solids.blocks.body_of_step(bodies, *atom, atom_block_[static_cast<std::size_t>(key)],

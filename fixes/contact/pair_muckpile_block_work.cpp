@@ -61,8 +61,8 @@ double PairMuckpileBlock::end_step(double time_step) {
     all += power(load.force(), load.moment());
     dashpots += power(load.dashpot_force(), load.dashpot_moment());
   }
-  losses_.damping -= dashpots * time_step;
-  return all * time_step;
+  losses_.damping -= dashpots * act_.strength * time_step;
+  return all * act_.strength * time_step;
 }
 
 }  // namespace muckpile

@@ -22,6 +22,7 @@
 #include "fixes/engine/style_args.h"
 #include "fixes/engine/style_name.h"
 #include "fixes/interfaces/keyword_tables.h"
+#include "fixes/interfaces/paced_contacts.h"
 
 namespace muckpile {
 namespace {
@@ -29,6 +30,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kUnbounded = 1e29;     // s, a longer step is none
 constexpr double kWorthAChange = 1.01;  // a longer step than now by less is not taken
+constexpr double kOfSprings = 0.5;      // longest time between acts of contacts over the stable one
 
 enum Output {
   kJointStep,
@@ -39,6 +41,7 @@ enum Output {
   kDashpotStep,
   kCollisionStep,
   kJoinedSpringStep,
+  kPace,
   kOutputCount
 };
 
@@ -49,6 +52,9 @@ const ArgTable& table() {
           .integer("every", "steps", engine::step_counts(), 100, "between checks of the contacts")
           .integer("joints_every", "checks", Range::closed(0, 1000000), 20,
                    "between checks of the joints; 0: as a run is set up and never within")
+          .integer("contact_every", "steps", Range::closed(1, 64), 1,
+                   "contacts act at every 2nd, 4th, 8th, ... step where they bear it, at most at "
+                   "every so many; 1: at each")
           .word("breaking", {"possible", "none"}, "possible",
                 "whether joints may break between two checks: a closed broken one is stiffer")
           .real("dashpot_fraction", "", Range::left_open(0.0, 4.0), 0.8,
@@ -93,6 +99,7 @@ FixMuckpileTimestep::FixMuckpileTimestep(LAMMPS_NS::LAMMPS* engine, int narg, ch
   settings_.longest = args.real("max");
   if (settings_.shortest > settings_.longest) engine::stop(*lmp, where_ + ": min must be <= max");
   settings_.joints_every = static_cast<int>(args.integer("joints_every"));
+  settings_.contact_every = static_cast<int>(args.integer("contact_every"));
   settings_.breaking = args.word("breaking") == "none" ? Breaking::none : Breaking::possible;
   settings_.dashpot_fraction = args.real("dashpot_fraction");
   nevery = settings_.every = static_cast<int>(args.integer("every"));
@@ -105,6 +112,11 @@ FixMuckpileTimestep::FixMuckpileTimestep(LAMMPS_NS::LAMMPS* engine, int narg, ch
 }
 
 int FixMuckpileTimestep::setmask() { return LAMMPS_NS::FixConst::END_OF_STEP; }
+
+/// An unfix: nobody looks any more whether contacts bear it.
+void FixMuckpileTimestep::pre_delete(bool unfixflag) {
+  if (unfixflag) set_pace(1);
+}
 
 void FixMuckpileTimestep::init() {
   if (modify->find_fix_style_strict("multisphere/muckpile", 0) == nullptr) {
@@ -137,7 +149,8 @@ void FixMuckpileTimestep::setup(int) {
 void FixMuckpileTimestep::end_of_step() {
   ++look_.since_joints;
   if (settings_.joints_every > 0 && look_.since_joints >= settings_.joints_every) look_at_joints();
-  look_at_contacts();
+  if (++look_.since_contacts >= look_.pace)
+    look_at_contacts();  // as often as they act `every` times
   choose();
 }
 
@@ -151,6 +164,7 @@ void FixMuckpileTimestep::look_at_joints() {
 }
 
 void FixMuckpileTimestep::look_at_contacts() {
+  look_.since_contacts = 0;
   int dimension = 0;
   const void* found = force->pair == nullptr ? nullptr : force->pair->extract("steps_s", dimension);
   std::array<double, kContactSteps>& mine = look_.contact_steps;
@@ -210,7 +224,29 @@ void FixMuckpileTimestep::choose() {
                            number_text(dashpots_bear()) + " s, collisions are resolved at " +
                            number_text(longest_resolving()) + " s)");
   }
-  if (step < update->dt || step > kWorthAChange * update->dt) set_step(step);
+  const bool longer = step > kWorthAChange * update->dt;
+  const auto* const contacts = dynamic_cast<const PacedContacts*>(force->pair);
+  // The second half of their kick is still to come: the next look may.
+  if (longer && contacts != nullptr && contacts->act_for_several()) return;
+  if (step < update->dt || longer) set_step(step);
+  set_pace(pace());
+}
+
+void FixMuckpileTimestep::set_pace(int steps) {
+  look_.pace = steps;
+  if (auto* const contacts = dynamic_cast<PacedContacts*>(force->pair)) contacts->act_every(steps);
+}
+
+/// Apart from joints contacts bear, and resolve collisions with, a longer step than the present
+/// one.
+int FixMuckpileTimestep::pace() const {
+  const std::array<double, kContactSteps>& bear = look_.contact_steps;
+  const double longest =
+      std::min({kOfSprings * bear[kFreeSprings], kOfSprings * bear[kJoinedSprings],
+                bear[kFreeContacts], bear[kJoinedContacts], longest_resolving()});
+  int steps = 1;
+  while (2 * steps <= settings_.contact_every && 2.0 * steps * update->dt <= longest) steps *= 2;
+  return steps;
 }
 
 void FixMuckpileTimestep::set_step(double step) {
@@ -241,6 +277,8 @@ double FixMuckpileTimestep::compute_vector(int n) {
       return look_.contact_steps[kCollisions];
     case kJoinedSpringStep:
       return look_.contact_steps[kJoinedSprings];
+    case kPace:
+      return look_.pace;
     default:
       return 0.0;
   }

@@ -22,18 +22,19 @@ struct StepSettings {
   double collision = 0.0, shortest = 0.0, longest = 0.0;  ///< [s]
   double collision_speed = 0.0;                           ///< [m/s], 0: whatever the speed
   int every = 1;                                          ///< steps between looks
-  int joints_every = 0;  ///< looks between two looks at the joints, 0: never again
+  int joints_every = 0;   ///< looks between two looks at the joints, 0: never again
+  int contact_every = 1;  ///< most steps from one act of the contacts to the next
   Breaking breaking = Breaking::possible;
   bool operator==(const StepSettings&) const = default;
 };
 template <>
 struct Stored<StepSettings> {
   static constexpr std::string_view kName = "step_settings";
-  static constexpr int kVersion = 1;
+  static constexpr int kVersion = 2;
   static auto fields(auto& settings) {
     return std::tie(settings.fraction, settings.dashpot_fraction, settings.collision,
                     settings.shortest, settings.longest, settings.collision_speed, settings.every,
-                    settings.joints_every, settings.breaking);
+                    settings.joints_every, settings.contact_every, settings.breaking);
   }
 };
 
@@ -42,14 +43,17 @@ struct StepLook {
   double joint_step = 0.0;                            // [s]
   std::array<double, kContactSteps> contact_steps{};  // [s]
   double fastest = 0.0;                               // block [m/s]
-  int since_joints = 0;                               // looks since that at the joints
+  int since_joints = 0;                               // checks since the look at the joints
+  int since_contacts = 0;                             // and since that at the contacts
+  int pace = 1;                                       // of the contacts [steps]
 };
 template <>
 struct Stored<StepLook> {
   static constexpr std::string_view kName = "step_look";
-  static constexpr int kVersion = 1;
+  static constexpr int kVersion = 2;
   static auto fields(auto& look) {
-    return std::tie(look.joint_step, look.contact_steps, look.fastest, look.since_joints);
+    return std::tie(look.joint_step, look.contact_steps, look.fastest, look.since_joints,
+                    look.since_contacts, look.pace);
   }
 };
 
@@ -76,6 +80,7 @@ class FixMuckpileTimestep : public LAMMPS_NS::Fix {
   FixMuckpileTimestep(LAMMPS_NS::LAMMPS* lmp, int narg, char** arg);
 
   int setmask() override;
+  void pre_delete(bool unfixflag) override;
   void init() override;
   void setup(int vflag) override;
   void end_of_step() override;
@@ -91,6 +96,8 @@ class FixMuckpileTimestep : public LAMMPS_NS::Fix {
   void look_for_fastest_block();
   void choose();
   void set_step(double step);
+  void set_pace(int steps);
+  [[nodiscard]] int pace() const;
   [[nodiscard]] double wanted() const;
   [[nodiscard]] bool goes_on_unchanged() const;
   [[nodiscard]] double longest_stable(ContactStep free, ContactStep joined) const;

@@ -19,6 +19,16 @@
 
 namespace muckpile {
 
+namespace {
+
+std::string words_of_collision(const StepRule& rule) {
+  if (!rule.collision) return {};
+  return " collision " + script_number(*rule.collision) + " collision_speed " +
+         script_number(rule.collision_speed);
+}
+
+}  // namespace
+
 bool ScriptEngine::has_been_cut_ = false;
 
 ScriptEngine::ScriptEngine(LAMMPS_NS::LAMMPS* engine, std::string command, const ArgValues& words)
@@ -47,9 +57,10 @@ void ScriptEngine::prepare(const PhaseNews& first, const StepRule& rule) {
                                script_number(first.ends) + " fastest_allowed 1000 still_share " +
                                script_number(words_.real("still_share")) + " scene " +
                                words_.word("scene") + " solid " + words_.word("solid"));
-  make_fix(
-      *lmp, "muckpile/timestep", "dt",
-      "fraction " + script_number(rule.share) + " dashpot_fraction 2 every 10 joints_every 250");
+  make_fix(*lmp, "muckpile/timestep", "dt",
+           "fraction " + script_number(rule.share) +
+               " dashpot_fraction 2 every 10 joints_every 250 contact_every " +
+               std::to_string(rule.contact_every) + words_of_collision(rule));
   progress_ = fix_of(*lmp, "muckpile/progress");
   write_table();
   const long every = words_.integer("restart_every");
@@ -85,11 +96,7 @@ void ScriptEngine::run(long steps, bool afresh) {
 }
 
 void ScriptEngine::bound_step(const StepRule& rule) {
-  std::string words = " fraction " + script_number(rule.share);
-  if (rule.collision) {
-    words += " collision " + script_number(*rule.collision) + " collision_speed " +
-             script_number(rule.collision_speed);
-  }
+  std::string words = " fraction " + script_number(rule.share) + words_of_collision(rule);
   if (rule.longest) words += " max " + script_number(*rule.longest);
   tell("fix_modify " + id_of("muckpile/timestep") + words);
 }

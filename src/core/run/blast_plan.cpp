@@ -32,6 +32,8 @@ void add_steps(ArgTable& table) {
       .real("crossing_share", "", Range::closed(0.0, 1.0), 0.2,
             "longest step in a pulse over the time of a wave across block_min, between a fifth "
             "and two fifths of the pulse's rise; 0: that fifth")
+      .integer("contact_every", "steps", Range::closed(1, 64), 16,
+               "most steps from one act of the contacts to the next; 1: they act at each")
       .integer("sleep", "", Range::closed(0, 1), 1,
                "1: blocks at rest among blocks at rest are left alone in the throw; 0: none")
       .real("sleep_distance", "m", Range::closed(1e-6, 0.1), 5e-3,
@@ -170,6 +172,7 @@ BlastPlan blast_plan(const ArgValues& words, const BlastScene& scene, const std:
   plan.softening = words.real("softening");
   plan.sleep = words.integer("sleep") == 1;
   plan.collision = collision_step(words, rock.density, scene.contacts);
+  plan.contact_every = words.integer("contact_every");
   plan.closed_damping = closed_damping(scene.contacts.restitution);
   check(plan, scene.timing, where);
   return plan;

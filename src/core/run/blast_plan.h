@@ -40,8 +40,9 @@ struct BlastPlan {
 
   double softening = 1.0;       ///< stiffness in the throw over that at the start [-]
   double closed_damping = 0.0;  ///< of closed joints then [-]
-  CollisionStep collision{};    ///< in the throw
-  bool sleep = true;            ///< blocks at rest are left alone in the throw
+  CollisionStep collision{};
+  long contact_every = 1;  ///< most steps from one act of the contacts to the next
+  bool sleep = true;       ///< blocks at rest are left alone in the throw
 };
 
 /// `where` starts every message. InputError where the plan does not fit the scene.

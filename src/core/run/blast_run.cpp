@@ -58,7 +58,10 @@ BlastRun::Phase BlastRun::go() {
 
 void BlastRun::prepare() {
   engine_.prepare({in_throw_ ? plan_.throw_name : kFirstName, plan_.wave_end, 200},
-                  {.share = plan_.wave_share});
+                  {.share = plan_.wave_share,
+                   .collision = plan_.collision.step,
+                   .collision_speed = plan_.collision.speed(),
+                   .contact_every = plan_.contact_every});
   // What blocks rest is in the restart file, for a fix that is there before the first run.
   if (in_throw_ && plan_.sleep) rock_.let_blocks_rest();
 }

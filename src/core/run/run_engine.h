@@ -22,6 +22,7 @@ struct StepRule {
   std::optional<double> longest{};    ///< [s]
   std::optional<double> collision{};  ///< that resolves a collision [s]
   double collision_speed = 0.0;       ///< of it [m/s]: follows the fastest block; 0: fixed
+  long contact_every = 1;             ///< steps from one act of the contacts to the next, at most
 };
 
 class RunEngine {

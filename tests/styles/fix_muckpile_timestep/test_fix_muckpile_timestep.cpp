@@ -11,6 +11,7 @@
 #include <sstream>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "rock_scene.h"
@@ -28,7 +29,8 @@ enum Timestep {
   products = 5,
   dashpot_step = 6,
   collision_step = 7,
-  joined_spring_step = 8
+  joined_spring_step = 8,
+  pace = 9
 };
 
 const std::string kRock = " youngs_modulus 50e9 poisson_ratio 0.25 density 2600 friction_angle 45 ";
@@ -159,6 +161,44 @@ TEST(FixMuckpileTimestep, CountsContacts) {
     EXPECT_DOUBLE_EQ(scene.output("dt", margin),
                      scene.output("dt", spring_step) / scene.output("dt", step));
   }
+}
+
+/// Contacts act at every second, fourth, ... step as far as they bear it and resolve collisions.
+TEST(FixMuckpileTimestep, SetsThePaceOfTheContacts) {
+  for (const auto& [most, collision] :
+       {std::pair(64, 1e-3), std::pair(8, 1e-3), std::pair(64, 4.1e-5)}) {
+    RockScene scene = engine(MPI_COMM_WORLD);
+    scene.command("pair_style muckpile/block youngs_modulus 1e6 restitution 0.9");
+    scene.command("pair_coeff * *");
+    graded(scene, kUnbreakable);
+    scene.command("fix dt all muckpile/timestep every 1 max 1e-5 collision " +
+                  std::to_string(collision) + " contact_every " + std::to_string(most));
+    scene.run(3, 1e-9);
+    EXPECT_DOUBLE_EQ(scene.output("dt", step), 1e-5);
+    const double longest = std::min(
+        {collision, 0.5 * scene.output("dt", spring_step), scene.output("dt", dashpot_step)});
+    const double found = scene.output("dt", pace);
+    EXPECT_LE(found * 1e-5, longest);
+    EXPECT_TRUE(2.0 * found > most || 2.0 * found * 1e-5 > longest) << found;
+    EXPECT_EQ(found, most == 8 ? 8.0 : collision < 1e-4 ? 4.0 : 64.0);
+  }
+}
+
+/// The second half of a kick that stands for many steps would come with the longer step: it waits.
+TEST(FixMuckpileTimestep, StepDoesNotGrowWhereContactsHaveJustActedForSeveral) {
+  RockScene scene = engine(MPI_COMM_WORLD);
+  scene.command("pair_style muckpile/block youngs_modulus 1e6 restitution 0.9");
+  scene.command("pair_coeff * *");
+  graded(scene, kUnbreakable);
+  scene.command("fix dt all muckpile/timestep every 1 collision 1e-3 contact_every 8");
+  scene.command("fix_modify dt cap 1e-6");
+  scene.run(17, 1e-9);  // acts at steps 9 and 17
+  ASSERT_EQ(scene.output("dt", pace), 8.0);
+  scene.command("fix_modify dt cap 1e-5");
+  scene.command("run 0");
+  EXPECT_DOUBLE_EQ(scene.output("dt", step), 1e-6);
+  scene.command("run 1");
+  EXPECT_DOUBLE_EQ(scene.output("dt", step), 1e-5);
 }
 
 /// To resolve a collision is a matter of accuracy, not of stability: neither the joints nor a share

@@ -21,6 +21,7 @@
 #include "args/numbers.h"
 #include "fixes/engine/bodies.h"
 #include "fixes/interfaces/contact_work.h"
+#include "fixes/interfaces/paced_contacts.h"
 #include "silent_engine.h"
 
 namespace muckpile::testing {
@@ -125,6 +126,10 @@ std::map<int, BlockNow> BlockScene::blocks() const {
 }
 
 void BlockScene::compute_contacts() { lmp_->force->pair->compute(0, 0); }
+
+void BlockScene::act_every(int steps) {
+  dynamic_cast<PacedContacts&>(*lmp_->force->pair).act_every(steps);
+}
 
 void BlockScene::watch_contacts() { dynamic_cast<ContactWork&>(*lmp_->force->pair).watch(); }
 

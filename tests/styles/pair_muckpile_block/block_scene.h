@@ -55,6 +55,9 @@ class BlockScene {
   /// The contact forces of the present state once more, for measuring their time.
   void compute_contacts();
 
+  /// As fix muckpile/timestep does it: contacts act at every so many steps.
+  void act_every(int steps);
+
   /// As fix muckpile/ledger does it: forces on blocks are summed from the next run on.
   void watch_contacts();
 
