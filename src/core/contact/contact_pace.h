@@ -31,7 +31,6 @@ class ContactPace {
 
   /// From the next step on. 1: at each, with their force.
   void act_every(int steps) { state_.every = steps; }
-  [[nodiscard]] int every() const { return state_.every; }
 
   /// Takes the run one step on, to step `now` over `step` [s]. Acts are at steps 1, 1 + every, ...,
   /// and each stands for half of the gap before it and half of the one to come.
