@@ -108,14 +108,15 @@ class FixMuckpileContactHistory : public LAMMPS_NS::Fix {
   struct Range {
     int first, count;
   };
+  void resume_pace(ContactSource& source) const;
   int pack(int index, double* buf) const;
   int unpack(int index, std::span<const double> numbers);
 
   ContactSource* source_ = nullptr;
-  ContactsState restored_{{}, -1};  ///< of a restart file; polyhedra -1: there was none
-  std::vector<Range> range_;        ///< per atom: its records in the pool
-  std::vector<Record> records_;     ///< the pool; leavers leave holes until the next store()
-  int most_records_ = 0;            ///< of one atom
+  ContactsState restored_{{}, -1, {}};  ///< of a restart file; polyhedra -1: there was none
+  std::vector<Range> range_;            ///< per atom: its records in the pool
+  std::vector<Record> records_;         ///< the pool; leavers leave holes until the next store()
+  int most_records_ = 0;                ///< of one atom
 };
 
 }  // namespace muckpile

@@ -168,7 +168,7 @@ void PairMuckpileBlock::compute(int eflag, int vflag) {
   else
     evflag = vflag_fdotr = eflag_global = 0;
   act_ = act_of_step();
-  const bool acts = act_.strength > 0.0;
+  const bool acts = act_.strength > 0.0 || update->setupflag != 0;
   if (neighbor->ago == 0 && list_is_stale_) {
     rebuild();
   } else if (acts && atom->nlocal + atom->nghost > 0) {

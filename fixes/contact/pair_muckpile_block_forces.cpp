@@ -20,12 +20,13 @@ MovingSpheres PairMuckpileBlock::moving_spheres() {
 /// Set-up of a run computes the forces of a state that a step has already reached.
 ContactPace::Act PairMuckpileBlock::act_of_step() {
   if (update->setupflag == 0) return pace_.go_on(update->ntimestep, update->dt);
-  return {pace_.strength_at(update->ntimestep), update->dt};
+  return {pace_.strength(), update->dt};
 }
 
-bool PairMuckpileBlock::act_for_several() const { return pace_.stronger_at(update->ntimestep); }
+bool PairMuckpileBlock::act_for_several() const { return pace_.strength() > 1.0; }
 
-/// There are no other forces on spheres yet.
+/// There are no other forces on spheres yet. A set-up at a step without an act leaves none, but the
+/// energies.
 void PairMuckpileBlock::strengthen() {
   if (act_.strength == 1.0 || atom->nlocal == 0) return;
   const std::size_t numbers = 3 * static_cast<std::size_t>(atom->nlocal);

@@ -13,6 +13,7 @@
 
 #include "fixes/contact/pair_muckpile_block.h"
 #include "fixes/contact/shared_step_bound.h"
+#include "fixes/contact/solid_parts.h"
 #include "fixes/engine/bodies.h"
 #include "fixes/engine/particle_vectors.h"
 #include "fixes/interfaces/standing_contacts.h"
@@ -70,6 +71,7 @@ ContactStepBound PairMuckpileBlock::bodies_without_contacts() const {
 /// ranks share counts once for either.
 ContactStepBound PairMuckpileBlock::present_contacts() {
   SharedStepBound shared(*bodies_, *domain, bodies_without_contacts());
+  if (solids_ != nullptr) solids_->blocks.update(engine::Bodies(*bodies_));  // since the last act
   for (const BlockPair& block_pair : list_.block_pairs())
     for (const SpherePair& pair : near_spheres(block_pair)) {
       if (pair.contact < 0) continue;

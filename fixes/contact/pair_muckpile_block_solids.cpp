@@ -28,6 +28,7 @@ void PairMuckpileBlock::take_shapes() {
                            " without one; give it before create_blocks, or before the run that "
                            "wrote the restart file");
   require_keys();
+  solids_->blocks.update(engine::Bodies(*bodies_));
 }
 
 void PairMuckpileBlock::require_keys() {

@@ -30,7 +30,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kUnbounded = 1e29;     // s, a longer step is none
 constexpr double kWorthAChange = 1.01;  // a longer step than now by less is not taken
-constexpr double kOfSprings = 0.5;      // longest time between acts of contacts over the stable one
+constexpr double kOfSprings = 0.25;     // longest time between acts of contacts over the stable one
 
 enum Output {
   kJointStep,
@@ -213,7 +213,7 @@ double FixMuckpileTimestep::wanted() const {
 }
 
 void FixMuckpileTimestep::choose() {
-  if (wanted() > kUnbounded) return;  // nothing holds it: as it is
+  if (wanted() > kUnbounded) return set_pace(pace());  // nothing holds it: as it is
   const double step = three_digits(wanted());
   if (!(step >= settings_.shortest)) {
     engine::stop(*lmp, where_ + ": the step must be " + number_text(step) + " s at step " +
@@ -227,8 +227,8 @@ void FixMuckpileTimestep::choose() {
   const bool longer = step > kWorthAChange * update->dt;
   const auto* const contacts = dynamic_cast<const PacedContacts*>(force->pair);
   // The second half of their kick is still to come: the next look may.
-  if (longer && contacts != nullptr && contacts->act_for_several()) return;
-  if (step < update->dt || longer) set_step(step);
+  const bool waits = longer && contacts != nullptr && contacts->act_for_several();
+  if (!waits && (step < update->dt || longer)) set_step(step);
   set_pace(pace());
 }
 

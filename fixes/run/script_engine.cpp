@@ -5,7 +5,9 @@
 
 #include <comm.h>
 #include <error.h>
+#include <force.h>
 #include <output.h>
+#include <pair.h>
 #include <signal_handling.h>
 #include <thermo.h>
 #include <update.h>
@@ -15,6 +17,7 @@
 
 #include "fixes/engine/over_ranks.h"
 #include "fixes/engine/style_args.h"
+#include "fixes/interfaces/paced_contacts.h"
 #include "fixes/run/script_words.h"
 
 namespace muckpile {
@@ -81,7 +84,12 @@ void ScriptEngine::write_table() const {
   tell("thermo_modify lost ignore norm no");
 }
 
-void ScriptEngine::set_up() { tell("run 0"); }
+/// A step for which contacts act for several cannot become longer: one more.
+void ScriptEngine::set_up() {
+  const auto* const contacts = dynamic_cast<const PacedContacts*>(force->pair);
+  if (contacts != nullptr && contacts->act_for_several()) tell("run 1 pre no");
+  tell("run 0");
+}
 
 /// Without a set-up where no fix or setting has changed since the last run, except how often files
 /// are written and how long the step may become. The engine writes its state at the first output

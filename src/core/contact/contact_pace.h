@@ -18,10 +18,9 @@ class ContactPace {
  public:
   /// What a restart file holds.
   struct State {
-    int every = 1;               ///< steps from one act to the next
-    std::int64_t acted_at = -1;  ///< step of the last one; -1: there was none
-    double strength = 1.0;       ///< of it [-]
-    double gap = 0.0;            ///< since then [s]
+    int every = 1;          ///< steps from one act to the next
+    double strength = 1.0;  ///< of the last act, or of a run's first set-up [-]
+    double gap = 0.0;       ///< since then [s]
   };
   /// Of a step.
   struct Act {
@@ -31,24 +30,19 @@ class ContactPace {
 
   /// From the next step on. 1: at each, with their force.
   void act_every(int steps) { state_.every = steps; }
+  [[nodiscard]] int every() const { return state_.every; }
 
   /// Takes the run one step on, to step `now` over `step` [s]. Acts are at steps 1, 1 + every, ...,
   /// and each stands for half of the gap before it and half of the one to come.
   [[nodiscard]] Act go_on(std::int64_t now, double step) {
     state_.gap += step;
     if ((now - 1) % state_.every != 0) return {};
-    const double elapsed = state_.acted_at < 0 ? state_.every * step : state_.gap;
-    const double ahead = state_.every * step;
-    state_ = {state_.every, now, 0.5 * (elapsed + ahead) / step, 0.0};
+    const double elapsed = state_.gap, ahead = state_.every * step;
+    state_ = {state_.every, 0.5 * (elapsed + ahead) / step, 0.0};
     return {state_.strength, elapsed};
   }
-  /// That of step `now` once more: a run begins there.
-  [[nodiscard]] double strength_at(std::int64_t now) const {
-    if (state_.acted_at == now) return state_.strength;
-    return state_.every == 1 ? 1.0 : 0.0;
-  }
-  /// More than a step's kick acts at step `now`: the step must not become longer before the next.
-  [[nodiscard]] bool stronger_at(std::int64_t now) const { return strength_at(now) > 1.0; }
+  /// Of the present step once more: a run begins there.
+  [[nodiscard]] double strength() const { return state_.gap == 0.0 ? state_.strength : 0.0; }
 
   [[nodiscard]] const State& state() const { return state_; }
   void resume(const State& state) { state_ = state; }
@@ -61,9 +55,7 @@ template <>
 struct Stored<ContactPace::State> {
   static constexpr std::string_view kName = "contact_pace";
   static constexpr int kVersion = 1;
-  static auto fields(auto& pace) {
-    return std::tie(pace.every, pace.acted_at, pace.strength, pace.gap);
-  }
+  static auto fields(auto& pace) { return std::tie(pace.every, pace.strength, pace.gap); }
 };
 
 }  // namespace muckpile

@@ -131,6 +131,10 @@ void BlockScene::act_every(int steps) {
   dynamic_cast<PacedContacts&>(*lmp_->force->pair).act_every(steps);
 }
 
+bool BlockScene::acts_for_several() const {
+  return dynamic_cast<const PacedContacts&>(*lmp_->force->pair).act_for_several();
+}
+
 void BlockScene::watch_contacts() { dynamic_cast<ContactWork&>(*lmp_->force->pair).watch(); }
 
 double BlockScene::sum(const char* name) const {

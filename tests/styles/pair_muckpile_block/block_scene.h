@@ -57,6 +57,7 @@ class BlockScene {
 
   /// As fix muckpile/timestep does it: contacts act at every so many steps.
   void act_every(int steps);
+  [[nodiscard]] bool acts_for_several() const;  ///< at the present step
 
   /// As fix muckpile/ledger does it: forces on blocks are summed from the next run on.
   void watch_contacts();

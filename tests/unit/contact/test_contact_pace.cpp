@@ -14,12 +14,12 @@ namespace {
 TEST(ContactPace, AtEachStepChangesNothing) {
   ContactPace pace;
   std::int64_t now = 0;
-  EXPECT_EQ(pace.strength_at(now), 1.0);
+  EXPECT_EQ(pace.strength(), 1.0);  // a run begins
   for (const double step : {1e-5, 1e-5, 3e-5, 7e-6, 7e-6}) {
     const ContactPace::Act act = pace.go_on(++now, step);
     EXPECT_EQ(act.strength, 1.0);
     EXPECT_EQ(act.elapsed, step);
-    EXPECT_FALSE(pace.stronger_at(now));
+    EXPECT_EQ(pace.strength(), 1.0);
   }
 }
 
@@ -28,20 +28,31 @@ TEST(ContactPace, ActsForTheStepsBetween) {
   pace.act_every(4);
   for (std::int64_t now = 1; now <= 12; ++now) {
     const ContactPace::Act act = pace.go_on(now, 0.5);
-    const bool acts = now % 4 == 1;
-    EXPECT_EQ(act.strength, acts ? 4.0 : 0.0) << now;
-    EXPECT_EQ(act.elapsed, acts ? 2.0 : 0.0) << now;
-    EXPECT_EQ(pace.strength_at(now), act.strength) << now;  // a run that begins there
-    EXPECT_EQ(pace.stronger_at(now), acts) << now;
+    const bool acts = now % 4 == 1,
+               first = now == 1;  // half of one step before, and of four to come
+    EXPECT_EQ(act.strength, first ? 2.5 : acts ? 4.0 : 0.0) << now;
+    EXPECT_EQ(act.elapsed, first ? 0.5 : acts ? 2.0 : 0.0) << now;
+    EXPECT_EQ(pace.strength(), act.strength) << now;  // a run that begins there
   }
+}
+
+/// A run that begins where contacts did not act leaves it so, whatever the pace is then; the next
+/// act makes up for all of the gap.
+TEST(ContactPace, GapIsMadeUpForAfterAChangeOfPace) {
+  ContactPace pace;
+  pace.act_every(8);
+  for (std::int64_t now = 1; now <= 14; ++now) (void)pace.go_on(now, 1e-5);  // acts at 1 and 9
+  pace.act_every(1);
+  EXPECT_EQ(pace.strength(), 0.0);
+  EXPECT_NEAR(pace.go_on(15, 1e-5).strength, 0.5 * (6.0 + 1.0), 1e-12);
+  EXPECT_EQ(pace.go_on(16, 1e-5).strength, 1.0);
 }
 
 /// A spring that acts at every eighth of steps dt moves as in the leapfrog of steps 8 dt: the same
 /// to rounding at each act, and bounded for as long as that is.
 TEST(ContactPace, IsTheLeapfrogOfTheLongerStep) {
   constexpr int kEvery = 8;
-  constexpr double kStiffness = 1.0,
-                   kStep = 0.2;  // over the mass [1/s2]; the long one is 1.6 of 2 s
+  constexpr double kStiffness = 1.0, kStep = 0.2;  // over the mass [1/s2]; long step 1.6 of 2 s
   ContactPace pace;
   pace.act_every(kEvery);
   double x = 1.0, v = 0.3, long_x = x + kStep * v, long_v = v;
@@ -49,9 +60,10 @@ TEST(ContactPace, IsTheLeapfrogOfTheLongerStep) {
     x += kStep * v;
     const bool acts = (now - 1) % kEvery == 0;
     if (acts && now > 1) long_x += kEvery * kStep * long_v;
-    v -= pace.go_on(now, kStep).strength * kStep * kStiffness * x;
+    const double kick = pace.go_on(now, kStep).strength * kStep * kStiffness;
+    v -= kick * x;
     if (!acts) continue;
-    long_v -= kEvery * kStep * kStiffness * long_x;
+    long_v -= (now == 1 ? kick : kEvery * kStep * kStiffness) * long_x;
     ASSERT_NEAR(x, long_x, 1e-9) << now;
     ASSERT_NEAR(v, long_v, 1e-9) << now;
   }
