@@ -52,7 +52,7 @@ void JointGas::set_rooms(const JointRooms& rooms) {
   changes_.assign(count, {});
   reservoirs_.assign(count, {});
   for (auto* numbers : {&density_, &pressure_, &root_, &gauge_, &walls_, &rooms_, &films_,
-                        &stretch_, &cooling_, &seen_, &owed_cooling_, &ways_now_})
+                        &gives_, &stretch_, &cooling_, &seen_, &owed_cooling_, &ways_now_})
     numbers->assign(count, 0.0);
   cracks_.clear();
   crack_facets_.clear();
@@ -60,6 +60,8 @@ void JointGas::set_rooms(const JointRooms& rooms) {
   wide_.clear();
   ends_.clear();
   keeps_.assign(rooms.facet_count(), Keeps::unknown);
+  closures_.assign(rooms.facet_count(), 0.0);
+  closed_points_.assign(rooms.facet_count(), kUnseen);
   look_at_all();
   owned_.resize(count);
   for (std::size_t b = 0; b < count; ++b) owned_[b] = rooms.blocks()[b].owned ? 1 : 0;
@@ -102,9 +104,10 @@ JointGas::End JointGas::end_of(const JointRooms& rooms, std::size_t f) const {
 
 void JointGas::look_at_all() {
   for (auto* flags : {&calm_, &left_out_}) std::fill(flags->begin(), flags->end(), 0);
-  for (auto* numbers : {&seen_, &owed_cooling_, &films_})
+  for (auto* numbers : {&seen_, &owed_cooling_, &films_, &gives_})
     std::fill(numbers->begin(), numbers->end(), 0.0);
   std::fill(left_out_since_.begin(), left_out_since_.end(), kFlows);
+  std::fill(closed_points_.begin(), closed_points_.end(), kUnseen);
   for (Crack& crack : cracks_) crack.owed = 0.0;
   step_ = p_.calm_every - 1;
   clock_ = 0.0;
@@ -188,7 +191,7 @@ void JointGas::list_cracks(const JointRooms& rooms) {
     }
     if (end.hole >= 0 || end.surfaces)
       ending_.push_back(static_cast<std::uint32_t>(cracks_.size()));
-    cracks_.push_back({end, f, 0.0, 0.0, 0.0, 0.0, flowed ? 0.0 : clock_ - since});
+    cracks_.push_back({end, f, 0.0, 0.0, 0.0, 0.0, 0.0, flowed ? 0.0 : clock_ - since});
     since = kFlows;
     add_facet(crack_facets_, f);
   }
@@ -204,7 +207,8 @@ void JointGas::list_cracks(const JointRooms& rooms) {
 void JointGas::expand() {
   for (std::size_t b = 0; b < cells_.size(); ++b) {
     const GasContent& gas = cells_[b].content;
-    const double before = gas.volume, now = cells_[b].volume - (rooms_[b] - gas.broken);
+    const double before = gas.volume,
+                 now = cells_[b].volume - (rooms_[b] - gas.broken) + gives_[b];
     const bool works = owned(b) && !left_out(b) && gas.mass > 0.0 && before > 0.0 && now > 0.0;
     stretch_[b] = works ? before / now : 1.0;
   }
@@ -224,6 +228,7 @@ void JointGas::expand() {
     gas.energy *= cooling_[b];
     gas.volume = cells_[b].volume;
     gas.broken = rooms_[b];
+    gives_[b] = 0.0;
   }
 }
 

@@ -206,6 +206,7 @@ class JointGas {
     std::uint32_t facet;
     double volume;                                          // for each of its blocks [m3]
     double broken;                                          // of that, while it is closed [m3]
+    double gives;                                           // since it was seen last [m3]
     double area;                                            // across the flow [m2]
     double way;                                             // conductance: area x passage [m2]
     double owed;                                            // time that it was left out for [s]
@@ -229,6 +230,7 @@ class JointGas {
   void find_pressures();
   void find_apertures(const JointRooms& rooms);
   void close_joints();
+  void note_closure(std::size_t c);
   void find_passages();
   void count_crack(std::size_t c);
   void expand();
@@ -304,8 +306,13 @@ class JointGas {
   std::vector<GasFlow> changes_;
   std::vector<double> chamber_ways_;
   // Per block: broken area, room of its joints while they are closed, mass flow times film and wall
-  // since the last cool().
-  std::vector<double> walls_, rooms_, films_;  // [m2], [m3], [J/K]
+  // since the last cool(), what closed joints have given way by since the last expand().
+  std::vector<double> walls_, rooms_, films_, gives_;  // [m2], [m3], [J/K], [m3]
+  // Per facet, as it was seen last: what its broken points are pressed into each other by, over
+  // their area [m3], and which these are (OpenJoint::points); kUnseen: it was not.
+  static constexpr unsigned kUnseen = ~0u;
+  std::vector<double> closures_;
+  std::vector<unsigned> closed_points_;
   std::vector<double> stretch_, cooling_;      // V before over V now, and the gas by that [-]
   GasSpent spent_;
   // Per block, as refresh() found them.

@@ -17,6 +17,7 @@ void JointGas::find_apertures(const JointRooms& rooms) {
     wall_[c] = many_[c] * open.area;
     closed_[c] = open.pressure;
     mechanical_[c] = open.opening / many_[c];
+    note_closure(c);
     if (wide)
       wide_.push_back(
           {static_cast<std::uint32_t>(c), open.parted_squared > p_.open_gas * p_.open_gas});
@@ -29,6 +30,16 @@ void JointGas::find_apertures(const JointRooms& rooms) {
     mechanical_[c] = law->mechanical;
     aperture_[c] = law->hydraulic;
   }
+}
+
+/// The pressure works on the blocks as they part, whether their faces still touch or not.
+void JointGas::note_closure(std::size_t c) {
+  const OpenJoint& open = openings_[c];
+  const std::uint32_t f = cracks_[c].facet;
+  const double closure = open.area * open.closure;
+  cracks_[c].gives = closed_points_[f] == open.points && !open.by_law ? closures_[f] - closure : 0.0;
+  closures_[f] = closure;
+  closed_points_[f] = open.points;
 }
 
 /// Of stress and opening in closed_ and mechanical_; in a form that the compiler vectorises.
@@ -72,6 +83,7 @@ void JointGas::count_crack(std::size_t c) {
   const double half = crack.joint || crack.mirror ? 0.5 : 1.0;
   crack.volume = half * wall_[c] * mechanical_[c];
   crack.broken = half * wall_[c] * closed_[c];
+  crack.gives *= half;
   crack.area = area_[c];
   crack.way = area_[c] * passage_[c];
   const double ways = (crack.joint || crack.mirror ? crack.way : 0.0) +
@@ -79,6 +91,7 @@ void JointGas::count_crack(std::size_t c) {
   each_block(crack, [&](std::size_t b) {
     if (crack.hole >= 0 && owned(b))
       chamber_ways_[static_cast<std::size_t>(crack.hole)] += crack.end();
+    gives_[b] += crack.gives;
     if (left_out(b)) {
       ways_now_[b] += ways;
       return;

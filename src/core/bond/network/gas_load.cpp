@@ -71,21 +71,24 @@ void open_group_of_joints(const FacetKinematics& facets, const LaneSet& set,
   const Wide sides = choose(mirror, Wide(2.0), 1.0), along = sides * dot(pose.normal, pose.jump);
   const Wide far = choose(mirror, along * along, dot(pose.jump, pose.jump)),
              radius_squared = M_1_PI * wide(group.area);
-  alignas(64) FacetRow<double> area, opened, pressure, parted_squared;
+  alignas(64) FacetRow<double> area, opened, closed, pressure, parted_squared;
   store(max(far / radius_squared, sides * sides * turn_of(group, pose).squared()), parted_squared);
   store(points * wide(group.area) / Wide(kFacetPoints), area);
   store(sides * opening / max(points, Wide(1.0)), opened);
   Wide closed_by(0.0);  // most joints with gas are open
-  closure = choose(mask_of<Wide>(retired), Wide(0.0), closure);
+  closure = choose(mask_of<Wide>(retired), Wide(0.0), closure) / max(points, Wide(1.0));
   if (any_of(closure > 0.0))
-    closed_by =
-        wide(contact.fade) * closed_stiffness(facets, set) * closure / max(points, Wide(1.0));
+    closed_by = wide(contact.fade) * closed_stiffness(facets, set) * closure;
+  store(sides * closure, closed);
   store(closed_by, pressure);
   const unsigned alone = facets.tables.alone_lanes(set.group);  // only they know apertures
   each_lane(set.lanes, [&](std::size_t k) {
     OpenJoint& joint = open.emplace_back();
     joint.area = area[k];
     joint.opening = opened[k];
+    joint.closure = closed[k];
+    const FacetTraces& traces = facets.history.traces(set.group * kGroup + k);
+    joint.points = traces.broken.bits() | traces.contact().bits() << kFacetPoints;
     joint.pressure = pressure[k];
     joint.parted_squared = parted_squared[k];
     if ((alone >> k & 1u) != 0) joint.by_law = mean_apertures(facets, set.group * kGroup + k);
