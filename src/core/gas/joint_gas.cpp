@@ -60,8 +60,8 @@ void JointGas::set_rooms(const JointRooms& rooms) {
   wide_.clear();
   ends_.clear();
   keeps_.assign(rooms.facet_count(), Keeps::unknown);
-  closures_.assign(rooms.facet_count(), 0.0);
-  closed_points_.assign(rooms.facet_count(), kUnseen);
+  seen_gives_.assign(rooms.facet_count(), 0.0);
+  seen_points_.assign(rooms.facet_count(), kUnseen);
   look_at_all();
   owned_.resize(count);
   for (std::size_t b = 0; b < count; ++b) owned_[b] = rooms.blocks()[b].owned ? 1 : 0;
@@ -107,7 +107,7 @@ void JointGas::look_at_all() {
   for (auto* numbers : {&seen_, &owed_cooling_, &films_, &gives_})
     std::fill(numbers->begin(), numbers->end(), 0.0);
   std::fill(left_out_since_.begin(), left_out_since_.end(), kFlows);
-  std::fill(closed_points_.begin(), closed_points_.end(), kUnseen);
+  std::fill(seen_points_.begin(), seen_points_.end(), kUnseen);
   for (Crack& crack : cracks_) crack.owed = 0.0;
   step_ = p_.calm_every - 1;
   clock_ = 0.0;

@@ -230,7 +230,7 @@ class JointGas {
   void find_pressures();
   void find_apertures(const JointRooms& rooms);
   void close_joints();
-  void note_closure(std::size_t c);
+  void note_give(std::size_t c);
   void find_passages();
   void count_crack(std::size_t c);
   void expand();
@@ -308,11 +308,12 @@ class JointGas {
   // Per block: broken area, room of its joints while they are closed, mass flow times film and wall
   // since the last cool(), what closed joints have given way by since the last expand().
   std::vector<double> walls_, rooms_, films_, gives_;  // [m2], [m3], [J/K], [m3]
-  // Per facet, as it was seen last: what its broken points are pressed into each other by, over
-  // their area [m3], and which these are (OpenJoint::points); kUnseen: it was not.
+  // Per facet, as it was seen last: what its sides have moved apart beyond its opening, below 0
+  // while it is pressed, over the broken area [m3]; which points those are (OpenJoint::points),
+  // kUnseen: it was not seen.
   static constexpr unsigned kUnseen = ~0u;
-  std::vector<double> closures_;
-  std::vector<unsigned> closed_points_;
+  std::vector<double> seen_gives_;
+  std::vector<unsigned> seen_points_;
   std::vector<double> stretch_, cooling_;      // V before over V now, and the gas by that [-]
   GasSpent spent_;
   // Per block, as refresh() found them.

@@ -17,7 +17,7 @@ void JointGas::find_apertures(const JointRooms& rooms) {
     wall_[c] = many_[c] * open.area;
     closed_[c] = open.pressure;
     mechanical_[c] = open.opening / many_[c];
-    note_closure(c);
+    note_give(c);
     if (wide)
       wide_.push_back(
           {static_cast<std::uint32_t>(c), open.parted_squared > p_.open_gas * p_.open_gas});
@@ -32,14 +32,15 @@ void JointGas::find_apertures(const JointRooms& rooms) {
   }
 }
 
-/// The pressure works on the blocks as they part, whether their faces still touch or not.
-void JointGas::note_closure(std::size_t c) {
+/// The pressure works on the blocks as they part, whether their faces touch or not.
+void JointGas::note_give(std::size_t c) {
   const OpenJoint& open = openings_[c];
   const std::uint32_t f = cracks_[c].facet;
-  const double closure = open.area * open.closure;
-  cracks_[c].gives = closed_points_[f] == open.points && !open.by_law ? closures_[f] - closure : 0.0;
-  closures_[f] = closure;
-  closed_points_[f] = open.points;
+  const double give = open.area * (open.apart - open.opening);
+  const bool same = seen_points_[f] == open.points && !open.by_law;
+  cracks_[c].gives = same ? give - seen_gives_[f] : 0.0;
+  seen_gives_[f] = give;
+  seen_points_[f] = open.points;
 }
 
 /// Of stress and opening in closed_ and mechanical_; in a form that the compiler vectorises.

@@ -57,13 +57,14 @@ void open_group_of_joints(const FacetKinematics& facets, const LaneSet& set,
   const WideField jump = jump_of(group, pose);
   const Wide mean = dot(pose.normal, jump.mean), along_1 = dot(pose.normal, jump.along_1),
              along_2 = dot(pose.normal, jump.along_2);
-  Wide opening = 0.0, closure = 0.0, points = 0.0;
+  Wide opening = 0.0, closure = 0.0, apart = 0.0, points = 0.0;
   for (std::size_t p = 0; p < kFacetPoints; ++p) {
     const WideMask is_broken = mask_of<Wide>(broken[p]);
     const Wide zero = wide(contact.offset[p][0]),
                start = choose(mask_of<Wide>(parted[p]), zero, kNever);
     const Wide now = mean + kOnFirst[p] * along_1 + kOnSecond[p] * along_2;
     opening += max(Wide(0.0), now - start);
+    apart += choose(is_broken, now, 0.0);
     closure += choose(is_broken, max(Wide(0.0), zero - now), 0.0);
     points += choose(is_broken, Wide(1.0), 0.0);
   }
@@ -71,22 +72,23 @@ void open_group_of_joints(const FacetKinematics& facets, const LaneSet& set,
   const Wide sides = choose(mirror, Wide(2.0), 1.0), along = sides * dot(pose.normal, pose.jump);
   const Wide far = choose(mirror, along * along, dot(pose.jump, pose.jump)),
              radius_squared = M_1_PI * wide(group.area);
-  alignas(64) FacetRow<double> area, opened, closed, pressure, parted_squared;
+  alignas(64) FacetRow<double> area, opened, far_apart, pressure, parted_squared;
   store(max(far / radius_squared, sides * sides * turn_of(group, pose).squared()), parted_squared);
   store(points * wide(group.area) / Wide(kFacetPoints), area);
   store(sides * opening / max(points, Wide(1.0)), opened);
   Wide closed_by(0.0);  // most joints with gas are open
-  closure = choose(mask_of<Wide>(retired), Wide(0.0), closure) / max(points, Wide(1.0));
+  closure = choose(mask_of<Wide>(retired), Wide(0.0), closure);
   if (any_of(closure > 0.0))
-    closed_by = wide(contact.fade) * closed_stiffness(facets, set) * closure;
-  store(sides * closure, closed);
+    closed_by =
+        wide(contact.fade) * closed_stiffness(facets, set) * closure / max(points, Wide(1.0));
+  store(sides * apart / max(points, Wide(1.0)), far_apart);
   store(closed_by, pressure);
   const unsigned alone = facets.tables.alone_lanes(set.group);  // only they know apertures
   each_lane(set.lanes, [&](std::size_t k) {
     OpenJoint& joint = open.emplace_back();
     joint.area = area[k];
     joint.opening = opened[k];
-    joint.closure = closed[k];
+    joint.apart = far_apart[k];
     const FacetTraces& traces = facets.history.traces(set.group * kGroup + k);
     joint.points = traces.broken.bits() | traces.contact().bits() << kFacetPoints;
     joint.pressure = pressure[k];

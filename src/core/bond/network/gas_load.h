@@ -20,7 +20,7 @@ namespace muckpile {
 struct OpenJoint {
   double area = 0.0;     ///< of broken points [m2]
   double opening = 0.0;  ///< mean over them [m]
-  double closure = 0.0;  ///< mean over them: how far those that touch press into each other [m]
+  double apart = 0.0;    ///< mean over them of how far the two sides are apart, below 0 too [m]
   unsigned points = 0;   ///< bit per point: broken ones, then those of them outside the dilatations
   /// Mean over them of what presses the faces onto each other, by the closed facet's own normal
   /// stiffness, that of uniaxial strain; where no law knows the apertures [Pa].
