@@ -297,6 +297,38 @@ TEST(JointGas, OpeningJointCoolsItsGasAlongTheIsentrope) {
   EXPECT_NEAR(pair.gas.spent().swept_volume / kOpening, 1.0, 1e-9);
 }
 
+TEST(JointGas, PressureIsPaidForWhileFacesStillTouch) {
+  // What the faces give way by is no room, but the blocks move: U falls by p dV of that.
+  GasScene pair(test::cuboids(2, 1, 1), closed());
+  seal(pair.gas);
+  pair.fill(0, 0.002);
+  pair.fill(1, 0.002);
+  pair.open(0.90 * kOpening);  // closed by 0.1 mm
+  const double before = pair.energy(), volume = pair.gas.cells()[0].volume;
+  double work = 0.0;
+  for (int n = 1; n <= 200; ++n) {
+    const double pressure = pair.pressure(0);
+    pair.open((0.90 + 0.0004 * n) * kOpening);
+    work += 0.5 * (pressure + pair.pressure(0)) * 0.0004 * kOpening;  // on 1 m2
+  }
+  EXPECT_NEAR(pair.gas.cells()[0].volume / volume, 1.0, 1e-12);
+  EXPECT_GT(work / before, 0.1);
+  EXPECT_NEAR((before - pair.energy()) / work, 1.0, 1e-5);
+  EXPECT_NEAR(pair.gas.spent().work / (before - pair.energy()), 1.0, 1e-12);
+}
+
+TEST(JointGas, FacesThatGiveWayAsUnseenAreNotPaidFor) {  // as behind a restart file
+  GasScene pair(test::cuboids(2, 1, 1), closed());
+  seal(pair.gas);
+  pair.fill(0, 0.002);
+  pair.open(0.90 * kOpening);
+  pair.gas.look_at_all();
+  pair.open(0.95 * kOpening);
+  EXPECT_EQ(pair.gas.spent().work, 0.0);
+  pair.open(0.96 * kOpening);
+  EXPECT_GT(pair.gas.spent().work, 0.0);
+}
+
 TEST(JointGas, EmptyRoomFillsToGammaTimesTheTemperature) {
   // The textbook's evacuated vessel: U = m h of what came in from a great chamber, T = gamma T0.
   GasScene pair(test::cuboids(2, 1, 1), closed(), 1);
