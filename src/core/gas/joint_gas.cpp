@@ -201,26 +201,35 @@ void JointGas::list_cracks(const JointRooms& rooms) {
   listed_ = true;
 }
 
+/// What is left of the energy of gas in a room of its own that moves blocks by `give` of that room:
+/// it presses as at the start of the step, but never takes more than there is.
+double JointGas::kept_by_give(double give) const {
+  const double paid = (flow_.gamma() - 1.0) * give;
+  return paid > 0.0 ? std::exp(-paid) : 1.0 - paid;
+}
+
 /// The gas of owned blocks follows its joints: adiabatically where they open and close, without
-/// work into and out of the room of closed ones. Below the pressure of the atmosphere it presses on
-/// no block: what it does then the atmosphere gets.
+/// work into and out of the room of closed ones, with work but without room where faces that touch
+/// give way. Below the pressure of the atmosphere it presses on no block: what it does then the
+/// atmosphere gets.
 void JointGas::expand() {
   for (std::size_t b = 0; b < cells_.size(); ++b) {
     const GasContent& gas = cells_[b].content;
-    const double before = gas.volume,
-                 now = cells_[b].volume - (rooms_[b] - gas.broken) + gives_[b];
+    const double before = gas.volume, now = cells_[b].volume - (rooms_[b] - gas.broken);
     const bool works = owned(b) && !left_out(b) && gas.mass > 0.0 && before > 0.0 && now > 0.0;
     stretch_[b] = works ? before / now : 1.0;
+    if (!left_out(b) && !works) gives_[b] = 0.0;
   }
   transform_all(stretch_, stretch_, cooling_,
                 [less = flow_.gamma() - 1.0](double x, double) { return power_of(x, less); });
   for (std::size_t b = 0; b < cells_.size(); ++b) {
     if (!owned(b) || left_out(b)) continue;
     GasContent& gas = cells_[b].content;
+    if (gives_[b] != 0.0) cooling_[b] *= kept_by_give(gives_[b] / gas.volume);
     const double work = gas.energy * (1.0 - cooling_[b]);
     spent_.work += work;
-    if (stretch_[b] != 1.0) {
-      const double swept = gas.volume * (1.0 / stretch_[b] - 1.0);
+    if (stretch_[b] != 1.0 || gives_[b] != 0.0) {
+      const double swept = gas.volume * (1.0 / stretch_[b] - 1.0) + gives_[b];
       const bool pushes = (flow_.gamma() - 1.0) * gas.energy > p_.ambient * gas.volume;
       spent_.swept_volume += swept;
       spent_.air_work += pushes ? p_.ambient * swept : work;

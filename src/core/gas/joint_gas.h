@@ -17,8 +17,9 @@
 //
 // An ideal gas with mass and energy of its own in every block: p = (gamma - 1) U/V. What flows
 // carries its enthalpy; a joint that opens costs the gas p dV; what a closed one has between its
-// asperities is room without work, as it breaks and as stress narrows it: no block moves by it, so
-// the gas keeps its energy. The walls take heat (wall_heat.h).
+// asperities is room without work, as it breaks and as stress narrows it. What faces that touch
+// give way by moves blocks, so it costs p dV, too, but makes no room: rock and joint are in series.
+// The walls take heat (wall_heat.h).
 //
 // Calm blocks, whose pressure has hardly changed for a while, are looked at once in several steps
 // (Parameters::calm_every): joints between two of them then flow for all that time at once, so that
@@ -231,6 +232,7 @@ class JointGas {
   void find_apertures(const JointRooms& rooms);
   void close_joints();
   void note_give(std::size_t c);
+  [[nodiscard]] double kept_by_give(double give) const;
   void find_passages();
   void count_crack(std::size_t c);
   void expand();

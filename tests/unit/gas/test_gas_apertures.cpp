@@ -20,7 +20,7 @@ using test::press;
 using test::seal;
 using test::weak;
 
-TEST(JointGas, StressNarrowsAClosedJointWithoutWork) {
+TEST(JointGas, StressNarrowsAClosedJointWithTheWorkOfTheBlocksAlone) {
   // Two cubes of 50 GPa: a millionth of a metre closer is 50 kPa on the joint.
   JointGas::Parameters p = closed();
   p.joint.closure_share = 0.45;
@@ -32,20 +32,24 @@ TEST(JointGas, StressNarrowsAClosedJointWithoutWork) {
   pair.fill(1, 0.01);
   pair.open(kOpening);  // touching
   EXPECT_NEAR(pair.gas.cells()[0].volume / 0.5e-4, 1.0, 1e-9);
-  const double energy = pair.energy();
+  const double filled = pair.energy();
+  double energy = filled, was_closer = 0.0, room = 1e-4;  // [J], [m], [m3] of both blocks
   for (const double closer : {1e-6, 1e-5, 1e-4, 1e-3, 5e-6}) {
     pair.open(kOpening - closer);
     const double stress = 50e9 * closer, limit = 0.45e-4;
     const double aperture = 1e-4 - limit * stress / (2.5e10 * limit + stress);
     EXPECT_NEAR(pair.gas.cells()[0].volume / (0.5 * aperture), 1.0, 1e-6) << closer;
-    EXPECT_EQ(pair.energy(), energy) << closer;
+    const double paid = (kGamma - 1.0) * (was_closer - closer) / room;  // on 1 m2
+    energy *= paid > 0.0 ? std::exp(-paid) : 1.0 - paid;
+    EXPECT_NEAR(pair.energy() / energy, 1.0, 1e-9) << closer;
+    was_closer = closer;
+    room = aperture;
     EXPECT_NEAR(pair.pressure(0) / ((kGamma - 1.0) * energy / aperture), 1.0, 1e-6) << closer;
   }
-  EXPECT_EQ(pair.gas.spent().work, 0.0);
-  // Opening it costs p dV of the opening alone, whatever stress it had before.
+  // All that the blocks have moved counts, whatever stress the joint had meanwhile.
   pair.open(2.0 * kOpening);
   EXPECT_NEAR(pair.gas.spent().swept_volume / kOpening, 1.0, 1e-9);
-  EXPECT_NEAR(pair.gas.spent().work / (energy - pair.energy()), 1.0, 1e-12);
+  EXPECT_NEAR(pair.gas.spent().work / (filled - pair.energy()), 1.0, 1e-12);
 }
 
 TEST(JointGas, BelowTheAtmosphereItsWorkIsOnTheAir) {
