@@ -51,8 +51,8 @@ void JointGas::set_rooms(const JointRooms& rooms) {
   left_out_since_.assign(rooms.facet_count(), kFlows);
   changes_.assign(count, {});
   reservoirs_.assign(count, {});
-  for (auto* numbers : {&density_, &pressure_, &root_, &gauge_, &walls_, &rooms_, &films_,
-                        &gives_, &stretch_, &cooling_, &seen_, &owed_cooling_, &ways_now_})
+  for (auto* numbers : {&density_, &pressure_, &root_, &gauge_, &walls_, &rooms_, &films_, &gives_,
+                        &seen_, &owed_cooling_, &ways_now_})
     numbers->assign(count, 0.0);
   cracks_.clear();
   crack_facets_.clear();
@@ -201,40 +201,32 @@ void JointGas::list_cracks(const JointRooms& rooms) {
   listed_ = true;
 }
 
-/// What is left of the energy of gas in a room of its own that moves blocks by `give` of that room:
-/// it presses as at the start of the step, but never takes more than there is.
-double JointGas::kept_by_give(double give) const {
-  const double paid = (flow_.gamma() - 1.0) * give;
-  return paid > 0.0 ? std::exp(-paid) : 1.0 - paid;
+/// Of gas of an energy U [J] that has pressed with p [Pa] while its room grew by dV [m3]: it pays
+/// p dV, which is what the blocks have got, whatever has flowed meanwhile; but never all of it.
+double JointGas::paid(const GasContent& gas, double moved) const {
+  const double own = (flow_.gamma() - 1.0) * gas.energy / gas.volume;
+  const double pressed = gas.pressed > 0.0 ? gas.pressed + p_.ambient : std::min(own, p_.ambient);
+  const double work = pressed * moved;
+  return work > 0.0 ? -gas.energy * std::expm1(-work / gas.energy) : work;
 }
 
-/// The gas of owned blocks follows its joints: adiabatically where they open and close, without
-/// work into and out of the room of closed ones, with work but without room where faces that touch
-/// give way. Below the pressure of the atmosphere it presses on no block: what it does then the
+/// The gas of owned blocks follows its joints and pays for what its blocks have moved. Room of
+/// closed joints comes and goes without work; where faces that touch give way there is work without
+/// room. Below the pressure of the atmosphere gas presses on no block: what it does then the
 /// atmosphere gets.
 void JointGas::expand() {
   for (std::size_t b = 0; b < cells_.size(); ++b) {
-    const GasContent& gas = cells_[b].content;
-    const double before = gas.volume, now = cells_[b].volume - (rooms_[b] - gas.broken);
-    const bool works = owned(b) && !left_out(b) && gas.mass > 0.0 && before > 0.0 && now > 0.0;
-    stretch_[b] = works ? before / now : 1.0;
-    if (!left_out(b) && !works) gives_[b] = 0.0;
-  }
-  transform_all(stretch_, stretch_, cooling_,
-                [less = flow_.gamma() - 1.0](double x, double) { return power_of(x, less); });
-  for (std::size_t b = 0; b < cells_.size(); ++b) {
     if (!owned(b) || left_out(b)) continue;
     GasContent& gas = cells_[b].content;
-    if (gives_[b] != 0.0) cooling_[b] *= kept_by_give(gives_[b] / gas.volume);
-    const double work = gas.energy * (1.0 - cooling_[b]);
-    spent_.work += work;
-    if (stretch_[b] != 1.0 || gives_[b] != 0.0) {
-      const double swept = gas.volume * (1.0 / stretch_[b] - 1.0) + gives_[b];
-      const bool pushes = (flow_.gamma() - 1.0) * gas.energy > p_.ambient * gas.volume;
-      spent_.swept_volume += swept;
-      spent_.air_work += pushes ? p_.ambient * swept : work;
+    const double opened = cells_[b].volume - (rooms_[b] - gas.broken) - gas.volume;
+    const double moved = opened + gives_[b];
+    if (gas.mass > 0.0 && gas.volume > 0.0 && moved != 0.0) {
+      const double work = paid(gas, moved);
+      spent_.work += work;
+      spent_.swept_volume += moved;
+      spent_.air_work += gas.pressed > 0.0 ? p_.ambient * moved : work;
+      gas.energy -= work;
     }
-    gas.energy *= cooling_[b];
     gas.volume = cells_[b].volume;
     gas.broken = rooms_[b];
     gives_[b] = 0.0;

@@ -232,7 +232,7 @@ class JointGas {
   void find_apertures(const JointRooms& rooms);
   void close_joints();
   void note_give(std::size_t c);
-  [[nodiscard]] double kept_by_give(double give) const;
+  [[nodiscard]] double paid(const GasContent& gas, double moved) const;
   void find_passages();
   void count_crack(std::size_t c);
   void expand();
@@ -316,7 +316,6 @@ class JointGas {
   static constexpr unsigned kUnseen = ~0u;
   std::vector<double> seen_gives_;
   std::vector<unsigned> seen_points_;
-  std::vector<double> stretch_, cooling_;      // V before over V now, and the gas by that [-]
   GasSpent spent_;
   // Per block, as refresh() found them.
   std::vector<double> density_, pressure_, root_;

@@ -66,11 +66,12 @@ struct GasScene {
     content.mass = mass;
     content.energy = energy_of(mass, pressure, density_at(pressure));
   }
-  /// Blocks in the pose of `opening` at every joint, in which the gas has its room.
+  /// Blocks in the pose of `opening` at every joint, in which the gas has its room, and presses.
   void open(double opening, const Mat3& apart = Mat3::Identity()) {
     scene.deform(opening * apart);
     scene.compute();
     gas.measure(JointRooms(scene.network()), fed);
+    press(gas, scene.network());
   }
   double energy() { return gas.contained().energy; }
   double pressure(std::size_t b) { return gas.pressure(gas.cells()[b]); }

@@ -92,7 +92,7 @@ struct SlowParting {
       pair.open(at);
       press(pair.gas, pair.scene.network());
       const double adiabat = first * std::pow(volume / pair.gas.cells()[0].volume, kGamma - 1.0);
-      EXPECT_NEAR(pair.energy() / adiabat, 1.0, 1e-12) << at;
+      EXPECT_NEAR(pair.energy() / adiabat, 1.0, 5e-4) << at;  // a third of a per mille a step
       energy = pair.energy();
       work = pair.gas.spent().work - 1e5 * pair.gas.spent().swept_volume;
       const JointGas::Opened opened = pair.gas.open_wide();
