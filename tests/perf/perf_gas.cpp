@@ -53,7 +53,7 @@ nlohmann::ordered_json measure() {
   result["joints"] = network.facet_count();
   std::vector<LaneSet> joints;
   for (std::size_t f = 0; f < network.facet_count(); ++f) add_facet(joints, f);
-  std::vector<OpenJoint> open;
+  OpenJoints open;
   result["opening_of_joints"]["ns_per_joint"] =
       nanoseconds([&] { network.open_joints(joints, open); });
   result["measure"]["ns_per_joint"] = nanoseconds([&] { gas.measure(JointRooms(network), {}); });

@@ -231,7 +231,7 @@ class JointGas {
   void find_pressures();
   void find_apertures(const JointRooms& rooms);
   void close_joints();
-  void note_give(std::size_t c);
+  void note_gives();
   [[nodiscard]] double paid(const GasContent& gas, double moved) const;
   void find_passages();
   void count_crack(std::size_t c);
@@ -294,7 +294,7 @@ class JointGas {
   std::vector<char> reached_;               // per block: gas is in it or beside it
   std::vector<Crack> cracks_;               // those of them that gas can reach
   std::vector<LaneSet> crack_facets_;       // of cracks_
-  std::vector<OpenJoint> openings_;         // of cracks_
+  OpenJoints openings_;                     // of cracks_
   // Of cracks_: how many each stands for [-]; broken area of all [m2], apertures of one while
   // closed, mechanical and hydraulic [m], area across the flow of all [m2], passage [-], film x
   // wall per mass flow through them [J/(kg K)].
@@ -311,11 +311,11 @@ class JointGas {
   // since the last cool(), what closed joints have given way by since the last expand().
   std::vector<double> walls_, rooms_, films_, gives_;  // [m2], [m3], [J/K], [m3]
   // Per facet, as it was seen last: what its sides have moved apart beyond its opening, below 0
-  // while it is pressed, over the broken area [m3]; which points those are (OpenJoint::points),
+  // while it is pressed, over the broken area [m3]; which points those are (OpenJoints::points),
   // kUnseen: it was not seen.
-  static constexpr unsigned kUnseen = ~0u;
+  static constexpr std::uint8_t kUnseen = 0xff;
   std::vector<double> seen_gives_;
-  std::vector<unsigned> seen_points_;
+  std::vector<std::uint8_t> seen_points_;
   GasSpent spent_;
   // Per block, as refresh() found them.
   std::vector<double> density_, pressure_, root_;

@@ -10,37 +10,39 @@ namespace muckpile {
 
 void JointGas::find_apertures(const JointRooms& rooms) {
   rooms.open(crack_facets_, openings_);
+  const OpenJoints& open = openings_;
   for (std::size_t c = 0; c < cracks_.size(); ++c) {
-    const OpenJoint& open = openings_[c];
-    const bool wide = open.parted_squared > 1.0;
-    many_[c] = wide ? 1.0 : cracks_[c].many;  // a void is no bundle of cracks
-    wall_[c] = many_[c] * open.area;
-    closed_[c] = open.pressure;
-    mechanical_[c] = open.opening / many_[c];
-    note_give(c);
-    if (wide)
-      wide_.push_back(
-          {static_cast<std::uint32_t>(c), open.parted_squared > p_.open_gas * p_.open_gas});
+    // A void is no bundle of cracks.
+    many_[c] = open.parted_squared[c] > 1.0 ? 1.0 : cracks_[c].many;
+    wall_[c] = many_[c] * open.area[c];
+    closed_[c] = open.pressure[c];
+    mechanical_[c] = open.opening[c] / many_[c];
+  }
+  note_gives();
+  for (std::size_t c = 0; c < cracks_.size(); ++c) {
+    const double parted = open.parted_squared[c];
+    if (parted > 1.0)
+      wide_.push_back({static_cast<std::uint32_t>(c), parted > p_.open_gas * p_.open_gas});
   }
   close_joints();
-  for (std::size_t c = 0; c < cracks_.size(); ++c) {
-    const std::optional<BrokenApertures>& law = openings_[c].by_law;
-    if (!law) continue;
-    closed_[c] = law->at_break;
-    mechanical_[c] = law->mechanical;
-    aperture_[c] = law->hydraulic;
+  for (const auto& [c, law] : open.by_law) {
+    closed_[c] = law.at_break;
+    mechanical_[c] = law.mechanical;
+    aperture_[c] = law.hydraulic;
+    cracks_[c].gives = 0.0;  // what the joint gives way by is room there
   }
 }
 
 /// The pressure works on the blocks as they part, whether their faces touch or not.
-void JointGas::note_give(std::size_t c) {
-  const OpenJoint& open = openings_[c];
-  const std::uint32_t f = cracks_[c].facet;
-  const double give = open.area * (open.apart - open.opening);
-  const bool same = seen_points_[f] == open.points && !open.by_law;
-  cracks_[c].gives = same ? give - seen_gives_[f] : 0.0;
-  seen_gives_[f] = give;
-  seen_points_[f] = open.points;
+void JointGas::note_gives() {
+  const OpenJoints& open = openings_;
+  for (std::size_t c = 0; c < cracks_.size(); ++c) {
+    const std::uint32_t f = cracks_[c].facet;
+    const double give = open.area[c] * (open.apart[c] - open.opening[c]);
+    cracks_[c].gives = seen_points_[f] == open.points[c] ? give - seen_gives_[f] : 0.0;
+    seen_gives_[f] = give;
+    seen_points_[f] = open.points[c];
+  }
 }
 
 /// Of stress and opening in closed_ and mechanical_; in a form that the compiler vectorises.

@@ -176,7 +176,7 @@ class FacetNetwork {
   /// Work of the gas on owned blocks [J], to be part of pressure_work().
   void book_gas_work(double joules) { books_.pressure_work += joules; }
   /// Of each of `facets`, in order.
-  void open_joints(std::span<const LaneSet> facets, std::vector<OpenJoint>& open) const {
+  void open_joints(std::span<const LaneSet> facets, OpenJoints& open) const {
     muckpile::open_joints(kinematics(), facets, open);
   }
 

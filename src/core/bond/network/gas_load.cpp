@@ -4,6 +4,7 @@
 #include "bond/network/gas_load.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 
 namespace muckpile {
@@ -47,8 +48,9 @@ Wide closed_stiffness(const FacetKinematics& facets, const LaneSet& set) {
 }
 
 /// How far each broken point has opened since it broke, by what it remembers of that.
-void open_group_of_joints(const FacetKinematics& facets, const LaneSet& set,
-                          std::vector<OpenJoint>& open) {
+/// From place `at` on; returns that behind.
+std::size_t open_group_of_joints(const FacetKinematics& facets, const LaneSet& set, std::size_t at,
+                                 OpenJoints& open) {
   constexpr double kNever = std::numeric_limits<double>::max();  // a point in the dilatations
   const FacetGroup& group = facets.tables.group(set.group);
   const ContactGroup& contact = facets.history.contacts().of(set.group);
@@ -68,47 +70,60 @@ void open_group_of_joints(const FacetKinematics& facets, const LaneSet& set,
     closure += choose(is_broken, max(Wide(0.0), zero - now), 0.0);
     points += choose(is_broken, Wide(1.0), 0.0);
   }
+  const Wide per_point = 1.0 / max(points, Wide(1.0));
   const WideMask mirror = at_mirror(group);  // the image opens and turns as much the other way
   const Wide sides = choose(mirror, Wide(2.0), 1.0), along = sides * dot(pose.normal, pose.jump);
   const Wide far = choose(mirror, along * along, dot(pose.jump, pose.jump)),
              radius_squared = M_1_PI * wide(group.area);
   alignas(64) FacetRow<double> area, opened, far_apart, pressure, parted_squared;
   store(max(far / radius_squared, sides * sides * turn_of(group, pose).squared()), parted_squared);
-  store(points * wide(group.area) / Wide(kFacetPoints), area);
-  store(sides * opening / max(points, Wide(1.0)), opened);
+  store(points * wide(group.area) * Wide(1.0 / kFacetPoints), area);
+  store(sides * opening * per_point, opened);
   Wide closed_by(0.0);  // most joints with gas are open
   closure = choose(mask_of<Wide>(retired), Wide(0.0), closure);
   if (any_of(closure > 0.0))
-    closed_by =
-        wide(contact.fade) * closed_stiffness(facets, set) * closure / max(points, Wide(1.0));
-  store(sides * apart / max(points, Wide(1.0)), far_apart);
+    closed_by = wide(contact.fade) * closed_stiffness(facets, set) * closure * per_point;
+  store(sides * apart * per_point, far_apart);
   store(closed_by, pressure);
   const unsigned alone = facets.tables.alone_lanes(set.group);  // only they know apertures
   each_lane(set.lanes, [&](std::size_t k) {
-    OpenJoint& joint = open.emplace_back();
-    joint.area = area[k];
-    joint.opening = opened[k];
-    joint.apart = far_apart[k];
     const FacetTraces& traces = facets.history.traces(set.group * kGroup + k);
-    joint.points = traces.broken.bits() | traces.contact().bits() << kFacetPoints;
-    joint.pressure = pressure[k];
-    joint.parted_squared = parted_squared[k];
-    if ((alone >> k & 1u) != 0) joint.by_law = mean_apertures(facets, set.group * kGroup + k);
+    open.area[at] = area[k];
+    open.opening[at] = opened[k];
+    open.apart[at] = far_apart[k];
+    open.pressure[at] = pressure[k];
+    open.parted_squared[at] = parted_squared[k];
+    open.points[at] =
+        static_cast<std::uint8_t>(traces.broken.bits() | traces.contact().bits() << kFacetPoints);
+    if ((alone >> k & 1u) != 0) {
+      if (const auto known = mean_apertures(facets, set.group * kGroup + k))
+        open.by_law.push_back({at, *known});
+    }
+    ++at;
   });
+  return at;
 }
 
 }  // namespace
 
-void open_joints(const FacetKinematics& all, std::span<const LaneSet> facets,
-                 std::vector<OpenJoint>& open) {
-  open.clear();
+void OpenJoints::resize(std::size_t joints) {
+  for (auto* numbers : {&area, &opening, &apart, &pressure, &parted_squared})
+    numbers->resize(joints);
+  points.resize(joints);
+  by_law.clear();
+}
+
+void open_joints(const FacetKinematics& all, std::span<const LaneSet> facets, OpenJoints& open) {
+  std::size_t joints = 0, at = 0;
+  for (const LaneSet& set : facets) joints += static_cast<std::size_t>(std::popcount(set.lanes));
+  open.resize(joints);
   for (std::size_t k = 0; k < facets.size(); ++k) {
     if (k + kGroupsAhead < facets.size()) {
       const std::size_t ahead = facets[k + kGroupsAhead].group;
       all.tables.fetch_group(ahead);
       all.history.contacts().fetch_openings(ahead);
     }
-    open_group_of_joints(all, facets[k], open);
+    at = open_group_of_joints(all, facets[k], at, open);
   }
 }
 

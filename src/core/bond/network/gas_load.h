@@ -6,7 +6,7 @@
 // enter the dilatations, as the contact of broken points does not.
 #pragma once
 
-#include <optional>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -16,24 +16,29 @@
 
 namespace muckpile {
 
-/// How far a joint is open for gas: one at a mirror as that between its block and the image.
-struct OpenJoint {
-  double area = 0.0;     ///< of broken points [m2]
-  double opening = 0.0;  ///< mean over them [m]
-  double apart = 0.0;    ///< mean over them of how far the two sides are apart, below 0 too [m]
-  unsigned points = 0;   ///< bit per point: broken ones, then those of them outside the dilatations
-  /// Mean over them of what presses the faces onto each other, by the closed facet's own normal
-  /// stiffness, that of uniaxial strain; where no law knows the apertures [Pa].
-  double pressure = 0.0;
-  /// Means over them, where the joint has a law that knows them; no law is at a mirror.
-  std::optional<BrokenApertures> by_law;
+/// How far joints are open for gas, one after the other: one at a mirror as that between its block
+/// and the image. Means are over the broken points of a joint.
+struct OpenJoints {
+  std::vector<double> area;     ///< of broken points [m2]
+  std::vector<double> opening;  ///< mean [m]
+  std::vector<double> apart;    ///< mean of how far the two sides are apart, below 0 too [m]
+  /// Mean of what presses the faces onto each other, by the closed facet's own normal stiffness,
+  /// that of uniaxial strain; where no law knows the apertures [Pa].
+  std::vector<double> pressure;
   /// Square of how far it has opened or slid, in radii, or turned, in rad, whichever is more [-].
-  double parted_squared = 0.0;
+  std::vector<double> parted_squared;
+  std::vector<std::uint8_t> points;  ///< bit per point: broken ones, then those out of dilatations
+  struct ByLaw {
+    std::size_t joint;  ///< its place
+    BrokenApertures apertures;
+  };
+  std::vector<ByLaw> by_law;  ///< of joints whose law knows them, means; no law is at a mirror
+
+  void resize(std::size_t joints);
 };
 
 /// Of each of `facets`, in order, into `open`.
-void open_joints(const FacetKinematics& all, std::span<const LaneSet> facets,
-                 std::vector<OpenJoint>& open);
+void open_joints(const FacetKinematics& all, std::span<const LaneSet> facets, OpenJoints& open);
 
 class GasLoad {
  public:

@@ -31,7 +31,7 @@ class JointRooms {
     return network_->tables().joint(f).apertures(0.0).has_value();
   }
   /// Of each of `facets`, in order.
-  void open(std::span<const LaneSet> facets, std::vector<OpenJoint>& joints) const {
+  void open(std::span<const LaneSet> facets, OpenJoints& joints) const {
     network_->open_joints(facets, joints);
   }
 

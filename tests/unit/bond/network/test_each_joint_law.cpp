@@ -320,9 +320,9 @@ TEST(JointLaw, GasFindsLessAsTheJointCloses) {
   const auto aperture = [&](double w) {
     scene.block(1).centre.x() = scene.start(1).x() - w;
     scene.compute(1e-6);
-    std::vector<OpenJoint> open;
+    OpenJoints open;
     scene.network().open_joints({&all, 1}, open);
-    return open.at(0).by_law.value();
+    return open.by_law.at(0).apertures;
   };
   double before = aperture(0.0).hydraulic;
   EXPECT_NEAR(before / law().apertures(0.0).hydraulic, 1.0, 1e-4);

@@ -494,23 +494,23 @@ TEST(FacetGroups, GasPressesOnTheBrokenPointsOfEachFacetAndFindsThemAsFarOpenAsT
     pressure[2 * f + f % 2] = f == 11 ? 0.0 : 2.0 * kPressure;
   network.set_gas_pressure(pressure);
   pairs.compute();
-  std::vector<OpenJoint> open;
+  OpenJoints open;
   const std::vector<std::size_t> asked = {1, 2, 3, 5, 7, 8, 13, 16, 20};
   std::vector<LaneSet> sets;
   for (const std::size_t f : asked) add_facet(sets, f);
   network.open_joints(sets, open);
-  ASSERT_EQ(open.size(), asked.size());
+  ASSERT_EQ(open.area.size(), asked.size());
   int pressed = 0;
   for (std::size_t k = 0; k < asked.size(); ++k) {
     const std::size_t f = asked[k], broken = std::min<std::size_t>(f % 5, kFacetPoints);
     const GasOneByOne expected(network, f, kPressure);
-    EXPECT_NEAR(open[k].area, static_cast<double>(broken) / 3.0 * network.area(f), 1e-12) << f;
-    EXPECT_NEAR(open[k].opening, expected.opening, 1e-12) << f;  // rounding of centres metres away
-    EXPECT_EQ(open[k].opening > 1e-6, broken > 0) << f;
+    EXPECT_NEAR(open.area[k], static_cast<double>(broken) / 3.0 * network.area(f), 1e-12) << f;
+    EXPECT_NEAR(open.opening[k], expected.opening, 1e-12) << f;  // rounding of centres metres away
+    EXPECT_EQ(open.opening[k] > 1e-6, broken > 0) << f;
     const double stiffness = network.tables().contact(f).closure.normal;
-    EXPECT_NEAR(open[k].pressure, stiffness * expected.closure, 1e-12 * stiffness) << f;
-    pressed += open[k].pressure > 1e-6 * stiffness ? 1 : 0;
-    EXPECT_LT(open[k].parted_squared, 1.0) << f;
+    EXPECT_NEAR(open.pressure[k], stiffness * expected.closure, 1e-12 * stiffness) << f;
+    pressed += open.pressure[k] > 1e-6 * stiffness ? 1 : 0;
+    EXPECT_LT(open.parted_squared[k], 1.0) << f;
   }
   EXPECT_GT(pressed, 0);  // some are closed
   for (std::size_t f = 0; f < chosen.size(); ++f) {
