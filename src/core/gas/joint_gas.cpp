@@ -11,19 +11,20 @@
 namespace muckpile {
 namespace {
 
-/// to[k] = of(a[k], b[k]), in a form that the compiler vectorises.
+/// to[k] = of(from[k]), in a form that the compiler vectorises.
 template <class Of>
-void transform_all(const std::vector<double>& a, const std::vector<double>& b,
-                   std::vector<double>& to, const Of& of) {
-  const double *from = a.data(), *and_from = b.data();
+void transform_all(const std::vector<double>& from, std::vector<double>& to, const Of& of) {
+  const double* source = from.data();
   double* const __restrict into = to.data();
-  for (std::size_t k = 0, count = to.size(); k < count; ++k) into[k] = of(from[k], and_from[k]);
+  for (std::size_t k = 0, count = to.size(); k < count; ++k) into[k] = of(source[k]);
 }
 
 constexpr double kFinestSpacing = 0.01;  // of cracks [m]
 /// Of what a block presses, the atmosphere at least: one whose pressure has changed by less from
 /// one look at all blocks to the next is calm, until it has changed by more (docs/theory/gas.md).
 constexpr double kCalm = 0.005;
+/// Of its energy gas pays at most that share in full for a step; of more it keeps some.
+constexpr double kPaysInFull = 0.5;
 
 }  // namespace
 
@@ -183,6 +184,7 @@ void JointGas::list_cracks(const JointRooms& rooms) {
     const bool flowed = since == kFlows;
     if (reached_[end.i] == 0 && (!end.joint || reached_[end.j] == 0)) {
       since = kFlows;
+      seen_points_[f] = kUnseen;
       continue;
     }
     if (left_out(end.i) && (!end.joint || left_out(end.j))) {
@@ -201,13 +203,17 @@ void JointGas::list_cracks(const JointRooms& rooms) {
   listed_ = true;
 }
 
-/// Of gas of an energy U [J] that has pressed with p [Pa] while its room grew by dV [m3]: it pays
-/// p dV, which is what the blocks have got, whatever has flowed meanwhile; but never all of it.
-double JointGas::paid(const GasContent& gas, double moved) const {
+/// What gas pays that has pressed for the step, as the last press() told, while its blocks moved
+/// apart by dV [m3]: p dV, which is what they have got, whatever has flowed meanwhile. Of what
+/// takes more than a share of its energy it keeps some, as it does not press to the end of such a
+/// step.
+JointGas::Paid JointGas::paid(const GasContent& gas, double moved) const {
   const double own = (flow_.gamma() - 1.0) * gas.energy / gas.volume;
   const double pressed = gas.pressed > 0.0 ? gas.pressed + p_.ambient : std::min(own, p_.ambient);
-  const double work = pressed * moved;
-  return work > 0.0 ? -gas.energy * std::expm1(-work / gas.energy) : work;
+  const double full = kPaysInFull * gas.energy, rest = gas.energy - full;
+  double work = pressed * moved;
+  if (work > full) work = full - rest * std::expm1((full - work) / rest);
+  return {work, gas.pressed > 0.0 ? work * p_.ambient / pressed : work};
 }
 
 /// The gas of owned blocks follows its joints and pays for what its blocks have moved. Room of
@@ -220,11 +226,11 @@ void JointGas::expand() {
     GasContent& gas = cells_[b].content;
     const double opened = cells_[b].volume - (rooms_[b] - gas.broken) - gas.volume;
     const double moved = opened + gives_[b];
-    if (gas.mass > 0.0 && gas.volume > 0.0 && moved != 0.0) {
-      const double work = paid(gas, moved);
+    if (gas.energy > 0.0 && gas.volume > 0.0 && cells_[b].volume > 0.0 && moved != 0.0) {
+      const auto [work, on_air] = paid(gas, moved);
       spent_.work += work;
       spent_.swept_volume += moved;
-      spent_.air_work += gas.pressed > 0.0 ? p_.ambient * moved : work;
+      spent_.air_work += on_air;
       gas.energy -= work;
     }
     gas.volume = cells_[b].volume;
@@ -282,7 +288,7 @@ void JointGas::find_pressures() {
     density_[b] = holds ? cell.content.mass / cell.volume : 1.0;
     pressure_[b] = pressure(cell);
   }
-  transform_all(pressure_, density_, root_, [flow](double p, double) { return flow.root_of(p); });
+  transform_all(pressure_, root_, [flow](double p) { return flow.root_of(p); });
 }
 
 GasFlow JointGas::contained() const {

@@ -16,10 +16,12 @@
 // what the block has moved, and has room and ends as one between two blocks.
 //
 // An ideal gas with mass and energy of its own in every block: p = (gamma - 1) U/V. What flows
-// carries its enthalpy; a joint that opens costs the gas p dV; what a closed one has between its
-// asperities is room without work, as it breaks and as stress narrows it. What faces that touch
-// give way by moves blocks, so it costs p dV, too, but makes no room: rock and joint are in series.
-// The walls take heat (wall_heat.h).
+// carries its enthalpy; blocks that part cost the gas p dV, p what press() told; what a closed
+// joint has between its asperities is room without work, as it breaks and as stress narrows it.
+// What faces that touch give way by moves blocks, so it costs p dV, too, but makes no room: rock
+// and joint are in series. In a step in which points of a joint break or part, and in the one after
+// set_rooms() or look_at_all(), that part is not counted: one step of thousands. The walls take
+// heat (wall_heat.h).
 //
 // Calm blocks, whose pressure has hardly changed for a while, are looked at once in several steps
 // (Parameters::calm_every): joints between two of them then flow for all that time at once, so that
@@ -50,7 +52,7 @@ struct GasContent {
   double heat = 0.0;     ///< that the block's walls have taken from it [J]
   double volume = 0.0;   ///< that it had at the last measure() [m3]
   double broken = 0.0;   ///< of that, what its joints have while they are closed [m3]
-  double pressed = 0.0;  ///< beyond the atmosphere, as the last press() told it [Pa]
+  double pressed = 0.0;  ///< beyond the atmosphere, by the last press(); work is paid by it [Pa]
 };
 template <>
 struct Stored<GasContent> {
@@ -82,7 +84,7 @@ struct Stored<GasFlow> {
 /// What the gas of owned blocks has spent so far.
 struct GasSpent {
   double work = 0.0;          ///< p dV, on the blocks and on the atmosphere [J]
-  double swept_volume = 0.0;  ///< of that the volume, dV [m3]
+  double swept_volume = 0.0;  ///< of that dV: what blocks moved apart by, not all of it room [m3]
   double air_work = 0.0;      ///< of the work what the atmosphere got [J]
   double heat = 0.0;          ///< into the rock [J]
 };
@@ -232,7 +234,11 @@ class JointGas {
   void find_apertures(const JointRooms& rooms);
   void close_joints();
   void note_gives();
-  [[nodiscard]] double paid(const GasContent& gas, double moved) const;
+  struct Paid {
+    double work;    // [J]
+    double on_air;  // of it, on the atmosphere [J]
+  };
+  [[nodiscard]] Paid paid(const GasContent& gas, double moved) const;
   void find_passages();
   void count_crack(std::size_t c);
   void expand();
@@ -310,8 +316,8 @@ class JointGas {
   // Per block: broken area, room of its joints while they are closed, mass flow times film and wall
   // since the last cool(), what closed joints have given way by since the last expand().
   std::vector<double> walls_, rooms_, films_, gives_;  // [m2], [m3], [J/K], [m3]
-  // Per facet, as it was seen last: what its sides have moved apart beyond its opening, below 0
-  // while it is pressed, over the broken area [m3]; which points those are (OpenJoints::points),
+  // Per facet, as it was seen last: how far its sides are apart less its opening, over the broken
+  // area [m3], of which only differences count; which points those are (OpenJoints::points),
   // kUnseen: it was not seen.
   static constexpr std::uint8_t kUnseen = 0xff;
   std::vector<double> seen_gives_;

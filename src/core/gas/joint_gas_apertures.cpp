@@ -10,7 +10,7 @@ namespace muckpile {
 
 void JointGas::find_apertures(const JointRooms& rooms) {
   rooms.open(crack_facets_, openings_);
-  const OpenJoints& open = openings_;
+  OpenJoints& open = openings_;
   for (std::size_t c = 0; c < cracks_.size(); ++c) {
     // A void is no bundle of cracks.
     many_[c] = open.parted_squared[c] > 1.0 ? 1.0 : cracks_[c].many;
@@ -18,7 +18,6 @@ void JointGas::find_apertures(const JointRooms& rooms) {
     closed_[c] = open.pressure[c];
     mechanical_[c] = open.opening[c] / many_[c];
   }
-  note_gives();
   for (std::size_t c = 0; c < cracks_.size(); ++c) {
     const double parted = open.parted_squared[c];
     if (parted > 1.0)
@@ -29,8 +28,9 @@ void JointGas::find_apertures(const JointRooms& rooms) {
     closed_[c] = law.at_break;
     mechanical_[c] = law.mechanical;
     aperture_[c] = law.hydraulic;
-    cracks_[c].gives = 0.0;  // what the joint gives way by is room there
+    open.opening[c] = law.mechanical - law.at_break;  // what the joint gives way by is room there
   }
+  note_gives();
 }
 
 /// The pressure works on the blocks as they part, whether their faces touch or not.
@@ -94,7 +94,7 @@ void JointGas::count_crack(std::size_t c) {
   each_block(crack, [&](std::size_t b) {
     if (crack.hole >= 0 && owned(b))
       chamber_ways_[static_cast<std::size_t>(crack.hole)] += crack.end();
-    gives_[b] += crack.gives;
+    if (owned(b)) gives_[b] += crack.gives;
     if (left_out(b)) {
       ways_now_[b] += ways;
       return;

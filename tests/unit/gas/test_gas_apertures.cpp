@@ -40,7 +40,7 @@ TEST(JointGas, StressNarrowsAClosedJointWithTheWorkOfTheBlocksAlone) {
     const double aperture = 1e-4 - limit * stress / (2.5e10 * limit + stress);
     EXPECT_NEAR(pair.gas.cells()[0].volume / (0.5 * aperture), 1.0, 1e-6) << closer;
     const double paid = (kGamma - 1.0) * (was_closer - closer) / room;  // on 1 m2
-    energy *= paid > 0.0 ? std::exp(-paid) : 1.0 - paid;
+    energy *= paid > 0.5 ? 0.5 * std::exp(1.0 - 2.0 * paid) : 1.0 - paid;
     EXPECT_NEAR(pair.energy() / energy, 1.0, 1e-9) << closer;
     was_closer = closer;
     room = aperture;
@@ -92,7 +92,7 @@ struct SlowParting {
       pair.open(at);
       press(pair.gas, pair.scene.network());
       const double adiabat = first * std::pow(volume / pair.gas.cells()[0].volume, kGamma - 1.0);
-      EXPECT_NEAR(pair.energy() / adiabat, 1.0, 5e-4) << at;  // a third of a per mille a step
+      EXPECT_NEAR(pair.energy() / adiabat, 1.0, 1e-3) << at;  // by the steps, in all
       energy = pair.energy();
       work = pair.gas.spent().work - 1e5 * pair.gas.spent().swept_volume;
       const JointGas::Opened opened = pair.gas.open_wide();
@@ -114,8 +114,8 @@ TEST(JointGas, VoidKeepsItsGasUntilItHasExpandedToTheAtmosphere) {
   EXPECT_EQ(kept.could_do, 0.0);
   EXPECT_GT(at_once.could_do, 0.1 * at_once.energy);
   // What is not done is what could have been: the bound of what is lost without voids.
-  EXPECT_NEAR((kept.work - at_once.work) / at_once.could_do, 1.0, 1e-3);
-  EXPECT_NEAR((kept.work - at_two.work) / at_two.could_do, 1.0, 1e-3);
+  EXPECT_NEAR((kept.work - at_once.work) / at_once.could_do, 1.0, 2e-3);
+  EXPECT_NEAR((kept.work - at_two.work) / at_two.could_do, 1.0, 2e-3);
 }
 
 TEST(JointGas, BlockBetweenVoidsBearsThePressureGradientOfItsPlace) {
@@ -181,6 +181,15 @@ TEST(JointGas, VolumeOfARoughJointGrowsByWhatItsPressureWorksOn) {
   joint.scene.compute();
   const double pressure = (kGamma - 1.0) * joint.gas.contained().energy / volume;
   EXPECT_NEAR(joint.scene.network().force()[1].x() / pressure, 1.0, 1e-9);
+}
+
+TEST(JointGas, RockBehindARoughJointGivesWayToo) {
+  // What the joint closes by is room, what the rock in series does is none; both move the blocks.
+  RoughJoint joint;
+  const double closed = joint.open(-4e-4), swept = joint.gas.spent().swept_volume;
+  const double room = joint.open(-3e-4) - closed;
+  EXPECT_LT(room, 0.5e-4);  // of 1e-4 m by which the blocks part, on 1 m2
+  EXPECT_NEAR((joint.gas.spent().swept_volume - swept) / 1e-4, 1.0, 1e-6);
 }
 
 TEST(JointGas, RoughJointBreaksWithTheApertureOfItsOwnLaw) {

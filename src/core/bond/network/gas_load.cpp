@@ -47,8 +47,8 @@ Wide closed_stiffness(const FacetKinematics& facets, const LaneSet& set) {
   return bonded.contact(sides * wide(group.bulk), shear_share);
 }
 
-/// How far each broken point has opened since it broke, by what it remembers of that.
-/// From place `at` on; returns that behind.
+/// How far each broken point has opened since it broke, by what it remembers of that, written from
+/// place `at` on; returns the next free place.
 std::size_t open_group_of_joints(const FacetKinematics& facets, const LaneSet& set, std::size_t at,
                                  OpenJoints& open) {
   constexpr double kNever = std::numeric_limits<double>::max();  // a point in the dilatations

@@ -21,7 +21,7 @@ namespace muckpile {
 struct OpenJoints {
   std::vector<double> area;     ///< of broken points [m2]
   std::vector<double> opening;  ///< mean [m]
-  std::vector<double> apart;    ///< mean of how far the two sides are apart, below 0 too [m]
+  std::vector<double> apart;  ///< mean parting of the two sides since the start, with its sign [m]
   /// Mean of what presses the faces onto each other, by the closed facet's own normal stiffness,
   /// that of uniaxial strain; where no law knows the apertures [Pa].
   std::vector<double> pressure;

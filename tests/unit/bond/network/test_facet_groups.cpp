@@ -442,7 +442,7 @@ TEST(FacetGroups, ForcesAreThoseOfThePointsSummedOneByOne) {
 
 /// Gas in one facet, point by point: how far the broken ones are open, and what it presses.
 struct GasOneByOne {
-  double opening = 0.0, closure = 0.0;  // [m]
+  double opening = 0.0, closure = 0.0, apart = 0.0;  // [m]
   Vec3 force = Vec3::Zero(), torque_i = Vec3::Zero(), torque_j = Vec3::Zero();
 
   GasOneByOne(FacetNetwork& network, std::size_t f, double pressure) {
@@ -460,14 +460,16 @@ struct GasOneByOne {
       const Vec3 at = std::cos(angle) * facet.half_axes[0] + std::sin(angle) * facet.half_axes[1];
       const Vec3 on_i = i.rotation * Vec3(facet.arm_i + at);
       const Vec3 jump = j.centre + j.rotation * Vec3(facet.arm_j + at) - i.centre - on_i;
-      const double apart = n.dot(jump) - memory.contact.get().offset[q].x();
-      opening += std::max(0.0, apart);
-      closure += std::max(0.0, -apart);
+      const double parted = n.dot(jump), open = parted - memory.contact.get().offset[q].x();
+      apart += parted;
+      opening += std::max(0.0, open);
+      closure += std::max(0.0, -open);
       const Vec3 push = -pressure * facet.area / kFacetPoints * n, arm = on_i + 0.5 * jump;
       force += push;
       torque_i += arm.cross(push);
       torque_j -= (arm + i.centre - j.centre).cross(push);
     }
+    apart /= std::max(broken, 1);
     opening /= std::max(broken, 1);
     closure /= std::max(broken, 1);
   }
@@ -507,6 +509,8 @@ TEST(FacetGroups, GasPressesOnTheBrokenPointsOfEachFacetAndFindsThemAsFarOpenAsT
     EXPECT_NEAR(open.area[k], static_cast<double>(broken) / 3.0 * network.area(f), 1e-12) << f;
     EXPECT_NEAR(open.opening[k], expected.opening, 1e-12) << f;  // rounding of centres metres away
     EXPECT_EQ(open.opening[k] > 1e-6, broken > 0) << f;
+    EXPECT_NEAR(open.apart[k], expected.apart, 1e-12) << f;
+    EXPECT_EQ(std::popcount(open.points[k]), 2 * static_cast<int>(broken)) << f;  // none slips
     const double stiffness = network.tables().contact(f).closure.normal;
     EXPECT_NEAR(open.pressure[k], stiffness * expected.closure, 1e-12 * stiffness) << f;
     pressed += open.pressure[k] > 1e-6 * stiffness ? 1 : 0;
