@@ -29,6 +29,10 @@ peaks hole_51_mm hole_diameter 0.051
 peaks hole_72_mm hole_diameter 0.072
 peaks hole_144_mm hole_diameter 0.144
 peaks hole_204_mm hole_diameter 0.204
+# The velocity of detonation in thin holes over the table's, squared.
+peaks share_51_mm hole_diameter 0.051 energy_share 0.49
+peaks share_102_mm energy_share 0.755
+peaks share_204_mm hole_diameter 0.204 energy_share 0.965
 peaks heavy_anfo explosive heavy_anfo
 peaks emulsion explosive emulsion
 peaks anfo_shock attenuation shock
