@@ -139,10 +139,11 @@ says "steps of a fifth" 0 "is longer than a fifth of rise_time"
 blast 3e-5 2e-5
 says "steps of a third" 1 "$few_steps"
 
-# In rock of 1 GPa the audit of the explosive's energy misses 1.5 % with the default steps of the gas, in granite 0.01 %.
-for modulus in 55e9 1e9; do
+# With steps of the gas of 1 ms the audit of the explosive's energy misses 5 %, with those of the defaults 0.01 %.
+for every in 2 20; do
   (cd "$root" && "$program" -in inputs/bench/in.bench -log none -var out "$out/bench" -var accuracy quick -var bench_height 3 -var burden 1.5 \
-    -var hole_diameter 0.05 -var time_end 0.05 -var youngs_modulus $modulus) >screen 2>&1 </dev/null
-  says "an audit in rock of $modulus Pa" "$([[ $modulus == 1e9 ]] && echo 1 || echo 0)" "WARNING: run_blast: the audit of the explosive's energy misses "
+    -var hole_diameter 0.05 -var time_end 0.05 -var gas_every $every -var gas_step "$([[ $every == 20 ]] && echo 1 || echo 6e-5)") >screen 2>&1 </dev/null
+  says "an audit with $every steps of the blocks in one of the gas" "$([[ $every == 20 ]] && echo 1 || echo 0)" \
+    "WARNING: run_blast: the audit of the explosive's energy misses "
 done
 exit $wrong
