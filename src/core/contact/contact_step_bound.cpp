@@ -43,25 +43,36 @@ void ContactStepBound::Form::add(double normal, double tangential, const Vec3& d
   tt.noalias() += rest * lever * lever.transpose();
 }
 
-void ContactStepBound::add(std::size_t body, const ContactResistance& contact, const Vec3& normal,
+/// Most bodies are no limit by their traces alone; the forms of the others are worked out later.
+void ContactStepBound::add(std::size_t b, const ContactResistance& contact, const Vec3& normal,
                            const Vec3& arm, double other_mass) {
-  Sum& sum = sums_[body];
-  const double weight = 1.0 + std::sqrt(bodies_[body].mass / other_mass);
-  sum.stiffness.add(weight * contact.normal_stiffness, weight * contact.tangential_stiffness,
-                    normal, arm);
-  sum.damping.add(weight * contact.normal_damping, weight * contact.tangential_damping, normal,
-                  arm);
-  const double rolling = weight * contact.rolling_stiffness;
-  sum.stiffness.tt.diagonal().array() += rolling;
-  sum.stiffness.tt.noalias() -=
-      (rolling - weight * contact.torsional_stiffness) * normal * normal.transpose();
-}
-
-double ContactStepBound::trace_over_mass(const Form& form, const Body& body) {
-  const Mat3 turned = form.tt * body.axes;
-  double trace = form.ss.trace() / body.mass;
-  for (int k = 0; k < 3; ++k) trace += body.axes.col(k).dot(turned.col(k)) / body.inertia[k];
-  return trace;
+  const Body& body = bodies_[b];
+  const double weight = 1.0 + std::sqrt(body.mass / other_mass);
+  const ContactResistance weighted = {
+      weight * contact.normal_stiffness,   weight * contact.tangential_stiffness,
+      weight * contact.rolling_stiffness,  weight * contact.normal_damping,
+      weight * contact.tangential_damping, weight * contact.torsional_stiffness};
+  const Vec3 lever = body.axes.transpose() * arm.cross(normal);
+  const Vec3 across = body.axes.transpose() * arm, spin = body.axes.transpose() * normal;
+  // Of turns about each axis, over the moment: tangential, what the normal has more, spin.
+  double turning = 0.0, tilting = 0.0, rolling = 0.0, twisting = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    const double slim = 1.0 / body.inertia[k];
+    turning += slim * (arm.squaredNorm() - across[k] * across[k]);
+    tilting += slim * lever[k] * lever[k];
+    rolling += slim * (1.0 - spin[k] * spin[k]);
+    twisting += slim * spin[k] * spin[k];
+  }
+  const auto trace = [&](double along, double tangential) {
+    return (along + 2.0 * tangential) / body.mass + tangential * turning +
+           (along - tangential) * tilting;
+  };
+  Sum& sum = sums_[b];
+  sum.stiffness += trace(weighted.normal_stiffness, weighted.tangential_stiffness) +
+                   weighted.rolling_stiffness * rolling + weighted.torsional_stiffness * twisting;
+  sum.damping += trace(weighted.normal_damping, weighted.tangential_damping);
+  contacts_.push_back({weighted, normal, arm, sum.contact});
+  sum.contact = static_cast<int>(contacts_.size()) - 1;
 }
 
 /// Along the body's axes.
@@ -79,31 +90,41 @@ ContactStepBound::Mat6 ContactStepBound::over_mass(const Form& form, const Body&
 /// The sum of the eigenvalues shows most bodies to be no limit, once one that is among the
 /// stiffest is known.
 ContactStepBound::Steps ContactStepBound::steps(bool joined) const {
-  std::vector<std::pair<std::size_t, Traces>> candidates;
+  std::vector<std::size_t> candidates;
   std::size_t stiffest = 0;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    if (bodies_[b].joined != joined) continue;
-    const Traces traces{trace_over_mass(sums_[b].stiffness, bodies_[b]),
-                        trace_over_mass(sums_[b].damping, bodies_[b])};
-    if (traces.stiffness == 0.0 && traces.damping == 0.0) continue;
-    candidates.emplace_back(b, traces);
-    if (traces.stiffness > candidates[stiffest].second.stiffness) stiffest = candidates.size() - 1;
+    if (sums_[b].contact < 0 || bodies_[b].joined != joined) continue;
+    candidates.push_back(b);
+    if (sums_[b].stiffness > sums_[candidates[stiffest]].stiffness)
+      stiffest = candidates.size() - 1;
   }
   Steps steps;
   if (candidates.empty()) return steps;
   std::swap(candidates.front(), candidates[stiffest]);
-  for (const auto& [body, traces] : candidates) {
-    if (!bears(steps.springs, traces.stiffness, 0.0) ||
-        !bears(steps.with_dashpots, traces.stiffness, traces.damping))
+  for (const std::size_t body : candidates) {
+    const Sum& sum = sums_[body];
+    if (sum.stiffness == 0.0 && sum.damping == 0.0) continue;
+    if (!bears(steps.springs, sum.stiffness, 0.0) ||
+        !bears(steps.with_dashpots, sum.stiffness, sum.damping))
       steps = shorten(steps, body);
   }
   return steps;
 }
 
 ContactStepBound::Steps ContactStepBound::shorten(Steps steps, std::size_t body) const {
-  const Mat6 stiffness = over_mass(sums_[body].stiffness, bodies_[body]);
+  Form springs, dashpots;
+  for (int k = sums_[body].contact; k >= 0; k = contacts_[static_cast<std::size_t>(k)].next) {
+    const Contact& contact = contacts_[static_cast<std::size_t>(k)];
+    const ContactResistance& r = contact.resistance;
+    springs.add(r.normal_stiffness, r.tangential_stiffness, contact.normal, contact.arm);
+    dashpots.add(r.normal_damping, r.tangential_damping, contact.normal, contact.arm);
+    springs.tt.diagonal().array() += r.rolling_stiffness;
+    springs.tt.noalias() -=
+        (r.rolling_stiffness - r.torsional_stiffness) * contact.normal * contact.normal.transpose();
+  }
+  const Mat6 stiffness = over_mass(springs, bodies_[body]);
   return {limit(stiffness, Mat6::Zero(), steps.springs),
-          limit(stiffness, over_mass(sums_[body].damping, bodies_[body]), steps.with_dashpots)};
+          limit(stiffness, over_mass(dashpots, bodies_[body]), steps.with_dashpots)};
 }
 
 /// A body's limit if that is shorter, else `shorter_than`; stiffness and damping are scaled by its

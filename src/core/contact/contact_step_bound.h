@@ -58,13 +58,17 @@ class ContactStepBound {
 
     void add(double normal, double tangential, const Vec3& direction, const Vec3& arm);
   };
+  /// One of a body's, `resistance` as stiff as it counts.
+  struct Contact {
+    ContactResistance resistance;
+    Vec3 normal, arm;
+    int next;  // of the same body, -1: none
+  };
+  /// Traces of the two forms over the mass, no less than their greatest eigenvalue.
   struct Sum {
-    Form stiffness, damping;
+    double stiffness = 0.0, damping = 0.0;  // [1/s2], [1/s]
+    int contact = -1;                       // the last one added
   };
-  struct Traces {
-    double stiffness, damping;  // of the forms over the mass [1/s2], [1/s]
-  };
-  [[nodiscard]] static double trace_over_mass(const Form& form, const Body& body);
   [[nodiscard]] static Mat6 over_mass(const Form& form, const Body& body);
   [[nodiscard]] Steps shorten(Steps steps, std::size_t body) const;
   [[nodiscard]] static double limit(const Mat6& stiffness, const Mat6& damping,
@@ -72,6 +76,7 @@ class ContactStepBound {
 
   std::vector<Body> bodies_;
   std::vector<Sum> sums_;  // per body
+  std::vector<Contact> contacts_;
 };
 
 }  // namespace muckpile
