@@ -287,7 +287,8 @@ double FixMuckpileTimestep::compute_vector(int n) {
 int FixMuckpileTimestep::modify_param(int narg, char** arg) {
   const std::string where = engine::name_of_modify(*this);
   const std::string key = arg[0];
-  static const std::array known{"fraction", "max", "cap", "collision", "collision_speed"};
+  static const std::array known{"fraction",      "max",       "cap",
+                                "contact_every", "collision", "collision_speed"};
   if (std::ranges::find(known, key) == known.end()) return 0;
   if (narg < 2) engine::stop(*lmp, where + ": " + key + " needs a value");
   engine::or_engine_error(*lmp, [&] {
@@ -297,6 +298,9 @@ int FixMuckpileTimestep::modify_param(int narg, char** arg) {
       settings_.collision = parse_real(where, key, arg[1], "s", Range::left_open(0.0, 1e30));
     if (key == "collision_speed")
       settings_.collision_speed = parse_real(where, key, arg[1], "m/s", Range::closed(0.0, 1e4));
+    if (key == "contact_every")
+      settings_.contact_every =
+          static_cast<int>(parse_integer(where, key, arg[1], "steps", Range::closed(1, 64)));
     if (key == "max")
       settings_.longest = parse_real(where, key, arg[1], "s", Range::left_open(0.0, 1e30));
     if (key == "cap") cap_ = parse_real(where, key, arg[1], "s", Range::left_open(0.0, 1e30));

@@ -63,7 +63,7 @@ void ScriptEngine::prepare(const PhaseNews& first, const StepRule& rule) {
   make_fix(*lmp, "muckpile/timestep", "dt",
            "fraction " + script_number(rule.share) +
                " dashpot_fraction 2 every 10 joints_every 250 contact_every " +
-               std::to_string(rule.contact_every) + words_of_collision(rule));
+               std::to_string(rule.contact_every.value_or(1)) + words_of_collision(rule));
   progress_ = fix_of(*lmp, "muckpile/progress");
   write_table();
   const long every = words_.integer("restart_every");
@@ -106,6 +106,7 @@ void ScriptEngine::run(long steps, bool afresh) {
 void ScriptEngine::bound_step(const StepRule& rule) {
   std::string words = " fraction " + script_number(rule.share) + words_of_collision(rule);
   if (rule.longest) words += " max " + script_number(*rule.longest);
+  if (rule.contact_every) words += " contact_every " + std::to_string(*rule.contact_every);
   tell("fix_modify " + id_of("muckpile/timestep") + words);
 }
 

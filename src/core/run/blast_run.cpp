@@ -260,14 +260,16 @@ BlastRun::Phase BlastRun::settle() {
                                                                          : Phase::rest;
 }
 
-/// From here on closed joints rebound as sphere contacts do, by their restitution.
+/// From here on closed joints rebound as sphere contacts do, by their restitution, and contacts act
+/// at each step: with kicks far apart blocks that rest on each other do not keep their energy.
 void BlastRun::begin_settling() {
   if (!in_throw_) rock_.soften(plan_.softening / rock_.stiffness(), plan_.closed_damping);
   engine_.begin_phase({plan_.throw_name, plan_.time_end, 1000});
   engine_.bound_step({.share = plan_.stable_share,
                       .longest = kAnyStep,
                       .collision = plan_.collision.step,
-                      .collision_speed = plan_.collision.speed()});
+                      .collision_speed = plan_.collision.speed(),
+                      .contact_every = 1});
   engine_.set_up();
   if (!in_throw_ && plan_.sleep) rock_.let_blocks_rest();
   engine_.take_snapshots_every(kNoSnapshots);

@@ -18,11 +18,11 @@ struct PhaseNews {
 
 /// How long the time step may be.
 struct StepRule {
-  double share = 1.0;                 ///< of the longest that joints and contacts bear [-]
-  std::optional<double> longest{};    ///< [s]
-  std::optional<double> collision{};  ///< that resolves a collision [s]
-  double collision_speed = 0.0;       ///< of it [m/s]: follows the fastest block; 0: fixed
-  long contact_every = 1;             ///< steps from one act of the contacts to the next, at most
+  double share = 1.0;                   ///< of the longest that joints and contacts bear [-]
+  std::optional<double> longest{};      ///< [s]
+  std::optional<double> collision{};    ///< that resolves a collision [s]
+  double collision_speed = 0.0;         ///< of it [m/s]: follows the fastest block; 0: fixed
+  std::optional<long> contact_every{};  ///< steps from one act of the contacts to the next, at most
 };
 
 class RunEngine {

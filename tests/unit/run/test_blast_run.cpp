@@ -109,6 +109,7 @@ TEST(BlastRun, GoesThroughItsPhases) {
                                           "run afresh 100",
                                           "run 100"};
   EXPECT_EQ(engine.told, expected);
+  EXPECT_EQ(engine.rule.contact_every, 1);  // in the throw contacts act at each step
   EXPECT_NEAR(engine.joints, 2e-4, 1e-12);
   ASSERT_EQ(engine.lines.size(), 1u);
   EXPECT_EQ(engine.lines[0].substr(0, 20), "The rock rests after");
