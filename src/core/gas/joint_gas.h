@@ -19,8 +19,8 @@
 // carries its enthalpy; blocks that part cost the gas p dV, p what press() told; what a closed
 // joint has between its asperities is room without work, as it breaks and as stress narrows it.
 // What faces that touch give way by moves blocks, so it costs p dV, too, but makes no room: rock
-// and joint are in series. In a step in which points of a joint break or part, and in the one after
-// set_rooms() or look_at_all(), that part is not counted: one step of thousands. The walls take
+// and joint are in series. What such a joint has given way by since it was looked at last is not
+// counted where its points break or part, and behind set_rooms() and look_at_all(). The walls take
 // heat (wall_heat.h).
 //
 // Calm blocks, whose pressure has hardly changed for a while, are looked at once in several steps

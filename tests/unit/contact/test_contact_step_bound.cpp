@@ -134,7 +134,7 @@ double by_displacements(const std::vector<ContactStepBound::Body>& bodies,
       };
       const ContactResistance& r = c.resistance;
       stiffness += form(moved, r.normal_stiffness, r.tangential_stiffness) +
-                   form(turned, 0.0, r.rolling_stiffness);
+                   form(turned, r.torsional_stiffness, r.rolling_stiffness);
       damping += form(moved, r.normal_damping, r.tangential_damping);
     }
     const Mat6 k = slim.transpose() * stiffness * slim, c = slim.transpose() * damping * slim;
@@ -167,7 +167,7 @@ TEST(ContactStepBound, IsThatOfAllBodiesWorkedOutOneByOne) {
     for (std::size_t c = 0; c < 100; ++c)
       contacts.push_back({c % 23,  // seven bodies have none
                           {1e6 * share(random), 1e6 * share(random), 1e4 * share(random),
-                           1e3 * share(random), 1e3 * share(random)},
+                           1e3 * share(random), 1e3 * share(random), 1e7 * share(random)},
                           vector().normalized(),
                           vector(),
                           100.0 * share(random)});

@@ -349,22 +349,6 @@ TEST(JointGas, NeverPaysMoreThanItHas) {  // of a step that takes twice its ener
   EXPECT_NEAR(spent.air_work / (spent.work * 1e5 / pressed), 1.0, 1e-9);
 }
 
-TEST(JointGas, ForgetsHowFacesWereWhenGasHasGone) {
-  GasScene pair(test::cuboids(2, 1, 1), closed());
-  seal(pair.gas);
-  pair.fill(0, 0.002);
-  pair.open(0.90 * kOpening);
-  pair.open(0.92 * kOpening);
-  const double work = pair.gas.spent().work;
-  EXPECT_GT(work, 0.0);
-  pair.gas.cells()[0].content = {};
-  pair.open(0.94 * kOpening);  // no gas is left that could pay
-  pair.open(0.96 * kOpening);
-  pair.fill(0, 0.002);
-  pair.open(0.96 * kOpening);
-  EXPECT_EQ(pair.gas.spent().work, work);
-}
-
 TEST(JointGas, FacesThatGiveWayAsUnseenAreNotPaidFor) {  // as behind a restart file
   GasScene pair(test::cuboids(2, 1, 1), closed());
   seal(pair.gas);
