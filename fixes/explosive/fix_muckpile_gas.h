@@ -92,7 +92,8 @@ class FixMuckpileGas : public LAMMPS_NS::Fix, public JointPressure, public Joint
   void count_chamber_ways();
   void refresh();
   void flow(double dt);
-  void heat_beds(std::vector<GasFlow>& from_hole, const double* out, double dt);
+  void pass_beds(const RockLayers::Step& step);
+  void heat_beds(std::vector<GasFlow>& from_hole, const double* out, const RockLayers::Step& step);
   [[nodiscard]] double heat_of_beds() const;
   [[nodiscard]] double greatest_pressure() const;
   void release_from_softened_joints(double in_joints);

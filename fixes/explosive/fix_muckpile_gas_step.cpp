@@ -86,9 +86,16 @@ void FixMuckpileGas::read_chambers() {
     GasChamber& chamber = chambers_[hole];
     chamber = blast_->chamber(hole);
     fed_[hole] = chamber.gas.pressure > 0.0 ? 1 : 0;
+  }
+}
+
+/// Joints get the gas as it is behind the crushed rock.
+void FixMuckpileGas::pass_beds(const RockLayers::Step& step) {
+  for (std::size_t hole = 0; hole < chambers_.size(); ++hole) {
     if (fed_[hole] == 0) continue;
+    GasChamber& chamber = chambers_[hole];
     kept_[hole] =
-        bed_.kept(beds_[hole], chamber.crushed_rock, chamber.enthalpy / gas_.heat_capacity());
+        bed_.kept(beds_[hole], chamber.crushed_rock, chamber.enthalpy / gas_.heat_capacity(), step);
     chamber.enthalpy *= kept_[hole];
     chamber.gas.density /= kept_[hole];
   }
@@ -129,6 +136,8 @@ void FixMuckpileGas::refresh() {
 }
 
 void FixMuckpileGas::flow(double dt) {
+  const RockLayers::Step in_grains = bed_.step(dt);
+  pass_beds(in_grains);
   JointGas::Flows flows = gas_.flow(chambers_, dt);
   flows.vented += lost_;
   lost_ = {};
@@ -143,19 +152,20 @@ void FixMuckpileGas::flow(double dt) {
   }
   vented_ += flows.from_hole.back();
   flows.from_hole.pop_back();
-  heat_beds(flows.from_hole, sums_.data(), dt);
+  heat_beds(flows.from_hole, sums_.data(), in_grains);
   for (const GasFlow& flow : flows.from_hole) taken_ += flow;
   blast_->take_gas(flows.from_hole);
 }
 
 /// What left the holes, `out` [kg], brought its joints the enthalpy behind the crushed rock; the
 /// holes lose what it had before.
-void FixMuckpileGas::heat_beds(std::vector<GasFlow>& from_hole, const double* out, double dt) {
+void FixMuckpileGas::heat_beds(std::vector<GasFlow>& from_hole, const double* out,
+                               const RockLayers::Step& step) {
   for (std::size_t hole = 0; hole < from_hole.size(); ++hole) {
     const double heat = out[hole] * chambers_[hole].enthalpy * (1.0 / kept_[hole] - 1.0);
     from_hole[hole].energy += heat;
-    beds_[hole].heat += heat;
-    beds_[hole].flow = out[hole] * gas_.heat_capacity() / dt;
+    bed_.take(beds_[hole], chambers_[hole].crushed_rock, heat,
+              out[hole] * gas_.heat_capacity() / step.length(), step);
   }
 }
 

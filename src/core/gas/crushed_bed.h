@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Heat that crushed rock takes from the gas that passes it on its way from a hole into joints.
-// Scope: one crushed zone, all of it passed alike; no heat from the rock back into colder gas.
+// Heat that crushed rock takes from the gas that passes it on its way from a hole into joints, and
+// gives back to colder gas.
+// Scope: one crushed zone, all of it passed alike.
 //
 // Grains of diameter d fill the volume V between hole and joints: a surface A = 6 V/d, so large
 // that the gas leaves with the temperature Ts of the grains' surface (with the film of a packed
 // bed, Wakao & Kaguei 1982, 0.1 m of grains of 1 mm could pass on some eight times what it
-// carries). With C = cp dm/dt of the gas, Q what the grains have taken and q the heat flux into
-// them,
-//     C (T - Ts) = q A,     Ts - T0 = Q/(rho c V) + min(y, q d/(10 k)),     q = (2/pi) e^2 y^2 A/Q:
-// the mean of the grains, and the excess of their surface, first that of a half space
-// (wall_heat.h), later that of a sphere which is heated evenly (Carslaw & Jaeger 1959,
-// section 9.8), k = e^2/(rho c). Against the exact sphere Ts - T0 is up to a quarter high, so the
-// heat is rather low.
+// carries). With C = cp dm/dt of the gas and q the heat flux into the grains,
+//     C (T - Ts) = q A:
+// as if the gas lay behind a film of C/A on spheres that conduct (rock_layers.h).
 #pragma once
 
 #include <string_view>
 #include <tuple>
 
+#include "gas/rock_layers.h"
 #include "gas/wall_heat.h"
 #include "state/encoding.h"
 
@@ -30,29 +28,38 @@ class CrushedBed {
     WallHeat::Parameters rock;
   };
   struct State {
-    double heat = 0.0;  ///< Q [J]
-    double flow = 0.0;  ///< C of the last step [W/K]
+    RockLayers::Excess grains{};  ///< [K]
+    double heat = 0.0;            ///< in them [J]
+    double flow = 0.0;            ///< C of the last step [W/K]
   };
 
   /// InputError on a value out of range.
   explicit CrushedBed(const Parameters& parameters);
 
-  /// Of the enthalpy of gas of a temperature [K] (enthalpy over cp) what it keeps when it passes a
-  /// `volume` of crushed rock [m3].
-  [[nodiscard]] double kept(const State& state, double volume, double temperature) const;
+  [[nodiscard]] bool acts() const { return p_.grain > 0.0 && p_.rock.effusivity > 0.0; }
+  /// For a time [s].
+  [[nodiscard]] RockLayers::Step step(double time) const { return {grains_, time}; }
+  /// Of the enthalpy of gas of a temperature [K] (enthalpy over cp) what it has behind a `volume`
+  /// of crushed rock [m3], in a step in which it flows as in the last one. More than 1: the grains
+  /// are warmer.
+  [[nodiscard]] double kept(const State& state, double volume, double temperature,
+                            const RockLayers::Step& step) const;
+  /// What has flowed in the step, C [W/K], has left that much heat [J].
+  void take(State& state, double volume, double heat, double flow,
+            const RockLayers::Step& step) const;
 
  private:
-  [[nodiscard]] double flux(const State& state, double area, double excess) const;
+  [[nodiscard]] double area(double volume) const { return 6.0 * volume / p_.grain; }
 
   Parameters p_;
-  WallHeat rock_;
+  RockLayers grains_;
 };
 
 template <>
 struct Stored<CrushedBed::State> {
   static constexpr std::string_view kName = "crushed_bed";
-  static constexpr int kVersion = 1;
-  static auto fields(auto& bed) { return std::tie(bed.heat, bed.flow); }
+  static constexpr int kVersion = 2;
+  static auto fields(auto& bed) { return std::tie(bed.grains, bed.heat, bed.flow); }
 };
 
 }  // namespace muckpile

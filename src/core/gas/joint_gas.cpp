@@ -33,6 +33,7 @@ JointGas::JointGas(const Parameters& parameters)
       joint_(parameters.joint),
       flow_(parameters.flow),
       heat_(parameters.heat),
+      rock_(heat_.rock()),
       outside_(flow_.head({parameters.ambient, 0.0})) {
   require_positive("gas_constant", "J/(kg K)", p_.gas_constant);
   require_not_negative("ambient_pressure", "Pa", p_.ambient);

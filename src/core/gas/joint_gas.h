@@ -33,6 +33,7 @@
 // the same flow from the same numbers, so mass and energy are kept to rounding.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -53,13 +54,16 @@ struct GasContent {
   double volume = 0.0;   ///< that it had at the last measure() [m3]
   double broken = 0.0;   ///< of that, what its joints have while they are closed [m3]
   double pressed = 0.0;  ///< beyond the atmosphere, by the last press(); work is paid by it [Pa]
+  double wall = 0.0;     ///< area of its joints' faces at the last cool() [m2]
+  RockLayers::Excess rock{};  ///< of those faces [K]
 };
 template <>
 struct Stored<GasContent> {
   static constexpr std::string_view kName = "gas_content";
-  static constexpr int kVersion = 4;
+  static constexpr int kVersion = 5;
   static auto fields(auto& gas) {
-    return std::tie(gas.mass, gas.energy, gas.heat, gas.volume, gas.broken, gas.pressed);
+    return std::tie(gas.mass, gas.energy, gas.heat, gas.volume, gas.broken, gas.pressed, gas.wall,
+                    gas.rock);
   }
 };
 
@@ -266,6 +270,7 @@ class JointGas {
   }
   /// A mass that has gone through part of a crack makes a film on the walls of block b.
   void note_film(std::size_t b, std::size_t c, double mass) { films_[b] += film_[c] * mass; }
+  [[nodiscard]] const RockLayers::Step& cooling_step(double dt);
   void cool_block(std::size_t b, double dt);
   [[nodiscard]] double cv() const { return p_.gas_constant / (flow_.gamma() - 1.0); }
 
@@ -273,6 +278,9 @@ class JointGas {
   ClosedJoint joint_;
   CrackFlow flow_;
   WallHeat heat_;
+  RockLayers rock_;
+  std::array<RockLayers::Step, 2> cooling_steps_;  // of the lengths used last
+  std::size_t last_cooling_ = 0;
   GasHead outside_;  // of the atmosphere, but for its density
   std::vector<int> touches_;
   std::vector<GasCell> cells_;

@@ -87,16 +87,31 @@ JointGas::Flows JointGas::flow(std::span<const GasChamber> chambers, double dt) 
   return flows;
 }
 
-/// The gas comes nearer to the rock's temperature as exp(-t), so no step is too long.
+/// Most blocks have the same, and calm ones one that is several times as long.
+const RockLayers::Step& JointGas::cooling_step(double dt) {
+  RockLayers::Step& last = cooling_steps_[last_cooling_];
+  if (last.length() == dt) return last;
+  last_cooling_ = 1 - last_cooling_;
+  RockLayers::Step& other = cooling_steps_[last_cooling_];
+  if (other.length() != dt) other = RockLayers::Step(rock_, dt);
+  return other;
+}
+
+/// The gas and its walls change at once: no step is too long. What has broken since the last time
+/// is cold, and shares in the warmth of the rest.
 void JointGas::cool_block(std::size_t b, double dt) {
   GasContent& gas = cells_[b].content;
-  if (!(gas.mass > 0.0) || !(films_[b] > 0.0)) return;
-  const double capacity = gas.mass * cv(), temperature = gas.energy / capacity;
-  const double excess = temperature - heat_.rock_temperature();
-  const double film = films_[b] / (walls_[b] * dt);
-  const double loss = heat_.flux(temperature, film, gas.heat / walls_[b]) * walls_[b] * dt;
-  if (!(loss > 0.0)) return;
-  const double heat = -capacity * excess * std::expm1(-loss / (capacity * excess));
+  const double film = films_[b], wall = walls_[b];
+  if (!(wall > 0.0) || (gas.heat == 0.0 && !(film > 0.0))) return;
+  if (wall > gas.wall)
+    for (double& excess : gas.rock) excess *= gas.wall / wall;
+  gas.wall = wall;
+  const RockLayers::Step& step = cooling_step(dt);
+  if (!(gas.mass > 0.0) || !(film > 0.0)) return step.take(0.0, gas.rock);
+  const double capacity = gas.mass * cv();  // [J/K]
+  const double warmer = gas.energy / capacity - heat_.rock_temperature();
+  const double before = wall * dt * (1.0 / film + 1.0 / capacity);
+  const double heat = step.take_from(warmer, before, gas.rock) * wall * dt;
   gas.energy -= heat;
   gas.heat += heat;
   spent_.heat += heat;
@@ -131,11 +146,13 @@ JointGas::Opened JointGas::open_wide() {
     if (!owned(b) || lost_volume[b] == 0.0) continue;
     GasContent& gas = cells_[b].content;
     const double kept = std::max(0.0, 1.0 - lost_volume[b] / cells_[b].volume);
+    GasContent rest = gas;
+    rest.mass *= kept;
+    rest.energy *= kept;
+    rest.volume *= kept;
+    rest.broken = rooms_[b];
     // The last joint takes all: no rounding is left behind.
-    const GasContent rest = kept < 1e-12
-                                ? GasContent{.heat = gas.heat}
-                                : GasContent{kept * gas.mass,   kept * gas.energy, gas.heat,
-                                             kept * gas.volume, rooms_[b],         gas.pressed};
+    if (kept < 1e-12) rest.mass = rest.energy = rest.volume = rest.broken = rest.pressed = 0.0;
     opened.vented += {gas.mass - rest.mass, gas.energy - rest.energy};
     opened.could_do += work_to_ambient(pressure(cells_[b]), (1.0 - kept) * cells_[b].volume);
     gas = rest;

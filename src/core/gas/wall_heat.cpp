@@ -2,7 +2,7 @@
 // Heat into the walls of a crack; equations in the header.
 #include "gas/wall_heat.h"
 
-#include <numbers>
+#include <cmath>
 
 #include "args/require.h"
 
@@ -13,7 +13,6 @@ WallHeat::WallHeat(const Parameters& parameters) : p_(parameters) {
   require_positive("rock_temperature", "K", p_.rock_temperature);
   require_positive("prandtl", "", p_.prandtl);
   analogy_ = std::pow(p_.prandtl, -2.0 / 3.0);
-  conduction_ = 2.0 * std::numbers::inv_pi * p_.effusivity * p_.effusivity;
 }
 
 }  // namespace muckpile

@@ -31,8 +31,12 @@ double exact_heat(double film, double time) {
 
 double heat_by_steps(double film, double time, int steps) {
   const WallHeat wall({.effusivity = kEffusivity, .rock_temperature = kRock});
+  const RockLayers::Step step(wall.rock(), time / steps);
+  RockLayers::Excess rock{};
   double heat = 0.0;
-  for (int n = 0; n < steps; ++n) heat += wall.flux(kGas, film, heat) * time / steps;
+  for (int n = 0; n < steps; ++n) {
+    heat += step.take_from(kGas - kRock, 1.0 / film, rock) * time / steps;
+  }
   return heat;
 }
 
@@ -41,7 +45,7 @@ TEST(WallHeat, FilmAndRockInSeriesAreWithinFourPerCentOfTheExactSolution) {
   for (const double b : {0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0}) {
     constexpr double kTime = 0.01;
     const double film = b * kEffusivity / std::sqrt(kTime);
-    const double error = heat_by_steps(film, kTime, 100000) / exact_heat(film, kTime) - 1.0;
+    const double error = heat_by_steps(film, kTime, 300) / exact_heat(film, kTime) - 1.0;
     std::cout << "h t^(1/2)/e = " << b << ": heat off by " << 100.0 * error << " %\n";
     worst = std::max(worst, std::abs(error));
   }
@@ -52,14 +56,6 @@ TEST(WallHeat, FilmIsTheReynoldsAnalogy) {  // f/8 G cp at a Prandtl number of 1
   const WallHeat wall({.prandtl = 1.0});
   EXPECT_DOUBLE_EQ(wall.film(0.08, 1e4, 1300.0), 0.01 * 1e4 * 1300.0);
   EXPECT_NEAR(WallHeat({.prandtl = 0.7}).film(0.08, 1e4, 1300.0) / 1.3e5, 1.2684, 1e-4);
-}
-
-TEST(WallHeat, ColdGasTakesNothingBack) {
-  const WallHeat wall({.effusivity = kEffusivity, .rock_temperature = kRock});
-  EXPECT_EQ(wall.flux(kRock, 1e5, 0.0), 0.0);
-  EXPECT_EQ(wall.flux(250.0, 1e5, 1e5), 0.0);
-  EXPECT_EQ(wall.flux(kGas, 0.0, 0.0), 0.0);
-  EXPECT_EQ(wall.flux(kGas, 1e5, 0.0), 1e5 * (kGas - kRock));
 }
 
 TEST(WallHeat, RefusesWhatIsNoRock) {
