@@ -12,7 +12,7 @@ class JointGasEnergies {
   struct Sums {
     double work = 0.0;      ///< on the blocks
     double air_work = 0.0;  ///< on the atmosphere
-    double heat = 0.0;      ///< into the walls of joints
+    double heat = 0.0;      ///< into the walls of joints, net
     double contained = 0.0;  ///< internal energy in joints now
     double vented = 0.0;    ///< let into the open
   };

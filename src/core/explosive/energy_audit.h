@@ -44,7 +44,7 @@ struct EnergyAudit {
   double wall_work = 0.0;     ///< on the walls of the crushed zones, wave and gas
   double joint_work = 0.0;    ///< of the gas in joints on the blocks
   double air_work = 0.0;      ///< on the atmosphere
-  double rock_heat = 0.0;     ///< into the walls of joints
+  double rock_heat = 0.0;     ///< into the walls of joints, net
   double in_holes = 0.0;      ///< internal energy of the gas there
   double in_joints = 0.0;     ///< internal energy of the gas there
   double vented = 0.0;        ///< with the gas that is in the open

@@ -2,6 +2,8 @@
 // Heat into crushed rock; equations in the header.
 #include "gas/crushed_bed.h"
 
+#include <algorithm>
+
 #include "args/require.h"
 
 namespace muckpile {
@@ -24,7 +26,8 @@ double CrushedBed::kept(const State& state, double volume, double temperature,
 
 void CrushedBed::take(State& state, double volume, double heat, double flow,
                       const RockLayers::Step& step) const {
-  state.flow = flow;
+  constexpr double kRemembered = 0.9;  // of the flow before, from step to step
+  state.flow = std::max(flow, kRemembered * state.flow);
   state.heat += heat;
   if (!acts() || !(volume > 0.0)) return;
   step.take(heat / (area(volume) * step.length()), state.grains);

@@ -30,7 +30,7 @@ class CrushedBed {
   struct State {
     RockLayers::Excess grains{};  ///< [K]
     double heat = 0.0;            ///< in them [J]
-    double flow = 0.0;            ///< C of the last step [W/K]
+    double flow = 0.0;            ///< C of the last steps [W/K]
   };
 
   /// InputError on a value out of range.
@@ -44,7 +44,8 @@ class CrushedBed {
   /// are warmer.
   [[nodiscard]] double kept(const State& state, double volume, double temperature,
                             const RockLayers::Step& step) const;
-  /// What has flowed in the step, C [W/K], has left that much heat [J].
+  /// What has flowed in the step, C [W/K], has left that much heat [J]. A flow that stops is
+  /// remembered for some steps: gas that came on at once would leave more than the grains bear.
   void take(State& state, double volume, double heat, double flow,
             const RockLayers::Step& step) const;
 

@@ -33,13 +33,13 @@ JointGas::JointGas(const Parameters& parameters)
       joint_(parameters.joint),
       flow_(parameters.flow),
       heat_(parameters.heat),
-      rock_(heat_.rock()),
       outside_(flow_.head({parameters.ambient, 0.0})) {
   require_positive("gas_constant", "J/(kg K)", p_.gas_constant);
   require_not_negative("ambient_pressure", "Pa", p_.ambient);
   if (!(p_.open_gas >= 1.0)) refuse_value("open_gas", ">= 1", "", p_.open_gas);
   if (p_.crack_spacing != 0.0 && !(p_.crack_spacing >= kFinestSpacing))
     refuse_value("crack_spacing", "0 or >= " + number_text(kFinestSpacing), "m", p_.crack_spacing);
+  if (heat_.acts()) rock_ = heat_.rock();
   if (p_.calm_every < 1) refuse_value("calm_every", ">= 1", "", p_.calm_every);
 }
 

@@ -20,8 +20,8 @@
 // joint has between its asperities is room without work, as it breaks and as stress narrows it.
 // What faces that touch give way by moves blocks, so it costs p dV, too, but makes no room: rock
 // and joint are in series. What such a joint has given way by since it was looked at last is not
-// counted where its points break or part, and behind set_rooms() and look_at_all(). The walls take
-// heat (wall_heat.h).
+// counted where its points break or part, and behind set_rooms() and look_at_all(). Gas and walls
+// exchange heat (wall_heat.h).
 //
 // Calm blocks, whose pressure has hardly changed for a while, are looked at once in several steps
 // (Parameters::calm_every): joints between two of them then flow for all that time at once, so that
@@ -50,11 +50,11 @@ namespace muckpile {
 struct GasContent {
   double mass = 0.0;     ///< [kg]
   double energy = 0.0;   ///< internal, U = p V/(gamma - 1) [J]
-  double heat = 0.0;     ///< that the block's walls have taken from it [J]
+  double heat = 0.0;     ///< that the block's walls have taken from it, net [J]
   double volume = 0.0;   ///< that it had at the last measure() [m3]
   double broken = 0.0;   ///< of that, what its joints have while they are closed [m3]
   double pressed = 0.0;  ///< beyond the atmosphere, by the last press(); work is paid by it [Pa]
-  double wall = 0.0;     ///< area of its joints' faces at the last cool() [m2]
+  double wall = 0.0;     ///< largest area of its joints' faces so far [m2]
   RockLayers::Excess rock{};  ///< of those faces [K]
 };
 template <>
@@ -90,7 +90,7 @@ struct GasSpent {
   double work = 0.0;          ///< p dV, on the blocks and on the atmosphere [J]
   double swept_volume = 0.0;  ///< of that dV: what blocks moved apart by, not all of it room [m3]
   double air_work = 0.0;      ///< of the work what the atmosphere got [J]
-  double heat = 0.0;          ///< into the rock [J]
+  double heat = 0.0;          ///< into the rock, net [J]
 };
 template <>
 struct Stored<GasSpent> {
@@ -173,7 +173,8 @@ class JointGas {
   /// to its conductance, and no flow is larger than what would make the two shares at a way equal:
   /// pressures never cross, none is emptied.
   [[nodiscard]] Flows flow(std::span<const GasChamber> chambers, double dt);
-  /// The walls take heat for a time dt [s], through the film of the flows since the last cool().
+  /// Gas and walls exchange heat for a time dt [s], through the film of the flows since the last
+  /// cool().
   void cool(double dt);
   /// A joint that has parted by its radius is more void than joint. It goes on as the void between
   /// its two blocks, until press() found no more than the pressure of the atmosphere in both, or it

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Gas in broken joints: flow between blocks, from chambers and into the open, and heat into walls.
-// Scope: see joint_gas.h; measure() and press() have been called.
+// Gas in broken joints: flow between blocks, from chambers and into the open, and heat between gas
+// and walls. Scope: see joint_gas.h; measure() and press() have been called.
 #include <algorithm>
 #include <cmath>
 
@@ -103,11 +103,15 @@ void JointGas::cool_block(std::size_t b, double dt) {
   GasContent& gas = cells_[b].content;
   const double film = films_[b], wall = walls_[b];
   if (!(wall > 0.0) || (gas.heat == 0.0 && !(film > 0.0))) return;
-  if (wall > gas.wall)
+  if (wall > gas.wall) {
     for (double& excess : gas.rock) excess *= gas.wall / wall;
-  gas.wall = wall;
+    gas.wall = wall;
+  }
   const RockLayers::Step& step = cooling_step(dt);
-  if (!(gas.mass > 0.0) || !(film > 0.0)) return step.take(0.0, gas.rock);
+  if (!(gas.mass > 0.0) || !(film > 0.0)) {
+    step.take(0.0, gas.rock);
+    return;
+  }
   const double capacity = gas.mass * cv();  // [J/K]
   const double warmer = gas.energy / capacity - heat_.rock_temperature();
   const double before = wall * dt * (1.0 / film + 1.0 / capacity);

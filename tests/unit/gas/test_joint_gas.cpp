@@ -428,6 +428,57 @@ TEST(JointGas, WallsTakeHeatOnlyWhereGasFlows) {
               pair.gas.spent().heat, 1e-9 * pair.gas.spent().heat);
 }
 
+/// Two blocks, gas of which has flowed from the first to the second and warmed the joint's faces.
+struct WarmPair : GasScene {
+  static JointGas::Parameters parameters() {
+    JointGas::Parameters p = closed();
+    p.heat.effusivity = 2500.0;
+    return p;
+  }
+  WarmPair() : GasScene(test::cuboids(2, 1, 1), parameters()) {
+    seal(gas);
+    flow(0.02, 0.002, 1.0);
+  }
+  GasContent& content(std::size_t b) { return gas.cells()[b].content; }
+  /// For 0.5 ms; `hot`: of the energy that gas of this density has.
+  void flow(double first, double second, double hot) {
+    fill(0, first);
+    fill(1, second);
+    for (const std::size_t b : {0u, 1u}) content(b).energy *= hot;
+    for (int n = 0; n < 100; ++n) step(5e-6);
+  }
+};
+
+TEST(JointGas, WallsHoldWhatTheyHaveTakenWhenMoreHaveBroken) {
+  WarmPair pair;
+  for (const std::size_t b : {0u, 1u}) {  // as if half of the faces had been there so far
+    pair.content(b).wall *= 0.5;
+    pair.content(b).heat *= 0.5;
+  }
+  pair.flow(0.02, 0.002, 1.0);
+  for (const std::size_t b : {0u, 1u}) {
+    const GasContent& gas = pair.content(b);
+    EXPECT_GT(gas.heat, 0.0);
+    EXPECT_NEAR(RockLayers::half_space(2500.0).heat(gas.rock) * gas.wall / gas.heat, 1.0, 1e-9);
+  }
+}
+
+TEST(JointGas, WarmWallsGiveHeatToColdGasThatFlows) {
+  WarmPair pair;
+  const double heat = pair.gas.spent().heat;
+  pair.flow(0.02, 0.002, 0.05);
+  EXPECT_LT(pair.gas.spent().heat, 0.99 * heat);
+  EXPECT_GT(pair.gas.spent().heat, 0.0);
+}
+
+TEST(JointGas, WarmthGoesOnIntoTheRockBehindGasAtRest) {
+  WarmPair pair;
+  const double heat = pair.gas.spent().heat, face = pair.content(0).rock[0];
+  pair.flow(0.02, 0.02, 1.0);
+  EXPECT_EQ(pair.gas.spent().heat, heat);
+  EXPECT_LT(pair.content(0).rock[0], 0.9 * face);
+}
+
 TEST(JointGas, RefusesWhatIsNoAperture) {
   JointGas::Parameters p = closed();
   p.joint.residual_aperture = 0.0;
