@@ -10,11 +10,11 @@ class JointGasEnergies {
   virtual ~JointGasEnergies() = default;
   /// Of all ranks so far [J].
   struct Sums {
-    double work = 0.0;      ///< on the blocks
-    double air_work = 0.0;  ///< on the atmosphere
-    double heat = 0.0;      ///< into the walls of joints, net
+    double work = 0.0;       ///< on the blocks
+    double air_work = 0.0;   ///< on the atmosphere
+    double heat = 0.0;       ///< into the walls of joints, net
     double contained = 0.0;  ///< internal energy in joints now
-    double vented = 0.0;    ///< let into the open
+    double vented = 0.0;     ///< let into the open
   };
   /// Collective.
   [[nodiscard]] virtual Sums gas_energies() const = 0;
