@@ -40,7 +40,7 @@ class CrushedBed {
   /// For a time [s].
   [[nodiscard]] RockLayers::Step step(double time) const { return {grains_, time}; }
   /// Of the enthalpy of gas of a temperature [K] (enthalpy over cp) what it has behind a `volume`
-  /// of crushed rock [m3], in a step in which it flows as in the last one. More than 1: the grains
+  /// of crushed rock [m3], in a step in which it flows as in the last ones. More than 1: the grains
   /// are warmer.
   [[nodiscard]] double kept(const State& state, double volume, double temperature,
                             const RockLayers::Step& step) const;

@@ -41,6 +41,7 @@
 #include "bond/network/joint_rooms.h"
 #include "gas/closed_joint.h"
 #include "gas/crack_flow.h"
+#include "gas/rock_layers.h"
 #include "gas/wall_heat.h"
 #include "state/encoding.h"
 
