@@ -166,6 +166,12 @@ class BlockContactList {
     double radius;  ///< [m]
     int sphere;
   };
+  /// A sphere that may touch another block.
+  struct Facing {
+    Vec3 centre;    ///< [m]
+    double radius;  ///< [m]
+    int sphere;
+  };
   struct Place {
     Vec3 reference;       ///< centre of the block's reference sphere [m]
     double travel = 0.0;  ///< path of its farthest sphere about the reference, by turning [m]
@@ -189,6 +195,8 @@ class BlockContactList {
   void list_pair(int first, int second);
   void give_range(const SphereSet& spheres, int block, double range);
   void add_partners(int block);
+  void take_all(int block, const SphereSet& spheres, std::vector<Facing>& kept) const;
+  void drop_averted(int other, double margin, double& slack, std::vector<Facing>& kept) const;
   void list_near(const BlockPair& pair, const SphereSet& spheres, double margin, double& slack);
   void keep_contacts(BlockPair& pair, std::vector<int>& dropped);
 
@@ -209,7 +217,8 @@ class BlockContactList {
   std::vector<char> has_owned_;                    ///< per block
   std::vector<BlockPair> block_pairs_;
   std::vector<SpherePair> sphere_pairs_;
-  std::vector<SpherePair> near_;  ///< work space of look_up
+  std::vector<SpherePair> near_;                      ///< work space of look_up
+  std::vector<Facing> facing_first_, facing_second_;  ///< work space of list_near
   HierarchicalGrid grid_;
   int skipped_blocks_ = 0;
   std::vector<Gate> gates_;                  ///< per block pair; those behind have none yet

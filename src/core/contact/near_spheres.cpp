@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "contact/block_contact_list.h"
 
@@ -12,6 +13,8 @@ namespace {
 
 // Sphere pairs that a block pair has room for beyond those it has: little, as all are read in turn.
 constexpr int kSpare = 1;
+// Sphere pairs of two blocks that are looked at sooner than some of them are sorted out before.
+constexpr std::size_t kFewPairs = 100;
 
 Vec3 position(const double* positions, int sphere) {
   return Vec3::Map(positions + 3 * static_cast<std::ptrdiff_t>(sphere));
@@ -74,20 +77,43 @@ void BlockContactList::look_up(BlockPair& pair, const SphereSet& spheres,
   keep_contacts(pair, dropped);
 }
 
+/// The spheres of a block.
+void BlockContactList::take_all(int block, const SphereSet& spheres,
+                                std::vector<Facing>& kept) const {
+  const auto b = static_cast<std::size_t>(block);
+  kept.clear();
+  for (int m = start_[b]; m < start_[b + 1]; ++m) {
+    const Member& member = members_[static_cast<std::size_t>(m)];
+    kept.push_back({position(spheres.positions, member.sphere), member.radius, member.sphere});
+  }
+}
+
+/// Leaves out spheres that are no nearer than the margin to the ball around another block: none of
+/// them touches it before a motion of `slack`.
+void BlockContactList::drop_averted(int other, double margin, double& slack,
+                                    std::vector<Facing>& kept) const {
+  const auto o = static_cast<std::size_t>(other);
+  std::erase_if(kept, [&](const Facing& sphere) {
+    const double gap = (sphere.centre - places_[o].reference).norm() - sphere.radius - extent_[o];
+    if (gap >= margin) slack = std::min(slack, gap);
+    return gap >= margin;
+  });
+}
+
 void BlockContactList::list_near(const BlockPair& pair, const SphereSet& spheres, double margin,
                                  double& slack) {
   slack = std::numeric_limits<double>::infinity();
-  const auto members = [this](int block) {
-    const auto b = static_cast<std::size_t>(block);
-    return std::span(members_).subspan(static_cast<std::size_t>(start_[b]),
-                                       static_cast<std::size_t>(start_[b + 1] - start_[b]));
-  };
-  for (const Member& a : members(pair.first)) {
-    const Vec3 centre = position(spheres.positions, a.sphere);
-    for (const Member& b : members(pair.second)) {
+  take_all(pair.first, spheres, facing_first_);
+  take_all(pair.second, spheres, facing_second_);
+  if (facing_first_.size() * facing_second_.size() > kFewPairs) {
+    drop_averted(pair.second, margin, slack, facing_first_);
+    drop_averted(pair.first, margin, slack, facing_second_);
+  }
+  for (const Facing& a : facing_first_) {
+    for (const Facing& b : facing_second_) {
       if (a.sphere >= spheres.owned && b.sphere >= spheres.owned) continue;
       const double reach = a.radius + b.radius;
-      const double gap = (position(spheres.positions, b.sphere) - centre).norm() - reach;
+      const double gap = (b.centre - a.centre).norm() - reach;
       if (gap >= margin) {
         slack = std::min(slack, gap);
         continue;
