@@ -44,7 +44,7 @@ nlohmann::ordered_json measure(const BenchRock& what) {
   const double sphere_time = least_time(
       [&] {
         for (const Block& block : cut.blocks)
-          spheres += rigid_body(block, kDensity, kSpheres).spheres.size();
+          spheres += rigid_body(block, kDensity, {.count = kSpheres}).spheres.size();
       },
       kOnce);
   const auto blocks = static_cast<double>(cut.blocks.size());

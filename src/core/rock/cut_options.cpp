@@ -187,6 +187,18 @@ std::size_t blocks_in_memory(std::size_t memory, int spheres_per_block) {
       std::min(0.5 * static_cast<double>(memory) / bytes_per_block, 5e6));
 }
 
+void read_spheres(CutOptions& options, const ArgValues& args) {
+  constexpr double kSmallest = 0.2;  // below, kMostSpheres would do no more than this
+  options.spheres.count = static_cast<int>(args.integer("spheres_per_block"));
+  options.spheres.growth = args.real("sphere_growth");
+  const double gap = args.real("sphere_gap");
+  if (gap == 0.0) return;
+  if (gap < kSmallest)
+    refuse_cut("sphere_gap must be 0 or >= " + number_text(kSmallest) + ", got '" +
+               number_text(gap) + "'");
+  options.spheres.surface_gap = gap * options.limits.smallest;
+}
+
 void read_muck(CutOptions& options, const ArgValues& args) {
   if (!args.given("muck")) return;
   const Words& words = args.groups("muck").front();
@@ -207,8 +219,8 @@ void read_muck(CutOptions& options, const ArgValues& args) {
 CutOptions read(const ArgValues& args, std::size_t memory) {
   CutOptions options;
   options.density = args.real("density");
-  options.spheres_per_block = static_cast<int>(args.integer("spheres_per_block"));
   read_size(options, args);
+  read_spheres(options, args);
   read_cut(options, args);
   read_mine_frame(options, args);
   read_surfaces(options, args);
@@ -235,8 +247,7 @@ CutOptions read(const ArgValues& args, std::size_t memory) {
   rock.sweeps = static_cast<int>(args.integer("sweeps"));
   rock.max_blocks = args.integer("max_blocks") > 0
                         ? static_cast<std::size_t>(args.integer("max_blocks"))
-                        : blocks_in_memory(memory, options.spheres_per_block);
-  options.sphere_growth = args.real("sphere_growth");
+                        : blocks_in_memory(memory, options.spheres.count);
   options.round_walls = args.word("wall") == "round";
   return options;
 }

@@ -69,8 +69,7 @@ struct CutOptions {
   std::vector<JointPlane> zone_joints{};  ///< borders of zones that are natural joints
   std::optional<MuckSource> muck{};       ///< in front of the rock
   [[nodiscard]] std::vector<double> densities() const;  ///< of the rock, then of the zones [kg/m3]
-  int spheres_per_block = 0;
-  double sphere_growth = 1.0;
+  SphereRule spheres{};
   bool round_walls = true;  ///< crushed zones have the stiffness of round holes (wall_facets.h)
 
   /// Rank 0 alone knows when and over which seeds the other cuts sweep.

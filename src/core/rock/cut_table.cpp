@@ -120,10 +120,14 @@ const ArgTable& cut_table() {
                 "of a crushed zone: `round`, it gives way to a pressure as that of a round hole "
                 "does; `blocks`, the joints there are as stiff as all others")
           .integer("spheres_per_block", "", Range::closed(1, 64), 8,
-                   "contact spheres in each block")
+                   "contact spheres in each block, at least")
           .real("sphere_growth", "", Range::closed(1.0, 1.5), 1.0,
                 "radius of the contact spheres over that of spheres inside the block; overlaps at "
                 "the start carry no force")
+          .real("sphere_gap", "", Range::closed(0.0, 100.0), 0.0,
+                "share of `block_min` (>= 0.2) that no place of a block's surface lies farther "
+                "from its contact spheres: blocks where `spheres_per_block` leave larger gaps have "
+                "more, 64 at most; 0: all have the same number")
           .integer("type", "", Range::closed(1, 1000), 1, "atom type of the spheres")
           .integer("seed", "", Range::closed(1, 2147483647), 1, "seed of the cut")
           .integer("sweeps", "", Range::closed(0, 200), 20, "size-weighted Lloyd sweeps")

@@ -74,11 +74,11 @@ Block laid(const SavedBlock& saved, const Vec3& shift) {
 }
 
 /// The spheres are those that the block had in the earlier run: they lie as they came to rest.
-RigidBody laid_body(const SavedBlock& saved, const Vec3& shift, int spheres, double growth) {
+RigidBody laid_body(const SavedBlock& saved, const Vec3& shift, const SphereRule& spheres) {
   Block start;
   start.shape = saved.shape;
   start.mass = saved.mass;
-  RigidBody body = rigid_body(start, saved.kg / saved.mass.volume, spheres, growth);
+  RigidBody body = rigid_body(start, saved.kg / saved.mass.volume, spheres);
   const auto place = [&](const Vec3& p) -> Vec3 {
     return saved.centre + saved.turn * (p - saved.mass.centroid) + shift;
   };
@@ -142,8 +142,8 @@ void require_most_left(const MuckSource& source, const Muck& muck, double mass, 
 
 }  // namespace
 
-Muck lay_muck(const MuckSource& source, const std::vector<Block>& rock, int spheres_per_block,
-              double sphere_growth, int first_tag) {
+Muck lay_muck(const MuckSource& source, const std::vector<Block>& rock, const SphereRule& spheres,
+              int first_tag) {
   constexpr double kStill = 0.1;  // [m/s]
   const SavedPile pile = read_saved_pile(source.folder);
   const RockInTheWay in_the_way(rock);
@@ -158,7 +158,7 @@ Muck lay_muck(const MuckSource& source, const std::vector<Block>& rock, int sphe
     }
     require_size(source, saved);
     const Block block = laid(saved, source.shift);
-    RigidBody body = laid_body(saved, source.shift, spheres_per_block, sphere_growth);
+    RigidBody body = laid_body(saved, source.shift, spheres);
     if (beyond_the_box(source, saved, block) || in_the_floor(source, body) ||
         in_the_way.holds(block)) {
       if (muck.in_rock.blocks == 0) first_in_rock = saved.id;

@@ -49,7 +49,7 @@ struct Muck {
 /// blocks of `rock` by more than a tenth of its volume, or reaches with a contact sphere into the
 /// floor by more than a quarter of its radius; or a block of it is too small.
 [[nodiscard]] Muck lay_muck(const MuckSource& source, const std::vector<Block>& rock,
-                            int spheres_per_block, double sphere_growth, int first_tag);
+                            const SphereRule& spheres, int first_tag);
 
 /// For the log: "" without muck. Swell is the volume under its surface, above its lowest point,
 /// over that of its blocks.

@@ -172,9 +172,13 @@ std::string describe_filling(const RockModel& model) {
     mean.coverage += one.coverage;
     mean.surface_deviation += one.surface_deviation;
   }
+  const auto [fewest, most] = std::ranges::minmax(
+      model.bodies, {}, [](const RigidBody& body) { return body.spheres.size(); });
   std::ostringstream text;
   text.precision(3);
-  text << "  spheres cover " << 100.0 * mean.coverage / count
+  text << "  " << fewest.spheres.size();
+  if (most.spheres.size() > fewest.spheres.size()) text << " to " << most.spheres.size();
+  text << " spheres cover " << 100.0 * mean.coverage / count
        << " % of their block; its surface lies " << 100.0 * mean.surface_deviation / count
        << " % of V^(1/3) off theirs (means of " << count << " blocks)\n";
   return text.str();

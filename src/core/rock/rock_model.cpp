@@ -63,8 +63,7 @@ RockModel cut_rock(const CutOptions& options, int first_tag, const SupportRule& 
   const std::vector<double> densities = options.densities();
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const double density = model.zones.empty() ? options.density : densities[model.zone_of[b]];
-    model.bodies.push_back(
-        rigid_body(blocks[b], density, options.spheres_per_block, options.sphere_growth));
+    model.bodies.push_back(rigid_body(blocks[b], density, options.spheres));
   }
   model.largest_overlap = largest_overlap(blocks, model.bodies);
   // Blocks on both sides of a zone's border are mirror images, and face each other squarely.
@@ -86,7 +85,7 @@ RockModel cut_rock(const CutOptions& options, int first_tag, const SupportRule& 
   assign_joint_classes(joints, blocks, first_tag, model.facets.facets);
   assign_fault_classes(options, first_tag, model);
   if (options.muck)
-    model.muck = lay_muck(*options.muck, blocks, options.spheres_per_block, options.sphere_growth,
+    model.muck = lay_muck(*options.muck, blocks, options.spheres,
                           first_tag + static_cast<int>(blocks.size()));
   return model;
 }

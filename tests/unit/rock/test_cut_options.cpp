@@ -3,6 +3,7 @@
 // Scope: core only; the engine repeats some of the messages in tests/errors.
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <sstream>
 
 #include "input_error_of.h"
@@ -32,11 +33,20 @@ TEST(CutOptions, ReadsAPlainCut) {
       read(kRock + "size power 0.1 1 hole 0 0 0 0 0 5 0.2 seed 7 spheres_per_block 9");
   EXPECT_TRUE(options.is_plain_voronoi());
   EXPECT_EQ(options.rock.seed, 7u);
-  EXPECT_EQ(options.spheres_per_block, 9);
+  EXPECT_EQ(options.spheres.count, 9);
+  EXPECT_EQ(options.spheres.surface_gap, std::numeric_limits<double>::infinity());
   ASSERT_EQ(options.rock.holes.size(), 1u);
   EXPECT_EQ(options.rock.holes[0].radius, 0.2);
   EXPECT_DOUBLE_EQ(options.rock.size.at(3.0), 0.3);
   EXPECT_DOUBLE_EQ(options.rock.size.at(1e3), 0.5);
+}
+
+TEST(CutOptions, TheGapBetweenSpheresIsAShareOfTheSmallestBlock) {
+  const CutOptions options = read(kRock + "size uniform 0.3 sphere_growth 1.2 sphere_gap 0.8");
+  EXPECT_DOUBLE_EQ(options.spheres.surface_gap, 0.08);
+  EXPECT_EQ(options.spheres.growth, 1.2);
+  EXPECT_EQ(message(kRock + "size uniform 0.3 sphere_gap 0.19"),
+            "create_blocks: sphere_gap must be 0 or >= 0.2, got '0.19'");
 }
 
 TEST(CutOptions, ARowIsShiftedAndComesAfterSingleHoles) {

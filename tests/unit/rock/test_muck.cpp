@@ -69,7 +69,7 @@ class MuckOfAnEarlierRun : public ::testing::Test {
     return source;
   }
   [[nodiscard]] Muck lay(const MuckSource& from, const std::vector<Block>& rock = {}) const {
-    return lay_muck(from, rock, 4, 1.19, 20);
+    return lay_muck(from, rock, {.count = 4, .growth = 1.19}, 20);
   }
   [[nodiscard]] std::string refusal(const MuckSource& from, const std::vector<Block>& rock = {}) {
     return input_error_of([&] { (void)lay(from, rock); });
@@ -123,7 +123,7 @@ TEST_F(MuckOfAnEarlierRun, KeepsMassAndTurnsTheSpheresOfItsBlocks) {
   const Muck muck = lay(source());
   for (std::size_t b = 0; b < 3; ++b) {
     EXPECT_NEAR(muck.bodies[b].mass, 250.0, 1e-9);  // 2000 kg/m3 of 0.125 m3
-    const RigidBody start = rigid_body(boxes_[b], 2000.0, 4, 1.19);
+    const RigidBody start = rigid_body(boxes_[b], 2000.0, {.count = 4, .growth = 1.19});
     for (std::size_t s = 0; s < 4; ++s) {
       const Vec3 arm = start.spheres[s].centre - start.centre;
       EXPECT_LT((poses_[b].centre + poses_[b].turn * arm - muck.bodies[b].spheres[s].centre).norm(),

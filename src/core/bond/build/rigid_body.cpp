@@ -8,7 +8,7 @@
 
 namespace muckpile {
 
-RigidBody rigid_body(const Block& block, double density, int spheres, double growth) {
+RigidBody rigid_body(const Block& block, double density, const SphereRule& spheres) {
   RigidBody body;
   body.volume = block.mass.volume;
   body.mass = density * block.mass.volume;
@@ -17,8 +17,7 @@ RigidBody rigid_body(const Block& block, double density, int spheres, double gro
   body.inertia = solver.eigenvalues();
   body.axes = solver.eigenvectors();
   if (body.axes.determinant() < 0.0) body.axes.col(2) *= -1.0;
-  body.spheres = fill_with_spheres(block.shape, block.mass.centroid, spheres);
-  for (Sphere& sphere : body.spheres) sphere.radius *= growth;
+  body.spheres = contact_spheres(block.shape, block.mass.centroid, spheres);
   return body;
 }
 

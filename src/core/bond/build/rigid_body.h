@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/block_model.h"
-#include "geometry/spheres/sphere_filling.h"
+#include "geometry/spheres/contact_spheres.h"
 #include "state/encoding.h"
 
 namespace muckpile {
@@ -29,10 +29,7 @@ struct Stored<RigidBody> {
   }
 };
 
-/// The spheres are those of fill_with_spheres with their radii times `growth` (>= 1): grown ones
-/// stand for the volume of the corners that inscribed spheres do not reach.
-[[nodiscard]] RigidBody rigid_body(const Block& block, double density, int spheres,
-                                   double growth = 1.0);
+[[nodiscard]] RigidBody rigid_body(const Block& block, double density, const SphereRule& spheres);
 
 /// Largest overlap of two spheres of neighbouring blocks over the smaller radius [-].
 [[nodiscard]] double largest_overlap(const std::vector<Block>& blocks,

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "args/input_error.h"
+#include "geometry/spheres/face_planes.h"
 
 namespace muckpile {
 namespace {
@@ -25,81 +26,12 @@ constexpr double kServed = -std::numeric_limits<double>::infinity();
 // Rounding in the planes must not let a sphere out.
 constexpr double kInset = 1e-12;
 
-// Face planes of a convex body, n.x <= d inside.
-class Planes {
- public:
-  explicit Planes(const Polyhedron& shape) {
-    const double floor_area = 1e-16 * mean_square_size(shape);
-    for (int f = 0; f < static_cast<int>(shape.faces.size()); ++f) {
-      const FaceGeometry face = face_geometry(shape, f);
-      if (face.area <= floor_area) continue;  // a sliver has no direction to speak of
-      normals_.push_back(face.normal);
-      offsets_.push_back(innermost_offset(shape, f, face.normal));
-    }
-  }
-
-  // Distance to the nearest face, negative outside [m], and that face.
-  [[nodiscard]] std::pair<double, std::size_t> nearest(const Vec3& point) const {
-    std::pair<double, std::size_t> best(std::numeric_limits<double>::infinity(), 0);
-    for (std::size_t k = 0; k < normals_.size(); ++k) {
-      const double distance = offsets_[k] - normals_[k].dot(point);
-      if (distance < best.first) best = {distance, k};
-    }
-    return best;
-  }
-  [[nodiscard]] double clearance(const Vec3& point) const { return nearest(point).first; }
-  // How far along a way from `start` the clearance falls to a distance [-].
-  [[nodiscard]] double way_to(double distance, const Vec3& start, const Vec3& way) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < normals_.size(); ++k) {
-      const double approach = normals_[k].dot(way);
-      if (approach > 0.0)
-        least = std::min(least, (offsets_[k] - distance - normals_[k].dot(start)) / approach);
-    }
-    return least;
-  }
-  [[nodiscard]] const Vec3& normal(std::size_t plane) const { return normals_[plane]; }
-
-  // Whether faces of three directions meet at a vertex: where a face is divided among several
-  // blocks behind it, it has vertices that are no corners of the body.
-  [[nodiscard]] bool is_corner(const Vec3& vertex, double size) const {
-    constexpr double kRounding = 1e-9, kParallel = 1e-6;  // of the size, radians
-    std::vector<Vec3> met;
-    for (std::size_t k = 0; k < normals_.size(); ++k) {
-      if (std::abs(offsets_[k] - normals_[k].dot(vertex)) > kRounding * size) continue;
-      const bool known = std::any_of(met.begin(), met.end(), [&](const Vec3& n) {
-        return (n - normals_[k]).norm() < kParallel;
-      });
-      if (!known) met.push_back(normals_[k]);
-    }
-    return met.size() > 2;
-  }
-
- private:
-  static double mean_square_size(const Polyhedron& shape) {
-    double sum = 0.0;
-    for (const Vec3& v : shape.vertices) sum += (v - shape.vertices.front()).squaredNorm();
-    return sum / static_cast<double>(shape.vertices.size());
-  }
-  // The innermost corner decides, so that a face that is not quite plane stays outside.
-  static double innermost_offset(const Polyhedron& shape, int face, const Vec3& normal) {
-    double offset = std::numeric_limits<double>::infinity();
-    for (const int v : shape.faces[static_cast<std::size_t>(face)]) {
-      offset = std::min(offset, normal.dot(shape.vertices[static_cast<std::size_t>(v)]));
-    }
-    return offset;
-  }
-
-  std::vector<Vec3> normals_;
-  std::vector<double> offsets_;  // [m]
-};
-
 Sphere inset(const Vec3& centre, double clearance) {
   return {centre, clearance - kInset * (centre.cwiseAbs().maxCoeff() + clearance)};
 }
 
 // Largest inscribed sphere to about 1 %: steps away from the nearest face, ever shorter.
-Sphere inscribed_sphere(const Planes& planes, const Vec3& start) {
+Sphere inscribed_sphere(const FacePlanes& planes, const Vec3& start) {
   constexpr int kSteps = 150;
   constexpr double kShrink = 0.95;
   Vec3 at = start, best = start;
@@ -118,14 +50,15 @@ Sphere inscribed_sphere(const Planes& planes, const Vec3& start) {
 
 // The sphere of a given radius on the way from the middle to a corner, as far out as it fits; in
 // the middle if it fits nowhere.
-Sphere corner_sphere(const Planes& planes, const Vec3& middle, const Vec3& corner, double radius) {
+Sphere corner_sphere(const FacePlanes& planes, const Vec3& middle, const Vec3& corner,
+                     double radius) {
   const Vec3 way = corner - middle;
   const Vec3 centre = middle + std::clamp(planes.way_to(radius, middle, way), 0.0, 1.0) * way;
   return inset(centre, planes.clearance(centre));
 }
 
 // Every body has corners; should rounding hide them, all vertices serve.
-std::vector<Vec3> corners_of(const Polyhedron& shape, const Planes& planes, double size) {
+std::vector<Vec3> corners_of(const Polyhedron& shape, const FacePlanes& planes, double size) {
   std::vector<Vec3> corners;
   std::copy_if(shape.vertices.begin(), shape.vertices.end(), std::back_inserter(corners),
                [&](const Vec3& v) { return planes.is_corner(v, size); });
@@ -149,7 +82,7 @@ std::vector<Sphere> fill_with_spheres(const Polyhedron& shape, const Vec3& centr
     throw InputError("sphere filling: spheres per block must be >= 1, got '" +
                      std::to_string(count) + "'");
   }
-  const Planes planes(shape);
+  const FacePlanes planes(shape);
   std::vector<Sphere> spheres = {inscribed_sphere(planes, centroid)};
   const Sphere middle = spheres.front();
   const std::vector<Vec3> corners = corners_of(shape, planes, middle.radius);

@@ -45,7 +45,7 @@ Moments integrate(const Polyhedron& shape, double density) {
 
 TEST(RigidBody, HasTheMassPropertiesOfThePolyhedron) {
   for (const Block& block : voronoi_blocks(3.0, 5, 0)) {
-    const RigidBody body = rigid_body(block, 2600.0, 4);
+    const RigidBody body = rigid_body(block, 2600.0, {.count = 4});
     const Moments m = integrate(block.shape, 2600.0);
     const Vec3 centre = m.first / m.mass;
     const Mat3 about = m.second - m.mass * centre * centre.transpose();
