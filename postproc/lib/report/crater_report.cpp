@@ -118,6 +118,7 @@ void require_charge_on_axis(const ResultFolder& folder) {
           ", y = " + spelled(end.y()) + " m; the crater is not measured");
       nlohmann::ordered_json own = crater_keys({}, {}, {});
       own["blocks_on_the_move"] = nullptr;
+      own["blocks_in_blocks"] = nullptr;
       std::filesystem::remove(folder.file("launch.csv"));
       take_back(folder, "crater", own, refusal);
       throw refusal;
@@ -158,6 +159,7 @@ void report_crater(const ResultFolder& folder, const MeasureOptions& measure,
   nlohmann::ordered_json keys = common_keys(folder);
   keys.update(crater_keys(apparent, whole, ejecta));
   keys["blocks_on_the_move"] = std::ranges::count(run.lies, 0);
+  keys["blocks_in_blocks"] = run.blocks_in_blocks();
   folder.merge_into_summary(keys, {refusal_key("crater")});
 }
 

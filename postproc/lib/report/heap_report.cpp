@@ -68,6 +68,7 @@ void report_heap(const ResultFolder& folder, const MeasureOptions& measure,
   write_png(draw_section(std::move(plot)), folder.file("heap.png"));
   nlohmann::ordered_json keys = common_keys(folder);
   keys.update(heap_keys(run.still ? shape : PileShape::none(), run.cell));
+  keys["blocks_in_blocks"] = run.blocks_in_blocks();
   folder.merge_into_summary(keys);
 }
 

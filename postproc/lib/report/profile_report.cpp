@@ -156,6 +156,7 @@ nlohmann::ordered_json keys_of(const BenchFigures& figures, const RunData& run) 
   keys["front_slope_deg"] = degrees(pile.front_angle);
   keys["profile_cell_m"] = run.cell;
   keys["blocks_on_the_move"] = std::ranges::count(run.lies, 0);
+  keys["blocks_in_blocks"] = run.blocks_in_blocks();
   keys.update(muck_keys(run));
   return keys;
 }

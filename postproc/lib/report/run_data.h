@@ -3,12 +3,14 @@
 // Scope: loaded once per sub-command; the folder must outlive it, as it keeps the blocks.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "io/muck.h"
 #include "io/result_folder.h"
 #include "measure/broken_out.h"
 #include "measure/pit_floor.h"
+#include "measure/sunk_blocks.h"
 #include "report/options.h"
 
 namespace muckpile {
@@ -36,6 +38,11 @@ struct RunData {
     Snapshot all = last;
     all.states.insert(all.states.end(), muck_states.begin(), muck_states.end());
     return all;
+  }
+
+  // Rock and muck whose centre lies in another block at the end.
+  [[nodiscard]] std::ptrdiff_t blocks_in_blocks() const {
+    return std::ranges::count(sunk_blocks(folder.blocks(), with_muck().states), 1);
   }
 
   const ResultFolder& folder;
