@@ -17,7 +17,7 @@ crater() {
   local seed out figures visible
   for seed in ${SEEDS:-1}; do
     out=$results/d$1_s$seed
-    run_input inputs/crater/in.crater "$out" symmetry "${SYMMETRY:-4}" burial_depth "$2" fragment_x50 "$3" finest_fragment "$4" time_end "$5" block_min 0.22 block_max 1.2 seed "$seed"
+    run_input inputs/crater/in.crater "$out" symmetry "${SYMMETRY:-4}" burial_depth "$2" fragment_x50 "$3" finest_fragment "$4" time_end "$5" block_min 0.22 block_max 1.2 sphere_gap 0 seed "$seed"
     "$post" crater "$out" >/dev/null
     figures=$(check_figures print "$out"/summary.json:{crater_radius_m,crater_depth_m,crater_volume_m3,gas_work_J,joints_broken_fraction})
     visible=,,,
