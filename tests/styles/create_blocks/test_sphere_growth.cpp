@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// sphere_growth of create_blocks: larger contact spheres, the same bodies, no force at the start.
+// sphere_growth and sphere_gap of create_blocks: larger contact spheres, or more of them in large
+// blocks, the same bodies, no force at the start.
 // Scope: some dozen blocks without joints.
 #include <gtest/gtest.h>
 
@@ -61,6 +62,26 @@ TEST(SphereGrowth, OverlapsAtTheStartCarryNoForce) {
   scene.set_motion([](int, const Vec3& at) { return Motion{-0.5 * at, Vec3::Zero()}; });
   scene.run(200, 1e-5);
   EXPECT_GT(scene.output("ledger", 3), 0.01);
+}
+
+TEST(SphereGap, GivesLargeBlocksMoreSpheresAndNothingElse) {
+  // The same blocks of 0.5 m, smaller ones are allowed: gaps of 0.1 m and of any size.
+  const std::string cut =
+      "density 2600 size uniform 0.5 block_min 0.1 block_max 0.5 spheres_per_block 4 "
+      "sphere_growth 1.2 seed 3";
+  RockScene few(MPI_COMM_WORLD, "-3 3 -3 3 -3 3"), more(MPI_COMM_WORLD, "-3 3 -3 3 -3 3");
+  more.command("pair_style muckpile/block youngs_modulus 1e8");
+  more.command("pair_coeff * *");
+  few.cut(kRock, cut);
+  more.cut(kRock, cut + " sphere_gap 1");
+  EXPECT_GT(more.all_spheres().size(), 1.2 * static_cast<double>(few.all_spheres().size()));
+  const auto bodies = few.blocks();
+  for (const auto& [tag, block] : more.blocks()) {
+    EXPECT_EQ(block.mass, bodies.at(tag).mass) << tag;
+    EXPECT_EQ((block.inertia - bodies.at(tag).inertia).norm(), 0.0) << tag;
+  }
+  more.run(200, 1e-5);
+  EXPECT_LT(more.kinetic_energy(), 1e-20);  // [J]; rounding of the overlaps
 }
 
 }  // namespace
