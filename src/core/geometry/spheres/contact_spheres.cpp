@@ -94,6 +94,13 @@ class BarePlaces {
   std::vector<double> distances_;  // [m]
 };
 
+/// No place of a convex block lies farther from a sphere than one of its corners does.
+double farthest_corner(const Polyhedron& shape, const Sphere& sphere) {
+  double farthest = 0.0;
+  for (const Vec3& v : shape.vertices) farthest = std::max(farthest, distance_from(sphere, v));
+  return farthest;
+}
+
 /// From the sphere in the middle on.
 std::vector<Sphere> covering_spheres(const Polyhedron& shape, const Sphere& middle,
                                      const SphereRule& rule, BarePlaces bare) {
@@ -115,7 +122,7 @@ std::vector<Sphere> contact_spheres(const Polyhedron& shape, const Vec3& centroi
                                     const SphereRule& rule) {
   std::vector<Sphere> spheres = fill_with_spheres(shape, centroid, rule.count);
   for (Sphere& sphere : spheres) sphere.radius *= rule.growth;
-  if (!std::isfinite(rule.surface_gap)) return spheres;
+  if (farthest_corner(shape, spheres.front()) <= rule.surface_gap) return spheres;
   const BarePlaces bare(places_on(shape, 0.5 * rule.surface_gap));
   BarePlaces left = bare;
   for (const Sphere& sphere : spheres) left.add(sphere);
