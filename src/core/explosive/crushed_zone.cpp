@@ -33,6 +33,13 @@ double dai_ratio(const CrushedZoneInput& in) {
                   1.0 / (2.0 + b));
 }
 
+double strength_ratio(const CrushedZoneInput& in) {
+  require_positive("ucs", "Pa", in.ucs);
+  require_positive("crushing_factor", "", in.crushing_factor);
+  require_positive("attenuation_exponent", "", in.attenuation_exponent);
+  return std::pow(wall_peak(in) / (in.crushing_factor * in.ucs), 1.0 / in.attenuation_exponent);
+}
+
 double multiple_ratio(const CrushedZoneInput& in) {
   if (!(in.multiple >= 1.0 && in.multiple <= 20.0)) {
     refuse_value("crushed_ratio", "from 1 to 20", "", in.multiple);
@@ -43,6 +50,8 @@ double multiple_ratio(const CrushedZoneInput& in) {
 
 double ratio(CrushedZone model, const CrushedZoneInput& in) {
   switch (model) {
+    case CrushedZone::strength:
+      return strength_ratio(in);
     case CrushedZone::esen:
       return esen_ratio(in);
     case CrushedZone::djordjevic:

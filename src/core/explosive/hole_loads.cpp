@@ -2,6 +2,7 @@
 // The loads of all holes; see the header.
 #include "explosive/hole_loads.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -21,10 +22,33 @@ void apply_deck(LoadedHole& hole, const BlastOptions& options, const Deck& deck)
   hole.firing_time = deck.firing_time;
 }
 
+/// Between the hole and the wall of its crushed zone, of the whole hole [m3].
+double crushed_rock(const LoadedHole& hole, const Hole& zone) {
+  const double r0 = hole.shape.hole_radius, r1 = zone.radius;
+  return M_PI * (r1 * r1 - r0 * r0) * hole.shape.chamber_length;
+}
+
 /// Of the charge: pressures follow from ratios of volumes, so half a charge in half a hole presses
 /// as the whole does [m3].
 double modelled_volume(const LoadedHole& hole, const Hole& zone) {
   return zone.share * hole.shape.charge_volume();
+}
+
+/// Peak at the outer boundary of the crushed rock, with or without a pulse [Pa].
+double crushing_peak(const BlastOptions& options, const LoadedHole& hole, const Hole& zone) {
+  if (options.peak_pressure) return *options.peak_pressure;
+  return attenuated_pressure(hole.wall_pressure, hole.shape.hole_radius, zone.radius,
+                             hole.exponent);
+}
+
+/// The gas stage starts once what crushing takes is spent, of what the products can do from the
+/// volume ratio at which they start.
+ProductExpansion staged(const ProductExpansion& products, const BlastOptions& options,
+                        const LoadedHole& hole, const Hole& zone, double start_ratio) {
+  if (!stage_by_crushing(options.charge)) return products;
+  const double energy = products.stored_energy(start_ratio);
+  return products.switched_after_work(start_ratio,
+                                      crushing_share(options, hole, zone, energy) * energy);
 }
 
 BlastLoad blast_load(const BlastOptions& options, const LoadedHole& hole, const Hole& zone) {
@@ -40,10 +64,11 @@ BlastLoad blast_load(const BlastOptions& options, const LoadedHole& hole, const 
   parameters.zone_volume =
       zone.share * M_PI * zone.radius * zone.radius * hole.shape.chamber_length;
   parameters.crushed_friction = options.crushed_friction;
-  parameters.expansion = products_in_chamber(expansion, hole.shape, hole.decoupling);
   parameters.free_volume_ratio = free_volume_ratio(hole.shape, hole.decoupling);
   parameters.pulse_volume_ratio = pulse_volume_ratio(hole.wall_pressure / hole.initial_pressure,
                                                      expansion, hole.shape, hole.decoupling);
+  parameters.expansion = staged(products_in_chamber(expansion, hole.shape, hole.decoupling),
+                                options, hole, zone, parameters.pulse_volume_ratio);
   if (options.vent_by_flow) {
     parameters.flow = options.flow;
     parameters.flow->gamma = expansion.gamma();
@@ -156,10 +181,14 @@ LoadedHole loaded_hole(const BlastOptions& options, const Hole& zone, std::size_
 }
 
 double wall_peak(const BlastOptions& options, const LoadedHole& hole, const Hole& zone) {
-  if (!options.pulse) return 0.0;
-  if (options.peak_pressure) return *options.peak_pressure;
-  return attenuated_pressure(hole.wall_pressure, hole.shape.hole_radius, zone.radius,
-                             hole.exponent);
+  return options.pulse ? crushing_peak(options, hole, zone) : 0.0;
+}
+
+double crushing_share(const BlastOptions& options, const LoadedHole& hole, const Hole& zone,
+                      double energy) {
+  const double spent = options.charge.crushing_strain * crushing_peak(options, hole, zone) *
+                       crushed_rock(hole, zone);
+  return std::min(spent / (hole.shape.charge_volume() * energy), kMostCrushing);
 }
 
 std::vector<HoleBlast> hole_blasts(const BlastOptions& options,
@@ -212,10 +241,8 @@ std::vector<HoleCharge> hole_charges(const BlastOptions& options,
   for (std::size_t k = 0; k < crushed_zones.size(); ++k) {
     const LoadedHole hole = loaded_hole(options, crushed_zones[k], k);
     const double mass = hole.explosive.density * modelled_volume(hole, crushed_zones[k]);
-    const double r0 = hole.shape.hole_radius, r1 = crushed_zones[k].radius;
-    charges.push_back(
-        {mass, hole.energy_known ? mass * hole.explosive.energy : 0.0,
-         crushed_zones[k].share * M_PI * (r1 * r1 - r0 * r0) * hole.shape.chamber_length});
+    charges.push_back({mass, hole.energy_known ? mass * hole.explosive.energy : 0.0,
+                       crushed_zones[k].share * crushed_rock(hole, crushed_zones[k])});
   }
   return charges;
 }

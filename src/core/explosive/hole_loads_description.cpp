@@ -31,15 +31,18 @@ void describe_pressures(std::ostream& text, const BlastOptions& options, const L
 }
 
 /// What the products hold beside what the explosive has.
-void describe_products(std::ostream& text, const BlastOptions& options, const LoadedHole& hole) {
+void describe_products(std::ostream& text, const BlastOptions& options, const LoadedHole& hole,
+                       const Hole& zone) {
   const ProductExpansion products = product_expansion(options.charge, hole.explosive);
   const double density = hole.explosive.density, energy = products.energy() / density;
   constexpr double kUseful = 100e6;  // where makers stop to count "effective energy" [Pa]
-  text << "  products: gas stage from " << products.pressure(products.switch_ratio()) / kMPa
-       << " MPa, exponent " << products.gamma() << "; they hold " << energy / 1e6 << " MJ/kg";
+  text << "  products: exponent " << products.gamma() << ", they hold " << energy / 1e6 << " MJ/kg";
   if (hole.energy_known) text << ", " << energy / hole.explosive.energy << " of the explosive's";
   text << ", and do " << products.work_down_to(kUseful) / density / 1e6 << " MJ/kg down to "
        << kUseful / kMPa << " MPa\n";
+  if (!stage_by_crushing(options.charge)) return;
+  text << "  before the gas stage wave and crushing take "
+       << crushing_share(options, hole, zone, products.energy()) << " of that\n";
 }
 
 /// P1 by every exponent that is known, so that the choice can be judged.
@@ -103,7 +106,7 @@ std::string describe(const BlastOptions& options, const std::vector<Hole>& crush
   describe_pressures(text, options, hole);
   describe_wave(text, options, hole, zone);
   if (options.gas) {
-    describe_products(text, options, hole);
+    describe_products(text, options, hole, zone);
     const double limit = load.pulse_limit(0.0, 0.0);
     if (load.wave_peak() > limit) {
       text << "  the pulse is limited to what the products can press, " << limit / kMPa

@@ -34,8 +34,12 @@ double ProductExpansion::work_down_to(double wanted) const {
 }
 
 ProductExpansion ProductExpansion::switched_after(double share) const {
+  return switched_after_work(filled_, share * energy());
+}
+
+ProductExpansion ProductExpansion::switched_after_work(double from_ratio, double work) const {
   ProductExpansion switched = *this;
-  const double left = (1.0 - share) * energy();
+  const double left = stored_energy(from_ratio) - work;
   switched.switch_ratio_ =
       volume_ratio_where(filled_, [&](double ratio) { return stored_energy(ratio) > left; });
   return switched;

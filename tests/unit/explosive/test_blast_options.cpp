@@ -69,9 +69,10 @@ TEST(BlastOptions, FormulasForP0AreRefusedOutsideTheirRange) {
                 ": hole 1: vod must be from 1000 to 9500, the range of the formulas for P0, "
                 "m/s, got '12000'");
   EXPECT_EQ(message(fast + " peak_pressure 1e8 gas no"), "");
-  EXPECT_NE(message("explosive anfo energy_share 0.01 hole_diameter 0.09 poisson_ratio 0.2" + kGas)
-                .find("also once energy_share 0.01 has slowed an explosive of the table, m/s, got '"),
-            std::string::npos);
+  EXPECT_NE(
+      message("explosive anfo energy_share 0.01 hole_diameter 0.09 poisson_ratio 0.2" + kGas)
+          .find("also once energy_share 0.01 has slowed an explosive of the table, m/s, got '"),
+      std::string::npos);
 }
 
 TEST(BlastOptions, ADecoupledChargeHasItsOwnWallPressureAndRoom) {
@@ -195,7 +196,12 @@ TEST(BlastOptions, GasStageOfCovolumeByTheShareSpent) {
         read(kCharge + kGas + " explosive_energy 3e6 expansion covolume" + words);
     return hole_blasts(options, {kZone}).front().load().gas_pressure(0.0, 0.0);
   };
-  EXPECT_NEAR(start(""), 2784.375e6 * std::pow(0.75, 3.5), 1e3);
+  // kZone's rock, pi (r1^2 - r0^2) L, at 0.19 P1 per m3, of 3300 MJ per m3 of charge
+  const double ratio = kZone.radius / 0.045, peak = 2784.375e6 * std::pow(ratio, -1.5);
+  const double spent = 0.19 * peak * (ratio * ratio - 1.0) / 3300e6;
+  EXPECT_NEAR(start(""), 2784.375e6 * std::pow(1.0 - spent, 3.5), 1e3);
+  EXPECT_NEAR(start(" crushing_strain 0"), 2784.375e6, 1e3);
+  EXPECT_NEAR(start(" crushing_strain 10"), 2784.375e6 * std::pow(0.5, 3.5), 1e3);  // at most half
   EXPECT_NEAR(start(" dense_share 0.4"), 2784.375e6 * std::pow(0.6, 3.5), 1e3);
   EXPECT_NEAR(start(" gas_switch_pressure 2e8"), 200e6, 1e3);
 }
@@ -269,6 +275,8 @@ TEST(BlastOptions, EachWrongWordIsNamedWithItsRule) {
        "dense_share needs expansion covolume or jwl, and gas_switch_pressure energy"},
       {"expansion covolume gas_switch_pressure 2e8 dense_share 0.3",
        "dense_share needs expansion covolume or jwl, and gas_switch_pressure energy"},
+      {"expansion covolume explosive_energy 3e6 dense_share 0.2 crushing_strain 0.1",
+       "dense_share and crushing_strain exclude each other"},
       {"expansion covolume dense_share 1", "dense_share must be >= 0 and < 1, got '1'"},
       {"expansion covolume", "hole 1: expansion covolume needs explosive_energy [J/kg]"},
       {"expansion two_stage explosive_energy 1e5",
