@@ -206,6 +206,24 @@ TEST(BlastOptions, GasStageOfCovolumeByTheShareSpent) {
   EXPECT_NEAR(start(" gas_switch_pressure 2e8"), 200e6, 1e3);
 }
 
+/// Of 0.8 of the hole's diameter in air: 1273.4 MPa on the wall, 535.5 MPa at 1.7816 r0, where the
+/// crushed rock takes 0.19 x 535.5 (1.7816^2 - 1)/0.64 = 345.6 of 3300 MJ per m3 of charge; in
+/// water 0.19 x 535.5 (2.6966^2 - 1)/0.64 = 997.1.
+TEST(BlastOptions, CrushingTakesWhatItsRockNeedsOfADecoupledChargeToo) {
+  const auto dense_share = [](const std::string& words, double ratio) {
+    const BlastOptions options =
+        read(kCharge + kGas + " explosive_energy 3e6 charge_diameter 0.072" + words);
+    Hole zone = kZone;
+    zone.radius = 0.045 * ratio;
+    const BlastLoad::StartEnergies at =
+        hole_blasts(options, {zone}).front().load().start_energies();
+    EXPECT_NEAR(at.filling, 0.0, 1e-9 * at.products);
+    return at.dense / at.products;
+  };
+  EXPECT_NEAR(dense_share("", 1.7816), 345.6 / 3300.0, 2e-4);
+  EXPECT_NEAR(dense_share(" coupling water", 2.6966), 997.1 / 3300.0, 2e-4);
+}
+
 TEST(BlastOptions, GasStageOfJwlStaysWithinItsFit) {
   // JWL of tnt has spent 0.686 of its energy at 7 V0.
   const std::string tnt =
