@@ -154,11 +154,8 @@ void add_expansion_keywords(ArgTable& table) {
       .word(
           "dense_share", {}, kNotGiven,
           "share of the products' energy that is spent as the gas stage of a charge that fills its "
-          "hole starts, >= 0 and < 1, with gas_switch_pressure energy (jwl, covolume); auto: what "
-          "crushing takes by crushing_strain")
-      .word("crushing_strain", {}, kNotGiven,
-            "energy that is spent before the gas stage per volume of crushed rock, over the peak "
-            "on the wall of the crushed zone, 0 to 10; auto: 0.19")
+          "hole starts, >= 0 and < 1, with gas_switch_pressure energy (jwl, covolume); auto: "
+          "until it presses what the wave does on the wall of the crushed zone")
       .real("gas_gamma_dense", "", Range::closed(1.0, 10.0), 3.0,
             "isentrope exponent above p_k (two_stage)")
       .real("gas_gamma", "", Range::closed(1.0, 10.0), 1.4,
@@ -237,22 +234,6 @@ Expansion expansion_of(const ChargeOptions& options, const ArgValues& values) {
   return static_cast<Expansion>(at - kExpansions.begin());
 }
 
-/// What is spent before the gas stage.
-void read_dense_stage(ChargeOptions& options, const ArgValues& values, const std::string& where) {
-  options.dense_share =
-      optional_real(values, where, "dense_share", "", Range::right_open(0.0, 1.0));
-  const auto strain = optional_real(values, where, "crushing_strain", "", Range::closed(0.0, 10.0));
-  options.crushing_strain = strain.value_or(options.crushing_strain);
-  if (options.dense_share && strain) {
-    refuse(where, "dense_share and crushing_strain exclude each other");
-  }
-  if (!options.dense_share && !strain) return;
-  if (options.expansion == Expansion::two_stage || !options.switch_by_energy) {
-    refuse(where, std::string(strain ? "crushing_strain" : "dense_share") +
-                      " needs expansion covolume or jwl, and gas_switch_pressure energy");
-  }
-}
-
 void read_expansion(ChargeOptions& options, const ArgValues& values, const std::string& where) {
   options.expansion = expansion_of(options, values);
   if (values.given("gas_gamma_dense") && options.expansion != Expansion::two_stage) {
@@ -270,7 +251,12 @@ void read_expansion(ChargeOptions& options, const ArgValues& values, const std::
         parse_real(where, "gas_switch_pressure", values.word("gas_switch_pressure"), "Pa",
                    Range::closed(1e5, 1e12));
   }
-  read_dense_stage(options, values, where);
+  options.dense_share =
+      optional_real(values, where, "dense_share", "", Range::right_open(0.0, 1.0));
+  if (options.dense_share &&
+      (options.expansion == Expansion::two_stage || !options.switch_by_energy)) {
+    refuse(where, "dense_share needs expansion covolume or jwl, and gas_switch_pressure energy");
+  }
   options.isentrope.dense_exponent = values.real("gas_gamma_dense");
   options.isentrope.dilute_exponent = values.real("gas_gamma");
 }

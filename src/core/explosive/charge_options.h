@@ -34,10 +34,6 @@ enum class BoreholeModel {
 /// In the order of kExpansions (charge_options.cpp).
 enum class Expansion { two_stage, jwl, covolume };
 
-/// Energy that wave and crushing take per volume of crushed rock over the peak at its outer
-/// boundary, before the gas stage of covolume and jwl starts (ours; docs/theory/charge.md).
-inline constexpr double kCrushingStrain = 0.19;
-
 struct ChargeOptions {
   ExplosiveTable table = ExplosiveTable::shipped();
   NamedExplosive explosive{};  ///< with what the user typed in its place; released()
@@ -51,9 +47,8 @@ struct ChargeOptions {
   bool switch_by_energy = true;  ///< its switch pressure follows from the explosive's energy
   bool switch_typed = false;     ///< the script says how the switch pressure is found
   /// Of the products' energy, spent as the gas stage of a charge that fills its chamber starts, as
-  /// typed [-]; nothing: by the crushed rock and crushing_strain.
+  /// typed [-]; nothing: once it presses what the wave does on the wall of the crushed zone.
   std::optional<double> dense_share{};
-  double crushing_strain = kCrushingStrain;  ///< [-]
   double energy_share = 1.0;  ///< of the explosive's energy, what is released in time [-]
   double hole_radius = 0.0;   ///< [m]
   std::optional<double> charge_radius{};  ///< nothing: fills the hole [m]
@@ -113,8 +108,8 @@ void read_expansion(ChargeOptions& options, const ArgValues& values, const std::
 [[nodiscard]] ProductExpansion product_expansion(const ChargeOptions& options,
                                                  const NamedExplosive& explosive);
 
-/// Whether the gas stage starts once the rock of the crushed zone is crushed, rather than as typed
-/// or where the law itself changes.
+/// Whether the gas stage starts where the gas has come down to the peak on the wall of the crushed
+/// zone, rather than as typed or where the law itself changes.
 [[nodiscard]] bool stage_by_crushing(const ChargeOptions& options);
 
 }  // namespace muckpile

@@ -9,6 +9,7 @@
 #include "args/input_error.h"
 #include "explosive/attenuation.h"
 #include "explosive/deck_charge.h"
+#include "explosive/volume_ratio.h"
 
 namespace muckpile {
 namespace {
@@ -20,12 +21,6 @@ void apply_deck(LoadedHole& hole, const BlastOptions& options, const Deck& deck)
   hole.shape = deck_shape(options.charge, deck, hole.shape.chamber_length);
   if (deck.primer) hole.primer = *deck.primer;
   hole.firing_time = deck.firing_time;
-}
-
-/// Between the hole and the wall of its crushed zone, of the whole hole [m3].
-double crushed_rock(const LoadedHole& hole, const Hole& zone) {
-  const double r0 = hole.shape.hole_radius, r1 = zone.radius;
-  return M_PI * (r1 * r1 - r0 * r0) * hole.shape.chamber_length;
 }
 
 /// Of the charge: pressures follow from ratios of volumes, so half a charge in half a hole presses
@@ -41,14 +36,20 @@ double crushing_peak(const BlastOptions& options, const LoadedHole& hole, const 
                              hole.exponent);
 }
 
-/// The gas stage starts once what crushing takes is spent, of what the products can do from the
-/// volume ratio at which they start.
+/// While the gas presses more than the peak on the wall of the crushed zone, which the rock there
+/// bears, it crushes: its stage starts where it has come down to that. By JWL no later than its fit
+/// holds.
 ProductExpansion staged(const ProductExpansion& products, const BlastOptions& options,
-                        const LoadedHole& hole, const Hole& zone, double start_ratio) {
+                        const LoadedHole& hole, const Hole& zone) {
   if (!stage_by_crushing(options.charge)) return products;
-  const double energy = products.stored_energy(start_ratio);
-  return products.switched_after_work(start_ratio,
-                                      crushing_share(options, hole, zone, energy) * energy);
+  const double peak = crushing_peak(options, hole, zone);
+  const double of_zone =
+      std::pow(zone.radius, 2.0) * hole.shape.chamber_length * M_PI / hole.shape.charge_volume();
+  const double ratio = volume_ratio_where(1.0, [&](double v) {
+    return products.pressure(v) * crushed_rock_share(v, of_zone, options.crushed_friction) > peak;
+  });
+  const bool fitted = options.charge.expansion == Expansion::jwl;
+  return products.switched_at(fitted ? std::min(ratio, JwlIsentrope::kFittedTo) : ratio);
 }
 
 BlastLoad blast_load(const BlastOptions& options, const LoadedHole& hole, const Hole& zone) {
@@ -67,8 +68,8 @@ BlastLoad blast_load(const BlastOptions& options, const LoadedHole& hole, const 
   parameters.free_volume_ratio = free_volume_ratio(hole.shape, hole.decoupling);
   parameters.pulse_volume_ratio = pulse_volume_ratio(hole.wall_pressure / hole.initial_pressure,
                                                      expansion, hole.shape, hole.decoupling);
-  parameters.expansion = staged(products_in_chamber(expansion, hole.shape, hole.decoupling),
-                                options, hole, zone, parameters.pulse_volume_ratio);
+  parameters.expansion =
+      staged(products_in_chamber(expansion, hole.shape, hole.decoupling), options, hole, zone);
   if (options.vent_by_flow) {
     parameters.flow = options.flow;
     parameters.flow->gamma = expansion.gamma();
@@ -184,13 +185,6 @@ double wall_peak(const BlastOptions& options, const LoadedHole& hole, const Hole
   return options.pulse ? crushing_peak(options, hole, zone) : 0.0;
 }
 
-double crushing_share(const BlastOptions& options, const LoadedHole& hole, const Hole& zone,
-                      double energy) {
-  const double spent = options.charge.crushing_strain * crushing_peak(options, hole, zone) *
-                       crushed_rock(hole, zone);
-  return std::min(spent / (hole.shape.charge_volume() * energy), kMostCrushing);
-}
-
 std::vector<HoleBlast> hole_blasts(const BlastOptions& options,
                                    const std::vector<Hole>& crushed_zones) {
   const int count = static_cast<int>(crushed_zones.size());
@@ -241,8 +235,10 @@ std::vector<HoleCharge> hole_charges(const BlastOptions& options,
   for (std::size_t k = 0; k < crushed_zones.size(); ++k) {
     const LoadedHole hole = loaded_hole(options, crushed_zones[k], k);
     const double mass = hole.explosive.density * modelled_volume(hole, crushed_zones[k]);
-    charges.push_back({mass, hole.energy_known ? mass * hole.explosive.energy : 0.0,
-                       crushed_zones[k].share * crushed_rock(hole, crushed_zones[k])});
+    const double r0 = hole.shape.hole_radius, r1 = crushed_zones[k].radius;
+    charges.push_back(
+        {mass, hole.energy_known ? mass * hole.explosive.energy : 0.0,
+         crushed_zones[k].share * M_PI * (r1 * r1 - r0 * r0) * hole.shape.chamber_length});
   }
   return charges;
 }

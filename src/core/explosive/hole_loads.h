@@ -35,14 +35,6 @@ struct LoadedHole {
 [[nodiscard]] double wall_peak(const BlastOptions& options, const LoadedHole& hole,
                                const Hole& zone);
 
-/// Share that wave and crushing take of the products' energy [J per m3 of charge] before the gas
-/// stage starts: crushing_strain times the peak on the wall of the crushed zone times the rock
-/// between that and the hole, but no more than kMostCrushing.
-[[nodiscard]] double crushing_share(const BlastOptions& options, const LoadedHole& hole,
-                                    const Hole& zone, double energy);
-/// Ours: beyond that a strong explosive in weak rock crushes more coarsely.
-inline constexpr double kMostCrushing = 0.5;
-
 /// The loads of all holes. InputError: no hole, a delay for a hole that is not there, a crushed
 /// zone narrower than the hole.
 [[nodiscard]] std::vector<HoleBlast> hole_blasts(const BlastOptions& options,

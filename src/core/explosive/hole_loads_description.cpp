@@ -31,8 +31,7 @@ void describe_pressures(std::ostream& text, const BlastOptions& options, const L
 }
 
 /// What the products hold beside what the explosive has.
-void describe_products(std::ostream& text, const BlastOptions& options, const LoadedHole& hole,
-                       const Hole& zone) {
+void describe_products(std::ostream& text, const BlastOptions& options, const LoadedHole& hole) {
   const ProductExpansion products = product_expansion(options.charge, hole.explosive);
   const double density = hole.explosive.density, energy = products.energy() / density;
   constexpr double kUseful = 100e6;  // where makers stop to count "effective energy" [Pa]
@@ -40,9 +39,6 @@ void describe_products(std::ostream& text, const BlastOptions& options, const Lo
   if (hole.energy_known) text << ", " << energy / hole.explosive.energy << " of the explosive's";
   text << ", and do " << products.work_down_to(kUseful) / density / 1e6 << " MJ/kg down to "
        << kUseful / kMPa << " MPa\n";
-  if (!stage_by_crushing(options.charge)) return;
-  text << "  before the gas stage wave and crushing take "
-       << crushing_share(options, hole, zone, products.energy()) << " of that\n";
 }
 
 /// P1 by every exponent that is known, so that the choice can be judged.
@@ -106,17 +102,19 @@ std::string describe(const BlastOptions& options, const std::vector<Hole>& crush
   describe_pressures(text, options, hole);
   describe_wave(text, options, hole, zone);
   if (options.gas) {
-    describe_products(text, options, hole, zone);
+    describe_products(text, options, hole);
     const double limit = load.pulse_limit(0.0, 0.0);
     if (load.wave_peak() > limit) {
       text << "  the pulse is limited to what the products can press, " << limit / kMPa
            << " MPa on a wall at rest\n";
     }
+    const BlastLoad::StartEnergies at = load.start_energies();
     text << "  gas from " << load.gas_pressure(0.0, 0.0) / kMPa
          << " MPa at Vg = " << load.start_volume()
          << " m3, charge volume V0 = " << load.charge_volume() << " m3, ";
     if (zone.share < 1.0)
       text << "both " << zone.share << " of the whole, whose axis is in mirror planes, ";
+    text << "once wave and crushing have taken " << at.dense / at.products << " of the energy, ";
     if (options.vent_by_flow) {
       text << "leaves through the collar once " << options.flow.stemming_length
            << " m of stemming are out, and through cracks from " << options.flow.crack_delay

@@ -33,16 +33,16 @@ double ProductExpansion::work_down_to(double wanted) const {
                         filled_, [&](double ratio) { return pressure(ratio) > wanted; }));
 }
 
-ProductExpansion ProductExpansion::switched_after(double share) const {
-  return switched_after_work(filled_, share * energy());
+ProductExpansion ProductExpansion::switched_at(double volume_ratio) const {
+  ProductExpansion switched = *this;
+  switched.switch_ratio_ = volume_ratio;
+  return switched;
 }
 
-ProductExpansion ProductExpansion::switched_after_work(double from_ratio, double work) const {
-  ProductExpansion switched = *this;
-  const double left = stored_energy(from_ratio) - work;
-  switched.switch_ratio_ =
-      volume_ratio_where(filled_, [&](double ratio) { return stored_energy(ratio) > left; });
-  return switched;
+ProductExpansion ProductExpansion::switched_after(double share) const {
+  const double left = (1.0 - share) * energy();
+  return switched_at(
+      volume_ratio_where(filled_, [&](double ratio) { return stored_energy(ratio) > left; }));
 }
 
 ProductExpansion ProductExpansion::after_filling(double volume_ratio) const {

@@ -196,32 +196,40 @@ TEST(BlastOptions, GasStageOfCovolumeByTheShareSpent) {
         read(kCharge + kGas + " explosive_energy 3e6 expansion covolume" + words);
     return hole_blasts(options, {kZone}).front().load().gas_pressure(0.0, 0.0);
   };
-  // kZone's rock, pi (r1^2 - r0^2) L, at 0.19 P1 per m3, of 3300 MJ per m3 of charge
-  const double ratio = kZone.radius / 0.045, peak = 2784.375e6 * std::pow(ratio, -1.5);
-  const double spent = 0.19 * peak * (ratio * ratio - 1.0) / 3300e6;
-  EXPECT_NEAR(start(""), 2784.375e6 * std::pow(1.0 - spent, 3.5), 1e3);
-  EXPECT_NEAR(start(" crushing_strain 0"), 2784.375e6, 1e3);
-  EXPECT_NEAR(start(" crushing_strain 10"), 2784.375e6 * std::pow(0.5, 3.5), 1e3);  // at most half
+  // That of the pulse on the wall of the crushed zone, 3^-1.5 P0: by default all of the gas'.
+  EXPECT_NEAR(start(""), 2784.375e6 / std::sqrt(27.0), 1e3);
   EXPECT_NEAR(start(" dense_share 0.4"), 2784.375e6 * std::pow(0.6, 3.5), 1e3);
   EXPECT_NEAR(start(" gas_switch_pressure 2e8"), 200e6, 1e3);
 }
 
-/// Of 0.8 of the hole's diameter in air: 1273.4 MPa on the wall, 535.5 MPa at 1.7816 r0, where the
-/// crushed rock takes 0.19 x 535.5 (1.7816^2 - 1)/0.64 = 345.6 of 3300 MJ per m3 of charge; in
-/// water 0.19 x 535.5 (2.6966^2 - 1)/0.64 = 997.1.
-TEST(BlastOptions, CrushingTakesWhatItsRockNeedsOfADecoupledChargeToo) {
+/// What the gas presses through crushed rock of 35 degrees, (V/Vz)^0.3645 of it, has come down to
+/// 535.5 MPa at 1.489, 2.056 and 1.422 V0 in a full hole, with air and with water around the
+/// charge, once 0.247, 0.144 and 0.225 of 3300 MJ/m3 are spent.
+TEST(BlastOptions, GasStageStartsWhereItPressesWhatTheWaveDoes) {
   const auto dense_share = [](const std::string& words, double ratio) {
     const BlastOptions options =
-        read(kCharge + kGas + " explosive_energy 3e6 charge_diameter 0.072" + words);
+        read(kCharge + kGas + " explosive_energy 3e6 crushed_friction 35" + words);
     Hole zone = kZone;
     zone.radius = 0.045 * ratio;
-    const BlastLoad::StartEnergies at =
-        hole_blasts(options, {zone}).front().load().start_energies();
+    const std::vector<HoleBlast> blasts = hole_blasts(options, {zone});
+    const BlastLoad& load = blasts.front().load();
+    EXPECT_NEAR(load.wave_peak(), 535.5e6, 1e5);
+    EXPECT_NEAR(load.gas_pressure(0.0, 0.0) * load.wall_share(0.0), load.wave_peak(), 1.0);
+    const BlastLoad::StartEnergies at = load.start_energies();
     EXPECT_NEAR(at.filling, 0.0, 1e-9 * at.products);
     return at.dense / at.products;
   };
-  EXPECT_NEAR(dense_share("", 1.7816), 345.6 / 3300.0, 2e-4);
-  EXPECT_NEAR(dense_share(" coupling water", 2.6966), 997.1 / 3300.0, 2e-4);
+  EXPECT_NEAR(dense_share("", 3.0013), 0.247, 0.002);
+  EXPECT_NEAR(dense_share(" charge_diameter 0.072", 1.7816), 0.144, 0.002);
+  EXPECT_NEAR(dense_share(" charge_diameter 0.072 coupling water", 2.6966), 0.225, 0.002);
+}
+
+/// Where nothing is crushed nothing is spent on it.
+TEST(BlastOptions, WithoutCrushedRockTheGasStageStartsAtOnce) {
+  const BlastOptions options = read(kCharge + kGas + " explosive_energy 3e6 crushed_friction 35");
+  Hole zone = kZone;
+  zone.radius = 0.045;
+  EXPECT_EQ(hole_blasts(options, {zone}).front().load().start_energies().dense, 0.0);
 }
 
 TEST(BlastOptions, GasStageOfJwlStaysWithinItsFit) {
@@ -293,8 +301,6 @@ TEST(BlastOptions, EachWrongWordIsNamedWithItsRule) {
        "dense_share needs expansion covolume or jwl, and gas_switch_pressure energy"},
       {"expansion covolume gas_switch_pressure 2e8 dense_share 0.3",
        "dense_share needs expansion covolume or jwl, and gas_switch_pressure energy"},
-      {"expansion covolume explosive_energy 3e6 dense_share 0.2 crushing_strain 0.1",
-       "dense_share and crushing_strain exclude each other"},
       {"expansion covolume dense_share 1", "dense_share must be >= 0 and < 1, got '1'"},
       {"expansion covolume", "hole 1: expansion covolume needs explosive_energy [J/kg]"},
       {"expansion two_stage explosive_energy 1e5",
