@@ -70,6 +70,9 @@ CellCutter::~CellCutter() = default;
 
 template <class Cell>
 bool CellCutter::Impl::cut_by_points(Cell& of, int point, double reach) {
+  constexpr std::size_t kAhead = 8;
+  const auto place = static_cast<std::size_t>(point);
+  search.prepare({&points[place], std::min(kAhead, points.size() - place)}, reach);
   double needed = reach_of(of);
   for (double inner = 0.0, outer = reach; inner < needed;) {
     const PointSearch::Found& found = search.shell(centre, inner, outer);

@@ -114,18 +114,34 @@ void PointIndex::gather(const Vec3& centre, double radius, PackedPoints& within)
   }
 }
 
-// The ball has room for queries beside this one. One much larger than is needed makes them slow.
-void PointSearch::hold(const Vec3& centre, double outer) {
-  constexpr double kRoom = 2.4, kTooLarge = 4.8;
+// A ball much larger than is needed makes queries slow.
+bool PointSearch::holds(const Vec3& centre, double outer) const {
+  constexpr double kTooLarge = 4.8;
   const bool inside = (centre - middle_).norm() + outer <= (1.0 - kRounding) * radius_;
-  if (inside && radius_ <= kTooLarge * outer) return;
-  middle_ = centre;
-  radius_ = kRoom * outer;
+  return inside && radius_ <= kTooLarge * outer;
+}
+
+void PointSearch::hold(const Vec3& middle, double radius) {
+  middle_ = middle;
+  radius_ = radius;
   index_.gather(middle_, radius_, held_);
 }
 
+void PointSearch::prepare(std::span<const Vec3> places, double outer) {
+  constexpr double kNear = 2.0, kFarther = 1.2;  // of `outer`
+  if (holds(places.front(), outer)) return;
+  Vec3 lo = places.front(), hi = lo;
+  for (const Vec3& place : places) {
+    if ((place - places.front()).norm() > kNear * outer) break;
+    lo = lo.cwiseMin(place);
+    hi = hi.cwiseMax(place);
+  }
+  hold(0.5 * (lo + hi), 0.5 * (hi - lo).norm() + kFarther * outer);
+}
+
 const PointSearch::Found& PointSearch::shell(const Vec3& centre, double inner, double outer) {
-  hold(centre, outer);
+  constexpr double kRoom = 1.5;
+  if (!holds(centre, outer)) hold(centre, kRoom * outer);
   const double inner2 = inner * inner, outer2 = outer * outer;
   unsorted_.clear();
   held_.each_between(

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -59,13 +60,18 @@ class PointSearch {
   // The index must outlive this object.
   explicit PointSearch(const PointIndex& index) : index_(index) {}
 
+  // For queries as far as `outer` [m], and a little farther, around these places: those that follow
+  // one another near the first.
+  void prepare(std::span<const Vec3> places, double outer);
+
   using Found = std::vector<std::pair<double, int>>;  // squared distance [m2], point number
   // The points with inner <= distance < outer [m] from `centre`, nearest first, then by number.
   // They stay until the next query.
   [[nodiscard]] const Found& shell(const Vec3& centre, double inner, double outer);
 
  private:
-  void hold(const Vec3& centre, double outer);
+  [[nodiscard]] bool holds(const Vec3& centre, double outer) const;
+  void hold(const Vec3& middle, double radius);
   void sort(double inner2, double outer2);
 
   const PointIndex& index_;
