@@ -115,7 +115,8 @@ void read_attenuation(BlastOptions& options, const ArgValues& values) {
         {"shock", Attenuation::shock}, {"liu_katsabanis", Attenuation::liu_katsabanis}};
     options.attenuation = kLaws.at(values.word("attenuation"));
   }
-  if (options.peak_pressure || !options.pulse) return;
+  const bool stage_needs_it = options.gas && stage_by_crushing(options.charge);
+  if (options.peak_pressure || !(options.pulse || stage_needs_it)) return;
   if (options.attenuation == Attenuation::shock && !options.poisson_ratio) {
     refuse(options.where, "attenuation shock needs poisson_ratio");
   }

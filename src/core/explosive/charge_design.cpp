@@ -57,7 +57,9 @@ CrushedZoneInput rock_input(const ArgValues& values, const Rock& rock, const std
   in.strain_rate = values.real("strain_rate");
   in.multiple = optional_real(values, where, "crushed_ratio", "", Range::closed(1.0, 20.0))
                     .value_or(in.multiple);
-  in.crushing_factor = values.real("crushing_factor");
+  in.crushing_factor =
+      optional_real(values, where, "crushing_factor", "", Range::closed(0.1, 100.0))
+          .value_or(in.crushing_factor);
   const auto exponent = read_attenuation_exponent(values, where, Range::left_open(0.0, 10.0));
   in.attenuation_exponent = exponent ? *exponent : crushed_zone_exponent(rock.poisson_ratio);
   return in;
@@ -165,15 +167,22 @@ std::vector<TimedCharge> timed_charges(const HoleTable& pattern, const ChargeOpt
   return charges;
 }
 
-/// As typed; a typed crushed_ratio is of `multiple`.
+bool typed(const ArgValues& values, const char* name) { return values.word(name) != "auto"; }
+
+/// As typed; a typed crushed_ratio is of `multiple`, a typed crushing_factor of `strength`.
 CrushedZone zone_model(const ArgValues& values, const std::string& where) {
-  const std::string& word = values.word("crushed_zone");
-  const bool by_ratio = values.word("crushed_ratio") != "auto";
-  if (word == "auto") return by_ratio ? CrushedZone::multiple : CrushedZone::strength;
-  const auto at = std::find(kCrushedZones.begin(), kCrushedZones.end(), word);
-  const auto model = static_cast<CrushedZone>(at - kCrushedZones.begin());
+  const bool by_ratio = typed(values, "crushed_ratio");
+  auto model = by_ratio ? CrushedZone::multiple : CrushedZone::strength;
+  if (typed(values, "crushed_zone")) {
+    const auto at =
+        std::find(kCrushedZones.begin(), kCrushedZones.end(), values.word("crushed_zone"));
+    model = static_cast<CrushedZone>(at - kCrushedZones.begin());
+  }
+  const std::string got = kCrushedZones[static_cast<std::size_t>(model)];
   if (by_ratio && model != CrushedZone::multiple)
-    refuse(where, "crushed_ratio is for crushed_zone multiple, got crushed_zone " + word);
+    refuse(where, "crushed_ratio is for crushed_zone multiple, got crushed_zone " + got);
+  if (typed(values, "crushing_factor") && model != CrushedZone::strength)
+    refuse(where, "crushing_factor is for crushed_zone strength, got crushed_zone " + got);
   return model;
 }
 
@@ -184,8 +193,9 @@ std::vector<std::string> zone_words() {
 }
 
 void require_ucs(const ArgValues& values, CrushedZone model) {
-  if (model != CrushedZone::strength || values.word("ucs") != "auto") return;
-  throw InputError("crushed_zone strength needs ucs [Pa] of the rock; or give crushed_ratio");
+  if (model != CrushedZone::strength || typed(values, "ucs")) return;
+  throw InputError(
+      "crushed_zone strength needs ucs [Pa] of the rock; or give crushed_zone multiple");
 }
 
 /// The hole of hole_diameter.
@@ -224,7 +234,8 @@ void add_pattern(std::ostream& text, ChargeDesign& design, const ChargeOptions& 
     throw InputError("hole_table needs crushed_zone strength or multiple, got '" +
                      values.word("crushed_zone") + "'");
   }
-  require_ucs(values, model);
+  const auto needs_radius = [](const Deck& deck) { return !deck.crushed_radius; };
+  if (std::ranges::any_of(design.pattern->decks(), needs_radius)) require_ucs(values, model);
   const CrushedZoneInput rock = rock_input(values, rock_of(values, where), where);
   const PatternZones zones =
       pattern_zones(*design.pattern, charge, model, rock, by_pressure(values));
@@ -236,7 +247,8 @@ void add_pattern(std::ostream& text, ChargeDesign& design, const ChargeOptions& 
        << design.pattern_mass << " kg of explosive, at most " << design.window_mass << " kg within "
        << 1e3 * kVibrationWindow << " ms\n";
   text << "  crushed zones: the smallest of all decks is " << zones.smallest << " m; "
-       << zones.decoupled << " are of charges that do not fill their chambers\n";
+       << zones.narrower << " are narrower than if the charge filled its chamber, "
+       << zones.from_table << " have the crushed_radius_m of the table\n";
 }
 
 /// Faults of the core name the keyword; the command goes before.
@@ -270,8 +282,9 @@ ArgTable charge_design_table() {
       .word("crushed_ratio", {}, "auto",
             "radius over hole radius of a charge that fills its chamber, 1 to 20, for `multiple`; "
             "auto: 3")
-      .real("crushing_factor", "", Range::closed(0.1, 100.0), kCrushingFactor,
-            "peak down to which rock is crushed, over its ucs, for `strength`")
+      .word("crushing_factor", {}, "auto",
+            "peak down to which rock is crushed, over its ucs, 0.1 to 100, for `strength`; auto: "
+            "3.15")
       .word("decoupled_zone", {"pressure", "full"}, "pressure",
             "crushed zone of a charge that does not fill its chamber: by its pressure on the wall, "
             "or that of one that does")

@@ -179,7 +179,8 @@ ProductExpansion product_expansion(const ChargeOptions& options, const NamedExpl
     case Expansion::covolume: {
       const ProductExpansion gas(covolume_of(options, explosive));
       const bool by_share = options.switch_by_energy && options.dense_share;
-      return by_share ? gas.switched_after(*options.dense_share) : gas;
+      if (by_share) return gas.switched_after(*options.dense_share);
+      return options.switch_by_energy ? gas.switched_at(1.0) : gas;
     }
     case Expansion::two_stage:
       break;

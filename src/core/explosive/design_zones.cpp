@@ -37,6 +37,7 @@ void add_deck(PatternZones& zones, const ChargeOptions& options, const Deck& dec
   double full = 0.0, radius = 0.0;
   if (deck.crushed_radius) {
     full = radius = *deck.crushed_radius;
+    ++zones.from_table;
   } else {
     CrushedZoneInput in = full_deck(options, deck, rock);
     full = radius = crushed_zone_radius(model, in);
@@ -48,7 +49,7 @@ void add_deck(PatternZones& zones, const ChargeOptions& options, const Deck& dec
   zones.radii.push_back(radius);
   zones.smallest = std::min(zones.smallest, radius);
   zones.smallest_full = std::min(zones.smallest_full, full);
-  if (radius != full) ++zones.decoupled;
+  if (radius < full) ++zones.narrower;
 }
 
 void write_row(std::ostream& text, const std::vector<std::string_view>& words) {

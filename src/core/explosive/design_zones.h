@@ -23,7 +23,8 @@ struct PatternZones {
   std::vector<double> radii{};  ///< r1 of each deck [m]
   double smallest = 0.0;        ///< of them [m]
   double smallest_full = 0.0;   ///< the same, if all charges filled their chambers [m]
-  long decoupled = 0;           ///< decks with another radius than if their charges did
+  long narrower = 0;            ///< decks whose zones are narrower than if they did
+  long from_table = 0;          ///< decks that have the radius of the table
 };
 
 /// By `strength` or `multiple`, with the numbers of `rock`; a radius of the table stays. With

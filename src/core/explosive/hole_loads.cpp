@@ -36,17 +36,19 @@ double crushing_peak(const BlastOptions& options, const LoadedHole& hole, const 
                              hole.exponent);
 }
 
-/// While the gas presses more than the peak on the wall of the crushed zone, which the rock there
-/// bears, it crushes: its stage starts where it has come down to that. By JWL no later than its fit
+/// While the gas that has filled its room presses more than the peak on the wall of the crushed
+/// zone it crushes: its stage starts where it has come down to that. By JWL no later than its fit
 /// holds.
 ProductExpansion staged(const ProductExpansion& products, const BlastOptions& options,
                         const LoadedHole& hole, const Hole& zone) {
   if (!stage_by_crushing(options.charge)) return products;
   const double peak = crushing_peak(options, hole, zone);
-  const double of_zone =
+  const double zone_ratio =
       std::pow(zone.radius, 2.0) * hole.shape.chamber_length * M_PI / hole.shape.charge_volume();
-  const double ratio = volume_ratio_where(1.0, [&](double v) {
-    return products.pressure(v) * crushed_rock_share(v, of_zone, options.crushed_friction) > peak;
+  const double filled = std::max(1.0, free_volume_ratio(hole.shape, hole.decoupling));
+  const double ratio = volume_ratio_where(filled, [&](double v) {
+    return products.pressure(v) * crushed_rock_share(v, zone_ratio, options.crushed_friction) >
+           peak;
   });
   const bool fitted = options.charge.expansion == Expansion::jwl;
   return products.switched_at(fitted ? std::min(ratio, JwlIsentrope::kFittedTo) : ratio);

@@ -222,9 +222,25 @@ TEST(BlastOptions, GasStageStartsWhereItPressesWhatTheWaveDoes) {
   EXPECT_NEAR(dense_share("", 3.0013), 0.247, 0.002);
   EXPECT_NEAR(dense_share(" charge_diameter 0.072", 1.7816), 0.144, 0.002);
   EXPECT_NEAR(dense_share(" charge_diameter 0.072 coupling water", 2.6966), 0.225, 0.002);
+  // Where they fill more than the volume at which a full hole's gas would have come down to it.
+  EXPECT_NEAR(dense_share(" charge_diameter 0.063", 1.3834), 0.085, 0.002);
+  EXPECT_NEAR(dense_share(" charge_diameter 0.054", 1.0621), 0.017, 0.002);
+  EXPECT_NEAR(dense_share(" charge_length 6.3", 1.9537), 0.164, 0.002);
 }
 
 /// Where nothing is crushed nothing is spent on it.
+TEST(BlastOptions, TheGasStageNeedsTheFallOfThePeakWithoutAPulseToo) {
+  const std::string gas = kCharge + kGas + " explosive_energy 3e6 pulse no";
+  EXPECT_NO_THROW((void)read(gas));
+  try {
+    (void)read("explosive emulsion hole_diameter 0.09 attenuation liu_katsabanis pulse no" + kGas);
+    FAIL() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("needs rock_p_wave_speed"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(BlastOptions, WithoutCrushedRockTheGasStageStartsAtOnce) {
   const BlastOptions options = read(kCharge + kGas + " explosive_energy 3e6 crushed_friction 35");
   Hole zone = kZone;

@@ -163,7 +163,18 @@ TEST(DesignZones, RefuseChargesThatDoNotFit) {
             "charge_design: crushed_ratio is for crushed_zone multiple, got crushed_zone strength");
   EXPECT_EQ(input_error_of([] { (void)design("hole_diameter 0.1 crushed_ratio auto"); }),
             "charge_design: crushed_zone strength needs ucs [Pa] of the rock; or give "
-            "crushed_ratio");
+            "crushed_zone multiple");
+  EXPECT_EQ(input_error_of([] {
+              (void)design(
+                  "hole_diameter 0.1 crushed_ratio 2 "
+                  "crushing_factor 3");
+            }),
+            "charge_design: crushing_factor is for crushed_zone strength, got crushed_zone "
+            "multiple");
+  EXPECT_EQ(input_error_of([] { (void)design("hole_diameter 0.1 ucs 1e5", ""); }),
+            "charge_design: crushed_zone strength makes a zone of 427.483 hole radii, at most 20 "
+            "are allowed: ucs, crushing_factor or attenuation_exponent is too small, or give "
+            "crushed_zone multiple");
   EXPECT_EQ(input_error_of([] { (void)design("crushed_table a.csv"); }),
             "charge_design: crushed_table needs hole_table");
   const testing::TemporaryFolder folder;

@@ -154,6 +154,11 @@ const PointSearch::Found& PointSearch::shell(const Vec3& centre, double inner, d
 // Into bins of like distance, which hold about one each, then past the few that are out of order.
 void PointSearch::sort(double inner2, double outer2) {
   constexpr std::size_t kBins = 64;
+  found_.resize(unsorted_.size());
+  if (unsorted_.size() < 2) {
+    std::ranges::copy(unsorted_, found_.begin());
+    return;
+  }
   const double scale = static_cast<double>(kBins) / (outer2 - inner2);
   const auto bin = [&](double distance2) {
     return std::min(kBins - 1, static_cast<std::size_t>((distance2 - inner2) * scale));
@@ -161,7 +166,6 @@ void PointSearch::sort(double inner2, double outer2) {
   std::array<std::uint32_t, kBins + 1> start{};
   for (const auto& one : unsorted_) ++start[bin(one.first) + 1];
   std::partial_sum(start.begin(), start.end(), start.begin());
-  found_.resize(unsorted_.size());
   for (const auto& one : unsorted_) found_[start[bin(one.first)]++] = one;
   for (std::size_t k = 1; k < found_.size(); ++k) {
     const auto one = found_[k];
