@@ -43,7 +43,8 @@ void add_pulse_keywords(ArgTable& table) {
   add_optional(table, "rock_p_wave_speed",
                "c_p of the rock [m/s], 100 to 2e4; needed by attenuation liu_katsabanis");
   add_optional(table, "peak_pressure",
-               "P1 on the crushed-zone wall itself [Pa], 1e5 to 1e12; auto: P0 attenuated");
+               "P1 on the crushed-zone wall itself [Pa], 1e5 to 1e12, from which the gas stage "
+               "starts, too; auto: P0 attenuated");
 }
 
 void add_gas_keywords(ArgTable& table) {
