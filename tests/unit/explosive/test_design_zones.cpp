@@ -172,7 +172,7 @@ TEST(DesignZones, RefuseChargesThatDoNotFit) {
             "charge_design: crushing_factor is for crushed_zone strength, got crushed_zone "
             "multiple");
   EXPECT_EQ(input_error_of([] { (void)design("hole_diameter 0.1 ucs 1e5", ""); }),
-            "charge_design: crushed_zone strength makes a zone of 427.483 hole radii, at most 20 "
+            "charge_design: crushed_zone strength makes a zone of 427.509 hole radii, at most 20 "
             "are allowed: ucs, crushing_factor or attenuation_exponent is too small, or give "
             "crushed_zone multiple");
   EXPECT_EQ(input_error_of([] { (void)design("crushed_table a.csv"); }),
