@@ -42,13 +42,13 @@ says 0 'NOTE'
 says 1 'ERROR: input: time_end'
 
 # So it is in the quarry: in blocks of 0.35 m the pulse would be too fast.
-try -in inputs/quarry/in.quarry -var out "$out" -var time_end 0.1 -var hole_diameter 0.03 -var rise_time 6e-5
+try -in inputs/quarry/in.quarry -var out "$out" -var time_end 0.1 -var hole_diameter 0.03 -var rise_time 6e-5 -var crushed_ratio 3
 says 1 'NOTE: block_min 0.35 m is wider than 6 radii of the crushed zone; 0.269865 m is taken'
 says 0 'faster than a wave crosses'
 
 # The thinnest hole of the table counts, whatever the knob hole_diameter says.
 sed '/^r1h3,/s/,0\.165,/,0.089,/' inputs/pattern/holes.csv >"$out/thin.csv"
-try -in inputs/pattern/in.pattern -var out "$out" -var time_end 0.1 -var hole_table "$out/thin.csv"
+try -in inputs/pattern/in.pattern -var out "$out" -var time_end 0.1 -var hole_table "$out/thin.csv" -var crushed_ratio 3
 says 1 'NOTE: block_min 0.95 m is wider than 6 radii of the crushed zone; 0.8005995 m is taken'
 says 1 'faster than a wave crosses a block of block_min 0.8005995 m'  # of the width that is used
 sed '1,/^hole,/s/diameter_m,/diameter_m,crushed_radius_m,/; s/,0\.165,/,0.165,0.1,/' inputs/pattern/holes.csv >"$out/own_radius.csv"

@@ -13,7 +13,7 @@ units si
 atom_style granular
 hole_pattern file ${table} take ${own} rows 2 holes_per_row 3 burden 2.5 spacing 3 bench_height 10 subdrill 0.75 stemming 2.2 hole_diameter 0.089 &
   face_angle 76 hole_angle 76 delay_in_row 0.017 delay_between_rows 0.042
-charge_design explosive anfo hole_table ${table}
+charge_design explosive anfo crushed_ratio 3 hole_table ${table}
 print "holes ${pattern_holes} last ${pattern_last_firing}"
 END
 for ranks in 1 2; do
@@ -58,7 +58,7 @@ cmp "$out/new/1.csv" "$out/scattered0.csv" || fail "without scatter the table is
 cat >"$out/in.zones" <<'END'
 units si
 atom_style granular
-charge_design explosive emulsion charge_diameter 0.06 coupling water poisson_ratio 0.25 hole_table ${table} crushed_table ${table}
+charge_design explosive emulsion charge_diameter 0.06 coupling water poisson_ratio 0.25 crushed_ratio 3 hole_table ${table} crushed_table ${table}
 print "smallest ${pattern_crushed_radius} full ${pattern_full_radius}"
 END
 for ranks in 1 2; do

@@ -16,7 +16,9 @@ blast() {
   shift 3
   local out=$results/$name/$seed
   if [[ $scene != slice ]]; then
-    fixed=(accuracy quick bench_height 4 time_end 0.1)
+    # One cut for all that change explosive or rock: else blocks at the wall go with the crushed zone.
+    fixed=(accuracy quick bench_height 4 time_end 0.1 widest_wall_block 6)
+    [[ " $* " == *" block_min "* ]] || fixed+=(block_min 0.18)
     scene=inputs/bench/in.bench
     [[ " $* " == *" burden "* ]] || fixed+=(burden 1.8)
     [[ " $* " == *" hole_diameter "* ]] || fixed+=(hole_diameter 0.06)

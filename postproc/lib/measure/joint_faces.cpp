@@ -52,11 +52,11 @@ std::vector<RockFace> faces_of_rock(const std::vector<StartBlock>& blocks) {
   for (const RockFace& face : faces) centroids.push_back(face.centroid);
   const PointIndex index(centroids);
   std::vector<char> left_out(faces.size(), 0);  // of a joint that its first block has, or too small
-  PointIndex::Found found;
+  PointSearch search(index);
   for (size_t f = 0; f < faces.size(); ++f) {
     if (left_out[f] != 0) continue;
-    index.shell(faces[f].centroid, 0.0, kNear * std::sqrt(faces[f].area), found);
-    for (const auto& [distance2, number] : found) {
+    const double near = kNear * std::sqrt(faces[f].area);  // [m]
+    for (const auto& [distance2, number] : search.shell(faces[f].centroid, 0.0, near)) {
       const auto g = static_cast<size_t>(number);
       if (g <= f || left_out[g] != 0 || !are_one(faces[f], faces[g])) continue;
       faces[f].other = faces[g].block;

@@ -13,14 +13,18 @@ double vent_factor(double time, double vent_time, double vent_decay) {
   return time <= vent_time ? 1.0 : std::exp(-(time - vent_time) / vent_decay);
 }
 
+double crushed_rock_share(double gas_volume, double zone_volume, double friction) {
+  if (!(zone_volume > gas_volume)) return 1.0;
+  return std::pow(gas_volume / zone_volume, std::sin(friction) / (1.0 + std::sin(friction)));
+}
+
 BlastLoad::BlastLoad(const Parameters& parameters)
     : wave_peak_(parameters.wave_peak),
       pulse_(parameters.pulse),
       expansion_(parameters.expansion),
       charge_volume_(parameters.charge_volume),
       zone_volume_(parameters.zone_volume),
-      wall_exponent_(std::sin(parameters.crushed_friction) /
-                     (1.0 + std::sin(parameters.crushed_friction))),
+      crushed_friction_(parameters.crushed_friction),
       vent_time_(parameters.vent_time),
       vent_decay_(parameters.vent_decay),
       products_mass_(parameters.products_mass) {
@@ -28,7 +32,7 @@ BlastLoad::BlastLoad(const Parameters& parameters)
   if (!expansion_) return;
   require_positive("charge volume", "m3", charge_volume_);
   require_not_negative("volume of the crushed zone", "m3", zone_volume_);
-  require_not_negative("crushed_friction", "", wall_exponent_);
+  require_not_negative("crushed_friction", "", crushed_friction_);
   if (parameters.flow) {
     vent_.emplace(*parameters.flow);
   } else {
@@ -60,8 +64,7 @@ double BlastLoad::pulse_limit(double swept_volume, double time, const GasState& 
 
 double BlastLoad::wall_share(double swept_volume) const {
   if (!(zone_volume_ > 0.0)) return 1.0;
-  const double gas = gas_room(swept_volume), zone = zone_volume_ + swept_volume;
-  return gas < zone ? std::pow(gas / zone, wall_exponent_) : 1.0;
+  return crushed_rock_share(gas_room(swept_volume), zone_volume_ + swept_volume, crushed_friction_);
 }
 
 double BlastLoad::gas_energy(double swept_volume, double time, const GasState& state) const {

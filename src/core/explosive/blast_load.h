@@ -18,6 +18,10 @@ namespace muckpile {
 /// Times [s] since the primer fired. The exponential form is our choice.
 [[nodiscard]] double vent_factor(double time, double vent_time, double vent_decay);
 
+/// T, below, of gas in a volume within a crushed zone of that volume with its hole, whose rock has
+/// the friction angle phi [rad]; 1 without a zone.
+[[nodiscard]] double crushed_rock_share(double gas_volume, double zone_volume, double friction);
+
 /// Load at a wall point, tau = time since the detonation arrived there:
 ///     p = max( min[P1 f(tau), p_limit], p_gas(V, t) g(tau) )
 /// P1 is the peak wave pressure at the wall, f the pulse's shape, and g = f until the peak (of a
@@ -142,7 +146,7 @@ class BlastLoad {
   double charge_volume_;
   double start_volume_ = 0.0;
   double zone_volume_;         // [m3]; 0: the gas presses on the wall
-  double wall_exponent_;       // (1 - K)/2
+  double crushed_friction_;    // [rad]
   double pulse_volume_ = 0.0;  // Vp [m3]
   double vent_time_;
   double vent_decay_;

@@ -43,7 +43,8 @@ void add_pulse_keywords(ArgTable& table) {
   add_optional(table, "rock_p_wave_speed",
                "c_p of the rock [m/s], 100 to 2e4; needed by attenuation liu_katsabanis");
   add_optional(table, "peak_pressure",
-               "P1 on the crushed-zone wall itself [Pa], 1e5 to 1e12; auto: P0 attenuated");
+               "P1 on the crushed-zone wall itself [Pa], 1e5 to 1e12, from which the gas stage "
+               "starts, too; auto: P0 attenuated");
 }
 
 void add_gas_keywords(ArgTable& table) {
@@ -115,7 +116,8 @@ void read_attenuation(BlastOptions& options, const ArgValues& values) {
         {"shock", Attenuation::shock}, {"liu_katsabanis", Attenuation::liu_katsabanis}};
     options.attenuation = kLaws.at(values.word("attenuation"));
   }
-  if (options.peak_pressure || !options.pulse) return;
+  const bool stage_needs_it = options.gas && stage_by_crushing(options.charge);
+  if (options.peak_pressure || !(options.pulse || stage_needs_it)) return;
   if (options.attenuation == Attenuation::shock && !options.poisson_ratio) {
     refuse(options.where, "attenuation shock needs poisson_ratio");
   }

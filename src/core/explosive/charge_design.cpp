@@ -55,7 +55,11 @@ CrushedZoneInput rock_input(const ArgValues& values, const Rock& rock, const std
   in.ucs = rock.ucs;
   in.tensile_strength = rock.tensile_strength;
   in.strain_rate = values.real("strain_rate");
-  in.multiple = values.real("crushed_ratio");
+  in.multiple = optional_real(values, where, "crushed_ratio", "", Range::closed(1.0, 20.0))
+                    .value_or(in.multiple);
+  in.crushing_factor =
+      optional_real(values, where, "crushing_factor", "", Range::closed(0.1, 100.0))
+          .value_or(in.crushing_factor);
   const auto exponent = read_attenuation_exponent(values, where, Range::left_open(0.0, 10.0));
   in.attenuation_exponent = exponent ? *exponent : crushed_zone_exponent(rock.poisson_ratio);
   return in;
@@ -163,17 +167,43 @@ std::vector<TimedCharge> timed_charges(const HoleTable& pattern, const ChargeOpt
   return charges;
 }
 
-CrushedZone zone_model(const ArgValues& values) {
-  const auto at =
-      std::find(kCrushedZones.begin(), kCrushedZones.end(), values.word("crushed_zone"));
-  return static_cast<CrushedZone>(at - kCrushedZones.begin());
+bool typed(const ArgValues& values, const char* name) { return values.word(name) != "auto"; }
+
+/// As typed; a typed crushed_ratio is of `multiple`, a typed crushing_factor of `strength`.
+CrushedZone zone_model(const ArgValues& values, const std::string& where) {
+  const bool by_ratio = typed(values, "crushed_ratio");
+  auto model = by_ratio ? CrushedZone::multiple : CrushedZone::strength;
+  if (typed(values, "crushed_zone")) {
+    const auto at =
+        std::find(kCrushedZones.begin(), kCrushedZones.end(), values.word("crushed_zone"));
+    model = static_cast<CrushedZone>(at - kCrushedZones.begin());
+  }
+  const std::string got = kCrushedZones[static_cast<std::size_t>(model)];
+  if (by_ratio && model != CrushedZone::multiple)
+    refuse(where, "crushed_ratio is for crushed_zone multiple, got crushed_zone " + got);
+  if (typed(values, "crushing_factor") && model != CrushedZone::strength)
+    refuse(where, "crushing_factor is for crushed_zone strength, got crushed_zone " + got);
+  return model;
+}
+
+std::vector<std::string> zone_words() {
+  std::vector<std::string> words{kCrushedZones.begin(), kCrushedZones.end()};
+  words.emplace_back("auto");
+  return words;
+}
+
+void require_ucs(const ArgValues& values, CrushedZone model) {
+  if (model != CrushedZone::strength || typed(values, "ucs")) return;
+  throw InputError(
+      "crushed_zone strength needs ucs [Pa] of the rock; or give crushed_zone multiple");
 }
 
 /// The hole of hole_diameter.
 void add_hole(std::ostream& text, ChargeDesign& design, const ChargeOptions& charge,
               const ArgValues& values, const std::string& where) {
   const Rock rock = rock_of(values, where);
-  const CrushedZone model = zone_model(values);
+  const CrushedZone model = zone_model(values, where);
+  require_ucs(values, model);
   if (model == CrushedZone::dai && !rock.elastic()) {
     throw InputError("crushed_zone dai needs youngs_modulus [Pa] and rock_density [kg/m3]");
   }
@@ -199,8 +229,16 @@ void add_pattern(std::ostream& text, ChargeDesign& design, const ChargeOptions& 
   const std::vector<TimedCharge> charges = timed_charges(*design.pattern, charge);
   for (const TimedCharge& each : charges) design.pattern_mass += each.mass;
   design.window_mass = largest_within(charges, kVibrationWindow);
+  const CrushedZone model = zone_model(values, where);
+  if (model != CrushedZone::strength && model != CrushedZone::multiple) {
+    throw InputError("hole_table needs crushed_zone strength or multiple, got '" +
+                     values.word("crushed_zone") + "'");
+  }
+  const auto needs_radius = [](const Deck& deck) { return !deck.crushed_radius; };
+  if (std::ranges::any_of(design.pattern->decks(), needs_radius)) require_ucs(values, model);
   const CrushedZoneInput rock = rock_input(values, rock_of(values, where), where);
-  const PatternZones zones = pattern_zones(*design.pattern, charge, rock, by_pressure(values));
+  const PatternZones zones =
+      pattern_zones(*design.pattern, charge, model, rock, by_pressure(values));
   design.pattern_crushed_radius = zones.smallest;
   design.pattern_full_radius = zones.smallest_full;
   design.crushed_table = with_zones(table, zones);
@@ -208,11 +246,9 @@ void add_pattern(std::ostream& text, ChargeDesign& design, const ChargeOptions& 
        << " charged decks, the last fires at " << design.pattern->last_firing_time() << " s; "
        << design.pattern_mass << " kg of explosive, at most " << design.window_mass << " kg within "
        << 1e3 * kVibrationWindow << " ms\n";
-  const auto decoupled = std::count_if(zones.own.begin(), zones.own.end(),
-                                       [](const auto& own) { return own.has_value(); });
-  if (decoupled == 0) return;
-  text << "  decoupled: " << decoupled << " decks have crushed zones of their own; the smallest of "
-       << "all decks is " << zones.smallest << " m\n";
+  text << "  crushed zones: the smallest of all decks is " << zones.smallest << " m; "
+       << zones.narrower << " are narrower than if the charge filled its chamber, "
+       << zones.from_table << " have the crushed_radius_m of the table\n";
 }
 
 /// Faults of the core name the keyword; the command goes before.
@@ -240,10 +276,15 @@ ArgTable charge_design_table() {
   table
       .real("hole_diameter", "m", Range::closed(0.0, 10.0), 0.0,
             "diameter of the hole; 0: no crushed zone is asked for")
-      .word("crushed_zone", {kCrushedZones.begin(), kCrushedZones.end()}, "multiple",
-            "formula for the crushed zone's radius")
-      .real("crushed_ratio", "", Range::closed(1.0, 20.0), 3.0,
-            "radius over hole radius of a charge that fills its chamber, for `multiple`")
+      .word("crushed_zone", zone_words(), "auto",
+            "formula for the crushed zone's radius; auto: strength, or multiple where "
+            "crushed_ratio is given")
+      .word("crushed_ratio", {}, "auto",
+            "radius over hole radius of a charge that fills its chamber, 1 to 20, for `multiple`; "
+            "auto: 3")
+      .word("crushing_factor", {}, "auto",
+            "peak down to which rock is crushed, over its ucs, 0.1 to 100, for `strength`; auto: "
+            "3.15")
       .word("decoupled_zone", {"pressure", "full"}, "pressure",
             "crushed zone of a charge that does not fill its chamber: by its pressure on the wall, "
             "or that of one that does")
@@ -254,15 +295,15 @@ ArgTable charge_design_table() {
   table.word("hole_table", {}, "none", "CSV file of a pattern")
       .word("crushed_table", {}, "none",
             "CSV file to write, which may be that of `hole_table`: the pattern with the crushed "
-            "zones of charges that do not fill their chambers, for create_blocks");
+            "zone of each deck, for create_blocks");
   add_optional(table, "rock_density", "[kg/m3], 100 to 30000; needed by `dai`");
   add_optional(table, "youngs_modulus",
                "of the rock [Pa], 1e5 to 1e13; needed by `esen` and `dai`");
   add_optional(table, "poisson_ratio", "of the rock, >= 0 and < 0.5; auto: 0");
   add_optional(
       table, "ucs",
-      "uniaxial compressive strength of the intact rock [Pa], 1e4 to 1e11; needed by `esen`, "
-      "`kanchibotla` and `dai`");
+      "uniaxial compressive strength of the intact rock [Pa], 1e4 to 1e11; needed by `strength`, "
+      "`esen`, `kanchibotla` and `dai`");
   add_optional(table, "tensile_strength",
                "of the intact rock [Pa], 1e3 to 1e11; needed by `djordjevic`");
   return table;

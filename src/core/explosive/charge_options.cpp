@@ -150,11 +150,12 @@ void add_expansion_keywords(ArgTable& table) {
       .word("gas_switch_pressure", {}, "energy",
             "pressure p_k at which the gas stage starts and the isentrope of two_stage changes its "
             "exponent [Pa], 1e5 to 1e12; energy: by the energy of the explosive and, of jwl and "
-            "covolume, dense_share (200e6 where that energy is not known)")
+            "covolume, what crushing takes (200e6 where that energy is not known)")
       .word(
           "dense_share", {}, kNotGiven,
           "share of the products' energy that is spent as the gas stage of a charge that fills its "
-          "hole starts, >= 0 and < 1, with gas_switch_pressure energy (jwl, covolume); auto: 0.25")
+          "hole starts, >= 0 and < 1, with gas_switch_pressure energy (jwl, covolume); auto: "
+          "until it presses what the wave does on the wall of the crushed zone")
       .real("gas_gamma_dense", "", Range::closed(1.0, 10.0), 3.0,
             "isentrope exponent above p_k (two_stage)")
       .real("gas_gamma", "", Range::closed(1.0, 10.0), 1.4,
@@ -250,12 +251,11 @@ void read_expansion(ChargeOptions& options, const ArgValues& values, const std::
         parse_real(where, "gas_switch_pressure", values.word("gas_switch_pressure"), "Pa",
                    Range::closed(1e5, 1e12));
   }
-  if (const auto share =
-          optional_real(values, where, "dense_share", "", Range::right_open(0.0, 1.0))) {
-    if (options.expansion == Expansion::two_stage || !options.switch_by_energy) {
-      refuse(where, "dense_share needs expansion covolume or jwl, and gas_switch_pressure energy");
-    }
-    options.dense_share = *share;
+  options.dense_share =
+      optional_real(values, where, "dense_share", "", Range::right_open(0.0, 1.0));
+  if (options.dense_share &&
+      (options.expansion == Expansion::two_stage || !options.switch_by_energy)) {
+    refuse(where, "dense_share needs expansion covolume or jwl, and gas_switch_pressure energy");
   }
   options.isentrope.dense_exponent = values.real("gas_gamma_dense");
   options.isentrope.dilute_exponent = values.real("gas_gamma");

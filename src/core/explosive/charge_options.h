@@ -34,10 +34,6 @@ enum class BoreholeModel {
 /// In the order of kExpansions (charge_options.cpp).
 enum class Expansion { two_stage, jwl, covolume };
 
-/// Where the gas stage of covolume and jwl starts unless a pressure is typed: the share of the
-/// products' energy that wave and crushing have taken until then (ours; docs/theory/charge.md).
-inline constexpr double kDenseShare = 0.25;
-
 struct ChargeOptions {
   ExplosiveTable table = ExplosiveTable::shipped();
   NamedExplosive explosive{};  ///< with what the user typed in its place; released()
@@ -48,11 +44,13 @@ struct ChargeOptions {
   Expansion expansion = Expansion::covolume;
   /// Without its initial pressure: p_k of every law, exponents of two_stage and covolume.
   TwoStageIsentrope::Parameters isentrope{};
-  bool switch_by_energy = true;      ///< its switch pressure follows from the explosive's energy
-  bool switch_typed = false;         ///< the script says how the switch pressure is found
-  double dense_share = kDenseShare;  ///< of the products' energy, spent as the gas stage starts [-]
-  double energy_share = 1.0;         ///< of the explosive's energy, what is released in time [-]
-  double hole_radius = 0.0;          ///< [m]
+  bool switch_by_energy = true;  ///< its switch pressure follows from the explosive's energy
+  bool switch_typed = false;     ///< the script says how the switch pressure is found
+  /// Of the products' energy, spent as the gas stage of a charge that fills its chamber starts, as
+  /// typed [-]; nothing: once it presses what the wave does on the wall of the crushed zone.
+  std::optional<double> dense_share{};
+  double energy_share = 1.0;  ///< of the explosive's energy, what is released in time [-]
+  double hole_radius = 0.0;   ///< [m]
   std::optional<double> charge_radius{};  ///< nothing: fills the hole [m]
   std::optional<double> charge_length{};  ///< nothing: fills the axis [m]
   DecouplingRule decoupling{};
@@ -104,9 +102,14 @@ void read_expansion(ChargeOptions& options, const ArgValues& values, const std::
 [[nodiscard]] DecouplingRule decoupling_rule(const ChargeOptions& options,
                                              double attenuation_exponent);
 
-/// The law by which the products expand, from P0. InputError as the law, as initial_pressure() and
+/// The law by which the products expand, from P0; its gas stage by a typed pressure or share, else
+/// by stage_by_crushing(). InputError as the law, as initial_pressure() and
 /// energy_switch_pressure(), or if something of the explosive that the law needs is not known.
 [[nodiscard]] ProductExpansion product_expansion(const ChargeOptions& options,
                                                  const NamedExplosive& explosive);
+
+/// Whether the gas stage starts where the gas has come down to the peak on the wall of the crushed
+/// zone, rather than as typed or where the law itself changes.
+[[nodiscard]] bool stage_by_crushing(const ChargeOptions& options);
 
 }  // namespace muckpile

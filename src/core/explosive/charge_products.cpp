@@ -111,15 +111,16 @@ ProductExpansion jwl_of(const ChargeOptions& options, const NamedExplosive& expl
     return ProductExpansion(JwlGas(*explosive.jwl, options.isentrope.switch_pressure));
   }
   const JwlIsentrope fit(*explosive.jwl);
+  const ProductExpansion from_start(JwlGas(*explosive.jwl, fit.pressure(1.0)));
+  if (!options.dense_share) return from_start;
   const double most = 1.0 - fit.stored_energy(JwlIsentrope::kFittedTo) / fit.stored_energy(1.0);
-  if (options.dense_share > most) {
+  if (*options.dense_share > most) {
     std::ostringstream rule;
     rule << "at most " << most << ", what is spent at " << JwlIsentrope::kFittedTo
          << " V0 to which JWL is fitted";
-    refuse_value("dense_share", rule.str(), "", options.dense_share);
+    refuse_value("dense_share", rule.str(), "", *options.dense_share);
   }
-  const ProductExpansion from_start(JwlGas(*explosive.jwl, fit.pressure(1.0)));
-  return from_start.switched_after(options.dense_share);
+  return from_start.switched_after(*options.dense_share);
 }
 
 }  // namespace
@@ -166,13 +167,20 @@ std::string alternative_pressures(const ChargeOptions& options, const NamedExplo
   return text.str();
 }
 
+bool stage_by_crushing(const ChargeOptions& options) {
+  return options.expansion != Expansion::two_stage && options.switch_by_energy &&
+         !options.dense_share;
+}
+
 ProductExpansion product_expansion(const ChargeOptions& options, const NamedExplosive& explosive) {
   switch (options.expansion) {
     case Expansion::jwl:
       return jwl_of(options, explosive);
     case Expansion::covolume: {
       const ProductExpansion gas(covolume_of(options, explosive));
-      return options.switch_by_energy ? gas.switched_after(options.dense_share) : gas;
+      const bool by_share = options.switch_by_energy && options.dense_share;
+      if (by_share) return gas.switched_after(*options.dense_share);
+      return options.switch_by_energy ? gas.switched_at(1.0) : gas;
     }
     case Expansion::two_stage:
       break;

@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
+#include "args/input_error.h"
 #include "args/require.h"
 
 namespace muckpile {
 namespace {
+
+constexpr double kWidestZone = 20.0;  // over the hole [-]
 
 double esen_ratio(const CrushedZoneInput& in) {
   require_positive("youngs_modulus", "Pa", in.youngs_modulus);
@@ -33,8 +37,23 @@ double dai_ratio(const CrushedZoneInput& in) {
                   1.0 / (2.0 + b));
 }
 
+double strength_ratio(const CrushedZoneInput& in) {
+  require_positive("ucs", "Pa", in.ucs);
+  require_positive("crushing_factor", "", in.crushing_factor);
+  require_positive("attenuation_exponent", "", in.attenuation_exponent);
+  const double ratio =
+      std::pow(wall_peak(in) / (in.crushing_factor * in.ucs), 1.0 / in.attenuation_exponent);
+  if (ratio <= kWidestZone) return ratio;
+  std::ostringstream text;
+  text << "crushed_zone strength makes a zone of " << ratio << " hole radii, at most "
+       << kWidestZone
+       << " are allowed: ucs, crushing_factor or attenuation_exponent is too small, or give "
+          "crushed_zone multiple";
+  throw InputError(text.str());
+}
+
 double multiple_ratio(const CrushedZoneInput& in) {
-  if (!(in.multiple >= 1.0 && in.multiple <= 20.0)) {
+  if (!(in.multiple >= 1.0 && in.multiple <= kWidestZone)) {
     refuse_value("crushed_ratio", "from 1 to 20", "", in.multiple);
   }
   require_positive("attenuation_exponent", "", in.attenuation_exponent);
@@ -43,6 +62,8 @@ double multiple_ratio(const CrushedZoneInput& in) {
 
 double ratio(CrushedZone model, const CrushedZoneInput& in) {
   switch (model) {
+    case CrushedZone::strength:
+      return strength_ratio(in);
     case CrushedZone::esen:
       return esen_ratio(in);
     case CrushedZone::djordjevic:

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Crushed zones of decoupled charges; see the header.
+// Crushed zones of the decks of a pattern; see the header.
 #include "explosive/design_zones.h"
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 #include "args/input_error.h"
@@ -14,16 +15,41 @@ namespace {
 
 constexpr const char* kColumn = "crushed_radius_m";
 
-/// Nothing where the deck has the zone of a full chamber, or the table says.
-std::optional<double> own_radius(const ChargeOptions& options, const Deck& deck,
-                                 CrushedZoneInput rock) {
-  if (deck.crushed_radius) return std::nullopt;
-  const ChargeShape shape = deck_shape(options, deck, (deck.collar - deck.toe).norm());
-  rock.hole_radius = shape.hole_radius;
-  rock.pressure_share = pressure_share(deck_options(options, deck), deck_explosive(options, deck),
-                                       shape, rock.attenuation_exponent);
-  if (rock.pressure_share == 1.0) return std::nullopt;
-  return crushed_zone_radius(CrushedZone::multiple, rock);
+/// With the hole and the pressure of a charge that fills the deck's chamber.
+CrushedZoneInput full_deck(const ChargeOptions& options, const Deck& deck, CrushedZoneInput rock) {
+  rock.hole_radius = 0.5 * deck.diameter;
+  rock.borehole_pressure =
+      initial_pressure(deck_options(options, deck), deck_explosive(options, deck));
+  return rock;
+}
+
+double deck_share(const ChargeOptions& options, const Deck& deck, double attenuation_exponent) {
+  return pressure_share(deck_options(options, deck), deck_explosive(options, deck),
+                        deck_shape(options, deck, (deck.collar - deck.toe).norm()),
+                        attenuation_exponent);
+}
+
+void add_deck(PatternZones& zones, const ChargeOptions& options, const Deck& deck,
+              CrushedZone model, const CrushedZoneInput& rock, bool by_pressure) {
+  // What the load would refuse of a deck's explosive, before rock is cut for it.
+  if (options.expansion == Expansion::jwl)
+    (void)product_expansion(deck_options(options, deck), deck_explosive(options, deck));
+  double full = 0.0, radius = 0.0;
+  if (deck.crushed_radius) {
+    full = radius = *deck.crushed_radius;
+    ++zones.from_table;
+  } else {
+    CrushedZoneInput in = full_deck(options, deck, rock);
+    full = radius = crushed_zone_radius(model, in);
+    if (by_pressure) {
+      in.pressure_share = deck_share(options, deck, rock.attenuation_exponent);
+      radius = crushed_zone_radius(model, in);
+    }
+  }
+  zones.radii.push_back(radius);
+  zones.smallest = std::min(zones.smallest, radius);
+  zones.smallest_full = std::min(zones.smallest_full, full);
+  if (radius < full) ++zones.narrower;
 }
 
 void write_row(std::ostream& text, const std::vector<std::string_view>& words) {
@@ -44,29 +70,20 @@ double pressure_share(const ChargeOptions& options, const NamedExplosive& explos
 }
 
 PatternZones pattern_zones(const HoleTable& pattern, const ChargeOptions& options,
-                           CrushedZoneInput rock, bool by_pressure) {
+                           CrushedZone model, CrushedZoneInput rock, bool by_pressure) {
   PatternZones zones;
-  const std::vector<Hole> full = pattern.crushed_zones(rock.multiple);
-  zones.smallest = zones.smallest_full = full.front().radius;  // a table has at least one deck
-  for (std::size_t k = 0; k < full.size(); ++k) {
-    const Deck& deck = pattern.decks()[k];
+  zones.smallest = zones.smallest_full = std::numeric_limits<double>::infinity();
+  for (const Deck& deck : pattern.decks()) {
     try {
-      // What the load would refuse of a deck's explosive, before rock is cut for it.
-      if (options.expansion == Expansion::jwl)
-        (void)product_expansion(deck_options(options, deck), deck_explosive(options, deck));
-      zones.own.push_back(by_pressure ? own_radius(options, deck, rock) : std::nullopt);
+      add_deck(zones, options, deck, model, rock, by_pressure);
     } catch (const InputError& error) {
       throw InputError("hole '" + deck.hole + "' of hole_table: " + error.what());
     }
-    zones.smallest_full = std::min(zones.smallest_full, full[k].radius);
-    zones.smallest = std::min(zones.smallest, zones.own.back().value_or(full[k].radius));
   }
   return zones;
 }
 
 std::string with_zones(const CsvTable& table, const PatternZones& zones) {
-  const auto known = [](const std::optional<double>& own) { return own.has_value(); };
-  if (std::none_of(zones.own.begin(), zones.own.end(), known)) return table.text();
   std::ostringstream text;
   for (const std::string_view remark : table.remarks()) text << '#' << remark << '\n';
   const auto column = table.find_column(kColumn);
@@ -76,8 +93,8 @@ std::string with_zones(const CsvTable& table, const PatternZones& zones) {
   write_row(text, words);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     for (std::size_t k = 0; k < table.header().size(); ++k) words[k] = table.word(row, k);
-    const std::string own = zones.own[row] ? number_text(*zones.own[row]) : std::string();
-    if (zones.own[row] || !column) words[place] = own;
+    const std::string radius = number_text(zones.radii[row]);
+    words[place] = radius;
     write_row(text, words);
   }
   return text.str();

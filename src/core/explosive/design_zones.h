@@ -3,7 +3,6 @@
 // Scope: one radius per chamber, by the pressure of the products that fill it, as the load has one.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,17 +20,20 @@ namespace muckpile {
 
 /// Crushed zones of a pattern's decks.
 struct PatternZones {
-  std::vector<std::optional<double>> own{};  ///< r1 of each deck with a share below or above 1 [m]
-  double smallest = 0.0;                     ///< r1 of all decks [m]
-  double smallest_full = 0.0;                ///< the same, if all charges filled their chambers [m]
+  std::vector<double> radii{};  ///< r1 of each deck [m]
+  double smallest = 0.0;        ///< of them [m]
+  double smallest_full = 0.0;   ///< the same, if all charges filled their chambers [m]
+  long narrower = 0;            ///< decks whose zones are narrower than if they did
+  long from_table = 0;          ///< decks that have the radius of the table
 };
 
-/// By `multiple`, with ratio and exponent of `rock`; a radius of the table stays. With
+/// By `strength` or `multiple`, with the numbers of `rock`; a radius of the table stays. With
 /// `by_pressure` off all are those of full chambers. InputError names the row's hole.
 [[nodiscard]] PatternZones pattern_zones(const HoleTable& pattern, const ChargeOptions& options,
-                                         CrushedZoneInput rock, bool by_pressure);
+                                         CrushedZone model, CrushedZoneInput rock,
+                                         bool by_pressure);
 
-/// The table with own zones in its column crushed_radius_m; its text as it is if there are none.
+/// The table with the zones in its column crushed_radius_m.
 [[nodiscard]] std::string with_zones(const CsvTable& table, const PatternZones& zones);
 
 }  // namespace muckpile

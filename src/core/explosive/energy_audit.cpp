@@ -36,8 +36,8 @@ std::string warning_of_missing(const EnergyAudit& audit) {
   return "the audit of the explosive's energy misses " + percent(audit.error()) +
          " of it and should close to " + rounded_text(100.0 * kEnergyCloses) +
          " %; wave and gas have done work of " + percent(audit.wall_work + audit.joint_work) +
-         ". Where rock or joints are soft a shorter longest_step of fix muckpile/gas brings it down "
-         "(inputs: -var gas_step)";
+         ". Where rock or joints are soft a shorter longest_step of fix muckpile/gas brings it "
+         "down (inputs: -var gas_step)";
 }
 
 EnergyAudit audit_of_hole(const BlastLoad& load, double explosive, double in_hole,

@@ -2,12 +2,14 @@
 // The loads of all holes; see the header.
 #include "explosive/hole_loads.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include "args/input_error.h"
 #include "explosive/attenuation.h"
 #include "explosive/deck_charge.h"
+#include "explosive/volume_ratio.h"
 
 namespace muckpile {
 namespace {
@@ -27,6 +29,31 @@ double modelled_volume(const LoadedHole& hole, const Hole& zone) {
   return zone.share * hole.shape.charge_volume();
 }
 
+/// Peak at the outer boundary of the crushed rock, with or without a pulse [Pa].
+double crushing_peak(const BlastOptions& options, const LoadedHole& hole, const Hole& zone) {
+  if (options.peak_pressure) return *options.peak_pressure;
+  return attenuated_pressure(hole.wall_pressure, hole.shape.hole_radius, zone.radius,
+                             hole.exponent);
+}
+
+/// While the gas that has filled its room presses more than the peak on the wall of the crushed
+/// zone it crushes: its stage starts where it has come down to that. By JWL no later than its fit
+/// holds.
+ProductExpansion staged(const ProductExpansion& products, const BlastOptions& options,
+                        const LoadedHole& hole, const Hole& zone) {
+  if (!stage_by_crushing(options.charge)) return products;
+  const double peak = crushing_peak(options, hole, zone);
+  const double zone_ratio =
+      std::pow(zone.radius, 2.0) * hole.shape.chamber_length * M_PI / hole.shape.charge_volume();
+  const double filled = std::max(1.0, free_volume_ratio(hole.shape, hole.decoupling));
+  const double ratio = volume_ratio_where(filled, [&](double v) {
+    return products.pressure(v) * crushed_rock_share(v, zone_ratio, options.crushed_friction) >
+           peak;
+  });
+  const bool fitted = options.charge.expansion == Expansion::jwl;
+  return products.switched_at(fitted ? std::min(ratio, JwlIsentrope::kFittedTo) : ratio);
+}
+
 BlastLoad blast_load(const BlastOptions& options, const LoadedHole& hole, const Hole& zone) {
   BlastLoad::Parameters parameters{
       .wave_peak = wall_peak(options, hole, zone),
@@ -40,10 +67,11 @@ BlastLoad blast_load(const BlastOptions& options, const LoadedHole& hole, const 
   parameters.zone_volume =
       zone.share * M_PI * zone.radius * zone.radius * hole.shape.chamber_length;
   parameters.crushed_friction = options.crushed_friction;
-  parameters.expansion = products_in_chamber(expansion, hole.shape, hole.decoupling);
   parameters.free_volume_ratio = free_volume_ratio(hole.shape, hole.decoupling);
   parameters.pulse_volume_ratio = pulse_volume_ratio(hole.wall_pressure / hole.initial_pressure,
                                                      expansion, hole.shape, hole.decoupling);
+  parameters.expansion =
+      staged(products_in_chamber(expansion, hole.shape, hole.decoupling), options, hole, zone);
   if (options.vent_by_flow) {
     parameters.flow = options.flow;
     parameters.flow->gamma = expansion.gamma();
@@ -156,10 +184,7 @@ LoadedHole loaded_hole(const BlastOptions& options, const Hole& zone, std::size_
 }
 
 double wall_peak(const BlastOptions& options, const LoadedHole& hole, const Hole& zone) {
-  if (!options.pulse) return 0.0;
-  if (options.peak_pressure) return *options.peak_pressure;
-  return attenuated_pressure(hole.wall_pressure, hole.shape.hole_radius, zone.radius,
-                             hole.exponent);
+  return options.pulse ? crushing_peak(options, hole, zone) : 0.0;
 }
 
 std::vector<HoleBlast> hole_blasts(const BlastOptions& options,

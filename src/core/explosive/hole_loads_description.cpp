@@ -35,8 +35,7 @@ void describe_products(std::ostream& text, const BlastOptions& options, const Lo
   const ProductExpansion products = product_expansion(options.charge, hole.explosive);
   const double density = hole.explosive.density, energy = products.energy() / density;
   constexpr double kUseful = 100e6;  // where makers stop to count "effective energy" [Pa]
-  text << "  products: gas stage from " << products.pressure(products.switch_ratio()) / kMPa
-       << " MPa, exponent " << products.gamma() << "; they hold " << energy / 1e6 << " MJ/kg";
+  text << "  products: exponent " << products.gamma() << ", they hold " << energy / 1e6 << " MJ/kg";
   if (hole.energy_known) text << ", " << energy / hole.explosive.energy << " of the explosive's";
   text << ", and do " << products.work_down_to(kUseful) / density / 1e6 << " MJ/kg down to "
        << kUseful / kMPa << " MPa\n";
@@ -109,11 +108,13 @@ std::string describe(const BlastOptions& options, const std::vector<Hole>& crush
       text << "  the pulse is limited to what the products can press, " << limit / kMPa
            << " MPa on a wall at rest\n";
     }
+    const BlastLoad::StartEnergies at = load.start_energies();
     text << "  gas from " << load.gas_pressure(0.0, 0.0) / kMPa
          << " MPa at Vg = " << load.start_volume()
          << " m3, charge volume V0 = " << load.charge_volume() << " m3, ";
     if (zone.share < 1.0)
       text << "both " << zone.share << " of the whole, whose axis is in mirror planes, ";
+    text << "once wave and crushing have taken " << at.dense / at.products << " of the energy, ";
     if (options.vent_by_flow) {
       text << "leaves through the collar once " << options.flow.stemming_length
            << " m of stemming are out, and through cracks from " << options.flow.crack_delay

@@ -33,12 +33,16 @@ double ProductExpansion::work_down_to(double wanted) const {
                         filled_, [&](double ratio) { return pressure(ratio) > wanted; }));
 }
 
-ProductExpansion ProductExpansion::switched_after(double share) const {
+ProductExpansion ProductExpansion::switched_at(double volume_ratio) const {
   ProductExpansion switched = *this;
-  const double left = (1.0 - share) * energy();
-  switched.switch_ratio_ =
-      volume_ratio_where(filled_, [&](double ratio) { return stored_energy(ratio) > left; });
+  switched.switch_ratio_ = volume_ratio;
   return switched;
+}
+
+ProductExpansion ProductExpansion::switched_after(double share) const {
+  const double left = (1.0 - share) * energy();
+  return switched_at(
+      volume_ratio_where(filled_, [&](double ratio) { return stored_energy(ratio) > left; }));
 }
 
 ProductExpansion ProductExpansion::after_filling(double volume_ratio) const {

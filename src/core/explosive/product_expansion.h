@@ -36,6 +36,8 @@ class ProductExpansion {
   /// The same law with its gas stage from where it has done a share, 0 to 1 (exclusive), of the
   /// work that it can do.
   [[nodiscard]] ProductExpansion switched_after(double share) const;
+  /// The same from a volume ratio V/V0 on.
+  [[nodiscard]] ProductExpansion switched_at(double volume_ratio) const;
 
   /// The products once they have filled a room of this volume ratio without work, and have come to
   /// rest: in it they have the energy that they had in V0. The law's pressures times

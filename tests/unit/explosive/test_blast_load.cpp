@@ -256,11 +256,12 @@ TEST(BlastLoad, RefusesValuesOutOfRange) {
 
 TEST(BlastLoad, CrushedRockBearsPartOfTheGas) {
   // Radial equilibrium of rock that yields: sigma_r r^(1 - K) is the same at hole and wall.
-  BlastLoad::Parameters p{.wave_peak = 0.0,
-                          .expansion = ProductExpansion(TwoStageIsentrope({.initial_pressure = 2e9})),
-                          .charge_volume = 0.01,
-                          .vent_time = 1.0,
-                          .vent_decay = 1.0};
+  BlastLoad::Parameters p{
+      .wave_peak = 0.0,
+      .expansion = ProductExpansion(TwoStageIsentrope({.initial_pressure = 2e9})),
+      .charge_volume = 0.01,
+      .vent_time = 1.0,
+      .vent_decay = 1.0};
   p.zone_volume = 0.09;  // three hole radii
   p.crushed_friction = 35.0 * M_PI / 180.0;
   const BlastLoad load(p);

@@ -69,9 +69,10 @@ TEST(BlastOptions, FormulasForP0AreRefusedOutsideTheirRange) {
                 ": hole 1: vod must be from 1000 to 9500, the range of the formulas for P0, "
                 "m/s, got '12000'");
   EXPECT_EQ(message(fast + " peak_pressure 1e8 gas no"), "");
-  EXPECT_NE(message("explosive anfo energy_share 0.01 hole_diameter 0.09 poisson_ratio 0.2" + kGas)
-                .find("also once energy_share 0.01 has slowed an explosive of the table, m/s, got '"),
-            std::string::npos);
+  EXPECT_NE(
+      message("explosive anfo energy_share 0.01 hole_diameter 0.09 poisson_ratio 0.2" + kGas)
+          .find("also once energy_share 0.01 has slowed an explosive of the table, m/s, got '"),
+      std::string::npos);
 }
 
 TEST(BlastOptions, ADecoupledChargeHasItsOwnWallPressureAndRoom) {
@@ -195,9 +196,57 @@ TEST(BlastOptions, GasStageOfCovolumeByTheShareSpent) {
         read(kCharge + kGas + " explosive_energy 3e6 expansion covolume" + words);
     return hole_blasts(options, {kZone}).front().load().gas_pressure(0.0, 0.0);
   };
-  EXPECT_NEAR(start(""), 2784.375e6 * std::pow(0.75, 3.5), 1e3);
+  // That of the pulse on the wall of the crushed zone, 3^-1.5 P0: by default all of the gas'.
+  EXPECT_NEAR(start(""), 2784.375e6 / std::sqrt(27.0), 1e3);
   EXPECT_NEAR(start(" dense_share 0.4"), 2784.375e6 * std::pow(0.6, 3.5), 1e3);
   EXPECT_NEAR(start(" gas_switch_pressure 2e8"), 200e6, 1e3);
+}
+
+/// What the gas presses through crushed rock of 35 degrees, (V/Vz)^0.3645 of it, has come down to
+/// 535.5 MPa at 1.489, 2.056 and 1.422 V0 in a full hole, with air and with water around the
+/// charge, once 0.247, 0.144 and 0.225 of 3300 MJ/m3 are spent.
+TEST(BlastOptions, GasStageStartsWhereItPressesWhatTheWaveDoes) {
+  const auto dense_share = [](const std::string& words, double ratio) {
+    const BlastOptions options =
+        read(kCharge + kGas + " explosive_energy 3e6 crushed_friction 35" + words);
+    Hole zone = kZone;
+    zone.radius = 0.045 * ratio;
+    const std::vector<HoleBlast> blasts = hole_blasts(options, {zone});
+    const BlastLoad& load = blasts.front().load();
+    EXPECT_NEAR(load.wave_peak(), 535.5e6, 1e5);
+    EXPECT_NEAR(load.gas_pressure(0.0, 0.0) * load.wall_share(0.0), load.wave_peak(), 1.0);
+    const BlastLoad::StartEnergies at = load.start_energies();
+    EXPECT_NEAR(at.filling, 0.0, 1e-9 * at.products);
+    return at.dense / at.products;
+  };
+  EXPECT_NEAR(dense_share("", 3.0013), 0.247, 0.002);
+  EXPECT_NEAR(dense_share(" charge_diameter 0.072", 1.7816), 0.144, 0.002);
+  EXPECT_NEAR(dense_share(" charge_diameter 0.072 coupling water", 2.6966), 0.225, 0.002);
+  // Where they fill more than the volume at which a full hole's gas would have come down to it.
+  EXPECT_NEAR(dense_share(" charge_diameter 0.063", 1.3834), 0.085, 0.002);
+  EXPECT_NEAR(dense_share(" charge_diameter 0.054", 1.0621), 0.017, 0.002);
+  EXPECT_NEAR(dense_share(" charge_length 6.3", 1.9537), 0.164, 0.002);
+}
+
+/// Where nothing is crushed nothing is spent on it.
+TEST(BlastOptions, TheGasStageNeedsTheFallOfThePeakWithoutAPulseToo) {
+  const std::string gas = kCharge + kGas + " explosive_energy 3e6 pulse no";
+  EXPECT_NO_THROW((void)read(gas));
+  try {
+    (void)read("explosive emulsion hole_diameter 0.09 attenuation liu_katsabanis pulse no" + kGas);
+    FAIL() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("needs rock_p_wave_speed"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(BlastOptions, WithoutCrushedRockTheGasStageStartsAtOnce) {
+  const BlastOptions options = read(kCharge + kGas + " explosive_energy 3e6 crushed_friction 35");
+  Hole zone = kZone;
+  zone.radius = 0.045;
+  const auto at = hole_blasts(options, {zone}).front().load().start_energies();
+  EXPECT_NEAR(at.dense, 0.0, 1e-9 * at.products);
 }
 
 TEST(BlastOptions, GasStageOfJwlStaysWithinItsFit) {

@@ -54,10 +54,11 @@ TEST(ChargeWindow, IsPrintedByChargeDesign) {
       "explosive,surface_delay_s\n"
       "a,-3,0,10,-3,0,0,0.1,2,10,,0\nb,-3,4,10,-3,4,0,0.1,2,10,tnt,0.005\n"
       "c,-3,8,10,-3,8,0,0.1,2,10,,0.02\n");
-  const ChargeDesign design = charge_design(
-      parse_args(charge_design_table(), "charge_design",
-                 {"explosive", "anfo", "explosive_density", "800", "hole_table", file}),
-      "charge_design");
+  const ChargeDesign design =
+      charge_design(parse_args(charge_design_table(), "charge_design",
+                               {"explosive", "anfo", "explosive_density", "800", "crushed_ratio",
+                                "3", "hole_table", file}),
+                    "charge_design");
   const double volume = std::numbers::pi * 0.0025 * 8.0, tnt = 1630.0;
   EXPECT_NEAR(design.pattern_mass, volume * (1600.0 + tnt), 1e-9);
   EXPECT_NEAR(design.window_mass, volume * (800.0 + tnt), 1e-9);

@@ -3,6 +3,8 @@
 // Scope: emulsion 1100 kg/m3, 4500 m/s in rock of 2700 kg/m3, c_p 5000 m/s, nu 0.22, 100 and 8 MPa.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "args/input_error.h"
 #include "explosive/crushed_zone.h"
 
@@ -28,6 +30,31 @@ double ratio(CrushedZone model, const CrushedZoneInput& in = emulsion()) {
 
 TEST(CrushedZone, MultipleIsTheRatioTimesTheHole) {
   EXPECT_DOUBLE_EQ(ratio(CrushedZone::multiple), 3.0);
+}
+
+TEST(CrushedZone, StrengthEndsWhereThePeakIsWhatTheRockBears) {
+  // sigma_cr = 3.15 x 100 = 315 MPa: (2784.375/315)^(2/3) = 8.83929^(2/3) = 4.27509
+  CrushedZoneInput in = emulsion();
+  in.attenuation_exponent = 1.5;
+  EXPECT_NEAR(ratio(CrushedZone::strength, in), 4.27509, 1e-4);
+  const double r1 = ratio(CrushedZone::strength, in);
+  EXPECT_NEAR(in.borehole_pressure * std::pow(r1, -1.5), 315e6, 1.0);
+  in.pressure_share = 0.1;  // 278 MPa
+  EXPECT_EQ(crushed_zone_radius(CrushedZone::strength, in), 0.045);
+}
+
+/// Esen's fit to measured zones has the same powers where the modulus goes with the strength:
+/// 0.657 of pressure and -0.657 of strength, beside 2/3.
+TEST(CrushedZone, StrengthAnswersToExplosiveAndRockAsEsen) {
+  CrushedZoneInput one = emulsion(), other = emulsion();
+  one.attenuation_exponent = other.attenuation_exponent = 1.5;
+  other.borehole_pressure *= 2.0;
+  const auto answer = [&](CrushedZone model) { return ratio(model, other) / ratio(model, one); };
+  EXPECT_NEAR(answer(CrushedZone::strength) / answer(CrushedZone::esen), 1.0, 0.01);
+  other = one;
+  other.ucs *= 0.5;
+  other.youngs_modulus *= 0.5;
+  EXPECT_NEAR(answer(CrushedZone::strength) / answer(CrushedZone::esen), 1.0, 0.01);
 }
 
 TEST(CrushedZone, EsenIsAPowerOfTheCrushingIndex) {
@@ -85,6 +112,8 @@ TEST(CrushedZone, RefusesWhatItsModelCannotUse) {
     change(in);
     EXPECT_THROW((void)crushed_zone_radius(model, in), InputError);
   };
+  refused(CrushedZone::strength, [](auto& in) { in.ucs = 0.0; });
+  refused(CrushedZone::strength, [](auto& in) { in.crushing_factor = 0.0; });
   refused(CrushedZone::multiple, [](auto& in) { in.multiple = 0.5; });
   refused(CrushedZone::multiple, [](auto& in) { in.attenuation_exponent = 0.0; });
   refused(CrushedZone::esen, [](auto& in) { in.pressure_share = 0.0; });

@@ -82,9 +82,10 @@ TEST_F(DeckCharge, MassesFollowInTheLoadAndInTheDesign) {
   const std::vector<HoleCharge> charges = hole_charges(options_, zones_);
   EXPECT_NEAR(charges[1].mass, area * 8.0 * 1150.0, 1e-9);
   EXPECT_NEAR(charges[2].mass, area * 8.0 * 1200.0, 1e-9);
-  const ChargeDesign design = charge_design(parse_args(charge_design_table(), "charge_design",
-                                                       {"explosive", "anfo", "hole_table", file_}),
-                                            "charge_design");
+  const ChargeDesign design =
+      charge_design(parse_args(charge_design_table(), "charge_design",
+                               {"explosive", "anfo", "crushed_ratio", "3", "hole_table", file_}),
+                    "charge_design");
   EXPECT_NEAR(design.pattern_mass,
               area * 8.0 * (800.0 + 1150.0 + 1200.0) + 3.0 * thin * 8.0 * 800.0, 1e-9);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Crushed zones of decoupled charges, by hand, alone and in a pattern.
+// Crushed zones by strength and of decoupled charges, by hand, alone and in a pattern.
 // Scope: emulsion, P0 = 2784.375 MPa and 3300 MJ/m3, in rock of nu = 0.25: alpha = 7/3 of a shock.
 // By two_stage V_k = 1.7085 V0; in 1.5625 V0 the products that keep their energy press 0.3491 P0.
 #include <gtest/gtest.h>
@@ -19,8 +19,11 @@ namespace {
 
 const std::string kLaws = "expansion two_stage attenuation shock ";
 
+/// Of three hole radii unless the words say more of the zone.
 ChargeDesign design(const std::string& more, const std::string& laws = kLaws) {
-  std::istringstream text("explosive emulsion poisson_ratio 0.25 " + laws + more);
+  const bool own = more.find("crushed_ratio") != more.npos || more.find("ucs") != more.npos;
+  std::istringstream text("explosive emulsion poisson_ratio 0.25 " + laws +
+                          (own ? "" : "crushed_ratio 3 ") + more);
   std::vector<std::string> words;
   for (std::string word; text >> word;) words.push_back(word);
   return charge_design(parse_args(charge_design_table(), "charge_design", words), "charge_design");
@@ -62,9 +65,20 @@ TEST(DesignZones, LawsByDefault) {
   EXPECT_NEAR(radii("charge_diameter 0.08 coupling water", ""), 2.6953, 1e-4);  // 0.8^(0.72/1.5)
 }
 
+/// 3.15 x 170 = 535.5 MPa: (2784.375/535.5)^(2/3) = 3.0013, in air x 0.45734^(2/3) = 1.7816; with
+/// 0.8 of the density (0.8 x 5.1996)^(2/3) = 2.5865.
+TEST(DesignZones, ByStrengthTheyAnswerToTheCharge) {
+  EXPECT_NEAR(radii("ucs 170e6", ""), 3.0013, 1e-4);
+  EXPECT_NEAR(radii("ucs 170e6 charge_diameter 0.08", ""), 1.7816, 1e-4);
+  EXPECT_NEAR(radii("ucs 170e6 explosive_density 880", ""), 2.5865, 1e-4);
+  EXPECT_NEAR(radii("ucs 170e6 crushing_factor 6.3", ""), 3.0013 / 1.587401, 1e-4);  // 2^(2/3)
+  EXPECT_NEAR(radii("ucs 170e6 crushed_ratio 2", ""), 2.0, 1e-12);
+}
+
 TEST(DesignZones, FormulasHaveThePressureOnTheWall) {
   const std::string rock =
-      "crushed_zone esen youngs_modulus 60e9 ucs 100e6 rock_density 2700 charge_diameter 0.08 ";
+      "crushed_ratio auto crushed_zone esen youngs_modulus 60e9 ucs 100e6 rock_density 2700 "
+      "charge_diameter 0.08 ";
   // CZI = P^3 x 1.25/(60e9 x 1e16); P = 2784.375 x 0.8^0.72 = 2371.1 MPa: 0.812 x 27.77^0.219
   EXPECT_NEAR(radii(rock + "coupling water"), 1.6814, 1e-3);
   EXPECT_EQ(radii(rock), 1.0);  // 972 MPa: CZI 1.91
@@ -106,8 +120,8 @@ TEST(DesignZones, GoIntoThePatternsTable) {
   const ChargeDesign plan = design("hole_table " + file);
   EXPECT_EQ(plan.crushed_table.rfind("# mine\n", 0), 0U) << plan.crushed_table;
   const std::vector<Hole> zones =
-      HoleTable(CsvTable::parse(plan.crushed_table, "table")).crushed_zones(3.0);
-  ASSERT_EQ(zones.size(), 4U);
+      HoleTable(CsvTable::parse(plan.crushed_table, "table")).crushed_zones(1.0);
+  ASSERT_EQ(zones.size(), 4U);  // every row has its radius
   EXPECT_EQ(zones[0].radius, 0.05 * 3.0);
   EXPECT_EQ(zones[1].radius, *design("hole_diameter 0.1 charge_diameter 0.08").crushed_radius);
   EXPECT_NEAR(zones[2].radius, 0.05 * 2.1040, 1e-5);
@@ -117,12 +131,22 @@ TEST(DesignZones, GoIntoThePatternsTable) {
   EXPECT_EQ(design("decoupled_zone full hole_table " + file).pattern_crushed_radius, 0.05 * 3.0);
 }
 
-TEST(DesignZones, LeaveATableOfFullHolesAsItIs) {
+TEST(DesignZones, ByStrengthEachDeckHasThatOfItsExplosive) {
+  const testing::TemporaryFolder folder;
+  const std::string file = testing::write_text(
+      folder.path() / "holes.csv",
+      kColumns + ",explosive\na,-3,0,4,-3,0,0,0.1,,,anfo\nb,-3,4,4,-3,4,0,0.2,,,\n");
+  const ChargeDesign plan = design("ucs 170e6 hole_table " + file, "");
+  const std::vector<Hole> zones =
+      HoleTable(CsvTable::parse(plan.crushed_table, "table")).crushed_zones(1.0);
+  EXPECT_NEAR(zones[0].radius, 0.05 * 2.0746, 1e-5);  // (1600/535.5)^(2/3)
+  EXPECT_NEAR(zones[1].radius, 0.10 * 3.0013, 1e-5);
+}
+
+TEST(DesignZones, CountTheStylesWordsWhereARowHasNone) {
   const testing::TemporaryFolder folder;
   const std::string text = kColumns + "\na, -3,0,4,-3,0,0,0.1,,\n";
   const std::string file = testing::write_text(folder.path() / "holes.csv", text);
-  EXPECT_EQ(design("hole_table " + file).crushed_table, text);
-  // The style's words count where a row has none of its own.
   const ChargeDesign thin = design("charge_diameter 0.08 coupling water hole_table " + file);
   EXPECT_NEAR(thin.pattern_crushed_radius, 0.05 * 2.8004, 1e-5);
   EXPECT_NEAR(thin.pattern_mass, 1100.0 * 3.14159265 * 0.0016 * 4.0, 1e-6);
@@ -131,6 +155,26 @@ TEST(DesignZones, LeaveATableOfFullHolesAsItIs) {
 TEST(DesignZones, RefuseChargesThatDoNotFit) {
   EXPECT_EQ(input_error_of([] { (void)design("hole_diameter 0.1 charge_diameter 0.12"); }),
             "charge_design: charge_diameter must be at most hole_diameter m, got '0.12'");
+  EXPECT_EQ(input_error_of([] {
+              (void)design(
+                  "hole_diameter 0.1 crushed_zone strength ucs 1e8 "
+                  "crushed_ratio 2");
+            }),
+            "charge_design: crushed_ratio is for crushed_zone multiple, got crushed_zone strength");
+  EXPECT_EQ(input_error_of([] { (void)design("hole_diameter 0.1 crushed_ratio auto"); }),
+            "charge_design: crushed_zone strength needs ucs [Pa] of the rock; or give "
+            "crushed_zone multiple");
+  EXPECT_EQ(input_error_of([] {
+              (void)design(
+                  "hole_diameter 0.1 crushed_ratio 2 "
+                  "crushing_factor 3");
+            }),
+            "charge_design: crushing_factor is for crushed_zone strength, got crushed_zone "
+            "multiple");
+  EXPECT_EQ(input_error_of([] { (void)design("hole_diameter 0.1 ucs 1e5", ""); }),
+            "charge_design: crushed_zone strength makes a zone of 427.509 hole radii, at most 20 "
+            "are allowed: ucs, crushing_factor or attenuation_exponent is too small, or give "
+            "crushed_zone multiple");
   EXPECT_EQ(input_error_of([] { (void)design("crushed_table a.csv"); }),
             "charge_design: crushed_table needs hole_table");
   const testing::TemporaryFolder folder;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Cuts single Voronoi cells out of a box: voro++ cuts planes, our k-d tree finds the neighbours.
+// Cuts single Voronoi cells out of a box: our k-d tree finds the neighbours, voro++ cuts the cells
+// that become blocks, LaneCell those of sweeps.
 // Scope: planes are offered nearest first until no farther point can reach the cell.
 #include "geometry/cut/cell_cutter.h"
 
@@ -20,6 +21,15 @@ constexpr int kBound = -7;  // -1 to -6 are the walls of the box
 // A point farther than twice the farthest vertex cannot cut the cell. voro++ keeps doubled vertex
 // coordinates, and max_radius_squared is about those: the factor two is in it.
 double reach_of(voro::voronoicell_neighbor& cell) { return std::sqrt(cell.max_radius_squared()); }
+double reach_of(const LaneCell& cell) { return 2.0 * std::sqrt(cell.farthest2()); }
+
+// False if nothing is left. `shift`: from the centre of the cell to the point behind the plane.
+bool cut_midway(voro::voronoicell_neighbor& cell, const Vec3& shift, double distance2, int other) {
+  return cell.nplane(shift.x(), shift.y(), shift.z(), distance2, other);
+}
+bool cut_midway(LaneCell& cell, const Vec3& shift, double distance2, int other) {
+  return cell.cut(shift, 0.5 * distance2, other);
+}
 
 }  // namespace
 
@@ -30,15 +40,20 @@ struct CellCutter::Impl {
 
   // False if nothing is left of the cell.
   [[nodiscard]] bool cut_at(const CutPlane& bound, int number);
+  template <class Cell>
+  [[nodiscard]] bool cut_by_points(Cell& of, int point, double reach);
+  // False if the cell is given up.
+  [[nodiscard]] bool cut_in_lanes(int point, double reach);
 
   const std::vector<Vec3>& points;
   const std::vector<CutPlane> bounds;
   const Vec3 lo, hi;
   const PointIndex index;
-  PointIndex::Found found;
+  PointSearch search{index};
   voro::voronoicell_neighbor cell;
+  LaneCell lane_cell;
+  bool in_lanes = false;  // the present cell
   Vec3 centre = Vec3::Zero();
-  int highest_met = -1;
 };
 
 // The plane's unit normal looks out of the cell.
@@ -53,47 +68,78 @@ CellCutter::CellCutter(const std::vector<Vec3>& points, const Vec3& lo, const Ve
 
 CellCutter::~CellCutter() = default;
 
-bool CellCutter::cut(int point, double reach, const CutPlane* wall) {
-  Impl& m = *impl_;
-  m.centre = m.points[static_cast<std::size_t>(point)];
-  m.highest_met = -1;
-  const Vec3 lo = m.lo - m.centre, hi = m.hi - m.centre;
-  m.cell.init(lo.x(), hi.x(), lo.y(), hi.y(), lo.z(), hi.z());
-  for (const CutPlane& bound : m.bounds)
-    if (!m.cut_at(bound, kBound)) return false;
-  if (wall && !m.cut_at({wall->point, -wall->normal}, kOwnWall)) return false;
-  double needed = reach_of(m.cell);
+template <class Cell>
+bool CellCutter::Impl::cut_by_points(Cell& of, int point, double reach) {
+  constexpr std::size_t kAhead = 8;
+  const auto place = static_cast<std::size_t>(point);
+  search.prepare({&points[place], std::min(kAhead, points.size() - place)}, reach);
+  double needed = reach_of(of);
   for (double inner = 0.0, outer = reach; inner < needed;) {
-    m.index.shell(m.centre, inner, outer, m.found);
-    for (std::size_t k = 0; k < m.found.size(); ++k) {
-      const auto [distance2, other] = m.found[k];
+    const PointSearch::Found& found = search.shell(centre, inner, outer);
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      const auto [distance2, other] = found[k];
       if (other == point) continue;
       if (distance2 > needed * needed) break;
-      const Vec3 d = m.points[static_cast<std::size_t>(other)] - m.centre;
-      m.highest_met = std::max(m.highest_met, other);
-      if (!m.cell.nplane(d.x(), d.y(), d.z(), distance2, other)) return false;
+      const Vec3 shift = points[static_cast<std::size_t>(other)] - centre;
+      if (!cut_midway(of, shift, distance2, other)) return false;
       constexpr std::size_t kPlanesBetweenUpdates = 8;
-      if (k % kPlanesBetweenUpdates == 0) needed = reach_of(m.cell);
+      if (k % kPlanesBetweenUpdates == 0) needed = reach_of(of);
     }
-    needed = reach_of(m.cell);
+    needed = reach_of(of);
     inner = outer;
     outer = std::min(1.3 * outer, 1.0001 * needed);
   }
   return true;
 }
 
-double CellCutter::volume() const { return impl_->cell.volume(); }
-
-Vec3 CellCutter::centroid() const {
-  Vec3 local;
-  impl_->cell.centroid(local.x(), local.y(), local.z());
-  return impl_->centre + local;
+bool CellCutter::cut(int point, double reach, const CutPlane* wall) {
+  Impl& m = *impl_;
+  m.in_lanes = false;
+  m.centre = m.points[static_cast<std::size_t>(point)];
+  const Vec3 lo = m.lo - m.centre, hi = m.hi - m.centre;
+  m.cell.init(lo.x(), hi.x(), lo.y(), hi.y(), lo.z(), hi.z());
+  for (const CutPlane& bound : m.bounds)
+    if (!m.cut_at(bound, kBound)) return false;
+  if (wall && !m.cut_at({wall->point, -wall->normal}, kOwnWall)) return false;
+  return m.cut_by_points(m.cell, point, reach);
 }
 
-bool CellCutter::met_point_from(int first) const { return impl_->highest_met >= first; }
+bool CellCutter::Impl::cut_in_lanes(int point, double reach) {
+  centre = points[static_cast<std::size_t>(point)];
+  lane_cell.start(lo - centre, hi - centre);
+  for (const CutPlane& bound : bounds)
+    if (!lane_cell.cut(bound.normal, bound.normal.dot(bound.point - centre), kBound)) return false;
+  return cut_by_points(lane_cell, point, reach);
+}
+
+bool CellCutter::cut_fast(int point, double reach) {
+  impl_->in_lanes = impl_->cut_in_lanes(point, reach);
+  return impl_->in_lanes || cut(point, reach);
+}
+
+LaneCell::Measure CellCutter::measure() const {
+  Impl& m = *impl_;
+  LaneCell::Measure measure;
+  if (m.in_lanes)
+    measure = m.lane_cell.measure();
+  else {
+    measure.volume = m.cell.volume();
+    m.cell.centroid(measure.centroid.x(), measure.centroid.y(), measure.centroid.z());
+  }
+  measure.centroid += m.centre;
+  return measure;
+}
+
+bool CellCutter::any_face(const std::function<bool(int)>& condition) const {
+  if (impl_->in_lanes) return impl_->lane_cell.any_face(condition);
+  std::vector<int> neighbours;
+  impl_->cell.neighbors(neighbours);
+  return std::ranges::any_of(neighbours, condition);
+}
 
 void CellCutter::extract(Polyhedron& shape, std::vector<int>& neighbours) const {
   Impl& m = *impl_;
+  if (m.in_lanes) return m.lane_cell.extract(m.centre, shape, neighbours);
   std::vector<double> coordinates;
   m.cell.vertices(m.centre.x(), m.centre.y(), m.centre.z(), coordinates);
   shape.vertices.clear();

@@ -38,6 +38,11 @@ bool is_within(const std::vector<CutPlane>& bounds, const Hole& hole, double far
   });
 }
 
+[[noreturn]] void fail_without_cell(std::size_t seed) {
+  throw std::runtime_error("Voronoi cell of seed " + std::to_string(seed) +
+                           " vanished: it lies outside its part of the rock, or in another seed");
+}
+
 /// Takes away blocks without faces, which no block has for a neighbour.
 void drop_empty(std::vector<Block>& blocks) {
   std::vector<int> number(blocks.size());
@@ -130,12 +135,14 @@ void Relaxation::adjust_radii(const std::vector<double>& hole_volumes) {
   }
 }
 
+double Relaxation::first_reach(std::size_t seed) const {
+  return kFirstReach * ground_.size(seeds_[seed]);
+}
+
 bool Relaxation::cut(CellCutter& cutter, std::size_t seed, const VoidWall& wall) const {
-  const bool left = cutter.cut(static_cast<int>(seed), kFirstReach * ground_.size(seeds_[seed]),
-                               wall.hole >= 0 ? &wall.plane : nullptr);
-  if (!left && !ring_seed(seed) && wall.hole < 0)
-    throw std::runtime_error("Voronoi cell of seed " + std::to_string(seed) +
-                             " vanished: it lies outside its part of the rock, or in another seed");
+  const bool left =
+      cutter.cut(static_cast<int>(seed), first_reach(seed), wall.hole >= 0 ? &wall.plane : nullptr);
+  if (!left && !ring_seed(seed) && wall.hole < 0) fail_without_cell(seed);
   return left;
 }
 
@@ -143,6 +150,9 @@ Relaxation::Swept Relaxation::sweep_part(std::size_t first, std::size_t last) co
   const Images images = mirror_seeds(seeds_, mirrored_holes_, options_.region, ground_);
   const std::vector<Vec3> points = points_with(images);
   CellCutter cutter(points, options_.lo, options_.hi, bounds_);
+  const auto is_hole_image = [&, number = static_cast<int>(seeds())](int p) {
+    return p >= number && is_hole_face(images.face_codes[static_cast<std::size_t>(p - number)]);
+  };
   Swept swept;
   Polyhedron shape;
   std::vector<int> behind;
@@ -151,10 +161,11 @@ Relaxation::Swept Relaxation::sweep_part(std::size_t first, std::size_t last) co
       swept.seeds.insert(swept.seeds.end(), seeds_[i].begin(), seeds_[i].end());
       continue;
     }
-    (void)cut(cutter, i, {});
-    const Vec3 next = relaxed(seeds_[i], cutter.centroid(), cutter.volume());
+    if (!cutter.cut_fast(static_cast<int>(i), first_reach(i))) fail_without_cell(i);
+    const auto [volume, centroid] = cutter.measure();
+    const Vec3 next = relaxed(seeds_[i], centroid, volume);
     swept.seeds.insert(swept.seeds.end(), next.begin(), next.end());
-    if (!cutter.met_point_from(static_cast<int>(seeds_.size()))) continue;
+    if (!cutter.any_face(is_hole_image)) continue;
     cutter.extract(shape, behind);
     add_hole_volumes(shape, face_codes(behind, images), swept.carved);
   }

@@ -46,6 +46,8 @@ class Relaxation {
   [[nodiscard]] const RingSeed* ring_seed(std::size_t seed) const {
     return seed < first_ring_ ? nullptr : &rings_.seeds()[seed - first_ring_];
   }
+  // Guess of how far the neighbours of a seed are [m].
+  [[nodiscard]] double first_reach(std::size_t seed) const;
   // False if nothing is left of the cell, which may be so of a seed of a ring, and at a void.
   [[nodiscard]] bool cut(CellCutter& cutter, std::size_t seed, const VoidWall& wall) const;
   // Those of the rings themselves; per seed.

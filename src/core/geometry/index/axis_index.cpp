@@ -24,24 +24,17 @@ std::vector<BoxTree::Item> boxes_of(const std::vector<Axis>& axes) {
 Axis::Axis(const Vec3& from, const Vec3& to)
     : from_(from), to_(to), direction_((to - from).normalized()), length_((to - from).norm()) {}
 
-double Axis::distance(const Vec3& point) const {
-  const double along = (point - from_).dot(direction_);
-  const double across = (point - from_ - along * direction_).norm();
-  const double beyond = along - std::clamp(along, 0.0, length_);
-  return beyond == 0.0 ? across : std::hypot(beyond, across);
-}
-
 AxisIndex::AxisIndex(std::vector<Axis> axes) : axes_(std::move(axes)), tree_(boxes_of(axes_), 2) {}
 
 double AxisIndex::nearest(const Vec3& point) const {
-  double least = std::numeric_limits<double>::infinity();
+  double least2 = std::numeric_limits<double>::infinity();
   walk(
-      point, [&] { return least * least; },
+      point, [&] { return least2; },
       [&](int k) {
-        least = std::min(least, (*this)[k].distance(point));
+        least2 = std::min(least2, (*this)[k].distance2(point));
         return false;
       });
-  return least;
+  return std::sqrt(least2);
 }
 
 }  // namespace muckpile

@@ -4,7 +4,9 @@
 // at every axis would give.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -20,7 +22,12 @@ class Axis {
   Axis(const Vec3& from, const Vec3& to);
   [[nodiscard]] const Vec3& from() const { return from_; }
   [[nodiscard]] const Vec3& to() const { return to_; }
-  [[nodiscard]] double distance(const Vec3& point) const;  ///< [m]
+  [[nodiscard]] double distance2(const Vec3& point) const {  ///< squared [m2]
+    const double along = (point - from_).dot(direction_);
+    const double beyond = along - std::clamp(along, 0.0, length_);
+    return (point - from_ - along * direction_).squaredNorm() + beyond * beyond;
+  }
+  [[nodiscard]] double distance(const Vec3& point) const { return std::sqrt(distance2(point)); }
 
  private:
   Vec3 from_, to_, direction_;
@@ -52,11 +59,14 @@ class AxisIndex {
 
 template <class Reach, class Visitor>
 bool AxisIndex::walk(const Vec3& point, const Reach& reach2, const Visitor& visit) const {
-  constexpr double kSlack = 1.0 + 1e-9;        // a box may be nearer by rounding
-  constexpr std::size_t kDeepest = 64;         // the halves of int's range
-  using Way = std::pair<double, std::size_t>;  // to a node [m2], and its number
+  constexpr double kSlack = 1.0 + 1e-9;  // a box may be nearer by rounding
+  constexpr std::size_t kDeepest = 64;   // the halves of int's range
+  struct Way {
+    double distance2;  // [m2]
+    std::size_t node;
+  };
   const auto way_to = [&](std::size_t number) {
-    return Way(tree_.node(number).distance2(point), number);
+    return Way{tree_.node(number).distance2(point), number};
   };
   std::array<Way, kDeepest> stack;
   std::size_t depth = 0;
@@ -71,7 +81,7 @@ bool AxisIndex::walk(const Vec3& point, const Reach& reach2, const Visitor& visi
       continue;
     }
     Way near = way_to(number + 1), far = way_to(static_cast<std::size_t>(node.right));
-    if (far < near) std::swap(near, far);
+    if (far.distance2 < near.distance2) std::swap(near, far);
     stack[depth++] = far;
     stack[depth++] = near;
   }

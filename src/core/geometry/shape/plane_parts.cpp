@@ -61,8 +61,8 @@ void mirror_layer(const std::vector<CutPlane>& planes, const Ground& ground, dou
     const Vec3 image = mirrored(plane, seed);
     const double away = std::abs(height(plane, seed)), here = ground.size(seed),
                  there = ground.size(image);
-    // As deep as the smaller blocks ask for: else blocks at a charge would depend on what lies behind
-    // a plane.
+    // As deep as the smaller blocks ask for: else blocks at a charge would depend on what lies
+    // behind a plane.
     const bool in_layer = away < kLayer * std::min({largest, here, there});
     if (!in_layer || !has_image(planes, ground, number, seed)) {
       kept.push_back(seed);
@@ -244,14 +244,14 @@ std::vector<SeedPair> pairs_across(const TessellationOptions& options,
     }
   }
   const PointIndex index(all);
-  PointIndex::Found twins;
+  PointSearch search(index);
   std::vector<SeedPair> pairs;
   for (std::size_t k = 0; k < planes.size(); ++k) {
     for (std::size_t n = 0; n < all.size(); ++n) {
       const double above = height(planes[k], all[n]);
       if (above <= 0.0 || above > farthest) continue;
       const Vec3 image = mirrored(planes[k], all[n]);
-      index.shell(image, 0.0, kRounding * ground.size(image), twins);
+      const PointSearch::Found& twins = search.shell(image, 0.0, kRounding * ground.size(image));
       if (twins.empty()) continue;
       const auto [part, seed] = place[n];
       const auto [other, twin] = place[static_cast<std::size_t>(twins.front().second)];
