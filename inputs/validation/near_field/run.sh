@@ -59,5 +59,5 @@ one_size 0.2 6 0.6
 one_size 0.14 5 0.42
 one_size 0.1 4 0.3
 # The pulse on the crushed zone as fix muckpile/blast tells it, and its radius; granite.
-check_figures near_field "$results/one_size.json" 2 3.4 "${folders[@]}" --pulse 307.9e6 1e-4 0.153 --rock 2650 55e9 0.25
+check_figures near_field "$results/one_size.json" 2 3.4 "${folders[@]}" --pulse 535.5e6 1e-4 0.1058 --rock 2650 55e9 0.25
 check_figures case "$case_dir/expected.json" "$results/summary.json" "$results/one_size.json"
