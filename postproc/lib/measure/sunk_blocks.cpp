@@ -11,6 +11,9 @@
 namespace muckpile {
 namespace {
 
+constexpr double kSliver =
+    1e-12;  // area of a face that bounds nothing, of the block's size squared
+
 // `place` as the block stood at the start.
 bool holds(const StartBlock& block, const Vec3& place, double depth) {
   return std::ranges::all_of(block.shape.faces, [&](std::span<const int> face) {
@@ -20,7 +23,8 @@ bool holds(const StartBlock& block, const Vec3& place, double depth) {
     Vec3 normal = Vec3::Zero();  // by all corners, as three of them may lie on a line (Newell)
     for (size_t k = 0; k < face.size(); ++k)
       normal += (vertex(k) - vertex(0)).cross(vertex((k + 1) % face.size()) - vertex(0));
-    return normal.dot(place - vertex(0)) < -depth * normal.norm();
+    const bool sliver = normal.norm() <= kSliver * block.size * block.size;
+    return sliver || normal.dot(place - vertex(0)) < -depth * normal.norm();
   });
 }
 

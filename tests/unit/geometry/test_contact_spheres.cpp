@@ -48,6 +48,28 @@ std::vector<Sphere> spheres_in(const Polyhedron& shape, const SphereRule& rule) 
 // less than half of that where a sphere lies behind them.
 constexpr double kBetweenPlaces = 1.15;
 
+/// 1 m long and high, 2 degrees sharp.
+Polyhedron sharp_wedge() {
+  const double s = std::tan(1.0 * M_PI / 180.0);
+  Polyhedron wedge;
+  wedge.vertices = {{0, 0, 0}, {1, -s, 0}, {1, s, 0}, {0, 0, 1}, {1, -s, 1}, {1, s, 1}};
+  wedge.faces = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {0, 3, 5, 2}, {1, 2, 5, 4}};
+  return wedge;
+}
+
+TEST(ContactSpheres, StandInSharpWedgesToo) {
+  const Polyhedron wedge = sharp_wedge();
+  const std::vector<Sphere> spheres =
+      spheres_in(wedge, {.count = 1, .growth = 1.0, .surface_gap = 0.25});
+  EXPECT_LT(static_cast<int>(spheres.size()), kMostSpheres);
+  EXPECT_LE(widest_gap(wedge, spheres), kBetweenPlaces * 0.25);
+  const FacePlanes planes(wedge);
+  for (const Sphere& sphere : spheres) {
+    EXPECT_GT(sphere.radius, 1e-4);
+    EXPECT_GE(planes.clearance(sphere.centre), (1.0 - 1e-9) * sphere.radius);
+  }
+}
+
 TEST(ContactSpheres, CoverTheSurfaceOfBlocksOfAnyShape) {
   const Polyhedron shapes[] = {test::box(Vec3::Zero(), Vec3::Ones()),
                                test::box(Vec3::Zero(), Vec3(0.3, 1.0, 1.5)),

@@ -49,12 +49,17 @@ std::vector<Vec3> places_on(const Polyhedron& shape, double spacing) {
 }
 
 /// The largest sphere that leaves a place of the surface bare by no more than `gap` [m]. The gap
-/// that the nearest one of a radius leaves is a convex function of the radius, from 0 on.
-Sphere largest_at(const Vec3& place, double gap, double growth, double largest,
+/// that the nearest one of a radius leaves is a convex function of the radius, from 0 on. In a
+/// sharp wedge, where that one is not found, it stands on the way to the middle of the block, whose
+/// clearance grows at least in proportion.
+Sphere largest_at(const Vec3& place, double gap, double growth, const Sphere& middle,
                   const FacePlanes& planes) {
   constexpr int kHalvings = 12;
+  const double largest = middle.radius / growth;
   const auto nearest = [&](double radius) {
-    const Vec3 centre = planes.nearest_below(radius, place);
+    Vec3 centre = planes.nearest_below(radius, place);
+    if (planes.clearance(centre) < 0.5 * radius)
+      centre = place + radius / largest * (middle.centre - place);
     return Sphere{centre, growth * std::clamp(planes.clearance(centre), 0.0, radius)};
   };
   Sphere best = nearest(largest);
@@ -109,8 +114,8 @@ std::vector<Sphere> covering_spheres(const Polyhedron& shape, const Sphere& midd
   bare.add(middle);
   while (static_cast<int>(spheres.size()) < kMostSpheres &&
          (static_cast<int>(spheres.size()) < rule.count || bare.widest_gap() > rule.surface_gap)) {
-    spheres.push_back(largest_at(bare.barest(), kLeft * rule.surface_gap, rule.growth,
-                                 middle.radius / rule.growth, planes));
+    spheres.push_back(
+        largest_at(bare.barest(), kLeft * rule.surface_gap, rule.growth, middle, planes));
     bare.add(spheres.back());
   }
   return spheres;
