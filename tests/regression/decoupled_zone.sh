@@ -13,7 +13,7 @@ loads() {
   shift 2
   run_input "$name" 1 inputs/bench/in.bench -var accuracy quick -var bench_height 3 -var burden 1.5 -var hole_diameter 0.06 -var time_end 0.02 "$@"
   grep -qF -- "$text" "$out/$name/screen" || fail "$name has not '$text': $(grep 'wave peak' "$out/$name/screen")"
-  grep -q 'block_min 0.235 m is wider than 2 radii of the crushed zone; 0.179989[0-9]* m is taken' "$out/$name/screen" || fail "$name: other blocks at the wall"
+  grep -q 'block_min 0.235 m is wider than .* 0\.1799[0-9]* m is taken' "$out/$name/screen" || fail "$name: other blocks at the wall"
 }
 
 loads full 'wave peak P1 = 535.5 MPa on r1 = 0.09004 m' &

@@ -70,7 +70,8 @@ void FaceLoad::squeeze(BlockFields& blocks) {
     const double squeezed = face.area * face.pressure * face.depth_share *
                             face.normal.dot(face.arm) / blocks.rock[b].two_g;
     blocks.sums[b].loaded -= squeezed;
-    if (blocks.owned(b)) energy_ += 0.5 * squeezed * face.pressure;
+    // Until it is loaded anew a face in softer rock has not given way to the pressure of before.
+    if (blocks.owned(b) && !softer_since_) energy_ += 0.5 * squeezed * face.pressure;
   }
 }
 

@@ -243,7 +243,6 @@ void FacetNetwork::soften(double factor, std::optional<double> damping, const Ra
   schedule_.set_resting_known(false);
   tables_.soften(factor, damping, history_.bonded_points());
   blocks_.find_rock(tables_.laws());
-  find_stresses(team);  // who asks for the energy before the next step gets that of softer rock
 }
 
 NetworkTotals FacetNetwork::totals(const RankTeam& team) {
