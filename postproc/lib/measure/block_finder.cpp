@@ -9,18 +9,7 @@
 namespace muckpile {
 namespace {
 
-bool is_within(const StartBlock& block, const Vec3& point) {
-  constexpr double kOutside = 1e-9;  // of the block's size
-  return std::ranges::all_of(block.shape.faces, [&](std::span<const int> face) {
-    const auto vertex = [&](size_t k) -> const Vec3& {
-      return block.shape.vertices[static_cast<size_t>(face[k])];
-    };
-    Vec3 normal = Vec3::Zero();  // by all corners, as three of them may lie on a line (Newell)
-    for (size_t k = 0; k < face.size(); ++k)
-      normal += (vertex(k) - vertex(0)).cross(vertex((k + 1) % face.size()) - vertex(0));
-    return normal.dot(point - vertex(0)) <= kOutside * block.size * normal.norm();
-  });
-}
+constexpr double kOutside = 1e-9;  // of its size, that a point may be off a block
 
 double mean_size(const std::vector<StartBlock>& blocks) {
   double sum = 0.0;
@@ -29,6 +18,20 @@ double mean_size(const std::vector<StartBlock>& blocks) {
 }
 
 }  // namespace
+
+bool lies_within(const StartBlock& block, const Vec3& place, double depth) {
+  constexpr double kSliver = 1e-12;  // area of a face without one, of the block's size squared
+  return std::ranges::all_of(block.shape.faces, [&](std::span<const int> face) {
+    const auto vertex = [&](size_t k) -> const Vec3& {
+      return block.shape.vertices[static_cast<size_t>(face[k])];
+    };
+    Vec3 normal = Vec3::Zero();  // by all corners, as three of them may lie on a line (Newell)
+    for (size_t k = 0; k < face.size(); ++k)
+      normal += (vertex(k) - vertex(0)).cross(vertex((k + 1) % face.size()) - vertex(0));
+    const bool sliver = normal.norm() <= kSliver * block.size * block.size;
+    return sliver || normal.dot(place - vertex(0)) < -depth * normal.norm();
+  });
+}
 
 BlockFinder::BlockFinder(const std::vector<StartBlock>& blocks)
     : blocks_(blocks), width_(mean_size(blocks)) {
@@ -51,7 +54,7 @@ std::optional<size_t> BlockFinder::at(const Vec3& point) const {
   const auto cell = in_cell_.find(cell_of(point));
   if (cell == in_cell_.end()) return std::nullopt;
   for (const size_t b : cell->second)
-    if (is_within(blocks_[b], point)) return b;
+    if (lies_within(blocks_[b], point, -kOutside * blocks_[b].size)) return b;
   return std::nullopt;
 }
 

@@ -13,6 +13,10 @@
 
 namespace muckpile {
 
+// Whether a place lies in a block, as it stood before the blast, by more than `depth` [m]; below 0:
+// or so far outside of it. Faces without area bound nothing.
+[[nodiscard]] bool lies_within(const StartBlock& block, const Vec3& place, double depth);
+
 class BlockFinder {
  public:
   // `blocks` must outlive the finder.

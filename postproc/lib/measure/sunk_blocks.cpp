@@ -4,29 +4,12 @@
 #include "measure/sunk_blocks.h"
 
 #include <algorithm>
-#include <span>
 
 #include "geometry/index/box_tree.h"
+#include "measure/block_finder.h"
 
 namespace muckpile {
 namespace {
-
-constexpr double kSliver =
-    1e-12;  // area of a face that bounds nothing, of the block's size squared
-
-// `place` as the block stood at the start.
-bool holds(const StartBlock& block, const Vec3& place, double depth) {
-  return std::ranges::all_of(block.shape.faces, [&](std::span<const int> face) {
-    const auto vertex = [&](size_t k) -> const Vec3& {
-      return block.shape.vertices[static_cast<size_t>(face[k])];
-    };
-    Vec3 normal = Vec3::Zero();  // by all corners, as three of them may lie on a line (Newell)
-    for (size_t k = 0; k < face.size(); ++k)
-      normal += (vertex(k) - vertex(0)).cross(vertex((k + 1) % face.size()) - vertex(0));
-    const bool sliver = normal.norm() <= kSliver * block.size * block.size;
-    return sliver || normal.dot(place - vertex(0)) < -depth * normal.norm();
-  });
-}
 
 std::vector<BoxTree::Item> boxes_around(const std::vector<StartBlock>& blocks,
                                         const std::vector<BlockState>& states) {
@@ -54,9 +37,10 @@ std::vector<char> sunk_blocks(const std::vector<StartBlock>& blocks,
     const Vec3& centre = states[b].centre;
     const auto holds_it = [&](size_t other) {
       const Vec3 from = centre - states[other].centre;
-      return other != b && holds(blocks[other],
-                                 blocks[other].centroid + states[other].rotation.conjugate() * from,
-                                 kDeep * blocks[b].size);
+      return other != b &&
+             lies_within(blocks[other],
+                         blocks[other].centroid + states[other].rotation.conjugate() * from,
+                         kDeep * blocks[b].size);
     };
     if (tree.any([&](const BoxTree::Node& node) { return node.distance2(centre) <= 0.0; },
                  holds_it))
