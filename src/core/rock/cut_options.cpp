@@ -180,17 +180,12 @@ void read_cut(CutOptions& options, const ArgValues& args) {
 }
 
 /// As many as half of the memory [bytes] holds, at most 5 million. Measured peaks: 12 kB a block
-/// while cutting, 0.7 kB a sphere in LIGGGHTS and contact lists.
+/// while cutting, 0.7 kB a sphere in LIGGGHTS and contact lists. What sphere_gap adds is not known
+/// before the cut.
 std::size_t blocks_in_memory(std::size_t memory, int spheres_per_block) {
   const double bytes_per_block = 12e3 + 0.7e3 * spheres_per_block;
   return static_cast<std::size_t>(
       std::min(0.5 * static_cast<double>(memory) / bytes_per_block, 5e6));
-}
-
-/// Of a block in the mean; 13 are those of a crater in jointed rock with a gap of 0.8 block_min.
-int expected_spheres(const SphereRule& rule) {
-  constexpr int kWithGap = 13;
-  return std::isfinite(rule.surface_gap) ? std::max(rule.count, kWithGap) : rule.count;
 }
 
 void read_spheres(CutOptions& options, const ArgValues& args) {
@@ -253,7 +248,7 @@ CutOptions read(const ArgValues& args, std::size_t memory) {
   rock.sweeps = static_cast<int>(args.integer("sweeps"));
   rock.max_blocks = args.integer("max_blocks") > 0
                         ? static_cast<std::size_t>(args.integer("max_blocks"))
-                        : blocks_in_memory(memory, expected_spheres(options.spheres));
+                        : blocks_in_memory(memory, options.spheres.count);
   options.round_walls = args.word("wall") == "round";
   return options;
 }
