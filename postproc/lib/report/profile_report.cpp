@@ -156,7 +156,7 @@ nlohmann::ordered_json keys_of(const BenchFigures& figures, const RunData& run) 
   keys["front_slope_deg"] = degrees(pile.front_angle);
   keys["profile_cell_m"] = run.cell;
   keys["blocks_on_the_move"] = std::ranges::count(run.lies, 0);
-  keys["blocks_in_blocks"] = run.blocks_in_blocks();
+  keys["blocks_in_blocks"] = nullptr;  // looked for once, in report_profile()
   keys.update(muck_keys(run));
   return keys;
 }
@@ -264,6 +264,7 @@ void report_profile(const ResultFolder& folder, const MeasureOptions& measure,
   write_png(draw_section(std::move(plot)), folder.file("profile.png"));
   nlohmann::ordered_json keys = common_keys(folder);
   keys.update(keys_of(figures, run));
+  keys["blocks_in_blocks"] = run.blocks_in_blocks();
   keys["face_note"] = nullptr;
   if (!bench.face_note.empty()) keys["face_note"] = bench.face_note;
   folder.merge_into_summary(keys, {refusal_key("profile")});

@@ -91,13 +91,13 @@ BlastHoles::Gas BlastHoles::gas(std::size_t hole, double time) const {
   const double swept = state_.swept[hole];
   const GasState& state = state_.gas[hole];
   const double share = blast.wall_share(swept, state);
-  const double mass = state.mass_left * charges_[hole].mass;
+  const double mass = state.mass_left * charges_[hole].gas;
   return {mass, share * blast.gas_pressure(swept, time, state),
           share * mass / blast.gas_volume(swept, state), blast.gas_enthalpy(swept, time, state)};
 }
 
 void BlastHoles::take_gas(std::size_t hole, double mass, double energy, double time) {
-  blasts_[hole].take_gas(state_.gas[hole], state_.swept[hole], time, mass / charges_[hole].mass,
+  blasts_[hole].take_gas(state_.gas[hole], state_.swept[hole], time, mass / charges_[hole].gas,
                          energy);
   state_.books[hole].into_joints += energy;
 }

@@ -57,7 +57,7 @@ class BlastLoad {
     PulseParameters pulse{};                      ///< its shape
     std::optional<ProductExpansion> expansion{};  ///< nothing: pulse only; all below is then unused
     double charge_volume;                         ///< V0 [m3]
-    double products_mass = 1.0;                   ///< of the charge [kg]
+    double products_mass = 1.0;                   ///< of the gas of the charge [kg]
     double free_volume_ratio = 1.0;               ///< chamber that the products fill over V0 [-]
     double pulse_volume_ratio = 1.0;              ///< Vp/V0, at most free_volume_ratio [-]
     double zone_volume = 0.0;                     ///< Vz, of the crushed zone and the hole [m3]

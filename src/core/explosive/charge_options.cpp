@@ -84,9 +84,9 @@ void add_explosive_keywords(ArgTable& table) {
   add_optional(table, "explosive_energy",
                "heat of explosion per mass [J/kg], 1e4 to 1e9; auto: the table's");
   add_optional(table, "energy_share",
-               "share of explosive_energy that is released in time, > 0 and <= 1, for a non-ideal "
-               "detonation; vod of the table is multiplied by its square root, a typed one is not; "
-               "auto: 1");
+               "share of the charge that reacts in time, with its energy and its gas, > 0 and <= "
+               "1, for a non-ideal detonation; vod of the table is multiplied by its square root, "
+               "a typed one is not; auto: 1");
   add_optional(
       table, "explosive_gamma",
       "exponent of the products at the Chapman-Jouguet point, > 1 and <= 10; auto: the table's");

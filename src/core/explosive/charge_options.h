@@ -79,8 +79,8 @@ void read_expansion(ChargeOptions& options, const ArgValues& values, const std::
                                                               Range range);
 
 /// The explosive as it detonates when only energy_share of its energy is released in time: so much
-/// of the energy, and the square root of it of the detonation velocity unless that was typed (the
-/// energy of a detonation goes with its velocity squared).
+/// of it reacts, with its energy and its gas, and the detonation has the square root of that of its
+/// velocity unless that was typed (the energy of a detonation goes with its velocity squared).
 [[nodiscard]] NamedExplosive released(const ChargeOptions& options, NamedExplosive explosive,
                                       bool vod_typed);
 

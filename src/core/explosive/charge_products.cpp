@@ -127,6 +127,7 @@ ProductExpansion jwl_of(const ChargeOptions& options, const NamedExplosive& expl
 
 NamedExplosive released(const ChargeOptions& options, NamedExplosive explosive, bool vod_typed) {
   explosive.energy *= options.energy_share;
+  explosive.reacts = options.energy_share;
   if (!vod_typed) explosive.detonation_velocity *= std::sqrt(options.energy_share);
   return explosive;
 }

@@ -27,6 +27,7 @@ struct NamedExplosive {
   /// Products per mass as a gas at 273.15 K and 101325 Pa, water as steam [m3/kg]. Not given: the
   /// middle of what industrial explosives have, 0.7 to 1.1 (explosives.csv).
   double gas_volume = kUsualGasVolume;
+  double reacts = 1.0;  ///< share of its mass that turns into gas in time [-]
   std::optional<JwlParameters> jwl{};
   std::string source{};
 };

@@ -47,7 +47,7 @@ class GasVent {
   struct Parameters {
     double hole_radius;                ///< [m]
     double zone_radius;                ///< r1, of the crushed zone [m]
-    double products_mass;              ///< of the charge [kg]
+    double products_mass;              ///< of the gas of the charge [kg]
     double gamma = 1.4;                ///< of the expanded gas, > 1
     double share = 1.0;                ///< of the hole that is modelled, as its mass is (Hole)
     double stemming_length = 0.0;      ///< 0: the collar is open from the start [m]

@@ -29,6 +29,10 @@ double modelled_volume(const LoadedHole& hole, const Hole& zone) {
   return zone.share * hole.shape.charge_volume();
 }
 
+double charge_mass(const LoadedHole& hole, const Hole& zone) {
+  return hole.explosive.density * modelled_volume(hole, zone);
+}
+
 /// Peak at the outer boundary of the crushed rock, with or without a pulse [Pa].
 double crushing_peak(const BlastOptions& options, const LoadedHole& hole, const Hole& zone) {
   if (options.peak_pressure) return *options.peak_pressure;
@@ -55,13 +59,12 @@ ProductExpansion staged(const ProductExpansion& products, const BlastOptions& op
 }
 
 BlastLoad blast_load(const BlastOptions& options, const LoadedHole& hole, const Hole& zone) {
-  BlastLoad::Parameters parameters{
-      .wave_peak = wall_peak(options, hole, zone),
-      .pulse = options.pulse_shape,
-      .charge_volume = modelled_volume(hole, zone),
-      .products_mass = hole.explosive.density * modelled_volume(hole, zone),
-      .vent_time = options.vent_time.value_or(0.0),
-      .vent_decay = options.vent_decay.value_or(1.0)};
+  BlastLoad::Parameters parameters{.wave_peak = wall_peak(options, hole, zone),
+                                   .pulse = options.pulse_shape,
+                                   .charge_volume = modelled_volume(hole, zone),
+                                   .products_mass = charge_mass(hole, zone) * hole.explosive.reacts,
+                                   .vent_time = options.vent_time.value_or(0.0),
+                                   .vent_decay = options.vent_decay.value_or(1.0)};
   if (!options.gas) return BlastLoad(parameters);
   const ProductExpansion expansion = product_expansion(options.charge, hole.explosive);
   parameters.zone_volume =
@@ -224,9 +227,9 @@ double gas_constant(const BlastOptions& options, const std::vector<Hole>& crushe
   double mass = 0.0, sum = 0.0;
   for (std::size_t k = 0; k < crushed_zones.size(); ++k) {
     const LoadedHole hole = loaded_hole(options, crushed_zones[k], k);
-    const double charge = hole.explosive.density * modelled_volume(hole, crushed_zones[k]);
-    mass += charge;
-    sum += charge * gas_constant(hole.explosive);
+    const double gas = charge_mass(hole, crushed_zones[k]) * hole.explosive.reacts;
+    mass += gas;
+    sum += gas * gas_constant(hole.explosive);
   }
   return mass > 0.0 ? sum / mass : gas_constant(options.charge.explosive);
 }
@@ -236,10 +239,10 @@ std::vector<HoleCharge> hole_charges(const BlastOptions& options,
   std::vector<HoleCharge> charges;
   for (std::size_t k = 0; k < crushed_zones.size(); ++k) {
     const LoadedHole hole = loaded_hole(options, crushed_zones[k], k);
-    const double mass = hole.explosive.density * modelled_volume(hole, crushed_zones[k]);
+    const double mass = charge_mass(hole, crushed_zones[k]);
     const double r0 = hole.shape.hole_radius, r1 = crushed_zones[k].radius;
     charges.push_back(
-        {mass, hole.energy_known ? mass * hole.explosive.energy : 0.0,
+        {mass, mass * hole.explosive.reacts, hole.energy_known ? mass * hole.explosive.energy : 0.0,
          crushed_zones[k].share * M_PI * (r1 * r1 - r0 * r0) * hole.shape.chamber_length});
   }
   return charges;

@@ -44,7 +44,7 @@ struct LoadedHole {
 /// gases differ.
 [[nodiscard]] double gas_gamma(const BlastOptions& options);
 
-/// Specific gas constant of the products of all charges, the mean by mass; of the style's own
+/// Specific gas constant of the products of all charges, the mean by their mass; of the style's own
 /// explosive where there is no hole [J/(kg K)].
 [[nodiscard]] double gas_constant(const BlastOptions& options,
                                   const std::vector<Hole>& crushed_zones);
@@ -52,6 +52,7 @@ struct LoadedHole {
 /// One hole's explosive, and the rock that it crushes; the share of both that is modelled.
 struct HoleCharge {
   double mass = 0.0;          ///< [kg]
+  double gas = 0.0;           ///< of it, what reacts in time [kg]
   double energy = 0.0;        ///< 0 if the explosive's is not known [J]
   double crushed_rock = 0.0;  ///< between the hole and the wall of its crushed zone [m3]
 };

@@ -16,10 +16,12 @@ constexpr double kDelay = 0.02;  // of the second hole [s]
 const std::vector<Hole> kZones = {{.toe = {0, 0, 0}, .collar = {0, 0, 9}, .radius = 0.135},
                                   {.toe = {0, 4, 0}, .collar = {0, 4, 9}, .radius = 0.135}};
 
-BlastHoles two_holes(BlastHoles::State state = {}, const std::vector<Hole>& zones = kZones) {
+BlastHoles two_holes(BlastHoles::State state = {}, const std::vector<Hole>& zones = kZones,
+                     const std::string& more = "") {
   std::istringstream text(
       "explosive anfo hole_diameter 0.09 poisson_ratio 0.22 venting flow stemming_length 3 "
-      "crack_delay 1 crack_discharge 0 interval 0.02");
+      "crack_delay 1 crack_discharge 0 interval 0.02 " +
+      more);
   std::vector<std::string> words;
   for (std::string word; text >> word;) words.push_back(word);
   const BlastOptions options = blast_options(parse_args(blast_table(), kWhere, words), kWhere);
@@ -48,6 +50,25 @@ TEST(BlastHoles, EachPressesFromItsFiringTimeOn) {
   // pi 0.045^2 x 9 m x 800 kg/m3 x 3.8 MJ/kg
   EXPECT_NEAR(holes.audit(0, 0.01).explosive, 174.06e6, 0.01e6);
   EXPECT_NEAR(holes.explosive_energy(), 348.11e6, 0.02e6);
+}
+
+// What does not react makes no gas: half of an explosive that detonates does what one of half the
+// density does.
+TEST(BlastHoles, AShareThatReactsIsAsMuchLessExplosive) {
+  BlastHoles half = two_holes({}, kZones, "energy_share 0.5"),
+             light = two_holes({}, kZones, "explosive_density 400"), whole = two_holes();
+  for (BlastHoles* holes : {&half, &light, &whole}) {
+    sweep(*holes, 0.02, 0.0, 0.005);
+    holes->press(0.005);
+  }
+  EXPECT_NEAR(half.explosive_energy() / light.explosive_energy(), 1.0, 1e-12);
+  EXPECT_NEAR(half.gas_pressure(0) / light.gas_pressure(0), 1.0, 1e-9);
+  const BlastHoles::Gas gas = half.gas(0, 0.005), as_light = light.gas(0, 0.005);
+  EXPECT_NEAR(gas.mass / as_light.mass, 1.0, 1e-9);
+  EXPECT_NEAR(gas.density / as_light.density, 1.0, 1e-9);
+  EXPECT_NEAR(gas.enthalpy / as_light.enthalpy, 1.0, 1e-9);
+  EXPECT_NEAR(gas.mass / whole.gas(0, 0.005).mass, 0.5, 1e-9);
+  EXPECT_EQ(half.explosive_mass(), whole.explosive_mass());
 }
 
 TEST(BlastHoles, OneOnSymmetryPlanesHasItsShareOfEveryEnergy) {
