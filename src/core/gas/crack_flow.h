@@ -64,7 +64,15 @@ class CrackFlow {
   /// diameter, f = 0.143 (k/w)^(1/3) (Gauckler, Manning and Strickler; Tsai & Rice 2010;
   /// docs/sources.md).
   [[nodiscard]] double passage(double aperture, double length) const {
-    return 1.0 / std::sqrt(1.0 + 0.5 * friction_ * length * power_of(aperture, -4.0 / 3.0));
+    return passage_against(resistance(aperture, length));
+  }
+  /// The f L/(2w) of that [-].
+  [[nodiscard]] double resistance(double aperture, double length) const {
+    const double root = inverse_cube_root(aperture);
+    return 0.5 * friction_ * length * (root * root) * (root * root);
+  }
+  [[nodiscard]] static double passage_against(double resistance) {
+    return 1.0 / std::sqrt(1.0 + resistance);
   }
   /// Darcy's f at an aperture [m].
   [[nodiscard]] double friction_factor(double aperture) const;

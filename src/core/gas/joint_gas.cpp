@@ -52,9 +52,9 @@ void JointGas::set_rooms(const JointRooms& rooms) {
   calm_.assign(count, 0);
   left_out_since_.assign(rooms.facet_count(), kFlows);
   changes_.assign(count, {});
+  rooms_.assign(count, {});
   reservoirs_.assign(count, {});
-  for (auto* numbers : {&density_, &pressure_, &root_, &gauge_, &walls_, &rooms_, &films_, &gives_,
-                        &seen_, &owed_cooling_, &ways_now_})
+  for (auto* numbers : {&density_, &pressure_, &root_, &gauge_, &seen_, &owed_cooling_, &ways_now_})
     numbers->assign(count, 0.0);
   cracks_.clear();
   crack_facets_.clear();
@@ -106,11 +106,12 @@ JointGas::End JointGas::end_of(const JointRooms& rooms, std::size_t f) const {
 
 void JointGas::look_at_all() {
   for (auto* flags : {&calm_, &left_out_}) std::fill(flags->begin(), flags->end(), 0);
-  for (auto* numbers : {&seen_, &owed_cooling_, &films_, &gives_})
+  for (auto* numbers : {&seen_, &owed_cooling_, &owed_})
     std::fill(numbers->begin(), numbers->end(), 0.0);
+  for (Change& change : changes_) change.film = 0.0;
+  for (Rooms& rooms : rooms_) rooms.gives = 0.0;
   std::fill(left_out_since_.begin(), left_out_since_.end(), kFlows);
   std::fill(seen_points_.begin(), seen_points_.end(), kUnseen);
-  for (Crack& crack : cracks_) crack.owed = 0.0;
   step_ = p_.calm_every - 1;
   clock_ = 0.0;
   listed_ = false;
@@ -177,6 +178,7 @@ void JointGas::list_cracks(const JointRooms& rooms) {
   }
   mark_reached(rooms);
   cracks_.clear();
+  owed_.clear();
   crack_facets_.clear();
   ending_.clear();
   for (const std::uint32_t f : open_to_gas_) {
@@ -194,12 +196,13 @@ void JointGas::list_cracks(const JointRooms& rooms) {
     }
     if (end.hole >= 0 || end.surfaces)
       ending_.push_back(static_cast<std::uint32_t>(cracks_.size()));
-    cracks_.push_back({end, f, 0.0, 0.0, 0.0, 0.0, 0.0, flowed ? 0.0 : clock_ - since});
+    cracks_.push_back({end, f});
+    owed_.push_back(flowed ? 0.0 : clock_ - since);
     since = kFlows;
     add_facet(crack_facets_, f);
   }
   for (auto* numbers :
-       {&many_, &wall_, &closed_, &mechanical_, &aperture_, &area_, &passage_, &film_})
+       {&many_, &wall_, &closed_, &mechanical_, &aperture_, &area_, &passage_, &film_, &gives_})
     numbers->resize(cracks_.size());
   listed_ = true;
 }
@@ -225,8 +228,8 @@ void JointGas::expand() {
   for (std::size_t b = 0; b < cells_.size(); ++b) {
     if (!owned(b) || left_out(b)) continue;
     GasContent& gas = cells_[b].content;
-    const double opened = cells_[b].volume - (rooms_[b] - gas.broken) - gas.volume;
-    const double moved = opened + gives_[b];
+    const double opened = cells_[b].volume - (rooms_[b].broken - gas.broken) - gas.volume;
+    const double moved = opened + rooms_[b].gives;
     if (gas.energy > 0.0 && gas.volume > 0.0 && cells_[b].volume > 0.0 && moved != 0.0) {
       const auto [work, on_air] = paid(gas, moved);
       spent_.work += work;
@@ -235,8 +238,8 @@ void JointGas::expand() {
       gas.energy -= work;
     }
     gas.volume = cells_[b].volume;
-    gas.broken = rooms_[b];
-    gives_[b] = 0.0;
+    gas.broken = rooms_[b].broken;
+    rooms_[b].gives = 0.0;
   }
 }
 

@@ -213,13 +213,19 @@ class JointGas {
   enum class Keeps : std::uint8_t { unknown, gas, nothing };  // of a broken facet
   struct Crack : End {                                        // a broken facet that gas can reach
     std::uint32_t facet;
-    double volume;                                          // for each of its blocks [m3]
-    double broken;                                          // of that, while it is closed [m3]
-    double gives;                                           // since it was seen last [m3]
-    double area;                                            // across the flow [m2]
-    double way;                                             // conductance: area x passage [m2]
-    double owed;                                            // time that it was left out for [s]
-    [[nodiscard]] double end() const { return 0.5 * way; }  // each block has half the aperture
+    // A joint's room belongs to two blocks; that at a mirror to the block and its image.
+    [[nodiscard]] double half() const { return joint || mirror ? 0.5 : 1.0; }
+  };
+  struct alignas(64) Rooms {  // of a block: sums over its cracks
+    double volume;            // [m3]
+    double broken;            // of that, while they are closed [m3]
+    double walls;             // broken area [m2]
+    double ways;              // conductance [m2]
+    double gives;             // what closed joints have given way by since the last expand() [m3]
+  };
+  struct Change {  // of a block, by a flow
+    GasFlow flow;
+    double film;  // mass flow times film and wall since the last cool() [J/K]
   };
   struct alignas(64) Reservoir {  // gas of a block or a chamber, for the flow
     GasHead head;
@@ -246,7 +252,19 @@ class JointGas {
   };
   [[nodiscard]] Paid paid(const GasContent& gas, double moved) const;
   void find_passages();
+  void clear_rooms();
   void count_crack(std::size_t c);
+  void take_rooms();
+  /// Of a crack, for each of its blocks [m3], and of that, while it is closed.
+  [[nodiscard]] double room_of(std::size_t c) const {
+    return cracks_[c].half() * wall_[c] * mechanical_[c];
+  }
+  [[nodiscard]] double closed_room_of(std::size_t c) const {
+    return cracks_[c].half() * wall_[c] * closed_[c];
+  }
+  [[nodiscard]] double way_of(std::size_t c) const { return area_[c] * passage_[c]; }
+  /// Of a crack that ends, where each block has half the aperture.
+  [[nodiscard]] double end_of(std::size_t c) const { return 0.5 * way_of(c); }
   void expand();
   template <class Act>
   void each_block(const Crack& crack, const Act& act) const {
@@ -267,11 +285,11 @@ class JointGas {
   [[nodiscard]] GasFlow vent(std::size_t b, std::size_t c, double dt);
   GasFlow move(std::size_t b, double mass, double enthalpy) {
     const GasFlow flow{mass, mass * enthalpy};
-    changes_[b] += flow;
+    changes_[b].flow += flow;
     return flow;
   }
   /// A mass that has gone through part of a crack makes a film on the walls of block b.
-  void note_film(std::size_t b, std::size_t c, double mass) { films_[b] += film_[c] * mass; }
+  void note_film(std::size_t b, std::size_t c, double mass) { changes_[b].film += film_[c] * mass; }
   [[nodiscard]] const RockLayers::Step& cooling_step(double dt);
   void cool_block(std::size_t b, double dt);
   [[nodiscard]] double cv() const { return p_.gas_constant / (flow_.gamma() - 1.0); }
@@ -313,19 +331,19 @@ class JointGas {
   OpenJoints openings_;                     // of cracks_
   // Of cracks_: how many each stands for [-]; broken area of all [m2], apertures of one while
   // closed, mechanical and hydraulic [m], area across the flow of all [m2], passage [-], film x
-  // wall per mass flow through them [J/(kg K)].
-  std::vector<double> many_, wall_, closed_, mechanical_, aperture_, area_, passage_, film_;
+  // wall per mass flow through them [J/(kg K)], what its faces gave way by since it was seen last
+  // [m3], time that it was left out for [s].
+  std::vector<double> many_, wall_, closed_, mechanical_, aperture_, area_, passage_, film_, gives_,
+      owed_;
   struct Void {
     std::uint32_t crack;
     bool gone;  // parted by open_gas
   };
   std::vector<std::uint32_t> ending_;  // of cracks_: in a hole or at a surface
   std::vector<Void> wide_;             // of cracks_: parted by their radius
-  std::vector<GasFlow> changes_;
+  std::vector<Change> changes_;        // per block
+  std::vector<Rooms> rooms_;           // per block
   std::vector<double> chamber_ways_;
-  // Per block: broken area, room of its joints while they are closed, mass flow times film and wall
-  // since the last cool(), what closed joints have given way by since the last expand().
-  std::vector<double> walls_, rooms_, films_, gives_;  // [m2], [m3], [J/K], [m3]
   // Per facet, as it was seen last: how far its sides are apart less its opening, over the broken
   // area [m3], of which only differences count; which points those are (OpenJoints::points),
   // kUnseen: it was not seen.

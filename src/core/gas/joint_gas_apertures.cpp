@@ -39,7 +39,7 @@ void JointGas::note_gives() {
   for (std::size_t c = 0; c < cracks_.size(); ++c) {
     const std::uint32_t f = cracks_[c].facet;
     const double give = open.area[c] * (open.apart[c] - open.opening[c]);
-    cracks_[c].gives = seen_points_[f] == open.points[c] ? give - seen_gives_[f] : 0.0;
+    gives_[c] = seen_points_[f] == open.points[c] ? give - seen_gives_[f] : 0.0;
     seen_gives_[f] = give;
     seen_points_[f] = open.points[c];
   }
@@ -58,67 +58,74 @@ void JointGas::close_joints() {
   }
 }
 
-/// How easily gas passes each crack, and the film that it makes there: the friction is in the
-/// passage, (1 + f L/(2w))^(-1/2).
+/// How easily gas passes each crack, and the film that it makes there. The friction is in the
+/// passage against a resistance X = f L/(2w): f = 2 X w/L, on the wall A = pi L^2/4 of a crack with
+/// the area w L across the flow.
 void JointGas::find_passages() {
   const CrackFlow flow = flow_;
-  const WallHeat heat = heat_;
-  const double capacity = heat_capacity();
+  const double film_by_resistance = 0.5 * M_PI * heat_.film(1.0, 1.0, heat_capacity());
   const double* const __restrict aperture = aperture_.data();
-  const double* const __restrict wall = wall_.data(), * const __restrict many = many_.data();
+  const double* const __restrict wall = openings_.area.data(), * const __restrict many =
+                                                                   many_.data();
   double *const __restrict area = area_.data(), *const __restrict passage = passage_.data(),
                            *const __restrict film = film_.data();
   for (std::size_t c = 0, count = cracks_.size(); c < count; ++c) {
-    const double width = 2.0 * std::sqrt(wall[c] / many[c] / M_PI);
+    const double width = M_2_SQRTPI * std::sqrt(wall[c]);
+    const double resistance = flow.resistance(aperture[c], width);
     area[c] = many[c] * aperture[c] * width;
-    passage[c] = flow.passage(aperture[c], width);
-    const double friction = 2.0 * (1.0 / (passage[c] * passage[c]) - 1.0) * aperture[c] / width;
-    film[c] = heat.film(friction, 1.0 / area[c], capacity) * wall[c];
+    passage[c] = CrackFlow::passage_against(resistance);
+    film[c] = film_by_resistance * resistance;
   }
+}
+
+void JointGas::clear_rooms() {
+  for (std::size_t b = 0; b < cells_.size(); ++b) {
+    Rooms& rooms = rooms_[b];
+    if (!left_out(b)) rooms = {0.0, 0.0, 0.0, 0.0, rooms.gives};
+  }
+  std::fill(ways_now_.begin(), ways_now_.end(), 0.0);
 }
 
 /// To its blocks' volumes, walls and ways, and to the ways out of its hole. A block that is left
 /// out keeps what it has, but has no less ways than are open now, so that none is emptied. The way
 /// to an image has its share of the room, too, though nothing goes along it.
 void JointGas::count_crack(std::size_t c) {
-  Crack& crack = cracks_[c];
-  // A joint's room belongs to two blocks; that at a mirror to the block and its image.
-  const double half = crack.joint || crack.mirror ? 0.5 : 1.0;
-  crack.volume = half * wall_[c] * mechanical_[c];
-  crack.broken = half * wall_[c] * closed_[c];
-  crack.gives *= half;
-  crack.area = area_[c];
-  crack.way = area_[c] * passage_[c];
-  const double ways = (crack.joint || crack.mirror ? crack.way : 0.0) +
-                      (crack.hole >= 0 ? crack.end() : 0.0) + (crack.surfaces ? crack.end() : 0.0);
+  const Crack& crack = cracks_[c];
+  const double volume = room_of(c), broken = closed_room_of(c), gives = crack.half() * gives_[c];
+  const double end = end_of(c), ways = (crack.joint || crack.mirror ? way_of(c) : 0.0) +
+                                       (crack.hole >= 0 ? end : 0.0) + (crack.surfaces ? end : 0.0);
   each_block(crack, [&](std::size_t b) {
-    if (crack.hole >= 0 && owned(b))
-      chamber_ways_[static_cast<std::size_t>(crack.hole)] += crack.end();
-    if (owned(b)) gives_[b] += crack.gives;
+    if (crack.hole >= 0 && owned(b)) chamber_ways_[static_cast<std::size_t>(crack.hole)] += end;
+    Rooms& rooms = rooms_[b];
+    rooms.gives += gives;
     if (left_out(b)) {
       ways_now_[b] += ways;
       return;
     }
-    walls_[b] += wall_[c];
-    rooms_[b] += crack.broken;
-    cells_[b].volume += crack.volume;
-    cells_[b].ways += ways;
+    rooms.volume += volume;
+    rooms.broken += broken;
+    rooms.walls += wall_[c];
+    rooms.ways += ways;
   });
+}
+
+void JointGas::take_rooms() {
+  for (std::size_t b = 0; b < cells_.size(); ++b) {
+    cells_[b].volume = rooms_[b].volume;
+    cells_[b].ways = std::max(rooms_[b].ways, ways_now_[b]);
+  }
 }
 
 void JointGas::measure(const JointRooms& rooms, const std::vector<char>& fed) {
   find_calm(fed);
   if (!list_holds(rooms, fed)) list_cracks(rooms);
   wide_.clear();
-  for (std::size_t b = 0; b < cells_.size(); ++b)
-    if (!left_out(b)) walls_[b] = rooms_[b] = cells_[b].volume = cells_[b].ways = 0.0;
-  std::fill(ways_now_.begin(), ways_now_.end(), 0.0);
+  clear_rooms();
   chamber_ways_.assign(fed.size(), 0.0);
   find_apertures(rooms);
   find_passages();
   for (std::size_t c = 0; c < cracks_.size(); ++c) count_crack(c);
-  for (std::size_t b = 0; b < cells_.size(); ++b)
-    cells_[b].ways = std::max(cells_[b].ways, ways_now_[b]);
+  take_rooms();
   expand();
 }
 

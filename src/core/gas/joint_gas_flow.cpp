@@ -15,8 +15,8 @@ void JointGas::exchange(std::size_t c, double dt) {
   const Reservoir &donor = reservoirs_[from], &taker = reservoirs_[to];
   if (!(donor.head.pressure > taker.head.pressure)) return;
   const double flux = flow_.flux(donor.head, taker.head, passage_[c]);
-  const double most = crack.way * equalising_mass(donor, donor.room, taker.head, taker.room);
-  const double mass = std::min(flux * crack.area * dt, most);
+  const double most = way_of(c) * equalising_mass(donor, donor.room, taker.head, taker.room);
+  const double mass = std::min(flux * area_[c] * dt, most);
   move(from, -mass, donor.enthalpy);
   move(to, mass, donor.enthalpy);
   note_film(from, c, mass);
@@ -35,9 +35,9 @@ GasFlow JointGas::feed(std::size_t b, std::size_t c, const Reservoir& inlet, dou
   if (!(inlet.head.pressure > 0.0) || !(gas.room > 0.0)) return {};
   const bool in = inlet.head.pressure > gas.head.pressure;
   const Reservoir &up = in ? inlet : gas, &down = in ? gas : inlet;
-  const double most = cracks_[c].end() * equalising_mass(up, up.room, down.head, down.room);
+  const double most = end_of(c) * equalising_mass(up, up.room, down.head, down.room);
   const double mass =
-      std::min(flow_.flux(up.head, down.head, passage_[c]) * 0.5 * cracks_[c].area * dt, most);
+      std::min(flow_.flux(up.head, down.head, passage_[c]) * 0.5 * area_[c] * dt, most);
   note_film(b, c, 2.0 * mass);
   return move(b, in ? mass : -mass, up.enthalpy);
 }
@@ -46,10 +46,10 @@ GasFlow JointGas::feed(std::size_t b, std::size_t c, const Reservoir& inlet, dou
 GasFlow JointGas::vent(std::size_t b, std::size_t c, double dt) {
   const Reservoir& gas = reservoirs_[b];
   if (!(gas.head.pressure > p_.ambient)) return {};
-  const double most = cracks_[c].end() * gas.density / flow_.gamma() * gas.room *
+  const double most = end_of(c) * gas.density / flow_.gamma() * gas.room *
                       (1.0 - p_.ambient * gas.head.inverse_pressure);
   const double mass =
-      std::min(flow_.flux(gas.head, outside_, passage_[c]) * 0.5 * cracks_[c].area * dt, most);
+      std::min(flow_.flux(gas.head, outside_, passage_[c]) * 0.5 * area_[c] * dt, most);
   note_film(b, c, 2.0 * mass);
   move(b, -mass, gas.enthalpy);
   return {mass, mass * gas.enthalpy};
@@ -57,15 +57,15 @@ GasFlow JointGas::vent(std::size_t b, std::size_t c, double dt) {
 
 JointGas::Flows JointGas::flow(std::span<const GasChamber> chambers, double dt) {
   Flows flows{std::vector<GasFlow>(chambers.size()), std::vector<double>(chambers.size()), {}};
-  std::fill(changes_.begin(), changes_.end(), GasFlow{});
+  for (Change& change : changes_) change.flow = {};
   for (std::size_t c = 0; c < cracks_.size(); ++c) {
-    if (cracks_[c].joint) exchange(c, dt + cracks_[c].owed);
+    if (cracks_[c].joint) exchange(c, dt + owed_[c]);
   }
   std::vector<Reservoir> inlets;
   for (const GasChamber& chamber : chambers) inlets.push_back(inlet_of(chamber));
   for (const std::uint32_t c : ending_) {
     const Crack& crack = cracks_[c];
-    const double time = dt + crack.owed;  // [s]
+    const double time = dt + owed_[c];  // [s]
     each_block(crack, [&](std::size_t b) {
       if (!owned(b)) return;
       if (crack.hole >= 0) {
@@ -79,10 +79,10 @@ JointGas::Flows JointGas::flow(std::span<const GasChamber> chambers, double dt) 
   }
   for (std::size_t b = 0; b < cells_.size(); ++b) {
     if (!owned(b)) continue;
-    cells_[b].content.mass += changes_[b].mass;
-    cells_[b].content.energy += changes_[b].energy;
+    cells_[b].content.mass += changes_[b].flow.mass;
+    cells_[b].content.energy += changes_[b].flow.energy;
   }
-  for (Crack& crack : cracks_) crack.owed = 0.0;
+  std::fill(owed_.begin(), owed_.end(), 0.0);
   clock_ += dt;
   return flows;
 }
@@ -101,7 +101,7 @@ const RockLayers::Step& JointGas::cooling_step(double dt) {
 /// is cold, and shares in the warmth of the rest.
 void JointGas::cool_block(std::size_t b, double dt) {
   GasContent& gas = cells_[b].content;
-  const double film = films_[b], wall = walls_[b];
+  const double film = changes_[b].film, wall = rooms_[b].walls;
   if (!(wall > 0.0) || (gas.heat == 0.0 && !(film > 0.0))) return;
   if (wall > gas.wall) {
     for (double& excess : gas.rock) excess *= gas.wall / wall;
@@ -126,7 +126,7 @@ void JointGas::cool(double dt) {
     owed_cooling_[b] += dt;
     if (left_out(b)) continue;
     if (heat_.acts() && owned(b)) cool_block(b, owed_cooling_[b]);
-    films_[b] = owed_cooling_[b] = 0.0;
+    changes_[b].film = owed_cooling_[b] = 0.0;
   }
 }
 
@@ -142,8 +142,8 @@ JointGas::Opened JointGas::open_wide() {
     keeps_[cracks_[c].facet] = Keeps::nothing;
     listed_ = false;
     each_block(cracks_[c], [&](std::size_t b) {
-      lost_volume[b] += cracks_[c].volume;
-      rooms_[b] -= cracks_[c].broken;
+      lost_volume[b] += room_of(c);
+      rooms_[b].broken -= closed_room_of(c);
     });
   }
   for (std::size_t b = 0; b < lost_volume.size(); ++b) {
@@ -154,7 +154,7 @@ JointGas::Opened JointGas::open_wide() {
     rest.mass *= kept;
     rest.energy *= kept;
     rest.volume *= kept;
-    rest.broken = rooms_[b];
+    rest.broken = rooms_[b].broken;
     // The last joint takes all: no rounding is left behind.
     if (kept < 1e-12) rest.mass = rest.energy = rest.volume = rest.broken = rest.pressed = 0.0;
     opened.vented += {gas.mass - rest.mass, gas.energy - rest.energy};

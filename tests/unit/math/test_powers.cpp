@@ -38,6 +38,14 @@ TEST(Powers, AreSmoothWhereTheBinaryExponentChanges) {
   }
 }
 
+TEST(Powers, InverseCubeRootsAreThoseOfTheLibrary) {
+  double worst = 0.0;
+  for (double x = 1e-12; x < 1e12; x *= 1.00137)
+    worst = std::max(worst, std::abs(inverse_cube_root(x) * std::cbrt(x) - 1.0));
+  EXPECT_LT(worst, 2e-15);
+  EXPECT_GT(worst, 0.0);
+}
+
 TEST(Powers, StayFiniteBeyondTheirRange) {
   EXPECT_TRUE(std::isfinite(power_of(0.0, 1.4)));
   EXPECT_LT(power_of(0.0, 1.4), 1e-300);

@@ -10,24 +10,39 @@
 namespace muckpile {
 namespace {
 
-using PointLanes = std::array<unsigned, kFacetPoints>;  // bit per facet of a group
-
-/// Per point, the facets of a group in which it is broken, and in which it is in contact.
-struct BrokenLanes {
-  PointLanes broken{}, contact{};
-  unsigned retired = 0;  // carry no contact
-
-  BrokenLanes(const FacetHistory& history, const LaneSet& set) {
-    each_lane(set.lanes, [&](std::size_t k) {
-      const FacetTraces& traces = history.traces(set.group * kGroup + k);
-      retired |= (traces.state == FacetState::retired ? 1u : 0u) << k;
-      const unsigned points = traces.broken.bits(), apart = traces.contact().bits();
-      for (std::size_t p = 0; p < kFacetPoints; ++p) {
-        broken[p] |= (points >> p & 1u) << k;
-        contact[p] |= (apart >> p & 1u) << k;
-      }
-    });
+/// What a facet of a group has broken, in a byte of each: bit per point that is broken, then one
+/// per point that is in contact, then one if it is retired, which carries no contact.
+class BrokenBytes {
+ public:
+  BrokenBytes(const FacetHistory& history, std::size_t group) {
+    const std::size_t first = group * kGroup, count = std::min(kGroup, history.size() - first);
+    for (std::size_t k = 0; k < count; ++k) {
+      const FacetTraces& traces = history.traces(first + k);
+      const bool retired = traces.state == FacetState::retired;
+      bytes_ |= std::uint64_t{traces.broken.bits() | traces.contact().bits() << kFacetPoints |
+                              (retired ? kRetired : 0u)}
+                << 8 * k;
+    }
   }
+  [[nodiscard]] WideMask broken(std::size_t p) const { return mask_of<Wide>(lanes_with(p)); }
+  [[nodiscard]] WideMask contact(std::size_t p) const {
+    return mask_of<Wide>(lanes_with(kFacetPoints + p));
+  }
+  [[nodiscard]] WideMask retired() const { return mask_of<Wide>(lanes_with(2 * kFacetPoints)); }
+  /// As OpenJoints::points has them.
+  [[nodiscard]] std::uint8_t points(std::size_t lane) const {
+    return static_cast<std::uint8_t>(bytes_ >> 8 * lane & (kRetired - 1));
+  }
+
+ private:
+  static constexpr unsigned kRetired = 1u << 2 * kFacetPoints;
+  static_assert(kGroup <= 8 && 2 * kFacetPoints < 8);
+  /// Bit per facet whose byte has that bit: the product brings bit 8 k to 56 + k.
+  [[nodiscard]] unsigned lanes_with(std::size_t bit) const {
+    constexpr std::uint64_t kFirstOfEach = 0x0101010101010101, kToTop = 0x0102040810204080;
+    return static_cast<unsigned>((bytes_ >> bit & kFirstOfEach) * kToTop >> 56);
+  }
+  std::uint64_t bytes_ = 0;
 };
 
 /// Normal stiffness of the closed facets of a group [Pa/m].
@@ -54,16 +69,15 @@ std::size_t open_group_of_joints(const FacetKinematics& facets, const LaneSet& s
   constexpr double kNever = std::numeric_limits<double>::max();  // a point in the dilatations
   const FacetGroup& group = facets.tables.group(set.group);
   const ContactGroup& contact = facets.history.contacts().of(set.group);
-  const auto [broken, parted, retired] = BrokenLanes(facets.history, set);
+  const BrokenBytes bytes(facets.history, set.group);
   const WidePose pose = pose_of(group, facets.blocks.state.front());
   const WideField jump = jump_of(group, pose);
   const Wide mean = dot(pose.normal, jump.mean), along_1 = dot(pose.normal, jump.along_1),
              along_2 = dot(pose.normal, jump.along_2);
   Wide opening = 0.0, closure = 0.0, apart = 0.0, points = 0.0;
   for (std::size_t p = 0; p < kFacetPoints; ++p) {
-    const WideMask is_broken = mask_of<Wide>(broken[p]);
-    const Wide zero = wide(contact.offset[p][0]),
-               start = choose(mask_of<Wide>(parted[p]), zero, kNever);
+    const WideMask is_broken = bytes.broken(p);
+    const Wide zero = wide(contact.offset[p][0]), start = choose(bytes.contact(p), zero, kNever);
     const Wide now = mean + kOnFirst[p] * along_1 + kOnSecond[p] * along_2;
     opening += max(Wide(0.0), now - start);
     apart += choose(is_broken, now, 0.0);
@@ -80,21 +94,19 @@ std::size_t open_group_of_joints(const FacetKinematics& facets, const LaneSet& s
   store(points * wide(group.area) * Wide(1.0 / kFacetPoints), area);
   store(sides * opening * per_point, opened);
   Wide closed_by(0.0);  // most joints with gas are open
-  closure = choose(mask_of<Wide>(retired), Wide(0.0), closure);
+  closure = choose(bytes.retired(), Wide(0.0), closure);
   if (any_of(closure > 0.0))
     closed_by = wide(contact.fade) * closed_stiffness(facets, set) * closure * per_point;
   store(sides * apart * per_point, far_apart);
   store(closed_by, pressure);
   const unsigned alone = facets.tables.alone_lanes(set.group);  // only they know apertures
   each_lane(set.lanes, [&](std::size_t k) {
-    const FacetTraces& traces = facets.history.traces(set.group * kGroup + k);
     open.area[at] = area[k];
     open.opening[at] = opened[k];
     open.apart[at] = far_apart[k];
     open.pressure[at] = pressure[k];
     open.parted_squared[at] = parted_squared[k];
-    open.points[at] =
-        static_cast<std::uint8_t>(traces.broken.bits() | traces.contact().bits() << kFacetPoints);
+    open.points[at] = bytes.points(k);
     if ((alone >> k & 1u) != 0) {
       if (const auto known = mean_apertures(facets, set.group * kGroup + k))
         open.by_law.push_back({at, *known});
@@ -141,25 +153,30 @@ void GasLoad::clear_forces() {
 
 unsigned GasLoad::pressed_lanes(const FacetKinematics& facets, const LaneSet& active,
                                 FacetRow<double>& pressure) const {
-  if (!presses()) return 0;
+  const unsigned broken = active.lanes & ~facets.history.intact_lanes(active.group);
+  if (!presses() || broken == 0) return 0;
   const FacetGroup& group = facets.tables.group(active.group);
+  const auto ground = static_cast<std::int32_t>(pressure_.size() - 1);
+  alignas(64) FacetRow<std::int32_t> other;
+  for (std::size_t k = 0; k < kGroup; ++k)
+    other[k] = group.j[k] == ground ? group.i[k] : group.j[k];
+  const Wide between =
+      Wide(0.5) * (gather(group.i, pressure_.data()) + gather(other, pressure_.data()));
   unsigned lanes = 0;
-  each_lane(active.lanes & ~facets.history.intact_lanes(active.group), [&](std::size_t k) {
-    const std::size_t f = active.group * kGroup + k;
-    pressure[k] =
-        between(static_cast<std::size_t>(group.i[k]), static_cast<std::size_t>(group.j[k]));
-    if (pressure[k] != 0.0 && !facets.history.traces(f).over()) lanes |= 1u << k;
+  each_lane(broken & bits_of<Wide>(between != 0.0), [&](std::size_t k) {
+    lanes |= facets.history.traces(active.group * kGroup + k).over() ? 0u : 1u << k;
   });
+  store(between, pressure);
   return lanes;
 }
 
 void GasLoad::press(const FacetKinematics& facets, const LaneSet& pressed,
                     const FacetRow<double>& pressure, const WidePose& pose) {
   const FacetGroup& group = facets.tables.group(pressed.group);
-  const PointLanes broken = BrokenLanes(facets.history, pressed).broken;
+  const BrokenBytes bytes(facets.history, pressed.group);
   Wide points = 0.0, on_first = 0.0, on_second = 0.0;  // of the broken ones
   for (std::size_t p = 0; p < kFacetPoints; ++p) {
-    const Wide is = choose(mask_of<Wide>(broken[p]), Wide(1.0), 0.0);
+    const Wide is = choose(bytes.broken(p), Wide(1.0), 0.0);
     points += is;
     on_first += kOnFirst[p] * is;
     on_second += kOnSecond[p] * is;
