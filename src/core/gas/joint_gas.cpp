@@ -4,9 +4,11 @@
 #include "gas/joint_gas.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "args/require.h"
+#include "math/byte_lanes.h"
 
 namespace muckpile {
 namespace {
@@ -62,6 +64,7 @@ void JointGas::set_rooms(const JointRooms& rooms) {
   wide_.clear();
   ends_.clear();
   keeps_.assign(rooms.facet_count(), Keeps::unknown);
+  open_to_gas_.clear();
   seen_gives_.assign(rooms.facet_count(), 0.0);
   seen_points_.assign(rooms.facet_count(), kUnseen);
   look_at_all();
@@ -100,8 +103,7 @@ JointGas::End JointGas::end_of(const JointRooms& rooms, std::size_t f) const {
           .hole = of_i / 2 == of_j / 2 ? of_i / 2 - 1 : -1,
           .joint = joint,
           .mirror = mirror,
-          .surfaces = (of_i & of_j & 1) != 0,
-          .many = cracks_of(rooms, f)};
+          .surfaces = (of_i & of_j & 1) != 0};
 }
 
 void JointGas::look_at_all() {
@@ -154,14 +156,40 @@ bool JointGas::list_holds(const JointRooms& rooms, const std::vector<char>& fed)
   return same;
 }
 
-/// Blocks with gas and those beside them.
-void JointGas::mark_reached(const JointRooms& rooms) {
-  open_to_gas_.clear();
+void JointGas::find_ends(const JointRooms& rooms) {
+  ends_.reserve(rooms.facet_count());
+  bundles_.resize(rooms.facet_count());
   for (std::size_t f = 0; f < rooms.facet_count(); ++f) {
-    if (rooms.states()[f] == FacetState::intact) continue;
-    if (keeps_[f] == Keeps::unknown) keeps_[f] = rooms.keeps_gas(f) ? Keeps::gas : Keeps::nothing;
-    if (keeps_[f] == Keeps::gas) open_to_gas_.push_back(static_cast<std::uint32_t>(f));
+    ends_.push_back(end_of(rooms, f));
+    bundles_[f] = cracks_of(rooms, f);
   }
+}
+
+/// Adds facets that have broken since the last time to open_to_gas_, which stays in order.
+void JointGas::note_broken(const JointRooms& rooms) {
+  const std::size_t known = open_to_gas_.size(), facets = rooms.facet_count();
+  for (std::size_t first = 0; first < facets; first += kByteLanes) {
+    const std::size_t count = std::min(kByteLanes, facets - first);
+    const unsigned intact =
+        lanes_equal(load_bytes<kByteLanes>(rooms.states().data() + first, count,
+                                           static_cast<std::uint8_t>(FacetState::intact)),
+                    static_cast<std::uint8_t>(FacetState::intact));
+    const unsigned unknown =
+        lanes_equal(load_bytes<kByteLanes>(keeps_.data() + first, count,
+                                           static_cast<std::uint8_t>(Keeps::nothing)),
+                    static_cast<std::uint8_t>(Keeps::unknown));
+    for (unsigned fresh = unknown & ~intact; fresh != 0; fresh &= fresh - 1) {
+      const std::size_t f = first + static_cast<std::size_t>(std::countr_zero(fresh));
+      keeps_[f] = rooms.keeps_gas(f) ? Keeps::gas : Keeps::nothing;
+      if (keeps_[f] == Keeps::gas) open_to_gas_.push_back(static_cast<std::uint32_t>(f));
+    }
+  }
+  std::ranges::inplace_merge(open_to_gas_,
+                             open_to_gas_.begin() + static_cast<std::ptrdiff_t>(known));
+}
+
+/// Blocks with gas and those beside them.
+void JointGas::mark_reached() {
   std::fill(reached_.begin(), reached_.end(), 0);
   for (const std::uint32_t f : open_to_gas_) {
     const End& end = ends_[f];
@@ -172,11 +200,9 @@ void JointGas::mark_reached(const JointRooms& rooms) {
 }
 
 void JointGas::list_cracks(const JointRooms& rooms) {
-  if (ends_.empty()) {
-    ends_.reserve(rooms.facet_count());
-    for (std::size_t f = 0; f < rooms.facet_count(); ++f) ends_.push_back(end_of(rooms, f));
-  }
-  mark_reached(rooms);
+  if (ends_.empty()) find_ends(rooms);
+  note_broken(rooms);
+  mark_reached();
   cracks_.clear();
   owed_.clear();
   crack_facets_.clear();
@@ -201,9 +227,7 @@ void JointGas::list_cracks(const JointRooms& rooms) {
     since = kFlows;
     add_facet(crack_facets_, f);
   }
-  for (auto* numbers :
-       {&many_, &wall_, &closed_, &mechanical_, &aperture_, &area_, &passage_, &film_, &gives_})
-    numbers->resize(cracks_.size());
+  for (auto* numbers : {&area_, &passage_, &film_}) numbers->resize(cracks_.size());
   listed_ = true;
 }
 

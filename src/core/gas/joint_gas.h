@@ -208,7 +208,6 @@ class JointGas {
     bool joint;
     bool mirror;    // between a block and its image, which holds the same gas
     bool surfaces;  // ends on a free face
-    double many;    // cracks that it stands for until it is a void [-]
   };
   enum class Keeps : std::uint8_t { unknown, gas, nothing };  // of a broken facet
   struct Crack : End {                                        // a broken facet that gas can reach
@@ -240,28 +239,25 @@ class JointGas {
   [[nodiscard]] double cracks_of(const JointRooms& rooms, std::size_t f) const;
   [[nodiscard]] End end_of(const JointRooms& rooms, std::size_t f) const;
   [[nodiscard]] bool list_holds(const JointRooms& rooms, const std::vector<char>& fed);
-  void mark_reached(const JointRooms& rooms);
+  void find_ends(const JointRooms& rooms);
+  void note_broken(const JointRooms& rooms);
+  void mark_reached();
   void list_cracks(const JointRooms& rooms);
   void find_pressures();
-  void find_apertures(const JointRooms& rooms);
+  void measure_cracks(const JointRooms& rooms, std::span<const LaneSet> facets, std::size_t first);
+  void find_apertures();
   void close_joints();
   void note_gives();
+  void note_wide();
+  void find_passages();
+  void count_crack(std::size_t k);
+  void clear_rooms();
+  void take_rooms();
   struct Paid {
     double work;    // [J]
     double on_air;  // of it, on the atmosphere [J]
   };
   [[nodiscard]] Paid paid(const GasContent& gas, double moved) const;
-  void find_passages();
-  void clear_rooms();
-  void count_crack(std::size_t c);
-  void take_rooms();
-  /// Of a crack, for each of its blocks [m3], and of that, while it is closed.
-  [[nodiscard]] double room_of(std::size_t c) const {
-    return cracks_[c].half() * wall_[c] * mechanical_[c];
-  }
-  [[nodiscard]] double closed_room_of(std::size_t c) const {
-    return cracks_[c].half() * wall_[c] * closed_[c];
-  }
   [[nodiscard]] double way_of(std::size_t c) const { return area_[c] * passage_[c]; }
   /// Of a crack that ends, where each block has half the aperture.
   [[nodiscard]] double end_of(std::size_t c) const { return 0.5 * way_of(c); }
@@ -280,6 +276,7 @@ class JointGas {
            taker_room / (donor_room + taker_room);
   }
   void exchange(std::size_t c, double dt);
+  void exchange_all(double dt);
   [[nodiscard]] Reservoir inlet_of(const GasChamber& chamber) const;
   [[nodiscard]] GasFlow feed(std::size_t b, std::size_t c, const Reservoir& inlet, double dt);
   [[nodiscard]] GasFlow vent(std::size_t b, std::size_t c, double dt);
@@ -322,22 +319,30 @@ class JointGas {
   std::vector<double> left_out_since_, owed_cooling_;
   std::vector<double> ways_now_;  // per block left out: of those of its joints that flow [m2]
 
-  std::vector<End> ends_;                   // per facet
-  std::vector<Keeps> keeps_;                // per facet
-  std::vector<std::uint32_t> open_to_gas_;  // broken facets
+  std::vector<End> ends_;        // per facet
+  std::vector<double> bundles_;  // per facet: cracks that it stands for until it is a void [-]
+  std::vector<Keeps> keeps_;     // per facet
+  std::vector<std::uint32_t> open_to_gas_;  // broken facets that keep gas
   std::vector<char> reached_;               // per block: gas is in it or beside it
   std::vector<Crack> cracks_;               // those of them that gas can reach
   std::vector<LaneSet> crack_facets_;       // of cracks_
-  OpenJoints openings_;                     // of cracks_
-  // Of cracks_: how many each stands for [-]; broken area of all [m2], apertures of one while
-  // closed, mechanical and hydraulic [m], area across the flow of all [m2], passage [-], film x
-  // wall per mass flow through them [J/(kg K)], what its faces gave way by since it was seen last
-  // [m3], time that it was left out for [s].
-  std::vector<double> many_, wall_, closed_, mechanical_, aperture_, area_, passage_, film_, gives_,
-      owed_;
+  // Some of cracks_ that are measured together, so that they stay in the fastest cache: how many
+  // each stands for [-]; broken area of all [m2], apertures of one while closed, mechanical and
+  // hydraulic [m], what its faces gave way by since it was seen last [m3].
+  struct Batch {
+    std::size_t first = 0, count = 0;
+    OpenJoints open;
+    std::vector<double> many, wall, closed, mechanical, aperture, gives;
+    void resize(std::size_t cracks);
+  };
+  Batch batch_;
+  // Of cracks_: area across the flow of all that each stands for [m2], passage [-], film x wall per
+  // mass flow through them [J/(kg K)], time that it was left out for [s].
+  std::vector<double> area_, passage_, film_, owed_;
   struct Void {
     std::uint32_t crack;
-    bool gone;  // parted by open_gas
+    bool gone;              // parted by open_gas
+    double volume, broken;  // for each of its blocks; of that, while it is closed [m3]
   };
   std::vector<std::uint32_t> ending_;  // of cracks_: in a hole or at a surface
   std::vector<Void> wide_;             // of cracks_: parted by their radius

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Gas in broken joints: how wide they are, how easily gas passes them, and what room blocks have.
-// Scope: see joint_gas.h. Number by number over all cracks, so that the loops are vectorised.
+// Scope: see joint_gas.h. Number by number over many cracks, so that the loops are vectorised.
 #include <algorithm>
 #include <cmath>
 
@@ -8,53 +8,78 @@
 
 namespace muckpile {
 
-void JointGas::find_apertures(const JointRooms& rooms) {
-  rooms.open(crack_facets_, openings_);
-  OpenJoints& open = openings_;
-  for (std::size_t c = 0; c < cracks_.size(); ++c) {
+void JointGas::Batch::resize(std::size_t cracks) {
+  count = cracks;
+  for (auto* numbers : {&many, &wall, &closed, &mechanical, &aperture, &gives})
+    numbers->resize(cracks);
+}
+
+/// Cracks from `first` on.
+void JointGas::measure_cracks(const JointRooms& rooms, std::span<const LaneSet> facets,
+                              std::size_t first) {
+  rooms.open(facets, batch_.open);
+  batch_.first = first;
+  batch_.resize(batch_.open.area.size());
+  find_apertures();
+  note_gives();
+  note_wide();
+  find_passages();
+  for (std::size_t k = 0; k < batch_.count; ++k) count_crack(k);
+}
+
+void JointGas::find_apertures() {
+  Batch& all = batch_;
+  for (std::size_t k = 0; k < all.count; ++k) {
     // A void is no bundle of cracks.
-    many_[c] = open.parted_squared[c] > 1.0 ? 1.0 : cracks_[c].many;
-    wall_[c] = many_[c] * open.area[c];
-    closed_[c] = open.pressure[c];
-    mechanical_[c] = open.opening[c] / many_[c];
-  }
-  for (std::size_t c = 0; c < cracks_.size(); ++c) {
-    const double parted = open.parted_squared[c];
-    if (parted > 1.0)
-      wide_.push_back({static_cast<std::uint32_t>(c), parted > p_.open_gas * p_.open_gas});
+    all.many[k] = all.open.parted_squared[k] > 1.0 ? 1.0 : bundles_[cracks_[all.first + k].facet];
+    all.wall[k] = all.many[k] * all.open.area[k];
+    all.closed[k] = all.open.pressure[k];
+    all.mechanical[k] = all.open.opening[k] / all.many[k];
   }
   close_joints();
-  for (const auto& [c, law] : open.by_law) {
-    closed_[c] = law.at_break;
-    mechanical_[c] = law.mechanical;
-    aperture_[c] = law.hydraulic;
-    open.opening[c] = law.mechanical - law.at_break;  // what the joint gives way by is room there
+  for (const auto& [k, law] : all.open.by_law) {
+    all.closed[k] = law.at_break;
+    all.mechanical[k] = law.mechanical;
+    all.aperture[k] = law.hydraulic;
+    // What the joint gives way by is room there.
+    all.open.opening[k] = law.mechanical - law.at_break;
   }
-  note_gives();
+}
+
+/// Of stress and opening in `closed` and `mechanical`; in a form that the compiler vectorises.
+void JointGas::close_joints() {
+  const ClosedJoint joint = joint_;  // which no store can change
+  double* const __restrict closed = batch_.closed.data();
+  double* const __restrict mechanical = batch_.mechanical.data();
+  double* const __restrict aperture = batch_.aperture.data();
+  for (std::size_t k = 0, count = batch_.count; k < count; ++k) {
+    closed[k] = joint.closed(closed[k]);
+    mechanical[k] += closed[k];
+    aperture[k] = joint.hydraulic(mechanical[k]);
+  }
 }
 
 /// The pressure works on the blocks as they part, whether their faces touch or not.
 void JointGas::note_gives() {
-  const OpenJoints& open = openings_;
-  for (std::size_t c = 0; c < cracks_.size(); ++c) {
-    const std::uint32_t f = cracks_[c].facet;
-    const double give = open.area[c] * (open.apart[c] - open.opening[c]);
-    gives_[c] = seen_points_[f] == open.points[c] ? give - seen_gives_[f] : 0.0;
-    seen_gives_[f] = give;
-    seen_points_[f] = open.points[c];
+  const OpenJoints& open = batch_.open;
+  for (std::size_t k = 0; k < batch_.count; ++k) {
+    const Crack& crack = cracks_[batch_.first + k];
+    const double give = open.area[k] * (open.apart[k] - open.opening[k]);
+    const bool same = seen_points_[crack.facet] == open.points[k];
+    batch_.gives[k] = same ? crack.half() * (give - seen_gives_[crack.facet]) : 0.0;
+    seen_gives_[crack.facet] = give;
+    seen_points_[crack.facet] = open.points[k];
   }
 }
 
-/// Of stress and opening in closed_ and mechanical_; in a form that the compiler vectorises.
-void JointGas::close_joints() {
-  const ClosedJoint joint = joint_;  // which no store can change
-  double* const __restrict closed = closed_.data(), * const __restrict mechanical =
-                                                        mechanical_.data();
-  double* const __restrict aperture = aperture_.data();
-  for (std::size_t c = 0, count = cracks_.size(); c < count; ++c) {
-    closed[c] = joint.closed(closed[c]);
-    mechanical[c] += closed[c];
-    aperture[c] = joint.hydraulic(mechanical[c]);
+void JointGas::note_wide() {
+  const Batch& all = batch_;
+  for (std::size_t k = 0; k < all.count; ++k) {
+    const double parted = all.open.parted_squared[k];
+    if (!(parted > 1.0)) continue;
+    const double half = cracks_[all.first + k].half();
+    wide_.push_back({static_cast<std::uint32_t>(all.first + k), parted > p_.open_gas * p_.open_gas,
+                     half * all.wall[k] * all.mechanical[k], half * all.wall[k] * all.closed[k]});
   }
 }
 
@@ -64,17 +89,18 @@ void JointGas::close_joints() {
 void JointGas::find_passages() {
   const CrackFlow flow = flow_;
   const double film_by_resistance = 0.5 * M_PI * heat_.film(1.0, 1.0, heat_capacity());
-  const double* const __restrict aperture = aperture_.data();
-  const double* const __restrict wall = openings_.area.data(), * const __restrict many =
-                                                                   many_.data();
-  double *const __restrict area = area_.data(), *const __restrict passage = passage_.data(),
-                           *const __restrict film = film_.data();
-  for (std::size_t c = 0, count = cracks_.size(); c < count; ++c) {
-    const double width = M_2_SQRTPI * std::sqrt(wall[c]);
-    const double resistance = flow.resistance(aperture[c], width);
-    area[c] = many[c] * aperture[c] * width;
-    passage[c] = CrackFlow::passage_against(resistance);
-    film[c] = film_by_resistance * resistance;
+  const double* const __restrict aperture = batch_.aperture.data();
+  const double* const __restrict wall = batch_.open.area.data();
+  const double* const __restrict many = batch_.many.data();
+  double* const __restrict area = area_.data() + batch_.first;
+  double* const __restrict passage = passage_.data() + batch_.first;
+  double* const __restrict film = film_.data() + batch_.first;
+  for (std::size_t k = 0, count = batch_.count; k < count; ++k) {
+    const double width = M_2_SQRTPI * std::sqrt(wall[k]);
+    const double resistance = flow.resistance(aperture[k], width);
+    area[k] = many[k] * aperture[k] * width;
+    passage[k] = CrackFlow::passage_against(resistance);
+    film[k] = film_by_resistance * resistance;
   }
 }
 
@@ -89,22 +115,24 @@ void JointGas::clear_rooms() {
 /// To its blocks' volumes, walls and ways, and to the ways out of its hole. A block that is left
 /// out keeps what it has, but has no less ways than are open now, so that none is emptied. The way
 /// to an image has its share of the room, too, though nothing goes along it.
-void JointGas::count_crack(std::size_t c) {
+void JointGas::count_crack(std::size_t k) {
+  const std::size_t c = batch_.first + k;
   const Crack& crack = cracks_[c];
-  const double volume = room_of(c), broken = closed_room_of(c), gives = crack.half() * gives_[c];
+  const double wall = batch_.wall[k], half_wall = crack.half() * wall;
+  const double volume = half_wall * batch_.mechanical[k], broken = half_wall * batch_.closed[k];
   const double end = end_of(c), ways = (crack.joint || crack.mirror ? way_of(c) : 0.0) +
                                        (crack.hole >= 0 ? end : 0.0) + (crack.surfaces ? end : 0.0);
   each_block(crack, [&](std::size_t b) {
     if (crack.hole >= 0 && owned(b)) chamber_ways_[static_cast<std::size_t>(crack.hole)] += end;
     Rooms& rooms = rooms_[b];
-    rooms.gives += gives;
+    rooms.gives += batch_.gives[k];
     if (left_out(b)) {
       ways_now_[b] += ways;
       return;
     }
     rooms.volume += volume;
     rooms.broken += broken;
-    rooms.walls += wall_[c];
+    rooms.walls += wall;
     rooms.ways += ways;
   });
 }
@@ -122,9 +150,12 @@ void JointGas::measure(const JointRooms& rooms, const std::vector<char>& fed) {
   wide_.clear();
   clear_rooms();
   chamber_ways_.assign(fed.size(), 0.0);
-  find_apertures(rooms);
-  find_passages();
-  for (std::size_t c = 0; c < cracks_.size(); ++c) count_crack(c);
+  constexpr std::size_t kAtOnce = 64;  // groups of facets
+  const std::span<const LaneSet> facets(crack_facets_);
+  for (std::size_t g = 0, measured = 0; g < facets.size(); g += kAtOnce) {
+    measure_cracks(rooms, facets.subspan(g, std::min(kAtOnce, facets.size() - g)), measured);
+    measured += batch_.count;
+  }
   take_rooms();
   expand();
 }

@@ -5,13 +5,16 @@
 #include <cmath>
 
 #include "gas/joint_gas.h"
+#include "math/prefetch.h"
 
 namespace muckpile {
 
 void JointGas::exchange(std::size_t c, double dt) {
-  const Crack& crack = cracks_[c];
-  std::size_t from = crack.i, to = crack.j;
-  if (reservoirs_[to].head.pressure > reservoirs_[from].head.pressure) std::swap(from, to);
+  const std::uint32_t i = cracks_[c].i, j = cracks_[c].j;
+  // Without a branch: which side has more is hard to foresee.
+  const std::uint32_t back =
+      reservoirs_[j].head.pressure > reservoirs_[i].head.pressure ? i ^ j : 0u;
+  const std::size_t from = i ^ back, to = j ^ back;
   const Reservoir &donor = reservoirs_[from], &taker = reservoirs_[to];
   if (!(donor.head.pressure > taker.head.pressure)) return;
   const double flux = flow_.flux(donor.head, taker.head, passage_[c]);
@@ -21,6 +24,18 @@ void JointGas::exchange(std::size_t c, double dt) {
   move(to, mass, donor.enthalpy);
   note_film(from, c, mass);
   note_film(to, c, mass);
+}
+
+/// Between the blocks of all joints.
+void JointGas::exchange_all(double dt) {
+  constexpr std::size_t kAhead = 16;
+  for (std::size_t c = 0; c < cracks_.size(); ++c) {
+    if (c + kAhead < cracks_.size()) {
+      prefetch(&reservoirs_[cracks_[c + kAhead].i]);
+      prefetch(&reservoirs_[cracks_[c + kAhead].j]);
+    }
+    if (cracks_[c].joint) exchange(c, dt + owed_[c]);
+  }
 }
 
 JointGas::Reservoir JointGas::inlet_of(const GasChamber& chamber) const {
@@ -58,9 +73,7 @@ GasFlow JointGas::vent(std::size_t b, std::size_t c, double dt) {
 JointGas::Flows JointGas::flow(std::span<const GasChamber> chambers, double dt) {
   Flows flows{std::vector<GasFlow>(chambers.size()), std::vector<double>(chambers.size()), {}};
   for (Change& change : changes_) change.flow = {};
-  for (std::size_t c = 0; c < cracks_.size(); ++c) {
-    if (cracks_[c].joint) exchange(c, dt + owed_[c]);
-  }
+  exchange_all(dt);
   std::vector<Reservoir> inlets;
   for (const GasChamber& chamber : chambers) inlets.push_back(inlet_of(chamber));
   for (const std::uint32_t c : ending_) {
@@ -133,7 +146,7 @@ void JointGas::cool(double dt) {
 JointGas::Opened JointGas::open_wide() {
   Opened opened;
   std::vector<double> lost_volume;
-  for (const auto [c, gone] : wide_) {
+  for (const auto [c, gone, volume, broken] : wide_) {
     bool pushes = false;
     each_block(cracks_[c], [&](std::size_t b) { pushes = pushes || gauge_[b] > 0.0; });
     if (pushes && !gone) continue;
@@ -141,11 +154,13 @@ JointGas::Opened JointGas::open_wide() {
     opened.joints.push_back(cracks_[c].facet);
     keeps_[cracks_[c].facet] = Keeps::nothing;
     listed_ = false;
-    each_block(cracks_[c], [&](std::size_t b) {
-      lost_volume[b] += room_of(c);
-      rooms_[b].broken -= closed_room_of(c);
+    each_block(cracks_[c], [&, volume, broken](std::size_t b) {
+      lost_volume[b] += volume;
+      rooms_[b].broken -= broken;
     });
   }
+  if (!opened.joints.empty())
+    std::erase_if(open_to_gas_, [&](std::uint32_t f) { return keeps_[f] == Keeps::nothing; });
   for (std::size_t b = 0; b < lost_volume.size(); ++b) {
     if (!owned(b) || lost_volume[b] == 0.0) continue;
     GasContent& gas = cells_[b].content;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <experimental/simd>
 #include <type_traits>
@@ -55,6 +56,20 @@ template <class Number>
   }
 #endif
   return Number([&](auto lane) { return (lanes >> lane & 1u) != 0 ? 1.0 : 0.0; }) > 0.0;
+}
+/// Those of so many lanes, bit per lane, one behind the other.
+template <class Number>
+[[gnu::always_inline]] inline void store_lanes(const Number& v, unsigned lanes, double* to) {
+#if defined(__AVX512F__)
+  if constexpr (sizeof(Number) == sizeof(__m512d)) {
+    const __m512d packed =
+        _mm512_maskz_compress_pd(static_cast<__mmask8>(lanes), static_cast<__m512d>(v));
+    const unsigned first = (1u << std::popcount(lanes)) - 1u;
+    return _mm512_mask_storeu_pd(to, static_cast<__mmask8>(first), packed);
+  }
+#endif
+  for (std::size_t k = 0; k < Number::size(); ++k)
+    if ((lanes >> k & 1u) != 0) *to++ = v[k];
 }
 /// Bit per lane of a mask of Number.
 template <class Number>

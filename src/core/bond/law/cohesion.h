@@ -16,6 +16,7 @@
 
 #include "bond/law/joint_material.h"
 #include "math/lanes.h"
+#include "math/powers.h"
 #include "math/types.h"
 
 namespace muckpile {
@@ -75,7 +76,7 @@ using Cohesion = CohesionOf<double>;
 /// of the CEB-FIP Model Code 1990.
 [[nodiscard]] inline double rate_factor(double strain_rate, double reference_rate,
                                         double exponent) {
-  return std::pow(std::max(1.0, strain_rate / reference_rate), exponent);
+  return power_of(std::max(1.0, strain_rate / reference_rate), exponent);
 }
 
 }  // namespace muckpile

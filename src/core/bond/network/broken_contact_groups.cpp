@@ -38,15 +38,9 @@ struct BrokenContact::Remembered {
 };
 
 unsigned BrokenContact::apart_lanes(const LaneSet& working) const {
-  unsigned lanes = 0;
-  const unsigned in_group = working.lanes & ~facets_.tables.alone_lanes(working.group);
-  each_lane(in_group, [&](std::size_t k) {
-    const std::size_t f = working.group * kGroup + k;
-    if (history_.bonded_points(f) == 0 && history_.state(f) != FacetState::retired &&
-        !history_.has_extra(f))
-      lanes |= 1u << k;
-  });
-  return lanes;
+  const unsigned apart = working.lanes & ~facets_.tables.alone_lanes(working.group) &
+                         history_.apart_lanes(working.group);
+  return apart == 0 ? 0u : apart & ~history_.extra_lanes(working.group);
 }
 
 BrokenContact::Remembered BrokenContact::remembered(std::size_t g, unsigned lanes) {
@@ -86,8 +80,7 @@ unsigned BrokenContact::remaining_lanes(std::size_t g, unsigned lanes, const Wid
   const unsigned fading = lanes & bits_of<Wide>(parting.begins_to_fade());
   if (fading != 0) fade_lanes(g, fading, parting, memory);
   const Wide closes_at = closing_of(memory);
-  const unsigned gone =
-      lanes & bits_of<Wide>(parting.gone(closes_at) || wide(memory.fade) == 0.0);
+  const unsigned gone = lanes & bits_of<Wide>(parting.gone(closes_at) || wide(memory.fade) == 0.0);
   each_lane(gone, [&](std::size_t k) { retire(g * kGroup + k); });
   unsigned open = lanes & ~gone & bits_of<Wide>(parting.open_by(kSurelyOpen));
   if (open == 0) return lanes & ~gone;

@@ -13,6 +13,7 @@
 #include "bond/network/contact_rows.h"
 #include "bond/network/facet_memory.h"
 #include "bond/network/sparse.h"
+#include "math/byte_lanes.h"
 
 namespace muckpile {
 
@@ -30,12 +31,20 @@ class FacetHistory {
   [[nodiscard]] const std::vector<FacetState>& states() const { return states_; }
   /// Of a group, bit per facet: those of which every point holds.
   [[nodiscard]] unsigned intact_lanes(std::size_t group) const;
+  /// Likewise, those that carry nothing, and lanes without a facet.
+  [[nodiscard]] unsigned retired_lanes(std::size_t group) const;
+  /// Likewise, those of which no point is in the dilatations and that carry something.
+  [[nodiscard]] unsigned apart_lanes(std::size_t group) const;
   /// How many points are in the dilatations.
   [[nodiscard]] int bonded_points(std::size_t f) const { return bonded_points_[f]; }
   [[nodiscard]] const std::vector<std::uint8_t>& bonded_points() const { return bonded_points_; }
   [[nodiscard]] const ContactRows& contacts() const { return contacts_; }
   [[nodiscard]] ContactRows& contacts() { return contacts_; }
   [[nodiscard]] bool has_extra(std::size_t f) const { return extra_.exists(f); }
+  /// Of a group, bit per facet.
+  [[nodiscard]] unsigned extra_lanes(std::size_t group) const {
+    return extra_.existing_of_row<kGroup>(group * kGroup);
+  }
   [[nodiscard]] const GroundMemory& ground(std::size_t f) const { return extra_.get(f).ground; }
   [[nodiscard]] GroundMemory& ground_of_support(std::size_t f) {
     return extra_.get_or_create(f).ground;
@@ -82,6 +91,9 @@ class FacetHistory {
   [[nodiscard]] double bytes_of_extra() const { return extra_.memory_usage(); }
 
  private:
+  [[nodiscard]] std::size_t in_group(std::size_t group) const;
+  [[nodiscard]] std::uint64_t states_of(std::size_t group) const;
+
   std::vector<FacetTraces> traces_;
   std::vector<FacetState> states_;           // as in traces_
   std::vector<std::uint8_t> bonded_points_;  // as traces_ have it
@@ -89,12 +101,28 @@ class FacetHistory {
   SparseTable<ExtraMemory> extra_;
 };
 
+inline std::size_t FacetHistory::in_group(std::size_t group) const {
+  return std::min(kGroup, states_.size() - group * kGroup);
+}
+
+inline std::uint64_t FacetHistory::states_of(std::size_t group) const {
+  static_assert(sizeof(FacetState) == 1 && kGroup <= kByteLanes);
+  return load_bytes<kGroup>(states_.data() + group * kGroup, in_group(group),
+                            static_cast<std::uint8_t>(FacetState::retired));
+}
+
 inline unsigned FacetHistory::intact_lanes(std::size_t group) const {
-  const std::size_t first = group * kGroup;
-  unsigned lanes = 0;
-  for (std::size_t k = 0; k < kGroup && first + k < states_.size(); ++k)
-    lanes |= (states_[first + k] == FacetState::intact ? 1u : 0u) << k;
-  return lanes;
+  return lanes_equal(states_of(group), static_cast<std::uint8_t>(FacetState::intact));
+}
+
+inline unsigned FacetHistory::retired_lanes(std::size_t group) const {
+  return lanes_equal(states_of(group), static_cast<std::uint8_t>(FacetState::retired));
+}
+
+inline unsigned FacetHistory::apart_lanes(std::size_t group) const {
+  const std::uint64_t bonded =
+      load_bytes<kGroup>(bonded_points_.data() + group * kGroup, in_group(group), 1);
+  return lanes_equal(bonded, 0) & ~retired_lanes(group);
 }
 
 }  // namespace muckpile

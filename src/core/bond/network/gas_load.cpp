@@ -7,6 +7,8 @@
 #include <bit>
 #include <limits>
 
+#include "math/byte_lanes.h"
+
 namespace muckpile {
 namespace {
 
@@ -24,11 +26,15 @@ class BrokenBytes {
                 << 8 * k;
     }
   }
-  [[nodiscard]] WideMask broken(std::size_t p) const { return mask_of<Wide>(lanes_with(p)); }
-  [[nodiscard]] WideMask contact(std::size_t p) const {
-    return mask_of<Wide>(lanes_with(kFacetPoints + p));
+  [[nodiscard]] WideMask broken(std::size_t p) const {
+    return mask_of<Wide>(lanes_with_bit(bytes_, p));
   }
-  [[nodiscard]] WideMask retired() const { return mask_of<Wide>(lanes_with(2 * kFacetPoints)); }
+  [[nodiscard]] WideMask contact(std::size_t p) const {
+    return mask_of<Wide>(lanes_with_bit(bytes_, kFacetPoints + p));
+  }
+  [[nodiscard]] WideMask retired() const {
+    return mask_of<Wide>(lanes_with_bit(bytes_, 2 * kFacetPoints));
+  }
   /// As OpenJoints::points has them.
   [[nodiscard]] std::uint8_t points(std::size_t lane) const {
     return static_cast<std::uint8_t>(bytes_ >> 8 * lane & (kRetired - 1));
@@ -36,12 +42,7 @@ class BrokenBytes {
 
  private:
   static constexpr unsigned kRetired = 1u << 2 * kFacetPoints;
-  static_assert(kGroup <= 8 && 2 * kFacetPoints < 8);
-  /// Bit per facet whose byte has that bit: the product brings bit 8 k to 56 + k.
-  [[nodiscard]] unsigned lanes_with(std::size_t bit) const {
-    constexpr std::uint64_t kFirstOfEach = 0x0101010101010101, kToTop = 0x0102040810204080;
-    return static_cast<unsigned>((bytes_ >> bit & kFirstOfEach) * kToTop >> 56);
-  }
+  static_assert(kGroup <= kByteLanes && 2 * kFacetPoints < 8);
   std::uint64_t bytes_ = 0;
 };
 
@@ -89,23 +90,21 @@ std::size_t open_group_of_joints(const FacetKinematics& facets, const LaneSet& s
   const Wide sides = choose(mirror, Wide(2.0), 1.0), along = sides * dot(pose.normal, pose.jump);
   const Wide far = choose(mirror, along * along, dot(pose.jump, pose.jump)),
              radius_squared = M_1_PI * wide(group.area);
-  alignas(64) FacetRow<double> area, opened, far_apart, pressure, parted_squared;
-  store(max(far / radius_squared, sides * sides * turn_of(group, pose).squared()), parted_squared);
-  store(points * wide(group.area) * Wide(1.0 / kFacetPoints), area);
-  store(sides * opening * per_point, opened);
   Wide closed_by(0.0);  // most joints with gas are open
   closure = choose(bytes.retired(), Wide(0.0), closure);
   if (any_of(closure > 0.0))
     closed_by = wide(contact.fade) * closed_stiffness(facets, set) * closure * per_point;
-  store(sides * apart * per_point, far_apart);
-  store(closed_by, pressure);
+  const auto note = [&](const Wide& v, std::vector<double>& into) {
+    store_lanes(v, set.lanes, into.data() + at);
+  };
+  note(max(far / radius_squared, sides * sides * turn_of(group, pose).squared()),
+       open.parted_squared);
+  note(points * wide(group.area) * Wide(1.0 / kFacetPoints), open.area);
+  note(sides * opening * per_point, open.opening);
+  note(sides * apart * per_point, open.apart);
+  note(closed_by, open.pressure);
   const unsigned alone = facets.tables.alone_lanes(set.group);  // only they know apertures
   each_lane(set.lanes, [&](std::size_t k) {
-    open.area[at] = area[k];
-    open.opening[at] = opened[k];
-    open.apart[at] = far_apart[k];
-    open.pressure[at] = pressure[k];
-    open.parted_squared[at] = parted_squared[k];
     open.points[at] = bytes.points(k);
     if ((alone >> k & 1u) != 0) {
       if (const auto known = mean_apertures(facets, set.group * kGroup + k))
@@ -153,20 +152,20 @@ void GasLoad::clear_forces() {
 
 unsigned GasLoad::pressed_lanes(const FacetKinematics& facets, const LaneSet& active,
                                 FacetRow<double>& pressure) const {
-  const unsigned broken = active.lanes & ~facets.history.intact_lanes(active.group);
+  const FacetHistory& history = facets.history;
+  const unsigned broken = active.lanes & ~history.intact_lanes(active.group);
   if (!presses() || broken == 0) return 0;
   const FacetGroup& group = facets.tables.group(active.group);
-  const auto ground = static_cast<std::int32_t>(pressure_.size() - 1);
-  alignas(64) FacetRow<std::int32_t> other;
-  for (std::size_t k = 0; k < kGroup; ++k)
-    other[k] = group.j[k] == ground ? group.i[k] : group.j[k];
-  const Wide between =
-      Wide(0.5) * (gather(group.i, pressure_.data()) + gather(other, pressure_.data()));
   unsigned lanes = 0;
-  each_lane(broken & bits_of<Wide>(between != 0.0), [&](std::size_t k) {
-    lanes |= facets.history.traces(active.group * kGroup + k).over() ? 0u : 1u << k;
+  for (std::size_t k = 0; k < kGroup; ++k) {  // of all: no branch
+    pressure[k] =
+        between(static_cast<std::size_t>(group.i[k]), static_cast<std::size_t>(group.j[k]));
+    lanes |= (pressure[k] != 0.0 ? 1u : 0u) << k;
+  }
+  lanes &= broken;
+  each_lane(lanes & history.retired_lanes(active.group), [&](std::size_t k) {
+    if (!history.traces(active.group * kGroup + k).gas) lanes &= ~(1u << k);
   });
-  store(between, pressure);
   return lanes;
 }
 

@@ -55,6 +55,17 @@ class SparseTable {
     const Sparse<Row>& row = rows_[k / kRow];
     return row.exists() && row.get()[k % kRow].exists();
   }
+  /// Of `Count` objects from `first` on, a multiple of that: bit per object that has a value.
+  template <std::size_t Count>
+  [[nodiscard]] unsigned existing_of_row(std::size_t first) const {
+    static_assert(kRow % Count == 0);
+    const Sparse<Row>& row = rows_[first / kRow];
+    if (!row.exists()) return 0;
+    unsigned bits = 0;
+    for (std::size_t k = 0; k < Count; ++k)
+      bits |= (row.get()[first % kRow + k].exists() ? 1u : 0u) << k;
+    return bits;
+  }
   [[nodiscard]] const T& get(std::size_t k) const { return at(k).get(); }
   [[nodiscard]] T& get_or_create(std::size_t k) {
     return rows_[k / kRow].get_or_create()[k % kRow].get_or_create();
