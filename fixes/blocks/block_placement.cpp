@@ -57,25 +57,38 @@ std::vector<const RigidBody*> all_bodies(const RockModel& model) {
   return all;
 }
 
-/// The facets and boundary faces of each block, by block number.
+/// What goes along with each block, by block number: its boundary faces, and its facets. A joint
+/// between two blocks of one rank goes along with the first of them alone.
 struct FacesOfBlocks {
+  std::vector<std::size_t> owners;  // ranks
   std::vector<std::vector<const Facet*>> facets;
   std::vector<std::vector<BoundaryFace>> faces;
 };
 
-FacesOfBlocks faces_of_blocks(const RockModel& model, int first_tag) {
-  const std::size_t blocks = model.bodies.size() + model.muck.bodies.size();
-  FacesOfBlocks of{std::vector<std::vector<const Facet*>>(blocks),
-                   std::vector<std::vector<BoundaryFace>>(blocks)};
+FacesOfBlocks faces_of_blocks(const RockModel& model, const RankBoxes& boxes, int first_tag) {
+  FacesOfBlocks of;
+  for (const RigidBody* body : all_bodies(model)) of.owners.push_back(boxes.owner(body->centre));
+  of.facets.resize(of.owners.size());
+  of.faces.resize(of.owners.size());
   const auto place = [&](int tag) { return static_cast<std::size_t>(tag - first_tag); };
   for (const Facet& facet : model.facets.facets) {
-    of.facets[place(facet.tag_i)].push_back(&facet);
-    if (facet.tag_j != kGroundTag) of.facets[place(facet.tag_j)].push_back(&facet);
+    const std::size_t i = place(facet.tag_i);
+    of.facets[i].push_back(&facet);
+    if (facet.tag_j == kGroundTag) continue;
+    const std::size_t j = place(facet.tag_j);
+    if (of.owners[j] != of.owners[i]) of.facets[j].push_back(&facet);
   }
   for (const auto* faces : {&model.facets.faces, &model.muck.faces})
     for (const BoundaryFace& face : *faces) of.faces[place(face.tag)].push_back(face);
   return of;
 }
+
+int joints_of(const RockModel& model) {
+  return static_cast<int>(std::ranges::count(model.facets.facets, FacetKind::joint, &Facet::kind));
+}
+
+/// So many blocks are sent at once; messages of all would take twice what the blocks do.
+constexpr std::size_t kBlocksAtOnce = 20000;
 
 }  // namespace
 
@@ -112,8 +125,8 @@ void BlockPlacement::place(const RockModel& model, const std::vector<Hole>& hole
     for (const RigidBody* body : all_bodies(model)) centres.push_back(body->centre);
     balance->cut_for(centres);
   }
-  std::vector<ByteWriter> outgoing = hand_out(model);
-  create(outgoing, holes, blocks);
+  BlocksShare share = hand_out(model, static_cast<std::size_t>(blocks));
+  finish(std::move(share), holes, blocks, engine::of_first_rank(joints_of(model), world));
   if (auto* shapes = engine::find_view<BlockShapes>(*lmp)) shapes->share(shapes_of(model));
 }
 
@@ -141,53 +154,55 @@ std::vector<BlockShape> BlockPlacement::shapes_of(const RockModel& model) const 
   return shapes;
 }
 
-/// Per destination rank: the blocks that it gets; all of them come from rank 0.
-std::vector<ByteWriter> BlockPlacement::hand_out(const RockModel& model) const {
+/// Makes the bodies of all blocks, from rank 0 to the ranks that own them; what belongs to those of
+/// this one.
+BlocksShare BlockPlacement::hand_out(const RockModel& model, std::size_t blocks) {
   const RankBoxes boxes(*lmp);
-  const FacesOfBlocks of = faces_of_blocks(model, first_tag_);
-  std::vector<ByteWriter> outgoing(boxes.count());
-  int atom_tag = first_atom_tag_;
+  const FacesOfBlocks of = faces_of_blocks(model, boxes, first_tag_);
   const std::vector<const RigidBody*> bodies = all_bodies(model);
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const RigidBody& body = *bodies[b];
-    const std::uint8_t zone = b < model.zone_of.size() ? model.zone_of[b] : std::uint8_t{0};
-    PlacedBlock placed{first_tag_ + static_cast<int>(b), atom_tag, zone, body, of.faces[b], {}};
-    for (const Facet* facet : of.facets[b]) placed.facets.push_back(*facet);
-    outgoing[boxes.owner(body.centre)].put(placed);
-    atom_tag += static_cast<int>(body.spheres.size());
+  BlocksShare share;
+  int atom_tag = first_atom_tag_;
+  for (std::size_t first = 0; first < blocks; first += kBlocksAtOnce) {
+    std::vector<ByteWriter> outgoing(boxes.count());
+    for (std::size_t b = first; b < std::min(first + kBlocksAtOnce, bodies.size()); ++b) {
+      const std::uint8_t zone = b < model.zone_of.size() ? model.zone_of[b] : std::uint8_t{0};
+      PlacedBlock placed{
+          first_tag_ + static_cast<int>(b), atom_tag, zone, *bodies[b], of.faces[b], {}};
+      for (const Facet* facet : of.facets[b]) placed.facets.push_back(*facet);
+      outgoing[of.owners[b]].put(placed);
+      atom_tag += static_cast<int>(bodies[b]->spheres.size());
+    }
+    engine::or_engine_error(*lmp, "create_blocks", [&] {
+      engine::exchange_messages(outgoing, world, [&](ByteReader& in, std::size_t) {
+        while (!in.empty()) take(in.get<PlacedBlock>(), share);
+      });
+    });
   }
-  return outgoing;
+  return share;
 }
 
-void BlockPlacement::create(std::vector<ByteWriter>& outgoing, const std::vector<Hole>& holes,
-                            int blocks) {
-  std::vector<BlockRecord> records;
-  std::vector<Facet> facets;
-  std::vector<BoundaryFace> faces;
-  const auto create_one = [&](const PlacedBlock& placed) {
-    const RigidBody& body = placed.body;
-    create_body(placed);
-    records.push_back(
-        {placed.tag, body.volume, body.mass, body.centre, body.axes, {}, placed.zone});
-    faces.insert(faces.end(), placed.faces.begin(), placed.faces.end());
-    facets.insert(facets.end(), placed.facets.begin(), placed.facets.end());
-  };
-  engine::or_engine_error(*lmp, "create_blocks", [&] {
-    engine::exchange_messages(outgoing, world, [&](ByteReader& in, std::size_t) {
-      while (!in.empty()) create_one(in.get<PlacedBlock>());
-    });
-  });
+void BlockPlacement::take(const PlacedBlock& placed, BlocksShare& share) {
+  const RigidBody& body = placed.body;
+  create_body(placed);
+  share.records.push_back(
+      {placed.tag, body.volume, body.mass, body.centre, body.axes, {}, placed.zone});
+  share.faces.insert(share.faces.end(), placed.faces.begin(), placed.faces.end());
+  for (const Facet& facet : placed.facets) share.facets.push_back({facet, FacetMemory{}});
+}
+
+void BlockPlacement::finish(BlocksShare share, const std::vector<Hole>& holes, int blocks,
+                            int joints) {
   count_atoms();
   multisphere_->add_body_finalize();
   FixMuckpileBlocks& store = FixMuckpileBlocks::find_or_make(*lmp);
   const std::vector<std::uint8_t> numbers =
       engine::or_engine_error(*lmp, [&] { return store.zone_numbers(zones_); });
-  for (BlockRecord& record : records) record.zone = numbers[record.zone];
-  for (Facet& facet : facets) {
-    facet.zone_i = numbers[facet.zone_i];
-    facet.zone_j = numbers[facet.zone_j];
+  for (BlockRecord& record : share.records) record.zone = numbers[record.zone];
+  for (FacetEntry& entry : share.facets) {
+    entry.facet.zone_i = numbers[entry.facet.zone_i];
+    entry.facet.zone_j = numbers[entry.facet.zone_j];
   }
-  store.add(records, facets, faces, holes, blocks);
+  store.add(std::move(share), holes, blocks, joints);
 }
 
 /// Muck has the density of the run that it comes from.

@@ -36,6 +36,7 @@ struct Stored<PlacedBlock> {
 };
 
 struct BlockShape;
+struct BlocksShare;
 
 class BlockPlacement : protected LAMMPS_NS::Pointers {
  public:
@@ -49,9 +50,10 @@ class BlockPlacement : protected LAMMPS_NS::Pointers {
 
  private:
   void settle_new_fixes();
-  [[nodiscard]] std::vector<ByteWriter> hand_out(const RockModel& model) const;
+  [[nodiscard]] BlocksShare hand_out(const RockModel& model, std::size_t blocks);
+  void take(const PlacedBlock& placed, BlocksShare& share);
+  void finish(BlocksShare share, const std::vector<Hole>& holes, int blocks, int joints);
   [[nodiscard]] std::vector<BlockShape> shapes_of(const RockModel& model) const;
-  void create(std::vector<ByteWriter>& outgoing, const std::vector<Hole>& holes, int blocks);
   void create_body(const PlacedBlock& placed);
   void create_spheres(const PlacedBlock& placed, const std::vector<double*>& displace);
   [[nodiscard]] double density_of(const PlacedBlock& placed) const;

@@ -64,24 +64,17 @@ double FixMuckpileBlocks::memory_usage() {
       memory_.capacity() * sizeof(FacetMemory) + faces_.capacity() * sizeof(BoundaryFace));
 }
 
-void FixMuckpileBlocks::add(const std::vector<BlockRecord>& records,
-                            const std::vector<Facet>& facets,
-                            const std::vector<BoundaryFace>& faces, const std::vector<Hole>& holes,
-                            int blocks_all) {
-  // Each joint comes with both of its blocks. Joints that have retired are no longer in the lists.
-  int mine = 0;
-  for (const Facet& facet : facets) {
-    mine += facet.kind == FacetKind::joint ? 1 : 0;
-    highest_joint_class_ = std::max<int>(highest_joint_class_, facet.joint_class);
-  }
-  facets_created_ += engine::sum_over_ranks(mine, world) / 2;
+void FixMuckpileBlocks::add(BlocksShare share, const std::vector<Hole>& holes, int blocks_all,
+                            int joints_all) {
+  for (const FacetEntry& entry : share.facets)
+    highest_joint_class_ = std::max<int>(highest_joint_class_, entry.facet.joint_class);
+  // Joints that have retired are no longer in the lists.
+  facets_created_ += joints_all;
   take_back();
-  records_.insert(records_.end(), records.begin(), records.end());
-  std::vector<FacetEntry> entries;
-  for (const Facet& facet : facets) entries.push_back({facet, FacetMemory{}});
-  add_facets(std::move(entries));
+  records_.insert(records_.end(), share.records.begin(), share.records.end());
+  add_facets(std::move(share.facets));
   const int first_hole = static_cast<int>(holes_.size());
-  for (BoundaryFace face : faces) {
+  for (BoundaryFace face : share.faces) {
     if (face.hole >= 0) face.hole += first_hole;
     faces_.push_back(face);
   }

@@ -100,9 +100,9 @@ class FixMuckpileBlocks : public LAMMPS_NS::Fix,
   [[nodiscard]] static FixMuckpileBlocks* find(LAMMPS_NS::LAMMPS& lmp);
   static FixMuckpileBlocks& find_or_make(LAMMPS_NS::LAMMPS& lmp);
 
-  /// Takes the blocks that this rank creates, with every facet that one of them has.
-  void add(const std::vector<BlockRecord>& records, const std::vector<Facet>& facets,
-           const std::vector<BoundaryFace>& faces, const std::vector<Hole>& holes, int blocks_all);
+  /// Takes the blocks that this rank creates, with every facet that one of them has; `blocks_all`
+  /// and `joints_all` are created on all ranks.
+  void add(BlocksShare share, const std::vector<Hole>& holes, int blocks_all, int joints_all);
 
   [[nodiscard]] const std::vector<BlockRecord>& records() const override { return records_; }
   [[nodiscard]] const std::vector<Hole>& holes() const override { return holes_; }
