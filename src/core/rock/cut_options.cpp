@@ -179,11 +179,11 @@ void read_cut(CutOptions& options, const ArgValues& args) {
     refuse_cut("size import leaves nothing to cut: no 'cut'");
 }
 
-/// As many as half of the memory [bytes] holds, at most 5 million. Measured peaks: 12 kB a block
-/// while cutting, 0.7 kB a sphere in LIGGGHTS and contact lists. What sphere_gap adds is not known
-/// before the cut.
+/// As many as half of the memory [bytes] holds, at most 5 million. Measured peaks, as a run is
+/// set up: 12.5 kB a block with five spheres, of that 0.7 kB a sphere in LIGGGHTS and contact
+/// lists. What sphere_gap adds is not known before the cut.
 std::size_t blocks_in_memory(std::size_t memory, int spheres_per_block) {
-  const double bytes_per_block = 12e3 + 0.7e3 * spheres_per_block;
+  const double bytes_per_block = 9e3 + 0.7e3 * spheres_per_block;
   return static_cast<std::size_t>(
       std::min(0.5 * static_cast<double>(memory) / bytes_per_block, 5e6));
 }
