@@ -76,6 +76,30 @@ TEST(CellCutter, FastCellsEndAtBounds) {
 
 TEST(CellCutter, FastCellsMayMeetEightAtATime) { expect_same_cells(lattice(6), {}); }
 
+// A cell with more faces than LaneCell has room for is given up, and voro++ cuts it.
+TEST(CellCutter, FastCellsMayHaveAHundredFaces) {
+  Random random(3);
+  std::vector<Vec3> points = {Vec3::Constant(0.5)};
+  while (points.size() <= 100) {
+    const Vec3 p(random.uniform() - 0.5, random.uniform() - 0.5, random.uniform() - 0.5);
+    if (p.norm() > 0.1) points.push_back(points[0] + 0.4 * p.normalized());
+  }
+  expect_same_cells(points, {});
+  CellCutter cutter(points, Vec3::Zero(), Vec3::Ones());
+  ASSERT_TRUE(cutter.cut_fast(0, 0.1));
+  Polyhedron shape;
+  std::vector<int> behind;
+  cutter.extract(shape, behind);
+  EXPECT_GT(behind.size(), 64u);
+}
+
+TEST(CellCutter, NothingIsLeftOfAPointOnAnother) {
+  const std::vector<Vec3> points = {{0.2, 0.5, 0.5}, {0.2, 0.5, 0.5}, {0.8, 0.5, 0.5}};
+  CellCutter cutter(points, Vec3::Zero(), Vec3::Ones());
+  for (int k = 0; k < 2; ++k) EXPECT_EQ(cutter.cut_fast(k, 0.1), cutter.cut(k, 0.1));
+  EXPECT_FALSE(cutter.cut_fast(1, 0.1));
+}
+
 TEST(CellCutter, NothingIsLeftOfAPointBehindABound) {
   const std::vector<Vec3> points = {{0.2, 0.5, 0.5}, {0.8, 0.5, 0.5}};
   CellCutter cutter(points, Vec3::Zero(), Vec3::Ones(), {{{0.5, 0.5, 0.5}, Vec3::UnitX()}});
