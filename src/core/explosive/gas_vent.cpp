@@ -24,7 +24,7 @@ constexpr double kGrainDensity = 2650.0;  // kg/m3, of crushed stone
 GasVent::GasVent(const Parameters& parameters) : p_(parameters) {
   require_positive("hole_diameter", "m", 2.0 * p_.hole_radius);
   require_positive("crushed-zone radius", "m", p_.zone_radius);
-  require_positive("mass of the charge", "kg", p_.products_mass);
+  require_positive("mass of the gas of the charge", "kg", p_.products_mass);
   if (!(p_.gamma > 1.0)) refuse_value("gas_gamma", "> 1 with venting flow", "", p_.gamma);
   require_not_negative("stemming_length", "m", p_.stemming_length);
   require_positive("stemming_density", "kg/m3", p_.stemming_density);

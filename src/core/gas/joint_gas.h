@@ -220,7 +220,8 @@ class JointGas {
     double broken;            // of that, while they are closed [m3]
     double walls;             // broken area [m2]
     double ways;              // conductance [m2]
-    double gives;             // what closed joints have given way by since the last expand() [m3]
+    double gives;  // what closed joints have given way by since the last expand(); read of owned
+                   // blocks [m3]
   };
   struct Change {  // of a block, by a flow
     GasFlow flow;
@@ -326,7 +327,7 @@ class JointGas {
   std::vector<char> reached_;               // per block: gas is in it or beside it
   std::vector<Crack> cracks_;               // those of them that gas can reach
   std::vector<LaneSet> crack_facets_;       // of cracks_
-  // Some of cracks_ that are measured together, so that they stay in the fastest cache: how many
+  // Some of cracks_ that are measured together, so that they stay in the near caches: how many
   // each stands for [-]; broken area of all [m2], apertures of one while closed, mechanical and
   // hydraulic [m], what its faces gave way by since it was seen last [m3].
   struct Batch {

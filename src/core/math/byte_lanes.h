@@ -3,6 +3,7 @@
 // Scope: bit k of what comes out is of byte k.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -10,6 +11,7 @@
 namespace muckpile {
 
 inline constexpr std::size_t kByteLanes = 8;
+static_assert(std::endian::native == std::endian::little);
 
 /// Usually `Usual` bytes from `first` on, sometimes less: `count`; the others are `rest`.
 template <std::size_t Usual>

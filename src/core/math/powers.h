@@ -84,10 +84,11 @@ template <std::size_t First = 0, std::size_t N>
 [[gnu::always_inline]] inline double inverse_cube_root(double x) {
   const auto one = std::bit_cast<std::int64_t>(1.0);
   const std::int64_t above = std::bit_cast<std::int64_t>(x) - one;
+  constexpr std::int64_t kLess = std::int64_t{1} << 48;  // errs as much to both sides
   // A third of what the bits are above those of 1, by its binary digits 0.010101...: within 4 %.
   const std::int64_t third = (above >> 2) + (above >> 4) + (above >> 6) + (above >> 8) +
                              (above >> 10) + (above >> 12) + (above >> 14);
-  double y = std::bit_cast<double>(one - third - (std::int64_t{4} << 46));
+  double y = std::bit_cast<double>(one - third - kLess);
   for (int k = 0; k < 4; ++k) y *= 4.0 / 3.0 - (1.0 / 3.0) * x * y * y * y;  // Newton
   return y;
 }

@@ -180,8 +180,8 @@ TEST(CutOptions, OtherCutsAreNotPlain) {
 }
 
 TEST(CutOptions, MemoryBoundsTheBlocksUnlessTheUserDoes) {
-  // half of 8 GB, 12 kB a block and 0.7 kB for each of 10 spheres
-  EXPECT_EQ(read(kRock + "size uniform 0.3 spheres_per_block 10").rock.max_blocks, 210526u);
+  // half of 8 GB, 9 kB a block and 0.7 kB for each of 10 spheres
+  EXPECT_EQ(read(kRock + "size uniform 0.3 spheres_per_block 10").rock.max_blocks, 250000u);
   EXPECT_EQ(read(kRock + "size uniform 0.3 max_blocks 77").rock.max_blocks, 77u);
 }
 

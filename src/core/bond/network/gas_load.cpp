@@ -152,9 +152,10 @@ void GasLoad::clear_forces() {
 
 unsigned GasLoad::pressed_lanes(const FacetKinematics& facets, const LaneSet& active,
                                 FacetRow<double>& pressure) const {
+  if (!presses()) return 0;
   const FacetHistory& history = facets.history;
   const unsigned broken = active.lanes & ~history.intact_lanes(active.group);
-  if (!presses() || broken == 0) return 0;
+  if (broken == 0) return 0;
   const FacetGroup& group = facets.tables.group(active.group);
   unsigned lanes = 0;
   for (std::size_t k = 0; k < kGroup; ++k) {  // of all: no branch
