@@ -305,7 +305,8 @@ GasChamber FixMuckpileBlast::chamber(std::size_t hole) const {
   if (holes_.over(hole)) return {};
   const BlastHoles::Gas gas = holes_.gas(hole, clock());
   return {
-      {gas.pressure, gas.density}, gas.mass, gas.enthalpy, 0.0, holes_.charge(hole).crushed_rock};
+      {gas.pressure, gas.density}, gas.mass, gas.enthalpy, 0.0, holes_.charge(hole).crushed_rock,
+      gas.energy / gas.enthalpy};
 }
 
 void FixMuckpileBlast::release_gas() { holes_.release_gas(clock()); }

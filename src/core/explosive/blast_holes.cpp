@@ -93,7 +93,8 @@ BlastHoles::Gas BlastHoles::gas(std::size_t hole, double time) const {
   const double share = blast.wall_share(swept, state);
   const double mass = state.mass_left * charges_[hole].gas;
   return {mass, share * blast.gas_pressure(swept, time, state),
-          share * mass / blast.gas_volume(swept, state), blast.gas_enthalpy(swept, time, state)};
+          share * mass / blast.gas_volume(swept, state), blast.gas_enthalpy(swept, time, state),
+          blast.gas_energy(swept, time, state) / mass};
 }
 
 void BlastHoles::take_gas(std::size_t hole, double mass, double energy, double time) {

@@ -72,6 +72,7 @@ class BlastHoles {
   struct Gas {
     double mass = 0.0, pressure = 0.0, density = 0.0;
     double enthalpy = 0.0;  ///< that what leaves takes along [J/kg]
+    double energy = 0.0;    ///< that it holds [J/kg]
   };
   [[nodiscard]] Gas gas(std::size_t hole, double time) const;
   /// Moves a mass [kg] and an energy [J] from a hole into joints, or back if negative.

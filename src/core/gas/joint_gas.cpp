@@ -301,7 +301,7 @@ void JointGas::refresh() {
   const double to_enthalpy = flow_.gamma() / (flow_.gamma() - 1.0);
   for (std::size_t b = 0; b < cells_.size(); ++b) {
     const GasPoint gas{pressure_[b], pressure_[b] > 0.0 ? density_[b] : 0.0};
-    reservoirs_[b] = {CrackFlow::head(gas, root_[b]), gas.density,
+    reservoirs_[b] = {CrackFlow::head(gas, root_[b]), gas.density / flow_.gamma(),
                       cells_[b].ways > 0.0 ? cells_[b].volume / cells_[b].ways : 0.0,
                       to_enthalpy * pressure_[b] / density_[b]};
   }

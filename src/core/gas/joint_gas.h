@@ -116,6 +116,8 @@ struct GasChamber {
   double enthalpy = 0.0;      ///< that what leaves it carries [J/kg]
   double ways = 0.0;          ///< conductance of the joints that end in it [m2]; of all ranks
   double crushed_rock = 0.0;  ///< that the gas passes on its way into them [m3]
+  /// Of its enthalpy, what it holds: a dense gas has less than the 1/gamma of an ideal one [-].
+  double energy_share = 0.0;  ///< 0: that of an ideal gas
 };
 
 class JointGas {
@@ -229,7 +231,7 @@ class JointGas {
   };
   struct alignas(64) Reservoir {  // gas of a block or a chamber, for the flow
     GasHead head;
-    double density;   // [kg/m3]
+    double outflow;   // per volume, that brings its pressure down to nothing [kg/m3]
     double room;      // volume for a way of that conductance [m]
     double enthalpy;  // [J/kg]
   };
@@ -270,11 +272,10 @@ class JointGas {
   }
   /// What would have to flow through a way of conductance 1 for the pressure of both its shares to
   /// be the same [kg/m2]: m carries gamma m p/((gamma - 1) rho) from one to the other.
-  [[nodiscard]] double equalising_mass(const Reservoir& donor, double donor_room,
-                                       const GasHead& taker, double taker_room) const {
-    return donor.density / flow_.gamma() *
-           std::max(0.0, 1.0 - taker.pressure * donor.head.inverse_pressure) * donor_room *
-           taker_room / (donor_room + taker_room);
+  [[nodiscard]] static double equalising_mass(const Reservoir& donor, double donor_room,
+                                              const GasHead& taker, double taker_room) {
+    return donor.outflow * std::max(0.0, 1.0 - taker.pressure * donor.head.inverse_pressure) *
+           donor_room * taker_room / (donor_room + taker_room);
   }
   void exchange(std::size_t c, double dt);
   void exchange_all(double dt);

@@ -38,9 +38,11 @@ void JointGas::exchange_all(double dt) {
   }
 }
 
+/// What leaves takes its enthalpy along, so all of the energy is gone before all of the mass.
 JointGas::Reservoir JointGas::inlet_of(const GasChamber& chamber) const {
   if (!(chamber.gas.pressure > 0.0)) return {};
-  return {flow_.head(chamber.gas), chamber.gas.density,
+  const double share = chamber.energy_share > 0.0 ? chamber.energy_share : 1.0 / flow_.gamma();
+  return {flow_.head(chamber.gas), chamber.gas.density * share,
           chamber.mass / chamber.gas.density / chamber.ways, chamber.enthalpy};
 }
 
@@ -61,8 +63,8 @@ GasFlow JointGas::feed(std::size_t b, std::size_t c, const Reservoir& inlet, dou
 GasFlow JointGas::vent(std::size_t b, std::size_t c, double dt) {
   const Reservoir& gas = reservoirs_[b];
   if (!(gas.head.pressure > p_.ambient)) return {};
-  const double most = end_of(c) * gas.density / flow_.gamma() * gas.room *
-                      (1.0 - p_.ambient * gas.head.inverse_pressure);
+  const double most =
+      end_of(c) * gas.outflow * gas.room * (1.0 - p_.ambient * gas.head.inverse_pressure);
   const double mass =
       std::min(flow_.flux(gas.head, outside_, passage_[c]) * 0.5 * area_[c] * dt, most);
   note_film(b, c, 2.0 * mass);

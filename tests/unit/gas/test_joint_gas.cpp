@@ -129,6 +129,19 @@ TEST(JointGas, ChamberFeedsAtTheChokedFluxIntoEmptyJoints) {
   EXPECT_NEAR(pair.gas.pressure(pair.gas.cells()[0]) / 100e6, 1.0, 1e-9);
 }
 
+// As in a hole that fires into rock which is wide open already: in one step the joints could take
+// more energy than a dense gas has, whose enthalpy is more than gamma times its energy.
+TEST(JointGas, DenseGasKeepsItsEnergyAboveNothing) {
+  constexpr double kMass = 1e-3, kEnergy = 1.5e6, kEnthalpy = 3e6;  // [kg], [J/kg]
+  GasScene cube(test::voronoi_blocks(4.0, 3), closed(), 1);
+  for (int& code : cube.gas.touches()) code = 2;
+  cube.chambers[0] = {{1.5e9, 1000.0}, kMass, kEnthalpy, 0.0, 0.0, kEnergy / kEnthalpy};
+  cube.step(1e-2);
+  EXPECT_LT(cube.taken[0].energy / (kMass * kEnergy), 1.0);
+  EXPECT_GT(cube.taken[0].energy / (kMass * kEnergy), 0.99);
+  EXPECT_DOUBLE_EQ(cube.taken[0].energy, cube.taken[0].mass * kEnthalpy);
+}
+
 TEST(JointGas, SmallChamberIsNotEmptiedByManyJoints) {
   // A chamber with a fiftieth of the joints' volume, and steps so long that only the limit holds.
   GasScene cube(test::voronoi_blocks(4.0, 3), closed(), 1);
