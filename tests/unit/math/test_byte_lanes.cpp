@@ -31,10 +31,11 @@ TEST(ByteLanes, AreWhatEachByteSays) {
       for (std::size_t k = 0; k < kByteLanes; ++k) set |= (bytes[k] >> bit & 1u) << k;
       ASSERT_EQ(lanes_with_bit(all, bit), set);
     }
-    for (const std::uint8_t value : {0, 1, 2, 3, 127, 128, 255}) {
+    for (const int each : {0, 1, 2, 3, 127, 128, 255}) {
+      const auto value = static_cast<std::uint8_t>(each);
       unsigned equal = 0;
       for (std::size_t k = 0; k < kByteLanes; ++k) equal |= (bytes[k] == value ? 1u : 0u) << k;
-      ASSERT_EQ(lanes_equal(all, value), equal) << int{value};
+      ASSERT_EQ(lanes_equal(all, value), equal) << each;
     }
   }
 }
@@ -53,8 +54,10 @@ TEST(StoreLanes, PutsThoseOfSomeOneBehindTheOther) {
     std::array<double, Native::size() + 1> to{};
     store_lanes(numbers, lanes, to.data());
     std::size_t at = 0;
-    for (std::size_t k = 0; k < Native::size(); ++k)
-      if ((lanes >> k & 1u) != 0) ASSERT_EQ(to[at++], 1.0 + static_cast<double>(k)) << lanes;
+    for (std::size_t k = 0; k < Native::size(); ++k) {
+      if ((lanes >> k & 1u) == 0) continue;
+      ASSERT_EQ(to[at++], 1.0 + static_cast<double>(k)) << lanes;
+    }
     for (; at < to.size(); ++at) ASSERT_EQ(to[at], 0.0) << lanes;
   }
 }
